@@ -17,7 +17,7 @@ use grazing_model::ImpactOscillator;
 use grazing_theorems::from_map::{GrazingOrbitError, GrazingPlace};
 
 use crate::locate::{Condition, LocateFailure, locate};
-use crate::mps::{EventTimes, unknown};
+use crate::mps::{EventTimes, LoopEquations, unknown};
 use crate::resonance::ResonantGrazingPoint;
 
 /// A coefficient could not be measured.
@@ -101,6 +101,7 @@ pub fn measure<O: ImpactOscillator>(
     resonance: &ResonantGrazingPoint<O>,
     condition: Condition,
 ) -> Result<Measurement, FitError> {
+    let equations = resonance.equations();
     let mut reach = FIRST * scale(resonance, condition);
     let deepest = DEEPEST * reach;
     let [primary, secondary] = resonance.orbit().oscillator().parameters();
@@ -108,7 +109,7 @@ pub fn measure<O: ImpactOscillator>(
     let mut levels: Vec<Level> = Vec::new();
     let (mut best, mut failure) = (0, None);
     while reach > deepest {
-        let level = match Level::of(resonance, condition, reach) {
+        let level = match Level::of(resonance, equations, condition, reach) {
             Ok(level) => level,
             Err(error) => {
                 failure = Some(error);
@@ -133,7 +134,15 @@ pub fn measure<O: ImpactOscillator>(
             let nearer = levels.get(best + 1).unwrap_or(level);
             let tails = [0, 1].map(|k| level.tails[k].max(nearer.tails[k]));
             // Differences without any scatter are all zero: far below rounding.
-            Ok(level.measured([0, 1].map(|k| if tails[k] > 0.0 { tails[k] } else { rounding[k] })))
+            let tails = [0, 1].map(|k| if tails[k] > 0.0 { tails[k] } else { rounding[k] });
+            let measured = level.measured(tails);
+            if !O::INTEGRATED {
+                return Ok(measured);
+            }
+            // The error of integration may vary with y as smoothly as the curve does, and no tail shows it.
+            let mut fine = Level::of(resonance, &equations.finely(), condition, level.reach)?.measured(tails);
+            fine.coefficient.error += (fine.coefficient.value - measured.coefficient.value).abs();
+            Ok(fine)
         }
         (None, Some(failure)) => Err(failure),
         (None, None) => unreachable!("a level without points has a failure"),
@@ -162,10 +171,10 @@ struct Level {
 impl Level {
     fn of<O: ImpactOscillator>(
         resonance: &ResonantGrazingPoint<O>,
+        equations: &LoopEquations<O>,
         condition: Condition,
         reach: f64,
     ) -> Result<Self, FitError> {
-        let equations = resonance.equations();
         let origin = resonance.unknowns();
         let direction = resonance.direction(condition);
         let tangent = direction / direction[unknown::VELOCITY];

@@ -127,6 +127,11 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         Self { oscillator: self.oscillator.roughly(), ..self.clone() }
     }
 
+    /// The same equations with motion integrated in shorter steps, where it is integrated.
+    pub(crate) fn finely(&self) -> Self {
+        Self { oscillator: self.oscillator.finely(), ..self.clone() }
+    }
+
     /// The oscillator at the parameters of a point.
     pub fn oscillator_at(&self, point: &Unknowns) -> O {
         self.oscillator.with_parameters(parameters(point))

@@ -28,6 +28,11 @@ pub trait ImpactOscillator: Clone + Send + Sync {
         self.clone()
     }
 
+    /// The same with motion integrated in shorter steps, where it is integrated: what changes then is the error of integration.
+    fn finely(&self) -> Self {
+        self.clone()
+    }
+
     /// The angular frequency ω(μ, η) of the forcing with its derivatives.
     fn forcing_frequency(&self) -> ParameterJet;
 

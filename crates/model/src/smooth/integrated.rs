@@ -4,7 +4,7 @@ use nalgebra::{Matrix2, Matrix4, RowVector4, Vector2};
 
 use super::jet::{FIRST, Jet, SECOND, variable};
 use super::motion::IntegratedMotion;
-use super::oscillator::{Integrated, SmoothOscillator};
+use super::oscillator::{Accuracy, Integrated, SmoothOscillator};
 use crate::jet::{FlowJet, MapJet, ParameterJet};
 use crate::oscillator::ImpactOscillator;
 use crate::state::{OnWall, State};
@@ -36,11 +36,15 @@ impl<M: SmoothOscillator> ImpactOscillator for Integrated<M> {
     }
 
     fn with_parameters(&self, parameters: [f64; 2]) -> Self {
-        Self { rough: self.rough, ..Self::new(self.model.clone(), parameters) }
+        Self { accuracy: self.accuracy, ..Self::new(self.model.clone(), parameters) }
     }
 
     fn roughly(&self) -> Self {
-        Self { rough: true, ..self.clone() }
+        Self { accuracy: Accuracy::Rough, ..self.clone() }
+    }
+
+    fn finely(&self) -> Self {
+        Self { accuracy: Accuracy::Fine, ..self.clone() }
     }
 
     fn forcing_frequency(&self) -> ParameterJet {

@@ -4,7 +4,7 @@ use core::cell::RefCell;
 
 use super::enclosure::{Cage, derivatives, enclose, estimate};
 use super::integrator::{Node, Step};
-use super::oscillator::{Integrated, SmoothOscillator};
+use super::oscillator::{Accuracy, Integrated, SmoothOscillator};
 use crate::motion::{Bounds, Enclosure, Kinematics, Motion, Walk};
 use crate::state::State;
 use crate::tolerances::MOST_STEPS;
@@ -85,7 +85,8 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
         self.extend(course, time);
         for k in course.cages.len()..course.nodes.len() - 1 {
             let [node, next] = [&course.nodes[k], &course.nodes[k + 1]];
-            match if self.oscillator.rough { estimate(next) } else { enclose(&self.oscillator, node, next) } {
+            let rough = self.oscillator.accuracy == Accuracy::Rough;
+            match if rough { estimate(next) } else { enclose(&self.oscillator, node, next) } {
                 Some(cage) => course.cages.push(cage),
                 None => {
                     course.nodes.truncate(k + 1);

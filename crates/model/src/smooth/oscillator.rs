@@ -36,15 +36,25 @@ pub struct Integrated<M> {
     pub(super) model: M,
     pub(super) parameters: [f64; 2],
     pub(super) frequency: f64,
-    /// Steps are longer, and motion is right to fewer digits.
-    pub(super) rough: bool,
+    pub(super) accuracy: Accuracy,
+}
+
+/// How long steps are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Accuracy {
+    /// Longer ones, with which motion is right to some seven digits.
+    Rough,
+    /// Those with which it is right to some thirteen.
+    Usual,
+    /// Shorter ones, with which nothing is left but rounding.
+    Fine,
 }
 
 impl<M: SmoothOscillator> Integrated<M> {
     /// The oscillator at these parameters.
     pub fn new(model: M, [mu, eta]: [f64; 2]) -> Self {
         let frequency = model.forcing_frequency(mu, eta);
-        Self { model, parameters: [mu, eta], frequency, rough: false }
+        Self { model, parameters: [mu, eta], frequency, accuracy: Accuracy::Usual }
     }
 
     /// The oscillator without its parameters.
@@ -64,6 +74,6 @@ impl<M: SmoothOscillator> Integrated<M> {
 
     /// No step is longer, so that the search for events has cells of a reasonable size (empirical).
     pub(super) fn longest_step(&self) -> f64 {
-        core::f64::consts::TAU / (if self.rough { 5.0 } else { 10.0 } * self.frequency)
+        core::f64::consts::TAU / (if self.accuracy == Accuracy::Rough { 5.0 } else { 10.0 } * self.frequency)
     }
 }

@@ -43,6 +43,10 @@ impl<O: ImpactOscillator> ImpactOscillator for Exchanged<O> {
         Self(self.0.roughly())
     }
 
+    fn finely(&self) -> Self {
+        Self(self.0.finely())
+    }
+
     fn forcing_frequency(&self) -> ParameterJet {
         let mut jet = self.0.forcing_frequency();
         jet.gradient.swap_rows(0, 1);

@@ -2,6 +2,7 @@
 
 use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::resonance::ResonantGrazingPoint;
+use grazing_model::smooth::Integrated;
 use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_unfold::progress::Silent;
 use grazing_unfold::sides::{Inconclusive, Sides, Simulated, simulate};
@@ -9,7 +10,7 @@ use grazing_unfold::simulation::Seen;
 use grazing_unfold::verdict::{Coefficient, Obstacle, Verdict, coefficients};
 use grazing_unfold::{Diagram, Scope};
 
-use crate::specimens::{EPSILON, ZETA, assert_within, scope, written};
+use crate::specimens::{EPSILON, ZETA, assert_within, described, scope, written};
 
 /// The resonance of the linear oscillator with the given numbers, located from its closed form.
 fn linear(zeta: f64, loops: u32, n: u32) -> ResonantGrazingPoint<LinearOscillator> {
@@ -47,6 +48,24 @@ fn coefficients_with_the_parameters_swapped_are_those_of_the_other_way_round() {
         let fit = coefficient.fit.unwrap().coefficient;
         assert_within(fit.value, wanted, fit.error + coefficient.theorem.error);
         assert!(fit.error < 1e-6 * wanted.abs(), "{fit:?}");
+    }
+}
+
+#[test]
+fn errors_of_coefficients_cover_those_of_integrating_a_force_of_short_pulses() {
+    let window @ [primary, secondary] = [[0.0, 3.0], [0.3, 1.4]];
+    let force = "-0.06*v - x - 1 + mu*exp(6*(cos(eta*t) - 1))";
+    let pulses = Integrated::new(described([force, "eta", "0"], 0.8, window), [0.3, 1.0]);
+    let diagram = Diagram::located(&pulses, &scope(primary, secondary, &[1]), &Silent).unwrap();
+    let both: Vec<_> = diagram.unfolding().flat_map(|(_, point)| coefficients(point).into_array()).collect();
+    assert!(both.len() >= 10);
+    for coefficient in both {
+        let measured = coefficient.measured();
+        let deviation = (measured.value - coefficient.theorem.value).abs();
+        assert!(
+            deviation < measured.error && measured.error < 1e-7 * measured.value.abs(),
+            "{coefficient:?}"
+        );
     }
 }
 
