@@ -294,13 +294,21 @@ impl<O: ImpactOscillator> GrazingEquations<'_, O> {
         if !admissible(&orbit) {
             orbit = GrazingOrbit::find(orbit.oscillator(), orbit.phase()).unwrap_or(orbit);
         }
-        let GrazingPoint { map, gamma, .. } = orbit.grazing_point();
+        let GrazingPoint { gamma, .. } = orbit.grazing_point();
         let [primary, secondary] = self.scope.window.widths();
         (gamma > 0.0).then(|| GrazingState {
             tangent: Vector3::new(tangent[0], tangent[1] * primary, tangent[2] * secondary),
-            stable: Multipliers { trace: map.trace(), determinant: map.determinant() }.stable(),
+            stable: multipliers(&orbit).stable(),
             admissible: admissible(&orbit),
             orbit,
         })
     }
+}
+
+/// The multipliers of a grazing orbit, the wall ignored, by the flow over a period: the entries of P_global's derivative grow as 1/γ.
+fn multipliers<O: ImpactOscillator>(orbit: &GrazingOrbit<O>) -> Multipliers {
+    let oscillator = orbit.oscillator();
+    let flow = oscillator.flow::<1>(State::at_rest(0.0, orbit.phase()), oscillator.forcing_period());
+    let derivative = flow.jacobian.fixed_columns::<2>(0);
+    Multipliers { trace: derivative.trace(), determinant: derivative.determinant() }
 }
