@@ -12,7 +12,7 @@ use crate::mps::{
     EventTimes, Formulation, MaximalPeriodicSolution, Multipliers, Stability, Unknowns, parameters, unknown,
 };
 use crate::tolerances::{
-    FARTHEST_EVENT, FARTHEST_ITERATE, HALVINGS, LOST_MULTIPLIERS, LOST_POINTS, NO_VELOCITY, ON_TWO_CURVES,
+    CUTS, FARTHEST_EVENT, FARTHEST_ITERATE, LOST_MULTIPLIERS, LOST_POINTS, NO_VELOCITY, ON_TWO_CURVES,
     TOUCHES_TOO,
 };
 
@@ -295,7 +295,7 @@ impl Follower<'_> {
         ControlFlow::Continue(())
     }
 
-    /// Locates an event that Newton's method does not find from the middle of the step: the step is halved about it, over and over.
+    /// Locates an event that Newton's method does not find from the middle of the step: the step is cut about it, over and over.
     fn located_closer<O: ImpactOscillator>(
         &self,
         equations: &MpsCurve<O>,
@@ -304,7 +304,7 @@ impl Follower<'_> {
         [before, after]: [&MpsStation; 2],
     ) -> Option<(MaximalPeriodicSolution, EventTimes)> {
         let (mut before, mut after) = (before.clone(), after.clone());
-        for _ in 0..HALVINGS {
+        for _ in 0..CUTS {
             let half = 0.5 * (after.point - before.point).norm();
             if half < self.route.control.shortest {
                 return None;

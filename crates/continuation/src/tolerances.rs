@@ -30,9 +30,10 @@ pub(crate) const FARTHEST_EVENT: f64 = 2.0;
 /// Newton's method is given up on the way to an event so many steps away: it may go round about, but not to where a forcing period takes for ever.
 pub(crate) const FARTHEST_ITERATE: f64 = 20.0;
 
-/// How often a step is halved about an event that Newton's method does not find from its middle: to some 10⁻³ of it, where multipliers that
-/// change by a hundred in a step change by a tenth (empirical: three are enough in most cases).
-pub(crate) const HALVINGS: usize = 10;
+/// How often a step is cut about an event that Newton's method does not find from its middle: ten halvings lead to some 10⁻³ of it, where
+/// multipliers that change by a hundred in a step change by a tenth, but where a curve turns the cut is nearer to the step's beginning
+/// (empirical: three are enough in most cases, beside a pole of the force eighteen are needed).
+pub(crate) const CUTS: usize = 40;
 
 /// A zero of a function along a curve is sought with this many evaluations at most; regula falsi needs about ten, and near a pole
 /// all are in vain.
