@@ -10,7 +10,7 @@ use grazing_unfold::regions::{Region, RegionKind};
 use grazing_unfold::simulation::{Seen, Suspect};
 use grazing_unfold::{Diagram, Scope};
 
-use crate::specimens::{EPSILON, ZETA, constant, described, example, grazing_at, scope};
+use crate::specimens::{EPSILON, ZETA, constant, counted, described, example, grazing_at, scope};
 
 /// Cells of the lattice of points, each way.
 const LATTICE: u32 = 40;
@@ -246,6 +246,14 @@ fn a_fold_along_a_slice_and_motion_that_no_slice_shows_bound_regions() {
     // Small motion, highest at 0.8, is stable up to a fold at omega = 0.7957, whatever b is; other motion, highest at 1.24 there, from 0.794 to 0.877.
     assert!([0.9, 1.3, 1.5, 1.58].into_iter().all(|b| stays_off([b, 0.78])));
     assert!(stays_off([1.4, 0.86]) && !stays_off([1.2, 0.86]));
+}
+
+#[test]
+fn nothing_beside_a_pole_of_the_force_is_undecided() {
+    let (oscillator, scope, _) = counted("afm.toml");
+    let diagram = Diagram::compute(&oscillator, &scope, &Silent).expect("there is grazing");
+    let undecided = |region: &&Region| matches!(region.kind, RegionKind::Undecided(_));
+    assert_eq!(diagram.regions.iter().find(undecided).map(|region| &region.kind), None);
 }
 
 #[test]
