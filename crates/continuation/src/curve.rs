@@ -158,8 +158,6 @@ pub struct Curve {
     pub end: CurveEnd,
     /// Why it begins where it does, if that was not given but found: [`MpsCurve::follow_both_ways`].
     pub beginning: Option<CurveEnd>,
-    /// Index of the first point that was computed without virtual points, if VIVID ended on the way.
-    pub vivid_ended: Option<usize>,
 }
 
 impl Curve {

@@ -8,18 +8,17 @@ use nalgebra::{Vector2, Vector4};
 
 use crate::curve::{Curve, Event};
 use crate::locate::{Condition, across_chord};
-use crate::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
+use crate::mps::{EventTimes, LoopEquations, Unknowns, unknown};
 use crate::regula_falsi::zero_between;
 use crate::tolerances::IN_THE_PLANE;
 
 /// The cusps of a saddle-node curve, in its order. Two within one step are not seen.
 pub fn cusps<O: ImpactOscillator>(equations: &LoopEquations<O>, curve: &Curve) -> Vec<Event> {
-    let equations = equations.with_formulation(Formulation::FixedPhase);
     let points: Vec<Unknowns> = curve.points.iter().map(|point| point.solution.unknowns).collect();
     let forwards = |k: usize| in_plane(&(points[k + 1] - points[k]));
     let turns_back = |k: &usize| forwards(*k).dot(&forwards(k + 1)) < 0.0;
     let cusp = |k: usize| {
-        let unknowns = turning_point(&equations, [points[k], points[k + 2]], &forwards(k).normalize())?;
+        let unknowns = turning_point(equations, [points[k], points[k + 2]], &forwards(k).normalize())?;
         let solution = equations.solution(&unknowns);
         Some(Event { condition: curve.condition, solution, index: k + 1, times: EventTimes::default() })
     };

@@ -9,7 +9,7 @@ use crate::arclength::{Continuation, FEWEST_OF_A_LOOP, Stall, Station, StepContr
 use crate::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route};
 use crate::locate::{Condition, LocateFailure, locate, locate_grazing_end, locate_within};
 use crate::mps::{
-    EventTimes, Formulation, MaximalPeriodicSolution, Multipliers, Stability, Unknowns, parameters, unknown,
+    EventTimes, MaximalPeriodicSolution, Multipliers, Stability, Unknowns, parameters, unknown,
 };
 use crate::tolerances::{
     CUTS, FARTHEST_EVENT, FARTHEST_ITERATE, LOST_MULTIPLIERS, LOST_POINTS, NO_VELOCITY, ON_TWO_CURVES,
@@ -21,18 +21,18 @@ type MpsStation = Station<4, EventTimes>;
 impl<O: ImpactOscillator> MpsCurve<O> {
     /// Follows the curve from `start`, to the side of `direction`, until it ends.
     ///
-    /// Starts in the formulation of the equations; where VIVID ends it goes on with [`Formulation::FixedPhase`].
+    /// In the formulation of the equations, [`Formulation::FixedPhase`] as a rule: where VIVID ends, the curve ends.
     ///
     /// # Errors
     /// The curve cannot be started: the equations are undefined or have no unique tangent at `start`.
     pub fn follow(
-        mut self,
+        self,
         start: Unknowns,
         direction: Unknowns,
         times: EventTimes,
         route: &Route,
     ) -> Result<Curve, Stall<MapError>> {
-        let mut here = Continuation::new(&self, route.control, start, direction, times)?.here().clone();
+        let here = Continuation::new(&self, route.control, start, direction, times)?.here().clone();
         let mut follower = Follower {
             route,
             signs: starting_signs(&self, &here),
@@ -42,16 +42,10 @@ impl<O: ImpactOscillator> MpsCurve<O> {
                 events: Vec::new(),
                 end: CurveEnd::StepLimit,
                 beginning: None,
-                vivid_ended: None,
             },
         };
-        while let Some(stall) = follower.follow_in_one_formulation(&self, &mut here) {
-            if self.equations.formulation() == Formulation::FixedPhase {
-                follower.curve.end = CurveEnd::Stalled(stall);
-                break;
-            }
-            self.equations = self.equations.with_formulation(Formulation::FixedPhase);
-            follower.curve.vivid_ended = Some(follower.curve.points.len());
+        if let Some(stall) = follower.walk(&self, here) {
+            follower.curve.end = CurveEnd::Stalled(stall);
         }
         Ok(follower.curve)
     }
@@ -89,7 +83,7 @@ impl<O: ImpactOscillator> MpsCurve<O> {
         before.points.extend(after.points.into_iter().skip(1));
         let later = after.events.into_iter().map(|event| Event { index: event.index + shared, ..event });
         before.events.extend(later);
-        (before.beginning, before.end, before.vivid_ended) = (Some(before.end), after.end, None);
+        (before.beginning, before.end) = (Some(before.end), after.end);
         Ok(before)
     }
 
@@ -136,11 +130,11 @@ const INADMISSIBLE: usize = 2;
 type Signs = [Option<bool>; 3];
 
 impl Follower<'_> {
-    /// Goes on until the curve ends (`None`) or no further point is found in this formulation.
-    fn follow_in_one_formulation<O: ImpactOscillator>(
+    /// Goes on until the curve ends (`None`) or no further point is found.
+    fn walk<O: ImpactOscillator>(
         &mut self,
         equations: &MpsCurve<O>,
-        here: &mut MpsStation,
+        mut here: MpsStation,
     ) -> Option<Stall<MapError>> {
         let control = self.route.control;
         // What happens on a sketch is located by itself, with all digits.
@@ -154,12 +148,12 @@ impl Follower<'_> {
             Err(stall) => return Some(stall),
         };
         while self.curve.points.len() <= self.route.step_limit && !self.is_lost() {
-            *here = walker.here().clone();
+            here = walker.here().clone();
             let after = match walker.advance() {
                 Ok(station) => station.clone(),
                 Err(stall) => return Some(stall),
             };
-            if let ControlFlow::Break(end) = self.accept(equations, here, after) {
+            if let ControlFlow::Break(end) = self.accept(equations, &here, after) {
                 self.curve.end = end;
                 return None;
             }

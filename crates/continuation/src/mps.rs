@@ -53,7 +53,7 @@ pub enum Formulation {
     /// wall, as where the wall is met with ẍ ≥ 0.
     Vivid,
     /// The plane of constant phase through the impact: flow for p forcing periods from the impact phase, less what the
-    /// recoil takes. It has no virtual points and is defined everywhere.
+    /// recoil takes. It has no virtual points and is defined everywhere, and one landing serves all loops: curves are followed with it.
     FixedPhase,
 }
 
@@ -114,12 +114,6 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// The same equations in another formulation.
     pub fn with_formulation(&self, formulation: Formulation) -> Self {
         Self { formulation, ..self.clone() }
-    }
-
-    /// The same equations in the formulation in which curves are followed: VIVID where the flow has a closed form; where it is integrated,
-    /// every landing on Π is an integration of its own, and one to a plane of constant phase serves all loops.
-    pub fn for_curves(&self) -> Self {
-        self.with_formulation(if O::INTEGRATED { Formulation::FixedPhase } else { Formulation::Vivid })
     }
 
     /// The same equations with motion to fewer digits, where that takes less time.

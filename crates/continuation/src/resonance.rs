@@ -191,7 +191,7 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
 
     /// The SN or PD curve that leaves the resonance.
     pub fn curve(&self, condition: Condition) -> MpsCurve<O> {
-        MpsCurve { equations: self.equations.for_curves(), condition }
+        MpsCurve { equations: self.equations.with_formulation(Formulation::FixedPhase), condition }
     }
 
     /// Follows the SN or PD curve from the resonance.
@@ -221,7 +221,7 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
                     .is_some_and(|last| same_point(&last.solution.unknowns, &event.solution.unknowns))
             };
             if event.condition == Condition::InteriorGrazing && !grazing.iter().any(reached) {
-                match self.equations.for_curves().branch_off(event, route) {
+                match self.equations.with_formulation(Formulation::FixedPhase).branch_off(event, route) {
                     Ok(curve) => grazing.push(curve),
                     Err(reason) => missing.push(reason),
                 }

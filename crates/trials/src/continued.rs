@@ -6,7 +6,7 @@ use grazing_continuation::arclength::{Continuation, StepControl};
 use grazing_continuation::curve::{MpsCurve, Window};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{
-    EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns, parameters, unknown,
+    EventTimes, LoopEquations, MaximalPeriodicSolution, Unknowns, parameters, unknown,
 };
 use grazing_model::ImpactOscillator;
 use grazing_unfold::Diagram;
@@ -37,8 +37,7 @@ pub fn near<O: ImpactOscillator>(
 ) -> Option<MaximalPeriodicSolution> {
     let start = Unknowns::new(known[unknown::VELOCITY], known[unknown::PHASE], primary, secondary);
     let conditions = [Condition::Primary(primary), Condition::Secondary(secondary)];
-    let equations = equations.with_formulation(Formulation::FixedPhase);
-    let found = locate(&equations, conditions, start, &mut EventTimes::default()).ok()?;
+    let found = locate(equations, conditions, start, &mut EventTimes::default()).ok()?;
     ((found - start).norm() < ELSEWHERE).then(|| equations.solution(&found))
 }
 
@@ -49,7 +48,7 @@ pub fn along<O: ImpactOscillator>(
     secondary: f64,
     primaries: &[f64],
 ) -> Vec<Vec<MaximalPeriodicSolution>> {
-    let equations = diagram.equations(loops).with_formulation(Formulation::FixedPhase);
+    let equations = diagram.equations(loops);
     let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(secondary) };
     let mut branches: Vec<Vec<Unknowns>> = Vec::new();
     for start in starts(diagram, &equations, loops, secondary) {

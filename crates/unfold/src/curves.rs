@@ -3,7 +3,7 @@
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_continuation::curve::{Curve, CurveEnd, Event, Route};
 use grazing_continuation::cusp::cusps;
-use grazing_continuation::mps::{Formulation, LoopEquations, Unknowns};
+use grazing_continuation::mps::{LoopEquations, Unknowns};
 use grazing_continuation::resonance::same_point;
 use grazing_model::ImpactOscillator;
 
@@ -130,14 +130,8 @@ impl<O: ImpactOscillator> Net<O> {
             if known {
                 continue;
             }
-            // Curves to which no resonance leads have been followed without virtual points, which need not exist there.
-            let everywhere = self.equations.with_formulation(Formulation::FixedPhase);
-            let usual = self.equations.for_curves();
-            let usual = (n != 0 && usual.formulation() != everywhere.formulation()).then_some(usual);
-            let mut formulations = usual.into_iter().chain([everywhere]);
-            let followed = formulations.find_map(|equations| equations.branch_off(&event, route).ok());
             // A curve that bounds no region of stable solutions there is not part of the diagram.
-            if let Some(curve) = followed {
+            if let Ok(curve) = self.equations.branch_off(&event, route) {
                 self.add(DiagramCurve { kind, loops, n, curve });
             }
         }

@@ -227,7 +227,7 @@ impl<O: ImpactOscillator> Diagram<O> {
     /// The equations of the p-loop MPSs.
     pub fn equations(&self, loops: u32) -> LoopEquations<O> {
         let oscillator = self.grazing[0].states[0].orbit.oscillator();
-        LoopEquations::new(oscillator.clone(), loops, Formulation::Vivid)
+        LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase)
     }
 
     /// The resonances at which a theorem holds, with their places in the list of all.

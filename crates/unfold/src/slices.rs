@@ -10,7 +10,7 @@ use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route, Window};
 use grazing_continuation::locate::{Condition, locate, locate_within};
 use grazing_continuation::mps::{
-    EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns, parameters, unknown,
+    EventTimes, LoopEquations, MaximalPeriodicSolution, Unknowns, parameters, unknown,
 };
 use grazing_model::ImpactOscillator;
 use nalgebra::SVector;
@@ -137,7 +137,7 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
         control: StepControl,
         grazing: &'a (dyn Fn(f64) -> Vec<[f64; 2]> + Sync),
     ) -> Slicer<'a, O> {
-        Slicer { equations: equations.with_formulation(Formulation::FixedPhase), window, control, grazing }
+        Slicer { equations: equations.clone(), window, control, grazing }
     }
 
     /// The branches at some η that begin on the grazing curve.
@@ -330,14 +330,13 @@ pub(crate) fn near_chord<const N: usize>(
 /// A point of a branch: one of the curve's, or an event.
 pub(crate) struct Vertex<'a> {
     pub(crate) solution: &'a MaximalPeriodicSolution,
-    pub(crate) times: &'a EventTimes,
     pub(crate) event: Option<&'a Event>,
 }
 
 /// The points of a branch with its events in their places.
 pub(crate) fn vertices(branch: &Curve) -> Vec<Vertex<'_>> {
     fn happens(event: &Event) -> Vertex<'_> {
-        Vertex { solution: &event.solution, times: &event.times, event: Some(event) }
+        Vertex { solution: &event.solution, event: Some(event) }
     }
     let mut vertices = Vec::with_capacity(branch.points.len() + branch.events.len());
     let mut events = branch.events.iter().peekable();
@@ -345,7 +344,7 @@ pub(crate) fn vertices(branch: &Curve) -> Vec<Vertex<'_>> {
         while let Some(event) = events.next_if(|event| event.index <= index) {
             vertices.push(happens(event));
         }
-        vertices.push(Vertex { solution: &point.solution, times: &point.times, event: None });
+        vertices.push(Vertex { solution: &point.solution, event: None });
     }
     vertices.extend(events.map(happens));
     vertices
@@ -411,8 +410,7 @@ fn middle_of<O: ImpactOscillator>(
     b: &MaximalPeriodicSolution,
 ) -> Option<MaximalPeriodicSolution> {
     let middle = (a.unknowns + b.unknowns) * 0.5;
-    let equations = equations.with_formulation(Formulation::FixedPhase);
-    let found = locate(&equations, beside(&middle), middle, &mut EventTimes::default()).ok()?;
+    let found = locate(equations, beside(&middle), middle, &mut EventTimes::default()).ok()?;
     Some(equations.solution(&found))
 }
 
@@ -443,6 +441,7 @@ pub(crate) fn broken_at(branch: &Curve) -> impl Iterator<Item = (f64, String)> {
 
 #[cfg(test)]
 mod tests {
+    use grazing_continuation::mps::Formulation;
     use grazing_model::LinearOscillator;
 
     use super::*;

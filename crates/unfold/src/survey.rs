@@ -5,7 +5,7 @@
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, Event, MpsCurve, Route, Window};
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Formulation, Unknowns, unknown};
+use grazing_continuation::mps::{Unknowns, unknown};
 use grazing_model::ImpactOscillator;
 use rayon::prelude::*;
 
@@ -166,7 +166,6 @@ fn explained<O: ImpactOscillator>(net: &Net<O>, event: &Event, [left, right]: [f
         gap[unknown::SECONDARY] = 0.0;
         gap.norm()
     };
-    let equations = net.equations.with_formulation(Formulation::FixedPhase);
     net.curves.iter().filter(|curve| curve.kind == kind).any(|curve| {
         curve.curve.points.windows(2).any(|pair| {
             let [a, b] = [pair[0].solution.unknowns, pair[1].solution.unknowns];
@@ -182,7 +181,7 @@ fn explained<O: ImpactOscillator>(net: &Net<O>, event: &Event, [left, right]: [f
             }
             let mut times = pair[0].times.clone();
             let found =
-                locate(&equations, [event.condition, Condition::Secondary(secondary)], near, &mut times);
+                locate(&net.equations, [event.condition, Condition::Secondary(secondary)], near, &mut times);
             found.is_ok_and(|found| distance(&found) < SAME) || distance(&near) < SAME
         })
     })
@@ -191,8 +190,7 @@ fn explained<O: ImpactOscillator>(net: &Net<O>, event: &Event, [left, right]: [f
 /// Follows the curve through a bifurcation that lies on none that is known.
 fn start<O: ImpactOscillator>(net: &mut Net<O>, event: &Event, route: &Route) {
     let Some(kind) = Bifurcation::of(event.condition) else { return };
-    let equations = net.equations.with_formulation(Formulation::FixedPhase);
-    let curve = MpsCurve { equations, condition: event.condition };
+    let curve = MpsCurve { equations: net.equations.clone(), condition: event.condition };
     // Across the slice.
     let upwards = Unknowns::new(0.0, 0.0, 0.0, 1.0);
     if let Ok(curve) = curve.follow_both_ways(event.solution.unknowns, upwards, &event.times, route) {
@@ -204,7 +202,7 @@ fn start<O: ImpactOscillator>(net: &mut Net<O>, event: &Event, route: &Route) {
 #[cfg(test)]
 mod tests {
     use grazing_continuation::arclength::StepControl;
-    use grazing_continuation::mps::LoopEquations;
+    use grazing_continuation::mps::{Formulation, LoopEquations};
     use grazing_description::Description;
     use grazing_model::smooth::Integrated;
 
@@ -220,7 +218,7 @@ mod tests {
         let oscillator = Integrated::new(model, [window.primary[0], window.secondary[0]]);
         let found = search::on_slices(&oscillator, &[loops], window, levels, 2.0, &Silent);
         let found = found.into_iter().map(|(_, solution)| solution).collect();
-        let mut net = Net::new(LoopEquations::new(oscillator, loops, Formulation::Vivid));
+        let mut net = Net::new(LoopEquations::new(oscillator, loops, Formulation::FixedPhase));
         let mut survey = Survey::new(&mut net, route(window, StepControl::DRAWING), &|_| Vec::new(), found);
         survey.look_at(levels, &Silent);
         (survey.lines().len(), survey.sights())

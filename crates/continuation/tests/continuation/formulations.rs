@@ -29,8 +29,8 @@ fn specimen([zeta, epsilon, omega]: [f64; 3], loops: u32, share: f64) -> Option<
     let amplitude = grazing.amplitude();
     let route = route([0.6 * amplitude, 1.4 * amplitude], [0.1, 2.0], false);
     let (equations, curve) = branch([zeta, epsilon, omega], loops, Formulation::Vivid, 1.0, &route);
-    let vivid = &curve.points[..curve.vivid_ended.unwrap_or(curve.points.len())];
-    let usable = vivid.iter().filter(|point| point.solution.impact_velocity() > 0.01).collect::<Vec<_>>();
+    let usable =
+        curve.points.iter().filter(|point| point.solution.impact_velocity() > 0.01).collect::<Vec<_>>();
     let chosen = usable.get((share * usable.len() as f64) as usize)?;
     Some(Specimen {
         equations,

@@ -76,7 +76,7 @@ fn a_branch_is_no_parabola_where_its_saddle_node_curve_turns_back_in_a_cusp() {
     let resonance = ResonantGrazingPoint::find(&start, 2, 0.09).unwrap();
     let secondary = resonance.orbit().oscillator().parameters()[1];
     let curves = resonance.unfold(&route([0.0, 1.5], [secondary - 0.05, secondary + 0.05], true)).unwrap();
-    let cusps = cusps(resonance.equations(), &curves.saddle_node);
+    let cusps = cusps(&resonance.curve(Condition::SADDLE_NODE).equations, &curves.saddle_node);
     assert_eq!(cusps.len(), 1);
     // Half the second derivative of μ in y along the branch of fixed η through a saddle-node, by differences.
     let curvature = |solution: &MaximalPeriodicSolution| {

@@ -32,7 +32,7 @@ pub(super) fn follow(setting: &Setting) -> Result<Vec<Branch<LinearOscillator>>,
         .loops
         .par_iter()
         .map(|&loops| {
-            let equations = LoopEquations::new(oscillator, loops, Formulation::Vivid);
+            let equations = LoopEquations::new(oscillator, loops, Formulation::FixedPhase);
             let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(frequency) };
             let to_positive_velocity = Unknowns::new(1.0, 0.0, 0.0, 0.0);
             let curve = curve

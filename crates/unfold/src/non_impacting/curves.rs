@@ -36,7 +36,6 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
             events: Vec::new(),
             end,
             beginning: Some(beginning),
-            vivid_ended: None,
         };
         Some(DiagramCurve { kind, loops: 0, n: 0, curve })
     }

@@ -73,10 +73,9 @@ const LARGEST_TURN: f64 = 0.3;
 impl<O: ImpactOscillator> Branch<O> {
     /// The points (x, z) at which the solutions meet Π, loop by loop; NaN where that is not known.
     ///
-    /// With VIVID the curve itself has carried the times of the maxima. Otherwise they are carried here, and visits count only if the last is
-    /// the virtual point of the impact, as that of an MPS is. That one is known in any case.
+    /// The times of the maxima are carried from point to point, and visits count only if the last is the virtual point of the impact, as
+    /// that of an MPS is. That one is known in any case.
     fn visits(&self, places: &[Vertex<'_>]) -> Vec<Vec<Vector2<f64>>> {
-        let carries = self.equations.formulation() == Formulation::Vivid;
         let vivid = self.equations.with_formulation(Formulation::Vivid);
         // The maximum that is next to the impact.
         let landing = |point: &Unknowns| {
@@ -100,11 +99,7 @@ impl<O: ImpactOscillator> Branch<O> {
         let mut carried = EventTimes::default();
         let visits = places.iter().map(|at| {
             let point = &at.solution.unknowns;
-            let times = if carries {
-                Some(at.times.clone())
-            } else {
-                closed(point, carried.clone()).or_else(|| closed(point, EventTimes::default()))
-            };
+            let times = closed(point, carried.clone()).or_else(|| closed(point, EventTimes::default()));
             carried = times.clone().unwrap_or_default();
             times.and_then(|times| vivid.visits(point, &times).ok()).unwrap_or_else(|| top(point))
         });
@@ -117,8 +112,7 @@ impl<O: ImpactOscillator> Branch<O> {
         let visits = self.visits(&places);
         let loops = self.equations.loops();
         // With a multiplier on the unit circle a solution is taken for what it is beyond the bifurcation.
-        let drawn = self.equations.formulation() == Formulation::FixedPhase;
-        let critical = |event: &Event| drawn && matches!(event.condition, Condition::Multiplier(_));
+        let critical = |event: &Event| matches!(event.condition, Condition::Multiplier(_));
         let own = |k: usize| match places[k].event {
             Some(event) if critical(event) => None,
             _ => Some(places[k].solution.stable()),
