@@ -136,9 +136,6 @@ pub fn measure<O: ImpactOscillator>(
             // Differences without any scatter are all zero: far below rounding.
             let tails = [0, 1].map(|k| if tails[k] > 0.0 { tails[k] } else { rounding[k] });
             let measured = level.measured(tails);
-            if !O::INTEGRATED {
-                return Ok(measured);
-            }
             // The error of integration may vary with y as smoothly as the curve does, and no tail shows it.
             let mut fine = Level::of(resonance, &equations.finely(), condition, level.reach)?.measured(tails);
             fine.coefficient.error += (fine.coefficient.value - measured.coefficient.value).abs();

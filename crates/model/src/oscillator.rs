@@ -13,9 +13,6 @@ pub trait ImpactOscillator: Clone + Send + Sync {
     /// Motion between impacts as a function of time; the search for events works on it.
     type Motion: Motion;
 
-    /// The flow is integrated, so that it costs the more the longer it lasts; in closed form it costs the same for any time.
-    const INTEGRATED: bool = false;
-
     /// The primary parameter μ and the secondary parameter η.
     fn parameters(&self) -> [f64; 2];
 

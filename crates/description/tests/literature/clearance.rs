@@ -62,9 +62,9 @@ fn grazing(omega: f64) -> GrazingOrbit<Integrated<Description>> {
 }
 
 /// The branch of (1, n) orbits at a fixed frequency that leaves the grazing orbit.
-fn branch(omega: f64, n: u32, formulation: Formulation) -> Curve {
+fn branch(omega: f64, n: u32) -> Curve {
     let orbit = grazing(omega);
-    let equations = LoopEquations::new(undamped(), n, formulation);
+    let equations = LoopEquations::new(undamped(), n, Formulation::FixedPhase);
     let curve = MpsCurve { equations, condition: Condition::Secondary(omega) };
     let route = Route {
         window: Window { primary: [0.0, 2.0], secondary: [0.0, 10.0] },
@@ -97,8 +97,7 @@ fn the_orbit_without_impacts_grazes_at_the_published_amplitude() {
 fn impact_velocities_along_a_branch_lie_on_the_published_ellipse() {
     for (omega, n) in [(1.9, 1), (2.1, 1), (3.9, 2), (4.2, 2), (5.8, 3)] {
         let closed = ClosedForms::at(omega, n);
-        // VIVID ends on the way; its last points crowd in steps shorter than the one that ends Newton's method.
-        let curve = branch(omega, n, Formulation::FixedPhase);
+        let curve = branch(omega, n);
         let mut compared = 0;
         for point in &curve.points {
             let [velocity, clearance] =
@@ -121,8 +120,7 @@ fn impact_velocities_along_a_branch_lie_on_the_published_ellipse() {
 fn saddle_node_bifurcations_lie_at_the_published_clearance() {
     for (omega, n) in [(1.9, 1), (3.7, 2), (3.9, 2), (5.8, 3)] {
         let closed = ClosedForms::at(omega, n);
-        let [velocity, clearance] =
-            bifurcation(&branch(omega, n, Formulation::Vivid), Condition::SADDLE_NODE);
+        let [velocity, clearance] = bifurcation(&branch(omega, n), Condition::SADDLE_NODE);
         let tip = closed.value("greatest_clearance");
         // The integrator's tolerance.
         assert_within(clearance, tip, 1e-12);
@@ -137,8 +135,7 @@ fn saddle_node_bifurcations_lie_at_the_published_clearance() {
 fn period_doublings_lie_at_the_published_impact_velocity() {
     for (omega, n) in [(2.1, 1), (2.3, 1), (4.2, 2), (6.2, 3)] {
         let closed = ClosedForms::at(omega, n);
-        let [velocity, clearance] =
-            bifurcation(&branch(omega, n, Formulation::Vivid), Condition::PERIOD_DOUBLING);
+        let [velocity, clearance] = bifurcation(&branch(omega, n), Condition::PERIOD_DOUBLING);
         // The integrator's tolerance.
         assert_within(velocity, closed.value("period_doubling_velocity"), 1e-12);
         assert_within(velocity, closed.value_at(clearance, "upper_velocity"), 1e-12);

@@ -29,8 +29,6 @@ impl<M: SmoothOscillator> Integrated<M> {
 impl<M: SmoothOscillator> ImpactOscillator for Integrated<M> {
     type Motion = IntegratedMotion<M>;
 
-    const INTEGRATED: bool = true;
-
     fn parameters(&self) -> [f64; 2] {
         self.parameters
     }

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use super::branch::{Branch, Crossing, STEPS};
 use super::orbits::{OrbitPoint, PRIMARY, PeriodicOrbits, SECONDARY};
-use super::{PeriodicMotion, periodic_motion};
+use super::{Height, PeriodicMotion, periodic_motion};
 use crate::curves::DiagramCurve;
 use crate::faces::Point;
 use crate::grazing::{GrazingCurve, HighestPoint};
@@ -368,6 +368,9 @@ impl<O: ImpactOscillator> Surveyor for NonImpactingSurvey<'_, O> {
     }
 }
 
+/// Heights that differ by a smaller share are one: which of them is named is not left to rounding.
+const SAME_HEIGHT: f64 = 1e-9;
+
 /// Why no survey has seen grazing.
 fn explanation<O>(motions: &[PeriodicMotion<O>]) -> UnfoldError {
     if let Some(at) = motions.iter().flat_map(|motion| &motion.pushed).next() {
@@ -377,8 +380,9 @@ fn explanation<O>(motions: &[PeriodicMotion<O>]) -> UnfoldError {
     let whole = branches.clone().all(|branch| branch.whole);
     let orbits = branches.flat_map(|branch| &branch.orbits);
     let heights = orbits.map(|orbit| orbit.height);
-    let lowest = heights.clone().reduce(|a, b| if b.position < a.position { b } else { a });
-    let highest = heights.reduce(|a, b| if b.position > a.position { b } else { a });
+    let above = |a: Height, b: Height| a.position - b.position > SAME_HEIGHT * b.position.abs();
+    let lowest = heights.clone().reduce(|a, b| if above(a, b) { b } else { a });
+    let highest = heights.reduce(|a, b| if above(b, a) { b } else { a });
     match (lowest.zip(highest), motions.iter().find_map(|motion| motion.ran_away)) {
         (Some((lowest, highest)), _) => UnfoldError::NoGrazing { lowest, highest, whole },
         (None, Some(escape)) => UnfoldError::RunsAway { escape },

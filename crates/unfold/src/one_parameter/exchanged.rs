@@ -28,8 +28,6 @@ fn exchanged_flow(mut jet: FlowJet) -> FlowJet {
 impl<O: ImpactOscillator> ImpactOscillator for Exchanged<O> {
     type Motion = O::Motion;
 
-    const INTEGRATED: bool = O::INTEGRATED;
-
     fn parameters(&self) -> [f64; 2] {
         let [primary, secondary] = self.0.parameters();
         [secondary, primary]
