@@ -21,7 +21,7 @@ type MpsStation = Station<4, EventTimes>;
 impl<O: ImpactOscillator> MpsCurve<O> {
     /// Follows the curve from `start`, to the side of `direction`, until it ends.
     ///
-    /// In the formulation of the equations, [`Formulation::FixedPhase`] as a rule: where VIVID ends, the curve ends.
+    /// In the formulation of the equations, [`FixedPhase`](crate::mps::Formulation::FixedPhase) as a rule: where VIVID ends, the curve ends.
     ///
     /// # Errors
     /// The curve cannot be started: the equations are undefined or have no unique tangent at `start`.
