@@ -137,7 +137,8 @@ pub fn measure<O: ImpactOscillator>(
             let tails = [0, 1].map(|k| if tails[k] > 0.0 { tails[k] } else { rounding[k] });
             let measured = level.measured(tails);
             // The error of integration may vary with y as smoothly as the curve does, and no tail shows it.
-            let mut fine = Level::of(resonance, &equations.finely(), condition, level.reach)?.measured(tails);
+            let Some(finer) = equations.finely() else { return Ok(measured) };
+            let mut fine = Level::of(resonance, &finer, condition, level.reach)?.measured(tails);
             fine.coefficient.error += (fine.coefficient.value - measured.coefficient.value).abs();
             Ok(fine)
         }

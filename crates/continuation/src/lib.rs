@@ -28,7 +28,7 @@
 //! // The branch of one-loop solutions that begins where the paper's oscillator grazes at omega = 0.85.
 //! let grazing = grazing_theorems::LinearOscillator::new(0.02, 0.9)?.grazing(0.85)?;
 //! let oscillator = LinearOscillator::new(0.02, 0.9, grazing.amplitude(), 0.85)?;
-//! let equations = LoopEquations::new(oscillator, 1, Formulation::Vivid);
+//! let equations = LoopEquations::new(oscillator, 1, Formulation::FixedPhase);
 //! let branch = MpsCurve { equations, condition: Condition::Secondary(0.85) };
 //! let window = Window { primary: [0.2, 1.0], secondary: [0.8, 0.9] };
 //! let route = Route { window, control: StepControl::DRAWING, step_limit: 5000, stop_at_events: false };

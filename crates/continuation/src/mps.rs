@@ -122,8 +122,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     }
 
     /// The same equations with motion integrated in shorter steps, where it is integrated.
-    pub(crate) fn finely(&self) -> Self {
-        Self { oscillator: self.oscillator.finely(), ..self.clone() }
+    pub(crate) fn finely(&self) -> Option<Self> {
+        Some(Self { oscillator: self.oscillator.finely()?, ..self.clone() })
     }
 
     /// The oscillator at the parameters of a point.

@@ -221,7 +221,7 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
                     .is_some_and(|last| same_point(&last.solution.unknowns, &event.solution.unknowns))
             };
             if event.condition == Condition::InteriorGrazing && !grazing.iter().any(reached) {
-                match self.equations.with_formulation(Formulation::FixedPhase).branch_off(event, route) {
+                match self.curve(event.condition).equations.branch_off(event, route) {
                     Ok(curve) => grazing.push(curve),
                     Err(reason) => missing.push(reason),
                 }

@@ -26,8 +26,8 @@ pub trait ImpactOscillator: Clone + Send + Sync {
     }
 
     /// The same with motion integrated in shorter steps, where it is integrated: what changes then is the error of integration.
-    fn finely(&self) -> Self {
-        self.clone()
+    fn finely(&self) -> Option<Self> {
+        None
     }
 
     /// The angular frequency ω(μ, η) of the forcing with its derivatives.

@@ -420,22 +420,19 @@ const VIOLENT: f64 = 1e3;
 
 /// The primary parameters at which a branch could not be followed to its end, with what happened.
 pub(crate) fn broken_at(branch: &Curve) -> impl Iterator<Item = (f64, String)> {
-    let points = &branch.points;
-    let last = points.len().saturating_sub(1);
-    // Each end, and the point next to it.
     let ends =
-        [([0, 1.min(last)], branch.beginning.as_ref()), ([last, last.saturating_sub(1)], Some(&branch.end))];
-    ends.into_iter().filter_map(move |(two, end)| {
+        [(branch.points.first(), branch.beginning.as_ref()), (branch.points.last(), Some(&branch.end))];
+    ends.into_iter().filter_map(|(point, end)| {
         let reason = match end? {
             CurveEnd::LeftWindow | CurveEnd::Grazing | CurveEnd::Closed | CurveEnd::Event(_) => return None,
             CurveEnd::EventNotLocated { failure, .. } => {
                 format!("a bifurcation was seen and not located: {failure}")
             }
             CurveEnd::Stalled(stall) => format!("no further point was found: {stall}"),
-            CurveEnd::StepLimit => format!("after {} points there was no end", points.len()),
+            CurveEnd::StepLimit => format!("after {} points there was no end", branch.points.len()),
         };
-        let violent = two.iter().any(|&k| points[k].solution.multipliers.size() > VIOLENT);
-        (!violent).then(|| (points[two[0]].solution.parameters()[0], reason))
+        let last = &point?.solution;
+        (last.multipliers.size() <= VIOLENT).then(|| (last.parameters()[0], reason))
     })
 }
 

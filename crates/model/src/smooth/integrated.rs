@@ -41,8 +41,8 @@ impl<M: SmoothOscillator> ImpactOscillator for Integrated<M> {
         Self { accuracy: Accuracy::Rough, ..self.clone() }
     }
 
-    fn finely(&self) -> Self {
-        Self { accuracy: Accuracy::Fine, ..self.clone() }
+    fn finely(&self) -> Option<Self> {
+        Some(Self { accuracy: Accuracy::Fine, ..self.clone() })
     }
 
     fn forcing_frequency(&self) -> ParameterJet {

@@ -46,7 +46,7 @@ pub(super) enum Accuracy {
     Rough,
     /// Those with which it is right to some thirteen.
     Usual,
-    /// Shorter ones, with which nothing is left but rounding.
+    /// Shorter ones, with which errors are some hundred times smaller.
     Fine,
 }
 

@@ -41,8 +41,8 @@ impl<O: ImpactOscillator> ImpactOscillator for Exchanged<O> {
         Self(self.0.roughly())
     }
 
-    fn finely(&self) -> Self {
-        Self(self.0.finely())
+    fn finely(&self) -> Option<Self> {
+        self.0.finely().map(Self)
     }
 
     fn forcing_frequency(&self) -> ParameterJet {
