@@ -400,9 +400,9 @@ impl<M: SmoothOscillator> Integrated<M> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use core::f64::consts::TAU;
 
+    use super::*;
     use crate::motion::Motion;
     use crate::oscillator::ImpactOscillator;
     use crate::scalar::Function;
