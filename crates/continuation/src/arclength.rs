@@ -84,7 +84,7 @@ pub struct Station<const N: usize, M> {
 
 /// No further point could be found.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("step length {step:e}: {failure}")]
+#[error("step length {step:.1e}: {failure}")]
 pub struct Stall<E> {
     /// The shortest step that was tried.
     pub step: f64,

@@ -40,14 +40,14 @@ pub enum CriticalityError {
     Grazing,
     /// The point is no zero of the equations.
     #[error(
-        "there is no maximal periodic solution: the two ways to the plane of comparison end {distance:e} apart"
+        "there is no maximal periodic solution: the two ways to the plane of comparison end {distance:.1e} apart"
     )]
     NotPeriodic {
         /// The distance; NaN if a solution escapes.
         distance: f64,
     },
     /// The MPS does not have the multiplier −1.
-    #[error("the multiplier next to -1 is {distance:e} away from it")]
+    #[error("the multiplier next to -1 is {distance:.1e} away from it")]
     NotABifurcation {
         /// How far the MPS's own is from it, to leading order.
         distance: f64,

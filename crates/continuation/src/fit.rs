@@ -24,7 +24,7 @@ use crate::resonance::ResonantGrazingPoint;
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum FitError {
     /// A point of the curve was not found.
-    #[error("no point of the curve at impact velocity {velocity:e}: {failure}")]
+    #[error("no point of the curve at impact velocity {velocity:.1e}: {failure}")]
     NoPoint {
         /// The impact velocity asked for.
         velocity: f64,

@@ -66,7 +66,7 @@ pub enum LocateFailure {
     #[error(transparent)]
     Newton(#[from] NewtonFailure<MapError>),
     /// Newton's method went away from where the point must lie.
-    #[error("the point found lies {distance} away, on a step of length {step}")]
+    #[error("the point found lies {distance:.1e} away, on a step of length {step:.1e}")]
     Elsewhere {
         /// Distance from the expected place.
         distance: f64,

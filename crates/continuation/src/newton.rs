@@ -25,7 +25,7 @@ pub enum NewtonFailure<E> {
         cause: E,
     },
     /// The Jacobian is singular to rounding.
-    #[error("iteration {iteration}: the Jacobian is singular, residual {residual:e}")]
+    #[error("iteration {iteration}: the Jacobian is singular, residual {residual:.1e}")]
     Singular {
         /// Number of the iteration, from 1.
         iteration: usize,
@@ -33,7 +33,7 @@ pub enum NewtonFailure<E> {
         residual: f64,
     },
     /// The iteration limit was reached.
-    #[error("no convergence in {iterations} iterations, residual {residual:e}")]
+    #[error("no convergence by iteration {iterations}, residual {residual:.1e}")]
     NoConvergence {
         /// The limit.
         iterations: usize,

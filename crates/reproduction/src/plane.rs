@@ -14,7 +14,6 @@ use grazing_unfold::diagram::{Diagram, DiagramCurve};
 use grazing_unfold::grazing::GrazingCurve;
 use grazing_unfold::magnification::Polyline;
 use grazing_unfold::regions::{self, Region};
-use grazing_unfold::units::InUnits;
 
 /// The names of the two parameters, which head their columns, and the units in which the tables count what was found without dimensions.
 #[derive(Clone, Debug, PartialEq)]
@@ -137,9 +136,7 @@ pub fn regions(axes: &Axes, regions: &[Region]) -> Vec<RegionVertex> {
         let (kind, reason) = match &region.kind {
             regions::RegionKind::NonImpacting => (RegionKind::NonImpacting, String::new()),
             regions::RegionKind::Mps => (RegionKind::Mps, String::new()),
-            regions::RegionKind::Undecided(doubt) => {
-                (RegionKind::Undecided, doubt.in_units(&axes.units).to_string())
-            }
+            regions::RegionKind::Undecided(doubt) => (RegionKind::Undecided, doubt.to_string()),
         };
         for (ring, vertices) in (0..).zip(&region.rings) {
             rows.extend(vertices.iter().map(|vertex| {

@@ -84,7 +84,8 @@ columns! {
 // Two-parameter diagrams.
 columns! {
     /// `graz`: grazing of the non-impacting solution; `SN`, `PD`, `GZ`: saddle-node, period-doubling, grazing bifurcation of the p-loop solution; SN and PD of
-    /// p = 0 are folds and period doublings of the non-impacting solution
+    /// p = 0 are folds and period doublings of the non-impacting solution. GZ of solutions that are unstable on both sides bounds nothing, and is followed
+    /// only where another curve leads to it
     BIFURCATION = "kind", "", "1";
     /// `resonance`, or `SN-GZ`, `PD-GZ`, `GZ-GZ`, named after the curves that meet, or `cusp`, where an SN curve turns back
     CODIMENSION_TWO = "kind", "", "1";

@@ -20,7 +20,7 @@ pub enum GrazingOrbitError {
     #[error("the global map is not defined near the grazing orbit: {0}")]
     Map(#[from] MapError),
     /// Newton's method did not converge.
-    #[error("no grazing orbit found at eta = {eta}: Newton's method ended with residual {residual:e}")]
+    #[error("no grazing orbit found at eta = {eta}: Newton's method ended with residual {residual:.1e}")]
     NoConvergence {
         /// The secondary parameter.
         eta: f64,

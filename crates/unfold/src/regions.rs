@@ -281,8 +281,7 @@ impl Judge {
                     doubt.get_or_insert(reason.clone());
                     trouble.push(sight.secondary);
                 } else if mixed {
-                    let (secondary, primary) = (sight.secondary, chord);
-                    doubt.get_or_insert(Doubt::Disagreement { secondary, primary });
+                    doubt.get_or_insert(Doubt::Disagreement);
                     trouble.push(sight.secondary);
                 }
             }
@@ -297,8 +296,8 @@ impl Judge {
             let against = votes.iter().filter(|(_, _, share)| (*share >= 0.5) != majority);
             let against = against.filter(|(_, length, _)| !outvoted || *length > STRETCH);
             trouble.extend(against.map(|(secondary, ..)| *secondary));
-            if let Some(&secondary) = trouble.first() {
-                doubt.get_or_insert(Doubt::Disagreement { secondary, primary: self.window.primary });
+            if !trouble.is_empty() {
+                doubt.get_or_insert(Doubt::Disagreement);
             }
         }
         let verdict = match doubt {

@@ -10,7 +10,7 @@ use crate::escape::Escape;
 use crate::non_impacting::Height;
 use crate::sides::{Inconclusive, Simulated};
 use crate::verdict::Coefficient;
-use crate::{Scope, UnfoldError, regions};
+use crate::{Scope, UnfoldError};
 
 impl Scope {
     /// The same, which is in an oscillator's own units, without dimensions.
@@ -135,18 +135,6 @@ impl InUnits for Simulated {
         };
         velocities.into_iter().for_each(|velocity| *velocity *= units.velocity());
         own
-    }
-}
-
-impl InUnits for regions::Doubt {
-    fn in_units(&self, units: &Units) -> Self {
-        match self {
-            Self::Disagreement { secondary, primary } => Self::Disagreement {
-                secondary: secondary * units.secondary,
-                primary: primary.map(|value| value * units.primary),
-            },
-            other => other.clone(),
-        }
     }
 }
 

@@ -9,7 +9,6 @@ use grazing_unfold::escape::Escape;
 use grazing_unfold::non_impacting::Height;
 use grazing_unfold::regions::{Region, RegionKind};
 use grazing_unfold::stop::Unfinished;
-use grazing_unfold::units::InUnits;
 use grazing_unfold::{Diagram, UnfoldError};
 
 /// What was seen instead of grazing, and the remedy.
@@ -192,7 +191,7 @@ pub(crate) fn unfinished(description: &Description, units: &Units, cut: &Unfinis
 pub(crate) fn undecided(description: &Description, units: &Units, region: &Region) -> Option<String> {
     let RegionKind::Undecided(doubt) = &region.kind else { return None };
     let [from, to] = region.extent().map(|corner| place(description, units.parameters(corner)));
-    Some(format!("from {from} to {to}: {}", doubt.in_units(units)))
+    Some(format!("from {from} to {to}: {doubt}"))
 }
 
 /// Values of both parameters, as `A = 0.5, omega = 0.8`.

@@ -33,12 +33,7 @@ impl RegionKind {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Doubt {
     /// Along a slice solutions gain or lose stability or admissibility where no curve runs.
-    Disagreement {
-        /// The secondary parameter of the slice.
-        secondary: f64,
-        /// The primary parameters between which the slice lies in the face.
-        primary: [f64; 2],
-    },
+    Disagreement,
     /// Stability changes on a branch without a saddle-node, period-doubling or grazing bifurcation.
     UnnamedChange,
     /// A branch could not be followed to its end.
@@ -54,8 +49,8 @@ pub enum Doubt {
 impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Disagreement { secondary, primary: [from, to] } => {
-                write!(f, "solutions change at {secondary} between {from} and {to}, where no curve was found")
+            Self::Disagreement => {
+                write!(f, "solutions gain or lose stability or admissibility where no curve was found")
             }
             Self::UnnamedChange => {
                 write!(f, "stability changes without a saddle-node, period-doubling or grazing bifurcation")

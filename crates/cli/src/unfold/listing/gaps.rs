@@ -150,8 +150,8 @@ mod tests {
         assert_eq!(
             words,
             "Resonances that could not be unfolded \
-             p = 1 near A = 0.25, omega = 0.5: the resonance was not located: the point found lies 0.5 away, on a step of \
-             length 0.001 \
+             p = 1 near A = 0.25, omega = 0.5: the resonance was not located: the point found lies 5.0e-1 away, on a step \
+             of length 1.0e-3 \
              p = 2, n = 3 the saddle-node curve cannot be started: it ends at once"
         );
         assert_eq!(incomplete(&diagram).as_deref(), Some("2 of 1 resonances could not be unfolded"));
