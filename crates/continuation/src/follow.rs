@@ -7,7 +7,7 @@ use grazing_model::maps::MapError;
 
 use crate::arclength::{Continuation, FEWEST_OF_A_LOOP, Stall, Station, StepControl, back_at};
 use crate::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route};
-use crate::locate::{Condition, LocateFailure, locate, locate_grazing_end, locate_within};
+use crate::locate::{Condition, LocateFailure, locate_grazing_end, locate_within};
 use crate::mps::{
     EventTimes, MaximalPeriodicSolution, Multipliers, Stability, Unknowns, parameters, unknown,
 };
@@ -297,6 +297,25 @@ impl Follower<'_> {
         past: Option<bool>,
         [before, after]: [&MpsStation; 2],
     ) -> Option<(MaximalPeriodicSolution, EventTimes)> {
+        let comes_later = |middle: &MpsStation| {
+            let (solution, stability) = equations.equations.solution_and_stability(&middle.point);
+            signs(equations.condition, &stability, &solution)[event] == past
+        };
+        let located = |before: &MpsStation, after: &MpsStation| {
+            let beyond = equations.equations.solution(&after.point);
+            locate_event(equations, EVENTS[event], before, after, &beyond).ok()
+        };
+        self.cut(equations, [before, after], comes_later, located)
+    }
+
+    /// Cuts a step about a place that lies in it until the place is located.
+    fn cut<O: ImpactOscillator, T>(
+        &self,
+        equations: &MpsCurve<O>,
+        [before, after]: [&MpsStation; 2],
+        comes_later: impl Fn(&MpsStation) -> bool,
+        located: impl Fn(&MpsStation, &MpsStation) -> Option<T>,
+    ) -> Option<T> {
         let (mut before, mut after) = (before.clone(), after.clone());
         for _ in 0..CUTS {
             let half = 0.5 * (after.point - before.point).norm();
@@ -308,13 +327,12 @@ impl Follower<'_> {
             let (point, tangent, times) = (before.point, before.tangent, before.carried.clone());
             let mut walker = Continuation::new(equations, control, point, tangent, times).ok()?;
             let middle = walker.advance().ok()?.clone();
-            let (solution, stability) = equations.equations.solution_and_stability(&middle.point);
-            if signs(equations.condition, &stability, &solution)[event] == past {
+            if comes_later(&middle) {
                 before = middle;
                 continue;
             }
             after = middle;
-            if let Ok(found) = locate_event(equations, EVENTS[event], &before, &after, &solution) {
+            if let Some(found) = located(&before, &after) {
                 return Some(found);
             }
         }
@@ -329,14 +347,23 @@ impl Follower<'_> {
         after: &MpsStation,
     ) -> CurveEnd {
         let condition = Condition::ImpactVelocity(0.0);
-        let near = on_chord(&before.point, &after.point, unknown::VELOCITY, 0.0);
-        let mut times = after.carried.clone();
-        let located = match equations.condition {
-            Condition::InteriorGrazing => locate_grazing_end(&equations.equations, near, &mut times),
-            _ => locate(&equations.equations, [equations.condition, condition], near, &mut times),
+        let at_zero = |before: &MpsStation, after: &MpsStation| {
+            let near = on_chord(&before.point, &after.point, unknown::VELOCITY, 0.0);
+            let mut times = after.carried.clone();
+            let located = match equations.condition {
+                Condition::InteriorGrazing => locate_grazing_end(&equations.equations, near, &mut times)
+                    .and_then(|point| on_step(point, near, [before, after])),
+                _ => located_near(equations, condition, near, [before, after], &mut times),
+            };
+            located.map(|point| (point, times))
         };
-        let mut point = match located {
-            Ok(point) => point,
+        let located = at_zero(before, after).or_else(|failure| {
+            let comes_later = |middle: &MpsStation| middle.point[unknown::VELOCITY] > NO_VELOCITY;
+            let closer = |before: &MpsStation, after: &MpsStation| at_zero(before, after).ok();
+            self.cut(equations, [before, after], comes_later, closer).ok_or(failure)
+        });
+        let (mut point, times) = match located {
+            Ok(found) => found,
             Err(failure) => return CurveEnd::EventNotLocated { condition, failure },
         };
         point[unknown::VELOCITY] = 0.0;
@@ -362,7 +389,7 @@ impl Follower<'_> {
     ) {
         let window = &self.route.window;
         let outside = after.point;
-        let mut times = after.carried;
+        let mut times = after.carried.clone();
         let edges = [(unknown::PRIMARY, window.primary), (unknown::SECONDARY, window.secondary)];
         let crossing = edges.into_iter().find_map(|(coordinate, [low, high])| {
             let value = outside[coordinate];
@@ -375,8 +402,7 @@ impl Follower<'_> {
                 _ => Condition::Secondary(edge),
             };
             let near = on_chord(&before.point, &outside, coordinate, edge);
-            let conditions = [equations.condition, condition];
-            let mut point = locate(&equations.equations, conditions, near, &mut times).ok()?;
+            let mut point = located_near(equations, condition, near, [before, &after], &mut times).ok()?;
             point[coordinate] = edge;
             window.contains(parameters(&point)).then_some(point)
         });
@@ -451,18 +477,39 @@ fn locate_event<O: ImpactOscillator>(
             }
         }
     }
-    let step = (after.point - before.point).norm();
-    let conditions = [equations.condition, sought];
-    let point = locate_within(FARTHEST_ITERATE * step, &equations.equations, conditions, near, &mut times)?;
+    let point = located_near(equations, sought, near, [before, after], &mut times)?;
     if sought == Condition::SecondInteriorGrazing {
         // The curve that can start from there is that of the second maximum.
         core::mem::swap(&mut times.grazing_time, &mut times.second_grazing_time);
     }
-    let distance = (point - near).norm();
+    Ok((equations.equations.solution(&point), times))
+}
+
+/// The point of a curve with a further condition that lies on a step, or next to it.
+fn located_near<O: ImpactOscillator>(
+    equations: &MpsCurve<O>,
+    condition: Condition,
+    near: Unknowns,
+    [before, after]: [&MpsStation; 2],
+    times: &mut EventTimes,
+) -> Result<Unknowns, LocateFailure> {
+    let step = (after.point - before.point).norm();
+    let conditions = [equations.condition, condition];
+    let point = locate_within(FARTHEST_ITERATE * step, &equations.equations, conditions, near, times)?;
+    on_step(point, near, [before, after])
+}
+
+/// A point that was looked for on a step, from near it, unless it lies elsewhere.
+fn on_step(
+    point: Unknowns,
+    near: Unknowns,
+    [before, after]: [&MpsStation; 2],
+) -> Result<Unknowns, LocateFailure> {
+    let (distance, step) = ((point - near).norm(), (after.point - before.point).norm());
     if distance > FARTHEST_EVENT * step {
         return Err(LocateFailure::Elsewhere { distance, step });
     }
-    Ok((equations.equations.solution(&point), times))
+    Ok(point)
 }
 
 /// The point on the chord where one coordinate takes a value.

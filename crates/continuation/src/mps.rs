@@ -200,7 +200,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// Paper: eq:xjzj. Starts from the event times in `times`.
     ///
     /// # Errors
-    /// A loop has no maximum of x near Π, as where VIVID is not defined.
+    /// A loop has no maximum of x near Π, half a forcing period or more after the one before, as where VIVID is not defined.
     pub fn visits(&self, point: &Unknowns, times: &EventTimes) -> Result<Vec<Vector2<f64>>, MapError> {
         let oscillator = self.oscillator_at(point);
         let recoil = oscillator.reset::<1>(impact(point)).image();
@@ -208,7 +208,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         (0..self.loops as usize)
             .map(|j| {
                 let time = times.return_times.get(j).copied();
-                here = maps::global_map::<O, 1>(&oscillator, here, time)?.jet.image();
+                here = maps::next_visit(&oscillator, here, time)?.jet.image();
                 Ok(here.coordinates())
             })
             .collect()

@@ -35,6 +35,12 @@ pub enum MapError {
         /// The acceleration there, which is not negative.
         acceleration: f64,
     },
+    /// The maximum that was found comes too soon to be the next visit to Π.
+    #[error("the maximum that was found comes after a time of {time}, less than half a forcing period")]
+    TooSoon {
+        /// The time after which it comes.
+        time: f64,
+    },
     /// P_virt⁻¹ was asked for at x < 0, or did not reach the wall.
     #[error("no orbit from the wall comes to rest at x = {position}")]
     BelowTheWall {
@@ -51,6 +57,9 @@ pub struct Landing<A> {
     /// The evolution time, negative if the evolution went backwards.
     pub time: f64,
 }
+
+/// Over a hill beyond the wall motion may take longer than a forcing period to turn back; after so many it is carried off.
+const LONGEST_VIRTUAL: f64 = 2.0;
 
 /// P_virt: from (y, z) on Σ along the flow to (x', z') on Π, forwards in time for y > 0 and backwards for y < 0.
 ///
@@ -70,7 +79,7 @@ pub fn virtual_map<O: ImpactOscillator, const ORDER: usize>(
         Some(time) => time,
         None if velocity == 0.0 => 0.0,
         None => {
-            let horizon = oscillator.forcing_period();
+            let horizon = LONGEST_VIRTUAL * oscillator.forcing_period();
             let forwards = velocity > 0.0;
             first_rest(&oscillator.motion(impact.into()), forwards, horizon)
                 .ok_or(MapError::NoRest { near: 0.0, velocity })?
@@ -128,6 +137,20 @@ pub fn global_map<O: ImpactOscillator, const ORDER: usize>(
 ) -> Result<Landing<AtRest>, MapError> {
     let time = guess.unwrap_or_else(|| oscillator.forcing_period());
     land_on_section::<O, ORDER, _>(oscillator, from, time, TAU)
+}
+
+/// The next point at which motion visits Π: P_global, as far as it leads to a maximum that comes more than half a forcing period later.
+///
+/// # Errors
+/// There is no such maximum near the guessed time.
+pub fn next_visit<O: ImpactOscillator>(
+    oscillator: &O,
+    from: AtRest,
+    guess: Option<f64>,
+) -> Result<Landing<AtRest>, MapError> {
+    let landing = global_map::<O, 1>(oscillator, from, guess)?;
+    let (time, period) = (landing.time, oscillator.forcing_period());
+    if time > 0.5 * period { Ok(landing) } else { Err(MapError::TooSoon { time }) }
 }
 
 /// The p-th iterate of P_global with its derivatives; return times are found afresh.

@@ -10,7 +10,7 @@ use crate::tolerances::CHATTER_VELOCITY;
 /// A flight between two events of an orbit.
 #[derive(Clone, Debug)]
 pub struct Flight<M> {
-    /// Time at which the flight begins, counted from the start of the orbit.
+    /// Time at which the flight begins, counted from the start of the orbit; impacts may take time, too.
     pub start: f64,
     /// State in which the flight begins, its phase reduced to [0, 2π).
     pub from: State,
@@ -117,8 +117,10 @@ impl<'a, O: ImpactOscillator> Orbit<'a, O> {
     fn reset(&mut self) {
         self.impacts += 1;
         let impact_velocity = self.state.velocity;
-        let recoil = self.oscillator.reset::<1>(OnWall::new(impact_velocity, self.state.phase));
-        self.state = wrapped(recoil.image().into());
+        let recoil: State =
+            self.oscillator.reset::<1>(OnWall::new(impact_velocity, self.state.phase)).image().into();
+        self.time += (recoil.phase - self.state.phase) / self.oscillator.forcing_frequency().value;
+        self.state = wrapped(recoil);
         let pressed = || self.oscillator.acceleration(State::on_wall(0.0, self.state.phase)) > 0.0;
         if impact_velocity < CHATTER_VELOCITY && pressed() {
             self.end = Some(OrbitEnd::Chattering {
@@ -148,8 +150,13 @@ impl<O: ImpactOscillator> Iterator for Orbit<'_, O> {
             return None;
         }
         let (start, from) = (self.time, self.state);
-        let motion = self.oscillator.motion(from);
         let left = self.horizon - start;
+        if left < 0.0 {
+            // The time was up during an impact.
+            self.end = Some(OrbitEnd::TimeIsUp(from));
+            return None;
+        }
+        let motion = self.oscillator.motion(from);
         let crossing = first_crossing(&motion, left);
         let duration = crossing.map_or(left, |crossing| crossing.time);
         let phase = from.phase + self.oscillator.forcing_frequency().value * duration;

@@ -17,9 +17,10 @@ use rayon::prelude::*;
 
 pub use branches::{Branch, BranchBifurcation, Strand, StrandPoint};
 pub use exchanged::{Exchanged, exchanged};
+pub(crate) use long_time::{LONGEST_TRANSIENT, impacts};
 pub use long_time::{Plan, Settled, long_time_behaviour, random_start, settled};
 pub(crate) use portraits::cycle;
-pub use portraits::{ATTRACTOR_PERIODS, Portrait, sampled};
+pub use portraits::{ATTRACTOR_PERIODS, Portrait, drifts, sampled};
 
 use crate::curves::DiagramCurve;
 use crate::non_impacting::branch;

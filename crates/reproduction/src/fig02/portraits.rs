@@ -5,7 +5,7 @@ use grazing_model::smooth::Units;
 use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_results::branches::PortraitPoint;
 use grazing_unfold::one_parameter::{
-    ATTRACTOR_PERIODS, Branch, Portrait, Settled, random_start, sampled, settled,
+    ATTRACTOR_PERIODS, Branch, Portrait, Settled, drifts, random_start, sampled, settled,
 };
 use rand_pcg::Pcg64;
 
@@ -44,13 +44,11 @@ fn portrait(setting: &Setting, number: u32, subject: &Subject) -> Result<Option<
         let plan = &setting.figure.attractor;
         let mut random = Pcg64::new(u128::from(plan.seed), u128::from(number) << 64);
         let start = random_start(setting.lowest(), &mut random);
-        let Settled::Impacts(flights) = settled(&oscillator, start, [plan.transient, ATTRACTOR_PERIODS])
-        else {
+        let periods = [plan.transient, ATTRACTOR_PERIODS];
+        let Settled::Impacts(flights) = settled(&oscillator, start, periods, drifts) else {
             return Ok(None);
         };
-        let transient = f64::from(plan.transient) * period;
-        let shown =
-            |flight: &Flight<_>| sampled(&flight.motion, flight.start - transient, flight.duration, period);
+        let shown = |flight: &Flight<_>| sampled(&flight.motion, flight.start, flight.duration, period);
         flights.iter().map(shown).collect()
     } else {
         let periods = f64::from(loops.max(1));

@@ -5,7 +5,9 @@ use core::f64::consts::TAU;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, Event};
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
+use grazing_continuation::mps::{
+    EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns, unknown,
+};
 use grazing_model::maps::virtual_map;
 use grazing_model::{ImpactOscillator, OnWall};
 use nalgebra::Vector2;
@@ -137,8 +139,7 @@ impl<O: ImpactOscillator> Branch<O> {
                     x,
                     impact: [velocity, phase],
                     stable: velocity > 0.0 && stable[k],
-                    // Or the grazing orbit in which the branch begins.
-                    admissible: at.solution.admissible() || velocity == 0.0,
+                    admissible: at.solution.ceiling() <= MaximalPeriodicSolution::TOUCH,
                 });
             }
             strands.push(Strand { loops, visit: visit + 1, points });

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use grazing_model::maps::{global_map, virtual_map};
+use grazing_model::maps::{next_visit, virtual_map};
 use grazing_model::motion::{Motion, highest_maximum};
 use grazing_model::orbit::{Flight, FlightEnd, Orbit, OrbitEnd};
 use grazing_model::{AtRest, ImpactOscillator, OnWall, State};
@@ -12,6 +12,7 @@ use rand_pcg::rand_core::Rng;
 use rayon::prelude::*;
 
 use super::LONG_TIME;
+use super::portraits::drifts;
 use crate::progress::Progress;
 
 /// How long-time behaviour is sampled.
@@ -31,8 +32,8 @@ pub struct Plan {
 
 /// Motion without impacts has settled when what it began with is this small a part of what it was: far less than a dot.
 const SETTLED: f64 = 1e-5;
-/// But it is not waited for longer than so many forcing periods.
-const LONGEST_TRANSIENT: u32 = 2_000;
+/// But no motion is waited for longer than about so many forcing periods.
+pub(crate) const LONGEST_TRANSIENT: u32 = 2_000;
 
 impl Plan {
     /// The same plan with a transient in which motion beside orbits without impacts settles, of whose multipliers these are the products δ.
@@ -59,7 +60,7 @@ fn uniform(random: &mut Pcg64) -> f64 {
 /// No orbit has more than a few impacts a period; sticking and chattering end it by themselves.
 const MOST_IMPACTS: usize = 1_000_000;
 
-/// An orbit after its transient.
+/// An orbit after its transient, times being counted from the end of that.
 pub enum Settled<M> {
     /// With impacts: its flights.
     Impacts(Vec<Flight<M>>),
@@ -69,32 +70,67 @@ pub enum Settled<M> {
     Ended,
 }
 
-/// Follows an orbit for `recorded` forcing periods after `transient` ones.
+/// Follows an orbit for `recorded` forcing periods after `transient` ones, or after more where its impacts are `unsettled` then, as far as that is
+/// waited for.
 pub fn settled<O: ImpactOscillator>(
+    oscillator: &O,
+    mut from: State,
+    [mut transient, recorded]: [u32; 2],
+    unsettled: impl Fn(&[Vector2<f64>]) -> bool,
+) -> Settled<O::Motion> {
+    let mut passed = 0;
+    loop {
+        let (found, end) = after_transient(oscillator, from, [transient, recorded]);
+        passed += transient + recorded;
+        match (&found, end) {
+            (Settled::Impacts(flights), Some(end))
+                if passed < LONGEST_TRANSIENT && unsettled(&impacts(flights)) =>
+            {
+                (from, transient) = (end, passed);
+            }
+            _ => return found,
+        }
+    }
+}
+
+/// The orbit for `recorded` forcing periods after `transient` ones, and its state then if it goes on.
+fn after_transient<O: ImpactOscillator>(
     oscillator: &O,
     from: State,
     [transient, recorded]: [u32; 2],
-) -> Settled<O::Motion> {
+) -> (Settled<O::Motion>, Option<State>) {
     let period = oscillator.forcing_period();
     let transient = f64::from(transient) * period;
     let horizon = transient + f64::from(recorded) * period;
     let mut orbit = Orbit::new(oscillator, from, horizon, MOST_IMPACTS);
     let (mut last, mut flights) = (None, Vec::new());
     for flight in orbit.by_ref() {
-        if flight.start >= transient { flights.push(flight) } else { last = Some(flight) }
+        let flight = Flight { start: flight.start - transient, ..flight };
+        if flight.start >= 0.0 { flights.push(flight) } else { last = Some(flight) }
     }
-    match (orbit.end(), last) {
+    let end = match orbit.end() {
+        Some(OrbitEnd::TimeIsUp(end)) if end.position.is_finite() => Some(end),
+        _ => None,
+    };
+    let found = match (end, last) {
         _ if !flights.is_empty() => Settled::Impacts(flights),
-        (Some(OrbitEnd::TimeIsUp(end)), Some(Flight { start, from, motion, .. }))
-            if end.position.is_finite() =>
-        {
-            let time = transient - start;
-            let here = motion.at(time);
-            let phase = from.phase + oscillator.forcing_frequency().value * time;
+        (Some(_), Some(Flight { start, from, motion, .. })) => {
+            let here = motion.at(-start);
+            let phase = from.phase - oscillator.forcing_frequency().value * start;
             Settled::Free(State { position: here.position, velocity: here.velocity, phase })
         }
         _ => Settled::Ended,
-    }
+    };
+    (found, end)
+}
+
+/// The impacts (y, z) at which flights end.
+pub(crate) fn impacts<M>(flights: &[Flight<M>]) -> Vec<Vector2<f64>> {
+    let impact = |flight: &Flight<M>| match flight.end {
+        FlightEnd::Impact(impact) => Some(Vector2::new(impact.velocity, impact.phase)),
+        FlightEnd::TimeIsUp(_) => None,
+    };
+    flights.iter().filter_map(impact).collect()
 }
 
 /// x on Π at the visits of an orbit from a random state after its transient; none if it has come to rest at the wall by then.
@@ -105,7 +141,8 @@ fn long_time_visits<O: ImpactOscillator>(
     random: &mut Pcg64,
 ) -> Vec<f64> {
     let mut visits = Vec::new();
-    match settled(oscillator, random_start(lowest, random), [plan.transient, plan.recorded]) {
+    let start = random_start(lowest, random);
+    match settled(oscillator, start, [plan.transient, plan.recorded], drifts) {
         Settled::Impacts(flights) => {
             flights.iter().for_each(|flight| visits_of(oscillator, flight, &mut visits));
         }
@@ -166,25 +203,19 @@ pub fn long_time_behaviour<O: ImpactOscillator>(
 /// The x-values at which a flight meets Π: the iterates of P_global from the virtual point of its recoil for as long as
 /// they lie within the flight, and the virtual top beyond the wall with which it ends.
 fn visits_of<O: ImpactOscillator>(oscillator: &O, flight: &Flight<O::Motion>, visits: &mut Vec<f64>) {
-    let mut time = 0.0;
-    let mut here = Vector2::new(flight.from.position, flight.from.phase);
-    if flight.from.velocity != 0.0 {
-        let Ok(origin) =
-            virtual_map::<_, 1>(oscillator, OnWall::new(flight.from.velocity, flight.from.phase), None)
-        else {
-            return;
-        };
-        (time, here) = (origin.time, origin.jet.value);
-    }
-    let half_period = 0.5 * oscillator.forcing_period();
-    while let Ok(next) = global_map::<_, 1>(oscillator, AtRest::new(here[0], here[1]), None) {
-        time += next.time;
-        // A return time far from the forcing period belongs to a maximum that is not on Π.
-        if time >= flight.duration || next.time < half_period {
-            break;
+    let State { position, velocity, phase } = flight.from;
+    let mut here = match velocity {
+        0.0 => Some((0.0, AtRest::new(position, phase))),
+        _ => {
+            let origin = virtual_map::<_, 1>(oscillator, OnWall::new(velocity, phase), None);
+            origin.ok().map(|origin| (origin.time, origin.jet.image()))
         }
-        here = next.jet.value;
-        visits.push(here[0]);
+    };
+    while let Some((time, visit)) = here {
+        let next = next_visit(oscillator, visit, None).ok();
+        let next = next.map(|next| (time + next.time, next.jet.image()));
+        here = next.filter(|(time, _)| *time < flight.duration);
+        visits.extend(here.map(|(_, visit)| visit.position));
     }
     if let FlightEnd::Impact(impact) = flight.end
         && let Ok(top) = virtual_map::<_, 1>(oscillator, OnWall::new(impact.velocity, impact.phase), None)

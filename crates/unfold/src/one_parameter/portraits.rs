@@ -1,16 +1,16 @@
 //! Orbits in the (x, y) plane: the stable solutions at some μ, and what simulation finds besides.
 
 use core::f64::consts::TAU;
+use core::ops::RangeInclusive;
 
 use grazing_model::motion::Motion;
-use grazing_model::orbit::{Flight, FlightEnd};
 use grazing_model::{ImpactOscillator, State};
 use nalgebra::Vector2;
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 use super::branches::Branch;
-use super::long_time::{Plan, Settled, random_start, settled};
+use super::long_time::{Plan, Settled, impacts, random_start, settled};
 use crate::non_impacting::branch;
 use crate::non_impacting::orbits::{OrbitPoint, PRIMARY, PeriodicOrbits};
 use crate::progress::Progress;
@@ -38,6 +38,8 @@ const FREE_PERIODS: f64 = 8.0;
 const STARTS: u32 = 8;
 /// Impacts closer than this are one: orbits have settled to far less.
 const SAME: f64 = 1e-3;
+/// Motion whose impacts come again to within this may be about to settle.
+const NEARLY: f64 = 0.1;
 /// Attractors whose impacts lie this close to each other look the same.
 const ALIKE: f64 = 0.03;
 /// An orbit whose impacts do not come again after so many counts as not periodic.
@@ -108,20 +110,23 @@ impl<O: ImpactOscillator> Scene<'_, O> {
         let mut random = Pcg64::new(u128::from(self.plan.seed), (place + 1) << 64);
         for _ in 0..STARTS {
             let start = random_start(self.lowest, &mut random);
-            let flights = match settled(&oscillator, start, [self.plan.transient, ATTRACTOR_PERIODS]) {
-                Settled::Impacts(flights) => flights,
-                Settled::Free(state) => {
-                    // Motion of several times the forcing's period, or what no branch leads to.
-                    if !core::mem::replace(&mut free_known, true) {
-                        let duration = FREE_PERIODS * period;
-                        let flights = vec![sampled(&oscillator.motion(state), 0.0, duration, period)];
-                        portraits.push(Portrait { loops: 0, primary, attractor: true, flights });
+            let flights =
+                match settled(&oscillator, start, [self.plan.transient, ATTRACTOR_PERIODS], |impacts| {
+                    cycle(impacts).is_none()
+                }) {
+                    Settled::Impacts(flights) => flights,
+                    Settled::Free(state) => {
+                        // Motion of several times the forcing's period, or what no branch leads to.
+                        if !core::mem::replace(&mut free_known, true) {
+                            let duration = FREE_PERIODS * period;
+                            let flights = vec![sampled(&oscillator.motion(state), 0.0, duration, period)];
+                            portraits.push(Portrait { loops: 0, primary, attractor: true, flights });
+                        }
+                        continue;
                     }
-                    continue;
-                }
-                Settled::Ended => continue,
-            };
-            let impacts: Impacts = flights.iter().filter_map(impact).collect();
+                    Settled::Ended => continue,
+                };
+            let impacts: Impacts = impacts(&flights);
             let Some(first) = impacts.first() else { continue };
             if known.iter().any(|other| contains(other, first)) {
                 continue;
@@ -160,13 +165,6 @@ impl<O: ImpactOscillator> Scene<'_, O> {
     }
 }
 
-fn impact<M>(flight: &Flight<M>) -> Option<Vector2<f64>> {
-    match flight.end {
-        FlightEnd::Impact(impact) => Some(Vector2::new(impact.velocity, impact.phase)),
-        FlightEnd::TimeIsUp(_) => None,
-    }
-}
-
 /// Whether two impacts are no farther apart than this, in y counted in y where that is above one.
 fn within(distance: f64, a: &Vector2<f64>, b: &Vector2<f64>) -> bool {
     (a[0] - b[0]).abs() <= distance * a[0].max(1.0) && libm::remainder(a[1] - b[1], TAU).abs() <= distance
@@ -181,8 +179,19 @@ fn near(all: &Impacts, impacts: &Impacts) -> bool {
     impacts.iter().all(|impact| all.iter().any(|other| within(ALIKE, other, impact)))
 }
 
-/// The number of impacts after which the same ones come again, if they do.
+/// The number of impacts after which the same ones come again, if they do, again and again.
 pub(crate) fn cycle(impacts: &[Vector2<f64>]) -> Option<usize> {
-    (1..=LONGEST_CYCLE.min(impacts.len() / 2))
-        .find(|cycle| impacts.iter().zip(&impacts[*cycle..]).all(|(a, b)| within(SAME, a, b)))
+    let again = |cycle: usize| impacts.iter().enumerate().all(|(k, a)| within(SAME, a, &impacts[k % cycle]));
+    cycles(impacts).find(|cycle| again(*cycle))
+}
+
+/// Whether nearly the same impacts come again, but not the same: as where motion comes slowly to a cycle, or leaves one.
+pub fn drifts(impacts: &[Vector2<f64>]) -> bool {
+    let nearly = |cycle: usize| impacts.iter().zip(&impacts[cycle..]).all(|(a, b)| within(NEARLY, a, b));
+    cycle(impacts).is_none() && cycles(impacts).any(nearly)
+}
+
+/// The numbers of impacts in which these may have come again.
+fn cycles(impacts: &[Vector2<f64>]) -> RangeInclusive<usize> {
+    1..=LONGEST_CYCLE.min(impacts.len() / 2)
 }

@@ -8,7 +8,7 @@ use grazing_model::{ImpactOscillator, OnWall, State, flow_variable};
 use nalgebra::{Matrix2, Vector2};
 
 use super::{Attractor, Fate, MotionKind, SAME, is_same};
-use crate::one_parameter::{cycle, sampled};
+use crate::one_parameter::{LONGEST_TRANSIENT, cycle, drifts, impacts, sampled};
 
 /// No orbit has more impacts than this; sticking and chattering end it by themselves.
 const MOST_IMPACTS: usize = 100_000;
@@ -55,6 +55,7 @@ pub(super) struct LongOrbit<O: ImpactOscillator> {
 }
 
 impl<O: ImpactOscillator> LongOrbit<O> {
+    /// The orbit from a state in those of two numbers of forcing periods that count, which come later where it has not settled by then.
     pub(super) fn new(oscillator: &O, from: State, [transient, counted]: [u32; 2]) -> Self {
         let period = oscillator.forcing_period();
         let begin = f64::from(transient) * period;
@@ -64,13 +65,13 @@ impl<O: ImpactOscillator> LongOrbit<O> {
         for flight in orbit.by_ref() {
             if flight.start >= begin { flights.push(flight) } else { last = Some(flight) }
         }
-        let impacts: Vec<Vector2<f64>> = flights
-            .iter()
-            .filter_map(|flight| match flight.end {
-                FlightEnd::Impact(impact) => Some(Vector2::new(impact.velocity, impact.phase)),
-                FlightEnd::TimeIsUp(_) => None,
-            })
-            .collect();
+        let impacts = impacts(&flights);
+        if let Some(OrbitEnd::TimeIsUp(end)) = orbit.end()
+            && transient < LONGEST_TRANSIENT
+            && drifts(&impacts)
+        {
+            return Self::new(oscillator, end, [2 * transient + counted, counted]);
+        }
         let rate = impacts.len() as f64 / f64::from(counted);
         let fate = match orbit.end() {
             Some(OrbitEnd::TimeIsUp(end)) if !end.position.is_finite() => {
