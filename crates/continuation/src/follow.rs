@@ -18,6 +18,9 @@ use crate::tolerances::{
 
 type MpsStation = Station<4, EventTimes>;
 
+/// So far along the tangent the maxima of loops that touch the wall at y = 0 have left it by more than the tangent is off, and by more than rounding.
+const BESIDE_GRAZING: f64 = 1e-6;
+
 impl<O: ImpactOscillator> MpsCurve<O> {
     /// Follows the curve from `start`, to the side of `direction`, until it ends.
     ///
@@ -423,12 +426,15 @@ fn starting_point<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStati
 
 /// The signs at the start, unless it is itself a codimension-two point, where one of the functions vanishes.
 fn starting_signs<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStation) -> Option<Signs> {
-    let (solution, stability) = equations.equations.solution_and_stability(&first.point);
+    let (mut solution, stability) = equations.equations.solution_and_stability(&first.point);
+    let at_grazing = first.point[unknown::VELOCITY] == 0.0;
+    if at_grazing {
+        // The maxima of all loops touch the wall there; where they go from there is to be seen a little farther on.
+        solution = equations.equations.solution(&(first.point + first.tangent * BESIDE_GRAZING));
+    }
     let clear = match equations.condition {
-        // Where another maximum touches the wall its sign is a toss-up; at y = 0 the loops' maxima all do, and count as touching.
-        Condition::Multiplier(_) => {
-            first.point[unknown::VELOCITY] == 0.0 || solution.ceiling().abs() > TOUCHES_TOO
-        }
+        // Where another maximum touches the wall its sign is a toss-up.
+        Condition::Multiplier(_) => at_grazing || solution.ceiling().abs() > TOUCHES_TOO,
         _ => stability.saddle_node.abs().min(stability.period_doubling.abs()) > ON_TWO_CURVES,
     };
     clear.then(|| signs(equations.condition, &stability, &solution))

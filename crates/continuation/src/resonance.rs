@@ -67,6 +67,9 @@ pub struct LocatedResonance<O> {
     point: ResonantPoint,
 }
 
+/// Steps of Newton's method from a saddle-node that is nearly the resonance.
+const POLISHING: usize = 5;
+
 impl<O: ImpactOscillator> LocatedResonance<O> {
     /// Locates the resonance near the parameters of `oscillator` and the phase `near`.
     ///
@@ -86,7 +89,19 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
             // Rounding may leave it beside zero, where an impact has another virtual point.
             located[unknown::VELOCITY] = 0.0;
         }
-        let orbit = GrazingOrbit::find(&equations.oscillator_at(&located), located[unknown::PHASE])?;
+        let mut orbit = GrazingOrbit::find(&equations.oscillator_at(&located), located[unknown::PHASE])?;
+        // Where motion is almost forgotten within p periods a saddle-node at y = 0 is hard to tell from others: there a₁₂ or κ_p itself is
+        // solved for, along the grazing curve.
+        for _ in 0..POLISHING {
+            let [detuning, slope] = orbit.detuning(loops, &orbit.derivative_of_map());
+            let [_, secondary] = orbit.oscillator().parameters();
+            let step = detuning / slope;
+            if detuning.abs() <= off_resonance(secondary, slope) || !step.is_finite() {
+                break;
+            }
+            let place = orbit.place().moved(orbit.oscillator(), secondary - step)?;
+            orbit = GrazingOrbit::at(orbit.oscillator().with_parameters(place.parameters), place.phase)?;
+        }
         let point = orbit.resonant_point(loops)?;
         Ok(Self { equations, orbit, point })
     }
@@ -123,12 +138,17 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
     /// A hypothesis of Theorem 2.4 or 2.5 fails; all are listed with their values.
     pub fn checked(&self) -> Result<ResonantGrazingPoint<O>, HypothesesViolated> {
         let [_, secondary] = self.orbit.oscillator().parameters();
-        let tolerance = AT_RESONANCE + OFF_RESONANCE * (secondary * self.point.unfolding.derivative).abs();
+        let tolerance = off_resonance(secondary, self.point.unfolding.derivative);
         Ok(ResonantGrazingPoint {
             theorem: ResonantGrazing::check(&self.point, tolerance)?,
             located: self.clone(),
         })
     }
+}
+
+/// What a located resonance may leave of a₁₂ or κ_p, which changes so fast with η.
+fn off_resonance(secondary: f64, slope: f64) -> f64 {
+    AT_RESONANCE + OFF_RESONANCE * (secondary * slope).abs()
 }
 
 /// A located resonance at which Theorem 2.4 or 2.5 holds.

@@ -59,7 +59,7 @@ impl Study<'_> {
     pub fn fig02(&self) -> Result<Figure2, StudyError> {
         let (figure, theory) = (self.parameters.fig02.get()?, self.parameters.oscillator.get()?);
         let setting = Setting { figure, theory, grazing: theory.grazing(figure.frequency)? };
-        let branches = branches::follow(&setting)?;
+        let branches = branches::follow(&setting, self.progress)?;
         let shown: Vec<_> = branches.iter().map(Branch::shown).collect();
         let bifurcations = branches::bifurcations(&setting, &shown);
         let (portraits, more) = portraits::rows(&setting, &branches)?;

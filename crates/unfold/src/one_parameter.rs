@@ -26,7 +26,7 @@ use crate::curves::DiagramCurve;
 use crate::non_impacting::branch;
 use crate::non_impacting::orbits::PeriodicOrbits;
 use crate::progress::Progress;
-use crate::slices::{Slicer, broken_at, distinct};
+use crate::slices::{Slice, Slicer, broken_at, distinct};
 use crate::{Scope, search};
 
 /// What is to be shown.
@@ -174,20 +174,35 @@ fn mps_branches<O: ImpactOscillator>(
         progress.step(BRANCHES);
         (equations, slice)
     });
-    let mut slices: Vec<_> = slices.collect();
-    let fastest = search::fastest(slices.iter().flat_map(|(_, slice)| &slice.branches));
+    let begun: Vec<_> = slices.collect();
+    let begun = begun.into_iter().flat_map(|(equations, slice)| {
+        slice.branches.into_iter().map(move |curve| Branch { equations: equations.clone(), curve })
+    });
+    completed(oscillator, scope, secondary, begun.collect(), progress)
+}
+
+/// Branches of MPSs at one η and those besides that are found by solving for MPSs, by p; each once.
+pub fn completed<O: ImpactOscillator>(
+    oscillator: &O,
+    scope: &Scope,
+    secondary: f64,
+    begun: Vec<Branch<O>>,
+    progress: &dyn Progress,
+) -> Vec<Branch<O>> {
+    let fastest = search::fastest(begun.iter().map(|branch| &branch.curve));
     let found =
         search::on_slice(oscillator, &scope.loops, scope.window, (secondary, PLACES), fastest, progress);
-    slices.par_iter_mut().for_each(|(equations, slice)| {
-        let slicer = Slicer::new(equations, scope.window, StepControl::DRAWING, &grazing);
-        let own = found.iter().filter(|(loops, _)| *loops == equations.loops());
-        slicer.through(slice, own.map(|(_, solution)| *solution));
-    });
-    let branches = slices.into_iter().flat_map(|(equations, slice)| {
-        let distinct = distinct(slice.branches);
-        distinct.into_iter().map(move |curve| Branch { equations: equations.clone(), curve })
-    });
-    branches.collect()
+    let of_loops = |loops: u32| {
+        let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase);
+        let own = begun.iter().filter(|branch| branch.equations.loops() == loops);
+        let mut slice = Slice::new(secondary, own.map(|branch| branch.curve.clone()).collect());
+        let slicer = Slicer::new(&equations, scope.window, StepControl::DRAWING, &|_| Vec::new());
+        let own = found.iter().filter(|(other, _)| *other == loops);
+        slicer.through(&mut slice, own.map(|(_, solution)| *solution));
+        let branches = distinct(slice.branches).into_iter();
+        branches.map(|curve| Branch { equations: equations.clone(), curve }).collect::<Vec<_>>()
+    };
+    scope.loops.par_iter().map(|loops| of_loops(*loops)).collect::<Vec<_>>().concat()
 }
 
 /// The bifurcation that a condition is on a branch of non-impacting motion.

@@ -1,4 +1,4 @@
-//! Branches of MPSs in the amplitude, from the grazing bifurcation to the edge of the window.
+//! Branches of MPSs in the amplitude: from the grazing bifurcation to the edge of the window, and what else there is of them inside.
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
@@ -7,8 +7,10 @@ use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_model::LinearOscillator;
 use grazing_results::branches::{BranchBifurcation, BranchPoint};
+use grazing_unfold::Scope;
 use grazing_unfold::diagram::route;
 use grazing_unfold::one_parameter::{self, Branch, Strand};
+use grazing_unfold::progress::Progress;
 use rayon::prelude::*;
 
 use super::Setting;
@@ -19,8 +21,11 @@ use crate::plane::centred;
 /// What is drawn of a branch.
 pub(super) type Shown = (Vec<Strand>, Vec<one_parameter::BranchBifurcation>);
 
-/// Follows the branches of all p asked for.
-pub(super) fn follow(setting: &Setting) -> Result<Vec<Branch<LinearOscillator>>, StudyError> {
+/// Follows the branches of all p asked for: first those from grazing.
+pub(super) fn follow(
+    setting: &Setting,
+    progress: &dyn Progress,
+) -> Result<Vec<Branch<LinearOscillator>>, StudyError> {
     let figure = setting.figure;
     let frequency = figure.frequency;
     let window = Window { primary: figure.amplitude, secondary: [0.0, f64::INFINITY] };
@@ -28,10 +33,7 @@ pub(super) fn follow(setting: &Setting) -> Result<Vec<Branch<LinearOscillator>>,
     let amplitude = setting.grazing.amplitude();
     let start = Unknowns::new(0.0, setting.grazing.phase(), amplitude, frequency);
     let oscillator = setting.oscillator(amplitude)?;
-    figure
-        .loops
-        .par_iter()
-        .map(|&loops| {
+    let begun = figure.loops.par_iter().map(|&loops| {
             let equations = LoopEquations::new(oscillator, loops, Formulation::FixedPhase);
             let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(frequency) };
             let to_positive_velocity = Unknowns::new(1.0, 0.0, 0.0, 0.0);
@@ -43,8 +45,16 @@ pub(super) fn follow(setting: &Setting) -> Result<Vec<Branch<LinearOscillator>>,
                     ))
                 })?;
             Ok(Branch { equations, curve })
-        })
-        .collect()
+        });
+    let begun: Vec<Branch<_>> = begun.collect::<Result<_, StudyError>>()?;
+    let window = Window { primary: figure.amplitude, secondary: [frequency; 2] };
+    let scope = Scope { window, loops: figure.loops.clone(), start: None };
+    let all = one_parameter::completed(&oscillator, &scope, frequency, begun, progress);
+    let from_grazing = |branch: &Branch<_>| {
+        branch.curve.points.first().is_some_and(|first| first.solution.impact_velocity() == 0.0)
+    };
+    let (begun, others): (Vec<_>, Vec<_>) = all.into_iter().partition(from_grazing);
+    Ok([begun, others].concat())
 }
 
 /// The grazing bifurcation and all bifurcations of admissible MPSs, branch by branch.
