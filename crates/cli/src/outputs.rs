@@ -65,7 +65,7 @@ pub struct Output {
 /// to be told of it.
 macro_rules! outputs {
     (first $first:ident; last $last:ident;
-    $($name:ident = $draw:ident, $label:literal, $tables:expr, $title:literal, change $keys:literal $(, telling $told:ident)?;)+) => {
+    $($name:ident = $draw:ident, $label:literal, $tables:expr, $title:literal, change $keys:literal $(, telling $told:ident)*;)+) => {
         &[$first, $(Output {
             name: stringify!($name),
             title: $title,
@@ -79,7 +79,7 @@ macro_rules! outputs {
                 Ok(Made {
                     svg: Some($draw(&made, width)?),
                     tables: made.tables(&Names::of_the_paper()),
-                    $($told: made.$told,)?
+                    $($told: made.$told,)*
                     ..Made::default()
                 })
             },
@@ -111,7 +111,7 @@ pub const ALL: &[Output] = outputs! {
         change "fig06.frequency or fig06.amplitude";
     fig07 = draw_fig07, "fig:G", Figure7::TABLES,
         "Figure 7: two-parameter bifurcation diagram",
-        change "fig07.frequency, fig07.amplitude or fig07.loops", telling gaps;
+        change "fig07.frequency, fig07.amplitude or fig07.loops", telling gaps, telling notes;
     fig08 = draw_fig08, "fig:Y", Figure8::TABLES,
         "Figure 8: three magnifications of Figure 7 with quadratic approximations",
         change "fig08.panels, fig07.frequency or fig07.amplitude", telling notes;

@@ -110,6 +110,8 @@ tables! {
         magnified: Vec<MagnifiedPanel>,
         /// What it lacks, in sentences.
         gaps: Vec<String>,
+        /// What could not be decided, in sentences.
+        notes: Vec<String>,
     }
 
     /// What Figure 8 shows.

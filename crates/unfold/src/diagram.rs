@@ -81,10 +81,14 @@ pub fn route(window: Window, control: StepControl) -> Route {
 fn drawn(window: Window) -> Route {
     let control = StepControl::DRAWING;
     let [across, up] = window.widths();
-    let longest = control.longest * across.max(up).min(1.0);
+    // Across the shorter side of a long window a chord of long steps would leave its curve too far.
+    let size = across.max(up).min(LONG_WINDOW * across.min(up));
+    let longest = control.longest * size.min(1.0);
     route(window, StepControl { longest: longest.max(LEAST_STEPS * control.shortest), ..control })
 }
 
+/// A window is long whose sides have a greater ratio.
+const LONG_WINDOW: f64 = 2.0;
 /// Steps are at least so many times as long as the shortest.
 const LEAST_STEPS: f64 = 10.0;
 
