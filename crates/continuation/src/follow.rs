@@ -282,7 +282,9 @@ impl Follower<'_> {
         }
         let way = |event: &Event| before.tangent.dot(&(event.solution.unknowns - before.point));
         located.sort_by(|a, b| way(a).total_cmp(&way(b)));
-        for event in located {
+        // What lies beyond the edge is not on the curve, which ends there.
+        let inside = |event: &Event| self.route.window.contains(event.solution.parameters());
+        for event in located.into_iter().filter(inside) {
             self.curve.events.push(event.clone());
             if self.route.stop_at_events {
                 self.curve.points.push(CurvePoint { solution: event.solution, times: event.times.clone() });

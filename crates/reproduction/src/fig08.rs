@@ -34,11 +34,8 @@ impl Study<'_> {
                 .map_err(|reason| StudyError::Failed(not_followed(resonance.loops, resonance.n, &reason)))
         };
         let polylines: Vec<_> = shown.par_iter().map(curves).collect::<Result<_, _>>()?;
-        let magnified = shown.iter().zip(&polylines);
-        let magnified =
-            magnified.map(|(panel, lines)| (panel.resonance.loops, panel.resonance.n, lines.as_slice()));
         Ok(Figure8 {
-            curves: plane::magnifications(magnified),
+            curves: plane::magnifications(&polylines),
             points: plane::points(&axes, diagram),
             regions: plane::regions(&axes, &diagram.regions),
             panels: self.panels()?,

@@ -156,14 +156,12 @@ pub fn lost<O>(diagram: &Diagram<O>) -> impl Iterator<Item = String> {
     unlocated.chain(not_unfolded.map(|lost| format!("p = {}, n = {}: {}", lost.loops, lost.n, lost.reason)))
 }
 
-/// Curves of magnifications about the resonances of these p and n, panel by panel from 1; their points are in the oscillator's own units.
-pub fn magnifications<'a>(
-    panels: impl IntoIterator<Item = (u32, u32, &'a [Polyline])>,
-) -> Vec<MagnifiedPoint> {
+/// Curves of magnifications, panel by panel from 1; their points are in the oscillator's own units.
+pub fn magnifications<'a>(panels: impl IntoIterator<Item = &'a Vec<Polyline>>) -> Vec<MagnifiedPoint> {
     let mut rows = Vec::new();
-    for (panel, (loops, n, polylines)) in (1..).zip(panels) {
+    for (panel, polylines) in (1..).zip(panels) {
         for (arc, polyline) in (1..).zip(polylines) {
-            let kind = polyline.kind;
+            let Polyline { kind, loops, n, .. } = *polyline;
             let source = if polyline.quadratic { CurveSource::Quadratic } else { CurveSource::Continuation };
             let point = |&[primary, secondary]: &[f64; 2]| MagnifiedPoint {
                 panel,

@@ -234,7 +234,6 @@ impl<O: ImpactOscillator> Unfolded<O> {
 
     /// Everything as rows.
     pub fn rows(&self) -> Rows {
-        let magnified = self.resonances.iter().map(|at| (at.loops, at.n, at.magnified.as_slice()));
         Rows {
             grazing: tables::grazing(self),
             grazing_loops: self.along.clone(),
@@ -243,7 +242,7 @@ impl<O: ImpactOscillator> Unfolded<O> {
             regions: plane::regions(&self.axes, &self.diagram.regions),
             coefficients: self.resonances.clone(),
             hypotheses: tables::hypotheses(self),
-            magnifications: plane::magnifications(magnified),
+            magnifications: plane::magnifications(self.resonances.iter().map(|at| &at.magnified)),
         }
     }
 }

@@ -98,7 +98,7 @@ pub struct OneParameter {
     pub attractor: Vec<AttractorPoint>,
     /// Likewise; there may be none.
     pub portraits: Vec<PortraitPoint>,
-    /// The number of simulated orbits that left no point, as they came to rest at the wall or could not be followed, and of all; none if simulation was not finished.
+    /// The number of simulated orbits that left no point, as they came to rest or could not be followed, and of all; none if simulation was not finished.
     pub resting: Option<[u32; 2]>,
     /// Where a branch of MPSs could not be followed to its end: p, the parameter across, and what happened.
     pub broken: Vec<(u32, f64, String)>,

@@ -107,7 +107,7 @@ columns! {
     REGION = "region", "", "1";
     /// number of a ring of the region: 0 is its border, others bound holes; a point lies inside if a ray from it crosses all rings an odd number of times
     RING = "ring", "", "1";
-    /// number of the panel of a magnification: 1 is (a)
+    /// number of the panel of a magnification: 1 is (a); p and n of its resonance stand in its rows of quadratic approximations
     PANEL = "panel", "", "1";
     /// `continuation`, or `quadratic` for μ = μ_graz(η) + c (η − η*)²
     SOURCE = "source", "", "1";

@@ -14,8 +14,12 @@ use crate::resonances::Resonance;
 /// A polyline of a magnification, as points (μ, η).
 #[derive(Clone, Debug)]
 pub struct Polyline {
-    /// What happens along it.
+    /// What happens along it,
     pub kind: Bifurcation,
+    /// to solutions with so many loops p; 0 is the non-impacting one.
+    pub loops: u32,
+    /// The integer n of the resonance that it leaves; 0 without one.
+    pub n: u32,
     /// Whether it is a quadratic approximation μ = μ_graz(η) + c (η − η*)², not continued.
     pub quadratic: bool,
     /// Its points in order.
@@ -39,16 +43,19 @@ pub fn magnify<O: ImpactOscillator>(
     point: &ResonantGrazingPoint<O>,
     window: Window,
 ) -> Result<Vec<Polyline>, ResonanceError> {
-    let continued = |kind, points| Polyline { kind, quadratic: false, points };
+    let (loops, n) = (resonance.loops, resonance.n);
+    let continued =
+        |kind, [loops, n]: [u32; 2], points| Polyline { kind, loops, n, quadratic: false, points };
     let mut list: Vec<_> = diagram
         .grazing
         .iter()
-        .map(|curve| continued(Bifurcation::NonImpactingGrazing, close_to(curve, window)))
+        .map(|curve| continued(Bifurcation::NonImpactingGrazing, [0, 0], close_to(curve, window)))
         .collect();
     list.retain(|polyline| polyline.points.len() > 1);
 
     let unfolded = point.unfold(&route(window, MAGNIFIED))?;
-    let own = |curve: &Curve| Some(continued(Bifurcation::of(curve.condition)?, curve.parameters()));
+    let own =
+        |curve: &Curve| Some(continued(Bifurcation::of(curve.condition)?, [loops, n], curve.parameters()));
     list.extend(unfolded.curves().filter_map(own));
     // The resonance's own curves are there already; one of them may begin outside and come in again.
     let start = |curve: &Curve| (curve.condition, curve.points[0].solution.unknowns);
@@ -59,18 +66,18 @@ pub fn magnify<O: ImpactOscillator>(
                 .iter()
                 .any(|(condition, start)| *condition == curve.curve.condition && same_point(start, end))
         };
-        curve.loops == resonance.loops && curve.ends().iter().any(begins)
+        curve.loops == loops && curve.ends().iter().any(begins)
     };
     for other in diagram.curves.iter().filter(|curve| !shown(curve)) {
         let points = other.curve.parameters();
         if points.iter().any(|point| window.contains(*point)) {
-            list.push(continued(other.kind, points));
+            list.push(continued(other.kind, [other.loops, other.n], points));
         }
     }
 
     for (kind, curve) in point.leading().named() {
         let points = approximation(point, curve, window);
-        list.push(Polyline { kind, quadratic: true, points });
+        list.push(Polyline { kind, loops, n, quadratic: true, points });
     }
     Ok(list)
 }

@@ -69,12 +69,13 @@ pub fn periodic_motion<O: ImpactOscillator>(
     scope: &Scope,
     secondary: f64,
 ) -> PeriodicMotion<O> {
-    PeriodicOrbits { oscillator, scope, control: branch::STEPS }.motion(secondary, &[0.0])
+    PeriodicOrbits { oscillator, scope, control: branch::STEPS }.motion(secondary, &[], &[0.0])
 }
 
 impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
-    /// As [`periodic_motion`], in steps of one's own; with motion that has its highest point at one of some heights, should none of the rest lead to it.
-    pub(crate) fn motion(&self, secondary: f64, heights: &[f64]) -> PeriodicMotion<O> {
+    /// As [`periodic_motion`], in steps of one's own; with motion that comes from rest at some more positions, or has its highest point at one of some heights, should none
+    /// of the rest lead to it.
+    pub(crate) fn motion(&self, secondary: f64, positions: &[f64], heights: &[f64]) -> PeriodicMotion<O> {
         let (orbits, scope) = (self, self.scope);
         let share_of_secondary = scope.window.shares([scope.window.primary[0], secondary])[1];
         let mut branches: Vec<Branch> = Vec::new();
@@ -83,8 +84,8 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
             if share == LAST_RESORT && !branches.is_empty() {
                 break;
             }
-            let usual = POSITIONS.map(|position| [position, 0.0]);
-            for start in scope.start.into_iter().chain(usual) {
+            let positions = POSITIONS.iter().chain(positions).map(|position| [*position, 0.0]);
+            for start in scope.start.into_iter().chain(positions) {
                 match orbits.relaxed([share, share_of_secondary], Vector2::from(start)) {
                     Ok(Some(orbit)) if orbit[0].abs() > CARRIED_AWAY => {
                         carried_away = carried_away.or(Some(orbit))

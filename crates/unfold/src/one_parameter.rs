@@ -73,8 +73,12 @@ const PLACES: u32 = 9;
 const STEP: f64 = 0.02;
 /// And no shorter than this part of the whole one.
 const LEAST_STEP: f64 = 1e-3;
-/// Random states are looked for this far from the wall at least, which is of the order of one away from rest.
-const LEAST_DEPTH: f64 = 1.0;
+/// And it is left to relax from rest at these positions, as in another well.
+const POSITIONS: [f64; 4] = [-1.5, -2.0, -3.0, -4.0];
+/// Random states are looked for this far from the wall at least, which is of the order of one away from rest: those farther off swing faster.
+const LEAST_DEPTH: f64 = 2.0;
+/// Bifurcations that agree to this share of the range, and in their impacts, are one, on branches that overlap.
+const SAME: f64 = 1e-8;
 
 impl OneParameter {
     /// What there is of an oscillator at one η, the values of μ and the numbers of loops being those of the scope. Curves of the
@@ -96,7 +100,7 @@ impl OneParameter {
         let longest = (STEP * share).max(LEAST_STEP);
         let control = StepControl { longest, ..branch::STEPS };
         let orbits = PeriodicOrbits { oscillator, scope, control };
-        let motion = orbits.motion(secondary, &HEIGHTS);
+        let motion = orbits.motion(secondary, &POSITIONS, &HEIGHTS);
         progress.step(BRANCHES);
         let grazing: Vec<[f64; 2]> =
             motion.grazing.iter().map(|orbit| [orbit.phase(), orbit.primary()]).collect();
@@ -113,6 +117,12 @@ impl OneParameter {
         let inside = |primary: f64| range[0] <= primary && primary <= range[1];
         let strands: Vec<Strand> = strands.iter().flat_map(|strand| strand.within(range)).collect();
         bifurcations.retain(|bifurcation| inside(bifurcation.primary));
+        let bifurcations = bifurcations.into_iter().fold(Vec::new(), |mut distinct, one| {
+            if !distinct.iter().any(|other| one.is(other, SAME * scope.window.widths()[0])) {
+                distinct.push(one);
+            }
+            distinct
+        });
         if progress.stopped() {
             return None;
         }

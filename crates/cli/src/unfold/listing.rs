@@ -315,7 +315,7 @@ fn one_parameter(description: &Description, diagram: &OneParameter) -> String {
     }
     if let Some([resting, all]) = diagram.resting.filter(|[resting, _]| *resting > 0) {
         let content = format!(
-            "{resting} of {all} simulated orbits left no point: they came to rest at the wall, or could not be followed"
+            "{resting} of {all} simulated orbits left no point: they came to rest, or could not be followed"
         );
         text.push_str(&wrapped("  ", &content));
     }

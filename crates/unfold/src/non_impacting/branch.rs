@@ -40,8 +40,9 @@ pub(crate) const STEPS: StepControl =
     StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.2, ..StepControl::DRAWING };
 /// From orbits larger than this steps are as much longer: fast forcing makes the unit of length small beside the wall's distance from rest.
 const LARGE: f64 = 16.0;
-/// A branch of this many points goes nowhere.
-const STEP_LIMIT: usize = 4000;
+/// A branch with as many points as the longest steps would make of this length goes nowhere, and so does one of so many points.
+const LONGEST_BRANCH: f64 = 400.0;
+const STEP_LIMIT: usize = 25_000;
 /// A branch that has passed the wall is left where a multiplier exceeds this (empirical): beyond the wall it matters only for where it may come
 /// back, and next to a force that pulls into a pole motion grows without bounds, which makes every orbit there a search by itself.
 const VIOLENT: f64 = 1e4;
@@ -131,7 +132,8 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
         let mut walker = Continuation::new(&curve, control, *start, direction, ()).ok()?;
         let mut found = vec![self.seen(start)];
         let mut pace = (held == PRIMARY).then(|| Pace::new(self, start));
-        for _ in 0..STEP_LIMIT {
+        let step_limit = ((LONGEST_BRANCH / self.control.longest) as usize).min(STEP_LIMIT);
+        for _ in 0..step_limit {
             if let Some(pace) = &mut pace {
                 walker.limit(pace.next(self, found.last()?) / walker.here().tangent[running].abs());
             }

@@ -232,6 +232,13 @@ impl Strand {
 }
 
 impl BranchBifurcation {
+    /// Whether it is another one, parameters being no farther apart than this.
+    pub(super) fn is(&self, other: &Self, distance: f64) -> bool {
+        (self.kind, self.loops) == (other.kind, other.loops)
+            && (self.primary - other.primary).abs() <= distance
+            && (self.impact_velocity - other.impact_velocity).abs() <= CLOSED
+    }
+
     pub(super) fn of_non_impacting(branch: &branch::Branch) -> Vec<Self> {
         let bifurcations = branch.bifurcations.iter().filter_map(|crossing| {
             let orbit = &branch.orbits[crossing.place?];
