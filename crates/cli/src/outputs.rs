@@ -123,7 +123,7 @@ pub const ALL: &[Output] = outputs! {
         change "fig10.frequency or fig10.loops";
 };
 
-const COEFFICIENTS: Output = Output {
+pub(crate) const COEFFICIENTS: Output = Output {
     name: "coefficients",
     title: "Coefficients at all resonances of Figure 7",
     label: "tab:coefficients",

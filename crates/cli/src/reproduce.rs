@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use grazing_reproduction::Study;
+use grazing_reproduction::{Coefficients, Study};
 
 use crate::arguments::{ParameterFile, Reproduce};
 use crate::compare::published;
@@ -88,7 +88,14 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
         terminal::say(&verdict(&study));
     }
     terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
-    made.tell_missing(&chosen, &places[0].folder)
+    made.tell_missing(&chosen, &places[0].folder)?;
+    let told = chosen.iter().any(|output| output.name == outputs::COEFFICIENTS.name);
+    match study.coefficients() {
+        Ok(table) if told && table.rows.iter().any(Coefficients::contradict) => Err(Failure::check(
+            "coefficients: the theorem is contradicted, as told above; everything is written",
+        )),
+        _ => Ok(()),
+    }
 }
 
 /// What was made of the outputs that were asked for.

@@ -10,7 +10,7 @@ use crate::curve::{Curve, Event};
 use crate::locate::{Condition, across_chord};
 use crate::mps::{EventTimes, LoopEquations, Unknowns, unknown};
 use crate::regula_falsi::zero_between;
-use crate::tolerances::IN_THE_PLANE;
+use crate::tolerances::{AT_CUSP, IN_THE_PLANE};
 
 /// The cusps of a saddle-node curve, in its order. Two within one step are not seen.
 pub fn cusps<O: ImpactOscillator>(equations: &LoopEquations<O>, curve: &Curve) -> Vec<Event> {
@@ -38,12 +38,15 @@ fn turning_point<O: ImpactOscillator>(
 ) -> Option<Unknowns> {
     let at = |share: f64| {
         let solution = across_chord(equations, Condition::SADDLE_NODE, [a, b], share).ok()?;
-        let tangent = solution.factors.solve(&Vector4::w())?.normalize();
-        Some((solution.point, in_plane(&tangent).dot(forwards)))
+        let tangent = in_plane(&solution.factors.solve(&Vector4::w())?.normalize());
+        Some(((solution.point, tangent), tangent.dot(forwards)))
     };
     let values = [at(0.0)?.1, at(1.0)?.1];
     if values[0] * values[1] >= 0.0 {
         return None;
     }
-    zero_between(values, |share| at(share).ok_or(()), |_, value| value.abs() <= IN_THE_PLANE).ok()
+    let found = zero_between(values, |share| at(share).ok_or(()), |_, value| value.abs() <= IN_THE_PLANE);
+    let (point, tangent) = found.ok()?;
+    // Where the curve turns about within a step, and does not turn back, it goes on across there.
+    (tangent.norm() <= AT_CUSP).then_some(point)
 }

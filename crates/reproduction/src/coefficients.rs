@@ -60,6 +60,11 @@ row! { Coefficients, |c| {
 ] }
 
 impl Coefficients {
+    /// Whether theorem and curve contradict each other.
+    pub fn contradict(&self) -> bool {
+        self.measured.named().iter().any(|(_, measured)| measured.verdict() == Verdict::Contradict)
+    }
+
     /// What could not be measured, or is not as by the theorem, with the reason.
     pub fn doubts(&self) -> impl Iterator<Item = String> {
         self.measured.named().into_iter().filter_map(|(bifurcation, measured)| {

@@ -106,7 +106,8 @@ impl Coefficient {
         };
         let measured = fit.coefficient;
         let larger = theorem.value.abs().max(measured.value.abs());
-        let shares = [theorem.error, measured.error].map(|error| error / larger);
+        // What is measured may be nothing but rounding, and far below what is to be measured.
+        let shares = [theorem.error / larger, measured.error / measured.value.abs()];
         // NaN counts as too large.
         let known = shares.map(|share| share <= LARGEST_SHARE);
         if !known[0] {

@@ -81,6 +81,33 @@ forced!(
     |x, y, forcing| forcing - y.scale(50.0).apply(Function::Tanh).scale(0.3) - x
 );
 
+/// The paper's oscillator with impacts that last, the longer the faster they are.
+#[derive(Clone, Debug)]
+pub(crate) struct Lasting;
+
+impl Lasting {
+    /// Ψ.
+    pub(crate) const PSI: f64 = 0.3;
+}
+
+impl SmoothOscillator for Lasting {
+    fn force<S: Scalar>(&self, x: S, y: S, t: S, amplitude: S, omega: S) -> S {
+        Linear.force(x, y, t, amplitude, omega)
+    }
+
+    fn forcing_frequency<S: Scalar>(&self, _: S, omega: S) -> S {
+        omega
+    }
+
+    fn restitution<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
+        S::constant(0.9)
+    }
+
+    fn impact_duration<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
+        S::constant(Self::PSI)
+    }
+}
+
 /// A state that is special in no way.
 pub(crate) const FROM: State = State { position: -0.4, velocity: 0.7, phase: 1.1 };
 

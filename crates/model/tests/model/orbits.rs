@@ -2,8 +2,11 @@
 
 use grazing_model::motion::{Enclosure, Motion, first_crossing, first_rest, highest_maximum, local_maxima};
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
+use grazing_model::smooth::Integrated;
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
 use proptest::prelude::*;
+
+use crate::models::Lasting;
 
 const OMEGA: f64 = 0.854;
 
@@ -126,6 +129,24 @@ fn bounds_outside_of_an_enclosure_are_infinite() {
     assert_eq!(enclosure.bounds_between(-2.0, -5.0), enclosure.bounds());
     assert_eq!(enclosure.bounds_between(-2.0, -5.1).snap, f64::INFINITY);
     assert_eq!(motion.enclose(5.0).bounds_between(0.0, -0.1).snap, f64::INFINITY);
+}
+
+#[test]
+fn impacts_that_last_take_their_time() {
+    let oscillator = Integrated::new(Lasting, [0.6, 0.8]);
+    let horizon = 60.0 * oscillator.forcing_period();
+    let flights: Vec<_> = Orbit::new(&oscillator, State::at_rest(-0.4, 1.0), horizon, 10_000).collect();
+    assert!(flights.len() > 20);
+    for pair in flights.windows(2) {
+        let FlightEnd::Impact(impact) = pair[0].end else { panic!("an impact is between flights") };
+        let contact = pair[1].start - pair[0].start - pair[0].duration;
+        assert!((contact - Lasting::PSI * impact.velocity / 0.8).abs() < 1e-12 * horizon);
+    }
+    // So that time and phase go together.
+    for flight in &flights {
+        let turns = (1.0 + 0.8 * flight.start - flight.from.phase) / core::f64::consts::TAU;
+        assert!((turns - libm::rint(turns)).abs() < 1e-11);
+    }
 }
 
 #[test]

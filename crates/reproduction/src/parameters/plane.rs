@@ -27,9 +27,10 @@ impl Figure7 {
             Self { window: Window { primary, secondary }, loops: section.counts("loops", 1..=MOST_LOOPS)? };
         let refuse = |error: TheoryError| section.forbid("frequency", error.to_string());
         if figure.resonances(oscillator).map_err(refuse)?.is_empty() {
+            let beside = |value: f64, [low, high]: [f64; 2]| (value - value.clamp(low, high)).abs();
             let distance = |resonance: &Resonance| {
-                let omega = resonance.forcing_frequency();
-                (omega - omega.clamp(secondary[0], secondary[1])).abs()
+                let aside = beside(resonance.grazing().amplitude(), primary);
+                libm::hypot(aside, beside(resonance.forcing_frequency(), secondary))
             };
             let all = oscillator.resonances(&figure.loops, whole[0], whole[1]).map_err(refuse)?;
             let nearest = all.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));

@@ -1,5 +1,6 @@
 //! The rows of the default parameters: held fixed by snapshots, and against routes that share nothing with them.
 
+mod elsewhere;
 mod fig04;
 mod fig05;
 mod fig06;

@@ -195,3 +195,30 @@ pub fn drifts(impacts: &[Vector2<f64>]) -> bool {
 fn cycles(impacts: &[Vector2<f64>]) -> RangeInclusive<usize> {
     1..=LONGEST_CYCLE.min(impacts.len() / 2)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Impacts whose velocities alternate and come nearer to their limits by a factor.
+    fn settling(factor: f64, from: f64) -> Impacts {
+        let impact =
+            |k: i32| Vector2::new(1.0 + 0.2 * f64::from(k % 2) + from * libm::pow(factor, k.into()), 2.0);
+        (0..40).map(impact).collect()
+    }
+
+    #[test]
+    fn impacts_that_come_slowly_to_a_cycle_drift_until_they_have_come_to_it() {
+        // Each is within the distance of the one two before, but not of the first.
+        let slow = settling(0.99, 0.02);
+        assert!(slow.windows(3).all(|three| within(SAME, &three[0], &three[2])));
+        assert!(drifts(&slow) && cycle(&slow).is_none());
+        let settled = settling(0.99, 1e-4);
+        assert!(!drifts(&settled));
+        assert_eq!(cycle(&settled), Some(2));
+        // What wanders about neither drifts nor comes again.
+        let wandering: Impacts =
+            (0..40).map(|k| Vector2::new(1.0 + 0.5 * libm::sin(f64::from(k * k)), 2.0)).collect();
+        assert!(!drifts(&wandering) && cycle(&wandering).is_none());
+    }
+}

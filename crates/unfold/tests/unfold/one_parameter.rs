@@ -185,3 +185,50 @@ fn portraits_are_of_stable_solutions_and_of_what_simulation_finds_besides() {
     let flight = &double.flights[0];
     assert!(flight[0][2] < 0.0 && flight[flight.len() - 1][1].abs() < 1e-8);
 }
+
+/// The diagram of an oscillator from a text at one η, or at one μ.
+fn described(text: &str, exchanged: bool, wanted: &Wanted) -> OneParameter {
+    let model = Description::parse(text, "described").expect("it is right");
+    let [primary, secondary] = [model.primary(), model.secondary()].map(|axis| axis.range());
+    let window = Window { primary, secondary };
+    let scope = Scope { window, loops: model.loops().to_vec(), start: None };
+    let oscillator = Integrated::new(model, [primary[0], secondary[0]]);
+    let found = if exchanged {
+        let (oscillator, scope) = (Exchanged(oscillator), scope.exchanged());
+        OneParameter::compute(&oscillator, &scope, &[], wanted, &Silent, &mut |_| ())
+    } else {
+        OneParameter::compute(&oscillator, &scope, &[], wanted, &Silent, &mut |_| ())
+    };
+    found.expect("nobody stops it")
+}
+
+#[test]
+fn x_of_a_loop_is_not_that_of_the_impact() {
+    let text = "name = \"linear\"\n[parameters]\n[primary]\nname = \"A\"\nrange = [0.0, 2.5]\n[secondary]\nname = \"w\"\nrange = [0.7, 3.3]\n\
+                [motion]\nforce = \"-0.04*v - x - 1 + A*cos(w*t)\"\nfrequency = \"w\"\n\
+                [impact]\nrestitution = \"0.9\"\nduration = \"0\"\n[analysis]\nloops = [2]\n";
+    let found = described(text, true, &wanted(1.6, [2.0, 3.3], 2));
+    // There the one maximum between the impacts comes less than half a period from either, and that of the impact is no other.
+    let here = at(&found.strands, 2, 2.089_526_71);
+    let loops = |visit: u32| here.iter().filter(move |(other, _)| *other == visit).map(|(_, point)| point.x);
+    assert!(loops(1).count() > 0 && loops(1).all(|x| x.is_nan()), "{here:?}");
+    assert!(loops(2).any(|x| (x - 0.001_695_787_9).abs() < 1e-5), "{here:?}");
+    // Between impacts nothing admissible lies beyond the wall.
+    for strand in found.strands.iter().filter(|strand| strand.visit == 1 && strand.loops == 2) {
+        assert!(strand.points.iter().all(|point| !point.admissible || !(point.x > 1e-9)));
+    }
+}
+
+#[test]
+fn motion_in_the_other_well_is_on_a_branch() {
+    let text = "name = \"two wells\"\n[parameters]\n[primary]\nname = \"A\"\nrange = [0.0, 0.75]\n[secondary]\nname = \"w\"\nrange = [0.6, 1.9]\n\
+                [motion]\nforce = \"-0.12*v + x - x^3 + 0.05 + A*cos(w*t)\"\nfrequency = \"w\"\n[wall]\nposition = \"1.45\"\n\
+                [impact]\nrestitution = \"0.7\"\nduration = \"0\"\n[analysis]\nloops = [1]\n";
+    let found = described(text, false, &wanted(1.13, [0.0, 0.1], 2));
+    // The highest points of stable motion with the forcing's period, by Newton's method on another program's period map.
+    for (primary, x) in [(0.01, -0.414_539), (0.01, -2.406_777), (0.05, -0.369_268), (0.05, -2.332_661)] {
+        let here = at(&found.strands, 0, primary);
+        let there = |point: &StrandPoint| point.stable && (point.x - x).abs() < 1e-3;
+        assert!(here.iter().any(|(_, point)| there(point)), "{primary}, {x}: {here:?}");
+    }
+}

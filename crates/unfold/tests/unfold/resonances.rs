@@ -125,3 +125,20 @@ fn resonances_of_motion_that_is_forgotten_within_a_period_are_told_once() {
         assert!(located.any(near), "{frequency}");
     }
 }
+
+#[test]
+fn resonances_are_found_where_motion_is_almost_forgotten_within_p_periods() {
+    let oscillator = LinearOscillator::new(0.2, 0.9, 0.5, 0.5).unwrap();
+    let found = resonances(&oscillator, &scope([0.0, 1.3], [0.2, 1.0], &[4, 5]));
+    let theory = Theory::new(0.2, 0.9).unwrap();
+    let expected = theory.resonances(&[4, 5], 0.2, 1.0).unwrap();
+    assert_eq!(expected.len(), 8);
+    for wanted in expected {
+        let here = found
+            .iter()
+            .find(|one| (one.loops, one.n) == (wanted.loops(), wanted.index()) && one.theorem.is_ok());
+        let here = here.unwrap_or_else(|| panic!("p = {}, n = {}", wanted.loops(), wanted.index()));
+        let [_, frequency] = here.located.orbit().oscillator().parameters();
+        assert_within(frequency, wanted.forcing_frequency(), 1e-9);
+    }
+}
