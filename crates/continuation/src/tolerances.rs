@@ -74,8 +74,8 @@ pub(crate) const LOCATED: f64 = 1e-6;
 
 /// At a cusp the tangent, of length one, has no part in (μ, η) above this: rounding over the curvature of the curve.
 pub(crate) const IN_THE_PLANE: f64 = 1e-12;
-/// And none in another direction above this, which is what the error of the place leaves.
-pub(crate) const AT_CUSP: f64 = 1e-8;
+/// And none in another direction above this: the error of the place leaves 10⁻⁸, and a curve that goes on there has 10⁻³ or more (empirical).
+pub(crate) const AT_CUSP: f64 = 1e-5;
 
 /// A sketch goes nowhere that has so many points in a row (empirical)
 pub(crate) const LOST_POINTS: usize = 60;
