@@ -16,9 +16,32 @@ pub struct Check {
 pub const CHECKS: &[Check] = include!(concat!(env!("OUT_DIR"), "/checks.rs"));
 
 /// Checks as rows of a table: a name, and what is measured.
+///
+/// `name: drawn(seed, samples) |sampler; largest: Deviations| { .. } => largest.outcome(tolerance, words);` names what is measured
+/// over, what each subject adds to a tally, and what the tally is held against. Any other expression of type `CheckResult` will do.
 macro_rules! checks {
-    ($($(#[$doc:meta])* $name:ident: $measured:expr;)*) => {
-        $($(#[$doc])* pub(crate) fn $name() -> $crate::CheckResult { $measured })*
+    () => {};
+    (
+        $(#[$doc:meta])*
+        $name:ident: $over:ident($($of:expr),*) |$($subject:tt),*; $tally:tt: $kind:ty| $body:block => $outcome:expr;
+        $($rest:tt)*
+    ) => {
+        $(#[$doc])*
+        pub(crate) fn $name() -> $crate::CheckResult {
+            let tally = $over($($of,)* |$($subject,)* $tally: &mut $kind| {
+                $body
+                Ok(())
+            });
+            tally.map(|$tally| $outcome)
+        }
+        checks! { $($rest)* }
+    };
+    ($(#[$doc:meta])* $name:ident: $measured:expr; $($rest:tt)*) => {
+        $(#[$doc])*
+        pub(crate) fn $name() -> $crate::CheckResult {
+            $measured
+        }
+        checks! { $($rest)* }
     };
 }
 
@@ -56,7 +79,6 @@ pub(crate) mod generic {
     pub(crate) mod maps;
     pub(crate) mod path;
     pub(crate) mod polygon;
-    pub(crate) mod specimens;
     pub(crate) mod vivid;
 }
 
@@ -68,7 +90,6 @@ pub(crate) mod resonant {
     pub(crate) mod derivatives;
     pub(crate) mod discussion;
     pub(crate) mod doubled;
-    pub(crate) mod places;
     pub(crate) mod simulation;
     pub(crate) mod stability;
     pub(crate) mod visits;

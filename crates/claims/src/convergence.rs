@@ -1,5 +1,10 @@
 //! The order at which remainders vanish.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+use crate::Measure;
+
 /// Sizes fall by halves from two to the minus this.
 const FIRST: i32 = 6;
 /// The number of sizes.
@@ -34,6 +39,72 @@ pub(crate) fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64
         _ => f64::INFINITY,
     }
 }
+
+/// The order of a remainder that is bounded in all directions at once: of the largest in any of them at each size.
+pub(crate) fn uniform_order<const N: usize>(
+    directions: &[[f64; N]],
+    remainder: impl Fn([f64; N], f64) -> Option<(f64, f64)>,
+) -> f64 {
+    order(|h| {
+        let mut largest = (0.0_f64, 0.0_f64);
+        for direction in directions {
+            let (value, rounding) = remainder(*direction, h)?;
+            if value.is_nan() {
+                return Some((value, rounding));
+            }
+            largest = (largest.0.max(value.abs()), largest.1.max(rounding));
+        }
+        Some(largest)
+    })
+}
+
+/// How far below the stated order the observed one may lie: where remainders are resolved last, sizes are below 10⁻³, and the
+/// next term is of that relative size, times a coefficient of order ten at most.
+pub(crate) const SLACK_AT_GRAZING: f64 = 0.1;
+
+/// The function, which now computes each value once: several remainders are taken from one solution.
+pub(crate) fn remembered<T: Clone>(f: impl Fn(f64) -> Option<T>) -> impl Fn(f64) -> Option<T> {
+    let known: RefCell<BTreeMap<u64, Option<T>>> = RefCell::default();
+    move |size| known.borrow_mut().entry(size.to_bits()).or_insert_with(|| f(size)).clone()
+}
+
+/// The orders of remainders that are found together, each with its rounding and the order stated.
+pub(crate) fn together<const N: usize>(
+    each: [(f64, f64); N],
+    remainders: impl Fn(f64) -> Option<[f64; N]>,
+) -> Vec<Observed> {
+    let values = remembered(remainders);
+    let one = |i: usize, rounding: f64| order(|size| Some((values(size)?[i], rounding)));
+    each.into_iter().enumerate().map(|(i, (rounding, stated))| (one(i, rounding), stated)).collect()
+}
+
+/// The order in h of the difference between extrapolations to h = 0 from both sides, which is at least 3 for a function in C³.
+pub(crate) fn seam(rounding: f64, f: impl Fn(f64) -> Option<f64>) -> Observed {
+    let observed = order(|size| {
+        let side = |h: f64| Some(4.0 * f(h)? - 6.0 * f(2.0 * h)? + 4.0 * f(3.0 * h)? - f(4.0 * h)?);
+        Some((side(size)? - side(-size)?, rounding))
+    });
+    (observed, 3.0)
+}
+
+/// An observed order and the stated one.
+pub(crate) type Observed = (f64, f64);
+
+/// The order that lies lowest in comparison with the stated one; where none lies too low, among the highest stated ones.
+pub(crate) fn lowest(orders: &[Observed]) -> Measure {
+    let measure =
+        |(observed, stated): Observed| Measure::Order { observed, stated, slack: SLACK_AT_RESONANCE };
+    let lower = |a: Observed, b: Observed| if b.0 - b.1 < a.0 - a.1 || b.0.is_nan() { b } else { a };
+    let highest = orders.iter().fold(f64::NEG_INFINITY, |highest, order| highest.max(order.1));
+    let all = || orders.iter().copied();
+    let worst = all().reduce(lower).filter(|order| !measure(*order).holds());
+    let reported = worst.or_else(|| all().filter(|order| order.1 == highest).reduce(lower));
+    measure(reported.unwrap_or((f64::NAN, f64::NAN)))
+}
+
+/// How far the order may lie below the stated one: what the next term does at the sizes where the remainder still stands a
+/// hundredfold above its rounding.
+pub(crate) const SLACK_AT_RESONANCE: f64 = 0.3;
 
 #[cfg(test)]
 mod tests {

@@ -26,8 +26,51 @@ mod specimen;
 pub mod sweep;
 mod tally;
 
-use convergence::order;
+// What the checks are written in.
+use core::f64::consts::{PI, TAU};
+use core::ops::RangeInclusive;
+
+use grazing_continuation::arclength::StepControl;
+use grazing_continuation::curve::{Route, Window};
+use grazing_continuation::fit::quadratic_coefficient;
+use grazing_continuation::locate::Condition;
+use grazing_continuation::mps::{
+    EventTimes, Formulation, LoopEquations, LoopPair, MaximalPeriodicSolution, Multipliers, Unknowns, unknown,
+};
+use grazing_continuation::resonance::ResonantGrazingPoint;
+use grazing_model::maps::{MapError, discontinuity_map, global_iterate, global_map, virtual_map};
+use grazing_model::motion::{Motion, highest_maximum, local_maxima};
+use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
+use grazing_model::{AtRest, ImpactOscillator, OnWall, State, Surface};
+use grazing_theorems::admissibility_boundary::admissibility_boundary;
+use grazing_theorems::auxiliary::{
+    admissibility_sum, detuning, geometric_sum_determinant, lucas_partial_sum, lucas_sequence, modulus_power,
+    resonance_boundary, scaled_visit_position,
+};
+use grazing_theorems::from_map::GrazingOrbit;
+use grazing_theorems::grazing::{VirtualMap, VividLinearisation};
+use grazing_theorems::hypothesis::Quantity;
+use grazing_theorems::{
+    GenericGrazing, GrazingPoint, GrazingState, LinearisedMap, Resonance, ResonantPoint, Side,
+};
+use grazing_unfold::simulation::Seen;
+use nalgebra::{Complex, Matrix2, Vector2};
+
+use convergence::{Observed, SLACK_AT_GRAZING, lowest, order, remembered, seam, together, uniform_order};
+use differences::{curvature, slope};
+use eigenvalues::{Pair, power};
 use outcome::{CheckResult, Failure, Measure, Outcome};
 use published::{printed, printed_at_resonances};
-use sampling::{Sampler, drawn, sampled, smallest};
+use sampling::{Sampler, drawn, drawn_over, over, sampled, smallest};
+use solutions::{at_parameters, at_velocity, attracts, equations, followed, located, unknowns, vivid, zero};
+use specimen::generic::{
+    at_specimens, delayed, directions, map_with, sampled_map, sampled_point, smallest_order, specimens,
+    specimens_with,
+};
+use specimen::resonant::{
+    ANY, Bifurcation, EVERYWHERE, Loops, MANY, Near, ONE, Offset, ResonantSpecimen, Symbols, agreement,
+    deviation, everywhere, offsets, orders, orders_against_print, scaled,
+};
+use specimen::{DELAY, Exponential, Grazing, Law, Specimen, at_grazing, damping_for_decay};
+use sweep::Existence;
 use tally::{Deviations, Smallest, Votes};

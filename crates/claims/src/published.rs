@@ -72,6 +72,11 @@ impl Comparison<'_> {
         }
     }
 
+    /// Whether the print chose the number, which the parameters give back: nothing is computed.
+    pub fn is_input(&self) -> bool {
+        self.published.rounding == Rounding::Exact
+    }
+
     /// Computed minus printed value.
     pub fn difference(&self) -> Option<f64> {
         Some(self.computed? - self.published.number())

@@ -50,17 +50,33 @@ impl Sampler {
     }
 }
 
+/// What measurements over these subjects add up to.
+pub(crate) fn over<I, T: Default>(
+    subjects: impl IntoIterator<Item = I>,
+    mut measure: impl FnMut(I, &mut T) -> Result<(), Failure>,
+) -> Result<T, Failure> {
+    let mut tally = T::default();
+    subjects.into_iter().try_for_each(|subject| measure(subject, &mut tally))?;
+    Ok(tally)
+}
+
+/// The same with numbers from one source.
+pub(crate) fn drawn_over<I, T: Default>(
+    seed: u64,
+    subjects: impl IntoIterator<Item = I>,
+    mut measure: impl FnMut(&mut Sampler, I, &mut T) -> Result<(), Failure>,
+) -> Result<T, Failure> {
+    let mut sampler = Sampler::new(seed);
+    over(subjects, |subject, tally| measure(&mut sampler, subject, tally))
+}
+
 /// What so many samples add up to, all from one source.
 pub(crate) fn drawn<T: Default>(
     seed: u64,
     samples: usize,
     mut sample: impl FnMut(&mut Sampler, &mut T) -> Result<(), Failure>,
 ) -> Result<T, Failure> {
-    let (mut sampler, mut tally) = (Sampler::new(seed), T::default());
-    for _ in 0..samples {
-        sample(&mut sampler, &mut tally)?;
-    }
-    Ok(tally)
+    drawn_over(seed, 0..samples, |sampler, _, tally| sample(sampler, tally))
 }
 
 /// What so many samples add up to, each for the next number of loops in a range, round and round.
@@ -68,11 +84,9 @@ pub(crate) fn sampled<T: Default>(
     seed: u64,
     samples: usize,
     loops: RangeInclusive<u32>,
-    mut sample: impl FnMut(&mut Sampler, u32, &mut T),
-) -> T {
-    let (mut sampler, mut tally) = (Sampler::new(seed), T::default());
-    loops.cycle().take(samples).for_each(|p| sample(&mut sampler, p, &mut tally));
-    tally
+    sample: impl FnMut(&mut Sampler, u32, &mut T) -> Result<(), Failure>,
+) -> Result<T, Failure> {
+    drawn_over(seed, loops.cycle().take(samples), sample)
 }
 
 /// The smallest value of a function on the unit cube that many local searches from seeded starts find, and where.

@@ -1,14 +1,10 @@
 //! MPSs of any oscillator near grazing: zeros of the VIVID function, and what the hybrid system does there.
 
+use crate::*;
 use grazing_continuation::arclength::Stall;
-use grazing_continuation::curve::{Curve, MpsCurve, Route};
-use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
-use grazing_model::ImpactOscillator;
-use grazing_model::maps::MapError;
-use grazing_theorems::from_map::GrazingOrbit;
-use grazing_unfold::simulation::{Seen, Suspect};
-use nalgebra::Vector2;
+use grazing_continuation::curve::{Curve, MpsCurve};
+use grazing_continuation::locate::locate;
+use grazing_unfold::simulation::Suspect;
 
 /// The equations of p-loop MPSs.
 pub(crate) fn equations<O: ImpactOscillator>(grazing: &GrazingOrbit<O>, p: u32) -> LoopEquations<O> {

@@ -5,16 +5,15 @@
 //! depends on the position, and a reset law in which Φ and Ψ vary with the velocity and the phase of the impact and with both
 //! parameters. A [`Specimen`] moves in closed form where its force is linear, and is integrated elsewhere.
 
+pub(crate) mod generic;
 mod motion;
+pub(crate) mod resonant;
 
-use crate::{Failure, Sampler, drawn};
+use crate::*;
 use grazing_continuation::resonance::LocatedResonance;
 use grazing_model::flow_variable::{PRIMARY, SECONDARY};
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator, Taylor};
-use grazing_model::{
-    FlowJet, ImpactOscillator, LinearOscillator, MapJet, OnWall, ParameterJet, State, ThirdOrder,
-};
-use grazing_theorems::from_map::GrazingOrbit;
+use grazing_model::{FlowJet, LinearOscillator, MapJet, ParameterJet, ThirdOrder};
 
 pub(crate) use self::motion::SpecimenMotion;
 

@@ -15,9 +15,8 @@ pub mod closed_form;
 pub mod generic;
 pub mod resonant;
 
-use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{Curve, Route, Window};
-use grazing_theorems::Side;
+use crate::*;
+use grazing_continuation::curve::Curve;
 use rayon::prelude::*;
 
 pub use cases::{Case, generic_cases, resonant_cases};

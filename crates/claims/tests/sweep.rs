@@ -2,9 +2,13 @@
 //! `reproduce` run.
 
 use grazing_claims::sweep::closed_form::LoopSolutions;
-use grazing_claims::sweep::{Case, generic_cases, resonant_cases};
+use grazing_claims::sweep::resonant::CurveRow;
+use grazing_claims::sweep::{
+    Case, CaseVerdict, Existence, GenericRow, ResonantRow, generic_cases, resonant_cases,
+};
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
+use grazing_theorems::Side;
 use grazing_theorems::auxiliary::detuning;
 use grazing_unfold::simulation::{Seen, Suspect};
 
@@ -119,5 +123,55 @@ fn a_blind_search_by_simulation_finds_the_orbit_on_its_side_and_none_on_the_othe
         assert!((there[0][0] / exact.velocity - 1.0).abs() < 1e-5, "{there:?} {exact:?}");
         let (other, _) = search(-mu);
         assert!(other.is_empty(), "p = {loops}, {fraction}: {other:?}");
+    }
+}
+
+#[test]
+fn each_thing_seen_of_an_orbit_is_needed_for_an_agreement() {
+    let case = Case { zeta: 0.03, epsilon: 0.8, loops: 2, n: 1, negative: false, omega: 0.83 };
+    let good = GenericRow::of(case).expect("the case can be worked out");
+    assert_eq!(good.verdict(), CaseVerdict::Agreement);
+    let Some(side) = good.predicted else { panic!("the theorem applies") };
+    let other = if side == Side::Positive { Side::Negative } else { Side::Positive };
+    let spoiled = [
+        GenericRow { predicted: Some(other), ..good.clone() },
+        GenericRow { continued: Existence::On(other), ..good.clone() },
+        GenericRow { simulated: Existence::Nowhere, ..good.clone() },
+        GenericRow { first_order: Existence::On(other), ..good.clone() },
+        GenericRow { unstable: [true, false], ..good.clone() },
+        GenericRow { unstable: [false, true], ..good.clone() },
+        GenericRow { slopes: [[1.0, 1.0], [1.0, 1.0], [1.0, 1.001]], ..good.clone() },
+        GenericRow { slopes: [[1.0, 1.0], [f64::NAN, 1.0], [1.0, 1.0]], ..good },
+    ];
+    for row in spoiled {
+        assert_eq!(row.verdict(), CaseVerdict::Unexplained, "{row:?}");
+    }
+}
+
+#[test]
+fn each_thing_seen_of_a_curve_is_needed_for_an_agreement() {
+    let theory = grazing_theorems::LinearOscillator::new(0.03, 0.8).expect("valid");
+    let omega = theory.resonance(2, 1).expect("there is one").forcing_frequency();
+    let case = Case { zeta: 0.03, epsilon: 0.8, loops: 2, n: 1, negative: false, omega };
+    let row = ResonantRow::of(case).expect("the case can be worked out");
+    assert_eq!(row.verdict(), CaseVerdict::Agreement);
+    for good in row.curves {
+        assert!(good.agrees());
+        let Some(side) = good.predicted else { panic!("the theorem applies") };
+        let other = if side == Side::Positive { Side::Negative } else { Side::Positive };
+        let spoiled = [
+            CurveRow { predicted: Some(other), ..good },
+            CurveRow { continued: Some(Existence::On(other)), ..good },
+            CurveRow { simulated: Existence::Nowhere, ..good },
+            CurveRow { crossed: false, ..good },
+            CurveRow { stability_changes: Some(false), ..good },
+            CurveRow { theorem: 1.001 * good.theorem, ..good },
+            CurveRow { proposition: 1.001 * good.proposition, ..good },
+            CurveRow { quadratic_equation: f64::NAN, ..good },
+            CurveRow { fit: None, ..good },
+        ];
+        for curve in spoiled {
+            assert!(!curve.agrees(), "{curve:?}");
+        }
     }
 }

@@ -11,9 +11,9 @@ use grazing_drawing::SheetWidth;
 use grazing_source::Setting;
 
 use crate::failure::Failure;
-use crate::family::{Part, Variation};
-use crate::outputs::edition::{Format, WIDTHS};
+use crate::outputs::edition::{Edition, Format, WIDTHS};
 use crate::outputs::{self, edition};
+use crate::variation::{Part, Variation};
 
 /// What the exit codes mean, for the end of the help.
 const EXIT_CODES: &str = "\
@@ -25,7 +25,7 @@ Exit codes:
      nothing was written
   3  a computation failed, was ended by a limit or Ctrl-C, or parameters do not fit each
      other; everything but what is named was written
-  4  a file could not be read or written all the same, as on a full disk;
+  4  an I/O error occurred, as on a full disk;
      each file is either old or new";
 
 const ABOUT: &str = "\
@@ -137,8 +137,8 @@ Examples:
   cargo xtask explore --no-browser --port 8700
 
 Starts a server that only this machine can reach, prints its address and opens the page in a
-browser. The page loads nothing from elsewhere. Whatever is seen can be taken home: figure, numbers,
-and the command that makes the same.
+browser. The page loads nothing from elsewhere. Whatever is seen can be exported: figure, numbers, and
+the command that writes the same.
 
 ";
 
@@ -194,7 +194,7 @@ pub enum Command {
     /// Find and unfold the resonant grazing bifurcations of an oscillator from a text file
     #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_UNFOLD}{EXIT_CODES}"))]
     Unfold(Unfold),
-    /// Walk in the diagram, in a browser: move constants, point at places, zoom
+    /// Explore the diagram in a browser: move constants, point at places, zoom
     #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_EXPLORE}{EXIT_CODES}"))]
     Explore(Explore),
     /// Join the parts of a family that `unfold --part` computed
@@ -239,6 +239,13 @@ pub struct Look {
     pub dpi: u16,
 }
 
+impl Look {
+    /// Formats and width as an edition.
+    pub fn edition(&self) -> Edition {
+        Edition::new(self.format.clone(), self.columns, self.dpi)
+    }
+}
+
 /// How many threads compute.
 #[derive(Debug, Args)]
 pub struct Threads {
@@ -269,7 +276,7 @@ pub struct Claims {
     /// Only where print and mathematics differ
     #[arg(long)]
     pub misprints: bool,
-    /// Tell all that is known of each claim: statement, samples, functions, check, figures
+    /// Print all that is known of each claim: statement, samples, functions, check, figures
     #[arg(long)]
     pub explain: bool,
     /// Test all claims and write ERRATA.md, the page of misprints, instead of checking it
@@ -319,7 +326,7 @@ pub struct Unfold {
     pub part: Option<Part>,
     #[command(flatten)]
     pub(crate) threads: Threads,
-    /// Tell every hypothesis and every quantity of every resonance
+    /// Print every hypothesis and every quantity of every resonance
     #[arg(long)]
     pub explain: bool,
     /// Seconds after which a file's analysis ends with what it has [default: the file's, or 600]

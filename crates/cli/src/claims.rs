@@ -15,7 +15,7 @@ use grazing_unfold::progress::Progress;
 use crate::arguments::Claims;
 use crate::compare::published;
 use crate::failure::Failure;
-use crate::folder::{self, MadeFile};
+use crate::folder::{self, OutputFile};
 use crate::progress::Display;
 use crate::{project, terminal};
 
@@ -92,7 +92,7 @@ fn misprints(findings: &[Finding<'_>], write: bool) -> Result<(), Failure> {
     };
     let content = errata::page(findings).into_bytes();
     if write {
-        let file = MadeFile { path: ERRATA.into(), content };
+        let file = OutputFile { path: ERRATA.into(), content };
         folder::write(&root, &[file])?;
         terminal::say(&format!("{} is written.\n", root.join(ERRATA).display()));
         return Ok(());

@@ -5,6 +5,8 @@
 use std::fmt::Write;
 
 use crate::outputs::edition::Edition;
+use grazing_reproduction::Study;
+
 use crate::outputs::{self, Output};
 
 /// The manifest's file, at the root of the repository.
@@ -38,7 +40,7 @@ pub fn manifest() -> String {
 }
 
 /// The figure, or the tables if there is none, by path from the root.
-fn files(output: &Output) -> Vec<String> {
+fn files(output: &Output<Study>) -> Vec<String> {
     match output.figure {
         Some(figure) => vec![format!("figures/{figure}")],
         None => output

@@ -6,8 +6,7 @@ use grazing_claims::published::{Comparison, Published, Rounding};
 use grazing_reproduction::Study;
 
 use crate::arguments::ParameterFile;
-use crate::failure::Failure;
-use crate::outputs::computation;
+use crate::failure::{Failure, computation};
 use crate::{project, terminal};
 
 /// How many digits more than the print has are shown of a computed value.
@@ -27,12 +26,21 @@ pub(crate) fn run(file: &ParameterFile) -> Result<(), Failure> {
     if off > 0 {
         return Err(Failure::check(format!("{off} of {} published values not met", comparisons.len())));
     }
-    terminal::say(&format!("\nAll {} published values are met.\n", comparisons.len()));
+    terminal::say(&format!("\n{}\n", all_met(&comparisons)));
     Ok(())
 }
 
+/// A line that counts what is computed, and beside it what was read back.
+pub(crate) fn all_met(comparisons: &[Comparison<'_>]) -> String {
+    let inputs = comparisons.iter().filter(|comparison| comparison.is_input()).count();
+    format!(
+        "All {} computed published values are met; {inputs} more are parameters.",
+        comparisons.len() - inputs
+    )
+}
+
 /// What the paper prints, with what the study gives.
-pub(crate) fn published(study: &Study<'_>) -> Result<Vec<Comparison<'static>>, Failure> {
+pub(crate) fn published(study: &Study) -> Result<Vec<Comparison<'static>>, Failure> {
     let computed = study.published_values().map_err(|error| computation("published values", &error))?;
     Ok(Published::printed().compare(&computed))
 }

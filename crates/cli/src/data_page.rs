@@ -3,9 +3,9 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use grazing_results::{Column, Names, Plan};
+use grazing_results::{Column, Names, TablePlan};
 
-use crate::folder::{DATA, MadeFile};
+use crate::folder::{DATA, OutputFile};
 
 /// Where the page lies in a folder of results.
 pub(crate) fn path() -> PathBuf {
@@ -16,27 +16,27 @@ const HEAD: &str = "# The data\n\nA header, `.` decimals, 17 significant digits,
                     same declarations.\n";
 
 /// The page about the tables that `reproduce` makes.
-pub(crate) fn of_the_paper(tables: impl IntoIterator<Item = Plan>) -> MadeFile {
+pub(crate) fn of_the_paper(tables: impl IntoIterator<Item = TablePlan>) -> OutputFile {
     let head = format!(
         "{HEAD}\nWhatever a figure draws also stands here. All quantities are dimensionless, as in eq:oscf; phases and angles are in radians. Where no \
          parameter file matters, this is said.\n"
     );
-    MadeFile { path: path(), content: page(head, tables, &Names::of_the_paper(), false).into_bytes() }
+    OutputFile { path: path(), content: page(head, tables, &Names::of_the_paper(), false).into_bytes() }
 }
 
 /// The page about the tables of an oscillator whose parameters have these names.
-pub(crate) fn of_an_oscillator(tables: impl IntoIterator<Item = Plan>, names: &Names) -> MadeFile {
+pub(crate) fn of_an_oscillator(tables: impl IntoIterator<Item = TablePlan>, names: &Names) -> OutputFile {
     let head = format!(
         "{HEAD}\nAll quantities have the units of the oscillator's file, in which length, time, `{}` and `{}` are counted; where there is no unit it is \
          1. μ is `{0}`, η is `{1}`.\n",
         names.primary, names.secondary
     );
-    MadeFile { path: path(), content: page(head, tables, names, true).into_bytes() }
+    OutputFile { path: path(), content: page(head, tables, names, true).into_bytes() }
 }
 
 /// Tables with the same rows share a section.
-fn page(mut text: String, tables: impl IntoIterator<Item = Plan>, names: &Names, units: bool) -> String {
-    let mut sections: Vec<(Plan, Vec<&str>)> = Vec::new();
+fn page(mut text: String, tables: impl IntoIterator<Item = TablePlan>, names: &Names, units: bool) -> String {
+    let mut sections: Vec<(TablePlan, Vec<&str>)> = Vec::new();
     for table in tables {
         match sections.iter_mut().find(|(plan, _)| plan.columns == table.columns && plan.row == table.row) {
             Some((_, files)) => files.push(table.name),
@@ -82,7 +82,7 @@ mod tests {
 
     #[test]
     fn columns_bear_the_names_symbols_and_units_of_the_parameters() {
-        let tables = ["one", "two"].map(|name| Plan::of::<PlanePoint>(name, "a point"));
+        let tables = ["one", "two"].map(|name| TablePlan::of::<PlanePoint>(name, "a point"));
         let made = of_an_oscillator(tables, &Names::new("F_0", "omega"));
         let text = String::from_utf8(made.content).expect("it is text");
         assert!(text.contains("\n## one.csv, two.csv\n\nA row is a point.\n"), "{text}");

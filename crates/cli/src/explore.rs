@@ -1,4 +1,4 @@
-//! `grazing explore`: the diagram as a place to walk in, in a browser.
+//! `grazing explore`: the diagram in a browser.
 
 use std::env;
 use std::fs;
@@ -13,11 +13,12 @@ use grazing_source::{Setting, Text};
 use grazing_unfold::stop::Stop;
 
 use crate::arguments;
-use crate::failure::Failure;
-use crate::folder::MadeFile;
+use crate::failure::{Failure, computation};
+use crate::folder::OutputFile;
+use crate::oscillator::OscillatorFile;
 use crate::outputs::edition::{self, Edition, Format};
-use crate::outputs::{self, computation};
-use crate::report::oscillators::{Material, OscillatorFile};
+use crate::outputs::oscillator::{AnalysedOscillator, TWO_PARAMETERS};
+use crate::outputs::paper;
 use crate::{limits, project, tables, terminal};
 
 /// Serves the page until Ctrl-C is pressed.
@@ -27,7 +28,7 @@ use crate::{limits, project, tables, terminal};
 pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
     let examples = examples(arguments.file.as_deref())?;
     let export: Export = Box::new(|model, view, what, columns, stop| {
-        taken_home(model, view, what, columns, stop).map_err(|failure| failure.to_string())
+        exported(model, view, what, columns, stop).map_err(|failure| failure.to_string())
     });
     let server = Server::bind(arguments.port, Limits::default(), examples, export).map_err(|reason| {
         let port = arguments.port;
@@ -37,7 +38,7 @@ pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
     })?;
     let address = server.address();
     terminal::say(&format!(
-        "{address}\nThe address is for this machine alone, and its long number keeps other pages out. Ctrl-C ends it.\n"
+        "{address}\nThe address is for this machine alone, and its token keeps other pages out. Ctrl-C ends it.\n"
     ));
     limits::end_when_interrupted();
     if !arguments.no_browser {
@@ -87,7 +88,7 @@ fn open(address: &str) {
 }
 
 /// A file of what is seen, made as `unfold` and `reproduce` make it.
-fn taken_home(model: &Model, view: &View, what: &str, columns: &str, stop: &Stop) -> Result<Sheet, Failure> {
+fn exported(model: &Model, view: &View, what: &str, columns: &str, stop: &Stop) -> Result<Sheet, Failure> {
     let format = match what {
         "svg" => Some((Format::Svg, "image/svg+xml")),
         "pdf" => Some((Format::Pdf, "application/pdf")),
@@ -100,12 +101,12 @@ fn taken_home(model: &Model, view: &View, what: &str, columns: &str, stop: &Stop
         None => of_the_paper(model, view, &edition)?,
         Some(_) => of_a_text(model, view, &edition, stop)?,
     };
-    let wanted = |file: &MadeFile| match (format, what.strip_prefix("csv:")) {
+    let wanted = |file: &OutputFile| match (format, what.strip_prefix("csv:")) {
         (Some((format, _)), _) => file.path.extension().is_some_and(|found| found == format.name()),
         (None, Some(table)) => file.path == tables::path(table),
         (None, None) => false,
     };
-    let Some(MadeFile { path, content }) = files.into_iter().find(wanted) else {
+    let Some(OutputFile { path, content }) = files.into_iter().find(wanted) else {
         return Err(Failure::input(format!("{what}: this is not made: svg, pdf, png or csv:TABLE is")));
     };
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -113,31 +114,27 @@ fn taken_home(model: &Model, view: &View, what: &str, columns: &str, stop: &Stop
 }
 
 /// The two-parameter diagram of a text and its tables.
-fn of_a_text(model: &Model, view: &View, edition: &Edition, stop: &Stop) -> Result<Vec<MadeFile>, Failure> {
+fn of_a_text(model: &Model, view: &View, edition: &Edition, stop: &Stop) -> Result<Vec<OutputFile>, Failure> {
     let description = model.in_view(view).map_err(Failure::input)?;
     let unfolded = Unfolded::described(&description, stop, stop, &|_| ())
         .map_err(|error| computation("unfold", &error))?;
-    let text = model.text.clone().unwrap_or_default();
-    let of = OscillatorFile { file: "oscillator.toml".into(), text, description };
-    let mut material = Material::new(&of, &unfolded, edition.columns)?;
-    material.figures.truncate(1);
-    material.files(edition)
+    let analysed = AnalysedOscillator::new(Path::new("oscillator.toml"), &description, unfolded);
+    Ok(TWO_PARAMETERS.compute(&analysed, edition.columns)?.files(edition)?.0)
 }
 
 /// The parameter file of the paper's figures.
 const PARAMETERS: &str = include_str!("../../../figures/parameters.toml");
 
 /// Figure 7 and its tables at other constants and ranges.
-fn of_the_paper(model: &Model, view: &View, edition: &Edition) -> Result<Vec<MadeFile>, Failure> {
-    let constants = model.set.iter().map(|(name, value)| format!("oscillator.{name}={value:?}"));
-    let View { primary, secondary } = view;
-    let ranges = [format!("fig07.amplitude={primary:?}"), format!("fig07.frequency={secondary:?}")];
-    let loops = model.loops.iter().map(|loops| format!("fig07.loops={loops:?}"));
-    let settings = constants.chain(ranges).chain(loops).map(|setting| setting.parse());
-    let settings = settings.collect::<Result<Vec<Setting>, _>>()?;
+fn of_the_paper(model: &Model, view: &View, edition: &Edition) -> Result<Vec<OutputFile>, Failure> {
+    let constants = model.set.iter().map(|(name, value)| Setting::new(&format!("oscillator.{name}"), *value));
+    let ranges = [("fig07.amplitude", view.primary), ("fig07.frequency", view.secondary)];
+    let ranges = ranges.map(|(key, range)| Setting::new(key, range.to_vec()));
+    let loops = model.loops.iter().map(|loops| Setting::new("fig07.loops", loops.clone()));
+    let settings = constants.chain(ranges).chain(loops).collect::<Result<Vec<_>, _>>()?;
     let parameters = Parameters::parse(&Text::new(PARAMETERS, &settings), "parameters.toml")?;
     let study = Study::new(&parameters);
-    let output = outputs::ALL.iter().find(|output| output.name == "fig07");
+    let output = paper::ALL.iter().find(|output| output.name == "fig07");
     let output = output.ok_or_else(|| Failure::incomplete("there is no Figure 7"))?;
-    Ok(output.files(&study, edition)?.1)
+    Ok(output.compute(&study, edition.columns)?.files(edition)?.0)
 }

@@ -1,9 +1,11 @@
 //! Why the program ends without having done what it was asked to, and with which exit code.
 
+use std::error::Error;
 use std::fmt::{self, Display};
 use std::path::Path;
 
 use grazing_description::DescriptionError;
+use grazing_reproduction::StudyError;
 use grazing_reproduction::parameters::ParameterError;
 use grazing_source::SettingError;
 
@@ -39,7 +41,7 @@ impl Failure {
     }
 
     /// An output could not be computed.
-    pub(crate) fn computation(output: &'static str, reason: String) -> Self {
+    pub(crate) fn output(output: &'static str, reason: String) -> Self {
         Self { output: Some(output), ..Self::incomplete(reason) }
     }
 
@@ -53,10 +55,10 @@ impl Failure {
         Self::unwritten(format!("{}: {reason}", path.display()))
     }
 
-    /// Not all outputs could be made.
-    pub(crate) fn partly_made(missing: usize, all: usize) -> Self {
+    /// Some outputs failed or are incomplete.
+    pub(crate) fn partial(missing: usize, all: usize) -> Self {
         Self::incomplete(format!(
-            "{missing} of {all} outputs could not be made, or not wholly, as told above; everything else is written"
+            "{missing} of {all} outputs failed or are incomplete, see above; everything else is written"
         ))
     }
 
@@ -94,4 +96,22 @@ impl From<SettingError> for Failure {
     fn from(error: SettingError) -> Self {
         Self::input(error.to_string())
     }
+}
+
+/// The failure of a computation, with the error and those of its causes that its message does not contain; that of a section of
+/// the parameter file if it is one.
+pub(crate) fn computation(what: &'static str, error: &(dyn Error + 'static)) -> Failure {
+    if let Some(StudyError::Parameters(error)) = error.downcast_ref() {
+        return error.clone().into();
+    }
+    let mut reason = error.to_string();
+    let mut cause = error.source();
+    while let Some(deeper) = cause {
+        let shown = deeper.to_string();
+        if !reason.contains(&shown) {
+            reason.push_str(&format!(": {shown}"));
+        }
+        cause = deeper.source();
+    }
+    Failure::output(what, reason)
 }

@@ -5,92 +5,25 @@ mod part;
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 use std::time::Instant;
 
 use grazing_description::{Description, Limits};
-use grazing_drawing::draw_family;
-use grazing_reproduction::family::{Plan, Record, Varied, assemble, names, records};
+use grazing_reproduction::family::{Plan, Record, assemble, names, records};
 use grazing_results::brief;
-use grazing_results::family::Family;
-use grazing_source::{Setting, nearest, suggestion};
+use grazing_source::{nearest, suggestion};
 
 use crate::arguments;
 use crate::failure::Failure;
-use crate::folder;
-use crate::limits::{self, Met, Watch};
-use crate::outputs::computation;
+use crate::folder::{self, summary};
+use crate::limits::{self, EndCause, Watch};
 use crate::outputs::edition::{Edition, Format};
-use crate::outputs::latex::{self, Float};
+use crate::outputs::family::{FAMILY, NamedFamily};
+use crate::outputs::latex;
 use crate::progress::Display;
-use crate::reproduce::summary;
-use crate::unfold::{self, reason};
-use crate::{data_page, tables, terminal};
+use crate::unfold::{analysis, reason};
+use crate::variation::{MOST_MEMBERS, Part, Variation};
+use crate::{data_page, terminal};
 use part::{Origin, PartFile};
-
-/// The folder of the results, with a folder in it for each file.
-const RESULTS: &str = "families";
-/// The figure, if there is room for it on one sheet.
-const FIGURE: &str = "family.svg";
-/// What it shows.
-const FAMILY: &str = "resonant grazing bifurcations of a family";
-/// More members than this make tables that nobody reads and files that fill a disk.
-const MOST_MEMBERS: usize = 1_000_000;
-
-/// A constant with the values that it takes: `zeta=0.01:0.1:10`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Variation(Varied);
-
-impl FromStr for Variation {
-    type Err = String;
-
-    fn from_str(written: &str) -> Result<Self, String> {
-        let form = "write NAME=FROM:TO:COUNT, as zeta=0.01:0.1:10 for ten values of zeta from 0.01 to 0.1";
-        let (name, range) = written.split_once('=').ok_or(form)?;
-        let parts: Vec<&str> = range.split(':').map(str::trim).collect();
-        let [from, to, count] = parts[..] else { return Err(form.to_owned()) };
-        let number = |text: &str| {
-            let value: f64 = text.parse().map_err(|_| format!("{text} is not a number: {form}"))?;
-            if value.is_finite() { Ok(value) } else { Err(format!("{text} is not a finite number")) }
-        };
-        let (from, to) = (number(from)?, number(to)?);
-        let count: usize = count.parse().map_err(|_| format!("{count} is not a count: {form}"))?;
-        if !(2..=MOST_MEMBERS).contains(&count) {
-            return Err(format!("{count} values: at least 2 and at most {MOST_MEMBERS} are possible"));
-        }
-        if from == to {
-            return Err(format!(
-                "{from} is both ends: a constant that is to have one value is set with --set"
-            ));
-        }
-        let last = (count - 1) as f64;
-        let value = |index: usize| match index as f64 {
-            share if share == last => to,
-            share => from + (to - from) * (share / last),
-        };
-        let values = (0..count).map(value).collect();
-        Ok(Self(Varied { name: name.trim().to_owned(), values }))
-    }
-}
-
-/// A part of a family: `7/200` is the seventh of two hundred.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Part {
-    part: usize,
-    parts: usize,
-}
-
-impl FromStr for Part {
-    type Err = String;
-
-    fn from_str(written: &str) -> Result<Self, String> {
-        let form = "write K/N with K from 1 to N, as 7/200";
-        let (part, parts) = written.split_once('/').ok_or(form)?;
-        let number = |text: &str| text.trim().parse::<usize>().map_err(|_| form.to_owned());
-        let (part, parts) = (number(part)?, number(parts)?);
-        if (1..=parts).contains(&part) { Ok(Self { part, parts }) } else { Err(form.to_owned()) }
-    }
-}
 
 /// Computes a family, or a part of it.
 ///
@@ -108,7 +41,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let which = arguments.part.map_or(0..plan.count(), |Part { part, parts }| plan.part(part, parts));
     let members = members(&origin, &plan, which)?;
     let folder = arguments.output.clone().unwrap_or_else(|| origin.folder());
-    let edition = Edition::new(&arguments.look);
+    let edition = arguments.look.edition();
     let paths = match arguments.part {
         Some(part) => vec![part::path(part)],
         None => paths(&edition),
@@ -122,13 +55,13 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let display = Display::counting(watch.stop());
     let tell = |description: &Description, error: &_| reason::of(error, description);
     let found = records(&plan, &members, &tell, &watch.stop(), &display);
-    let met = watch.met().filter(|_| found.iter().any(Option::is_none));
+    let cause = watch.end_cause().filter(|_| found.iter().any(Option::is_none));
     match arguments.part {
         Some(part) => {
             let records = found.into_iter().collect::<Option<Vec<Record>>>();
             let Some(records) = records else {
                 let outcome = "a part is written only if it is whole: nothing is written";
-                return Err(ended(file, met, outcome));
+                return Err(ended(file, cause, outcome));
             };
             let made = PartFile::new(part, origin, plan, records).made()?;
             terminal::say(&summary(&folder::written(&folder, &[made])?));
@@ -140,16 +73,16 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
             if missing > 0 {
                 let outcome =
                     format!("{missing} of {} members are missing; the others are written", plan.count());
-                return Err(ended(file, met, &outcome));
+                return Err(ended(file, cause, &outcome));
             }
             Ok(())
         }
     }
 }
 
-fn ended(file: &Path, met: Option<Met>, outcome: &str) -> Failure {
-    match met {
-        Some(met) => unfold::ended(file, met, outcome),
+fn ended(file: &Path, cause: Option<EndCause>, outcome: &str) -> Failure {
+    match cause {
+        Some(cause) => analysis::ended(file, cause, outcome),
         None => Failure::incomplete(format!("{}: {outcome}", file.display())),
     }
 }
@@ -163,7 +96,7 @@ pub(crate) fn merge(arguments: &arguments::Merge) -> Result<(), Failure> {
     let PartFile { origin, plan, records, .. } = part::joined(&arguments.parts)?;
     let description = origin.description(&[])?;
     let folder = arguments.output.clone().unwrap_or_else(|| origin.folder());
-    let edition = Edition::new(&arguments.look);
+    let edition = arguments.look.edition();
     folder::ensure_writable(&folder, &paths(&edition))?;
     let file = PathBuf::from(&origin.file);
     let task = Task { file: &file, folder: &folder, edition: &edition, began };
@@ -233,41 +166,31 @@ struct Task<'a> {
     began: Instant,
 }
 
-/// Makes tables and figures of all records, writes them and tells what they hold.
+/// Writes figures and tables of all records, and lists what they hold.
 fn finish(
     task: &Task<'_>,
     plan: &Plan,
     description: &Description,
     records: Vec<Option<Record>>,
 ) -> Result<(), Failure> {
-    let family = assemble(plan, description, records);
-    let names = names(plan, description);
-    let title = format!("{}: {FAMILY}", description.name());
-    let sheets = draw_family(&family, &names, &title, task.edition.columns)
-        .map_err(|error| computation("figures", &error))?;
-    let (mut files, mut floats) = (Vec::new(), Vec::new());
-    let count = sheets.len();
-    for (svg, number) in sheets.into_iter().zip(1..) {
-        let file = if count == 1 { FIGURE.to_owned() } else { format!("family-{number}.svg") };
-        let told = |error| computation("figures", &error);
-        let label = Float::label("fig", task.file, file.trim_end_matches(".svg"));
-        floats.push(Float::figure(&file, &svg, FAMILY, &label).map_err(told)?);
-        files.extend(task.edition.figure_files(&file, svg).map_err(told)?);
-    }
+    let of = NamedFamily {
+        file: task.file.to_owned(),
+        name: description.name().to_owned(),
+        names: names(plan, description),
+        family: assemble(plan, description, records),
+    };
+    let (mut files, floats) = FAMILY.compute(&of, task.edition.columns)?.files(task.edition)?;
     files.extend(task.edition.has(Format::Tex).then(|| latex::snippet(&floats)));
-    for table in family.tables(&names) {
-        files.push(tables::file(&table, "tables")?);
-    }
-    files.push(data_page::of_an_oscillator(Family::TABLES.iter().copied(), &names));
+    files.push(data_page::of_an_oscillator(FAMILY.tables.iter().copied(), &of.names));
     let written = folder::written(task.folder, &files)?;
-    terminal::say(&listing::results(&family, &names, plan));
+    terminal::say(&listing::results(&of.family, &of.names, plan));
     terminal::say(&format!("\n{}", summary(&written)));
     terminal::say(&format!("{:.1} s\n", task.began.elapsed().as_secs_f64()));
-    if family.incomplete > 0 {
+    if of.family.incomplete > 0 {
         return Err(Failure::incomplete(format!(
-            "{}: something is missing at {} members, as told above; everything else is written",
+            "{}: something is missing at {} members, see above; everything else is written",
             task.file.display(),
-            family.incomplete
+            of.family.incomplete
         )));
     }
     Ok(())
@@ -275,13 +198,7 @@ fn finish(
 
 /// All files of a family that has one sheet.
 fn paths(edition: &Edition) -> Vec<PathBuf> {
-    let tables = Family::TABLES.iter().map(|table| tables::path(table.name));
-    edition.figure_paths(FIGURE).chain(tables).chain([data_page::path()]).collect()
-}
-
-/// What a setting of a constant is on the command line.
-fn setting(name: &str, value: f64) -> Result<Setting, Failure> {
-    format!("parameters.{name}={value:?}")
-        .parse()
-        .map_err(|error: grazing_source::SettingError| Failure::input(format!("--vary {name}: {error}")))
+    let mut paths = FAMILY.paths(edition);
+    paths.push(data_page::path());
+    paths
 }

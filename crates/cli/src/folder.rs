@@ -6,6 +6,7 @@ mod temporaries;
 
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
+use std::fmt::Write as _;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -23,9 +24,9 @@ use temporaries::{UNFINISHED, unfinished};
 /// The subfolder of the tables.
 pub(crate) const DATA: &str = "data";
 
-/// A file that the code made: its path in the output folder, and its content.
+/// A file that the code writes: its path in the output folder, and its content.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct MadeFile {
+pub struct OutputFile {
     /// The path from the output folder, as `data/coefficients.csv`.
     pub path: PathBuf,
     /// The content.
@@ -79,7 +80,7 @@ pub(crate) fn obstacle(folder: &Path) -> Option<(PathBuf, String)> {
 ///
 /// # Errors
 /// A file cannot be written. Temporary files are removed; a file is old or new, never in between.
-pub fn write(folder: &Path, files: &[MadeFile]) -> Result<Vec<Change>, Failure> {
+pub fn write(folder: &Path, files: &[OutputFile]) -> Result<Vec<Change>, Failure> {
     let folders: BTreeSet<PathBuf> =
         files.iter().filter_map(|file| Some(folder.join(&file.path).parent()?.to_owned())).collect();
     folders.iter().for_each(|folder| sweep(folder));
@@ -99,9 +100,40 @@ pub fn write(folder: &Path, files: &[MadeFile]) -> Result<Vec<Change>, Failure> 
 }
 
 /// Writes all files, as [`write`]; what that did to each, by its path.
-pub(crate) fn written(folder: &Path, files: &[MadeFile]) -> Result<Vec<(String, Change)>, Failure> {
+pub(crate) fn written(folder: &Path, files: &[OutputFile]) -> Result<Vec<(String, Change)>, Failure> {
     let names = files.iter().map(|file| folder.join(&file.path).display().to_string());
     Ok(names.zip(write(folder, files)?).collect())
+}
+
+/// A line for each file, and one that counts.
+pub(crate) fn summary(changes: &[(String, Change)]) -> String {
+    let width = changes.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+    let mut text = String::new();
+    let mut counts = [0; 3];
+    for (name, change) in changes {
+        let (index, word) = match change {
+            Change::New => (0, "new"),
+            Change::Updated => (1, "updated"),
+            Change::Unchanged => (2, "unchanged"),
+        };
+        counts[index] += 1;
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{name:width$}  {word}");
+    }
+    let [new, updated, unchanged] = counts;
+    let _ =
+        writeln!(text, "{}: {new} new, {updated} updated, {unchanged} unchanged.", counted(changes.len()));
+    text
+}
+
+/// So many files, in words.
+pub(crate) fn counted(files: usize) -> String {
+    if files == 1 { "1 file".to_owned() } else { format!("{files} files") }
+}
+
+/// The path with slashes between its parts, on any system.
+pub(crate) fn with_slashes(path: &Path) -> String {
+    path.components().map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/")
 }
 
 /// Adds how the folder differs from the files: missing ones, other contents, and, if the files are `complete`, files in the
@@ -111,7 +143,7 @@ pub(crate) fn written(folder: &Path, files: &[MadeFile]) -> Result<Vec<(String, 
 /// The folder or a file in it cannot be read.
 pub fn compare(
     folder: &Path,
-    files: &[MadeFile],
+    files: &[OutputFile],
     known: &[&str],
     complete: bool,
     found: &mut Differences,

@@ -13,6 +13,7 @@ pub mod family;
 pub mod folder;
 mod limits;
 mod new;
+mod oscillator;
 pub mod outputs;
 mod progress;
 mod project;
@@ -21,6 +22,8 @@ mod reproduce;
 pub mod tables;
 pub mod terminal;
 mod unfold;
+pub mod variation;
+mod versions;
 mod visual;
 
 use arguments::{Arguments, Command};

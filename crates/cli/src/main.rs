@@ -1,4 +1,4 @@
-//! The `grazing` program; `grazing --help` tells what it does.
+//! The `grazing` program; see `grazing --help`.
 
 use std::process::ExitCode;
 
@@ -18,7 +18,7 @@ fn main() -> ExitCode {
         // Help, which is no error, or a wrong command line, which ends here with exit code 2.
         Err(answer) => terminal::answer(&answer),
     };
-    match terminal::untold() {
+    match terminal::output_failure() {
         Some(failure) => {
             terminal::report(&failure);
             ExitCode::from(failure.exit_code())

@@ -1,4 +1,4 @@
-//! `grazing new`: the beginning of a description of one's own, with comments, which can be unfolded as it is.
+//! `grazing new`: a description to edit, with comments, which can be unfolded as it is.
 
 use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
@@ -19,7 +19,7 @@ impl Template {
     }
 }
 
-/// Writes the file and tells what to do with it.
+/// Writes the file and prints what to do with it.
 ///
 /// # Errors
 /// Something is in its place already, or it cannot be written.
@@ -28,7 +28,7 @@ pub(crate) fn run(arguments: &arguments::New) -> Result<(), Failure> {
     write_new(file, arguments.kind.text())?;
     let shown = file.display();
     terminal::say(&format!(
-        "{shown}: written, as a beginning; change what it says, then\n\n  \
+        "{shown}: written; edit it, then\n\n  \
          cargo xtask unfold {shown}            find and unfold its resonant grazing bifurcations\n\n\
          It can be unfolded as it is. Its comments explain every key; examples/ has more oscillators.\n"
     ));
@@ -50,7 +50,7 @@ fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
         }
     })?;
     file.write_all(text.as_bytes()).and_then(|()| file.sync_all()).map_err(|error| {
-        // The failure to write is what is told; what is left of the file is worth nothing.
+        // The failure to write is what is reported; what is left of the file is worth nothing.
         let _ = std::fs::remove_file(path);
         Failure::file(path, &error)
     })

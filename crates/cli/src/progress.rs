@@ -14,7 +14,7 @@ use crate::terminal;
 
 /// How often a bar moves though no step was made, so that a long step looks alive.
 const HEARTBEAT: Duration = Duration::from_millis(200);
-/// How often a line tells how far long work has come, where there are no bars.
+/// How often a line says how far long work has come, where there are no bars.
 const SIGN_OF_LIFE: Duration = Duration::from_secs(10);
 const TEMPLATE: &str = "{spinner} {msg:32} [{bar:30}] {pos}/{len} {elapsed} {prefix}";
 
@@ -42,22 +42,22 @@ impl Display {
         Display { bars: io::stderr().is_terminal().then(MultiProgress::new), ..Display::default() }
     }
 
-    /// The same, which tells also how many steps of integration were made: these go on within the longest work.
-    /// An analysis that hears of it ends when the mark is set.
+    /// The same with the number of steps of integration, which go on within the longest work. An analysis that reports to it ends
+    /// when the mark is set.
     pub(crate) fn counting(stop: Stop) -> Display {
         let display = Display { stop: stop.clone(), ..Self::new() };
         let tasks = Arc::downgrade(&display.tasks);
         let pause = if display.bars.is_some() { HEARTBEAT } else { SIGN_OF_LIFE };
-        let tell = move || {
+        let report = move || {
             // It ends with the display.
             while let Some(tasks) = tasks.upgrade() {
-                locked(&tasks).iter().for_each(|(what, task)| task.tell(what, &stop, pause));
+                locked(&tasks).iter().for_each(|(what, task)| task.report(what, &stop, pause));
                 drop(tasks);
                 thread::sleep(pause);
             }
         };
         // Without a thread there are only fewer lines.
-        let _ = thread::Builder::new().name("progress".to_owned()).spawn(tell);
+        let _ = thread::Builder::new().name("progress".to_owned()).spawn(report);
         display
     }
 }
@@ -67,8 +67,8 @@ fn locked(tasks: &Mutex<Tasks>) -> MutexGuard<'_, Tasks> {
 }
 
 impl Task {
-    /// Tells how far it has come, in a line if it takes long.
-    fn tell(&self, what: &str, stop: &Stop, pause: Duration) {
+    /// Reports how far it has come, in a line if it takes long.
+    fn report(&self, what: &str, stop: &Stop, pause: Duration) {
         // A number with one digit after the point is easier to follow than all digits.
         let steps = format!("{:.1e} steps of integration", stop.steps() as f64);
         match &self.bar {

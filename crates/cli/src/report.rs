@@ -1,27 +1,27 @@
 //! `grazing report`: everything on one page.
 
 mod links;
-pub(crate) mod oscillators;
-mod versions;
+mod oscillators;
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Instant;
 
 use grazing_claims::ledger::Ledger;
-use grazing_report::{Counts, FigureEntry, Manifest, OutputFile, TableOutput, page};
+use grazing_drawing::SheetWidth;
+use grazing_report::{Counts, FileDigest, Manifest, TableOutput, page};
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
-use grazing_source::Setting;
 
 use crate::arguments::Report;
 use crate::compare::published;
 use crate::failure::Failure;
-use crate::folder::{self, MadeFile};
+use crate::folder::{self, OutputFile};
+use crate::oscillator::{OscillatorFile, file_name, noted};
 use crate::outputs::edition::Edition;
-use crate::outputs::{self, Made};
+use crate::outputs::paper;
 use crate::progress::Display;
-use crate::{claims, project, terminal};
-use oscillators::OscillatorFile;
+use crate::{claims, project, terminal, versions};
 
 /// Computes everything and writes the page.
 ///
@@ -32,20 +32,20 @@ pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     let start = Instant::now();
     let parameter_file = project::parameter_file(arguments.parameters.file.as_deref())?;
     let parameters = project::parameters(&arguments.parameters)?;
-    outputs::refuse_malformed(outputs::ALL.iter(), &parameters)?;
+    paper::refuse_malformed(paper::ALL.iter(), &Study::new(&parameters))?;
     let (folder, name) = place(&arguments.output)?;
     let sources = OscillatorFile::all(project::root().as_deref(), &arguments.oscillators)?;
     arguments.threads.start()?;
     let ledger = Ledger::of_the_paper();
     let report = assemble(arguments, &ledger, &parameter_file, &parameters, &sources)?;
     let content = page(&report).into_bytes();
-    let (missing, all) = (report.missing.len(), outputs::ALL.len() + sources.len());
+    let (missing, all) = (report.missing.len(), paper::ALL.len() + sources.len());
     let size = content.len();
-    folder::write(&folder, &[MadeFile { path: name, content }])?;
+    folder::write(&folder, &[OutputFile { path: name, content }])?;
     terminal::say(&summary(&report, &arguments.output, size));
     terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
     report.missing.iter().for_each(|reason| terminal::note(&format!("error: {reason}")));
-    if missing > 0 { Err(Failure::partly_made(missing, all)) } else { Ok(()) }
+    if missing > 0 { Err(Failure::partial(missing, all)) } else { Ok(()) }
 }
 
 /// The folder and the name of the page, once it is sure that it can be written.
@@ -73,7 +73,7 @@ fn assemble<'a>(
     parameters: &Parameters,
     oscillators: &[OscillatorFile],
 ) -> Result<grazing_report::Report<'a>, Failure> {
-    let display = Display::new();
+    let display = Arc::new(Display::new());
     let repository = project::root();
     let root = repository.as_deref().and_then(links::files_at_host);
     let (mut entries, mut missing) = (Vec::new(), Vec::new());
@@ -87,24 +87,27 @@ fn assemble<'a>(
         }
     }
     oscillators::distinguish(entries.iter_mut().map(|entry| &mut entry.id));
-    let study = Study::new(parameters).with_progress(&display);
-    let (mut figures, mut tables, mut made) = (Vec::new(), Vec::new(), Vec::new());
-    for output in outputs::ALL {
-        let (Made { svg, tables: shown, notes, gaps, .. }, files) =
-            match output.files(&study, &Edition::default()) {
-                Ok(made) => made,
+    let study = Study::new(parameters).with_progress(display.clone());
+    let (mut figures, mut tables, mut digests) = (Vec::new(), Vec::new(), Vec::new());
+    for output in paper::ALL {
+        let computed = output.compute(&study, SheetWidth::Paper);
+        let (files, computed) =
+            match computed.and_then(|computed| Ok((computed.files(&Edition::default())?.0, computed))) {
+                Ok(computed) => computed,
                 Err(failure) => {
                     missing.push(format!("{}: {}", output.name, failure.reason));
                     continue;
                 }
             };
-        notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
-        missing.extend(gaps.iter().map(|gap| format!("{}: it is shown, but {gap}", output.name)));
-        made.extend(files.iter().map(|file| OutputFile::of(file.path.display().to_string(), &file.content)));
-        let (name, title) = (output.name.to_owned(), output.title.to_owned());
-        match svg {
-            Some(svg) => figures.push(FigureEntry { name, title, svg, tables: shown }),
-            None => tables.push(TableOutput { name, title, tables: shown }),
+        computed.notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
+        missing.extend(computed.gaps.iter().map(|gap| format!("{}: it is shown, but {gap}", output.name)));
+        digests
+            .extend(files.iter().map(|file| FileDigest::of(file.path.display().to_string(), &file.content)));
+        if computed.figures.is_empty() {
+            let (name, title) = (output.name.to_owned(), output.title.to_owned());
+            tables.push(TableOutput { name, title, tables: computed.tables });
+        } else {
+            figures.extend(computed.entries());
         }
     }
     // Their names are numbered as in the paper; the registry has them in the order in which they are best made.
@@ -130,23 +133,13 @@ fn assemble<'a>(
                 &grazing_source::read_file(parameter_file).map_err(ParameterError::from)?,
                 &arguments.parameters.set,
             ),
-            outputs: made,
+            outputs: digests,
             // Other parameters give other files than those that stand in the repository.
             folder: root.as_ref().filter(|_| default).map(|root| format!("{root}{}/", project::FIGURES)),
             ..versions::manifest()
         },
         root,
     })
-}
-
-/// The text of a file with what was set over it on top.
-pub(crate) fn noted(text: &str, settings: &[Setting]) -> String {
-    let set = settings.iter().map(|setting| format!("# --set {setting}\n"));
-    set.chain([text.to_owned()]).collect()
-}
-
-fn file_name(path: &Path) -> String {
-    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
 /// What the page says at its top, and where it is.

@@ -1,19 +1,19 @@
 //! `grazing reproduce`: compute first, then write everything or check it.
 
 use std::collections::BTreeSet;
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Instant;
 
 use grazing_reproduction::{Coefficients, Study};
 
 use crate::arguments::{ParameterFile, Reproduce};
-use crate::compare::published;
+use crate::compare::{all_met, published};
 use crate::failure::Failure;
-use crate::folder::{self, Change, Differences, MadeFile};
+use crate::folder::{self, Differences, OutputFile, counted, summary};
 use crate::outputs::edition::{Edition, Format};
 use crate::outputs::latex::{self, Float};
-use crate::outputs::{self, Output};
+use crate::outputs::{Output, paper};
 use crate::progress::Display;
 use crate::{codecheck, data_page, project, terminal, visual};
 
@@ -22,19 +22,20 @@ const SETTINGS: &str = "settings.txt";
 /// What belongs in the output folder although the program does not make it.
 const KNOWN: [&str; 1] = ["parameters.toml"];
 
-/// Makes the outputs that were asked for.
+/// Computes the outputs that were asked for, and writes or checks their files.
 ///
 /// # Errors
-/// A check was asked for and files differ, or they could not be made.
+/// A check was asked for and files differ, or outputs could not be computed.
 pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     crate::limits::leave_nothing_behind();
     let start = Instant::now();
-    let edition = Edition::new(&arguments.look);
+    let edition = arguments.look.edition();
     let (parameters, set) = (project::parameters(&arguments.parameters)?, &arguments.parameters.set);
+    let study = Study::new(&parameters).with_progress(Arc::new(Display::new()));
     let output_folder = project::output_folder(arguments.output.as_deref(), &edition, !set.is_empty())?;
-    let chosen: Vec<&Output> =
-        outputs::ALL.iter().filter(|output| is_chosen(output, &arguments.only)).collect();
-    outputs::refuse_malformed(chosen.iter().copied(), &parameters)?;
+    let chosen: Vec<&Output<Study>> =
+        paper::ALL.iter().filter(|output| is_chosen(output, &arguments.only)).collect();
+    paper::refuse_malformed(chosen.iter().copied(), &study)?;
     if !arguments.check {
         let mut paths: Vec<PathBuf> = chosen.iter().flat_map(|output| output.paths(&edition)).collect();
         paths.extend(arguments.only.is_empty().then(data_page::path));
@@ -43,15 +44,13 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
         folder::ensure_writable(&output_folder, &paths)?;
     }
     arguments.threads.start()?;
-    let display = Display::new();
-    let study = Study::new(&parameters).with_progress(&display);
-    let mut made = Outcome::of(&study, &chosen, &edition)?;
-    if made.outputs.is_empty() {
-        return made.tell_missing(&chosen, &output_folder);
+    let mut outcome = Outcome::of(&study, &chosen, &edition)?;
+    if outcome.outputs.is_empty() {
+        return outcome.report_missing(&chosen, &output_folder);
     }
-    let mut files = std::mem::take(&mut made.files);
+    let mut files = std::mem::take(&mut outcome.files);
     if edition.has(Format::Tex) && arguments.only.is_empty() {
-        files.push(latex::snippet(&made.floats));
+        files.push(latex::snippet(&outcome.floats));
     }
     if !set.is_empty() {
         files.push(settings(&arguments.parameters));
@@ -59,15 +58,15 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     if arguments.only.is_empty() {
         files.push(data_page::of_the_paper(chosen.iter().flat_map(|output| output.tables).copied()));
     }
-    let mut places = vec![MadeFolder { folder: output_folder, files, complete: false }];
+    let mut places = vec![OutputFolder { folder: output_folder, files, complete: false }];
     if edition.is_default() && arguments.only.is_empty() {
-        places[0].complete = made.missing.is_empty();
+        places[0].complete = outcome.missing.is_empty();
         if arguments.output.is_none() && set.is_empty() {
-            let manifest = MadeFile {
+            let manifest = OutputFile {
                 path: PathBuf::from(codecheck::FILE),
                 content: codecheck::manifest().into_bytes(),
             };
-            places.push(MadeFolder {
+            places.push(OutputFolder {
                 folder: project::root_folder()?,
                 files: vec![manifest],
                 complete: false,
@@ -76,7 +75,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     }
     if arguments.check {
         if let Err(failure) = check(&places, arguments, &edition) {
-            made.tell_missing(&chosen, &places[0].folder)?;
+            outcome.report_missing(&chosen, &places[0].folder)?;
             return Err(failure);
         }
         let count = places.iter().map(|place| place.files.len()).sum();
@@ -88,38 +87,42 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
         terminal::say(&verdict(&study));
     }
     terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
-    made.tell_missing(&chosen, &places[0].folder)?;
-    let told = chosen.iter().any(|output| output.name == outputs::COEFFICIENTS.name);
+    outcome.report_missing(&chosen, &places[0].folder)?;
+    let listed = chosen.iter().any(|output| output.name == paper::COEFFICIENTS.name);
     match study.coefficients() {
-        Ok(table) if told && table.rows.iter().any(Coefficients::contradict) => Err(Failure::check(
-            "coefficients: the theorem is contradicted, as told above; everything is written",
-        )),
+        Ok(table) if listed && table.rows.iter().any(Coefficients::contradict) => {
+            Err(Failure::check("coefficients: the theorem is contradicted, see above; everything is written"))
+        }
         _ => Ok(()),
     }
 }
 
-/// What was made of the outputs that were asked for.
+/// What came of the outputs that were asked for.
 #[derive(Default)]
 struct Outcome<'a> {
-    files: Vec<MadeFile>,
+    files: Vec<OutputFile>,
     /// Figures and tables for LaTeX.
     floats: Vec<Float>,
-    outputs: Vec<&'a Output>,
-    /// Why outputs could not be made, or not wholly, with their names.
+    outputs: Vec<&'a Output<Study>>,
+    /// Why outputs failed or are incomplete, with their names.
     missing: Vec<(String, Vec<&'static str>)>,
 }
 
 impl<'a> Outcome<'a> {
-    /// All outputs that can be made; the failure if the only one cannot.
-    fn of(study: &Study<'_>, chosen: &[&'a Output], edition: &Edition) -> Result<Self, Failure> {
+    /// All outputs that can be computed; the failure if the only one cannot.
+    fn of(study: &Study, chosen: &[&'a Output<Study>], edition: &Edition) -> Result<Self, Failure> {
         let mut all = Self::default();
         for output in chosen {
-            match output.files(study, edition) {
-                Ok((made, files)) => {
-                    made.notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
+            let computed = output.compute(study, edition.columns);
+            match computed.and_then(|computed| Ok((computed.files(edition)?, computed))) {
+                Ok(((files, floats), computed)) => {
+                    computed
+                        .notes
+                        .iter()
+                        .for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
                     all.files.extend(files);
-                    all.floats.extend(made.floats);
-                    for gap in made.gaps {
+                    all.floats.extend(floats);
+                    for gap in computed.gaps {
                         all.add_missing(output.name, format!("it is written, but {gap}"));
                     }
                     all.outputs.push(output);
@@ -138,8 +141,8 @@ impl<'a> Outcome<'a> {
         }
     }
 
-    /// Tells which outputs are missing and why.
-    fn tell_missing(&self, chosen: &[&Output], folder: &Path) -> Result<(), Failure> {
+    /// Reports which outputs are missing and why.
+    fn report_missing(&self, chosen: &[&Output<Study>], folder: &Path) -> Result<(), Failure> {
         for (reason, outputs) in &self.missing {
             terminal::note(&format!("error: {}: {reason}", outputs.join(", ")));
         }
@@ -147,68 +150,69 @@ impl<'a> Outcome<'a> {
         if names.is_empty() {
             return Ok(());
         }
-        let absent = chosen.iter().filter(|output| self.outputs.iter().all(|made| made.name != output.name));
+        let absent =
+            chosen.iter().filter(|output| self.outputs.iter().all(|computed| computed.name != output.name));
         let paths = absent.flat_map(|output| output.paths(&Edition::default()));
         let left = paths.filter(|path| folder.join(path).exists()).count();
         if left > 0 {
             terminal::note(&format!(
-                "{} from earlier runs, of outputs that could not be made now, left in {}",
+                "{} from earlier runs, of outputs that failed now, left in {}",
                 counted(left),
                 folder.display()
             ));
         }
-        Err(Failure::partly_made(names.len(), chosen.len()))
+        Err(Failure::partial(names.len(), chosen.len()))
     }
 }
 
-/// What was set, for the folder in which the files do not tell.
-fn settings(parameters: &ParameterFile) -> MadeFile {
+/// What was set: the files do not say it.
+fn settings(parameters: &ParameterFile) -> OutputFile {
     let file = parameters.file.as_deref().unwrap_or(Path::new(project::PARAMETERS));
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     let set = parameters.set.iter().map(|setting| format!("--set {setting}\n"));
     let content =
         [format!("made from {name} with\n")].into_iter().chain(set).collect::<String>().into_bytes();
-    MadeFile { path: PathBuf::from(SETTINGS), content }
+    OutputFile { path: PathBuf::from(SETTINGS), content }
 }
 
-/// Files that were made, and where they belong.
-struct MadeFolder {
+/// Files that were computed, and where they belong.
+struct OutputFolder {
     folder: PathBuf,
-    files: Vec<MadeFile>,
+    files: Vec<OutputFile>,
     /// Whether nothing else belongs there.
     complete: bool,
 }
 
-/// Writes all files and draws the figures that changed; returns what there is to tell.
-fn write(places: &[MadeFolder]) -> Result<String, Failure> {
-    let mut told = Vec::new();
-    for MadeFolder { folder, files, .. } in places {
+/// Writes all files and draws the figures that changed; returns what there is to say.
+fn write(places: &[OutputFolder]) -> Result<String, Failure> {
+    let mut changes = Vec::new();
+    for OutputFolder { folder, files, .. } in places {
         let changed = visual::changed(folder, files);
-        told.extend(folder::written(folder, files)?);
+        changes.extend(folder::written(folder, files)?);
         visual::show(folder, &changed);
     }
-    Ok(summary(&told))
+    Ok(summary(&changes))
 }
 
-fn is_chosen(output: &Output, only: &[String]) -> bool {
+fn is_chosen(output: &Output<Study>, only: &[String]) -> bool {
     only.is_empty() || only.iter().any(|name| name == output.name)
 }
 
 /// A line that says whether the published values are met.
-fn verdict(study: &Study<'_>) -> String {
+fn verdict(study: &Study) -> String {
     let Ok(comparisons) = published(study) else {
-        // Why not is told of the outputs that need the same.
+        // The outputs that need the same say why.
         return "Published values could not be compared.\n".to_owned();
     };
     let met = comparisons.iter().filter(|comparison| comparison.is_met()).count();
     if met == comparisons.len() {
-        format!("All {met} published values are met.\n")
+        format!("{}\n", all_met(&comparisons))
     } else {
         format!("Only {met} of {} published values are met: see `cargo xtask compare`.\n", comparisons.len())
     }
 }
 
-fn check(places: &[MadeFolder], arguments: &Reproduce, edition: &Edition) -> Result<(), Failure> {
+fn check(places: &[OutputFolder], arguments: &Reproduce, edition: &Edition) -> Result<(), Failure> {
     let mut found = Differences::default();
     for place in places {
         folder::compare(&place.folder, &place.files, &KNOWN, place.complete, &mut found)?;
@@ -250,28 +254,4 @@ fn mending_command(arguments: &Reproduce, edition: &Edition) -> String {
         command.push_str(&format!(" --output {}", folder.display()));
     }
     command
-}
-
-/// A line for each file, and one that counts.
-pub(crate) fn summary(told: &[(String, Change)]) -> String {
-    let width = told.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
-    let mut text = String::new();
-    let mut counts = [0; 3];
-    for (name, change) in told {
-        let (index, word) = match change {
-            Change::New => (0, "new"),
-            Change::Updated => (1, "updated"),
-            Change::Unchanged => (2, "unchanged"),
-        };
-        counts[index] += 1;
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "{name:width$}  {word}");
-    }
-    let [new, updated, unchanged] = counts;
-    let _ = writeln!(text, "{}: {new} new, {updated} updated, {unchanged} unchanged.", counted(told.len()));
-    text
-}
-
-fn counted(files: usize) -> String {
-    if files == 1 { "1 file".to_owned() } else { format!("{files} files") }
 }

@@ -5,9 +5,8 @@ use std::path::{Path, PathBuf};
 use grazing_results::{Cell, Table};
 use polars::prelude::{AnyValue, Column, CsvWriter, DataFrame, PolarsResult, SerWriter, Series};
 
-use crate::failure::Failure;
-use crate::folder::{DATA, MadeFile};
-use crate::outputs::computation;
+use crate::failure::{Failure, computation};
+use crate::folder::{DATA, OutputFile};
 
 /// The digits after the point: with the one before it 17 significant digits, enough to tell any two numbers apart.
 const DECIMALS: usize = 16;
@@ -30,9 +29,9 @@ pub fn csv(table: &Table) -> PolarsResult<Vec<u8>> {
 }
 
 /// The file of a table, made for this output.
-pub(crate) fn file(table: &Table, output: &'static str) -> Result<MadeFile, Failure> {
+pub(crate) fn file(table: &Table, output: &'static str) -> Result<OutputFile, Failure> {
     let content = csv(table).map_err(|error| computation(output, &error))?;
-    Ok(MadeFile { path: path(table.name), content })
+    Ok(OutputFile { path: path(table.name), content })
 }
 
 /// Where a table lies in the output folder.

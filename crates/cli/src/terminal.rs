@@ -10,10 +10,10 @@ use grazing_results::directs;
 use crate::failure::Failure;
 
 /// Why the output stream could not be written, the first time that it could not.
-static UNTOLD: Mutex<Option<io::Error>> = Mutex::new(None);
+static OUTPUT_ERROR: Mutex<Option<io::Error>> = Mutex::new(None);
 
-/// Writes to the output stream. Nobody is left to tell when it is closed, as by `| head`; the exit code still counts. Any other
-/// failure to write, as on a full disk, ends the program badly: see [`untold`].
+/// Writes to the output stream. A closed pipe, as after `| head`, is ignored; the exit code still counts. Any other
+/// failure to write, as on a full disk, ends the program badly: see [`output_failure`].
 pub(crate) fn say(text: &str) {
     say_coloured(&shown(text));
 }
@@ -24,13 +24,13 @@ pub(crate) fn say_coloured(text: &str) {
     if let Err(error) = stream.write_all(text.as_bytes()).and_then(|()| stream.flush())
         && error.kind() != io::ErrorKind::BrokenPipe
     {
-        UNTOLD.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+        OUTPUT_ERROR.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
     }
 }
 
 /// The failure to write to the output stream, if there was one.
-pub fn untold() -> Option<Failure> {
-    let reason = UNTOLD.lock().unwrap_or_else(PoisonError::into_inner).take()?;
+pub fn output_failure() -> Option<Failure> {
+    let reason = OUTPUT_ERROR.lock().unwrap_or_else(PoisonError::into_inner).take()?;
     Some(Failure::unwritten(format!("standard output cannot be written: {reason}")))
 }
 
@@ -58,13 +58,13 @@ pub fn shown(text: &str) -> Cow<'_, str> {
     Cow::Owned(shown)
 }
 
-/// Writes what the command line's reader has to say, and gives its exit code.
+/// Writes help, or what is wrong with the command line; returns the exit code.
 pub fn answer(answer: &clap::Error) -> u8 {
     let plain = answer.render().to_string();
     if !answer.use_stderr() {
         say_coloured(&if is_coloured() { answer.render().ansi().to_string() } else { plain });
     } else if shown(&plain) == plain {
-        // Nobody is left to tell when the error stream is gone.
+        // A closed error stream is ignored.
         let _ = answer.print();
     } else {
         note(plain.trim_end());
@@ -72,7 +72,7 @@ pub fn answer(answer: &clap::Error) -> u8 {
     u8::try_from(answer.exit_code()).unwrap_or(2)
 }
 
-/// Writes the one line that tells why the program ends.
+/// Writes the one line that says why the program ends.
 pub fn report(failure: &Failure) {
     note(&format!("error: {failure}"));
 }

@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 
 use grazing_export::{Drawing, comparison};
 
-use crate::folder::{Changes, MadeFile, regular};
+use crate::folder::{Changes, OutputFile, regular};
 use crate::terminal;
 
 /// A figure that has another content: its file's before, and that of now.
-pub(crate) type Changed<'a> = (Vec<u8>, &'a MadeFile);
+pub(crate) type Changed<'a> = (Vec<u8>, &'a OutputFile);
 
 /// The figures among the files that are in the folder with another content.
-pub(crate) fn changed<'a>(folder: &Path, files: &'a [MadeFile]) -> Vec<Changed<'a>> {
+pub(crate) fn changed<'a>(folder: &Path, files: &'a [OutputFile]) -> Vec<Changed<'a>> {
     let figures =
         files.iter().filter(|file| file.path.extension().is_some_and(|extension| extension == "svg"));
     let changed = figures.filter_map(|after| {
@@ -48,7 +48,7 @@ pub(crate) fn show(output: &Path, changes: &[Changed<'_>]) {
     folder.keep();
 }
 
-fn draw(before: &[u8], after: &MadeFile, folder: &Path) -> Result<PathBuf, String> {
+fn draw(before: &[u8], after: &OutputFile, folder: &Path) -> Result<PathBuf, String> {
     let read = |svg: &[u8]| Drawing::read(&String::from_utf8_lossy(svg)).map_err(|error| error.to_string());
     let before = read(before).map_err(|error| format!("the figure before: {error}"))?;
     let picture = comparison(&before, &read(&after.content)?).map_err(|error| error.to_string())?;

@@ -40,11 +40,16 @@ pub trait CurveEquations<const N: usize> {
         false
     }
 
+    /// The unit in which each unknown is counted in lengths of steps and in turns.
+    fn units(&self) -> SVector<f64, N> {
+        SVector::repeat(1.0)
+    }
+
     /// Called with every accepted point, to bring what is carried up to it.
     fn settle(&self, _point: &SVector<f64, N>, _carried: &mut Self::Carried) {}
 }
 
-/// Control of the step length. All lengths are in the Euclidean norm of the unknowns.
+/// Control of the step length. All lengths are in the Euclidean norm of the unknowns, each counted in its unit.
 #[derive(Clone, Copy, Debug)]
 pub struct StepControl {
     /// Length of the first step.
@@ -76,7 +81,7 @@ impl StepControl {
 pub struct Station<const N: usize, M> {
     /// The unknowns.
     pub point: SVector<f64, N>,
-    /// The unit tangent, pointing onwards.
+    /// The tangent, pointing onwards, of length one where each unknown is counted in its unit.
     pub tangent: SVector<f64, N>,
     /// What the equations carry there.
     pub carried: M,
@@ -97,10 +102,13 @@ pub struct Stall<E> {
 pub struct Continuation<'a, const N: usize, C: CurveEquations<N>> {
     equations: &'a C,
     control: StepControl,
+    /// What each unknown is counted in: all lengths are taken after division by these.
+    units: SVector<f64, N>,
     here: Station<N, C::Carried>,
     step: f64,
-    /// The point before the last and its tangent.
-    past: Option<(SVector<f64, N>, SVector<f64, N>)>,
+    /// The last point and its tangent, and those before.
+    counted: Tangent<N>,
+    past: Option<Tangent<N>>,
 }
 
 /// A new station and the angle by which the tangent turned on the way.
@@ -112,7 +120,7 @@ const OVERTURN: f64 = 3.0;
 const GROWTH: [f64; 2] = [0.5, 1.6];
 /// What is left of a step if the tangent turns too far in it, and if no point is found (empirical).
 const TURNED: f64 = 0.5;
-const LOST: f64 = 0.25;
+const NOT_FOUND: f64 = 0.25;
 /// Steps this few times as long as the shortest are not taken again for the sake of the turn (empirical).
 const SHORT: f64 = 4.0;
 
@@ -132,17 +140,26 @@ where
         mut carried: C::Carried,
     ) -> Result<Self, Stall<C::Failure>> {
         let stall = |failure| Stall { step: 0.0, failure };
-        let linearisation = equations
-            .evaluate(&start, &mut carried)
+        let units = equations.units();
+        let counted = start.component_div(&units);
+        let linearisation = in_units(equations, &units, &counted, &mut carried)
             .map_err(|cause| stall(NewtonFailure::Undefined { iteration: 1, cause }))?;
         let residual = linearisation.residual.norm();
         let mut bordered = linearisation.jacobian;
-        bordered.set_row(N - 1, &direction.transpose());
+        bordered.set_row(N - 1, &direction.component_div(&units).transpose());
         let tangent =
             tangent(&bordered.lu()).ok_or(stall(NewtonFailure::Singular { iteration: 1, residual }))?;
         equations.settle(&start, &mut carried);
-        let here = Station { point: start, tangent, carried };
-        Ok(Self { equations, control, here, step: control.first, past: None })
+        let here = Station { point: start, tangent: tangent.component_mul(&units), carried };
+        Ok(Self {
+            equations,
+            control,
+            units,
+            here,
+            step: control.first,
+            counted: (counted, tangent),
+            past: None,
+        })
     }
 
     /// The last point found.
@@ -168,9 +185,14 @@ where
                     // Where nothing turns, without a division by zero.
                     let growth =
                         (self.control.turn / angle.max(f64::MIN_POSITIVE)).clamp(GROWTH[0], GROWTH[1]);
-                    self.past = Some((self.here.point, self.here.tangent));
                     self.step = (self.step * growth).clamp(self.control.shortest, self.control.longest);
-                    self.here = next;
+                    let Station { point, tangent, carried } = next;
+                    self.past = Some(core::mem::replace(&mut self.counted, (point, tangent)));
+                    self.here = Station {
+                        point: point.component_mul(&self.units),
+                        tangent: tangent.component_mul(&self.units),
+                        carried,
+                    };
                     return Ok(&self.here);
                 }
                 Ok(_) => self.step *= TURNED,
@@ -178,7 +200,7 @@ where
                     if self.step <= self.control.shortest {
                         return Err(Stall { step: self.step, failure });
                     }
-                    self.step *= LOST;
+                    self.step *= NOT_FOUND;
                 }
             }
             self.step = self.step.max(self.control.shortest);
@@ -187,7 +209,7 @@ where
 
     /// The cubic through the last two points with their tangents, extrapolated to the plane that the corrector works in.
     fn predict(&self) -> SVector<f64, N> {
-        let Station { point, tangent, .. } = &self.here;
+        let (point, tangent) = &self.counted;
         let step = self.step;
         let Some((past, past_tangent)) = &self.past else { return point + tangent * step };
         let gap = (point - past).norm();
@@ -198,13 +220,13 @@ where
         point + tangent * (step - tangent.dot(&bend)) + bend
     }
 
-    /// One predictor and corrector; the new station and the angle between the two tangents.
+    /// One predictor and corrector; the new station, counted in units, and the angle between the two tangents.
     fn attempt(&self) -> Result<Attempt<N, C::Carried>, NewtonFailure<C::Failure>> {
-        let Station { point: origin, tangent: along, .. } = &self.here;
+        let (origin, along) = &self.counted;
         let mut carried = self.here.carried.clone();
         let corrected = |near: SVector<f64, N>, tolerance: f64, carried: &mut C::Carried| {
             newton::solve_within(FARTHEST_CORRECTION * self.step, tolerance, near, CORRECTIONS, |point| {
-                let mut bordered = self.equations.evaluate(point, carried)?;
+                let mut bordered = in_units(self.equations, &self.units, point, carried)?;
                 bordered.residual[N - 1] = along.dot(&(point - origin)) - self.step;
                 bordered.jacobian.set_row(N - 1, &along.transpose());
                 Ok(bordered)
@@ -217,10 +239,24 @@ where
         // The last corrector's matrix is bordered with the old tangent: its factors give the new one as well.
         let tangent = tangent(&solution.factors)
             .ok_or(NewtonFailure::Singular { iteration: solution.iterations, residual: solution.residual })?;
-        self.equations.settle(&solution.point, &mut carried);
+        self.equations.settle(&solution.point.component_mul(&self.units), &mut carried);
         let angle = libm::acos(tangent.dot(along).clamp(-1.0, 1.0));
         Ok((Station { point: solution.point, tangent, carried }, angle))
     }
+}
+
+/// The equations at a point whose unknowns are counted in units.
+fn in_units<const N: usize, C: CurveEquations<N>>(
+    equations: &C,
+    units: &SVector<f64, N>,
+    counted: &SVector<f64, N>,
+    carried: &mut C::Carried,
+) -> Result<Linearisation<N>, C::Failure> {
+    let mut linearisation = equations.evaluate(&counted.component_mul(units), carried)?;
+    for (mut column, unit) in linearisation.jacobian.column_iter_mut().zip(units.iter()) {
+        column.scale_mut(*unit);
+    }
+    Ok(linearisation)
 }
 
 /// How a curve ends that is followed through a window.

@@ -16,13 +16,25 @@ pub enum Bifurcation {
 }
 
 impl Bifurcation {
-    /// Where a condition is met; none if that is no bifurcation.
-    pub fn of(condition: Condition) -> Option<Self> {
-        match condition {
-            Condition::Multiplier(multiplier) if multiplier > 0.0 => Some(Self::SaddleNode),
-            Condition::Multiplier(_) => Some(Self::PeriodDoubling),
-            Condition::InteriorGrazing => Some(Self::Grazing),
-            _ => None,
+    /// All of them.
+    pub const ALL: [Self; 4] =
+        [Self::NonImpactingGrazing, Self::SaddleNode, Self::PeriodDoubling, Self::Grazing];
+
+    /// Where a condition is met by solutions with p loops, 0 without impacts; none if that is no bifurcation.
+    pub fn of(condition: Condition, loops: u32) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| {
+            kind.condition() == condition
+                && (*kind != Self::Grazing || loops > 0)
+                && (*kind != Self::NonImpactingGrazing || loops == 0)
+        })
+    }
+
+    /// What holds there.
+    pub const fn condition(self) -> Condition {
+        match self {
+            Self::SaddleNode => Condition::SADDLE_NODE,
+            Self::PeriodDoubling => Condition::PERIOD_DOUBLING,
+            Self::NonImpactingGrazing | Self::Grazing => Condition::InteriorGrazing,
         }
     }
 

@@ -36,6 +36,10 @@ impl<O: ImpactOscillator> CurveEquations<4> for MpsCurve<O> {
         times.unsettled
     }
 
+    fn units(&self) -> Unknowns {
+        self.equations.units()
+    }
+
     fn settle(&self, point: &Unknowns, times: &mut EventTimes) {
         self.equations.settle(point, times);
     }
@@ -88,6 +92,10 @@ pub struct Route {
     pub stop_at_events: bool,
 }
 
+/// From the points of a curve so far and the tangent at the last: the longest next step, in lengths of its control; none where the curve
+/// is to be left.
+pub type Pace<'a> = dyn Fn(&[CurvePoint], &Unknowns) -> Option<f64> + Sync + 'a;
+
 /// Something happens to the MPS at a point of the curve besides the curve's own condition.
 #[derive(Clone, Debug)]
 pub struct Event {
@@ -121,7 +129,7 @@ pub enum CurveEnd {
     },
     /// No further point was found, in either formulation.
     Stalled(Stall<MapError>),
-    /// The step limit was reached, which is lower for a sketch among violent motion.
+    /// The step limit was reached, which is lower for a sketch among violent motion; or the curve was left by its pace.
     StepLimit,
 }
 

@@ -6,7 +6,8 @@ use grazing_model::ImpactOscillator;
 use grazing_model::maps::MapError;
 
 use crate::arclength::{Continuation, FEWEST_OF_A_LOOP, Stall, Station, StepControl, back_at};
-use crate::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route};
+use crate::bifurcation::Bifurcation;
+use crate::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Pace, Route};
 use crate::locate::{Condition, LocateFailure, locate_grazing_end, locate_within};
 use crate::mps::{
     EventTimes, MaximalPeriodicSolution, Multipliers, Stability, Unknowns, parameters, unknown,
@@ -35,9 +36,21 @@ impl<O: ImpactOscillator> MpsCurve<O> {
         times: EventTimes,
         route: &Route,
     ) -> Result<Curve, Stall<MapError>> {
+        self.follow_at_pace(start, direction, times, route, &|_, _| Some(f64::INFINITY))
+    }
+
+    fn follow_at_pace(
+        self,
+        start: Unknowns,
+        direction: Unknowns,
+        times: EventTimes,
+        route: &Route,
+        pace: &Pace<'_>,
+    ) -> Result<Curve, Stall<MapError>> {
         let here = Continuation::new(&self, route.control, start, direction, times)?.here().clone();
         let mut follower = Follower {
             route,
+            pace,
             signs: starting_signs(&self, &here),
             curve: Curve {
                 condition: self.condition,
@@ -64,11 +77,26 @@ impl<O: ImpactOscillator> MpsCurve<O> {
         times: &EventTimes,
         route: &Route,
     ) -> Result<Curve, Stall<MapError>> {
-        let mut before = self.clone().follow(through, direction, times.clone(), route)?;
+        self.follow_both_ways_at_pace(through, direction, times, route, &|_, _| Some(f64::INFINITY))
+    }
+
+    /// The same at a pace.
+    ///
+    /// # Errors
+    /// As [`follow`](Self::follow).
+    pub fn follow_both_ways_at_pace(
+        self,
+        through: Unknowns,
+        direction: Unknowns,
+        times: &EventTimes,
+        route: &Route,
+        pace: &Pace<'_>,
+    ) -> Result<Curve, Stall<MapError>> {
+        let mut before = self.clone().follow_at_pace(through, direction, times.clone(), route, pace)?;
         if matches!(before.end, CurveEnd::Closed) {
             return Ok(before);
         }
-        let after = self.clone().follow(through, -direction, times.clone(), route)?;
+        let after = self.clone().follow_at_pace(through, -direction, times.clone(), route, pace)?;
         let condition =
             self.bifurcation_between(before.points.get(1), &before.points[0], after.points.get(1));
         // The point stands in both.
@@ -99,38 +127,58 @@ impl<O: ImpactOscillator> MpsCurve<O> {
         at: &CurvePoint,
         after: Option<&CurvePoint>,
     ) -> Option<Condition> {
-        if !matches!(self.condition, Condition::Primary(_) | Condition::Secondary(_)) {
+        if !self.is_branch() {
             return None;
         }
         let stability =
             |point: &CurvePoint| self.equations.solution_and_stability(&point.solution.unknowns).1;
         let here = stability(at);
         let [before, after] = [stability(before?), stability(after?)];
-        let vanishes =
-            |of: fn(&Stability) -> f64| of(&here).abs() <= ON_TWO_CURVES && of(&before) * of(&after) < 0.0;
-        if vanishes(|stability| stability.saddle_node) {
-            Some(Condition::SADDLE_NODE)
-        } else {
-            vanishes(|stability| stability.period_doubling).then_some(Condition::PERIOD_DOUBLING)
-        }
+        let vanishes = |event: &Condition| {
+            let [Some(before), Some(here), Some(after)] =
+                [&before, &here, &after].map(|stability| vanishing(*event, stability))
+            else {
+                return false;
+            };
+            here.abs() <= ON_TWO_CURVES && before * after < 0.0
+        };
+        EVENTS.into_iter().find(vanishes)
+    }
+
+    /// A one-parameter branch.
+    fn is_branch(&self) -> bool {
+        matches!(self.condition, Condition::Primary(_) | Condition::Secondary(_))
     }
 }
 
 /// A curve in the making.
 struct Follower<'a> {
     route: &'a Route,
+    pace: &'a Pace<'a>,
     curve: Curve,
     signs: Option<Signs>,
 }
 
-/// What can happen to the MPS along a curve.
-const EVENTS: [Condition; 3] =
-    [Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING, Condition::InteriorGrazing];
+/// What can happen to the solution along a curve.
+const EVENTS: [Condition; 3] = [
+    Bifurcation::SaddleNode.condition(),
+    Bifurcation::PeriodDoubling.condition(),
+    Bifurcation::Grazing.condition(),
+];
 /// The place of admissibility in [`Signs`].
 const INADMISSIBLE: usize = 2;
 
 /// Signs of the functions that vanish at the [`EVENTS`]; unknown where that was not looked at.
-type Signs = [Option<bool>; 3];
+type Signs = [Option<bool>; EVENTS.len()];
+
+/// What vanishes at a bifurcation that multipliers show.
+fn vanishing(event: Condition, stability: &Stability) -> Option<f64> {
+    match event {
+        Condition::SADDLE_NODE => Some(stability.saddle_node),
+        Condition::PERIOD_DOUBLING => Some(stability.period_doubling),
+        _ => None,
+    }
+}
 
 impl Follower<'_> {
     /// Goes on until the curve ends (`None`) or no further point is found.
@@ -152,6 +200,8 @@ impl Follower<'_> {
         };
         while self.curve.points.len() <= self.route.step_limit && !self.is_lost() {
             here = walker.here().clone();
+            let Some(longest) = (self.pace)(&self.curve.points, &here.tangent) else { break };
+            walker.limit(longest);
             let after = match walker.advance() {
                 Ok(station) => station.clone(),
                 Err(stall) => return Some(stall),
@@ -181,7 +231,8 @@ impl Follower<'_> {
         after: MpsStation,
     ) -> ControlFlow<CurveEnd> {
         let velocity = after.point[unknown::VELOCITY];
-        if velocity <= NO_VELOCITY && velocity < before.point[unknown::VELOCITY] {
+        let grazes = velocity <= NO_VELOCITY && velocity < before.point[unknown::VELOCITY];
+        if equations.equations.has_impacts() && grazes {
             return ControlFlow::Break(self.end_at_grazing(equations, before, &after));
         }
         let (solution, now) = self.seen(equations, &after);
@@ -194,7 +245,7 @@ impl Follower<'_> {
             }
         }
         self.signs = Some(now);
-        if let Some(start) = self.back_at_the_start(before, &after) {
+        if let Some(start) = self.back_at_the_start(before, &after, equations.equations.angle()) {
             self.curve.points.push(start);
             return ControlFlow::Break(CurveEnd::Closed);
         }
@@ -242,7 +293,12 @@ impl Follower<'_> {
     }
 
     /// The first point, if the curve passes it between two of its points; with the phase as far on as it is then.
-    fn back_at_the_start(&self, before: &MpsStation, after: &MpsStation) -> Option<CurvePoint> {
+    fn back_at_the_start(
+        &self,
+        before: &MpsStation,
+        after: &MpsStation,
+        angle: Option<usize>,
+    ) -> Option<CurvePoint> {
         let [first, second, ..] = self.curve.points.as_slice() else { return None };
         if self.curve.points.len() <= FEWEST_OF_A_LOOP {
             return None;
@@ -250,7 +306,7 @@ impl Follower<'_> {
         let start = first.solution.unknowns;
         let onwards = second.solution.unknowns - start;
         let way = [&before.point, &after.point];
-        let back = back_at((start, onwards), way, self.route.control.turn, Some(unknown::PHASE))?;
+        let back = back_at((start, onwards), way, self.route.control.turn, angle)?;
         let mut point = first.clone();
         point.solution.unknowns = back;
         Some(point)
@@ -275,6 +331,8 @@ impl Follower<'_> {
                 self.located_closer(equations, event, past[event], [before, after]).ok_or(failure)
             }) {
                 Ok((solution, times)) => located.push(Event { condition, solution, index, times }),
+                // Where branches cross for the sake of a symmetry, or rest touches the wall, motion without impacts goes on.
+                Err(_) if !equations.equations.has_impacts() => {}
                 Err(failure) => {
                     return ControlFlow::Break(CurveEnd::EventNotLocated { condition, failure });
                 }
@@ -323,7 +381,7 @@ impl Follower<'_> {
     ) -> Option<T> {
         let (mut before, mut after) = (before.clone(), after.clone());
         for _ in 0..CUTS {
-            let half = 0.5 * (after.point - before.point).norm();
+            let half = 0.5 * equations.equations.gap(&before.point, &after.point).norm();
             if half < self.route.control.shortest {
                 return None;
             }
@@ -416,9 +474,14 @@ impl Follower<'_> {
     }
 }
 
+/// Whether a point of the curve is one of the grazing curve, with y = 0.
+fn is_at_grazing<O: ImpactOscillator>(equations: &MpsCurve<O>, point: &Unknowns) -> bool {
+    equations.equations.has_impacts() && point[unknown::VELOCITY] == 0.0
+}
+
 /// The first point; at y = 0 its multipliers are limits along the tangent.
 fn starting_point<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStation) -> CurvePoint {
-    let solution = if first.point[unknown::VELOCITY] == 0.0 {
+    let solution = if is_at_grazing(equations, &first.point) {
         equations.equations.limiting_solution(&first.point, &first.tangent)
     } else {
         equations.equations.solution(&first.point)
@@ -429,7 +492,7 @@ fn starting_point<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStati
 /// The signs at the start, unless it is itself a codimension-two point, where one of the functions vanishes.
 fn starting_signs<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStation) -> Option<Signs> {
     let (mut solution, stability) = equations.equations.solution_and_stability(&first.point);
-    let at_grazing = first.point[unknown::VELOCITY] == 0.0;
+    let at_grazing = is_at_grazing(equations, &first.point);
     if at_grazing {
         // The maxima of all loops touch the wall there; where they go from there is to be seen a little farther on.
         solution = equations.equations.solution(&(first.point + first.tangent * BESIDE_GRAZING));
@@ -444,8 +507,10 @@ fn starting_signs<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStati
 
 /// On a curve of fixed multiplier the other multiplier is positive or negative throughout: only grazing can happen there.
 fn signs(along: Condition, stability: &Stability, solution: &MaximalPeriodicSolution) -> Signs {
-    let watched = |value: f64| (!matches!(along, Condition::Multiplier(_))).then_some(value > 0.0);
-    [watched(stability.saddle_node), watched(stability.period_doubling), Some(solution.touches())]
+    EVENTS.map(|event| match vanishing(event, stability) {
+        Some(value) => (!matches!(along, Condition::Multiplier(_))).then_some(value > 0.0),
+        None => Some(solution.touches()),
+    })
 }
 
 /// The places in [`EVENTS`] of those between which signs differ.

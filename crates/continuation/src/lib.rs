@@ -9,7 +9,7 @@
 //! ```text
 //! tolerances                 what counts as zero, as equal and as lost
 //! newton, arclength          small systems, curves of zeros; know nothing of impacts
-//!   └─ mps                   the equations, multipliers, admissibility
+//!   └─ mps                   the equations, with impacts or without; what is known of a solution
 //!        └─ locate, curve    conditions, points, curves with events and named ends
 //!             └─ resonance   resonant grazing points and the curves that leave them in the direction of the theory
 //!                  └─ fit    quadratic coefficients measured on these curves
@@ -34,7 +34,7 @@
 //! let route = Route { window, control: StepControl::DRAWING, step_limit: 5000, stop_at_events: false };
 //! let start = Unknowns::new(0.0, grazing.phase(), grazing.amplitude(), 0.85);
 //! let curve = branch.follow(start, Unknowns::x(), EventTimes::default(), &route)?;
-//! let kinds: Vec<_> = curve.events.iter().filter_map(|event| Bifurcation::of(event.condition)).collect();
+//! let kinds: Vec<_> = curve.events.iter().filter_map(|event| Bifurcation::of(event.condition, 1)).collect();
 //! assert!(kinds.contains(&Bifurcation::PeriodDoubling), "{kinds:?}");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -51,4 +51,5 @@ pub mod mps;
 pub mod newton;
 pub mod regula_falsi;
 pub mod resonance;
+mod solution;
 pub mod tolerances;

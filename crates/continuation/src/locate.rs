@@ -54,6 +54,15 @@ impl Condition {
         })
     }
 
+    /// What holds a point in its place on the surface of solutions, where it is carried to another η: y and η, or without impacts μ and η.
+    pub fn beside<O: ImpactOscillator>(equations: &LoopEquations<O>, point: &Unknowns) -> [Self; 2] {
+        let held = match equations.has_impacts() {
+            true => Self::ImpactVelocity(point[unknown::VELOCITY]),
+            false => Self::Primary(point[unknown::PRIMARY]),
+        };
+        [Self::Secondary(point[unknown::SECONDARY]), held]
+    }
+
     pub(crate) fn needs_second_order(self) -> bool {
         matches!(self, Self::Multiplier(_))
     }

@@ -1,46 +1,36 @@
-//! Maximal periodic solutions (MPSs) as zeros of smooth functions.
+//! Maximal periodic solutions (MPSs), and periodic solutions without impacts, as zeros of smooth functions.
 //!
 //! A p-loop MPS has one impact, at velocity y and phase z, and returns to it after p forcing periods. Two maps lead from
 //! (y, z) to one surface: one through the recoil and p loops, the other straight from the impact, the wall ignored. The
 //! MPS is where they agree; its stability multipliers are the eigenvalues of the one's derivative times the inverse of
 //! the other's. The choice of the surface gives the [`Formulation`].
+//!
+//! A periodic solution without impacts is the case p = 0: from (x, y) at phase zero the flow leads round one forcing period, and the
+//! straight way is to stay. All else is the same: two equations, multipliers from the two ways, a highest maximum.
+
+use core::f64::consts::TAU;
 
 use grazing_model::maps::{self, MapError};
-use grazing_model::motion::{Maximum, highest_maximum, local_maxima};
-use grazing_model::{ImpactOscillator, MapJet, OnWall, State, Surface};
+use grazing_model::motion::{Maximum, Motion, highest_maximum, local_maxima};
+use grazing_model::phase::turned;
+use grazing_model::{AtPhase, ImpactOscillator, MapJet, OnWall, State, Surface};
 use nalgebra::{Matrix2, SMatrix, Vector2, Vector4};
 use smallvec::SmallVec;
 
 use crate::newton::Linearisation;
-use crate::tolerances::{self, STABILITY};
-
-/// The unknowns (y, z, μ, η): impact velocity, impact phase, primary and secondary parameter.
-pub type Unknowns = Vector4<f64>;
-
-/// Positions of the unknowns.
-pub mod unknown {
-    /// Impact velocity y.
-    pub const VELOCITY: usize = 0;
-    /// Impact phase z.
-    pub const PHASE: usize = 1;
-    /// Primary parameter μ.
-    pub const PRIMARY: usize = 2;
-    /// Secondary parameter η.
-    pub const SECONDARY: usize = 3;
-}
-
-/// The primary and the secondary parameter (μ, η) of a point.
-pub fn parameters(point: &Unknowns) -> [f64; 2] {
-    [point[unknown::PRIMARY], point[unknown::SECONDARY]]
-}
+pub(crate) use crate::solution::Stability;
+pub use crate::solution::{MaximalPeriodicSolution, Multipliers, Unknowns, parameters, unknown};
+use crate::tolerances::{FAR, REST, UNSURE_HEIGHT};
 
 /// The impact of a point.
 fn impact(point: &Unknowns) -> OnWall {
     OnWall::new(point[unknown::VELOCITY], point[unknown::PHASE])
 }
 
-/// Rough motion, with errors of some 10⁻⁷, does not tell on which side of the wall a maximum lies that is so near it.
-const UNSURE: f64 = 1e-5;
+/// The state at phase zero of a point without impacts.
+fn at_phase_zero(point: &Unknowns) -> AtPhase {
+    AtPhase::new(point[0], point[1])
+}
 
 /// A maximum within this share of a flight from either of its ends is that end, which is located as all maxima are, to some 10⁻⁸.
 const END: f64 = 1e-4;
@@ -77,12 +67,14 @@ pub struct EventTimes {
     pub(crate) unsettled: bool,
 }
 
-/// The equations of p-loop MPSs of one oscillator.
+/// The equations of the periodic solutions of one oscillator with one impact in p forcing periods (MPSs), or without impacts (p = 0).
 #[derive(Clone, Debug)]
 pub struct LoopEquations<O> {
     oscillator: O,
     loops: u32,
     formulation: Formulation,
+    /// What μ and η are counted in where lengths are taken.
+    units: [f64; 2],
 }
 
 /// The two ways from (y, z; μ, η) to the surface of comparison.
@@ -98,12 +90,41 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// The equations of MPSs with `loops` = p ≥ 1 loops; the oscillator's own parameters do not matter.
     pub fn new(oscillator: O, loops: u32, formulation: Formulation) -> Self {
         assert!(loops >= 1, "an MPS has at least one loop");
-        Self { oscillator, loops, formulation }
+        Self { oscillator, loops, formulation, units: [1.0; 2] }
     }
 
-    /// The number of loops p.
+    /// The equations of periodic solutions without impacts; in lengths of steps μ and η are counted in these units.
+    pub fn without_impacts(oscillator: O, units: [f64; 2]) -> Self {
+        Self { oscillator, loops: 0, formulation: Formulation::FixedPhase, units }
+    }
+
+    /// The number of loops p; 0 without impacts.
     pub fn loops(&self) -> u32 {
         self.loops
+    }
+
+    /// There is an impact in p forcing periods.
+    pub fn has_impacts(&self) -> bool {
+        self.loops > 0
+    }
+
+    /// The unknown that is an angle: the impact phase.
+    pub fn angle(&self) -> Option<usize> {
+        self.has_impacts().then_some(unknown::PHASE)
+    }
+
+    /// What the unknowns are counted in where lengths are taken.
+    pub fn units(&self) -> Unknowns {
+        Unknowns::new(1.0, 1.0, self.units[0], self.units[1])
+    }
+
+    /// The way from one point to another, counted in these units, phases modulo 2π.
+    pub fn gap(&self, from: &Unknowns, to: &Unknowns) -> Unknowns {
+        let mut gap = to - from;
+        if let Some(angle) = self.angle() {
+            gap[angle] = libm::remainder(gap[angle], TAU);
+        }
+        gap.component_div(&self.units())
     }
 
     /// The formulation in use.
@@ -131,9 +152,17 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         self.oscillator.with_parameters(parameters(point))
     }
 
-    /// The state just after the impact, (0, y_rec, z_rec).
-    pub fn recoil(&self, point: &Unknowns) -> State {
-        self.oscillator_at(point).reset::<1>(impact(point)).image().into()
+    /// The state in which the flight begins: just after the impact, (0, y_rec, z_rec), or without impacts at phase zero, (x, y, 0).
+    pub fn departure(&self, point: &Unknowns) -> State {
+        match self.has_impacts() {
+            true => self.oscillator_at(point).reset::<1>(impact(point)).image().into(),
+            false => at_phase_zero(point).at_phase_zero(),
+        }
+    }
+
+    /// The motion of the flight.
+    fn motion(&self, point: &Unknowns) -> O::Motion {
+        self.oscillator_at(point).motion(self.departure(point))
     }
 
     /// The two maps at a point with derivatives up to `ORDER`.
@@ -146,6 +175,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         times: &mut EventTimes,
     ) -> Result<LoopPair, MapError> {
         match self.formulation {
+            _ if !self.has_impacts() => self.stroboscopic_pair::<ORDER>(point, &self.motion(point)),
             Formulation::Vivid => {
                 let oscillator = self.oscillator_at(point);
                 let reset = oscillator.reset::<ORDER>(impact(point));
@@ -171,8 +201,23 @@ impl<O: ImpactOscillator> LoopEquations<O> {
 
     /// The two maps to the plane of constant phase `plane`, which exist at every point.
     pub(crate) fn fixed_phase_pair<const ORDER: usize>(&self, point: &Unknowns, plane: f64) -> LoopPair {
-        let oscillator = self.oscillator_at(point);
-        self.fixed_phase_pair_along::<ORDER>(point, plane, &oscillator.motion(self.recoil(point)))
+        self.fixed_phase_pair_along::<ORDER>(point, plane, &self.motion(point))
+    }
+
+    /// The flow over a forcing period beside the identity; none where motion goes far away.
+    fn stroboscopic_pair<const ORDER: usize>(
+        &self,
+        point: &Unknowns,
+        motion: &O::Motion,
+    ) -> Result<LoopPair, MapError> {
+        let (oscillator, from) = (self.oscillator_at(point), at_phase_zero(point));
+        let around = maps::stroboscopic_map_along::<O, ORDER>(&oscillator, motion, from);
+        let size = around.value.norm();
+        // NaN is far as well.
+        if size.is_nan() || size > FAR {
+            return Err(MapError::NoRest { near: oscillator.forcing_period(), velocity: size });
+        }
+        Ok(LoopPair::of(&around, &MapJet::identity(from)))
     }
 
     /// The same with the motion from the recoil at hand.
@@ -225,10 +270,16 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         time: &mut f64,
     ) -> Result<(f64, Vector4<f64>), MapError> {
         let oscillator = self.oscillator_at(point);
-        let reset = oscillator.reset::<1>(impact(point));
-        let landing = maps::virtual_map::<O, 1>(&oscillator, reset.image(), Some(*time))?;
-        *time = landing.time;
-        let jet = landing.jet.after::<1, _>(&reset);
+        let jet = if self.has_impacts() {
+            let reset = oscillator.reset::<1>(impact(point));
+            let landing = maps::virtual_map::<O, 1>(&oscillator, reset.image(), Some(*time))?;
+            *time = landing.time;
+            landing.jet.after::<1, _>(&reset).plain()
+        } else {
+            let landing = maps::maximum_from_phase_zero::<O, 1>(&oscillator, at_phase_zero(point), *time)?;
+            *time = landing.time;
+            landing.jet.plain()
+        };
         Ok((jet.value[0], jet.jacobian.row(0).transpose()))
     }
 
@@ -241,15 +292,20 @@ impl<O: ImpactOscillator> LoopEquations<O> {
 
     /// The same with what its multipliers were read off.
     pub(crate) fn solution_and_stability(&self, point: &Unknowns) -> (MaximalPeriodicSolution, Stability) {
-        let motion = self.oscillator_at(point).motion(self.recoil(point));
-        let stability = self.fixed_phase_pair_along::<1>(point, point[unknown::PHASE], &motion).stability();
+        let motion = self.motion(point);
+        let stability = match self.has_impacts() {
+            true => self.fixed_phase_pair_along::<1>(point, point[unknown::PHASE], &motion).stability(),
+            false => self
+                .stroboscopic_pair::<1>(point, &motion)
+                .map_or(Stability::UNKNOWN, |pair| pair.stability()),
+        };
         (self.orbit(point, &motion, stability.multipliers), stability)
     }
 
     /// The same at a point with y = 0 that is approached along a curve with the given tangent, where the multipliers are
     /// limits.
     pub fn limiting_solution(&self, point: &Unknowns, tangent: &Unknowns) -> MaximalPeriodicSolution {
-        let motion = self.oscillator_at(point).motion(self.recoil(point));
+        let motion = self.motion(point);
         let pair = self.fixed_phase_pair_along::<2>(point, point[unknown::PHASE], &motion);
         let flight = self.flight(point);
         // The orbit begins and ends at a maximum; neither is an interior one.
@@ -274,11 +330,11 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     ) -> MaximalPeriodicSolution {
         if with_maxima {
             let orbit = |equations: &Self| {
-                let motion = equations.oscillator_at(point).motion(self.recoil(point));
+                let motion = equations.oscillator_at(point).motion(self.departure(point));
                 self.orbit(point, &motion, multipliers)
             };
             let rough = orbit(&self.roughly());
-            return if rough.ceiling().abs() > UNSURE { rough } else { orbit(self) };
+            return if rough.ceiling().abs() > UNSURE_HEIGHT { rough } else { orbit(self) };
         }
         let loops = self.loops;
         MaximalPeriodicSolution { loops, unknowns: *point, multipliers, highest_interior_maximum: None }
@@ -294,16 +350,51 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             loops: self.loops,
             unknowns: *point,
             multipliers,
-            highest_interior_maximum: highest_maximum(motion, self.flight(point)),
+            highest_interior_maximum: match self.has_impacts() {
+                true => highest_maximum(motion, self.flight(point)),
+                false => Some(highest_point(motion, self.flight(point))),
+            },
         }
     }
 
-    /// The time from the recoil to the next impact.
-    fn flight(&self, point: &Unknowns) -> f64 {
+    /// The time from the recoil to the next impact; without impacts the forcing period.
+    pub fn flight(&self, point: &Unknowns) -> f64 {
         let oscillator = self.oscillator_at(point);
-        let lag = (self.recoil(point).phase - point[unknown::PHASE]) / oscillator.forcing_frequency().value;
-        f64::from(self.loops) * oscillator.forcing_period() - lag
+        match self.has_impacts() {
+            true => flight_time(&oscillator, self.loops, point[unknown::PHASE], self.departure(point).phase),
+            false => oscillator.forcing_period(),
+        }
     }
+
+    /// Velocity and phase of the impact of a solution; without impacts 0 and the phase of the highest point, in [0, 2π).
+    pub fn impact(&self, solution: &MaximalPeriodicSolution) -> [f64; 2] {
+        let point = &solution.unknowns;
+        if self.has_impacts() {
+            return [point[unknown::VELOCITY], point[unknown::PHASE]];
+        }
+        let time = solution.highest_interior_maximum.map_or(f64::NAN, |maximum| maximum.time);
+        [0.0, turned(time * self.oscillator_at(point).forcing_frequency().value)]
+    }
+}
+
+/// The time from the recoil to the impact of a solution with p loops, p T − (z_rec − z)/ω, from the phases of impact and recoil.
+pub fn flight_time<O: ImpactOscillator>(oscillator: &O, loops: u32, impact: f64, recoil: f64) -> f64 {
+    let lag = (recoil - impact) / oscillator.forcing_frequency().value;
+    f64::from(loops) * oscillator.forcing_period() - lag
+}
+
+/// Instants of a period at which rest is recognised: no motion is slow at all of them.
+const INSTANTS: u32 = 32;
+
+/// The highest point of periodic motion; its first if it is at rest.
+fn highest_point(motion: &impl Motion, period: f64) -> Maximum {
+    let at_rest = (0..=INSTANTS).all(|instant| {
+        let here = motion.at(period * f64::from(instant) / f64::from(INSTANTS));
+        here.velocity.abs() * period <= REST && here.acceleration.abs() * period * period <= REST
+    });
+    // A little more than a period, so that a maximum at phase zero lies inside.
+    let highest = if at_rest { None } else { highest_maximum(motion, 1.25 * period) };
+    highest.unwrap_or_else(|| Maximum { time: 0.0, position: motion.at(0.0).position })
 }
 
 impl LoopPair {
@@ -370,98 +461,6 @@ impl LoopPair {
 
 fn adjugate(m: Matrix2<f64>) -> Matrix2<f64> {
     Matrix2::new(m[(1, 1)], -m[(0, 1)], -m[(1, 0)], m[(0, 0)])
-}
-
-/// Trace T and determinant D of the matrix U whose eigenvalues are the stability multipliers (eq:U, eq:TD).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Multipliers {
-    /// T.
-    pub trace: f64,
-    /// D.
-    pub determinant: f64,
-}
-
-impl Multipliers {
-    /// Both multipliers lie inside the unit circle: |T| − 1 < D < 1.
-    ///
-    /// On the boundary the MPS does not count as stable.
-    pub fn stable(&self) -> bool {
-        self.trace.abs() - 1.0 < self.determinant - STABILITY && self.determinant < 1.0 - STABILITY
-    }
-
-    /// The larger of |T| and |D|, which says how violent the motion is.
-    pub fn size(&self) -> f64 {
-        self.trace.abs().max(self.determinant.abs())
-    }
-}
-
-/// The stability of a zero of the equations.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Stability {
-    pub(crate) multipliers: Multipliers,
-    /// The [`characteristic`](LoopPair::characteristic) of the multiplier 1, and of −1.
-    pub(crate) saddle_node: f64,
-    pub(crate) period_doubling: f64,
-}
-
-/// Multipliers beyond this change so fast that no sign of anything is known for long.
-const VIOLENT: f64 = 1e3;
-
-impl Stability {
-    /// Whether something has changed by more than itself, so that a correction as large as the last one may change its sign.
-    pub(crate) fn is_unsettled_since(&self, before: &Self) -> bool {
-        let changed = |of: fn(&Self) -> f64| (of(self) - of(before)).abs() >= of(self).abs();
-        self.multipliers.size() < VIOLENT
-            && (changed(|stability| stability.saddle_node) || changed(|stability| stability.period_doubling))
-    }
-}
-
-/// A zero of the equations, seen as an orbit.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MaximalPeriodicSolution {
-    /// The number of loops p.
-    pub loops: u32,
-    /// (y, z, μ, η).
-    pub unknowns: Unknowns,
-    /// Trace and determinant of U; infinite or NaN at y = 0.
-    pub multipliers: Multipliers,
-    /// The highest local maximum of x between the recoil and the next impact, if there is one.
-    pub highest_interior_maximum: Option<Maximum>,
-}
-
-impl MaximalPeriodicSolution {
-    /// An interior maximum this little above the wall touches it.
-    pub const TOUCH: f64 = tolerances::TOUCH;
-
-    /// The impact velocity y.
-    pub fn impact_velocity(&self) -> f64 {
-        self.unknowns[unknown::VELOCITY]
-    }
-
-    /// The primary and the secondary parameter (μ, η).
-    pub fn parameters(&self) -> [f64; 2] {
-        parameters(&self.unknowns)
-    }
-
-    /// The highest interior maximum of x, or −∞ if x has no interior maximum.
-    pub fn ceiling(&self) -> f64 {
-        self.highest_interior_maximum.map_or(f64::NEG_INFINITY, |maximum| maximum.position)
-    }
-
-    /// A valid solution of the hybrid system: y > 0 and no interior maximum of x above the wall, wherever it lies.
-    pub fn admissible(&self) -> bool {
-        self.impact_velocity() > 0.0 && self.ceiling() <= Self::TOUCH
-    }
-
-    /// An interior maximum of x lies above the wall.
-    pub(crate) fn touches(&self) -> bool {
-        self.ceiling() > Self::TOUCH
-    }
-
-    /// Asymptotically stable as a solution of the hybrid system, admissibility aside.
-    pub fn stable(&self) -> bool {
-        self.multipliers.stable()
-    }
 }
 
 /// Stacks V and one further scalar equation into the first three rows of a 4 × 4 system.

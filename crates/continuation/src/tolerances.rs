@@ -83,3 +83,15 @@ pub(crate) const LOST_POINTS: usize = 60;
 /// with multipliers larger than this: it runs into motion that escapes, over a hill of the potential say, which has any number of such solutions. Beside
 /// grazing multipliers are as large at no more than a few points.
 pub(crate) const LOST_MULTIPLIERS: f64 = 1e4;
+
+/// Multipliers beyond this change so fast that no sign of anything is known for long.
+pub(crate) const UNSETTLED_MULTIPLIERS: f64 = 1e3;
+
+/// Rough motion, with errors of some 10⁻⁷, does not tell on which side of the wall a maximum lies that is so near it.
+pub(crate) const UNSURE_HEIGHT: f64 = 1e-5;
+
+/// Motion this far away, the wall's distance from rest being of order one, has run away.
+pub const FAR: f64 = 1e6;
+
+/// Motion through less than this is rest: maxima of what rounding leaves are none.
+pub(crate) const REST: f64 = 1e-9;

@@ -1,15 +1,10 @@
 //! The checked description and the oscillator that it is.
 
-use std::path::Path;
 use std::sync::Arc;
 
 use grazing_model::smooth::{Scalar, SmoothOscillator, Units};
-use grazing_source::{Setting, Source, Text};
 
-use crate::error::DescriptionError;
-use crate::expression::{Expression, ExpressionError};
-use crate::file::{MOST_DIAGRAMS, MOST_LOOPS};
-use crate::{checks, file, validate};
+use crate::expression::Expression;
 
 /// An oscillator with a wall, as a file describes it; a clone shares everything with the original.
 ///
@@ -63,8 +58,8 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// What a file that says nothing gives: the examples take seconds and 50 MB, and whoever waits for ten minutes wants to see
-    /// something. The steps are more than two cores make in that time.
+    /// Those of a file that has none: the examples take seconds and 50 MB, and whoever waits for ten minutes wants to see
+    /// something. The steps are more than two cores do in that time.
     pub const USUAL: Self = Self { time: 600.0, memory: 2000.0, steps: 1e10 };
 }
 
@@ -182,46 +177,6 @@ impl Axis {
 }
 
 impl Description {
-    /// Reads and checks a description; its path appears in messages as it is given here.
-    ///
-    /// # Errors
-    /// [`DescriptionError`], the first thing in the file that is not right, with its line.
-    pub fn from_file(path: &Path) -> Result<Description, DescriptionError> {
-        Description::from_file_with(path, &[])
-    }
-
-    /// As [`from_file`](Self::from_file), with settings that take the place of values in the file.
-    ///
-    /// # Errors
-    /// As [`parse_with`](Self::parse_with), or the file cannot be read.
-    pub fn from_file_with(path: &Path, settings: &[Setting]) -> Result<Description, DescriptionError> {
-        let text = grazing_source::read_file(path)?;
-        Description::parse_with(&Text::new(&text, settings), &path.display().to_string())
-    }
-
-    /// Checks the text of a description; `file` is the name that messages use.
-    ///
-    /// Φ > 0, ω > 0 and the periods of F, Φ and Ψ are checked at samples of the ranges.
-    ///
-    /// # Errors
-    /// [`DescriptionError`], the first thing in the text that is not right, with its line.
-    pub fn parse(text: &str, file: &str) -> Result<Description, DescriptionError> {
-        Description::parse_with(&Text::new(text, &[]), file)
-    }
-
-    /// As [`parse`](Self::parse), with settings that take the place of values in the text.
-    ///
-    /// # Errors
-    /// As [`parse`](Self::parse), and for settings of keys that mean nothing or are not there.
-    pub fn parse_with(text: &Text, file: &str) -> Result<Description, DescriptionError> {
-        let source = Source::new(text, file, file::REQUIREMENTS);
-        let (description, places) = source.whole(|file| validate::description(&file))?;
-        let notes = checks::samples(&description, &places)?;
-        let mut content = (*description.0).clone();
-        content.notes = notes;
-        Ok(Description(Arc::new(content)))
-    }
-
     /// What the oscillator is called.
     pub fn name(&self) -> &str {
         &self.0.name
@@ -289,39 +244,12 @@ impl Description {
         &self.0.loops
     }
 
-    /// The most one-parameter diagrams.
-    pub const MOST_DIAGRAMS: usize = MOST_DIAGRAMS;
+    /// The most one-parameter diagrams: more nobody looks at.
+    pub const MOST_DIAGRAMS: usize = 8;
 
     /// The one-parameter diagrams that are asked for.
     pub fn diagrams(&self) -> &[OneParameter] {
         &self.0.diagrams
-    }
-
-    /// The same oscillator with another value of a constant; a name that is no constant's changes nothing. What the theorems assume is not
-    /// checked again.
-    ///
-    /// # Errors
-    /// An expression has no value with it, as 1/kappa for kappa = 0.
-    pub fn with_constant(&self, name: &str, value: f64) -> Result<Description, ExpressionError> {
-        let mut constants = self.0.constants.clone();
-        constants.iter_mut().filter(|(known, _)| known == name).for_each(|(_, old)| *old = value);
-        let Content { texts, primary, secondary, .. } = &*self.0;
-        let formulas = validate::formulas(texts, self.wall().side, [primary, secondary], &constants)?;
-        Ok(Description(Arc::new(Content { formulas, constants, ..(*self.0).clone() })))
-    }
-
-    /// The same oscillator with other numbers of loops p to analyse.
-    ///
-    /// # Errors
-    /// [`DescriptionError::Loops`] unless there is at least one number, all lie between 1 and 12, and none stands twice.
-    pub fn with_loops(&self, loops: &[u32]) -> Result<Description, DescriptionError> {
-        let twice = (1..loops.len()).any(|index| loops[..index].contains(&loops[index]));
-        if loops.is_empty() || twice || !loops.iter().all(|number| (1..=MOST_LOOPS).contains(number)) {
-            return Err(DescriptionError::Loops { loops: loops.to_vec() });
-        }
-        let mut content = (*self.0).clone();
-        content.loops = loops.to_vec();
-        Ok(Description(Arc::new(content)))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use grazing_source::{Section, SourceError};
+use grazing_source::{Mistake, Place, Section, SourceError};
 use thiserror::Error;
 
 use crate::expression::ExpressionError;
@@ -18,7 +18,7 @@ pub enum DescriptionError {
     #[error("{place}: {problem}\n{excerpt}")]
     Expression {
         /// Where it stands.
-        place: KeyPlace,
+        place: Box<KeyPlace>,
         /// What is wrong, and what would be right.
         problem: String,
         /// The line of the expression with a mark under what is wrong.
@@ -40,11 +40,10 @@ pub enum DescriptionError {
     },
 }
 
-/// A key with its line.
+/// A key with its place.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct KeyPlace {
-    /// File and line.
-    at: String,
+    at: Place,
     pub(crate) key: String,
 }
 
@@ -55,6 +54,10 @@ impl std::fmt::Display for KeyPlace {
 }
 
 impl KeyPlace {
+    fn mistake(&self, problem: &str) -> Mistake {
+        self.at.mistake(format!("{}: {problem}", self.key))
+    }
+
     pub(crate) fn new(section: &Section<'_>, name: &str) -> KeyPlace {
         KeyPlace { at: section.place(name), key: section.key(name) }
     }
@@ -68,6 +71,16 @@ pub(crate) fn rounded(value: f64) -> String {
 }
 
 impl DescriptionError {
+    /// What is wrong and where, apart.
+    pub fn mistake(&self) -> Mistake {
+        match self {
+            Self::Source(error) => error.mistake(),
+            Self::Expression { place, problem, .. } => place.mistake(problem),
+            Self::Value { place, problem } => place.mistake(problem),
+            Self::Loops { .. } => Mistake::new(self.to_string()),
+        }
+    }
+
     /// The error of an expression that stands in a file.
     pub(crate) fn in_expression(
         section: &Section<'_>,
@@ -75,11 +88,8 @@ impl DescriptionError {
         text: &str,
         error: &ExpressionError,
     ) -> DescriptionError {
-        let mut place = KeyPlace::new(section, name);
-        // With escapes in it, the text's lines are not those of the file.
-        if let Some(start) = section.raw(name).find(text) {
-            place.at = section.place_within(name, start + error.span.start);
-        }
+        let at = section.place_in(name, text, &error.span);
+        let place = Box::new(KeyPlace { at, key: section.key(name) });
         let excerpt = excerpt(text, &error.span);
         let problem = error.problem.clone();
         DescriptionError::Expression { place, problem, excerpt }

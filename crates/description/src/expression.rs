@@ -33,7 +33,7 @@ use std::sync::Arc;
 use grazing_model::smooth::{Function, Scalar};
 use thiserror::Error;
 
-pub(crate) use function::is_function;
+pub(crate) use function::{is_function, variable};
 pub(crate) use parse::from_the_wall;
 
 /// The most results of instructions that an evaluation keeps on the stack; an expression with more of them allocates.

@@ -1,93 +1,213 @@
-//! What the keys of a file must hold.
+//! The keys of a file, each with what it means and what it must hold.
 
-use grazing_source::{Requirements, requirements};
+use std::sync::LazyLock;
+
+use grazing_source::kind::{
+    Kind, any_names, choice, counts, maybe, number, numbers, or, table, tables, value,
+};
+use grazing_source::{Keys, Requirements, Section, SourceError, keys};
+
+use crate::description::{Description, Limits, Side};
 
 /// The largest number of loops: higher ones do not relate to resonant grazing, and their curves are not told apart.
 pub(crate) const MOST_LOOPS: u32 = 12;
 
-/// More diagrams, or more portraits in one of them, nobody looks at.
-pub(crate) const MOST_DIAGRAMS: usize = 8;
-pub(crate) const MOST_PORTRAITS: usize = 6;
+/// More portraits in one diagram nobody looks at.
+const MOST_PORTRAITS: usize = 6;
 
-/// What each key must hold, in words for whoever has to mend one.
-pub(crate) const REQUIREMENTS: Requirements = requirements! {
-    otherwise "see examples/ for what belongs here";
-    "name":
-        "the name of the oscillator must be given before the first table, as text in quotation marks that is not empty";
-    "parameters": "the table [parameters] holds constants by name, as zeta = 0.02; it may be empty";
-    "parameters.*": "a constant must be a finite number";
-    "primary": "the table [primary] holds name and range of the parameter whose grazing value is sought";
-    "primary.name": NAME;
-    "primary.range": RANGE;
-    "primary.unit": UNIT;
-    "secondary": "the table [secondary] holds name and range of the parameter along the grazing curve";
-    "secondary.name": NAME;
-    "secondary.range": RANGE;
-    "secondary.unit": UNIT;
-    "units":
-        "the table [units] holds the names of the units of length and time, as length = \"mm\"; it may be left out";
-    "units.length": UNIT;
-    "units.time": UNIT;
-    "motion": "the table [motion] holds force and frequency";
-    "motion.force":
-        "the force must be an expression in x, v, t and the parameters, written in quotation marks, \
-         as \"-2*zeta*v - x - 1 + A*cos(omega*t)\"";
-    "motion.frequency":
-        "the forcing frequency must be an expression in the parameters, written in quotation marks, as \"omega\"";
-    "wall":
-        "the table [wall] holds the position of the wall and the side on which the motion is; without it the wall is at x = 0";
-    "wall.position":
-        "the position of the wall must be an expression in t and the parameters, written in quotation marks, as \"0.0015\" or \"a*cos(omega*t)\"";
-    "wall.side":
-        "the side of the wall on which the motion is must be \"below\" (less than its position) or \"above\" (greater); it may be left out and is \"below\" then";
-    "impact": "the table [impact] holds restitution and duration";
-    "impact.restitution":
-        "the restitution must be an expression in y, z and the parameters, written in quotation marks, as \"0.8\"";
-    "impact.duration":
-        "the impact duration must be an expression in y, z and the parameters, written in quotation marks, \
-         \"0\" for impacts that take no time";
-    "analysis": "the table [analysis] holds loops and may hold start, time_limit, memory_limit and step_limit";
-    "analysis.loops": "the numbers of loops must be a list of different whole numbers from 1 to 12, as [1, 2, 3]";
-    "analysis.start":
-        "the start of the search for the non-impacting motion must be position and velocity at time zero, \
-         two finite numbers, as [-1.0, 0.0]; it may be left out";
-    "analysis.time_limit":
-        "the time after which the analysis ends with what it has must be a positive number of seconds, as 600; \
-         it may be left out";
-    "analysis.memory_limit":
-        "the memory at which the analysis ends with what it has must be a positive number of megabytes, as 2000; \
-         it may be left out";
-    "analysis.step_limit":
-        "the number of steps of integration after which the analysis ends with what it has must be positive, as 1e10; \
-         it may be left out";
-    "diagrams":
-        "each [[diagrams]] is a one-parameter diagram and holds fixed and at, and may hold range, portraits and seed; there are at most 8";
-    "diagrams.fixed":
-        "the parameter that is held must be one of the two, by the name that it has in [primary] or [secondary], written in quotation marks";
-    "diagrams.at": "the value of the parameter that is held must be a number inside its range";
-    "diagrams.range":
-        "the range of the other parameter must be [lower, upper] with finite numbers lower < upper inside its range; it may be left \
-         out and is that range then";
-    "diagrams.portraits":
-        "the values of the other parameter at which phase portraits are drawn must be a list of at most 6 different numbers inside the \
-         range of the diagram, as [0.5, 0.75]; it may be left out";
-    "diagrams.seed":
-        "the seed of the random initial states must be a whole number from 0 on; it may be left out and is 1 then";
-};
+/// The most characters of a unit: it stands beside a name on an axis.
+const LONGEST_UNIT: usize = 20;
+
+/// What the keys of a file must hold.
+pub(crate) static REQUIREMENTS: LazyLock<Requirements> =
+    LazyLock::new(|| Requirements::new("see examples/ for what belongs here").with_keys(File::list));
+
+keys! {
+    /// A description as it is written.
+    pub(crate) struct File {
+        /// What the oscillator is called.
+        name: String = value().such(|name: &String| !name.trim().is_empty()),
+            "the name of the oscillator must be given before the first table, as text in quotation marks that is not empty";
+        /// Constants that the expressions use.
+        parameters: Vec<(String, f64)> = any_names(number(..), "a constant must be a finite number"),
+            "the table [parameters] holds constants by name, as zeta = 0.02; it may be empty";
+        /// The primary parameter.
+        primary: WrittenAxis = table(),
+            "the table [primary] holds name and range of the parameter whose grazing value is sought";
+        /// The secondary parameter.
+        secondary: WrittenAxis = table(),
+            "the table [secondary] holds name and range of the parameter along the grazing curve";
+        /// What the file counts in.
+        units: Option<WrittenUnits> = maybe(table()),
+            "the table [units] holds the names of the units of length and time, as length = \"mm\"; it may be left out";
+        /// What moves the oscillator.
+        motion: Motion = table(), "the table [motion] holds force and frequency";
+        /// The wall.
+        wall: Option<WrittenWall> = maybe(table()),
+            "the table [wall] holds the position of the wall and the side on which the motion is; without it the wall is at x = 0";
+        /// What an impact does.
+        impact: Impact = table(), "the table [impact] holds restitution and duration";
+        /// What is computed.
+        analysis: Analysis = table(),
+            "the table [analysis] holds loops and may hold start, time_limit, memory_limit and step_limit";
+        /// One-parameter diagrams.
+        diagrams: Vec<WrittenDiagram> = tables(0..=Description::MOST_DIAGRAMS),
+            "each [[diagrams]] is a one-parameter diagram and holds fixed and at, and may hold range, portraits and seed; there are at most 8";
+    }
+}
+
+keys! {
+    /// One of the two parameters.
+    pub(crate) struct WrittenAxis {
+        /// The name that the expressions use.
+        name: String = value(), NAME;
+        /// The range that is looked at.
+        range: [f64; 2] = range(), "the range must be [lower, upper] with finite numbers lower < upper";
+        /// The name of its unit.
+        unit: Option<String> = unit(), UNIT;
+    }
+}
+
+keys! {
+    /// Names of units.
+    pub(crate) struct WrittenUnits {
+        /// The unit of length.
+        length: Option<String> = unit(), UNIT;
+        /// The unit of time.
+        time: Option<String> = unit(), UNIT;
+    }
+}
+
+keys! {
+    /// What moves the oscillator.
+    pub(crate) struct Motion {
+        /// The force F per mass.
+        force: String = value(),
+            "the force must be an expression in x, v, t and the parameters, written in quotation marks, as \"-2*zeta*v - x - 1 + A*cos(omega*t)\"";
+        /// The forcing frequency ω.
+        frequency: String = value(),
+            "the forcing frequency must be an expression in the parameters, written in quotation marks, as \"omega\"";
+    }
+}
+
+keys! {
+    /// The wall.
+    pub(crate) struct WrittenWall {
+        /// Its position.
+        position: String = value(),
+            "the position of the wall must be an expression in t and the parameters, written in quotation marks, as \"0.0015\" or \"a*cos(omega*t)\"";
+        /// The side on which the motion is.
+        side: Side = or(choice(&[("below", Side::Below), ("above", Side::Above)]), Side::Below),
+            "the side of the wall on which the motion is must be \"below\" (less than its position) or \"above\" (greater); it may be left out and is \"below\" then";
+    }
+}
+
+keys! {
+    /// What an impact does.
+    pub(crate) struct Impact {
+        /// The restitution Φ.
+        restitution: String = value(),
+            "the restitution must be an expression in y, z and the parameters, written in quotation marks, as \"0.8\"";
+        /// The impact duration Ψ.
+        duration: String = value(),
+            "the impact duration must be an expression in y, z and the parameters, written in quotation marks, \"0\" for impacts that take no time";
+    }
+}
+
+keys! {
+    /// What is computed.
+    pub(crate) struct Analysis {
+        /// The numbers of loops p.
+        loops: Vec<u32> = counts(1..=MOST_LOOPS),
+            "the numbers of loops must be a list of different whole numbers from {} to {}, as [1, 2, 3]";
+        /// Where the search for the non-impacting motion starts.
+        start: Option<[f64; 2]> = maybe(numbers()),
+            "the start of the search for the non-impacting motion must be position and velocity at time zero, two finite numbers, as [-1.0, 0.0]; it may be left out";
+        /// The time limit, in seconds.
+        time_limit: f64 = limit(Limits::USUAL.time),
+            "the time after which the analysis ends with what it has must be a positive number of seconds, as 600; it may be left out";
+        /// The memory limit, in megabytes.
+        memory_limit: f64 = limit(Limits::USUAL.memory),
+            "the memory at which the analysis ends with what it has must be a positive number of megabytes, as 2000; it may be left out";
+        /// The limit of steps of integration.
+        step_limit: f64 = limit(Limits::USUAL.steps),
+            "the number of steps of integration after which the analysis ends with what it has must be positive, as 1e10; it may be left out";
+    }
+}
+
+keys! {
+    /// A one-parameter diagram.
+    pub(crate) struct WrittenDiagram {
+        /// The name of the parameter that is held.
+        fixed: String = value(),
+            "the parameter that is held must be one of the two, by the name that it has in [primary] or [secondary], written in quotation marks";
+        /// Its value.
+        at: f64 = number(..), "the value of the parameter that is held must be a number inside its range";
+        /// The range of the other parameter.
+        range: Option<[f64; 2]> = maybe(range()),
+            "the range of the other parameter must be [lower, upper] with finite numbers lower < upper inside its range; it may be left out and is that range then";
+        /// Values of the other parameter at which phase portraits are drawn.
+        portraits: Vec<f64> = or(value().map(portraits), Vec::new()),
+            "the values of the other parameter at which phase portraits are drawn must be a list of at most 6 different numbers inside the range of the diagram, as [0.5, 0.75]; it may be left out";
+        /// The seed of the random initial states.
+        seed: u64 = or(value(), 1),
+            "the seed of the random initial states must be a whole number from 0 on; it may be left out and is 1 then";
+    }
+}
 
 const NAME: &str = "a name is made of the letters a to z and A to Z, digits and _, and does not begin with a digit, as \"omega\"";
-const UNIT: &str = "the name of a unit must be up to 20 Latin or Greek letters, digits, blanks or / ^ * - . ( ) %, in quotation marks, as \"rad/s\"; it may be left out \
-                    and changes no number";
-const RANGE: &str = "the range must be [lower, upper] with finite numbers lower < upper";
+const UNIT: &str = "the name of a unit must be up to 20 Latin or Greek letters, digits, blanks or / ^ * - . ( ) %, in quotation marks, as \"rad/s\"; it may be left out and changes no number";
+
+fn limit(usual: f64) -> Kind<f64> {
+    or(number(0.0..).such(|limit| *limit > 0.0), usual)
+}
+
+fn range() -> Kind<[f64; 2]> {
+    numbers().map(|[lower, upper]: [f64; 2], section, name| {
+        if lower == upper {
+            return Err(section.refusal(name));
+        }
+        if lower > upper {
+            let allowed = format!("the range is reversed: write [{upper:?}, {lower:?}]");
+            return Err(section.forbid(name, allowed));
+        }
+        if (upper - lower).is_infinite() {
+            let allowed = "the range is too wide to be computed with: upper - lower must be a finite number";
+            return Err(section.forbid(name, allowed.to_owned()));
+        }
+        Ok([lower, upper])
+    })
+}
+
+/// The values in increasing order.
+fn portraits(mut values: Vec<f64>, section: &Section<'_>, name: &str) -> Result<Vec<f64>, SourceError> {
+    values.sort_by(f64::total_cmp);
+    let twice = values.windows(2).any(|pair| pair[0] == pair[1]);
+    let right = values.len() <= MOST_PORTRAITS && !twice && values.iter().all(|value| value.is_finite());
+    if right { Ok(values) } else { Err(section.refusal(name)) }
+}
+
+/// The name of a unit, if there is one.
+fn unit() -> Kind<Option<String>> {
+    // Those that the fonts of the figures have.
+    let greek = |character: char| ('α'..='ω').contains(&character) || ('Α'..='Ω').contains(&character);
+    let shown = move |character: char| {
+        character.is_ascii_alphanumeric() || greek(character) || " /^*-.()°µ%·²³⁻¹".contains(character)
+    };
+    let named = value().such(move |unit: &String| {
+        !unit.trim().is_empty() && unit.chars().count() <= LONGEST_UNIT && unit.chars().all(shown)
+    });
+    maybe(named.map(|unit, _, _| Ok(unit.trim().to_owned())))
+}
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn limits_are_told_as_they_are_checked() {
-        assert!(REQUIREMENTS.of("analysis.loops").contains(&format!(" to {MOST_LOOPS},")));
-        assert!(REQUIREMENTS.of("diagrams").ends_with(&format!(" at most {MOST_DIAGRAMS}")));
+    fn limits_are_said_as_they_are_checked() {
+        assert!(REQUIREMENTS.of("diagrams").ends_with(&format!(" at most {}", Description::MOST_DIAGRAMS)));
         assert!(REQUIREMENTS.of("diagrams.portraits").contains(&format!(" at most {MOST_PORTRAITS} ")));
+        assert!(REQUIREMENTS.of("primary.unit").contains(&format!(" up to {LONGEST_UNIT} ")));
     }
 }

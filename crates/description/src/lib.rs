@@ -43,8 +43,14 @@ mod error;
 mod expression;
 mod file;
 mod names;
+mod read;
 mod validate;
 
 pub use description::{Axis, Description, Expressions, Limits, OneParameter, Side, Wall};
 pub use error::DescriptionError;
 pub use expression::{Expression, ExpressionError, MOST_VALUES_ON_STACK};
+
+/// Every key that a file can have, with what it means and what it must hold.
+pub fn keys() -> &'static [grazing_source::Key] {
+    file::REQUIREMENTS.keys()
+}

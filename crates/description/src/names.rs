@@ -2,20 +2,8 @@
 
 use grazing_source::{Section, SourceError};
 
-use crate::expression::is_function;
-use crate::file::REQUIREMENTS;
-
-/// What the name of a variable of force or reset law means.
-pub(crate) fn variable(name: &str) -> Option<&'static str> {
-    Some(match name {
-        "x" => "the position",
-        "v" => "the velocity",
-        "t" => "the time",
-        "y" => "the impact velocity",
-        "z" => "the impact phase",
-        _ => return None,
-    })
-}
+use crate::expression::{is_function, variable};
+use crate::file::{File, REQUIREMENTS};
 
 /// What a name means before any file says anything.
 fn own_meaning(name: &str) -> Option<&'static str> {
@@ -37,19 +25,19 @@ fn is_name(name: &str) -> bool {
 }
 
 /// Checks the names of constants and of the two parameters.
-pub(crate) fn check(constants: &Section<'_>, axes: &[Section<'_>; 2]) -> Result<(), SourceError> {
-    let mut seen: Vec<(String, &'static str)> = Vec::new();
-    for name in constants.names() {
-        let meaning = "a constant in [parameters]";
+pub(crate) fn check(section: &Section<'_>, file: &File) -> Result<(), SourceError> {
+    let constants = file
+        .parameters
+        .iter()
+        .map(|(name, _)| ("parameters", name.as_str(), name, "a constant in [parameters]"));
+    let axes = [
+        ("primary", "name", &file.primary.name, "the primary parameter"),
+        ("secondary", "name", &file.secondary.name, "the secondary parameter"),
+    ];
+    let mut seen: Vec<(&str, &'static str)> = Vec::new();
+    for (table, key, name, meaning) in constants.chain(axes) {
         if let Some(allowed) = wrong(name, meaning, &seen) {
-            return Err(constants.forbid(name, allowed));
-        }
-        seen.push((name.to_owned(), meaning));
-    }
-    for (axis, meaning) in axes.iter().zip(["the primary parameter", "the secondary parameter"]) {
-        let name: String = axis.value("name")?;
-        if let Some(allowed) = wrong(&name, meaning, &seen) {
-            return Err(axis.forbid("name", allowed));
+            return Err(section.table(table)?.forbid(key, allowed));
         }
         seen.push((name, meaning));
     }
@@ -57,7 +45,7 @@ pub(crate) fn check(constants: &Section<'_>, axes: &[Section<'_>; 2]) -> Result<
 }
 
 /// What is wrong with a name, and what would be right, after these names with their meanings.
-fn wrong(name: &str, meaning: &str, seen: &[(String, &'static str)]) -> Option<String> {
+fn wrong(name: &str, meaning: &str, seen: &[(&str, &'static str)]) -> Option<String> {
     if !is_name(name) {
         return Some(REQUIREMENTS.of("primary.name").to_owned());
     }

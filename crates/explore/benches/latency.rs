@@ -2,7 +2,7 @@
 
 // A part of it serves here.
 #[allow(dead_code)]
-#[path = "../tests/server/running.rs"]
+#[path = "../tests/explore/server/running.rs"]
 mod running;
 
 use std::io::{BufRead, BufReader, Write};

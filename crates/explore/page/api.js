@@ -1,4 +1,6 @@
 // Talking to the server: one answer, or a stream of events. Who aborts a request ends its computation.
+import { begin } from "./busy.js";
+import { later } from "./dom.js";
 
 /** What the server refuses, in its own words. */
 export class Refused extends Error {}
@@ -56,11 +58,11 @@ export async function stream(path, body, on, signal) {
  */
 export class Latest {
   constructor({ pause = 0, patience = 0, failed = () => {} } = {}) {
-    Object.assign(this, { pause, patience, bears: patience, failed, begun: -1e9, running: null, isLive: false, waiting: 0 });
+    Object.assign(this, { pause, patience, bears: patience, failed, begun: -1e9, running: null, isLive: false, unwait: () => {} });
   }
 
   stop() {
-    clearTimeout(this.waiting);
+    this.unwait();
     this.running?.abort();
     this.running = null;
   }
@@ -72,6 +74,7 @@ export class Latest {
     const begun = performance.now();
     Object.assign(this, { running: controller, isLive, begun });
     const own = () => this.running === controller;
+    const end = begin();
     return job(controller.signal)
       .then(() => {
         if (isLive) this.bears = Math.max(this.patience, 2 * (performance.now() - begun));
@@ -81,6 +84,7 @@ export class Latest {
       })
       .finally(() => {
         if (own()) this.running = null;
+        end();
       });
   }
 
@@ -95,11 +99,11 @@ export class Latest {
   }
 
   next(job, isLive) {
-    clearTimeout(this.waiting);
+    this.unwait();
     const passed = performance.now() - this.begun;
     const before = this.running && this.isLive;
-    if (isLive && passed < this.pause) this.waiting = setTimeout(() => this.next(job, isLive), this.pause - passed);
-    else if (before && passed < this.bears) this.waiting = setTimeout(() => this.next(job, isLive), 15);
+    if (isLive && passed < this.pause) this.unwait = later(this.pause - passed, () => this.next(job, isLive));
+    else if (before && passed < this.bears) this.unwait = later(15, () => this.next(job, isLive));
     else {
       if (before) this.bears *= 2;
       this.now(job, isLive);

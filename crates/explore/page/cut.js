@@ -5,7 +5,7 @@ import { chart, clipped, trace, write } from "./axes.js";
 import { Latest, stream } from "./api.js";
 import { description, modelOf, viewOf } from "./model.js";
 import { margins, redraw, shown as marks, titleOf } from "./plane.js";
-import { branchInk, inks, onTheme } from "./palette.js";
+import { branchInk, curveInk, inks, onTheme, wordInk } from "./palette.js";
 import * as state from "./state.js";
 
 /** Fewer dots than these are drawn larger. */
@@ -146,7 +146,7 @@ function drawFound(context, { strands, bifurcations, dots, old }, to, ink) {
     const [px, py] = to([at, x]);
     context.beginPath();
     context.arc(px, py, 3.6, 0, 2 * Math.PI);
-    context.fillStyle = ink[kind] ?? ink.marker;
+    context.fillStyle = curveInk(kind) ?? ink.marker;
     context.strokeStyle = ink.rim;
     context.fill();
     context.stroke();
@@ -163,7 +163,7 @@ function drawFound(context, { strands, bifurcations, dots, old }, to, ink) {
     context.fillStyle = ink.paper;
     context.fillRect(corner[0] - 2, corner[1] - 10, wide - 10, 13);
     context.globalAlpha = 1;
-    context.fillStyle = kind === "graz" ? ink.quadratic.graz : (ink[kind] ?? ink.marker);
+    context.fillStyle = wordInk(kind) ?? ink.marker;
     write(context, words, ...corner, 12);
   }
 }

@@ -1,4 +1,5 @@
 // Elements and words.
+import { begin } from "./busy.js";
 
 export const $ = (id) => document.getElementById(id);
 
@@ -40,13 +41,28 @@ export function multipliers([first, second]) {
 /** "1 loop", "2 loops". */
 export const count = (n, word) => `${n} ${word}${n === 1 ? "" : "s"}`;
 
+/** Calls the function after a pause, unless what is returned is called before; the page is busy until then. */
+export function later(pause, act) {
+  const end = begin();
+  const timer = setTimeout(() => {
+    try {
+      act();
+    } finally {
+      end();
+    }
+  }, pause);
+  return () => {
+    clearTimeout(timer);
+    end();
+  };
+}
+
 /** Calls the function once the calls have rested for so long. */
 export function rested(wait, act) {
-  let timer = 0;
   const call = (...args) => {
-    clearTimeout(timer);
-    timer = setTimeout(() => act(...args), wait);
+    call.cancel();
+    call.cancel = later(wait, () => act(...args));
   };
-  call.cancel = () => clearTimeout(timer);
+  call.cancel = () => {};
   return call;
 }

@@ -66,7 +66,8 @@ function regionLabels(frame, regions, map, placed) {
   });
 }
 
-const WORDS = { graz: "grazing", SN: "SN", PD: "PD", GZ: "GZ" };
+/** The word beside a curve. */
+const wordOf = ({ kind }) => (kind === "graz" ? "grazing" : kind);
 
 /** A word that finds its curve's old one within so many pixels stays there, unless elsewhere is as many times better. */
 const NEAR = 40;
@@ -90,7 +91,7 @@ function curveLabels(frame, runs, map, placed, before) {
         for (const side of [-1, 1]) {
           const [x, y] = [px - side * dy * off, py + side * dx * off];
           if (!clear(map, placed, x, y, half)) continue;
-          const repeats = placed.some(({ text, x: ox, y: oy }) => text[0][0] === WORDS[curve.kind] && Math.hypot(ox - x, oy - y) < 130);
+          const repeats = placed.some(({ text, x: ox, y: oy }) => text[0][0] === wordOf(curve) && Math.hypot(ox - x, oy - y) < 130);
           const middle = 1 - Math.abs((passed + at) / length - 0.5);
           const stays = old.some(({ x: ox, y: oy }) => Math.hypot(ox - x, oy - y) < NEAR) ? STAYS : 1;
           const score = repeats ? 0 : stays * Math.min(18, map.at(x, y)) * middle;
@@ -99,7 +100,7 @@ function curveLabels(frame, runs, map, placed, before) {
       }
       passed += along;
     }
-    if (best.score > 0) placed.push({ text: [[WORDS[curve.kind], ""]], x: best.x, y: best.y, half, kind: curve.kind, key: curve.key });
+    if (best.score > 0) placed.push({ text: [[wordOf(curve), ""]], x: best.x, y: best.y, half, kind: curve.kind, key: curve.key });
   }
 }
 

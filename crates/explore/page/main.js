@@ -1,6 +1,7 @@
 // The page: everything follows the state, and buttons and keys change it.
 import { $, rested } from "./dom.js";
 import { ask } from "./api.js";
+import { begin } from "./busy.js";
 import * as constants from "./constants.js";
 import * as cut from "./cut.js";
 import * as diagram from "./diagram.js";
@@ -120,7 +121,7 @@ function taken(answer) {
   }
 }
 
-async function begin() {
+async function start() {
   try {
     model.setExamples(await ask("examples"));
   } catch (error) {
@@ -149,4 +150,5 @@ async function begin() {
   if (described === "" && !state.get().text && !state.get().example) editor.check(model.modelOf(state.get()));
 }
 
-begin();
+const started = begin();
+start().finally(started);

@@ -1,19 +1,16 @@
-// The inks: those of the printed figures (crates/drawing/src/style.rs) on light, and lighter ones of the same hues on
-// dark. Lightness and dashes differ as well as hue, so that curves can be told apart without colour.
+// The inks of what is no bifurcation curve: those of the printed figures on light, and lighter ones of the same hues on
+// dark. Those of curves stand in kinds.js, which the program writes.
+import { APPROXIMATION, LOOKS } from "./kinds.js";
 
 const INKS = {
   light: {
     paper: "#ffffff", ink: "#1e1d1b", muted: "#63615b", faint: "#d9d6ce",
-    graz: "#78c86e", SN: "#1946be", PD: "#d62f20", GZ: "#005838",
-    quadratic: { graz: "#426e3d", SN: "#0e2769", PD: "#761a12", GZ: "#00301f" },
     calm: "#e9e9e9", loops: "rgba(40,40,40,0.3)", hatching: "#6e6e6e", marker: "#000000", rim: "#ffffff",
     place: "#c2185b", kept: "#00796b", wall: "#6e6e6e", cloud: "rgba(45,70,105,0.55)",
     branch: ["#000000", "#be5f00", "#1946be", "#961e6e", "#007869", "#af3c23", "#5f5f00"],
   },
   dark: {
     paper: "#1b1e23", ink: "#e7e5df", muted: "#a09e97", faint: "#3a3f47",
-    graz: "#6fbf66", SN: "#8cabff", PD: "#ff7d6e", GZ: "#57cf9f",
-    quadratic: { graz: "#a9e0a2", SN: "#c3d3ff", PD: "#ffb9b0", GZ: "#a5ecd0" },
     calm: "#2b2f36", loops: "rgba(225,225,225,0.2)", hatching: "#8c8c8c", marker: "#f2f0ea", rim: "#1b1e23",
     place: "#ff79ad", kept: "#4fd1bd", wall: "#9a9a9a", cloud: "rgba(160,190,230,0.5)",
     branch: ["#f2f0ea", "#f0a04b", "#8cabff", "#e48ac6", "#4fd1bd", "#ff9c82", "#d0cf6a"],
@@ -33,11 +30,13 @@ export const tileInks = () => TILES[theme()];
 
 /** How a curve is drawn: colour, width and dashes in pixels of the page. */
 export function penOf({ kind, source }) {
-  const ink = inks();
-  if (source === "quadratic") return { colour: ink.quadratic[kind], width: 1.2, dashes: [4.5, 3] };
-  if (kind === "graz") return { colour: ink.graz, width: 3.4, dashes: [] };
-  return { colour: ink[kind], width: 1.7, dashes: kind === "GZ" ? [7.5, 2, 1.8, 2] : [] };
+  const look = LOOKS[kind];
+  return source === "quadratic" ? { ...APPROXIMATION, colour: look[theme()].quadratic } : { ...look, colour: look[theme()].curve };
 }
+
+/** The ink of a curve's points, and of words about it; undefined for what is no curve. */
+export const curveInk = (kind) => LOOKS[kind]?.[theme()].curve;
+export const wordInk = (kind) => (kind === "graz" ? LOOKS[kind][theme()].quadratic : curveInk(kind));
 
 export const branchInk = (p) => inks().branch[p] ?? inks().branch[0];
 

@@ -1,8 +1,7 @@
 // What of the diagram lies under a pointer.
 import { count } from "./dom.js";
 import { diagram } from "./diagram.js";
-
-const CURVES = { graz: "grazing of the non-impacting solution", SN: "saddle-node bifurcation", PD: "period doubling", GZ: "grazing of an MPS" };
+import { LOOKS } from "./kinds.js";
 
 /** The curve within so many pixels of a point, of the runs that were drawn, or null. */
 function curveAt(runs, x, y, within = 7) {
@@ -41,7 +40,7 @@ export function tellOf(runs, [x, y], place, to) {
   });
   if (near) return (near.kind === "resonance" ? "resonance" : `${near.kind} point`) + loops(near);
   const curve = curveAt(runs, x, y);
-  if (curve) return `${curve.source === "quadratic" ? `quadratic ${curve.kind}` : CURVES[curve.kind]}${loops(curve)}`;
+  if (curve) return `${curve.source === "quadratic" ? `quadratic ${curve.kind}` : LOOKS[curve.kind].meaning}${loops(curve)}`;
   const undecided = diagram.regions.find(({ kind, rings }) => kind === "undecided" && lies(place, rings));
   return undecided ? `undecided${undecided.reason ? `: ${undecided.reason}` : ""}` : "";
 }

@@ -16,7 +16,13 @@ const RESTS = 180;
 const SLOW = 45;
 /** What is followed from place to place: the oscillator and its numbers of loops, whatever its constants. */
 const knownAs = ({ model: { text, loops } }) => JSON.stringify([text, loops]);
-const speak = rested(900, (words) => ($("announce").textContent = words));
+const SPEAKS = 900;
+let speaking = 0;
+/** Says what was found to those who do not see it, once it has rested; nothing that is seen waits for this. */
+function speak(words) {
+  clearTimeout(speaking);
+  speaking = setTimeout(() => ($("announce").textContent = words), SPEAKS);
+}
 
 const KINDS = { "non-impacting": "No impacts", aperiodic: "Aperiodic, perhaps chaos", resting: "Rests at the wall", escaping: "Escapes" };
 

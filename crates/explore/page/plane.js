@@ -1,11 +1,12 @@
 // The plane of parameters, drawn.
-import { $ } from "./dom.js";
+import { begin } from "./busy.js";
+import { $, later } from "./dom.js";
 import { chart, clipped, clippedRing, font, into, trace, write } from "./axes.js";
 import { diagram } from "./diagram.js";
 import { placeLabels } from "./labels.js";
 import { axisPieces, titlePieces } from "./markup.js";
 import { description, viewOf, wholeView } from "./model.js";
-import { inks, penOf } from "./palette.js";
+import { inks, penOf, wordInk } from "./palette.js";
 import * as state from "./state.js";
 
 /** The frame of the axes in pixels of the canvas. */
@@ -19,11 +20,21 @@ export const shown = { box: null, pointer: null };
 /** The runs of curves as last drawn, for those who point at them. */
 export let runs = [];
 let labels = { key: "", placed: -1e9, list: [] };
-let asked = 0;
+let asked = null;
 
 /** Draws at the next frame. */
 export function redraw() {
-  if (!asked) asked = requestAnimationFrame(draw);
+  if (asked) return;
+  asked = begin();
+  requestAnimationFrame(() => {
+    const end = asked;
+    asked = null;
+    try {
+      draw();
+    } finally {
+      end();
+    }
+  });
 }
 
 /** The margins leave room for the numbers; the cut under the plane has the same. */
@@ -179,7 +190,6 @@ function runsInView(to, magnified) {
 }
 
 function draw() {
-  asked = 0;
   if (!description) return;
   const ink = inks();
   const value = state.get();
@@ -218,12 +228,12 @@ function drawLabels(context, regions, to, view, ink) {
     const before = labels.list.map(({ key: own, at }) => ({ key: own, x: to(at)[0], y: to(at)[1] }));
     const list = placeLabels(frame, runs, diagram.stale ? [] : regions, points, before);
     labels = { key, placed: performance.now(), list: list.map((each) => ({ ...each, at: toParameters(each.x, each.y, view) })) };
-  } else if (labels.key !== key) setTimeout(redraw, SETTLES - passed);
+  } else if (labels.key !== key) later(SETTLES - passed, redraw);
   context.textBaseline = "alphabetic";
   for (const { text, at, kind } of labels.list) {
     const [x, y] = to(at);
     if (!inFrame(x, y)) continue;
-    context.fillStyle = kind === "region" ? ink.ink : kind === "graz" ? ink.quadratic.graz : ink[kind];
+    context.fillStyle = kind === "region" ? ink.ink : wordInk(kind);
     write(context, text, x, y + 5, 15, 0.5);
   }
   context.font = font(13);

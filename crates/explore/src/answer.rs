@@ -1,9 +1,8 @@
-//! Answers of one piece, and computations that end when nobody waits for them.
+//! What answers carry.
 
 use std::convert::Infallible;
-use std::sync::Arc;
 
-use grazing_unfold::stop::Stop;
+use grazing_source::Mistake;
 use http_body_util::combinators::BoxBody;
 use http_body_util::{BodyExt, Full};
 use hyper::body::Bytes;
@@ -11,11 +10,6 @@ use hyper::header::{CONTENT_DISPOSITION, CONTENT_TYPE, HeaderValue};
 use hyper::{Response, StatusCode};
 use serde::Serialize;
 use serde_json::json;
-use tokio::sync::Notify;
-use tokio::task::spawn_blocking;
-
-use crate::model::Wrong;
-use crate::server::{Limits, Shared, Sheet};
 
 /// What answers carry.
 pub(crate) type Body = BoxBody<Bytes, Infallible>;
@@ -53,17 +47,10 @@ impl Problem {
     }
 }
 
-impl From<Wrong> for Problem {
-    fn from(wrong: Wrong) -> Self {
-        let line = wrong.line.map_or(String::new(), |line| format!("line {line}: "));
-        Self::wrong(format!("{line}{}", wrong.message))
-    }
-}
-
-impl Wrong {
-    /// As an answer.
-    pub(crate) fn told(&self) -> serde_json::Value {
-        json!({"ok": false, "message": self.message, "line": self.line, "span": self.span})
+impl From<Mistake> for Problem {
+    fn from(Mistake { message, line, .. }: Mistake) -> Self {
+        let line = line.map_or(String::new(), |line| format!("line {line}: "));
+        Self::wrong(format!("{line}{message}"))
     }
 }
 
@@ -90,6 +77,16 @@ pub(crate) fn of_kind(kind: &'static str, content: impl Into<Bytes>) -> Response
     response
 }
 
+/// A file that is exported.
+pub struct Sheet {
+    /// Its name.
+    pub name: String,
+    /// Its media type.
+    pub kind: &'static str,
+    /// Its content.
+    pub content: Vec<u8>,
+}
+
 /// A file to be saved.
 pub(crate) fn file(sheet: Sheet) -> Result<Response<Body>, Problem> {
     let Sheet { name, kind, content } = sheet;
@@ -98,53 +95,4 @@ pub(crate) fn file(sheet: Sheet) -> Result<Response<Body>, Problem> {
         .map_err(|_| Problem::wrong("the file has no name"))?;
     response.headers_mut().insert(CONTENT_DISPOSITION, disposition);
     Ok(response)
-}
-
-/// Asks a computation to end when it is dropped, as the answer that nobody waits for any more is.
-pub(crate) struct StopOnDrop {
-    stop: Stop,
-    gone: Arc<Notify>,
-}
-
-impl StopOnDrop {
-    pub(crate) fn new(stop: Stop) -> Self {
-        Self { stop, gone: Arc::default() }
-    }
-
-    /// Tells when it is dropped.
-    pub(crate) fn gone(&self) -> Arc<Notify> {
-        self.gone.clone()
-    }
-}
-
-impl Drop for StopOnDrop {
-    fn drop(&mut self) {
-        self.stop.ask();
-        self.gone.notify_one();
-    }
-}
-
-/// Computes something in a thread of its own, when it is its turn.
-pub(crate) async fn blocking<T: Send + 'static>(
-    shared: &Arc<Shared>,
-    limits: Limits,
-    work: impl FnOnce(&Stop) -> Result<T, Problem> + Send + 'static,
-) -> Result<T, Problem> {
-    let turn = shared.turn().await?;
-    let (stop, guard) = shared.mark(limits);
-    let computed = spawn_blocking(move || turn.take(|| work(&stop)));
-    let failed = |_| Problem::new(StatusCode::INTERNAL_SERVER_ERROR, "the computation failed");
-    let outcome = computed.await.map_err(failed)?;
-    drop(guard);
-    outcome
-}
-
-/// Computes an answer.
-pub(crate) async fn computed<T: Send + 'static, V: Serialize + Send + 'static>(
-    shared: &Arc<Shared>,
-    request: T,
-    compute: fn(&T, &Stop) -> Result<V, Problem>,
-) -> Result<Response<Body>, Problem> {
-    let value = blocking(shared, shared.limits, move |stop| compute(&request, stop)).await?;
-    Ok(json(&value))
 }

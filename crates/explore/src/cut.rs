@@ -1,13 +1,13 @@
 //! The one-parameter diagram along a line of the plane: its branches first, then what simulation comes to.
 
-use grazing_description::OneParameter;
 use grazing_model::ImpactOscillator;
-use grazing_reproduction::one_parameter::{self, PLAN};
+use grazing_reproduction::one_parameter::SAMPLING;
 use grazing_reproduction::plane::Axes;
-use grazing_results::branches::{self, BranchPoint};
+use grazing_results::branches::{BranchPoint, OneParameter};
 use grazing_unfold::Scope;
-use grazing_unfold::one_parameter::Plan;
+use grazing_unfold::one_parameter::{Line, Sampling, Section};
 use grazing_unfold::stop::Stop;
+use grazing_unfold::units::InUnits;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -17,7 +17,7 @@ use crate::stream::Events;
 
 /// What is asked for.
 #[derive(Deserialize)]
-pub(crate) struct Asked {
+pub(crate) struct CutRequest {
     model: Model,
     fixed: Fixed,
     at: f64,
@@ -35,8 +35,8 @@ enum Fixed {
 /// The range of the parameter that is held, as a part of the file's: only its lower end is looked at.
 const HELD: f64 = 0.01;
 
-pub(crate) fn compute(asked: &Asked, events: &Events, stop: &Stop) -> Result<(), Problem> {
-    let Asked { model, fixed, at, range } = asked;
+pub(crate) fn compute(request: &CutRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
+    let CutRequest { model, fixed, at, range } = request;
     // The parameter that is held needs a range, too: a small part of the file's.
     let own = model.description(None)?;
     let primary_is_fixed = *fixed == Fixed::Primary;
@@ -45,41 +45,44 @@ pub(crate) fn compute(asked: &Asked, events: &Events, stop: &Stop) -> Result<(),
     let held = [*at, *at + HELD * (high - low)];
     let [primary, secondary] = if primary_is_fixed { [held, *range] } else { [*range, held] };
     let view = View { primary, secondary };
-    let wanted = OneParameter { primary_is_fixed, at: *at, range: *range, portraits: Vec::new(), seed: 1 };
-    // As in the diagrams that a file asks for, but fewer values: it is to be looked at at once.
-    let plan = Plan { values: 160, recorded: 16, ..PLAN };
-    let line = Line { wanted: (&wanted, &plan), events };
-    let found = model.checked(Some(&view))?.with(stop, line).ok_or_else(Problem::ended)?;
-    let dots: Vec<[f64; 2]> = found.attractor.iter().map(|dot| [dot.primary, dot.x]).collect();
+    let line = Line { diagram: 1, primary_is_fixed, at: *at, range: *range };
+    let found = model.checked(Some(&view))?.with(stop, CutJob { line, events }).ok_or_else(Problem::ended)?;
+    let dots: Vec<[f64; 2]> = found.attractor.iter().map(|dot| [found.across(dot), dot.x]).collect();
     events.send("dots", &json!({"frame": found.frame.y, "dots": dots, "resting": found.resting}));
     Ok(())
 }
 
-struct Line<'a> {
-    wanted: (&'a OneParameter, &'a Plan),
+struct CutJob<'a> {
+    line: Line,
     events: &'a Events,
 }
 
-impl Job for Line<'_> {
-    type Outcome = Option<branches::OneParameter>;
+impl Job for CutJob<'_> {
+    type Outcome = Option<OneParameter>;
 
     fn run<O: ImpactOscillator>(self, oscillator: &O, scope: &Scope, axes: &Axes) -> Self::Outcome {
-        let begun = &mut |found| self.events.send("branches", &told(&found));
-        one_parameter::of(oscillator, scope, &axes.units, self.wanted, &[], self.events, begun)
+        let Self { line, events } = self;
+        // As in the diagrams that a file asks for, but fewer values: it is to be looked at at once.
+        let sampling = Sampling { values: 160, recorded: 16, ..SAMPLING };
+        let line = line.without_dimensions(&axes.units);
+        let section = Section::follow(oscillator, scope, &[], line, events)?;
+        events.send("branches", &event(&section.diagram().in_units(&axes.units)));
+        Some(section.simulated(&sampling, &[], events).in_units(&axes.units))
     }
 }
 
 /// Strands and the bifurcations on them.
-fn told(found: &branches::OneParameter) -> Value {
+fn event(found: &OneParameter) -> Value {
     let strand = |rows: &[BranchPoint]| {
-        let point =
-            |row: &BranchPoint| json!([row.primary, row.x, u8::from(row.stable), u8::from(row.admissible)]);
+        let point = |row: &BranchPoint| {
+            json!([found.across(row), row.x, u8::from(row.stable), u8::from(row.admissible)])
+        };
         json!({"p": rows[0].loops, "points": rows.iter().map(point).collect::<Vec<_>>()})
     };
     let bifurcations = found
         .bifurcations
         .iter()
-        .map(|row| json!({"kind": row.kind.name(), "p": row.loops, "at": row.primary, "x": row.x}));
+        .map(|row| json!({"kind": row.kind.name(), "p": row.loops, "at": found.across(row), "x": row.x}));
     // A strand is broken where a visit is not known.
     let pieces = found.branches.chunk_by(|a, b| a.branch == b.branch && a.x.is_nan() == b.x.is_nan());
     json!({

@@ -21,7 +21,7 @@ use crate::stream::Events;
 
 /// What is asked for.
 #[derive(Deserialize)]
-pub(crate) struct Asked {
+pub(crate) struct DiagramRequest {
     model: Model,
     view: View,
     /// Grazing curves, resonances and what leaves them, but no regions.
@@ -29,9 +29,9 @@ pub(crate) struct Asked {
     coarse: bool,
 }
 
-pub(crate) fn compute(asked: &Asked, events: &Events, stop: &Stop) -> Result<(), Problem> {
-    let model = asked.model.checked(Some(&asked.view))?;
-    model.with(stop, Plane { events, coarse: asked.coarse })
+pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
+    let model = request.model.checked(Some(&request.view))?;
+    model.with(stop, Plane { events, coarse: request.coarse })
 }
 
 struct Plane<'a> {

@@ -4,6 +4,7 @@ use hyper::Response;
 use serde::Serialize;
 
 use crate::answer::{self, Body};
+use crate::kinds;
 
 /// An oscillator in the menu.
 #[derive(Clone, Debug, Serialize)]
@@ -45,6 +46,7 @@ files! {
     PAGE in "../page/":
     "api.js" = "text/javascript; charset=utf-8",
     "axes.js" = "text/javascript; charset=utf-8",
+    "busy.js" = "text/javascript; charset=utf-8",
     "constants.js" = "text/javascript; charset=utf-8",
     "cut.js" = "text/javascript; charset=utf-8",
     "diagram.js" = "text/javascript; charset=utf-8",
@@ -71,7 +73,12 @@ files! {
 
 /// A file of the page; the empty name is the page itself.
 pub(crate) fn page(name: &str) -> Option<Response<Body>> {
-    let name = if name.is_empty() { "index.html" } else { name };
+    let name = match name {
+        "" => "index.html",
+        "kinds.js" => return Some(answer::of_kind("text/javascript; charset=utf-8", kinds::script())),
+        "kinds.css" => return Some(answer::of_kind("text/css; charset=utf-8", kinds::style_sheet())),
+        name => name,
+    };
     let mut files = [PAGE, STYLES, FONTS].into_iter().flatten();
     let (_, kind, content) = files.find(|(known, _, _)| *known == name)?;
     Some(answer::of_kind(kind, *content))

@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use grazing_continuation::curve::Window;
-use grazing_description::{Axis, Description, DescriptionError};
+use grazing_description::{Axis, Description};
 use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_reproduction::plane::Axes;
 use grazing_reproduction::unfolded;
-use grazing_source::{Setting, SettingError, Text};
+use grazing_source::{Mistake, Setting, SettingError, Text};
 use grazing_unfold::Scope;
 use grazing_unfold::stop::Stop;
 use serde::{Deserialize, Serialize};
@@ -35,20 +35,6 @@ pub struct View {
     pub secondary: [f64; 2],
 }
 
-/// A model is wrong: what to say, and the line (from 1) and the characters of it (from 0) that are to blame, as far as they are known.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub(crate) struct Wrong {
-    pub(crate) message: String,
-    pub(crate) line: Option<usize>,
-    pub(crate) span: Option<[usize; 2]>,
-}
-
-impl Wrong {
-    fn new(message: impl Into<String>) -> Self {
-        Self { message: message.into(), line: None, span: None }
-    }
-}
-
 /// The name of the file in messages.
 const FILE: &str = "oscillator.toml";
 /// The paper's oscillator as a text: its constants, ranges and loops, and its motion where it has to be integrated.
@@ -64,7 +50,7 @@ pub(crate) trait Job {
 }
 
 /// A model that was found right.
-pub(crate) enum Checked {
+pub(crate) enum CheckedModel {
     Paper(Box<(LinearOscillator, Scope)>),
     Text(Description),
 }
@@ -72,35 +58,36 @@ pub(crate) enum Checked {
 impl Model {
     /// What is set over the text of its file, for a view of the plane or for the file's own.
     fn settings(&self, view: Option<&View>) -> Result<Vec<Setting>, SettingError> {
-        let constants = self.set.iter().map(|(name, value)| format!("parameters.{name}={value:?}"));
+        let constants =
+            self.set.iter().map(|(name, value)| Setting::new(&format!("parameters.{name}"), *value));
         // One-parameter diagrams need not lie in the view, and nobody asks for them.
         let ranges = view.into_iter().flat_map(|View { primary, secondary }| {
-            let ranges = [("primary", primary), ("secondary", secondary)];
-            let ranges = ranges.map(|(table, range)| format!("{table}.range={range:?}"));
-            ranges.into_iter().chain(["diagrams=[]".to_owned()])
+            let range = |key: &str, range: &[f64; 2]| Setting::new(key, range.to_vec());
+            let none = Setting::new("diagrams", Vec::<f64>::new());
+            [range("primary.range", primary), range("secondary.range", secondary), none]
         });
-        constants.chain(ranges).map(|setting| setting.parse()).collect()
+        constants.chain(ranges).collect()
     }
 
     /// The oscillator as its file describes it, in the ranges of a view or in its own.
-    pub(crate) fn description(&self, view: Option<&View>) -> Result<Description, Wrong> {
-        let settings = self.settings(view).map_err(|error| Wrong::new(error.to_string()))?;
+    pub(crate) fn description(&self, view: Option<&View>) -> Result<Description, Mistake> {
+        let settings = self.settings(view).map_err(|error| Mistake::new(error.to_string()))?;
         let written = self.text.as_deref().unwrap_or(PAPER);
-        let wrong = |error: DescriptionError| located(&error.to_string(), written);
-        let description = Description::parse_with(&Text::new(written, &settings), FILE).map_err(wrong)?;
+        let description =
+            Description::parse_with(&Text::new(written, &settings), FILE).map_err(|error| error.mistake())?;
         match &self.loops {
             Some(loops) => {
-                description.with_loops(loops).map_err(|error| Wrong::new(format!("loops {error}")))
+                description.with_loops(loops).map_err(|error| Mistake::new(format!("loops {error}")))
             }
             None => Ok(description),
         }
     }
 
     /// The oscillator in the ranges of a view, or in those of its file.
-    pub(crate) fn checked(&self, view: Option<&View>) -> Result<Checked, Wrong> {
+    pub(crate) fn checked(&self, view: Option<&View>) -> Result<CheckedModel, Mistake> {
         let description = self.description(view)?;
         if self.text.is_some() {
-            return Ok(Checked::Text(description));
+            return Ok(CheckedModel::Text(description));
         }
         let constant = |wanted: &str| {
             let mut constants = description.constants();
@@ -113,9 +100,9 @@ impl Model {
         match LinearOscillator::new(zeta, epsilon, amplitude, frequency) {
             Ok(oscillator) => {
                 let scope = Scope { window, loops: description.loops().to_vec(), start: None };
-                Ok(Checked::Paper(Box::new((oscillator, scope))))
+                Ok(CheckedModel::Paper(Box::new((oscillator, scope))))
             }
-            Err(error) => Err(Wrong::new(error.to_string())),
+            Err(error) => Err(Mistake::new(error.to_string())),
         }
     }
 
@@ -124,11 +111,11 @@ impl Model {
     /// # Errors
     /// What is wrong with it, in words.
     pub fn in_view(&self, view: &View) -> Result<Description, String> {
-        self.description(Some(view)).map_err(|wrong| wrong.message)
+        self.description(Some(view)).map_err(|mistake| mistake.message)
     }
 
     /// What there is to know of the oscillator before anything is computed.
-    pub(crate) fn described(&self) -> Result<Value, Wrong> {
+    pub(crate) fn described(&self) -> Result<Value, Mistake> {
         let (checked, description) = (self.checked(None)?, self.description(None)?);
         let names = checked.axes().names;
         let axis = |name: &str, title: &str, axis: &Axis| json!({"name": name, "title": title, "range": axis.range(), "unit": axis.unit()});
@@ -146,7 +133,7 @@ impl Model {
     }
 }
 
-impl Checked {
+impl CheckedModel {
     /// Names and units.
     pub(crate) fn axes(&self) -> Axes {
         match self {
@@ -168,38 +155,6 @@ impl Checked {
     }
 }
 
-/// Where a message says that the mistake is: `file:line: ...`, and under an expression a mark.
-fn located(message: &str, text: &str) -> Wrong {
-    let place = message.strip_prefix(FILE).and_then(|rest| rest.strip_prefix(':'));
-    let mut numbers =
-        place.into_iter().flat_map(|rest| rest.split([':', ' '])).map_while(|part| part.parse().ok());
-    let (line, column): (Option<usize>, Option<usize>) = (numbers.next(), numbers.next());
-    let written = line.and_then(|line| text.lines().nth(line.checked_sub(1)?));
-    let mut excerpt = message.lines().skip(1);
-    let marked = (excerpt.next(), excerpt.next());
-    let span = match (written, column, marked) {
-        (Some(_), Some(column), _) => Some([column - 1, column]),
-        (Some(written), None, (Some(shown), Some(mark))) => {
-            let (shown, before) = (shown.trim_start(), shown.len() - shown.trim_start().len());
-            written.find(shown).map(|start| {
-                let start = written[..start].chars().count();
-                let from = start + mark.find('^').unwrap_or(before).saturating_sub(before);
-                [from, from + mark.trim().chars().count()]
-            })
-        }
-        _ => None,
-    };
-    let message = message.lines().next().unwrap_or_default();
-    let message = message.strip_prefix(&format!("{FILE}:")).unwrap_or(message);
-    let message = match line {
-        Some(line) => message.strip_prefix(&line.to_string()).unwrap_or(message),
-        None => message,
-    };
-    let message =
-        column.map_or(message, |column| message.strip_prefix(&format!(":{column}")).unwrap_or(message));
-    Wrong { message: message.trim_start_matches([':', ' ']).to_owned(), line, span }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -215,7 +170,7 @@ mod tests {
     #[test]
     fn mistakes_are_marked_where_they_are() {
         let wrong = |text: String| model(text).described().unwrap_err();
-        let marked = |text: &str, wrong: &Wrong| {
+        let marked = |text: &str, wrong: &Mistake| {
             let line = text.lines().nth(wrong.line.unwrap() - 1).unwrap();
             let [from, to] = wrong.span.unwrap();
             line.chars().skip(from).take(to - from).collect::<String>()
@@ -236,7 +191,7 @@ mod tests {
         let mut model = model(example());
         model.set.insert("kappa".to_owned(), 0.3);
         let view = View { primary: [0.25, 0.5], secondary: [0.9, 1.0] };
-        let Ok(Checked::Text(description)) = model.checked(Some(&view)) else { panic!("it is right") };
+        let Ok(CheckedModel::Text(description)) = model.checked(Some(&view)) else { panic!("it is right") };
         assert_eq!(description.primary().range(), [0.25, 0.5]);
         assert!(description.constants().any(|constant| constant == ("kappa", 0.3)));
         model.set.insert("unknown".to_owned(), 1.0);

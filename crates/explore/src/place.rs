@@ -6,17 +6,17 @@ use grazing_model::smooth::Units;
 use grazing_model::{ImpactOscillator, State};
 use grazing_reproduction::plane::Axes;
 use grazing_unfold::Scope;
-use grazing_unfold::place::{Attractor, Nearby, Place, Plan, Solution};
+use grazing_unfold::place::{Attractor, Nearby, Place, Solution, Starts};
 use grazing_unfold::stop::Stop;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
-use crate::model::{Checked, Job, Model};
+use crate::model::{CheckedModel, Job, Model};
 
 /// What is asked for.
 #[derive(Deserialize)]
-pub(crate) struct Asked {
+pub(crate) struct PlaceRequest {
     model: Model,
     at: [f64; 2],
     #[serde(default = "usual")]
@@ -26,17 +26,17 @@ pub(crate) struct Asked {
     orbits: bool,
     /// What was found at a place nearby: only this is followed.
     #[serde(default)]
-    nearby: Option<Told>,
+    nearby: Option<NearbyMotion>,
 }
 
 /// MPSs, as p, velocity and phase, and attractors, as the number of states and one of its own, which only this program reads.
 #[derive(Deserialize)]
-struct Told {
+struct NearbyMotion {
     solutions: Vec<(u32, f64, f64)>,
     attractors: Vec<(u32, [f64; 3])>,
 }
 
-impl Told {
+impl NearbyMotion {
     fn nearby(&self, loops: &[u32], units: &Units) -> Option<Nearby> {
         let few = self.solutions.len().max(self.attractors.len()) <= MOST_STATES as usize;
         let counted = self.attractors.iter().all(|(states, _)| (1..=MOST_STATES).contains(states));
@@ -57,7 +57,7 @@ impl Told {
 }
 
 fn usual() -> u32 {
-    Plan::default().states
+    Starts::default().states
 }
 
 fn yes() -> bool {
@@ -67,46 +67,46 @@ fn yes() -> bool {
 /// More initial states take longer than anybody waits.
 const MOST_STATES: u32 = 200;
 
-pub(crate) fn compute(asked: &Asked, stop: &Stop) -> Result<Value, Problem> {
-    let model = asked.model.checked(None)?;
-    if !asked.at.iter().all(|value| value.is_finite()) {
+pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Problem> {
+    let model = request.model.checked(None)?;
+    if !request.at.iter().all(|value| value.is_finite()) {
         return Err(Problem::wrong("the place must be two numbers"));
     }
-    let mut found = model.with(stop, Looked { asked, stop, model: &model })?;
-    found["wall"] = wall(&model, asked.at, found["period"].as_f64().unwrap_or(1.0));
+    let mut found = model.with(stop, PlaceJob { request, stop, model: &model })?;
+    found["wall"] = wall(&model, request.at, found["period"].as_f64().unwrap_or(1.0));
     Ok(found)
 }
 
 /// The wall over a forcing period, in the file's coordinates; at rest it is a point.
-fn wall(model: &Checked, at: [f64; 2], period: f64) -> Value {
+fn wall(model: &CheckedModel, at: [f64; 2], period: f64) -> Value {
     const INSTANTS: u32 = 64;
-    let Checked::Text(description) = model else { return json!([[0.0, 0.0]]) };
+    let CheckedModel::Text(description) = model else { return json!([[0.0, 0.0]]) };
     let position = |time: f64| Description::wall(description).outside([0.0, 0.0], time, at)[0];
     let times = (0..=INSTANTS).map(|k| period * f64::from(k) / f64::from(INSTANTS));
     json!(times.map(|time| [time, position(time)]).collect::<Vec<_>>())
 }
 
-struct Looked<'a> {
-    asked: &'a Asked,
+struct PlaceJob<'a> {
+    request: &'a PlaceRequest,
     stop: &'a Stop,
-    model: &'a Checked,
+    model: &'a CheckedModel,
 }
 
-impl Job for Looked<'_> {
+impl Job for PlaceJob<'_> {
     type Outcome = Result<Value, Problem>;
 
     fn run<O: ImpactOscillator>(self, oscillator: &O, scope: &Scope, axes: &Axes) -> Result<Value, Problem> {
-        let Self { asked, stop, model } = self;
+        let Self { request, stop, model } = self;
         let units = axes.units;
-        let [primary, secondary] = asked.at;
+        let [primary, secondary] = request.at;
         let here = oscillator.with_parameters([primary / units.primary, secondary / units.secondary]);
-        let found = match &asked.nearby {
+        let found = match &request.nearby {
             None => {
-                let plan = Plan { states: asked.states.clamp(1, MOST_STATES), ..Plan::default() };
-                Place::compute(&here, &scope.loops, &plan, stop)
+                let states = request.states.clamp(1, MOST_STATES);
+                Place::compute(&here, &scope.loops, &Starts { states, ..Starts::default() }, stop)
             }
-            Some(told) => {
-                let nearby = told
+            Some(motion) => {
+                let nearby = motion
                     .nearby(&scope.loops, &units)
                     .ok_or_else(|| Problem::wrong("too much is said to be nearby"))?;
                 Place::followed(&here, &nearby, stop)
@@ -114,8 +114,8 @@ impl Job for Looked<'_> {
         };
         let found = found.ok_or_else(Problem::ended)?;
         let states: u32 = found.attractors.iter().map(|attractor| attractor.states).sum();
-        let flights = |flights: &[Vec<[f64; 3]>]| match asked.orbits {
-            true => flights.iter().map(|flight| outside(flight, &units, model, asked.at)).collect(),
+        let flights = |flights: &[Vec<[f64; 3]>]| match request.orbits {
+            true => flights.iter().map(|flight| outside(flight, &units, model, request.at)).collect(),
             false => Vec::new(),
         };
         let solution = |solution: &Solution| {
@@ -150,16 +150,16 @@ impl Job for Looked<'_> {
             "solutions": found.solutions.iter().map(solution).collect::<Vec<_>>(),
             "attractors": found.attractors.iter().map(attractor).collect::<Vec<_>>(),
             "period": found.period * units.time,
-            "followed": asked.nearby.is_some(),
+            "followed": request.nearby.is_some(),
         }))
     }
 }
 
 /// A flight in the file's units and coordinates; it was found as it is seen from the wall.
-fn outside(flight: &[[f64; 3]], units: &Units, model: &Checked, at: [f64; 2]) -> Vec<[f64; 3]> {
+fn outside(flight: &[[f64; 3]], units: &Units, model: &CheckedModel, at: [f64; 2]) -> Vec<[f64; 3]> {
     let point = |[t, u, velocity]: &[f64; 3]| {
         let [t, u, velocity] = [t * units.time, u * units.length, velocity * units.velocity()];
-        let Checked::Text(description) = model else { return [t, u, velocity] };
+        let CheckedModel::Text(description) = model else { return [t, u, velocity] };
         let [x, v] = Description::wall(description).outside([u, velocity], t, at);
         [t, x, v]
     };

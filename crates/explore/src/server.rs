@@ -1,11 +1,12 @@
-//! Connections, their limits, and where requests go.
+//! Connections, and where requests go.
 
 use std::convert::Infallible;
 use std::io;
 use std::net::{Ipv4Addr, TcpListener};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::Arc;
 use std::time::Duration;
 
+use grazing_source::Mistake;
 use grazing_unfold::stop::Stop;
 use http_body_util::{BodyExt, Limited};
 use hyper::body::Incoming;
@@ -14,58 +15,19 @@ use hyper::server::conn::http1;
 use hyper::service::service_fn;
 use hyper::{Method, Request, Response, StatusCode};
 use hyper_util::rt::{TokioIo, TokioTimer};
-use rayon::{ThreadPool, ThreadPoolBuilder};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
+use serde_json::json;
 use tokio::runtime::Builder;
-use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
-use tokio::time::{interval, sleep, timeout};
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
+use tokio::time::{interval, timeout};
 
-use crate::answer::{self, Body, Problem, StopOnDrop};
+use crate::answer::{self, Body, Problem, Sheet};
 use crate::files::{self, Example};
 use crate::guard::{self, Token};
 use crate::model::{Model, View};
+use crate::turns::{self, Limits, Turns};
 use crate::{cut, diagram, place, stream, tiles};
-
-/// What the server allows. None of it is felt by people at browsers; all of it is by whoever wants to bring the server down.
-#[derive(Clone, Copy, Debug)]
-pub struct Limits {
-    /// Connections at once; more are closed.
-    pub connections: usize,
-    /// Computations at once; more wait, in the order in which they came. By default so many as one page asks for: diagram, place, cut, simulation.
-    pub computations: usize,
-    /// Bytes of a request's body: ten times the largest file that is no generated one.
-    pub body: usize,
-    /// For the head of a request to come, and then for its body.
-    pub patience: Duration,
-    /// For a computation, with the time that it waits.
-    pub time: Duration,
-    /// Steps of integration of a computation.
-    pub steps: u64,
-}
-
-impl Default for Limits {
-    fn default() -> Self {
-        Self {
-            connections: 256,
-            computations: 4,
-            body: 200_000,
-            patience: Duration::from_secs(10),
-            time: Duration::from_secs(120),
-            steps: 2_000_000_000,
-        }
-    }
-}
-
-/// A file that is taken home.
-pub struct Sheet {
-    /// Its name.
-    pub name: String,
-    /// Its media type.
-    pub kind: &'static str,
-    /// Its content.
-    pub content: Vec<u8>,
-}
 
 /// Makes a file of what is seen: of a model in a view `svg`, `pdf`, `png` or `csv:TABLE` at a width (`paper`, `one`, `two`).
 pub type Export = Box<dyn Fn(&Model, &View, &str, &str, &Stop) -> Result<Sheet, String> + Send + Sync>;
@@ -77,17 +39,12 @@ pub struct Server {
 }
 
 /// What all requests share.
-pub(crate) struct Shared {
+struct Shared {
     port: u16,
     token: Token,
     examples: Vec<Example>,
     export: Export,
-    pub(crate) limits: Limits,
-    computations: Arc<Semaphore>,
-    /// Each computation has threads of its own: those of one that takes long would not look after another before its end.
-    threads: Mutex<Vec<Arc<ThreadPool>>>,
-    /// Changes when all computations are to end.
-    ending: watch::Sender<u64>,
+    turns: Arc<Turns>,
 }
 
 impl Server {
@@ -98,17 +55,12 @@ impl Server {
     pub fn bind(port: u16, limits: Limits, examples: Vec<Example>, export: Export) -> io::Result<Self> {
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port))?;
         listener.set_nonblocking(true)?;
-        let pool = |_| ThreadPoolBuilder::new().build().map(Arc::new).map_err(io::Error::other);
-        let threads = (0..limits.computations).map(pool).collect::<io::Result<_>>()?;
         let shared = Shared {
             port: listener.local_addr()?.port(),
             token: Token::random()?,
             examples,
             export,
-            limits,
-            computations: Arc::new(Semaphore::new(limits.computations)),
-            threads: Mutex::new(threads),
-            ending: watch::Sender::new(0),
+            turns: Arc::new(Turns::new(limits)?),
         };
         Ok(Self { listener, shared: Arc::new(shared) })
     }
@@ -128,12 +80,12 @@ impl Server {
         // A thread for connections; computations have theirs, and within them rayon's.
         let runtime = Builder::new_multi_thread()
             .worker_threads(1)
-            .max_blocking_threads(shared.limits.computations + 2)
+            .max_blocking_threads(shared.turns.limits.computations + 2)
             .enable_all()
             .build()?;
         runtime.block_on(async {
             let listener = tokio::net::TcpListener::from_std(listener)?;
-            let places = Arc::new(Semaphore::new(shared.limits.connections));
+            let places = Arc::new(Semaphore::new(shared.turns.limits.connections));
             let mut pause = interval(PAUSE);
             loop {
                 let accepted = tokio::select! {
@@ -143,7 +95,7 @@ impl Server {
                             break;
                         }
                         if too_large() {
-                            shared.ending.send_modify(|endings| *endings += 1);
+                            shared.turns.end_all();
                         }
                         continue;
                     }
@@ -154,7 +106,7 @@ impl Server {
                 };
                 tokio::spawn(connection(TokioIo::new(stream), shared.clone(), place));
             }
-            shared.ending.send_modify(|endings| *endings += 1);
+            shared.turns.end_all();
             Ok::<_, io::Error>(())
         })?;
         runtime.shutdown_timeout(GRACE);
@@ -171,7 +123,7 @@ async fn connection(
     shared: Arc<Shared>,
     _place: OwnedSemaphorePermit,
 ) {
-    let patience = shared.limits.patience;
+    let patience = shared.turns.limits.patience;
     let service = service_fn(move |request| {
         let shared = shared.clone();
         async move {
@@ -218,17 +170,19 @@ async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Res
             let model: Model = read(shared, request).await?;
             Ok(match model.described() {
                 Ok(described) => answer::json(&described),
-                Err(wrong) => answer::json(&wrong.told()),
+                Err(Mistake { message, line, span }) => {
+                    answer::json(&json!({"ok": false, "message": message, "line": line, "span": span}))
+                }
             })
         }
-        "diagram" => stream::events(shared, read(shared, request).await?, diagram::compute).await,
-        "tiles" => stream::events(shared, read(shared, request).await?, tiles::compute).await,
-        "place" => answer::computed(shared, read(shared, request).await?, place::compute).await,
-        "cut" => stream::events(shared, read(shared, request).await?, cut::compute).await,
+        "diagram" => stream::events(&shared.turns, read(shared, request).await?, diagram::compute).await,
+        "tiles" => stream::events(&shared.turns, read(shared, request).await?, tiles::compute).await,
+        "place" => turns::computed(&shared.turns, read(shared, request).await?, place::compute).await,
+        "cut" => stream::events(&shared.turns, read(shared, request).await?, cut::compute).await,
         "export" => {
-            let Wanted { model, view, what, columns } = read(shared, request).await?;
-            let (own, limits) = (shared.clone(), shared.limits);
-            let made = answer::blocking(shared, limits, move |stop| {
+            let ExportRequest { model, view, what, columns } = read(shared, request).await?;
+            let (own, limits) = (shared.clone(), shared.turns.limits);
+            let made = turns::blocking(&shared.turns, limits, move |stop| {
                 (own.export)(&model, &view, &what, &columns, stop).map_err(Problem::wrong)
             });
             answer::file(made.await?)
@@ -237,9 +191,9 @@ async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Res
     }
 }
 
-/// What is taken home.
+/// What is to be exported.
 #[derive(Deserialize)]
-struct Wanted {
+struct ExportRequest {
     model: Model,
     view: View,
     what: String,
@@ -253,7 +207,7 @@ fn paper() -> String {
 
 /// The body of a request.
 async fn read<T: DeserializeOwned>(shared: &Shared, request: Request<Incoming>) -> Result<T, Problem> {
-    let Limits { body: most, patience, .. } = shared.limits;
+    let Limits { body: most, patience, .. } = shared.turns.limits;
     let collected = timeout(patience, Limited::new(request.into_body(), most).collect()).await;
     let late = |_| Problem::new(StatusCode::REQUEST_TIMEOUT, "the request did not come in time");
     let large = |_| Problem::new(StatusCode::PAYLOAD_TOO_LARGE, "the request is too large");
@@ -261,56 +215,4 @@ async fn read<T: DeserializeOwned>(shared: &Shared, request: Request<Incoming>) 
     serde_json::from_slice(&bytes).map_err(|error| {
         Problem::new(StatusCode::BAD_REQUEST, format!("the request is not understood: {error}"))
     })
-}
-
-/// The right to compute, and the threads to do it with.
-pub(crate) struct Turn {
-    shared: Arc<Shared>,
-    pool: Arc<ThreadPool>,
-    _permit: OwnedSemaphorePermit,
-}
-
-impl Turn {
-    /// Computes, and gives the right back.
-    pub(crate) fn take<T: Send>(self, work: impl FnOnce() -> T + Send) -> T {
-        self.pool.install(work)
-    }
-}
-
-impl Drop for Turn {
-    fn drop(&mut self) {
-        self.shared.threads().push(self.pool.clone());
-    }
-}
-
-impl Shared {
-    fn threads(&self) -> MutexGuard<'_, Vec<Arc<ThreadPool>>> {
-        self.threads.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// The right to compute, once it is there; none if it takes too long.
-    pub(crate) async fn turn(self: &Arc<Self>) -> Result<Turn, Problem> {
-        let refused = |why| Problem::new(StatusCode::SERVICE_UNAVAILABLE, why);
-        let turn = timeout(self.limits.time, self.computations.clone().acquire_owned()).await;
-        let permit = turn.map_err(|_| refused("the server is busy"))?;
-        let permit = permit.map_err(|_| refused("the server is closing"))?;
-        let pool = self.threads().pop().ok_or_else(|| refused("the server is busy"))?;
-        Ok(Turn { shared: self.clone(), pool, _permit: permit })
-    }
-
-    /// A mark that ends a computation when its time or its steps are used up, when all are to end, and when what is returned beside it is
-    /// dropped.
-    pub(crate) fn mark(&self, limits: Limits) -> (Stop, StopOnDrop) {
-        let stop = Stop::after(limits.steps);
-        let (guard, mut ending) = (StopOnDrop::new(stop.clone()), self.ending.subscribe());
-        let (ended, gone) = (stop.clone(), guard.gone());
-        tokio::spawn(async move {
-            tokio::select! {
-                () = sleep(limits.time) => ended.ask(),
-                _ = ending.changed() => ended.ask(),
-                () = gone.notified() => {}
-            }
-        });
-        (stop, guard)
-    }
 }

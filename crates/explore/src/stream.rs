@@ -18,29 +18,27 @@ use serde_json::json;
 use tokio::sync::mpsc::{Receiver, Sender, channel};
 use tokio::task::spawn_blocking;
 
-use crate::answer::{Body, Problem, StopOnDrop};
-use crate::server::Shared;
+use crate::answer::{Body, Problem};
+use crate::turns::{StopOnDrop, Turns};
 
 /// Events that wait for a slow reader; the computation waits then, too.
 const WAITING: usize = 64;
-/// Progress is told no more often than this.
+/// Progress is sent no more often than this.
 const PAUSE: Duration = Duration::from_millis(80);
 
 /// Where a computation sends what it finds.
 pub(crate) struct Events {
     sender: Sender<Bytes>,
     stop: Stop,
-    told: Mutex<Told>,
+    stages: Mutex<Stages>,
 }
 
-/// Stages under way, with what is done of them and what there is to do.
-type Stages = BTreeMap<String, [u64; 2]>;
-
-/// What is told of the progress.
+/// The progress that is reported.
 #[derive(Default)]
-struct Told {
-    stages: Stages,
-    /// When something was told last.
+struct Stages {
+    /// Stages under way, with what is done of them and what there is to do.
+    running: BTreeMap<String, [u64; 2]>,
+    /// When something was sent last.
     last: Option<Instant>,
 }
 
@@ -55,16 +53,17 @@ impl Events {
         }
     }
 
-    fn tell(&self, what: &str, change: impl FnOnce(&mut Stages), always: bool) {
-        let mut told = self.told.lock().unwrap_or_else(PoisonError::into_inner);
-        change(&mut told.stages);
+    fn report(&self, what: &str, change: impl FnOnce(&mut Stages), always: bool) {
+        let mut stages = self.stages.lock().unwrap_or_else(PoisonError::into_inner);
+        change(&mut stages);
         let now = Instant::now();
-        if !always && told.last.is_some_and(|last| now - last < PAUSE) {
+        if !always && stages.last.is_some_and(|last| now - last < PAUSE) {
             return;
         }
-        told.last = Some(now);
-        let stage = told.stages.get(what).map(|[done, all]| json!({"stage": what, "done": done, "all": all}));
-        drop(told);
+        stages.last = Some(now);
+        let stage =
+            stages.running.get(what).map(|[done, all]| json!({"stage": what, "done": done, "all": all}));
+        drop(stages);
         if let Some(stage) = stage {
             self.send("progress", &stage);
         }
@@ -73,21 +72,21 @@ impl Events {
 
 impl Progress for Events {
     fn begin(&self, what: &str, steps: u64) {
-        let begun = |stages: &mut Stages| _ = stages.insert(what.to_owned(), [0, steps]);
-        self.tell(what, begun, true);
+        let begun = |stages: &mut Stages| _ = stages.running.insert(what.to_owned(), [0, steps]);
+        self.report(what, begun, true);
     }
 
     fn step(&self, what: &str) {
         let step = |stages: &mut Stages| {
-            if let Some([done, _]) = stages.get_mut(what) {
+            if let Some([done, _]) = stages.running.get_mut(what) {
                 *done += 1;
             }
         };
-        self.tell(what, step, false);
+        self.report(what, step, false);
     }
 
     fn end(&self, what: &str) {
-        self.told.lock().unwrap_or_else(PoisonError::into_inner).stages.remove(what);
+        self.stages.lock().unwrap_or_else(PoisonError::into_inner).running.remove(what);
     }
 
     fn stopped(&self) -> bool {
@@ -97,16 +96,16 @@ impl Progress for Events {
 
 /// Computes, and sends what is found as it is found.
 pub(crate) async fn events<T: Send + Sync + 'static>(
-    shared: &Arc<Shared>,
+    turns: &Arc<Turns>,
     request: T,
     compute: fn(&T, &Events, &Stop) -> Result<(), Problem>,
 ) -> Result<Response<Body>, Problem> {
-    let turn = shared.turn().await?;
-    let (stop, guard) = shared.mark(shared.limits);
+    let turn = turns.turn().await?;
+    let (stop, guard) = turns.mark(turns.limits);
     let (sender, receiver) = channel(WAITING);
     spawn_blocking(move || {
         let began = Instant::now();
-        let events = Events { sender, stop: stop.clone(), told: Mutex::default() };
+        let events = Events { sender, stop: stop.clone(), stages: Mutex::default() };
         match turn.take(|| compute(&request, &events, &stop)) {
             _ if stop.is_asked() => events.send("error", &json!({ "message": Problem::ended().message() })),
             Ok(()) => events.send("done", &json!({ "seconds": began.elapsed().as_secs_f64() })),

@@ -5,8 +5,7 @@ use std::time::{Duration, Instant};
 use grazing_model::ImpactOscillator;
 use grazing_reproduction::plane::Axes;
 use grazing_unfold::Scope;
-use grazing_unfold::one_parameter::random_start;
-use grazing_unfold::place::fate;
+use grazing_unfold::long_time::{Horizon, LongOrbit, Patience, random_start};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::stop::Stop;
 use rayon::prelude::*;
@@ -19,7 +18,7 @@ use crate::stream::Events;
 
 /// What is asked for.
 #[derive(Deserialize)]
-pub(crate) struct Asked {
+pub(crate) struct TilesRequest {
     model: Model,
     view: View,
     columns: u32,
@@ -41,8 +40,8 @@ const OFTEN: Duration = Duration::from_millis(100);
 /// Of all forcing periods those that count are this part.
 const COUNTED: u32 = 6;
 
-pub(crate) fn compute(asked: &Asked, events: &Events, stop: &Stop) -> Result<(), Problem> {
-    let Asked { columns, rows, periods, .. } = asked;
+pub(crate) fn compute(request: &TilesRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
+    let TilesRequest { columns, rows, periods, .. } = request;
     if !((1..=MOST).contains(columns)
         && (1..=MOST).contains(rows)
         && (COUNTED..=MOST_PERIODS).contains(periods))
@@ -51,21 +50,22 @@ pub(crate) fn compute(asked: &Asked, events: &Events, stop: &Stop) -> Result<(),
             "columns and rows must lie between 1 and {MOST}, periods between {COUNTED} and {MOST_PERIODS}"
         )));
     }
-    asked.model.checked(Some(&asked.view))?.with(stop, Tiled { asked, events });
+    request.model.checked(Some(&request.view))?.with(stop, TilesJob { request, events });
     Ok(())
 }
 
-struct Tiled<'a> {
-    asked: &'a Asked,
+struct TilesJob<'a> {
+    request: &'a TilesRequest,
     events: &'a Events,
 }
 
-impl Job for Tiled<'_> {
+impl Job for TilesJob<'_> {
     type Outcome = ();
 
     fn run<O: ImpactOscillator>(self, oscillator: &O, scope: &Scope, _: &Axes) {
-        let Asked { columns, rows, periods, mut known, .. } = *self.asked;
+        let TilesRequest { columns, rows, periods, mut known, .. } = *self.request;
         let counted = periods / COUNTED;
+        let horizon = Horizon { transient: periods - counted, counted, patience: Patience::Drifting };
         let (mut step, mut lot) = (COARSEST, LOT);
         loop {
             let places = (0..rows)
@@ -89,8 +89,8 @@ impl Job for Tiled<'_> {
                     let here = oscillator.with_parameters(scope.window.parameters(shares));
                     // The same place has the same state, whatever was computed before.
                     let mut random = random(column, row);
-                    let seen = fate(&here, random_start(-1.0, &mut random), [periods - counted, counted]);
-                    json!([column, row, seen.loops(), seen.periods, seen.impacts])
+                    let fate = LongOrbit::follow(&here, random_start(-1.0, &mut random), horizon).fate;
+                    json!([column, row, fate.loops(), fate.periods, fate.impacts])
                 });
                 let cells: Vec<Value> = cells.collect();
                 if self.events.stopped() {

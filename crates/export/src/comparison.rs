@@ -2,11 +2,12 @@
 
 use resvg::tiny_skia::{Color, Pixmap, PixmapPaint, PremultipliedColorU8, Transform};
 
+use crate::error::ExportError;
+use crate::figure::Drawing;
 use crate::raster::{blank, encode};
-use crate::{Drawing, ExportError};
 
 /// Enough to read the labels.
-const RESOLUTION: f64 = 150.0;
+const COMPARISON_DPI: f64 = 150.0;
 /// Space around each picture and height of its heading, in pixels.
 const MARGIN: u32 = 40;
 
@@ -16,7 +17,7 @@ const MARGIN: u32 = 40;
 /// # Errors
 /// One of the pictures cannot be drawn.
 pub fn comparison(before: &Drawing, after: &Drawing) -> Result<Vec<u8>, ExportError> {
-    let (before, after) = (before.pixels(RESOLUTION)?, after.pixels(RESOLUTION)?);
+    let (before, after) = (before.pixels(COMPARISON_DPI)?, after.pixels(COMPARISON_DPI)?);
     let difference = difference(&before, &after)?;
     let pictures = [("before", before), ("after", after), ("difference", difference)];
     let width = pictures.iter().map(|(_, picture)| picture.width() + MARGIN).sum::<u32>() + MARGIN;
@@ -29,7 +30,7 @@ pub fn comparison(before: &Drawing, after: &Drawing) -> Result<Vec<u8>, ExportEr
         draw(&mut sheet, picture, left, MARGIN);
         left += picture.width() + MARGIN;
     }
-    encode(&sheet, RESOLUTION)
+    encode(&sheet, COMPARISON_DPI)
 }
 
 fn draw(sheet: &mut Pixmap, picture: &Pixmap, left: u32, top: u32) {
@@ -44,7 +45,7 @@ fn heading_picture(word: &str) -> Result<Pixmap, ExportError> {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"80\" height=\"16\"><rect width=\"80\" height=\"16\" \
          fill=\"#e1e1e1\"/><text x=\"0\" y=\"12\" font-family=\"STIX Two Text\" font-size=\"12\">{word}</text></svg>"
     );
-    Drawing::read(&svg)?.pixels(RESOLUTION)
+    Drawing::read(&svg)?.pixels(COMPARISON_DPI)
 }
 
 /// What is new and what is gone; outside of either picture the sheet counts as white.

@@ -7,7 +7,8 @@ use resvg::usvg::fontdb::Database;
 use resvg::usvg::roxmltree::{Document, ParsingOptions};
 use resvg::usvg::{Options, Tree};
 
-use crate::{ExportError, geometry};
+use crate::error::ExportError;
+use crate::tree::ensure_glyphs;
 
 /// User units to an inch: with 72 of them a unit is a point, as in the figures' view boxes.
 const UNITS_PER_INCH: f32 = 72.0;
@@ -31,13 +32,13 @@ impl Drawing {
         let options = Options { dpi: UNITS_PER_INCH, fontdb: fonts(), ..Options::default() };
         let parsing = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
         let document = Document::parse_with_options(svg, parsing).map_err(resvg::usvg::Error::from)?;
-        let told = |element| {
+        let text = |element| {
             let found = document.descendants().find(|node| node.has_tag_name((SVG, element)));
             found.and_then(|node| node.text()).unwrap_or_default().to_owned()
         };
-        let (title, description) = (told("title"), told("desc"));
+        let (title, description) = (text("title"), text("desc"));
         let figure = Drawing { tree: Tree::from_xmltree(&document, &options)?, title, description };
-        geometry::ensure_glyphs(&figure.tree)?;
+        ensure_glyphs(&figure.tree)?;
         Ok(figure)
     }
 

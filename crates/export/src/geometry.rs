@@ -1,18 +1,12 @@
 //! Where labels and lines come to lie, read from the finished figure and not from what was meant.
 
 use grazing_drawing::Bounds;
-use resvg::tiny_skia::{Rect, Transform};
-use resvg::usvg::{Group, Node, Tree};
+use resvg::tiny_skia::Rect;
+use resvg::usvg::{Node, Tree};
 use ttf_parser::Face;
 
-use crate::{Drawing, ExportError};
-
-fn around(rectangle: Rect, transform: Transform) -> Bounds {
-    let [left, top, right, bottom] = rectangle.transform(transform).map_or([f64::NAN; 4], |turned| {
-        [turned.left(), turned.top(), turned.right(), turned.bottom()].map(f64::from)
-    });
-    Bounds { left, top, right, bottom }
-}
+use crate::figure::Drawing;
+use crate::tree::{around, for_each};
 
 /// A label as it is set.
 #[derive(Debug, Clone, PartialEq)]
@@ -88,18 +82,6 @@ impl Drawing {
     }
 }
 
-/// Visits what is drawn, with the box that clip paths leave of it.
-fn for_each<'a>(group: &'a Group, clip: Option<Bounds>, visit: &mut impl FnMut(&'a Node, Option<Bounds>)) {
-    let own = group.clip_path().map(|clip| around(clip.root().bounding_box(), group.abs_transform()));
-    let clip = own.map(|own| clip.map_or(own, |outer| outer.common(own))).or(clip);
-    for node in group.children() {
-        match node {
-            Node::Group(inner) => for_each(inner, clip, visit),
-            other => visit(other, clip),
-        }
-    }
-}
-
 fn read_text(tree: &Tree, text: &resvg::usvg::Text) -> Text {
     let sizes = || text.chunks().iter().flat_map(|chunk| chunk.spans()).map(|span| span.font_size().get());
     let scale = text.abs_transform().get_scale().0;
@@ -121,28 +103,5 @@ fn read_text(tree: &Tree, text: &resvg::usvg::Text) -> Text {
         size: f64::from(scale * sizes().fold(0.0, f32::max)),
         smallest: f64::from(scale * sizes().fold(f32::INFINITY, f32::min)),
         glyphs,
-    }
-}
-
-/// Every character has a glyph.
-pub(crate) fn ensure_glyphs(tree: &Tree) -> Result<(), ExportError> {
-    let mut lacking = None;
-    for_each(tree.root(), None, &mut |node, _| {
-        if let Node::Text(text) = node {
-            let glyphs = || text.layouted().iter().flat_map(|span| &span.positioned_glyphs);
-            let label: String = text.chunks().iter().map(|chunk| chunk.text()).collect();
-            // A font's glyph 0 stands for all characters that it lacks.
-            if glyphs().any(|glyph| glyph.id.0 == 0)
-                || (glyphs().next().is_none() && !label.trim().is_empty())
-            {
-                lacking.get_or_insert(label);
-            }
-        }
-    });
-    match lacking {
-        None => Ok(()),
-        Some(label) => {
-            Err(ExportError(format!("label `{label}` needs a character that the embedded fonts do not have")))
-        }
     }
 }

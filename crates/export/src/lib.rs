@@ -2,7 +2,7 @@
 //!
 //! [`Drawing::read`] reads the SVG that `grazing-drawing` makes. [`Drawing::pdf`] keeps lines as lines and text as text, with
 //! the glyphs that are used embedded; [`Drawing::png`] draws pixels at a resolution; [`Drawing::texts`] and
-//! [`Drawing::shapes`] tell where every label and line comes to lie, for checks; [`comparison`] sets two versions of a
+//! [`Drawing::shapes`] list where every label and line lies, for checks; [`comparison`] sets two versions of a
 //! figure side by side. Sheets are measured in points (1/72 inch), as in the SVG.
 //!
 //! Only the fonts of the figures are known here, never the system's, so that equal input gives equal bytes on every
@@ -18,6 +18,7 @@ mod figure;
 mod geometry;
 mod pdf;
 mod raster;
+mod tree;
 
 pub use comparison::comparison;
 pub use error::ExportError;

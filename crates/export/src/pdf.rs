@@ -10,7 +10,8 @@ use std::fmt::Write;
 
 use svg2pdf::{ConversionOptions, PageOptions, to_pdf};
 
-use crate::{Drawing, ExportError};
+use crate::error::ExportError;
+use crate::figure::Drawing;
 
 impl Drawing {
     /// The figure as a PDF of one page.

@@ -2,7 +2,8 @@
 
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 
-use crate::{Drawing, ExportError};
+use crate::error::ExportError;
+use crate::figure::Drawing;
 
 /// Points in an inch.
 const POINTS_PER_INCH: f64 = 72.0;
@@ -32,8 +33,8 @@ impl Drawing {
 
 /// So many pixels.
 pub(crate) fn blank(width: u32, height: u32) -> Result<Pixmap, ExportError> {
-    let told = || ExportError(format!("a picture of {width} by {height} pixels cannot be drawn"));
-    Pixmap::new(width, height).ok_or_else(told)
+    let error = || ExportError(format!("a picture of {width} by {height} pixels cannot be drawn"));
+    Pixmap::new(width, height).ok_or_else(error)
 }
 
 /// Pixels as PNG, without transparency: the sheet is white.

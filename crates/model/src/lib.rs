@@ -50,6 +50,7 @@ pub mod maps;
 pub mod motion;
 pub mod orbit;
 mod oscillator;
+pub mod phase;
 mod scalar;
 pub mod smooth;
 mod state;

@@ -85,7 +85,7 @@ pub fn virtual_map<O: ImpactOscillator, const ORDER: usize>(
                 .ok_or(MapError::NoRest { near: 0.0, velocity })?
         }
     };
-    land_on_section::<O, ORDER, _>(oscillator, impact, time, 0.0)
+    land_on_section::<O, ORDER, _>(oscillator, impact.into(), time, 0.0)
 }
 
 /// P_virt⁻¹, the branch on the incoming set: from (x, z) on Π with x ≥ 0 backwards to (y, z) on Σ with y ≥ 0.
@@ -136,7 +136,7 @@ pub fn global_map<O: ImpactOscillator, const ORDER: usize>(
     guess: Option<f64>,
 ) -> Result<Landing<AtRest>, MapError> {
     let time = guess.unwrap_or_else(|| oscillator.forcing_period());
-    land_on_section::<O, ORDER, _>(oscillator, from, time, TAU)
+    land_on_section::<O, ORDER, _>(oscillator, from.into(), time, TAU)
 }
 
 /// The next point at which motion visits Π: P_global, as far as it leads to a maximum that comes more than half a forcing period later.
@@ -220,23 +220,43 @@ pub fn to_phase_along<O: ImpactOscillator, const ORDER: usize>(
 /// Its fixed points are the periodic solutions without impacts.
 pub fn stroboscopic_map<O: ImpactOscillator, const ORDER: usize>(
     oscillator: &O,
-    AtPhase { position, velocity }: AtPhase,
+    from: AtPhase,
+) -> MapJet<AtPhase, AtPhase> {
+    stroboscopic_map_along::<O, ORDER>(oscillator, &oscillator.motion(from.at_phase_zero()), from)
+}
+
+/// [`stroboscopic_map`] with the motion from (x, y) at hand.
+pub fn stroboscopic_map_along<O: ImpactOscillator, const ORDER: usize>(
+    oscillator: &O,
+    motion: &O::Motion,
+    from: AtPhase,
 ) -> MapJet<AtPhase, AtPhase> {
     let frequency = oscillator.forcing_frequency();
     let time = TAU / frequency.value;
-    let jet = oscillator.flow::<ORDER>(State { position, velocity, phase: 0.0 }, time);
+    let jet = oscillator.flow_along::<ORDER>(motion, from.at_phase_zero(), time);
     at_constant_phase::<ORDER, _>(&jet, &frequency, time)
+}
+
+/// From (x, y) at phase zero along the flow to the maximum of x near a time.
+///
+/// # Errors
+/// There is no maximum of x near that time.
+pub fn maximum_from_phase_zero<O: ImpactOscillator, const ORDER: usize>(
+    oscillator: &O,
+    from: AtPhase,
+    near: f64,
+) -> Result<Landing<AtPhase>, MapError> {
+    land_on_section::<O, ORDER, _>(oscillator, from.at_phase_zero(), near, 0.0)
 }
 
 /// Solves for the zero of the velocity and differentiates the landing point implicitly.
 #[inline]
-fn land_on_section<O: ImpactOscillator, const ORDER: usize, A: Surface + Into<State>>(
+fn land_on_section<O: ImpactOscillator, const ORDER: usize, A: Surface>(
     oscillator: &O,
-    from: A,
+    from: State,
     guess: f64,
     turn: f64,
 ) -> Result<Landing<A>, MapError> {
-    let from: State = from.into();
     let motion = oscillator.motion(from);
     let farthest = MOST_PERIODS * oscillator.forcing_period();
     let mut time = guess;
@@ -298,7 +318,9 @@ fn implicit_landing<const ORDER: usize, A: Surface>(
         map.jacobian[(0, a)] = jet.jacobian[(0, columns[a])];
         map.jacobian[(1, a)] = frequency.value * ds[a] + omega[a] * time;
     }
-    map.jacobian[(1, 1)] += 1.0;
+    if A::VARIABLES[1] == flow::PHASE {
+        map.jacobian[(1, 1)] += 1.0;
+    }
     if ORDER >= 2 {
         for a in 0..4 {
             for b in 0..=a {

@@ -1,9 +1,8 @@
 //! Orbits of the hybrid system eq:f with eq:resetLaw: motion and impacts.
 
-use core::f64::consts::TAU;
-
 use crate::motion::{Motion, first_crossing};
 use crate::oscillator::ImpactOscillator;
+use crate::phase::turned;
 use crate::state::{OnWall, State};
 use crate::tolerances::CHATTER_VELOCITY;
 
@@ -179,6 +178,6 @@ impl<O: ImpactOscillator> Iterator for Orbit<'_, O> {
 
 /// The state with its phase reduced to [0, 2π).
 fn wrapped(state: State) -> State {
-    let phase = state.phase - TAU * libm::floor(state.phase / TAU);
+    let phase = turned(state.phase);
     State { phase, ..state }
 }

@@ -101,6 +101,14 @@ surface!(
     AtPhase, position, POSITION, velocity, VELOCITY
 );
 
+impl AtPhase {
+    /// The state, if the plane is that of phase zero.
+    #[inline]
+    pub const fn at_phase_zero(self) -> State {
+        State { position: self.position, velocity: self.velocity, phase: 0.0 }
+    }
+}
+
 impl From<OnWall> for State {
     #[inline]
     fn from(OnWall { velocity, phase }: OnWall) -> Self {

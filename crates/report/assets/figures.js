@@ -5,18 +5,6 @@
 const COLUMN_OF_TITLE = { A: "amplitude" };
 /** Columns that only keep rows together. */
 const BOOKKEEPING = new Set(["arc", "branch", "region", "panel", "portrait", "kind", "stable", "admissible"]);
-const KINDS = {
-  graz: "Grazing of the non-impacting solution",
-  SN: "Saddle-node bifurcation",
-  PD: "Period-doubling bifurcation",
-  GZ: "Grazing bifurcation",
-  "SN-GZ": "Saddle-node and grazing",
-  "PD-GZ": "Period-doubling and grazing",
-  resonance: "Resonant grazing",
-  periodic: "Periodic solution",
-  attractor: "Attractor",
-  mps: "Region of a stable solution",
-};
 /** How near to a point the pointer must be to show its row, and how much nearer a less telling point must be; pixels. */
 const REACH = 28;
 const PREFERENCE = 5;
@@ -66,7 +54,7 @@ function byTelling(tables) {
   return tables.filter((table) => !table.name.endsWith("_regions")).sort((a, b) => telling(a) - telling(b));
 }
 
-/** What a row is, in words. */
+/** What a row is, in words; `KINDS` comes from the program. */
 function nameOf(cell) {
   const kind = cell("kind");
   if (kind) return KINDS[kind] || kind.replace(/_/g, " ");
@@ -125,7 +113,11 @@ function setUpFigure(figure) {
 
   let loading = null;
   const load = () => {
-    loading ??= readTables(`data-${figure.id}`).then((read) => {
+    if (loading) return loading;
+    // Until then the readout cannot say what is there.
+    readout.setAttribute("aria-busy", "true");
+    loading = readTables(`data-${figure.id}`).then((read) => {
+      readout.removeAttribute("aria-busy");
       tables = read;
       for (const panel of panels) {
         panel.points = rowsOf(panel, tables);

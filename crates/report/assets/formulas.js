@@ -32,6 +32,7 @@ const comes = new IntersectionObserver(
   },
   { rootMargin: "100%" },
 );
-document.fonts.ready.then(() => formulas.forEach((formula) => comes.observe(formula)));
+// Not before the page is there: it would have to be laid out for this.
+addEventListener("load", () => document.fonts.ready.then(() => formulas.forEach((formula) => comes.observe(formula))));
 addEventListener("resize", () => fitFormulas([...near]));
 addEventListener("beforeprint", () => fitFormulas(formulas));

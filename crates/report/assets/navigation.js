@@ -10,9 +10,6 @@ function markMore() {
   bar.classList.toggle("more-after", end > 2);
 }
 bar.addEventListener("scroll", markMore, { passive: true });
-addEventListener("resize", markMore);
-// Not before the page is there: it would have to be laid out for this.
-addEventListener("load", markMore);
 
 const seen = new IntersectionObserver(
   (entries) => {
@@ -27,4 +24,10 @@ const seen = new IntersectionObserver(
   },
   { rootMargin: "-40% 0px -59% 0px" },
 );
-document.querySelectorAll("main > section").forEach((section) => seen.observe(section));
+
+// Not before the page is there: it would have to be laid out for this. Letters that come later make the list longer.
+addEventListener("load", () => {
+  const sizes = new ResizeObserver(markMore);
+  for (const part of [bar, ...bar.children]) sizes.observe(part);
+  document.querySelectorAll("main > section").forEach((section) => seen.observe(section));
+});

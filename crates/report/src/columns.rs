@@ -1,13 +1,10 @@
 //! What columns and parameters are called on the page.
 
-use std::collections::BTreeMap;
-
 use askama::filters::Safe;
 use grazing_results::Table;
 
-use crate::Report;
 use crate::formula::{shown, words};
-use crate::html::{Html, escape, json_string};
+use crate::html::{Html, escape};
 
 /// A symbol as the page shows it; names in it may be of several words.
 fn formula(latex: &str) -> Html {
@@ -30,26 +27,11 @@ pub(crate) fn in_parentheses(unit: &str) -> String {
 }
 
 /// What a column is called: its symbol, or its name in words.
-fn name(table: &Table, place: usize) -> Html {
+pub(crate) fn name(table: &Table, place: usize) -> Html {
     match table.symbols[place].as_str() {
         "" => Safe(escape(&table.headers[place].replace('_', " "))),
         latex => formula(latex),
     }
-}
-
-/// What all columns are called that figures show by their names, for the scripts.
-pub(crate) fn json(report: &Report<'_>) -> String {
-    let columns = report
-        .all_figures()
-        .flat_map(|figure| &figure.tables)
-        .flat_map(|table| table.headers.iter().enumerate().map(move |column| (table, column)));
-    let headings: BTreeMap<&str, Html> =
-        columns.map(|(table, (place, header))| (header.as_str(), name(table, place))).collect();
-    let pairs: Vec<String> = headings
-        .iter()
-        .map(|(name, heading)| format!("{}:{}", json_string(name), json_string(&heading.0)))
-        .collect();
-    format!("{{{}}}", pairs.join(","))
 }
 
 #[cfg(test)]

@@ -1,19 +1,23 @@
 //! Tables as the page's scripts read them.
 
+use std::collections::BTreeMap;
+
 use base64::prelude::{BASE64_STANDARD, Engine};
 use grazing_results::columns::HYPOTHESIS;
 use grazing_results::{Cell, Column, Table, brief};
 use miniz_oxide::deflate::compress_to_vec;
 
+use crate::columns::name;
 use crate::formula::signs;
-use crate::html::json_string;
-use crate::svg::Marks;
+use crate::html::{Html, json_string};
+use crate::report::Report;
+use crate::svg::SvgFile;
 
 /// Significant digits of numbers that a reader sees.
-pub(crate) const DIGITS: usize = 7;
+pub(crate) const SHOWN_DIGITS: usize = 7;
 /// Digits of the largest number of a column beside a figure: one more than are shown, so that smaller ones have some, too.
 const LEAST_DIGITS: usize = 8;
-/// Digits beyond those that tell one end of a panel's axis from the other: points stay in place as far as one can zoom.
+/// Digits beyond those in which the ends of a panel's axis differ: points stay in place as far as one can zoom.
 const DIGITS_ALONG_AXIS: i32 = 5;
 /// No number has more.
 const MOST_DIGITS: usize = 12;
@@ -21,8 +25,8 @@ const MOST_DIGITS: usize = 12;
 const SEPARATOR: char = '|';
 /// Columns that only keep rows together.
 const BOOKKEEPING: [&str; 3] = ["arc", "branch", "region"];
-/// How hard to look for repetitions: most of what there is to be had, in little time.
-const EFFORT: u8 = 10;
+/// Most of the possible compression, in little time.
+const COMPRESSION_LEVEL: u8 = 10;
 
 /// How the numbers of a table are rounded.
 #[derive(Clone, Copy)]
@@ -34,23 +38,38 @@ enum Rounding {
 }
 
 /// The figure's tables for the scripts, compressed: those of which its panels show rows.
-pub(crate) fn of_figure(tables: &[Table], marks: &Marks<'_>) -> String {
-    let shown = tables.iter().filter(|table| marks.show(table.name));
-    packed(shown, &BOOKKEEPING, Rounding::Column(digits(marks)))
+pub(crate) fn of_figure(tables: &[Table], file: &SvgFile<'_>) -> String {
+    let shown = tables.iter().filter(|table| file.shows(table.name));
+    packed(shown, &BOOKKEEPING, Rounding::Column(digits(file)))
 }
 
 /// A table for the scripts, compressed.
 pub(crate) fn of_table(table: &Table) -> String {
-    packed([table], &[], Rounding::Each(DIGITS))
+    packed([table], &[], Rounding::Each(SHOWN_DIGITS))
+}
+
+/// What all columns are called that figures show by their names, for the scripts.
+pub(crate) fn column_names(report: &Report<'_>) -> String {
+    let columns = report
+        .all_figures()
+        .flat_map(|figure| &figure.tables)
+        .flat_map(|table| table.headers.iter().enumerate().map(move |column| (table, column)));
+    let headings: BTreeMap<&str, Html> =
+        columns.map(|(table, (place, header))| (header.as_str(), name(table, place))).collect();
+    let pairs: Vec<String> = headings
+        .iter()
+        .map(|(name, heading)| format!("{}:{}", json_string(name), json_string(&heading.0)))
+        .collect();
+    format!("{{{}}}", pairs.join(","))
 }
 
 /// Digits at which a point keeps its place in every panel.
-fn digits(marks: &Marks<'_>) -> usize {
+fn digits(file: &SvgFile<'_>) -> usize {
     let along = |[low, high]: [f64; 2]| {
         let powers = exponent(low.abs().max(high.abs()) / (high - low).abs());
         usize::try_from(powers + 1 + DIGITS_ALONG_AXIS).unwrap_or(LEAST_DIGITS)
     };
-    marks.ranges().map(along).max().unwrap_or(LEAST_DIGITS).clamp(LEAST_DIGITS, MOST_DIGITS)
+    file.ranges().map(along).max().unwrap_or(LEAST_DIGITS).clamp(LEAST_DIGITS, MOST_DIGITS)
 }
 
 /// The power of ten in a number.
@@ -67,7 +86,7 @@ fn packed<'a>(tables: impl IntoIterator<Item = &'a Table>, without: &[&str], rou
     if tables.is_empty() {
         return String::new();
     }
-    BASE64_STANDARD.encode(compress_to_vec(format!("{{{}}}", tables.join(",")).as_bytes(), EFFORT))
+    BASE64_STANDARD.encode(compress_to_vec(format!("{{{}}}", tables.join(",")).as_bytes(), COMPRESSION_LEVEL))
 }
 
 /// A line with the headers, one with how each column is written, one with the units, then every cell on a line of its own, column by column: neighbours in a
@@ -172,15 +191,15 @@ mod tests {
 
     #[test]
     fn a_smooth_column_is_written_by_its_differences() {
-        let told = |numbers: &[f64]| {
+        let written = |numbers: &[f64]| {
             let cells: Vec<Cell> = numbers.iter().map(|&number| number.into()).collect();
             differences(cells.iter(), 8).map(|(code, cells)| format!("{code}: {}", cells.join(" ")))
         };
         let line = [1.0, 1.1, 1.2, 1.3, f64::NAN, 1.4];
-        assert_eq!(told(&line).as_deref(), Some("7,2: 10000000 -9000000 0 0  0"));
-        assert_eq!(told(&[25.0, 25.0, 25.0]).as_deref(), Some("6,1: 25000000 0 0"));
-        assert_eq!(told(&[1e-9, 0.0]).as_deref(), Some("16,0: 10000000 0"));
-        assert_eq!(told(&[0.0]).as_deref(), Some("7,0: 0"));
+        assert_eq!(written(&line).as_deref(), Some("7,2: 10000000 -9000000 0 0  0"));
+        assert_eq!(written(&[25.0, 25.0, 25.0]).as_deref(), Some("6,1: 25000000 0 0"));
+        assert_eq!(written(&[1e-9, 0.0]).as_deref(), Some("16,0: 10000000 0"));
+        assert_eq!(written(&[0.0]).as_deref(), Some("7,0: 0"));
         assert_eq!(differences([Cell::from("a")].iter(), 8), None);
     }
 
@@ -196,13 +215,13 @@ mod tests {
     fn a_narrow_panel_gets_more_digits_and_a_sketch_no_data() {
         let mark = |range: &str| {
             format!(
-                "<rect class=\"panel\" x=\"0\" data-x=\"{range}\" data-y=\"0 1\" data-tables=\"sample\"/>"
+                "<svg><rect class=\"panel\" x=\"0\" data-x=\"{range}\" data-y=\"0 1\" data-tables=\"sample\"/></svg>"
             )
         };
         for (range, expected) in [("0 4", 8), ("0.43 0.44", 8), ("0.43 0.4301", 9), ("1 1.0000000001", 12)] {
-            assert_eq!(digits(&Marks::of(&mark(range))), expected, "{range}");
+            assert_eq!(digits(&SvgFile::read(&mark(range))), expected, "{range}");
         }
-        let of = |svg: &str| of_figure(&[table()], &Marks::of(svg)).is_empty();
+        let of = |svg: &str| of_figure(&[table()], &SvgFile::read(svg)).is_empty();
         assert!(of("<path d=\"M0,0\"/>") && !of(&mark("0 4")));
         assert!(of(&mark("0 4").replace("sample", "other")));
     }

@@ -30,8 +30,8 @@ pub fn mathml(latex: &str, displayed: bool) -> Result<String, FormulaError> {
         match event {
             Ok(event) => events.push(Ok::<_, std::convert::Infallible>(event)),
             Err(error) => {
-                let told = error.to_string();
-                let reason = told.lines().next().unwrap_or_default().to_owned();
+                let message = error.to_string();
+                let reason = message.lines().next().unwrap_or_default().to_owned();
                 return Err(FormulaError { latex: latex.to_owned(), reason });
             }
         }

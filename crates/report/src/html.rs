@@ -4,7 +4,7 @@ use std::borrow::Borrow;
 use std::fmt::{self, Write};
 
 use askama::filters::{Escaper, Safe};
-use grazing_results::directs;
+use grazing_results::{Table, directs};
 
 /// Text that is markup; what is of any other type is escaped when it comes into a template.
 pub(crate) type Html = Safe<String>;
@@ -115,6 +115,17 @@ fn rounded(value: f64, digits: usize) -> String {
 /// Without zeros at the end of the decimals.
 fn trimmed(mantissa: &str) -> &str {
     if mantissa.contains('.') { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa }
+}
+
+/// The path of a table's file among the outputs.
+pub(crate) fn csv_path(table: &Table) -> String {
+    format!("data/{}.csv", table.name)
+}
+
+/// The text with a capital letter first.
+pub(crate) fn capitalised(text: &str) -> String {
+    let mut characters = text.chars();
+    characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
 }
 
 /// `1 file`, `2 files`.

@@ -8,8 +8,8 @@ use grazing_claims::ledger::{Claim, Misprint};
 use grazing_claims::outcome::Measure;
 use grazing_claims::source::Location;
 
-use crate::Report;
 use crate::html::{Html, escape, identifier, number};
+use crate::report::Report;
 
 /// How a claim came out.
 pub(crate) fn state(verdict: &ClaimVerdict) -> &'static str {
@@ -138,7 +138,7 @@ mod tests {
 
     #[test]
     fn measurements_stand_beside_what_they_are_held_against() {
-        for (measure, told) in [
+        for (measure, shown) in [
             (
                 Measure::Deviation { largest: 3.14e-15, tolerance: 1e-12 },
                 "largest deviation <b>3.1 × 10<sup>−15</sup></b>, tolerance 10<sup>−12</sup>",
@@ -148,7 +148,7 @@ mod tests {
                 "observed order <b>∞</b>, stated order 2, tolerance 0.3",
             ),
         ] {
-            assert_eq!(measured(&measure).0, told);
+            assert_eq!(measured(&measure).0, shown);
         }
     }
 }

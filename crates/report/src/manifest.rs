@@ -1,4 +1,4 @@
-//! What was made, from what, and by what.
+//! The manifest: which files were computed, from which parameters, by which program.
 
 use sha2::{Digest, Sha256};
 
@@ -6,7 +6,7 @@ use askama::filters::Safe;
 
 use crate::html::{Html, escape};
 
-/// What was made, from what, and by what.
+/// Which files were computed, from which parameters, by which program.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Manifest {
     /// The program and its version.
@@ -20,14 +20,14 @@ pub struct Manifest {
     /// What stands in it.
     pub parameters: String,
     /// The files that were computed.
-    pub outputs: Vec<OutputFile>,
+    pub outputs: Vec<FileDigest>,
     /// The address of the folder where these files are, with a slash at its end; without it they are named but not linked.
     pub folder: Option<String>,
 }
 
 /// A computed file.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct OutputFile {
+pub struct FileDigest {
     /// Its path in the folder of figures, as `data/coefficients.csv`.
     pub path: String,
     /// Its size.
@@ -36,7 +36,7 @@ pub struct OutputFile {
     pub sha256: String,
 }
 
-impl OutputFile {
+impl FileDigest {
     /// The file with this content.
     pub fn of(path: impl Into<String>, content: &[u8]) -> Self {
         let sha256 = Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect();
@@ -62,7 +62,7 @@ mod tests {
     fn the_digest_is_that_of_the_standard() {
         // FIPS 180-2, appendix B.1.
         assert_eq!(
-            OutputFile::of("a", b"abc").sha256,
+            FileDigest::of("a", b"abc").sha256,
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
         );
     }

@@ -9,9 +9,9 @@ use grazing_results::{Column, Table};
 use grazing_unfold::sides::Simulated;
 use grazing_unfold::verdict::{Coefficient, Verdict};
 
-use crate::FigureEntry;
 use crate::columns::in_parentheses;
 use crate::html::{Html, counted, identifier};
+use crate::outputs::FigureEntry;
 
 /// An oscillator with all that was found out about it.
 #[derive(Debug, Clone)]
@@ -126,18 +126,20 @@ impl OscillatorEntry {
     /// The verdicts on agreement and simulation, where a theorem applies, and how much is lost.
     pub(crate) fn verdicts(&self) -> Html {
         let tally = self.tally();
-        let mut told = match tally.all {
+        let mut verdicts = match tally.all {
             0 => vec![("unchecked", "no theorem applies".to_owned())],
             _ => vec![tally.agreement(), tally.simulation()],
         };
         if !self.lost.is_empty() {
-            told.push(("misprint", format!("{} not unfolded", self.lost.len())));
+            verdicts.push(("misprint", format!("{} not unfolded", self.lost.len())));
         }
         if !self.undecided.is_empty() {
-            told.push(("misprint", counted(self.undecided.len(), "region undecided", "regions undecided")));
+            verdicts
+                .push(("misprint", counted(self.undecided.len(), "region undecided", "regions undecided")));
         }
-        let told = told.iter().map(|(tone, words)| format!("<span class=\"verdict {tone}\">{words}</span>"));
-        Safe(told.collect::<Vec<_>>().join(" "))
+        let verdicts =
+            verdicts.iter().map(|(tone, words)| format!("<span class=\"verdict {tone}\">{words}</span>"));
+        Safe(verdicts.collect::<Vec<_>>().join(" "))
     }
 }
 

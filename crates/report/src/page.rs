@@ -1,11 +1,15 @@
 //! The page as a whole.
 
+use std::collections::BTreeMap;
+
 use askama::Template;
 use askama::filters::Safe;
 use grazing_claims::audit;
+use grazing_results::kinds;
 
-use crate::html::{Html, escape, rendered};
-use crate::{Report, ledger};
+use crate::html::{Html, capitalised, escape, rendered};
+use crate::ledger;
+use crate::report::Report;
 
 const STYLE: &[&str] = &[
     include_str!("../assets/base.css"),
@@ -46,6 +50,13 @@ struct Page<'a> {
 }
 
 impl Page<'_> {
+    /// What the words of tables mean, for the scripts.
+    fn kinds(&self) -> String {
+        let meanings = kinds::meanings().into_iter().map(|(name, meaning)| (name, capitalised(meaning)));
+        let meanings: BTreeMap<_, _> = meanings.collect();
+        format!("const KINDS = {};\n", serde_json::json!(meanings))
+    }
+
     /// Identifiers and titles of the sections that have something to show.
     fn sections(&self) -> Vec<(&'static str, &'static str)> {
         let Report { figures, tables, published, claims, oscillators, .. } = self.report;
@@ -223,8 +234,8 @@ mod tests {
     #[test]
     fn units_stand_in_headings_and_ranges() {
         let html = page(&sample::oscillators_alone());
-        for told in ["</math> (N)</th>", "in N\"", "(N/A<sup>2</sup>)", "to 4 N</dd>"] {
-            assert!(html.contains(told), "{told}");
+        for text in ["</math> (N)</th>", "in N\"", "(N/A<sup>2</sup>)", "to 4 N</dd>"] {
+            assert!(html.contains(text), "{text}");
         }
     }
 
@@ -238,7 +249,7 @@ mod tests {
     fn tables_of_oscillators_do_not_lead_to_files_of_the_paper() {
         // Both have a table of this name.
         let mut report = sample::report();
-        report.manifest.outputs.push(crate::OutputFile::of("data/coefficients.csv", b""));
+        report.manifest.outputs.push(crate::FileDigest::of("data/coefficients.csv", b""));
         let html = page(&report);
         let part = &html[html.find("<section id=\"oscillators\"").expect("there are oscillators")..];
         let part = &part[..part.find("<section id=\"manifest\"").expect("the manifest follows")];

@@ -1,36 +1,92 @@
 //! What the page reads in the SVG of a figure, and how it shortens it.
 
-/// The panels that a figure says it has.
-pub(crate) struct Marks<'a>(Vec<&'a str>);
+use roxmltree::{Document, Node};
+use svgtypes::{PathParser, PathSegment};
 
-impl<'a> Marks<'a> {
-    pub(crate) fn of(svg: &'a str) -> Self {
-        let marks = svg.match_indices("<rect class=\"panel\"");
-        Marks(marks.map(|(at, _)| svg[at..].split('>').next().unwrap_or_default()).collect())
+/// Attributes of the root that are kept on the page.
+const INHERITED: [&str; 4] = ["font-family", "space", "stroke-linejoin", "fill"];
+/// Hundredths are whole up to this: what is left of reading a decimal number is below 1e-9, a third decimal at least 0.1.
+const DECIMALS_BEYOND: f64 = 1e-3;
+/// Elements that are not drawn.
+const APART: [&str; 3] = ["title", "desc", "style"];
+
+/// A figure's file, read: what it says of itself beside what it draws.
+pub(crate) struct SvgFile<'a> {
+    source: &'a str,
+    document: Document<'a>,
+}
+
+impl<'a> SvgFile<'a> {
+    /// Reads a file.
+    ///
+    /// # Panics
+    /// It is not well-formed XML: figures are what `grazing-drawing` writes.
+    pub(crate) fn read(source: &'a str) -> Self {
+        let document = Document::parse(source).expect("a figure is well-formed SVG");
+        Self { source, document }
+    }
+
+    /// An attribute of the root.
+    pub(crate) fn attribute(&self, name: &str) -> Option<&str> {
+        self.document.root_element().attribute(name)
+    }
+
+    /// Those attributes of the root that all that it draws inherits, as they are written.
+    pub(crate) fn inherited(&self) -> String {
+        let attributes = self.document.root_element().attributes();
+        let kept = attributes.filter(|attribute| INHERITED.contains(&attribute.name()));
+        kept.map(|attribute| &self.source[attribute.range()]).collect::<Vec<_>>().join(" ")
+    }
+
+    /// The text of an element below the root; empty without one.
+    pub(crate) fn text(&self, element: &str) -> &str {
+        self.parts().find(|part| part.has_tag_name(element)).and_then(|part| part.text()).unwrap_or_default()
+    }
+
+    /// What it draws, as it is written.
+    pub(crate) fn drawing(&self) -> String {
+        let drawn = self.parts().filter(|part| !is_legend(part) && !APART.contains(&part.tag_name().name()));
+        drawn.map(|part| &self.source[part.range()]).collect()
+    }
+
+    /// The samples of its legend, as they are written, and their meanings.
+    pub(crate) fn legend(&self) -> Vec<(String, String)> {
+        let entries = self.parts().filter(is_legend).flat_map(|legend| legend.children());
+        let entry = |entry: Node<'_, '_>| {
+            let sample = entry.children().map(|part| &self.source[part.range()]).collect();
+            (sample, entry.attribute("aria-label").unwrap_or_default().to_owned())
+        };
+        entries.map(entry).collect()
     }
 
     /// Whether a panel shows rows of the table; one that names none may show any but regions, which are areas, not points.
-    pub(crate) fn show(&self, table: &str) -> bool {
-        self.0.iter().any(|mark| match attribute(mark, "data-tables") {
+    pub(crate) fn shows(&self, table: &str) -> bool {
+        self.panels().any(|panel| match panel.attribute("data-tables") {
             Some(named) => named.split(' ').any(|name| name == table),
             None => !table.ends_with("_regions"),
         })
     }
 
-    /// The values at the ends of all axes.
+    /// The values at the ends of the axes of all panels.
     pub(crate) fn ranges(&self) -> impl Iterator<Item = [f64; 2]> {
-        let range = |mark: &&str, name| {
-            let (low, high) = attribute(mark, name)?.split_once(' ')?;
+        let range = |panel: &Node<'_, '_>, name| {
+            let (low, high) = panel.attribute(name)?.split_once(' ')?;
             Some([low.parse().ok()?, high.parse().ok()?])
         };
-        self.0.iter().flat_map(move |mark| ["data-x", "data-y"].map(|name| range(mark, name))).flatten()
+        self.panels().flat_map(move |panel| ["data-x", "data-y"].map(|name| range(&panel, name))).flatten()
+    }
+
+    fn parts(&self) -> impl Iterator<Item = Node<'_, 'a>> {
+        self.document.root_element().children()
+    }
+
+    fn panels(&self) -> impl Iterator<Item = Node<'_, 'a>> {
+        self.parts().filter(|part| part.attribute("class") == Some("panel"))
     }
 }
 
-/// The value of an attribute in a start tag.
-pub(crate) fn attribute<'a>(tag: &'a str, name: &str) -> Option<&'a str> {
-    let start = tag.find(&format!(" {name}=\""))? + name.len() + 3;
-    tag[start..].split('"').next()
+fn is_legend(part: &Node<'_, '_>) -> bool {
+    part.attribute("class") == Some("legend")
 }
 
 /// The same drawing with paths from point to point, each as far from the one before: half as long, and the same to a hundredth.
@@ -54,54 +110,37 @@ pub(crate) fn with_short_paths(body: &str) -> String {
 /// The path if it is one of moves, lines and returns to points in hundredths.
 fn short_path(path: &str) -> Option<String> {
     let mut short = String::new();
-    let (mut last, mut before) = ((0, 0), ' ');
-    let mut rest = path;
-    while let Some(command) = rest.chars().next() {
-        rest = &rest[1..];
-        let end = rest.find(|c: char| c.is_ascii_alphabetic()).unwrap_or(rest.len());
-        let (point, after) = rest.split_at(end);
-        rest = after;
-        if command == 'Z' && point.is_empty() {
-            short.push('Z');
-            before = 'Z';
-            continue;
-        }
-        let (x, y) = point.split_once(',')?;
-        let spot = (hundredths(x)?, hundredths(y)?);
-        match command {
-            'M' => {
-                short.push('M');
-                push_pair(&mut short, spot);
-            }
-            'L' => {
-                // Commands that follow themselves need not be said again.
-                if before != 'L' {
-                    short.push('l');
-                }
-                push_pair(&mut short, (spot.0 - last.0, spot.1 - last.1));
+    let (mut last, mut in_line) = ((0, 0), false);
+    for segment in PathParser::from(path) {
+        let (spot, is_line) = match segment.ok()? {
+            PathSegment::MoveTo { abs: true, x, y } => ((hundredths(x)?, hundredths(y)?), false),
+            PathSegment::LineTo { abs: true, x, y } => ((hundredths(x)?, hundredths(y)?), true),
+            PathSegment::ClosePath { .. } => {
+                short.push('Z');
+                in_line = false;
+                continue;
             }
             _ => return None,
+        };
+        // A command that follows itself need not be repeated.
+        match (is_line, in_line) {
+            (false, _) => short.push('M'),
+            (true, false) => short.push('l'),
+            (true, true) => {}
         }
-        (last, before) = (spot, command);
+        push_pair(&mut short, if is_line { (spot.0 - last.0, spot.1 - last.1) } else { spot });
+        (last, in_line) = (spot, is_line);
     }
     Some(short)
 }
 
-/// A number with at most two decimals, in hundredths.
-fn hundredths(number: &str) -> Option<i64> {
-    let (sign, digits) = number.strip_prefix('-').map_or((1, number), |digits| (-1, digits));
-    let (whole, decimals) = digits.split_once('.').unwrap_or((digits, ""));
-    let number = |digits: &str| digits.parse::<i64>().ok().filter(|_| digits.len() < 9);
-    let parts = match decimals.len() {
-        0 => 0,
-        1 => 10 * number(decimals)?,
-        2 => number(decimals)?,
-        _ => return None,
-    };
-    Some(sign * (100 * number(whole)? + parts))
+/// The hundredths in a number, if it is a whole number of them.
+fn hundredths(number: f64) -> Option<i64> {
+    let nearest = (100.0 * number).round();
+    ((100.0 * number - nearest).abs() < DECIMALS_BEYOND).then_some(nearest as i64)
 }
 
-/// Two numbers; a sign or a leading point tells one from the next where it can.
+/// Two numbers, separated by a space only where no sign stands between them.
 fn push_pair(text: &mut String, (x, y): (i64, i64)) {
     for number in [x, y] {
         let written = written(number);
@@ -147,5 +186,39 @@ mod tests {
         let short =
             "<path d=\"M1 1l1 1\" stroke=\"#fff\"/><text id=\"M1,1L2,2\">a</text><path d=\"M1,1h0\"/>";
         assert_eq!(with_short_paths(body), short);
+    }
+
+    #[test]
+    fn diagrams_have_legends_of_what_they_show_and_sketches_have_none() {
+        let legend = |name: &str| -> Vec<String> {
+            let file =
+                std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../figures/{name}.svg"));
+            let svg = std::fs::read_to_string(file).expect("the figures stand in the repository");
+            SvgFile::read(&svg).legend().into_iter().map(|(_, meaning)| meaning).collect()
+        };
+        for sketch in ["fig01", "fig03", "fig06", "fig09", "fig10"] {
+            assert!(legend(sketch).is_empty(), "{sketch}");
+        }
+        for (name, words, there) in [
+            ("fig02", "unstable", true),
+            ("fig02", "long-time behaviour", true),
+            ("fig02", "$p=3$", true),
+            ("fig02", "$p=6$", false),
+            ("fig04", "$h_p$", true),
+            ("fig04", "$p=6$", true),
+            ("fig05", "period-doubling bifurcation", true),
+            ("fig05", "(GZ)", false),
+            ("fig05", "a maximal periodic solution is stable", true),
+            ("fig07", "(GZ)", true),
+            ("fig07", "where a one-parameter diagram runs", true),
+            ("fig07", "quadratic approximation", false),
+            ("fig07", "another codimension-two point", true),
+            ("fig08", "quadratic approximation to PD", true),
+            ("fig08", "the non-impacting solution is stable", true),
+            ("fig08", "stability is not decided", false),
+        ] {
+            let found = legend(name).iter().any(|meaning| meaning.contains(words));
+            assert_eq!(found, there, "{name}: {words}: {:?}", legend(name));
+        }
     }
 }

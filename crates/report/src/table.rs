@@ -6,37 +6,21 @@ use grazing_results::columns::HYPOTHESIS;
 use grazing_results::{Cell, Column, Table};
 
 use crate::columns::heading;
-use crate::data::{self, DIGITS};
-use crate::figure::capitalised;
+use crate::data::{self, SHOWN_DIGITS};
 use crate::formula::signs;
-use crate::html::{Html, escape, number, rendered};
-use crate::{OscillatorEntry, Report};
-
-/// The path of a table's file among the outputs.
-pub(crate) fn path(table: &Table) -> String {
-    format!("data/{}.csv", table.name)
-}
-
-/// An output that is one or more tables.
-#[derive(Debug, Clone, PartialEq)]
-pub struct TableOutput {
-    /// The output's name, as `coefficients`.
-    pub name: String,
-    /// What it shows, in one line.
-    pub title: String,
-    /// The tables.
-    pub tables: Vec<Table>,
-}
+use crate::html::{Html, capitalised, csv_path, escape, number, rendered};
+use crate::oscillator::OscillatorEntry;
+use crate::report::Report;
 
 /// Tables with more rows begin closed, and their rows are kept for the scripts, which set them once they are asked for.
-const LONG: usize = 40;
+const LONGEST_OPEN_TABLE: usize = 40;
 /// The column that says how a case came out.
 const VERDICT: &str = "verdict";
 
 /// A table that can be folded away.
 #[derive(Template)]
 #[template(path = "table.html")]
-struct Folded<'a> {
+struct TableSection<'a> {
     table: &'a Table,
     /// A name that no other table on the page has.
     id: String,
@@ -48,9 +32,9 @@ struct Folded<'a> {
     link: Option<Html>,
 }
 
-impl<'a> Folded<'a> {
+impl<'a> TableSection<'a> {
     fn new(table: &'a Table, id: String, caption: String, link: Option<Html>) -> Self {
-        let packed = (table.rows.len() > LONG).then(|| data::of_table(table));
+        let packed = (table.rows.len() > LONGEST_OPEN_TABLE).then(|| data::of_table(table));
         Self { table, id, caption, packed, link }
     }
 
@@ -63,16 +47,16 @@ impl<'a> Folded<'a> {
 
 /// A table of the paper; short ones are open.
 pub(crate) fn of_the_paper(report: &Report<'_>, title: &str, table: &Table) -> Html {
-    let link = report.links(&[path(table)], false).pop();
-    rendered(&Folded::new(table, table.name.to_owned(), title.to_owned(), link))
+    let link = report.links(&[csv_path(table)], false).pop();
+    rendered(&TableSection::new(table, table.name.to_owned(), title.to_owned(), link))
 }
 
 /// A table of an oscillator.
 pub(crate) fn of_oscillator(report: &Report<'_>, oscillator: &OscillatorEntry, table: &Table) -> Html {
-    let link = report.links(&[path(table)], true).pop();
+    let link = report.links(&[csv_path(table)], true).pop();
     let id = format!("{}-{}", oscillator.anchor(), table.name);
     let caption = format!("{} of {}", capitalised(table.name), oscillator.description.name());
-    rendered(&Folded::new(table, id, caption, link))
+    rendered(&TableSection::new(table, id, caption, link))
 }
 
 /// For each column whether it holds numbers, its meaning and its heading.
@@ -95,7 +79,7 @@ fn shown(cell: &Cell, column: &Column) -> Html {
     Safe(match cell {
         Cell::Number(_) => match cell.number() {
             Some(value) => {
-                let shown = number(&value, DIGITS).0;
+                let shown = number(&value, SHOWN_DIGITS).0;
                 // What a script cannot read as a number is given for sorting.
                 let sort =
                     if shown.contains('<') { format!(" data-value=\"{value:e}\"") } else { String::new() };

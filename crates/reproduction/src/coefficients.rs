@@ -2,6 +2,7 @@
 
 use grazing_continuation::bifurcation::Pair;
 use grazing_results::{row, tables};
+use grazing_theorems::Resonance;
 use grazing_theorems::unfolding::StabilityCoefficients;
 use grazing_unfold::verdict::{self, Coefficient, Verdict};
 use rayon::prelude::*;
@@ -47,8 +48,8 @@ row! { Coefficients, |c| {
     S_MINUS = c.stability.minus,
     C_SN_CLOSED_FORM = c.closed_form.saddle_node,
     C_PD_CLOSED_FORM = c.closed_form.period_doubling,
-    C_SN_THEOREM = sn.theorem.value,
-    C_PD_THEOREM = pd.theorem.value,
+    C_SN = sn.theorem.value,
+    C_PD = pd.theorem.value,
     C_SN_FIT = sn.measured().value,
     C_PD_FIT = pd.measured().value,
     C_SN_FIT_ERROR = sn.measured().error,
@@ -76,7 +77,15 @@ impl Coefficients {
     }
 }
 
-impl Study<'_> {
+/// c_SN,p and c_PD,p by closed form.
+pub(crate) fn closed_form_coefficients(resonance: &Resonance) -> Pair<f64> {
+    Pair {
+        saddle_node: resonance.saddle_node_coefficient(),
+        period_doubling: resonance.period_doubling_coefficient(),
+    }
+}
+
+impl Study {
     /// The coefficients at all resonances of Figure 7.
     ///
     /// # Errors
@@ -93,10 +102,7 @@ impl Study<'_> {
                     frequency: closed_form.forcing_frequency(),
                     amplitude: closed_form.grazing().amplitude(),
                     stability: closed_form.stability_coefficients(),
-                    closed_form: Pair {
-                        saddle_node: closed_form.saddle_node_coefficient(),
-                        period_doubling: closed_form.period_doubling_coefficient(),
-                    },
+                    closed_form: closed_form_coefficients(&closed_form),
                     measured: verdict::coefficients(located),
                 })
             });

@@ -18,7 +18,7 @@ const MOST_IMPACTS: usize = 20;
 /// What root finding leaves of x and z at an impact that is met again from another start (rounding, a thousandfold).
 const SAME: f64 = 1e-9;
 
-impl Study<'_> {
+impl Study {
     /// Figure 1: free flights of orbits, the reset law from each impact to its recoil, the marks of these with the number of their
     /// orbit, and Σ.
     ///
@@ -42,7 +42,7 @@ impl Study<'_> {
             }
         }
         let surfaces = surfaces(&space, shown.velocity).vertices;
-        Ok(Scene { plans: Scene::FIG01, curves: curves.vertices, points, surfaces })
+        Ok(Scene { curves: curves.vertices, points, surfaces })
     }
 }
 

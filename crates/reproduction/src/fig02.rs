@@ -1,76 +1,48 @@
-//! Figure 2 (fig:Z): the one-parameter bifurcation diagram at a fixed frequency, with phase portraits.
+//! Figure 2 (fig:Z): the one-parameter diagram of the paper's oscillator at a fixed frequency, with a magnification and phase portraits.
 
-mod branches;
-mod portraits;
 mod subjects;
 
-use grazing_continuation::bifurcation::Bifurcation;
-use grazing_model::LinearOscillator;
+use grazing_continuation::curve::Window;
 use grazing_results::Frame;
-use grazing_results::branches::{AttractorPoint, BranchBifurcation, Figure2};
-use grazing_theorems::GrazingState;
-use grazing_unfold::one_parameter::{Branch, long_time_behaviour};
-use grazing_unfold::progress::Progress;
+use grazing_results::branches::OneParameter;
+use grazing_unfold::Scope;
+use grazing_unfold::one_parameter::{Line, Section};
 
-use crate::diagram::forced;
-use crate::{Study, StudyError, parameters};
+use crate::study::forced;
+use crate::{Study, StudyError};
 
-/// What the parts of the figure share: the oscillator at grazing.
-struct Setting<'a> {
-    figure: &'a parameters::Figure2,
-    theory: &'a grazing_theorems::LinearOscillator,
-    grazing: GrazingState,
-}
-
-impl Setting<'_> {
-    fn oscillator(&self, amplitude: f64) -> Result<LinearOscillator, StudyError> {
-        forced(self.theory, amplitude, self.figure.frequency)
-    }
-
-    /// The lowest x at which orbits begin: the lower edge of the figure.
-    fn lowest(&self) -> f64 {
-        self.figure.x[0].min(0.0)
-    }
-
-    /// x on Π along orbits from random points after a transient, at amplitudes between GZ and PD.
-    ///
-    /// Empty if the branches have no GZ or no PD in the window.
-    fn long_time(
-        &self,
-        bifurcations: &[BranchBifurcation],
-        progress: &dyn Progress,
-    ) -> Result<Vec<AttractorPoint>, StudyError> {
-        let first = |kind| bifurcations.iter().find(|b| b.kind == kind).map(|b| b.primary);
-        let (Some(gz), Some(pd)) = (first(Bifurcation::Grazing), first(Bifurcation::PeriodDoubling)) else {
-            return Ok(Vec::new());
-        };
-        let (oscillator, sampling) = (self.oscillator(gz)?, (&self.figure.attractor, self.lowest()));
-        let (visits, _) =
-            long_time_behaviour(&oscillator, self.figure.frequency, [gz, pd], sampling, progress);
-        Ok(visits.into_iter().map(|[primary, x]| AttractorPoint { primary, x }).collect())
-    }
-}
-
-impl Study<'_> {
+impl Study {
     /// Figure 2.
     ///
     /// # Errors
-    /// A branch could not be started, or a portrait's solution is not there.
-    pub fn fig02(&self) -> Result<Figure2, StudyError> {
+    /// A portrait's solution is not there.
+    pub fn fig02(&self) -> Result<OneParameter, StudyError> {
         let (figure, theory) = (self.parameters.fig02.get()?, self.parameters.oscillator.get()?);
-        let setting = Setting { figure, theory, grazing: theory.grazing(figure.frequency)? };
-        let branches = branches::follow(&setting, self.progress)?;
-        let shown: Vec<_> = branches.iter().map(Branch::shown).collect();
-        let bifurcations = branches::bifurcations(&setting, &shown);
-        let (portraits, more) = portraits::rows(&setting, &branches)?;
-        Ok(Figure2 {
-            branches: branches::rows(&setting, &shown)?,
-            attractor: setting.long_time(&bifurcations, self.progress)?,
-            portraits,
-            frame: Frame { x: figure.amplitude, y: figure.x },
-            magnified: Frame { x: figure.magnified_amplitude, y: figure.magnified_x },
-            notes: [figure.notes.as_slice(), &more].concat(),
-            bifurcations,
-        })
+        let (at, range) = (figure.frequency, figure.amplitude);
+        let oscillator = forced(theory, range[0], at)?;
+        // Of the frequencies only the lower end matters.
+        let window = Window { primary: range, secondary: [at, 2.0 * at] };
+        let scope = Scope { window, loops: figure.loops.clone(), start: None };
+        let line = Line { diagram: 1, primary_is_fixed: false, at, range };
+        let section = Section::follow(&oscillator, &scope, &[], line, &*self.progress)
+            .ok_or_else(|| StudyError::Failed("it was stopped".to_owned()))?;
+        let grazing = theory.grazing(at)?.amplitude();
+        let (subjects, mut notes) = subjects::all(figure, grazing, section.branches())?;
+        let mut found = section.simulated(&figure.attractor, &subjects, &*self.progress);
+        for (loops, amplitude, reason) in &found.broken {
+            notes.push(format!(
+                "a branch of p = {loops} could not be followed beyond amplitude {amplitude:.5}: {reason}"
+            ));
+        }
+        for subject in &subjects {
+            if !found.portraits.iter().any(|point| point.primary == subject.across) {
+                let said = "the orbit comes to rest at the wall, so that there is no portrait of it";
+                notes.push(format!("amplitude {}: {said}", subject.across));
+            }
+        }
+        found.frame.y = figure.x;
+        found.magnified = Some(Frame { x: figure.magnified_amplitude, y: figure.magnified_x });
+        found.notes = [figure.notes.as_slice(), &notes].concat();
+        Ok(found)
     }
 }

@@ -19,7 +19,7 @@ const AXES: ([f64; 2], f64) = ([-0.75, 0.75], 0.75);
 /// The part of the circle x = 0, y = 0 that is the axis of z, in radians.
 const PHASE_AXIS: f64 = 0.8;
 
-impl Study<'_> {
+impl Study {
     /// Figure 3: Γ, the orbit from a point of Π (number 0) to its image (number 1), the map from the one to the other, Π, and the
     /// circle x = 0, y = 0.
     ///
@@ -69,6 +69,6 @@ impl Study<'_> {
         drawn.curve(SurfaceKind::AxisX, &line(State::at_rest(across[0], at), State::at_rest(across[1], at)));
         drawn.curve(SurfaceKind::AxisY, &line(State::on_wall(0.0, at), State::on_wall(upwards, at)));
         drawn.curve(SurfaceKind::AxisZ, &line(State::at_rest(0.0, at), State::at_rest(0.0, at + PHASE_AXIS)));
-        Ok(Scene { plans: Scene::FIG03, curves: curves.vertices, points, surfaces: drawn.vertices })
+        Ok(Scene { curves: curves.vertices, points, surfaces: drawn.vertices })
     }
 }

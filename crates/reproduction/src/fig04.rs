@@ -12,7 +12,7 @@ const SAMPLES: u32 = 200;
 /// The corners (τ, δ) of the trapesium. Paper: eq:cT.
 const CORNERS: [[f64; 2]; 4] = [[-1.0, 0.0], [1.0, 0.0], [2.0, 1.0], [-2.0, 1.0]];
 
-impl Study<'_> {
+impl Study {
     /// Figure 4.
     pub fn fig04(&self) -> Result<Figure4, StudyError> {
         let mut curves = Vec::new();

@@ -28,7 +28,7 @@ const SAMPLES: u32 = 100;
 /// |κ_p| or |a₁₂| that counts as zero at the closed form of a resonance, as in the theorem's own example.
 const RESONANCE_TOLERANCE: f64 = 1e-12;
 
-impl Study<'_> {
+impl Study {
     /// Figure 5.
     ///
     /// # Errors

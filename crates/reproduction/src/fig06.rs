@@ -8,7 +8,7 @@ mod shapes;
 
 use grazing_results::sketches::{Figure6, Part, PartPoint};
 
-use crate::diagram::forced;
+use crate::study::forced;
 use crate::{Study, StudyError};
 
 /// A polyline of points (x, height).
@@ -39,7 +39,7 @@ mod lengths {
     pub(super) const AXIS_BEYOND_WALL: f64 = 0.42;
 }
 
-impl Study<'_> {
+impl Study {
     /// Figure 6.
     pub fn fig06(&self) -> Result<Figure6, StudyError> {
         let (shown, theory) = (self.parameters.fig06.get()?, self.parameters.oscillator.get()?);

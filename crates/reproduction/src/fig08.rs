@@ -2,16 +2,16 @@
 
 use core::cell::LazyCell;
 
-use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::curve::Window;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::LinearOscillator;
-use grazing_results::plane::{Figure8, MagnifiedPanel};
+use grazing_results::plane::{Magnifications, MagnifiedPanel};
 use grazing_unfold::magnification::{magnify, window_about};
 use grazing_unfold::resonances::Resonance;
 use rayon::prelude::*;
 
-use crate::diagram::not_followed;
+use crate::coefficients::closed_form_coefficients;
+use crate::fig07::not_followed;
 use crate::plane::{self, Axes};
 use crate::{Study, StudyError};
 
@@ -22,25 +22,32 @@ struct Shown<'a> {
     window: Window,
 }
 
-impl Study<'_> {
-    /// Figure 8.
+impl Study {
+    /// Figure 8: magnifications of Figure 7.
     ///
     /// # Errors
     /// A resonance could not be located, unfolded or measured.
-    pub fn fig08(&self) -> Result<Figure8, StudyError> {
-        let (diagram, (shown, notes), axes) = (self.diagram()?, self.shown()?, Axes::of_the_paper());
+    pub fn fig08(&self) -> Result<Magnifications, StudyError> {
+        let (diagram, (shown, _), axes) = (self.diagram()?, self.shown()?, Axes::of_the_paper());
         let curves = |&Shown { resonance, point, window }: &Shown<'_>| {
             magnify(diagram, resonance, point, window)
                 .map_err(|reason| StudyError::Failed(not_followed(resonance.loops, resonance.n, &reason)))
         };
         let polylines: Vec<_> = shown.par_iter().map(curves).collect::<Result<_, _>>()?;
-        Ok(Figure8 {
-            curves: plane::magnifications(&polylines),
+        Ok(Magnifications {
+            curves: plane::magnified_curves(&polylines),
             points: plane::points(&axes, diagram),
             regions: plane::regions(&axes, &diagram.regions),
             panels: self.panels()?,
-            notes: [self.parameters.fig08.get()?.notes.as_slice(), &notes].concat(),
         })
+    }
+
+    /// What Figure 8 shows in the place of something else, in sentences.
+    ///
+    /// # Errors
+    /// As [`fig08`](Self::fig08).
+    pub fn fig08_notes(&self) -> Result<Vec<String>, StudyError> {
+        Ok([self.parameters.fig08.get()?.notes.as_slice(), &self.shown()?.1].concat())
     }
 
     /// The panels of Figure 8, without their curves.
@@ -48,11 +55,7 @@ impl Study<'_> {
         let theory = self.parameters.oscillator.get()?;
         let panel = |(panel, shown): (u32, &Shown<'_>)| {
             let &Shown { resonance: &Resonance { loops, n, .. }, window, .. } = shown;
-            let known = theory.resonance(loops, n)?;
-            let coefficients = Pair {
-                saddle_node: known.saddle_node_coefficient(),
-                period_doubling: known.period_doubling_coefficient(),
-            };
+            let coefficients = closed_form_coefficients(&theory.resonance(loops, n)?);
             Ok(MagnifiedPanel { panel, frame: window.into(), loops, n: None, coefficients })
         };
         (1..).zip(&self.shown()?.0).map(panel).collect()

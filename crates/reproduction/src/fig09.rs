@@ -8,7 +8,7 @@ use grazing_results::space::{CurveKind, MarkKind, Scene, SurfaceKind};
 use crate::space::{Drawn, Space, axes, line, outline, recoil, trajectory};
 use crate::{Study, StudyError, parameters};
 
-impl Study<'_> {
+impl Study {
     /// Figure 9: real and virtual parts of the orbit near the wall, the reset law, P_global from point to point, and Π on both sides of
     /// the wall; marks are the impact, the recoil, (x̂, 0, ẑ) as virtual, and (x⁽ʲ⁾, 0, z⁽ʲ⁾) with number j.
     ///
@@ -72,7 +72,7 @@ impl Study<'_> {
             last = next;
         }
         let surfaces = surfaces(&space, shown, origin).vertices;
-        Ok(Scene { plans: Scene::FIG09, curves: drawn.vertices, points, surfaces })
+        Ok(Scene { curves: drawn.vertices, points, surfaces })
     }
 }
 

@@ -6,7 +6,7 @@ use nalgebra::Vector2;
 
 use crate::{Study, StudyError};
 
-impl Study<'_> {
+impl Study {
     /// Figure 10: the vertices as iterates of (0, −b₁ₚ / (a₁₂ β)) under the affine map Q(u, w) = A (u, w) + (S_p / β) b.
     ///
     /// Paper: eq:affineMap and the line after eq:affineMapj. The scaling S_p / β of eq:ujwj makes u⁽ʲ⁾ free of μ.

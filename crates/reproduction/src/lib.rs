@@ -4,7 +4,7 @@
 //! [`grazing_results`] has it. Nothing here draws or writes files.
 
 mod coefficients;
-mod diagram;
+mod described;
 mod error;
 pub mod family;
 mod fig01;

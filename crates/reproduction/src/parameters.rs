@@ -5,36 +5,55 @@
 //! default, but places of portraits and panels may be left to the program. All quantities are dimensionless; a range is
 //! [lower, upper], finite, with lower < upper.
 
-mod checks;
+mod error;
 mod fig02;
+mod limits;
 mod plane;
-mod requirements;
 mod scenes;
 mod sketches;
 
 use std::path::Path;
+use std::sync::LazyLock;
 
-use grazing_source::{Section, Setting, Source, SourceError, Text, read_file};
+use grazing_source::kind::number;
+use grazing_source::{Keys, Requirements, Section, Setting, Source, SourceError, Text, keys, read_file};
 use grazing_theorems::LinearOscillator;
-use thiserror::Error;
 
-pub use checks::{contains, encloses, strictly_contains};
+use limits::{EPSILON, FREQUENCIES, ZETA, damping_ratio, restitution};
+
+pub use error::ParameterError;
+pub(crate) use fig02::MOST_PORTRAITS;
 pub use fig02::{Figure2, Portrait};
+pub use limits::{contains, encloses, strictly_contains};
 pub use plane::{Figure7, Figure8, Panel};
-pub(crate) use requirements::MOST_PORTRAITS;
 pub use scenes::{Arrival, Figure1, Figure3, Figure9, View};
 pub use sketches::{Figure4, Figure5, Figure6, Figure10};
 
-/// The first thing in a section of the parameter file that is not right, and what would be.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum ParameterError {
-    /// It would be wrong whatever the oscillator is: no TOML, an unknown or missing key, a value outside its domain.
-    #[error(transparent)]
-    Malformed(#[from] SourceError),
-    /// It does not fit the oscillator, or the window that goes with it: with another zeta it may well be right.
-    #[error(transparent)]
-    Unfit(SourceError),
+keys! {
+    /// The constants of the paper's oscillator.
+    struct Oscillator {
+        /// Damping ratio zeta of eq:oscf.
+        zeta: f64 = damping_ratio(), ZETA;
+        /// Coefficient of restitution epsilon of eq:oscResetLaw.
+        epsilon: f64 = restitution(), EPSILON;
+    }
 }
+
+/// What the keys of a parameter file must hold.
+static REQUIREMENTS: LazyLock<Requirements> = LazyLock::new(|| {
+    Requirements::new("see figures/parameters.toml for what belongs here")
+        .with_table("oscillator", "the table [oscillator] holds zeta and epsilon", Oscillator::list)
+        .with_table("fig01", "the table [fig01] says what Figure 1 shows", Figure1::list)
+        .with_table("fig02", "the table [fig02] says what Figure 2 shows", fig02::Section2::list)
+        .with_table("fig03", "the table [fig03] says what Figure 3 shows", Figure3::list)
+        .with_table("fig04", "the table [fig04] says what Figure 4 shows", Figure4::list)
+        .with_table("fig05", "the table [fig05] says what Figure 5 shows", Figure5::list)
+        .with_table("fig06", "the table [fig06] says what Figure 6 shows", Figure6::list)
+        .with_table("fig07", "the table [fig07] says what Figure 7 shows", plane::Section7::list)
+        .with_table("fig08", "the table [fig08] holds the panels of Figure 8", plane::Section8::list)
+        .with_table("fig09", "the table [fig09] says what Figure 9 shows", Figure9::list)
+        .with_table("fig10", "the table [fig10] says what Figure 10 shows", Figure10::list)
+});
 
 /// What a section says, if it is right.
 #[derive(Debug, Clone, PartialEq)]
@@ -106,25 +125,27 @@ impl Parameters {
     /// [`ParameterError`] if the text is no TOML or has sections that nobody reads, and for settings of keys that are not there. What
     /// else is wrong, the first thing in each section, is told to whoever asks for that section.
     pub fn parse(text: &Text, file: &str) -> Result<Parameters, ParameterError> {
-        let source = &Source::new(text, file, requirements::REQUIREMENTS);
+        let source = &Source::new(text, file, &REQUIREMENTS);
         source.check_top_level()?;
         let oscillator = Checked::read(source, "oscillator", oscillator);
-        let fig07 = Checked::read(source, "fig07", |section| Figure7::read(section, oscillator.get()?));
+        let fig07 = Checked::read(source, "fig07", |section| Figure7::checked(section, oscillator.get()?));
         Ok(Parameters {
-            fig01: Checked::read(source, "fig01", Figure1::read),
-            fig02: Checked::read(source, "fig02", |section| Figure2::read(section, oscillator.get()?)),
-            fig02_frequency: Checked::read(source, "fig02", checks::frequency),
-            fig03: Checked::read(source, "fig03", Figure3::read),
+            fig01: Checked::read(source, "fig01", Figure1::checked),
+            fig02: Checked::read(source, "fig02", |section| Figure2::checked(section, oscillator.get()?)),
+            fig02_frequency: Checked::read(source, "fig02", |section| {
+                number(FREQUENCIES).read(section, "frequency")
+            }),
+            fig03: Checked::read(source, "fig03", Figure3::checked),
             fig04: Checked::read(source, "fig04", Figure4::read),
             fig05: Checked::read(source, "fig05", |section| {
-                Figure5::read(section, oscillator.get()?).map_err(ParameterError::from)
+                Figure5::checked(section, oscillator.get()?).map_err(ParameterError::from)
             }),
-            fig06: Checked::read(source, "fig06", |section| Figure6::read(section, oscillator.get()?)),
+            fig06: Checked::read(source, "fig06", |section| Figure6::checked(section, oscillator.get()?)),
             fig08: Checked::read(source, "fig08", |section| {
-                Figure8::read(section, fig07.get()?, oscillator.get()?)
+                Figure8::checked(section, fig07.get()?, oscillator.get()?)
             }),
-            fig09: Checked::read(source, "fig09", Figure9::read),
-            fig10: Checked::read(source, "fig10", |section| Figure10::read(section, oscillator.get()?)),
+            fig09: Checked::read(source, "fig09", Figure9::checked),
+            fig10: Checked::read(source, "fig10", |section| Figure10::checked(section, oscillator.get()?)),
             fig07,
             oscillator,
         })
@@ -132,6 +153,6 @@ impl Parameters {
 }
 
 fn oscillator(section: &Section<'_>) -> Result<LinearOscillator, SourceError> {
-    let (zeta, epsilon) = (checks::damping_ratio(section)?, checks::restitution(section)?);
+    let Oscillator { zeta, epsilon } = Oscillator::read(section)?;
     LinearOscillator::new(zeta, epsilon).map_err(|error| section.forbid("zeta", error.to_string()))
 }

@@ -1,19 +1,19 @@
 //! Rows of a two-parameter diagram, whatever the oscillator and its parameters are called.
 
-use core::f64::consts::{PI, TAU};
-
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_continuation::mps::MaximalPeriodicSolution;
 use grazing_model::ImpactOscillator;
+use grazing_model::phase::centred;
 use grazing_model::smooth::Units;
 use grazing_results::plane::{
-    CurveSource, MagnifiedPoint, PlanePoint, RegionKind, RegionVertex, SpecialPoint,
+    MagnifiedPanel, MagnifiedPoint, PlaneDiagram, PlanePoint, RegionVertex, Section, SpecialPoint,
 };
-use grazing_results::{Names, Plan};
+use grazing_results::{Names, TablePlan};
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
 use grazing_unfold::grazing::GrazingCurve;
 use grazing_unfold::magnification::Polyline;
-use grazing_unfold::regions::{self, Region};
+use grazing_unfold::regions::{Doubt, Region};
+use grazing_unfold::units::InUnits;
 
 /// The names of the two parameters, which head their columns, and the units in which the tables count what was found without dimensions.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,13 +32,30 @@ impl Axes {
 }
 
 /// The name of a parameter as a header in tables: with a `_` more if another column has it.
-pub(crate) fn own_header<'a>(name: &str, tables: impl Iterator<Item = &'a Plan>) -> String {
+pub(crate) fn own_header<'a>(name: &str, tables: impl Iterator<Item = &'a TablePlan>) -> String {
     let taken: Vec<_> = tables.flat_map(|table| table.columns).map(|column| column.name).collect();
     let mut name = name.to_owned();
     while taken.contains(&name.as_str()) {
         name.push('_');
     }
     name
+}
+
+/// A diagram with the panels that magnify it and the lines along which one-parameter diagrams run.
+pub fn plane_diagram<O: ImpactOscillator>(
+    axes: &Axes,
+    diagram: &Diagram<O>,
+    magnified: Vec<MagnifiedPanel>,
+    sections: Vec<Section>,
+) -> PlaneDiagram {
+    PlaneDiagram {
+        curves: curves(axes, diagram),
+        points: points(axes, diagram),
+        regions: regions(axes, &diagram.regions),
+        frame: diagram.scope.window.in_units(&axes.units).into(),
+        magnified,
+        sections,
+    }
 }
 
 /// Grazing curves and bifurcation curves, point by point.
@@ -88,10 +105,11 @@ pub fn bifurcation_rows<O: ImpactOscillator>(
     diagram: &Diagram<O>,
     curve: &DiagramCurve,
 ) -> Vec<PlanePoint> {
-    let units = &axes.units;
+    let (units, equations) = (&axes.units, diagram.equations(curve.loops));
     let points = curve.curve.points.iter().map(|point| {
         let solution = &point.solution;
-        let [velocity, phase, _, eta] = solution.unknowns.into();
+        let [velocity, phase] = equations.impact(solution);
+        let [_, eta] = solution.parameters();
         let [primary, secondary] = units.parameters(solution.parameters());
         PlanePoint {
             kind: curve.kind,
@@ -133,16 +151,21 @@ pub fn points<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<Spe
 pub fn regions(axes: &Axes, regions: &[Region]) -> Vec<RegionVertex> {
     let mut rows = Vec::new();
     for (number, region) in (1..).zip(regions) {
-        let (kind, reason) = match &region.kind {
-            regions::RegionKind::NonImpacting => (RegionKind::NonImpacting, String::new()),
-            regions::RegionKind::Mps => (RegionKind::Mps, String::new()),
-            regions::RegionKind::Undecided(doubt) => (RegionKind::Undecided, doubt.to_string()),
-        };
+        let (kind, loops, n) = (region.kind(), region.loops, region.n);
+        let reason = region.doubt.as_ref().map(Doubt::to_string).unwrap_or_default();
         for (ring, vertices) in (0..).zip(&region.rings) {
             rows.extend(vertices.iter().map(|vertex| {
                 let [primary, secondary] = axes.units.parameters(*vertex);
-                let (loops, n, reason) = (region.loops, region.n, reason.clone());
-                RegionVertex { region: number, kind, loops, n, secondary, primary, ring, reason }
+                RegionVertex {
+                    region: number,
+                    kind,
+                    loops,
+                    n,
+                    secondary,
+                    primary,
+                    ring,
+                    reason: reason.clone(),
+                }
             }));
         }
     }
@@ -157,13 +180,11 @@ pub fn lost<O>(diagram: &Diagram<O>) -> impl Iterator<Item = String> {
 }
 
 /// Curves of magnifications, panel by panel from 1; their points are in the oscillator's own units.
-pub fn magnifications<'a>(panels: impl IntoIterator<Item = &'a Vec<Polyline>>) -> Vec<MagnifiedPoint> {
+pub fn magnified_curves<'a>(panels: impl IntoIterator<Item = &'a Vec<Polyline>>) -> Vec<MagnifiedPoint> {
     let mut rows = Vec::new();
     for (panel, polylines) in (1..).zip(panels) {
-        for (arc, polyline) in (1..).zip(polylines) {
-            let Polyline { kind, loops, n, .. } = *polyline;
-            let source = if polyline.quadratic { CurveSource::Quadratic } else { CurveSource::Continuation };
-            let point = |&[primary, secondary]: &[f64; 2]| MagnifiedPoint {
+        for (arc, &Polyline { kind, loops, n, source, ref points }) in (1..).zip(polylines) {
+            rows.extend(points.iter().map(|&[primary, secondary]| MagnifiedPoint {
                 panel,
                 loops,
                 n,
@@ -172,15 +193,8 @@ pub fn magnifications<'a>(panels: impl IntoIterator<Item = &'a Vec<Polyline>>) -
                 arc,
                 secondary,
                 primary,
-            };
-            rows.extend(polyline.points.iter().map(point));
+            }));
         }
     }
     rows
-}
-
-/// An angle brought into (−π, π].
-pub(crate) fn centred(angle: f64) -> f64 {
-    let turned = angle - TAU * libm::floor(angle / TAU);
-    if turned > PI { turned - TAU } else { turned }
 }

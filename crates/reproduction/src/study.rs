@@ -1,7 +1,7 @@
 //! Everything that is reproduced, computed once each.
 
 use std::collections::BTreeMap;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use grazing_model::LinearOscillator;
 use grazing_unfold::Diagram;
@@ -12,29 +12,30 @@ use crate::coefficients::CoefficientTable;
 use crate::parameters::Parameters;
 
 /// The reproduction at one set of parameters: each figure and table is a function of it, in the module of its name. What several
-/// outputs share is computed when it is first needed. Each is an error if a section of the parameter file that it needs is not right; what else
-/// may be in its way is told of it.
-pub struct Study<'a> {
+/// outputs share is computed when it is first needed. Each is an error if a section of the parameter file that it needs is not right, or for what
+/// its docs name.
+pub struct Study {
     /// The parameters.
     pub parameters: Parameters,
-    pub(crate) progress: &'a dyn Progress,
+    pub(crate) progress: Arc<dyn Progress + Send>,
     pub(crate) diagram: OnceLock<Result<Diagram<LinearOscillator>, StudyError>>,
     pub(crate) coefficients: OnceLock<Result<CoefficientTable, StudyError>>,
 }
 
-impl<'a> Study<'a> {
+impl Study {
     /// The study of these parameters; nothing is computed yet.
     pub fn new(parameters: &Parameters) -> Self {
         Self {
             parameters: parameters.clone(),
-            progress: &Silent,
+            progress: Arc::new(Silent),
             diagram: OnceLock::new(),
             coefficients: OnceLock::new(),
         }
     }
 
-    /// The study with somebody to tell how far long work has come.
-    pub fn with_progress(self, progress: &'a dyn Progress) -> Self {
+    /// The same study, which reports how far long work has come.
+    #[must_use]
+    pub fn with_progress(self, progress: Arc<dyn Progress + Send>) -> Self {
         Self { progress, ..self }
     }
 
@@ -62,4 +63,14 @@ impl<'a> Study<'a> {
         }
         Ok(values)
     }
+}
+
+/// The oscillator of theory with its forcing.
+pub(crate) fn forced(
+    theory: &grazing_theorems::LinearOscillator,
+    amplitude: f64,
+    frequency: f64,
+) -> Result<LinearOscillator, StudyError> {
+    let (zeta, epsilon) = (theory.damping_ratio(), theory.coefficient_of_restitution());
+    Ok(LinearOscillator::new(zeta, epsilon, amplitude, frequency)?)
 }

@@ -26,7 +26,7 @@ pub struct Generic(pub GenericRow);
 #[derive(Clone, Debug)]
 pub struct Resonant(pub ResonantRow);
 
-impl Study<'_> {
+impl Study {
     /// Theorems 2.2 to 2.5 against continuation and simulation over many oscillators; the parameters of this study do not
     /// matter.
     ///
@@ -101,8 +101,8 @@ row! { Generic, |this| {
     DY_DMU_FIT = fit[0],
     DZ_DMU_FIT = fit[1],
     SLOPE_DIFFERENCE = r.slope_difference(),
-    VERDICT = r.verdict.name(),
-    REASON = r.verdict.reason().to_owned(),
+    VERDICT = r.verdict().name(),
+    REASON = r.verdict().reason().to_owned(),
 ] }
 
 row! { Resonant, |this| {
@@ -137,7 +137,7 @@ row! { Resonant, |this| {
     SN_SIMULATION = seen(sn.simulated, OF_ETA),
     SN_CROSSED = sn.crossed,
     SN_STABILITY_CHANGES = yes_or_no(sn.stability_changes),
-    C_SN_THEOREM = sn.theorem,
+    C_SN = sn.theorem,
     C_SN_CLOSED_FORM = sn.proposition,
     C_SN_EXACT = sn.quadratic_equation,
     C_SN_FIT = fit(sn)[0],
@@ -149,15 +149,15 @@ row! { Resonant, |this| {
     PD_SIMULATION = seen(pd.simulated, OF_ETA),
     PD_CROSSED = pd.crossed,
     PD_STABILITY_CHANGES = yes_or_no(pd.stability_changes),
-    C_PD_THEOREM = pd.theorem,
+    C_PD = pd.theorem,
     C_PD_CLOSED_FORM = pd.proposition,
     C_PD_EXACT = pd.quadratic_equation,
     C_PD_FIT = fit(pd)[0],
     C_PD_FIT_ERROR = fit(pd)[1],
     C_PD_DIFFERENCE = pd.difference(),
     C_PD_FIT_DIFFERENCE = pd.fit_difference(),
-    VERDICT = r.verdict.name(),
-    REASON = r.verdict.reason().to_owned(),
+    VERDICT = r.verdict().name(),
+    REASON = r.verdict().reason().to_owned(),
 ] }
 
 fn continued(curve: &CurveRow) -> &'static str {

@@ -6,29 +6,30 @@ mod tables;
 use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::curve::Window;
 use grazing_continuation::fit::FitError;
-use grazing_description::{Axis, Description};
+use grazing_description::Description;
 use grazing_model::ImpactOscillator;
-use grazing_model::smooth::{Dimensionless, Integrated, Units};
-use grazing_results::branches::{OneParameter, OneParameterRows};
+use grazing_model::smooth::Units;
+use grazing_results::branches::OneParameter;
 use grazing_results::family::Family;
-use grazing_results::plane::{MagnifiedPoint, PlanePoint, RegionVertex, SpecialPoint};
+use grazing_results::plane::{Magnifications, MagnifiedPanel, PlaneDiagram, Section};
 use grazing_results::{Names, UnitNames, tables};
 use grazing_theorems::ResonantPoint;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::resonances::Resonance;
 use grazing_unfold::sides::{Simulated, simulate};
-use grazing_unfold::stop::{Stop, Stoppable, Unfinished};
+use grazing_unfold::stop::{Stop, Unfinished};
 use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::{Coefficient, coefficients};
 use grazing_unfold::{Diagram, Scope};
 use rayon::prelude::*;
 
+pub use crate::described::{Described, prepared};
 use crate::plane::{self, Axes, own_header};
 use crate::{StudyError, one_parameter};
 pub use finished::Keep;
 pub(crate) use tables::slopes;
-pub use tables::{Along, Asked, GrazingRow};
+pub use tables::{Along, CheckedHypothesis, GrazingRow};
 
 /// The analysis of an oscillator: its diagram, and at every resonance where a theorem holds coefficients, simulation and a
 /// magnification.
@@ -90,27 +91,18 @@ impl ResonanceEntry {
     }
 }
 
-/// An oscillator from a text file in units in which its motion is of the order of one.
-pub type Described = Integrated<Stoppable<Dimensionless<Description>>>;
-
-/// An oscillator that ends when an end is asked for, in these units, and what its file asks for.
-pub fn prepared(description: &Description, units: &Units, stop: &Stop) -> (Described, Scope) {
-    let [primary, secondary] = [description.primary(), description.secondary()].map(Axis::range);
-    let scope = Scope {
-        window: Window { primary, secondary },
-        loops: description.loops().to_vec(),
-        start: description.start(),
-    };
-    let scope = scope.without_dimensions(units);
-    let stoppable = Stoppable::new(Dimensionless::new(description.clone(), *units), stop.clone());
-    (Integrated::new(stoppable, [scope.window.primary[0], scope.window.secondary[0]]), scope)
-}
-
 /// The names of an oscillator's parameters, and its own units.
 pub fn axes(description: &Description) -> Axes {
-    let tables = Rows::TABLES.iter().chain(OneParameterRows::TABLES).chain(Family::TABLES);
+    let tables = [
+        AlongGrazing::TABLES,
+        PlaneDiagram::TABLES,
+        AtResonances::TABLES,
+        Magnifications::TABLES,
+        OneParameter::TABLES,
+        Family::TABLES,
+    ];
     let parameters = [description.primary(), description.secondary()];
-    let [primary, secondary] = parameters.map(|axis| own_header(axis.name(), tables.clone()));
+    let [primary, secondary] = parameters.map(|axis| own_header(axis.name(), tables.into_iter().flatten()));
     let owned = |unit: Option<&str>| unit.map(str::to_owned);
     let [length, time] = description.unit_names().map(owned);
     let [of_primary, of_secondary] = parameters.map(|axis| owned(axis.unit()));
@@ -232,35 +224,60 @@ impl<O: ImpactOscillator> Unfolded<O> {
         self.diagram.resonances.iter().filter_map(entry).collect()
     }
 
-    /// Everything as rows.
-    pub fn rows(&self) -> Rows {
-        Rows {
-            grazing: tables::grazing(self),
-            grazing_loops: self.along.clone(),
-            curves: plane::curves(&self.axes, &self.diagram),
-            points: plane::points(&self.axes, &self.diagram),
-            regions: plane::regions(&self.axes, &self.diagram.regions),
-            coefficients: self.resonances.clone(),
-            hypotheses: tables::hypotheses(self),
-            magnifications: plane::magnifications(self.resonances.iter().map(|at| &at.magnified)),
+    /// The two-parameter diagram, with a panel for each resonance whose curves are there, numbered as in the table of magnifications, and
+    /// lines for the one-parameter diagrams.
+    pub fn plane_diagram(&self) -> PlaneDiagram {
+        let is_range = |[low, high]: [f64; 2]| low.is_finite() && high.is_finite() && low < high;
+        let panels = (1..).zip(&self.resonances).filter_map(|(panel, at)| {
+            let shown =
+                !at.magnified.is_empty() && is_range(at.window.primary) && is_range(at.window.secondary);
+            let coefficients = at.coefficients.map(|coefficient| coefficient.theorem.value);
+            let (frame, n) = (at.window.into(), Some(at.n));
+            shown.then_some(MagnifiedPanel { panel, frame, loops: at.loops, n, coefficients })
+        });
+        let sections = self.diagrams.iter().map(|diagram| Section {
+            ends: diagram.frame.x.map(|across| diagram.exchanged([across, diagram.at]).into()),
+            name: format!("diagram {}", diagram.diagram),
+            thin: true,
+        });
+        plane::plane_diagram(&self.axes, &self.diagram, panels.collect(), sections.collect())
+    }
+
+    /// The magnifications whose panels the diagram has.
+    pub fn magnifications(&self, diagram: &PlaneDiagram) -> Magnifications {
+        Magnifications {
+            curves: plane::magnified_curves(self.resonances.iter().map(|at| &at.magnified)),
+            points: diagram.points.clone(),
+            regions: diagram.regions.clone(),
+            panels: diagram.magnified.clone(),
         }
+    }
+
+    /// The rows of what is known along the grazing curve.
+    pub fn along_grazing(&self) -> AlongGrazing {
+        AlongGrazing { grazing: tables::grazing(self), grazing_loops: self.along.clone() }
+    }
+
+    /// The rows of what is known at resonances.
+    pub fn at_resonances(&self) -> AtResonances {
+        AtResonances { coefficients: self.resonances.clone(), hypotheses: tables::hypotheses(self) }
     }
 }
 
 tables! {
-    /// The rows of all tables of an analysis, in the oscillator's own units.
-    Rows {
+    /// What is known along the grazing curve.
+    AlongGrazing {
         grazing: GrazingRow = "grazing",
             "a point of the grazing curve, with the grazing orbit and the Poincaré map around it",
         grazing_loops: Along = "grazing_loops", "such a point and a p, with what depends on p",
-        curves: PlanePoint = "curves", "a point of a curve of the diagram",
-        points: SpecialPoint = "points", "a resonance at which a theorem holds, or another codimension-two point",
-        regions: RegionVertex = "regions", "a vertex of a region of stability",
+    }
+
+    /// What is known at resonances.
+    AtResonances {
         coefficients: AtResonance = "coefficients",
             "a resonance at which Theorem 2.4 (p = 1) or 2.5 (p ≥ 2) holds",
-        hypotheses: Asked = "hypotheses",
+        hypotheses: CheckedHypothesis = "hypotheses",
             "a hypothesis of the theorem at a resonance, whether or not all of them hold",
-        magnifications: MagnifiedPoint = "magnifications", "a point of a curve of a magnification",
     }
 }
 

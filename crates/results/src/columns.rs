@@ -150,13 +150,9 @@ columns! {
     /// s_p⁻, likewise of the PD curve
     S_MINUS = "s_minus", "s_p^-", "1", "eq:c1, eq:cp";
     /// c_SN,p by the closed form of Propositions 3.2 and 3.3
-    C_SN_CLOSED_FORM = "c_sn", r"c_{\mathrm{SN},p}", "{primary}/{secondary}^2", "eq:impFormula1odd, eq:impFormula1even, eq:impFormulap";
+    C_SN_CLOSED_FORM = "c_sn_closed_form", r"c_{\mathrm{SN},p}\text{, closed form}", "{primary}/{secondary}^2", "eq:impFormula1odd, eq:impFormula1even, eq:impFormulap";
     /// c_PD,p by the closed form of Propositions 3.2 and 3.3
-    C_PD_CLOSED_FORM = "c_pd", r"c_{\mathrm{PD},p}", "{primary}/{secondary}^2", "eq:impFormula1odd, eq:impFormula1even, eq:impFormulap";
-    /// c_SN,p by Theorem 2.4 or 2.5 from derivatives of the numerical Poincaré map
-    C_SN_THEOREM = "c_sn_theorem", r"c_{\mathrm{SN},p}\text{, theorem}", "{primary}/{secondary}^2", "eq:coeffs1, eq:coeffsp";
-    /// c_PD,p by Theorem 2.4 or 2.5 from derivatives of the numerical Poincaré map
-    C_PD_THEOREM = "c_pd_theorem", r"c_{\mathrm{PD},p}\text{, theorem}", "{primary}/{secondary}^2", "eq:coeffs1, eq:coeffsp";
+    C_PD_CLOSED_FORM = "c_pd_closed_form", r"c_{\mathrm{PD},p}\text{, closed form}", "{primary}/{secondary}^2", "eq:impFormula1odd, eq:impFormula1even, eq:impFormulap";
     /// c_SN,p by Theorem 2.4 or 2.5: μ = μ_graz(η) + c (η − η*)² to leading order along the SN curve
     C_SN = "c_sn", r"c_{\mathrm{SN},p}", "{primary}/{secondary}^2", "eq:coeffs1, eq:coeffsp";
     /// c_PD,p by Theorem 2.4 or 2.5, likewise along the PD curve

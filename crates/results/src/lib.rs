@@ -14,12 +14,15 @@
 //! | [`family`] | resonances as constants of an oscillator vary |
 //! | [`space`] | Figures 1, 3 and 9 |
 //! | [`sketches`] | Figures 4, 5, 6 and 10 |
+//!
+//! [`kinds`] says what kinds of curves, points and regions are called and how they look.
 
 pub mod branches;
 mod cell;
 pub mod columns;
 pub mod family;
 mod frame;
+pub mod kinds;
 mod names;
 pub mod plane;
 pub mod sketches;
@@ -30,4 +33,4 @@ pub use cell::{Cell, brief};
 pub use columns::Column;
 pub use frame::Frame;
 pub use names::{GREEK, Names, UnitNames, VARIED, directs, symbol};
-pub use table::{Plan, Row, Table};
+pub use table::{Row, Table, TablePlan};

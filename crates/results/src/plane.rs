@@ -94,38 +94,44 @@ pub struct MagnifiedPanel {
     pub coefficients: Pair<f64>,
 }
 
+/// Where a one-parameter diagram runs in the plane.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Section {
+    /// The ends of the line: primary and secondary parameter.
+    pub ends: [(f64, f64); 2],
+    /// What the one-parameter diagram is called, as `Fig. 2`.
+    pub name: String,
+    /// Whether the line is one of many that may be long: it is thin then.
+    pub thin: bool,
+}
+
 tables! {
-    /// What Figure 7 shows.
-    Figure7 {
-        /// The grazing curve of the non-impacting solution and the bifurcation curves of MPSs.
-        curves: PlanePoint = "fig07_curves", "a point of a curve of the diagram",
-        points: SpecialPoint = "fig07_points", "a resonance at which a theorem holds, or another codimension-two point",
-        regions: RegionVertex = "fig07_regions", "a vertex of a region of stability",
+    /// What a two-parameter diagram shows; Figure 7 is one.
+    PlaneDiagram {
+        /// The grazing curve of the non-impacting solution and the bifurcation curves of MPSs. Points that follow each other with equal
+        /// kind, p, n and arc are one curve.
+        curves: PlanePoint = "curves", "a point of a curve of the diagram",
+        points: SpecialPoint = "points", "a resonance at which a theorem holds, or another codimension-two point",
+        regions: RegionVertex = "regions", "a vertex of a region of stability",
         ;
-        /// Amplitudes across and frequencies up.
+        /// What is shown of the plane: the primary parameter across and the secondary one up.
         frame: Frame,
-        /// The amplitudes and the frequency of Figure 2, if that can be made.
-        section: Option<([f64; 2], f64)>,
-        /// The panels of Figure 8, as far as they can be made.
+        /// The panels of its magnifications, whose frames are drawn.
         magnified: Vec<MagnifiedPanel>,
-        /// What it lacks, in sentences.
-        gaps: Vec<String>,
-        /// What could not be decided, in sentences.
-        notes: Vec<String>,
+        /// Where one-parameter diagrams run.
+        sections: Vec<Section>,
     }
 
-    /// What Figure 8 shows.
-    Figure8 {
-        /// Continued curves and quadratic approximations, panel by panel.
-        curves: MagnifiedPoint = "fig08_curves", "a point of a curve of a magnification",
+    /// What magnifications of a two-parameter diagram show; Figure 8 is one sheet of them.
+    Magnifications {
+        /// Continued curves and quadratic approximations. Points that follow each other with equal panel, kind, source and arc are one curve.
+        curves: MagnifiedPoint = "magnifications", "a point of a curve of a magnification",
         ;
-        /// The points of Figure 7.
+        /// The points of the diagram.
         points: Vec<SpecialPoint>,
         /// Its regions.
         regions: Vec<RegionVertex>,
-        /// The panels, one to three.
+        /// The panels in the order in which they are drawn, row by row.
         panels: Vec<MagnifiedPanel>,
-        /// What is shown in the place of something else, in sentences.
-        notes: Vec<String>,
     }
 }

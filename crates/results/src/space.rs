@@ -3,7 +3,7 @@
 use crate::cell::words;
 use crate::columns::{self, Column};
 use crate::table::{Row, rows};
-use crate::{Cell, Names, Plan, Table};
+use crate::{Cell, tables};
 
 words! {
     /// What a curve in phase space is.
@@ -117,43 +117,14 @@ rows! {
     }
 }
 
-/// What a figure in phase space shows: Figures 1, 3 and 9.
-#[derive(Clone, Debug)]
-pub struct Scene {
-    /// Its tables, before they are made.
-    pub plans: [Plan; 3],
-    /// Orbits, and what joins points. Vertices that follow each other with equal number and piece are one polyline.
-    pub curves: Vec<Vertex<CurveKind>>,
-    /// Points with names.
-    pub points: Vec<Mark>,
-    /// Closed outlines of surfaces, lines on them, and the axes.
-    pub surfaces: Vec<Vertex<SurfaceKind>>,
-}
-
-impl Scene {
-    /// The tables of Figure 1.
-    pub const FIG01: [Plan; 3] = Self::plans(["fig01_curves", "fig01_points", "fig01_surfaces"]);
-    /// The tables of Figure 3.
-    pub const FIG03: [Plan; 3] = Self::plans(["fig03_curves", "fig03_points", "fig03_surfaces"]);
-    /// The tables of Figure 9.
-    pub const FIG09: [Plan; 3] = Self::plans(["fig09_curves", "fig09_points", "fig09_surfaces"]);
-
-    const fn plans([curves, points, surfaces]: [&'static str; 3]) -> [Plan; 3] {
-        let outline = "a vertex of the outline of a surface, or of a line on one";
-        [
-            Plan::of::<Vertex<CurveKind>>(curves, "a vertex of a curve"),
-            Plan::of::<Mark>(points, "a point that is marked"),
-            Plan::of::<Vertex<SurfaceKind>>(surfaces, outline),
-        ]
-    }
-
-    /// All tables.
-    pub fn tables(&self, names: &Names) -> Vec<Table> {
-        let [curves, points, surfaces] = self.plans.map(|plan| plan.name);
-        vec![
-            Table::new(curves, names, &self.curves),
-            Table::new(points, names, &self.points),
-            Table::new(surfaces, names, &self.surfaces),
-        ]
+tables! {
+    /// What a figure in phase space shows: Figures 1, 3 and 9.
+    Scene {
+        /// Orbits, and what joins points. Vertices that follow each other with equal number and piece are one polyline.
+        curves: Vertex<CurveKind> = "curves", "a vertex of a curve",
+        /// Points with names.
+        points: Mark = "points", "a point that is marked",
+        /// Closed outlines of surfaces, lines on them, and the axes.
+        surfaces: Vertex<SurfaceKind> = "surfaces", "a vertex of the outline of a surface, or of a line on one",
     }
 }

@@ -11,9 +11,9 @@ pub trait Row {
     fn cells(&self) -> Vec<Cell>;
 }
 
-/// A table that is made, before it is made.
+/// A table's name and columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Plan {
+pub struct TablePlan {
     /// The name of its CSV file, without ending.
     pub name: &'static str,
     /// What a row is.
@@ -22,10 +22,21 @@ pub struct Plan {
     pub columns: &'static [Column],
 }
 
-impl Plan {
+impl TablePlan {
     /// A table of rows of the type.
     pub const fn of<R: Row>(name: &'static str, row: &'static str) -> Self {
         Self { name, row, columns: R::COLUMNS }
+    }
+
+    /// The same tables under other names.
+    pub const fn renamed<const COUNT: usize>(tables: &[Self], names: [&'static str; COUNT]) -> [Self; COUNT] {
+        let mut renamed = [tables[0]; COUNT];
+        let mut place = 0;
+        while place < COUNT {
+            renamed[place] = Self { name: names[place], ..tables[place] };
+            place += 1;
+        }
+        renamed
     }
 }
 
@@ -130,7 +141,7 @@ macro_rules! row {
     };
 }
 
-/// What an output is made of: lists of rows, each with the name of its table, what a row is, and what more there is to say of them; and what
+/// What an output shows: lists of rows, each with the name of its table, what a row is, and what more there is to say of them; and what
 /// else there is to know.
 #[macro_export]
 macro_rules! tables {
@@ -146,12 +157,19 @@ macro_rules! tables {
         }
 
         impl $name {
-            /// Its tables, before they are made.
-            pub const TABLES: &'static [$crate::Plan] = &[$($crate::Plan::of::<$row>($table, $is),)+];
+            /// The names and columns of its tables.
+            pub const TABLES: &'static [$crate::TablePlan] = &[$($crate::TablePlan::of::<$row>($table, $is),)+];
 
             /// All tables, with these names of the parameters.
             pub fn tables(&self, names: &$crate::Names) -> Vec<$crate::Table> {
-                vec![$($crate::Table::new($table, names, &self.$rows),)+]
+                self.tables_as(Self::TABLES, names)
+            }
+
+            /// All tables under the names of these, of which there are as many.
+            pub fn tables_as(&self, tables: &[$crate::TablePlan], names: &$crate::Names) -> Vec<$crate::Table> {
+                let mut tables = tables.iter();
+                let all = [$(tables.next().map(|table| $crate::Table::new(table.name, names, &self.$rows)),)+];
+                all.into_iter().flatten().collect()
             }
         }
     )+};

@@ -1,6 +1,6 @@
 //! What can be wrong with a file.
 
-use thiserror::Error;
+use std::fmt::{self, Display};
 
 use crate::words::suggestion;
 
@@ -8,10 +8,9 @@ use crate::words::suggestion;
 ///
 /// Keys are written with dots, members of a list of tables counted from 1: `fig08.panels[2].loops`. Values are given as
 /// the file writes them.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum SourceError {
     /// The file is not there, is no text, or may not be read.
-    #[error("{file}: cannot be read: {reason}")]
     Unreadable {
         /// The file.
         file: String,
@@ -19,7 +18,6 @@ pub enum SourceError {
         reason: String,
     },
     /// The file is not TOML.
-    #[error("{file}:{line}:{column}: this is not TOML: {reason}")]
     Syntax {
         /// The file.
         file: String,
@@ -31,7 +29,6 @@ pub enum SourceError {
         reason: String,
     },
     /// A key that means nothing here, most often a misspelt one.
-    #[error("{}: unknown key {key}{} Known here: {}", place(file, *line), suggestion(nearest.as_deref()), known.join(", "))]
     UnknownKey {
         /// The file, or the setting.
         file: String,
@@ -45,7 +42,6 @@ pub enum SourceError {
         known: Vec<String>,
     },
     /// A key that must be there and is not.
-    #[error("{}: {key} is missing: {allowed}", place(file, *line))]
     MissingKey {
         /// The file.
         file: String,
@@ -58,7 +54,6 @@ pub enum SourceError {
         allowed: String,
     },
     /// A value of the wrong type, outside its domain, or at odds with another value.
-    #[error("{}: {key} = {value}: {allowed}", place(file, *line))]
     Forbidden {
         /// The file, or the setting.
         file: String,
@@ -73,7 +68,97 @@ pub enum SourceError {
     },
 }
 
-/// A file and a line as messages have them; a setting has no line.
-pub(crate) fn place(file: &str, line: usize) -> String {
-    if line == 0 { file.to_owned() } else { format!("{file}:{line}") }
+impl std::error::Error for SourceError {}
+
+impl Display for SourceError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unreadable { file, .. } => write!(formatter, "{file}")?,
+            Self::Syntax { file, line, column, .. } => write!(formatter, "{file}:{line}:{column}")?,
+            Self::UnknownKey { file, line, .. }
+            | Self::MissingKey { file, line, .. }
+            | Self::Forbidden { file, line, .. } => {
+                write!(formatter, "{}", Place { file: file.clone(), line: *line, span: None })?;
+            }
+        }
+        write!(formatter, ": {}", self.reason())
+    }
+}
+
+impl SourceError {
+    /// What is wrong, without its place.
+    fn reason(&self) -> String {
+        match self {
+            Self::Unreadable { reason, .. } => format!("cannot be read: {reason}"),
+            Self::Syntax { reason, .. } => format!("this is not TOML: {reason}"),
+            Self::UnknownKey { key, nearest, known, .. } => {
+                let suggestion = suggestion(nearest.as_deref());
+                format!("unknown key {key}{suggestion} Known here: {}", known.join(", "))
+            }
+            Self::MissingKey { key, allowed, .. } => format!("{key} is missing: {allowed}"),
+            Self::Forbidden { key, value, allowed, .. } => format!("{key} = {value}: {allowed}"),
+        }
+    }
+
+    /// What is wrong and where, apart.
+    pub fn mistake(&self) -> Mistake {
+        let (line, span) = match self {
+            Self::Syntax { line, column, .. } => (*line, Some([column - 1, *column])),
+            Self::UnknownKey { line, .. } | Self::MissingKey { line, .. } | Self::Forbidden { line, .. } => {
+                (*line, None)
+            }
+            Self::Unreadable { .. } => (0, None),
+        };
+        if line == 0 {
+            return Mistake::new(self.to_string());
+        }
+        Mistake { message: self.reason(), line: Some(line), span }
+    }
+}
+
+/// A mistake for whoever shows the file: what is wrong, and the line (from 1) and the characters of it (from 0) that are to blame, as far
+/// as they are known.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mistake {
+    /// What is wrong; the place is part of it only where there is no line, as for a setting.
+    pub message: String,
+    /// The line.
+    pub line: Option<usize>,
+    /// The first character, and the one after the last.
+    pub span: Option<[usize; 2]>,
+}
+
+impl Mistake {
+    /// One without a place.
+    pub fn new(message: impl Into<String>) -> Self {
+        Self { message: message.into(), line: None, span: None }
+    }
+}
+
+/// Where something stands in a file; a setting has no line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Place {
+    pub(crate) file: String,
+    /// The line, from 1; 0 for a setting.
+    pub(crate) line: usize,
+    pub(crate) span: Option<[usize; 2]>,
+}
+
+impl Place {
+    /// A mistake that is here.
+    pub fn mistake(&self, message: String) -> Mistake {
+        match self.line {
+            0 => Mistake::new(format!("{self}: {message}")),
+            line => Mistake { message, line: Some(line), span: self.span },
+        }
+    }
+}
+
+impl Display for Place {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.line {
+            0 => formatter.write_str(&self.file),
+            line => write!(formatter, "{}:{line}", self.file),
+        }
+    }
 }

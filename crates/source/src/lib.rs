@@ -1,18 +1,24 @@
 //! TOML files that people write: the way back from a mistake to file, line, key, value and what would be right.
 //!
-//! A [`Source`] is a file's text with the [`Requirements`] of its keys. Its tables are read key by key ([`Section`]), and whatever is
-//! wrong becomes a [`SourceError`]. The parameters of the figures and the descriptions of oscillators are read through it.
+//! The keys of a kind of file are declared once, as structs ([`keys!`](keys)) whose fields have a [`kind`]. A [`Source`] is a file's text
+//! with the [`Requirements`] of its keys. Its tables are read as such structs, or key by key ([`Section`]), and whatever is wrong becomes a
+//! [`SourceError`]. The parameters of the figures and the descriptions of oscillators are read through it.
 
+mod document;
 mod error;
-mod requirements;
+mod keys;
+pub mod kind;
 mod section;
 mod setting;
+mod source;
 mod text;
 mod words;
 
-pub use error::SourceError;
-pub use requirements::Requirements;
+pub use error::{Mistake, Place, SourceError};
+pub use keys::{Key, Requirements};
+pub use kind::Keys;
 pub use section::Section;
 pub use setting::{Setting, SettingError};
-pub use text::{Source, Text, read_file};
+pub use source::Source;
+pub use text::{Text, read_file};
 pub use words::{nearest, shortened, suggestion};

@@ -1,13 +1,15 @@
 //! A table of a file, read key by key.
 
-use std::ops::{Range, RangeInclusive};
+use std::ops::Range;
 
 use serde::de::DeserializeOwned;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, ValueDeserializer};
 
-use crate::error::{SourceError, place};
-use crate::text::{Source, joined};
+use crate::error::{Place, SourceError};
+use crate::setting::steps;
+use crate::source::Source;
+use crate::words::joined;
 
 /// A table of a file, whose keys are known ones. Values are read one by one, each as what it is to be, so that whoever checks them
 /// needs no other record of where they stand. What is missing, of the wrong type or fails its test is a [`SourceError`].
@@ -56,11 +58,27 @@ impl<'d> Section<'d> {
     }
 
     fn find(&self, name: &str) -> Result<&'d Spanned<DeValue<'d>>, SourceError> {
-        self.table.get(name).ok_or_else(|| self.source.missing(&self.key, name, self.span.start))
+        self.table.get(name).ok_or_else(|| self.lack(name))
     }
 
+    /// Where a value stands.
     fn span(&self, name: &str) -> Range<usize> {
-        self.table.get(name).map_or(self.span.clone(), Spanned::span)
+        // A name in quotation marks may look like a path.
+        if let Some(value) = self.table.get(name) {
+            return value.span();
+        }
+        let mut found = None;
+        let mut table = Some(self.table);
+        for step in steps(name).unwrap_or_default() {
+            let mut value = table.and_then(|table| table.get(step.name.as_str()));
+            if let Some(number) = step.member {
+                let members = value.and_then(|value| value.get_ref().as_array());
+                value = members.and_then(|members| members.get(number.checked_sub(1)?));
+            }
+            table = value.and_then(|value| value.get_ref().as_table());
+            found = value;
+        }
+        found.map_or_else(|| self.span.clone(), Spanned::span)
     }
 
     /// The value of a key.
@@ -79,52 +97,6 @@ impl<'d> Section<'d> {
         })
     }
 
-    /// The value of a key that need not be there.
-    pub fn optional<T: DeserializeOwned>(&self, name: &str) -> Result<Option<T>, SourceError> {
-        if self.has(name) { self.value(name).map(Some) } else { Ok(None) }
-    }
-
-    /// A number that is finite and passes the test.
-    pub fn number(&self, name: &str, holds: impl Fn(f64) -> bool) -> Result<f64, SourceError> {
-        let number: f64 = self.value(name)?;
-        if number.is_finite() && holds(number) { Ok(number) } else { Err(self.refusal(name)) }
-    }
-
-    /// A list of N finite numbers that passes the test.
-    pub fn numbers<const N: usize>(
-        &self,
-        name: &str,
-        holds: impl Fn([f64; N]) -> bool,
-    ) -> Result<[f64; N], SourceError> {
-        // For an array the reader would take the first N numbers and drop the rest.
-        let numbers = <[f64; N]>::try_from(self.value::<Vec<f64>>(name)?).ok();
-        numbers
-            .filter(|list| list.iter().all(|number| number.is_finite()) && holds(*list))
-            .ok_or_else(|| self.refusal(name))
-    }
-
-    /// A whole number.
-    pub fn count(&self, name: &str, allowed: RangeInclusive<u32>) -> Result<u32, SourceError> {
-        let count = self.value(name)?;
-        if allowed.contains(&count) { Ok(count) } else { Err(self.refusal(name)) }
-    }
-
-    /// A list of different whole numbers, one at least.
-    pub fn counts(&self, name: &str, allowed: RangeInclusive<u32>) -> Result<Vec<u32>, SourceError> {
-        let mut counts = Vec::new();
-        for written in self.value::<Vec<Spanned<u32>>>(name)? {
-            let count = *written.get_ref();
-            if !allowed.contains(&count) {
-                return Err(self.source.refusal(&self.key(name), written.span()));
-            }
-            if counts.contains(&count) {
-                return Err(self.forbid(name, format!("{count} is listed twice: list each number once")));
-            }
-            counts.push(count);
-        }
-        if counts.is_empty() { Err(self.refusal(name)) } else { Ok(counts) }
-    }
-
     /// A table in this one.
     pub fn table(&self, name: &str) -> Result<Self, SourceError> {
         Self::of(self.source, self.key(name), self.find(name)?)
@@ -140,9 +112,19 @@ impl<'d> Section<'d> {
             .collect()
     }
 
-    /// The refusal of a value, with what its key must hold.
+    /// The lack of a key.
+    pub fn lack(&self, name: &str) -> SourceError {
+        self.source.missing(&self.key, name, self.span.start)
+    }
+
+    /// The refusal of a value, with what its key must hold; names may lead to it through tables and lists, as `orbits[2].phase`.
     pub fn refusal(&self, name: &str) -> SourceError {
-        self.source.refusal(&self.key(name), self.span(name))
+        self.refusal_at(name, self.span(name))
+    }
+
+    /// The refusal of a part of a value, with what its key must hold.
+    pub(crate) fn refusal_at(&self, name: &str, span: Range<usize>) -> SourceError {
+        self.source.refusal(&self.key(name), span)
     }
 
     /// The refusal of a value; `allowed` says what would be right.
@@ -150,24 +132,26 @@ impl<'d> Section<'d> {
         self.source.forbid_at(&self.key(name), self.span(name), allowed)
     }
 
-    /// A value as the file has it.
-    pub fn raw(&self, name: &str) -> &'d str {
-        self.source.raw(self.span(name))
+    /// Where a value stands.
+    pub fn place(&self, name: &str) -> Place {
+        self.source.place(self.span(name).start)
     }
 
-    /// Where a value stands, as messages have it: `file:line`, or `--set`.
-    pub fn place(&self, name: &str) -> String {
-        self.place_within(name, 0)
-    }
-
-    /// Where so many bytes after the beginning of a value stand.
-    pub fn place_within(&self, name: &str, offset: usize) -> String {
-        let (file, line) = self.source.place(self.span(name).start + offset);
-        place(&file, line)
+    /// Where a part of the text that a value is stands, its characters marked unless escapes or a line end lie among them.
+    pub fn place_in(&self, name: &str, text: &str, part: &Range<usize>) -> Place {
+        let span = self.span(name);
+        // With escapes in it, the text's lines are not those of the file.
+        match self.source.raw(span.clone()).find(text) {
+            Some(offset) => {
+                let start = span.start + offset;
+                self.source.marked(start + part.start..start + part.end)
+            }
+            None => self.place(name),
+        }
     }
 
     /// A value with its place and key, as messages begin: `file:line: key = value`.
-    pub fn told(&self, name: &str) -> String {
-        format!("{}: {} = {}", self.place(name), self.key(name), self.raw(name))
+    pub fn shown(&self, name: &str) -> String {
+        format!("{}: {} = {}", self.place(name), self.key(name), self.source.raw(self.span(name)))
     }
 }

@@ -7,7 +7,7 @@ use thiserror::Error;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::text::joined;
+use crate::words::joined;
 
 /// A value for a key of a file: `oscillator.zeta=0.05`, `fig08.panels[2].n=1`, `analysis.loops=[1, 2]`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -28,12 +28,7 @@ impl FromStr for Setting {
         let (key, value) = written.split_once('=').ok_or_else(|| {
             SettingError("write KEY=VALUE, as oscillator.zeta=0.05 or analysis.loops=[1,2]".to_owned())
         })?;
-        let (key, value) = (key.trim().to_owned(), value.trim().to_owned());
-        if steps(&key).is_none() {
-            return Err(SettingError(format!(
-                "{key} is no key: parts are joined by dots, members of lists counted from 1, as fig08.panels[2].n"
-            )));
-        }
+        let (key, value) = (checked(key.trim())?, value.trim().to_owned());
         // A line end could bring in keys that nobody asks about.
         let single = padded(&value, ASSIGNED.len());
         if value.contains(['\n', '\r']) || parsed(&single).is_none() {
@@ -51,7 +46,25 @@ impl std::fmt::Display for Setting {
     }
 }
 
+/// The key, if it is one.
+fn checked(key: &str) -> Result<String, SettingError> {
+    match steps(key) {
+        Some(_) => Ok(key.to_owned()),
+        None => Err(SettingError(format!(
+            "{key} is no key: parts are joined by dots, members of lists counted from 1, as fig08.panels[2].n"
+        ))),
+    }
+}
+
 impl Setting {
+    /// A value for a key.
+    ///
+    /// # Errors
+    /// The key is none.
+    pub fn new(key: &str, value: impl Into<toml::Value>) -> Result<Setting, SettingError> {
+        Ok(Setting { key: checked(key)?, value: value.into().to_string() })
+    }
+
     /// The key with all that leads to it.
     pub fn key(&self) -> &str {
         &self.key
@@ -136,13 +149,13 @@ pub(crate) struct Refusal {
 }
 
 /// A part of a key, perhaps with the number of a member, from 1.
-struct Step {
-    name: String,
-    member: Option<usize>,
+pub(crate) struct Step {
+    pub(crate) name: String,
+    pub(crate) member: Option<usize>,
 }
 
 /// The parts of a key; none if it has an empty part or a member number that is none.
-fn steps(key: &str) -> Option<Vec<Step>> {
+pub(crate) fn steps(key: &str) -> Option<Vec<Step>> {
     let step = |part: &str| {
         let (name, member) = match part.split_once('[') {
             Some((name, rest)) => (name, Some(rest.strip_suffix(']')?.parse().ok()?)),

@@ -35,6 +35,11 @@ pub fn shortened(text: &str, most: usize) -> String {
     format!("{start} ... {end}")
 }
 
+/// A key in a table.
+pub(crate) fn joined(table: &str, name: &str) -> String {
+    if table.is_empty() { name.to_owned() } else { format!("{table}.{name}") }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -249,36 +249,3 @@ impl std::fmt::Display for Seen {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_error_can_be_put_in() {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-        let list = list(&root).unwrap_or_else(|error| panic!("{error}"));
-        assert!(list.len() >= 60);
-        assert!(list.iter().all(|error| error.find != error.replace));
-    }
-
-    #[test]
-    fn rows_that_were_not_tried_out_stay() {
-        let error = |meaning: &str| DeliberateError {
-            meaning: meaning.to_owned(),
-            file: PathBuf::new(),
-            find: String::new(),
-            replace: String::new(),
-        };
-        let list = [error("first"), error("second")];
-        let once = table("", &list, &BTreeMap::from([(1, Seen::Claims(vec!["eq:A".to_owned()]))]));
-        assert!(
-            once.contains("| 1 | first | 1 claim: `eq:A` |") && once.contains("| 2 | second | not tried")
-        );
-        let twice = table(&once, &list, &BTreeMap::from([(2, Seen::Unseen)]));
-        assert!(
-            twice.contains("| 1 | first | 1 claim: `eq:A` |")
-                && twice.contains("| 2 | second | **nobody** |")
-        );
-    }
-}

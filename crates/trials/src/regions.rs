@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use grazing_continuation::curve::Window;
 use grazing_model::LinearOscillator;
 use grazing_unfold::progress::Silent;
-use grazing_unfold::regions::{Region, RegionKind};
+use grazing_unfold::regions::Region;
 use grazing_unfold::{Diagram, Scope};
 
 use crate::closed_form::orbits;
@@ -46,10 +46,7 @@ pub fn distance(region: &Region, [x, y]: [f64; 2]) -> f64 {
 
 /// Why regions of a diagram are hatched.
 pub fn doubts<O>(diagram: &Diagram<O>) -> Vec<String> {
-    let doubt = |region: &Region| match &region.kind {
-        RegionKind::Undecided(doubt) => Some(format!("p = {}: {doubt}", region.loops)),
-        _ => None,
-    };
+    let doubt = |region: &Region| Some(format!("p = {}: {}", region.loops, region.doubt.as_ref()?));
     diagram.regions.iter().filter_map(doubt).collect()
 }
 
@@ -70,7 +67,7 @@ pub enum Shown {
 pub fn shown<O>(diagram: &Diagram<O>, loops: u32, point: [f64; 2]) -> Shown {
     let mut of_p = diagram.regions.iter().filter(|region| region.loops == loops);
     let inside: Vec<_> = of_p.clone().filter(|region| region.contains(point)).collect();
-    if inside.iter().any(|region| matches!(region.kind, RegionKind::Undecided(_))) {
+    if inside.iter().any(|region| region.doubt.is_some()) {
         Shown::Hatched
     } else if of_p.any(|region| distance(region, point) < BORDER) {
         Shown::Border

@@ -3,6 +3,7 @@
 use core::f64::consts::TAU;
 
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
+use grazing_model::phase::turned;
 use grazing_model::{ImpactOscillator, State};
 
 use crate::random::Random;
@@ -69,8 +70,7 @@ pub fn settled(oscillator: &impl ImpactOscillator, random: &mut Random) -> Optio
 
 /// The solution without impacts on which motion has settled, if a forcing period brings it back to where it is.
 fn without_impacts(oscillator: &impl ImpactOscillator, from: State) -> Option<Settled> {
-    let turned = from.phase - TAU * libm::floor(from.phase / TAU);
-    let to_phase_zero = (TAU - turned) / oscillator.forcing_frequency().value;
+    let to_phase_zero = (TAU - turned(from.phase)) / oscillator.forcing_frequency().value;
     let after = |state: State, time: f64| {
         let mut orbit = Orbit::new(oscillator, state, time, 1);
         match (orbit.next()?.end, orbit.impacts()) {

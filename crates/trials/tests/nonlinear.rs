@@ -8,7 +8,7 @@ use grazing_model::smooth::{Dimensionless, Integrated};
 use grazing_trials::nonlinear::{Disagreement, compare, unfolded};
 use grazing_trials::oscillators;
 use grazing_unfold::Diagram;
-use grazing_unfold::regions::{Region, RegionKind};
+use grazing_unfold::regions::Region;
 use grazing_unfold::stop::Stoppable;
 
 /// The diagram of a random oscillator of seed 1, a spring that stiffens.
@@ -37,7 +37,7 @@ fn wrong_shading_is_noticed() {
     assert!(white.count(Disagreement::SeenUnshaded) > 0, "{:?}", white.wrong);
     let [[left, right], [low, high]] = [diagram.scope.window.primary, diagram.scope.window.secondary];
     let rings = vec![vec![[left, low], [right, low], [right, high], [left, high]]];
-    diagram.regions = vec![Region { kind: RegionKind::Mps, loops: 1, n: 0, rings }];
+    diagram.regions = vec![Region { loops: 1, n: 0, rings, doubt: None }];
     let grey = compare(&diagram, 8, 0);
     assert!(grey.count(Disagreement::NotFound) > 10, "{:?}", grey.wrong);
     assert_eq!((grey.count(Disagreement::FoundUnshaded), grey.shaded), (0, 1.0));

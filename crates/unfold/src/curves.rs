@@ -1,11 +1,20 @@
 //! The bifurcation curves of the p-loop MPSs of one p, and the codimension-two points at which they meet.
 
+use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
-use grazing_continuation::curve::{Curve, CurveEnd, Event, Route};
+use grazing_continuation::curve::{Curve, CurveEnd, Event, Route, Window};
 use grazing_continuation::cusp::cusps;
 use grazing_continuation::mps::{LoopEquations, Unknowns};
 use grazing_continuation::resonance::same_point;
 use grazing_model::ImpactOscillator;
+
+/// A curve of this many points has lost its way.
+const STEP_LIMIT: usize = 20_000;
+
+/// The route through a window to the first event.
+pub fn route(window: Window, control: StepControl) -> Route {
+    Route { window, control, step_limit: STEP_LIMIT, stop_at_events: true }
+}
 
 /// A bifurcation curve of the diagram.
 #[derive(Clone, Debug)]
@@ -55,7 +64,7 @@ impl CodimensionTwoPoint {
     }
 }
 
-/// The curves of one p, as far as they are known.
+/// The curves of one p, 0 without impacts, as far as they are known.
 #[derive(Clone, Debug)]
 pub(crate) struct Net<O> {
     pub(crate) equations: LoopEquations<O>,
@@ -99,7 +108,7 @@ impl<O: ImpactOscillator> Net<O> {
 
     /// Adds the codimension-two point at an end of a curve, unless it is known.
     fn meet(&mut self, curve: &DiagramCurve, event: &Event) {
-        let other = Bifurcation::of(event.condition).unwrap_or(Bifurcation::Grazing);
+        let other = Bifurcation::of(event.condition, curve.loops).unwrap_or(Bifurcation::Grazing);
         let kind = CodimensionTwo::of_meeting(curve.kind, other);
         let unknowns = event.solution.unknowns;
         if !self.meetings.iter().any(|corner| same_point(&corner.unknowns(), &unknowns)) {
@@ -118,10 +127,8 @@ impl<O: ImpactOscillator> Net<O> {
             self.meetings.get(self.grown).cloned()
         {
             self.grown += 1;
-            let Some(kind) = Bifurcation::of(event.condition).filter(|_| meeting != CodimensionTwo::Cusp)
-            else {
-                continue;
-            };
+            let kind = Bifurcation::of(event.condition, loops);
+            let Some(kind) = kind.filter(|_| meeting != CodimensionTwo::Cusp) else { continue };
             let corner = event.solution.unknowns;
             let there = self.curves.iter().filter(|curve| {
                 curve.kind == kind && curve.ends().iter().any(|end| same_point(end, &corner))

@@ -9,9 +9,9 @@ use grazing_model::ImpactOscillator;
 use rayon::prelude::*;
 
 use crate::curves::Net;
-pub use crate::curves::{CodimensionTwoPoint, DiagramCurve};
+pub use crate::curves::{CodimensionTwoPoint, DiagramCurve, route};
 use crate::grazing::GrazingCurve;
-use crate::non_impacting::regions::{self as non_impacting, NonImpacting};
+use crate::non_impacting::{self, NonImpacting};
 use crate::progress::Progress;
 use crate::regions::{self, Region};
 use crate::resonances::{self, Resonance, Unlocated};
@@ -66,16 +66,9 @@ pub struct Diagram<O> {
 /// The stage in which curves are followed from the resonances.
 const CURVES: &str = "bifurcation curves";
 
-/// A curve of this many points has lost its way.
-const STEP_LIMIT: usize = 20_000;
 /// Regions of a window that is narrower than this are parts of those of one that is not: curves that touch at a resonance are too close to each other
 /// there for slices to be told apart from rounding, as branches begin at impact velocities of the order of the root of its width.
-const NARROW: f64 = 1e-7;
-
-/// The route through a window to the first event.
-pub fn route(window: Window, control: StepControl) -> Route {
-    Route { window, control, step_limit: STEP_LIMIT, stop_at_events: true }
-}
+const UNDECIDABLE_WIDTH: f64 = 1e-7;
 
 /// The route of curves that are drawn: in a small window steps are small, too, down to where curves are straight.
 fn drawn(window: Window) -> Route {
@@ -95,13 +88,13 @@ const LEAST_STEPS: f64 = 10.0;
 /// The window about a narrow one in which regions are decided.
 fn widened(window: Window) -> Option<Window> {
     let about = |[low, high]: [f64; 2]| {
-        let room = (0.5 * (NARROW - (high - low))).max(0.0);
+        let room = (0.5 * (UNDECIDABLE_WIDTH - (high - low))).max(0.0);
         [low - room, high + room]
     };
     let [across, up] = window.widths();
     let wide = Window { primary: about(window.primary), secondary: about(window.secondary) };
     // Not once more because of rounding.
-    (across.min(up) < 0.5 * NARROW).then_some(wide)
+    (across.min(up) < 0.5 * UNDECIDABLE_WIDTH).then_some(wide)
 }
 
 impl<O: ImpactOscillator> Diagram<O> {
@@ -155,7 +148,7 @@ impl<O: ImpactOscillator> Diagram<O> {
         let mut nets = known.clone();
         let followed: Vec<usize> = nets.iter().map(|net| net.curves.len()).collect();
         self.grow(&mut nets);
-        let of_mps = regions::of_mps(&self, &mut nets, progress);
+        let of_mps = regions::of_mps(&self.scope, &self.grazing, &mut nets, progress);
         if of_mps.contains(&None) {
             self.unfinished.push(Unfinished::stage(regions::STAGE));
         }
@@ -228,10 +221,13 @@ impl<O: ImpactOscillator> Diagram<O> {
         self.curves.extend(then);
     }
 
-    /// The equations of the p-loop MPSs.
+    /// The equations of the p-loop MPSs; of solutions without impacts for p = 0.
     pub fn equations(&self, loops: u32) -> LoopEquations<O> {
-        let oscillator = self.grazing[0].states[0].orbit.oscillator();
-        LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase)
+        let oscillator = self.grazing[0].states[0].orbit.oscillator().clone();
+        match loops {
+            0 => LoopEquations::without_impacts(oscillator, self.scope.window.widths()),
+            _ => LoopEquations::new(oscillator, loops, Formulation::FixedPhase),
+        }
     }
 
     /// The resonances at which a theorem holds, with their places in the list of all.
@@ -282,7 +278,7 @@ impl<O: ImpactOscillator> Diagram<O> {
 fn listed<O>(index: usize, resonance: &Resonance<O>, unfolded: UnfoldedResonance) -> Followed {
     let (loops, n) = (resonance.loops, resonance.n);
     let curve = |curve: &Curve| {
-        let kind = Bifurcation::of(curve.condition)?;
+        let kind = Bifurcation::of(curve.condition, loops)?;
         Some(DiagramCurve { kind, loops, n, curve: curve.clone() })
     };
     Followed {

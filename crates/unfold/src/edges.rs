@@ -25,7 +25,7 @@ where
 }
 
 /// Where a chord first leaves 0 to 1 in one of these unknowns, if it does: the share of the chord, the unknown, and 0 or 1.
-pub(crate) fn leaves<const N: usize>(
+fn leaves<const N: usize>(
     unknowns: impl IntoIterator<Item = usize>,
     [before, after]: [&SVector<f64, N>; 2],
 ) -> Option<(f64, usize, f64)> {

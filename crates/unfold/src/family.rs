@@ -80,7 +80,7 @@ const STEP_LIMIT: usize = 2_000;
 /// this and a rounding over it, is no larger than 1e-9.
 const DIFFERENCE: f64 = 1e-5;
 /// Resonances this close in z and the shares of the ranges are one: located to 1e-10, different ones are much farther apart.
-const SAME: f64 = 1e-6;
+const SAME_RESONANCE: f64 = 1e-6;
 /// Rates of change along the curve are differences over this length to both sides. Values are right to 1e-13, and so rates to 1e-10; the place at
 /// which a rate is zero is off by the square of this.
 const RATE: f64 = 1e-3;
@@ -250,7 +250,7 @@ impl<O: ImpactOscillator> Path<'_, O> {
     fn same(&self, place: &Coordinates, orbit: &GrazingOrbit<O>) -> bool {
         let mut gap = self.scope.place(orbit) - place.fixed_rows::<3>(0);
         gap[0] = libm::remainder(gap[0], TAU);
-        gap.norm() < SAME
+        gap.norm() < SAME_RESONANCE
     }
 
     /// Where the curve leaves the ranges, or comes to either member, between two of its points, if it does.

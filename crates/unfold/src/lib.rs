@@ -9,7 +9,7 @@
 //!                  ├─ magnification   the same curves close to one resonance, with the quadratic approximations
 //!                  ├─ verdict         whether the theorem's coefficients are those of the curves
 //!                  ├─ sides           whether the hybrid system, simulated (simulation), does what is predicted
-//!                  └─ one_parameter   branches at one η, with simulation and phase portraits
+//!                  └─ one_parameter   branches on a line of the plane, with simulation (long_time) and phase portraits
 //! ```
 //!
 //! All of this counts in units in which motion is of the order of one: [`Dimensionless`](grazing_model::smooth::Dimensionless) makes any
@@ -70,16 +70,20 @@ pub mod escape;
 mod faces;
 pub mod family;
 pub mod grazing;
+pub mod long_time;
 pub mod magnification;
 pub mod non_impacting;
 pub mod one_parameter;
+mod pace;
 pub mod place;
 pub mod progress;
+mod region;
 pub mod regions;
 pub mod resonances;
 mod scope;
 mod search;
 pub mod sides;
+mod sight;
 pub mod simulation;
 mod slices;
 #[cfg(test)]

@@ -5,6 +5,7 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, Window};
 use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, same_point};
 use grazing_model::ImpactOscillator;
+use grazing_results::plane::CurveSource;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 
 use crate::diagram::{Diagram, DiagramCurve, route};
@@ -20,8 +21,8 @@ pub struct Polyline {
     pub loops: u32,
     /// The integer n of the resonance that it leaves; 0 without one.
     pub n: u32,
-    /// Whether it is a quadratic approximation μ = μ_graz(η) + c (η − η*)², not continued.
-    pub quadratic: bool,
+    /// Where it comes from.
+    pub source: CurveSource,
     /// Its points in order.
     pub points: Vec<[f64; 2]>,
 }
@@ -44,8 +45,8 @@ pub fn magnify<O: ImpactOscillator>(
     window: Window,
 ) -> Result<Vec<Polyline>, ResonanceError> {
     let (loops, n) = (resonance.loops, resonance.n);
-    let continued =
-        |kind, [loops, n]: [u32; 2], points| Polyline { kind, loops, n, quadratic: false, points };
+    let source = CurveSource::Continuation;
+    let continued = |kind, [loops, n]: [u32; 2], points| Polyline { kind, loops, n, source, points };
     let mut list: Vec<_> = diagram
         .grazing
         .iter()
@@ -54,8 +55,9 @@ pub fn magnify<O: ImpactOscillator>(
     list.retain(|polyline| polyline.points.len() > 1);
 
     let unfolded = point.unfold(&route(window, MAGNIFIED))?;
-    let own =
-        |curve: &Curve| Some(continued(Bifurcation::of(curve.condition)?, [loops, n], curve.parameters()));
+    let own = |curve: &Curve| {
+        Some(continued(Bifurcation::of(curve.condition, loops)?, [loops, n], curve.parameters()))
+    };
     list.extend(unfolded.curves().filter_map(own));
     // The resonance's own curves are there already; one of them may begin outside and come in again.
     let start = |curve: &Curve| (curve.condition, curve.points[0].solution.unknowns);
@@ -77,7 +79,7 @@ pub fn magnify<O: ImpactOscillator>(
 
     for (kind, curve) in point.leading().named() {
         let points = approximation(point, curve, window);
-        list.push(Polyline { kind, loops, n, quadratic: true, points });
+        list.push(Polyline { kind, loops, n, source: CurveSource::Quadratic, points });
     }
     Ok(list)
 }

@@ -1,161 +1,145 @@
-//! Periodic motion of the oscillator without its wall.
+//! Non-impacting motion in the whole window: its grazing curves, its folds and period doublings, and where it is stable.
 //!
-//! A periodic solution is a fixed point of the flow over one forcing period. The first ones are found by letting the motion
-//! relax, as a damped oscillator does; then they are followed through the range of the primary parameter, folds included.
-//! Where the highest point of the orbit comes to the wall there is grazing.
+//! It is surveyed as MPSs are (`survey`), p being 0. What is its own is how its first solutions and its grazing are found: motion is left to
+//! relax, and grazing is looked for on lattices.
 
-pub(crate) mod branch;
-mod curves;
-pub(crate) mod orbits;
-pub(crate) mod regions;
+mod relaxation;
 
-use grazing_continuation::locate::Condition;
+use grazing_continuation::arclength::StepControl;
+use grazing_continuation::curve::{CurvePoint, Route};
+use grazing_continuation::mps::LoopEquations;
 use grazing_model::ImpactOscillator;
-use grazing_model::State;
-use grazing_model::motion::Motion;
-use grazing_theorems::from_map::GrazingOrbit;
-use nalgebra::Vector2;
+use rayon::prelude::*;
 
-use crate::escape::Escape;
-use crate::{Scope, search};
-use branch::{Branch, Crossing};
-use orbits::{FAR, OrbitPoint, PeriodicOrbits, SECONDARY};
+pub use relaxation::{Height, PeriodicMotion, periodic_motion};
+pub(crate) use relaxation::{is_whole, motion};
 
-/// What was seen of periodic motion without the wall at one η, and where it grazes.
+use crate::curves::{DiagramCurve, Net};
+use crate::grazing::GrazingCurve;
+use crate::progress::Progress;
+use crate::regions::{self, Region, decided};
+use crate::slices::Slice;
+use crate::stop::Unfinished;
+use crate::survey::Survey;
+use crate::{Scope, UnfoldError, search};
+
+/// What there is of motion without impacts.
 #[derive(Clone, Debug)]
-pub struct PeriodicMotion<O> {
-    /// Grazing orbits, each touching the wall with its highest point.
-    pub grazing: Vec<GrazingOrbit<O>>,
-    /// Orbits that touch the wall without being turned back, with F ≥ 0 there.
-    pub pushed: Vec<Height>,
-    /// How motion from one of the starts ran away.
-    pub ran_away: Option<Escape>,
-    /// The branches of orbits.
-    pub(crate) branches: Vec<Branch>,
+pub(crate) struct NonImpacting<O> {
+    pub(crate) grazing: Vec<GrazingCurve<O>>,
+    pub(crate) curves: Vec<DiagramCurve>,
+    pub(crate) regions: Vec<Region>,
+    /// What was not finished when an end was asked for.
+    pub(crate) unfinished: Vec<Unfinished>,
 }
 
-/// The highest point of a periodic orbit without the wall.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Height {
-    /// x.
-    pub position: f64,
-    /// The parameters (μ, η).
-    pub parameters: [f64; 2],
-    /// The acceleration there.
-    pub acceleration: f64,
-}
+/// Every so many of the slices motion is left to relax from rest, which finds branches to which grazing does not lead.
+const RELAXED_EVERY: usize = 2;
+/// A curve of this many points has lost its way.
+const STEP_LIMIT: usize = 20_000;
+/// The stage of the search.
+const STAGE: &str = "motion without impacts";
 
-/// Where the search begins: shares of the range of μ, and positions at rest.
-const SHARES: [f64; 3] = [0.0, 1.0, LAST_RESORT];
-/// The share from which a search begins if there is nothing at the ends.
-const LAST_RESORT: f64 = 0.5;
-const POSITIONS: [f64; 3] = [-1.0, 0.0, -0.25];
-
-/// Forcing periods for which motion is left to relax; Newton's method starts from wherever it is then.
-const LONGEST_RELAXATION: usize = 200;
-/// Newton's method takes over when a period changes the state by less than this.
-const RELAXED: f64 = 1e-3;
-
-/// Motion that relaxes this far from the wall, whose distance from rest is of order one, is looked at only where there is no other: a pendulum
-/// may turn any number of times before it does, and motion about each of its rest positions is the same but for those turns.
-const CARRIED_AWAY: f64 = 10.0;
-
-/// Grazing orbits closer than this are one: Newton's method leaves far less.
-const SAME: f64 = 1e-6;
-
-/// Looks for grazing of periodic motion without the wall over the whole range of μ at η = `secondary`.
-pub fn periodic_motion<O: ImpactOscillator>(
+/// Looks for grazing of the non-impacting solutions and for their regions.
+///
+/// # Errors
+/// There is no grazing in the ranges, with what was seen instead.
+pub(crate) fn find<O: ImpactOscillator>(
     oscillator: &O,
     scope: &Scope,
-    secondary: f64,
-) -> PeriodicMotion<O> {
-    PeriodicOrbits { oscillator, scope, control: branch::STEPS }.motion(secondary, &[], &[0.0])
+    progress: &dyn Progress,
+) -> Result<NonImpacting<O>, UnfoldError> {
+    let levels = regions::levels(scope.window).into_iter().enumerate();
+    let (relaxed, between): (Vec<_>, Vec<_>) = levels.partition(|(k, _)| k % RELAXED_EVERY == 0);
+    let [relaxed, between] =
+        [relaxed, between].map(|part| part.into_iter().map(|(_, secondary)| secondary).collect::<Vec<_>>());
+    progress.begin(STAGE, relaxed.len() as u64);
+    let found = on_slices(oscillator, scope, &relaxed, &between, progress);
+    progress.end(STAGE);
+    found
 }
 
-impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
-    /// As [`periodic_motion`], in steps of one's own; with motion that comes from rest at some more positions, or has its highest point at one of some heights, should none
-    /// of the rest lead to it.
-    pub(crate) fn motion(&self, secondary: f64, positions: &[f64], heights: &[f64]) -> PeriodicMotion<O> {
-        let (orbits, scope) = (self, self.scope);
-        let share_of_secondary = scope.window.shares([scope.window.primary[0], secondary])[1];
-        let mut branches: Vec<Branch> = Vec::new();
-        let (mut ran_away, mut carried_away) = (None, None);
-        for share in SHARES {
-            if share == LAST_RESORT && !branches.is_empty() {
-                break;
-            }
-            let positions = POSITIONS.iter().chain(positions).map(|position| [*position, 0.0]);
-            for start in scope.start.into_iter().chain(positions) {
-                match orbits.relaxed([share, share_of_secondary], Vector2::from(start)) {
-                    Ok(Some(orbit)) if orbit[0].abs() > CARRIED_AWAY => {
-                        carried_away = carried_away.or(Some(orbit))
-                    }
-                    Ok(Some(orbit)) => orbits.add_branch(&mut branches, &orbit),
-                    Ok(None) => {}
-                    Err(escape) => {
-                        ran_away.get_or_insert(escape);
-                    }
-                }
-            }
-        }
-        if branches.is_empty() {
-            branches.extend(carried_away.and_then(|orbit| orbits.branch(&orbit, SECONDARY)));
-        }
-        for height in heights {
-            let found = search::highest_at(self.oscillator, scope, secondary, *height);
-            for start in found.iter().filter_map(|highest| orbits.through(highest)) {
-                orbits.add_branch(&mut branches, &start);
-            }
-        }
-        let mut motion = PeriodicMotion { grazing: Vec::new(), pushed: Vec::new(), ran_away, branches };
-        motion.look_for_grazing(orbits);
-        motion
+/// The same from slices on which motion is left to relax from rest, and others between them.
+fn on_slices<O: ImpactOscillator>(
+    oscillator: &O,
+    scope: &Scope,
+    relaxed: &[f64],
+    between: &[f64],
+    progress: &dyn Progress,
+) -> Result<NonImpacting<O>, UnfoldError> {
+    let motions: Vec<PeriodicMotion<O>> = relaxed
+        .par_iter()
+        .map(|secondary| {
+            let motion = periodic_motion(oscillator, scope, *secondary);
+            progress.step(STAGE);
+            motion
+        })
+        .collect();
+    let equations = LoopEquations::without_impacts(oscillator.clone(), scope.window.widths());
+    let mut net = Net::new(equations.clone());
+    // Curves go on beyond the wall.
+    let control = StepControl::DRAWING;
+    let route = Route { window: scope.window, control, step_limit: STEP_LIMIT, stop_at_events: false };
+    let mut survey = Survey::new(&mut net, scope, route, &[], Vec::new());
+    for (secondary, motion) in relaxed.iter().zip(&motions) {
+        survey.add_slice(Slice::new(*secondary, motion.branches.clone()));
     }
-
-    /// The periodic orbit to which the motion from a state relaxes; `None` if it does not settle.
-    fn relaxed(&self, shares: [f64; 2], start: Vector2<f64>) -> Result<Option<OrbitPoint>, Escape> {
-        let oscillator = self.scope.oscillator_at(self.oscillator, shares);
-        let period = oscillator.forcing_period();
-        let mut state = start;
-        for _ in 0..LONGEST_RELAXATION {
-            let from = State { position: state[0], velocity: state[1], phase: 0.0 };
-            let end = oscillator.motion(from).at(period);
-            let next = Vector2::new(end.position, end.velocity);
-            // NaN is far as well.
-            if next.norm().is_nan() || next.norm() > FAR {
-                return Err(Escape::of(&oscillator, state.into()));
-            }
-            let change = (next - state).norm();
-            state = next;
-            if change <= RELAXED {
-                break;
-            }
-        }
-        Ok(self.at(&OrbitPoint::new(state[0], state[1], shares[0], shares[1])))
+    // From the middle outwards: a curve is reported once, from where it is met first.
+    let mut order: Vec<usize> = (0..motions.len()).collect();
+    order.sort_by_key(|k| k.abs_diff(motions.len() / 2));
+    for orbit in order.into_iter().flat_map(|k| &motions[k].grazing) {
+        survey.add_grazing(orbit);
     }
+    survey.follow_columns(progress);
+    // Grazing to which nothing that is known leads, and the branches through the range of η on which it lies.
+    for highest in search::grazing(oscillator, scope, progress) {
+        if let Some(orbit) = highest.grazing(oscillator)
+            && survey.add_grazing(&orbit)
+            && let Some(start) = survey.slicer.with_highest(&highest)
+        {
+            survey.follow_column(&start, progress);
+        }
+    }
+    if survey.grazing.is_empty() {
+        return Err(match progress.stopped() {
+            true => UnfoldError::Stopped { stage: STAGE },
+            false => explanation(&equations, &motions),
+        });
+    }
+    let regions = decided(scope.window, &mut survey, between, progress);
+    let grazing = survey.grazing.into_owned();
+    let (regions, unfinished) = match progress.stopped() {
+        true => (vec![Region::not_finished(scope.window, 0)], vec![Unfinished::stage(STAGE)]),
+        false => (regions, Vec::new()),
+    };
+    Ok(NonImpacting { grazing, curves: net.curves, regions, unfinished })
 }
 
-impl<O: ImpactOscillator> PeriodicMotion<O> {
-    /// Takes down where the branches come to the wall.
-    fn look_for_grazing(&mut self, orbits: &PeriodicOrbits<'_, O>) {
-        for bifurcation in self.branches.iter().flat_map(|branch| &branch.bifurcations) {
-            if let Crossing { condition: Condition::InteriorGrazing, near, .. } = bifurcation {
-                match orbits.grazing(near, SECONDARY) {
-                    Some(orbit) => {
-                        let same = |other: &GrazingOrbit<O>| {
-                            (other.primary() - orbit.primary()).abs()
-                                <= SAME * orbits.scope.window.widths()[0]
-                                && libm::cos(other.phase() - orbit.phase()) > 1.0 - SAME
-                        };
-                        let [left, right] = orbits.scope.window.primary;
-                        let inside = left <= orbit.primary() && orbit.primary() <= right;
-                        if inside && !self.grazing.iter().any(same) {
-                            self.grazing.push(orbit);
-                        }
-                    }
-                    None => self.pushed.push(near.height),
-                }
-            }
-        }
+/// Heights that differ by a smaller share are one: which of them is named is not left to rounding.
+const SAME_HEIGHT: f64 = 1e-9;
+
+/// Why no survey has seen grazing.
+fn explanation<O: ImpactOscillator>(
+    equations: &LoopEquations<O>,
+    motions: &[PeriodicMotion<O>],
+) -> UnfoldError {
+    if let Some(at) = motions.iter().flat_map(|motion| &motion.pushed).next() {
+        return UnfoldError::Pushed { at: *at };
+    }
+    let branches = motions.iter().flat_map(|motion| &motion.branches);
+    let whole = branches.clone().all(is_whole);
+    let points = branches.flat_map(|branch| &branch.points);
+    let height = |point: &CurvePoint| point.solution.ceiling();
+    let above = |a: &CurvePoint, b: &CurvePoint| height(a) - height(b) > SAME_HEIGHT * height(b).abs();
+    let lowest = points.clone().reduce(|a, b| if above(a, b) { b } else { a });
+    let highest = points.reduce(|a, b| if above(b, a) { b } else { a });
+    match (lowest.zip(highest), motions.iter().find_map(|motion| motion.ran_away)) {
+        (Some((lowest, highest)), _) => UnfoldError::NoGrazing {
+            lowest: Height::of(equations, &lowest.solution),
+            highest: Height::of(equations, &highest.solution),
+            whole,
+        },
+        (None, Some(escape)) => UnfoldError::RunsAway { escape },
+        (None, None) => UnfoldError::NoOrbit,
     }
 }

@@ -1,69 +1,59 @@
-//! One-parameter diagrams: what there is at one η as μ changes.
+//! One-parameter diagrams: what there is on a line of the parameter plane, along which one parameter changes and the other is held.
 //!
 //! Branches of non-impacting motion and of p-loop MPSs, bifurcations on them, the long-time behaviour of the hybrid system from random
-//! states, and orbits at chosen μ. Everything is shown by x on the Poincaré section Π.
+//! states, and orbits at chosen places. Everything is shown by x on the Poincaré section Π. The oscillator is [`Oriented`] so that the parameter
+//! across is the first one, called μ below; rows have both parameters as they are.
 
 mod branches;
-mod exchanged;
-mod long_time;
+mod oriented;
 mod portraits;
+mod visits;
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{Formulation, LoopEquations};
 use grazing_model::ImpactOscillator;
+use grazing_results::Frame;
+use grazing_results::branches::{AttractorPoint, BranchBifurcation, OneParameter};
 use rayon::prelude::*;
 
-pub use branches::{Branch, BranchBifurcation, Strand, StrandPoint};
-pub use exchanged::{Exchanged, exchanged};
-pub(crate) use long_time::{LONGEST_TRANSIENT, impacts};
-pub use long_time::{Plan, Settled, long_time_behaviour, random_start, settled};
-pub(crate) use portraits::cycle;
-pub use portraits::{ATTRACTOR_PERIODS, Portrait, drifts, sampled};
+pub use branches::Branch;
+pub use oriented::Oriented;
+pub use portraits::Subject;
+pub use visits::Sampling;
 
 use crate::curves::DiagramCurve;
-use crate::non_impacting::branch;
-use crate::non_impacting::orbits::PeriodicOrbits;
 use crate::progress::Progress;
-use crate::slices::{Slice, Slicer, broken_at, distinct};
-use crate::{Scope, search};
+use crate::slices::{FREE_STEPS, Slice, Slicer, broken_at, distinct};
+use crate::{Scope, non_impacting, search};
+use branches::{Strand, same_bifurcation, within};
+use portraits::Scene;
+use visits::long_time_behaviour;
 
-/// What is to be shown.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Wanted {
-    /// η.
-    pub secondary: f64,
-    /// The values of μ, inside those of the scope, through which branches are followed.
+/// A line of the parameter plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line {
+    /// The number of its diagram.
+    pub diagram: u32,
+    /// The primary parameter is held, and the secondary one across.
+    pub primary_is_fixed: bool,
+    /// The value of the parameter that is held.
+    pub at: f64,
+    /// The values of the other one that are shown, inside those of the scope, through which branches are followed.
     pub range: [f64; 2],
-    /// Values of μ in that range at which orbits are shown.
-    pub portraits: Vec<f64>,
-    /// How the long-time behaviour is sampled.
-    pub plan: Plan,
 }
 
-/// What there is at one η.
-#[derive(Clone, Debug)]
-pub struct OneParameter {
-    /// The non-impacting solution (p = 0) and p-loop MPSs, one strand a loop.
-    pub strands: Vec<Strand>,
-    /// Bifurcations of admissible solutions.
-    pub bifurcations: Vec<BranchBifurcation>,
-    /// (μ, x) at visits to Π of orbits that have settled; none if that was not finished.
-    pub visits: Vec<[f64; 2]>,
-    /// The number of orbits that left no visit, as they came to rest at the wall or could not be followed, and of all.
-    pub resting: [u32; 2],
-    /// Orbits at the chosen values of μ; none if they were not finished.
-    pub portraits: Vec<Portrait>,
-    /// Where a branch of MPSs could not be followed to its end: p, μ, and what happened.
-    pub broken: Vec<(u32, f64, String)>,
-    /// The long-time behaviour is missing, because an end was asked for.
-    pub unfinished: bool,
+/// The branches on a line.
+pub struct Section<O> {
+    oscillator: Oriented<O>,
+    scope: Scope,
+    line: Line,
+    /// Those of motion without impacts first.
+    branches: Vec<Branch<Oriented<O>>>,
 }
 
-/// The stages.
+/// The stage.
 const BRANCHES: &str = "branches of a one-parameter diagram";
-const LONG_TIME: &str = "long-time behaviour";
 
 /// Motion without impacts is looked for that has its highest point here, the wall's distance from rest being of order one.
 const HEIGHTS: [f64; 4] = [0.0, -0.25, -0.5, -0.75];
@@ -78,89 +68,153 @@ const POSITIONS: [f64; 4] = [-1.5, -2.0, -3.0, -4.0];
 /// Random states are looked for this far from the wall at least, which is of the order of one away from rest: those farther off swing faster.
 const LEAST_DEPTH: f64 = 2.0;
 /// Bifurcations that agree to this share of the range, and in their impacts, are one, on branches that overlap.
-const SAME: f64 = 1e-8;
+const SAME_PARAMETER: f64 = 1e-8;
 
-impl OneParameter {
-    /// What there is of an oscillator at one η, the values of μ and the numbers of loops being those of the scope. Curves of the
-    /// two-parameter diagram that are known lead to branches, but need not be there. `begun` gets the branches before the simulation, which takes
-    /// longer.
+impl<O: ImpactOscillator> Section<O> {
+    /// The branches of an oscillator on a line, the ranges and the numbers of loops being those of the scope; that of the parameter that is held does
+    /// not matter. Curves of the two-parameter diagram that are known lead to branches, but need not be there.
     ///
-    /// `None` if an end was asked for before the branches were known.
-    pub fn compute<O: ImpactOscillator>(
+    /// `None` if an end was asked for before they were known.
+    pub fn follow(
         oscillator: &O,
         scope: &Scope,
         curves: &[DiagramCurve],
-        wanted: &Wanted,
+        line: Line,
         progress: &dyn Progress,
-        begun: &mut dyn FnMut(&Self),
     ) -> Option<Self> {
-        let Wanted { secondary, range, .. } = *wanted;
+        let exchanged = line.primary_is_fixed;
+        let oscillator = Oriented { oscillator: oscillator.clone(), exchanged };
+        let (scope, curves) = match exchanged {
+            true => (scope.exchanged(), oriented::exchanged(curves)),
+            false => (scope.clone(), curves.to_vec()),
+        };
         progress.begin(BRANCHES, scope.loops.len() as u64 + 1);
-        let share = (range[1] - range[0]) / scope.window.widths()[0];
-        let longest = (STEP * share).max(LEAST_STEP);
-        let control = StepControl { longest, ..branch::STEPS };
-        let orbits = PeriodicOrbits { oscillator, scope, control };
-        let motion = orbits.motion(secondary, &POSITIONS, &HEIGHTS);
+        let share = (line.range[1] - line.range[0]) / scope.window.widths()[0];
+        let control = StepControl { longest: (STEP * share).max(LEAST_STEP), ..FREE_STEPS };
+        let equations = LoopEquations::without_impacts(oscillator.clone(), scope.window.widths());
+        let slicer = Slicer { equations, window: scope.window, control };
+        let motion = non_impacting::motion(&oscillator, &scope, &slicer, line.at, &POSITIONS, &HEIGHTS);
         progress.step(BRANCHES);
         let grazing: Vec<[f64; 2]> =
             motion.grazing.iter().map(|orbit| [orbit.phase(), orbit.primary()]).collect();
-        let branches = mps_branches(oscillator, scope, curves, secondary, &grazing, progress);
+        let free = motion.branches.into_iter();
+        let mut branches: Vec<_> =
+            free.map(|curve| Branch { equations: slicer.equations.clone(), curve }).collect();
+        branches.extend(mps_branches(&oscillator, &scope, &curves, line.at, &grazing, progress));
         progress.end(BRANCHES);
-        let mut strands: Vec<Strand> = motion.branches.iter().map(Strand::of_non_impacting).collect();
-        let mut bifurcations: Vec<BranchBifurcation> =
-            motion.branches.iter().flat_map(BranchBifurcation::of_non_impacting).collect();
-        let found: Vec<_> = branches.par_iter().map(Branch::shown).collect();
+        let found = Self { oscillator, scope, line, branches };
+        (!progress.stopped()).then_some(found)
+    }
+
+    /// The branches, those of motion without impacts first; μ is the parameter across.
+    pub fn branches(&self) -> &[Branch<Oriented<O>>] {
+        &self.branches
+    }
+
+    /// The diagram with its branches and bifurcations alone.
+    pub fn diagram(&self) -> OneParameter {
+        self.placed(self.oriented())
+    }
+
+    /// A diagram whose rows are in the roles of the line: the parameters as they are, in a frame as high as it needs.
+    fn placed(&self, mut diagram: OneParameter) -> OneParameter {
+        let Line { diagram: number, primary_is_fixed, .. } = self.line;
+        diagram.each_row(&mut |row| row.place(number, primary_is_fixed));
+        diagram.fitted()
+    }
+
+    /// The same with the parameter across as the primary one.
+    fn oriented(&self) -> OneParameter {
+        let Line { diagram, primary_is_fixed, at, range } = self.line;
+        let (mut strands, mut bifurcations) = (Vec::<Strand>::new(), Vec::<BranchBifurcation>::new());
+        let found: Vec<_> = self.branches.par_iter().map(Branch::shown).collect();
         for (own_strands, own_bifurcations) in found {
             strands.extend(own_strands);
             bifurcations.extend(own_bifurcations);
         }
+        let strands = strands.iter().flat_map(|strand| within(strand, range));
+        let mut branches = Vec::new();
+        for (number, mut strand) in (1..).zip(strands) {
+            strand.iter_mut().for_each(|point| point.branch = number);
+            branches.extend(strand);
+        }
         let inside = |primary: f64| range[0] <= primary && primary <= range[1];
-        let strands: Vec<Strand> = strands.iter().flat_map(|strand| strand.within(range)).collect();
         bifurcations.retain(|bifurcation| inside(bifurcation.primary));
+        let same = SAME_PARAMETER * self.scope.window.widths()[0];
         let bifurcations = bifurcations.into_iter().fold(Vec::new(), |mut distinct, one| {
-            if !distinct.iter().any(|other| one.is(other, SAME * scope.window.widths()[0])) {
+            if !distinct.iter().any(|other| same_bifurcation(&one, other, same)) {
                 distinct.push(one);
             }
             distinct
         });
-        if progress.stopped() {
-            return None;
-        }
-        let ends = branches.iter().flat_map(|branch| {
+        let of_mps = self.branches.iter().filter(|branch| branch.equations.has_impacts());
+        let ends = of_mps.flat_map(|branch| {
             let of_loops = |(primary, reason)| (branch.equations.loops(), primary, reason);
             broken_at(&branch.curve).map(of_loops)
         });
-        let mut found = Self {
-            strands,
+        OneParameter {
+            diagram,
+            primary_is_fixed,
+            at,
+            frame: Frame { x: range, y: [0.0, 0.0] },
+            magnified: None,
+            from_the_wall: false,
+            branches,
             bifurcations,
-            visits: Vec::new(),
-            resting: [0, 0],
+            attractor: Vec::new(),
             portraits: Vec::new(),
+            resting: None,
             broken: ends.filter(|(_, primary, _)| inside(*primary)).collect(),
-            unfinished: true,
-        };
-        begun(&found);
-        let products = motion
-            .branches
-            .iter()
-            .flat_map(|branch| &branch.orbits)
-            .map(|orbit| orbit.multipliers.determinant);
-        let plan = &wanted.plan.as_long_as_it_takes(products);
-        let shown = found.strands.iter().flat_map(|strand| &strand.points).filter(|point| point.admissible);
-        let lowest = shown.map(|point| point.x).fold(-LEAST_DEPTH, f64::min);
-        let scene = portraits::Scene {
-            orbits: &orbits,
-            non_impacting: &motion.branches,
-            branches: &branches,
-            plan,
-            lowest,
-        };
-        let (visits, resting) = long_time_behaviour(oscillator, secondary, range, (plan, lowest), progress);
-        let portraits = scene.at_all(&wanted.portraits, secondary, progress);
-        if !progress.stopped() {
-            found = Self { visits, resting, portraits, unfinished: false, ..found };
+            notes: Vec::new(),
         }
-        Some(found)
+    }
+
+    /// The diagram with long-time behaviour and phase portraits, too; without them if an end was asked for.
+    pub fn simulated(
+        &self,
+        sampling: &Sampling,
+        subjects: &[Subject],
+        progress: &dyn Progress,
+    ) -> OneParameter {
+        let mut found = self.oriented();
+        let at = self.line.at;
+        let free = self.branches.iter().filter(|branch| !branch.equations.has_impacts());
+        let points = free.flat_map(|branch| &branch.curve.points);
+        let products = points.map(|point| point.solution.multipliers.determinant);
+        let sampling = &sampling.as_long_as_it_takes(products);
+        let shown = found.branches.iter().filter(|point| point.admissible);
+        let lowest = shown.map(|point| point.x).fold(-LEAST_DEPTH, f64::min);
+        let lowest = sampling.lowest.unwrap_or(lowest);
+        let first = |kind: Bifurcation| {
+            let first = found.bifurcations.iter().find(|bifurcation| bifurcation.kind == kind);
+            first.map(|bifurcation| bifurcation.primary)
+        };
+        let range = match sampling.between {
+            Some([from, to]) => first(from).zip(first(to)).map(<[f64; 2]>::from),
+            None => Some(self.line.range),
+        };
+        let sampled =
+            range.map(|range| long_time_behaviour(&self.oscillator, at, range, (sampling, lowest), progress));
+        let (visits, resting) = sampled.unwrap_or_default();
+        let scene = Scene {
+            oscillator: &self.oscillator,
+            branches: &self.branches,
+            secondary: at,
+            transient: sampling.transient,
+            lowest,
+            seed: sampling.seed,
+        };
+        let portraits = scene.of_all(subjects, progress);
+        if !progress.stopped() {
+            let visit = |[primary, x]: [f64; 2]| AttractorPoint { diagram: 0, secondary: at, primary, x };
+            found.attractor = visits.into_iter().map(visit).collect();
+            for (number, mut portrait) in (1..).zip(portraits) {
+                portrait.iter_mut().for_each(|point| point.portrait = number);
+                found.portraits.extend(portrait);
+            }
+            found.resting = Some(resting);
+        }
+        self.placed(found)
     }
 }
 
@@ -174,51 +228,30 @@ fn mps_branches<O: ImpactOscillator>(
     grazing: &[[f64; 2]],
     progress: &dyn Progress,
 ) -> Vec<Branch<O>> {
-    let grazing = |_| grazing.to_vec();
-    let slices = scope.loops.par_iter().map(|&loops| {
+    let slicer = |equations: &LoopEquations<O>| Slicer {
+        equations: equations.clone(),
+        window: scope.window,
+        control: StepControl::DRAWING,
+    };
+    let begun = |&loops: &u32| {
         let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase);
-        let slicer = Slicer::new(&equations, scope.window, StepControl::DRAWING, &grazing);
-        let mut slice = slicer.beginning_at_grazing(secondary);
+        let slicer = slicer(&equations);
+        let mut slice = slicer.beginning_at_grazing(secondary, grazing.iter().copied());
         let own: Vec<DiagramCurve> = curves.iter().filter(|curve| curve.loops == loops).cloned().collect();
         slicer.through_curves(&mut slice, &own);
         progress.step(BRANCHES);
         (equations, slice)
-    });
-    let begun: Vec<_> = slices.collect();
-    let begun = begun.into_iter().flat_map(|(equations, slice)| {
-        slice.branches.into_iter().map(move |curve| Branch { equations: equations.clone(), curve })
-    });
-    completed(oscillator, scope, secondary, begun.collect(), progress)
-}
-
-/// Branches of MPSs at one η and those besides that are found by solving for MPSs, by p; each once.
-pub fn completed<O: ImpactOscillator>(
-    oscillator: &O,
-    scope: &Scope,
-    secondary: f64,
-    begun: Vec<Branch<O>>,
-    progress: &dyn Progress,
-) -> Vec<Branch<O>> {
-    let fastest = search::fastest(begun.iter().map(|branch| &branch.curve));
+    };
+    let begun: Vec<_> = scope.loops.par_iter().map(begun).collect();
+    let fastest = search::fastest(begun.iter().flat_map(|(_, slice)| &slice.branches));
     let found =
         search::on_slice(oscillator, &scope.loops, scope.window, (secondary, PLACES), fastest, progress);
-    let of_loops = |loops: u32| {
-        let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase);
-        let own = begun.iter().filter(|branch| branch.equations.loops() == loops);
-        let mut slice = Slice::new(secondary, own.map(|branch| branch.curve.clone()).collect());
-        let slicer = Slicer::new(&equations, scope.window, StepControl::DRAWING, &|_| Vec::new());
-        let own = found.iter().filter(|(other, _)| *other == loops);
-        slicer.through(&mut slice, own.map(|(_, solution)| *solution));
-        let branches = distinct(slice.branches).into_iter();
+    let completed = |(equations, slice): (LoopEquations<O>, Slice)| {
+        let mut slice = Slice::new(secondary, slice.branches);
+        let own = found.iter().filter(|(loops, _)| *loops == equations.loops());
+        slicer(&equations).through(&mut slice, own.map(|(_, solution)| *solution));
+        let branches = distinct(&equations, slice.branches).into_iter();
         branches.map(|curve| Branch { equations: equations.clone(), curve }).collect::<Vec<_>>()
     };
-    scope.loops.par_iter().map(|loops| of_loops(*loops)).collect::<Vec<_>>().concat()
-}
-
-/// The bifurcation that a condition is on a branch of non-impacting motion.
-fn of_non_impacting(condition: Condition) -> Option<Bifurcation> {
-    match condition {
-        Condition::InteriorGrazing => Some(Bifurcation::NonImpactingGrazing),
-        other => Bifurcation::of(other),
-    }
+    begun.into_par_iter().map(completed).collect::<Vec<_>>().concat()
 }

@@ -1,24 +1,19 @@
 //! What an oscillator does at one pair of parameters: its periodic solutions, and what motion comes to in the long run.
 
-mod long_orbit;
-
-use core::f64::consts::TAU;
-
-use grazing_continuation::arclength::StepControl;
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{
-    EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Multipliers, Unknowns, unknown,
-};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Multipliers, Unknowns, unknown};
+use grazing_model::motion::Motion;
+use grazing_model::orbit::Flight;
+use grazing_model::phase::turned;
 use grazing_model::{ImpactOscillator, State};
 use nalgebra::Vector2;
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
-use long_orbit::{LongOrbit, Seen, begins};
-
-use crate::Scope;
-use crate::non_impacting::orbits::{OrbitPoint, PeriodicOrbits};
-use crate::one_parameter::{random_start, sampled};
+use crate::long_time::{
+    Fate, Horizon, LongOrbit, MotionKind, Patience, SAME_ORBIT, random_start, same_impact, sampled,
+    sampled_solution, time_of_phase,
+};
 use crate::progress::Progress;
 use crate::search;
 
@@ -35,59 +30,6 @@ pub struct Solution {
     pub admissible: bool,
     /// (t, x, y) along a period; the phase is zero at t = 0.
     pub orbit: Vec<[f64; 3]>,
-}
-
-/// What motion comes to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MotionKind {
-    /// Motion that does not reach the wall.
-    NonImpacting,
-    /// Motion with impacts that comes again.
-    Periodic,
-    /// Motion with impacts that does not, as far as it was followed.
-    Aperiodic,
-    /// It comes to rest at the wall for a while, or for good.
-    Resting,
-    /// It cannot be followed.
-    Escaping,
-}
-
-impl MotionKind {
-    /// In a word.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::NonImpacting => "non-impacting",
-            Self::Periodic => "periodic",
-            Self::Aperiodic => "aperiodic",
-            Self::Resting => "resting",
-            Self::Escaping => "escaping",
-        }
-    }
-}
-
-/// What an orbit comes to, in numbers.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fate {
-    /// What it is.
-    pub kind: MotionKind,
-    /// The forcing periods after which it comes again, if it does.
-    pub periods: Option<u32>,
-    /// Impacts in a forcing period, on average.
-    pub impacts: f64,
-}
-
-impl Fate {
-    /// The number of loops p of a solution with one impact in p forcing periods; 0 without impacts.
-    pub fn loops(&self) -> Option<u32> {
-        match self.kind {
-            MotionKind::NonImpacting if self.periods == Some(1) => Some(0),
-            // A whole number of impacts, counted over a whole number of periods.
-            MotionKind::Periodic => {
-                self.periods.filter(|periods| (self.impacts * f64::from(*periods) - 1.0).abs() < 0.5)
-            }
-            _ => None,
-        }
-    }
 }
 
 /// What some of the initial states come to.
@@ -116,22 +58,23 @@ pub struct Nearby {
     pub attractors: Vec<(u32, State)>,
 }
 
-/// How motion is followed.
+/// Random initial states, and for how long motion from them is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Plan {
-    /// Random initial states.
+pub struct Starts {
+    /// How many.
     pub states: u32,
     /// Their seed.
     pub seed: u64,
-    /// The forcing periods before motion counts, and those in which it does.
-    pub periods: [u32; 2],
-    /// Initial states lie between the wall and this x.
+    /// For how long motion is followed.
+    pub horizon: Horizon,
+    /// They lie between the wall and this x.
     pub lowest: f64,
 }
 
-impl Default for Plan {
+impl Default for Starts {
     fn default() -> Self {
-        Self { states: 24, seed: 1, periods: [400, 64], lowest: -2.0 }
+        let horizon = Horizon { transient: 400, counted: 64, patience: Patience::Drifting };
+        Self { states: 24, seed: 1, horizon, lowest: -2.0 }
     }
 }
 
@@ -148,27 +91,117 @@ pub struct Place {
 
 /// MPSs are looked for up to this impact velocity: motion is of the order of one.
 const FASTEST: f64 = 2.5;
-/// Impacts closer than this are one: orbits have settled to far less.
-const SAME: f64 = 1e-3;
+/// MPSs of impacts slower than this are not told from grazing.
+const SLOWEST: f64 = SAME_ORBIT * FASTEST;
 
-/// The forcing periods before motion counts that was followed from an attractor nearby, and those in which it does: it has not far to go.
-const FOLLOWED: [u32; 2] = [100, 32];
+/// Motion from an attractor nearby has not far to go.
+const FOLLOWED: Horizon = Horizon { transient: 100, counted: 32, patience: Patience::Drifting };
+
+impl Solution {
+    fn of<O: ImpactOscillator>(equations: &LoopEquations<O>, point: &Unknowns) -> Self {
+        let solution = equations.solution(point);
+        let period = equations.oscillator_at(point).forcing_period();
+        let begin = time_of_phase(equations.departure(point).phase, period);
+        Self {
+            loops: equations.loops(),
+            impact: if equations.has_impacts() { equations.impact(&solution) } else { [f64::NAN; 2] },
+            multipliers: solution.multipliers,
+            admissible: solution.admissible(),
+            orbit: sampled_solution(equations, point, begin),
+        }
+    }
+}
+
+/// What is kept of an orbit from a state, to be compared with others.
+struct Outcome {
+    start: State,
+    fate: Fate,
+    impacts: Vec<Vector2<f64>>,
+    /// The state at phase zero, and the highest point, of motion without impacts.
+    at_phase_zero: Option<State>,
+    highest: f64,
+}
+
+impl Outcome {
+    fn of<O: ImpactOscillator>(oscillator: &O, start: State, horizon: Horizon) -> Self {
+        let orbit = LongOrbit::follow(oscillator, start, horizon);
+        let at_phase_zero = orbit.at_phase_zero(oscillator);
+        let period = oscillator.forcing_period();
+        let highest = orbit.free().map_or(f64::NAN, |flight| highest(flight, period));
+        Self { start, fate: orbit.fate, impacts: orbit.impacts, at_phase_zero, highest }
+    }
+
+    /// Whether it looks like another one.
+    fn is_like(&self, other: &Self) -> bool {
+        let (a, b) = (&self.fate, &other.fate);
+        if (a.kind, a.periods) != (b.kind, b.periods) {
+            return false;
+        }
+        match a.kind {
+            MotionKind::Periodic => {
+                let first = &other.impacts[0];
+                self.impacts.iter().any(|impact| same_impact(SAME_ORBIT, impact, first))
+            }
+            MotionKind::NonImpacting => (self.highest - other.highest).abs() < SAME_ORBIT,
+            _ => true,
+        }
+    }
+}
+
+/// The highest point of the last forcing period of a flight, as it is sampled.
+fn highest<M: Motion>(flight: &Flight<M>, period: f64) -> f64 {
+    let points = sampled(&flight.motion, 0.0, flight.duration, period);
+    let last = points.len().saturating_sub(200);
+    points[last..].iter().map(|point| point[1]).fold(f64::NEG_INFINITY, f64::max)
+}
+
+impl Attractor {
+    /// What so many states come to, one of which this is.
+    fn of<O: ImpactOscillator>(oscillator: &O, states: u32, start: State, horizon: Horizon) -> Self {
+        let orbit = LongOrbit::follow(oscillator, start, horizon);
+        let period = oscillator.forcing_period();
+        let flights = match orbit.free_cycle(oscillator) {
+            Some((from, periods)) => {
+                let begin = time_of_phase(from.phase, period);
+                vec![sampled(&oscillator.motion(from), begin, periods * period, period)]
+            }
+            None => {
+                let shown = orbit.shown();
+                let began =
+                    shown.first().map_or(0.0, |first| first.start - time_of_phase(first.from.phase, period));
+                let curve = |flight: &Flight<_>| {
+                    sampled(&flight.motion, flight.start - began, flight.duration, period)
+                };
+                shown.iter().map(curve).collect()
+            }
+        };
+        let free = orbit.at_phase_zero(oscillator);
+        Self {
+            states,
+            fate: orbit.fate,
+            lyapunov: orbit.lyapunov(oscillator),
+            flights,
+            strikes: orbit.impacts.iter().map(|impact| [turned(impact[1]), impact[0]]).collect(),
+            state: free.or(orbit.flights.last().map(|flight| flight.from)).unwrap_or(start),
+        }
+    }
+}
 
 impl Place {
     /// What there is at the oscillator's own parameters; none if an end was asked for.
     pub fn compute<O: ImpactOscillator>(
         oscillator: &O,
         loops: &[u32],
-        plan: &Plan,
+        starts: &Starts,
         progress: &dyn Progress,
     ) -> Option<Self> {
         let start = |state| {
-            let mut random = Pcg64::new(u128::from(plan.seed), u128::from(state));
-            (1, random_start(plan.lowest, &mut random))
+            let mut random = Pcg64::new(u128::from(starts.seed), u128::from(state));
+            (1, random_start(starts.lowest, &mut random))
         };
-        let starts: Vec<(u32, State)> = (0..plan.states).map(start).collect();
-        let found = || search::at(oscillator, loops, [SAME * FASTEST, FASTEST]);
-        Self::of(oscillator, &starts, plan.periods, progress, found)
+        let states: Vec<(u32, State)> = (0..starts.states).map(start).collect();
+        let found = || search::at(oscillator, loops, [SLOWEST, FASTEST]);
+        Self::of(oscillator, &states, starts.horizon, progress, found)
     }
 
     /// What has become of that which was found nearby, which takes a small part of the time: what is new here is not seen.
@@ -182,7 +215,7 @@ impl Place {
             for (loops, impact) in &nearby.solutions {
                 let here = solved(oscillator, *loops, &Vector2::from(*impact));
                 let new = here.filter(|here| {
-                    here[unknown::VELOCITY] > SAME * FASTEST && !is_known(&found, *loops, &impact_of(here))
+                    here[unknown::VELOCITY] > SLOWEST && !is_known(&found, *loops, &impact_of(here))
                 });
                 found.extend(new.map(|here| (*loops, here)));
             }
@@ -195,20 +228,19 @@ impl Place {
     fn of<O: ImpactOscillator>(
         oscillator: &O,
         starts: &[(u32, State)],
-        periods: [u32; 2],
+        horizon: Horizon,
         progress: &dyn Progress,
         found: impl FnOnce() -> Vec<(u32, Unknowns)>,
     ) -> Option<Self> {
         let period = oscillator.forcing_period();
-        let seen = starts.par_iter().map(|&(states, from)| {
-            let seen = || LongOrbit::new(oscillator, from, periods).seen(oscillator, from);
-            (!progress.stopped()).then(|| (states, seen()))
+        let outcomes = starts.par_iter().map(|&(states, from)| {
+            (!progress.stopped()).then(|| (states, Outcome::of(oscillator, from, horizon)))
         });
-        let seen: Vec<(u32, Seen)> = seen.collect::<Option<_>>()?;
-        let mut solutions = non_impacting(oscillator, seen.iter().map(|(_, seen)| seen));
+        let outcomes: Vec<(u32, Outcome)> = outcomes.collect::<Option<_>>()?;
+        let mut solutions = non_impacting(oscillator, outcomes.iter().map(|(_, outcome)| outcome));
         let mut found = found();
         // What motion comes to is a solution, too, even if nothing else led to it.
-        for (_, one) in &seen {
+        for (_, one) in &outcomes {
             let near = one.fate.loops().filter(|loops| *loops > 0).zip(one.impacts.first());
             let Some((loops, impact)) = near else { continue };
             if !is_known(&found, loops, impact) {
@@ -216,80 +248,49 @@ impl Place {
             }
         }
         found.sort_by_key(|(loops, _)| *loops);
-        solutions.extend(found.into_iter().map(|(loops, point)| {
-            let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase);
-            let solution = equations.solution(&point);
-            let recoil = equations.recoil(&point);
-            let lag = (recoil.phase - point[unknown::PHASE]) / oscillator.forcing_frequency().value;
-            let flight = f64::from(loops) * period - lag;
-            Solution {
-                loops,
-                impact: [point[unknown::VELOCITY], point[unknown::PHASE]],
-                multipliers: solution.multipliers,
-                admissible: solution.admissible(),
-                orbit: sampled(&oscillator.motion(recoil), begins(recoil.phase, period), flight, period),
-            }
-        }));
-        let mut different: Vec<(u32, &Seen)> = Vec::new();
-        for (states, one) in &seen {
+        solutions.extend(
+            found.into_iter().map(|(loops, point)| Solution::of(&equations(oscillator, loops), &point)),
+        );
+        let mut different: Vec<(u32, &Outcome)> = Vec::new();
+        for (states, one) in &outcomes {
             match different.iter_mut().find(|(_, known)| known.is_like(one)) {
                 Some((known, _)) => *known += states,
                 None => different.push((*states, one)),
             }
         }
-        let shown = different.into_iter().map(|(states, seen)| {
-            let orbit = LongOrbit::new(oscillator, seen.start, periods);
-            Attractor { states, ..orbit.attractor(oscillator, seen.start) }
-        });
+        let shown = different.into_iter();
+        let shown = shown.map(|(states, one)| Attractor::of(oscillator, states, one.start, horizon));
         let mut attractors: Vec<Attractor> = shown.collect();
         attractors.sort_by_key(|attractor| core::cmp::Reverse(attractor.states));
         (!progress.stopped()).then_some(Self { solutions, attractors, period })
     }
 }
 
-/// What motion from a state comes to, in numbers.
-pub fn fate<O: ImpactOscillator>(oscillator: &O, from: State, periods: [u32; 2]) -> Fate {
-    LongOrbit::new(oscillator, from, periods).fate
-}
-
 /// The non-impacting solutions to which free motion, or rest, leads.
 fn non_impacting<'a, O: ImpactOscillator>(
     oscillator: &O,
-    seen: impl Iterator<Item = &'a Seen>,
+    outcomes: impl Iterator<Item = &'a Outcome>,
 ) -> Vec<Solution> {
-    let [primary, secondary] = oscillator.parameters();
-    let window = grazing_continuation::curve::Window {
-        primary: [primary, primary + 1.0],
-        secondary: [secondary, secondary + 1.0],
-    };
-    let scope = Scope { window, loops: Vec::new(), start: None };
-    let orbits = PeriodicOrbits { oscillator, scope: &scope, control: StepControl::DRAWING };
-    let starts = seen.filter_map(|one| one.at_phase_zero);
+    let starts = outcomes.filter_map(|one| one.at_phase_zero).map(|state| [state.position, state.velocity]);
     let rest = [[0.0, 0.0], [-1.0, 0.0], [-0.5, 0.5], [-0.5, -0.5]];
-    let mut found: Vec<(OrbitPoint, Solution)> = Vec::new();
+    let equations = equations(oscillator, 0);
+    let mut found: Vec<(Unknowns, Solution)> = Vec::new();
     for [x, y] in starts.chain(rest) {
-        let Some(orbit) = orbits.at(&OrbitPoint::new(x, y, 0.0, 0.0)) else { continue };
-        if found.iter().any(|(known, _)| (known - orbit).norm() < SAME) {
+        let Some(orbit) = solved(oscillator, 0, &Vector2::new(x, y)) else { continue };
+        if found.iter().any(|(known, _)| (known - orbit).norm() < SAME_ORBIT) {
             continue;
         }
-        let seen = orbits.seen(&orbit);
-        let from = State { position: orbit[0], velocity: orbit[1], phase: 0.0 };
-        let period = oscillator.forcing_period();
-        let solution = Solution {
-            loops: 0,
-            impact: [f64::NAN; 2],
-            multipliers: seen.multipliers,
-            admissible: seen.height.position <= MaximalPeriodicSolution::TOUCH,
-            orbit: sampled(&oscillator.motion(from), 0.0, period, period),
-        };
-        found.push((orbit, solution));
+        found.push((orbit, Solution::of(&equations, &orbit)));
     }
     found.into_iter().map(|(_, solution)| solution).collect()
 }
 
-/// Whether two impacts are one.
-fn is_same(a: &Vector2<f64>, b: &Vector2<f64>) -> bool {
-    (a[0] - b[0]).abs() < SAME && libm::remainder(a[1] - b[1], TAU).abs() < SAME
+/// The equations of solutions with p loops.
+fn equations<O: ImpactOscillator>(oscillator: &O, loops: u32) -> LoopEquations<O> {
+    match loops {
+        0 => LoopEquations::without_impacts(oscillator.clone(), [1.0; 2]),
+        _ => LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase),
+    }
 }
 
 /// Velocity and phase of the impact of an MPS.
@@ -299,13 +300,13 @@ fn impact_of(point: &Unknowns) -> Vector2<f64> {
 
 /// Whether the MPS with an impact is among these.
 fn is_known(found: &[(u32, Unknowns)], loops: u32, impact: &Vector2<f64>) -> bool {
-    found.iter().any(|(other, point)| *other == loops && is_same(&impact_of(point), impact))
+    found.iter().any(|(other, point)| *other == loops && same_impact(SAME_ORBIT, &impact_of(point), impact))
 }
 
-/// The MPS with an impact near another.
+/// The solution with an impact near another; for p = 0 with position and velocity at phase zero near others.
 fn solved<O: ImpactOscillator>(oscillator: &O, loops: u32, impact: &Vector2<f64>) -> Option<Unknowns> {
     let [primary, secondary] = oscillator.parameters();
-    let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase);
+    let equations = equations(oscillator, loops);
     let here = [Condition::Primary(primary), Condition::Secondary(secondary)];
     let near = Unknowns::new(impact[0], impact[1], primary, secondary);
     locate(&equations, here, near, &mut EventTimes::default()).ok()

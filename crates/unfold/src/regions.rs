@@ -4,65 +4,22 @@
 //! which every slice sees a stable, admissible solution all along is shaded, one in which none does is not, and where slices do not
 //! agree, or a branch could not be followed, that is said.
 
-mod region;
-
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
 use grazing_model::ImpactOscillator;
 use rayon::prelude::*;
 
-use crate::curves::{DiagramCurve, Net};
-use crate::diagram::{Diagram, route};
+use crate::Scope;
+use crate::curves::{DiagramCurve, Net, route};
 use crate::faces::{self, Face, Point, chords, extent};
+use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
 use crate::search;
-use crate::slices::{MOST_BRANCHES, Slice};
+use crate::sight::Sight;
 use crate::survey::Survey;
 
-pub use region::{Doubt, Region, RegionKind};
-
-/// What a slice of constant η shows.
-#[derive(Clone, Debug)]
-pub(crate) struct Sight {
-    secondary: f64,
-    /// Intervals of μ with a stable, admissible solution.
-    good: Vec<[f64; 2]>,
-    doubts: Vec<(f64, Doubt)>,
-    everywhere: Option<Doubt>,
-}
-
-impl Sight {
-    /// Nothing yet of a slice, but that it has more branches than can be told apart, if that is so.
-    pub(crate) fn of<B>(slice: &Slice<B>) -> Self {
-        let everywhere = (slice.branches.len() >= MOST_BRANCHES).then_some(Doubt::ManyBranches);
-        Self { secondary: slice.secondary, good: Vec::new(), doubts: Vec::new(), everywhere }
-    }
-
-    /// Adds an interval of μ, its ends in any order, in which there are good solutions.
-    pub(crate) fn see(&mut self, [a, b]: [f64; 2]) {
-        let mut joined = [a.min(b), a.max(b)];
-        self.good.retain(|[from, to]| {
-            let apart = *to < joined[0] || joined[1] < *from;
-            if !apart {
-                joined = [joined[0].min(*from), joined[1].max(*to)];
-            }
-            apart
-        });
-        self.good.push(joined);
-    }
-
-    /// Something that cannot be told, and the μ near which it was met.
-    pub(crate) fn doubt(&mut self, primary: f64, doubt: Doubt) {
-        self.doubts.push((primary, doubt));
-    }
-
-    /// The share of an interval in which there are good solutions.
-    pub(crate) fn share(&self, [from, to]: [f64; 2]) -> f64 {
-        let common = self.good.iter().map(|[low, high]| (high.min(to) - low.max(from)).max(0.0));
-        common.sum::<f64>() / (to - from)
-    }
-}
+pub use crate::region::{Doubt, Region};
 
 /// A face and what was found in it.
 struct Judged {
@@ -97,18 +54,6 @@ const MOST_SLICES: usize = 200;
 /// Shares of the range of η at which slices are laid beside a loose end.
 const BESIDE: [f64; 4] = [-0.02, -0.003, 0.003, 0.02];
 
-/// What looks at solutions along slices, and finds the curves that are missing.
-pub(crate) trait Surveyor {
-    /// Adds slices at more values of η, and all curves that these show to be missing.
-    fn look_at(&mut self, levels: &[f64], progress: &dyn Progress);
-    /// What cuts the window, as polylines.
-    fn lines(&self) -> Vec<Vec<Point>>;
-    /// The bifurcation curves.
-    fn curves(&self) -> &[DiagramCurve];
-    /// What every slice shows.
-    fn sights(&self) -> Vec<Sight>;
-}
-
 /// The values of η at which slices are laid to begin with.
 pub(crate) fn levels(window: Window) -> Vec<f64> {
     (0..=SLICES).map(|k| window.parameters([0.0, f64::from(k) / f64::from(SLICES)])[1]).collect()
@@ -117,29 +62,25 @@ pub(crate) fn levels(window: Window) -> Vec<f64> {
 /// The stage in which regions of MPSs are decided.
 pub(crate) const STAGE: &str = "regions";
 
-/// The regions of the MPSs of each p of a diagram, none where an end was asked for meanwhile; curves that are found to be missing on the way
-/// are added.
+/// The regions of the MPSs of each p, none where an end was asked for meanwhile; curves that are found to be missing on the way are added.
 pub(crate) fn of_mps<O: ImpactOscillator>(
-    diagram: &Diagram<O>,
+    scope: &Scope,
+    grazing: &[GrazingCurve<O>],
     nets: &mut [Net<O>],
     progress: &dyn Progress,
 ) -> Vec<Option<Vec<Region>>> {
-    let window = diagram.scope.window;
-    let what = STAGE;
-    let grazing = |secondary: f64| -> Vec<[f64; 2]> {
-        let places = diagram.grazing.iter().flat_map(|curve| curve.all_at(secondary));
-        places.map(|place| [place.phase, place.parameters[0]]).collect()
-    };
+    let (window, what) = (scope.window, STAGE);
     let levels = levels(window);
     let fastest = search::fastest(nets.iter().flat_map(|net| &net.curves).map(|curve| &curve.curve));
-    let (oscillator, loops) = (diagram.grazing[0].states[0].orbit.oscillator(), &diagram.scope.loops);
+    let (oscillator, loops) = (grazing[0].states[0].orbit.oscillator(), &scope.loops);
     progress.begin(what, nets.len() as u64);
     let found = search::on_slices(oscillator, loops, window, &levels, fastest, progress);
     let regions = nets.par_iter_mut().map(|net| {
         let loops = net.loops();
         let found = found.iter().filter(|(p, _)| *p == loops).map(|(_, solution)| *solution).collect();
-        let mut survey = Survey::new(net, route(window, StepControl::DRAWING), &grazing, found);
-        let regions = decided(window, &mut survey, loops, &levels, progress);
+        let route = route(window, StepControl::DRAWING);
+        let mut survey = Survey::new(net, scope, route, grazing, found);
+        let regions = decided(window, &mut survey, &levels, progress);
         progress.step(what);
         (!progress.stopped()).then_some(regions)
     });
@@ -148,11 +89,10 @@ pub(crate) fn of_mps<O: ImpactOscillator>(
     regions
 }
 
-/// The regions of solutions with some number of loops, 0 without impacts, from slices at some values of η and wherever else they are needed.
-pub(crate) fn decided(
+/// The regions of the solutions of a survey, from slices at some values of η and wherever else they are needed.
+pub(crate) fn decided<O: ImpactOscillator>(
     window: Window,
-    survey: &mut dyn Surveyor,
-    loops: u32,
+    survey: &mut Survey<'_, O>,
     levels: &[f64],
     progress: &dyn Progress,
 ) -> Vec<Region> {
@@ -174,7 +114,7 @@ pub(crate) fn decided(
         judge.sights = survey.sights();
     }
     let lines = joined(window, survey.lines());
-    judge.regions(&lines, survey.curves(), loops)
+    judge.regions(&lines, survey.curves(), survey.loops())
 }
 
 /// What decides faces.
@@ -344,7 +284,6 @@ impl Judge {
 
     /// The regions into which lines cut the window.
     fn regions(&self, lines: &[Vec<Point>], curves: &[DiagramCurve], loops: u32) -> Vec<Region> {
-        let kind = if loops == 0 { RegionKind::NonImpacting } else { RegionKind::Mps };
         let faces = faces::cut(self.window, lines).into_iter();
         let judged: Vec<Judged> = faces.flat_map(|face| self.parted(self.judge(face))).collect();
         let faces: Vec<&Face> = judged.iter().filter(|j| j.verdict == Ok(true)).map(|j| &j.face).collect();
@@ -352,13 +291,13 @@ impl Judge {
         for rings in faces::unite(&faces).into_iter().filter(|rings| !self.speck(rings)) {
             let place = self.bordering(&rings, curves);
             let n = place.map_or(0, |index| curves[index].n);
-            regions.push((place.unwrap_or(usize::MAX), Region { kind: kind.clone(), loops, n, rings }));
+            regions.push((place.unwrap_or(usize::MAX), Region { loops, n, rings, doubt: None }));
         }
         regions.sort_by_key(|(place, _)| *place);
         let mut regions: Vec<Region> = regions.into_iter().map(|(_, region)| region).collect();
         for judged in judged.into_iter().filter(|judged| !self.speck(&judged.face)) {
             if let Err(doubt) = judged.verdict {
-                regions.push(Region { kind: RegionKind::Undecided(doubt), loops, n: 0, rings: judged.face });
+                regions.push(Region { loops, n: 0, rings: judged.face, doubt: Some(doubt) });
             }
         }
         regions

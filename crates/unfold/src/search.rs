@@ -8,7 +8,7 @@ use core::f64::consts::TAU;
 
 use grazing_continuation::curve::{Curve, Window};
 use grazing_continuation::locate::{Condition, locate_within};
-use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, flight_time, unknown};
 use grazing_model::motion::Motion;
 use grazing_model::{ImpactOscillator, OnWall, State};
 use nalgebra::Vector2;
@@ -24,8 +24,8 @@ const CELLS: [usize; 2] = [20, 30];
 const FAST_CELLS: usize = 10;
 /// Newton's method does not leave the neighbouring cells, counted in diagonals of a cell.
 const REACH: f64 = 1.5;
-/// Zeros closer than this are one.
-const SAME: f64 = 1e-6;
+/// Zeros closer than this are one: Newton's method leaves some 10⁻¹⁰.
+const SAME_SOLUTION: f64 = 1e-6;
 /// Both edges of the window are looked at on every so many slices.
 const EDGES_EVERY: usize = 4;
 /// How often velocities up to twice as great are looked at, as long as there are solutions.
@@ -291,7 +291,7 @@ impl Lattice {
 fn same(a: &Unknowns, b: &Unknowns) -> bool {
     let mut gap = a - b;
     gap[unknown::PHASE] = libm::remainder(gap[unknown::PHASE], TAU);
-    gap.norm() < SAME
+    gap.norm() < SAME_SOLUTION
 }
 
 /// By how much motion that begins with an impact misses it some numbers of forcing periods later.
@@ -299,10 +299,9 @@ fn misses<O: ImpactOscillator>(oscillator: &O, loops: &[u32], impact: &Unknowns)
     let [velocity, phase, primary, secondary] = (*impact).into();
     let oscillator = oscillator.with_parameters([primary, secondary]);
     let recoil = oscillator.reset::<1>(OnWall::new(velocity, phase)).value;
-    let lag = (recoil[1] - phase) / oscillator.forcing_frequency().value;
     let motion = oscillator.motion(State::on_wall(recoil[0], recoil[1]));
     let after = |loops: &u32| {
-        let end = motion.at(f64::from(*loops) * oscillator.forcing_period() - lag);
+        let end = motion.at(flight_time(&oscillator, *loops, phase, recoil[1]));
         Vector2::new(end.position, end.velocity - velocity)
     };
     loops.iter().map(after).collect()

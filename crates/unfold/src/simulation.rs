@@ -2,6 +2,7 @@
 
 use core::f64::consts::TAU;
 
+use grazing_continuation::mps::flight_time;
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, OnWall, State};
 use nalgebra::{Matrix2, Vector2};
@@ -45,8 +46,7 @@ impl<O: ImpactOscillator> Suspect<'_, O> {
     /// Time from recoil to impact if it is an MPS: p forcing periods less what passes during the impact.
     fn flight(&self) -> f64 {
         let reset = self.oscillator.reset::<1>(OnWall::new(self.velocity, self.phase)).value;
-        let lag = (reset[1] - self.phase) / self.oscillator.forcing_frequency().value;
-        f64::from(self.loops) * self.oscillator.forcing_period() - lag
+        flight_time(self.oscillator, self.loops, self.phase, reset[1])
     }
 
     /// Follows the orbit to its next impact.
@@ -84,7 +84,7 @@ impl<O: ImpactOscillator> Suspect<'_, O> {
         let (velocity, phase) = (self.velocity + by[0], self.phase + by[1]);
         let recoil = self.oscillator.reset::<1>(OnWall::new(velocity, phase)).value;
         let period = self.oscillator.forcing_period();
-        let due = f64::from(self.loops) * period - (recoil[1] - phase) * period / TAU;
+        let due = flight_time(self.oscillator, self.loops, phase, recoil[1]);
         let from = State::on_wall(velocity, phase);
         let flight = Orbit::new(self.oscillator, from, due + 0.25 * period, 2).next()?;
         let FlightEnd::Impact(impact) = flight.end else { return None };

@@ -1,8 +1,9 @@
-//! Slices of the parameter plane: all branches of solutions at one value of η, above all those of p-loop MPSs.
+//! Slices of the parameter plane: all branches of solutions at one value of η, with one impact in p forcing periods or with none.
 //!
-//! A branch begins on the grazing curve, where y = 0, on the edge of the window, or is closed. Those from the grazing curve are
+//! A branch of MPSs begins on the grazing curve, where y = 0, on the edge of the window, or is closed. Those from the grazing curve are
 //! followed from there. The others have neighbours in the slices beside: (y, η) are coordinates of the surface of MPSs, so that
 //! an MPS is carried from slice to slice with its y held. And they are met where a known bifurcation curve crosses the slice.
+//! Without impacts branches pass the grazing curve, and solutions are carried with their μ held.
 
 use core::f64::consts::TAU;
 
@@ -12,17 +13,21 @@ use grazing_continuation::locate::{Condition, locate, locate_within};
 use grazing_continuation::mps::{
     EventTimes, LoopEquations, MaximalPeriodicSolution, Unknowns, parameters, unknown,
 };
-use grazing_model::ImpactOscillator;
+use grazing_model::motion::Motion;
+use grazing_model::phase::turned;
+use grazing_model::{ImpactOscillator, State};
 use nalgebra::SVector;
 
 use crate::curves::DiagramCurve;
+use crate::grazing::HighestPoint;
+use crate::pace::{Pace, is_lost};
 use crate::progress::Progress;
 
 /// The branches at one η, and how far they have been worked on.
 #[derive(Clone, Debug)]
-pub(crate) struct Slice<B> {
+pub(crate) struct Slice {
     pub(crate) secondary: f64,
-    pub(crate) branches: Vec<B>,
+    pub(crate) branches: Vec<Curve>,
     /// They have been carried to both neighbours.
     carried: bool,
     /// The number of branches whose bifurcations have been looked at.
@@ -31,13 +36,13 @@ pub(crate) struct Slice<B> {
     curves: usize,
 }
 
-impl<B> Slice<B> {
-    pub(crate) fn new(secondary: f64, branches: Vec<B>) -> Self {
+impl Slice {
+    pub(crate) fn new(secondary: f64, branches: Vec<Curve>) -> Self {
         Self { secondary, branches, carried: false, looked_at: 0, curves: 0 }
     }
 
     /// The branches that have not been taken before.
-    pub(crate) fn take_new(&mut self) -> &[B] {
+    pub(crate) fn take_new(&mut self) -> &[Curve] {
         let from = core::mem::replace(&mut self.looked_at, self.branches.len());
         &self.branches[from..]
     }
@@ -46,10 +51,10 @@ impl<B> Slice<B> {
 /// Carries branches from slice to slice, in the order of η, until none has one that its neighbours do not know.
 ///
 /// `carry` adds what the first slice has and the second lacks, and says whether there was any.
-pub(crate) fn spread<B>(
-    slices: &mut [Slice<B>],
+pub(crate) fn spread(
+    slices: &mut [Slice],
     progress: &dyn Progress,
-    carry: impl Fn(&Slice<B>, &mut Slice<B>) -> bool,
+    carry: impl Fn(&Slice, &mut Slice) -> bool,
 ) {
     slices.sort_by(|a, b| a.secondary.total_cmp(&b.secondary));
     while slices.iter().any(|slice| !slice.carried) && !progress.stopped() {
@@ -92,17 +97,23 @@ pub(crate) struct Border<'a> {
 const STEPS: StepControl =
     StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.07, tolerance: 1e-4 };
 /// In a window narrower than this the error of a rough point would be seen: there points have all their digits.
-const NARROW: f64 = 1e-3;
+const ROUGHLY_SEEN: f64 = 1e-3;
+/// Steps along branches without impacts, in (x, y, shares of the ranges), that do not jump over the highest point's changes (empirical).
+pub(crate) const FREE_STEPS: StepControl = StepControl { turn: 0.2, ..precise(STEPS) };
 
-/// The steps along branches in a window.
-pub(crate) fn steps(window: Window) -> StepControl {
-    match window.widths()[0] < NARROW {
-        true => StepControl { tolerance: StepControl::DRAWING.tolerance, ..STEPS },
-        false => STEPS,
-    }
+const fn precise(control: StepControl) -> StepControl {
+    StepControl { tolerance: StepControl::DRAWING.tolerance, ..control }
 }
-/// A branch with as many points as the longest steps would make of this length has lost its way.
+
+/// The steps along branches of MPSs in a window.
+pub(crate) fn steps(window: Window) -> StepControl {
+    if window.widths()[0] < ROUGHLY_SEEN { precise(STEPS) } else { STEPS }
+}
+/// A branch with as many points as the longest steps would make of this length has lost its way, and so has one of so many points.
 const LONGEST_BRANCH: f64 = 500.0;
+const MOST_POINTS: usize = 25_000;
+/// From free motion larger than this steps are as much longer: fast forcing makes the unit of length small beside the wall's distance from rest.
+const LARGE: f64 = 16.0;
 /// Branches from the grazing curve begin at this impact velocity, beside the singular point (empirical; what lies between is narrower
 /// than y² in μ), and in a window that is not much wider than that at this share of the root of its width.
 const BESIDE_GRAZING: f64 = 1e-4;
@@ -110,7 +121,8 @@ const BESIDE_SHARE: f64 = 0.01;
 /// An MPS this close to the chord between two points of a branch, as a share of its length, lies on the branch: that leaves the chord
 /// by an eighth of the angle by which it turns, which is three times that of the step control at most.
 const ON_BRANCH: f64 = 0.05;
-/// MPSs of a branch that are carried to a neighbouring slice.
+const ON_FREE_BRANCH: f64 = 0.15;
+/// Solutions of a branch that are carried to a neighbouring slice.
 const CARRIED: usize = 8;
 
 /// A solution that Newton's method finds farther than this from where it was carried to is another one (empirical; wherever the wall's
@@ -121,40 +133,63 @@ pub(crate) const CARRIED_OFF: f64 = 0.5;
 pub(crate) const MOST_BRANCHES: usize = 50;
 
 /// What finds slices.
-pub(crate) struct Slicer<'a, O> {
+pub(crate) struct Slicer<O> {
     pub(crate) equations: LoopEquations<O>,
     pub(crate) window: Window,
     /// Steps along branches.
     pub(crate) control: StepControl,
-    /// The points (z, μ) of the grazing curve at some η.
-    pub(crate) grazing: &'a (dyn Fn(f64) -> Vec<[f64; 2]> + Sync),
 }
 
-impl<O: ImpactOscillator> Slicer<'_, O> {
-    pub(crate) fn new<'a>(
-        equations: &LoopEquations<O>,
-        window: Window,
-        control: StepControl,
-        grazing: &'a (dyn Fn(f64) -> Vec<[f64; 2]> + Sync),
-    ) -> Slicer<'a, O> {
-        Slicer { equations: equations.clone(), window, control, grazing }
-    }
-
-    /// The branches at some η that begin on the grazing curve.
-    pub(crate) fn beginning_at_grazing(&self, secondary: f64) -> Slice<Curve> {
+impl<O: ImpactOscillator> Slicer<O> {
+    /// The branches at some η that begin on the grazing curve, or pass it, at points (z, μ) of it.
+    pub(crate) fn beginning_at_grazing(
+        &self,
+        secondary: f64,
+        grazing: impl IntoIterator<Item = [f64; 2]>,
+    ) -> Slice {
         let mut slice = Slice::new(secondary, Vec::new());
         let beside = BESIDE_GRAZING.min(BESIDE_SHARE * self.window.widths()[0].sqrt());
-        for [phase, primary] in (self.grazing)(secondary) {
-            let near = Unknowns::new(beside, phase, primary, secondary);
-            if let Some(start) = self.at(near, &mut EventTimes::default()) {
-                self.add(&mut slice, start, &EventTimes::default(), false);
+        for [phase, primary] in grazing {
+            let both = !self.equations.has_impacts();
+            let start = if both {
+                self.with_highest(&HighestPoint { height: 0.0, phase, parameters: [primary, secondary] })
+            } else {
+                self.at(Unknowns::new(beside, phase, primary, secondary), &mut EventTimes::default())
+            };
+            if let Some(start) = start {
+                self.add(&mut slice, start, &EventTimes::default(), both);
             }
         }
         slice
     }
 
+    /// The solution without impacts that has a highest point.
+    pub(crate) fn with_highest(&self, highest: &HighestPoint) -> Option<Unknowns> {
+        let [primary, secondary] = highest.parameters;
+        let oscillator = self.equations.oscillator_at(&Unknowns::new(0.0, 0.0, primary, secondary));
+        let phase = turned(highest.phase);
+        let rest = (TAU - phase) / oscillator.forcing_frequency().value;
+        let there = oscillator.motion(State::at_rest(highest.height, phase)).at(rest);
+        let near = Unknowns::new(there.position, there.velocity, primary, secondary);
+        locate(&self.equations, self.beside(&near), near, &mut EventTimes::default()).ok()
+    }
+
+    /// What holds a solution in its place where it is carried to another η.
+    pub(crate) fn beside(&self, point: &Unknowns) -> [Condition; 2] {
+        Condition::beside(&self.equations, point)
+    }
+
+    /// Whether a point in or near the window is a solution with an impact, or one without.
+    fn is_real(&self, point: &Unknowns) -> bool {
+        !self.equations.has_impacts() || point[unknown::VELOCITY] > 0.0
+    }
+
+    pub(crate) fn passes(&self, branch: &Curve, at: &Unknowns) -> bool {
+        passes(&self.equations, branch, at)
+    }
+
     /// Adds the branches of a slice that a neighbouring slice leads to, and says whether there are any.
-    pub(crate) fn carry(&self, from: &Slice<Curve>, to: &mut Slice<Curve>) -> bool {
+    pub(crate) fn carry(&self, from: &Slice, to: &mut Slice) -> bool {
         let before = to.branches.len();
         for branch in &from.branches {
             let every = (branch.points.len() / CARRIED).max(1);
@@ -171,7 +206,7 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
     }
 
     /// Adds the branches of a slice to which curves that cross it lead, and says whether there are any.
-    pub(crate) fn through_curves(&self, slice: &mut Slice<Curve>, curves: &[DiagramCurve]) -> bool {
+    pub(crate) fn through_curves(&self, slice: &mut Slice, curves: &[DiagramCurve]) -> bool {
         let before = slice.branches.len();
         let secondary = slice.secondary;
         let here = Condition::Secondary(secondary);
@@ -180,12 +215,12 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
         for (condition, near, mut times) in
             known.flat_map(|curve| crossings(curve, unknown::SECONDARY, secondary))
         {
-            if slice.branches.iter().any(|branch| passes(branch, &near)) {
+            if slice.branches.iter().any(|branch| self.passes(branch, &near)) {
                 continue;
             }
             let found = locate_within(CARRIED_OFF, &self.equations, [condition, here], near, &mut times);
             if let Ok(through) = found
-                && through[unknown::VELOCITY] > 0.0
+                && self.is_real(&through)
                 && self.window.contains(parameters(&through))
             {
                 self.add(slice, through, &times, true);
@@ -198,17 +233,18 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
 
     /// Adds the branches through MPSs on a slice that are not known; but none on which no MPS is both stable and admissible, if the one that it
     /// was found by is neither.
-    pub(crate) fn through(&self, slice: &mut Slice<Curve>, solutions: impl Iterator<Item = Unknowns>) {
+    pub(crate) fn through(&self, slice: &mut Slice, solutions: impl Iterator<Item = Unknowns>) {
         let mut dismissed: Vec<Curve> = Vec::new();
         for solution in solutions {
-            if dismissed.iter().any(|branch| passes(branch, &solution)) {
+            if dismissed.iter().any(|branch| self.passes(branch, &solution)) {
                 continue;
             }
             let before = slice.branches.len();
             self.add(slice, solution, &EventTimes::default(), true);
             let Some(new) = slice.branches.get(before) else { continue };
             let start = self.equations.solution(&solution);
-            if start.stable() || start.admissible() || new.points.iter().any(|point| good(&point.solution)) {
+            let attracts = |point: &CurvePoint| point.solution.attracts();
+            if start.stable() || start.admissible() || new.points.iter().any(attracts) {
                 slice.carried = false;
             } else {
                 dismissed.extend(slice.branches.pop());
@@ -216,66 +252,91 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
         }
     }
 
-    /// The MPS with the impact velocity and the η of `near`, if it lies in the window and nearby.
+    /// The solution at the place of `near` on the surface of all, if it lies in the window and nearby.
     fn at(&self, near: Unknowns, times: &mut EventTimes) -> Option<Unknowns> {
-        let found = locate_within(CARRIED_OFF, &self.equations, beside(&near), near, times).ok()?;
-        self.window.contains(parameters(&found)).then_some(found)
+        let found = locate_within(CARRIED_OFF, &self.equations, self.beside(&near), near, times).ok()?;
+        (!self.equations.has_impacts() || self.window.contains(parameters(&found))).then_some(found)
     }
 
-    /// Follows the branch through an MPS, to greater velocities or to both sides, unless it is known.
-    fn add(&self, slice: &mut Slice<Curve>, through: Unknowns, times: &EventTimes, both: bool) {
+    /// Follows the branch through a solution, to greater velocities or to both sides, unless it is known.
+    pub(crate) fn add(&self, slice: &mut Slice, through: Unknowns, times: &EventTimes, both: bool) {
         if slice.branches.len() >= MOST_BRANCHES
-            || slice.branches.iter().any(|branch| passes(branch, &through))
+            || slice.branches.iter().any(|branch| self.passes(branch, &through))
         {
             return;
         }
         // No branch leaves its own η.
         let window = Window { secondary: [f64::NEG_INFINITY, f64::INFINITY], ..self.window };
-        let (curve, route) = self.branch(Condition::Secondary(slice.secondary), window);
-        let upwards = Unknowns::new(1.0, 0.0, 0.0, 0.0);
-        let followed = if both {
-            curve.follow_both_ways(through, upwards, times, &route)
+        let (curve, route) = self.branch(Condition::Secondary(slice.secondary), window, &through);
+        let followed = if !self.equations.has_impacts() {
+            // In the order of μ.
+            let pace = |points: &[CurvePoint], _: &Unknowns| (!is_lost(points)).then_some(f64::INFINITY);
+            curve.follow_both_ways_at_pace(through, -Unknowns::z(), times, &route, &pace)
+        } else if both {
+            curve.follow_both_ways(through, Unknowns::x(), times, &route)
         } else {
-            curve.follow(through, upwards, times.clone(), &route)
+            curve.follow(through, Unknowns::x(), times.clone(), &route)
         };
         slice.branches.extend(followed);
     }
 
-    fn branch(&self, condition: Condition, window: Window) -> (MpsCurve<O>, Route) {
+    fn branch(&self, condition: Condition, window: Window, through: &Unknowns) -> (MpsCurve<O>, Route) {
         let curve = MpsCurve { equations: self.equations.clone(), condition };
-        let step_limit = (LONGEST_BRANCH / self.control.longest) as usize;
-        let route = Route { window, control: self.control, step_limit, stop_at_events: false };
-        (curve, route)
+        let mut control = self.control;
+        let step_limit = ((LONGEST_BRANCH / control.longest) as usize).min(MOST_POINTS);
+        if !self.equations.has_impacts() {
+            control.longest *= size(through);
+        }
+        (curve, Route { window, control, step_limit, stop_at_events: false })
     }
 
-    /// The branches at one μ to which slices of constant η lead.
-    pub(crate) fn across(&self, slices: &[Slice<Curve>], primary: f64) -> Vec<Curve> {
-        let window = Window { primary: [f64::NEG_INFINITY, f64::INFINITY], ..self.window };
-        let (curve, route) = self.branch(Condition::Primary(primary), window);
+    /// The branches at one μ to which slices of constant η lead, without those that are known.
+    pub(crate) fn across(&self, slices: &[Slice], primary: f64, known: &[Curve]) -> Vec<Curve> {
         let mut branches: Vec<Curve> = Vec::new();
-        let known = slices.iter().flat_map(|slice| &slice.branches);
-        for (_, near, mut times) in known.flat_map(|branch| crossings(branch, unknown::PRIMARY, primary)) {
-            if branches.iter().any(|branch| passes(branch, &near)) {
+        let sources = slices.iter().flat_map(|slice| &slice.branches);
+        for (_, near, mut times) in sources.flat_map(|branch| crossings(branch, unknown::PRIMARY, primary)) {
+            let is_known =
+                |at: &Unknowns| known.iter().chain(&branches).any(|branch| self.passes(branch, at));
+            if is_known(&near) || known.len() + branches.len() >= MOST_BRANCHES {
                 continue;
             }
             let conditions = [Condition::Primary(primary), Condition::Secondary(near[unknown::SECONDARY])];
             let Ok(through) = locate(&self.equations, conditions, near, &mut times) else { continue };
-            if through[unknown::VELOCITY] > 0.0 && !branches.iter().any(|branch| passes(branch, &through)) {
-                let upwards = Unknowns::new(0.0, 0.0, 0.0, 1.0);
-                branches.extend(curve.clone().follow_both_ways(through, upwards, &times, &route));
+            if self.is_real(&through) && !is_known(&through) {
+                branches.extend(self.upwards(&through, &times));
             }
         }
         branches
     }
+
+    /// The branch through a solution at the μ that it has.
+    pub(crate) fn upwards(&self, through: &Unknowns, times: &EventTimes) -> Option<Curve> {
+        let window = Window { primary: [f64::NEG_INFINITY, f64::INFINITY], ..self.window };
+        let (curve, route) = self.branch(Condition::Primary(through[unknown::PRIMARY]), window, through);
+        if self.equations.has_impacts() {
+            return curve.follow_both_ways(*through, Unknowns::w(), times, &route).ok();
+        }
+        let pace = Pace::new(&self.equations, window, through);
+        let pace = |points: &[CurvePoint], tangent: &Unknowns| pace.longest(points, tangent, size(through));
+        curve.follow_both_ways_at_pace(*through, Unknowns::w(), times, &route, &pace).ok()
+    }
+}
+
+/// How many times as large as usual motion from a state is.
+fn size(through: &Unknowns) -> f64 {
+    (through.fixed_rows::<2>(0).norm() / LARGE).max(1.0)
 }
 
 /// The branches without those that are part of another, which they were begun beyond the end of.
-pub(crate) fn distinct(branches: Vec<Curve>) -> Vec<Curve> {
+pub(crate) fn distinct<O: ImpactOscillator>(
+    equations: &LoopEquations<O>,
+    branches: Vec<Curve>,
+) -> Vec<Curve> {
     let mut distinct: Vec<Curve> = Vec::new();
     let part = |inner: &Curve, whole: &Curve| {
         let count = inner.points.len();
         let places = [0, count / 2, count.saturating_sub(1)].map(|place| inner.points.get(place));
-        places.into_iter().flatten().all(|point| passes(whole, &point.solution.unknowns))
+        places.into_iter().flatten().all(|point| passes(equations, whole, &point.solution.unknowns))
     };
     for branch in branches {
         if !distinct.iter().any(|known| part(&branch, known)) {
@@ -284,11 +345,6 @@ pub(crate) fn distinct(branches: Vec<Curve>) -> Vec<Curve> {
         }
     }
     distinct
-}
-
-/// The conditions that hold the η and the impact velocity of a point.
-fn beside(point: &Unknowns) -> [Condition; 2] {
-    [Condition::Secondary(point[unknown::SECONDARY]), Condition::ImpactVelocity(point[unknown::VELOCITY])]
 }
 
 /// Where the chords of a curve take a value of one of the unknowns: the curve's condition, the point and the event times nearby.
@@ -305,16 +361,15 @@ pub(crate) fn crossings(
     })
 }
 
-/// Whether an MPS lies on a branch.
-fn passes(branch: &Curve, at: &Unknowns) -> bool {
-    let gap = |point: &CurvePoint| {
-        let mut gap = point.solution.unknowns - at;
-        gap[unknown::PHASE] = libm::remainder(gap[unknown::PHASE], TAU);
-        gap
+/// Whether a solution lies on a branch.
+fn passes<O: ImpactOscillator>(equations: &LoopEquations<O>, branch: &Curve, at: &Unknowns) -> bool {
+    let gap = |from: &Unknowns, point: &CurvePoint| equations.gap(from, &point.solution.unknowns);
+    let near = if equations.has_impacts() { ON_BRANCH } else { ON_FREE_BRANCH };
+    let start = branch.points.first().is_some_and(|point| gap(at, point).norm() < STEPS.first);
+    let on_chord = |pair: &[CurvePoint]| {
+        near_chord(&gap(at, &pair[0]), &gap(&pair[0].solution.unknowns, &pair[1]), near)
     };
-    let start = branch.points.first().is_some_and(|point| gap(point).norm() < STEPS.first);
-    let chord = |pair: &[CurvePoint]| pair[1].solution.unknowns - pair[0].solution.unknowns;
-    start || branch.points.windows(2).any(|pair| near_chord(&gap(&pair[0]), &chord(pair), ON_BRANCH))
+    start || branch.points.windows(2).any(on_chord)
 }
 
 /// Whether the origin lies nearer to a chord that begins at `start` than a share of its length.
@@ -350,11 +405,6 @@ pub(crate) fn vertices(branch: &Curve) -> Vec<Vertex<'_>> {
     vertices
 }
 
-/// A stable MPS of the hybrid system.
-fn good(solution: &MaximalPeriodicSolution) -> bool {
-    solution.stable() && solution.admissible()
-}
-
 /// The stretches of a branch and what lies between them, if MPSs are stable and admissible on one of both.
 pub(crate) fn stretches<'a, O: ImpactOscillator>(
     equations: &LoopEquations<O>,
@@ -364,10 +414,10 @@ pub(crate) fn stretches<'a, O: ImpactOscillator>(
     let status = |pair: &[Vertex<'_>]| {
         let [a, b] = [&pair[0], &pair[1]];
         match [a.event, b.event] {
-            [None, _] => good(a.solution),
-            [_, None] => good(b.solution),
+            [None, _] => a.solution.attracts(),
+            [_, None] => b.solution.attracts(),
             // Two events in a row: what lies between is looked at.
-            _ => middle_of(equations, a.solution, b.solution).is_some_and(|solution| good(&solution)),
+            _ => middle_of(equations, a.solution, b.solution).is_some_and(|solution| solution.attracts()),
         }
     };
     let primary = |vertex: &Vertex<'_>| vertex.solution.parameters()[0];
@@ -403,22 +453,24 @@ pub(crate) fn stretches<'a, O: ImpactOscillator>(
     (stretches, borders)
 }
 
-/// The MPS with the mean impact velocity of two neighbours on a branch.
+/// The solution half the way between two neighbours on a branch.
 fn middle_of<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     a: &MaximalPeriodicSolution,
     b: &MaximalPeriodicSolution,
 ) -> Option<MaximalPeriodicSolution> {
     let middle = (a.unknowns + b.unknowns) * 0.5;
-    let found = locate(equations, beside(&middle), middle, &mut EventTimes::default()).ok()?;
+    let conditions = Condition::beside(equations, &middle);
+    let found = locate(equations, conditions, middle, &mut EventTimes::default()).ok()?;
     Some(equations.solution(&found))
 }
 
 /// A branch whose multipliers exceed this may end anywhere: it runs into motion that escapes, over a hill of a potential say, and in its neighbourhood
 /// parameters matter so much that what stable stretches there may be are shorter than a diagram is drawn (empirical: none was seen by simulation).
-const VIOLENT: f64 = 1e3;
+const BROKEN_BY_VIOLENCE: f64 = 1e3;
 
-/// The primary parameters at which a branch could not be followed to its end, with what happened.
+/// The primary parameters at which a branch could not be followed to its end, with what happened; beyond the wall motion without
+/// impacts matters no more.
 pub(crate) fn broken_at(branch: &Curve) -> impl Iterator<Item = (f64, String)> {
     let ends =
         [(branch.points.first(), branch.beginning.as_ref()), (branch.points.last(), Some(&branch.end))];
@@ -432,7 +484,8 @@ pub(crate) fn broken_at(branch: &Curve) -> impl Iterator<Item = (f64, String)> {
             CurveEnd::StepLimit => format!("after {} points there was no end", branch.points.len()),
         };
         let last = &point?.solution;
-        (last.multipliers.size() <= VIOLENT).then(|| (last.parameters()[0], reason))
+        let matters = last.has_impacts() || last.admissible();
+        (matters && last.multipliers.size() <= BROKEN_BY_VIOLENCE).then(|| (last.parameters()[0], reason))
     })
 }
 
@@ -453,16 +506,16 @@ mod tests {
         let grazing = grazing.expect("it is in the domain");
         let place = [grazing.phase(), grazing.amplitude()];
         let equations = LoopEquations::new(oscillator, 1, Formulation::FixedPhase);
-        let places = move |_| vec![place];
-        let slice = Slicer::new(&equations, window, steps(window), &places).beginning_at_grazing(0.8);
+        let slicer = Slicer { equations, window, control: steps(window) };
+        let slice = slicer.beginning_at_grazing(0.8, [place]);
         let branch = slice.branches.first().expect("it begins there");
         assert!(branch.points.len() > 5);
         for pair in branch.points.windows(2) {
             let [a, b] = [0, 1].map(|k| pair[k].solution.unknowns);
             let mut middle = (a + b) * 0.5;
-            assert!(passes(branch, &middle));
+            assert!(slicer.passes(branch, &middle));
             middle[unknown::PHASE] += core::f64::consts::PI;
-            assert!(!passes(branch, &middle));
+            assert!(!slicer.passes(branch, &middle));
         }
     }
 
@@ -474,14 +527,14 @@ mod tests {
         let diagram = Diagram::compute(&oscillator, &scope, &Silent).expect("there is grazing");
         let curves: Vec<DiagramCurve> =
             diagram.curves.iter().filter(|curve| curve.loops == 2).cloned().collect();
-        let slicer = Slicer::new(&diagram.equations(2), window, steps(window), &|_| Vec::new());
+        let slicer = Slicer { equations: diagram.equations(2), window, control: steps(window) };
         let middle =
             |curve: &DiagramCurve| curve.curve.points[curve.curve.points.len() / 2].solution.unknowns;
         assert!(curves.len() > 2, "{}", curves.len());
         for crossing in curves.iter().map(middle) {
             let mut slice = Slice::new(crossing[unknown::SECONDARY], Vec::new());
             assert!(slicer.through_curves(&mut slice, &curves));
-            assert!(slice.branches.iter().any(|branch| passes(branch, &crossing)), "{crossing}");
+            assert!(slice.branches.iter().any(|branch| slicer.passes(branch, &crossing)), "{crossing}");
             // They are looked at once.
             assert!(!slicer.through_curves(&mut slice, &curves));
         }

@@ -1,59 +1,115 @@
 //! Whether the curves of one p are all there: slices of the plane in which every bifurcation must lie on a known curve.
 //!
-//! One that does not starts a new curve, until none is left unexplained.
+//! One that does not starts a new curve, until none is left unexplained. Solutions without impacts, p = 0, are surveyed like all others;
+//! their grazing is the grazing curve.
+
+use std::borrow::Cow;
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_continuation::curve::{Curve, Event, MpsCurve, Route, Window};
+use grazing_continuation::curve::{Curve, CurveEnd, Event, MpsCurve, Route, Window};
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Unknowns, unknown};
+use grazing_continuation::mps::{EventTimes, Unknowns, unknown};
 use grazing_model::ImpactOscillator;
+use grazing_theorems::from_map::GrazingOrbit;
+use nalgebra::Vector2;
 use rayon::prelude::*;
 
+use crate::Scope;
 use crate::curves::{DiagramCurve, Net};
 use crate::faces::Point;
+use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
-use crate::regions::{Doubt, Sight, Surveyor};
-use crate::slices::{Border, Slice, Slicer, broken_at, spread, steps, stretches};
+use crate::region::Doubt;
+use crate::sight::Sight;
+use crate::slices::{Border, FREE_STEPS, Slice, Slicer, broken_at, near_chord, spread, steps, stretches};
 
-/// The slices through the surface of p-loop MPSs, in the order of η.
-pub(crate) struct Survey<'a, O> {
+/// The slices through the surface of solutions with p loops, in the order of η.
+pub(crate) struct Survey<'a, O: Clone> {
     net: &'a mut Net<O>,
-    slicer: Slicer<'a, O>,
+    pub(crate) slicer: Slicer<O>,
+    scope: &'a Scope,
     route: Route,
-    slices: Vec<Slice<Curve>>,
-    /// Slices of constant μ have been looked at.
+    /// The grazing curves; without impacts those that are found on the way are added.
+    pub(crate) grazing: Cow<'a, [GrazingCurve<O>]>,
+    slices: Vec<Slice>,
+    /// Branches at constant μ, through the range of η.
+    columns: Vec<Curve>,
+    /// Columns have been followed.
     crossed: bool,
     /// MPSs on the slices to begin with to which nothing may lead.
     found: Vec<Unknowns>,
 }
 
-/// Slices of constant μ divide the range of μ into so many parts; the first and the last are the window's edges.
-const ACROSS: u32 = 8;
+/// Columns of constant μ divide the range of μ into so many parts; the first and the last are the window's edges.
+const COLUMNS: u32 = 8;
+/// Without impacts into so many: in the steps that the narrowest resonance asks for they take longer. They find what lies between slices, such
+/// resonances and folds to which no slice comes near.
+const FREE_COLUMNS: u32 = 2;
 /// Bifurcations closer than this, in (y, z) and shares of the range of μ, are one: both were located to some 10⁻¹⁰.
-const SAME: f64 = 1e-6;
+const SAME_BIFURCATION: f64 = 1e-6;
 /// Where good solutions extend no farther than this share of the ranges, which is how well curves are drawn, nothing is looked for that bounds them, and nothing
 /// is left undecided for want of it: beside the way over a hill of the potential there is any number of such slivers, one thinner than the other.
 /// Where they are wider other slices see them.
 const SLIVER: f64 = 1e-4;
 /// A bifurcation this far from a chord between two points of a curve may be one of the curve.
-const NEAR: f64 = 0.05;
+const NEAR_CURVE: f64 = 0.05;
+/// An orbit on the edge lies inside, give or take rounding.
+const ON_THE_EDGE: f64 = 1e-9;
 
 impl<'a, O: ImpactOscillator> Survey<'a, O> {
     pub(crate) fn new(
         net: &'a mut Net<O>,
+        scope: &'a Scope,
         route: Route,
-        grazing: &'a (dyn Fn(f64) -> Vec<[f64; 2]> + Sync),
+        grazing: &'a [GrazingCurve<O>],
         found: Vec<Unknowns>,
     ) -> Self {
-        let slicer = Slicer::new(&net.equations, route.window, steps(route.window), grazing);
-        Self { net, slicer, route, slices: Vec::new(), crossed: false, found }
+        let control = if net.equations.has_impacts() { steps(scope.window) } else { FREE_STEPS };
+        let slicer = Slicer { equations: net.equations.clone(), window: scope.window, control };
+        let grazing = Cow::Borrowed(grazing);
+        Self {
+            net,
+            slicer,
+            scope,
+            route,
+            grazing,
+            slices: Vec::new(),
+            columns: Vec::new(),
+            crossed: false,
+            found,
+        }
+    }
+
+    /// The number of loops p; 0 without impacts.
+    pub(crate) fn loops(&self) -> u32 {
+        self.net.loops()
+    }
+
+    /// Adds a slice whose branches are known.
+    pub(crate) fn add_slice(&mut self, slice: Slice) {
+        self.slices.push(slice);
+    }
+
+    /// Adds slices at more values of η, and all curves that these show to be missing.
+    pub(crate) fn look_at(&mut self, levels: &[f64], progress: &dyn Progress) {
+        let begun = |level: &f64| {
+            let places = self.grazing.iter().flat_map(|curve| curve.all_at(*level));
+            let places = places.map(|place| [place.phase, place.parameters[0]]);
+            self.slicer.beginning_at_grazing(*level, places)
+        };
+        let begun: Vec<Slice> = levels.par_iter().map(begun).collect();
+        self.slices.extend(begun);
+        self.complete(progress);
     }
 
     /// Takes branches to all slices and starts the curves that are missing, until neither is left.
     fn complete(&mut self, progress: &dyn Progress) {
         loop {
             spread(&mut self.slices, progress, |from, to| self.slicer.carry(from, to));
-            self.explain(progress);
+            let new = self.slices.iter_mut().flat_map(Slice::take_new);
+            let events: Vec<Event> = new.flat_map(|branch| bounding(self.net, branch, self.route)).collect();
+            self.explain(&events, progress);
+            self.follow_columns(progress);
             let curves = &self.net.curves;
             let fresh: Vec<bool> =
                 self.slices.par_iter_mut().map(|slice| self.slicer.through_curves(slice, curves)).collect();
@@ -75,65 +131,91 @@ impl<'a, O: ImpactOscillator> Survey<'a, O> {
         }
     }
 
+    /// Follows the branches of slices through the range of η where they meet a column, MPSs once, and starts curves at what happens on them.
+    pub(crate) fn follow_columns(&mut self, progress: &dyn Progress) {
+        let parts = match self.net.equations.has_impacts() {
+            true if self.crossed => return,
+            true => COLUMNS,
+            false => FREE_COLUMNS,
+        };
+        self.crossed = true;
+        let [left, right] = self.scope.window.primary;
+        let places = (0..=parts).map(|k| left + (right - left) * f64::from(k) / f64::from(parts));
+        let places: Vec<f64> = places.collect();
+        let found: Vec<Vec<Curve>> = places
+            .par_iter()
+            .map(|primary| self.slicer.across(&self.slices, *primary, &self.columns))
+            .collect();
+        found.into_iter().flatten().for_each(|column| self.add_column(column, progress));
+    }
+
+    /// Adds a column through a solution.
+    pub(crate) fn follow_column(&mut self, through: &Unknowns, progress: &dyn Progress) {
+        if let Some(column) = self.slicer.upwards(through, &EventTimes::default()) {
+            self.add_column(column, progress);
+        }
+    }
+
+    fn add_column(&mut self, column: Curve, progress: &dyn Progress) {
+        let events: Vec<Event> = bounding(self.net, &column, self.route).collect();
+        self.columns.push(column);
+        self.explain(&events, progress);
+    }
+
     /// Starts a curve at every bifurcation that lies on none.
-    fn explain(&mut self, progress: &dyn Progress) {
-        for slice in &mut self.slices {
-            explain(self.net, slice.take_new(), &self.route, progress);
-        }
-        let [left, right] = self.route.window.primary;
-        if !core::mem::replace(&mut self.crossed, true) {
-            let places: Vec<f64> =
-                (0..=ACROSS).map(|k| left + (right - left) * f64::from(k) / f64::from(ACROSS)).collect();
-            let found: Vec<_> =
-                places.par_iter().map(|primary| self.slicer.across(&self.slices, *primary)).collect();
-            for branches in found {
-                explain(self.net, &branches, &self.route, progress);
+    fn explain(&mut self, events: &[Event], progress: &dyn Progress) {
+        for event in events {
+            let Some(kind) = Bifurcation::of(event.condition, self.loops()) else { continue };
+            if progress.stopped() {
+                break;
+            }
+            if kind == Bifurcation::NonImpactingGrazing {
+                let oscillator = self.net.equations.oscillator_at(&event.solution.unknowns);
+                let [_, phase] = self.net.equations.impact(&event.solution);
+                let orbit = GrazingOrbit::find(&oscillator, phase);
+                if let Ok(orbit) = orbit.or_else(|_| GrazingOrbit::at(oscillator, phase)) {
+                    self.add_grazing(&orbit);
+                }
+            } else if !explained(self.net, kind, event, self.scope.window) {
+                start(self.net, kind, event, &self.route);
             }
         }
     }
-}
 
-/// Whether the good solutions beside a border extend farther than can be drawn, or grazing bounds them.
-fn is_wide(border: &Border<'_>, window: Window) -> bool {
-    let widths = window.widths();
-    border.reach.is_none_or(|reach| [0, 1].iter().any(|&k| reach[k] > SLIVER * widths[k]))
-}
-
-/// Starts a curve at every bifurcation on some branches that lies on none.
-fn explain<O: ImpactOscillator>(
-    net: &mut Net<O>,
-    branches: &[Curve],
-    route: &Route,
-    progress: &dyn Progress,
-) {
-    for branch in branches {
-        let (_, borders) = stretches(&net.equations, branch);
-        let wide = borders.iter().filter(|border| is_wide(border, route.window));
-        for event in wide.filter_map(|border| border.event) {
-            if !progress.stopped() && !explained(net, event, route.window.primary) {
-                start(net, event, route);
-            }
+    /// Adds the grazing curve through an orbit unless it is known, and says whether it did.
+    pub(crate) fn add_grazing(&mut self, orbit: &GrazingOrbit<O>) -> bool {
+        let shares = self.scope.window.shares(orbit.oscillator().parameters());
+        if shares.iter().all(|share| (-ON_THE_EDGE..=1.0 + ON_THE_EDGE).contains(share))
+            && !self.grazing.iter().any(|curve| curve.passes(orbit, self.scope))
+            && let Ok(curve) = GrazingCurve::through(orbit, self.scope)
+            && !curve.states.is_empty()
+        {
+            self.grazing.to_mut().push(curve);
+            return true;
         }
-    }
-}
-
-impl<O: ImpactOscillator> Surveyor for Survey<'_, O> {
-    fn look_at(&mut self, levels: &[f64], progress: &dyn Progress) {
-        let found: Vec<_> = levels.par_iter().map(|level| self.slicer.beginning_at_grazing(*level)).collect();
-        self.slices.extend(found);
-        self.complete(progress);
+        false
     }
 
-    fn lines(&self) -> Vec<Vec<Point>> {
-        self.net.curves.iter().map(|curve| curve.curve.parameters()).collect()
+    /// What cuts the window, as polylines.
+    pub(crate) fn lines(&self) -> Vec<Vec<Point>> {
+        let curves = &self.net.curves;
+        let all = || curves.iter().map(|curve| curve.curve.parameters());
+        if self.net.equations.has_impacts() {
+            return all().collect();
+        }
+        let grazing = self.grazing.iter().map(|curve| curve.parameters().collect());
+        let covered = |k: usize| curves[..k].iter().any(|earlier| covers(self.scope, earlier, &curves[k]));
+        grazing.chain(all().enumerate().filter(|(k, _)| !covered(*k)).map(|(_, line)| line)).collect()
     }
 
-    fn curves(&self) -> &[DiagramCurve] {
+    /// The bifurcation curves.
+    pub(crate) fn curves(&self) -> &[DiagramCurve] {
         &self.net.curves
     }
 
-    fn sights(&self) -> Vec<Sight> {
-        let sight = |slice: &Slice<Curve>| {
+    /// What every slice shows.
+    pub(crate) fn sights(&self) -> Vec<Sight> {
+        let sight = |slice: &Slice| {
             let mut sight = Sight::of(slice);
             for branch in &slice.branches {
                 let (stretches, borders) = stretches(&self.net.equations, branch);
@@ -141,7 +223,7 @@ impl<O: ImpactOscillator> Surveyor for Survey<'_, O> {
                     sight.see(stretch.primary);
                 }
                 let unnamed = borders.iter().filter(|border| border.event.is_none());
-                for border in unnamed.filter(|border| is_wide(border, self.route.window)) {
+                for border in unnamed.filter(|border| is_wide(border, self.scope.window)) {
                     sight.doubt(border.primary, Doubt::UnnamedChange);
                 }
                 for (primary, reason) in broken_at(branch) {
@@ -154,15 +236,30 @@ impl<O: ImpactOscillator> Surveyor for Survey<'_, O> {
     }
 }
 
-/// Whether a bifurcation on a slice lies on a known curve.
-fn explained<O: ImpactOscillator>(net: &Net<O>, event: &Event, [left, right]: [f64; 2]) -> bool {
-    let Some(kind) = Bifurcation::of(event.condition) else { return true };
+/// Whether the good solutions beside a border extend farther than can be drawn, or grazing bounds them.
+fn is_wide(border: &Border<'_>, window: Window) -> bool {
+    let widths = window.widths();
+    border.reach.is_none_or(|reach| [0, 1].iter().any(|&k| reach[k] > SLIVER * widths[k]))
+}
+
+/// The bifurcations on a branch that bound good solutions.
+fn bounding<O: ImpactOscillator>(
+    net: &Net<O>,
+    branch: &Curve,
+    route: Route,
+) -> impl Iterator<Item = Event> + use<O> {
+    let (_, borders) = stretches(&net.equations, branch);
+    let wide = borders.into_iter().filter(|border| is_wide(border, route.window));
+    wide.filter_map(|border| border.event.cloned()).collect::<Vec<_>>().into_iter()
+}
+
+/// Whether a bifurcation on a slice or a column lies on a known curve.
+fn explained<O: ImpactOscillator>(net: &Net<O>, kind: Bifurcation, event: &Event, window: Window) -> bool {
     let here = event.solution.unknowns;
     let secondary = here[unknown::SECONDARY];
     let distance = |point: &Unknowns| {
-        let mut gap = point - here;
-        gap[unknown::PHASE] = libm::remainder(gap[unknown::PHASE], core::f64::consts::TAU);
-        gap[unknown::PRIMARY] /= right - left;
+        let mut gap = net.equations.gap(&here, point);
+        gap[unknown::PRIMARY] = (point[unknown::PRIMARY] - here[unknown::PRIMARY]) / window.widths()[0];
         gap[unknown::SECONDARY] = 0.0;
         gap.norm()
     };
@@ -176,27 +273,54 @@ fn explained<O: ImpactOscillator>(net: &Net<O>, event: &Event, [left, right]: [f
             let way = if from == to { 0.0 } else { from / (from - to) };
             let mut near = a + (b - a) * way;
             near[unknown::SECONDARY] = secondary;
-            if distance(&near) > NEAR {
+            if distance(&near) > NEAR_CURVE {
                 return false;
             }
             let mut times = pair[0].times.clone();
-            let found =
-                locate(&net.equations, [event.condition, Condition::Secondary(secondary)], near, &mut times);
-            found.is_ok_and(|found| distance(&found) < SAME) || distance(&near) < SAME
+            let conditions = [event.condition, Condition::Secondary(secondary)];
+            let found = locate(&net.equations, conditions, near, &mut times);
+            found.is_ok_and(|found| distance(&found) < SAME_BIFURCATION) || distance(&near) < SAME_BIFURCATION
         })
     })
 }
 
 /// Follows the curve through a bifurcation that lies on none that is known.
-fn start<O: ImpactOscillator>(net: &mut Net<O>, event: &Event, route: &Route) {
-    let Some(kind) = Bifurcation::of(event.condition) else { return };
+fn start<O: ImpactOscillator>(net: &mut Net<O>, kind: Bifurcation, event: &Event, route: &Route) {
     let curve = MpsCurve { equations: net.equations.clone(), condition: event.condition };
     // Across the slice.
-    let upwards = Unknowns::new(0.0, 0.0, 0.0, 1.0);
-    if let Ok(curve) = curve.follow_both_ways(event.solution.unknowns, upwards, &event.times, route) {
+    let upwards = if net.equations.has_impacts() { Unknowns::w() } else { -Unknowns::w() };
+    if let Ok(curve) = curve.follow_both_ways(event.solution.unknowns, upwards, &event.times, route)
+        && (net.equations.has_impacts() || !stalls(&curve))
+    {
         net.add(DiagramCurve { kind, loops: net.loops(), n: 0, curve });
         net.grow(route);
     }
+}
+
+/// A curve that goes on to nowhere begins at no fold: two branches meet there, as for the sake of a symmetry.
+fn stalls(curve: &Curve) -> bool {
+    let mut ends = [curve.beginning.as_ref(), Some(&curve.end)].into_iter().flatten();
+    ends.any(|end| matches!(end, CurveEnd::Stalled(_)))
+}
+
+/// Curves are drawn to this share of the ranges.
+const DRAWN: f64 = 1e-4;
+
+/// Whether one curve lies on another in the plane, as do those of motion in both wells of a symmetric force: between them there
+/// would be nothing but slivers.
+fn covers(scope: &Scope, known: &DiagramCurve, other: &DiagramCurve) -> bool {
+    let places = |curve: &DiagramCurve| -> Vec<Vector2<f64>> {
+        let places = curve.curve.parameters().into_iter();
+        places.map(|at| Vector2::from(scope.window.shares(at))).collect()
+    };
+    let [line, points] = [known, other].map(places);
+    let near = |point: &Vector2<f64>| {
+        line.windows(2).any(|pair| {
+            let chord = pair[1] - pair[0];
+            near_chord(&(pair[0] - point), &chord, DRAWN / chord.norm())
+        })
+    };
+    known.kind == other.kind && points.iter().all(near)
 }
 
 #[cfg(test)]
@@ -207,7 +331,7 @@ mod tests {
     use grazing_model::smooth::Integrated;
 
     use super::*;
-    use crate::diagram::route;
+    use crate::curves::route;
     use crate::progress::Silent;
     use crate::search;
 
@@ -219,7 +343,9 @@ mod tests {
         let found = search::on_slices(&oscillator, &[loops], window, levels, 2.0, &Silent);
         let found = found.into_iter().map(|(_, solution)| solution).collect();
         let mut net = Net::new(LoopEquations::new(oscillator, loops, Formulation::FixedPhase));
-        let mut survey = Survey::new(&mut net, route(window, StepControl::DRAWING), &|_| Vec::new(), found);
+        let scope = Scope { window, loops: vec![loops], start: None };
+        let route = route(window, StepControl::DRAWING);
+        let mut survey = Survey::new(&mut net, &scope, route, &[], found);
         survey.look_at(levels, &Silent);
         (survey.lines().len(), survey.sights())
     }

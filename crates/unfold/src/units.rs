@@ -3,11 +3,14 @@
 use grazing_continuation::curve::Window;
 use grazing_continuation::fit::{Estimate, FitError, Measurement};
 use grazing_model::smooth::Units;
+use grazing_results::Frame;
+use grazing_results::branches::OneParameter;
 use grazing_theorems::hypothesis::{Hypothesis, Quantity};
 use grazing_theorems::{GrazingPoint, ResonantPoint};
 
 use crate::escape::Escape;
 use crate::non_impacting::Height;
+use crate::one_parameter::Line;
 use crate::sides::{Inconclusive, Simulated};
 use crate::verdict::Coefficient;
 use crate::{Scope, UnfoldError};
@@ -22,6 +25,16 @@ impl Scope {
         };
         let start = self.start.map(|[x, y]| [x / units.length, y / units.velocity()]);
         Self { window, loops: self.loops.clone(), start }
+    }
+}
+
+impl Line {
+    /// The same, which is in an oscillator's own units, without dimensions.
+    #[must_use]
+    pub fn without_dimensions(&self, units: &Units) -> Self {
+        let Units { primary, secondary, .. } = *units;
+        let [across, held] = if self.primary_is_fixed { [secondary, primary] } else { [primary, secondary] };
+        Self { at: self.at / held, range: self.range.map(|value| value / across), ..*self }
     }
 }
 
@@ -157,6 +170,35 @@ impl InUnits for Escape {
             velocity: self.velocity * units.velocity(),
             force: self.force * units.acceleration(),
         }
+    }
+}
+
+impl InUnits for OneParameter {
+    fn in_units(&self, units: &Units) -> Self {
+        let Units { length, time, .. } = *units;
+        let mut own = self.clone();
+        own.each_row(&mut |row| row.set_parameters(units.parameters(row.parameters())));
+        for point in &mut own.branches {
+            point.x *= length;
+            point.impact_velocity *= units.velocity();
+        }
+        for bifurcation in &mut own.bifurcations {
+            bifurcation.x *= length;
+            bifurcation.impact_velocity *= units.velocity();
+        }
+        own.attractor.iter_mut().for_each(|visit| visit.x *= length);
+        for point in &mut own.portraits {
+            point.time *= time;
+            point.x *= length;
+            point.y *= units.velocity();
+        }
+        let [across, held] = own.exchanged([units.primary, units.secondary]);
+        own.at *= held;
+        for frame in own.magnified.iter_mut().chain([&mut own.frame]) {
+            *frame = Frame { x: frame.x.map(|x| x * across), y: frame.y.map(|x| x * length) };
+        }
+        own.broken.iter_mut().for_each(|(_, at, _)| *at *= across);
+        own
     }
 }
 

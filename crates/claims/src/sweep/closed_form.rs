@@ -6,10 +6,8 @@
 //! system is such a solution; whether a solution is an MPS, simulation tells. Nothing here uses a formula of the paper but
 //! the equations of motion.
 
-use core::f64::consts::TAU;
-
+use crate::*;
 use grazing_unfold::simulation::Suspect;
-use nalgebra::{Matrix2, Vector2};
 
 /// The p-loop solutions at one frequency, for all amplitudes.
 #[derive(Clone, Copy, Debug)]

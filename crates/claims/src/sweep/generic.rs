@@ -1,20 +1,18 @@
 //! Theorems 2.2 and 2.3: on which side of grazing the MPS comes into being, and that it is unstable.
 
+use super::closed_form::LoopSolutions;
+use super::{Case, CaseVerdict, POINTS, Reason, first_points};
+use crate::solutions::branch;
+use crate::*;
 use grazing_continuation::arclength::Stall;
 use grazing_continuation::curve::Curve;
 use grazing_continuation::fit::FitError;
 use grazing_continuation::resonance::ResonanceError;
-use grazing_model::maps::MapError;
-use grazing_model::{ImpactOscillator, LinearOscillator};
-use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
+use grazing_model::LinearOscillator;
+use grazing_theorems::from_map::GrazingOrbitError;
 use grazing_theorems::hypothesis::Hypothesis;
-use grazing_theorems::{GenericGrazing, GrazingPoint, HypothesesViolated, Side, TheoryError};
+use grazing_theorems::{HypothesesViolated, TheoryError};
 use thiserror::Error;
-
-use super::closed_form::LoopSolutions;
-use super::{Case, CaseVerdict, Existence, POINTS, Reason, first_points};
-use crate::solutions::branch;
-use grazing_unfold::simulation::Seen;
 
 /// A case could not be worked out.
 #[derive(Debug, Clone, Error)]
@@ -60,8 +58,6 @@ pub struct GenericRow {
     pub unstable: [bool; 2],
     /// dy/dμ and dz/dμ by section 4 from derivatives of the numerical P_global, by closed form, and along the branch.
     pub slopes: [[f64; 2]; 3],
-    /// What it comes to.
-    pub verdict: CaseVerdict,
 }
 
 /// Slopes of branches that were followed agree with first-order terms to this: extrapolation from impact velocities of a
@@ -86,7 +82,7 @@ impl GenericRow {
         let route = first_points(velocity, 1e-3 * velocity, core::f64::consts::PI);
         let curve = branch(orbit.oscillator(), orbit.phase(), loops, &route).map_err(SweepError::Branch)?;
         let (simulated, repels) = simulate(&start, &solutions, loops, velocity);
-        let mut row = Self {
+        Ok(Self {
             case,
             point,
             hypotheses,
@@ -100,10 +96,7 @@ impl GenericRow {
                 solutions.slopes(),
                 followed_slopes(&curve, orbit.primary(), orbit.phase()),
             ],
-            verdict: CaseVerdict::Unexplained,
-        };
-        row.verdict = row.judge();
-        Ok(row)
+        })
     }
 
     /// "2.2" or "2.3".
@@ -119,7 +112,8 @@ impl GenericRow {
         worst(others.iter().map(off))
     }
 
-    fn judge(&self) -> CaseVerdict {
+    /// What it comes to.
+    pub fn verdict(&self) -> CaseVerdict {
         let same = self.continued == self.simulated && self.simulated == self.first_order;
         let close = self.slope_difference() < SLOPE_TOLERANCE;
         if !(same && close) {
@@ -234,31 +228,4 @@ fn simulate(
         _ => Existence::Unclear,
     };
     (existence, repels)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_thing_that_is_seen_is_needed_for_an_agreement() {
-        let case = Case { zeta: 0.03, epsilon: 0.8, loops: 2, n: 1, negative: false, omega: 0.83 };
-        let good = GenericRow::of(case).expect("the case can be worked out");
-        assert_eq!(good.verdict, CaseVerdict::Agreement);
-        let Some(side) = good.predicted else { panic!("the theorem applies") };
-        let other = if side == Side::Positive { Side::Negative } else { Side::Positive };
-        let spoiled = [
-            GenericRow { predicted: Some(other), ..good.clone() },
-            GenericRow { continued: Existence::On(other), ..good.clone() },
-            GenericRow { simulated: Existence::Nowhere, ..good.clone() },
-            GenericRow { first_order: Existence::On(other), ..good.clone() },
-            GenericRow { unstable: [true, false], ..good.clone() },
-            GenericRow { unstable: [false, true], ..good.clone() },
-            GenericRow { slopes: [[1.0, 1.0], [1.0, 1.0], [1.0, 1.001]], ..good.clone() },
-            GenericRow { slopes: [[1.0, 1.0], [f64::NAN, 1.0], [1.0, 1.0]], ..good },
-        ];
-        for row in spoiled {
-            assert_eq!(row.judge(), CaseVerdict::Unexplained, "{row:?}");
-        }
-    }
 }

@@ -1,21 +1,15 @@
 //! Theorems 2.4 and 2.5: the saddle-node curve and the curve of multiplier −1 that come out of a resonance.
 
-use core::f64::consts::TAU;
-
-use grazing_continuation::curve::Curve;
-use grazing_continuation::fit::{Estimate, quadratic_coefficient};
-use grazing_continuation::locate::Condition;
-use grazing_continuation::resonance::ResonantGrazingPoint;
-use grazing_model::{ImpactOscillator, LinearOscillator};
-use grazing_theorems::from_map::GrazingOrbit;
-use grazing_theorems::hypothesis::Hypothesis;
-use grazing_theorems::resonant_theorem::BifurcationCurve;
-use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side};
-
 use super::closed_form::{LoopSolution, LoopSolutions};
 use super::generic::{SweepError, to_zero, worst};
-use super::{Case, CaseVerdict, Existence, Reason, first_points};
-use grazing_unfold::simulation::Seen;
+use super::{Case, CaseVerdict, Reason, first_points};
+use crate::*;
+use grazing_continuation::curve::Curve;
+use grazing_continuation::fit::Estimate;
+use grazing_model::LinearOscillator;
+use grazing_theorems::hypothesis::Hypothesis;
+use grazing_theorems::resonant_theorem::BifurcationCurve;
+use grazing_theorems::{HypothesesViolated, ResonantGrazing};
 
 /// A bifurcation curve as predicted and as seen.
 #[derive(Debug, Clone, Copy)]
@@ -55,12 +49,8 @@ pub struct ResonantRow {
     pub decay: f64,
     /// All hypotheses with their values.
     pub hypotheses: Vec<Hypothesis>,
-    /// All hypotheses hold.
-    pub holds: bool,
     /// Saddle-node curve, and curve of multiplier −1.
     pub curves: [CurveRow; 2],
-    /// What it comes to.
-    pub verdict: CaseVerdict,
 }
 
 /// Closed forms, derivatives of the numerical map and the limit on the exact curve agree to this: rounding of first and second
@@ -101,18 +91,7 @@ impl ResonantRow {
             )
         };
         let curves = [curve(0)?, curve(1)?];
-        let mut row = Self {
-            case,
-            point,
-            amplitude: state.amplitude(),
-            decay: state.decay(loops),
-            hypotheses,
-            holds: theorem.is_some(),
-            curves,
-            verdict: CaseVerdict::Unexplained,
-        };
-        row.verdict = row.judge();
-        Ok(row)
+        Ok(Self { case, point, amplitude: state.amplitude(), decay: state.decay(loops), hypotheses, curves })
     }
 
     /// "2.4" or "2.5".
@@ -125,8 +104,9 @@ impl ResonantRow {
         self.case.epsilon * self.decay
     }
 
-    fn judge(&self) -> CaseVerdict {
-        if self.holds {
+    /// What it comes to.
+    pub fn verdict(&self) -> CaseVerdict {
+        if self.curves[0].predicted.is_some() {
             let agrees = self.curves.iter().all(CurveRow::agrees);
             return if agrees { CaseVerdict::Agreement } else { CaseVerdict::Unexplained };
         }
@@ -292,38 +272,5 @@ impl Scene<'_> {
         let stability_changes = (solutions.determinant() < 1.0)
             .then(|| matches!(suspects.map(|suspect| suspect.attracts()), [Some(a), Some(b)] if a != b));
         Some((crossed, stability_changes))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_thing_that_is_seen_is_needed_for_an_agreement() {
-        let theory = grazing_theorems::LinearOscillator::new(0.03, 0.8).expect("valid");
-        let omega = theory.resonance(2, 1).expect("there is one").forcing_frequency();
-        let case = Case { zeta: 0.03, epsilon: 0.8, loops: 2, n: 1, negative: false, omega };
-        let row = ResonantRow::of(case).expect("the case can be worked out");
-        assert_eq!(row.verdict, CaseVerdict::Agreement);
-        for good in row.curves {
-            assert!(good.agrees());
-            let Some(side) = good.predicted else { panic!("the theorem applies") };
-            let other = if side == Side::Positive { Side::Negative } else { Side::Positive };
-            let spoiled = [
-                CurveRow { predicted: Some(other), ..good },
-                CurveRow { continued: Some(Existence::On(other)), ..good },
-                CurveRow { simulated: Existence::Nowhere, ..good },
-                CurveRow { crossed: false, ..good },
-                CurveRow { stability_changes: Some(false), ..good },
-                CurveRow { theorem: 1.001 * good.theorem, ..good },
-                CurveRow { proposition: 1.001 * good.proposition, ..good },
-                CurveRow { quadratic_equation: f64::NAN, ..good },
-                CurveRow { fit: None, ..good },
-            ];
-            for curve in spoiled {
-                assert!(!curve.agrees(), "{curve:?}");
-            }
-        }
     }
 }

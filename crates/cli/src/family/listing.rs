@@ -8,8 +8,8 @@ use grazing_results::Names;
 use grazing_results::brief;
 use grazing_results::family::{Family, Member, Resonance};
 
-use super::Part;
 use crate::unfold::layout::{aligned, headed};
+use crate::variation::Part;
 
 /// Digits of numbers.
 const DIGITS: usize = 6;

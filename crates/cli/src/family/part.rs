@@ -8,12 +8,14 @@ use grazing_reproduction::family::{Plan, Record};
 use grazing_source::{Setting, Text};
 use serde::{Deserialize, Serialize};
 
-use super::{Part, RESULTS, setting};
 use crate::arguments;
 use crate::failure::Failure;
-use crate::folder::{self, MadeFile};
-use crate::unfold;
+use crate::folder::{self, OutputFile};
+use crate::oscillator;
+use crate::variation::Part;
 
+/// The folder of the results, with a folder in it for each file.
+const RESULTS: &str = "families";
 /// The folder of parts, in that of the family.
 const PARTS: &str = "parts";
 
@@ -33,17 +35,20 @@ pub(super) struct Origin {
 impl Origin {
     pub(super) fn new(file: &Path, arguments: &arguments::Unfold) -> Result<Self, Failure> {
         let text = grazing_source::read_file(file).map_err(grazing_description::DescriptionError::from)?;
-        let set = unfold::settings(&arguments.set).iter().map(ToString::to_string).collect();
+        let set = oscillator::settings(&arguments.set).iter().map(ToString::to_string).collect();
         Ok(Self { file: file.display().to_string(), text, set, loops: arguments.loops.clone() })
     }
 
     /// The oscillator with other values of constants, checked.
     pub(super) fn description(&self, values: &[(&str, f64)]) -> Result<Description, Failure> {
         let given = self.set.iter().map(|setting| Ok(setting.parse::<Setting>()?));
-        let varied = values.iter().map(|(name, value)| setting(name, *value));
+        let varied = values.iter().map(|(name, value)| {
+            let set = Setting::new(&format!("parameters.{name}"), *value);
+            set.map_err(|error| Failure::input(format!("--vary {name}: {error}")))
+        });
         let settings = given.chain(varied).collect::<Result<Vec<_>, Failure>>()?;
         let description = Description::parse_with(&Text::new(&self.text, &settings), &self.file)?;
-        unfold::with_loops(description, self.loops.as_deref())
+        oscillator::with_loops(description, self.loops.as_deref())
     }
 
     /// The folder of the family, unless another one is named.
@@ -77,10 +82,10 @@ impl PartFile {
         Self { version, part, parts, origin, plan, records }
     }
 
-    pub(super) fn made(&self) -> Result<MadeFile, Failure> {
+    pub(super) fn made(&self) -> Result<OutputFile, Failure> {
         let path = path(Part { part: self.part, parts: self.parts });
         let text = toml::to_string(self).map_err(|error| Failure::incomplete(error.to_string()))?;
-        Ok(MadeFile { path, content: text.into_bytes() })
+        Ok(OutputFile { path, content: text.into_bytes() })
     }
 
     fn read(path: &Path) -> Result<Self, Failure> {

@@ -6,8 +6,7 @@ use clap::ValueEnum;
 use grazing_drawing::SheetWidth;
 use grazing_export::{Drawing, ExportError};
 
-use crate::arguments::Look;
-use crate::folder::MadeFile;
+use crate::folder::OutputFile;
 
 /// A format of the outputs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
@@ -63,15 +62,14 @@ impl Default for Edition {
 
 impl Edition {
     /// What the command line asks for.
-    pub fn new(Look { format, columns, dpi }: &Look) -> Edition {
-        let mut formats = format.clone();
+    pub fn new(mut formats: Vec<Format>, columns: SheetWidth, dpi: u16) -> Edition {
         if formats.contains(&Format::Tex) {
             // The snippet includes the figures as PDF.
             formats.push(Format::Pdf);
         }
         formats.sort_unstable();
         formats.dedup();
-        Edition { formats, columns: *columns, dpi: *dpi }
+        Edition { formats, columns, dpi }
     }
 
     /// True if it is what `figures/` holds.
@@ -108,7 +106,7 @@ impl Edition {
     }
 
     /// A figure in all formats but LaTeX, which has none.
-    pub(crate) fn figure_files(&self, file: &str, svg: String) -> Result<Vec<MadeFile>, ExportError> {
+    pub(crate) fn figure_files(&self, file: &str, svg: String) -> Result<Vec<OutputFile>, ExportError> {
         let mut files = Vec::new();
         for (format, path) in self.formats.iter().zip(self.figure_paths(file)) {
             let content = match format {
@@ -117,7 +115,7 @@ impl Edition {
                 Format::Png => Drawing::read(&svg)?.png(f64::from(self.dpi))?,
                 Format::Tex => continue,
             };
-            files.push(MadeFile { path, content });
+            files.push(OutputFile { path, content });
         }
         Ok(files)
     }

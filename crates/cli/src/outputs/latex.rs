@@ -4,20 +4,15 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use grazing_export::{Drawing, ExportError};
-use grazing_reproduction::parameters::Parameters;
-use grazing_results::columns::{
-    C_PD, C_SN, LOOPS, PRIMARY_AT_GRAZING, RESONANCE_INDEX, S_MINUS, S_PLUS, SECONDARY_AT_RESONANCE,
-};
 use grazing_results::{Cell, Column, GREEK, Table, symbol};
 
-use crate::folder::{self, MadeFile};
+use crate::folder::{self, OutputFile};
 
 /// Significant digits of the number of least magnitude in a column; all its numbers have as many decimals.
 const DIGITS: i32 = 4;
 /// The most decimals; columns with smaller numbers are printed with powers of ten.
 const MOST_DECIMALS: i32 = 6;
-/// The most columns and rows that fit a page; larger tables are left to the author.
-const MOST_COLUMNS: usize = 10;
+/// The most rows that fit a page; larger tables are left to the author.
 const MOST_ROWS: usize = 45;
 /// Figures wider than a column of a journal with two (points) span both.
 const COLUMN: f64 = 245.0;
@@ -26,25 +21,15 @@ const MOST_FLOATS: usize = 40;
 /// The snippet's file.
 pub(crate) const SNIPPET: &str = "figures.tex";
 
-/// What is printed of a table: its columns by their names. Others are printed whole.
-const SELECTED: [(&str, &[Column]); 1] = [(
-    "coefficients",
-    &[LOOPS, RESONANCE_INDEX, SECONDARY_AT_RESONANCE, PRIMARY_AT_GRAZING, S_PLUS, S_MINUS, C_SN, C_PD],
-)];
-
 /// Where a table lies in the output folder.
 pub(crate) fn table_path(name: &str) -> PathBuf {
     Path::new(name).with_extension("tex")
 }
 
-/// Whether a table with these columns is printed at all.
-pub(crate) fn is_printed(name: &str, columns: &[Column]) -> bool {
-    selected(name, columns).len() <= MOST_COLUMNS
-}
-
 /// The table as a tabular of booktabs: numbers rounded and aligned at the decimal point, units in the headings.
-fn tabular(table: &Table, title: &str) -> String {
-    let places = selected(table.name, &table.columns);
+fn tabular(table: &Table, printed: &[Column], title: &str) -> String {
+    let place = |column: &Column| table.columns.iter().position(|found| found.name == column.name);
+    let places: Vec<usize> = printed.iter().filter_map(place).collect();
     let columns: Vec<(Vec<String>, bool)> = places.iter().map(|&place| cells(table, place)).collect();
     let alignment: String = columns.iter().map(|(_, numeric)| if *numeric { 'r' } else { 'l' }).collect();
     let heading = |&place: &usize| {
@@ -85,15 +70,6 @@ fn raised(unit: &str) -> String {
     text
 }
 
-/// The places of the columns that are printed.
-fn selected(name: &str, columns: &[Column]) -> Vec<usize> {
-    let Some((_, printed)) = SELECTED.iter().find(|(table, _)| *table == name) else {
-        return (0..columns.len()).collect();
-    };
-    let place = |wanted: &Column| columns.iter().position(|column| column.name == wanted.name);
-    printed.iter().filter_map(place).collect()
-}
-
 /// The cells of a column, and whether they are numbers.
 fn cells(table: &Table, place: usize) -> (Vec<String>, bool) {
     let cells = || table.rows.iter().map(|row| &row[place]);
@@ -131,6 +107,27 @@ fn aligned(numbers: &[Option<f64>]) -> Vec<String> {
     numbers.iter().map(|number| shown(number).unwrap_or_default()).collect()
 }
 
+/// What a document says of a figure or a table.
+#[derive(Clone, Debug)]
+pub(crate) struct Caption {
+    /// What it shows, in one line.
+    pub(crate) title: String,
+    /// By what the document refers to it.
+    pub(crate) label: String,
+    /// A sentence after all others, with a space before it.
+    pub(crate) remark: String,
+}
+
+impl Caption {
+    /// The label of something that is computed from a file, `kind` being `fig` or `tab`.
+    pub(crate) fn label(kind: &str, file: &Path, name: &str) -> String {
+        // Not every character of a file's name can stand in a label.
+        let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '-' };
+        let of: String = folder::name_for(file).to_string_lossy().chars().map(plain).collect();
+        format!("{kind}:{of}-{name}")
+    }
+}
+
 /// A figure or table of the snippet.
 pub(crate) struct Float {
     environment: &'static str,
@@ -142,72 +139,46 @@ pub(crate) struct Float {
 }
 
 impl Float {
-    /// A figure by the file of its SVG, with what that says of itself as its caption.
+    /// A figure by the file of its SVG, with what that says of itself in its caption.
     ///
     /// # Errors
     /// The SVG cannot be read.
-    pub(crate) fn figure(file: &str, svg: &str, title: &str, label: &str) -> Result<Self, ExportError> {
+    pub(crate) fn figure(file: &str, svg: &str, caption: &Caption) -> Result<Self, ExportError> {
         let figure = Drawing::read(svg)?;
         let pdf = Path::new(file).with_extension("pdf");
-        let (number, caption) = caption(title);
+        let (number, title) = sentence(&caption.title);
+        let text = format!("{title} {}", prose(figure.description()));
         Ok(Self {
             environment: if figure.size().0 > COLUMN { "figure*" } else { "figure" },
             body: format!("\\includegraphics{{\\grazingfiles {}}}", pdf.display()),
-            caption: format!("{caption} {}", prose(figure.description())).trim_end().to_owned(),
-            label: label.to_owned(),
+            caption: format!("{}{}", text.trim_end(), caption.remark),
+            label: caption.label.clone(),
             number,
         })
     }
 
-    /// A table and its file; nothing if it is empty or does not fit a page.
-    pub(crate) fn table(table: &Table, title: &str, label: &str) -> Option<(Self, MadeFile)> {
-        if table.rows.is_empty() || table.rows.len() > MOST_ROWS || !is_printed(table.name, &table.columns) {
+    /// Columns of a table, and its file; nothing if it is empty or does not fit a page.
+    pub(crate) fn table(table: &Table, printed: &[Column], caption: &Caption) -> Option<(Self, OutputFile)> {
+        if table.rows.is_empty() || table.rows.len() > MOST_ROWS {
             return None;
         }
         let path = table_path(table.name);
         let float = Self {
             environment: "table*",
             body: format!("\\input{{\\grazingfiles {}}}", path.display()),
-            caption: caption(title).1,
-            label: label.to_owned(),
+            caption: sentence(&caption.title).1,
+            label: caption.label.clone(),
             number: None,
         };
-        Some((float, MadeFile { path, content: tabular(table, title).into_bytes() }))
+        let content = tabular(table, printed, &caption.title).into_bytes();
+        Some((float, OutputFile { path, content }))
     }
-
-    /// The label of something that is made of a file, `kind` being `fig` or `tab`.
-    pub(crate) fn label(kind: &str, file: &Path, name: &str) -> String {
-        // Not every character of a file's name can stand in a label.
-        let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '-' };
-        let of: String = folder::name_for(file).to_string_lossy().chars().map(plain).collect();
-        format!("{kind}:{of}-{name}")
-    }
-
-    /// The same with one more sentence.
-    pub(crate) fn with(mut self, sentence: &str) -> Self {
-        self.caption.push_str(sentence);
-        self
-    }
-}
-
-/// The values of the paper's oscillator with which a figure is made, as a sentence after others; none for sketches.
-pub(crate) fn values(figure: &str, parameters: &Parameters) -> String {
-    let Ok(oscillator) = parameters.oscillator.get() else { return String::new() };
-    let mut values =
-        vec![(r"\zeta", oscillator.damping_ratio()), (r"\epsilon", oscillator.coefficient_of_restitution())];
-    match figure {
-        "fig07" | "fig08" => {}
-        "fig02" => values.extend(parameters.fig02_frequency.get().map(|omega| (r"\omega", *omega))),
-        _ => return String::new(),
-    }
-    let values: Vec<String> = values.iter().map(|(name, value)| format!("${name} = {value}$")).collect();
-    format!(" Here {}.", values.join(", "))
 }
 
 /// What a document has to know, and how a float comes to fit its page.
 const HEAD: &str = r"% The figures and tables, to be read by \input. The preamble needs \usepackage{graphicx,booktabs}. If the files do not lie
 % beside the main document, say where they lie before, with a slash at the end: \newcommand{\grazingfiles}{journal/}.
-% Tables of more than ten columns or of more rows than a page holds are not included: they are in data/.
+% Other tables, and those of more rows than a page holds, are in data/.
 \providecommand{\grazingfiles}{}
 % What is wider than its column, or leaves no room for its caption, is set smaller.
 \ifdefined\grazingbox\else\newsavebox{\grazingbox}\fi
@@ -220,7 +191,7 @@ const HEAD: &str = r"% The figures and tables, to be read by \input. The preambl
 ";
 
 /// The snippet that includes figures and tables.
-pub(crate) fn snippet(floats: &[Float]) -> MadeFile {
+pub(crate) fn snippet(floats: &[Float]) -> OutputFile {
     let mut text = HEAD.to_owned();
     for (index, float) in floats.iter().enumerate() {
         let Float { environment, body, label, .. } = float;
@@ -235,11 +206,11 @@ pub(crate) fn snippet(floats: &[Float]) -> MadeFile {
             referring(&float.caption, floats),
         );
     }
-    MadeFile { path: PathBuf::from(SNIPPET), content: text.into_bytes() }
+    OutputFile { path: PathBuf::from(SNIPPET), content: text.into_bytes() }
 }
 
 /// The number in a title, and the rest as a sentence: the number of a caption is LaTeX's.
-fn caption(title: &str) -> (Option<String>, String) {
+fn sentence(title: &str) -> (Option<String>, String) {
     let (number, text) = match title.split_once(": ") {
         Some((number, text)) if number.starts_with("Figure ") => (Some(number.to_owned()), text),
         _ => (None, title),
@@ -331,7 +302,7 @@ pub fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use grazing_results::columns::{BIFURCATION, SECONDARY, SN_AS_SIMULATED as AS_SIMULATED, X};
+    use grazing_results::columns::{BIFURCATION, LOOPS, SECONDARY, SN_AS_SIMULATED as AS_SIMULATED, X};
     use grazing_results::{Names, UnitNames};
 
     use super::*;
@@ -357,9 +328,12 @@ mod tests {
         let row = |kind: &'static str, p: u32, omega: f64, flag: bool| {
             vec![kind.into(), p.into(), omega.into(), flag.into()]
         };
-        let made = vec![row("a_b", 1, 0.5, true), row("c", 2, -2.25, false)];
-        let text =
-            tabular(&Table::of_cells("sample", COLUMNS, &Names::of_the_paper(), made), "A title with 50 %");
+        let rows = vec![row("a_b", 1, 0.5, true), row("c", 2, -2.25, false)];
+        let text = tabular(
+            &Table::of_cells("sample", COLUMNS, &Names::of_the_paper(), rows),
+            COLUMNS,
+            "A title with 50 %",
+        );
         assert!(text.starts_with("% A title with 50 \\%\n"), "{text}");
         for line in [
             r"\begin{tabular}{lrrl}",
@@ -374,8 +348,8 @@ mod tests {
     #[test]
     fn captions_are_sentences_without_the_number() {
         let number = Some("Figure 7".to_owned());
-        assert_eq!(caption("Figure 7: the diagram of g_p"), (number, "The diagram of $g_{p}$.".to_owned()));
-        assert_eq!(caption("Rows: ab_c (tau < x)"), (None, r"Rows: ab\_c ($\tau$ $<$ $x$).".to_owned()));
+        assert_eq!(sentence("Figure 7: the diagram of g_p"), (number, "The diagram of $g_{p}$.".to_owned()));
+        assert_eq!(sentence("Rows: ab_c (tau < x)"), (None, r"Rows: ab\_c ($\tau$ $<$ $x$).".to_owned()));
     }
 
     #[test]
@@ -403,7 +377,7 @@ mod tests {
         };
         let names = Names::new("A", "omega").with_units(units);
         let table = Table::of_cells("sample", &[LOOPS, SECONDARY, X], &names, Vec::new());
-        let text = tabular(&table, "雪");
+        let text = tabular(&table, &[LOOPS, SECONDARY, X], "雪");
         assert!(
             text.contains(r"  $p$ & $\omega$ (rad/s) & $x$ ($\mu$m) \\") && text.starts_with("% ?\n"),
             "{text}"
@@ -413,7 +387,7 @@ mod tests {
     #[test]
     fn every_title_of_the_registry_can_be_set_by_any_latex() {
         for output in ALL {
-            assert!(caption(output.title).1.is_ascii(), "a sign of `{}` has no command yet", output.title);
+            assert!(sentence(output.title).1.is_ascii(), "a sign of `{}` has no command yet", output.title);
         }
     }
 }

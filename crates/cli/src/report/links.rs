@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 
 use grazing_claims::source::Sources;
 
+use crate::folder::with_slashes;
+
 /// The source files of the repository; those that can be read.
 pub(crate) fn sources(root: &Path) -> Sources {
     let mut files = Vec::new();
@@ -25,11 +27,6 @@ pub(crate) fn sources(root: &Path) -> Sources {
         }
     }
     Sources::new(files)
-}
-
-/// The path with slashes between its parts, on any system.
-pub(crate) fn with_slashes(path: &Path) -> String {
-    path.components().map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/")
 }
 
 /// Where the address of the repository is looked up, and under which key.

@@ -11,7 +11,7 @@ use grazing_theorems::hypothesis::Hypothesis;
 use grazing_unfold::resonances::Resonance;
 use grazing_unfold::units::InUnits;
 
-use super::Analysis;
+use super::analysis::Analysis;
 use super::layout::{KEPT, wrapped};
 use super::reason::place;
 

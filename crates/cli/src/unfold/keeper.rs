@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use grazing_results::Table;
 
 use crate::failure::Failure;
-use crate::folder::{self, MadeFile};
+use crate::folder::{self, OutputFile};
 use crate::{tables, terminal};
 
 /// The table of the curves that are finished, while the run lasts or after it was interrupted.
@@ -52,7 +52,7 @@ impl<'a> Keeper<'a> {
     /// Writes what is finished. The computation goes on if it cannot be written: in the end all files may well be.
     pub(super) fn keep(&self, finished: &Table) {
         let written = tables::csv(finished).map_err(|error| error.to_string()).and_then(|content| {
-            let file = MadeFile { path: tables::path(UNFINISHED), content };
+            let file = OutputFile { path: tables::path(UNFINISHED), content };
             folder::write(self.folder, &[file]).map_err(|failure| failure.to_string())
         });
         if let Err(reason) = written

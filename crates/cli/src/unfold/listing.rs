@@ -17,11 +17,11 @@ use grazing_unfold::resonances;
 use grazing_unfold::sides::Simulated;
 use grazing_unfold::verdict::Verdict;
 
-use super::Analysis;
+use super::analysis::Analysis;
 use super::layout::{KEPT, aligned, headed, wrapped};
 use super::numbers::{fixed, range, significant};
 use super::reason::place;
-use super::sheets::of_one_parameter;
+use crate::outputs::oscillator::of_one_parameter;
 pub(super) use gaps::incomplete;
 use gaps::{missing, odd_ends, undecided, unfinished};
 

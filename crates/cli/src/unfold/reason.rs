@@ -7,7 +7,7 @@ use grazing_model::smooth::{SmoothOscillator, Units};
 use grazing_results::brief;
 use grazing_unfold::escape::Escape;
 use grazing_unfold::non_impacting::Height;
-use grazing_unfold::regions::{Region, RegionKind};
+use grazing_unfold::regions::Region;
 use grazing_unfold::stop::Unfinished;
 use grazing_unfold::{Diagram, UnfoldError};
 
@@ -189,7 +189,7 @@ pub(crate) fn unfinished(description: &Description, units: &Units, cut: &Unfinis
 
 /// Where it is not decided whether solutions are stable, and why; nothing of a region where that is known.
 pub(crate) fn undecided(description: &Description, units: &Units, region: &Region) -> Option<String> {
-    let RegionKind::Undecided(doubt) = &region.kind else { return None };
+    let doubt = region.doubt.as_ref()?;
     let [from, to] = region.extent().map(|corner| place(description, units.parameters(corner)));
     Some(format!("from {from} to {to}: {doubt}"))
 }

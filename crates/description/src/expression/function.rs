@@ -90,3 +90,15 @@ fn cosh(argument: Term<'_>) -> Result<Term<'_>, ErrorKind> {
     let falling = argument.negate()?.apply(Function::Exp)?;
     growing.add(falling)?.multiply(Term::Number(0.5))
 }
+
+/// What the name of a variable of force or reset law means.
+pub(crate) fn variable(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "x" => "the position",
+        "v" => "the velocity",
+        "t" => "the time",
+        "y" => "the impact velocity",
+        "z" => "the impact phase",
+        _ => return None,
+    })
+}

@@ -9,7 +9,6 @@ use nanoexpr::{Context, ErrorKind, Evaluator, Number};
 
 use super::graph::{Graph, Term, parts};
 use super::{Expression, ExpressionError, assemble, function};
-use crate::names;
 
 /// Parentheses in parentheses beyond which nobody can read an expression.
 const MOST_DEPTH: usize = 100;
@@ -71,7 +70,7 @@ impl Names<'_, '_> {
             }
             ErrorKind::UnknownVariable => {
                 let known = self.known();
-                match names::variable(written) {
+                match function::variable(written) {
                     Some(meaning) => {
                         format!("{written}, {meaning}, cannot be used here. Known here: {}", listed(&known))
                     }

@@ -1,11 +1,22 @@
 "use strict";
 // Uses the page as a reader would, and writes down what came of it. SPOTS are spots of figures with what must be told there,
-// FORMULAS are texts that the search must find, with the labels of their claims.
+// FORMULAS are texts that the search must find, with the labels of their claims. What is waited for ends after PATIENCE milliseconds at the latest.
 addEventListener("load", async () => {
   const results = [];
   const check = (name, passed, seen) => results.push(`${passed ? "passed" : "FAILED"}: ${name}${passed ? "" : `: ${JSON.stringify(seen)}`}`);
   const all = (selector, root = document) => [...root.querySelectorAll(selector)];
-  const turn = () => new Promise((done) => setTimeout(done, 50));
+  const turn = () => new Promise((done) => setTimeout(done, 10));
+  /** Waits until something is so, but not for ever. */
+  const until = async (is) => {
+    for (const began = performance.now(); !is() && performance.now() - began < PATIENCE; ) await turn();
+    return is();
+  };
+  /** Waits until a figure has read its data, and has told what was asked for. */
+  const told = async (figure) => {
+    await until(() => !figure.querySelector(".readout").hasAttribute("aria-busy"));
+    await turn();
+    return figure.querySelector(".readout").textContent;
+  };
   const errors = [];
   addEventListener("error", (event) => errors.push(event.message));
 
@@ -35,23 +46,19 @@ addEventListener("load", async () => {
     const place = new DOMPoint(x, y).matrixTransform(svg.getScreenCTM());
     sheet.dispatchEvent(new PointerEvent("pointermove", { clientX: place.x, clientY: place.y, bubbles: true }));
   };
-  /** Waits until something is so, but not for ever. */
-  const until = async (is) => {
-    for (let turns = 0; turns < 40 && !is(); turns += 1) await turn();
-    return is();
-  };
   for (const spot of SPOTS) {
     const figure = document.getElementById(spot.figure);
     const read = () => figure.querySelector(".readout").textContent;
     pointAt(figure.querySelector(".sheet"), spot.x, spot.y);
-    await until(() => figure.querySelector(".readout .pointer"));
+    await told(figure);
     if (spot.hidden) {
       check(`${spot.figure} hides what is not drawn`, all(".probe circle", figure).length === 0, "a ring");
       figure.querySelector(".side input").click();
       pointAt(figure.querySelector(".sheet"), spot.x, spot.y);
+      await told(figure);
     }
-    const missing = () => spot.told.filter((part) => !read().includes(part));
-    check(`${spot.figure} at ${spot.x}, ${spot.y} tells ${spot.told.join("; ")}`, await until(() => missing().length === 0), read());
+    const missing = spot.told.filter((part) => !read().includes(part));
+    check(`${spot.figure} at ${spot.x}, ${spot.y} tells ${spot.told.join("; ")}`, missing.length === 0, read());
     check(`${spot.figure} marks the point`, all(".probe circle", figure).length === 1, "no ring");
   }
 
@@ -152,15 +159,13 @@ addEventListener("load", async () => {
     sheet.dispatchEvent(new WheelEvent("wheel", wheel));
     check(`${figure.id}: the wheel scrolls the page otherwise`, zoom() === 1, zoom());
     if (marks.length > 0 && document.getElementById(`data-${figure.id}`)) {
-      const read = () => figure.querySelector(".readout").textContent;
-      const [one, two, back] = [[], [], []];
-      for (const [key, kept] of [["n", one], ["n", two], ["p", back]]) {
+      const seen = [];
+      for (const key of ["n", "n", "p"]) {
         press(key);
-        await turn();
-        await turn();
-        kept.push(read());
+        seen.push(await told(figure));
       }
-      check(`${figure.id}: n and p step through the points`, one[0] === back[0] && one[0] !== two[0], [one, two, back]);
+      const [one, two, back] = seen;
+      check(`${figure.id}: n and p step through the points`, one === back && one !== two, seen);
     }
     press("Escape");
   }
@@ -183,7 +188,8 @@ addEventListener("load", async () => {
     .filter(([, box]) => box.width > 0 && (box.width < 24 || box.height < 23.9));
   check("what can be touched is large enough", small.length === 0, small.slice(0, 5).map(([target, box]) => [target.outerHTML.slice(0, 60), box.width, box.height]));
   const list = document.querySelector(".bar nav");
-  check("the list of sections tells whether it goes on", list.classList.contains("more-after") === list.scrollWidth > list.clientWidth + 2, list.className);
+  const goesOn = () => list.classList.contains("more-after") === list.scrollWidth > list.clientWidth + 2;
+  check("the list of sections tells whether it goes on", await until(goesOn), list.className);
 
   // Tables sort.
   const headings = all("table.sortable").filter((table) => table.tBodies[0].rows.length > 1);
@@ -220,7 +226,7 @@ addEventListener("load", async () => {
         check(`${field} ${option.value} filters`, left().every(fits) && left().length === entries.filter(fits).length, left().length);
       }
       form.reset();
-      await turn();
+      await until(() => left().length === entries.length);
     }
     form.elements.text.value = entries[0].querySelector("h3").textContent;
     form.dispatchEvent(new Event("input", { bubbles: true }));
@@ -237,9 +243,7 @@ addEventListener("load", async () => {
     await find("nobody states this");
     check("other words find nothing", left().length === 0 && form.querySelector("output").textContent.startsWith("0 of"), left().length);
     location.hash = entries.at(-1).id;
-    await turn();
-    await turn();
-    check("a link shows a claim that was filtered away", !entries.at(-1).hidden, location.hash);
+    check("a link shows a claim that was filtered away", await until(() => !entries.at(-1).hidden), location.hash);
   }
 
   const focusable = all("a[href], button, select, input, summary, [tabindex='0']");
@@ -250,8 +254,8 @@ addEventListener("load", async () => {
   check("the page is not wider than the window", document.documentElement.scrollWidth <= innerWidth, document.documentElement.scrollWidth);
   check("no script failed", errors.length === 0, errors);
 
-  const told = document.createElement("pre");
-  told.id = "checks";
-  told.textContent = results.join("\n");
-  document.body.replaceChildren(told);
+  const ended = document.createElement("pre");
+  ended.id = "checks";
+  ended.textContent = results.join("\n");
+  document.body.replaceChildren(ended);
 });

@@ -11,7 +11,7 @@ use grazing_claims::source::Sources;
 use grazing_continuation::bifurcation::{CodimensionTwo, Pair};
 use grazing_continuation::fit::{Estimate, Measurement};
 use grazing_description::Description;
-use grazing_report::{FigureEntry, Manifest, OscillatorEntry, OutputFile, Report, TableOutput};
+use grazing_report::{FigureEntry, FileDigest, Manifest, OscillatorEntry, Report, TableOutput};
 use grazing_reproduction::unfolded::ResonanceEntry;
 use grazing_results::plane::SpecialPoint;
 use grazing_results::{Column, Names, Table, UnitNames, columns};
@@ -194,7 +194,7 @@ pub(crate) fn oscillators_alone() -> Report<'static> {
     Report {
         oscillators: vec![oscillator("one", "Sample oscillator")],
         manifest: Manifest {
-            outputs: files.map(|path| OutputFile::of(path, path.as_bytes())).to_vec(),
+            outputs: files.map(|path| FileDigest::of(path, path.as_bytes())).to_vec(),
             folder: None,
             ..report().manifest
         },
@@ -205,7 +205,7 @@ pub(crate) fn oscillators_alone() -> Report<'static> {
 /// The report.
 pub(crate) fn report() -> Report<'static> {
     let source = ("crates/theorems/src/auxiliary.rs", "pub fn resonance_boundary() {}\n");
-    let file = |path: &str| OutputFile::of(path, path.as_bytes());
+    let file = |path: &str| FileDigest::of(path, path.as_bytes());
     Report {
         missing: vec![HOSTILE.to_owned()],
         figures: vec![figure("fig98", "Figure 98: a line"), figure("fig99", "Figure 99: another line")],

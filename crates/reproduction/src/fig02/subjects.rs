@@ -1,42 +1,32 @@
-//! What the phase portraits show: solutions at the amplitudes that the file asks for, or where they exist.
+//! What the phase portraits of Figure 2 show: solutions at the amplitudes that the file asks for, or where they exist.
 
-use grazing_model::{LinearOscillator, State};
-use grazing_unfold::one_parameter::Branch;
+use grazing_model::ImpactOscillator;
+use grazing_unfold::one_parameter::{Branch, Subject};
 
-use super::Setting;
 use crate::StudyError;
-use crate::parameters::{MOST_PORTRAITS, Portrait};
+use crate::parameters::{Figure2, MOST_PORTRAITS, Portrait};
 
 /// The part of a stretch, at either end, in which no portrait is put by itself: close to a bifurcation an orbit is hardly told
 /// from the one it is born with.
 const EDGE: f64 = 0.05;
 
-/// An orbit that is shown.
-pub(super) struct Subject {
-    /// Its loops; 0 is the non-impacting solution, or the attractor above the grazing amplitude.
-    pub(super) loops: u32,
-    /// Its forcing amplitude.
-    pub(super) amplitude: f64,
-    /// The recoil of a maximal periodic solution.
-    pub(super) recoil: Option<State>,
-}
-
 /// All subjects, and what is shown elsewhere than asked for, or not at all, in sentences.
-pub(super) fn all(
-    setting: &Setting,
-    branches: &[Branch<LinearOscillator>],
+pub(super) fn all<O: ImpactOscillator>(
+    figure: &Figure2,
+    grazing: f64,
+    branches: &[Branch<O>],
 ) -> Result<(Vec<Subject>, Vec<String>), StudyError> {
-    let asked = &setting.figure.portraits;
+    let asked = &figure.portraits;
     if asked.is_empty() {
-        return Ok((chosen(setting, branches), Vec::new()));
+        return Ok((chosen(figure, grazing, branches), Vec::new()));
     }
     let (mut subjects, mut notes) = (Vec::new(), Vec::new());
     for portrait in asked {
         let Portrait { loops, amplitude: wish, must, key, .. } = portrait;
-        match found(setting, branches, portrait) {
+        match found(figure, grazing, branches, portrait) {
             Some(subject) => {
-                if !must && wish.is_some_and(|wish| wish != subject.amplitude) {
-                    let amplitude = subject.amplitude;
+                let amplitude = subject.across;
+                if !must && wish.is_some_and(|wish| wish != amplitude) {
                     notes.push(format!(
                         "{key}: the portrait of p = {loops} is at {amplitude:.5}, where it exists"
                     ));
@@ -50,41 +40,46 @@ pub(super) fn all(
         }
     }
     // There is always a non-impacting solution.
-    if subjects.is_empty() { Ok((chosen(setting, branches), notes)) } else { Ok((subjects, notes)) }
+    if subjects.is_empty() { Ok((chosen(figure, grazing, branches), notes)) } else { Ok((subjects, notes)) }
 }
 
 /// The non-impacting solution, and each p that is somewhere stable, from left to right.
-fn chosen(setting: &Setting, branches: &[Branch<LinearOscillator>]) -> Vec<Subject> {
-    let mut subjects = vec![non_impacting(setting, None)];
-    for &loops in setting.figure.loops.iter().take(MOST_PORTRAITS - 1) {
+fn chosen<O: ImpactOscillator>(figure: &Figure2, grazing: f64, branches: &[Branch<O>]) -> Vec<Subject> {
+    let mut subjects = vec![non_impacting(figure, grazing, None)];
+    for &loops in figure.loops.iter().take(MOST_PORTRAITS - 1) {
         subjects.extend(nearest(branches, loops, None));
     }
-    subjects.sort_by(|a, b| a.amplitude.total_cmp(&b.amplitude));
+    subjects.sort_by(|a, b| a.across.total_cmp(&b.across));
     subjects
 }
 
 /// What the file asks for, if it exists.
-fn found(setting: &Setting, branches: &[Branch<LinearOscillator>], portrait: &Portrait) -> Option<Subject> {
+fn found<O: ImpactOscillator>(
+    figure: &Figure2,
+    grazing: f64,
+    branches: &[Branch<O>],
+    portrait: &Portrait,
+) -> Option<Subject> {
     let Portrait { loops, amplitude: wish, must, .. } = *portrait;
     if loops == 0 {
-        return Some(non_impacting(setting, wish));
+        return Some(non_impacting(figure, grazing, wish));
     }
     let there = wish.and_then(|amplitude| at(branches, loops, amplitude));
     if must { there } else { there.or_else(|| nearest(branches, loops, wish)) }
 }
 
 /// The non-impacting solution or the attractor, at the amplitude or the nearest one in the figure.
-fn non_impacting(setting: &Setting, wish: Option<f64>) -> Subject {
-    let (window, grazing) = (setting.figure.amplitude, setting.grazing.amplitude());
-    let amplitude = match wish {
+fn non_impacting(figure: &Figure2, grazing: f64, wish: Option<f64>) -> Subject {
+    let window = figure.amplitude;
+    let across = match wish {
         Some(wish) => wish.clamp(window[0], window[1]),
         None => 0.5 * (window[0] + grazing),
     };
-    Subject { loops: 0, amplitude, recoil: None }
+    Subject { across, loops: Some(0) }
 }
 
 /// The stable admissible MPS at the amplitude that is nearest to the wish, or in the middle of the widest stretch.
-fn nearest(branches: &[Branch<LinearOscillator>], loops: u32, wish: Option<f64>) -> Option<Subject> {
+fn nearest<O: ImpactOscillator>(branches: &[Branch<O>], loops: u32, wish: Option<f64>) -> Option<Subject> {
     let inner = |[low, high]: [f64; 2]| [low + EDGE * (high - low), high - EDGE * (high - low)];
     let mut places: Vec<(f64, f64)> = of(branches, loops)
         .flat_map(Branch::stable_stretches)
@@ -101,11 +96,11 @@ fn nearest(branches: &[Branch<LinearOscillator>], loops: u32, wish: Option<f64>)
 }
 
 /// The branches of p-loop MPSs.
-fn of(branches: &[Branch<LinearOscillator>], loops: u32) -> impl Iterator<Item = &Branch<LinearOscillator>> {
+fn of<O: ImpactOscillator>(branches: &[Branch<O>], loops: u32) -> impl Iterator<Item = &Branch<O>> {
     branches.iter().filter(move |branch| branch.equations.loops() == loops)
 }
 
-fn missing(branches: &[Branch<LinearOscillator>], portrait: &Portrait) -> StudyError {
+fn missing<O: ImpactOscillator>(branches: &[Branch<O>], portrait: &Portrait) -> StudyError {
     let ranges: Vec<String> = of(branches, portrait.loops)
         .flat_map(Branch::stable_stretches)
         .map(|[low, high]| format!("from {low:.5} to {high:.5}"))
@@ -122,9 +117,7 @@ fn missing(branches: &[Branch<LinearOscillator>], portrait: &Portrait) -> StudyE
 }
 
 /// The stable admissible MPS at the amplitude.
-fn at(branches: &[Branch<LinearOscillator>], loops: u32, amplitude: f64) -> Option<Subject> {
-    of(branches, loops).find_map(|branch| {
-        let point = branch.stable_at(amplitude).into_iter().next()?;
-        Some(Subject { loops, amplitude, recoil: Some(branch.equations.recoil(&point)) })
-    })
+fn at<O: ImpactOscillator>(branches: &[Branch<O>], loops: u32, across: f64) -> Option<Subject> {
+    let there = of(branches, loops).any(|branch| !branch.stable_at(across).is_empty());
+    there.then_some(Subject { across, loops: Some(loops) })
 }

@@ -1,16 +1,23 @@
 //! `[fig02]`: the one-parameter diagram of Figure 2 and its phase portraits.
 
-use grazing_source::{Section, SourceError};
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_source::kind::{count, counts, maybe, number, table, tables, value};
+use grazing_source::{Keys, Section, SourceError, keys};
 use grazing_theorems::LinearOscillator;
-use grazing_unfold::one_parameter::Plan;
+use grazing_unfold::one_parameter::Sampling;
 
-use super::ParameterError;
-use super::checks::{
-    amplitudes, any, contains, frequency, grazing, range, range_inside, strictly_contains, tables,
+use super::error::ParameterError;
+use super::limits::{
+    AMPLITUDES, FREQUENCIES, FREQUENCY, LOOPS, MOST_LOOPS, amplitudes, contains, grazing, must_lie_inside,
+    range, strictly_contains,
 };
-use super::requirements::{
-    MOST_AMPLITUDES, MOST_LOOPS, MOST_ORBITS, MOST_PERIODS, MOST_PERIODS_IN_ALL, MOST_PORTRAITS,
-};
+
+/// The most portraits that fit side by side across a page.
+pub(crate) const MOST_PORTRAITS: usize = 6;
+/// The most forcing periods of one orbit.
+const MOST_PERIODS: u32 = 1_000_000;
+/// The most forcing periods of all orbits together, about a minute of computation.
+const MOST_PERIODS_IN_ALL: u64 = 200_000_000;
 
 /// Figure 2: one frequency, the amplitude across, x on Pi up.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,7 +36,7 @@ pub struct Figure2 {
     /// The x-values of the magnification, inside those of the figure.
     pub magnified_x: [f64; 2],
     /// How the long-time behaviour between GZ and PD is sampled, at amplitudes evenly spaced.
-    pub attractor: Plan,
+    pub attractor: Sampling,
     /// The phase portraits from left to right; none if they are to be chosen.
     pub portraits: Vec<Portrait>,
     /// What is shown in the place of something else, in sentences.
@@ -50,22 +57,84 @@ pub struct Portrait {
     pub key: String,
 }
 
+keys! {
+    /// The section as it is written.
+    pub(super) struct Section2 {
+        /// The forcing frequency.
+        frequency: f64 = number(FREQUENCIES), FREQUENCY;
+        /// The forcing amplitudes, these or none.
+        amplitude: Option<[f64; 2]> = maybe(amplitudes()), AMPLITUDES;
+        /// The forcing amplitudes, if grazing is among them.
+        near: Option<[f64; 2]> = maybe(amplitudes()), AMPLITUDES;
+        /// The x-values.
+        x: [f64; 2] = range(), "the x-values must be a range [lower, upper] with {} <= lower < upper <= {}";
+        /// The numbers of loops.
+        loops: Vec<u32> = counts(1..=MOST_LOOPS), LOOPS;
+        /// The part that is magnified.
+        magnification: Magnification = table(), "the table [fig02.magnification] holds amplitude and x";
+        /// Simulation.
+        attractor: Sampling = table::<Attractor>().map(sampling),
+            "the table [fig02.attractor] holds amplitudes, orbits, transient, recorded and seed";
+        /// The phase portraits.
+        portraits: Vec<WrittenPortrait> = tables(0..=MOST_PORTRAITS),
+            "[[fig02.portraits]] must be at most six tables, one for each phase portrait; without any they are chosen";
+    }
+}
+
+keys! {
+    /// The part of Figure 2 that is magnified.
+    pub(super) struct Magnification {
+        /// The amplitudes across.
+        amplitude: [f64; 2] = range(), "the magnified amplitudes must be a range [lower, upper] inside those of Figure 2";
+        /// The x-values up.
+        x: [f64; 2] = range(), "the magnified x-values must be a range [lower, upper] inside fig02.x";
+    }
+}
+
+keys! {
+    /// How many orbits run for how long at how many amplitudes.
+    struct Attractor {
+        /// The amplitudes: at most more than the columns of any printed figure.
+        amplitudes: u32 = count(2..=10_000), "the number of amplitudes must be a whole number from {} to {}";
+        /// The orbits at one amplitude.
+        orbits: u32 = count(1..=1_000), "the number of orbits must be a whole number from {} to {}";
+        /// The forcing periods before an orbit is recorded.
+        transient: u32 = count(0..=MOST_PERIODS), "the periods before recording must be a whole number from {} to {}";
+        /// The forcing periods that are recorded.
+        recorded: u32 = count(1..=MOST_PERIODS), "the recorded periods must be a whole number from {} to {}";
+        /// The seed of the random initial points.
+        seed: u64 = value(), "the seed must be a whole number that is not negative";
+    }
+}
+
+keys! {
+    /// A portrait as it is written.
+    pub(super) struct WrittenPortrait {
+        /// The loops p of the solution.
+        loops: u32 = value(), "the number of loops must be one of fig02.loops, or 0 for the non-impacting solution";
+        /// The forcing amplitude, this or none.
+        amplitude: Option<f64> = maybe(number(..)), "the forcing amplitude must lie inside those of Figure 2";
+        /// The forcing amplitude, or the nearest at which the solution is there.
+        near: Option<f64> = maybe(number(0.0..)), "the forcing amplitude must be a number that is not negative";
+    }
+}
+
 impl Figure2 {
-    pub(super) fn read(section: &Section<'_>, oscillator: &LinearOscillator) -> Result<Self, ParameterError> {
-        let frequency = frequency(section)?;
-        let grazing = grazing(section, oscillator, frequency)?.amplitude();
-        let across = Across::read(section, frequency, grazing)?;
-        let x = range(section, "x", any)?;
-        let loops = section.counts("loops", 1..=MOST_LOOPS)?;
-        let magnified_x = range_inside(&section.table("magnification")?, "x", "fig02.x", x)?;
-        let attractor = plan(&section.table("attractor")?)?;
-        let mut portraits = Vec::new();
-        if section.has("portraits") {
-            for portrait in tables(section, "portraits", 0..=MOST_PORTRAITS)? {
-                portraits.push(Portrait::read(&portrait, &loops, &across)?);
-            }
-        }
+    pub(super) fn checked(
+        section: &Section<'_>,
+        oscillator: &LinearOscillator,
+    ) -> Result<Self, ParameterError> {
+        let written = Section2::read(section)?;
+        let grazing = grazing(section, oscillator, written.frequency)?.amplitude();
+        let across = Across::new(section, &written, grazing)?;
+        let Section2 { frequency, x, loops, magnification, attractor, portraits, .. } = written;
+        must_lie_inside(section, "magnification.x", magnification.x, ("fig02.x", x))?;
+        let portrait = |(portrait, number): (&WrittenPortrait, u32)| {
+            Portrait::new(portrait, &loops, &across, section, &format!("portraits[{number}]"))
+        };
+        let portraits = portraits.iter().zip(1..).map(portrait).collect::<Result<_, _>>()?;
         let Across { amplitude, magnified: magnified_amplitude, notes, .. } = across;
+        let magnified_x = magnification.x;
         Ok(Self {
             frequency,
             amplitude,
@@ -73,7 +142,8 @@ impl Figure2 {
             loops,
             magnified_amplitude,
             magnified_x,
-            attractor,
+            // Orbits begin above the lower edge of the figure.
+            attractor: Sampling { lowest: Some(x[0].min(0.0)), ..attractor },
             portraits,
             notes,
         })
@@ -93,22 +163,25 @@ struct Across {
 const BEFORE: f64 = 0.1;
 
 impl Across {
-    /// The amplitudes across, which contain that of grazing: those of the file, or if these are no must, others in the same proportions.
-    fn read(section: &Section<'_>, frequency: f64, grazing: f64) -> Result<Self, ParameterError> {
-        // Of the right type even where it does not matter.
-        section.optional::<Vec<f64>>("near")?;
-        let must = section.has("amplitude");
-        let name = if must { "amplitude" } else { "near" };
-        let (key, amplitude) = (section.key(name), amplitudes(section, name)?);
+    /// The amplitudes across, which contain that of grazing: those of the file, or if other ones may be shown, those in the same
+    /// proportions.
+    fn new(section: &Section<'_>, written: &Section2, grazing: f64) -> Result<Self, ParameterError> {
+        let (name, amplitude) = match (written.amplitude, written.near) {
+            (Some(amplitude), _) => ("amplitude", amplitude),
+            (None, Some(near)) => ("near", near),
+            (None, None) => return Err(section.lack("near").into()),
+        };
+        let (key, frequency) = (section.key(name), written.frequency);
         let there = strictly_contains(amplitude, grazing);
-        if must && !there {
+        if written.amplitude.is_some() && !there {
             let allowed = format!(
                 "the range must contain the grazing amplitude {grazing:.5} of the frequency {frequency}, from which the \
                  branches emanate"
             );
             return Err(ParameterError::Unfit(section.forbid(name, allowed)));
         }
-        let magnified = range_inside(&section.table("magnification")?, "amplitude", &key, amplitude)?;
+        let magnified = written.magnification.amplitude;
+        must_lie_inside(section, "magnification.amplitude", magnified, (&key, amplitude))?;
         if there {
             return Ok(Self { amplitude, magnified, factor: 1.0, notes: Vec::new() });
         }
@@ -128,37 +201,41 @@ impl Across {
 }
 
 impl Portrait {
-    fn read(section: &Section<'_>, loops: &[u32], across: &Across) -> Result<Self, SourceError> {
-        let shown: u32 = section.value("loops")?;
-        if shown != 0 && !loops.contains(&shown) {
-            return Err(section.refusal("loops"));
+    fn new(
+        written: &WrittenPortrait,
+        known: &[u32],
+        across: &Across,
+        section: &Section<'_>,
+        at: &str,
+    ) -> Result<Self, SourceError> {
+        let WrittenPortrait { loops, amplitude, near } = *written;
+        let place = |name: &str| format!("{at}.{name}");
+        if loops != 0 && !known.contains(&loops) {
+            return Err(section.refusal(&place("loops")));
         }
-        let near: Option<f64> = section.optional("near")?;
-        let must = section.has("amplitude");
-        let (name, amplitude) = if must {
-            ("amplitude", Some(section.number("amplitude", |a| contains(across.amplitude, a))?))
-        } else if near.is_some() {
-            ("near", Some(across.factor * section.number("near", |a| a >= 0.0)?))
-        } else {
-            ("loops", None)
+        let must = amplitude.is_some();
+        let (name, amplitude) = match (amplitude, near) {
+            (Some(amplitude), _) if !contains(across.amplitude, amplitude) => {
+                return Err(section.refusal(&place("amplitude")));
+            }
+            (Some(amplitude), _) => ("amplitude", Some(amplitude)),
+            (None, Some(near)) => ("near", Some(across.factor * near)),
+            (None, None) => ("loops", None),
         };
-        Ok(Self { loops: shown, amplitude, must, key: section.told(name) })
+        Ok(Self { loops, amplitude, must, key: section.shown(&place(name)) })
     }
 }
 
-/// How many orbits run for how long at how many amplitudes.
-fn plan(section: &Section<'_>) -> Result<Plan, SourceError> {
-    let values = section.count("amplitudes", 2..=MOST_AMPLITUDES)?;
-    let orbits = section.count("orbits", 1..=MOST_ORBITS)?;
-    let transient = section.count("transient", 0..=MOST_PERIODS)?;
-    let recorded = section.count("recorded", 1..=MOST_PERIODS)?;
+fn sampling(written: Attractor, section: &Section<'_>, name: &str) -> Result<Sampling, SourceError> {
+    let Attractor { amplitudes: values, orbits, transient, recorded, seed } = written;
     let periods = u64::from(values) * u64::from(orbits) * (u64::from(transient) + u64::from(recorded));
     if periods > MOST_PERIODS_IN_ALL {
         let allowed = format!(
             "amplitudes * orbits * (transient + recorded) = {periods} forcing periods are too many, at most \
              {MOST_PERIODS_IN_ALL} are allowed"
         );
-        return Err(section.forbid("transient", allowed));
+        return Err(section.forbid(&format!("{name}.transient"), allowed));
     }
-    Ok(Plan { values, orbits, transient, recorded, seed: section.value("seed")? })
+    let between = Some([Bifurcation::Grazing, Bifurcation::PeriodDoubling]);
+    Ok(Sampling { values, between, orbits, transient, recorded, lowest: None, seed })
 }

@@ -3,169 +3,176 @@
 use core::f64::consts::TAU;
 
 use grazing_model::LinearOscillator;
-use grazing_source::{Section, SourceError};
+use grazing_source::kind::{above, count, derived, number, numbers, strictly, table, tables};
+use grazing_source::{Keys, Section, SourceError, keys};
 
-use super::checks::{
-    around_zero, contains, damping_ratio, encloses, frequency, range, restitution, strictly_contains, tables,
+use super::limits::{
+    AROUND_ZERO, EPSILON, FREQUENCIES, FREQUENCY, MOST_AMPLITUDE, ZETA, around_zero, contains, damping_ratio,
+    encloses, range, restitution, strictly_contains,
 };
-use super::requirements::{MOST_AMPLITUDE, MOST_ARRIVALS};
 
-/// Gamma is two units of x wide; a ring with a smaller radius would overlap itself.
-const LEAST_RADIUS: f64 = 2.0;
-/// A ring so wide looks straight.
-const MOST_RADIUS: f64 = 100.0;
+/// Radii of the ring of Figure 3: Gamma is two units of x wide, so that a ring with a smaller radius would overlap itself, and one
+/// with a larger radius looks straight.
+const RADII: [f64; 2] = [2.0, 100.0];
 /// Phases this far from grazing are still on one side of the ring.
 const SECTION_REACH: f64 = 1.5;
 /// Loops that can be told apart near the wall.
 const MOST_LOOPS: u32 = 3;
+/// The most orbits of Figure 1: more could not be told apart.
+const MOST_ARRIVALS: usize = 8;
 
-/// From where phase space is looked at: an orthographic view along parallel rays.
-///
-/// Before any turning x points right, y up and z towards the viewer, a right-handed frame.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct View {
-    /// The angle in degrees by which the scene is turned about the y-axis, in [-180, 180]; z swings to the right.
-    pub turn: f64,
-    /// The angle in degrees by which the viewer stands above the plane y = 0, strictly between 0 and 90.
-    pub tilt: f64,
-    /// The lengths of the units of x, y and z relative to each other, positive.
-    pub stretch: [f64; 3],
-}
-
-impl View {
-    /// The view of a figure.
-    fn read(figure: &Section<'_>) -> Result<Self, SourceError> {
-        let section = &figure.table("view")?;
-        Ok(Self {
-            turn: section.number("turn", |turn| contains([-180.0, 180.0], turn))?,
-            tilt: section.number("tilt", |tilt| strictly_contains([0.0, 90.0], tilt))?,
-            stretch: section.numbers("stretch", |units| units.iter().all(|&unit| unit > 0.0))?,
-        })
+keys! {
+    /// From where phase space is looked at: an orthographic view along parallel rays.
+    ///
+    /// Before any turning x points right, y up and z towards the viewer, a right-handed frame.
+    #[derive(Copy)]
+    pub struct View {
+        /// The angle in degrees by which the scene is turned about the y-axis; z swings to the right.
+        turn: f64 = number(-180.0..=180.0), "the turn must be an angle in degrees from {} to {}";
+        /// The angle in degrees by which the viewer stands above the plane y = 0.
+        tilt: f64 = number(strictly(0.0, 90.0)), "the tilt must be an angle in degrees strictly between {} and {}";
+        /// The lengths of the units of x, y and z relative to each other.
+        stretch: [f64; 3] = numbers().such(|units: &[f64; 3]| units.iter().all(|&unit| unit > 0.0)),
+            "the stretch must be three positive numbers, for x, y and z";
     }
 }
 
-/// The linear oscillator of one of these figures; it need not be that of the paper's example.
-fn oscillator(section: &Section<'_>) -> Result<LinearOscillator, SourceError> {
-    let amplitude = section.number("amplitude", |a| 0.0 < a && a <= MOST_AMPLITUDE)?;
-    LinearOscillator::new(damping_ratio(section)?, restitution(section)?, amplitude, frequency(section)?)
+const VIEW: &str = "the table of the view holds turn, tilt and stretch";
+
+keys! {
+    /// The linear oscillator of one of these figures; it need not be that of the paper's example.
+    struct Motion {
+        /// The damping ratio zeta.
+        zeta: f64 = damping_ratio(), ZETA;
+        /// The coefficient of restitution.
+        epsilon: f64 = restitution(), EPSILON;
+        /// The forcing amplitude.
+        amplitude: f64 = number(above(0.0, MOST_AMPLITUDE)),
+            "the forcing amplitude must lie above {} and be at most {}";
+        /// The forcing frequency omega.
+        frequency: f64 = number(FREQUENCIES), FREQUENCY;
+    }
+}
+
+fn oscillator(motion: Motion, section: &Section<'_>) -> Result<LinearOscillator, SourceError> {
+    let Motion { zeta, epsilon, amplitude, frequency } = motion;
+    LinearOscillator::new(zeta, epsilon, amplitude, frequency)
         .map_err(|error| section.forbid("amplitude", error.to_string()))
 }
 
-/// Figure 1: orbits that reach the impacting surface.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Figure1 {
-    /// The oscillator.
-    pub oscillator: LinearOscillator,
-    /// The velocities y that the shown part of Sigma reaches; 0 lies strictly inside.
-    pub velocity: [f64; 2],
-    /// The orbits, at least one.
-    pub orbits: Vec<Arrival>,
-    /// The view.
-    pub view: View,
+keys! {
+    /// Figure 1: orbits that reach the impacting surface.
+    pub struct Figure1 {
+        /// The oscillator.
+        oscillator: LinearOscillator = derived(oscillator);
+        /// The velocities y that the shown part of Sigma reaches.
+        velocity: [f64; 2] = around_zero(), AROUND_ZERO;
+        /// The view.
+        view: View = table(), VIEW;
+        /// The orbits.
+        orbits: Vec<Arrival> = tables(1..=MOST_ARRIVALS),
+            "[[fig01.orbits]] must be one to eight tables, one for each orbit";
+    }
 }
 
-/// An orbit of Figure 1, given by a point at which it reaches Sigma.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct Arrival {
-    /// The velocity y at the point on Sigma, not negative; 0 for an orbit that grazes.
-    pub velocity: f64,
-    /// The phase z at that point in radians; with what follows, the orbit stays within [0, 2 pi].
-    pub phase: f64,
-    /// How much phase before the point the orbit is drawn, in radians, positive.
-    pub before: f64,
-    /// How much phase after the point the orbit is drawn, in radians, positive.
-    pub after: f64,
+keys! {
+    /// An orbit of Figure 1, given by a point at which it reaches Sigma.
+    #[derive(Copy)]
+    pub struct Arrival {
+        /// The velocity y at the point on Sigma; 0 for an orbit that grazes.
+        velocity: f64 = number(0.0..),
+            "the velocity must not be negative, and lie inside fig01.velocity as its recoil does";
+        /// The phase z at that point in radians; with what follows, the orbit stays within [0, 2 pi].
+        phase: f64 = number(strictly(0.0, TAU)), "the phase must lie strictly between 0 and 2 pi";
+        /// How much phase before the point the orbit is drawn, in radians.
+        before: f64 = number(0.0..).such(|before| *before > 0.0),
+            "the phase before must be positive, and the orbit must begin at 0 or later";
+        /// How much phase after the point the orbit is drawn, in radians.
+        after: f64 = number(0.0..).such(|after| *after > 0.0),
+            "the phase after must be positive, and the orbit must end before 2 pi";
+    }
 }
 
 impl Figure1 {
-    pub(super) fn read(section: &Section<'_>) -> Result<Self, SourceError> {
-        let oscillator = oscillator(section)?;
-        let shown = around_zero(section, "velocity")?;
-        let view = View::read(section)?;
-        let mut orbits = Vec::new();
-        for orbit in &tables(section, "orbits", 1..=MOST_ARRIVALS)? {
-            let velocity = orbit.number("velocity", |y| {
-                y >= 0.0 && contains(shown, y) && contains(shown, -oscillator.restitution() * y)
-            })?;
-            let phase = orbit.number("phase", |z| strictly_contains([0.0, TAU], z))?;
-            let before = orbit.number("before", |span| 0.0 < span && span <= phase)?;
-            let after = orbit.number("after", |span| 0.0 < span && phase + span < TAU)?;
-            orbits.push(Arrival { velocity, phase, before, after });
+    pub(super) fn checked(section: &Section<'_>) -> Result<Self, SourceError> {
+        let figure = Self::read(section)?;
+        for (orbit, number) in figure.orbits.iter().zip(1..) {
+            let reached = [orbit.velocity, -figure.oscillator.restitution() * orbit.velocity];
+            for (name, right) in [
+                ("velocity", reached.iter().all(|y| contains(figure.velocity, *y))),
+                ("before", orbit.before <= orbit.phase),
+                ("after", orbit.phase + orbit.after < TAU),
+            ] {
+                if !right {
+                    return Err(section.refusal(&format!("orbits[{number}].{name}")));
+                }
+            }
         }
-        Ok(Self { oscillator, velocity: shown, orbits, view })
+        Ok(figure)
     }
 }
 
-/// Figure 3: the return map P_global at grazing, its phase space glued to a ring.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Figure3 {
-    /// The damping ratio zeta, in (0, 1).
-    pub zeta: f64,
-    /// The forcing frequency omega, positive; the amplitude is that of grazing.
-    pub frequency: f64,
-    /// The point on Pi that is mapped: x and z - z_graz, inside the shown part.
-    pub start: [f64; 2],
-    /// The positions x of Pi; 0 lies strictly inside.
-    pub position: [f64; 2],
-    /// The phases z - z_graz of Pi in radians; 0 lies strictly inside.
-    pub phase: [f64; 2],
-    /// The radius of the circle x = 0, y = 0 about which phase space is bent; above 2, the width of Gamma.
-    pub radius: f64,
-    /// The phase z - z_graz at which the axes of x and y are drawn, in radians.
-    pub axes: f64,
-    /// The view.
-    pub view: View,
+keys! {
+    /// Figure 3: the return map P_global at grazing, its phase space glued to a ring.
+    pub struct Figure3 {
+        /// The damping ratio zeta.
+        zeta: f64 = damping_ratio(), ZETA;
+        /// The forcing frequency omega; the amplitude is that of grazing.
+        frequency: f64 = number(FREQUENCIES), FREQUENCY;
+        /// The point on Pi that is mapped: x and z - z_graz, inside the shown part.
+        start: [f64; 2] = numbers(),
+            "the point must be [x, z - z_graz] with x in fig03.position and z - z_graz in fig03.phase";
+        /// The positions x of Pi.
+        position: [f64; 2] = around_zero(), AROUND_ZERO;
+        /// The phases z - z_graz of Pi in radians.
+        phase: [f64; 2] = around_zero().such(|range| encloses([-SECTION_REACH, SECTION_REACH], *range)),
+            "the phases must be a range [lower, upper] within 1.5 on either side of 0, with 0 inside";
+        /// The radius of the circle x = 0, y = 0 about which phase space is bent.
+        radius: f64 = number(above(RADII[0], RADII[1])),
+            "the radius must lie above {}, which is the width of the grazing orbit, and be at most {}";
+        /// The phase z - z_graz at which the axes of x and y are drawn, in radians.
+        axes: f64 = number(0.0..=TAU), "the phase of the axes must lie between 0 and 2 pi";
+        /// The view.
+        view: View = table(), VIEW;
+    }
 }
 
 impl Figure3 {
-    pub(super) fn read(section: &Section<'_>) -> Result<Self, SourceError> {
-        let (zeta, frequency) = (damping_ratio(section)?, frequency(section)?);
-        let position = around_zero(section, "position")?;
-        let phase = range(section, "phase", |range| {
-            strictly_contains(range, 0.0) && encloses([-SECTION_REACH, SECTION_REACH], range)
-        })?;
-        let start = section
-            .numbers("start", |[x, z]| strictly_contains(position, x) && strictly_contains(phase, z))?;
-        let radius = section.number("radius", |r| LEAST_RADIUS < r && r <= MOST_RADIUS)?;
-        let axes = section.number("axes", |z| contains([0.0, TAU], z))?;
-        let view = View::read(section)?;
-        Ok(Self { zeta, frequency, start, position, phase, radius, axes, view })
+    pub(super) fn checked(section: &Section<'_>) -> Result<Self, SourceError> {
+        let figure = Self::read(section)?;
+        let [x, z] = figure.start;
+        let shown = strictly_contains(figure.position, x) && strictly_contains(figure.phase, z);
+        if shown { Ok(figure) } else { Err(section.refusal("start")) }
     }
 }
 
-/// Figure 9: an impact and the points on Sigma and Pi that it defines.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Figure9 {
-    /// The oscillator.
-    pub oscillator: LinearOscillator,
-    /// The impact: y_imp, positive, and z_imp - z_graz in radians, where z_graz is that of the frequency.
-    pub impact: [f64; 2],
-    /// The number p of applications of P_global, from 1 to 3.
-    pub loops: u32,
-    /// The positions x of Pi; 0 lies strictly inside. Orbits are cut off at the lower end.
-    pub position: [f64; 2],
-    /// The velocities y of Sigma; 0 lies strictly inside.
-    pub velocity: [f64; 2],
-    /// The phases z - z_graz of both surfaces in radians.
-    pub phase: [f64; 2],
-    /// The view.
-    pub view: View,
+keys! {
+    /// Figure 9: an impact and the points on Sigma and Pi that it defines.
+    pub struct Figure9 {
+        /// The oscillator.
+        oscillator: LinearOscillator = derived(oscillator);
+        /// The impact: y_imp, and z_imp - z_graz in radians, where z_graz is that of the frequency.
+        impact: [f64; 2] = numbers(),
+            "the impact must be [y, z - z_graz] with 0 < y in fig09.velocity and z - z_graz in fig09.phase";
+        /// The number p of applications of P_global.
+        loops: u32 = count(1..=MOST_LOOPS), "the number of loops must be a whole number from {} to {}";
+        /// The positions x of Pi. Orbits are cut off at the lower end.
+        position: [f64; 2] = around_zero(), AROUND_ZERO;
+        /// The velocities y of Sigma.
+        velocity: [f64; 2] = around_zero(), AROUND_ZERO;
+        /// The phases z - z_graz of both surfaces in radians.
+        phase: [f64; 2] = range().such(|[lower, upper]| upper - lower <= TAU),
+            "the phases must be a range [lower, upper] with lower < upper, not wider than 2 pi";
+        /// The view.
+        view: View = table(), VIEW;
+    }
 }
 
 impl Figure9 {
-    pub(super) fn read(section: &Section<'_>) -> Result<Self, SourceError> {
-        let oscillator = oscillator(section)?;
-        let position = around_zero(section, "position")?;
-        let velocity = around_zero(section, "velocity")?;
-        let phase = range(section, "phase", |[lower, upper]| upper - lower <= TAU)?;
-        let impact =
-            section.numbers("impact", |[y, z]| y > 0.0 && contains(velocity, y) && contains(phase, z))?;
-        let loops = section.count("loops", 1..=MOST_LOOPS)?;
-        Ok(Self { oscillator, impact, loops, position, velocity, phase, view: View::read(section)? })
+    pub(super) fn checked(section: &Section<'_>) -> Result<Self, SourceError> {
+        let figure = Self::read(section)?;
+        let [y, z] = figure.impact;
+        let shown = y > 0.0 && contains(figure.velocity, y) && contains(figure.phase, z);
+        if shown { Ok(figure) } else { Err(section.refusal("impact")) }
     }
 }

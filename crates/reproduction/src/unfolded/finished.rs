@@ -87,7 +87,7 @@ mod tests {
         assert!(tables.iter().all(|table| table.name == "curves"));
         assert_eq!(tables.len(), unfolded.resonances.len(), "one table a resonance");
         assert!(tables.len() > 1);
-        let whole = Table::new("curves", &unfolded.axes.names, &unfolded.rows().curves);
+        let whole = Table::new("curves", &unfolded.axes.names, &unfolded.plane_diagram().curves);
         let last = &tables.last().expect("there are some").rows;
         // What begins at codimension-two points of the finished curves comes after all of them. NaN is not equal to itself, its text is.
         assert_eq!(format!("{last:?}"), format!("{:?}", &whole.rows[..last.len()]));

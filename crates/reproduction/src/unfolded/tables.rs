@@ -148,7 +148,7 @@ row! { AtResonance, |row| {
 
 /// A hypothesis of the theorem at a resonance, whether or not all of them hold.
 #[derive(Clone, Debug)]
-pub struct Asked {
+pub struct CheckedHypothesis {
     loops: u32,
     n: u32,
     parameters: [f64; 2],
@@ -156,7 +156,7 @@ pub struct Asked {
     holds: bool,
 }
 
-row! { Asked, |row| {} [
+row! { CheckedHypothesis, |row| {} [
     LOOPS = row.loops,
     RESONANCE_INDEX = row.n,
     SECONDARY = row.parameters[1],
@@ -168,7 +168,7 @@ row! { Asked, |row| {} [
 ] }
 
 /// For every resonance what its theorem asks, one by one.
-pub(super) fn hypotheses<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Vec<Asked> {
+pub(super) fn hypotheses<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Vec<CheckedHypothesis> {
     let units = &unfolded.axes.units;
     let mut rows = Vec::new();
     for resonance in &unfolded.diagram.resonances {
@@ -176,7 +176,7 @@ pub(super) fn hypotheses<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Vec<Ask
             Ok(point) => point.theorem().hypotheses(),
             Err(violated) => &violated.hypotheses,
         };
-        rows.extend(asked.iter().map(|hypothesis| Asked {
+        rows.extend(asked.iter().map(|hypothesis| CheckedHypothesis {
             loops: resonance.loops,
             n: resonance.n,
             parameters: units.parameters(resonance.located.orbit().oscillator().parameters()),

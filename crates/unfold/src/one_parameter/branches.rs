@@ -9,13 +9,14 @@ use grazing_continuation::mps::{
     EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns, unknown,
 };
 use grazing_model::maps::virtual_map;
+use grazing_model::phase::centred;
 use grazing_model::{ImpactOscillator, OnWall};
+use grazing_results::branches::{BranchBifurcation, BranchPoint};
 use nalgebra::Vector2;
 
-use crate::non_impacting::branch;
 use crate::slices::{Vertex, vertices};
 
-/// A branch of p-loop MPSs at one η.
+/// A branch of periodic solutions at one η.
 #[derive(Clone, Debug)]
 pub struct Branch<O> {
     /// The equations, in the formulation in which the branch was begun.
@@ -24,46 +25,8 @@ pub struct Branch<O> {
     pub curve: Curve,
 }
 
-/// One loop of the solutions of a branch.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Strand {
-    /// Number of loops p; 0 for the non-impacting solution.
-    pub loops: u32,
-    /// The loop, from 1 to p; 1 for the non-impacting solution.
-    pub visit: u32,
-    /// Its points in order.
-    pub points: Vec<StrandPoint>,
-}
-
-/// A point of a strand.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StrandPoint {
-    /// μ.
-    pub primary: f64,
-    /// x on Π; NaN where the loop has no maximum that is known to be the one.
-    pub x: f64,
-    /// y and z of the impact; NaN without one.
-    pub impact: [f64; 2],
-    /// Both multipliers lie inside the unit circle.
-    pub stable: bool,
-    /// No maximum of x between two impacts lies above the wall.
-    pub admissible: bool,
-}
-
-/// A bifurcation of admissible solutions.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BranchBifurcation {
-    /// What happens.
-    pub kind: Bifurcation,
-    /// Number of loops p; 0 for the non-impacting solution.
-    pub loops: u32,
-    /// μ.
-    pub primary: f64,
-    /// y of the impact; 0 without one.
-    pub impact_velocity: f64,
-    /// x on Π of the last loop, which is virtual if there is an impact; NaN where it has none.
-    pub x: f64,
-}
+/// One loop of the solutions of a branch: its points in order.
+pub(super) type Strand = Vec<BranchPoint>;
 
 /// V of a solution whose visits to Π are the right ones is at most this (empirical: Newton's method leaves some 10⁻¹⁰; another maximum is
 /// farther away than this by orders of magnitude).
@@ -76,8 +39,16 @@ impl<O: ImpactOscillator> Branch<O> {
     /// The points (x, z) at which the solutions meet Π, loop by loop; NaN where that is not known.
     ///
     /// The times of the maxima are carried from point to point, and visits count only if the last is the virtual point of the impact, as
-    /// that of an MPS is. That one is known in any case.
+    /// that of an MPS is. That one is known in any case. Motion without impacts has its highest point.
     fn visits(&self, places: &[Vertex<'_>]) -> Vec<Vec<Vector2<f64>>> {
+        if !self.equations.has_impacts() {
+            let highest = |at: &Vertex<'_>| {
+                let touches = at.event.is_some_and(|event| event.condition == Condition::InteriorGrazing);
+                let x = if touches { 0.0 } else { at.solution.ceiling() };
+                vec![Vector2::new(x, self.equations.impact(at.solution)[1])]
+            };
+            return places.iter().map(highest).collect();
+        }
         let vivid = self.equations.with_formulation(Formulation::Vivid);
         // The maximum that is next to the impact.
         let landing = |point: &Unknowns| {
@@ -108,8 +79,8 @@ impl<O: ImpactOscillator> Branch<O> {
         visits.collect()
     }
 
-    /// What is drawn of the branch.
-    pub fn shown(&self) -> (Vec<Strand>, Vec<BranchBifurcation>) {
+    /// What is drawn of the branch. Strands have no numbers yet.
+    pub(super) fn shown(&self) -> (Vec<Strand>, Vec<BranchBifurcation>) {
         let places = vertices(&self.curve);
         let visits = self.visits(&places);
         let loops = self.equations.loops();
@@ -122,34 +93,47 @@ impl<O: ImpactOscillator> Branch<O> {
         let stable: Vec<bool> =
             (0..places.len()).map(|k| (k..places.len()).find_map(own).unwrap_or(false)).collect();
         let mut strands = Vec::new();
-        for visit in 0..loops {
+        let turn = if self.equations.has_impacts() { LARGEST_TURN } else { f64::INFINITY };
+        for visit in 0..loops.max(1) {
             let mut points = Vec::new();
             let mut phase = f64::NAN;
             for (k, (at, visits)) in places.iter().zip(&visits).enumerate() {
                 let [x, z] = visits[visit as usize].into();
                 // Where another maximum is taken for the visit, the strand begins anew.
-                if libm::remainder(z - phase, TAU).abs() > LARGEST_TURN {
-                    let points = core::mem::take(&mut points);
-                    strands.push(Strand { loops, visit: visit + 1, points });
+                if libm::remainder(z - phase, TAU).abs() > turn {
+                    strands.push(core::mem::take(&mut points));
                 }
                 phase = z;
-                let [velocity, phase, primary, _] = at.solution.unknowns.into();
-                points.push(StrandPoint {
+                let [velocity, phase] = match self.equations.has_impacts() {
+                    true => self.equations.impact(at.solution),
+                    false => [f64::NAN; 2],
+                };
+                let [primary, secondary] = at.solution.parameters();
+                points.push(BranchPoint {
+                    diagram: 0,
+                    loops,
+                    secondary,
                     primary,
                     x,
-                    impact: [velocity, phase],
-                    stable: velocity > 0.0 && stable[k],
+                    visit: visit + 1,
+                    impact_velocity: velocity,
+                    impact_phase: centred(phase),
+                    stable: (!at.solution.has_impacts() || velocity > 0.0) && stable[k],
                     admissible: at.solution.ceiling() <= MaximalPeriodicSolution::TOUCH,
+                    branch: 0,
                 });
             }
-            strands.push(Strand { loops, visit: visit + 1, points });
+            strands.push(points);
         }
         let bifurcations = places.iter().zip(&visits).filter_map(|(at, visits)| {
-            let kind = Bifurcation::of(at.event?.condition)?;
+            let kind = Bifurcation::of(at.event?.condition, loops)?;
+            let [primary, secondary] = at.solution.parameters();
             at.solution.admissible().then(|| BranchBifurcation {
+                diagram: 0,
                 kind,
                 loops,
-                primary: at.solution.parameters()[0],
+                secondary,
+                primary,
                 impact_velocity: at.solution.impact_velocity(),
                 x: visits.last().map_or(f64::NAN, |last| last[0]),
             })
@@ -201,56 +185,21 @@ impl<O: ImpactOscillator> Branch<O> {
     }
 }
 
-impl Strand {
-    pub(super) fn of_non_impacting(branch: &branch::Branch) -> Self {
-        let points = branch.orbits.iter().map(|orbit| StrandPoint {
-            primary: orbit.height.parameters[0],
-            x: orbit.highest.position,
-            impact: [f64::NAN; 2],
-            stable: orbit.multipliers.stable(),
-            admissible: orbit.off_the_wall(),
-        });
-        Self { loops: 0, visit: 1, points: points.collect() }
-    }
-
-    /// The parts of it in a range of μ, each with the points next to it outside.
-    pub(super) fn within(&self, [low, high]: [f64; 2]) -> Vec<Self> {
-        let near = |k: usize| {
-            let inside = |point: &StrandPoint| low <= point.primary && point.primary <= high;
-            let [first, last] = [k.saturating_sub(1), (k + 1).min(self.points.len() - 1)];
-            self.points[first..=last].iter().any(inside)
-        };
-        let places: Vec<usize> = (0..self.points.len()).collect();
-        let runs = places.chunk_by(|a, b| near(*a) == near(*b)).filter(|run| near(run[0]));
-        let part = |run: &[usize]| Self {
-            points: run.iter().map(|&k| self.points[k]).collect(),
-            loops: self.loops,
-            visit: self.visit,
-        };
-        runs.map(part).collect()
-    }
+/// The parts of a strand in a range of μ, each with the points next to it outside.
+pub(super) fn within(strand: &[BranchPoint], [low, high]: [f64; 2]) -> Vec<Strand> {
+    let near = |k: usize| {
+        let inside = |point: &BranchPoint| low <= point.primary && point.primary <= high;
+        let [first, last] = [k.saturating_sub(1), (k + 1).min(strand.len() - 1)];
+        strand[first..=last].iter().any(inside)
+    };
+    let places: Vec<usize> = (0..strand.len()).collect();
+    let runs = places.chunk_by(|a, b| near(*a) == near(*b)).filter(|run| near(run[0]));
+    runs.map(|run| strand[run[0]..=run[run.len() - 1]].to_vec()).collect()
 }
 
-impl BranchBifurcation {
-    /// Whether it is another one, parameters being no farther apart than this.
-    pub(super) fn is(&self, other: &Self, distance: f64) -> bool {
-        (self.kind, self.loops) == (other.kind, other.loops)
-            && (self.primary - other.primary).abs() <= distance
-            && (self.impact_velocity - other.impact_velocity).abs() <= CLOSED
-    }
-
-    pub(super) fn of_non_impacting(branch: &branch::Branch) -> Vec<Self> {
-        let bifurcations = branch.bifurcations.iter().filter_map(|crossing| {
-            let orbit = &branch.orbits[crossing.place?];
-            let kind = super::of_non_impacting(crossing.condition)?;
-            orbit.off_the_wall().then_some(Self {
-                kind,
-                loops: 0,
-                primary: orbit.height.parameters[0],
-                impact_velocity: 0.0,
-                x: orbit.highest.position,
-            })
-        });
-        bifurcations.collect()
-    }
+/// Whether two bifurcations are one, parameters being no farther apart than this.
+pub(super) fn same_bifurcation(a: &BranchBifurcation, b: &BranchBifurcation, distance: f64) -> bool {
+    (a.kind, a.loops) == (b.kind, b.loops)
+        && (a.primary - b.primary).abs() <= distance
+        && (a.impact_velocity - b.impact_velocity).abs() <= CLOSED
 }

@@ -1,5 +1,6 @@
 //! What is found of an oscillator that nothing is known about, against oscillators of which it is known otherwise.
 
+mod calibration;
 mod cookbook;
 mod corners;
 mod examples;

@@ -6,8 +6,9 @@ use grazing_continuation::curve::Window;
 use grazing_description::Description;
 use grazing_model::smooth::Integrated;
 use grazing_model::{ImpactOscillator, OnWall, State};
+use grazing_results::branches::{BranchPoint, OneParameter, PortraitKind, PortraitPoint};
 use grazing_unfold::Scope;
-use grazing_unfold::one_parameter::{Exchanged, OneParameter, Plan, Strand, StrandPoint, Wanted};
+use grazing_unfold::one_parameter::{Line, Oriented, Sampling, Section, Subject};
 use grazing_unfold::progress::Silent;
 
 use crate::specimens::{example, file};
@@ -15,30 +16,48 @@ use crate::specimens::{example, file};
 /// That of Figure 2.
 const FREQUENCY: f64 = 0.854;
 
-fn wanted(secondary: f64, range: [f64; 2], values: u32) -> Wanted {
-    let plan = Plan { values, orbits: 3, transient: 300, recorded: 10, seed: 1 };
-    Wanted { secondary, range, portraits: Vec::new(), plan }
+fn sampling(values: u32) -> Sampling {
+    let (between, lowest) = (None, None);
+    Sampling { values, between, orbits: 3, transient: 300, recorded: 10, lowest, seed: 1 }
 }
 
-/// The diagram of the paper's oscillator, integrated from its file, at the frequency of Figure 2; known curves do not help.
+fn line(at: f64, range: [f64; 2]) -> Line {
+    Line { diagram: 1, primary_is_fixed: false, at, range }
+}
+
+/// What there is on a line; known curves do not help.
+fn on<O: ImpactOscillator>(
+    oscillator: &O,
+    scope: &Scope,
+    line: Line,
+    values: u32,
+    subjects: &[Subject],
+) -> OneParameter {
+    let section = Section::follow(oscillator, scope, &[], line, &Silent).expect("nobody stops it");
+    section.simulated(&sampling(values), subjects, &Silent)
+}
+
+/// The diagram of the paper's oscillator, integrated from its file, at the frequency of Figure 2.
 fn of_the_paper(range: [f64; 2], values: u32) -> OneParameter {
     let (oscillator, scope) = example("paper.toml");
-    OneParameter::compute(&oscillator, &scope, &[], &wanted(FREQUENCY, range, values), &Silent, &mut |_| ())
-        .expect("nobody stops it")
+    on(&oscillator, &scope, line(FREQUENCY, range), values, &[])
 }
 
-/// The points of strands of p loops at a value of μ, between their neighbours.
-fn at(strands: &[Strand], loops: u32, primary: f64) -> Vec<(u32, StrandPoint)> {
-    let own = strands.iter().filter(|strand| strand.loops == loops);
+/// The points of strands of p loops at a value of the parameter across, between their neighbours.
+fn at(diagram: &OneParameter, loops: u32, across: f64) -> Vec<BranchPoint> {
+    let strands = diagram.branches.chunk_by(|a, b| a.branch == b.branch);
+    let own = strands.filter(|strand| strand[0].loops == loops);
     let found = own.flat_map(|strand| {
-        strand.points.windows(2).filter_map(|pair| {
-            let share = (primary - pair[0].primary) / (pair[1].primary - pair[0].primary);
-            let between = |a: f64, b: f64| a + share * (b - a);
-            let impact = [0, 1].map(|k| between(pair[0].impact[k], pair[1].impact[k]));
-            let x = between(pair[0].x, pair[1].x);
-            (0.0..=1.0)
-                .contains(&share)
-                .then_some((strand.visit, StrandPoint { x, impact, primary, ..pair[0] }))
+        strand.windows(2).filter_map(|pair| {
+            let [from, to] = [0, 1].map(|k| diagram.across(&pair[k]));
+            let share = (across - from) / (to - from);
+            let between = |of: fn(&BranchPoint) -> f64| of(&pair[0]) + share * (of(&pair[1]) - of(&pair[0]));
+            (0.0..=1.0).contains(&share).then(|| BranchPoint {
+                x: between(|point| point.x),
+                impact_velocity: between(|point| point.impact_velocity),
+                impact_phase: between(|point| point.impact_phase),
+                ..pair[0].clone()
+            })
         })
     });
     found.collect()
@@ -67,17 +86,18 @@ fn bifurcations_of_the_paper_s_oscillator_are_those_of_figure_2() {
 #[test]
 fn where_only_mps_attract_simulation_stays_on_their_branches() {
     let diagram = of_the_paper([0.338, 0.342], 5);
-    assert_eq!(diagram.resting[0], 0);
+    assert_eq!(diagram.resting.map(|[resting, _]| resting), Some(0));
     // Both loops of p = 2 are visited everywhere.
     let mut visited = 0;
-    for [primary, x] in &diagram.visits {
+    for dot in &diagram.attractor {
         // Between points of a branch lies a chord.
-        let stable = at(&diagram.strands, 2, *primary).into_iter().filter(|(_, point)| point.stable);
-        let near = stable.into_iter().find(|(_, point)| (point.x - x).abs() < 1e-4);
-        visited |= 1 << near.unwrap_or_else(|| panic!("{x} at {primary} lies on no branch")).0;
+        let near = at(&diagram, 2, dot.primary)
+            .into_iter()
+            .find(|point| point.stable && (point.x - dot.x).abs() < 1e-4);
+        visited |= 1 << near.unwrap_or_else(|| panic!("{dot:?} lies on no branch")).visit;
     }
     assert_eq!(visited, 0b110);
-    assert!(diagram.visits.len() >= 5 * 3 * 7, "{}", diagram.visits.len());
+    assert!(diagram.attractor.len() >= 5 * 3 * 7, "{}", diagram.attractor.len());
 }
 
 #[test]
@@ -87,13 +107,11 @@ fn branches_that_begin_where_motion_of_twice_the_period_grazes_are_found() {
     let window = Window { primary: [0.0, 1.9], secondary: [0.5533, 0.5834] };
     let oscillator = Integrated::new(model, [window.primary[0], window.secondary[0]]);
     let scope = Scope { window, loops: vec![2], start: None };
-    let wanted = wanted(0.580_712_5, window.primary, 2);
-    let found = OneParameter::compute(&oscillator, &scope, &[], &wanted, &Silent, &mut |_| ())
-        .expect("nobody stops it");
+    let found = on(&oscillator, &scope, line(0.580_712_5, window.primary), 2, &[]);
     // Simulation settles on solutions with two loops here.
     for primary in [0.263, 0.419] {
-        let here = at(&found.strands, 2, primary);
-        assert!(here.iter().any(|(_, point)| point.stable && point.admissible), "{primary}: {here:?}");
+        let here = at(&found, 2, primary);
+        assert!(here.iter().any(|point| point.stable && point.admissible), "{primary}: {here:?}");
     }
 }
 
@@ -102,17 +120,17 @@ fn a_point_is_on_the_branches_of_either_diagram_that_passes_it() {
     let amplitude = 0.3;
     let one = of_the_paper([0.29, 0.31], 2);
     let (oscillator, scope) = example("paper.toml");
-    let (oscillator, scope) = (Exchanged(oscillator), scope.exchanged());
-    let wanted = wanted(amplitude, [0.84, 0.87], 2);
-    let other = OneParameter::compute(&oscillator, &scope, &[], &wanted, &Silent, &mut |_| ())
-        .expect("nobody stops it");
+    let across = Line { primary_is_fixed: true, ..line(amplitude, [0.84, 0.87]) };
+    let other = on(&oscillator, &scope, across, 2, &[]);
     for loops in 1..=2 {
-        let [one, other] = [at(&one.strands, loops, amplitude), at(&other.strands, loops, FREQUENCY)];
+        let [one, other] = [at(&one, loops, amplitude), at(&other, loops, FREQUENCY)];
         assert_eq!((one.len(), other.len()), (loops as usize, loops as usize));
-        for ((visit, a), (same, b)) in one.iter().zip(&other) {
-            assert_eq!((visit, a.stable, a.admissible), (same, b.stable, b.admissible));
+        for (a, b) in one.iter().zip(&other) {
+            assert_eq!((a.visit, a.stable, a.admissible), (b.visit, b.stable, b.admissible));
+            assert_eq!((a.secondary, b.primary), (FREQUENCY, amplitude));
             // What is between points lies on a chord.
-            for (a, b) in [(a.x, b.x), (a.impact[0], b.impact[0]), (a.impact[1], b.impact[1])] {
+            let velocities = (a.impact_velocity, b.impact_velocity);
+            for (a, b) in [(a.x, b.x), velocities, (a.impact_phase, b.impact_phase)] {
                 let turn = libm::remainder(a - b, core::f64::consts::TAU);
                 assert!(turn.abs() < 1e-4, "p = {loops}: {a} and {b}");
             }
@@ -132,12 +150,13 @@ fn exchanged_parameters_are_those_of_a_file_that_names_them_in_the_other_order()
     };
     let described =
         |primary, secondary| Description::parse(&text(primary, secondary), "moved").expect("it is right");
-    let exchanged = Exchanged(Integrated::new(described("a", "b"), [0.7, 0.9]));
+    let oscillator = Integrated::new(described("a", "b"), [0.7, 0.9]);
+    let exchanged = Oriented { oscillator, exchanged: true };
     let other = Integrated::new(described("b", "a"), [0.9, 0.7]);
     assert_eq!((exchanged.parameters(), other.parameters()), ([0.9, 0.7], [0.9, 0.7]));
     let moved = exchanged.with_parameters([1.1, 0.6]);
     let other = other.with_parameters([1.1, 0.6]);
-    assert_eq!((moved.parameters(), moved.0.parameters()), ([1.1, 0.6], [0.6, 1.1]));
+    assert_eq!((moved.parameters(), moved.oscillator.parameters()), ([1.1, 0.6], [0.6, 1.1]));
     assert_eq!(moved.forcing_frequency(), other.forcing_frequency());
     let (from, impact) = (State { position: -0.4, velocity: 0.3, phase: 1.2 }, OnWall::new(0.5, 0.8));
     let [a, b] = [moved.flow::<2>(from, 1.7), other.flow::<2>(from, 1.7)];
@@ -168,38 +187,32 @@ fn a_diagram_is_the_same_for_any_number_of_threads() {
 #[test]
 fn portraits_are_of_stable_solutions_and_of_what_simulation_finds_besides() {
     let (oscillator, scope) = example("paper.toml");
-    let wanted = Wanted { portraits: vec![0.266, 0.3, 0.34], ..wanted(FREQUENCY, [0.262, 0.342], 2) };
-    let diagram = OneParameter::compute(&oscillator, &scope, &[], &wanted, &Silent, &mut |_| ())
-        .expect("nobody stops it");
-    let at = |primary: f64| diagram.portraits.iter().filter(move |portrait| portrait.primary == primary);
+    let subjects = [0.266, 0.3, 0.34].map(|across| Subject { across, loops: None });
+    let diagram = on(&oscillator, &scope, line(FREQUENCY, [0.262, 0.342]), 2, &subjects);
+    let portraits: Vec<_> = diagram.portraits.chunk_by(|a, b| a.portrait == b.portrait).collect();
+    let at = |primary: f64| portraits.iter().filter(move |portrait| portrait[0].primary == primary);
+    // Each flight ends in an empty row.
+    let flights = |portrait: &[PortraitPoint]| portrait.iter().filter(|point| point.x.is_nan()).count();
     // Below grazing the non-impacting solution is stable, and closes.
     let free = at(0.266).next().expect("there is one");
-    assert!(free.loops == 0 && !free.attractor && free.flights.len() == 1);
-    let (first, last) = (free.flights[0][0], free.flights[0][free.flights[0].len() - 1]);
-    assert!((first[1] - last[1]).abs() + (first[2] - last[2]).abs() < 1e-9);
+    assert!(free[0].loops == 0 && free[0].kind == PortraitKind::Periodic && flights(free) == 1);
+    let (first, last) = (&free[0], &free[free.len() - 2]);
+    assert!((first.x - last.x).abs() + (first.y - last.y).abs() < 1e-9);
     // Between GZ and PD no MPS is stable, and something attracts.
-    assert!(at(0.3).count() > 0 && at(0.3).all(|portrait| portrait.attractor));
+    assert!(at(0.3).count() > 0 && at(0.3).all(|portrait| portrait[0].kind == PortraitKind::Attractor));
     // Then there is p = 2 alone, from its recoil to its impact.
     let [double] = at(0.34).collect::<Vec<_>>()[..] else { panic!("one attracts") };
-    assert!(double.loops == 2 && !double.attractor);
-    let flight = &double.flights[0];
-    assert!(flight[0][2] < 0.0 && flight[flight.len() - 1][1].abs() < 1e-8);
+    assert!(double[0].loops == 2 && double[0].kind == PortraitKind::Periodic);
+    assert!(double[0].y < 0.0 && double[double.len() - 2].x.abs() < 1e-8);
 }
 
-/// The diagram of an oscillator from a text at one η, or at one μ.
-fn described(text: &str, exchanged: bool, wanted: &Wanted) -> OneParameter {
+/// The diagram of an oscillator from a text.
+fn described(text: &str, line: Line) -> OneParameter {
     let model = Description::parse(text, "described").expect("it is right");
     let [primary, secondary] = [model.primary(), model.secondary()].map(|axis| axis.range());
     let window = Window { primary, secondary };
     let scope = Scope { window, loops: model.loops().to_vec(), start: None };
-    let oscillator = Integrated::new(model, [primary[0], secondary[0]]);
-    let found = if exchanged {
-        let (oscillator, scope) = (Exchanged(oscillator), scope.exchanged());
-        OneParameter::compute(&oscillator, &scope, &[], wanted, &Silent, &mut |_| ())
-    } else {
-        OneParameter::compute(&oscillator, &scope, &[], wanted, &Silent, &mut |_| ())
-    };
-    found.expect("nobody stops it")
+    on(&Integrated::new(model, [primary[0], secondary[0]]), &scope, line, 2, &[])
 }
 
 #[test]
@@ -207,15 +220,15 @@ fn x_of_a_loop_is_not_that_of_the_impact() {
     let text = "name = \"linear\"\n[parameters]\n[primary]\nname = \"A\"\nrange = [0.0, 2.5]\n[secondary]\nname = \"w\"\nrange = [0.7, 3.3]\n\
                 [motion]\nforce = \"-0.04*v - x - 1 + A*cos(w*t)\"\nfrequency = \"w\"\n\
                 [impact]\nrestitution = \"0.9\"\nduration = \"0\"\n[analysis]\nloops = [2]\n";
-    let found = described(text, true, &wanted(1.6, [2.0, 3.3], 2));
+    let found = described(text, Line { primary_is_fixed: true, ..line(1.6, [2.0, 3.3]) });
     // There the one maximum between the impacts comes less than half a period from either, and that of the impact is no other.
-    let here = at(&found.strands, 2, 2.089_526_71);
-    let loops = |visit: u32| here.iter().filter(move |(other, _)| *other == visit).map(|(_, point)| point.x);
+    let here = at(&found, 2, 2.089_526_71);
+    let loops = |visit: u32| here.iter().filter(move |point| point.visit == visit).map(|point| point.x);
     assert!(loops(1).count() > 0 && loops(1).all(|x| x.is_nan()), "{here:?}");
     assert!(loops(2).any(|x| (x - 0.001_695_787_9).abs() < 1e-5), "{here:?}");
     // Between impacts nothing admissible lies beyond the wall.
-    for strand in found.strands.iter().filter(|strand| strand.visit == 1 && strand.loops == 2) {
-        assert!(strand.points.iter().all(|point| !point.admissible || point.x.is_nan() || point.x <= 1e-9));
+    for point in found.branches.iter().filter(|point| point.visit == 1 && point.loops == 2) {
+        assert!(!point.admissible || point.x.is_nan() || point.x <= 1e-9, "{point:?}");
     }
 }
 
@@ -224,11 +237,11 @@ fn motion_in_the_other_well_is_on_a_branch() {
     let text = "name = \"two wells\"\n[parameters]\n[primary]\nname = \"A\"\nrange = [0.0, 0.75]\n[secondary]\nname = \"w\"\nrange = [0.6, 1.9]\n\
                 [motion]\nforce = \"-0.12*v + x - x^3 + 0.05 + A*cos(w*t)\"\nfrequency = \"w\"\n[wall]\nposition = \"1.45\"\n\
                 [impact]\nrestitution = \"0.7\"\nduration = \"0\"\n[analysis]\nloops = [1]\n";
-    let found = described(text, false, &wanted(1.13, [0.0, 0.1], 2));
+    let found = described(text, line(1.13, [0.0, 0.1]));
     // The highest points of stable motion with the forcing's period, by Newton's method on another program's period map.
     for (primary, x) in [(0.01, -0.414_539), (0.01, -2.406_777), (0.05, -0.369_268), (0.05, -2.332_661)] {
-        let here = at(&found.strands, 0, primary);
-        let there = |point: &StrandPoint| point.stable && (point.x - x).abs() < 1e-3;
-        assert!(here.iter().any(|(_, point)| there(point)), "{primary}, {x}: {here:?}");
+        let here = at(&found, 0, primary);
+        let there = |point: &&BranchPoint| point.stable && (point.x - x).abs() < 1e-3;
+        assert!(here.iter().any(|point| there(&point)), "{primary}, {x}: {here:?}");
     }
 }

@@ -16,6 +16,7 @@ use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_description::Description;
 use grazing_model::smooth::Integrated;
 use grazing_model::{ImpactOscillator, LinearOscillator};
+use grazing_results::plane::CurveSource;
 use grazing_unfold::diagram::route;
 use grazing_unfold::magnification::{Polyline, magnify};
 use grazing_unfold::progress::Silent;
@@ -265,7 +266,7 @@ fn magnified_curves_of_figure_8_lie_on_those_of_the_closed_form() {
         let (theirs, closed_point) = resonance(closed, loops, n);
         let ours = magnify(integrated, found, point, window).unwrap();
         let closed_lines = magnify(closed, theirs, closed_point, window).unwrap();
-        let shape = |lines: &[Polyline]| -> Vec<_> { lines.iter().map(|l| (l.kind, l.quadratic)).collect() };
+        let shape = |lines: &[Polyline]| -> Vec<_> { lines.iter().map(|l| (l.kind, l.source)).collect() };
         assert_eq!(shape(&ours), shape(&closed_lines));
         // Steps that leave Newton's method a short way from the nearest point.
         let control =
@@ -273,14 +274,14 @@ fn magnified_curves_of_figure_8_lie_on_those_of_the_closed_form() {
         let unfolded = closed_point.unfold(&route(window, control)).unwrap();
         let mut own = vec![Bifurcation::SaddleNode, Bifurcation::PeriodDoubling, Bifurcation::Grazing];
         for (line, theirs) in ours.iter().zip(&closed_lines) {
-            let kind = match (line.kind, line.quadratic) {
+            let kind = match (line.kind, line.source) {
                 (Bifurcation::NonImpactingGrazing, _) => {
                     for [amplitude, frequency] in &line.points {
                         assert_within(*amplitude, grazing_at(ZETA, *frequency).amplitude(), AGREEMENT);
                     }
                     continue;
                 }
-                (_, true) => {
+                (_, CurveSource::Quadratic) => {
                     // Sampled at the same η; the last sample may lie on either side of the edge.
                     assert!(
                         line.points.len().abs_diff(theirs.points.len()) <= 1 && line.points.len() > 10,
@@ -294,7 +295,7 @@ fn magnified_curves_of_figure_8_lie_on_those_of_the_closed_form() {
                     }
                     continue;
                 }
-                (kind, false) => kind,
+                (kind, CurveSource::Continuation) => kind,
             };
             // After a resonance's own curves come its neighbours', which are curves of Figure 7.
             let Some(place) = own.iter().position(|own| *own == kind) else { continue };
@@ -349,7 +350,7 @@ fn branches_and_bifurcations_of_figure_2_are_those_of_the_closed_form() {
             }
         }
         for event in curve.events.iter().filter(|event| event.solution.admissible()) {
-            let Some(kind) = Bifurcation::of(event.condition) else { continue };
+            let Some(kind) = Bifurcation::of(event.condition, *loops) else { continue };
             let unknowns = event.solution.unknowns;
             bifurcations.push((
                 kind.name().to_owned(),

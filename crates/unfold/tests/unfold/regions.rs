@@ -4,9 +4,10 @@ use grazing_continuation::curve::CurveEnd;
 use grazing_description::Description;
 use grazing_model::smooth::{Dimensionless, Integrated};
 use grazing_model::{ImpactOscillator, LinearOscillator};
+use grazing_results::plane::RegionKind;
 use grazing_trials::closed_form;
 use grazing_unfold::progress::Silent;
-use grazing_unfold::regions::{Region, RegionKind};
+use grazing_unfold::regions::Region;
 use grazing_unfold::simulation::{Seen, Suspect};
 use grazing_unfold::{Diagram, Scope};
 
@@ -63,7 +64,7 @@ fn assert_stable_inside<O: ImpactOscillator>(
 ) -> Vec<(u32, u32)> {
     let mut found = Vec::new();
     for polygon in &diagram.regions {
-        assert!(matches!(polygon.kind, RegionKind::NonImpacting | RegionKind::Mps), "{:?}", polygon.kind);
+        assert!(polygon.doubt.is_none(), "{:?}", polygon.doubt);
         let points = points_of(polygon, &diagram.scope);
         assert!(points.len() > 20, "p = {}, n = {}: {} points", polygon.loops, polygon.n, points.len());
         for point in points {
@@ -140,7 +141,7 @@ fn narrow_windows_about_a_resonance_are_shaded_as_the_closed_form_says() {
         let narrow = scope(primary, secondary, &[resonance.loops]);
         let regions = Diagram::compute(&oscillator, &narrow, &Silent).unwrap().regions;
         // Where a region says that it is not decided, nothing is claimed.
-        let undecided = |region: &Region| matches!(region.kind, RegionKind::Undecided(_));
+        let undecided = |region: &Region| region.doubt.is_some();
         if regions.iter().any(undecided) {
             continue;
         }
@@ -168,7 +169,7 @@ fn narrow_windows_about_a_resonance_are_shaded_as_the_closed_form_says() {
 
 /// Whether stable motion without impacts is shaded at a pair of parameters.
 fn stays_off<O>(diagram: &Diagram<O>, at: [f64; 2]) -> bool {
-    diagram.regions.iter().any(|region| region.kind == RegionKind::NonImpacting && region.contains(at))
+    diagram.regions.iter().any(|region| region.kind() == RegionKind::NonImpacting && region.contains(at))
 }
 
 /// The diagram of an oscillator without the curves of its MPSs, in some ranges.
@@ -209,9 +210,9 @@ fn a_region_on_the_edge_to_which_only_inadmissible_solutions_lead_is_found_and_n
     let simulated = oscillator.with_parameters(here);
     let suspect = Suspect { oscillator: &simulated, loops: 1, velocity: 0.711, phase: 0.922 };
     assert_eq!(suspect.follow(), Seen::Returns);
-    assert!(diagram.regions.iter().any(|region| region.kind == RegionKind::Mps && region.contains(here)));
+    assert!(diagram.regions.iter().any(|region| region.kind() == RegionKind::Mps && region.contains(here)));
     // Slices meet other branches on saddle-node curves that are known: these begin at bifurcations.
-    let undecided = diagram.regions.iter().filter(|region| matches!(region.kind, RegionKind::Undecided(_)));
+    let undecided = diagram.regions.iter().filter(|region| region.doubt.is_some());
     assert_eq!(undecided.count(), 0);
 }
 
@@ -252,8 +253,8 @@ fn a_fold_along_a_slice_and_motion_that_no_slice_shows_bound_regions() {
 fn nothing_beside_a_pole_of_the_force_is_undecided() {
     let (oscillator, scope, _) = counted("afm.toml");
     let diagram = Diagram::compute(&oscillator, &scope, &Silent).expect("there is grazing");
-    let undecided = |region: &&Region| matches!(region.kind, RegionKind::Undecided(_));
-    assert_eq!(diagram.regions.iter().find(undecided).map(|region| &region.kind), None);
+    let undecided = |region: &&Region| region.doubt.is_some();
+    assert_eq!(diagram.regions.iter().find(undecided).map(|region| &region.doubt), None);
 }
 
 #[test]
@@ -261,7 +262,7 @@ fn sketches_of_branches_beside_a_hill_leave_nothing_undecided() {
     let scope = scope([0.0, 1.3708], [0.475, 1.2857], &[3]);
     let oscillator = Integrated::new(random(1, 20_261_123), [0.1, 0.7]);
     let diagram = Diagram::compute(&oscillator, &scope, &Silent).unwrap();
-    assert!(diagram.regions.iter().all(|region| !matches!(region.kind, RegionKind::Undecided(_))));
+    assert!(diagram.regions.iter().all(|region| region.doubt.is_none()));
 }
 
 /// Damping that large motion overcomes: beside small motion there is a closed branch of large motion, less than a hundredth of the range of ω wide.
@@ -290,7 +291,7 @@ fn solutions_that_are_faster_than_any_that_is_known_are_found() {
     // Simulation returns to solutions with impact velocities from 2.7 to 3.4 there; those that are known have 1 at most.
     for here in [[0.57, 1.07], [0.575, 1.05], [0.575, 1.15]] {
         let here = [here[0] / units.primary, here[1] / units.secondary];
-        let shaded = |region: &Region| region.kind == RegionKind::Mps && region.contains(here);
+        let shaded = |region: &Region| region.kind() == RegionKind::Mps && region.contains(here);
         assert!(diagram.regions.iter().any(shaded), "{here:?}");
     }
 }
@@ -310,7 +311,7 @@ fn every_small_region_of_slow_forcing_is_shaded() {
     let oscillator = LinearOscillator::new(0.005, 0.9, 1.0, 0.1).unwrap();
     let diagram = Diagram::compute(&oscillator, &scope([0.0, 1.5], [0.04, 0.4], &[1]), &Silent).unwrap();
     let shaded =
-        |at| diagram.regions.iter().any(|region| region.kind == RegionKind::Mps && region.contains(at));
+        |at| diagram.regions.iter().any(|region| region.kind() == RegionKind::Mps && region.contains(at));
     let stable = |[amplitude, eta]: [f64; 2]| {
         let orbits = closed_form::orbits(0.005, 0.9, amplitude, eta, 1);
         orbits.iter().any(|orbit| orbit.stable() && orbit.admissible())

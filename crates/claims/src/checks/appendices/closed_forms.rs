@@ -1,16 +1,7 @@
 //! Appendix B: the closed forms at resonances.
 
-use core::f64::consts::PI;
-
-use grazing_model::AtRest;
-use grazing_model::maps::{global_iterate, global_map};
-use grazing_theorems::Resonance;
-use grazing_theorems::from_map::GrazingOrbit;
-
 use super::printed_flow::{CLOSED, DIFFERENCES, Turn};
-use crate::differences::slope;
-use crate::specimen::damping_for_decay;
-use crate::{CheckResult, Deviations, Failure, drawn};
+use crate::*;
 
 /// Closed forms at resonances with p loops, E_p and ε at random.
 fn at_resonances(

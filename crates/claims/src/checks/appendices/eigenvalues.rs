@@ -1,10 +1,6 @@
 //! Appendix A: sums over the eigenvalues of A and their closed forms.
 
-use grazing_theorems::auxiliary::{admissibility_sum, lucas_partial_sum, lucas_sequence};
-use nalgebra::Complex;
-
-use crate::eigenvalues::{Pair, power};
-use crate::{CheckResult, Deviations, Sampler, Votes};
+use crate::*;
 
 /// Each of the two routes makes some p² roundings of the terms by which deviations are divided, p up to 15.
 const ROUNDING: f64 = 1e-13;
@@ -36,10 +32,16 @@ fn over_trapesium(seed: u64, deviation: impl Fn(i32, f64, f64, &Pair) -> f64) ->
     Ok(deviations.outcome(ROUNDING, POINTS))
 }
 
-/// Where λ₁ = 1, and where λ₁ = λ₂: the text before eq:Hp2.
-pub(crate) fn unit_and_double_eigenvalues() -> CheckResult {
-    let (mut votes, mut print) = (Votes::default(), Votes::default());
-    for k in 1..64_i32 {
+/// S_p against the quotient of eq:Sp2.
+fn deviation_of_s(p: i32, tau: f64, delta: f64, pair: &Pair) -> f64 {
+    let expected = lucas_sequence(p as u32, tau, delta);
+    let (numerator, size) = (pair.difference_of_powers(p), pair.size_of_powers(p));
+    quotient_deviation(expected, numerator, size, pair.first - pair.second)
+}
+
+checks! {
+    /// Where λ₁ = 1, and where λ₁ = λ₂: the text before eq:Hp2.
+    unit_and_double_eigenvalues: over(1..64_i32) |k; (votes, print): (Votes, Votes)| {
         // Dyadic roots, so that the discriminants are exact.
         let r = f64::from(k) / 64.0;
         let delta = r * r;
@@ -62,14 +64,11 @@ pub(crate) fn unit_and_double_eigenvalues() -> CheckResult {
             );
             print.see((pair.first == pair.second) == (tau == 2.0 * r));
         }
-    }
-    let over = "τ = ±2√δ, δ + 1 and between, for 63 determinants with exact roots";
-    Ok(votes.outcome(over).against_print(print.measure()))
-}
-
-/// The line between eq:Hp2 and eq:Hp3.
-pub(crate) fn h_by_geometric_series() -> CheckResult {
-    over_trapesium(3, |p, tau, delta, pair| {
+    } =>
+        votes.outcome("τ = ±2√δ, δ + 1 and between, for 63 determinants with exact roots")
+            .against_print(print.measure());
+    /// The line between eq:Hp2 and eq:Hp3.
+    h_by_geometric_series: over_trapesium(3, |p, tau, delta, pair| {
         let series = |lambda: Complex<f64>| {
             let top = power(lambda, p - 1);
             (top - 1.0) / (top * (lambda - 1.0))
@@ -83,21 +82,10 @@ pub(crate) fn h_by_geometric_series() -> CheckResult {
         let size = product.norm() * (size(pair.second) + size(pair.first));
         let expected = admissibility_sum(p as u32, tau, delta);
         quotient_deviation(expected, numerator, size, pair.first - pair.second)
-    })
-}
-
-/// S_p against the quotient of eq:Sp2.
-fn deviation_of_s(p: i32, tau: f64, delta: f64, pair: &Pair) -> f64 {
-    let expected = lucas_sequence(p as u32, tau, delta);
-    let (numerator, size) = (pair.difference_of_powers(p), pair.size_of_powers(p));
-    quotient_deviation(expected, numerator, size, pair.first - pair.second)
-}
-
-/// The condition of eq:Sp2 is λ₁ ≠ λ₂: the quotient is right at τ = δ + 1, and has no value at τ = ±2√δ, where the condition
-/// that the proof of le:dets prints, τ ≠ δ + 1, holds.
-pub(crate) fn condition_of_quotient() -> CheckResult {
-    let (mut deviations, mut print) = (Deviations::default(), Deviations::default());
-    for k in 1..100 {
+    });
+    /// The condition of eq:Sp2 is λ₁ ≠ λ₂: the quotient is right at τ = δ + 1, and has no value at τ = ±2√δ, where the condition
+    /// that the proof of le:dets prints, τ ≠ δ + 1, holds.
+    condition_of_quotient: over(1..100) |k; (deviations, print): (Deviations, Deviations)| {
         let (p, delta) = (2 + k % 14, f64::from(k) / 100.0);
         for tau in [delta + 1.0, 2.0 * delta.sqrt() * 1.001, -2.0 * delta.sqrt() * 0.999] {
             deviations.see(deviation_of_s(p, tau, delta, &Pair::new(tau, delta)));
@@ -107,13 +95,9 @@ pub(crate) fn condition_of_quotient() -> CheckResult {
         for tau in [2.0 * r, -2.0 * r] {
             print.see(deviation_of_s(p, tau, r * r, &Pair::new(tau, r * r)));
         }
-    }
-    let over =
-        "τ = δ + 1 and near ±2√δ for 99 determinants, p = 2 to 15; the print at τ = ±2√δ, where it is 0/0";
-    Ok(deviations.outcome(ROUNDING, over).against_print(print.measure(ROUNDING)))
-}
-
-checks! {
+    } =>
+        deviations.outcome(ROUNDING, "τ = δ + 1 and near ±2√δ for 99 determinants, p = 2 to 15; the print at τ = ±2√δ, where it is 0/0")
+            .against_print(print.measure(ROUNDING));
     /// eq:Hp3.
     h_in_closed_form: over_trapesium(4, |p, tau, delta, pair| {
         let difference = pair.first - pair.second;

@@ -1,43 +1,54 @@
 //! Appendix B: A, b and ξ_p from the flow as it is printed.
 
-use core::f64::consts::TAU;
-use core::ops::RangeInclusive;
-
-use grazing_model::AtRest;
-use grazing_model::maps::{global_iterate, global_map};
-use grazing_theorems::GrazingState;
-
 use super::printed_flow::{DIFFERENCES, Derivatives, Printed, STATES, STEP, Turn, first, states};
-use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, order};
+use crate::*;
 
-/// eq:Abproof1: P_global ends where the printed flow from (x, 0) at z/ω comes to rest.
-pub(crate) fn return_by_printed_flow() -> CheckResult {
-    let mut sampler = Sampler::new(13);
+/// Numbers found against numbers stated over states at random.
+fn over_states(
+    count: usize,
+    tolerance: f64,
+    pairs: impl Fn(&GrazingState) -> Result<Vec<(f64, f64)>, Failure>,
+) -> CheckResult {
     let mut largest = Deviations::default();
-    for state in states(400)? {
+    for state in states(count)? {
+        largest.pairs(pairs(&state)?);
+    }
+    Ok(largest.outcome(tolerance, STATES))
+}
+
+/// ξ_p in closed form against the second derivative of P_global^p.
+fn xi(loops: RangeInclusive<u32>) -> CheckResult {
+    // Second derivatives of up to five composed maps.
+    over_states(200, 1e-13, |state| {
+        let one = |p: u32| {
+            let jet = global_iterate::<_, 2>(&state.model(), p, AtRest::new(0.0, state.phase()))?;
+            Ok((jet.hessians[0][(1, 1)], state.second_phase_derivative(p)))
+        };
+        loops.clone().map(one).collect()
+    })
+}
+
+checks! {
+    /// eq:Abproof1: P_global ends where the printed flow from (x, 0) at z/ω comes to rest.
+    // Rounding over the step: the velocity is a first derivative.
+    return_by_printed_flow: drawn_over(13, states(400)?) |sampler, state; largest: Deviations| {
         let mut at = || 0.02 * sampler.between(-1.0, 1.0);
         let (x, z, amplitude) = (at(), state.phase() + at(), state.amplitude() * (1.0 + at()));
         let oscillator = grazing_model::ImpactOscillator::with_parameters(
             &state.model(),
             [amplitude, state.forcing_frequency()],
         );
-        let Ok(landing) = global_map::<_, 1>(&oscillator, AtRest::new(x, z), None) else { continue };
+        let Ok(landing) = global_map::<_, 1>(&oscillator, AtRest::new(x, z), None) else { return Ok(()) };
         let printed = Printed { zeta: state.oscillator().damping_ratio(), omega: state.forcing_frequency() };
         let omega = state.forcing_frequency();
         let end = (landing.jet.value[1] + TAU) / omega;
         let flow = |time: f64| printed.flow(time, [x, 0.0], z / omega, amplitude);
         let velocity = first(STEP / omega.max(1.0), |h| flow(end + h));
         largest.pairs([(flow(end), landing.jet.value[0]), (velocity, 0.0)]);
-    }
-    // Rounding over the step: the velocity is a first derivative.
-    Ok(largest.outcome(1e-12, "returns to Π from points within 0.02 of grazing"))
-}
-
-/// eq:Abproof2: both lines, as the order of what the linear terms leave of φ and φ̇ at the return.
-pub(crate) fn first_order_terms() -> CheckResult {
-    let mut sampler = Sampler::new(14);
-    let mut least = Smallest::default();
-    for state in states(60)? {
+    } => largest.outcome(1e-12, "returns to Π from points within 0.02 of grazing");
+    /// eq:Abproof2: both lines, as the order of what the linear terms leave of φ and φ̇ at the return.
+    // Slack for the third order at the sizes where the second stands clear of the accuracy of differences.
+    first_order_terms: drawn_over(14, states(60)?) |sampler, state; least: Smallest| {
         let derivatives = Derivatives::new(&state, 1);
         let map = state.linearised_map();
         let omega = state.forcing_frequency();
@@ -66,27 +77,9 @@ pub(crate) fn first_order_terms() -> CheckResult {
                 Some((gap, 1e-12 * (1.0 + size * 1e2)))
             }));
         }
-    }
-    // Slack for the third order at the sizes where the second stands clear of the accuracy of differences.
-    Ok(least.order(2.0, 0.3, STATES))
-}
-
-/// Numbers found against numbers stated over states at random.
-fn over_states(
-    count: usize,
-    tolerance: f64,
-    pairs: impl Fn(&GrazingState) -> Result<Vec<(f64, f64)>, Failure>,
-) -> CheckResult {
-    let mut largest = Deviations::default();
-    for state in states(count)? {
-        largest.pairs(pairs(&state)?);
-    }
-    Ok(largest.outcome(tolerance, STATES))
-}
-
-/// eq:Abproof4: all eight derivatives of φ at grazing.
-pub(crate) fn derivatives_at_grazing() -> CheckResult {
-    over_states(300, DIFFERENCES, |state| {
+    } => least.order(2.0, 0.3, STATES);
+    /// eq:Abproof4: all eight derivatives of φ at grazing.
+    derivatives_at_grazing: over_states(300, DIFFERENCES, |state| {
         let derivatives = Derivatives::new(state, 1);
         let turn = Turn::new(state, 1);
         let (omega, amplitude) = (state.forcing_frequency(), state.amplitude());
@@ -102,22 +95,7 @@ pub(crate) fn derivatives_at_grazing() -> CheckResult {
             (derivatives.mixed(0, 2), (1.0 - upper) / amplitude),
             (derivatives.mixed(1, 2), lower / amplitude),
         ])
-    })
-}
-
-/// ξ_p in closed form against the second derivative of P_global^p.
-fn xi(loops: RangeInclusive<u32>) -> CheckResult {
-    // Second derivatives of up to five composed maps.
-    over_states(200, 1e-13, |state| {
-        let one = |p: u32| {
-            let jet = global_iterate::<_, 2>(&state.model(), p, AtRest::new(0.0, state.phase()))?;
-            Ok((jet.hessians[0][(1, 1)], state.second_phase_derivative(p)))
-        };
-        loops.clone().map(one).collect()
-    })
-}
-
-checks! {
+    });
     /// eq:Abproof3 with derivatives of the printed flow by differences, against the derivatives of P_global.
     entries_by_derivatives: over_states(300, DIFFERENCES, |state| {
         let derivatives = Derivatives::new(state, 1);

@@ -1,12 +1,6 @@
 //! Appendix A: sums over complex eigenvalues in polar form.
 
-use core::f64::consts::PI;
-
-use grazing_theorems::auxiliary::{admissibility_sum, lucas_partial_sum, lucas_sequence, resonance_boundary};
-use nalgebra::Complex;
-
-use crate::eigenvalues::Pair;
-use crate::{CheckResult, Deviations, Sampler, Votes, sampled};
+use crate::*;
 
 /// A point with complex eigenvalues, r = √δ and θ in (0, π).
 struct Polar {
@@ -63,7 +57,8 @@ fn over_polar(seed: u64, tolerance: f64, deviation: impl Fn(&Polar) -> f64) -> C
         let r = delta.sqrt();
         let tau = 2.0 * r * libm::cos(theta);
         deviations.see(deviation(&Polar { p: p as i32, r, theta, tau, delta }));
-    });
+        Ok(())
+    })?;
     Ok(deviations.outcome(tolerance, "complex eigenvalues, 0.01 < θ < π − 0.01, p = 2 to 15"))
 }
 
@@ -73,11 +68,9 @@ pub(super) fn xi(p: u32, theta: f64) -> f64 {
     libm::sin(theta) - libm::sin(p * theta) + libm::sin((p - 1.0) * theta)
 }
 
-/// S_p = 0 exactly at τ = g_(p/m), m = 1, …, p − 1, among complex eigenvalues: the text after eq:Sp3.
-pub(crate) fn zeros_of_s() -> CheckResult {
-    let mut votes = Votes::default();
-    let mut sampler = Sampler::new(20);
-    for p in 2..=15_u32 {
+checks! {
+    /// S_p = 0 exactly at τ = g_(p/m), m = 1, …, p − 1, among complex eigenvalues: the text after eq:Sp3.
+    zeros_of_s: drawn_over(20, 2..=15_u32) |sampler, p; votes: Votes| {
         for _ in 0..20 {
             let delta = sampler.between(0.001, 0.999);
             let scale = libm::pow(delta, 0.5 * f64::from(p - 1));
@@ -92,18 +85,14 @@ pub(crate) fn zeros_of_s() -> CheckResult {
                 at(m, 0.0).abs() < 1e-11 && at(m, step) * at(m, -step) < 0.0
             }));
         }
-    }
-    Ok(votes.outcome("twenty determinants for each of p = 2 to 15, all m"))
-}
-
-checks! {
+    } => votes.outcome("twenty determinants for each of p = 2 to 15, all m");
     /// The factorisation of Ξ, an identity for all angles.
     // Three sines of angles up to 140, each off by 10⁻¹⁴.
-    factored_xi: Ok(sampled(19, 3000, 1..=20, |sampler, p, deviations: &mut Deviations| {
+    factored_xi: sampled(19, 3000, 1..=20) |sampler, p; deviations: Deviations| {
         let theta = sampler.between(-7.0, 7.0);
         let half = |k: u32| libm::sin(0.5 * f64::from(k) * theta);
         deviations.see(xi(p, theta) - 4.0 * half(1) * half(p - 1) * half(p));
-    }).outcome(1e-13, "angles between −7 and 7, p = 1 to 20"));
+    } => deviations.outcome(1e-13, "angles between −7 and 7, p = 1 to 20");
     /// eq:polarCoords.
     polar_coordinates: over_polar(11, 1e-13, |polar| {
         let pair = Pair::new(polar.tau, polar.delta);

@@ -1,11 +1,7 @@
 //! The flow of the linear oscillator as it is printed, its derivatives by differences, and states to measure at.
 
-use core::f64::consts::TAU;
-
-use crate::Sampler;
-use crate::differences::{curvature, slope};
+use crate::*;
 use grazing_model::LinearOscillator;
-use grazing_theorems::GrazingState;
 
 /// eq:flow and eq:phip, coded from the print.
 #[derive(Clone, Copy)]

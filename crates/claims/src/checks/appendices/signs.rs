@@ -1,15 +1,7 @@
 //! Appendix A: signs of H_p, S_p and T_p, by search for the smallest value, and the proofs of lemmas 2.1, 4.2 and A.1.
 
-use core::f64::consts::PI;
-use core::ops::RangeInclusive;
-
-use grazing_theorems::admissibility_boundary::admissibility_boundary;
-use grazing_theorems::auxiliary::{
-    admissibility_sum, lucas_partial_sum, lucas_sequence, modulus_power, resonance_boundary,
-};
-
 use super::polar::xi;
-use crate::{CheckResult, Deviations, Smallest, drawn, sampled, smallest};
+use crate::*;
 
 /// Local searches for each number of loops.
 const STARTS: usize = 6;
@@ -53,42 +45,35 @@ pub(crate) fn scaled_h(p: u32, tau: f64, delta: f64) -> f64 {
     admissibility_sum(p, tau, delta) * libm::pow(delta, 0.5 * (f64::from(p) - 2.0))
 }
 
-/// T_p at τ = g_p: the end of the proof of le:SpTp(b), where the print has δ{p/2} for a power.
-pub(crate) fn t_at_resonance() -> CheckResult {
-    let (deviations, print) =
-        sampled(32, 1000, 2..=15, |sampler, p, (deviations, print): &mut (Deviations, Deviations)| {
-            let delta = sampler.between(0.001, 0.999);
-            let tau = resonance_boundary(f64::from(p), delta);
-            let (t, gap) = (lucas_partial_sum(p, tau, delta), delta - tau + 1.0);
-            deviations.see(t * gap - (1.0 + modulus_power(p, delta)));
-            print.see(t * gap - (1.0 + delta * 0.5 * f64::from(p)));
-        });
-    // T_p depends on the rounding of τ at most p² times as strongly.
-    let tolerance = 1e-13;
-    Ok(deviations.outcome(tolerance, "determinants, p = 2 to 15").against_print(print.measure(tolerance)))
-}
-
 /// A j between 1 and p − 1 from a share between 0 and 1.
 pub(crate) fn loop_index(share: f64, p: u32) -> f64 {
     1.0 + libm::floor(share * f64::from(p - 2) + 0.5)
 }
 
 checks! {
+    /// T_p at τ = g_p: the end of the proof of le:SpTp(b), where the print has δ{p/2} for a power.
+    // T_p depends on the rounding of τ at most p² times as strongly.
+    t_at_resonance: sampled(32, 1000, 2..=15) |sampler, p; (deviations, print): (Deviations, Deviations)| {
+        let delta = sampler.between(0.001, 0.999);
+        let tau = resonance_boundary(f64::from(p), delta);
+        let (t, gap) = (lucas_partial_sum(p, tau, delta), delta - tau + 1.0);
+        deviations.see(t * gap - (1.0 + modulus_power(p, delta)));
+        print.see(t * gap - (1.0 + delta * 0.5 * f64::from(p)));
+    } => deviations.outcome(1e-13, "determinants, p = 2 to 15").against_print(print.measure(1e-13));
     /// H_p at g_(p/2), p ≥ 3.
     // Both are of order one; p roundings of τ, on which H_p depends p² times as strongly.
-    h_at_g_half: Ok(sampled(31, 1000, 3..=15, |sampler, p, deviations: &mut Deviations| {
+    h_at_g_half: sampled(31, 1000, 3..=15) |sampler, p; deviations: Deviations| {
         let delta = sampler.between(0.001, 0.999);
         let tau = resonance_boundary(0.5 * f64::from(p), delta);
         let expected = (modulus_power(p, delta) - 1.0) / (delta - tau + 1.0);
         deviations.see(scaled_h(p, tau, delta) - expected);
-    }).outcome(1e-12, "determinants, p = 3 to 15"));
+    } => deviations.outcome(1e-12, "determinants, p = 3 to 15");
     /// T_2 = 1.
     // Nothing is rounded.
-    t_two: drawn(33, 1000, |sampler, deviations: &mut Deviations| {
+    t_two: drawn(33, 1000) |sampler; deviations: Deviations| {
         let (tau, delta) = sampler.trapesium();
         deviations.see(lucas_partial_sum(2, tau, delta) - 1.0);
-        Ok(())
-    }).map(|deviations| deviations.outcome(0.0, "points of the trapesium"));
+    } => deviations.outcome(0.0, "points of the trapesium");
     /// The largest zero of H_p lies between g_(p/2) and g_(p−1), and H_p changes its sign there.
     bracket_of_h: search(3..=15, "the determinant", "distance of h_p from either end over √δ", |p, [x, _]| {
         let delta = determinant(x);

@@ -1,37 +1,11 @@
 //! Section 4.3, lemma 4.3: the matrices J and K and their determinants.
 
-use grazing_theorems::GrazingPoint;
-use grazing_theorems::grazing::VividLinearisation;
-use nalgebra::Matrix2;
-
-use super::specimens::{sampled_map, sampled_point, specimens_with};
 use super::vivid::derivatives;
-use crate::eigenvalues::{Pair, power};
-use crate::{CheckResult, Deviations, sampled};
+use crate::*;
 
 /// J and K.
 fn matrices(vivid: &VividLinearisation) -> [Matrix2<f64>; 2] {
     [vivid.by_impact, vivid.by_phase_and_parameter()]
-}
-
-/// le:dets: the matrices of the proof, and det J and det K of eq:detJac1detJac2 and eq:detJac2, against the derivatives of the maps
-/// of oscillators.
-pub(crate) fn determinants_of_oscillators() -> CheckResult {
-    let mut deviations = Deviations::default();
-    for (grazing, p) in specimens_with(1..=8)? {
-        let point = grazing.grazing_point();
-        let [j, k] = matrices(&derivatives(&grazing, p)?);
-        let [j_stated, k_stated] = matrices(&point.vivid_linearisation(p));
-        let size = 1.0 + j_stated.amax() + k_stated.amax();
-        deviations.see((j - j_stated).amax() / size);
-        deviations.see((k - k_stated).amax() / size);
-        let [first, second, third] = stated(&point, p);
-        deviations.see((j.determinant() - first) / (1.0 + j.amax() * j.amax()));
-        deviations.see((k.determinant() - second) / (1.0 + k.amax() * k.amax()));
-        deviations.see((k.determinant() - third) / (1.0 + k.amax() * k.amax()));
-    }
-    // Derivatives at event times that are off by rounding, p times, magnified by second derivatives of order ten.
-    Ok(deviations.outcome(1e-13, "matrices and three formulas on twelve oscillators, p = 1 to 8"))
 }
 
 /// det J, det K and det K in factors.
@@ -57,9 +31,24 @@ fn determinant_size(matrix: &Matrix2<f64>, point: &GrazingPoint) -> f64 {
 }
 
 checks! {
+    /// le:dets: the matrices of the proof, and det J and det K of eq:detJac1detJac2 and eq:detJac2, against the derivatives of the maps
+    /// of oscillators.
+    // Derivatives at event times that are off by rounding, p times, magnified by second derivatives of order ten.
+    determinants_of_oscillators: over(specimens_with(1..=8)?) |(grazing, p); deviations: Deviations| {
+        let point = grazing.grazing_point();
+        let [j, k] = matrices(&derivatives(&grazing, p)?);
+        let [j_stated, k_stated] = matrices(&point.vivid_linearisation(p));
+        let size = 1.0 + j_stated.amax() + k_stated.amax();
+        deviations.see((j - j_stated).amax() / size);
+        deviations.see((k - k_stated).amax() / size);
+        let [first, second, third] = stated(&point, p);
+        deviations.see((j.determinant() - first) / (1.0 + j.amax() * j.amax()));
+        deviations.see((k.determinant() - second) / (1.0 + k.amax() * k.amax()));
+        deviations.see((k.determinant() - third) / (1.0 + k.amax() * k.amax()));
+    } => deviations.outcome(1e-13, "matrices and three formulas on twelve oscillators, p = 1 to 8");
     /// eq:detJac1detJac2: the determinants of the printed matrices; for p = 1 det K is β.
     // Tens of roundings of the numbers by which deviations are divided.
-    determinants: Ok(sampled(4, 2000, 1..=12, |sampler, p, deviations: &mut Deviations| {
+    determinants: sampled(4, 2000, 1..=12) |sampler, p; deviations: Deviations| {
         let map = sampled_map(sampler);
         let point = sampled_point(sampler, map);
         let [j, k] = matrices(&point.vivid_linearisation(p));
@@ -69,9 +58,9 @@ checks! {
         if p == 1 {
             deviations.see((k.determinant() - map.transversality()) / determinant_size(&k, &point));
         }
-    }).outcome(1e-15, "grazing points with (τ, δ) in the trapesium, p = 1 to 12"));
+    } => deviations.outcome(1e-15, "grazing points with (τ, δ) in the trapesium, p = 1 to 12");
     /// eq:detJac2: det K in factors, also near τ = δ + 1 and near double eigenvalues.
-    factored_determinant: Ok(sampled(5, 2000, 1..=12, |sampler, p, deviations: &mut Deviations| {
+    factored_determinant: sampled(5, 2000, 1..=12) |sampler, p; deviations: Deviations| {
         let map = sampled_map(sampler);
         let point = sampled_point(sampler, map);
         let [_, k] = matrices(&point.vivid_linearisation(p));
@@ -81,5 +70,5 @@ checks! {
         // The quotient has the rounding of 1 − λ₁ in its denominator.
         let gap = Pair::new(point.map.a.trace(), point.map.a.determinant()).gap().norm().min(1.0);
         deviations.see((k.determinant() - printed) * gap / determinant_size(&k, &point));
-    }).outcome(1e-15, "grazing points with (τ, δ) in the trapesium, p = 1 to 12"));
+    } => deviations.outcome(1e-15, "grazing points with (τ, δ) in the trapesium, p = 1 to 12");
 }

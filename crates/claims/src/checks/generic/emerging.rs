@@ -1,20 +1,10 @@
 //! Section 4.4, step 1 of the proofs of theorems 2.2 and 2.3: the zero of V and its points on Π.
 
-use grazing_model::AtRest;
-use grazing_model::maps::global_iterate;
-use grazing_theorems::admissibility_boundary::admissibility_boundary;
-use grazing_theorems::auxiliary::{detuning, geometric_sum_determinant};
-use grazing_theorems::grazing::{EmergingOrbit, VirtualMap};
-use grazing_theorems::{GenericGrazing, GrazingPoint};
-use nalgebra::Vector2;
-
 use super::maps::{impact_and_recoil, virtual_point};
-use super::specimens::{delayed, map_with, sampled_point, specimens, specimens_with, uniform_order};
 use super::vivid::{derivatives, scale};
 use crate::checks::appendices::signs::{determinant, search};
-use crate::solutions::{at_parameters, equations, vivid, zero};
-use crate::specimen::Grazing;
-use crate::{CheckResult, Sampler, Smallest, Votes, sampled};
+use crate::*;
+use grazing_theorems::grazing::EmergingOrbit;
 
 /// The smallest order over oscillators and numbers of loops of a remainder at the zero of V for μ and for −μ.
 fn smallest_order(
@@ -76,54 +66,6 @@ fn end_phase_order(index: usize) -> CheckResult {
     })
 }
 
-/// The solution of V = 0 for (y, z) is unique near grazing: Newton's method finds the same from all starts.
-pub(crate) fn implicit_function() -> CheckResult {
-    let mut sampler = Sampler::new(1);
-    let mut votes = Votes::default();
-    for (grazing, p) in specimens_with(1..=4)? {
-        let equations = equations(&grazing, p);
-        for sign in [1.0, -1.0] {
-            let mu = sign * 0.002 * scale(&grazing, p).ok_or("no emerging orbit")?;
-            let expected = zero(&grazing, p, mu).ok_or("no zero of V")?;
-            let reach = 5.0 * (expected[0].abs() + (expected[1] - grazing.phase()).abs());
-            for _ in 0..6 {
-                let mut start = expected;
-                start[0] += sampler.between(-reach, reach);
-                start[1] += sampler.between(-reach, reach);
-                let found = at_parameters(&equations, start);
-                votes.see(found.is_some_and(|found| (found - expected).amax() < 1e-10));
-            }
-            votes.see(vivid(&equations, &expected).is_some_and(|value| value.amax() < 1e-13));
-        }
-    }
-    Ok(votes.outcome(
-        "starts up to five times as far from the solution as grazing is, twelve oscillators, p = 1 to 4",
-    ))
-}
-
-/// The one-loop MPS has y > 0 on the side of the sign of a₁₂ β if α > 0, and on the other side if α < 0.
-pub(crate) fn one_loop_side() -> CheckResult {
-    let mut votes = Votes::default();
-    for grazing in specimens()?.into_iter().chain(delayed()?) {
-        let point = grazing.grazing_point();
-        let size = 0.01 * scale(&grazing, 1).ok_or("no emerging orbit")?;
-        for mu in [size, -size] {
-            let y = zero(&grazing, 1, mu).ok_or("no zero of V")?[0];
-            votes.see(
-                (y > 0.0)
-                    == match GenericGrazing::check(&point, 1) {
-                        Ok(theorem) => theorem.side().signum() * mu > 0.0,
-                        // α < 0: the other side.
-                        Err(_) => point.map.a.m12 * point.map.transversality() * mu < 0.0,
-                    },
-            );
-        }
-    }
-    Ok(votes.outcome(
-        "twelve oscillators with α > 0 and three with α < 0, where the hypothesis is violated, μ of both signs",
-    ))
-}
-
 /// A grazing point with τ > h_p; a₁₂ and α of either sign.
 fn above_boundary(sampler: &mut Sampler, p: u32) -> GrazingPoint {
     let delta = sampler.between(0.01, 0.99);
@@ -139,10 +81,45 @@ fn above_boundary(sampler: &mut Sampler, p: u32) -> GrazingPoint {
 }
 
 checks! {
+    /// The solution of V = 0 for (y, z) is unique near grazing: Newton's method finds the same from all starts.
+    implicit_function: drawn_over(1, specimens_with(1..=4)?) |sampler, (grazing, p); votes: Votes| {
+        let equations = equations(&grazing, p);
+        for sign in [1.0, -1.0] {
+            let mu = sign * 0.002 * scale(&grazing, p).ok_or("no emerging orbit")?;
+            let expected = zero(&grazing, p, mu).ok_or("no zero of V")?;
+            let reach = 5.0 * (expected[0].abs() + (expected[1] - grazing.phase()).abs());
+            for _ in 0..6 {
+                let mut start = expected;
+                start[0] += sampler.between(-reach, reach);
+                start[1] += sampler.between(-reach, reach);
+                let found = at_parameters(&equations, start);
+                votes.see(found.is_some_and(|found| (found - expected).amax() < 1e-10));
+            }
+            votes.see(vivid(&equations, &expected).is_some_and(|value| value.amax() < 1e-13));
+        }
+    } =>
+        votes.outcome("starts up to five times as far from the solution as grazing is, twelve oscillators, p = 1 to 4");
+    /// The one-loop MPS has y > 0 on the side of the sign of a₁₂ β if α > 0, and on the other side if α < 0.
+    one_loop_side: over(specimens()?.into_iter().chain(delayed()?)) |grazing; votes: Votes| {
+        let point = grazing.grazing_point();
+        let size = 0.01 * scale(&grazing, 1).ok_or("no emerging orbit")?;
+        for mu in [size, -size] {
+            let y = zero(&grazing, 1, mu).ok_or("no zero of V")?[0];
+            votes.see(
+                (y > 0.0)
+                    == match GenericGrazing::check(&point, 1) {
+                        Ok(theorem) => theorem.side().signum() * mu > 0.0,
+                        // α < 0: the other side.
+                        Err(_) => point.map.a.m12 * point.map.transversality() * mu < 0.0,
+                    },
+            );
+        }
+    } =>
+        votes.outcome("twelve oscillators with α > 0 and three with α < 0, where the hypothesis is violated, μ of both signs");
     /// For τ > h_p and τ ≠ g_p: det J has the sign of α a₁₂ κ_p; dy*/dμ has the sign of βκ_p if a₁₂α > 0, and the other sign where this
     /// hypothesis is violated; and on the side of the sign of βκ_p all visits between the impacts lie below the wall: dx⁽ʲ⁾/dμ has the
     /// other sign.
-    side: Ok(sampled(2, 2000, 2..=15, |sampler, p, votes: &mut Votes| {
+    side: sampled(2, 2000, 2..=15) |sampler, p; votes: Votes| {
         let point = above_boundary(sampler, p);
         let kappa = detuning(p, point.map.trace(), point.map.determinant());
         let side = point.map.transversality() * kappa;
@@ -155,7 +132,7 @@ checks! {
         // Positions shrink with the eigenvalues, down to the rounding of the terms that they are made of.
         let rounding = 1e-12 * (1.0 + orbit.visit_slope(0).amax()) * (1.0 + point.map.a.amax());
         votes.see((1..p).all(|j| orbit.visit_slope(j).x * side.signum() < rounding));
-    }).outcome("grazing points with τ > h_p, a₁₂α of either sign, p = 2 to 15, all visits"));
+    } => votes.outcome("grazing points with τ > h_p, a₁₂α of either sign, p = 2 to 15, all visits");
     /// det K / β > 0 in the trapesium, by search.
     sign_of_det_k: search(2..=15, "the trapesium up to 10⁻⁶ from its slanted sides", "det K / β", |p, [x, y]| {
         let delta = determinant(x);

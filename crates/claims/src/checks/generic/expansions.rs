@@ -1,15 +1,7 @@
 //! Section 4.1, lemma 4.1 and its proof: orders of remainders near grazing.
 
-use grazing_model::maps::virtual_map;
-use grazing_model::motion::Motion;
-use grazing_model::{ImpactOscillator, OnWall, State};
-use grazing_theorems::GrazingPoint;
-use nalgebra::Vector2;
-
 use super::maps::{ROUNDING, impact_and_recoil, near_grazing, virtual_point};
-use super::specimens::smallest_order;
-use crate::specimen::Specimen;
-use crate::{CheckResult, Outcome, Votes};
+use crate::*;
 
 /// The order of a remainder at (oscillator, y, z).
 fn impact_order(

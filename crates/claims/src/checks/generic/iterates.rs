@@ -1,48 +1,10 @@
 //! Section 4.2: iterates of the global map.
 
-use grazing_model::maps::global_iterate;
-use grazing_model::{AtRest, ImpactOscillator};
-use grazing_theorems::LinearisedMap;
-use grazing_theorems::admissibility_boundary::admissibility_boundary;
-use grazing_theorems::auxiliary::{
-    admissibility_sum, lucas_partial_sum, lucas_sequence, modulus_power, resonance_boundary,
-};
-use nalgebra::{Matrix2, Vector2};
-
-use super::specimens::{directions, sampled_map, specimens_with, uniform_order};
 use crate::checks::appendices::signs::{along, determinant, search};
-use crate::eigenvalues::Pair;
-use crate::{CheckResult, Deviations, Sampler, Smallest, Votes, sampled};
+use crate::*;
 
 /// Each of the two routes makes some p² roundings of the terms by which deviations are divided, p up to 15.
 const ROUNDING: f64 = 1e-13;
-
-/// eq:Pglobalp: the order of the remainder.
-pub(crate) fn iterated_map() -> CheckResult {
-    let mut sampler = Sampler::new(4);
-    let mut orders = Smallest::default();
-    for (grazing, p) in specimens_with(1..=4)? {
-        let (phase, [primary, secondary]) = (grazing.phase(), grazing.oscillator().parameters());
-        let LinearisedMap { a, b } = grazing.grazing_point().map.iterate(p);
-        let directions = directions::<3>(&mut sampler, 4);
-        for component in 0..2 {
-            orders.see(uniform_order(&directions, |direction, h| {
-                let [dx, dz, dmu] = direction.map(|share| share * h);
-                let oscillator = grazing.oscillator().with_parameters([primary + dmu, secondary]);
-                let image = global_iterate::<_, 1>(&oscillator, p, AtRest::new(dx, phase + dz)).ok()?.value;
-                let remainder = image - Vector2::new(0.0, phase) - a * Vector2::new(dx, dz) - b * dmu;
-                // Positions of order one and phases up to 2π, p times.
-                Some((remainder[component], 2e-15 * f64::from(p)))
-            }));
-        }
-    }
-    // The next term is of relative size h < 10⁻⁴ where remainders are resolved last.
-    Ok(orders.order(
-        2.0,
-        0.1,
-        "both components on twelve oscillators, p = 1 to 4, seven directions in (x, z, μ) at once",
-    ))
-}
 
 /// A sampled map, its iterate by repeated application, and the size of the largest number on the way.
 fn repeated(map: &LinearisedMap, p: u32) -> (LinearisedMap, f64) {
@@ -57,19 +19,6 @@ fn repeated(map: &LinearisedMap, p: u32) -> (LinearisedMap, f64) {
 
 /// Tens of roundings of numbers of the size by which deviations are divided; τ and δ are rounded too.
 const MATRIX_ROUNDING: f64 = 1e-14;
-
-/// The step of the induction: the printed forms for p, mapped once more, are those for p + 1.
-pub(crate) fn induction() -> CheckResult {
-    let deviations = sampled(7, 2000, 0..=14, |sampler, p, deviations: &mut Deviations| {
-        let map = sampled_map(sampler);
-        let (here, next) = (map.iterate(p), map.iterate(p + 1));
-        let size = (1.0 + here.a.amax() + here.b.amax()) * (1.0 + map.a.amax()) * (1.0 + map.a.amax());
-        deviations.see((map.a * here.a - next.a).amax() / size);
-        deviations.see((map.a * here.b + map.b - next.b).amax() / size);
-    });
-    // One product, of numbers of the size by which deviations are divided.
-    Ok(deviations.outcome(1e-15, "affine maps with (τ, δ) in the trapesium, p = 0 to 14"))
-}
 
 /// le:SpTp: all three parts where their hypotheses hold, and each seen to fail where its hypothesis does not.
 pub(crate) fn signs_and_values() -> CheckResult {
@@ -109,8 +58,35 @@ pub(crate) fn signs_and_values() -> CheckResult {
 }
 
 checks! {
+    /// eq:Pglobalp: the order of the remainder.
+    // The next term is of relative size h < 10⁻⁴ where remainders are resolved last.
+    iterated_map: drawn_over(4, specimens_with(1..=4)?) |sampler, (grazing, p); orders: Smallest| {
+        let (phase, [primary, secondary]) = (grazing.phase(), grazing.oscillator().parameters());
+        let LinearisedMap { a, b } = grazing.grazing_point().map.iterate(p);
+        let directions = directions::<3>(sampler, 4);
+        for component in 0..2 {
+            orders.see(uniform_order(&directions, |direction, h| {
+                let [dx, dz, dmu] = direction.map(|share| share * h);
+                let oscillator = grazing.oscillator().with_parameters([primary + dmu, secondary]);
+                let image = global_iterate::<_, 1>(&oscillator, p, AtRest::new(dx, phase + dz)).ok()?.value;
+                let remainder = image - Vector2::new(0.0, phase) - a * Vector2::new(dx, dz) - b * dmu;
+                // Positions of order one and phases up to 2π, p times.
+                Some((remainder[component], 2e-15 * f64::from(p)))
+            }));
+        }
+    } =>
+        orders.order(2.0, 0.1, "both components on twelve oscillators, p = 1 to 4, seven directions in (x, z, μ) at once");
+    /// The step of the induction: the printed forms for p, mapped once more, are those for p + 1.
+    // One product, of numbers of the size by which deviations are divided.
+    induction: sampled(7, 2000, 0..=14) |sampler, p; deviations: Deviations| {
+        let map = sampled_map(sampler);
+        let (here, next) = (map.iterate(p), map.iterate(p + 1));
+        let size = (1.0 + here.a.amax() + here.b.amax()) * (1.0 + map.a.amax()) * (1.0 + map.a.amax());
+        deviations.see((map.a * here.a - next.a).amax() / size);
+        deviations.see((map.a * here.b + map.b - next.b).amax() / size);
+    } => deviations.outcome(1e-15, "affine maps with (τ, δ) in the trapesium, p = 0 to 14");
     /// eq:SpTp: the printed double sums against the recurrence.
-    sums_of_eigenvalues: Ok(sampled(1, 2000, 1..=15, |sampler, p, deviations: &mut Deviations| {
+    sums_of_eigenvalues: sampled(1, 2000, 1..=15) |sampler, p; deviations: Deviations| {
         let (tau, delta) = sampler.trapesium();
         let pair = Pair::new(tau, delta);
         let size = pair.moduli();
@@ -118,19 +94,19 @@ checks! {
         if p > 1 {
             deviations.see((pair.t(p) - lucas_partial_sum(p, tau, delta)).norm() / size.t(p).re);
         }
-    }).outcome(ROUNDING, "S_p and T_p at points of the trapesium, p = 1 to 15"));
+    } => deviations.outcome(ROUNDING, "S_p and T_p at points of the trapesium, p = 1 to 15");
     /// H_p is the sum of the S_j / δ^(j−1).
-    h_as_sum_of_s: Ok(sampled(2, 2000, 2..=15, |sampler, p, deviations: &mut Deviations| {
+    h_as_sum_of_s: sampled(2, 2000, 2..=15) |sampler, p; deviations: Deviations| {
         let (tau, delta) = sampler.trapesium();
         let pair = Pair::new(tau, delta);
         let sum: f64 =
             (1..p).map(|j| lucas_sequence(j, tau, delta) / libm::pow(delta, f64::from(j - 1))).sum();
         deviations.see((pair.h(p) - sum).norm() / pair.moduli().h(p).re);
         deviations.see((admissibility_sum(p, tau, delta) - sum) / pair.moduli().h(p).re);
-    }).outcome(ROUNDING, "points of the trapesium, p = 2 to 15"));
+    } => deviations.outcome(ROUNDING, "points of the trapesium, p = 2 to 15");
     /// eq:Hp9, multiplied by δ^(p−2) so that small δ does no harm.
     // Terms that are positive: one rounding each.
-    difference_of_products: Ok(sampled(3, 2000, 1..=15, |sampler, p, deviations: &mut Deviations| {
+    difference_of_products: sampled(3, 2000, 1..=15) |sampler, p; deviations: Deviations| {
         let (tau, delta) = sampler.trapesium();
         let raised = libm::pow(delta, f64::from(p) - 2.0);
         let size = Pair::new(tau, delta).moduli();
@@ -140,23 +116,23 @@ checks! {
         let difference = s_before * t - s * t_before - raised * admissibility_sum(p, tau, delta);
         // For p = 1 all terms vanish.
         deviations.see(if terms > 0.0 { difference / terms } else { difference });
-    }).outcome(1e-14, "points of the trapesium, p = 1 to 15"));
+    } => deviations.outcome(1e-14, "points of the trapesium, p = 1 to 15");
     /// eq:Ap and eq:b1pb2p: the printed forms against repeated application.
-    powers: Ok(sampled(5, 2000, 1..=15, |sampler, p, deviations: &mut Deviations| {
+    powers: sampled(5, 2000, 1..=15) |sampler, p; deviations: Deviations| {
         let map = sampled_map(sampler);
         let (expected, size) = repeated(&map, p);
         deviations.see((map.iterate(p).a - expected.a).amax() / size);
         deviations.see((map.iterate(p).b - expected.b).amax() / size);
-    }).outcome(MATRIX_ROUNDING, "affine maps with (τ, δ) in the trapesium, p = 1 to 15"));
+    } => deviations.outcome(MATRIX_ROUNDING, "affine maps with (τ, δ) in the trapesium, p = 1 to 15");
     /// le:SpTp(b).
     // S_(p+1) and T_p depend on the rounding of τ at most p² times as strongly.
-    values_at_resonance: Ok(sampled(8, 2000, 2..=24, |sampler, p, deviations: &mut Deviations| {
+    values_at_resonance: sampled(8, 2000, 2..=24) |sampler, p; deviations: Deviations| {
         let delta = sampler.between(0.001, 0.999);
         let tau = resonance_boundary(f64::from(p), delta);
         let modulus = modulus_power(p, delta);
         deviations.see((lucas_sequence(p + 1, tau, delta) + modulus) / modulus);
         deviations.see(lucas_partial_sum(p, tau, delta) * (delta - tau + 1.0) - 1.0 - modulus);
-    }).outcome(1e-12, "determinants, p = 2 to 24"));
+    } => deviations.outcome(1e-12, "determinants, p = 2 to 24");
     /// le:SpTp(a) by search: S_p / (τ − g_p) > 0 for h_p < τ ≤ δ + 1, also at τ = g_p.
     sign_of_s: search(2..=15, "h_p < τ ≤ δ + 1", "r^(2−p) S_p / (τ − g_p)", |p, [x, y]| {
         let delta = determinant(x);

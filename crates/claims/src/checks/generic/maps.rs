@@ -1,12 +1,8 @@
 //! Section 4.1: the points of an impact on Σ and Π, and the discontinuity map.
 
-use grazing_model::maps::{MapError, discontinuity_map, virtual_map, virtual_preimage};
-use grazing_model::{AtRest, ImpactOscillator, OnWall, State, Surface};
-use nalgebra::{Vector2, Vector3};
-
-use super::specimens::{SLACK, at_specimens, delayed, smallest_order, specimens};
-use crate::specimen::{Grazing, Specimen};
-use crate::{CheckResult, Deviations, Smallest, Votes, order};
+use crate::*;
+use grazing_model::maps::virtual_preimage;
+use nalgebra::Vector3;
 
 /// Rounding of positions of order one and of phases up to 2π.
 pub(super) const ROUNDING: f64 = 2e-15;
@@ -51,9 +47,34 @@ pub(super) fn integrated(oscillator: &Specimen, from: State, duration: f64, step
     state
 }
 
-/// eq:Pvirt2: both virtual points against numerical integration, forwards for y > 0 and backwards for y < 0.
-pub(crate) fn virtual_points() -> CheckResult {
-    let deviations = at_specimens(2, 60, |sampler, grazing, deviations: &mut Deviations| {
+/// The preimage of a point of Π under P_virt on the outgoing set, by Newton's method.
+fn outgoing_preimage(oscillator: &Specimen, target: Vector2<f64>, gamma: f64) -> Option<Vector2<f64>> {
+    let omega = oscillator.forcing_frequency().value;
+    let velocity = -(2.0 * gamma * target[0]).sqrt();
+    let mut preimage = Vector2::new(velocity, target[1] - omega * velocity / gamma);
+    for _ in 0..20 {
+        let jet = virtual_map::<_, 1>(oscillator, OnWall::new(preimage[0], preimage[1]), None).ok()?.jet;
+        preimage -= jet.derivative().lu().solve(&(jet.value - target))?;
+    }
+    Some(preimage)
+}
+
+/// P_disc minus its leading terms, at x̂ = s² with (z, μ) as near to grazing as s.
+fn leading_order(seed: u64, component: usize, stated: f64) -> CheckResult {
+    smallest_order(seed, stated, |grazing, [ds, dz, dmu]| {
+        let s = ds.abs() + 0.1 * (dz.abs() + dmu.abs());
+        let (oscillator, s, z) = near_grazing(grazing, [s, dz, dmu]);
+        let image = discontinuity_map::<_, 1>(&oscillator, AtRest::new(s * s, z)).ok()?.value;
+        let leading = grazing.grazing_point().discontinuity_map(s * s, z);
+        // Positions are of the size of x̂; the preimage's velocity is known to a rounding of x̂ over itself, and so are phases.
+        Some((image[component] - leading[component], [ROUNDING, ROUNDING / s][component]))
+    })
+}
+
+checks! {
+    /// eq:Pvirt2: both virtual points against numerical integration, forwards for y > 0 and backwards for y < 0.
+    // Sixty-four steps over a time below 0.5: some (10⁻²)⁴ times derivatives over 5!.
+    virtual_points: at_specimens(2, 60) |sampler, grazing; deviations: Deviations| {
         let oscillator = grazing.oscillator();
         // Some lie on the tangency set; impacts of negative velocity belong to the extension.
         let y = sampler.one_of(&[0.0, 1.0, 1.0, 1.0]) * sampler.between(-0.05, 0.2);
@@ -69,17 +90,10 @@ pub(crate) fn virtual_points() -> CheckResult {
             let expected = integrated(oscillator, State::on_wall(y, z), landing.time, 64);
             deviations.see((expected - Vector3::new(image[0], 0.0, image[1])).amax());
         }
-        Ok(())
-    })?;
-    // Sixty-four steps over a time below 0.5: some (10⁻²)⁴ times derivatives over 5!.
-    Ok(deviations.outcome(1e-11, "impacts near grazing on twelve oscillators, and their recoils"))
-}
-
-/// P_virt and P_virt ∘ R are well defined for small y < 0 and twice differentiable across y = 0: the difference of the second
-/// derivatives at ±y vanishes with y.
-pub(crate) fn smooth_across_tangency() -> CheckResult {
-    let mut orders = Smallest::default();
-    for grazing in specimens()? {
+    } => deviations.outcome(1e-11, "impacts near grazing on twelve oscillators, and their recoils");
+    /// P_virt and P_virt ∘ R are well defined for small y < 0 and twice differentiable across y = 0: the difference of the second
+    /// derivatives at ±y vanishes with y.
+    smooth_across_tangency: over(specimens()?) |grazing; orders: Smallest| {
         let oscillator = grazing.oscillator();
         let phase = grazing.phase();
         let second = |y: f64, reset: bool| {
@@ -97,25 +111,10 @@ pub(crate) fn smooth_across_tangency() -> CheckResult {
                 Some((jump.norm(), 1e-13))
             }));
         }
-    }
-    Ok(orders.order(1.0, SLACK, "twelve oscillators, both maps, both components"))
-}
-
-/// The preimage of a point of Π under P_virt on the outgoing set, by Newton's method.
-fn outgoing_preimage(oscillator: &Specimen, target: Vector2<f64>, gamma: f64) -> Option<Vector2<f64>> {
-    let omega = oscillator.forcing_frequency().value;
-    let velocity = -(2.0 * gamma * target[0]).sqrt();
-    let mut preimage = Vector2::new(velocity, target[1] - omega * velocity / gamma);
-    for _ in 0..20 {
-        let jet = virtual_map::<_, 1>(oscillator, OnWall::new(preimage[0], preimage[1]), None).ok()?.jet;
-        preimage -= jet.derivative().lu().solve(&(jet.value - target))?;
-    }
-    Some(preimage)
-}
-
-/// P_virt has two inverses for x > 0, one on either side of y = 0.
-pub(crate) fn two_inverses() -> CheckResult {
-    let deviations = at_specimens(17, 50, |sampler, grazing, deviations: &mut Deviations| {
+    } => orders.order(1.0, SLACK_AT_GRAZING, "twelve oscillators, both maps, both components");
+    /// P_virt has two inverses for x > 0, one on either side of y = 0.
+    // Newton's method ends where the phase is known to its rounding.
+    two_inverses: at_specimens(17, 50) |sampler, grazing; deviations: Deviations| {
         let oscillator = grazing.oscillator();
         let x = libm::pow(10.0, sampler.between(-6.0, -2.5));
         let target = Vector2::new(x, grazing.phase() + sampler.between(-0.05, 0.05));
@@ -129,59 +128,35 @@ pub(crate) fn two_inverses() -> CheckResult {
             let image = virtual_point(oscillator, OnWall::new(preimage[0], preimage[1]))?;
             deviations.see((image - target).amax());
         }
-        Ok(())
-    })?;
-    // Newton's method ends where the phase is known to its rounding.
-    Ok(deviations
-        .outcome(1e-14, "positions from 10⁻⁶ to 0.003 beyond the wall, both preimages, twelve oscillators"))
-}
-
-/// P_disc minus its leading terms, at x̂ = s² with (z, μ) as near to grazing as s.
-fn leading_order(seed: u64, component: usize, stated: f64) -> CheckResult {
-    smallest_order(seed, stated, |grazing, [ds, dz, dmu]| {
-        let s = ds.abs() + 0.1 * (dz.abs() + dmu.abs());
-        let (oscillator, s, z) = near_grazing(grazing, [s, dz, dmu]);
-        let image = discontinuity_map::<_, 1>(&oscillator, AtRest::new(s * s, z)).ok()?.value;
-        let leading = grazing.grazing_point().discontinuity_map(s * s, z);
-        // Positions are of the size of x̂; the preimage's velocity is known to a rounding of x̂ over itself, and so are phases.
-        Some((image[component] - leading[component], [ROUNDING, ROUNDING / s][component]))
-    })
-}
-
-/// The sign of the square-root term is opposite to that of α.
-pub(crate) fn sign_of_square_root() -> CheckResult {
-    let mut votes = Votes::default();
-    for grazing in specimens()?.into_iter().chain(delayed()?) {
+    } =>
+        deviations.outcome(1e-14, "positions from 10⁻⁶ to 0.003 beyond the wall, both preimages, twelve oscillators");
+    /// The sign of the square-root term is opposite to that of α.
+    sign_of_square_root: over(specimens()?.into_iter().chain(delayed()?)) |grazing; votes: Votes| {
         for exponent in [-6.0, -5.0, -4.0] {
             let x = libm::pow(10.0, exponent);
             let image =
                 discontinuity_map::<_, 1>(grazing.oscillator(), AtRest::new(x, grazing.phase()))?.value;
             votes.see((image[1] - grazing.phase()) * grazing.grazing_point().alpha() < 0.0);
         }
-    }
-    Ok(votes.outcome("fifteen oscillators, twelve with α > 0 and three with α < 0, x̂ = 10⁻⁶ to 10⁻⁴"))
-}
-
-checks! {
+    } => votes.outcome("fifteen oscillators, twelve with α > 0 and three with α < 0, x̂ = 10⁻⁶ to 10⁻⁴");
     /// The label `eq:`: the recoil is on the outgoing set.
-    recoil: at_specimens(1, 200, |sampler, grazing, margins: &mut Smallest| {
+    recoil: at_specimens(1, 200) |sampler, grazing; margins: Smallest| {
         // From the velocities of a graze to those of the largest orbits of the figures.
         let y = libm::pow(10.0, sampler.between(-8.0, 0.5));
         let z = sampler.between(0.0, core::f64::consts::TAU);
         margins.see(-grazing.oscillator().reset::<1>(OnWall::new(y, z)).value[0] / y);
-        Ok(())
-    }).map(|margins| margins.margin("impacts with velocities from 10⁻⁸ to 3 on twelve oscillators: the smallest −y_rec / y_imp"));
+    } =>
+        margins.margin("impacts with velocities from 10⁻⁸ to 3 on twelve oscillators: the smallest −y_rec / y_imp");
     /// Orbits hit Π transversally near grazing, where P_virt ends: the acceleration there is negative.
-    transversality: at_specimens(21, 100, |sampler, grazing, margins: &mut Smallest| {
+    transversality: at_specimens(21, 100) |sampler, grazing; margins: Smallest| {
         let oscillator = grazing.oscillator();
         let y = sampler.between(-0.05, 0.05);
         let z = grazing.phase() + sampler.between(-0.05, 0.05);
         let image = virtual_point(oscillator, OnWall::new(y, z))?;
         margins.see(-oscillator.acceleration(State::at_rest(image[0], image[1])));
-        Ok(())
-    }).map(|margins| margins.margin("images under P_virt of points near grazing on twelve oscillators: the smallest −ẍ"));
+    } => margins.margin("images under P_virt of points near grazing on twelve oscillators: the smallest −ẍ");
     /// Both points are virtual: x̂ and x⁽⁰⁾ are positive for y ≠ 0.
-    points_are_virtual: at_specimens(3, 100, |sampler, grazing, margins: &mut Smallest| {
+    points_are_virtual: at_specimens(3, 100) |sampler, grazing; margins: Smallest| {
         let oscillator = grazing.oscillator();
         let y = libm::pow(10.0, sampler.between(-5.0, -0.7));
         let z = grazing.phase() + sampler.between(-0.1, 0.1);
@@ -189,10 +164,10 @@ checks! {
             let y = from.coordinates()[0];
             margins.see(virtual_point(oscillator, from)?[0] / (y * y));
         }
-        Ok(())
-    }).map(|margins| margins.margin("impacts with velocities from 10⁻⁵ to 0.2 near grazing: the smallest x̂ / y² and x⁽⁰⁾ / y²"));
+    } =>
+        margins.margin("impacts with velocities from 10⁻⁵ to 0.2 near grazing: the smallest x̂ / y² and x⁽⁰⁾ / y²");
     /// eq:Pdisc: P_disc maps (x̂, ẑ) to (x⁽⁰⁾, z⁽⁰⁾).
-    discontinuity: at_specimens(18, 100, |sampler, grazing, deviations: &mut Deviations| {
+    discontinuity: at_specimens(18, 100) |sampler, grazing; deviations: Deviations| {
         let oscillator = grazing.oscillator();
         let y = libm::pow(10.0, sampler.between(-4.0, -1.0));
         let z = grazing.phase() + sampler.between(-0.1, 0.1);
@@ -201,8 +176,8 @@ checks! {
         let image = discontinuity_map::<_, 1>(oscillator, AtRest::new(hat[0], hat[1]))?.value;
         // A rounding of x̂, 10⁻¹⁶, changes the phase by that over y.
         deviations.see((image - start).amax() * y);
-        Ok(())
-    }).map(|deviations| deviations.outcome(1e-14, "impacts with velocities from 10⁻⁴ to 0.1, twelve oscillators: the deviation times y"));
+    } =>
+        deviations.outcome(1e-14, "impacts with velocities from 10⁻⁴ to 0.1, twelve oscillators: the deviation times y");
     /// The display after eq:Pdisc, first line: the coefficient of x̂ is φ².
     leading_position: leading_order(19, 0, 3.0);
     /// The display after eq:Pdisc, second line: the square root.

@@ -1,20 +1,7 @@
 //! Section 4.4, step 2 of the proof of theorem 2.3: the affine map Q and the numbers u⁽ʲ⁾.
 
-use grazing_continuation::mps::EventTimes;
-use grazing_model::maps::{global_map, virtual_map};
-use grazing_model::{AtRest, ImpactOscillator, OnWall};
-use grazing_theorems::auxiliary::{
-    admissibility_sum, lucas_partial_sum, lucas_sequence, scaled_visit_position,
-};
-use grazing_theorems::{GrazingPoint, LinearisedMap};
-use nalgebra::Vector2;
-
-use super::specimens::{sampled_map, specimens_with};
 use super::vivid::{derivatives, scale};
-use crate::eigenvalues::Pair;
-use crate::solutions::{equations, zero};
-use crate::specimen::Grazing;
-use crate::{CheckResult, Deviations, Failure, sampled};
+use crate::*;
 
 /// Tens of roundings of numbers of the size by which deviations are divided.
 const ROUNDING: f64 = 1e-14;
@@ -64,10 +51,10 @@ fn over_oscillators(
 /// Derivatives of the maps with thirteen digits, and J⁻¹, which S_p cancels.
 const DERIVATIVES: f64 = 1e-12;
 
-/// eq:ujwj: the scaled derivatives of the visits of oscillators against central differences of their positions.
-pub(crate) fn scaled_slopes() -> CheckResult {
-    let mut deviations = Deviations::default();
-    for (grazing, p) in specimens_with(1..=3)? {
+checks! {
+    /// eq:ujwj: the scaled derivatives of the visits of oscillators against central differences of their positions.
+    // Rounding of 10⁻¹⁵ over a step of some 10⁻⁶, magnified by J⁻¹.
+    scaled_slopes: over(specimens_with(1..=3)?) |(grazing, p); deviations: Deviations| {
         let equations = equations(&grazing, p);
         let h = 1e-4 * scale(&grazing, p).ok_or("no emerging orbit")?;
         let visits = |mu: f64| equations.visits(&zero(&grazing, p, mu)?, &EventTimes::default()).ok();
@@ -81,14 +68,9 @@ pub(crate) fn scaled_slopes() -> CheckResult {
                 deviations.see((difference - slope).amax() / (1.0 + slope.amax()));
             }
         }
-    }
-    // Rounding of 10⁻¹⁵ over a step of some 10⁻⁶, magnified by J⁻¹.
-    Ok(deviations.outcome(1e-7, "the visits j = 1 to p of twelve oscillators, p = 1 to 3"))
-}
-
-checks! {
+    } => deviations.outcome(1e-7, "the visits j = 1 to p of twelve oscillators, p = 1 to 3");
     /// eq:affineMapj: the printed iterate against p steps.
-    affine_map_iterated: Ok(sampled(2, 2000, 1..=12, |sampler, j, deviations: &mut Deviations| {
+    affine_map_iterated: sampled(2, 2000, 1..=12) |sampler, j; deviations: Deviations| {
         let map = sampled_map(sampler);
         // S_p/β, and the start, are arbitrary here.
         let factor = sampler.between(-2.0, 2.0);
@@ -101,9 +83,9 @@ checks! {
         let LinearisedMap { a, b } = map.iterate(j);
         let entries = (1.0 + map.a.amax()) * (1.0 + map.a.amax());
         deviations.see((a * start + b * factor - here).amax() / (entries * (size + a.amax() + b.amax())));
-    }).outcome(ROUNDING, "affine maps with (τ, δ) in the trapesium, j = 1 to 12"));
+    } => deviations.outcome(ROUNDING, "affine maps with (τ, δ) in the trapesium, j = 1 to 12");
     /// eq:ujcodim1proof from eq:affineMapj.
-    positions: Ok(sampled(3, 3000, 1..=12, |sampler, p, deviations: &mut Deviations| {
+    positions: sampled(3, 3000, 1..=12) |sampler, p; deviations: Deviations| {
         let map = sampled_map(sampler);
         let (tau, delta, beta) = (map.trace(), map.determinant(), map.transversality());
         let (s, last) = (lucas_sequence(p, tau, delta), map.iterate(p).b);
@@ -116,20 +98,20 @@ checks! {
             let expected = beta * scaled_visit_position(j, p, tau, delta);
             deviations.see((terms[0] + terms[1] - expected) / size);
         }
-    }).outcome(ROUNDING, "affine maps with (τ, δ) in the trapesium, p = 1 to 12, j = 0 to p"));
+    } => deviations.outcome(ROUNDING, "affine maps with (τ, δ) in the trapesium, p = 1 to 12, j = 0 to p");
     /// eq:u1codim1proof.
     // As for eq:SpTp.
-    first_position: Ok(sampled(4, 2000, 2..=15, |sampler, p, deviations: &mut Deviations| {
+    first_position: sampled(4, 2000, 2..=15) |sampler, p; deviations: Deviations| {
         let (tau, delta) = sampler.trapesium();
         let pair = Pair::new(tau, delta);
         let size = pair.moduli().t(p).re;
         let first = scaled_visit_position(1, p, tau, delta);
         let by_recurrence = (first + lucas_partial_sum(p, tau, delta)).abs();
         deviations.see((pair.t(p) + first).norm().max(by_recurrence) / size);
-    }).outcome(1e-14, "points of the trapesium, p = 2 to 15"));
+    } => deviations.outcome(1e-14, "points of the trapesium, p = 2 to 15");
     /// eq:upm1codim1proof.
     // As for eq:Hp9.
-    last_position: Ok(sampled(5, 2000, 2..=15, |sampler, p, deviations: &mut Deviations| {
+    last_position: sampled(5, 2000, 2..=15) |sampler, p; deviations: Deviations| {
         let (tau, delta) = sampler.trapesium();
         let pair = Pair::new(tau, delta);
         let raised = libm::pow(delta, f64::from(p - 2));
@@ -138,7 +120,7 @@ checks! {
         let last = scaled_visit_position(p - 1, p, tau, delta);
         deviations.see((pair.h(p) * raised + last).norm() / terms);
         deviations.see((admissibility_sum(p, tau, delta) * raised + last) / terms);
-    }).outcome(1e-14, "points of the trapesium, p = 2 to 15"));
+    } => deviations.outcome(1e-14, "points of the trapesium, p = 2 to 15");
     /// eq:affineMap.
     // The chain rule is the map: nothing but products is rounded.
     affine_map: over_oscillators(1e-14, |point, p, path| {

@@ -1,16 +1,7 @@
 //! Section 4.4, step 3 of the proof of theorem 2.3: the signs of the u⁽ʲ⁾ and the polygon 𝒫.
 
-use grazing_theorems::LinearisedMap;
-use grazing_theorems::admissibility_boundary::admissibility_boundary;
-use grazing_theorems::auxiliary::{
-    admissibility_sum, lucas_partial_sum, lucas_sequence, scaled_visit_position,
-};
-use nalgebra::{Matrix2, Vector2};
-
-use super::specimens::map_with;
 use crate::checks::appendices::signs::{along, determinant, search};
-use crate::eigenvalues::Pair;
-use crate::{CheckResult, Deviations, Sampler, Votes, sampled};
+use crate::*;
 
 /// τ above h_p by a share of the way to δ + 1, both in (0, 1).
 fn above(p: u32, [x, y]: [f64; 2]) -> Option<(f64, f64)> {
@@ -71,19 +62,17 @@ fn cross_each_other([a, b]: [Vector2<f64>; 2], [c, d]: [Vector2<f64>; 2]) -> boo
     side(a, b, c) * side(a, b, d) <= 0.0 && side(c, d, a) * side(c, d, b) <= 0.0
 }
 
-/// The path seen as a polygon: convex, in order and without intersections for τ > h_p, and not convex for smaller τ (p ≥ 3),
-/// although Q is affine there too.
-pub(crate) fn polygon() -> CheckResult {
-    let mut sampler = Sampler::new(9);
-    let (mut votes, mut printed) = (Votes::default(), Votes::default());
-    for index in 0..3000 {
+checks! {
+    /// The path seen as a polygon: convex, in order and without intersections for τ > h_p, and not convex for smaller τ (p ≥ 3),
+    /// although Q is affine there too.
+    polygon: drawn_over(9, 0..3000) |sampler, index; (votes, printed): (Votes, Votes)| {
         let p = 2 + index % 7;
         // For smaller determinants the path shrinks below its rounding.
         let delta = sampler.between(0.2, 0.98);
         let boundary = admissibility_boundary(p, delta)?;
         let tau = sampler.between(-0.999 * (delta + 1.0), 0.999 * (delta + 1.0));
         if (tau - boundary).abs() < 1e-3 || p == 2 && tau < boundary {
-            continue;
+            return Ok(());
         }
         let vertices = path(p, tau, delta);
         let convex = convexity(&vertices) > 1e-12;
@@ -94,16 +83,11 @@ pub(crate) fn polygon() -> CheckResult {
             let apart = |i: usize, k: usize| !cross_each_other(edge(i), edge(k));
             votes.see((0..p as usize).all(|i| (i + 2..p as usize).all(|k| apart(i, k))));
         }
-    }
-    let over = "paths for τ on either side of h_p, p = 2 to 8, as polygons of computed vertices";
-    Ok(votes.outcome(over).against_print(printed.measure()))
-}
-
-/// As τ decreases from δ + 1, no u⁽ˡ⁾ vanishes before τ = h_p, and there it is u⁽ᵖ⁻¹⁾ (p ≥ 3).
-pub(crate) fn first_zero() -> CheckResult {
-    let mut sampler = Sampler::new(10);
-    let mut votes = Votes::default();
-    for index in 0..600 {
+    } =>
+        votes.outcome("paths for τ on either side of h_p, p = 2 to 8, as polygons of computed vertices")
+            .against_print(printed.measure());
+    /// As τ decreases from δ + 1, no u⁽ˡ⁾ vanishes before τ = h_p, and there it is u⁽ᵖ⁻¹⁾ (p ≥ 3).
+    first_zero: drawn_over(10, 0..600) |sampler, index; votes: Votes| {
         let p = 3 + index % 13;
         let delta = sampler.between(0.001, 0.999);
         let boundary = admissibility_boundary(p, delta)?;
@@ -116,23 +100,19 @@ pub(crate) fn first_zero() -> CheckResult {
         votes.see(scaled(p - 1, boundary).abs() < 1e-11);
         votes.see((1..p - 1).all(|j| scaled(j, boundary) < -1e-6));
         votes.see(scaled(p - 1, boundary - 1e-4 * delta.sqrt()) > 0.0);
-    }
-    Ok(votes
-        .outcome("600 determinants, p = 3 to 15, fifty values of τ each from δ + 1 down to h_p and beyond"))
-}
-
-checks! {
+    } =>
+        votes.outcome("600 determinants, p = 3 to 15, fifty values of τ each from δ + 1 down to h_p and beyond");
     /// The sum of a truncated geometric series.
     // Twenty roundings.
-    geometric_series: Ok(sampled(6, 1000, 1..=20, |sampler, n, deviations: &mut Deviations| {
+    geometric_series: sampled(6, 1000, 1..=20) |sampler, n; deviations: Deviations| {
         let r = sampler.between(-1.5, 1.5);
         let (sum, power) = (0..n).fold((0.0, 1.0), |(sum, power), _| (sum + power, power * r));
         // The numerator cancels near r = 1.
         deviations.see((sum * (1.0 - r) - (1.0 - power)) / (1.0 + power.abs()));
-    }).outcome(1e-14, "ratios between −1.5 and 1.5, one to twenty terms"));
+    } => deviations.outcome(1e-14, "ratios between −1.5 and 1.5, one to twenty terms");
     /// S_j at τ = δ + 1.
     // δ + 1 is rounded, which changes an eigenvalue by that over 1 − δ.
-    sums_at_unit_eigenvalue: Ok(sampled(7, 1000, 2..=15, |sampler, p, deviations: &mut Deviations| {
+    sums_at_unit_eigenvalue: sampled(7, 1000, 2..=15) |sampler, p; deviations: Deviations| {
         let delta = sampler.between(0.001, 0.999);
         let pair = Pair::new(delta + 1.0, delta);
         deviations.see((pair.first - 1.0).norm() * (1.0 - delta));
@@ -143,9 +123,9 @@ checks! {
         deviations.see((s - (1.0 - top)) / f64::from(p));
         let t = lucas_partial_sum(p, delta + 1.0, delta) * (1.0 - delta) * (1.0 - delta);
         deviations.see((t - (f64::from(p) * (1.0 - delta) - (1.0 - top))) / f64::from(p * p));
-    }).outcome(1e-14, "λ₁, λ₂, S_p and T_p for determinants from 0.001 to 0.999, p = 2 to 15"));
+    } => deviations.outcome(1e-14, "λ₁, λ₂, S_p and T_p for determinants from 0.001 to 0.999, p = 2 to 15");
     /// eq:ujeig1.
-    positions_at_unit_eigenvalue: Ok(sampled(8, 1000, 2..=15, |sampler, p, deviations: &mut Deviations| {
+    positions_at_unit_eigenvalue: sampled(8, 1000, 2..=15) |sampler, p; deviations: Deviations| {
         let delta = sampler.between(0.001, 0.999);
         let raised = |k: u32| libm::pow(delta, f64::from(k));
         for j in 1..p {
@@ -155,10 +135,10 @@ checks! {
             let size = 1.0 + f64::from(p * p * p) * (1.0 - delta) * (1.0 - delta);
             deviations.see((u * (1.0 - delta) * (1.0 - delta) - expected) / size);
         }
-    }).outcome(1e-14, "determinants from 0.001 to 0.999, p = 2 to 15, all j"));
+    } => deviations.outcome(1e-14, "determinants from 0.001 to 0.999, p = 2 to 15, all j");
     /// u⁽ʲ⁾ depends on the map through τ and δ alone, so that it may be followed in τ at fixed δ.
     // The balanced map divides by a₁₂, at least a tenth of r ≥ 0.03.
-    invariance: Ok(sampled(11, 1000, 2..=8, |sampler, p, deviations: &mut Deviations| {
+    invariance: sampled(11, 1000, 2..=8) |sampler, p; deviations: Deviations| {
         let (tau, delta) = sampler.trapesium();
         let expected: Vec<f64> = path(p, tau, delta).iter().map(|point| point.x).collect();
         let map = map_with(sampler, tau, delta);
@@ -170,7 +150,7 @@ checks! {
             deviations.see((here.x - beta * position) / (size * (1.0 + position.abs())));
             here = map.a * here + map.b * s;
         }
-    }).outcome(1e-14, "pairs of maps with the same τ and δ, p = 2 to 8"));
+    } => deviations.outcome(1e-14, "pairs of maps with the same τ and δ, p = 2 to 8");
     /// The path is convex for h_p < τ < δ + 1, and all its u⁽ʲ⁾ are negative, 0 < j < p, by search for the smallest of the numbers that decide it.
     ///
     /// With e = p₁ − p₀ and c = e × Ae, a vertex n − 1 after the end of the edge at i lies on the side of δⁱ T_n c of it, one n before

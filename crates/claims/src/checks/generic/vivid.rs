@@ -1,22 +1,7 @@
 //! Section 4.3: the VIVID function and its derivatives at grazing.
 
-use core::f64::consts::TAU;
-
-use grazing_continuation::mps::{EventTimes, Unknowns};
-use grazing_model::maps::{MapError, discontinuity_map, global_iterate, global_map, virtual_map};
-use grazing_model::motion::local_maxima;
-use grazing_model::{AtRest, ImpactOscillator, OnWall, State, Surface};
-use grazing_theorems::GenericGrazing;
-use grazing_theorems::grazing::VividLinearisation;
-use grazing_unfold::simulation::Seen;
-use nalgebra::Vector2;
-
 use super::maps::{impact_and_recoil, integrated, virtual_point};
-use super::specimens::{delayed, directions, specimens, specimens_with, uniform_order};
-use crate::differences::slope;
-use crate::solutions::{equations, followed, unknowns, vivid, zero};
-use crate::specimen::Grazing;
-use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, Votes};
+use crate::*;
 
 /// A size of μ at which the zero of V is as far from grazing as it is in the figures: y and z move by at most a tenth.
 pub(super) fn scale(grazing: &Grazing, p: u32) -> Option<f64> {
@@ -37,73 +22,6 @@ fn admissible() -> Result<Vec<(Grazing, u32, Unknowns)>, Failure> {
         }
     }
     Ok(found)
-}
-
-/// eq:xjzj: the points of an MPS on Π are the maxima of its motion from the recoil on.
-pub(crate) fn visits() -> CheckResult {
-    let mut deviations = Deviations::default();
-    for (grazing, p, point) in admissible()? {
-        let equations = equations(&grazing, p);
-        let oscillator = equations.oscillator_at(&point);
-        let recoil = equations.recoil(&point);
-        let visits = equations.visits(&point, &EventTimes::default())?;
-        let maxima = local_maxima(&oscillator.motion(recoil), f64::from(p) * oscillator.forcing_period());
-        for (j, visit) in visits.iter().enumerate().take(p as usize - 1) {
-            let phase = |time: f64| {
-                recoil.phase + oscillator.forcing_frequency().value * time - TAU * (j as f64 + 1.0)
-            };
-            let nearest = maxima
-                .iter()
-                .map(|maximum| Vector2::new(maximum.position, phase(maximum.time)))
-                .min_by(|a, b| (a - visit).norm().total_cmp(&(b - visit).norm()))
-                .ok_or("no maximum")?;
-            deviations.see((nearest - visit).amax());
-            if visit[0] >= 0.0 {
-                return Err(format!("the visit {j} of p = {p} lies beyond the wall").into());
-            }
-        }
-    }
-    // Times of maxima are known to the rounding of the velocity.
-    Ok(deviations.outcome(1e-13, "visits of the admissible MPSs of fifteen oscillators, p = 2 to 4"))
-}
-
-/// Zeros of V are MPSs: the simulated orbit has its next impact where it started, p periods later; from other points, and on
-/// the other side of grazing, where y < 0, there is no such orbit.
-pub(crate) fn zeros_are_orbits() -> CheckResult {
-    let (mut votes, mut printed) = (Votes::default(), Votes::default());
-    for (grazing, p, point) in admissible()? {
-        let equations = equations(&grazing, p);
-        let comes_back = |at: &Unknowns| followed(&equations, at) == Seen::Returns;
-        let mut beside = point;
-        beside[0] *= 1.01;
-        let found = comes_back(&point);
-        votes.see(point[0] > 0.0 && found);
-        votes.see(!comes_back(&beside));
-        let mu = point[2] - grazing.oscillator().parameters()[0];
-        let other = zero(&grazing, p, -mu).ok_or("no zero on the other side")?;
-        votes.see(other[0] < 0.0 && !comes_back(&other));
-        printed.see(found);
-        printed.see(comes_back(&other));
-    }
-    let over =
-        "MPSs near grazing of fifteen oscillators, p = 1 to 4, points beside them and on the other side";
-    Ok(votes.outcome(over).against_print(printed.measure()))
-}
-
-/// (x̂, ẑ) of an MPS is a fixed point of P_global^p ∘ P_disc.
-pub(crate) fn fixed_points() -> CheckResult {
-    let mut deviations = Deviations::default();
-    for (grazing, p, point) in admissible()? {
-        let oscillator = equations(&grazing, p).oscillator_at(&point);
-        let hat = virtual_point(&oscillator, OnWall::new(point[0], point[1]))?;
-        let start = discontinuity_map::<_, 1>(&oscillator, AtRest::new(hat[0], hat[1]))?.value;
-        let end = global_iterate::<_, 1>(&oscillator, p, AtRest::new(start[0], start[1]))?.value;
-        // The square root magnifies the rounding of x̂ by 1/y.
-        deviations.see((end - hat).amax() * point[0]);
-    }
-    // Newton's method for V and P_disc's for y, each with roundings of phases, p times.
-    Ok(deviations
-        .outcome(1e-14, "MPSs near grazing of fifteen oscillators, p = 1 to 4: the deviation times y"))
 }
 
 /// eq:V: V against numerical integration of the way from the impact and of the way from the recoil, return by return.
@@ -141,37 +59,6 @@ pub(crate) fn composition() -> CheckResult {
     Ok(deviations.outcome(1e-8, "points near grazing, y of either sign, twelve oscillators, p = 1 to 4"))
 }
 
-/// V is twice differentiable across y = 0.
-pub(crate) fn smooth_across_tangency() -> CheckResult {
-    let mut orders = Smallest::default();
-    for (grazing, p) in specimens_with(1..=3)? {
-        let equations = equations(&grazing, p);
-        let second = |y: f64| {
-            let point = unknowns(&grazing, [y, 0.0, 0.0]);
-            let pair = equations.pair::<2>(&point, &mut EventTimes::default()).ok()?;
-            Some([0, 1].map(|i| pair.round_trip.hessians[i] - pair.impact.hessians[i]))
-        };
-        orders.see(uniform_order(&[[0.0], [1.0]], |[component], h| {
-            let i = component as usize;
-            // Second derivatives up to some hundreds.
-            Some(((second(h)?[i] - second(-h)?[i]).norm(), 1e-12))
-        }));
-    }
-    // The next term is of relative size h² < 10⁻³.
-    Ok(orders.order(1.0, 0.1, "twelve oscillators, p = 1 to 3"))
-}
-
-/// V(0, z_graz; 0) = 0.
-pub(crate) fn vanishes_at_grazing() -> CheckResult {
-    let mut deviations = Deviations::default();
-    for (grazing, p) in specimens_with(1..=6)? {
-        let value = vivid(&equations(&grazing, p), &unknowns(&grazing, [0.0; 3]));
-        deviations.see(value.ok_or("V is not defined at grazing")?.amax());
-    }
-    // Six returns with the rounding of a phase each.
-    Ok(deviations.outcome(1e-13, "twelve oscillators, p = 1 to 6"))
-}
-
 /// The derivatives of V at grazing in (y, z, μ), from the derivatives of the maps.
 pub(super) fn derivatives(grazing: &Grazing, p: u32) -> Result<VividLinearisation, MapError> {
     let point = unknowns(grazing, [0.0; 3]);
@@ -180,30 +67,6 @@ pub(super) fn derivatives(grazing: &Grazing, p: u32) -> Result<VividLinearisatio
         by_impact: derivative.fixed_columns::<2>(0).into_owned(),
         by_parameter: derivative.column(2).into_owned(),
     })
-}
-
-/// eq:Jac1Jac2: the derivatives of which J and K are made against differences of V.
-pub(crate) fn jacobians() -> CheckResult {
-    let mut deviations = Deviations::default();
-    for (grazing, p) in specimens_with(1..=4)? {
-        let stated = grazing.grazing_point().vivid_linearisation(p);
-        let VividLinearisation { by_impact, by_parameter } = derivatives(&grazing, p)?;
-        let gap = (stated.by_impact - by_impact).amax().max((stated.by_parameter - by_parameter).amax());
-        deviations.see(gap / (1.0 + by_impact.amax() + by_parameter.amax()));
-        let equations = equations(&grazing, p);
-        let columns = [by_impact.column(0).into_owned(), by_impact.column(1).into_owned(), by_parameter];
-        for (axis, expected) in columns.into_iter().enumerate() {
-            let slope = slope(1e-3, |h| {
-                let mut step = [0.0; 3];
-                step[axis] = h;
-                vivid(&equations, &unknowns(&grazing, step))
-            });
-            let slope = slope.ok_or("V is not defined near grazing")?;
-            deviations.see((slope - expected).amax() / (1.0 + expected.amax()));
-        }
-    }
-    // Rounding over the step, and derivatives of seventh order times its sixth power.
-    Ok(deviations.outcome(1e-9, "three derivatives at grazing of twelve oscillators, p = 1 to 4"))
 }
 
 /// Expansions of V, a component each.
@@ -226,6 +89,98 @@ fn expansion(seed: u64, component: usize) -> CheckResult {
 }
 
 checks! {
+    /// eq:xjzj: the points of an MPS on Π are the maxima of its motion from the recoil on.
+    // Times of maxima are known to the rounding of the velocity.
+    visits: over(admissible()?) |(grazing, p, point); deviations: Deviations| {
+        let equations = equations(&grazing, p);
+        let oscillator = equations.oscillator_at(&point);
+        let recoil = equations.departure(&point);
+        let visits = equations.visits(&point, &EventTimes::default())?;
+        let maxima = local_maxima(&oscillator.motion(recoil), f64::from(p) * oscillator.forcing_period());
+        for (j, visit) in visits.iter().enumerate().take(p as usize - 1) {
+            let phase = |time: f64| {
+                recoil.phase + oscillator.forcing_frequency().value * time - TAU * (j as f64 + 1.0)
+            };
+            let nearest = maxima
+                .iter()
+                .map(|maximum| Vector2::new(maximum.position, phase(maximum.time)))
+                .min_by(|a, b| (a - visit).norm().total_cmp(&(b - visit).norm()))
+                .ok_or("no maximum")?;
+            deviations.see((nearest - visit).amax());
+            if visit[0] >= 0.0 {
+                return Err(format!("the visit {j} of p = {p} lies beyond the wall").into());
+            }
+        }
+    } => deviations.outcome(1e-13, "visits of the admissible MPSs of fifteen oscillators, p = 2 to 4");
+    /// Zeros of V are MPSs: the simulated orbit has its next impact where it started, p periods later; from other points, and on
+    /// the other side of grazing, where y < 0, there is no such orbit.
+    zeros_are_orbits: over(admissible()?) |(grazing, p, point); (votes, printed): (Votes, Votes)| {
+        let equations = equations(&grazing, p);
+        let comes_back = |at: &Unknowns| followed(&equations, at) == Seen::Returns;
+        let mut beside = point;
+        beside[0] *= 1.01;
+        let found = comes_back(&point);
+        votes.see(point[0] > 0.0 && found);
+        votes.see(!comes_back(&beside));
+        let mu = point[2] - grazing.oscillator().parameters()[0];
+        let other = zero(&grazing, p, -mu).ok_or("no zero on the other side")?;
+        votes.see(other[0] < 0.0 && !comes_back(&other));
+        printed.see(found);
+        printed.see(comes_back(&other));
+    } =>
+        votes.outcome("MPSs near grazing of fifteen oscillators, p = 1 to 4, points beside them and on the other side")
+            .against_print(printed.measure());
+    /// (x̂, ẑ) of an MPS is a fixed point of P_global^p ∘ P_disc.
+    // Newton's method for V and P_disc's for y, each with roundings of phases, p times.
+    fixed_points: over(admissible()?) |(grazing, p, point); deviations: Deviations| {
+        let oscillator = equations(&grazing, p).oscillator_at(&point);
+        let hat = virtual_point(&oscillator, OnWall::new(point[0], point[1]))?;
+        let start = discontinuity_map::<_, 1>(&oscillator, AtRest::new(hat[0], hat[1]))?.value;
+        let end = global_iterate::<_, 1>(&oscillator, p, AtRest::new(start[0], start[1]))?.value;
+        // The square root magnifies the rounding of x̂ by 1/y.
+        deviations.see((end - hat).amax() * point[0]);
+    } =>
+        deviations.outcome(1e-14, "MPSs near grazing of fifteen oscillators, p = 1 to 4: the deviation times y");
+    /// V is twice differentiable across y = 0.
+    // The next term is of relative size h² < 10⁻³.
+    smooth_across_tangency: over(specimens_with(1..=3)?) |(grazing, p); orders: Smallest| {
+        let equations = equations(&grazing, p);
+        let second = |y: f64| {
+            let point = unknowns(&grazing, [y, 0.0, 0.0]);
+            let pair = equations.pair::<2>(&point, &mut EventTimes::default()).ok()?;
+            Some([0, 1].map(|i| pair.round_trip.hessians[i] - pair.impact.hessians[i]))
+        };
+        orders.see(uniform_order(&[[0.0], [1.0]], |[component], h| {
+            let i = component as usize;
+            // Second derivatives up to some hundreds.
+            Some(((second(h)?[i] - second(-h)?[i]).norm(), 1e-12))
+        }));
+    } => orders.order(1.0, 0.1, "twelve oscillators, p = 1 to 3");
+    /// V(0, z_graz; 0) = 0.
+    // Six returns with the rounding of a phase each.
+    vanishes_at_grazing: over(specimens_with(1..=6)?) |(grazing, p); deviations: Deviations| {
+        let value = vivid(&equations(&grazing, p), &unknowns(&grazing, [0.0; 3]));
+        deviations.see(value.ok_or("V is not defined at grazing")?.amax());
+    } => deviations.outcome(1e-13, "twelve oscillators, p = 1 to 6");
+    /// eq:Jac1Jac2: the derivatives of which J and K are made against differences of V.
+    // Rounding over the step, and derivatives of seventh order times its sixth power.
+    jacobians: over(specimens_with(1..=4)?) |(grazing, p); deviations: Deviations| {
+        let stated = grazing.grazing_point().vivid_linearisation(p);
+        let VividLinearisation { by_impact, by_parameter } = derivatives(&grazing, p)?;
+        let gap = (stated.by_impact - by_impact).amax().max((stated.by_parameter - by_parameter).amax());
+        deviations.see(gap / (1.0 + by_impact.amax() + by_parameter.amax()));
+        let equations = equations(&grazing, p);
+        let columns = [by_impact.column(0).into_owned(), by_impact.column(1).into_owned(), by_parameter];
+        for (axis, expected) in columns.into_iter().enumerate() {
+            let slope = slope(1e-3, |h| {
+                let mut step = [0.0; 3];
+                step[axis] = h;
+                vivid(&equations, &unknowns(&grazing, step))
+            });
+            let slope = slope.ok_or("V is not defined near grazing")?;
+            deviations.see((slope - expected).amax() / (1.0 + expected.amax()));
+        }
+    } => deviations.outcome(1e-9, "three derivatives at grazing of twelve oscillators, p = 1 to 4");
     /// eq:V1.
     first_component: expansion(2, 0);
     /// eq:V2.

@@ -1,71 +1,9 @@
 //! Section 2.4: the auxiliary functions g_p, H_p and h_p, and what they say about Figure 2.
 
-use core::f64::consts::PI;
-
-use grazing_model::ImpactOscillator;
-use grazing_theorems::admissibility_boundary::admissibility_boundary;
-use grazing_theorems::auxiliary::{detuning, lucas_sequence, resonance_boundary, scaled_visit_position};
-use grazing_theorems::hypothesis::Quantity;
-use grazing_theorems::{GenericGrazing, Side};
-use nalgebra::Matrix2;
-
 use super::theorems::general::side_of_orbit;
 use super::theorems::only;
 use crate::checks::appendices::signs::{scaled_h, search};
-use crate::specimen::{Exponential, Law, damping_for_decay};
-use crate::sweep::Existence;
-use crate::{CheckResult, Deviations, Failure, Smallest, Votes, drawn, order, printed};
-
-/// eq:gp: at τ = g_p(δ) the (1, 2) entry of Aᵖ vanishes, also for p between integers in the sense of S_p(τ) = 0 at the
-/// integer; for larger τ it has the sign of a₁₂.
-pub(crate) fn resonance_boundary_is_a_zero() -> CheckResult {
-    let largest = drawn(31, 3000, |sampler, largest: &mut Deviations| {
-        let p = sampler.one_of(&[2, 3, 4, 5, 6, 7, 9, 12, 15]);
-        let delta = sampler.between(0.001, 0.999);
-        let boundary = resonance_boundary(f64::from(p), delta);
-        largest.compare(boundary, 2.0 * delta.sqrt() * libm::cos(PI / f64::from(p)), 1.0);
-        let entry = |tau: f64, a11: f64| {
-            let a = Matrix2::new(a11, 1.0, a11 * (tau - a11) - delta, tau - a11);
-            (1..p).fold(a, |power, _| power * a)[(0, 1)]
-        };
-        let a11 = sampler.between(-1.0, 1.0);
-        largest.see(entry(boundary, a11).abs());
-        let above = boundary + sampler.between(1e-3, 1.0) * (delta + 1.0 - boundary);
-        largest.require(entry(above, a11) > 0.0);
-        // g_{p/2}: twice the angle, 2√δ cos(2π/p) = (g_p² − 2δ)/√δ... by the double angle formula.
-        let doubled = (boundary * boundary - 2.0 * delta) / delta.sqrt();
-        largest.compare(resonance_boundary(0.5 * f64::from(p), delta), doubled, 1.0 + 1.0 / delta.sqrt());
-        Ok(())
-    })?;
-    // Powers of a matrix of norm two in fifteen steps, of which the entry is what cancellation leaves.
-    Ok(largest.outcome(1e-12, "p up to 15 and random A with τ = g_p(δ), and with τ above it"))
-}
-
-/// As p → ∞ both families tend to 2√δ, with second order in 1/p.
-pub(crate) fn limit() -> CheckResult {
-    let least = drawn(35, 10, |sampler, least: &mut Smallest| {
-        let delta = sampler.between(0.05, 0.95);
-        let end = 2.0 * delta.sqrt();
-        for lower in [true, false] {
-            least.see_resolved(order(|h| {
-                // The size is 1/p; p up to 1024 shows the order.
-                let loops = libm::round(1.0 / h) as u32;
-                if loops > 1024 {
-                    return Some((0.0, 1.0));
-                }
-                let value = if lower {
-                    admissibility_boundary(loops, delta).ok()?
-                } else {
-                    resonance_boundary(1.0 / h, delta)
-                };
-                Some((end - value, 1e-15))
-            }));
-        }
-        Ok(())
-    })?;
-    // Slack for terms in 1/p³ at p near a thousand.
-    Ok(least.order(2.0, 0.05, "g_p and h_p at random δ, p up to 1024"))
-}
+use crate::*;
 
 /// Figure 2's (τ, δ), marked by a star in Figure 4: g₂ < τ, and h_p < τ < g_p for p = 3, 4, 5 and no other p; by
 /// theorem 2.3 two loops then emerge to the right and three to five to the left.
@@ -153,6 +91,47 @@ fn beyond_in_simulation(p: u32, tau: f64, delta: f64) -> Result<bool, Failure> {
 }
 
 checks! {
+    /// eq:gp: at τ = g_p(δ) the (1, 2) entry of Aᵖ vanishes, also for p between integers in the sense of S_p(τ) = 0 at the
+    /// integer; for larger τ it has the sign of a₁₂.
+    // Powers of a matrix of norm two in fifteen steps, of which the entry is what cancellation leaves.
+    resonance_boundary_is_a_zero: drawn(31, 3000) |sampler; largest: Deviations| {
+        let p = sampler.one_of(&[2, 3, 4, 5, 6, 7, 9, 12, 15]);
+        let delta = sampler.between(0.001, 0.999);
+        let boundary = resonance_boundary(f64::from(p), delta);
+        largest.compare(boundary, 2.0 * delta.sqrt() * libm::cos(PI / f64::from(p)), 1.0);
+        let entry = |tau: f64, a11: f64| {
+            let a = Matrix2::new(a11, 1.0, a11 * (tau - a11) - delta, tau - a11);
+            (1..p).fold(a, |power, _| power * a)[(0, 1)]
+        };
+        let a11 = sampler.between(-1.0, 1.0);
+        largest.see(entry(boundary, a11).abs());
+        let above = boundary + sampler.between(1e-3, 1.0) * (delta + 1.0 - boundary);
+        largest.require(entry(above, a11) > 0.0);
+        // g_{p/2}: twice the angle, 2√δ cos(2π/p) = (g_p² − 2δ)/√δ... by the double angle formula.
+        let doubled = (boundary * boundary - 2.0 * delta) / delta.sqrt();
+        largest.compare(resonance_boundary(0.5 * f64::from(p), delta), doubled, 1.0 + 1.0 / delta.sqrt());
+    } => largest.outcome(1e-12, "p up to 15 and random A with τ = g_p(δ), and with τ above it");
+    /// As p → ∞ both families tend to 2√δ, with second order in 1/p.
+    // Slack for terms in 1/p³ at p near a thousand.
+    limit: drawn(35, 10) |sampler; least: Smallest| {
+        let delta = sampler.between(0.05, 0.95);
+        let end = 2.0 * delta.sqrt();
+        for lower in [true, false] {
+            least.see_resolved(order(|h| {
+                // The size is 1/p; p up to 1024 shows the order.
+                let loops = libm::round(1.0 / h) as u32;
+                if loops > 1024 {
+                    return Some((0.0, 1.0));
+                }
+                let value = if lower {
+                    admissibility_boundary(loops, delta).ok()?
+                } else {
+                    resonance_boundary(1.0 / h, delta)
+                };
+                Some((end - value, 1e-15))
+            }));
+        }
+    } => least.order(2.0, 0.05, "g_p and h_p at random δ, p up to 1024");
     /// h_p: H_p vanishes there and is positive above, found by search of the smallest quotient H_p/(τ − h_p); h₂ = −2√δ.
     admissibility_boundary_is_the_largest_zero: search(2..=20, "τ > h_p and the determinant", "r^(p−2) H_p / (τ − h_p)", |p, [d, s]| {
         let delta = 0.01 + 0.989_999 * d;

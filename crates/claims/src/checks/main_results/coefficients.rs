@@ -1,14 +1,6 @@
 //! Section 2.6: s_p^±, c_SN and c_PD of oscillators with ψ ≠ 0, against multipliers and continued curves.
 
-use core::f64::consts::PI;
-
-use grazing_continuation::fit::quadratic_coefficient;
-use grazing_continuation::locate::Condition;
-use grazing_theorems::LinearisedMap;
-
-use crate::checks::resonant::places::{Bifurcation, ResonantSpecimen};
-use crate::specimen::Law;
-use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, drawn, order};
+use crate::*;
 
 /// A resonance with one of these numbers of loops at which s^± are not within a twentieth of zero, nor the impact
 /// velocity along either curve within a fifth of η: then the curves are seen at small velocities.
@@ -66,7 +58,7 @@ fn fitted(seed: u64, loops: &[u32], tolerance: f64, over: &str) -> CheckResult {
 checks! {
     /// a₁₂′ and κ_p′: total derivatives along the grazing curve, by differences of numerical grazing orbits.
     // Rounding 10⁻¹⁴ over the step 10⁻⁴.
-    unfolding_derivatives: drawn(65, 30, |sampler, largest: &mut Deviations| {
+    unfolding_derivatives: drawn(65, 30) |sampler; largest: Deviations| {
         let place = resonant(sampler, &[1, 2, 3, 4])?;
         let loops = place.loops();
         let measured = place.along_grazing(1e-4, |LinearisedMap { a, .. }| {
@@ -75,8 +67,7 @@ checks! {
         })?;
         let stated = place.point().unfolding.derivative;
         largest.compare(measured, stated, stated.abs().max(1.0));
-        Ok(())
-    }).map(|largest| largest.outcome(1e-10, "resonances p = 1 to 4, by differences along the grazing curve"));
+    } => largest.outcome(1e-10, "resonances p = 1 to 4, by differences along the grazing curve");
     /// eq:c1.
     stability_one_loop: stability(61, &[1], "resonances p = 1 with ψ ≠ 0");
     /// eq:cp.

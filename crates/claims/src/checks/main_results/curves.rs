@@ -1,15 +1,11 @@
 //! Section 2.6: g_SN and g_PD as curves, with ψ ≠ 0.
 
-use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::unknown;
-
 use super::coefficients::resonant;
-use crate::solutions::at_velocity;
-use crate::{CheckResult, Votes, drawn};
+use crate::*;
 
-/// Across the SN curve two MPSs on one side of μ become none, and across the PD curve a multiplier passes through −1.
-pub(crate) fn crossing() -> CheckResult {
-    let cases = drawn(75, 30, |sampler, cases: &mut Votes| {
+checks! {
+    /// Across the SN curve two MPSs on one side of μ become none, and across the PD curve a multiplier passes through −1.
+    crossing: drawn(75, 30) |sampler; cases: Votes| {
         let place = resonant(sampler, &[1, 2, 3])?;
         for curve in &place.curves() {
             // Small against the velocities of order one at which curves end.
@@ -31,7 +27,5 @@ pub(crate) fn crossing() -> CheckResult {
                 a * b < 0.0
             });
         }
-        Ok(())
-    })?;
-    Ok(cases.outcome("SN and PD curves of random oscillators, crossed along the branch at fixed η"))
+    } => cases.outcome("SN and PD curves of random oscillators, crossed along the branch at fixed η");
 }

@@ -1,16 +1,8 @@
 //! Section 1: what the text says about Figure 2 and about the Jacobian near grazing.
 
-use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{Curve, Route, Window};
-use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::{LoopEquations, MaximalPeriodicSolution};
-use grazing_model::AtRest;
-use grazing_model::maps::discontinuity_map;
-use grazing_unfold::simulation::Seen;
-
-use crate::solutions::{self, attracts, equations, followed};
-use crate::specimen::{Law, Specimen, at_grazing};
-use crate::{CheckResult, Failure, Smallest, Votes, order, printed};
+use crate::solutions;
+use crate::*;
+use grazing_continuation::curve::Curve;
 
 /// The branch of p-loop MPSs that leaves the grazing bifurcation of Figure 2, with its equations and 𝒜_graz.
 fn branch(loops: u32) -> Result<(LoopEquations<Specimen>, Curve, f64), Failure> {
@@ -31,22 +23,6 @@ fn branch(loops: u32) -> Result<(LoopEquations<Specimen>, Curve, f64), Failure> 
 /// The first points of a branch beyond the grazing bifurcation.
 fn first(curve: &Curve) -> impl Iterator<Item = &MaximalPeriodicSolution> {
     curve.points.iter().skip(1).take(3).map(|point| &point.solution)
-}
-
-/// MPSs with p = 1 and 2 emanate to the right, those with p = 3 to the left; all are unstable there, by multipliers and in
-/// simulation.
-pub(crate) fn emanating_solutions() -> CheckResult {
-    let mut cases = Votes::default();
-    for loops in 1..=3 {
-        let (equations, curve, amplitude) = branch(loops)?;
-        for solution in first(&curve) {
-            let point = &solution.unknowns;
-            cases.see((solution.parameters()[0] > amplitude) == (loops < 3));
-            cases.see(solution.admissible() && followed(&equations, point) == Seen::Returns);
-            cases.see(!solution.stable() && attracts(&equations, point) == Some(false));
-        }
-    }
-    Ok(cases.outcome("the first points of the branches p = 1, 2, 3 of Figure 2"))
 }
 
 /// Two loops gain stability at a PD, three at an SN and lose it at a GZ; between GZ and PD no MPS with p ≤ 3 is stable.
@@ -85,9 +61,20 @@ pub(crate) fn stability_gained() -> CheckResult {
 }
 
 checks! {
+    /// MPSs with p = 1 and 2 emanate to the right, those with p = 3 to the left; all are unstable there, by multipliers and in
+    /// simulation.
+    emanating_solutions: over(1..=3) |loops; cases: Votes| {
+        let (equations, curve, amplitude) = branch(loops)?;
+        for solution in first(&curve) {
+            let point = &solution.unknowns;
+            cases.see((solution.parameters()[0] > amplitude) == (loops < 3));
+            cases.see(solution.admissible() && followed(&equations, point) == Seen::Returns);
+            cases.see(!solution.stable() && attracts(&equations, point) == Some(false));
+        }
+    } => cases.outcome("the first points of the branches p = 1, 2, 3 of Figure 2");
     /// The Jacobian of P_disc grows like x̂^(−1/2): its entry times √x̂ tends to −αω/√(2γ).
     // First order in √x̂; slack for the second.
-    singular_jacobian: at_grazing(83, 100, |_, orbit, least: &mut Smallest| {
+    singular_jacobian: at_grazing(83, 100) |_, orbit; least: Smallest| {
         let point = orbit.grazing_point();
         let limit = -point.alpha() * point.forcing_frequency / (2.0 * point.gamma).sqrt();
         least.see_resolved(order(|h| {
@@ -96,6 +83,5 @@ checks! {
             // The velocity at the wall is known to 10⁻¹⁶/h of itself.
             Some((jet.jacobian[(1, 0)] * h - limit, 1e-15 / h))
         }));
-        Ok(())
-    }).map(|least| least.order(1.0, 0.3, "∂z⁽⁰⁾/∂x̂ times √x̂ for random oscillators with ψ ≠ 0"));
+    } => least.order(1.0, 0.3, "∂z⁽⁰⁾/∂x̂ times √x̂ for random oscillators with ψ ≠ 0");
 }

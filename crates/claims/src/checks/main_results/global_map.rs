@@ -1,17 +1,15 @@
 //! Section 2.2: grazing and the global return map.
 
-use grazing_model::motion::local_maxima;
-use grazing_model::{ImpactOscillator, State};
-use nalgebra::{Matrix2, Vector2};
-
 use super::returns::{derivatives, returned};
-use crate::specimen::at_grazing;
-use crate::{CheckResult, Deviations, Smallest, Votes, order};
+use crate::*;
 
-/// ass:grazing: the orbit from (0, 0, z_graz) is periodic, touches the wall once per period and lies below it otherwise,
-/// and F < 0 where it touches; at another amplitude there is no such orbit.
-pub(crate) fn grazing_orbit() -> CheckResult {
-    let cases = at_grazing(11, 100, |_, orbit, cases: &mut Votes| {
+/// Accuracy of the differences: empirical, some ten times the largest that was seen.
+const DIFFERENCES: f64 = 1e-10;
+
+checks! {
+    /// ass:grazing: the orbit from (0, 0, z_graz) is periodic, touches the wall once per period and lies below it otherwise,
+    /// and F < 0 where it touches; at another amplitude there is no such orbit.
+    grazing_orbit: at_grazing(11, 100) |_, orbit; cases: Votes| {
         let oscillator = orbit.oscillator();
         let period = oscillator.forcing_period();
         let from = State::at_rest(0.0, orbit.phase());
@@ -34,14 +32,10 @@ pub(crate) fn grazing_orbit() -> CheckResult {
         let off = oscillator.with_parameters([primary * 1.01, secondary]);
         let [x, z] = returned(&off, [0.0, orbit.phase()])?.into();
         cases.see(x.abs() + (z - orbit.phase()).abs() > 1e-6);
-        Ok(())
-    })?;
-    Ok(cases.outcome("grazing orbits of random oscillators, and values of μ beside them"))
-}
-
-/// eq:Pglobal: what the linear part leaves over is of second order.
-pub(crate) fn expansion() -> CheckResult {
-    let least = at_grazing(12, 60, |sampler, orbit, least: &mut Smallest| {
+    } => cases.outcome("grazing orbits of random oscillators, and values of μ beside them");
+    /// eq:Pglobal: what the linear part leaves over is of second order.
+    // Slack for the cubic terms at the smallest resolved sizes.
+    expansion: at_grazing(12, 60) |sampler, orbit; least: Smallest| {
         let oscillator = orbit.oscillator();
         let [primary, secondary] = oscillator.parameters();
         let map = orbit.grazing_point().map;
@@ -64,28 +58,17 @@ pub(crate) fn expansion() -> CheckResult {
         if let Some(error) = failure {
             return Err(error);
         }
-        Ok(())
-    })?;
-    // Slack for the cubic terms at the smallest resolved sizes.
-    Ok(least.order(2.0, 0.3, "directions in (x, z, μ) at grazing orbits of random oscillators"))
-}
-
-/// Accuracy of the differences: empirical, some ten times the largest that was seen.
-const DIFFERENCES: f64 = 1e-10;
-
-checks! {
+    } => least.order(2.0, 0.3, "directions in (x, z, μ) at grazing orbits of random oscillators");
     /// eq:A: ∂(x', z')/∂(x, z) by hand-written derivatives against differences of event locations.
-    derivative: at_grazing(13, 60, |_, orbit, largest: &mut Deviations| {
+    derivative: at_grazing(13, 60) |_, orbit; largest: Deviations| {
         let a = orbit.grazing_point().map.a;
         let [by_position, by_phase, _] = derivatives(orbit, 1.0)?;
         largest.see((Matrix2::from_columns(&[by_position, by_phase]) - a).amax() / a.amax().max(1.0));
-        Ok(())
-    }).map(|largest| largest.outcome(DIFFERENCES, "entries of A of random oscillators"));
+    } => largest.outcome(DIFFERENCES, "entries of A of random oscillators");
     /// eq:b: ∂P_global/∂μ likewise, with the amplitude or the frequency as μ.
-    parameter_derivative: at_grazing(14, 60, |_, orbit, largest: &mut Deviations| {
+    parameter_derivative: at_grazing(14, 60) |_, orbit; largest: Deviations| {
         let b = orbit.grazing_point().map.b;
         let [_, _, by_parameter] = derivatives(orbit, 1.0)?;
         largest.see((by_parameter - b).amax() / b.amax().max(1.0));
-        Ok(())
-    }).map(|largest| largest.outcome(DIFFERENCES, "entries of b of random oscillators"));
+    } => largest.outcome(DIFFERENCES, "entries of b of random oscillators");
 }

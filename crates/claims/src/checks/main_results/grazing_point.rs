@@ -1,21 +1,11 @@
 //! Section 2.5: the factor of the square root, the constants of the grazing point, and κ_p.
 
-use core::f64::consts::PI;
-
-use grazing_model::maps::discontinuity_map;
-use grazing_model::motion::Motion;
-use grazing_model::{AtRest, ImpactOscillator, OnWall, State};
-use grazing_theorems::auxiliary::detuning;
-use nalgebra::Matrix2;
-
-use crate::differences::slope;
-use crate::specimen::at_grazing;
-use crate::{Deviations, Smallest, Votes, drawn, order};
+use crate::*;
 
 checks! {
     /// eq:alpha: z⁽⁰⁾ − ẑ = −α ω√(2x̂/γ) + O(x̂) along P_disc of an oscillator with ψ ≠ 0.
     // Slack for the terms of third order in √x̂.
-    square_root_factor: at_grazing(41, 60, |_, orbit, least: &mut Smallest| {
+    square_root_factor: at_grazing(41, 60) |_, orbit; least: Smallest| {
         let point = orbit.grazing_point();
         // The size is √x̂, so that the remainder is of second order.
         least.see_resolved(order(|h| {
@@ -25,11 +15,10 @@ checks! {
             // Times from 10⁻² to 10⁻⁵ are found to the rounding of phases of order one.
             Some((disc[1] - orbit.phase() - stated, 1e-14))
         }));
-        Ok(())
-    }).map(|least| least.order(2.0, 0.3, "random oscillators with ψ ≠ 0; order in √x̂"));
+    } => least.order(2.0, 0.3, "random oscillators with ψ ≠ 0; order in √x̂");
     /// eq:phipsigamma: φ and ψ by differences of the reset law at zero velocity, γ by the second difference of Γ; γ > 0.
     // Rounding 10⁻¹⁵ over the step 10⁻³; the error of fourth order is as small.
-    constants: at_grazing(42, 100, |_, orbit, largest: &mut Deviations| {
+    constants: at_grazing(42, 100) |_, orbit; largest: Deviations| {
         let (oscillator, point) = (orbit.oscillator(), orbit.grazing_point());
         let recoil = slope(1e-3, |y| Some(oscillator.reset::<1>(OnWall::new(y, orbit.phase())).value))
             .ok_or("a reset law has values everywhere")?;
@@ -39,10 +28,9 @@ checks! {
         let deceleration = slope(1e-3, |t| Some(-motion.at(t).velocity)).ok_or("motion goes on")?;
         largest.compare(deceleration, point.gamma, point.gamma.max(1.0));
         largest.require(point.gamma > 0.0);
-        Ok(())
-    }).map(|largest| largest.outcome(1e-11, "random oscillators with ψ ≠ 0"));
+    } => largest.outcome(1e-11, "random oscillators with ψ ≠ 0");
     /// κ_p: its sign is that of the (1, 2) entry of Aᵖ over a₁₂ for τ > h_p, and it vanishes with that entry.
-    detuning_has_the_sign_of_the_entry: drawn(43, 3000, |sampler, cases: &mut Votes| {
+    detuning_has_the_sign_of_the_entry: drawn(43, 3000) |sampler; cases: Votes| {
         let p = sampler.one_of(&[2, 3, 4, 5, 6, 8, 10]);
         let delta = sampler.between(0.01, 0.99);
         let boundary = grazing_theorems::admissibility_boundary::admissibility_boundary(p, delta)?;
@@ -53,6 +41,5 @@ checks! {
         let definition = tau - 2.0 * delta.sqrt() * libm::cos(PI / f64::from(p));
         // The definition to two roundings; the entry has no sign where κ_p is as small as its rounding.
         cases.see((kappa - definition).abs() < 1e-15 && (kappa.abs() < 1e-12 || kappa * entry > 0.0));
-        Ok(())
-    }).map(|cases| cases.outcome("random p ≥ 2, δ and τ above h_p(δ)"));
+    } => cases.outcome("random p ≥ 2, δ and τ above h_p(δ)");
 }

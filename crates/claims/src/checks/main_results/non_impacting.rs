@@ -1,15 +1,8 @@
 //! Section 2.3: existence and stability of the non-impacting periodic solution.
 
-use grazing_model::maps::global_map;
-use grazing_model::orbit::{Orbit, OrbitEnd};
-use grazing_model::{AtRest, ImpactOscillator, State};
+use crate::specimen::frequency_first;
+use crate::*;
 use grazing_theorems::spectrum::{Eigenvalues, in_trapesium};
-use nalgebra::{Matrix2, Vector2};
-
-use crate::checks::generic::specimens::{map_with, sampled_map};
-use crate::differences::slope;
-use crate::specimen::{Grazing, Law, at_grazing, frequency_first};
-use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, Votes, drawn, order};
 
 /// The fixed point (x*, z*) of P_global at μ by Newton's method.
 fn fixed_point(orbit: &Grazing, mu: f64) -> Result<Vector2<f64>, Failure> {
@@ -63,9 +56,10 @@ pub(crate) fn transversality() -> CheckResult {
     Ok(largest.outcome(0.0, "random A and b with (τ, δ) in the trapesium; crossings of random oscillators"))
 }
 
-/// eq:eigs: the two numbers are the eigenvalues, a real pair in order or a conjugate pair.
-pub(crate) fn eigenvalues() -> CheckResult {
-    let largest = drawn(25, 2000, |sampler, largest: &mut Deviations| {
+checks! {
+    /// eq:eigs: the two numbers are the eigenvalues, a real pair in order or a conjugate pair.
+    // Numbers of order one and a handful of operations.
+    eigenvalues: drawn(25, 2000) |sampler; largest: Deviations| {
         let (tau, delta) = sampler.trapesium();
         match Eigenvalues::from_trace_and_determinant(tau, delta) {
             Eigenvalues::Real { lambda_1, lambda_2 } => {
@@ -85,17 +79,9 @@ pub(crate) fn eigenvalues() -> CheckResult {
                 largest.require(im > 0.0 && tau * tau < 4.0 * delta);
             }
         }
-        Ok(())
-    })?;
-    // Numbers of order one and a handful of operations.
-    Ok(largest.outcome(1e-14, "points of the trapesium"))
-}
-
-/// eq:cT: with δ > 0, powers of A tend to zero if and only if (τ, δ) lies in the trapesium.
-pub(crate) fn trapesium() -> CheckResult {
-    let mut sampler = Sampler::new(26);
-    let mut cases = Votes::default();
-    for k in 0..2000 {
+    } => largest.outcome(1e-14, "points of the trapesium");
+    /// eq:cT: with δ > 0, powers of A tend to zero if and only if (τ, δ) lies in the trapesium.
+    trapesium: drawn_over(26, 0..2000) |sampler, k; cases: Votes| {
         let (mut delta, mut tau) = (sampler.between(1e-3, 1.5), sampler.between(-3.0, 3.0));
         // Every third matrix lies within 10⁻⁶ of one of the three sides on which stability is lost.
         match k % 6 {
@@ -103,7 +89,7 @@ pub(crate) fn trapesium() -> CheckResult {
             1 => delta = 1.0 + sampler.between(-1e-6, 1e-6),
             _ => {}
         }
-        let mut power = map_with(&mut sampler, tau, delta).a;
+        let mut power = map_with(sampler, tau, delta).a;
         // A to the power 2⁴⁰, with its size kept apart: log|Aᴺ| = log of the size.
         let mut log_size = 0.0;
         for _ in 0..40 {
@@ -114,13 +100,9 @@ pub(crate) fn trapesium() -> CheckResult {
         }
         log_size += libm::log(power.amax());
         cases.see((log_size < 0.0) == in_trapesium(tau, delta));
-    }
-    Ok(cases.outcome("random matrices with δ > 0, a third of them within 10⁻⁶ of a side"))
-}
-
-/// For small μ with βμ < 0 orbits of the hybrid system that start near the non-impacting solution approach it.
-pub(crate) fn stability() -> CheckResult {
-    let cases = at_grazing(27, 60, |sampler, orbit, cases: &mut Votes| {
+    } => cases.outcome("random matrices with δ > 0, a third of them within 10⁻⁶ of a side");
+    /// For small μ with βμ < 0 orbits of the hybrid system that start near the non-impacting solution approach it.
+    stability: at_grazing(27, 60) |sampler, orbit; cases: Votes| {
         let map = orbit.grazing_point().map;
         let slope = map.fixed_point_position_slope()?;
         let size = 1e-3 / slope.abs();
@@ -138,16 +120,11 @@ pub(crate) fn stability() -> CheckResult {
             _ => false,
         };
         cases.see(x < 0.0 && approached);
-        Ok(())
-    })?;
-    Ok(cases.outcome("random oscillators just below grazing"))
-}
-
-checks! {
+    } => cases.outcome("random oscillators just below grazing");
     /// τ and δ are trace and determinant of the flow over one period in (x, y), the wall ignored: P_global has the multipliers
     /// of Γ.
     // Products and sums of a dozen rounded numbers of the size of the entries.
-    trace_and_determinant: at_grazing(21, 500, |_, orbit, largest: &mut Deviations| {
+    trace_and_determinant: at_grazing(21, 500) |_, orbit; largest: Deviations| {
         let map = orbit.grazing_point().map;
         let from = State::at_rest(0.0, orbit.phase());
         let jet = orbit.oscillator().flow::<1>(from, orbit.oscillator().forcing_period());
@@ -155,11 +132,10 @@ checks! {
         let size = map.a.amax().max(1.0);
         largest.compare(map.trace(), monodromy.trace(), size);
         largest.compare(map.determinant(), monodromy.determinant(), size * size);
-        Ok(())
-    }).map(|largest| largest.outcome(1e-13, "grazing orbits of random oscillators, against the monodromy matrix"));
+    } => largest.outcome(1e-13, "grazing orbits of random oscillators, against the monodromy matrix");
     /// eq:xStarzStar: the fixed point of P_global to first order.
     // Slack for the next order at the smallest resolved μ.
-    fixed_point_expansion: drawn(22, 100, |sampler, least: &mut Smallest| {
+    fixed_point_expansion: drawn(22, 100) |sampler; least: Smallest| {
         let orbit = nonlinear_orbit(sampler)?;
         let slope = orbit.grazing_point().map.fixed_point_slope()?;
         least.see_resolved(order(|mu| {
@@ -168,11 +144,10 @@ checks! {
             // (I − A)⁻¹ amplifies roundings up to a hundredfold.
             Some((remainder.norm(), 1e-13))
         }));
-        Ok(())
-    }).map(|least| least.order(2.0, 0.3, "random oscillators with the frequency as μ"));
+    } => least.order(2.0, 0.3, "random oscillators with the frequency as μ");
     /// eq:xStarzStarDeriv: dx*/dμ by differences of numerical fixed points.
     // h⁶ = 10⁻¹⁸ times seventh derivatives of 𝒜/𝒜_graz(ω), which has its resonance ζ wide, ζ ≥ 0.01: empirical.
-    position_slope: drawn(23, 100, |sampler, largest: &mut Deviations| {
+    position_slope: drawn(23, 100) |sampler; largest: Deviations| {
         let orbit = nonlinear_orbit(sampler)?;
         let map = orbit.grazing_point().map;
         let measured =
@@ -180,6 +155,5 @@ checks! {
         let stated = map.transversality() / (map.determinant() - map.trace() + 1.0);
         largest.compare(measured, stated, stated.abs().max(1.0));
         largest.compare(map.fixed_point_position_slope()?, stated, stated.abs().max(1.0));
-        Ok(())
-    }).map(|largest| largest.outcome(1e-7, "random oscillators with the frequency as μ"));
+    } => largest.outcome(1e-7, "random oscillators with the frequency as μ");
 }

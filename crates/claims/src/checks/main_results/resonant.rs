@@ -1,59 +1,8 @@
 //! Section 2.6: the assumption, ξ_p, the sketch of the unfolding, and the remark.
 
-use grazing_model::motion::highest_maximum;
-use grazing_model::{ImpactOscillator, State};
-use grazing_theorems::from_map::GrazingOrbit;
-use nalgebra::{Matrix2, Vector2};
-
 use super::coefficients::resonant;
 use super::returns::iterated;
-use crate::differences::curvature;
-use crate::specimen::Law;
-use crate::{CheckResult, Deviations, Sampler, Votes, drawn};
-
-/// ass:grazing2: along a range of η there is a grazing orbit, touching at F < 0, whose phase and μ move continuously, with
-/// the slopes that are used along the grazing curve.
-pub(crate) fn grazing_orbits() -> CheckResult {
-    let cases = drawn(51, 40, |sampler, cases: &mut Votes| {
-        let mut orbit = Law::random_grazing(sampler)?;
-        let [_, start] = orbit.oscillator().parameters();
-        const STEP: f64 = 1e-3;
-        for k in 1..=40 {
-            let predicted = [orbit.primary() + STEP * orbit.primary_slope(), start + STEP * f64::from(k)];
-            let near = orbit.phase() + STEP * orbit.phase_slope();
-            let next = GrazingOrbit::find(&orbit.oscillator().with_parameters(predicted), near)?;
-            let from = State::at_rest(0.0, next.phase());
-            let motion = next.oscillator().motion(from);
-            let top = highest_maximum(&motion, 1.5 * next.oscillator().forcing_period());
-            // The contact one period later is the highest maximum, at the wall to rounding.
-            let touches = top.is_some_and(|top| top.position.abs() < 1e-12);
-            // The prediction is off by h²/2 times second derivatives, which are below 10⁴ for ζ ≥ 0.01.
-            let smooth =
-                (next.phase() - near).abs() + (next.primary() - predicted[0]).abs() < 5e3 * STEP * STEP;
-            cases.see(touches && smooth && next.oscillator().acceleration(from) < 0.0);
-            orbit = next;
-        }
-        Ok(())
-    })?;
-    Ok(cases.outcome("values of η along the grazing curves of random oscillators"))
-}
-
-/// eq:xi: by second differences of iterated event location.
-pub(crate) fn second_phase_derivative() -> CheckResult {
-    let mut sampler = Sampler::new(52);
-    let mut largest = Deviations::default();
-    for _ in 0..60 {
-        let orbit = Law::random_grazing(&mut sampler)?;
-        let loops = sampler.one_of(&[1, 2, 3, 4]);
-        let xi = orbit.second_phase_derivative(loops)?;
-        let measured =
-            curvature(2e-3, |h| Some(iterated(orbit.oscillator(), loops, [0.0, orbit.phase() + h]).ok()?[0]))
-                .ok_or("P_global is not defined near grazing")?;
-        largest.compare(measured, xi, xi.abs().max(1.0));
-    }
-    // Rounding 10⁻¹⁵ over h² and h⁶ times eighth derivatives: empirical, thirty times the largest seen.
-    Ok(largest.outcome(1e-7, "random oscillators, p = 1 to 4, by second differences"))
-}
+use crate::*;
 
 /// fig:E: in the case c_SN < 0 < c_PD and β > 0, the non-impacting solution exists for μ < 0 and is stable, and the curves
 /// lie on opposite sides of the grazing curve, each on its side of η = 0.
@@ -87,22 +36,52 @@ fn cases_below(cases: &Votes, limit: usize) -> bool {
     matches!(cases.measure(), crate::Measure::Agreement { cases, .. } if cases < limit)
 }
 
-/// Remark 2.1: with a₁₂ = 0, β = (1 − a₂₂) b₁, so β ≠ 0 is a₂₂ ≠ 1 and b₁ ≠ 0.
-pub(crate) fn remark() -> CheckResult {
-    let mut sampler = Sampler::new(54);
-    let mut largest = Deviations::default();
-    for k in 0..1000 {
+checks! {
+    /// ass:grazing2: along a range of η there is a grazing orbit, touching at F < 0, whose phase and μ move continuously, with
+    /// the slopes that are used along the grazing curve.
+    grazing_orbits: drawn(51, 40) |sampler; cases: Votes| {
+        let mut orbit = Law::random_grazing(sampler)?;
+        let [_, start] = orbit.oscillator().parameters();
+        const STEP: f64 = 1e-3;
+        for k in 1..=40 {
+            let predicted = [orbit.primary() + STEP * orbit.primary_slope(), start + STEP * f64::from(k)];
+            let near = orbit.phase() + STEP * orbit.phase_slope();
+            let next = GrazingOrbit::find(&orbit.oscillator().with_parameters(predicted), near)?;
+            let from = State::at_rest(0.0, next.phase());
+            let motion = next.oscillator().motion(from);
+            let top = highest_maximum(&motion, 1.5 * next.oscillator().forcing_period());
+            // The contact one period later is the highest maximum, at the wall to rounding.
+            let touches = top.is_some_and(|top| top.position.abs() < 1e-12);
+            // The prediction is off by h²/2 times second derivatives, which are below 10⁴ for ζ ≥ 0.01.
+            let smooth =
+                (next.phase() - near).abs() + (next.primary() - predicted[0]).abs() < 5e3 * STEP * STEP;
+            cases.see(touches && smooth && next.oscillator().acceleration(from) < 0.0);
+            orbit = next;
+        }
+    } => cases.outcome("values of η along the grazing curves of random oscillators");
+    /// eq:xi: by second differences of iterated event location.
+    // Rounding 10⁻¹⁵ over h² and h⁶ times eighth derivatives: empirical, thirty times the largest seen.
+    second_phase_derivative: drawn(52, 60) |sampler; largest: Deviations| {
+        let orbit = Law::random_grazing(sampler)?;
+        let loops = sampler.one_of(&[1, 2, 3, 4]);
+        let xi = orbit.second_phase_derivative(loops)?;
+        let measured =
+            curvature(2e-3, |h| Some(iterated(orbit.oscillator(), loops, [0.0, orbit.phase() + h]).ok()?[0]))
+                .ok_or("P_global is not defined near grazing")?;
+        largest.compare(measured, xi, xi.abs().max(1.0));
+    } => largest.outcome(1e-7, "random oscillators, p = 1 to 4, by second differences");
+    /// Remark 2.1: with a₁₂ = 0, β = (1 − a₂₂) b₁, so β ≠ 0 is a₂₂ ≠ 1 and b₁ ≠ 0.
+    // The same product.
+    remark: drawn_over(54, 0..1000) |sampler, k; largest: Deviations| {
         let entry = |k: i32, sampler: &mut Sampler, special: f64| {
             if k == 0 { special } else { sampler.between(-1.5, 1.5) }
         };
-        let a22 = entry(k % 5, &mut sampler, 1.0);
-        let b1 = entry(k % 7, &mut sampler, 0.0);
+        let a22 = entry(k % 5, sampler, 1.0);
+        let b1 = entry(k % 7, sampler, 0.0);
         let a = Matrix2::new(sampler.between(-1.0, 1.0), 0.0, sampler.between(-1.0, 1.0), a22);
         let map = grazing_theorems::LinearisedMap { a, b: Vector2::new(b1, sampler.between(-1.0, 1.0)) };
         largest.compare(map.transversality(), (1.0 - a22) * b1, 1.0);
         let implied = (map.transversality() != 0.0) == (a22 != 1.0 && b1 != 0.0);
         largest.require(implied);
-    }
-    // The same product.
-    Ok(largest.outcome(0.0, "random A with a₁₂ = 0 and b, a₂₂ = 1 and b₁ = 0 among them"))
+    } => largest.outcome(0.0, "random A with a₁₂ = 0 and b, a₂₂ = 1 and b₁ = 0 among them");
 }

@@ -1,14 +1,6 @@
 //! P_global without Newton's method or jets: the maxima of x in a free motion, found by the search of `motion`.
 
-use core::f64::consts::TAU;
-
-use grazing_model::motion::local_maxima;
-use grazing_model::{ImpactOscillator, State};
-use grazing_theorems::from_map::GrazingOrbit;
-use nalgebra::Vector2;
-
-use crate::Failure;
-use crate::differences::slope;
+use crate::*;
 
 /// The image of (x, z) under P_global: the local maximum of x nearest to one forcing period later.
 pub(crate) fn returned<O: ImpactOscillator>(

@@ -1,17 +1,12 @@
 //! Section 2.1: equations of motion and reset law.
 
-use core::f64::consts::TAU;
+use crate::*;
+use grazing_model::motion::first_crossing;
 
-use grazing_model::motion::{Motion, first_crossing, highest_maximum};
-use grazing_model::orbit::{FlightEnd, Orbit};
-use grazing_model::{ImpactOscillator, OnWall, State};
-
-use crate::specimen::{Law, at_grazing};
-use crate::{CheckResult, Deviations, Smallest, Votes, drawn, order, smallest};
-
-/// eq:f: all three components of the vector field against first differences along the flow, parameters of both kinds.
-pub(crate) fn vector_field() -> CheckResult {
-    let least = at_grazing(2, 60, |sampler, orbit, least: &mut Smallest| {
+checks! {
+    /// eq:f: all three components of the vector field against first differences along the flow, parameters of both kinds.
+    // Slack as above; the third component holds exactly, which leaves no order to be seen.
+    vector_field: at_grazing(2, 60) |sampler, orbit; least: Smallest| {
         let oscillator = orbit.oscillator();
         let from = sampler.state();
         let field = [from.velocity, oscillator.acceleration(from), oscillator.forcing_frequency().value];
@@ -35,15 +30,10 @@ pub(crate) fn vector_field() -> CheckResult {
                 Some((if i < 2 { difference - component } else { difference }, 1e-15 / h))
             }));
         }
-        Ok(())
-    })?;
-    // Slack as above; the third component holds exactly, which leaves no order to be seen.
-    Ok(least.order(2.0, 0.3, "components of the field at states of random oscillators"))
-}
-
-/// eq:z: along orbits with impacts, which may take time, the phase is ωt from its first value on, reduced to [0, 2π).
-pub(crate) fn phase() -> CheckResult {
-    let largest = drawn(3, 40, |sampler, largest: &mut Deviations| {
+    } => least.order(2.0, 0.3, "components of the field at states of random oscillators");
+    /// eq:z: along orbits with impacts, which may take time, the phase is ωt from its first value on, reduced to [0, 2π).
+    // Phases up to 130 added up over at most 200 impacts.
+    phase: drawn(3, 40) |sampler; largest: Deviations| {
         let orbit = Law::random_grazing(sampler)?;
         let at_grazing = orbit.oscillator();
         let [amplitude, frequency] = at_grazing.parameters();
@@ -57,15 +47,9 @@ pub(crate) fn phase() -> CheckResult {
             let inside = (0.0..TAU).contains(&phase);
             largest.see(if inside { (elapsed - turns * TAU).abs() } else { f64::INFINITY });
         }
-        Ok(())
-    })?;
-    // Phases up to 130 added up over at most 200 impacts.
-    Ok(largest.outcome(1e-12, "flights of orbits with impacts"))
-}
-
-/// Σ_graz: where F < 0 at (0, 0, z), and only there, the orbit through the point stays on the free side around it.
-pub(crate) fn grazing_set() -> CheckResult {
-    let cases = drawn(4, 300, |sampler, cases: &mut Votes| {
+    } => largest.outcome(1e-12, "flights of orbits with impacts");
+    /// Σ_graz: where F < 0 at (0, 0, z), and only there, the orbit through the point stays on the free side around it.
+    grazing_set: drawn(4, 300) |sampler; cases: Votes| {
         let orbit = Law::random_grazing(sampler)?;
         let at_grazing = orbit.oscillator();
         let [_, frequency] = at_grazing.parameters();
@@ -80,14 +64,9 @@ pub(crate) fn grazing_set() -> CheckResult {
         let motion = oscillator.motion(from);
         let free = [1e-5, -1e-5].map(|time| motion.at(time).position < 0.0);
         cases.see(free == [force < 0.0; 2]);
-        Ok(())
-    })?;
-    Ok(cases.outcome("points of the tangency set, F of both signs"))
-}
-
-/// eq:R: the incoming set goes to the outgoing set, the tangency set to itself, and the law has the form with Φ and Ψ.
-pub(crate) fn reset_form() -> CheckResult {
-    let least = drawn(5, 40, |sampler, least: &mut Smallest| {
+    } => cases.outcome("points of the tangency set, F of both signs");
+    /// eq:R: the incoming set goes to the outgoing set, the tangency set to itself, and the law has the form with Φ and Ψ.
+    reset_form: drawn(5, 40) |sampler; least: Smallest| {
         let orbit = Law::random_grazing(sampler)?;
         let oscillator = orbit.oscillator();
         let (margin, _) = smallest(5, 6, |[a, b]: [f64; 2]| {
@@ -106,14 +85,10 @@ pub(crate) fn reset_form() -> CheckResult {
             if velocity > 0.0 { -image[0] / velocity } else { restitution }
         });
         least.see(margin);
-        Ok(())
-    })?;
-    Ok(least.margin("adversarial searches for the smallest recoil velocity per impact velocity"))
-}
-
-/// eq:resetLaw: simulated orbits stay in x ≤ 0, arrive at the wall with y > 0, and go on from R(y, z).
-pub(crate) fn reset_law() -> CheckResult {
-    let largest = drawn(6, 40, |sampler, largest: &mut Deviations| {
+    } => least.margin("adversarial searches for the smallest recoil velocity per impact velocity");
+    /// eq:resetLaw: simulated orbits stay in x ≤ 0, arrive at the wall with y > 0, and go on from R(y, z).
+    // Event times are exact to rounding; phases are of order ten.
+    reset_law: drawn(6, 40) |sampler; largest: Deviations| {
         let orbit = Law::random_grazing(sampler)?;
         let at_grazing = orbit.oscillator();
         let [amplitude, frequency] = at_grazing.parameters();
@@ -144,16 +119,10 @@ pub(crate) fn reset_law() -> CheckResult {
                 ));
             }
         }
-        Ok(())
-    })?;
-    // Event times are exact to rounding; phases are of order ten.
-    Ok(largest.outcome(1e-13, "properties of the impacts and flights of orbits"))
-}
-
-checks! {
+    } => largest.outcome(1e-13, "properties of the impacts and flights of orbits");
     /// eq:F: the acceleration against second differences of the position along the flow.
     // Slack for the term of fourth order at the smallest resolved steps.
-    equation_of_motion: drawn(1, 60, |sampler, least: &mut Smallest| {
+    equation_of_motion: drawn(1, 60) |sampler; least: Smallest| {
         let orbit = Law::random_grazing(sampler)?;
         let oscillator = orbit.oscillator();
         let from = sampler.state();
@@ -164,6 +133,5 @@ checks! {
             // Positions of order one, three of them, over h².
             Some((difference - force, 1e-16 / (h * h)))
         }));
-        Ok(())
-    }).map(|least| least.order(2.0, 0.3, "states of random oscillators; ẍ by second differences of the flow"));
+    } => least.order(2.0, 0.3, "states of random oscillators; ẍ by second differences of the flow");
 }

@@ -3,22 +3,13 @@
 
 pub(super) mod general;
 
-use grazing_continuation::fit::quadratic_coefficient;
-use grazing_continuation::locate::Condition;
-use grazing_continuation::resonance::ResonantGrazingPoint;
-use grazing_model::LinearOscillator;
-use grazing_theorems::admissibility_boundary::admissibility_boundary;
-use grazing_theorems::hypothesis::Quantity;
-use grazing_theorems::{GenericGrazing, HypothesesViolated, ResonantGrazing, Side};
-
 use self::general::{side_of_curve, side_of_orbit};
-use crate::checks::generic::specimens::specimens;
-use crate::specimen::{DELAY, Exponential, Grazing, Law, damping_for_decay};
 use crate::sweep::closed_form::{LoopSolution, LoopSolutions};
 use crate::sweep::resonant::FIT_TOLERANCE;
-use crate::sweep::{CaseVerdict, Existence, GenericRow, ResonantRow, generic_cases, resonant_cases, rows};
-use crate::{CheckResult, Failure, Votes};
-use grazing_unfold::simulation::Seen;
+use crate::sweep::{CaseVerdict, GenericRow, ResonantRow, generic_cases, resonant_cases, rows};
+use crate::*;
+use grazing_model::LinearOscillator;
+use grazing_theorems::{HypothesesViolated, ResonantGrazing};
 
 /// An oscillator for what is seen to fail.
 const ZETA: f64 = 0.03;
@@ -196,7 +187,7 @@ fn generic_votes(wanted: impl Fn(u32) -> bool) -> Result<Votes, Failure> {
     let mut count = Votes::default();
     let mut cases = generic_cases()?;
     cases.retain(|case| wanted(case.loops));
-    rows(&cases, GenericRow::of, || ())?.iter().for_each(|row| judged(&mut count, row.verdict));
+    rows(&cases, GenericRow::of, || ())?.iter().for_each(|row| judged(&mut count, row.verdict()));
     for (orbit, p, speaks) in other_oscillators(wanted)? {
         match GenericGrazing::check(&orbit.grazing_point(), p) {
             Ok(theorem) => {
@@ -215,7 +206,7 @@ fn resonant_votes(wanted: impl Fn(u32) -> bool, others: &[(u32, u32)]) -> Result
     let mut count = Votes::default();
     let mut cases = resonant_cases()?;
     cases.retain(|case| wanted(case.loops));
-    rows(&cases, ResonantRow::of, || ())?.iter().for_each(|row| judged(&mut count, row.verdict));
+    rows(&cases, ResonantRow::of, || ())?.iter().for_each(|row| judged(&mut count, row.verdict()));
     for &(p, n) in others {
         let located = Law::nonlinear(damping_for_decay(p, n, 0.5)).resonance(p, n)?;
         count.see(holds(located.orbit(), p, located.checked()?.theorem())?);

@@ -1,16 +1,9 @@
 //! Section 3.5: E_p, the signs of the coefficients, and the quadratic approximations.
 
-use core::f64::consts::PI;
-
-use grazing_continuation::locate::Condition;
-use grazing_theorems::LinearOscillator;
-use grazing_theorems::auxiliary::modulus_power;
-use grazing_theorems::unfolding::StabilityCoefficients;
-
 use crate::checks::resonant::curves::quadratic_orders;
-use crate::checks::resonant::places::{ResonantSpecimen, lowest};
-use crate::specimen::Law;
-use crate::{CheckResult, Deviations, Outcome, Smallest, Votes, drawn, printed, smallest};
+use crate::*;
+use grazing_theorems::LinearOscillator;
+use grazing_theorems::unfolding::StabilityCoefficients;
 
 /// The least of −s⁺, s⁻, −c_SN and c_PD, each over what it vanishes with; `rebound` is εE_p.
 fn least_of_four(stability: StabilityCoefficients, [sn, pd]: [f64; 2], rebound: f64, size: f64) -> f64 {
@@ -61,28 +54,6 @@ pub(crate) fn signs() -> CheckResult {
 /// Loops and indices that stand for all: both parities for one loop.
 const INDICES: [(u32, u32); 9] = [(1, 1), (1, 2), (1, 3), (1, 4), (2, 1), (2, 2), (3, 1), (4, 2), (5, 1)];
 
-/// The continued SN and PD curves start with η of different signs and μ of different signs: the former as theorems 2.4 and 2.5 say.
-pub(crate) fn opposite_sides() -> CheckResult {
-    let cases = drawn(133, 60, |sampler, cases: &mut Votes| {
-        let (zeta, epsilon) = (sampler.between(0.005, 0.1), sampler.between(0.3, 0.98));
-        let (p, n) = sampler.one_of(&INDICES);
-        let place = ResonantSpecimen::find(Law::linear(zeta, epsilon), p, n)?;
-        let mut found = [[0.0; 2]; 2];
-        for (found, curve) in found.iter_mut().zip(place.curves()) {
-            // An impact velocity so small that the quadratic term rules.
-            let eta = 1e-4 / curve.leading.impact_velocity_slope;
-            let near = place.on_curve(&curve, eta).ok_or("no point of a curve")?;
-            cases.see(curve.leading.eta_side.signum() * eta > 0.0 && near.unknowns[0] > 0.0);
-            *found = [eta, near.relative()[1]];
-        }
-        let [[sn_eta, sn_mu], [pd_eta, pd_mu]] = found;
-        cases.see(sn_eta * pd_eta < 0.0 && sn_mu < 0.0 && pd_mu > 0.0);
-        Ok(())
-    })?;
-    Ok(cases
-        .outcome("resonances of random oscillators: curves beside the resonance, and the theorem's sides"))
-}
-
 /// At the three resonances of Figure 8: the dashed curve, (μ, η) = (𝒜 − 𝒜_graz, ω − ω*) inverted with the closed forms of
 /// the coefficients, is off the continued curve by third order in η.
 pub(crate) fn quadratic_approximation() -> CheckResult {
@@ -106,9 +77,26 @@ pub(crate) fn quadratic_approximation() -> CheckResult {
 }
 
 checks! {
+    /// The continued SN and PD curves start with η of different signs and μ of different signs: the former as theorems 2.4 and 2.5 say.
+    opposite_sides: drawn(133, 60) |sampler; cases: Votes| {
+        let (zeta, epsilon) = (sampler.between(0.005, 0.1), sampler.between(0.3, 0.98));
+        let (p, n) = sampler.one_of(&INDICES);
+        let place = ResonantSpecimen::find(Law::linear(zeta, epsilon), p, n)?;
+        let mut found = [[0.0; 2]; 2];
+        for (found, curve) in found.iter_mut().zip(place.curves()) {
+            // An impact velocity so small that the quadratic term rules.
+            let eta = 1e-4 / curve.leading.impact_velocity_slope;
+            let near = place.on_curve(&curve, eta).ok_or("no point of a curve")?;
+            cases.see(curve.leading.eta_side.signum() * eta > 0.0 && near.unknowns[0] > 0.0);
+            *found = [eta, near.relative()[1]];
+        }
+        let [[sn_eta, sn_mu], [pd_eta, pd_mu]] = found;
+        cases.see(sn_eta * pd_eta < 0.0 && sn_mu < 0.0 && pd_mu > 0.0);
+    } =>
+        cases.outcome("resonances of random oscillators: curves beside the resonance, and the theorem's sides");
     /// eq:Ep and E_p = δ^{p/2}: the decay of the free motion over p periods.
     // The exponent is up to a hundred; the determinant is a difference of products.
-    decay: drawn(131, 1000, |sampler, largest: &mut Deviations| {
+    decay: drawn(131, 1000) |sampler; largest: Deviations| {
         let (zeta, omega) = (sampler.between(0.005, 0.5), sampler.between(0.3, 3.0));
         let p = sampler.one_of(&[1, 2, 3, 4, 6, 9]);
         let grazing = LinearOscillator::new(zeta, 0.7)?.grazing(omega)?;
@@ -117,6 +105,5 @@ checks! {
         largest.compare(grazing.decay(p), stated, stated);
         largest.compare(modulus_power(p, grazing.linearised_map().determinant()), stated, stated.max(1e-3));
         largest.compare(1.0 - grazing.decay_complement(p), stated, 1.0);
-        Ok(())
-    }).map(|largest| largest.outcome(1e-13, "random damping ratios, frequencies and p"));
+    } => largest.outcome(1e-13, "random damping ratios, frequencies and p");
 }

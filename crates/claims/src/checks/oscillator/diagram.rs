@@ -1,18 +1,8 @@
 //! Section 3.2: the two-parameter diagram, Figure 7.
 
-use core::f64::consts::TAU;
-
-use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{CurveEnd, Route, Window};
-use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::{Formulation, unknown};
-use grazing_continuation::resonance::ResonantGrazingPoint;
-use grazing_model::orbit::{Orbit, OrbitEnd};
-use grazing_model::{ImpactOscillator, State};
+use crate::*;
+use grazing_continuation::curve::CurveEnd;
 use grazing_theorems::LinearOscillator;
-
-use crate::solutions::{at_velocity, attracts};
-use crate::{CheckResult, Votes, drawn, printed};
 
 /// Frequencies from below the lowest resonance that Figure 7 labels to above the highest.
 const FREQUENCIES: [f64; 2] = [0.36, 0.95];

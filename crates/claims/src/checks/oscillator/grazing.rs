@@ -1,13 +1,8 @@
 //! Section 3.3: parameter values associated with grazing.
 
-use grazing_model::maps::global_map;
-use grazing_model::{AtRest, ImpactOscillator, LinearOscillator, OnWall};
-use grazing_theorems::from_map::GrazingOrbit;
-use grazing_theorems::{GrazingPoint, GrazingState};
-use nalgebra::Matrix2;
-
 use crate::checks::main_results::returns::derivatives;
-use crate::{Deviations, Failure, Sampler, drawn};
+use crate::*;
+use grazing_model::LinearOscillator;
 
 /// The closed form at random parameters, and the numerical grazing orbit found from a start beside it.
 fn both(sampler: &mut Sampler) -> Result<(GrazingState, GrazingOrbit<LinearOscillator>), Failure> {
@@ -36,7 +31,7 @@ const DIFFERENCES: f64 = 1e-3;
 checks! {
     /// F, Φ and Ψ of the linear oscillator, and that it is a member of the general class with them.
     // A handful of operations on numbers of order one.
-    general_form: drawn(111, 1000, |sampler, largest: &mut Deviations| {
+    general_form: drawn(111, 1000) |sampler; largest: Deviations| {
         let (closed, orbit) = both(sampler)?;
         let oscillator = orbit.oscillator();
         let state = sampler.state();
@@ -48,8 +43,7 @@ checks! {
         let image = oscillator.reset::<1>(OnWall::new(velocity, state.phase)).value;
         largest.compare(-image[0] / velocity, closed.oscillator().coefficient_of_restitution(), 1.0);
         largest.compare(image[1], state.phase, 1.0);
-        Ok(())
-    }).map(|largest| largest.outcome(1e-14, "random oscillators, states and impacts"));
+    } => largest.outcome(1e-14, "random oscillators, states and impacts");
     /// eq:oscphipsigamma: φ, ψ, γ read off the reset law and the numerical grazing orbit.
     // Newton's method for the grazing orbit leaves some ten roundings of numbers of order one to five.
     constants: compared(112, |closed, orbit, largest| {
@@ -97,7 +91,7 @@ checks! {
     /// pr:oscAb: A and b of the numerical map as the proposition gives them, strongly damped oscillators and high frequencies
     /// included.
     // Derivatives of maxima: sums of a dozen terms of the size of the entries.
-    both_derivatives: drawn(118, 1000, |sampler, largest: &mut Deviations| {
+    both_derivatives: drawn(118, 1000) |sampler; largest: Deviations| {
         let zeta = sampler.between(0.002, 0.8);
         let omega = sampler.between(0.25, 5.0);
         let closed = grazing_theorems::LinearOscillator::new(zeta, 0.7)?.grazing(omega)?;
@@ -107,8 +101,7 @@ checks! {
         largest.see((map.derivative() - stated.a).amax() / scale);
         let by_primary = map.jacobian.column(2) * closed.amplitude();
         largest.see((by_primary - stated.b * closed.amplitude()).amax() / scale);
-        Ok(())
-    }).map(|largest| largest.outcome(1e-13, "A and b by jets of the map for damping ratios to 0.8, frequencies 0.25 to 5"));
+    } => largest.outcome(1e-13, "A and b by jets of the map for damping ratios to 0.8, frequencies 0.25 to 5");
     /// eq:osctaudelta: trace and determinant of the numerical A.
     // As for A.
     trace_and_determinant: compared(116, |closed, orbit, largest| {

@@ -1,13 +1,8 @@
 //! Section 3.1: equation of motion, flow, the periodic solution and its grazing.
 
-use core::f64::consts::TAU;
-
 use crate::checks::appendices::printed_flow::Printed;
-use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, drawn, order};
-use grazing_model::motion::highest_maximum;
-use grazing_model::orbit::{FlightEnd, Orbit};
-use grazing_model::{ImpactOscillator, LinearOscillator, State};
-use nalgebra::Matrix2;
+use crate::*;
+use grazing_model::LinearOscillator;
 
 /// An oscillator with parameters from their whole domains, frequencies around the natural one.
 fn oscillator(sampler: &mut Sampler) -> Result<LinearOscillator, Failure> {
@@ -37,9 +32,15 @@ fn defect(oscillator: &LinearOscillator, x: impl Fn(f64) -> f64, time: f64, h: f
     (acceleration + 2.0 * oscillator.damping_ratio() * velocity + here + 1.0 - force, 1e-16 * size / (h * h))
 }
 
-/// eq:oscResetLaw: at every impact of simulated orbits y becomes −εy, and neither x nor z changes.
-pub(crate) fn reset_law() -> CheckResult {
-    let largest = drawn(102, 60, |sampler, largest: &mut Deviations| {
+/// Any phase to start from; one that depends on the frequency, so that no special one is hit.
+fn sampler_phase(omega: f64) -> f64 {
+    1.0 + 2.0 * omega
+}
+
+checks! {
+    /// eq:oscResetLaw: at every impact of simulated orbits y becomes −εy, and neither x nor z changes.
+    // The same product, and the same phase.
+    reset_law: drawn(102, 60) |sampler; largest: Deviations| {
         let oscillator = oscillator(sampler)?;
         let from = sampler.state();
         let mut before: Option<State> = None;
@@ -55,15 +56,10 @@ pub(crate) fn reset_law() -> CheckResult {
                 FlightEnd::TimeIsUp(_) => None,
             };
         }
-        Ok(())
-    })?;
-    // The same product, and the same phase.
-    Ok(largest.outcome(0.0, "impacts of orbits of random oscillators"))
-}
-
-/// ω₁ and −ζ ± iω₁: trace and determinant of the matrix of the free oscillator.
-pub(crate) fn damped_frequency() -> CheckResult {
-    let largest = drawn(103, 500, |sampler, largest: &mut Deviations| {
+    } => largest.outcome(0.0, "impacts of orbits of random oscillators");
+    /// ω₁ and −ζ ± iω₁: trace and determinant of the matrix of the free oscillator.
+    // Numbers of order one; near ζ = 0.9 the time 2π/ω₁ is some fifteen.
+    damped_frequency: drawn(103, 500) |sampler; largest: Deviations| {
         let oscillator = oscillator(sampler)?;
         let (zeta, omega_1) = (oscillator.damping_ratio(), oscillator.natural_frequency());
         let free = Matrix2::new(0.0, 1.0, -1.0, -2.0 * zeta);
@@ -79,15 +75,10 @@ pub(crate) fn damped_frequency() -> CheckResult {
         let shrunk = libm::exp(-TAU * zeta / omega_1);
         largest.compare(end[0] + 1.0, shrunk * (from.position + 1.0), 3.0);
         largest.compare(end[1], shrunk * from.velocity, 3.0);
-        Ok(())
-    })?;
-    // Numbers of order one; near ζ = 0.9 the time 2π/ω₁ is some fifteen.
-    Ok(largest.outcome(1e-14, "random damping ratios"))
-}
-
-/// eq:flow: the print satisfies the initial condition and the equation, and is the model's flow.
-pub(crate) fn flow() -> CheckResult {
-    let least = drawn(104, 300, |sampler, least: &mut Smallest| {
+    } => largest.outcome(1e-14, "random damping ratios");
+    /// eq:flow: the print satisfies the initial condition and the equation, and is the model's flow.
+    // Slack as above; values agree to roundings of the periodic solution's size.
+    flow: drawn(104, 300) |sampler; least: Smallest| {
         let oscillator = oscillator(sampler)?;
         let from = sampler.state();
         let start = from.phase / oscillator.frequency();
@@ -104,15 +95,10 @@ pub(crate) fn flow() -> CheckResult {
         let same = (x(start) - from.position).abs() < 1e-14 * size
             && (x(time) - oscillator.flow::<1>(from, time - start).value[0]).abs() < 1e-13 * size;
         least.require(same);
-        Ok(())
-    })?;
-    // Slack as above; values agree to roundings of the periodic solution's size.
-    Ok(least.order(2.0, 0.3, "the printed solution: defect, initial state, and the model's flow"))
-}
-
-/// eq:phip: the print satisfies the equation, has period 2π/ω, and is the model's periodic solution.
-pub(crate) fn periodic_solution() -> CheckResult {
-    let least = drawn(105, 300, |sampler, least: &mut Smallest| {
+    } => least.order(2.0, 0.3, "the printed solution: defect, initial state, and the model's flow");
+    /// eq:phip: the print satisfies the equation, has period 2π/ω, and is the model's periodic solution.
+    // Slack as above.
+    periodic_solution: drawn(105, 300) |sampler; least: Smallest| {
         let oscillator = oscillator(sampler)?;
         let time = sampler.between(0.0, 10.0);
         let x = |t: f64| printed_periodic(&oscillator, t)[0];
@@ -130,15 +116,10 @@ pub(crate) fn periodic_solution() -> CheckResult {
         let same = (model.position - position).abs() + (model.velocity - velocity).abs() < 1e-12 * size
             && (returned[0] - position).abs() + (returned[1] - velocity).abs() < 1e-12 * size;
         least.require(same);
-        Ok(())
-    })?;
-    // Slack as above.
-    Ok(least.order(2.0, 0.3, "the printed periodic solution: defect, period, and the model's"))
-}
-
-/// eq:Agraz: at the printed amplitude the highest maximum of φ_p, found by search, is the wall; beside it is not.
-pub(crate) fn grazing_amplitude() -> CheckResult {
-    let largest = drawn(107, 500, |sampler, largest: &mut Deviations| {
+    } => least.order(2.0, 0.3, "the printed periodic solution: defect, period, and the model's");
+    /// eq:Agraz: at the printed amplitude the highest maximum of φ_p, found by search, is the wall; beside it is not.
+    // Positions of order one, gains up to a hundred at 𝒜 as small.
+    grazing_amplitude: drawn(107, 500) |sampler; largest: Deviations| {
         let oscillator = oscillator(sampler)?;
         let (zeta, omega) = (oscillator.damping_ratio(), oscillator.frequency());
         let stiffness = 1.0 - omega * omega;
@@ -156,20 +137,10 @@ pub(crate) fn grazing_amplitude() -> CheckResult {
         for factor in [0.99, 1.01] {
             largest.compare(top(factor * amplitude), factor - 1.0, 1.0);
         }
-        Ok(())
-    })?;
-    // Positions of order one, gains up to a hundred at 𝒜 as small.
-    Ok(largest.outcome(1e-14, "random damping ratios and frequencies; maxima by search"))
-}
-
-/// Any phase to start from; one that depends on the frequency, so that no special one is hit.
-fn sampler_phase(omega: f64) -> f64 {
-    1.0 + 2.0 * omega
-}
-
-/// The display after eq:Agraz: z_graz is the phase of that maximum.
-pub(crate) fn grazing_phase() -> CheckResult {
-    let largest = drawn(108, 500, |sampler, largest: &mut Deviations| {
+    } => largest.outcome(1e-14, "random damping ratios and frequencies; maxima by search");
+    /// The display after eq:Agraz: z_graz is the phase of that maximum.
+    // The time of a maximum: rounding of the velocity over its slope ω², which is 0.04 at least.
+    grazing_phase: drawn(108, 500) |sampler; largest: Deviations| {
         let (zeta, omega) = (sampler.between(0.005, 0.9), sampler.between(0.2, 3.0));
         let theory = grazing_theorems::LinearOscillator::new(zeta, 0.7)?.grazing(omega)?;
         let oscillator = theory.model();
@@ -183,27 +154,20 @@ pub(crate) fn grazing_phase() -> CheckResult {
         let (stated_sin, stated_cos) = libm::sincos(theory.phase());
         largest.compare(sin, stated_sin, 1.0);
         largest.compare(cos, stated_cos, 1.0);
-        Ok(())
-    })?;
-    // The time of a maximum: rounding of the velocity over its slope ω², which is 0.04 at least.
-    Ok(largest.outcome(1e-13, "random damping ratios and frequencies; maxima by search"))
-}
-
-checks! {
+    } => largest.outcome(1e-13, "random damping ratios and frequencies; maxima by search");
     /// eq:oscf: the model's flow has no defect.
     // Slack for the term of fourth order.
-    equation_of_motion: drawn(101, 300, |sampler, least: &mut Smallest| {
+    equation_of_motion: drawn(101, 300) |sampler; least: Smallest| {
         let oscillator = oscillator(sampler)?;
         let from = sampler.state();
         let start = from.phase / oscillator.frequency();
         let time = start + sampler.between(0.0, 10.0);
         let x = |t: f64| oscillator.flow::<1>(from, t - start).value[0];
         least.see_resolved(order(|h| Some(defect(&oscillator, x, time, h))));
-        Ok(())
-    }).map(|least| least.order(2.0, 0.3, "random oscillators and orbits of the model; defect by central differences"));
+    } => least.order(2.0, 0.3, "random oscillators and orbits of the model; defect by central differences");
     /// As t → ∞ solutions converge to φ_p: distances shrink like e^{−ζt}.
     // Differences of positions that reach a hundred at resonance.
-    attraction: drawn(106, 300, |sampler, largest: &mut Deviations| {
+    attraction: drawn(106, 300) |sampler; largest: Deviations| {
         let oscillator = oscillator(sampler)?;
         let from = sampler.state();
         let zeta = oscillator.damping_ratio();
@@ -216,6 +180,5 @@ checks! {
         };
         let time = sampler.between(1.0, 8.0);
         largest.compare(distance(time), libm::exp(-zeta * time) * distance(0.0), distance(0.0));
-        Ok(())
-    }).map(|largest| largest.outcome(1e-14, "random oscillators; distance to φ_p in the norm of the free motion"));
+    } => largest.outcome(1e-14, "random oscillators; distance to φ_p in the norm of the free motion");
 }

@@ -1,8 +1,7 @@
 //! Propositions 3.2 and 3.3 against the general theorem fed from the numerical map, over random parameters.
 
-use crate::{CheckResult, Deviations, Failure, Sampler, drawn};
-use grazing_theorems::from_map::GrazingOrbit;
-use grazing_theorems::{LinearOscillator, Resonance, ResonantPoint, Unfolding};
+use crate::*;
+use grazing_theorems::{LinearOscillator, Unfolding};
 
 /// The general theory with A, b, ξ_p and their derivatives along the grazing curve from the numerical P_global.
 fn numerical(resonance: &Resonance) -> Result<ResonantPoint, Failure> {

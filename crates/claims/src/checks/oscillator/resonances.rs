@@ -1,17 +1,7 @@
 //! Section 3.4: points of resonance.
 
-use core::f64::consts::PI;
-
-use grazing_continuation::mps::{Formulation, Unknowns};
-use grazing_model::ImpactOscillator;
-use grazing_theorems::hypothesis::Quantity;
-use grazing_theorems::{GenericGrazing, GrazingPoint, LinearOscillator, Resonance};
-use grazing_unfold::simulation::Seen;
-
-use crate::checks::resonant::places::ResonantSpecimen;
-use crate::solutions::{at_parameters, attracts, equations, followed, zero};
-use crate::specimen::{Grazing, Law};
-use crate::{CheckResult, Deviations, Failure, Sampler, Votes, drawn, printed, printed_at_resonances};
+use crate::*;
+use grazing_theorems::LinearOscillator;
 
 /// What the theorems know of the numerical grazing orbit at a frequency.
 fn measured(theory: &LinearOscillator, omega: f64) -> Result<GrazingPoint, Failure> {
@@ -62,59 +52,6 @@ fn only_zeros(
     Ok(())
 }
 
-/// eq:resonance1: a₁₂ of the numerical map vanishes at ω₁/ω = n/2 and nowhere else.
-pub(crate) fn one_loop() -> CheckResult {
-    let largest = drawn(121, 4, |sampler, largest: &mut Deviations| {
-        let theory = LinearOscillator::new(sampler.between(0.01, 0.2), 0.7)?;
-        let expected: Vec<f64> = (1..8)
-            .map(|n| 0.5 * f64::from(n))
-            .filter(|ratio| (RATIOS[0]..RATIOS[1]).contains(ratio))
-            .collect();
-        only_zeros(largest, &theory, |point| point.map.a.m12, &expected)?;
-        let omega_1 = theory.damped_natural_frequency();
-        let listed = theory.resonances(&[1], omega_1 / RATIOS[1], omega_1 / RATIOS[0])?;
-        largest.require(listed.len() == expected.len());
-        for resonance in listed {
-            let ratio = omega_1 / resonance.forcing_frequency();
-            largest.compare(ratio, 0.5 * f64::from(resonance.index()), 1.0);
-        }
-        Ok(())
-    })?;
-    // a₁₂ is good to 10⁻¹⁴, its slope in ω₁/ω is E₁ times some ten, E₁ above 0.01.
-    Ok(largest.outcome(1e-13, "zeros of the numerical a₁₂ in a range of ω₁/ω, by bracketing"))
-}
-
-/// eq:resonancep: κ_p of the numerical map vanishes at ω₁/ω = n ± 1/(2p) and nowhere else.
-pub(crate) fn many_loops() -> CheckResult {
-    let mut sampler = Sampler::new(122);
-    let mut largest = Deviations::default();
-    for p in [2, 3, 4, 7] {
-        let theory = LinearOscillator::new(sampler.between(0.01, 0.2), 0.7)?;
-        let offset = 0.5 / f64::from(p);
-        let mut expected: Vec<f64> = (0..=4)
-            .flat_map(|n| [f64::from(n) - offset, f64::from(n) + offset])
-            .filter(|ratio| (RATIOS[0]..RATIOS[1]).contains(ratio))
-            .collect();
-        expected.sort_by(f64::total_cmp);
-        let kappa = |point: &GrazingPoint| {
-            let map = point.map;
-            map.trace() - 2.0 * map.determinant().sqrt() * libm::cos(PI / f64::from(p))
-        };
-        only_zeros(&mut largest, &theory, kappa, &expected)?;
-        for n in 1..5 {
-            let omega_1 = theory.damped_natural_frequency();
-            largest.compare(
-                omega_1 / theory.resonance(p, n)?.forcing_frequency(),
-                f64::from(n) + offset,
-                1.0,
-            );
-            largest.compare(omega_1 / theory.virtual_resonance_frequency(p, n)?, f64::from(n) - offset, 1.0);
-        }
-    }
-    // As for one loop.
-    Ok(largest.outcome(1e-14, "zeros of the numerical κ_p in a range of ω₁/ω, p = 2, 3, 4, 7, by bracketing"))
-}
-
 /// The indices n of the labelled points of Figure 7: the printed frequencies belong to them, and between the lowest and the
 /// highest labelled frequency there are no others.
 pub(crate) fn indices() -> CheckResult {
@@ -146,33 +83,6 @@ pub(crate) fn indices() -> CheckResult {
     ))
 }
 
-/// The display after eq:resonancep: a₁₂ at the resonances of either sign, and the sign of a₁₂α.
-pub(crate) fn off_diagonal() -> CheckResult {
-    let largest = drawn(123, 60, |sampler, largest: &mut Deviations| {
-        let theory = LinearOscillator::new(sampler.between(0.005, 0.2), sampler.between(0.1, 1.0))?;
-        let (p, n) = (sampler.one_of(&[2, 3, 4, 5, 8]), sampler.one_of(&[1, 2, 3]));
-        for sign in [1.0, -1.0] {
-            let omega = if sign > 0.0 {
-                theory.resonance(p, n)?.forcing_frequency()
-            } else {
-                theory.virtual_resonance_frequency(p, n)?
-            };
-            let decay = libm::exp(-2.0 * PI * theory.damping_ratio() / omega);
-            let stated =
-                sign * decay / (f64::from(n) + sign * 0.5 / f64::from(p)) * libm::sin(PI / f64::from(p));
-            let point = measured(&theory, omega)?;
-            largest.compare(point.map.a.m12, stated, 1.0);
-            if sign > 0.0 {
-                largest.compare(theory.resonance(p, n)?.off_diagonal(), stated, 1.0);
-            }
-            largest.require(point.map.a.m12 * point.alpha() * sign > 0.0);
-        }
-        Ok(())
-    })?;
-    // As for A.
-    Ok(largest.outcome(1e-13, "resonances with either sign of random oscillators"))
-}
-
 /// The zero of the VIVID function with a small y > 0.
 fn near_grazing(orbit: &Grazing, loops: u32) -> Result<Unknowns, Failure> {
     let slope = orbit.grazing_point().emerging_orbit(loops)?.impact_velocity_slope;
@@ -189,52 +99,6 @@ fn beside_resonance(sampler: &mut Sampler) -> (Law, u32, u32, f64) {
 fn frequencies(law: &Law, p: u32, n: u32) -> Result<[f64; 2], Failure> {
     let theory = LinearOscillator::new(law.damping, 1.0)?;
     Ok([theory.resonance(p, n)?.forcing_frequency(), theory.virtual_resonance_frequency(p, n)?])
-}
-
-/// At ω₁/ω = n − 1/(2p) the theorem's hypothesis a₁₂α > 0 fails, and near it the zero of the VIVID function with y > 0 is
-/// virtual: in the hybrid system its orbit meets the wall too early. At n + 1/(2p) it is none of that.
-pub(crate) fn virtual_solutions() -> CheckResult {
-    let cases = drawn(124, 40, |sampler, cases: &mut Votes| {
-        let (law, p, n, beside) = beside_resonance(sampler);
-        let off = 1.0 + sampler.one_of(&[-1.0, 1.0]) * beside;
-        for (frequency, real) in frequencies(&law, p, n)?.into_iter().zip([true, false]) {
-            let orbit = law.grazing(frequency * off)?;
-            cases.see(match GenericGrazing::check(&orbit.grazing_point(), p) {
-                Ok(_) => real,
-                Err(violated) => {
-                    let only = Quantity::OffDiagonalTimesSquareRootFactor;
-                    !real && violated.violated().all(|hypothesis| hypothesis.quantity == only)
-                }
-            });
-            let (equations, zero) = (equations(&orbit, p), near_grazing(&orbit, p)?);
-            cases.see(zero[0] > 0.0 && equations.solution(&zero).admissible() == real);
-            let expected = if real { Seen::Returns } else { Seen::MeetsTheWall };
-            cases.see(followed(&equations, &zero) == expected);
-        }
-        Ok(())
-    })?;
-    Ok(cases.outcome("random oscillators beside n ± 1/(2p): hypotheses, admissibility, simulation"))
-}
-
-/// Nordmark's conjecture: beside ω₁/ω = n ± 1/(2p), to both sides of g_p, the zero of the VIVID function with y > 0 is an MPS if a₁₂α > 0, and
-/// virtual if not.
-pub(crate) fn conjecture() -> CheckResult {
-    let mut sampler = Sampler::new(125);
-    let (mut cases, mut printed) = (Votes::default(), Votes::default());
-    for _ in 0..40 {
-        let (law, p, n, beside) = beside_resonance(&mut sampler);
-        for frequency in frequencies(&law, p, n)? {
-            for off in [1.0 - beside, 1.0 + beside] {
-                let orbit = law.grazing(frequency * off)?;
-                let (point, zero) = (orbit.grazing_point(), near_grazing(&orbit, p)?);
-                let seen = zero[0] > 0.0 && equations(&orbit, p).solution(&zero).admissible();
-                cases.see(seen == (point.map.a.m12 * point.alpha() > 0.0));
-                printed.see(seen);
-            }
-        }
-    }
-    let over = "random oscillators to both sides of g_p, p = 2 to 4, with either sign of a₁₂α";
-    Ok(cases.outcome(over).against_print(printed.measure()))
 }
 
 /// At p = 2, n = 1 the hypotheses of theorem 2.5 hold, and close to that frequency there is a stable two-loop MPS shortly
@@ -266,4 +130,107 @@ pub(crate) fn stable_two_loops() -> CheckResult {
         }
     }
     Ok(cases.outcome("frequencies at the p = 2, n = 1 resonance, amplitudes 1 to 4 per cent past grazing"))
+}
+
+checks! {
+    /// eq:resonance1: a₁₂ of the numerical map vanishes at ω₁/ω = n/2 and nowhere else.
+    // a₁₂ is good to 10⁻¹⁴, its slope in ω₁/ω is E₁ times some ten, E₁ above 0.01.
+    one_loop: drawn(121, 4) |sampler; largest: Deviations| {
+        let theory = LinearOscillator::new(sampler.between(0.01, 0.2), 0.7)?;
+        let expected: Vec<f64> = (1..8)
+            .map(|n| 0.5 * f64::from(n))
+            .filter(|ratio| (RATIOS[0]..RATIOS[1]).contains(ratio))
+            .collect();
+        only_zeros(largest, &theory, |point| point.map.a.m12, &expected)?;
+        let omega_1 = theory.damped_natural_frequency();
+        let listed = theory.resonances(&[1], omega_1 / RATIOS[1], omega_1 / RATIOS[0])?;
+        largest.require(listed.len() == expected.len());
+        for resonance in listed {
+            let ratio = omega_1 / resonance.forcing_frequency();
+            largest.compare(ratio, 0.5 * f64::from(resonance.index()), 1.0);
+        }
+    } => largest.outcome(1e-13, "zeros of the numerical a₁₂ in a range of ω₁/ω, by bracketing");
+    /// eq:resonancep: κ_p of the numerical map vanishes at ω₁/ω = n ± 1/(2p) and nowhere else.
+    // As for one loop.
+    many_loops: drawn_over(122, [2, 3, 4, 7]) |sampler, p; largest: Deviations| {
+        let theory = LinearOscillator::new(sampler.between(0.01, 0.2), 0.7)?;
+        let offset = 0.5 / f64::from(p);
+        let mut expected: Vec<f64> = (0..=4)
+            .flat_map(|n| [f64::from(n) - offset, f64::from(n) + offset])
+            .filter(|ratio| (RATIOS[0]..RATIOS[1]).contains(ratio))
+            .collect();
+        expected.sort_by(f64::total_cmp);
+        let kappa = |point: &GrazingPoint| {
+            let map = point.map;
+            map.trace() - 2.0 * map.determinant().sqrt() * libm::cos(PI / f64::from(p))
+        };
+        only_zeros(largest, &theory, kappa, &expected)?;
+        for n in 1..5 {
+            let omega_1 = theory.damped_natural_frequency();
+            largest.compare(
+                omega_1 / theory.resonance(p, n)?.forcing_frequency(),
+                f64::from(n) + offset,
+                1.0,
+            );
+            largest.compare(omega_1 / theory.virtual_resonance_frequency(p, n)?, f64::from(n) - offset, 1.0);
+        }
+    } => largest.outcome(1e-14, "zeros of the numerical κ_p in a range of ω₁/ω, p = 2, 3, 4, 7, by bracketing");
+    /// The display after eq:resonancep: a₁₂ at the resonances of either sign, and the sign of a₁₂α.
+    // As for A.
+    off_diagonal: drawn(123, 60) |sampler; largest: Deviations| {
+        let theory = LinearOscillator::new(sampler.between(0.005, 0.2), sampler.between(0.1, 1.0))?;
+        let (p, n) = (sampler.one_of(&[2, 3, 4, 5, 8]), sampler.one_of(&[1, 2, 3]));
+        for sign in [1.0, -1.0] {
+            let omega = if sign > 0.0 {
+                theory.resonance(p, n)?.forcing_frequency()
+            } else {
+                theory.virtual_resonance_frequency(p, n)?
+            };
+            let decay = libm::exp(-2.0 * PI * theory.damping_ratio() / omega);
+            let stated =
+                sign * decay / (f64::from(n) + sign * 0.5 / f64::from(p)) * libm::sin(PI / f64::from(p));
+            let point = measured(&theory, omega)?;
+            largest.compare(point.map.a.m12, stated, 1.0);
+            if sign > 0.0 {
+                largest.compare(theory.resonance(p, n)?.off_diagonal(), stated, 1.0);
+            }
+            largest.require(point.map.a.m12 * point.alpha() * sign > 0.0);
+        }
+    } => largest.outcome(1e-13, "resonances with either sign of random oscillators");
+    /// At ω₁/ω = n − 1/(2p) the theorem's hypothesis a₁₂α > 0 fails, and near it the zero of the VIVID function with y > 0 is
+    /// virtual: in the hybrid system its orbit meets the wall too early. At n + 1/(2p) it is none of that.
+    virtual_solutions: drawn(124, 40) |sampler; cases: Votes| {
+        let (law, p, n, beside) = beside_resonance(sampler);
+        let off = 1.0 + sampler.one_of(&[-1.0, 1.0]) * beside;
+        for (frequency, real) in frequencies(&law, p, n)?.into_iter().zip([true, false]) {
+            let orbit = law.grazing(frequency * off)?;
+            cases.see(match GenericGrazing::check(&orbit.grazing_point(), p) {
+                Ok(_) => real,
+                Err(violated) => {
+                    let only = Quantity::OffDiagonalTimesSquareRootFactor;
+                    !real && violated.violated().all(|hypothesis| hypothesis.quantity == only)
+                }
+            });
+            let (equations, zero) = (equations(&orbit, p), near_grazing(&orbit, p)?);
+            cases.see(zero[0] > 0.0 && equations.solution(&zero).admissible() == real);
+            let expected = if real { Seen::Returns } else { Seen::MeetsTheWall };
+            cases.see(followed(&equations, &zero) == expected);
+        }
+    } => cases.outcome("random oscillators beside n ± 1/(2p): hypotheses, admissibility, simulation");
+    /// Nordmark's conjecture: beside ω₁/ω = n ± 1/(2p), to both sides of g_p, the zero of the VIVID function with y > 0 is an MPS if a₁₂α > 0, and
+    /// virtual if not.
+    conjecture: drawn(125, 40) |sampler; (cases, printed): (Votes, Votes)| {
+        let (law, p, n, beside) = beside_resonance(sampler);
+        for frequency in frequencies(&law, p, n)? {
+            for off in [1.0 - beside, 1.0 + beside] {
+                let orbit = law.grazing(frequency * off)?;
+                let (point, zero) = (orbit.grazing_point(), near_grazing(&orbit, p)?);
+                let seen = zero[0] > 0.0 && equations(&orbit, p).solution(&zero).admissible();
+                cases.see(seen == (point.map.a.m12 * point.alpha() > 0.0));
+                printed.see(seen);
+            }
+        }
+    } =>
+        cases.outcome("random oscillators to both sides of g_p, p = 2 to 4, with either sign of a₁₂α")
+            .against_print(printed.measure());
 }

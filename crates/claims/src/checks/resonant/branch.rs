@@ -1,17 +1,7 @@
 //! Z(y, η) and M(y, η): eq:ZM to the expansion of y Ψ^±.
 
-use grazing_continuation::mps::EventTimes;
-use grazing_model::AtRest;
-use grazing_model::maps::global_iterate;
-use grazing_theorems::auxiliary::{geometric_sum_determinant, lucas_partial_sum, resonance_boundary};
-use nalgebra::{Matrix2, Vector2};
-
-use super::places::{
-    ANY, EVERYWHERE, MANY, ONE, Observed, ResonantSpecimen, Symbols, deviation, directions, orders,
-    remembered, scaled, together,
-};
 use crate::checks::appendices::signs::{determinant, search};
-use crate::{CheckResult, Failure, Sampler, order};
+use crate::*;
 
 /// Ratios of y and η in which points run into the resonance.
 const RATIOS: [[f64; 2]; 4] = [[1.0, 0.0], [1.0, 0.3], [1.0, -0.3], [-1.0, 0.2]];
@@ -62,7 +52,7 @@ fn return_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     // First derivatives are known to ten, second ones to a hundred times the rounding of the map.
     let rounding = MAP * 10.0;
     let mut found = Vec::new();
-    for direction in directions(2) {
+    for direction in offsets(2) {
         let at = remembered(|size| {
             let [x, z, mu, eta] = scaled(&direction, size);
             Some((x, z, mu, eta, jet(x, 0.0, mu, eta)?.0))
@@ -139,30 +129,6 @@ fn psi(multipliers: &grazing_continuation::mps::Multipliers) -> [f64; 2] {
     [trace - determinant - 1.0, trace + determinant + 1.0]
 }
 
-/// eq:Psi: det(U − I) = −Ψ⁺ and det(U + I) = Ψ⁻, which vanish where U has the eigenvalue 1 or −1.
-pub(crate) fn multiplier_conditions() -> CheckResult {
-    // Determinants of matrices with entries of size 1/y, relative to their squares.
-    deviation(ANY, 1e-14, "MPSs on branches near resonances", |place| {
-        let mut found = Vec::new();
-        for (y, eta) in [(0.1, 0.0), (0.03, 0.01), (0.05, -0.01), (0.02, -0.02)] {
-            let Some(near) = place.on_branch(y, eta) else { continue };
-            let pair = place.pair(&near)?;
-            let inverse = pair.impact.derivative().try_inverse().ok_or("D P_virt is singular")?;
-            let u = pair.round_trip.derivative() * inverse;
-            let [plus, minus] = psi(&pair.multipliers());
-            let one = Matrix2::identity();
-            let size = 1.0 + u.amax() * u.amax();
-            // The function that curves are continued with is det(U ∓ I) times det D P_virt, which stays smooth through y = 0.
-            let scaled = |multiplier: f64| pair.characteristic(multiplier).0 * inverse.determinant();
-            found.push((scaled(1.0) + plus).abs() / size);
-            found.push((scaled(-1.0) - minus).abs() / size);
-            found.push(((u - one).determinant() + plus).abs() / size);
-            found.push(((u + one).determinant() - minus).abs() / size);
-        }
-        Ok(found)
-    })
-}
-
 fn psi_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     let stability = place.point().stability_coefficients();
@@ -183,6 +149,27 @@ fn psi_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
 }
 
 checks! {
+    /// eq:Psi: det(U − I) = −Ψ⁺ and det(U + I) = Ψ⁻, which vanish where U has the eigenvalue 1 or −1.
+    // Determinants of matrices with entries of size 1/y, relative to their squares.
+    multiplier_conditions: deviation(ANY, 1e-14, "MPSs on branches near resonances", |place| {
+        let mut found = Vec::new();
+        for (y, eta) in [(0.1, 0.0), (0.03, 0.01), (0.05, -0.01), (0.02, -0.02)] {
+            let Some(near) = place.on_branch(y, eta) else { continue };
+            let pair = place.pair(&near)?;
+            let inverse = pair.impact.derivative().try_inverse().ok_or("D P_virt is singular")?;
+            let u = pair.round_trip.derivative() * inverse;
+            let [plus, minus] = psi(&pair.multipliers());
+            let one = Matrix2::identity();
+            let size = 1.0 + u.amax() * u.amax();
+            // The function that curves are continued with is det(U ∓ I) times det D P_virt, which stays smooth through y = 0.
+            let scaled = |multiplier: f64| pair.characteristic(multiplier).0 * inverse.determinant();
+            found.push((scaled(1.0) + plus).abs() / size);
+            found.push((scaled(-1.0) - minus).abs() / size);
+            found.push(((u - one).determinant() + plus).abs() / size);
+            found.push(((u + one).determinant() - minus).abs() / size);
+        }
+        Ok(found)
+    });
     /// At the resonance det J = 0 and det K is what eq:detJac2 says.
     // Sums of products of some tens of roundings.
     jacobians: deviation(ANY, 1e-13, "derivatives of V at located resonances", |place| {

@@ -1,13 +1,10 @@
 //! Section 6: what the period doublings of Figure 7 create.
 
-use grazing_continuation::criticality::{coefficient_at_resonance, period_doubling};
-use grazing_continuation::mps::{MaximalPeriodicSolution, Unknowns, unknown};
-
 use super::discussion::{ROUTE, of_figure_7};
 use super::doubled::{Doubled, DoubledEquations};
-use super::places::{ANY, Observed, ResonantSpecimen, lowest, orders, together};
 use super::simulation::next_impact;
-use crate::{CheckResult, Failure, Outcome, Votes, order};
+use crate::*;
+use grazing_continuation::criticality::{coefficient_at_resonance, period_doubling};
 
 /// Points of the PD curve that bounds a periodicity region, admissible and evenly spread over its length.
 fn flips(place: &ResonantSpecimen, count: usize) -> Result<Vec<Unknowns>, Failure> {
@@ -47,26 +44,6 @@ fn settles(place: &ResonantSpecimen, doubled: &Doubled) -> bool {
         }
     }
     (here - first).norm().min((here - second).norm()) < 1e-3 * (first - second).norm()
-}
-
-/// The criterion that section 6 asks for, derived at the resonance: y² c of the normal form, c counted in the impact velocity, tends
-/// to it at first order in y along the PD curve.
-pub(crate) fn criterion_at_resonance() -> CheckResult {
-    orders(ANY, "PD curves running into resonances with p up to 5", |place| {
-        let limit = coefficient_at_resonance(place.point());
-        let curve = &place.curves()[1];
-        let observed = order(|y| {
-            // Digits of c are lost in proportion to 1/y, and its value grows with 1/y².
-            if y < 1e-4 {
-                return Some((0.0, 1.0));
-            }
-            let near = place.on_curve(curve, y / curve.leading.impact_velocity_slope)?;
-            let flip = period_doubling(place.resonance.equations(), &near.unknowns).ok()?;
-            let scaled = near.unknowns[unknown::VELOCITY] / flip.direction[0];
-            Some((scaled * scaled * flip.coefficient - limit, 1e-11 / y))
-        });
-        Ok(vec![(observed, 1.0)])
-    })
 }
 
 /// The period doublings of Figure 7. Printed: all create an unstable solution. Found: close to the resonances those with p = 1
@@ -125,4 +102,24 @@ pub(crate) fn doubled_solutions_graze() -> CheckResult {
     }
     let over = "μ and y on the curves where period-doubled MPSs of Figure 7 graze, as η tends to 0";
     Ok(Outcome::new(lowest(&orders), orders.len(), over))
+}
+
+checks! {
+    /// The criterion that section 6 asks for, derived at the resonance: y² c of the normal form, c counted in the impact velocity, tends
+    /// to it at first order in y along the PD curve.
+    criterion_at_resonance: orders(ANY, "PD curves running into resonances with p up to 5", |place| {
+        let limit = coefficient_at_resonance(place.point());
+        let curve = &place.curves()[1];
+        let observed = order(|y| {
+            // Digits of c are lost in proportion to 1/y, and its value grows with 1/y².
+            if y < 1e-4 {
+                return Some((0.0, 1.0));
+            }
+            let near = place.on_curve(curve, y / curve.leading.impact_velocity_slope)?;
+            let flip = period_doubling(place.resonance.equations(), &near.unknowns).ok()?;
+            let scaled = near.unknowns[unknown::VELOCITY] / flip.direction[0];
+            Some((scaled * scaled * flip.coefficient - limit, 1e-11 / y))
+        });
+        Ok(vec![(observed, 1.0)])
+    });
 }

@@ -1,11 +1,7 @@
 //! The bifurcation curves near a resonance: eq:Upsilon1, eq:Upsilonp and what follows from them.
 
-use super::places::{
-    ANY, Bifurcation, EVERYWHERE, Loops, MANY, Near, ONE, Observed, ResonantSpecimen, agreement, deviation,
-    everywhere, lowest, orders, orders_against_print, remembered,
-};
 use crate::checks::main_results::coefficients::resonant;
-use crate::{CheckResult, Failure, Outcome, Sampler, order};
+use crate::*;
 
 /// Rounding of located velocities, phases and positions: on the curves they come from quotients of derivatives.
 pub(super) const PHASE: f64 = 1e-13;
@@ -105,10 +101,31 @@ fn printed_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     Ok(quadratic_orders(place, |_, eta| branch.parameter(fold * eta, eta)))
 }
 
-/// Two zeros of V separate from the SN curve like the square root of the change of μ: the exponent, less 1/2.
-pub(crate) fn square_root() -> CheckResult {
+/// Whether an MPS on the curves is admissible for the stated sign of η, and has y < 0 for the other.
+fn sides(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
+    let mut found = Vec::new();
+    for curve in place.curves() {
+        let sign = curve.leading.eta_side.signum();
+        for velocity in [1e-3, 3e-4, 1e-4] {
+            let eta = sign * eta_at(&curve, velocity).abs();
+            let Some((right, wrong)) = place.on_curve(&curve, eta).zip(place.on_curve(&curve, -eta)) else {
+                // The leading terms reach less far where s^- is small.
+                continue;
+            };
+            let solution = place.solution(&right);
+            found.push(solution.admissible() && wrong.unknowns[0] < 0.0);
+        }
+    }
+    Ok(found)
+}
+
+const SIDES: &str =
+    "points of SN and PD curves for both signs of η: admissible for the stated one, y < 0 for the other";
+
+checks! {
+    /// Two zeros of V separate from the SN curve like the square root of the change of μ: the exponent, less 1/2.
     // The next term of the parabola changes the exponent by the square of the relative distance, some 10⁻³ times curvatures.
-    deviation(ANY, 1e-4, "exponents on either fold: zeros of V at two distances from SN curves", |place| {
+    square_root: deviation(ANY, 1e-4, "exponents on either fold: zeros of V at two distances from SN curves", |place| {
         let mut found = Vec::new();
         let [fold, _] = place.curves();
         let k_2 = place.point().branch_expansion().k_2;
@@ -142,31 +159,7 @@ pub(crate) fn square_root() -> CheckResult {
             found.push((libm::log2(wide / narrow) / 2.0 - 0.5).abs());
         }
         Ok(found)
-    })
-}
-
-/// Whether an MPS on the curves is admissible for the stated sign of η, and has y < 0 for the other.
-fn sides(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
-    let mut found = Vec::new();
-    for curve in place.curves() {
-        let sign = curve.leading.eta_side.signum();
-        for velocity in [1e-3, 3e-4, 1e-4] {
-            let eta = sign * eta_at(&curve, velocity).abs();
-            let Some((right, wrong)) = place.on_curve(&curve, eta).zip(place.on_curve(&curve, -eta)) else {
-                // The leading terms reach less far where s^- is small.
-                continue;
-            };
-            let solution = place.solution(&right);
-            found.push(solution.admissible() && wrong.unknowns[0] < 0.0);
-        }
-    }
-    Ok(found)
-}
-
-const SIDES: &str =
-    "points of SN and PD curves for both signs of η: admissible for the stated one, y < 0 for the other";
-
-checks! {
+    });
     /// eq:coeffs1 and eq:coeffsp follow from k₂, k₃ and Υ^±, with T_p and f_p.
     // Some tens of roundings; T_p is used in closed form on one side only, at κ_p of up to 10⁻¹³.
     simplification: deviation(ANY, 1e-13, "resonances with p up to 5", |place| {

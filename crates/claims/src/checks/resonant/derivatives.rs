@@ -1,18 +1,6 @@
 //! The derivatives that the proofs of Lemmas 5.1 and 5.2 multiply: eq:DPvirt to eq:DPglobalp.
 
-use grazing_model::maps::{global_iterate, virtual_map};
-use grazing_model::{AtRest, ImpactOscillator, OnWall};
-use grazing_theorems::LinearisedMap;
-use grazing_theorems::auxiliary::{detuning, lucas_sequence, modulus_power};
-use grazing_theorems::grazing::VirtualMap;
-use nalgebra::Matrix2;
-
-use super::places::{
-    ANY, EVERYWHERE, MANY, Near, ONE, Observed, Offset, ResonantSpecimen, deviation, directions, everywhere,
-    orders, orders_against_print, scaled, together,
-};
-use crate::differences::slope;
-use crate::{CheckResult, Deviations, Failure, order};
+use crate::*;
 
 /// Rounding of the entries of D P_virt and D(P_virt ∘ R), numbers of order one.
 const VIRTUAL: f64 = 1e-15;
@@ -42,7 +30,7 @@ fn entries(
             Some([matrix.m11, matrix.m12, matrix.m21, matrix.m22])
         })
     };
-    directions(3).iter().flat_map(one).collect()
+    offsets(3).iter().flat_map(one).collect()
 }
 
 /// The derivative of the leading terms of a virtual map at an impact velocity.
@@ -174,10 +162,10 @@ fn slope_gaps(place: &ResonantSpecimen) -> Result<Vec<f64>, Failure> {
     Ok(vec![(found - stated).abs() / stated.abs()])
 }
 
-/// At κ_p = 0: S_p = 0, S_{p+1} = −δ^{p/2}, A^p = −δ^{p/2} I.
-pub(crate) fn power_at_resonance() -> CheckResult {
+checks! {
+    /// At κ_p = 0: S_p = 0, S_{p+1} = −δ^{p/2}, A^p = −δ^{p/2} I.
     // Roundings of up to five factors.
-    deviation(MANY, 1e-13, "located resonances with p = 2 to 5", |place| {
+    power_at_resonance: deviation(MANY, 1e-13, "located resonances with p = 2 to 5", |place| {
         let map = place.point().grazing.map;
         let (loops, tau, delta) = (place.loops(), map.trace(), map.determinant());
         let orbit = place.resonance.orbit();
@@ -191,10 +179,7 @@ pub(crate) fn power_at_resonance() -> CheckResult {
         ];
         let rest = power + Matrix2::identity() * modulus;
         Ok(sums.iter().chain(rest.iter()).map(|gap| gap.abs()).collect())
-    })
-}
-
-checks! {
+    });
     /// det D P_virt = y G₁ with G₁ = 1/γ at the resonance.
     determinant_quotient: orders(ANY, EVERYWHERE, |place| {
         let gamma = place.symbols()?.gamma;
@@ -207,7 +192,7 @@ checks! {
             });
             (observed, 1.0)
         };
-        Ok(directions(4).iter().map(one).collect())
+        Ok(offsets(4).iter().map(one).collect())
     });
     /// eq:DPdisc, and that y D P_disc extends through y = 0: y has either sign.
     of_discontinuity_map: orders(ANY, EVERYWHERE, |place| {

@@ -1,18 +1,8 @@
 //! Section 6.
 
-use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{Route, Window};
-use grazing_continuation::mps::{MaximalPeriodicSolution, unknown};
-use grazing_model::maps::virtual_map;
-use grazing_model::motion::Motion;
-use grazing_model::{ImpactOscillator, OnWall, State};
-
 use super::derivatives::differences;
-use super::places::{ANY, Observed, ResonantSpecimen, agreement, deviation, lowest, seam};
 use crate::checks::main_results::returns::derivatives;
-use crate::solutions::attracts;
-use crate::specimen::{Law, damping_for_decay};
-use crate::{CheckResult, Deviations, Failure, Outcome, Votes, printed};
+use crate::*;
 
 /// Near a resonance an MPS is stable between the lines y Ψ⁺ = 0 and y Ψ⁻ = 0 of the (η, y) plane, and nowhere else.
 fn regions(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
@@ -36,34 +26,6 @@ fn regions(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
         found.push(solution.stable() == (plus < 0.0 && minus > 0.0));
     }
     Ok(found)
-}
-
-/// Between the curves an MPS is stable if φ²δᵖ < 1, and its determinant is larger than 1 if φ²δᵖ > 1.
-pub(crate) fn stabilisation() -> CheckResult {
-    let (mut votes, mut printed) = (Votes::default(), Votes::default());
-    for (loops, n) in [(1, 2), (1, 3), (2, 1), (3, 1)] {
-        for decay in [0.4, 0.6, 0.8] {
-            // φ²δᵖ = (ε E_p)², well below 1 or above.
-            for size in [0.3, 0.8, 1.2, 1.6] {
-                let law = Law::linear(damping_for_decay(loops, n, decay), size / decay);
-                let place = ResonantSpecimen::find(law, loops, n)?;
-                let point = place.point();
-                let stability = point.stability_coefficients();
-                let by_eta =
-                    point.grazing.alpha() * point.grazing.forcing_frequency * point.off_diagonal_slope();
-                // In the middle between the lines y Ψ⁺ = 0 and y Ψ⁻ = 0, at a velocity that makes the next terms some per cent.
-                let y = 1e-4;
-                let eta = 0.5 * (stability.plus + stability.minus) * y / by_eta;
-                let near = place.on_branch(y, eta).ok_or("no MPS between the curves")?;
-                let solution = place.solution(&near);
-                votes.see(solution.stable() == (size < 1.0));
-                votes.see((solution.multipliers.determinant > 1.0) == (size > 1.0));
-                printed.see(solution.stable());
-            }
-        }
-    }
-    let over = "MPSs between SN and PD at resonances with p up to 3, restitutions to both sides of 1/E_p";
-    Ok(votes.outcome(over).against_print(printed.measure()))
 }
 
 /// n ω* is twice the damped natural frequency at all resonances with p = 1 of a linear oscillator, and not the same number at
@@ -122,26 +84,6 @@ pub(crate) fn direction_by_parity() -> CheckResult {
     Ok(Votes::of(cases).outcome("the sign of a₁₂' and the sides of SN and PD curves, n = 1 to 12"))
 }
 
-/// All that the theorems need by finite differences of values of P_global alone, against from_map's derivatives.
-pub(crate) fn finite_differences() -> CheckResult {
-    // Nested differences of sixth order: rounding 10⁻¹⁵ over both steps is 10⁻⁹, and sixth derivatives in ω reach 10¹².
-    deviation(ANY, 1e-8, "A, b, ξ and a₁₂' or f at resonances, by values of P_global alone", |place| {
-        let point = place.point();
-        let map = point.grazing.map;
-        let gap = |found: f64, stated: f64| (found - stated).abs() / (1.0 + stated.abs());
-        let found = differences(place).ok_or("P_global is not defined around a resonance")?;
-        let mut gaps = vec![
-            gap(found.xi, point.second_phase_derivative),
-            gap(found.f_followed, point.off_diagonal_slope()),
-        ];
-        let columns = [map.a.column(0).into_owned(), map.a.column(1).into_owned(), map.b];
-        for (found, stated) in derivatives(place.resonance.orbit(), 1.0)?.iter().zip(&columns) {
-            gaps.extend(found.iter().zip(stated).map(|(found, stated)| gap(*found, *stated)));
-        }
-        Ok(gaps)
-    })
-}
-
 /// The resonances of Figure 7: p = 1 with n = 3, 4, 5, p = 2 and 3 with n = 1, 2.
 pub(super) fn of_figure_7() -> Result<Vec<ResonantSpecimen>, Failure> {
     let law = Law::linear(printed("zeta"), printed("epsilon"));
@@ -159,7 +101,7 @@ fn return_through_impact(
     let point = &solution.unknowns;
     let oscillator = equations.oscillator_at(point);
     let maximum = solution.highest_interior_maximum?;
-    let recoil = equations.recoil(point);
+    let recoil = equations.departure(point);
     let omega = oscillator.forcing_frequency().value;
     let phase = recoil.phase + omega * maximum.time;
     let left = f64::from(place.loops()) * oscillator.forcing_period() - maximum.time;
@@ -215,6 +157,47 @@ pub(super) const ROUTE: Route = Route {
 };
 
 checks! {
+    /// Between the curves an MPS is stable if φ²δᵖ < 1, and its determinant is larger than 1 if φ²δᵖ > 1.
+    stabilisation: over([(1, 2), (1, 3), (2, 1), (3, 1)]) |(loops, n); (votes, printed): (Votes, Votes)| {
+        for decay in [0.4, 0.6, 0.8] {
+            // φ²δᵖ = (ε E_p)², well below 1 or above.
+            for size in [0.3, 0.8, 1.2, 1.6] {
+                let law = Law::linear(damping_for_decay(loops, n, decay), size / decay);
+                let place = ResonantSpecimen::find(law, loops, n)?;
+                let point = place.point();
+                let stability = point.stability_coefficients();
+                let by_eta =
+                    point.grazing.alpha() * point.grazing.forcing_frequency * point.off_diagonal_slope();
+                // In the middle between the lines y Ψ⁺ = 0 and y Ψ⁻ = 0, at a velocity that makes the next terms some per cent.
+                let y = 1e-4;
+                let eta = 0.5 * (stability.plus + stability.minus) * y / by_eta;
+                let near = place.on_branch(y, eta).ok_or("no MPS between the curves")?;
+                let solution = place.solution(&near);
+                votes.see(solution.stable() == (size < 1.0));
+                votes.see((solution.multipliers.determinant > 1.0) == (size > 1.0));
+                printed.see(solution.stable());
+            }
+        }
+    } =>
+        votes.outcome("MPSs between SN and PD at resonances with p up to 3, restitutions to both sides of 1/E_p")
+            .against_print(printed.measure());
+    /// All that the theorems need by finite differences of values of P_global alone, against from_map's derivatives.
+    // Nested differences of sixth order: rounding 10⁻¹⁵ over both steps is 10⁻⁹, and sixth derivatives in ω reach 10¹².
+    finite_differences: deviation(ANY, 1e-8, "A, b, ξ and a₁₂' or f at resonances, by values of P_global alone", |place| {
+        let point = place.point();
+        let map = point.grazing.map;
+        let gap = |found: f64, stated: f64| (found - stated).abs() / (1.0 + stated.abs());
+        let found = differences(place).ok_or("P_global is not defined around a resonance")?;
+        let mut gaps = vec![
+            gap(found.xi, point.second_phase_derivative),
+            gap(found.f_followed, point.off_diagonal_slope()),
+        ];
+        let columns = [map.a.column(0).into_owned(), map.a.column(1).into_owned(), map.b];
+        for (found, stated) in derivatives(place.resonance.orbit(), 1.0)?.iter().zip(&columns) {
+            gaps.extend(found.iter().zip(stated).map(|(found, stated)| gap(*found, *stated)));
+        }
+        Ok(gaps)
+    });
     /// Periodicity regions lie between the SN and the PD curve.
     periodicity_regions: agreement(ANY, "MPSs around resonances, stable between SN and PD curves alone", regions);
     /// The response can be periodic near resonant grazing: stable MPSs attract.

@@ -1,12 +1,9 @@
 //! Period-doubled MPSs: orbits with two impacts in 2p loops, near the curve where an MPS has the multiplier −1.
 
-use grazing_continuation::mps::{
-    EventTimes, Formulation, LoopEquations, LoopPair, Multipliers, Unknowns, unknown,
-};
+use crate::*;
 use grazing_continuation::newton::{self, Linearisation};
-use grazing_model::maps::MapError;
-use grazing_model::{ImpactOscillator, MapJet};
-use nalgebra::{Matrix2, SMatrix, SVector, Vector2, Vector4};
+use grazing_model::MapJet;
+use nalgebra::{SMatrix, SVector, Vector4};
 
 /// (y₁, z₁, y₂, z₂, μ) at fixed η.
 type Pair = SVector<f64, 5>;

@@ -1,13 +1,6 @@
 //! Growth of perturbations in the hybrid system itself, impacts located one by one.
 
-use core::f64::consts::TAU;
-
-use grazing_model::orbit::{FlightEnd, Orbit};
-use grazing_model::{ImpactOscillator, State};
-use nalgebra::{Matrix2, Vector2};
-
-use super::places::{ANY, Near, ResonantSpecimen, deviation};
-use crate::differences::slope;
+use crate::*;
 
 /// The next impact (y, z) after an impact, its phase counted near that of the first; `None` if it comes at another time than
 /// p periods later.

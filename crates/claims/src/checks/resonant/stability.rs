@@ -1,15 +1,7 @@
 //! The multipliers of an MPS near a resonance: eq:U to eq:fp, Lemmas 5.1 and 5.2.
 
-use grazing_continuation::mps::Multipliers;
-use grazing_model::AtRest;
-use grazing_model::maps::{discontinuity_map, global_iterate};
-
 use super::derivatives::Cure;
-use super::places::{
-    ANY, EVERYWHERE, MANY, ONE, Observed, Offset, ResonantSpecimen, Symbols, deviation, directions,
-    everywhere, orders, orders_against_print, scaled, seam,
-};
-use crate::{CheckResult, Failure, Votes, order};
+use crate::*;
 
 /// Rounding of y T and y D: P_global and its derivatives are exact to some 10⁻¹⁵ times their size, and so are these.
 const ROUNDING: f64 = 1e-14;
@@ -40,7 +32,7 @@ fn trace_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>, F
         });
         (observed, 2.0)
     };
-    Ok(directions(4).iter().map(one).collect())
+    Ok(offsets(4).iter().map(one).collect())
 }
 
 fn determinant_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
@@ -55,7 +47,7 @@ fn determinant_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure
         });
         (observed, 2.0)
     };
-    Ok(directions(4).iter().map(one).collect())
+    Ok(offsets(4).iter().map(one).collect())
 }
 
 /// y T and y D are three times differentiable across y = 0, as is stated for F and R in C⁵.
@@ -103,11 +95,11 @@ pub(crate) fn divergence() -> CheckResult {
     Ok(orders(ANY, over, divergence_orders)?.against_print(Votes::of(positive).measure()))
 }
 
-/// eq:TD: trace and determinant of U by composing the derivatives of P_disc and P_global at (x̂, ẑ), as eq:U is written, against
-/// the quotient of the derivatives of the two sides of V.
-pub(crate) fn trace_and_determinant() -> CheckResult {
+checks! {
+    /// eq:TD: trace and determinant of U by composing the derivatives of P_disc and P_global at (x̂, ẑ), as eq:U is written, against
+    /// the quotient of the derivatives of the two sides of V.
     // P_virt⁻¹ takes the root of x̂ ≈ y²/2γ, which is rounded to 10⁻¹⁶: relative errors of 10⁻¹⁶/y² ≈ 10⁻¹² in y, and in T.
-    deviation(ANY, 1e-10, "MPSs on branches near resonances", |place| {
+    trace_and_determinant: deviation(ANY, 1e-10, "MPSs on branches near resonances", |place| {
         let mut found = Vec::new();
         for (y, eta) in [(0.05, 0.0), (0.02, 0.01), (0.1, -0.01), (0.03, 0.02)] {
             let Some(near) = place.on_branch(y, eta) else { continue };
@@ -123,10 +115,7 @@ pub(crate) fn trace_and_determinant() -> CheckResult {
             found.push((u.determinant() - both.determinant).abs() / (1.0 + both.trace.abs()));
         }
         Ok(found)
-    })
-}
-
-checks! {
+    });
     /// eq:yT1, about z_graz,η; the print has z_graz,0.
     trace_of_one_loop: orders_against_print(ONE, |at| trace_orders(at, Cure::Moving), |at| trace_orders(at, Cure::AsPrinted));
     /// eq:yTp, about z_graz,η; the print has z_graz,0.

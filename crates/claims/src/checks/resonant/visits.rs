@@ -1,14 +1,9 @@
 //! The MPSs on the bifurcation curves, visit by visit: eq:admp7 to eq:admp11.
 
-use grazing_continuation::mps::EventTimes;
-use grazing_theorems::auxiliary::{lucas_sequence, resonance_boundary};
-use nalgebra::Vector2;
-
 use super::curves::{PHASE, all_along_curves, along_curves, eta_at};
-use super::places::{Bifurcation, EVERYWHERE, MANY, Near, ResonantSpecimen, agreement, orders};
-use crate::Failure;
 use crate::checks::appendices::signs::{determinant, loop_index, search};
 use crate::checks::generic::maps::{impact_and_recoil, virtual_point};
+use crate::*;
 
 /// (x⁽⁰⁾, z⁽⁰⁾) of a point of a curve, the phase counted from z_graz,η.
 fn recoil(near: &Near) -> Option<Vector2<f64>> {

@@ -9,9 +9,8 @@ use grazing_model::smooth::Units;
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::grazing::GrazingEnd;
-use grazing_unfold::regions::RegionKind;
 
-use crate::unfold::Analysis;
+use crate::unfold::analysis::Analysis;
 use crate::unfold::layout::headed;
 use crate::unfold::reason::{self, place};
 
@@ -46,7 +45,7 @@ const TOLD: usize = 3;
 pub(super) fn undecided(description: &Description, unfolded: &Analysis) -> String {
     let mut kinds: Vec<(_, Vec<String>)> = Vec::new();
     for region in &unfolded.diagram.regions {
-        let RegionKind::Undecided(doubt) = &region.kind else { continue };
+        let Some(doubt) = &region.doubt else { continue };
         let Some(told) = reason::undecided(description, &unfolded.axes.units, region) else { continue };
         let kind = (region.loops, discriminant(doubt));
         match kinds.iter_mut().find(|(known, _)| *known == kind) {

@@ -2,7 +2,7 @@
 
 use grazing_unfold::units::InUnits;
 
-use crate::unfold::Analysis;
+use crate::unfold::analysis::Analysis;
 use crate::unfold::layout::{KEPT, headed};
 use grazing_results::brief;
 

@@ -1,16 +1,8 @@
 //! What is seen of any oscillator of the class at grazing, without closed forms.
 
-use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::Unknowns;
-use grazing_model::ImpactOscillator;
-use grazing_theorems::Side;
-use grazing_theorems::from_map::GrazingOrbit;
-
-use crate::Failure;
-use crate::solutions::{at_velocity, equations, followed, located, suspect, unknowns, zero};
-use crate::sweep::Existence;
+use crate::solutions::suspect;
 use crate::sweep::generic::small_velocity;
-use grazing_unfold::simulation::Seen;
+use crate::*;
 
 /// On which side of a generic grazing bifurcation simulation sees the MPS that the VIVID function has a zero for.
 pub(crate) fn side_of_orbit<O: ImpactOscillator>(

@@ -1,0 +1,54 @@
+//! Oscillators in text files, as they are read.
+
+use std::path::{Path, PathBuf};
+
+use grazing_description::{Description, DescriptionError};
+use grazing_source::Setting;
+
+use crate::failure::Failure;
+
+/// A file that describes an oscillator.
+pub(crate) struct OscillatorFile {
+    pub(crate) file: PathBuf,
+    /// What stands in it, with what was set over it on top.
+    pub(crate) text: String,
+    pub(crate) description: Description,
+}
+
+impl OscillatorFile {
+    /// Reads a file, with settings that take the place of values in it.
+    ///
+    /// # Errors
+    /// It cannot be read, or something in it is not right.
+    pub(crate) fn read(file: &Path, settings: &[Setting]) -> Result<Self, Failure> {
+        let description = Description::from_file_with(file, settings)?;
+        let text = noted(&grazing_source::read_file(file).map_err(DescriptionError::from)?, settings);
+        Ok(Self { file: file.to_owned(), text, description })
+    }
+}
+
+/// The text of a file with what was set over it on top.
+pub(crate) fn noted(text: &str, settings: &[Setting]) -> String {
+    let set = settings.iter().map(|setting| format!("# --set {setting}\n"));
+    set.chain([text.to_owned()]).collect()
+}
+
+/// The last part of a path, as text.
+pub(crate) fn file_name(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// The oscillator with the numbers of loops that were named, if any were.
+pub(crate) fn with_loops(description: Description, loops: Option<&[u32]>) -> Result<Description, Failure> {
+    let Some(loops) = loops else { return Ok(description) };
+    description.with_loops(loops).map_err(|reason| Failure::input(format!("--loops {reason}")))
+}
+
+/// What was set: `kappa` alone is a constant, `parameters.kappa`.
+pub(crate) fn settings(set: &[Setting]) -> Vec<Setting> {
+    let full = |setting: &Setting| {
+        let named = setting.key().contains('.') || ["name", "diagrams"].contains(&setting.key());
+        if named { setting.clone() } else { setting.within("parameters") }
+    };
+    set.iter().map(full).collect()
+}

@@ -1,0 +1,50 @@
+//! The output that `unfold --vary` writes: the resonances of a family.
+
+use std::error::Error;
+use std::path::PathBuf;
+
+use grazing_drawing::{SheetWidth, draw_family};
+use grazing_results::Names;
+use grazing_results::family::Family;
+
+use super::latex::Caption;
+use super::{ComputedOutput, Figure, Output, sheet_file};
+
+/// A family with its names.
+pub(crate) struct NamedFamily {
+    /// The file of the oscillator.
+    pub(crate) file: PathBuf,
+    /// The name of the oscillator.
+    pub(crate) name: String,
+    /// Those of the parameters and of the constants that vary.
+    pub(crate) names: Names,
+    pub(crate) family: Family,
+}
+
+/// The figure, if there is room for it on one sheet, and the tables of a family.
+pub(crate) const FAMILY: Output<NamedFamily> = Output {
+    figure: Some("family.svg"),
+    ..Output::new("family", "resonant grazing bifurcations of a family", Family::TABLES, compute)
+};
+
+fn compute(
+    output: &Output<NamedFamily>,
+    of: &NamedFamily,
+    width: SheetWidth,
+) -> Result<ComputedOutput, Box<dyn Error>> {
+    let title = format!("{}: {}", of.name, output.title);
+    let sheets = draw_family(&of.family, &of.names, &title, width)?;
+    let count = sheets.len();
+    let file = output.figure.unwrap_or_default();
+    let figures = sheets.into_iter().zip(1..).map(|(svg, number)| {
+        let file = sheet_file(file, number, count);
+        let label = Caption::label("fig", &of.file, file.trim_end_matches(".svg"));
+        let caption = Caption { title: output.title.to_owned(), label, remark: String::new() };
+        Figure { file, svg, caption, tables: output.table_names(), only: None }
+    });
+    Ok(ComputedOutput {
+        figures: figures.collect(),
+        tables: of.family.tables(&of.names),
+        ..ComputedOutput::default()
+    })
+}

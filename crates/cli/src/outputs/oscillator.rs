@@ -1,0 +1,215 @@
+//! The outputs that `unfold` writes about an oscillator.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+use grazing_description::Description;
+use grazing_drawing::{
+    DrawingError, Heading, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
+};
+use grazing_reproduction::unfolded::{AlongGrazing, AtResonances, Described, Unfolded};
+use grazing_results::branches::OneParameter;
+use grazing_results::plane::{Magnifications, PlaneDiagram};
+use grazing_results::{Names, brief, columns};
+
+use super::latex::Caption;
+use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output, sheet_file};
+use crate::failure::Failure;
+
+/// What the analysis of an oscillator from a text file comes to.
+pub(crate) type Analysis = Unfolded<Described>;
+
+/// An oscillator from a file, analysed.
+pub(crate) struct AnalysedOscillator {
+    file: PathBuf,
+    description: Description,
+    pub(crate) unfolded: Analysis,
+    diagram: PlaneDiagram,
+}
+
+impl AnalysedOscillator {
+    /// The analysis of the oscillator that the file describes.
+    pub(crate) fn new(file: &Path, description: &Description, unfolded: Analysis) -> Self {
+        let diagram = unfolded.plane_diagram();
+        Self { file: file.to_owned(), description: description.clone(), unfolded, diagram }
+    }
+
+    /// What there is to write: files that ask for no one-parameter diagram have no tables of them.
+    pub(crate) fn outputs(&self) -> &'static [Output<Self>] {
+        let (_, without_diagrams) = ALL.split_last().unwrap_or((&ALL[0], &[]));
+        if self.unfolded.diagrams.is_empty() { without_diagrams } else { ALL }
+    }
+
+    /// All that there is to write.
+    ///
+    /// # Errors
+    /// Something cannot be drawn.
+    pub(crate) fn computed(&self, width: SheetWidth) -> Result<ComputedOutput, Failure> {
+        let outputs = self.outputs().iter().map(|output| output.compute(self, width));
+        Ok(ComputedOutput::joined(outputs.collect::<Result<Vec<_>, _>>()?))
+    }
+
+    fn names(&self) -> &Names {
+        &self.unfolded.axes.names
+    }
+
+    /// What a figure says of itself, and the tables that it shows.
+    fn heading<'a>(
+        &'a self,
+        name: &'static str,
+        title: &'a str,
+        description: &'a str,
+        tables: &'a [&'static str],
+    ) -> Heading<'a> {
+        Heading { name, title, description, names: self.names(), tables }
+    }
+
+    fn figure(&self, file: String, title: String, svg: String, tables: &[&'static str]) -> Figure {
+        let label = Caption::label("fig", &self.file, file.trim_end_matches(".svg"));
+        let caption = Caption { title, label, remark: String::new() };
+        Figure { file, svg, caption, tables: tables.to_vec(), only: None }
+    }
+}
+
+/// The files of the figures, if all magnifications find room on one sheet.
+const DIAGRAM: &str = "diagram.svg";
+const MAGNIFICATIONS: &str = "magnifications.svg";
+
+/// All outputs: their tables in the order of the page that explains these, and one-parameter diagrams last.
+pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
+    Output::new("grazing", "the grazing curve", AlongGrazing::TABLES, |_, of, _| {
+        let tables = of.unfolded.along_grazing().tables(of.names());
+        Ok(ComputedOutput { tables, ..ComputedOutput::default() })
+    }),
+    TWO_PARAMETERS,
+    Output {
+        printed: Some(COEFFICIENT_COLUMNS),
+        ..Output::new("resonances", "resonances", AtResonances::TABLES, |_, of: &AnalysedOscillator, _| {
+            let title = format!("Coefficients of {}", of.description.name());
+            let label = Caption::label("tab", &of.file, COEFFICIENT_COLUMNS.0);
+            Ok(ComputedOutput {
+                tables: of.unfolded.at_resonances().tables(of.names()),
+                printed: vec![(COEFFICIENT_COLUMNS, Caption { title, label, remark: String::new() })],
+                ..ComputedOutput::default()
+            })
+        })
+    },
+    Output {
+        figure: Some(MAGNIFICATIONS),
+        ..Output::new(
+            "magnifications",
+            "magnifications about the resonances",
+            Magnifications::TABLES,
+            magnifications,
+        )
+    },
+    Output::new("diagrams", "one-parameter bifurcation diagram", OneParameter::TABLES, one_parameter),
+];
+
+/// The two-parameter diagram.
+pub(crate) const TWO_PARAMETERS: Output<AnalysedOscillator> = Output {
+    figure: Some(DIAGRAM),
+    ..Output::new("diagram", "two-parameter bifurcation diagram", PlaneDiagram::TABLES, two_parameters)
+};
+
+type Computed = Result<ComputedOutput, Box<dyn Error>>;
+
+fn two_parameters(
+    output: &Output<AnalysedOscillator>,
+    of: &AnalysedOscillator,
+    width: SheetWidth,
+) -> Computed {
+    let tables = ["points", "curves"];
+    let title = format!("{}: {}", of.description.name(), output.title);
+    let description = format!(
+        "{} Grazing curve of the non-impacting solution; saddle-node, period-doubling and grazing bifurcations of \
+         maximal periodic solutions; regions of stability in grey. Triangles: resonances; discs: other codimension-two \
+         points; rectangles: magnifications.",
+        axes(&of.description)
+    );
+    let svg = draw_diagram(&of.diagram, &of.heading("diagram", &title, &description, &tables), width)?;
+    Ok(ComputedOutput {
+        figures: vec![of.figure(DIAGRAM.to_owned(), output.title.to_owned(), svg, &tables)],
+        tables: of.diagram.tables(of.names()),
+        ..ComputedOutput::default()
+    })
+}
+
+fn magnifications(
+    output: &Output<AnalysedOscillator>,
+    of: &AnalysedOscillator,
+    width: SheetWidth,
+) -> Computed {
+    let tables = ["magnifications"];
+    let title = format!("{}: magnifications about resonant grazing bifurcations", of.description.name());
+    let description = format!(
+        "{} Dashed: the quadratic approximations to the saddle-node and period-doubling curves.",
+        axes(&of.description)
+    );
+    let magnifications = of.unfolded.magnifications(&of.diagram);
+    let heading = of.heading("magnifications", &title, &description, &tables);
+    let sheets = draw_magnifications(&magnifications, &heading, width)?;
+    let count = sheets.len();
+    let figures = sheets.into_iter().zip(1..).map(|(sheet, number)| {
+        let title = match count {
+            1 => output.title.to_owned(),
+            _ => format!("{}, sheet {number} of {count}", output.title),
+        };
+        let figure = of.figure(sheet_file(MAGNIFICATIONS, number, count), title, sheet.svg, &tables);
+        Figure { only: Some((columns::PANEL, sheet.panels)), ..figure }
+    });
+    Ok(ComputedOutput {
+        figures: figures.collect(),
+        tables: magnifications.tables(of.names()),
+        ..ComputedOutput::default()
+    })
+}
+
+fn one_parameter(
+    output: &Output<AnalysedOscillator>,
+    of: &AnalysedOscillator,
+    width: SheetWidth,
+) -> Computed {
+    let figure = |diagram: &OneParameter| {
+        let shown = format!("{}, {}", output.title, of_one_parameter(&of.description, diagram));
+        let title = format!("{}: {shown}", of.description.name());
+        let svg = draw_one_parameter(diagram, of.names(), &title, width)?;
+        let file = one_parameter_file(diagram.diagram);
+        let figure = of.figure(file, shown, svg, &output.table_names());
+        Ok(Figure { only: Some((columns::DIAGRAM, vec![diagram.diagram])), ..figure })
+    };
+    let diagrams = &of.unfolded.diagrams;
+    Ok(ComputedOutput {
+        figures: diagrams.iter().map(figure).collect::<Result<_, DrawingError>>()?,
+        tables: OneParameter::tables_of(diagrams, of.names()),
+        ..ComputedOutput::default()
+    })
+}
+
+/// What stands on the axes of the plane, as a sentence.
+fn axes(description: &Description) -> String {
+    format!("{} across, {} up.", description.primary().name(), description.secondary().name())
+}
+
+/// What a one-parameter diagram is of, as `A from 0.26 to 0.34 at omega = 0.854`.
+pub(crate) fn of_one_parameter(description: &Description, diagram: &OneParameter) -> String {
+    let names = [description.primary().name(), description.secondary().name()];
+    let [across, held] = diagram.exchanged(names);
+    let [low, high] = diagram.frame.x.map(|end| brief(end, 6));
+    format!("{across} from {low} to {high} at {held} = {}", brief(diagram.at, 6))
+}
+
+/// More sheets than a hundred would take some nine hundred resonances.
+const MOST_SHEETS: usize = 100;
+
+/// The file of a one-parameter diagram.
+fn one_parameter_file(number: u32) -> String {
+    format!("diagram-{number}.svg")
+}
+
+/// All files that a sheet of magnifications or a one-parameter diagram can have.
+pub(crate) fn possible_files() -> impl Iterator<Item = String> {
+    let magnifications = (1..=MOST_SHEETS).map(|number| sheet_file(MAGNIFICATIONS, number, MOST_SHEETS));
+    let diagrams = (1..=Description::MOST_DIAGRAMS as u32).map(one_parameter_file);
+    std::iter::once(MAGNIFICATIONS.to_owned()).chain(magnifications).chain(diagrams)
+}

@@ -1,0 +1,53 @@
+//! The analysis of an oscillator from a text file, up to its limits.
+
+use std::path::Path;
+
+use grazing_description::Limits;
+use grazing_reproduction::StudyError;
+use grazing_reproduction::unfolded::{Keep, Unfolded};
+use grazing_unfold::UnfoldError;
+
+use super::reason;
+use crate::failure::{Failure, computation};
+use crate::limits::{EndCause, Watch};
+use crate::oscillator::OscillatorFile;
+use crate::progress::Display;
+
+pub(crate) use crate::outputs::oscillator::Analysis;
+
+/// Analyses an oscillator up to its limits; with what has ended the analysis, if anything is missing in it.
+///
+/// # Errors
+/// There is nothing to unfold.
+pub(crate) fn analyse(
+    of: &OscillatorFile,
+    limits: Limits,
+    keep: Keep<'_>,
+) -> Result<(Analysis, Option<EndCause>), Failure> {
+    let watch = Watch::begin(limits);
+    let display = Display::counting(watch.stop());
+    let unfolded = Unfolded::described(&of.description, &display, &watch.stop(), keep)
+        .map_err(|error| failure(of, &error, watch.end_cause()))?;
+    let met = watch.end_cause().filter(|_| !unfolded.diagram.unfinished.is_empty());
+    Ok((unfolded, met))
+}
+
+/// Why there is nothing to unfold, with the file's names of the parameters, or what has ended the search.
+fn failure(of: &OscillatorFile, error: &StudyError, met: Option<EndCause>) -> Failure {
+    let OscillatorFile { file, description, .. } = of;
+    match (error, met) {
+        (StudyError::Unfold(UnfoldError::Stopped { stage }), Some(met)) => {
+            let outcome = "nothing is written, for nothing was found up to then, in the stage";
+            ended(file, met, &format!("{outcome} `{stage}`"))
+        }
+        (StudyError::Unfold(error), _) => {
+            Failure::incomplete(format!("{}: {}", file.display(), reason::of(error, description)))
+        }
+        (error, _) => computation("unfold", error),
+    }
+}
+
+/// The failure of an analysis that was ended by a limit or by Ctrl-C.
+pub(crate) fn ended(file: &Path, met: EndCause, outcome: &str) -> Failure {
+    Failure::incomplete(format!("{}: {met}; {outcome}", file.display()))
+}

@@ -1,0 +1,105 @@
+//! What a page shows of an oscillator, and the page about it.
+
+use std::path::PathBuf;
+
+use grazing_description::Description;
+use grazing_report::{FileDigest, Manifest, OscillatorEntry, Report};
+
+use super::analysis::Analysis;
+use super::reason;
+use crate::folder::{self, OutputFile};
+use crate::oscillator::{OscillatorFile, file_name};
+use crate::outputs::ComputedOutput;
+use crate::versions;
+
+/// The tables that are shown as such.
+const SHOWN: [&str; 3] = ["coefficients", "hypotheses", "points"];
+/// The name of the page about an oscillator, in the folder of its results.
+pub(crate) const PAGE: &str = "report.html";
+
+/// The oscillator as a page shows it.
+pub(crate) fn entry(of: &OscillatorFile, unfolded: &Analysis, computed: &ComputedOutput) -> OscillatorEntry {
+    let OscillatorFile { file, text, description } = of;
+    OscillatorEntry {
+        id: file.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+        file: file_name(file),
+        link: None,
+        about: leading_comment(text),
+        description: description.clone(),
+        figures: computed.entries().collect(),
+        tables: SHOWN.iter().filter_map(|name| computed.table(name).cloned()).collect(),
+        resonances: unfolded.entries(),
+        lost: lost(description, unfolded),
+        undecided: undecided(description, unfolded),
+    }
+}
+
+/// The page about this oscillator alone, to stand in the folder of its other files.
+pub(super) fn page(
+    of: &OscillatorFile,
+    unfolded: &Analysis,
+    computed: &ComputedOutput,
+    files: &[OutputFile],
+) -> OutputFile {
+    let digest = |file: &OutputFile| FileDigest::of(folder::with_slashes(&file.path), &file.content);
+    let entry = entry(of, unfolded, computed);
+    let report = Report {
+        manifest: Manifest {
+            parameter_file: entry.file.clone(),
+            parameters: of.text.clone(),
+            outputs: files.iter().map(digest).collect(),
+            ..versions::manifest()
+        },
+        oscillators: vec![entry],
+        ..Report::default()
+    };
+    OutputFile { path: PathBuf::from(PAGE), content: grazing_report::page(&report).into_bytes() }
+}
+
+/// The paragraphs of the comment with which a file begins.
+fn leading_comment(text: &str) -> Vec<String> {
+    let comment = text.lines().map_while(|line| line.trim_start().strip_prefix('#')).map(str::trim);
+    let mut paragraphs = vec![String::new()];
+    for line in comment {
+        match paragraphs.last_mut() {
+            Some(last) if !line.is_empty() => {
+                if !last.is_empty() {
+                    last.push(' ');
+                }
+                last.push_str(line);
+            }
+            _ => paragraphs.push(String::new()),
+        }
+    }
+    paragraphs.retain(|paragraph| !paragraph.is_empty());
+    paragraphs
+}
+
+/// What could not be located, followed or finished, in words.
+fn lost(description: &Description, unfolded: &Analysis) -> Vec<String> {
+    let (diagram, units) = (&unfolded.diagram, &unfolded.axes.units);
+    let lost = reason::lost(description, units, diagram).map(|(what, why)| format!("{what}: {why}"));
+    let cut = diagram.unfinished.iter();
+    let cut = cut.map(|cut| format!("not finished: {}", reason::unfinished(description, units, cut)));
+    lost.chain(cut).collect()
+}
+
+/// Where it is not decided whether solutions are stable, with their loops.
+fn undecided(description: &Description, unfolded: &Analysis) -> Vec<(u32, String)> {
+    let (units, regions) = (&unfolded.axes.units, unfolded.diagram.regions.iter());
+    regions
+        .filter_map(|region| Some((region.loops, reason::undecided(description, units, region)?)))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_leading_comment_is_put_together_by_paragraphs() {
+        let text = "# A block on a spring\n#   beside a wall.\n#\n# Values are ours.\n\nname = \"o\" # not this\n# nor this\n";
+        assert_eq!(leading_comment(text), ["A block on a spring beside a wall.", "Values are ours."]);
+        assert_eq!(leading_comment("name = \"o\"\n# later\n"), [""; 0]);
+    }
+}

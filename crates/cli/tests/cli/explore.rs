@@ -1,0 +1,156 @@
+//! `grazing explore` as it is started and ended.
+#![cfg(unix)]
+
+use std::fs;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+
+use crate::browser::chromium::{Browser, saved};
+use crate::program::{empty_folder, grazing, repository};
+
+/// The program as it serves; it ends with the value.
+struct Serving(Child);
+
+impl Serving {
+    /// Starts it, and reads its address.
+    fn new(folder: &Path) -> (Self, String) {
+        let mut server = Command::new(env!("CARGO_BIN_EXE_grazing"))
+            .args(["explore", "--no-browser"])
+            .current_dir(folder)
+            .stdout(Stdio::piped())
+            .spawn()
+            .expect("the program starts");
+        let mut lines = BufReader::new(server.stdout.take().expect("it is ours")).lines();
+        let address = lines.next().expect("a line").expect("it is text");
+        (Self(server), address)
+    }
+
+    /// What it ends with after Ctrl-C.
+    fn interrupted(mut self) -> Option<i32> {
+        let asked = Command::new("kill").args(["-INT", &self.0.id().to_string()]).status();
+        assert!(asked.is_ok_and(|status| status.success()));
+        self.0.wait().expect("it is ours").code()
+    }
+}
+
+impl Drop for Serving {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+    }
+}
+
+/// Asks for a path of the server and reads the answer.
+fn ask(host: &str, request: &str) -> String {
+    let mut stream = TcpStream::connect(host).expect("it listens");
+    stream.write_all(request.as_bytes()).expect("it reads");
+    let mut answer = String::new();
+    stream.read_to_string(&mut answer).expect("it answers");
+    answer
+}
+
+#[test]
+fn the_address_is_printed_the_page_is_there_and_ctrl_c_ends_it() {
+    let folder = empty_folder();
+    let (server, address) = Serving::new(folder.path());
+    let (host, path) =
+        address.strip_prefix("http://").and_then(|rest| rest.split_once('/')).expect("an address");
+    let head = format!("Host: {host}\r\nConnection: close\r\n");
+    let page = ask(host, &format!("GET /{path} HTTP/1.1\r\n{head}\r\n"));
+    assert!(
+        page.starts_with("HTTP/1.1 200 ") && page.contains("<script type=\"module\" src=\"main.js\">"),
+        "{page}"
+    );
+    // The numbers that are taken home are those that `reproduce` makes.
+    let view = "{\"primary\": [0.0, 1.3], \"secondary\": [0.35, 1.02]}";
+    let body = format!("{{\"model\": {{\"text\": null}}, \"view\": {view}, \"what\": \"csv:fig07_points\"}}");
+    let more = format!("Content-Type: application/json\r\nContent-Length: {}\r\n", body.len());
+    let taken = ask(host, &format!("POST /{path}export HTTP/1.1\r\n{head}{more}\r\n{body}"));
+    let committed = include_str!("../../../../figures/data/fig07_points.csv");
+    assert!(taken.ends_with(committed), "{taken}");
+
+    assert_eq!(server.interrupted(), Some(0));
+}
+
+/// What is taken home of the page as it is: the figure in three formats and the curves, and the files that the copied command writes.
+fn taken_home(page: &mut Browser, stem: &str, figure: &str, curves: &str) {
+    let home = empty_folder();
+    page.permit(home.path());
+    page.value("document.getElementById('plane').focus()");
+    page.press("s");
+    page.wait("document.getElementById('share').open");
+    page.note_words("copy-command");
+    page.click("#copy-command", [0.0, 0.0]);
+    page.wait("noted.includes('Copied')");
+    let command = page.value("navigator.clipboard.readText()");
+    let command =
+        command.as_str().expect("it is text").strip_prefix("cargo xtask ").expect("as people type it");
+    for what in ["svg", "pdf", "png", "csv:curves"] {
+        page.value("document.getElementById('share-status').textContent = ''");
+        page.click(&format!("[data-take='{what}']"), [0.0, 0.0]);
+        page.wait("/Saved/.test(document.getElementById('share-status').textContent)");
+    }
+    // A shell reads the command, since quotes are a part of it.
+    let made = empty_folder();
+    let program = env!("CARGO_BIN_EXE_grazing");
+    let line = format!("{program:?} {command} --format svg,pdf,png --output {:?}", made.path());
+    let run =
+        Command::new("sh").args(["-c", &line]).current_dir(repository()).output().expect("there is a shell");
+    assert!(run.status.success(), "{line}: {}", String::from_utf8_lossy(&run.stderr));
+    for ending in ["svg", "pdf", "png"] {
+        let written = fs::read(made.path().join(format!("{figure}.{ending}"))).expect("it was written");
+        assert!(saved(home.path(), &format!("{stem}.{ending}")) == written, "{line}: the {ending} differs");
+    }
+    let written = fs::read(made.path().join(format!("data/{curves}.csv"))).expect("it was written");
+    assert!(saved(home.path(), &format!("{stem}-curves.csv")) == written, "{line}: the curves differ");
+    page.press("Escape");
+}
+
+#[test]
+fn what_is_taken_home_from_the_page_is_what_the_copied_command_writes() {
+    let (server, address) = Serving::new(&repository());
+    if let Some(mut page) = Browser::open(&address, [1200, 850]) {
+        let whole =
+            "/curves? and \\d+ points? in/.test(document.getElementById('progress-text').textContent)";
+        page.wait(whole);
+        page.value("use('state').then(([s]) => s.update({set: {zeta: 0.03}, view: {primary: [0.2, 0.9], secondary: [0.5, 0.95]}}))");
+        let named = page.wait("use('model').then(([m]) => m.description.name)");
+        taken_home(&mut page, &stem(&named), "fig07", "fig07_curves");
+        // An example, with one number of loops so that it is soon there.
+        page.value(
+            "use('model', 'state').then(([m, s]) => { m.choose('duffing.toml'); s.update({set: {kappa: 0.12}, loops: [1], \
+             view: {primary: [0.2, 0.5], secondary: [0.9, 1.05]}}); })",
+        );
+        let named =
+            page.wait("use('model').then(([m]) => /Duffing/.test(m.description.name) && m.description.name)");
+        taken_home(&mut page, &stem(&named), "diagram", "curves");
+    }
+    assert_eq!(server.interrupted(), Some(0));
+}
+
+/// The name of an oscillator as that of a file.
+fn stem(name: &serde_json::Value) -> String {
+    let name = name.as_str().expect("it is text").to_lowercase();
+    let words: Vec<&str> =
+        name.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
+    words.join("-")
+}
+
+#[test]
+fn what_cannot_be_served_is_told_before_anything_is() {
+    let folder = empty_folder();
+    let refused = |arguments: &[&str]| {
+        let outcome = grazing(folder.path(), arguments);
+        assert_eq!((outcome.code, outcome.output.as_str()), (Some(2), ""), "{}", outcome.messages);
+        outcome.messages
+    };
+    assert!(refused(&["explore", "--no-browser", "missing.toml"]).contains("missing.toml: cannot be read"));
+    let taken = std::net::TcpListener::bind("127.0.0.1:0").expect("a port is free");
+    let port = taken.local_addr().expect("it has an address").port().to_string();
+    let told = refused(&["explore", "--no-browser", "--port", &port]);
+    assert!(
+        told.contains(&format!("port {port} of this machine cannot be had")) && told.contains("--port"),
+        "{told}"
+    );
+}

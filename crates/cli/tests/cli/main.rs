@@ -1,0 +1,26 @@
+//! The built program, run as a person would run it.
+
+// What the tests of the report's page have to open it with.
+#[path = "../../../report/tests/browser/mod.rs"]
+mod browser;
+mod program;
+
+mod bad_input;
+mod claims;
+mod compare;
+mod explore;
+mod family;
+mod folder;
+mod help;
+mod journal;
+mod mutations;
+mod new;
+mod places;
+mod readme;
+mod report;
+mod reproduce;
+mod snapshots;
+mod tables;
+mod unfold;
+mod visual;
+mod workflow;

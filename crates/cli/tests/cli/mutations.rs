@@ -1,0 +1,376 @@
+//! Files with mistakes, made from those that are right by a seeded generator: every run of the program ends by itself, with an exit
+//! code from 0 to 4, and says why if it is not 0.
+//!
+//! The tests try a handful. Many are tried, and what is wrong is listed and kept, by
+//!
+//! ```text
+//! GRAZING_MUTATIONS=1000 cargo test --release -p grazing-cli --test cli mutations -- --nocapture
+//! ```
+//!
+//! where GRAZING_MUTATIONS_FROM is the number of the first (0), and GRAZING_MUTATIONS_SECONDS the time for each (60).
+#![cfg(unix)]
+
+use std::env;
+use std::fs;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use crate::program::{empty_folder, repository};
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::Rng;
+
+/// What is tried where nobody asks for more.
+const HANDFUL: u64 = 8;
+/// The address space of a run in kilobytes, and what `unfold` is told to hold of it in megabytes: stacks and pools of threads
+/// take up addresses that are never filled.
+const ADDRESSES: u32 = 1_000_000;
+const MEMORY: u32 = 500;
+
+/// Values at the edges of what can be computed, and ordinary ones in the wrong place.
+const EXTREMES: [&str; 24] = [
+    "0", "-1", "1", "2", "13", "0.5", "0.99", "1e-4", "1e-9", "1e-300", "5e-324", "1e6", "1e30", "1e300",
+    "1e308", "-1e308", "1e999", "nan", "inf", "-inf", "-0.0", "3.5", "100", "-1e6",
+];
+const FACTORS: [f64; 12] = [0.01, 0.1, 0.5, 0.9, 1.1, 2.0, 10.0, 100.0, 1e6, 1e-6, -1.0, 1.0 + 1e-12];
+const FUNCTIONS: [&str; 12] =
+    ["sin", "cos", "tan", "atan", "sinh", "cosh", "tanh", "exp", "ln", "sqrt", "abs", "gamma"];
+const OPERATORS: [&str; 5] = ["+", "-", "*", "/", "^"];
+/// What is added to a force.
+const TERMS: [&str; 16] = [
+    " + 0.01/(x-0.1)^2",
+    " - 0.01/(x-0.1)^2",
+    " + 1e-3/(x-1e-6)",
+    " - 1/x",
+    " - x^99",
+    " + x^3",
+    " + exp(1000*v)",
+    " - exp(1000*x)",
+    " - 1e6*x",
+    " + sqrt(x)",
+    " - ln(-x)",
+    " - tan(x)",
+    " + 2*x - x^3",
+    "*0",
+    " - 0.3*v^3",
+    " + 1e9*sin(1e9*t)",
+];
+/// Values of other types than asked for.
+const VALUES: [&str; 12] = [
+    "\"text\"",
+    "\"\"",
+    "[1, 2]",
+    "[2, 1]",
+    "[1, 1]",
+    "[]",
+    "{ a = 1 }",
+    "true",
+    "1979-05-27",
+    "[[1]]",
+    "1.5",
+    "\"x + \"",
+];
+const LOOPS: [&str; 6] =
+    ["[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12]", "[40]", "[1000000]", "[4294967296]", "[2, 2]", "[-1]"];
+/// Control characters, marks that turn the direction of writing, other scripts.
+const CHARACTERS: [&str; 12] =
+    ["\0", "\u{1b}[2J", "\u{7f}", "\r", "\u{feff}", "\u{202e}", "\u{2066}", "ω", "−", "´", "\"", "#"];
+const OUTPUTS: [&str; 12] = [
+    "coefficients",
+    "fig01",
+    "fig02",
+    "fig03",
+    "fig04",
+    "fig05",
+    "fig06",
+    "fig07",
+    "fig08",
+    "fig09",
+    "fig10",
+    "theorems",
+];
+
+/// A seeded generator with what mutations need.
+struct Dice(Pcg64Mcg);
+
+impl Dice {
+    fn below(&mut self, count: usize) -> usize {
+        (self.0.next_u64() % count.max(1) as u64) as usize
+    }
+
+    fn one_of<'a>(&mut self, items: &[&'a str]) -> &'a str {
+        items[self.below(items.len())]
+    }
+
+    /// The place of one of the texts that pass a test, if there are any.
+    fn place(&mut self, texts: &[String], test: impl Fn(&str) -> bool) -> Option<usize> {
+        let places: Vec<usize> = (0..texts.len()).filter(|index| test(&texts[*index])).collect();
+        (!places.is_empty()).then(|| places[self.below(places.len())])
+    }
+}
+
+/// A text in words, numbers, and single other characters, comments left out.
+fn tokens(text: &str) -> Vec<String> {
+    let mut tokens: Vec<String> = Vec::new();
+    for line in text.lines() {
+        let line = if line.trim_start().starts_with('#') { "" } else { line };
+        let word = |character: char| character.is_alphanumeric() || character == '_' || character == '.';
+        let mut fresh = true;
+        for character in line.chars() {
+            match tokens.last_mut() {
+                Some(last) if !fresh && word(character) && last.ends_with(word) => last.push(character),
+                _ => tokens.push(character.to_string()),
+            }
+            fresh = false;
+        }
+        tokens.push("\n".to_owned());
+    }
+    tokens
+}
+
+fn is_number(token: &str) -> bool {
+    token.starts_with(|character: char| character.is_ascii_digit())
+}
+
+fn is_visible(token: &str) -> bool {
+    !token.trim().is_empty()
+}
+
+/// Changes one thing; nothing if the text has no place for the change that the dice chose.
+fn mutate(text: &str, dice: &mut Dice) -> String {
+    if dice.below(3) == 0 { mutate_line(text, dice) } else { mutate_token(text, dice) }.unwrap_or_default()
+}
+
+/// Changes a number, a name, an operator or a range.
+fn mutate_token(text: &str, dice: &mut Dice) -> Option<String> {
+    let mut tokens = tokens(text);
+    match dice.below(12) {
+        // Numbers, most of all: by a factor, by extremes.
+        0..=2 => {
+            let index = dice.place(&tokens, is_number)?;
+            let value: f64 = tokens[index].parse().unwrap_or(1.0);
+            tokens[index] = format!("{}", value * FACTORS[dice.below(FACTORS.len())]);
+        }
+        3 | 4 => {
+            let index = dice.place(&tokens, is_number)?;
+            tokens[index] = dice.one_of(&EXTREMES).to_owned();
+        }
+        5 => {
+            let index = dice.place(&tokens, is_visible)?;
+            tokens.remove(index);
+        }
+        6 => {
+            let (from, to) = (dice.place(&tokens, is_visible)?, dice.place(&tokens, is_visible)?);
+            tokens.insert(to, tokens[from].clone());
+        }
+        7 => {
+            let index = dice.place(&tokens, |token| FUNCTIONS.contains(&token))?;
+            tokens[index] = dice.one_of(&FUNCTIONS).to_owned();
+        }
+        8 => {
+            let index = dice.place(&tokens, |token| OPERATORS.contains(&token))?;
+            tokens[index] = dice.one_of(&OPERATORS).to_owned();
+        }
+        9 => {
+            let character = dice.one_of(&CHARACTERS);
+            let index = dice.place(&tokens, is_visible)?;
+            // A long one now and then.
+            let times = if dice.below(4) == 0 { 100_000 } else { 1 };
+            tokens[index].push_str(&character.repeat(times));
+        }
+        _ => {
+            let begin = dice.place(&tokens, |token| token == "[")?;
+            let end = begin + tokens[begin..].iter().position(|token| token == "]")?;
+            let inside = tokens[begin + 1..end].concat();
+            let (a, b) = inside.split_once(',')?;
+            let range = match dice.below(3) {
+                0 => format!("[{}, {}]", dice.one_of(&EXTREMES), dice.one_of(&EXTREMES)),
+                1 => format!("[{b}, {a}]"),
+                _ => format!("[{a}, {a}]"),
+            };
+            tokens.splice(begin..=end, [range]);
+        }
+    }
+    Some(tokens.concat())
+}
+
+/// Changes a line as a whole, its value, or the end of a force.
+fn mutate_line(text: &str, dice: &mut Dice) -> Option<String> {
+    let mut lines: Vec<String> = tokens(text).concat().lines().map(str::to_owned).collect();
+    let index = dice.place(&lines, is_visible)?;
+    let value = |line: &str, value: &str| Some(format!("{} = {value}", line.split_once(" = ")?.0));
+    match dice.below(8) {
+        0 => {
+            lines.remove(index);
+        }
+        1 => lines.insert(index, lines[index].clone()),
+        2 => {
+            let other = dice.place(&lines, is_visible)?;
+            lines.swap(index, other);
+        }
+        3 => lines[index] = value(&lines[index], dice.one_of(&VALUES))?,
+        4 => {
+            let index = dice.place(&lines, |line| line.starts_with("loops = ["))?;
+            lines[index] = value(&lines[index], dice.one_of(&LOOPS))?;
+        }
+        _ => {
+            let index = dice.place(&lines, |line| line.starts_with("force = \""))?;
+            // The last quotation mark of the line ends the force.
+            let end = lines[index].rfind('"')?;
+            lines[index].insert_str(end, dice.one_of(&TERMS));
+        }
+    }
+    Some(lines.join("\n") + "\n")
+}
+
+/// The sections of a parameter file whose names a test accepts, with their tables.
+fn sections(text: &str, test: impl Fn(&str) -> bool) -> String {
+    let mut chosen = false;
+    let is_chosen = |line: &&str| {
+        if let Some(header) = line.strip_prefix('[') {
+            chosen = test(header.trim_start_matches('[').split(['.', ']']).next().unwrap_or_default());
+        }
+        chosen
+    };
+    text.lines().filter(is_chosen).flat_map(|line| [line, "\n"]).collect()
+}
+
+/// The arguments of a run, and the text of the file that they name.
+fn trial(number: u64) -> (Vec<String>, String) {
+    let mut dice = Dice(Pcg64Mcg::new(0x9e37_79b9_7f4a_7c15 ^ (u128::from(number) << 32)));
+    // Numbers that differ by one bit begin alike.
+    for _ in 0..8 {
+        dice.0.next_u64();
+    }
+    let read = |path: &str| fs::read_to_string(repository().join(path)).expect("it is in the repository");
+    let changes = 1 + dice.below(3);
+    let (mut text, arguments) = if dice.below(5) < 2 {
+        let whole = read("figures/parameters.toml");
+        let arguments = "reproduce --parameters o.toml --output out --jobs 1";
+        // A change is more likely to matter where nothing stands that the output does not need.
+        match dice.one_of(&OUTPUTS) {
+            _ if dice.below(3) == 0 => (whole, arguments.to_owned()),
+            name => {
+                let also = if matches!(name, "coefficients" | "fig08") { "fig07" } else { name };
+                let needed = sections(&whole, |section| ["oscillator", name, also].contains(&section));
+                (needed, format!("{arguments} --only {name}"))
+            }
+        }
+    } else {
+        let names =
+            ["paper", "duffing", "varying-impact", "quadratic-damping", "clearance", "shaking-table", "afm"];
+        // Well before the time that the trial waits; little for the handful, in which nobody asked for patience.
+        let limit = if asked("GRAZING_MUTATIONS").is_some() { 0.3 * seconds() } else { 2.0 };
+        let limits = format!("--time-limit {limit} --memory-limit {MEMORY}");
+        let text = read(&format!("examples/{}.toml", dice.one_of(&names)));
+        (text, format!("unfold o.toml --output out --jobs 1 {limits}"))
+    };
+    for _ in 0..changes {
+        let changed = mutate(&text, &mut dice);
+        text = if changed.is_empty() { text } else { changed };
+    }
+    (arguments.split(' ').map(str::to_owned).collect(), text)
+}
+
+fn seconds() -> f64 {
+    asked("GRAZING_MUTATIONS_SECONDS").unwrap_or(60) as f64
+}
+
+fn asked(variable: &str) -> Option<u64> {
+    env::var(variable).ok()?.parse().ok()
+}
+
+/// Waits for the end; none comes in time from a run that is ended here.
+fn code(run: &mut Child) -> Option<Option<i32>> {
+    let began = Instant::now();
+    loop {
+        if let Some(status) = run.try_wait().expect("it is ours") {
+            return Some(status.code());
+        }
+        if began.elapsed().as_secs_f64() > seconds() {
+            run.kill().expect("it still runs");
+            run.wait().expect("it ends");
+            return None;
+        }
+        thread::sleep(Duration::from_millis(5));
+    }
+}
+
+/// How a run ends in words, and whether that is as it should be.
+fn run(program: &Path, folder: &Path, arguments: &[String], text: &str) -> (String, bool) {
+    fs::write(folder.join("o.toml"), text).expect("the folder is ours");
+    let messages = folder.join("messages");
+    let mut run = Command::new("sh")
+        .arg("-c")
+        .arg(format!("ulimit -v {ADDRESSES}; exec \"$0\" \"$@\""))
+        .arg(program)
+        .args(arguments)
+        .current_dir(folder)
+        .stdout(Stdio::null())
+        .stderr(fs::File::create(&messages).expect("the folder is ours"))
+        .spawn()
+        .expect("the program starts");
+    let code = code(&mut run);
+    let told = String::from_utf8_lossy(&fs::read(&messages).expect("the folder is ours")).into_owned();
+    let errors: Vec<&str> = told.lines().filter_map(|line| line.strip_prefix("error: ")).collect();
+    match code {
+        None => (format!("no end: {}", told.lines().last().unwrap_or_default()), false),
+        Some(None) => (format!("ended by a signal: {told}"), false),
+        _ if told.contains("panicked at") => (format!("panic: {told}"), false),
+        Some(Some(0)) => ("exit code 0".to_owned(), errors.is_empty()),
+        Some(Some(code)) => (
+            format!("exit code {code}: {}", errors.join(" / ")),
+            (1..=4).contains(&code) && errors.iter().any(|error| names_a_cause(error)),
+        ),
+    }
+}
+
+/// Whether a sentence names the file or one of its keys.
+fn names_a_cause(error: &str) -> bool {
+    let key = |word: &str| {
+        let section = word.split('.').next().unwrap_or_default();
+        word.len() > section.len() + 1 && (section == "oscillator" || OUTPUTS.contains(&section))
+    };
+    error.contains("o.toml:") || error.split([' ', ',', ';']).any(key)
+}
+
+#[test]
+#[expect(clippy::print_stdout, reason = "of a thousand files one wants to hear before the last")]
+fn every_file_leads_to_an_end_with_a_reason() {
+    let count = asked("GRAZING_MUTATIONS").unwrap_or(HANDFUL);
+    let from = asked("GRAZING_MUTATIONS_FROM").unwrap_or(0);
+    // A copy, as a long trial may outlive many builds.
+    let place = empty_folder();
+    let program = place.path().join("grazing");
+    fs::copy(env!("CARGO_BIN_EXE_grazing"), &program).expect("the folder is ours");
+    let mut complaints = Vec::new();
+    for number in from..from + count {
+        let (arguments, text) = trial(number);
+        let folder = empty_folder();
+        let began = Instant::now();
+        let (end, right) = run(&program, folder.path(), &arguments, &text);
+        let mark = if right { "" } else { "WRONG " };
+        let told = format!(
+            "{mark}{number} ({:.1} s): {}: {end}",
+            began.elapsed().as_secs_f64(),
+            arguments.join(" ")
+        );
+        println!("{told}");
+        if !right {
+            let kept = env::temp_dir().join(format!("grazing-mutation-{number}.toml"));
+            fs::write(&kept, &text).expect("the system's folder can be written");
+            complaints.push(format!("{}: {told}", kept.display()));
+        }
+    }
+    assert!(complaints.is_empty(), "{} of {count}:\n{}", complaints.len(), complaints.join("\n"));
+}
+
+#[test]
+fn mutations_differ_and_come_again_the_same() {
+    let texts: Vec<_> = (0..50).map(trial).collect();
+    assert_eq!(texts, (0..50).map(trial).collect::<Vec<_>>());
+    let different =
+        (1..texts.len()).filter(|k| !texts[..*k].iter().any(|other| other.1 == texts[*k].1)).count();
+    assert!(different > 40, "{different}");
+}

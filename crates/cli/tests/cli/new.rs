@@ -1,0 +1,82 @@
+//! `grazing new`: what it writes can be unfolded as it is.
+
+use std::fs;
+
+use crate::program::{empty_folder, grazing, listing};
+use clap::ValueEnum;
+use grazing_cli::arguments::Template;
+use grazing_description::{Description, Side};
+
+/// A file of this kind has a comment for every table, and is found to have resonances as it is.
+fn assert_begins(kind: Template) {
+    let name = kind.to_possible_value().expect("it can be named").get_name().to_owned();
+    let folder = empty_folder();
+    let made = grazing(folder.path(), &["new", "my.toml", "--kind", &name]);
+    assert_eq!((made.code, made.messages.as_str()), (Some(0), ""), "{name}");
+    assert!(made.output.contains("\n  cargo xtask unfold my.toml "), "{}", made.output);
+    let text = fs::read_to_string(folder.path().join("my.toml")).expect("it was written");
+    let description = Description::parse(&text, "my.toml").unwrap_or_else(|error| panic!("{name}: {error}"));
+    assert!(description.notes().is_empty(), "{name}: {:?}", description.notes());
+    for (number, line) in text.lines().enumerate().filter(|(_, line)| line.starts_with('[')) {
+        let before = text.lines().nth(number - 1).expect("the file begins with a comment");
+        assert!(before.starts_with("# "), "{name}: {line}");
+    }
+    let unfolded = grazing(folder.path(), &["unfold", "my.toml", "--loops", "1"]);
+    assert_eq!(unfolded.code, Some(0), "{name}: {}", unfolded.messages);
+    for wanted in ["\nGrazing of the non-impacting solution\n", "of them Theorem 2.4 (p = 1)"] {
+        assert!(unfolded.output.contains(wanted), "{name}: {}", unfolded.output);
+    }
+    for trouble in ["hatched", "unexpectedly", "\nWindow\n", "could not be"] {
+        assert!(!unfolded.output.contains(trouble), "{name}: {}", unfolded.output);
+    }
+}
+
+#[test]
+fn the_plain_kind_can_be_unfolded() {
+    assert_begins(Template::Plain);
+}
+
+#[test]
+fn the_kind_with_a_moving_wall_can_be_unfolded() {
+    assert_begins(Template::MovingWall);
+    let description = Description::parse(Template::MovingWall.text(), "my.toml").expect("it is right");
+    assert_eq!(description.wall().side(), Side::Above);
+    assert_eq!(description.texts().wall, "a*cos(omega*t)");
+}
+
+#[test]
+fn the_kind_in_si_units_can_be_unfolded() {
+    assert_begins(Template::Si);
+}
+
+#[test]
+fn every_kind_is_tried() {
+    assert_eq!(Template::value_variants(), [Template::Plain, Template::MovingWall, Template::Si]);
+}
+
+#[test]
+fn plain_is_what_is_written_if_no_kind_is_asked_for() {
+    let folder = empty_folder();
+    assert_eq!(grazing(folder.path(), &["new", "my.toml"]).code, Some(0));
+    let text = fs::read_to_string(folder.path().join("my.toml")).expect("it was written");
+    assert_eq!(text, Template::Plain.text());
+}
+
+#[test]
+fn what_is_there_is_not_replaced() {
+    let folder = empty_folder();
+    fs::write(folder.path().join("my.toml"), "mine").expect("the folder is ours");
+    for (file, reason) in [
+        ("my.toml", "my.toml: is there already, and is not replaced: move it away, or name another file"),
+        (".", ".: is there already"),
+        ("below/my.toml", "below/my.toml: cannot be written: its folder does not exist"),
+        ("my.toml/my.toml", "my.toml/my.toml: cannot be written"),
+    ] {
+        let outcome = grazing(folder.path(), &["new", file]);
+        assert_eq!((outcome.code, outcome.output.as_str()), (Some(2), ""), "{file}");
+        assert!(outcome.messages.starts_with(&format!("error: {reason}")), "{}", outcome.messages);
+        assert_eq!(outcome.messages.trim_end().lines().count(), 1, "{}", outcome.messages);
+    }
+    assert_eq!(fs::read_to_string(folder.path().join("my.toml")).expect("it is there"), "mine");
+    assert_eq!(listing(folder.path()), ["my.toml"]);
+}

@@ -1,0 +1,183 @@
+//! What stands where a file is to be written, what is left of runs that died, and a full disk.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use crate::program::{DEFAULT, empty_folder, grazing, listing, narrow_duffing, project};
+
+/// Outputs that take no time.
+const QUICK: [&str; 3] = ["reproduce", "--only", "fig04"];
+
+/// Asserts that Figure 4 is not made into the folder `out` for what stands there.
+fn refused(folder: &Path, what: &str) {
+    let before = listing(folder);
+    for options in [vec![], vec!["--check"]] {
+        let line: Vec<&str> = QUICK.into_iter().chain(["--output", "out"]).chain(options).collect();
+        let outcome = grazing(folder, &line);
+        assert_eq!(outcome.code, Some(4), "{what}: {}", outcome.messages);
+        assert!(outcome.messages.contains("not a regular file"), "{what}: {}", outcome.messages);
+        assert_eq!(outcome.messages.lines().count(), 1, "{what}: {}", outcome.messages);
+        assert_eq!(listing(folder), before, "{what}");
+    }
+}
+
+#[test]
+fn a_folder_in_the_place_of_a_file_is_not_replaced() {
+    let folder = project(DEFAULT);
+    fs::create_dir_all(folder.path().join("out/fig04.svg")).expect("the folder is ours");
+    refused(folder.path(), "is a folder");
+}
+
+#[cfg(unix)]
+#[expect(clippy::print_stderr, reason = "what is not tried is told")]
+#[test]
+fn pipes_sockets_devices_and_links_to_nothing_are_not_replaced() {
+    use std::os::unix::fs::{FileTypeExt, symlink};
+    use std::os::unix::net::UnixListener;
+    let folder = project(DEFAULT);
+    let place = folder.path().join("out/fig04.svg");
+    fs::create_dir(folder.path().join("out")).expect("the folder is ours");
+
+    let socket = UnixListener::bind(&place).expect("the folder is ours");
+    refused(folder.path(), "is a socket");
+    drop(socket);
+    fs::remove_file(&place).expect("the folder is ours");
+
+    symlink("/dev/null", &place).expect("the folder is ours");
+    refused(folder.path(), "is a device");
+    fs::remove_file(&place).expect("the folder is ours");
+
+    let outside = folder.path().join("outside");
+    symlink(&outside, &place).expect("the folder is ours");
+    let outcome = grazing(folder.path(), &["reproduce", "--only", "fig04", "--output", "out"]);
+    assert_eq!(outcome.code, Some(4), "{}", outcome.messages);
+    assert!(outcome.messages.contains("leads to no file") && !outside.exists(), "{}", outcome.messages);
+
+    // A link to a file stays, and the file gets the content.
+    fs::write(&outside, "old").expect("the folder is ours");
+    let outcome = grazing(folder.path(), &["reproduce", "--only", "fig04", "--output", "out"]);
+    assert_eq!(outcome.code, Some(0), "{}", outcome.messages);
+    assert!(place.symlink_metadata().is_ok_and(|data| data.is_symlink()));
+    assert!(fs::read_to_string(&outside).is_ok_and(|text| text.starts_with("<svg") || text.contains("<svg")));
+    fs::remove_file(&place).expect("the folder is ours");
+
+    match Command::new("mkfifo").arg(&place).status() {
+        Ok(status) if status.success() => {
+            refused(folder.path(), "is a named pipe");
+            let kind = place.symlink_metadata().expect("it is there").file_type();
+            assert!(kind.is_fifo());
+        }
+        _ => eprintln!("there is no mkfifo here: named pipes are not tried"),
+    }
+}
+
+#[test]
+fn a_file_named_with_dots_does_not_lead_out_of_the_folder() {
+    let folder = empty_folder();
+    for (name, made) in [("...toml", "oscillator"), (".toml", "toml")] {
+        let text = narrow_duffing().replace("range = [0.2, 0.4]", "range = [5.0, 5.1]");
+        fs::write(folder.path().join(name), text).expect("the folder is ours");
+        fs::create_dir_all(folder.path().join("unfolded").join(made)).expect("the folder is ours");
+        // A file in the way shows which folder is meant, before anything is computed.
+        fs::create_dir_all(folder.path().join("unfolded").join(made).join("diagram.svg"))
+            .expect("it is ours");
+        let outcome = grazing(folder.path(), &["unfold", name]);
+        assert_eq!(outcome.code, Some(4), "{name}: {}", outcome.messages);
+        let path = format!("error: unfolded/{made}/diagram.svg: is a folder");
+        assert!(outcome.messages.starts_with(&path), "{name}: {}", outcome.messages);
+    }
+    assert_eq!(
+        fs::read_dir(folder.path()).expect("it is ours").count(),
+        3,
+        "nothing stands beside `unfolded`"
+    );
+}
+
+#[expect(clippy::print_stderr, reason = "what is not tried is told")]
+#[test]
+fn what_dead_runs_have_left_goes_with_the_next_run() {
+    if !Path::new("/proc/self").exists() {
+        return eprintln!("the processes that run are not known here: nothing is removed");
+    }
+    let folder = project(DEFAULT);
+    let mut ended = Command::new(env!("CARGO_BIN_EXE_grazing"))
+        .arg("--version")
+        .stdout(Stdio::null())
+        .spawn()
+        .expect("the program starts");
+    let dead = format!(".grazing-{}-abc", ended.id());
+    ended.wait().expect("it ends");
+    let alive = format!(".grazing-{}-abc", std::process::id());
+    fs::create_dir_all(folder.path().join("out/data")).expect("the folder is ours");
+    for name in [&dead, &alive, &format!("data/{dead}"), &".grazing-mine".to_owned()] {
+        fs::write(folder.path().join("out").join(name), "half").expect("the folder is ours");
+    }
+    let outcome = grazing(folder.path(), &["reproduce", "--only", "fig04", "--output", "out"]);
+    assert_eq!(outcome.code, Some(0), "{}", outcome.messages);
+    let left: Vec<String> =
+        listing(&folder.path().join("out")).into_iter().filter(|path| path.contains(".grazing")).collect();
+    assert_eq!(left, [alive, ".grazing-mine".to_owned()]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_on_the_output_stream_is_told_and_a_closed_pipe_is_not() {
+    let folder = project(DEFAULT);
+    let full = || fs::OpenOptions::new().write(true).open("/dev/full").expect("linux has it");
+    for line in
+        [vec!["compare"], vec!["--help"], vec!["reproduce", "--only", "fig04"], vec!["claims", "eq:gp"]]
+    {
+        let run = Command::new(env!("CARGO_BIN_EXE_grazing"))
+            .args(&line)
+            .current_dir(folder.path())
+            .stdout(full())
+            .output()
+            .expect("the program starts");
+        let messages = String::from_utf8_lossy(&run.stderr);
+        assert_eq!(run.status.code(), Some(4), "{line:?}: {messages}");
+        assert!(messages.contains("error: standard output cannot be written: "), "{line:?}: {messages}");
+    }
+    let mut run = Command::new(env!("CARGO_BIN_EXE_grazing"))
+        .arg("compare")
+        .current_dir(folder.path())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    drop(run.stdout.take());
+    let run = run.wait_with_output().expect("it ends");
+    assert_eq!((run.status.code(), run.stderr.as_slice()), (Some(0), b"".as_slice()));
+}
+
+#[test]
+fn control_characters_and_direction_marks_reach_no_terminal() {
+    let folder = empty_folder();
+    let name = "evil\u{1b}[31m\u{202e}.toml";
+    let outcome = grazing(folder.path(), &["unfold", name]);
+    assert_eq!(outcome.code, Some(2));
+    assert!(outcome.messages.contains(r"evil\u{1b}[31m\u{202e}.toml"), "{:?}", outcome.messages);
+    assert!(!outcome.messages.contains(['\u{1b}', '\u{202e}']), "{:?}", outcome.messages);
+    let outcome = grazing(folder.path(), &["frob\u{1b}[31mnicate"]);
+    assert_eq!(outcome.code, Some(2));
+    assert!(!outcome.messages.contains('\u{1b}'), "{:?}", outcome.messages);
+}
+
+#[test]
+fn a_name_with_direction_marks_is_shown_as_escapes_on_page_and_figures() {
+    let folder = empty_folder();
+    let text = narrow_duffing().replacen("name = \"", "name = \"\\u202E\\u001B[31m<b>", 1);
+    fs::write(folder.path().join("o.toml"), text).expect("the folder is ours");
+    let outcome = grazing(folder.path(), &["unfold", "o.toml", "--output", "out"]);
+    assert!(outcome.code.is_some_and(|code| code != 2), "{}", outcome.messages);
+    assert!(!outcome.output.contains(['\u{1b}', '\u{202e}']), "{:?}", outcome.output);
+    let mut looked = 0;
+    for path in listing(&folder.path().join("out")) {
+        if path.ends_with(".svg") || path.ends_with(".html") {
+            let text = fs::read_to_string(folder.path().join("out").join(&path)).expect("it is text");
+            assert!(!text.contains(['\u{1b}', '\u{202e}']), "{path}");
+            looked += 1;
+        }
+    }
+    assert!(looked > 1, "a figure and the page were written");
+}

@@ -1,0 +1,104 @@
+//! Running the built program, as a person would.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use insta::Settings;
+
+/// The default parameter file.
+pub(crate) const DEFAULT: &str = include_str!("../../../../../figures/parameters.toml");
+
+/// Valid parameters with invented numbers.
+pub(crate) const INVENTED: &str = include_str!("parameters.toml");
+
+/// What a run of the program came to.
+pub(crate) struct Outcome {
+    pub(crate) code: Option<i32>,
+    pub(crate) output: String,
+    pub(crate) messages: String,
+}
+
+impl Outcome {
+    /// The messages that are not about progress.
+    pub(crate) fn errors(&self) -> &str {
+        self.messages.find("error: ").map_or("", |start| &self.messages[start..])
+    }
+}
+
+/// Runs `grazing` with the arguments in the folder.
+pub(crate) fn grazing(folder: &Path, arguments: &[&str]) -> Outcome {
+    let run = Command::new(env!("CARGO_BIN_EXE_grazing"))
+        .args(arguments)
+        .current_dir(folder)
+        .env_remove("CLICOLOR_FORCE")
+        .output()
+        .expect("the program starts");
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("the program writes UTF-8");
+    Outcome { code: run.status.code(), output: text(run.stdout), messages: text(run.stderr) }
+}
+
+/// The root of the repository.
+pub(crate) fn repository() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// An empty folder that goes away with the value.
+pub(crate) fn empty_folder() -> tempfile::TempDir {
+    tempfile::tempdir().expect("a temporary folder can be made")
+}
+
+/// A folder like the repository's root, with these default parameters and nothing else.
+pub(crate) fn project(parameters: &str) -> tempfile::TempDir {
+    let folder = empty_folder();
+    fs::create_dir(folder.path().join("figures")).expect("the folder is ours");
+    fs::write(folder.path().join("figures/parameters.toml"), parameters).expect("the folder is ours");
+    folder
+}
+
+/// The parameters with another line in the place of the first one for the key after `section`; none if it is empty.
+/// The value that stood there does not matter, so the default file can change without its tests.
+pub(crate) fn edited(parameters: &str, section: &str, key: &str, line: &str) -> String {
+    let section_start = parameters.find(section).expect("the section stands in the file");
+    let assignment = format!("\n{key}");
+    let start = 1 + section_start + parameters[section_start..].find(&assignment).expect("the key follows");
+    let end = start + parameters[start..].find('\n').expect("the file ends with a line end");
+    let end = if line.is_empty() { end + 1 } else { end };
+    format!("{}{line}{}", &parameters[..start], &parameters[end..])
+}
+
+/// The Duffing oscillator of examples/ in ranges with a single resonance of p = 3 and without its one-parameter diagram, to save time.
+pub(crate) fn narrow_duffing() -> String {
+    let whole =
+        fs::read_to_string(repository().join("examples/duffing.toml")).expect("it is among the examples");
+    let whole = whole.split("[[diagrams]]").next().expect("there is something before");
+    let narrow = edited(whole, "[primary]", "range", "range = [0.2, 0.4]");
+    let narrow = edited(&narrow, "[secondary]", "range", "range = [0.95, 1.0]");
+    edited(&narrow, "[analysis]", "loops", "loops = [3]")
+}
+
+/// Everything in the folder, by path from it.
+pub(crate) fn listing(folder: &Path) -> Vec<String> {
+    let mut paths = Vec::new();
+    let mut places = vec![folder.to_owned()];
+    while let Some(place) = places.pop() {
+        for entry in fs::read_dir(&place).expect("the folder can be read") {
+            let path = entry.expect("the folder can be read").path();
+            if path.is_dir() {
+                places.push(path.clone());
+            }
+            paths.push(path.strip_prefix(folder).expect("it lies in the folder").display().to_string());
+        }
+    }
+    paths.sort();
+    paths
+}
+
+/// Snapshots go to `expected/`, under the name that the test gives.
+pub(crate) fn snapshots() -> Settings {
+    let mut settings = Settings::clone_current();
+    settings.set_snapshot_path(repository().join("expected"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings
+}

@@ -1,0 +1,97 @@
+//! The commands that the README shows are commands that exist.
+
+use std::fs;
+
+use crate::program::repository;
+use clap::Parser;
+use clap::error::ErrorKind;
+use grazing_claims::ledger::Ledger;
+use grazing_cli::arguments::Arguments;
+use grazing_cli::outputs;
+use grazing_reproduction::unfolded::{AlongGrazing, AtResonances};
+
+/// The lines of the README that begin with `cargo xtask`, as in a block of commands.
+fn commands() -> Vec<String> {
+    let readme = fs::read_to_string(repository().join("README.md")).expect("there is a README.md");
+    readme
+        .lines()
+        .map(|line| line.trim().trim_start_matches("$ ").to_owned())
+        .filter(|line| line.starts_with("cargo xtask"))
+        .collect()
+}
+
+#[test]
+fn the_readme_shows_all_commands() {
+    let commands = commands();
+    for wanted in [
+        "cargo xtask reproduce",
+        "cargo xtask compare",
+        "cargo xtask report",
+        "cargo xtask unfold",
+        "cargo xtask new",
+        "cargo xtask explore",
+    ] {
+        assert!(
+            commands.iter().any(|command| command.starts_with(wanted)),
+            "no line `{wanted}` in README.md"
+        );
+    }
+}
+
+#[test]
+fn the_oscillator_of_the_readme_is_that_of_the_example() {
+    let [readme, example] = ["README.md", "examples/duffing.toml"]
+        .map(|file| fs::read_to_string(repository().join(file)).expect("it is there"));
+    let (_, rest) = readme.split_once("```toml\n").expect("there is an oscillator");
+    let (shown, _) = rest.split_once("```").expect("the block ends");
+    let [mut shown, mut example]: [toml::Table; 2] =
+        [shown, &example].map(|text| text.parse().expect("it is TOML"));
+    // What may be left out, and what is beside the point.
+    shown.remove("wall");
+    example.remove("diagrams");
+    assert_eq!(shown, example);
+}
+
+#[test]
+fn every_command_of_the_readme_is_understood() {
+    for command in commands() {
+        let words = command.split('#').next().unwrap_or_default().split_whitespace().skip(2);
+        match Arguments::try_parse_from(std::iter::once("grazing").chain(words)) {
+            Ok(_) => {}
+            Err(error) if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {}
+            Err(error) => panic!("README.md: `{command}`: {error}"),
+        }
+    }
+}
+
+#[test]
+fn columns_name_equations_that_the_paper_has() {
+    let labels = fs::read_to_string(repository().join("expected/labels.txt")).expect("there is a list");
+    let labels: Vec<&str> = labels.lines().filter_map(|line| line.split_whitespace().next()).collect();
+    let own = outputs::ALL.iter().flat_map(|output| output.tables);
+    let mut named = 0;
+    let of_oscillators = AlongGrazing::TABLES.iter().chain(AtResonances::TABLES);
+    for column in own.chain(of_oscillators).flat_map(|table| table.columns) {
+        for label in column.equations.split(", ").filter(|label| !label.is_empty()) {
+            assert!(labels.contains(&label), "{}: the paper has no {label}", column.name);
+            named += 1;
+        }
+    }
+    assert!(named > 50, "{named}");
+}
+
+#[test]
+fn the_readme_counts_the_claims() {
+    let ledger = Ledger::of_the_paper();
+    let readme = fs::read_to_string(repository().join("README.md")).expect("there is a README.md");
+    let count = format!("{} claims", ledger.claims.len());
+    assert!(readme.contains(&count), "README.md does not say `{count}`");
+}
+
+#[test]
+fn the_readme_shows_every_figure() {
+    let readme = fs::read_to_string(repository().join("README.md")).expect("there is a README.md");
+    for figure in outputs::ALL.iter().filter_map(|output| output.figure) {
+        assert!(readme.contains(&format!("](figures/{figure})")), "README.md does not show {figure}");
+    }
+}

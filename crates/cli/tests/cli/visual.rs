@@ -1,0 +1,258 @@
+//! Every figure of the registry as its reader sees it, at every width.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+
+use crate::program::{empty_folder, grazing, repository, snapshots};
+use grazing_cli::outputs;
+use grazing_cli::outputs::edition::Edition;
+use grazing_drawing::Bounds;
+use grazing_export::{Drawing, Text};
+use sha2::{Digest, Sha256};
+
+/// The thinnest line that offset printing renders reliably, in points, and the smallest text that journals accept.
+const THINNEST: f64 = 0.2;
+const SMALLEST: f64 = 6.0;
+/// Sub- and superscripts may be smaller than the line that they belong to, but not unreadable.
+const SMALLEST_SCRIPT: f64 = 5.0;
+/// Points by which boxes of ink may touch or leave the sheet: coordinates are rounded to 0.01 point in the file, and a
+/// stroke's width is counted to its mitred corners.
+const HAIR: f64 = 0.15;
+/// The greatest height in points that leaves room for a caption on a page of class article, whose text is 550 points high, at the widths of
+/// a journal: a caption of seven lines takes 90.
+const HIGHEST: f64 = 460.0;
+/// The most bytes of a figure.
+const HEAVIEST: u64 = 2_000_000;
+
+/// The figures of the registry: name of the output and of the file.
+fn registered() -> Vec<(&'static str, &'static str)> {
+    outputs::ALL.iter().filter_map(|output| Some((output.name, output.figure?))).collect()
+}
+
+/// The figures in a folder.
+fn figures(folder: &Path) -> BTreeMap<&'static str, Drawing> {
+    let read = |file: &str| {
+        let svg = fs::read_to_string(folder.join(file)).unwrap_or_else(|error| panic!("{file}: {error}"));
+        Drawing::read(&svg).unwrap_or_else(|error| panic!("{file}: {error}"))
+    };
+    registered().into_iter().map(|(name, file)| (name, read(file))).collect()
+}
+
+/// What is wrong with a figure for print; empty for a good one.
+fn faults(figure: &Drawing) -> Vec<String> {
+    let mut faults = Vec::new();
+    let (texts, (right, bottom)) = (figure.texts(), figure.size());
+    let sheet = Bounds { left: 0.0, top: 0.0, right, bottom }.grown(HAIR);
+    for text in &texts {
+        let name = &text.text;
+        match text.bounds() {
+            None => faults.push(format!("`{name}` shows nothing")),
+            Some(bounds) if !sheet.holds(&bounds) => faults.push(format!("`{name}` leaves the sheet")),
+            Some(_) => {}
+        }
+        if text.size < SMALLEST || text.smallest < SMALLEST_SCRIPT {
+            faults.push(format!("`{name}` is set in {:.2}, scripts {:.2} points", text.size, text.smallest));
+        }
+    }
+    for (index, text) in texts.iter().enumerate() {
+        for other in texts[..index].iter().filter(|other| text.overlaps(other, HAIR)) {
+            faults.push(format!("`{}` lies over `{}`", text.text, other.text));
+        }
+    }
+    for shape in figure.shapes() {
+        // What is not a number lies nowhere.
+        let Bounds { left, top, right, bottom } = shape.bounds;
+        let finite = [left, top, right, bottom].iter().all(|edge| edge.is_finite());
+        if !(finite && sheet.holds(&shape.bounds)) {
+            faults.push(format!("a shape leaves the sheet: {:?}", shape.bounds));
+        }
+        if let Some(width) = shape.stroke.filter(|width| *width < THINNEST - 1e-3) {
+            faults.push(format!("a line is {width:.3} points wide at {:?}", shape.bounds));
+        }
+    }
+    faults
+}
+
+/// The words of a figure: its labels that are not numbers at axes.
+fn words(texts: &[Text]) -> BTreeSet<String> {
+    let number = |text: &str| text.replace('−', "-").parse::<f64>().is_ok();
+    texts.iter().map(|text| text.text.clone()).filter(|text| !number(text)).collect()
+}
+
+#[test]
+fn every_figure_is_fit_for_print_at_every_width_and_says_the_same() {
+    let here = figures(&repository().join("figures"));
+    for (name, figure) in &here {
+        assert_eq!(faults(figure), [""; 0], "{name} at the paper's width");
+        assert!(!figure.title().is_empty(), "{name} has no title");
+    }
+    assert_eq!(crossings(&repository().join("figures")), [""; 0], "Figure 7 at the paper's width");
+    for (columns, millimetres) in [("one", 86.0), ("two", 178.0)] {
+        let folder = empty_folder();
+        let output = folder.path().display().to_string();
+        let outcome = grazing(&repository(), &["reproduce", "--columns", columns, "--output", &output]);
+        assert_eq!(outcome.code, Some(0), "{}", outcome.messages);
+        for (name, figure) in figures(folder.path()) {
+            assert_eq!(faults(&figure), [""; 0], "{name} at {columns}");
+            let (width, height) = figure.size();
+            // The file has the width in millimetres to two decimals.
+            assert!((width * 25.4 / 72.0 - millimetres).abs() < 0.01, "{name} at {columns}: {width} points");
+            assert!(height <= HIGHEST, "{name} at {columns} is {height} points high");
+            assert_eq!(words(&here[name].texts()), words(&figure.texts()), "{name} at {columns}");
+        }
+        assert_eq!(crossings(folder.path()), [""; 0], "Figure 7 at {columns}");
+    }
+}
+
+/// What is wrong with Figure 7 beyond that: what crosses the frame of its panel, rectangles that are open, labels on lines.
+fn crossings(folder: &Path) -> Vec<String> {
+    let svg = fs::read_to_string(folder.join("fig07.svg")).expect("the figure is there");
+    let figure = Drawing::read(&svg).expect("it can be read");
+    let (shapes, panel) = (figure.shapes(), panel(&svg));
+    let mut faults = Vec::new();
+    for shape in &shapes {
+        // The frame is drawn in a line half of which lies outside.
+        let (inside, outside) =
+            (panel.grown(-HAIR).overlaps(&shape.bounds), !panel.grown(0.3 + HAIR).holds(&shape.bounds));
+        let sheet = shape.stroke.is_none() && shape.bounds.holds(&panel);
+        if inside && outside && !sheet {
+            faults.push(format!("a shape crosses the frame: {:?}", shape.bounds));
+        }
+    }
+    let rectangles: Vec<&str> = svg
+        .lines()
+        .filter(|line| line.starts_with("<path") && line.contains(" stroke=\"#f08200\""))
+        .collect();
+    let data = fs::read_to_string(folder.join("data/fig08_curves.csv")).expect("the table is there");
+    let panels: BTreeSet<&str> = data.lines().skip(1).filter_map(|line| line.split(',').next()).collect();
+    if rectangles.len() != panels.len() || panels.is_empty() {
+        faults.push(format!("{} rectangles for {panels:?}", rectangles.len()));
+    }
+    faults.extend(rectangles.iter().filter(|line| !line.contains("Z\"")).map(|line| format!("open: {line}")));
+    for text in figure.texts() {
+        for shape in shapes.iter().filter(|shape| shape.stroke.is_some()) {
+            let reach = 0.5 * shape.stroke.unwrap_or_default() - HAIR;
+            let closed = shape.points.iter().chain(shape.points.first());
+            let ends: Vec<&(f64, f64)> =
+                if shape.filled { closed.collect() } else { shape.points.iter().collect() };
+            let touched =
+                |glyph: &Bounds| ends.windows(2).any(|pair| glyph.grown(reach).meets(*pair[0], *pair[1]));
+            if text.glyphs.iter().any(touched) {
+                faults.push(format!("`{}` touches a line at {:?}", text.text, shape.bounds));
+            }
+        }
+    }
+    faults
+}
+
+/// The panel of a figure that has one.
+fn panel(svg: &str) -> Bounds {
+    let mark = svg.split("<rect class=\"panel\"").nth(1).expect("it says where its panel is");
+    let number = |name: &str| -> f64 {
+        let value = mark.split(&format!(" {name}=\"")).nth(1).and_then(|rest| rest.split('"').next());
+        value.and_then(|value| value.parse().ok()).expect("a number")
+    };
+    let (left, top) = (number("x"), number("y"));
+    Bounds { left, top, right: left + number("width"), bottom: top + number("height") }
+}
+
+#[test]
+fn every_element_of_a_figure_can_be_drawn_and_no_coordinate_is_infinite() {
+    for (name, file) in registered() {
+        let svg = fs::read_to_string(repository().join("figures").join(file)).expect("the figure is there");
+        let body = svg.split_once("</style>").expect("a style sheet").1;
+        // The legend is for those who show it, and not drawn.
+        let body = body.split("<defs class=\"legend\">").next().expect("there is something before");
+        for sign in ["NaN", "nan,", "inf", "Infinity"] {
+            assert!(
+                !body.contains(&format!("\"{sign}")) && !body.contains(&format!(",{sign}")),
+                "{name}: {sign}"
+            );
+        }
+        // What a reader drops, as it does with what it cannot understand, is missing among what it has read. Clip paths
+        // hold shapes that are not drawn themselves.
+        let drawn = body.split("<clipPath").map(|part| part.rsplit("</clipPath>").next().unwrap_or(part));
+        let count = |element: &str| drawn.clone().map(|part| part.matches(element).count()).sum::<usize>();
+        let figure = Drawing::read(&svg).expect("the figure can be read");
+        let written: usize =
+            ["<path ", "<circle ", "<rect ", "<line ", "<polyline ", "<polygon ", "<ellipse "]
+                .into_iter()
+                .map(count)
+                .sum();
+        assert_eq!(figure.shapes().len(), written, "{name}: shapes");
+        assert_eq!(figure.texts().len(), count("<text "), "{name}: labels");
+        let size = svg.len() as u64;
+        assert!(size < HEAVIEST, "{name} has {size} bytes");
+    }
+}
+
+#[test]
+fn every_kind_of_curve_in_the_data_is_named_in_its_figure() {
+    for output in outputs::ALL {
+        let Some(file) = output.figure else { continue };
+        let svg = fs::read_to_string(repository().join("figures").join(file)).expect("the figure is there");
+        let texts = Drawing::read(&svg).expect("the figure can be read").texts();
+        let labels: Vec<&str> = texts.iter().map(|text| text.text.as_str()).collect();
+        for table in output
+            .paths(&Edition::default())
+            .iter()
+            .filter(|path| path.extension().is_some_and(|ending| ending == "csv"))
+        {
+            let content =
+                fs::read_to_string(repository().join("figures").join(table)).expect("the table is there");
+            for kind in bifurcations(&content) {
+                let named = labels.iter().any(|label| label.split(' ').any(|word| word == kind));
+                assert!(named, "{}: `{kind}` of {} is not named: {labels:?}", output.name, table.display());
+            }
+        }
+    }
+}
+
+/// The kinds of bifurcation in a table's column `kind` that figures name by the same letters.
+fn bifurcations(table: &str) -> BTreeSet<&str> {
+    let mut lines = table.lines();
+    let column = lines.next().and_then(|header| header.split(',').position(|name| name == "kind"));
+    let kinds = lines.filter_map(|line| line.split(',').nth(column?));
+    kinds.filter(|kind| ["SN", "PD", "GZ"].contains(kind)).collect()
+}
+
+#[test]
+fn no_figure_changes_unnoticed() {
+    let mut digests = String::new();
+    for (_, file) in registered() {
+        let svg = fs::read(repository().join("figures").join(file)).expect("the figure is there");
+        let digest: String = Sha256::digest(&svg).iter().map(|byte| format!("{byte:02x}")).collect();
+        digests.push_str(&format!("{file} {digest}\n"));
+    }
+    snapshots().bind(|| insta::assert_snapshot!("figure_digests", digests));
+}
+
+#[test]
+fn every_fault_of_a_figure_is_found_out() {
+    let svg = |body: &str| {
+        let svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100\" height=\"50\" font-family=\"STIX Two Text\">{body}</svg>"
+        );
+        faults(&Drawing::read(&svg).expect("it can be read"))
+    };
+    let good = "<text x=\"10\" y=\"20\" font-size=\"8\">PD</text><path d=\"M1,1L9,9\" stroke=\"#000\"/>";
+    assert_eq!(svg(good), [""; 0]);
+    for (body, fault) in [
+        ("<text x=\"95\" y=\"20\" font-size=\"8\">PD</text>", "leaves the sheet"),
+        ("<text x=\"40\" y=\"20\" font-size=\"5\">PD</text>", "set in 5.00"),
+        ("<text x=\"12\" y=\"21\" font-size=\"8\">SN</text>", "`SN` lies over `PD`"),
+        ("<path d=\"M50,60L60,40\" stroke=\"#000\"/>", "a shape leaves"),
+        ("<g transform=\"scale(0.1)\"><path d=\"M50,60L60,40\" stroke=\"#000\"/></g>", "0.100 points wide"),
+    ] {
+        let found = svg(&format!("{good}{body}"));
+        assert!(found.len() == 1 && found[0].contains(fault), "{fault}: {found:?}");
+    }
+    let turned = "<text transform=\"rotate(45 10 20)\" x=\"10\" y=\"20\" font-size=\"8\">PD</text>";
+    let beside = "<text x=\"10\" y=\"38\" font-size=\"8\">PD</text>";
+    assert_eq!(
+        svg(&format!("{turned}{beside}")),
+        [""; 0],
+        "boxes of turned labels are those of their characters"
+    );
+}

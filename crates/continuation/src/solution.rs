@@ -1,0 +1,133 @@
+//! What is known of a periodic solution: multipliers, stability, highest maximum, admissibility.
+
+use grazing_model::motion::Maximum;
+use nalgebra::Vector4;
+
+use crate::tolerances::{self, STABILITY, UNSETTLED_MULTIPLIERS};
+
+/// The unknowns: (y, z, μ, η), impact velocity, impact phase, primary and secondary parameter; without impacts (x, y, μ, η), position
+/// and velocity at phase zero.
+pub type Unknowns = Vector4<f64>;
+
+/// Positions of the unknowns.
+pub mod unknown {
+    /// Impact velocity y; without impacts x at phase zero.
+    pub const VELOCITY: usize = 0;
+    /// Impact phase z; without impacts ẋ at phase zero.
+    pub const PHASE: usize = 1;
+    /// Primary parameter μ.
+    pub const PRIMARY: usize = 2;
+    /// Secondary parameter η.
+    pub const SECONDARY: usize = 3;
+}
+
+/// The primary and the secondary parameter (μ, η) of a point.
+pub fn parameters(point: &Unknowns) -> [f64; 2] {
+    [point[unknown::PRIMARY], point[unknown::SECONDARY]]
+}
+
+/// Trace T and determinant D of the matrix U whose eigenvalues are the stability multipliers (eq:U, eq:TD).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Multipliers {
+    /// T.
+    pub trace: f64,
+    /// D.
+    pub determinant: f64,
+}
+
+impl Multipliers {
+    /// Both multipliers lie inside the unit circle: |T| − 1 < D < 1.
+    ///
+    /// On the boundary the MPS does not count as stable.
+    pub fn stable(&self) -> bool {
+        self.trace.abs() - 1.0 < self.determinant - STABILITY && self.determinant < 1.0 - STABILITY
+    }
+
+    /// The larger of |T| and |D|, which says how violent the motion is.
+    pub fn size(&self) -> f64 {
+        self.trace.abs().max(self.determinant.abs())
+    }
+}
+
+/// The stability of a zero of the equations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Stability {
+    pub(crate) multipliers: Multipliers,
+    /// The [`characteristic`](crate::mps::LoopPair::characteristic) of the multiplier 1, and of −1.
+    pub(crate) saddle_node: f64,
+    pub(crate) period_doubling: f64,
+}
+
+impl Stability {
+    /// Of motion that goes far away.
+    pub(crate) const UNKNOWN: Self = Self {
+        multipliers: Multipliers { trace: f64::NAN, determinant: f64::NAN },
+        saddle_node: f64::NAN,
+        period_doubling: f64::NAN,
+    };
+
+    /// Whether something has changed by more than itself, so that a correction as large as the last one may change its sign.
+    pub(crate) fn is_unsettled_since(&self, before: &Self) -> bool {
+        let changed = |of: fn(&Self) -> f64| (of(self) - of(before)).abs() >= of(self).abs();
+        self.multipliers.size() < UNSETTLED_MULTIPLIERS
+            && (changed(|stability| stability.saddle_node) || changed(|stability| stability.period_doubling))
+    }
+}
+
+/// A zero of the equations, seen as an orbit: an MPS, or a periodic solution without impacts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MaximalPeriodicSolution {
+    /// The number of loops p; 0 without impacts.
+    pub loops: u32,
+    /// (y, z, μ, η), or (x, y, μ, η) without impacts.
+    pub unknowns: Unknowns,
+    /// Trace and determinant of U; infinite or NaN at y = 0. Without impacts those of the flow over a forcing period.
+    pub multipliers: Multipliers,
+    /// The highest local maximum of x between the recoil and the next impact, if there is one; without impacts the highest point.
+    pub highest_interior_maximum: Option<Maximum>,
+}
+
+impl MaximalPeriodicSolution {
+    /// An interior maximum this little above the wall touches it.
+    pub const TOUCH: f64 = tolerances::TOUCH;
+
+    /// The impact velocity y; 0 without impacts.
+    pub fn impact_velocity(&self) -> f64 {
+        if self.has_impacts() { self.unknowns[unknown::VELOCITY] } else { 0.0 }
+    }
+
+    /// There is an impact in p forcing periods.
+    pub fn has_impacts(&self) -> bool {
+        self.loops > 0
+    }
+
+    /// The primary and the secondary parameter (μ, η).
+    pub fn parameters(&self) -> [f64; 2] {
+        parameters(&self.unknowns)
+    }
+
+    /// The highest interior maximum of x, or −∞ if x has no interior maximum.
+    pub fn ceiling(&self) -> f64 {
+        self.highest_interior_maximum.map_or(f64::NEG_INFINITY, |maximum| maximum.position)
+    }
+
+    /// A valid solution of the hybrid system: y > 0 if there are impacts, and no interior maximum of x above the wall, wherever it lies.
+    pub fn admissible(&self) -> bool {
+        (!self.has_impacts() || self.impact_velocity() > 0.0) && self.ceiling() <= Self::TOUCH
+    }
+
+    /// An interior maximum of x lies above the wall.
+    pub(crate) fn touches(&self) -> bool {
+        self.ceiling() > Self::TOUCH
+    }
+
+    /// Stable and admissible: motion may settle on it.
+    pub fn attracts(&self) -> bool {
+        self.stable() && self.admissible()
+    }
+
+    /// Asymptotically stable as a solution of the hybrid system, admissibility aside.
+    pub fn stable(&self) -> bool {
+        self.multipliers.stable()
+    }
+}

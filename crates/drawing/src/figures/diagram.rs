@@ -1,0 +1,319 @@
+//! A two-parameter bifurcation diagram, like Figure 7.
+
+use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
+use grazing_results::plane::{PlaneDiagram, PlanePoint, RegionKind};
+use grazing_results::{Frame, Names};
+
+use crate::error::DrawingError;
+use crate::geometry::clip::checked;
+use crate::geometry::sheet::{Bounds, Spot, area};
+use crate::ink::canvas::Canvas;
+use crate::ink::labels::{Labels, Site};
+use crate::ink::legend::Sample;
+use crate::ink::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, SheetWidth, THIN_SECTION};
+use crate::plot::axes::{Panel, overhang, room_beside};
+use crate::plot::kinds::{Area, Trace, draw_curves, draw_points};
+use crate::plot::magnified::{OFF_TRIANGLE, letter, rectangle};
+
+/// What a diagram or a magnification says of itself.
+#[derive(Debug, Clone, Copy)]
+pub struct Heading<'a> {
+    /// The name of the file without its ending, by which errors call the figure.
+    pub name: &'static str,
+    /// The title of the SVG, for readers who cannot see it.
+    pub title: &'a str,
+    /// The description of the SVG, likewise.
+    pub description: &'a str,
+    /// The names of the two parameters.
+    pub names: &'a Names,
+    /// The names of the tables that the SVG shows, those whose rows are looked for first before the others.
+    pub tables: &'a [&'static str],
+}
+
+/// Width in the paper.
+const WIDTH_MM: f64 = 120.0;
+/// Height as a share of the width, up to the most that leaves room for a caption and text on the page.
+const HEIGHT_SHARE: f64 = 0.8;
+const MOST_HEIGHT_MM: f64 = 118.0;
+/// On narrower sheets the diagram is taller than this share says, so that its labels find room.
+const LEAST_HEIGHT_MM: f64 = 78.0;
+/// Room around the panel for the common numbers and titles, in points; longer ones get more.
+const MARGINS: Bounds = Bounds { left: 35.0, top: 5.0, right: 8.0, bottom: 30.0 };
+/// Curves shorter than this on the sheet (points) stay without a label.
+const LABELLED_LENGTH: f64 = 42.0;
+
+/// Draws a two-parameter bifurcation diagram; returns the text of an SVG file.
+///
+/// Points that are inadmissible are not drawn, nor are unstable ones of GZ. Resonances of a p without a region have p written beside them.
+///
+/// # Errors
+/// [`DrawingError`] if a frame is empty.
+pub fn draw_diagram(
+    diagram: &PlaneDiagram,
+    heading: &Heading<'_>,
+    width: SheetWidth,
+) -> Result<String, DrawingError> {
+    compose(diagram, heading, width)?.finish(heading.name, heading.title, heading.description)
+}
+
+pub(crate) fn compose(
+    diagram: &PlaneDiagram,
+    heading: &Heading<'_>,
+    width: SheetWidth,
+) -> Result<Canvas, DrawingError> {
+    let frame = checked(diagram.frame, heading.name)?;
+    for magnified in &diagram.magnified {
+        checked(magnified.frame, &format!("a rectangle of {}", heading.name))?;
+    }
+    let names = heading.names;
+    let [across, up] = &names.titles();
+
+    let width = width.mm(WIDTH_MM);
+    let canvas = Canvas::new(width, (HEIGHT_SHARE * width).clamp(LEAST_HEIGHT_MM, MOST_HEIGHT_MM))?;
+    let bounds = bounds(&canvas, &frame, up)?;
+    let panel = Panel { tables: heading.tables, names: Some(names), ..Panel::new(&canvas, frame, bounds) };
+    let mut labels = Labels::new(&canvas, bounds);
+
+    let mut shapes: Vec<(u32, Vec<Spot>)> = Vec::new();
+    for region in Area::all(&diagram.regions) {
+        let shape = region.draw(&panel);
+        if region.kind == RegionKind::Mps && !shape.is_empty() {
+            shapes.push((region.p, shape));
+        }
+    }
+    let drawn = draw_curves(&panel, &mut labels, shown_curves(&diagram.curves));
+    let mut sections = Vec::new();
+    for section in &diagram.sections {
+        let pen = if section.thin { THIN_SECTION } else { SECTION };
+        for piece in panel.line(&section.ends, pen) {
+            canvas.explain("where a one-parameter diagram runs", Sample::Line(pen));
+            if section.thin {
+                labels.placer.keep_off_nameless(&piece);
+            } else {
+                labels.placer.keep_off(&piece);
+            }
+            sections.push((section, piece));
+        }
+    }
+    let mut unnamed: Vec<(u32, Spot)> = Vec::new();
+    for (point, taken) in draw_points(&panel, &mut labels, &diagram.points) {
+        let p = point.loops;
+        if point.kind == CodimensionTwo::Resonance && !shapes.iter().any(|(known, _)| *known == p) {
+            unnamed.push((p, taken.centre()));
+        }
+    }
+    let mut boxes = Vec::new();
+    for magnified in &diagram.magnified {
+        let outline = rectangle(&panel, &magnified.frame, &mut labels);
+        boxes.extend(outline.map(|outline| (magnified.panel, outline)));
+    }
+    panel.axes(across, up)?;
+
+    for (number, outline) in &boxes {
+        letter(&mut labels, *number, outline)?;
+    }
+    for (section, line) in &sections {
+        let beside =
+            section.thin && labels.add(&section.name, SMALL_LABEL_SIZE, BLACK, &Site::Beside(line))?;
+        if let (false, Some(&end)) = (beside, line.last()) {
+            labels.add(&section.name, SMALL_LABEL_SIZE, BLACK, &Site::Around(end, 2.5))?;
+        }
+    }
+    for (p, shape) in by_area(&shapes) {
+        let text = format!("$p={p}$");
+        let inside = labels.add(&text, LABEL_SIZE, BLACK, &Site::Within(shape))?
+            || labels.add(&text, SMALL_LABEL_SIZE, BLACK, &Site::Within(shape))?;
+        if !inside && let Some(spot) = labels.placer.deep_inside(shape) {
+            labels.add(&text, SMALL_LABEL_SIZE, BLACK, &Site::Around(spot, 1.0))?;
+        }
+    }
+    for (p, spot) in &unnamed {
+        labels.add(&format!("$p={p}$"), SMALL_LABEL_SIZE, BLACK, &Site::Around(*spot, OFF_TRIANGLE))?;
+    }
+    labels.name_curves(drawn, LABELLED_LENGTH, &names.grazing_title())?;
+    labels.draw()?;
+    Ok(canvas)
+}
+
+/// Where the panel is: within the margins, wider ones if the numbers or the title need them.
+fn bounds(canvas: &Canvas, frame: &Frame, up: &str) -> Result<Bounds, DrawingError> {
+    let (top, bottom) = (MARGINS.top, canvas.height - MARGINS.bottom);
+    let left = room_beside(&canvas.fonts, frame.y, bottom - top, up)?.max(MARGINS.left);
+    let beyond = overhang(&canvas.fonts, frame.x, canvas.width - left - MARGINS.right)?;
+    let right = canvas.width - MARGINS.right.max(beyond + 2.0);
+    Ok(Bounds { left, top, right, bottom })
+}
+
+/// Largest first; equal areas keep their order.
+fn by_area(shapes: &[(u32, Vec<Spot>)]) -> Vec<(u32, &[Spot])> {
+    let mut sorted: Vec<(u32, &[Spot])> = shapes.iter().map(|(p, shape)| (*p, shape.as_slice())).collect();
+    sorted.sort_by(|a, b| area(b.1).total_cmp(&area(a.1)));
+    sorted
+}
+
+fn shown_curves(points: &[PlanePoint]) -> Vec<Trace> {
+    let place = |point: &PlanePoint| (point.kind, point.loops, point.n, point.arc);
+    let curve = |points: &[PlanePoint]| {
+        let last = points.len() - 1;
+        let spots = points.iter().enumerate().map(|(index, point)| {
+            // At an end of a GZ curve, a codimension-two point, stability is marginal and its flag a toss-up.
+            let stable = point.stable || index == 0 || index == last;
+            let shown = point.admissible && (point.kind != Bifurcation::Grazing || stable);
+            if shown { (point.primary, point.secondary) } else { (f64::NAN, f64::NAN) }
+        });
+        Trace { kind: points[0].kind, approximate: false, points: spots.collect() }
+    };
+    points.chunk_by(|a, b| place(a) == place(b)).map(curve).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use grazing_results::plane::Section;
+
+    use super::*;
+    use crate::tests::sample_oscillator::{SampleOscillator, UNIT, oscillators, sample};
+    use crate::tests::samples::WIDTHS;
+
+    fn texts(sample: &SampleOscillator) -> Vec<String> {
+        let sheet = compose(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
+        sheet.assert_well_placed(&sample.names);
+        sheet.texts()
+    }
+
+    #[test]
+    fn no_two_labels_overlap_and_none_leaves_the_sheet_for_any_oscillator_at_any_width() {
+        for sample in oscillators() {
+            for width in WIDTHS {
+                let sheet = compose(&sample.diagram, &sample.heading(), width).unwrap();
+                sheet.assert_well_placed(&(&sample.names, width));
+            }
+        }
+    }
+
+    #[test]
+    fn inadmissible_rows_are_not_drawn() {
+        let mut sample = sample(3);
+        let count = |sample: &SampleOscillator| {
+            let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
+            crate::tests::inspection::paths(&svg, "#1946be").len()
+        };
+        assert_eq!(count(&sample), 3, "saddle-node curves");
+        sample.diagram.curves.iter_mut().for_each(|point| point.admissible = false);
+        assert_eq!(count(&sample), 0);
+    }
+
+    #[test]
+    fn axes_and_grazing_curve_bear_the_names_of_the_parameters() {
+        let sample = SampleOscillator::new(["F_0", "Omega"], UNIT, UNIT, 3);
+        let texts = texts(&sample);
+        for title in ["$F_{0}$", r"$\Omega$", r"$F_{0,\mathrm{graz}}$"] {
+            assert!(texts.iter().any(|text| text == title), "{title}: {texts:?}");
+        }
+        let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
+        assert!(svg.contains("data-tables=\"points curves\" data-columns=\"F_0 Omega\""));
+    }
+
+    #[test]
+    fn a_resonance_without_a_region_has_its_p_beside_it() {
+        let mut sample = sample(5);
+        let count = |texts: &[String]| texts.iter().filter(|text| text.starts_with("$p=")).count();
+        assert_eq!(count(&texts(&sample)), 5);
+        sample.diagram.regions.clear();
+        assert_eq!(count(&texts(&sample)), 5);
+        let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
+        assert!(!svg.contains("fill-opacity"), "no region is filled");
+    }
+
+    #[test]
+    fn without_a_resonance_the_grazing_curve_stands_alone() {
+        let mut sample = sample(0);
+        sample.diagram.regions.clear();
+        assert!(sample.diagram.points.is_empty());
+        let texts = texts(&sample);
+        assert!(texts.contains(&r"$A_{\mathrm{graz}}$".to_owned()));
+        assert!(!texts.iter().any(|text| ["SN", "PD", "GZ"].contains(&text.as_str())), "{texts:?}");
+    }
+
+    #[test]
+    fn resonances_may_come_without_their_curves() {
+        let mut sample = sample(4);
+        // The first 201 rows are the grazing curve.
+        sample.diagram.curves.truncate(201);
+        sample.diagram.regions.clear();
+        let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
+        // A triangle is a path of three corners.
+        let triangles = svg.lines().filter(|line| line.contains('Z') && line.matches('L').count() == 2);
+        assert_eq!(triangles.count(), 4);
+    }
+
+    #[test]
+    fn the_grazing_curve_may_fold_back_and_fall_into_pieces() {
+        let mut sample = sample(0);
+        let share = |i: i32| f64::from(i) / 50.0 - 1.0;
+        let fold = |(arc, middle): (u32, f64)| {
+            let points = (0..=100).map(|i| (middle + 0.2 * share(i) * share(i), 0.65 + 0.3 * share(i)));
+            (Bifurcation::NonImpactingGrazing, 0, 0, arc, points.collect())
+        };
+        let pieces: Vec<_> = [(0, 0.2), (1, 0.7)].map(fold).to_vec();
+        sample.diagram.curves = crate::tests::sample_oscillator::curve_rows(pieces);
+        sample.diagram.regions.clear();
+        let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
+        let curves = crate::tests::inspection::paths(&svg, "#78c86e");
+        assert_eq!(curves.len(), 2);
+        // Each runs left, turns and runs back to the right: its ends are over each other.
+        for curve in &curves {
+            let (first, last) = (curve[0], curve[curve.len() - 1]);
+            assert!((first.0 - last.0).abs() < 0.02 && (first.1 - last.1).abs() > 50.0);
+            assert!(curve.iter().any(|spot| spot.0 < first.0 - 20.0));
+        }
+        assert!(texts(&sample).iter().filter(|text| text.contains("graz")).count() == 2);
+    }
+
+    #[test]
+    fn only_rectangles_that_are_seen_have_their_letters() {
+        let mut sample = sample(4);
+        let whole = sample.diagram.frame;
+        sample.diagram.frame.x[1] = sample.diagram.magnified[0].frame.x[0] - 0.01;
+        let letters = texts(&sample).into_iter().filter(|text| text.starts_with('(')).collect::<Vec<_>>();
+        assert_eq!(letters, ["(b)", "(c)", "(d)"]);
+        sample.diagram.frame = whole;
+        assert!(texts(&sample).contains(&"(a)".to_owned()));
+    }
+
+    #[test]
+    fn rectangles_smaller_than_the_triangle_leave_it_visible_and_keep_their_letters() {
+        let mut sample = sample(3);
+        let rectangles = |sample: &SampleOscillator| {
+            let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
+            crate::tests::inspection::paths(&svg, "#f08200").len()
+        };
+        assert_eq!(rectangles(&sample), 3);
+        let Frame { x: [left, _], y: [low, _] } = sample.diagram.magnified[1].frame;
+        // A thousandth of the range is a third of a point.
+        sample.diagram.magnified[1].frame = Frame { x: [left, left + 0.001], y: [low, low + 0.001] };
+        assert_eq!(rectangles(&sample), 2);
+        assert!(texts(&sample).contains(&"(b)".to_owned()));
+    }
+
+    #[test]
+    fn one_parameter_diagrams_are_shown_where_they_run() {
+        let mut sample = sample(3);
+        let ends = [(0.25, 0.0), (0.25, 1.0)];
+        sample.diagram.sections.push(Section { ends, name: "diagram 1".to_owned(), thin: true });
+        for width in WIDTHS {
+            let sheet = compose(&sample.diagram, &sample.heading(), width).unwrap();
+            sheet.assert_well_placed(&width);
+            assert!(sheet.texts().contains(&"diagram 1".to_owned()), "{:?}", sheet.texts());
+            let svg = sheet.finish("test", "", "").unwrap();
+            assert!(svg.contains("aria-label=\"where a one-parameter diagram runs\""));
+        }
+    }
+
+    #[test]
+    fn an_empty_rectangle_is_an_error_that_names_the_diagram() {
+        let mut sample = sample(2);
+        sample.diagram.magnified[1].frame.y = [0.5, 0.5];
+        let error = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap_err();
+        assert!(error.to_string().contains("a rectangle of diagram"), "{error}");
+    }
+}

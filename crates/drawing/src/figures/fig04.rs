@@ -1,0 +1,146 @@
+//! Figure 4: the boundaries g_p and h_p in the trapesium.
+
+use grazing_results::Frame;
+use grazing_results::sketches::{Boundary, BoundaryPoint, Figure4};
+
+use crate::error::DrawingError;
+use crate::geometry::placement::side_by_side;
+use crate::geometry::sheet::{Bounds, Spot};
+use crate::ink::canvas::{Anchor, Canvas};
+use crate::ink::labels::{Labels, Site};
+use crate::ink::legend::Sample;
+use crate::ink::markup::Label;
+use crate::ink::style::{
+    BLACK, CURVE_LEADER, LABEL_SIZE, LIMIT, NON_IMPACTING_AREA, OUTLINE, Pen, SMALL_LABEL_SIZE, SheetWidth,
+    admissibility_pen, resonance_pen,
+};
+use crate::plot::axes::{Marker, Panel};
+
+/// The pen of the curve to which a point belongs, and its name.
+fn pen_and_name(BoundaryPoint { kind, loops: p, .. }: &BoundaryPoint) -> (Pen, String) {
+    match kind {
+        Boundary::Trapesium => (OUTLINE, String::new()),
+        Boundary::Limit => (LIMIT, r"$2\,\sqrt\delta$".to_owned()),
+        Boundary::Resonance => (resonance_pen(*p), format!("$g_{{{p}}}$")),
+        Boundary::Admissibility => (admissibility_pen(*p), format!("$h_{{{p}}}$")),
+    }
+}
+
+/// A point in the panel.
+fn place(point: &BoundaryPoint) -> (f64, f64) {
+    (point.tau, point.delta)
+}
+
+/// Width in the paper.
+const WIDTH_MM: f64 = 120.0;
+const HEIGHT_MM: f64 = 74.0;
+/// The trapesium with a little room at its sharp corners.
+const TRAPESIUM_FRAME: Frame = Frame { x: [-2.12, 2.12], y: [0.0, 1.0] };
+/// Room above the panel: leaders, and the names of the curves.
+const NAMES_ABOVE: f64 = 10.0;
+/// Least gap between two names, in points.
+const NAME_GAP: f64 = 3.0;
+
+/// Draws Figure 4. Paper: fig:D.
+pub fn draw_fig04(figure: &Figure4, width: SheetWidth) -> Result<String, DrawingError> {
+    let curves: Vec<_> = figure.curves.chunk_by(|a, b| (a.kind, a.loops) == (b.kind, b.loops)).collect();
+    let (outlines, others): (Vec<_>, Vec<_>) =
+        curves.iter().copied().partition(|curve| curve[0].kind == Boundary::Trapesium);
+
+    let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
+    let bounds = Bounds { left: 37.0, top: 23.0, right: canvas.width - 12.0, bottom: canvas.height - 30.0 };
+    let panel = Panel::new(&canvas, TRAPESIUM_FRAME, bounds);
+    let mut labels = Labels::new(&canvas, bounds);
+
+    for outline in &outlines {
+        panel.fill(&outline.iter().map(place).collect::<Vec<_>>(), NON_IMPACTING_AREA);
+    }
+    canvas.explain("$g_p$", Sample::Line(resonance_pen(0)));
+    canvas.explain("$h_p$", Sample::Line(admissibility_pen(0)));
+    for curve in &curves {
+        let (pen, _) = pen_and_name(&curve[0]);
+        if curve[0].kind == Boundary::Resonance {
+            canvas.explain(&format!("$p={}$", curve[0].loops), Sample::Line(pen));
+        }
+        for piece in panel.line(&curve.iter().map(place).collect::<Vec<_>>(), pen) {
+            labels.placer.keep_off(&piece);
+        }
+    }
+    panel.axes(r"$\tau$", r"$\delta$")?;
+    name_above(&panel, &others)?;
+    for point in figure.points.iter().map(|point| (point.tau, point.delta)) {
+        if let Some(taken) = panel.marker(point, Marker::Star) {
+            labels.placer.block(taken);
+            let reach = 0.5 * (taken.right - taken.left);
+            labels.add("Fig. 2", SMALL_LABEL_SIZE, BLACK, &Site::Around(panel.spot(point), reach))?;
+        }
+    }
+    for outline in &outlines {
+        // Of the sides, the slanted ones say what they are; the others are read off the axis.
+        for side in outline.windows(2).filter(|side| side[0].delta != side[1].delta) {
+            let text = if side[0].tau > 0.0 { r"$\tau=\delta+1$" } else { r"$\tau=-\delta-1$" };
+            let edge = [0, 1].map(|end| panel.spot(place(&side[end])));
+            labels.add(text, SMALL_LABEL_SIZE, BLACK, &Site::Beside(&edge))?;
+        }
+    }
+    labels.draw()?;
+    canvas.finish(
+        "fig04",
+        "The boundaries g_p and h_p in the trapesium",
+        "Trace across, determinant up. Solid: tau = g_p(delta), where the p-loop solution is in resonance. Dashed: tau = \
+         h_p(delta), beyond which it is known to be admissible. Star: the grazing bifurcation of Figure 2.",
+    )
+}
+
+/// Names the curves in a row above their upper ends.
+fn name_above(panel: &Panel<'_>, curves: &[&[BoundaryPoint]]) -> Result<(), DrawingError> {
+    let mut ends: Vec<(Spot, f64, (Pen, String))> = Vec::new();
+    for curve in curves {
+        if let Some(end) = curve.last().map(place).filter(|&end| panel.frame.contains(end)) {
+            // Of curves that end in one point, the direction they come from decides which is to the left.
+            let before = place(&curve[curve.len() * 19 / 20]);
+            ends.push((panel.spot(end), panel.spot(before).0, pen_and_name(&curve[0])));
+        }
+    }
+    ends.sort_by(|a, b| (a.0.0 + a.1).total_cmp(&(b.0.0 + b.1)));
+    let mut boxes = Vec::new();
+    for (end, _, (_, name)) in &ends {
+        let extent = panel.canvas.fonts.measure(&Label::parse(name)?, LABEL_SIZE)?;
+        boxes.push((end.0, extent.width));
+    }
+    for ((end, _, (pen, name)), x) in ends.iter().zip(side_by_side(&boxes, NAME_GAP)) {
+        let top = panel.bounds.top;
+        let leader = [(end.0, end.1 - 0.6), (x, top - NAMES_ABOVE + 2.5)];
+        panel.canvas.line(&leader, CURVE_LEADER);
+        panel.canvas.text((x, top - NAMES_ABOVE), name, LABEL_SIZE, Anchor::Middle, pen.colour)?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+    use crate::tests::samples::study;
+
+    #[test]
+    fn every_curve_is_named_and_families_differ_without_colour() {
+        let figure = study().fig04().unwrap();
+        let svg = draw_fig04(&figure, SheetWidth::Paper).unwrap();
+        let svg = svg.split("<defs").next().unwrap();
+        for (kind, family) in [(Boundary::Resonance, "g"), (Boundary::Admissibility, "h")] {
+            let own = figure.curves.iter().filter(|point| point.kind == kind);
+            let own: BTreeSet<u32> = own.map(|point| point.loops).collect();
+            assert_eq!(svg.matches(&format!(">{family}</tspan>")).count(), own.len());
+            for p in own {
+                assert!(svg.contains(&format!(">{p}</tspan>")), "{p}");
+            }
+        }
+        assert!(svg.contains(">Fig. 2<") && svg.contains('√'));
+        // Both slanted sides: δ + 1 and −δ − 1, besides the axis titles and the limit.
+        assert_eq!(svg.matches(">δ</tspan>").count(), 4);
+        let families = svg.matches("stroke-width=\"1.1\"").count();
+        assert_eq!(2 * svg.matches("stroke-width=\"1.1\" stroke-dasharray").count(), families);
+    }
+}

@@ -1,0 +1,104 @@
+//! Figure 5: the unfolding of a resonant grazing bifurcation.
+
+use grazing_results::plane::RegionKind;
+use grazing_results::sketches::{Figure5, UnfoldingPoint};
+
+use crate::error::DrawingError;
+use crate::geometry::clip::checked;
+use crate::geometry::sheet::{Bounds, Spot};
+use crate::ink::canvas::Canvas;
+use crate::ink::labels::{Labels, Site};
+use crate::ink::legend::Sample;
+use crate::ink::style::{BLACK, LABEL_SIZE, SMALL_LABEL_SIZE, SheetWidth, TICK_SIZE};
+use crate::plot::axes::{Marker, Panel};
+use crate::plot::kinds::{Trace, draw_curves, label, shade, text_colour};
+
+fn words(kind: RegionKind) -> &'static [&'static str] {
+    match kind {
+        RegionKind::NonImpacting => &["stable", "non-impacting", "periodic", "solution"],
+        RegionKind::Mps => &["stable", "$p$-loop MPS"],
+        RegionKind::Both => &["both", "stable"],
+        RegionKind::Undecided => &[],
+    }
+}
+
+/// Width in the paper.
+const WIDTH_MM: f64 = 64.0;
+const HEIGHT_MM: f64 = 58.0;
+
+/// Draws Figure 5. Paper: fig:E.
+pub fn draw_fig05(figure: &Figure5, width: SheetWidth) -> Result<String, DrawingError> {
+    let frame = checked(figure.frame, "fig05")?;
+    let curve = |points: &[UnfoldingPoint]| Trace {
+        kind: points[0].kind,
+        approximate: false,
+        points: points.iter().map(|point| (point.mu, point.eta)).collect(),
+    };
+    let curves = figure.curves.chunk_by(|a, b| a.kind == b.kind).map(curve).collect();
+    let regions: Vec<(RegionKind, Vec<_>)> = figure
+        .regions
+        .chunk_by(|a, b| a.region == b.region)
+        .map(|vertices| (vertices[0].kind, vertices.iter().map(|vertex| (vertex.mu, vertex.eta)).collect()))
+        .collect();
+
+    let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
+    let bounds = Bounds { left: 45.0, top: 6.0, right: canvas.width - 7.0, bottom: canvas.height - 29.0 };
+    let panel = Panel::new(&canvas, frame, bounds);
+    let mut labels = Labels::new(&canvas, bounds);
+
+    let mut shapes: Vec<(RegionKind, Vec<Spot>)> = Vec::new();
+    for (kind, vertices) in &regions {
+        let shape = match kind {
+            RegionKind::NonImpacting | RegionKind::Mps => panel.fill(vertices, shade(&panel, *kind)),
+            // The overlap gets its shade from the two areas that make it up.
+            RegionKind::Both | RegionKind::Undecided => {
+                vertices.iter().map(|&vertex| panel.spot(vertex)).collect()
+            }
+        };
+        shapes.push((*kind, shape));
+    }
+    let drawn = draw_curves(&panel, &mut labels, curves);
+    for point in figure.points.iter().map(|point| (point.mu, point.eta)) {
+        if let Some(taken) = panel.marker(point, Marker::Triangle) {
+            canvas.explain("resonant grazing bifurcation", Sample::Triangle);
+            labels.placer.block(taken.grown(0.5));
+        }
+    }
+    panel.axes(r"$\mu$", r"$\eta$")?;
+    // The overlap is the narrowest: it chooses first.
+    for (kind, shape) in shapes.iter().rev() {
+        let wanted = Site::Within(shape);
+        if !labels.add_lines(words(*kind), SMALL_LABEL_SIZE, BLACK, &wanted)? {
+            labels.add_lines(words(*kind), TICK_SIZE, BLACK, &wanted)?;
+        }
+    }
+    for (kind, piece) in &drawn {
+        labels.add(label(*kind, "grazing"), LABEL_SIZE, text_colour(*kind), &Site::Beside(piece))?;
+    }
+    labels.draw()?;
+    canvas.finish(
+        "fig05",
+        "Unfolding of a resonant grazing bifurcation",
+        "Distance from grazing across, distance from resonance up. Half-parabolas of saddle-node (SN) and period-doubling \
+         (PD) bifurcations touch the line of grazing bifurcations in the resonance. Light grey: the non-impacting solution \
+         is stable; dark: a p-loop maximal periodic solution is.",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tests::samples::study;
+
+    #[test]
+    fn curves_and_regions_are_named_and_the_overlap_is_shaded_by_its_two_regions_alone() {
+        let svg = draw_fig05(&study().fig05().unwrap(), SheetWidth::Paper).unwrap();
+        let svg = svg.split("<defs").next().unwrap();
+        for label in [">SN<", ">PD<", ">grazing<", ">non-impacting<", ">both<", ">μ<", ">η<", "-loop MPS<"]
+        {
+            assert!(svg.contains(label), "{label}");
+        }
+        assert_eq!(svg.matches("fill=\"#e9e9e9\"").count(), 1);
+        assert_eq!(svg.matches("fill-opacity=\"0.3\"").count(), 1);
+    }
+}

@@ -1,0 +1,151 @@
+//! Figure 6: the oscillator as a mechanical schematic.
+
+use grazing_results::Frame;
+use grazing_results::sketches::{Figure6, Part, PartPoint};
+
+use crate::error::DrawingError;
+use crate::geometry::clip::checked;
+use crate::geometry::sheet::{Bounds, Spot, span};
+use crate::ink::arrow::{arrow, double_arrow};
+use crate::ink::canvas::{Anchor, Canvas};
+use crate::ink::style::{
+    AXIS, BLACK, BODY, BODY_OUTLINE, FORCE, LABEL_SIZE, PISTON, PROJECTION, SMALL_LABEL_SIZE, SheetWidth,
+    TICK_SIZE, TITLE_SIZE, WALL, WALL_FACE, WALL_HATCHING, WIRE,
+};
+
+/// A polyline of a part, on the sheet.
+struct Piece {
+    part: Part,
+    path: Vec<Spot>,
+}
+
+/// Width in the paper.
+const WIDTH_MM: f64 = 90.0;
+const MARGIN_BESIDE: f64 = 4.0;
+/// Room for the numbers below the axis, in points.
+const MARGIN_BELOW: f64 = 22.0;
+const MARGIN_ABOVE: f64 = 15.0;
+
+/// Draws Figure 6. Paper: fig:F.
+pub fn draw_fig06(figure: &Figure6, width: SheetWidth) -> Result<String, DrawingError> {
+    let (canvas, pieces) = on_sheet(&figure.parts, width.mm(WIDTH_MM))?;
+    for piece in &pieces {
+        draw(&canvas, piece);
+    }
+    label(&canvas, &pieces)?;
+    canvas.finish(
+        "fig06",
+        "The impact oscillator",
+        "A block on a spring and a dashpot, driven by a harmonic force; its face is at x, its equilibrium at x = -1, and a \
+         wall at x = 0 gives it back a share epsilon of its velocity.",
+    )
+}
+
+fn draw(canvas: &Canvas, Piece { part, path }: &Piece) {
+    let ends = [path[0], path[path.len() - 1]];
+    let pen = match part {
+        Part::AnchorHatching | Part::WallHatching => WALL_HATCHING,
+        Part::Anchor | Part::Wall => WALL,
+        Part::Floor => AXIS,
+        Part::Guide => PROJECTION,
+        Part::Tick => AXIS,
+        Part::Spring | Part::Rod | Part::Cylinder => WIRE,
+        Part::Piston => PISTON,
+        Part::Wheel => return canvas.polygon(path, WALL_FACE, Some(AXIS)),
+        Part::Block => return canvas.polygon(path, BODY, Some(BODY_OUTLINE)),
+        Part::Axis => return arrow(canvas, &ends, 0.0, AXIS),
+        Part::Force => return arrow(canvas, &ends, 0.0, FORCE),
+        Part::Dimension => return double_arrow(canvas, ends, AXIS),
+    };
+    canvas.line(path, pen);
+}
+
+/// A name, its size, and where on its part it starts, is centred or ends.
+type Name = (Part, &'static str, f64, Anchor, fn(&Bounds) -> Spot);
+
+const NAMES: [Name; 7] = [
+    (Part::Spring, "unit stiffness", SMALL_LABEL_SIZE, Anchor::Middle, |at| (at.centre().0, at.top - 4.5)),
+    (Part::Cylinder, r"damping $2\zeta$", SMALL_LABEL_SIZE, Anchor::Middle, |at| {
+        (at.centre().0, at.bottom + 9.5)
+    }),
+    (Part::Block, "unit", SMALL_LABEL_SIZE, Anchor::Middle, |at| (at.centre().0, at.centre().1 - 1.5)),
+    (Part::Block, "mass", SMALL_LABEL_SIZE, Anchor::Middle, |at| (at.centre().0, at.centre().1 + 8.0)),
+    (Part::Force, r"$\mathcal{A}\,\mathrm{cos}(\omega t)$", LABEL_SIZE, Anchor::Start, |at| {
+        (at.left + 2.0, at.top - 5.0)
+    }),
+    (Part::Dimension, "1", LABEL_SIZE, Anchor::Middle, |at| (at.centre().0, at.top - 3.5)),
+    (Part::Wall, r"restitution $\epsilon$", SMALL_LABEL_SIZE, Anchor::End, |at| {
+        (at.right + 11.0, at.top - 5.0)
+    }),
+];
+
+/// Names the parts.
+fn label(canvas: &Canvas, pieces: &[Piece]) -> Result<(), DrawingError> {
+    let whole = |part: Part| {
+        let own = pieces.iter().filter(|piece| piece.part == part);
+        own.map(|piece| Bounds::around(&piece.path)).reduce(Bounds::joined)
+    };
+    for (part, text, size, anchor, spot) in NAMES {
+        let colour = if part == Part::Force { FORCE.colour } else { BLACK };
+        if let Some(bounds) = whole(part) {
+            canvas.text(spot(&bounds), text, size, anchor, colour)?;
+        }
+    }
+    let below = |spot: Spot, text: &str, size: f64| canvas.text(spot, text, size, Anchor::Middle, BLACK);
+    let ticks: Vec<&Piece> = pieces.iter().filter(|piece| piece.part == Part::Tick).collect();
+    for (tick, text) in ticks.iter().zip([r"$x(t)$", "$-1$", "$0$"]) {
+        if let Some(&(x, y)) = tick.path.first() {
+            below((x, y + 9.5), text, SMALL_LABEL_SIZE)?;
+        }
+    }
+    if let (Some(tick), Some(axis)) = (ticks.get(1).and_then(|tick| tick.path.first()), whole(Part::Axis)) {
+        below((tick.0, tick.1 + 18.5), "equilibrium", TICK_SIZE)?;
+        below((axis.right - 1.0, axis.bottom + 9.5), "$x$", TITLE_SIZE)?;
+    }
+    Ok(())
+}
+
+/// Lays the parts on a sheet of the given width, as high as they need, at one scale across and up.
+fn on_sheet(parts: &[PartPoint], width_mm: f64) -> Result<(Canvas, Vec<Piece>), DrawingError> {
+    let (x, y) = (span(parts.iter().map(|point| point.x)), span(parts.iter().map(|point| point.height)));
+    let frame = checked(Frame { x, y }, "fig06")?;
+    let [[left, right], [low, high]] = [frame.x, frame.y];
+    let millimetre = crate::ink::svg::POINTS_PER_MM;
+    let scale = (width_mm * millimetre - 2.0 * MARGIN_BESIDE) / (right - left);
+    let sheet_height = (high - low) * scale + MARGIN_ABOVE + MARGIN_BELOW;
+    let canvas = Canvas::new(width_mm, sheet_height / millimetre)?;
+    let spot = |point: &PartPoint| {
+        (MARGIN_BESIDE + (point.x - left) * scale, MARGIN_ABOVE + (high - point.height) * scale)
+    };
+    let piece =
+        |points: &[PartPoint]| Piece { part: points[0].part, path: points.iter().map(spot).collect() };
+    let pieces = parts.chunk_by(|a, b| (a.part, a.piece) == (b.part, b.piece)).map(piece).collect();
+    Ok((canvas, pieces))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tests::samples::study;
+
+    #[test]
+    fn everything_is_named_and_lengths_keep_their_ratio_across_and_up() {
+        let figure = study().fig06().unwrap();
+        let svg = draw_fig06(&figure, SheetWidth::Paper).unwrap();
+        for label in
+            [">unit stiffness<", ">unit<", ">mass<", ">equilibrium<", "restitution ", "damping 2", ">−1<"]
+        {
+            assert!(svg.contains(label), "{label}");
+        }
+        let (_, drawn) = on_sheet(&figure.parts, 90.0).unwrap();
+        let sheet = drawn.iter().find(|piece| piece.part == Part::Block).unwrap();
+        let block = figure.parts.iter().filter(|point| point.part == Part::Block);
+        let block: Vec<Spot> = block.map(|at| (at.x, at.height)).collect();
+        let ratio = |path: &Vec<Spot>| {
+            let Bounds { left, top, right, bottom } = Bounds::around(path);
+            (right - left) / (bottom - top)
+        };
+        // One rounding of each coordinate of some 100 points.
+        assert!((ratio(&sheet.path) - ratio(&block)).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,322 @@
+//! One-parameter diagrams with phase portraits above them, of any oscillator; Figure 2 is one, with a magnification.
+
+use grazing_results::branches::OneParameter;
+use grazing_results::{Frame, Names};
+
+use crate::error::DrawingError;
+use crate::geometry::clip::checked;
+use crate::geometry::sheet::Bounds;
+use crate::ink::canvas::Canvas;
+use crate::ink::labels::Labels;
+use crate::ink::style::{MAGNIFIER, MAGNIFIER_FRAME, SheetWidth};
+use crate::ink::svg::POINTS_PER_MM;
+use crate::plot::axes::{Panel, overhang, room_beside};
+use crate::plot::branches::diagram;
+use crate::plot::portraits::{Caption, draw_portraits, equation, letters, portraits, row_height};
+use crate::plot::ticks::measured;
+
+/// Width in the paper.
+const WIDTH_MM: f64 = 156.0;
+/// Portraits stand so many in a row, on sheets narrower than this two; wider ones have the magnification beside the diagram.
+const IN_A_ROW: usize = 4;
+const WIDE_MM: f64 = 120.0;
+/// Height of the diagram with its numbers and title, in points: alone, beside its magnification, and above it.
+const HEIGHT: f64 = 236.0;
+const MAGNIFIED_HEIGHT: f64 = 222.83;
+const STACKED_HEIGHT: f64 = 121.0;
+/// Room above the magnification where it stands below, in points.
+const STACKED_GAP: f64 = 8.0;
+/// Room above the diagram, with letters of portraits and without, and beside it, alone and magnified, in points; numbers that need more get it.
+const LETTERS: f64 = 18.0;
+const ABOVE: f64 = 6.0;
+const LEFT: f64 = 38.0;
+const RIGHT: f64 = 9.0;
+const MAGNIFIED_RIGHT: f64 = 6.0;
+/// The part of the width that a diagram has beside its magnification, and the room between, in points.
+const SPLIT: f64 = 0.59;
+const BETWEEN: f64 = 44.0;
+/// A value of more characters than this is rounded, to so many digits.
+const LONGEST: usize = 8;
+const DIGITS: usize = 6;
+/// Room below the diagram for numbers and axis title, in points.
+const BELOW: f64 = 31.0;
+
+/// What one-parameter diagrams differ in.
+struct Style {
+    /// The tables of the diagram, the most telling first, and of its portraits.
+    tables: [&'static str; 3],
+    portraits: [&'static str; 1],
+    /// The title of the axis says where the other parameter is held.
+    says_where: bool,
+}
+
+const FIGURE_2: Style = Style {
+    tables: ["fig02_bifurcations", "fig02_branches", "fig02_attractor"],
+    portraits: ["fig02_portraits"],
+    says_where: false,
+};
+const OF_AN_OSCILLATOR: Style = Style {
+    tables: ["diagram_bifurcations", "diagram_branches", "diagram_attractor"],
+    portraits: ["diagram_portraits"],
+    says_where: true,
+};
+
+/// Draws Figure 2. Paper: fig:Z.
+///
+/// # Errors
+/// [`DrawingError`] if a frame is empty.
+pub fn draw_fig02(figure: &OneParameter, width: SheetWidth) -> Result<String, DrawingError> {
+    compose(figure, &Names::of_the_paper(), &FIGURE_2, width)?.finish(
+        "fig02",
+        "One-parameter bifurcation diagram with phase portraits",
+        "Below: forcing amplitude across, x-value of the return map up; thick curves are stable, thin ones unstable; \
+         dots are long-term forward orbits. Framed: magnification. Above: phase portraits with the wall.",
+    )
+}
+
+/// Draws a one-parameter diagram of an oscillator, whose parameters have these names, under a title.
+///
+/// # Errors
+/// [`DrawingError`] if the frame is empty.
+pub fn draw_one_parameter(
+    figure: &OneParameter,
+    names: &Names,
+    title: &str,
+    width: SheetWidth,
+) -> Result<String, DrawingError> {
+    compose(figure, names, &OF_AN_OSCILLATOR, width)?.finish(
+        "diagram",
+        title,
+        "Below: the parameter across, x-value of the return map up; thick curves are stable, thin ones unstable; dots are \
+         long-term forward orbits. Above: phase portraits with the wall.",
+    )
+}
+
+/// A value as the file has it, unless that takes many digits.
+fn plain(value: f64) -> String {
+    let text = format!("{value}").replace('-', "−");
+    if text.chars().count() <= LONGEST { text } else { measured(value, DIGITS) }
+}
+
+fn compose(
+    figure: &OneParameter,
+    names: &Names,
+    style: &Style,
+    width: SheetWidth,
+) -> Result<Canvas, DrawingError> {
+    let frame = checked(figure.frame, "a one-parameter diagram")?;
+    let magnified = figure.magnified.map(|part| checked(part, "its magnification")).transpose()?;
+    let portraits = portraits(figure);
+    let ([across, held], [title, _]) = (figure.exchanged(names.shown()), figure.exchanged(names.titles()));
+    let [_, unit] = figure.exchanged(names.parameter_units()).map(Option::unwrap_or_default);
+    let [column, _] = figure.exchanged([&names.primary, &names.secondary]);
+    let own = Names::new(column, "x");
+    let x = if figure.from_the_wall { "$x$ from the wall" } else { "$x$" };
+
+    let width = width.mm(WIDTH_MM);
+    let narrow = width < WIDE_MM;
+    let columns = if narrow { IN_A_ROW / 2 } else { IN_A_ROW };
+    let rows = portraits.len().div_ceil(columns);
+    let portraits_end = rows as f64 * row_height(rows);
+    let height = match magnified {
+        None => HEIGHT,
+        Some(_) if narrow => 2.0 * STACKED_HEIGHT + STACKED_GAP,
+        Some(_) => MAGNIFIED_HEIGHT,
+    };
+    let canvas = Canvas::new(width, (portraits_end + height) / POINTS_PER_MM)?;
+    if rows > 0 {
+        let caption = Caption { across: &across, titles: [x, "$y$"], table: &style.portraits };
+        draw_portraits(&canvas, figure, &portraits, &caption, rows)?;
+    }
+    let top = portraits_end + if rows > 0 { LETTERS } else { ABOVE };
+    let panel = |frame, bounds| Panel {
+        tables: &style.tables,
+        only: Some(("diagram", figure.diagram)),
+        names: Some(&own),
+        ..Panel::new(&canvas, frame, bounds)
+    };
+    let panels: Vec<Panel<'_>> = bounds(&canvas, frame, magnified, [top, portraits_end], x)?
+        .into_iter()
+        .map(|(frame, bounds)| panel(frame, bounds))
+        .collect();
+    let whole = &panels[0];
+    let guides = letters(whole, figure, &portraits)?;
+    if let [_, part] = &panels[..] {
+        let outline = part.frame.outline();
+        whole.line(&outline, MAGNIFIER);
+        // Around the panel, so that half of it lies outside.
+        canvas.line(&outline.map(|corner| part.spot(corner)), MAGNIFIER_FRAME);
+    }
+    let at = equation(&held, &plain(figure.at));
+    let place = format!("{title}  ({})", format!("{at} {unit}").trim_end());
+    // The symbol of the primary parameter at grazing may be another than its name gives.
+    let grazing = if figure.primary_is_fixed { &own } else { names };
+    for (number, panel) in panels.iter().enumerate() {
+        let last = number + 1 == panels.len();
+        let mut labels = Labels::new(&canvas, panel.bounds);
+        if number == 0 {
+            guides.iter().for_each(|guide| labels.placer.keep_off_nameless(guide));
+            if let Some(part) = magnified {
+                labels.placer.keep_off_nameless(&part.outline().map(|corner| panel.spot(corner)));
+            }
+        }
+        diagram(panel, labels, figure, grazing, last)?;
+        let beside = number > 0 && !narrow;
+        panel.axes(if style.says_where { &place } else { &title }, if beside { "" } else { x })?;
+    }
+    Ok(canvas)
+}
+
+/// The frames of a diagram and of its magnification, and where they lie on the sheet.
+fn bounds(
+    canvas: &Canvas,
+    frame: Frame,
+    magnified: Option<Frame>,
+    [top, portraits_end]: [f64; 2],
+    x: &str,
+) -> Result<Vec<(Frame, Bounds)>, DrawingError> {
+    let bottom = canvas.height - BELOW;
+    let left = room_beside(&canvas.fonts, frame.y, bottom - top, x)?.max(LEFT);
+    let Some(part) = magnified else {
+        let reach = overhang(&canvas.fonts, frame.x, canvas.width - left - RIGHT)? + 1.0;
+        let right = canvas.width - reach.max(RIGHT);
+        return Ok(vec![(frame, Bounds { left, top, right, bottom })]);
+    };
+    let right = canvas.width - MAGNIFIED_RIGHT;
+    if canvas.width < WIDE_MM * POINTS_PER_MM {
+        let middle = portraits_end + STACKED_HEIGHT;
+        let below = Bounds { left, top: middle + STACKED_GAP, right, bottom };
+        return Ok(vec![(frame, Bounds { left, top, right, bottom: middle - BELOW }), (part, below)]);
+    }
+    let split = SPLIT * canvas.width;
+    let beside = Bounds { left: split + BETWEEN, top, right, bottom };
+    Ok(vec![(frame, Bounds { left, top, right: split, bottom }), (part, beside)])
+}
+
+#[cfg(test)]
+mod tests {
+    use grazing_continuation::bifurcation::Bifurcation;
+    use grazing_results::branches::{
+        AttractorPoint, BranchBifurcation, BranchPoint, PortraitKind, PortraitPoint,
+    };
+
+    use grazing_results::{Frame, UnitNames};
+
+    use super::*;
+    use crate::tests::samples::{WIDTHS, empty};
+
+    /// A diagram of these widths across and up, with so many portraits.
+    fn sample([across, up]: [f64; 2], portraits: u32) -> OneParameter {
+        let branch = |k: u32| {
+            let share = f64::from(k % 101) / 100.0;
+            BranchPoint {
+                diagram: 2,
+                loops: k / 101,
+                secondary: 0.854,
+                primary: share * across,
+                x: (share * f64::from(k / 101) - 0.4) * up,
+                visit: 1,
+                impact_velocity: f64::NAN,
+                impact_phase: f64::NAN,
+                stable: k % 101 < 60,
+                admissible: true,
+                branch: k / 101,
+            }
+        };
+        let orbit = |k: u32| {
+            let share = f64::from(k % 40) / 40.0;
+            PortraitPoint {
+                diagram: 2,
+                portrait: 1 + k / 40,
+                loops: k / 40 % 4,
+                secondary: 0.854,
+                primary: across * (0.2 + 0.1 * f64::from(k / 80)),
+                kind: if k / 40 % 4 == 3 { PortraitKind::Attractor } else { PortraitKind::Periodic },
+                time: share,
+                x: -4.0 * share * (1.0 - share) * up,
+                y: (share - 0.5) * up,
+            }
+        };
+        let (diagram, secondary) = (2, 0.854);
+        let (kind, loops, impact_velocity) = (Bifurcation::SaddleNode, 2, 0.1);
+        OneParameter {
+            diagram,
+            branches: (0..404).map(branch).collect(),
+            bifurcations: vec![BranchBifurcation {
+                diagram,
+                kind,
+                loops,
+                secondary,
+                primary: 0.5 * across,
+                impact_velocity,
+                x: 0.6 * up,
+            }],
+            attractor: (0..500)
+                .map(|k| AttractorPoint {
+                    diagram,
+                    secondary,
+                    primary: 0.9 * across,
+                    x: f64::from(k) * 0.001 * up,
+                })
+                .collect(),
+            portraits: (0..40 * portraits).map(orbit).collect(),
+            ..empty(Frame { x: [0.0, across], y: [-0.5 * up, 2.0 * up] })
+        }
+    }
+
+    #[test]
+    fn diagram_and_magnification_stand_one_above_the_other_in_one_column() {
+        let frame = Frame { x: [0.2, 0.7], y: [-0.3, 0.4] };
+        let figure = OneParameter { magnified: Some(frame), ..sample([1.0, 1.0], 1) };
+        let names = Names::of_the_paper();
+        let size = |width| {
+            compose(&figure, &names, &FIGURE_2, width).map(|sheet| (sheet.width, sheet.height)).unwrap()
+        };
+        let (one, paper) = (size(SheetWidth::OneColumn), size(SheetWidth::Paper));
+        assert!(one.1 > 1.5 * one.0 && paper.0 > paper.1, "{one:?} {paper:?}");
+    }
+
+    #[test]
+    fn no_two_labels_overlap_for_any_parameters_units_and_portraits_at_any_width() {
+        for names in [["A", "omega"], ["F_0", "forcing_frequency"]] {
+            let names = Names::new(names[0], names[1]);
+            for (scale, portraits) in [([1.0, 1.0], 0), ([1e-4, 1e3], 1), ([250.0, 2e-5], 3), ([1.0, 1.0], 7)]
+            {
+                for width in WIDTHS {
+                    let sheet = compose(&sample(scale, portraits), &names, &OF_AN_OSCILLATOR, width).unwrap();
+                    sheet.assert_well_placed(&(scale, portraits, width));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn titles_name_the_parameters_in_their_roles_and_what_x_is_counted_from() {
+        let names = Names::new("A", "omega");
+        let texts = |figure: &OneParameter| {
+            compose(figure, &names, &OF_AN_OSCILLATOR, SheetWidth::Paper).unwrap().texts()
+        };
+        let mut figure = sample([1.0, 1.0], 1);
+        assert!(texts(&figure).contains(&"long-time behaviour".to_owned()), "the dots are named");
+        assert!(texts(&figure).contains(&r"$A$  ($\omega=0.854$)".to_owned()), "{:?}", texts(&figure));
+        (figure.primary_is_fixed, figure.from_the_wall) = (true, true);
+        figure.each_row(&mut |row| row.place(2, true));
+        let found = texts(&figure);
+        for title in [r"$\omega$  ($A=0.854$)", "$x$ from the wall", "$y$"] {
+            assert!(found.iter().any(|text| text == title), "{title}: {found:?}");
+        }
+        let [primary, secondary] = ["N", "rad/s"].map(|unit| Some(unit.to_owned()));
+        let named = names.clone().with_units(UnitNames { primary, secondary, ..UnitNames::default() });
+        let texts = compose(&figure, &named, &OF_AN_OSCILLATOR, SheetWidth::Paper).unwrap().texts();
+        assert!(texts.contains(&r"$\omega$ (rad/s)  ($A=0.854$ N)".to_owned()), "{texts:?}");
+    }
+
+    #[test]
+    fn panels_say_whose_rows_they_show() {
+        let svg =
+            draw_one_parameter(&sample([1.0, 1.0], 2), &Names::new("A", "omega"), "t", SheetWidth::Paper);
+        let svg = svg.unwrap();
+        assert!(svg.contains("data-only=\"diagram 2\" data-columns=\"A x\""));
+        assert!(svg.contains("data-tables=\"diagram_portraits\" data-only=\"portrait 2\""));
+    }
+}

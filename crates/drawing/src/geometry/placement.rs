@@ -1,0 +1,332 @@
+//! Where labels go: greedily, in a fixed order, each at the first best of a fixed list of places.
+
+use std::f64::consts::FRAC_1_SQRT_2;
+
+use crate::geometry::sheet::{Bounds, Spot, along, distance, inside, thinned};
+
+/// What is already on a panel, as far as labels must keep off it.
+pub(crate) struct Placer {
+    panel: Bounds,
+    blocked: Vec<Bounds>,
+    segments: Vec<(Spot, Spot)>,
+    /// Segments of curves that never get a label of their own.
+    nameless: Vec<(Spot, Spot)>,
+    dust: Vec<Spot>,
+}
+
+/// A place for a label.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LabelPlace {
+    pub(crate) bounds: Bounds,
+    /// A line towards what the label speaks of, if that lies far off.
+    pub(crate) leader: Option<(Spot, Spot)>,
+}
+
+impl Placer {
+    pub(crate) fn new(panel: Bounds) -> Self {
+        Placer { panel, blocked: Vec::new(), segments: Vec::new(), nameless: Vec::new(), dust: Vec::new() }
+    }
+
+    /// Keeps labels off a box.
+    pub(crate) fn block(&mut self, bounds: Bounds) {
+        self.blocked.push(bounds);
+    }
+
+    /// Keeps labels off a curve.
+    pub(crate) fn keep_off(&mut self, curve: &[Spot]) {
+        self.segments.extend(thinned(curve).windows(2).map(|pair| (pair[0], pair[1])));
+    }
+
+    /// Keeps labels off a curve for which no label near by could be mistaken.
+    pub(crate) fn keep_off_nameless(&mut self, curve: &[Spot]) {
+        self.nameless.extend(thinned(curve).windows(2).map(|pair| (pair[0], pair[1])));
+    }
+
+    /// Keeps labels off a cloud of points as far as there is room elsewhere.
+    pub(crate) fn avoid(&mut self, spots: impl Iterator<Item = Spot>) {
+        let mut cells: Vec<(i64, i64)> = spots.map(|(x, y)| (x.floor() as i64, y.floor() as i64)).collect();
+        cells.sort_unstable();
+        cells.dedup();
+        self.dust.extend(cells.into_iter().map(|(x, y)| (x as f64 + 0.5, y as f64 + 0.5)));
+    }
+
+    /// Number of square points of a cloud that a box covers.
+    fn dusty(&self, bounds: &Bounds) -> usize {
+        let covers =
+            |&&(x, y): &&Spot| bounds.left <= x && x <= bounds.right && bounds.top <= y && y <= bounds.bottom;
+        self.dust.iter().filter(covers).count()
+    }
+
+    /// Number of curve segments a box meets; `None` if the box may not stand there at all.
+    fn cost(&self, bounds: &Bounds) -> Option<usize> {
+        if !self.panel.holds(bounds) || self.blocked.iter().any(|b| b.overlaps(bounds)) {
+            return None;
+        }
+        Some(self.segments.iter().chain(&self.nameless).filter(|(a, b)| bounds.meets(*a, *b)).count())
+    }
+
+    fn take(&mut self, place: Option<LabelPlace>) -> Option<LabelPlace> {
+        if let Some(found) = place {
+            self.blocked.push(found.bounds.grown(1.0));
+            if let Some((from, to)) = found.leader {
+                self.segments.push((from, to));
+            }
+        }
+        place
+    }
+
+    /// Beside a curve, near its middle or as near as there is room, on whichever side is free.
+    pub(crate) fn beside_curve(&mut self, curve: &[Spot], width: f64, height: f64) -> Option<LabelPlace> {
+        const FRACTIONS: [f64; 15] =
+            [0.5, 0.44, 0.56, 0.38, 0.62, 0.32, 0.68, 0.26, 0.74, 0.2, 0.8, 0.14, 0.86, 0.08, 0.92];
+        let spots: Vec<(Spot, Spot)> = FRACTIONS.iter().filter_map(|&f| along(curve, f)).collect();
+        let foreign = self.all_but(curve);
+        let place_at = |(at, direction): (Spot, Spot), side: f64, gap: f64| {
+            let normal = (direction.1 * side, -direction.0 * side);
+            // The box's half-width seen along the normal brings its nearest corner or edge to the gap.
+            let reach = 0.5 * (width * normal.0.abs() + height * normal.1.abs()) + gap;
+            let bounds = Bounds::about((at.0 + normal.0 * reach, at.1 + normal.1 * reach), width, height);
+            LabelPlace { bounds, leader: None }
+        };
+        // First where the label is clearly nearer to its own curve than to any other, then where it is just nearer.
+        let rounds = [(1.5, 2.0), (2.5, 2.0), (4.0, 2.0), (1.5, -0.3), (2.5, -0.3), (4.0, -0.3), (6.0, -0.3)];
+        for (gap, lead) in rounds {
+            for &spot in &spots {
+                for side in [1.0, -1.0] {
+                    let place = place_at(spot, side, gap);
+                    let near = place.bounds.grown(gap + lead);
+                    if self.cost(&place.bounds) == Some(0)
+                        && !foreign.iter().any(|&(a, b)| near.meets(a, b))
+                        && (lead < 0.0 || self.dusty(&place.bounds) == 0)
+                    {
+                        return self.take(Some(place));
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    /// All segments to keep off but those of one curve.
+    fn all_but(&self, curve: &[Spot]) -> Vec<(Spot, Spot)> {
+        let own: Vec<(Spot, Spot)> = thinned(curve).windows(2).map(|pair| (pair[0], pair[1])).collect();
+        let start = self.segments.windows(own.len().max(1)).position(|run| run == own);
+        let skipped = start.map_or(0..0, |start| start..start + own.len());
+        let rest = self.segments.iter().enumerate().filter(|(i, _)| !skipped.contains(i));
+        rest.map(|(_, segment)| *segment).collect()
+    }
+
+    /// Around a spot: close by if there is room, else farther off with a leader.
+    pub(crate) fn around(&mut self, at: Spot, clearance: f64, width: f64, height: f64) -> Option<LabelPlace> {
+        // Unit vectors to the right, then by 22.5 degrees to either side in turn: cos and sin of 0, 22.5, 45, 67.5, 90.
+        const TURNS: [Spot; 5] = [
+            (1.0, 0.0),
+            (0.923_88, 0.382_68),
+            (FRAC_1_SQRT_2, FRAC_1_SQRT_2),
+            (0.382_68, 0.923_88),
+            (0.0, 1.0),
+        ];
+        let directions = TURNS.iter().flat_map(|&(c, s)| [(c, -s), (-c, -s), (c, s), (-c, s)]);
+        let directions: Vec<Spot> = directions.collect();
+        let mut best: Option<(f64, LabelPlace)> = None;
+        for gap in [0.0, 2.0, 5.0, 9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 64.0] {
+            for &(right, down) in &directions {
+                let reach = clearance + gap;
+                let centre = (at.0 + right * (0.5 * width + reach), at.1 + down * (0.5 * height + reach));
+                let bounds = Bounds::about(centre, width, height);
+                let leader = (gap > 2.0).then(|| leader(&bounds, at, clearance));
+                if self.cost(&bounds) != Some(0) {
+                    continue;
+                }
+                let Some(crossed) = leader.map_or(Some(0), |leader| self.crossed(leader)) else {
+                    continue;
+                };
+                // A curve crossed by the leader is as bad as 15 points of distance (by eye).
+                let cost = gap + 15.0 * crossed as f64 + 0.5 * self.dusty(&bounds) as f64;
+                if best.is_none_or(|(cheapest, _)| cost < cheapest) {
+                    best = Some((cost, LabelPlace { bounds, leader }));
+                }
+            }
+        }
+        self.take(best.map(|(_, place)| place))
+    }
+
+    /// Number of curves a leader crosses; `None` if it runs through something blocked.
+    fn crossed(&self, (from, to): (Spot, Spot)) -> Option<usize> {
+        if self.blocked.iter().any(|b| b.meets(from, to)) {
+            return None;
+        }
+        let side = |a: Spot, b: Spot, c: Spot| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0) > 0.0;
+        let meets = |&&(a, b): &&(Spot, Spot)| {
+            side(a, b, from) != side(a, b, to) && side(from, to, a) != side(from, to, b)
+        };
+        Some(self.segments.iter().filter(meets).count())
+    }
+
+    /// Inside a polygon, where the distance to everything else is greatest; `None` if the box fits nowhere.
+    pub(crate) fn within(&mut self, polygon: &[Spot], width: f64, height: f64) -> Option<LabelPlace> {
+        let polygon = thinned(polygon);
+        let Bounds { left, top, right, bottom } = Bounds::around(&polygon).common(self.panel);
+        // About 900 trial places, at least a point apart.
+        let pitch = (((right - left) * (bottom - top)).max(0.0) / 900.0).sqrt().max(1.0);
+        let mut best: Option<(f64, Bounds)> = None;
+        let mut y = top + 0.5 * pitch;
+        while y < bottom {
+            let mut x = left + 0.5 * pitch;
+            while x < right {
+                let bounds = Bounds::about((x, y), width, height);
+                let corners = [
+                    (bounds.left, bounds.top),
+                    (bounds.right, bounds.top),
+                    (bounds.right, bounds.bottom),
+                    (bounds.left, bounds.bottom),
+                ];
+                if corners.iter().all(|&c| inside(&polygon, c)) && self.cost(&bounds) == Some(0) {
+                    let clearance = self.clearance(&bounds);
+                    if best.is_none_or(|(widest, _)| clearance > widest) {
+                        best = Some((clearance, bounds));
+                    }
+                }
+                x += pitch;
+            }
+            y += pitch;
+        }
+        let place = best.map(|(_, bounds)| LabelPlace { bounds, leader: None });
+        self.take(place)
+    }
+
+    /// A spot well inside a polygon and off everything blocked: of a grid of trial spots, the one farthest from the
+    /// outline.
+    pub(crate) fn deep_inside(&self, polygon: &[Spot]) -> Option<Spot> {
+        const TRIALS: u32 = 40;
+        let outline = thinned(polygon);
+        let Bounds { left, top, right, bottom } = Bounds::around(&outline);
+        let at =
+            |low: f64, high: f64, i: u32| low + (high - low) * ((f64::from(i) + 0.5) / f64::from(TRIALS));
+        let mut best: Option<(f64, Spot)> = None;
+        for (i, j) in (0..TRIALS).flat_map(|j| (0..TRIALS).map(move |i| (i, j))) {
+            let spot = (at(left, right, i), at(top, bottom, j));
+            let around = Bounds::about(spot, 2.0, 2.0);
+            if !inside(&outline, spot) || self.blocked.iter().any(|b| b.overlaps(&around)) {
+                continue;
+            }
+            let depth = outline.iter().map(|&p| distance(p, spot)).fold(f64::INFINITY, f64::min);
+            if best.is_none_or(|(deepest, _)| depth > deepest) {
+                best = Some((depth, spot));
+            }
+        }
+        best.map(|(_, spot)| spot)
+    }
+
+    /// Distance from a box to the nearest curve, blocked box or edge of the panel (Chebyshev for boxes).
+    fn clearance(&self, bounds: &Bounds) -> f64 {
+        let outside = |(x, y): Spot| {
+            let dx = (bounds.left - x).max(x - bounds.right).max(0.0);
+            let dy = (bounds.top - y).max(y - bounds.bottom).max(0.0);
+            (dx * dx + dy * dy).sqrt()
+        };
+        let edges = (bounds.left - self.panel.left)
+            .min(self.panel.right - bounds.right)
+            .min(bounds.top - self.panel.top)
+            .min(self.panel.bottom - bounds.bottom);
+        let curves = self.segments.iter().map(|s| outside(s.0).min(outside(s.1)));
+        let boxes = self.blocked.iter().map(|b| {
+            let dx = (b.left - bounds.right).max(bounds.left - b.right);
+            let dy = (b.top - bounds.bottom).max(bounds.top - b.bottom);
+            dx.max(dy)
+        });
+        curves.chain(boxes).fold(edges, f64::min)
+    }
+}
+
+/// Centres for boxes side by side, as near to the ones wanted as can be without a gap below `gap`, in the order given.
+///
+/// Site centres ascend. Boxes that would meet move together, so that the sum of squared moves is least.
+pub(crate) fn side_by_side(wanted: &[(f64, f64)], gap: f64) -> Vec<f64> {
+    // Offsets of the boxes in a row without slack; centres less offsets have to ascend: pool those that descend.
+    let mut offsets = Vec::with_capacity(wanted.len());
+    let mut pools: Vec<(f64, usize)> = Vec::new();
+    for (index, &(centre, width)) in wanted.iter().enumerate() {
+        let offset = match index.checked_sub(1) {
+            None => 0.0,
+            Some(before) => offsets[before] + 0.5 * (wanted[before].1 + width) + gap,
+        };
+        offsets.push(offset);
+        pools.push((centre - offset, 1));
+        while let [.., (a, m), (b, n)] = pools[..]
+            && a > b
+        {
+            pools.truncate(pools.len() - 2);
+            pools.push(((a * m as f64 + b * n as f64) / (m + n) as f64, m + n));
+        }
+    }
+    let starts = pools.iter().flat_map(|&(start, members)| std::iter::repeat_n(start, members));
+    starts.zip(offsets).map(|(start, offset)| start + offset).collect()
+}
+
+/// A line from the box's edge towards the spot, which it stops short of.
+fn leader(bounds: &Bounds, at: Spot, short: f64) -> (Spot, Spot) {
+    let nearest = (at.0.clamp(bounds.left, bounds.right), at.1.clamp(bounds.top, bounds.bottom));
+    let length = distance(nearest, at);
+    let kept = if length > short { (length - short) / length } else { 0.0 };
+    (nearest, (nearest.0 + kept * (at.0 - nearest.0), nearest.1 + kept * (at.1 - nearest.1)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SHEET: Bounds = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 100.0 };
+
+    #[test]
+    fn labels_of_one_curve_take_different_places_off_the_curve() {
+        let curve: Vec<Spot> = (0..=50).map(|i| (10.0 + 1.6 * f64::from(i), 50.0)).collect();
+        let mut placer = Placer::new(SHEET);
+        placer.keep_off(&curve);
+        let places: Vec<Bounds> =
+            (0..3).map(|_| placer.beside_curve(&curve, 20.0, 8.0).unwrap().bounds).collect();
+        for (index, place) in places.iter().enumerate() {
+            assert!(!curve.windows(2).any(|s| place.meets(s[0], s[1])));
+            assert!(places[..index].iter().all(|other| !other.overlaps(place)));
+            assert!(SHEET.holds(place));
+        }
+    }
+
+    #[test]
+    fn a_label_in_a_square_stands_in_its_middle() {
+        let square = [(20.0, 20.0), (60.0, 20.0), (60.0, 60.0), (20.0, 60.0)];
+        let mut placer = Placer::new(SHEET);
+        placer.keep_off(&[square[0], square[1], square[2], square[3], square[0]]);
+        let (x, y) = placer.within(&square, 10.0, 6.0).unwrap().bounds.centre();
+        // Trial places are 4/3 apart, and between 10 and 6 wide the best ones form a short line.
+        assert!((x - 40.0).abs() < 2.0 && (y - 40.0).abs() < 4.0, "{x} {y}");
+    }
+
+    #[test]
+    fn a_label_too_large_for_its_region_finds_no_place_within_and_gets_a_leader_around() {
+        let sliver = [(40.0, 50.0), (60.0, 50.0), (60.0, 52.0), (40.0, 52.0)];
+        let mut placer = Placer::new(SHEET);
+        assert_eq!(placer.within(&sliver, 10.0, 6.0), None);
+        // A ring that holds every near place off; a leader may cross it.
+        placer.keep_off(&[(42.0, 47.0), (58.0, 47.0), (58.0, 55.0), (42.0, 55.0), (42.0, 47.0)]);
+        let place = placer.around((50.0, 51.0), 1.0, 10.0, 6.0).unwrap();
+        assert!(place.leader.is_some());
+        // The leader stops at the clearance asked for.
+        assert!((distance(place.leader.unwrap().1, (50.0, 51.0)) - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn boxes_side_by_side_keep_their_gap_and_move_only_if_they_must() {
+        let centres = side_by_side(&[(0.0, 4.0), (10.0, 4.0), (11.0, 6.0), (30.0, 4.0)], 1.0);
+        // The two that meet need 6 between their centres and share the shortfall of 5.
+        assert_eq!(centres, [0.0, 7.5, 13.5, 30.0]);
+        assert!(side_by_side(&[], 1.0).is_empty());
+    }
+
+    #[test]
+    fn without_room_there_is_no_place() {
+        let mut placer = Placer::new(SHEET);
+        placer.block(SHEET);
+        assert_eq!(placer.around((50.0, 50.0), 1.0, 10.0, 6.0), None);
+    }
+}

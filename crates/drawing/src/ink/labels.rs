@@ -1,0 +1,123 @@
+//! Labels of one panel: placed while the figure is built up, drawn over everything else at the end.
+
+use crate::error::DrawingError;
+use crate::geometry::placement::{LabelPlace, Placer};
+use crate::geometry::sheet::{Bounds, Spot, along};
+use crate::ink::canvas::{Anchor, Canvas};
+use crate::ink::markup::Label;
+use crate::ink::style::{Colour, LEADER};
+
+/// Free space kept around a label's ink, in points.
+const PADDING: f64 = 1.2;
+
+/// Where a label is to stand.
+pub(crate) enum Site<'a> {
+    /// Beside a curve, near its middle.
+    Beside(&'a [Spot]),
+    /// Around a spot, at least the clearance away.
+    Around(Spot, f64),
+    /// Inside a polygon.
+    Within(&'a [Spot]),
+}
+
+/// Labels placed so far.
+pub(crate) struct Labels<'c> {
+    canvas: &'c Canvas,
+    pub(crate) placer: Placer,
+    placed: Vec<Placed>,
+}
+
+/// A label of one or more centred lines in its place.
+struct Placed {
+    lines: Vec<Label>,
+    /// How far the ink of the lines reaches above and below their baselines at most.
+    reach: (f64, f64),
+    size: f64,
+    colour: Colour,
+    place: LabelPlace,
+}
+
+/// From one baseline to the next, in units of the font size.
+const LEADING: f64 = 1.15;
+
+impl<'c> Labels<'c> {
+    pub(crate) fn new(canvas: &'c Canvas, panel: Bounds) -> Self {
+        Labels { canvas, placer: Placer::new(panel), placed: Vec::new() }
+    }
+
+    /// Finds a place for a label; false if there is none.
+    pub(crate) fn add(
+        &mut self,
+        source: &str,
+        size: f64,
+        colour: Colour,
+        site: &Site<'_>,
+    ) -> Result<bool, DrawingError> {
+        self.add_lines(&[source], size, colour, site)
+    }
+
+    /// Finds a place for a label of several lines, each centred; false if there is none.
+    pub(crate) fn add_lines(
+        &mut self,
+        sources: &[&str],
+        size: f64,
+        colour: Colour,
+        site: &Site<'_>,
+    ) -> Result<bool, DrawingError> {
+        let mut lines = Vec::new();
+        let (mut width, mut ascent, mut descent) = (0.0_f64, 0.0_f64, 0.0_f64);
+        for source in sources {
+            let label = Label::parse(source)?;
+            let extent = self.canvas.fonts.measure(&label, size)?;
+            width = width.max(extent.width);
+            ascent = ascent.max(extent.ascent);
+            descent = descent.max(extent.descent);
+            lines.push(label);
+        }
+        let further = LEADING * size * lines.len().saturating_sub(1) as f64;
+        let (width, height) = (width + 2.0 * PADDING, ascent + further + descent + 2.0 * PADDING);
+        let place = match site {
+            Site::Beside(curve) => self.placer.beside_curve(curve, width, height),
+            Site::Around(spot, clearance) => self.placer.around(*spot, *clearance, width, height),
+            Site::Within(polygon) => self.placer.within(polygon, width, height),
+        };
+        if let Some(place) = place {
+            self.placed.push(Placed { lines, reach: (ascent, descent), size, colour, place });
+        }
+        Ok(place.is_some())
+    }
+
+    /// Names a curve beside it or, where there is no room, farther off with a line to its middle.
+    pub(crate) fn name_curve(
+        &mut self,
+        source: &str,
+        size: f64,
+        colour: Colour,
+        curve: &[Spot],
+    ) -> Result<(), DrawingError> {
+        if self.add(source, size, colour, &Site::Beside(curve))? {
+            return Ok(());
+        }
+        if let Some((middle, _)) = along(curve, 0.5) {
+            self.add(source, size, colour, &Site::Around(middle, 1.5))?;
+        }
+        Ok(())
+    }
+
+    /// Draws all labels and their leaders.
+    pub(crate) fn draw(self) -> Result<(), DrawingError> {
+        for Placed { lines, reach: (ascent, descent), size, colour, place } in &self.placed {
+            if let Some((from, to)) = place.leader {
+                self.canvas.line(&[from, to], LEADER);
+            }
+            let (x, y) = place.bounds.centre();
+            let middle = y + 0.5 * (ascent - descent);
+            for (index, label) in lines.iter().enumerate() {
+                let line = index as f64 - 0.5 * (lines.len() as f64 - 1.0);
+                let baseline = middle + LEADING * size * line;
+                self.canvas.label((x, baseline), label, *size, Anchor::Middle, *colour)?;
+            }
+        }
+        Ok(())
+    }
+}

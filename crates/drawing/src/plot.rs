@@ -1,0 +1,12 @@
+//! Parts of figures: axes, grids of panels, curves, points and regions by their kind, scenes in phase space.
+
+pub(crate) mod axes;
+pub(crate) mod branches;
+pub(crate) mod cloud;
+pub(crate) mod kinds;
+pub(crate) mod magnified;
+pub(crate) mod numbers;
+pub(crate) mod panel_grid;
+pub(crate) mod portraits;
+pub(crate) mod scene;
+pub(crate) mod ticks;

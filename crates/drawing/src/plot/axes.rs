@@ -1,0 +1,329 @@
+//! A panel: a rectangle of data space on one of the sheet, with border, ticks, numbers and axis titles.
+
+use std::fmt::Write;
+
+use plotters::coord::CoordTranslate;
+use plotters::coord::cartesian::Cartesian2d;
+use plotters::coord::types::RangedCoordf64;
+
+use grazing_results::{Frame, Names};
+
+use crate::error::DrawingError;
+use crate::geometry::clip::{clip_polygon, clip_polyline, hatching};
+use crate::geometry::shapes::{star, triangle};
+use crate::geometry::sheet::{Bounds, Spot, in_hundredths};
+use crate::ink::canvas::{Anchor, Canvas};
+use crate::ink::font::Fonts;
+use crate::ink::markup::Label;
+use crate::ink::style::{
+    BLACK, DISC_RADIUS, FRAME, HATCHING, MARKER, MARKER_RIM, MINOR_TICK_LENGTH, Paint, Pen, STAR_RADIUS,
+    TICK, TICK_LENGTH, TICK_SIZE, TITLE_SIZE, TRIANGLE_SIZE,
+};
+use crate::ink::svg::{escape, points};
+use crate::plot::numbers::{Direction, Numbers};
+
+/// A rectangle of data space laid over one of the sheet.
+pub(crate) struct Panel<'c> {
+    pub(crate) canvas: &'c Canvas,
+    pub(crate) frame: Frame,
+    pub(crate) bounds: Bounds,
+    /// The tables whose rows it shows, the most informative first; none if any table with columns for the axes will do.
+    pub(crate) tables: &'c [&'static str],
+    /// The column and the number that distinguish its rows from those of other panels.
+    pub(crate) only: Option<(&'static str, u32)>,
+    /// The names of the two parameters, where the titles do not say which columns hold them.
+    pub(crate) names: Option<&'c Names>,
+    /// Whether there are numbers beside it.
+    pub(crate) numbers_beside: bool,
+}
+
+/// Which of the paper's markers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Marker {
+    /// A resonance.
+    Triangle,
+    /// Any other codimension-two point.
+    Disc,
+    /// A point of another figure.
+    Star,
+}
+
+/// Room that the largest tick labels and the gaps around them take, in points.
+const TICK_GAP: f64 = 2.5;
+/// Titles of vertical axes that are wider than this (points) are turned to read upwards.
+const WIDEST_LEVEL_TITLE: f64 = 24.0;
+/// Free space between a title and what is left of it, in points.
+const SHEET_GAP: f64 = 3.0;
+/// Titles too long for their axis are set smaller, down to this size (points).
+const LEAST_TITLE_SIZE: f64 = 6.5;
+
+impl<'c> Panel<'c> {
+    /// A panel that does not say what it shows.
+    pub(crate) fn new(canvas: &'c Canvas, frame: Frame, bounds: Bounds) -> Self {
+        Panel { canvas, frame, bounds, tables: &[], only: None, names: None, numbers_beside: true }
+    }
+
+    /// Where a data point lies on the sheet, in whole hundredths of a point: the rest of the way from the lower left
+    /// corner is cut off.
+    pub(crate) fn spot(&self, point: (f64, f64)) -> Spot {
+        let (left, top) = in_hundredths((self.bounds.left, self.bounds.top));
+        let (right, bottom) = in_hundredths((self.bounds.right, self.bounds.bottom));
+        let Frame { x: [first, last], y: [low, high] } = self.frame;
+        let axes: Cartesian2d<RangedCoordf64, RangedCoordf64> =
+            Cartesian2d::new(first..last, low..high, (left..right, bottom..top));
+        let (x, y) = axes.translate(&point);
+        (f64::from(x) / 100.0, f64::from(y) / 100.0)
+    }
+
+    fn spots(&self, points: &[(f64, f64)]) -> Vec<Spot> {
+        points.iter().map(|&point| self.spot(point)).collect()
+    }
+
+    /// A polyline, clipped to the frame with all of its ink; returns its pieces on the sheet.
+    pub(crate) fn line(&self, points: &[(f64, f64)], pen: Pen) -> Vec<Vec<Spot>> {
+        let pieces: Vec<_> =
+            clip_polyline(&self.frame, points).iter().map(|piece| self.spots(piece)).collect();
+        pieces.iter().for_each(|piece| self.canvas.line_within(&self.bounds, piece, pen));
+        pieces
+    }
+
+    /// A filled polygon, clipped to the frame; returns its outline on the sheet, if any of it shows.
+    pub(crate) fn fill(&self, vertices: &[(f64, f64)], paint: Paint) -> Vec<Spot> {
+        let clipped = clip_polygon(&self.frame, vertices);
+        if clipped.len() < 3 {
+            return Vec::new();
+        }
+        let outline = self.spots(&clipped);
+        self.canvas.polygon(&outline, paint, None);
+        outline
+    }
+
+    /// A filled area, clipped to the frame, inside where its rings are crossed an odd number of times; returns its first ring on the
+    /// sheet, if any of it shows.
+    pub(crate) fn area(&self, rings: &[Vec<(f64, f64)>], paint: Paint) -> Vec<Spot> {
+        match rings {
+            [] => Vec::new(),
+            [border] => self.fill(border, paint),
+            _ => {
+                let mut rings = self.clipped(rings);
+                self.canvas.area(&rings, paint);
+                rings.swap_remove(0)
+            }
+        }
+    }
+
+    /// Hatching of such an area.
+    pub(crate) fn hatch(&self, rings: &[Vec<(f64, f64)>], pen: Pen) {
+        for line in hatching(&self.clipped(rings), HATCHING) {
+            self.canvas.line(&line, pen);
+        }
+    }
+
+    /// The parts of rings in the frame, on the sheet.
+    fn clipped(&self, rings: &[Vec<(f64, f64)>]) -> Vec<Vec<Spot>> {
+        rings.iter().map(|ring| self.spots(&clip_polygon(&self.frame, ring))).collect()
+    }
+
+    /// A marker, if its point is in the frame; returns the box it takes.
+    pub(crate) fn marker(&self, point: (f64, f64), marker: Marker) -> Option<Bounds> {
+        if !self.frame.contains(point) {
+            return None;
+        }
+        let (canvas, centre) = (self.canvas, self.spot(point));
+        let size = match marker {
+            Marker::Triangle => {
+                canvas.polygon(&triangle(centre, TRIANGLE_SIZE), MARKER, Some(MARKER_RIM));
+                TRIANGLE_SIZE
+            }
+            Marker::Disc => {
+                canvas.disc(centre, DISC_RADIUS, MARKER, Some(MARKER_RIM));
+                2.0 * DISC_RADIUS
+            }
+            Marker::Star => {
+                canvas.polygon(&star(centre, STAR_RADIUS), MARKER, Some(MARKER_RIM));
+                2.0 * STAR_RADIUS
+            }
+        };
+        Some(Bounds::about(centre, size, size))
+    }
+
+    /// An invisible rectangle of class `panel` by which programs read values off the sheet: `data-x` and `data-y` are the values at its
+    /// left and right, bottom and top edges; `data-columns` the columns that hold them, where the titles do not say it. An empty title is
+    /// that of the panel to the left.
+    fn mark(&self, titles: [&str; 2]) {
+        let Panel { frame: Frame { x, y }, bounds, .. } = self;
+        let mut attributes = String::new();
+        // Writing to a String cannot fail.
+        if !self.tables.is_empty() {
+            let _ = write!(attributes, " data-tables=\"{}\"", escape(&self.tables.join(" ")));
+        }
+        if let Some((column, number)) = self.only {
+            let _ = write!(attributes, " data-only=\"{} {number}\"", escape(column));
+        }
+        if let Some(Names { primary, secondary, .. }) = self.names {
+            let said = |title: &str, column: &str| title.is_empty() || column_of(title) == column;
+            if !said(titles[0], primary) || !said(titles[1], secondary) {
+                let columns = format!("{primary} {secondary}");
+                let _ = write!(attributes, " data-columns=\"{}\"", escape(&columns));
+            }
+        }
+        self.canvas.note(&format!(
+            "<rect class=\"panel\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" data-x=\"{} {}\" data-y=\"{} {}\" \
+             data-x-title=\"{}\" data-y-title=\"{}\"{attributes}/>",
+            points(bounds.left),
+            points(bounds.top),
+            points(bounds.right - bounds.left),
+            points(bounds.bottom - bounds.top),
+            x[0],
+            x[1],
+            y[0],
+            y[1],
+            escape(titles[0]),
+            escape(titles[1]),
+        ));
+    }
+
+    /// Border, outward ticks, numbers and axis titles; an empty title is left out.
+    pub(crate) fn axes(&self, x_title: &str, y_title: &str) -> Result<(), DrawingError> {
+        let (Bounds { left, top, right, bottom }, canvas) = (self.bounds, self.canvas);
+        self.mark([x_title, y_title]);
+        canvas.line(
+            &[(left, top), (right, top), (right, bottom), (left, bottom), (left, top), (right, top)],
+            FRAME,
+        );
+        let x_numbers = Numbers::along(&canvas.fonts, self.frame.x, right - left, Direction::Across)?;
+        let y_numbers = Numbers::along(&canvas.fonts, self.frame.y, bottom - top, Direction::Up)?;
+        let baseline = bottom + TICK_LENGTH + TICK_GAP + 0.66 * TICK_SIZE;
+        let x_tick = |value: f64, length: f64| {
+            let (x, _) = self.spot((value, self.frame.y[0]));
+            canvas.line(&[(x, bottom), (x, bottom + length)], TICK);
+            (x, baseline)
+        };
+        let y_tick = |value: f64, length: f64| {
+            let (_, y) = self.spot((self.frame.x[0], value));
+            canvas.line(&[(left, y), (left - length, y)], TICK);
+            (left - TICK_LENGTH - TICK_GAP, y + 0.33 * TICK_SIZE)
+        };
+        for minor in &x_numbers.minor {
+            x_tick(*minor, MINOR_TICK_LENGTH);
+        }
+        for tick in &x_numbers.ticks {
+            canvas.text(x_tick(tick.value, TICK_LENGTH), &tick.label, TICK_SIZE, Anchor::Middle, BLACK)?;
+        }
+        for minor in &y_numbers.minor {
+            y_tick(*minor, MINOR_TICK_LENGTH);
+        }
+        let reach = if self.numbers_beside { y_numbers.width } else { 0.0 };
+        for tick in &y_numbers.ticks {
+            let spot = y_tick(tick.value, TICK_LENGTH);
+            if self.numbers_beside {
+                canvas.text(spot, &tick.label, TICK_SIZE, Anchor::End, BLACK)?;
+            }
+        }
+        let x_title = &x_numbers.title(x_title);
+        let below = (0.5 * (left + right), baseline + 1.2 * TITLE_SIZE);
+        let size = title_size(canvas, x_title, right - left)?;
+        canvas.text(below, x_title, size, Anchor::Middle, BLACK)?;
+        let y_title = &y_numbers.title(y_title);
+        let edge = left - TICK_LENGTH - 2.0 * TICK_GAP - reach - 1.0;
+        let extent = canvas.fonts.measure(&Label::parse(y_title)?, TITLE_SIZE)?;
+        let middle = 0.5 * (top + bottom);
+        let (spot, size, anchor) = if extent.width > WIDEST_LEVEL_TITLE {
+            ((edge - extent.descent, middle), title_size(canvas, y_title, bottom - top)?, Anchor::Upwards)
+        } else {
+            ((edge, middle + 0.25 * TITLE_SIZE), TITLE_SIZE, Anchor::End)
+        };
+        canvas.text(spot, y_title, size, anchor, BLACK)
+    }
+}
+
+/// The column that readers of the sheet take a title for: its letters, and that of the forcing amplitude.
+fn column_of(title: &str) -> String {
+    let letters = title.replace(r"\mathcal", "").replace(|c: char| !c.is_ascii_alphabetic() && c != '_', "");
+    if letters == "A" { "amplitude".to_owned() } else { letters }
+}
+
+/// The size at which a title fits on an axis of so many points.
+fn title_size(canvas: &Canvas, title: &str, room: f64) -> Result<f64, DrawingError> {
+    let width = canvas.fonts.measure(&Label::parse(title)?, TITLE_SIZE)?.width;
+    Ok(if width > room { (TITLE_SIZE * room / width).max(LEAST_TITLE_SIZE) } else { TITLE_SIZE })
+}
+
+/// Points that ticks, numbers and title of a vertical axis take left of the frame; an empty title takes none.
+pub(crate) fn room_beside(
+    fonts: &Fonts,
+    range: [f64; 2],
+    height: f64,
+    title: &str,
+) -> Result<f64, DrawingError> {
+    let numbers = Numbers::along(fonts, range, height, Direction::Up)?;
+    let beside_title = TICK_LENGTH + 2.0 * TICK_GAP + numbers.width + 1.0;
+    let extent = fonts.measure(&Label::parse(&numbers.title(title))?, TITLE_SIZE)?;
+    let level = extent.width <= WIDEST_LEVEL_TITLE;
+    Ok(beside_title + if level { extent.width } else { extent.height() } + SHEET_GAP)
+}
+
+/// Points by which the numbers of a horizontal axis reach beyond its right end, at least 0.
+pub(crate) fn overhang(fonts: &Fonts, [low, high]: [f64; 2], width: f64) -> Result<f64, DrawingError> {
+    let mut reach = 0.0_f64;
+    for tick in Numbers::along(fonts, [low, high], width, Direction::Across)?.ticks {
+        let half = 0.5 * fonts.measure(&Label::plain(&tick.label), TICK_SIZE)?.width;
+        reach = reach.max(half - (high - tick.value) / (high - low) * width);
+    }
+    Ok(reach)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The mark of a panel with these titles that shows a plane of these columns.
+    fn marked(titles: [&str; 2], columns: [&'static str; 2]) -> String {
+        let canvas = Canvas::new(100.0, 100.0).unwrap();
+        let names = Names::new(columns[0], columns[1]);
+        let bounds = Bounds { left: 10.0, top: 20.0, right: 90.5, bottom: 80.0 };
+        let panel = Panel {
+            tables: &["points", "curves"],
+            only: Some(("panel", 2)),
+            names: Some(&names),
+            ..Panel::new(&canvas, Frame { x: [-0.5, 1.25], y: [0.0, 3.0] }, bounds)
+        };
+        panel.mark(titles);
+        let svg = canvas.finish("test", "", "").unwrap();
+        svg.lines().find(|line| line.contains("panel")).unwrap().to_owned()
+    }
+
+    #[test]
+    fn a_mark_states_the_frame_and_its_place() {
+        assert_eq!(
+            marked([r"$\omega$", ""], ["omega", "A"]),
+            "<rect class=\"panel\" x=\"10\" y=\"20\" width=\"80.5\" height=\"60\" data-x=\"-0.5 1.25\" data-y=\"0 3\" \
+             data-x-title=\"$\\omega$\" data-y-title=\"\" data-tables=\"points curves\" data-only=\"panel 2\"/>"
+        );
+    }
+
+    #[test]
+    fn a_mark_names_its_columns_where_readers_would_take_the_titles_for_others() {
+        for (titles, columns, named) in [
+            ([r"$\mathcal{A}$", r"$\omega$"], ["amplitude", "omega"], false),
+            ([r"$\mathcal{A}$", ""], ["amplitude", "omega"], false),
+            (["$A$", r"$\omega$"], ["A", "omega"], true),
+            (["$F_{0}$", r"$\omega_{2}$"], ["F_0", "omega_2"], true),
+        ] {
+            assert_eq!(marked(titles, columns).contains("data-columns"), named, "{titles:?}");
+        }
+    }
+
+    #[test]
+    fn no_name_makes_a_title_that_is_not_markup() {
+        let alphabet = ["a", "omega", "mass", "_", "0", "12", "$", "{", "\\", "ω", " "];
+        for first in alphabet {
+            for second in alphabet {
+                for third in alphabet {
+                    let [title, _] = Names::new(&format!("{first}{second}{third}"), "omega").titles();
+                    assert!(Label::parse(&title).is_ok(), "{title}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! A one-parameter bifurcation diagram: branches, attractor and bifurcations on one panel.
+
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_results::Names;
+use grazing_results::branches::{BranchPoint, OneParameter};
+
+use crate::error::DrawingError;
+use crate::geometry::sheet::{Bounds, Spot, length, near};
+use crate::ink::labels::{Labels, Site};
+use crate::ink::legend::Sample;
+use crate::ink::style::{
+    CLOUD, LABEL_SIZE, POINT_RADIUS, POINT_RIM, Paint, SMALL_LABEL_SIZE, STABLE_WIDTH, THRESHOLD,
+    UNSTABLE_WIDTH, branch_pen,
+};
+use crate::plot::axes::Panel;
+use crate::plot::cloud::{LONG_TIME, draw_cloud};
+use crate::plot::kinds::{label, pen, text_colour};
+
+/// Branches, attractor and bifurcations of one panel, with their labels. Points that follow each other with equal p and branch are a strand: one
+/// loop of a solution as the parameter changes.
+pub(crate) fn diagram(
+    panel: &Panel<'_>,
+    mut labels: Labels<'_>,
+    figure: &OneParameter,
+    names: &Names,
+    every_loop: bool,
+) -> Result<(), DrawingError> {
+    for level in panel.line(&[(panel.frame.x[0], 0.0), (panel.frame.x[1], 0.0)], THRESHOLD) {
+        labels.placer.keep_off_nameless(&level);
+    }
+    let cloud: Vec<(f64, f64)> =
+        figure.attractor.iter().map(|point| (figure.across(point), point.x)).collect();
+    draw_cloud(panel, &cloud);
+    let mut longest: Vec<(u32, Vec<Spot>)> = Vec::new();
+    let mut pieces = Vec::new();
+    for strand in figure.branches.chunk_by(|a, b| (a.loops, a.branch) == (b.loops, b.branch)) {
+        let p = strand[0].loops;
+        for piece in strand_pieces(panel, figure, strand) {
+            if p > 0 {
+                panel.canvas.explain(&format!("$p={p}$"), Sample::Line(branch_pen(p, STABLE_WIDTH)));
+            }
+            labels.placer.keep_off(&piece);
+            pieces.push(piece.clone());
+            match longest.iter_mut().find(|(known, _)| *known == p) {
+                Some((_, best)) if length(best) >= length(&piece) => {}
+                Some((_, best)) => *best = piece,
+                None => longest.push((p, piece)),
+            }
+        }
+    }
+    let dots: Vec<Spot> =
+        cloud.iter().filter(|&&p| panel.frame.contains(p)).map(|&p| panel.spot(p)).collect();
+    labels.placer.avoid(dots.iter().copied());
+    let grazing = names.grazing_title();
+    let mut named: Vec<(Bifurcation, u32)> = Vec::new();
+    let visible: Vec<(Bifurcation, u32, (f64, f64))> = figure
+        .bifurcations
+        .iter()
+        .map(|found| (found.kind, found.loops, (figure.across(found), found.x)))
+        .filter(|(_, _, point)| panel.frame.contains(*point))
+        .collect();
+    for &(kind, _, point) in &visible {
+        let spot = panel.spot(point);
+        let paint = Paint { colour: pen(kind).colour, opacity: 1.0 };
+        panel.canvas.disc(spot, POINT_RADIUS, paint, Some(POINT_RIM));
+        labels.placer.block(Bounds::about(spot, 2.0 * POINT_RADIUS, 2.0 * POINT_RADIUS));
+    }
+    for &(kind, p, point) in &visible {
+        if !every_loop && named.contains(&(kind, p)) {
+            continue;
+        }
+        named.push((kind, p));
+        let wanted = Site::Around(panel.spot(point), POINT_RADIUS + 0.5);
+        labels.add(label(kind, &grazing), LABEL_SIZE, text_colour(kind), &wanted)?;
+    }
+    for (p, piece) in &longest {
+        let text = if *p == 0 { "non-impacting".to_owned() } else { format!("$p={p}$") };
+        let colour = branch_pen(*p, 1.0).colour;
+        if every_loop {
+            labels.name_curve(&text, SMALL_LABEL_SIZE, colour, piece)?;
+        } else {
+            labels.add(&text, SMALL_LABEL_SIZE, colour, &Site::Beside(piece))?;
+        }
+    }
+    // Where dots lie beside the branches, they cannot be taken for these; a few hundred show where.
+    let mut some = dots.iter().step_by(1 + dots.len() / 300).rev();
+    let beside = some.find(|&&dot| pieces.iter().all(|piece| !near(piece, dot, 6.0)));
+    if let (true, Some(&dot)) = (every_loop, beside.or(dots.last())) {
+        let wanted = Site::Around(dot, 2.0);
+        labels.add(LONG_TIME, SMALL_LABEL_SIZE, CLOUD[2].colour, &wanted)?;
+    }
+    labels.draw()
+}
+
+/// Draws a strand, thick where stable and thin where unstable, without gaps between but where it is inadmissible; returns what was drawn.
+fn strand_pieces(panel: &Panel<'_>, figure: &OneParameter, strand: &[BranchPoint]) -> Vec<Vec<Spot>> {
+    let place = |point: &BranchPoint| match point.admissible {
+        true => (figure.across(point), point.x),
+        false => (f64::NAN, f64::NAN),
+    };
+    let mut pieces = Vec::new();
+    let mut start = 0;
+    for run in strand.chunk_by(|a, b| a.stable == b.stable) {
+        let BranchPoint { loops, stable, .. } = run[0];
+        let (meaning, width) = if stable { ("stable", STABLE_WIDTH) } else { ("unstable", UNSTABLE_WIDTH) };
+        panel.canvas.explain(meaning, Sample::Line(branch_pen(0, width)));
+        let end = start + run.len();
+        let points: Vec<_> = strand[start..(end + 1).min(strand.len())].iter().map(place).collect();
+        pieces.extend(panel.line(&points, branch_pen(loops, width)));
+        start = end;
+    }
+    pieces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use grazing_results::Frame;
+
+    use crate::ink::canvas::Canvas;
+    use crate::tests::samples::empty;
+
+    #[test]
+    fn stability_shows_in_the_width_and_leaves_no_gap() {
+        let panel_points = |points: &[Vec<Spot>]| points.iter().map(Vec::len).collect::<Vec<_>>();
+        let canvas = Canvas::new(100.0, 100.0).unwrap();
+        let bounds = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 100.0 };
+        let frame = Frame { x: [0.0, 3.0], y: [-1.0, 1.0] };
+        let panel = Panel::new(&canvas, frame, bounds);
+        let point = |(primary, x, stable)| BranchPoint {
+            diagram: 1,
+            loops: 2,
+            secondary: 0.854,
+            primary,
+            x,
+            visit: 1,
+            impact_velocity: 0.1,
+            impact_phase: 0.0,
+            stable,
+            admissible: true,
+            branch: 1,
+        };
+        let strand = [(0.0, 0.0, false), (1.0, 0.1, false), (2.0, 0.4, true), (3.0, 0.9, true)].map(point);
+        let pieces = strand_pieces(&panel, &empty(frame), &strand);
+        assert_eq!(panel_points(&pieces), [3, 2]);
+        assert_eq!(pieces[0].last(), pieces[1].first());
+        let svg = canvas.finish("test", "", "").unwrap();
+        assert!(svg.contains("stroke-width=\"0.55\"") && svg.contains("stroke-width=\"1.7\""));
+    }
+}

@@ -1,0 +1,188 @@
+//! What a parameter plane shows: bifurcation curves with the pen and the label of each kind, codimension-two points, regions.
+
+use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
+use grazing_results::kinds::{CurveLook, point_meaning, region_meaning};
+use grazing_results::plane::{RegionKind, RegionVertex, SpecialPoint};
+
+use crate::error::DrawingError;
+use crate::geometry::sheet::{Bounds, Spot, along, length, near};
+use crate::ink::labels::{Labels, Site};
+use crate::ink::legend::Sample;
+use crate::ink::style::{
+    Colour, LABEL_SIZE, MPS_AREA, NON_IMPACTING_AREA, Paint, Pen, SMALL_LABEL_SIZE, UNDECIDED,
+};
+use crate::plot::axes::{Marker, Panel};
+
+fn colour([red, green, blue]: [u8; 3]) -> Colour {
+    Colour(red, green, blue)
+}
+
+pub(crate) fn pen(bifurcation: Bifurcation) -> Pen {
+    let look = CurveLook::of(bifurcation);
+    Pen::dashed(colour(look.colours[0]), look.width, look.dashes)
+}
+
+/// The pen of the quadratic approximation to a curve.
+fn approximation(bifurcation: Bifurcation) -> Pen {
+    let [on_light, _] = CurveLook::of(bifurcation).approximation();
+    Pen::dashed(colour(on_light), CurveLook::APPROXIMATION_WIDTH, CurveLook::APPROXIMATION_DASHES)
+}
+
+pub(crate) fn text_colour(bifurcation: Bifurcation) -> Colour {
+    colour(CurveLook::of(bifurcation).text)
+}
+
+/// What a curve is, in words, with its label.
+fn meaning(bifurcation: Bifurcation) -> String {
+    let meaning = CurveLook::of(bifurcation).meaning;
+    match bifurcation {
+        Bifurcation::NonImpactingGrazing => meaning.to_owned(),
+        _ => format!("{meaning} ({})", bifurcation.name()),
+    }
+}
+
+/// The label, in the markup of labels; `grazing` names the grazing curve of the non-impacting solution.
+pub(crate) fn label(bifurcation: Bifurcation, grazing: &str) -> &str {
+    match bifurcation {
+        Bifurcation::NonImpactingGrazing => grazing,
+        other => other.name(),
+    }
+}
+
+/// A curve of the parameter plane; points are (across, up).
+pub(crate) struct Trace {
+    pub(crate) kind: Bifurcation,
+    /// Not the curve itself, but its quadratic approximation.
+    pub(crate) approximate: bool,
+    pub(crate) points: Vec<(f64, f64)>,
+}
+
+/// Draws curves, the wide grazing curve lowest, approximations on top of what they approximate; returns the pieces of the others, from which
+/// labels are kept off.
+pub(crate) fn draw_curves(
+    panel: &Panel<'_>,
+    labels: &mut Labels<'_>,
+    mut curves: Vec<Trace>,
+) -> Vec<(Bifurcation, Vec<Spot>)> {
+    curves.sort_by_key(|curve| (curve.kind != Bifurcation::NonImpactingGrazing, curve.approximate));
+    let mut drawn = Vec::new();
+    for Trace { kind, approximate, points } in &curves {
+        let pen = if *approximate { approximation(*kind) } else { pen(*kind) };
+        for piece in panel.line(points, pen) {
+            let meaning = match approximate {
+                true => format!("quadratic approximation to {}", kind.name()),
+                false => meaning(*kind),
+            };
+            panel.canvas.explain(&meaning, Sample::Line(pen));
+            if *approximate {
+                labels.placer.keep_off_nameless(&piece);
+            } else {
+                labels.placer.keep_off(&piece);
+                drawn.push((*kind, piece));
+            }
+        }
+    }
+    drawn
+}
+
+impl Labels<'_> {
+    /// Names bifurcation curves by their kind, the longest first, those shorter than `least` (points) not at all.
+    ///
+    /// A curve is named once, though it may come twice, followed from its two ends. `grazing` names the grazing curve of
+    /// the non-impacting solution.
+    pub(crate) fn name_curves(
+        &mut self,
+        mut curves: Vec<(Bifurcation, Vec<Spot>)>,
+        least: f64,
+        grazing: &str,
+    ) -> Result<(), DrawingError> {
+        curves.sort_by(|a, b| length(&b.1).total_cmp(&length(&a.1)));
+        let mut named: Vec<(Bifurcation, Vec<Spot>)> = Vec::new();
+        for (kind, piece) in curves.into_iter().filter(|(_, piece)| length(piece) >= least) {
+            let middle = along(&piece, 0.5).map(|(spot, _)| spot);
+            let again = |other: &(Bifurcation, Vec<Spot>)| {
+                other.0 == kind && middle.is_some_and(|spot| near(&other.1, spot, 1.5))
+            };
+            if named.iter().any(again) {
+                continue;
+            }
+            let large = kind == Bifurcation::NonImpactingGrazing;
+            let size = if large { LABEL_SIZE } else { SMALL_LABEL_SIZE };
+            self.add(label(kind, grazing), size, text_colour(kind), &Site::Beside(&piece))?;
+            named.push((kind, piece));
+        }
+        Ok(())
+    }
+}
+
+/// Marks codimension-two points, resonances above the others; returns those that are seen, with the boxes that they take.
+pub(crate) fn draw_points<'a>(
+    panel: &Panel<'_>,
+    labels: &mut Labels<'_>,
+    points: &'a [SpecialPoint],
+) -> Vec<(&'a SpecialPoint, Bounds)> {
+    let mut drawn = Vec::new();
+    for (marker, resonances) in [(Marker::Disc, false), (Marker::Triangle, true)] {
+        let (meaning, sample) = match resonances {
+            true => (point_meaning(CodimensionTwo::Resonance), Sample::Triangle),
+            false => ("another codimension-two point", Sample::Disc),
+        };
+        for point in points.iter().filter(|point| (point.kind == CodimensionTwo::Resonance) == resonances) {
+            if let Some(taken) = panel.marker((point.primary, point.secondary), marker) {
+                panel.canvas.explain(meaning, sample);
+                labels.placer.block(taken.grown(0.5));
+                drawn.push((point, taken));
+            }
+        }
+    }
+    drawn
+}
+
+/// A region of the parameter plane; vertices are (across, up).
+pub(crate) struct Area {
+    pub(crate) p: u32,
+    pub(crate) kind: RegionKind,
+    /// Its border and those of its holes.
+    pub(crate) rings: Vec<Vec<(f64, f64)>>,
+}
+
+impl Area {
+    /// Regions from their vertices: those of one number are one region, those of one ring of it, in order, one polygon.
+    pub(crate) fn all(vertices: &[RegionVertex]) -> Vec<Self> {
+        let region = |vertices: &[RegionVertex]| Area {
+            p: vertices[0].loops,
+            kind: vertices[0].kind,
+            rings: vertices
+                .chunk_by(|a, b| a.ring == b.ring)
+                .map(|ring| ring.iter().map(|vertex| (vertex.primary, vertex.secondary)).collect())
+                .collect(),
+        };
+        let mut regions: Vec<_> = vertices.chunk_by(|a, b| a.region == b.region).map(region).collect();
+        // Hatching lies above what is shaded.
+        regions.sort_by_key(|region| region.kind == RegionKind::Undecided);
+        regions
+    }
+
+    /// Fills or hatches the region; returns its border on the sheet, if any of it shows.
+    pub(crate) fn draw(&self, panel: &Panel<'_>) -> Vec<Spot> {
+        match self.kind {
+            RegionKind::Undecided => {
+                panel.canvas.explain(region_meaning(self.kind), Sample::Hatching(UNDECIDED));
+                panel.hatch(&self.rings, UNDECIDED);
+                Vec::new()
+            }
+            kind => panel.area(&self.rings, shade(panel, kind)),
+        }
+    }
+}
+
+/// The shade of a region in which something is stable, which the legend explains.
+pub(crate) fn shade(panel: &Panel<'_>, kind: RegionKind) -> Paint {
+    let (more, paint) = match kind {
+        RegionKind::NonImpacting => ("", NON_IMPACTING_AREA),
+        _ => ("; darker where several are", MPS_AREA),
+    };
+    let meaning = format!("{}{more}", region_meaning(kind));
+    panel.canvas.explain(&meaning, Sample::Area(paint));
+    paint
+}

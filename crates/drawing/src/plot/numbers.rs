@@ -1,0 +1,238 @@
+//! The numbers along an axis: at the finest round step at which they keep their distance, and short for any range.
+//!
+//! Where they would be long, what is printed is a power of ten times the value less a round one, and the axis title says
+//! so: `10⁹ A`, `ω − 0.4321`, `10⁶ (ω − 0.4321)`.
+
+use crate::error::DrawingError;
+use crate::ink::font::Fonts;
+use crate::ink::markup::Label;
+use crate::ink::style::TICK_SIZE;
+use crate::plot::ticks::{Step, decimal, scientific};
+
+/// Least distance between the numbers along an axis, in points.
+const NUMBER_GAP: f64 = 9.0;
+/// Numbers with more significant digits are printed less a round one.
+const MOST_DIGITS: i32 = 5;
+/// Numbers whose decimal exponent is not among these are printed with a power of ten before the title; of numbers that
+/// have become small because a round one was taken off, fewer are printed as they are.
+const PLAIN_EXPONENTS: std::ops::RangeInclusive<i32> = -4..=4;
+const PLAIN_REST_EXPONENTS: std::ops::RangeInclusive<i32> = -2..=4;
+
+/// Which way an axis runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Direction {
+    Across,
+    Up,
+}
+
+/// What is printed: `10^power` times the value less `offset`, of which there are `offset` units of ten to the `exponent`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Scale {
+    offset: i128,
+    exponent: i32,
+    power: i32,
+}
+
+/// A tick and the number at it.
+pub(crate) struct Tick {
+    pub(crate) value: f64,
+    pub(crate) label: String,
+}
+
+/// The numbers along an axis, with their ticks.
+pub(crate) struct Numbers {
+    pub(crate) ticks: Vec<Tick>,
+    /// The smaller ticks, which have no numbers.
+    pub(crate) minor: Vec<f64>,
+    /// Width of the widest number, in points.
+    pub(crate) width: f64,
+    scale: Scale,
+}
+
+impl Scale {
+    /// The scale at which the multiples of a step print short.
+    fn fit(step: Step, range: [f64; 2]) -> Self {
+        let mut multiples = step.multiples(range).map(|(units, _)| units);
+        let first = multiples.next().unwrap_or(0);
+        let last = multiples.last().unwrap_or(first);
+        let digits = |units: i128| units.unsigned_abs().to_string().len() as i32;
+        let largest = |offset: i128| (first - offset).abs().max((last - offset).abs());
+        let offset = if digits(largest(0)) > MOST_DIGITS {
+            let block = 10_i128.pow(digits(last - first) as u32);
+            first.div_euclid(block) * block
+        } else {
+            0
+        };
+        let largest = largest(offset);
+        let magnitude = digits(largest) - 1 + step.exponent();
+        let plain = if offset == 0 { PLAIN_EXPONENTS } else { PLAIN_REST_EXPONENTS };
+        let power = if largest == 0 || plain.contains(&magnitude) {
+            0
+        } else if offset == 0 {
+            -magnitude
+        } else {
+            // What is left of so narrow a range prints as whole numbers.
+            -step.exponent()
+        };
+        Scale { offset, exponent: step.exponent(), power }
+    }
+
+    /// The scale at which every number is printed as it stands.
+    fn none(step: Step) -> Self {
+        Scale { offset: 0, exponent: step.exponent(), power: 0 }
+    }
+
+    fn ticks(self, step: Step, range: [f64; 2]) -> Vec<Tick> {
+        let label = |units: i128| decimal(units - self.offset, self.exponent + self.power);
+        step.multiples(range).map(|(units, value)| Tick { value, label: label(units) }).collect()
+    }
+}
+
+impl Numbers {
+    /// The numbers along an axis that is `room` points long.
+    ///
+    /// # Errors
+    /// The fonts lack a digit.
+    pub(crate) fn along(
+        fonts: &Fonts,
+        range: [f64; 2],
+        room: f64,
+        direction: Direction,
+    ) -> Result<Self, DrawingError> {
+        let (plain, step, fits) = Self::choose(fonts, range, room, direction, Scale::none)?;
+        if fits && Scale::fit(step, range) == Scale::none(step) {
+            return Ok(plain);
+        }
+        let fit = |step| Scale::fit(step, range);
+        Ok(Self::choose(fonts, range, room, direction, fit)?.0)
+    }
+
+    /// The finest round step whose numbers keep their distance, or else the coarsest that has two; and which it was.
+    fn choose(
+        fonts: &Fonts,
+        range: [f64; 2],
+        room: f64,
+        direction: Direction,
+        scale_of: impl Fn(Step) -> Scale,
+    ) -> Result<(Self, Step, bool), DrawingError> {
+        let length = range[1] - range[0];
+        let mut coarsest = None;
+        for step in Step::round_steps(length) {
+            // A step so fine that its ticks would touch needs no measuring.
+            if length / step.size() * 4.0 > room {
+                continue;
+            }
+            let scale = scale_of(step);
+            let ticks = scale.ticks(step, range);
+            if ticks.len() < 2 {
+                continue;
+            }
+            let (mut width, mut height) = (0.0_f64, 0.0_f64);
+            for tick in &ticks {
+                let extent = fonts.measure(&Label::plain(&tick.label), TICK_SIZE)?;
+                (width, height) = (width.max(extent.width), height.max(extent.height()));
+            }
+            let least = match direction {
+                Direction::Across => width + NUMBER_GAP + 4.0,
+                Direction::Up => height + NUMBER_GAP + 6.0,
+            };
+            let fits = step.size() / length * room >= least;
+            let minor = step.minor().multiples(range).map(|(_, value)| value).collect();
+            let numbers = Numbers { ticks, minor, width, scale };
+            coarsest = Some((numbers, step, fits));
+            if fits {
+                break;
+            }
+        }
+        let bare = Step::ONE;
+        let none = || Numbers { ticks: Vec::new(), minor: Vec::new(), width: 0.0, scale: Scale::none(bare) };
+        Ok(coarsest.unwrap_or_else(|| (none(), bare, false)))
+    }
+
+    /// True if the numbers are the values themselves.
+    pub(crate) fn are_plain(&self) -> bool {
+        self.scale.offset == 0 && self.scale.power == 0
+    }
+
+    /// The title of the axis, with what has been done to the values.
+    pub(crate) fn title(&self, title: &str) -> String {
+        let Scale { offset, exponent, power } = self.scale;
+        if title.is_empty() || self.are_plain() {
+            return title.to_owned();
+        }
+        let factor = format!(r"$10^{{{power}}}\,$");
+        if offset == 0 {
+            return format!("{factor}{title}");
+        }
+        let sign = if offset < 0 { '+' } else { '-' };
+        let less = format!(r"{title}$\,{sign}\,{}$", scientific(offset.abs(), exponent));
+        if power == 0 { less } else { format!("{factor}$($") + &less + "$)$" }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn numbers(range: [f64; 2], direction: Direction) -> (Vec<String>, String) {
+        let fonts = Fonts::load().unwrap();
+        let found = Numbers::along(&fonts, range, 120.0, direction).unwrap();
+        (found.ticks.iter().map(|tick| tick.label.clone()).collect(), found.title("$A$"))
+    }
+
+    #[test]
+    fn common_ranges_are_printed_as_they_stand() {
+        assert_eq!(numbers([0.35, 1.02], Direction::Up).1, "$A$");
+        assert_eq!(numbers([0.35, 1.02], Direction::Up).0[0], "0.4");
+        assert_eq!(numbers([0.0, 80_000.0], Direction::Across).1, "$A$");
+        assert_eq!(numbers([0.0, 0.008], Direction::Across).1, "$A$");
+    }
+
+    #[test]
+    fn very_small_and_very_large_numbers_leave_their_power_of_ten_to_the_title() {
+        let (labels, title) = numbers([0.0, 1e-9], Direction::Across);
+        assert_eq!((labels[0].as_str(), title.as_str()), ("0", r"$10^{9}\,$$A$"));
+        assert_eq!(labels.last().unwrap(), "1.0");
+        let (labels, title) = numbers([2e6, 9e6], Direction::Up);
+        assert_eq!((labels[0].as_str(), title.as_str()), ("2", r"$10^{-6}\,$$A$"));
+    }
+
+    #[test]
+    fn narrow_ranges_are_printed_less_a_round_number() {
+        let (labels, title) = numbers([123_456.000_1, 123_456.000_9], Direction::Across);
+        assert_eq!(title, r"$10^{4}\,$$($$A$$\,-\,123456$$)$");
+        assert!(labels.iter().all(|label| label.len() == 1), "{labels:?}");
+        let (labels, title) = numbers([-0.432_161_9, -0.432_160_2], Direction::Up);
+        assert_eq!(title, r"$10^{7}\,$$($$A$$\,+\,0.43217$$)$");
+        assert!(labels.iter().all(|label| label.len() <= 2), "{labels:?}");
+    }
+
+    #[test]
+    fn numbers_are_short_and_distinct_and_their_ticks_true_whatever_the_range() {
+        for magnitude in [-300, -30, -9, -4, -1, 0, 3, 6, 12, 100, 300] {
+            for (from, width) in [(0.0, 1.0), (-3.0, 7.0), (1.234_567_890_1, 1e-6), (-9.87, 1e-9), (1.0, 0.9)]
+            {
+                let scale: f64 = format!("1e{magnitude}").parse().unwrap();
+                let range = [from * scale, (from + width) * scale];
+                for direction in [Direction::Across, Direction::Up] {
+                    let fonts = Fonts::load().unwrap();
+                    let found = Numbers::along(&fonts, range, 120.0, direction).unwrap();
+                    let labels: Vec<&str> = found.ticks.iter().map(|tick| tick.label.as_str()).collect();
+                    assert!(labels.len() >= 2, "{range:?}: {labels:?}");
+                    assert!(labels.windows(2).all(|pair| pair[0] != pair[1]), "{range:?}: {labels:?}");
+                    assert!(labels.iter().all(|label| label.chars().count() <= 8), "{range:?}: {labels:?}");
+                    // A billionth of a step is what `multiples` allows beyond the ends, and rounding.
+                    let rounding = 4.0 * f64::EPSILON * range[0].abs().max(range[1].abs());
+                    let slack = 1e-9 * (range[1] - range[0]) + rounding;
+                    assert!(
+                        found
+                            .ticks
+                            .iter()
+                            .all(|t| range[0] - slack <= t.value && t.value <= range[1] + slack)
+                    );
+                    assert!(Label::parse(&found.title("$A$")).is_ok());
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,389 @@
+//! Scenes in phase space, as Figures 1, 3 and 9 show them: translucent surfaces, curves, points.
+//!
+//! The rows hold the projected coordinates and the order of painting; here they are scaled to the sheet. Of two curves
+//! that cross on the sheet the farther one is interrupted.
+
+use grazing_results::Frame;
+use grazing_results::space::{CurveKind, Mark, Scene, SurfaceKind, Vertex};
+
+use crate::error::DrawingError;
+use crate::geometry::clip::checked;
+use crate::geometry::passing::{Course, interrupted};
+use crate::geometry::sheet::{Bounds, Spot, length, span};
+use crate::ink::arrow::{arrow, head_on};
+use crate::ink::canvas::Canvas;
+use crate::ink::labels::{Labels, Site};
+use crate::ink::style::{
+    BLACK, CIRCLE, Colour, FACE_EDGE, FLOW, INCOMING_FACE, OPEN_SPOT, OUTGOING_FACE, PERIODIC_FLOW, Paint,
+    Pen, RESET, RETURN, SECTION_FACE, SPACE_AXIS, SPOT, SPOT_RADIUS, SPOT_RIM, SheetWidth, TANGENCY,
+    TITLE_SIZE, VIRTUAL_FLOW,
+};
+use crate::ink::svg::POINTS_PER_MM;
+
+/// How a curve is drawn.
+fn pen(kind: CurveKind) -> Pen {
+    match kind {
+        CurveKind::Orbit => FLOW,
+        CurveKind::Virtual => VIRTUAL_FLOW,
+        CurveKind::Periodic => PERIODIC_FLOW,
+        CurveKind::Reset => RESET,
+        CurveKind::Global => RETURN,
+    }
+}
+
+/// True for what follows the flow, false for arrows of maps.
+fn flows(kind: CurveKind) -> bool {
+    matches!(kind, CurveKind::Orbit | CurveKind::Virtual | CurveKind::Periodic)
+}
+
+/// How a surface is filled; a line on one is not.
+fn face(kind: SurfaceKind) -> Option<Paint> {
+    match kind {
+        SurfaceKind::Incoming => Some(INCOMING_FACE),
+        SurfaceKind::Outgoing => Some(OUTGOING_FACE),
+        SurfaceKind::Section => Some(SECTION_FACE),
+        _ => None,
+    }
+}
+
+/// The name of an axis.
+fn axis(kind: SurfaceKind) -> Option<&'static str> {
+    match kind {
+        SurfaceKind::AxisX => Some("$x$"),
+        SurfaceKind::AxisY => Some("$y$"),
+        SurfaceKind::AxisZ => Some("$z$"),
+        _ => None,
+    }
+}
+
+/// A curve or surface, or the part of one that lies in one layer, on the sheet.
+struct Piece<K> {
+    kind: K,
+    number: u32,
+    layer: u32,
+    /// To the right, downwards and away from the viewer.
+    course: Course,
+}
+
+impl<K> Piece<K> {
+    fn spots(&self) -> Vec<Spot> {
+        self.course.iter().map(|&[x, y, _]| (x, y)).collect()
+    }
+
+    /// Its length on the sheet.
+    fn length(&self) -> f64 {
+        length(&self.spots())
+    }
+}
+
+/// What a figure in phase space is beside its rows.
+pub(crate) struct SpaceSheet {
+    pub(crate) name: &'static str,
+    pub(crate) title: &'static str,
+    pub(crate) description: &'static str,
+    /// Width in the paper.
+    pub(crate) width_mm: f64,
+    /// Room around the scene, in points from each edge of the sheet.
+    pub(crate) margin: Bounds,
+    /// The names of points and their size.
+    pub(crate) mark: fn(&Mark) -> Option<String>,
+    pub(crate) mark_size: f64,
+    /// What else is named, in the order in which places are looked for; each name with its size and its colour.
+    pub(crate) names: &'static [(NamedPart, &'static str, f64, Colour)],
+}
+
+/// A part of a scene that has a name.
+pub(crate) enum NamedPart {
+    /// Every curve of a kind.
+    Curves(CurveKind),
+    /// The first surface of a kind, which has its name on it.
+    Face(SurfaceKind),
+    /// The first line of a kind on a surface.
+    Line(SurfaceKind),
+}
+
+impl SpaceSheet {
+    /// The text of an SVG file.
+    pub(crate) fn draw(&self, figure: &Scene, width: SheetWidth) -> Result<String, DrawingError> {
+        self.compose(figure, width)?.finish(self.name, self.title, self.description)
+    }
+
+    fn compose(&self, figure: &Scene, width: SheetWidth) -> Result<Canvas, DrawingError> {
+        let (shown, canvas) = OnSheet::fit(figure, self.name, width.mm(self.width_mm), &self.margin)?;
+        shown.paint(&canvas);
+        let mut labels = shown.labels(&canvas)?;
+        for (spot, mark) in &shown.points {
+            if let Some(name) = (self.mark)(mark) {
+                labels.add(&name, self.mark_size, BLACK, &Site::Around(*spot, SPOT_RADIUS + 0.5))?;
+            }
+        }
+        for &(ref named, text, size, colour) in self.names {
+            let first = |kind| shown.surfaces.iter().find(|piece| piece.kind == kind).map(Piece::spots);
+            match *named {
+                NamedPart::Curves(kind) => {
+                    for index in shown.longest(|piece| piece.kind == kind) {
+                        labels.name_curve(text, size, colour, &shown.curves[index].spots())?;
+                    }
+                }
+                NamedPart::Face(kind) => {
+                    if let Some(outline) = first(kind) {
+                        labels.add(text, size, colour, &Site::Within(&outline))?;
+                    }
+                }
+                NamedPart::Line(kind) => {
+                    if let Some(line) = first(kind) {
+                        labels.name_curve(text, size, colour, &line)?;
+                    }
+                }
+            }
+        }
+        labels.draw()?;
+        Ok(canvas)
+    }
+}
+
+/// Everything that a figure in phase space shows, on the sheet.
+struct OnSheet {
+    curves: Vec<Piece<CurveKind>>,
+    surfaces: Vec<Piece<SurfaceKind>>,
+    /// Points that are marked.
+    points: Vec<(Spot, Mark)>,
+}
+
+impl OnSheet {
+    /// The scene at the scale at which it fills a sheet of the width, whose height follows, and that sheet, empty.
+    fn fit(
+        figure: &Scene,
+        name: &'static str,
+        width_mm: f64,
+        margin: &Bounds,
+    ) -> Result<(Self, Canvas), DrawingError> {
+        let curves = figure.curves.iter().map(|vertex| vertex.place);
+        let surfaces = figure.surfaces.iter().map(|vertex| vertex.place);
+        let marks = figure.points.iter().map(|mark| [mark.across, mark.up, mark.depth]);
+        let places: Vec<[f64; 3]> = curves.chain(surfaces).chain(marks).collect();
+        // An empty cell anywhere leaves no frame.
+        let whole = places.iter().flatten().all(|coordinate| coordinate.is_finite());
+        let range = |k: usize| {
+            if whole { span(places.iter().map(|place| place[k])) } else { [f64::NAN; 2] }
+        };
+        let frame = checked(Frame { x: range(0), y: range(1) }, name)?;
+        let width = width_mm * POINTS_PER_MM;
+        let scale = (width - margin.left - margin.right) / (frame.x[1] - frame.x[0]);
+        let on_sheet = |[across, up, depth]: [f64; 3]| {
+            let right = margin.left + scale * (across - frame.x[0]);
+            [right, margin.top + scale * (frame.y[1] - up), scale * depth]
+        };
+        let spotted = |mark: &Mark| {
+            let [right, down, _] = on_sheet([mark.across, mark.up, mark.depth]);
+            ((right, down), mark.clone())
+        };
+        let height = margin.top + margin.bottom + scale * (frame.y[1] - frame.y[0]);
+        let scene = OnSheet {
+            curves: pieces(&figure.curves, on_sheet),
+            surfaces: pieces(&figure.surfaces, on_sheet),
+            points: figure.points.iter().map(spotted).collect(),
+        };
+        Ok((scene, Canvas::new(width_mm, height / POINTS_PER_MM)?))
+    }
+
+    /// Paints everything, layer by layer; in a layer faces, lines on them, curves from far to near, points.
+    fn paint(&self, canvas: &Canvas) {
+        let mut layers: Vec<u32> = self.curves.iter().map(|piece| piece.layer).collect();
+        layers.extend(self.surfaces.iter().map(|piece| piece.layer));
+        layers.extend(self.points.iter().map(|(_, mark)| mark.layer));
+        layers.sort_unstable();
+        layers.dedup();
+        let flowing: Vec<&Course> =
+            self.curves.iter().filter(|c| flows(c.kind)).map(|piece| &piece.course).collect();
+        let headed = self.headed();
+        for layer in layers {
+            let here: Vec<_> = self.surfaces.iter().filter(|piece| piece.layer == layer).collect();
+            for piece in &here {
+                if let Some(paint) = face(piece.kind) {
+                    canvas.polygon(&piece.spots(), paint, Some(FACE_EDGE));
+                }
+            }
+            for piece in &here {
+                self.line(canvas, piece);
+            }
+            let mut curves: Vec<usize> =
+                (0..self.curves.len()).filter(|&i| self.curves[i].layer == layer).collect();
+            curves.sort_by(|&a, &b| depth(&self.curves[b].course).total_cmp(&depth(&self.curves[a].course)));
+            for index in curves {
+                self.curve(canvas, index, &flowing, headed.contains(&index));
+            }
+            for (spot, mark) in self.points.iter().filter(|(_, mark)| mark.layer == layer) {
+                // Beyond the wall no orbit of the full system comes.
+                let paint = if mark.x > 0.0 { OPEN_SPOT } else { SPOT };
+                canvas.disc(*spot, SPOT_RADIUS, paint, Some(SPOT_RIM));
+            }
+        }
+    }
+
+    /// A line on a surface; an axis ends in a head where its last piece does.
+    fn line(&self, canvas: &Canvas, piece: &Piece<SurfaceKind>) {
+        match piece.kind {
+            SurfaceKind::Tangency => canvas.line(&piece.spots(), TANGENCY),
+            SurfaceKind::Circle => canvas.line(&piece.spots(), CIRCLE),
+            kind if axis(kind).is_none() => {}
+            _ if last_of(&self.surfaces, piece) => arrow(canvas, &piece.spots(), 0.0, SPACE_AXIS),
+            _ => canvas.line(&piece.spots(), SPACE_AXIS),
+        }
+    }
+
+    fn curve(&self, canvas: &Canvas, index: usize, flowing: &[&Course], headed: bool) {
+        let piece = &self.curves[index];
+        let pen = pen(piece.kind);
+        if !flows(piece.kind) {
+            let spots = piece.spots();
+            return if last_of(&self.curves, piece) {
+                arrow(canvas, &spots, SPOT_RADIUS + 0.8, pen)
+            } else {
+                canvas.line(&spots, pen)
+            };
+        }
+        for part in interrupted(&piece.course, flowing) {
+            canvas.line(&part, pen);
+        }
+        if headed {
+            let spots = piece.spots();
+            let places: &[f64] = if length(&spots) > TWO_HEADS { &[0.3, 0.72] } else { &[0.58] };
+            places.iter().for_each(|share| head_on(canvas, &spots, *share, pen));
+        }
+    }
+
+    /// The longest piece of each curve in the order of the curves, among those that are wanted.
+    fn longest(&self, wanted: impl Fn(&Piece<CurveKind>) -> bool) -> Vec<usize> {
+        let mut longest: Vec<usize> = Vec::new();
+        for index in (0..self.curves.len()).filter(|&index| wanted(&self.curves[index])) {
+            let piece = &self.curves[index];
+            match longest.iter_mut().find(|other| self.curves[**other].number == piece.number) {
+                Some(other) if self.curves[*other].length() < piece.length() => *other = index,
+                Some(_) => {}
+                None => longest.push(index),
+            }
+        }
+        longest
+    }
+
+    /// Of each curve the longest piece, if it is long enough for a head that shows the direction of time, and every very
+    /// long one.
+    fn headed(&self) -> Vec<usize> {
+        let long = |least: f64| move |piece: &Piece<CurveKind>| flows(piece.kind) && piece.length() >= least;
+        let mut headed = self.longest(long(HEADED_LENGTH));
+        headed.extend((0..self.curves.len()).filter(|&index| long(OWN_HEAD)(&self.curves[index])));
+        headed
+    }
+
+    /// Labels for this scene, kept off its curves, lines and points; the axes are named already.
+    fn labels<'c>(&self, canvas: &'c Canvas) -> Result<Labels<'c>, DrawingError> {
+        let mut labels = Labels::new(canvas, canvas.sheet().grown(-1.0));
+        for piece in &self.curves {
+            labels.placer.keep_off(&piece.spots());
+        }
+        for piece in &self.surfaces {
+            let mut spots = piece.spots();
+            if face(piece.kind).is_some() {
+                spots.extend(spots.first().copied());
+            }
+            labels.placer.keep_off(&spots);
+        }
+        for (spot, _) in &self.points {
+            // A box inside the disc, so that a leader may reach the disc's rim from any side.
+            labels.placer.block(Bounds::about(*spot, 1.6 * SPOT_RADIUS, 1.6 * SPOT_RADIUS));
+        }
+        for piece in &self.surfaces {
+            if let (Some(name), true) = (axis(piece.kind), last_of(&self.surfaces, piece)) {
+                let spots = piece.spots();
+                if let Some(&tip) = spots.last() {
+                    labels.add(name, TITLE_SIZE, BLACK, &Site::Around(tip, 2.0))?;
+                }
+            }
+        }
+        Ok(labels)
+    }
+}
+
+/// Curves shorter than this (points) get no head.
+const HEADED_LENGTH: f64 = 24.0;
+/// Pieces longer than this get one in any case.
+const OWN_HEAD: f64 = 130.0;
+/// Pieces longer than this get two.
+const TWO_HEADS: f64 = 240.0;
+
+/// True if no later piece belongs to the same curve.
+fn last_of<K>(pieces: &[Piece<K>], piece: &Piece<K>) -> bool {
+    pieces
+        .iter()
+        .rev()
+        .find(|other| other.number == piece.number)
+        .is_some_and(|last| std::ptr::eq(last, piece))
+}
+
+/// Mean distance from the viewer.
+fn depth(course: &Course) -> f64 {
+    course.iter().map(|point| point[2]).sum::<f64>() / course.len() as f64
+}
+
+fn pieces<K: Copy>(vertices: &[Vertex<K>], on_sheet: impl Fn([f64; 3]) -> [f64; 3]) -> Vec<Piece<K>> {
+    let pieces = vertices.chunk_by(|a, b| (a.number, a.piece) == (b.number, b.piece));
+    let piece = |vertices: &[Vertex<K>]| {
+        let Vertex { kind, number, layer, .. } = vertices[0];
+        Piece { kind, number, layer, course: vertices.iter().map(|vertex| on_sheet(vertex.place)).collect() }
+    };
+    pieces.map(piece).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+    use crate::figures::space::{FIG01, FIG03, FIG09};
+    use crate::ink::svg::fill;
+    use crate::tests::samples::{WIDTHS, study};
+
+    #[test]
+    fn everything_is_named_at_every_width() {
+        let study = study();
+        for (sheet, scene) in [(FIG01, study.fig01()), (FIG03, study.fig03()), (FIG09, study.fig09())] {
+            let scene = scene.unwrap();
+            let marks = scene.points.iter().filter_map(sheet.mark);
+            let names = sheet.names.iter().map(|(_, name, ..)| (*name).to_owned());
+            let axes = ["$x$", "$y$", "$z$"].map(str::to_owned);
+            let wanted: BTreeSet<String> = marks.chain(names).chain(axes).collect();
+            for width in WIDTHS {
+                let found = sheet.compose(&scene, width).unwrap().texts();
+                assert_eq!(BTreeSet::from_iter(found), wanted, "{} {width:?}", sheet.name);
+            }
+        }
+    }
+
+    #[test]
+    fn orbits_are_solid_and_only_the_reset_law_is_dashed() {
+        let sample = study().fig01().unwrap();
+        let svg = FIG01.draw(&sample, SheetWidth::Paper).unwrap();
+        let resets = sample.curves.iter().filter(|vertex| vertex.kind == CurveKind::Reset);
+        let resets: BTreeSet<u32> = resets.map(|vertex| vertex.number).collect();
+        assert_eq!(svg.matches("stroke-dasharray").count(), resets.len());
+    }
+
+    #[test]
+    fn what_lies_beyond_the_wall_is_painted_before_the_wall() {
+        let svg = FIG09.draw(&study().fig09().unwrap(), SheetWidth::Paper).unwrap();
+        let wall = svg.rfind(&fill(INCOMING_FACE)).expect("the incoming set is painted");
+        let dashed = "stroke-dasharray=\"3 2\"";
+        assert!(svg.matches(dashed).count() >= 3, "three virtual parts");
+        assert!(svg.rfind(dashed).is_some_and(|last| last < wall));
+        assert!(svg.rfind(&fill(SECTION_FACE)).is_some_and(|front| wall < front));
+    }
+
+    #[test]
+    fn a_missing_coordinate_is_an_error() {
+        let mut sample = study().fig01().unwrap();
+        sample.curves[3].place[1] = f64::NAN;
+        let error = FIG01.draw(&sample, SheetWidth::Paper).unwrap_err();
+        assert!(error.to_string().contains("range of fig01"), "{error}");
+    }
+}

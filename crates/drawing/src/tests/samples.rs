@@ -1,0 +1,37 @@
+//! What `figures/parameters.toml` gives, for the tests of figures whose labels have to find room in one particular picture.
+
+use std::path::Path;
+
+use grazing_reproduction::Study;
+use grazing_reproduction::parameters::Parameters;
+use grazing_results::Frame;
+use grazing_results::branches::OneParameter;
+
+use crate::ink::style::SheetWidth;
+
+/// All widths.
+pub(crate) const WIDTHS: [SheetWidth; 3] = [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns];
+
+pub(crate) fn study() -> Study {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../figures/parameters.toml");
+    Study::new(&Parameters::from_file(&file, &[]).unwrap())
+}
+
+/// A one-parameter diagram with nothing in it.
+pub(crate) fn empty(frame: Frame) -> OneParameter {
+    OneParameter {
+        diagram: 1,
+        primary_is_fixed: false,
+        at: 0.854,
+        frame,
+        magnified: None,
+        from_the_wall: false,
+        branches: Vec::new(),
+        bifurcations: Vec::new(),
+        attractor: Vec::new(),
+        portraits: Vec::new(),
+        resting: None,
+        broken: Vec::new(),
+        notes: Vec::new(),
+    }
+}

@@ -1,0 +1,190 @@
+//! What the page is without a mouse, without light, without motion, and to those who hear it; and that an address holds all of it.
+
+use std::collections::BTreeSet;
+
+use serde_json::{Value, json};
+
+use super::chromium::{Browser, SHIFT, saved};
+use super::overlay::DONE;
+use super::places::CUT;
+use super::{DESK, PHONE, PLACE, Running, WHOLE, numbers, plane_key, state};
+
+/// Roles that people act on, or are told of.
+const NAMED: [&str; 12] = [
+    "button",
+    "checkbox",
+    "combobox",
+    "slider",
+    "textbox",
+    "spinbutton",
+    "link",
+    "image",
+    "img",
+    "application",
+    "dialog",
+    "progressbar",
+];
+
+/// Every control that is seen has a name.
+fn assert_all_named(page: &mut Browser) -> usize {
+    let told = page.told();
+    let controls: Vec<_> = told.iter().filter(|[role, ..]| NAMED.contains(&role.as_str())).collect();
+    for [role, name, value] in &controls {
+        assert!(!name.trim().is_empty(), "a {role} of value {value:?} has no name");
+    }
+    controls.len()
+}
+
+#[test]
+fn every_control_has_a_name_and_is_reached_by_keys_in_order() {
+    let server = Running::new();
+    let Some(mut page) = server.open(DESK) else { return };
+    plane_key(&mut page, "h");
+    page.press("k");
+    page.press("ArrowLeft");
+    page.press("o");
+    // Nothing is to come any more that has controls of its own.
+    for rest in [WHOLE, PLACE, CUT, DONE] {
+        page.wait(rest);
+    }
+    let controls = assert_all_named(&mut page);
+    assert!(controls > 30, "{controls}");
+    // All that can be pressed or filled in gets the focus by tab alone, once each and from top to bottom.
+    let controls = "[...document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex=\"0\"]')]\
+                    .filter((e) => e.checkVisibility({visibilityProperty: true}) && !e.disabled)";
+    page.value(&format!("{controls}.forEach((e, k) => {{ e.dataset.count = k; }})"));
+    let count = page.value(&format!("{controls}.length")).as_u64().unwrap();
+    page.value("(document.activeElement.blur(), document.querySelector('.skip').focus())");
+    let mut seen = BTreeSet::from([0]);
+    for _ in 0..count + 5 {
+        page.press("Tab");
+        let here = page.value("(() => { const e = document.activeElement; return [e.dataset.count ?? -1, e.matches(':focus-visible')].map(Number); })()");
+        let [at, visible] = numbers(&here)[..] else { panic!("{here}") };
+        if at >= 0.0 {
+            assert_eq!(visible, 1.0, "the focus is not seen at {at}");
+            seen.insert(at as u64);
+        }
+    }
+    let missed: Vec<u64> = (0..count).filter(|at| !seen.contains(at)).collect();
+    let names = page.value(&format!(
+        "{missed:?}.map((k) => document.querySelector(`[data-count=\"${{k}}\"]`).outerHTML.slice(0, 120))"
+    ));
+    assert!(missed.is_empty(), "{names}");
+    page.press_with("Tab", SHIFT);
+    // Dialogs hold the focus, and give it back.
+    plane_key(&mut page, "?");
+    page.wait("document.getElementById('help').open");
+    assert_all_named(&mut page);
+    page.press("Escape");
+    page.wait("!document.getElementById('help').open && document.activeElement.id === 'plane'");
+    page.press("s");
+    page.wait("document.getElementById('share').open");
+    assert!(assert_all_named(&mut page) > 8);
+    page.press("Escape");
+    page.press("e");
+    page.wait("!document.getElementById('editor').hidden");
+    assert_all_named(&mut page);
+}
+
+#[test]
+fn light_and_dark_follow_the_system_and_the_button() {
+    let server = Running::new();
+    let Some(mut page) = server.open(DESK) else { return };
+    let brightness = "(() => { const c = document.getElementById('plane'), d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data; \
+                      let [sum, n] = [0, 0]; for (let i = 0; i < d.length; i += 4) if (d[i + 3] === 255) { sum += d[i] + d[i + 1] + d[i + 2]; n += 3; } return sum / n; })()";
+    let background = "getComputedStyle(document.body).backgroundColor";
+    let (light, paper) = (page.value(brightness).as_f64().unwrap(), page.value(background));
+    page.prefer("prefers-color-scheme", "dark");
+    page.wait(&format!("document.documentElement.dataset.theme === 'dark' && {brightness} < 100"));
+    assert!(light > 150.0);
+    assert_ne!(page.value(background), paper);
+    // The inks of the curves stay apart from the paper.
+    let contrast = "use('palette').then(([q]) => { const l = (hex) => { const c = /#(..)(..)(..)/.exec(hex).slice(1).map((x) => parseInt(x, 16) / 255)\
+                    .map((v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)); return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }; \
+                    const ink = q.inks(), on = l(ink.paper); const ratio = (hex) => { const a = l(hex); return (Math.max(a, on) + 0.05) / (Math.min(a, on) + 0.05); }; \
+                    return [ink.ink, ink.muted, ...['SN', 'PD', 'GZ'].map(q.curveInk), ink.place, ink.kept].map(ratio); })";
+    assert!(numbers(&page.value(contrast)).iter().all(|ratio| *ratio > 4.0), "{}", page.value(contrast));
+    page.click("#theme", [0.0, 0.0]);
+    page.wait(&format!("document.documentElement.dataset.theme === 'light' && {brightness} > 150"));
+    assert!(numbers(&page.value(contrast)).iter().all(|ratio| *ratio > 4.0), "{}", page.value(contrast));
+}
+
+#[test]
+fn who_wants_no_motion_sees_none() {
+    let server = Running::new();
+    let Some(mut page) = server.open(PHONE) else { return };
+    page.prefer("prefers-reduced-motion", "reduce");
+    page.wait("matchMedia('(prefers-reduced-motion: reduce)').matches");
+    let moving = "[...document.querySelectorAll('*')].filter((e) => { const s = getComputedStyle(e); \
+                  return s.scrollBehavior === 'smooth' || s.animationName !== 'none' || parseFloat(s.transitionDuration) > 0; }).map((e) => e.outerHTML.slice(0, 80))";
+    assert_eq!(page.value(moving), json!([]));
+    plane_key(&mut page, "+");
+    page.wait(WHOLE);
+    assert_eq!(page.value("document.getAnimations().length"), 0);
+}
+
+#[test]
+fn an_address_brings_back_everything_that_was_seen() {
+    let server = Running::new();
+    let Some(mut page) = server.open(PHONE) else { return };
+    page.value("document.querySelector('#loops-list input[value=\"3\"]').click()");
+    page.value("document.getElementById('constant-zeta').focus()");
+    page.press("ArrowRight");
+    plane_key(&mut page, "+");
+    page.press("ArrowRight");
+    page.press("k");
+    for _ in 0..10 {
+        page.press("ArrowUp");
+    }
+    page.press("h");
+    page.press("o");
+    page.press("e");
+    let rests = "use('state', 'diagram', 'cut').then(([s, d, c]) => s.encode(s.get()) === location.hash && !d.isBusy() && !c.shown()?.old && \
+                 /places simulated;/.test(document.getElementById('tiles-status').textContent) && location.hash)";
+    let seen = page.wait(&format!("{PLACE}.then((told) => told && {rests})"));
+    let all = page.value("use('state').then(([s]) => s.get())");
+    for (name, empty) in [
+        ("set", json!({})),
+        ("loops", Value::Null),
+        ("view", Value::Null),
+        ("kept", Value::Null),
+        ("cut", Value::Null),
+    ] {
+        assert_ne!(all[name], empty, "{name}");
+    }
+    let pictures = "['plane', 'cut'].map((id) => document.getElementById(id).toDataURL())";
+    let words = "document.getElementById('places').innerText";
+    let (drawn, told) = (page.value(pictures), page.value(words));
+    drop(page);
+    let address = format!("{}{}", server.address, seen.as_str().unwrap());
+    let Some(mut other) = Browser::open(&address, PHONE) else { return };
+    other.wait(&format!("{PLACE}.then((told) => told && {rests})"));
+    assert_eq!(other.value("use('state').then(([s]) => s.get())"), all);
+    assert_eq!(other.value(words), told);
+    other.wait(&format!("JSON.stringify({pictures}) === JSON.stringify({drawn})"));
+    // What was cut short on the way is told, not guessed.
+    other.go(&address[..address.len() - 7]);
+    other.wait("!document.getElementById('warning').hidden");
+    assert_eq!(state(&mut other, "set"), json!({}));
+}
+
+#[test]
+fn on_a_phone_address_and_numbers_are_taken_home() {
+    let server = Running::new();
+    let Some(mut page) = server.open(PHONE) else { return };
+    let home = tempfile::tempdir().unwrap();
+    page.permit(home.path());
+    plane_key(&mut page, "+");
+    page.wait("use('state').then(([s]) => location.hash !== '' && s.encode(s.get()) === location.hash)");
+    page.click("[data-command=share]", [0.0, 0.0]);
+    page.note_words("copy-address");
+    page.click("#copy-address", [0.0, 0.0]);
+    page.wait("noted.includes('Copied')");
+    assert_eq!(page.value("navigator.clipboard.readText()"), page.value("location.href"));
+    page.click("[data-take='csv:points']", [0.0, 0.0]);
+    let stem = page.wait("use('model').then(([m]) => m.description.name)");
+    let stem = stem.as_str().unwrap().to_lowercase().replace(|c: char| !c.is_ascii_alphanumeric(), "-");
+    // The server of these tests hands back what it was asked for.
+    assert_eq!(saved(home.path(), &format!("{stem}-points.csv")), b"csv:fig07_points");
+    assert_eq!(page.value("document.documentElement.scrollWidth"), 360);
+}

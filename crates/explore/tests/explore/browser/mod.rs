@@ -1,0 +1,132 @@
+//! The page in a real browser: each of its abilities by mouse, by keys alone, and on a phone's screen.
+
+mod access;
+mod chromium;
+mod constants;
+mod crowd;
+mod file;
+mod film;
+mod load;
+mod overlay;
+mod places;
+mod plane;
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::{self, JoinHandle};
+use std::time::Duration;
+
+use self::chromium::Browser;
+use grazing_explore::{Example, Limits, Server, Sheet};
+use serde_json::Value;
+
+/// A window on a desk, and a phone's.
+const DESK: [u32; 2] = [1400, 900];
+const PHONE: [u32; 2] = [360, 740];
+/// Longer than any computation takes on a busy machine.
+const HOUR: Duration = Duration::from_secs(3600);
+
+/// A server with the paper's oscillator and a file.
+struct Running {
+    address: String,
+    ended: Arc<AtomicBool>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Running {
+    fn new() -> Self {
+        Self::with(Limits { time: HOUR, patience: HOUR, ..Limits::default() })
+    }
+
+    fn with(limits: Limits) -> Self {
+        let text = include_str!("../../../../../examples/duffing.toml").to_owned();
+        let examples = vec![
+            Example { name: "Paper".to_owned(), file: String::new(), text: None },
+            Example { name: "Duffing".to_owned(), file: "duffing.toml".to_owned(), text: Some(text) },
+        ];
+        let export = |_: &_, _: &_, what: &str, _: &str, _: &_| {
+            Ok(Sheet { name: "taken".to_owned(), kind: "text/csv", content: what.as_bytes().to_vec() })
+        };
+        let server = Server::bind(0, limits, examples, Box::new(export)).unwrap();
+        let address = server.address();
+        let ended = Arc::new(AtomicBool::new(false));
+        let asked = ended.clone();
+        let thread = thread::spawn(move || server.run(|| asked.load(Ordering::Relaxed), || false).unwrap());
+        Self { address, ended, thread: Some(thread) }
+    }
+
+    /// The page, once the paper's diagram is whole.
+    fn open(&self, window: [u32; 2]) -> Option<Browser> {
+        let mut page = Browser::open(&self.address, window)?;
+        page.wait(WHOLE);
+        Some(page)
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        self.ended.store(true, Ordering::Relaxed);
+        if let Some(thread) = self.thread.take() {
+            thread.join().unwrap();
+        }
+    }
+}
+
+/// Nothing is to come any more: no timer runs, no answer is awaited, no frame is to be drawn.
+const QUIET: &str = "!document.documentElement.hasAttribute('data-busy')";
+/// The diagram is whole and nothing else is to come; what is said of it.
+const WHOLE: &str = "!document.documentElement.hasAttribute('data-busy') && /curves? and \\d+ points? in/.test(document.getElementById('progress-text').textContent) && \
+                     document.getElementById('progress-text').textContent";
+/// Diagrams that are asked for from now on stop coming once there are curves and there is something to be done, until `letGo()`.
+const HOLD: &str = "(() => { const held = new Promise((go) => (window.letGo = go)); const ask = window.fetch.bind(window); \
+                    window.fetch = async (path, options) => { const answer = await ask(path, options); if (path !== './diagram') return answer; \
+                    let [rest, curves] = ['', false]; const [to, from] = [new TextEncoder(), new TextDecoder()]; \
+                    const gate = new TransformStream({ async transform(chunk, out) { const events = (rest + from.decode(chunk, {stream: true})).split('\\n\\n'); \
+                    rest = events.pop(); for (const event of events) { out.enqueue(to.encode(`${event}\\n\\n`)); curves ||= event.startsWith('event: curves'); \
+                    if (curves && /^event: progress/.test(event) && /\"all\":[1-9]/.test(event)) await held; } } }); \
+                    return new Response(answer.body.pipeThrough(gate), {status: answer.status}); }; })()";
+/// What is said of the place, once it is known and nothing else is to come.
+const PLACE: &str = "!document.documentElement.hasAttribute('data-busy') && use('state').then(([s]) => !document.querySelector('.place[aria-busy]') && \
+                     /\\d %/.test(document.getElementById('places').textContent) && s.get().place && \
+                     document.getElementById('places').textContent)";
+
+/// An entry of the page's state.
+fn state(page: &mut Browser, name: &str) -> Value {
+    page.value(&format!("use('state').then(([s]) => s.get().{name})"))
+}
+
+/// Numbers of the page's state.
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
+}
+
+/// Where on the screen a place of the plane is.
+fn spot(page: &mut Browser, [primary, secondary]: [f64; 2]) -> [f64; 2] {
+    page.value("document.getElementById('stage').scrollIntoView({block: 'nearest', behavior: 'instant'})");
+    page.point(&format!(
+        "use('plane', 'model', 'state').then(([p, m, s]) => {{ const b = document.getElementById('plane').getBoundingClientRect(); \
+         const [x, y] = p.project(m.viewOf(s.get()))([{primary}, {secondary}]); return [b.left + x, b.top + y]; }})"
+    ))
+}
+
+/// What is known of the curves that are continued: key, kind and points of each.
+const CURVES: &str = "use('diagram').then(([d]) => [...d.diagram.curves.values()].filter(({source}) => source !== 'quadratic')\
+                      .map(({key, kind, n, points}) => ({key, kind, n, points})).sort((a, b) => (a.key < b.key ? -1 : 1)))";
+
+/// The keys of these curves.
+fn keys(curves: &Value) -> Vec<&str> {
+    curves.as_array().unwrap().iter().map(|curve| curve["key"].as_str().unwrap()).collect()
+}
+
+/// Presses a key of the plane.
+fn plane_key(page: &mut Browser, key: &str) {
+    page.value("document.getElementById('plane').focus()");
+    page.press(key);
+}
+
+/// Chooses the file in the menu, which begins with the paper.
+fn choose_duffing(page: &mut Browser) {
+    page.value("document.getElementById('oscillator').focus()");
+    page.press("ArrowDown");
+    page.wait("/Duffing/.test(document.title)");
+}

@@ -1,0 +1,161 @@
+//! Places that are pointed at, and cuts through them.
+
+use serde_json::Value;
+
+use super::chromium::Browser;
+use super::{DESK, PHONE, PLACE, Running, WHOLE, numbers, plane_key, spot, state};
+
+/// The canvas has something drawn on it besides one colour.
+fn is_drawn(page: &mut Browser, selector: &str) {
+    page.wait(&format!(
+        "(() => {{ const c = document.querySelector({selector:?}); if (!c.width) return false; \
+         const d = new Uint32Array(c.getContext('2d').getImageData(0, 0, c.width, c.height).data.buffer); return new Set(d).size > 10; }})()"
+    ));
+}
+
+#[test]
+fn a_place_tells_what_motion_comes_to_and_follows_the_pointer() {
+    let server = Running::new();
+    let Some(mut page) = server.open(DESK) else { return };
+    // Far above grazing, at a high frequency, everything comes to a solution of one loop.
+    let busy = spot(&mut page, [0.9, 0.8]);
+    page.click_at(busy);
+    let place = page.wait(PLACE);
+    let place = place.as_str().unwrap();
+    assert!(place.contains("MPS, 1 loop") && place.contains("100 %") && place.contains("λ = "), "{place}");
+    for picture in ["time", "phase", "strikes"] {
+        is_drawn(&mut page, &format!("#places .place:not(.kept) .{picture}"));
+    }
+    // Every MPS has a line with its multipliers, and is drawn when its button is pressed.
+    let rows = page.value("[...document.querySelectorAll('#places .place:not(.kept) tbody tr')].map((row) => [...row.cells].map((cell) => cell.textContent))");
+    assert!(rows.as_array().unwrap().len() >= 2, "{rows}");
+    assert!(rows.as_array().unwrap().iter().all(|row| !row[2].as_str().unwrap().is_empty()), "{rows}");
+    // Below grazing nothing hits the wall; the ring is dragged there, and answers come on the way.
+    let quiet = spot(&mut page, [0.05, 0.8]);
+    let mut answers = 0;
+    page.drag([busy, quiet], 5, 0, |page| {
+        let at = state(page, "place");
+        page.wait(&format!(
+            "use('place').then(([p]) => JSON.stringify(p.shown('place')) === JSON.stringify({at}))"
+        ));
+        answers += 1;
+    });
+    assert_eq!(answers, 5);
+    page.wait(&format!("{PLACE}.then((told) => /No impacts/.test(told) && !/MPS, 1 loop/.test(told))"));
+    let [primary, secondary] = numbers(&state(&mut page, "place"))[..] else { panic!("two numbers") };
+    assert!((primary - 0.05).abs() < 0.01 && (secondary - 0.8).abs() < 0.01);
+}
+
+#[test]
+fn two_places_stand_side_by_side_by_keys_alone() {
+    let server = Running::new();
+    let Some(mut page) = server.open(DESK) else { return };
+    plane_key(&mut page, "ArrowRight");
+    page.wait(PLACE);
+    let first = state(&mut page, "place");
+    page.press("k");
+    for _ in 0..20 {
+        page.press("ArrowLeft");
+    }
+    page.wait(&format!("document.querySelectorAll('#places .place:not([hidden])').length === 2 && {PLACE}"));
+    assert_eq!(state(&mut page, "kept"), first);
+    assert_ne!(state(&mut page, "place"), first);
+    // One beside the other where there is room.
+    let boxes = page.value("[...document.querySelectorAll('#places .place')].map((e) => e.getBoundingClientRect()).map(({left, top}) => [left, top])");
+    assert!(boxes[0] != boxes[1], "{boxes}");
+    is_drawn(&mut page, "#places .kept .phase");
+    // What was found is said to those who do not see it.
+    page.wait("/^At /.test(document.getElementById('announce').textContent)");
+    page.value("document.querySelector('.kept header button').focus()");
+    page.press("Enter");
+    assert_eq!(state(&mut page, "kept"), Value::Null);
+}
+
+#[test]
+fn on_a_phone_a_finger_points_and_drags_the_ring() {
+    let server = Running::new();
+    let Some(mut page) = server.open(PHONE) else { return };
+    let at = spot(&mut page, [0.5, 0.8]);
+    page.touch([at, at], 0);
+    page.wait(PLACE);
+    let first = numbers(&state(&mut page, "place"));
+    let [x, y] = page.middle("#handle");
+    page.touch([[x, y], [x + 60.0, y - 20.0]], 4);
+    let second = numbers(&state(&mut page, "place"));
+    assert!(second[0] > first[0] && second[1] > first[1], "{first:?} {second:?}");
+    page.wait(PLACE);
+    assert_eq!(page.value("document.documentElement.scrollWidth"), 360);
+    page.click("[data-command=horizontal]", [0.0, 0.0]);
+    page.wait(CUT);
+    assert_eq!(page.value("document.documentElement.scrollWidth"), 360);
+}
+
+/// The cut is there, its simulation as well, and nothing else is to come.
+pub(crate) const CUT: &str = "!document.documentElement.hasAttribute('data-busy') && !document.getElementById('cut-panel').hidden && document.getElementById('cut-message').hidden && \
+                   !document.getElementById('cut').hasAttribute('aria-busy') && \
+                   use('cut').then(([c]) => c.shown()?.dots.length > 0 && c.shown().strands.length > 0 && !c.shown().old)";
+
+/// Where in the cut a value of its parameter is.
+fn across(page: &mut Browser, share: f64) -> [f64; 2] {
+    let [_, y] = page.middle("#cut");
+    let [left, right] = page.point(
+        "use('plane').then(([p]) => { const b = document.getElementById('cut').getBoundingClientRect(), m = p.margins(b.width); \
+         return [b.left + m.left, b.right - m.right]; })",
+    );
+    [left + share * (right - left), y]
+}
+
+#[test]
+fn a_cut_and_the_plane_point_at_each_other() {
+    let server = Running::new();
+    let Some(mut page) = server.open(DESK) else { return };
+    let at = spot(&mut page, [0.4, 0.8]);
+    page.click_at(at);
+    page.click("[data-command=horizontal]", [0.0, 0.0]);
+    page.wait(CUT);
+    is_drawn(&mut page, "#cut");
+    // The pointer in the cut is shown in the plane, and a click moves the place along the line.
+    let half = across(&mut page, 0.5);
+    page.hover(half);
+    let pointer = page.wait("use('plane').then(([p]) => p.shown.pointer)").as_f64().unwrap();
+    assert!((pointer - 0.6).abs() < 0.01, "{pointer}");
+    page.click_at(half);
+    let moved = numbers(&state(&mut page, "place"));
+    assert!((moved[0] - 0.6).abs() < 0.01 && (moved[1] - 0.8).abs() < 0.01, "{moved:?}");
+    // The place in the plane moves the line of the cut.
+    let asked = "use('cut').then(([c]) => c.shown().at)";
+    assert_eq!(page.value(asked).as_f64(), Some(moved[1]));
+    let [x, y] = spot(&mut page, [moved[0], moved[1]]);
+    page.drag([[x, y], [x, y + 40.0]], 3, 0, |_| ());
+    page.wait(&format!("{CUT}.then((there) => there && use('cut', 'state')).then((both) => both && both[0].shown().at === both[1].get().place[1])"));
+    assert!(page.value(asked).as_f64() < Some(moved[1]));
+}
+
+#[test]
+fn cuts_are_made_and_walked_along_by_keys() {
+    let server = Running::new();
+    let Some(mut page) = server.open(DESK) else { return };
+    // Along the frequency motion is integrated: one number of loops is enough here.
+    for loops in [2, 3] {
+        page.value(&format!("document.querySelector('#loops-list input[value=\"{loops}\"]').click()"));
+    }
+    plane_key(&mut page, "v");
+    page.wait(CUT);
+    assert_eq!(
+        page.value("document.querySelector('[data-command=vertical]').getAttribute('aria-pressed')"),
+        "true"
+    );
+    let before = numbers(&state(&mut page, "place"));
+    page.value("document.getElementById('cut').focus()");
+    let said = page.value("document.getElementById('cut').getAttribute('aria-valuetext')");
+    page.press("ArrowRight");
+    let after = numbers(&state(&mut page, "place"));
+    assert!(after[0] == before[0] && after[1] > before[1], "{before:?} {after:?}");
+    page.wait(&format!("document.getElementById('cut').getAttribute('aria-valuetext') !== {said}"));
+    plane_key(&mut page, "h");
+    page.wait(CUT);
+    assert_eq!(state(&mut page, "cut"), "secondary");
+    plane_key(&mut page, "h");
+    assert_eq!(page.value("document.getElementById('cut-panel').hidden"), true);
+    page.wait(WHOLE);
+}

@@ -1,0 +1,142 @@
+//! The plane as it grows, as it is zoomed, and as it is stopped.
+
+use serde_json::Value;
+
+use super::chromium::{Browser, CONTROL, SHIFT};
+use super::{
+    CURVES, DESK, HOLD, PHONE, QUIET, Running, WHOLE, choose_duffing, keys, numbers, plane_key, spot, state,
+};
+
+/// Curves are there, and the computation goes on.
+const GROWS: &str = "use('diagram').then(([d]) => d.isBusy() && d.diagram.curves.size > 0 && d.diagram.regions.length === 0 && \
+                     !document.getElementById('stop').hidden && !document.getElementById('progress').hidden && \
+                     / \\d+ of \\d+$/.test(document.getElementById('progress-text').textContent))";
+const STOPPED: &str = "use('diagram').then(([d]) => /^Stopped/.test(document.getElementById('progress-text').textContent) && !d.isBusy())";
+
+#[test]
+fn curves_come_before_the_end_and_the_end_can_be_had_by_button_and_key() {
+    let server = Running::new();
+    let Some(mut page) = server.open(DESK) else { return };
+    page.value(HOLD);
+    choose_duffing(&mut page);
+    page.wait(GROWS);
+    page.click("#stop", [0.0, 0.0]);
+    page.wait(STOPPED);
+    // What was found stays; nothing more comes.
+    let found = page.value(CURVES);
+    assert!(!keys(&found).is_empty());
+    page.value("letGo()");
+    page.wait(QUIET);
+    let regions = page.value("use('diagram').then(([d]) => d.diagram.regions.length)");
+    assert_eq!((page.value(CURVES), regions), (found, Value::from(0)));
+    page.value(HOLD);
+    plane_key(&mut page, "+");
+    page.wait("use('diagram').then(([d]) => d.isBusy() && !document.getElementById('stop').hidden)");
+    plane_key(&mut page, "Escape");
+    page.wait(STOPPED);
+}
+
+#[test]
+fn zooming_by_wheel_box_and_drag_computes_anew_and_going_back_undoes_each() {
+    let server = Running::new();
+    let Some(mut page) = server.open(DESK) else { return };
+    let middle = page.middle("#plane");
+    let view = |page: &mut Browser| {
+        let view = state(page, "view");
+        [numbers(&view["primary"]), numbers(&view["secondary"])].concat()
+    };
+    // Of an address that follows once what is seen has come to rest.
+    let step =
+        "use('state').then(([s]) => s.encode(s.get()) === location.hash && (history.state?.step ?? 0))";
+    page.wheel(middle, -300.0);
+    page.wait(&format!("location.hash !== '' && {WHOLE}"));
+    let wheeled = view(&mut page);
+    let [from, to] = [[0.3, 0.6], [0.9, 0.9]].map(|place| spot(&mut page, place));
+    page.drag([from, to], 4, SHIFT, |_| ());
+    let boxed = view(&mut page);
+    for (edge, wanted) in boxed.iter().zip([0.3, 0.9, 0.6, 0.9]) {
+        assert!((edge - wanted).abs() < 0.01, "{boxed:?}");
+    }
+    page.wait(step);
+    page.drag([middle, [middle[0] + 80.0, middle[1]]], 3, CONTROL, |_| ());
+    let moved = view(&mut page);
+    assert!(moved[0] < boxed[0] && moved[2] == boxed[2], "{moved:?}");
+    page.wait(step);
+    page.click("[data-command=back]", [0.0, 0.0]);
+    page.wait(&format!("use('state').then(([s]) => s.get().view.primary[0] === {:?})", boxed[0]));
+    plane_key(&mut page, "[");
+    page.wait(&format!("use('state').then(([s]) => s.get().view.primary[0] === {:?})", wheeled[0]));
+    plane_key(&mut page, "]");
+    page.wait(&format!("use('state').then(([s]) => s.get().view.primary[0] === {:?})", boxed[0]));
+    page.wait(WHOLE);
+    page.click("[data-command=whole]", [0.0, 0.0]);
+    assert_eq!(state(&mut page, "view"), Value::Null);
+}
+
+#[test]
+fn zooming_goes_down_to_a_billionth_about_a_resonance() {
+    let server = Running::new();
+    let Some(mut page) = server.open(DESK) else { return };
+    page.click("#resonances summary", [0.0, 0.0]);
+    page.click("#resonances tbody button", [0.0, 0.0]);
+    page.wait(&format!("location.hash !== '' && {WHOLE}"));
+    // A part of the plane has the approximations beside the curves that they approximate, in dashes.
+    assert_eq!(page.value("document.getElementById('quadratic').hidden"), false);
+    let near = "use('diagram', 'model', 'state').then(([d, m, s]) => { const {primary: [a, b], secondary: [c, e]} = m.viewOf(s.get()); \
+                const centre = [(a + b) / 2, (c + e) / 2]; const all = [...d.diagram.curves.values()]; \
+                const gap = (curve) => Math.min(...curve.points.map(([p, q]) => Math.hypot((p - centre[0]) / (b - a), (q - centre[1]) / (e - c)))); \
+                return all.filter(({source}) => source === 'quadratic').map((one) => [one.kind, gap(one), \
+                gap(all.find(({key}) => `${key} quadratic` === one.key) ?? {points: []})]); })";
+    let found = page.value(near);
+    let close =
+        |pair: &&Value| pair[1].as_f64().unwrap() < 0.02 && pair[2].as_f64().is_some_and(|gap| gap < 0.05);
+    let kinds: Vec<&str> =
+        found.as_array().unwrap().iter().filter(close).map(|pair| pair[0].as_str().unwrap()).collect();
+    assert!(kinds.contains(&"SN") && kinds.contains(&"PD"), "{found}");
+    for _ in 0..45 {
+        plane_key(&mut page, "+");
+    }
+    page.wait(&format!("use('diagram').then(([d]) => !d.isBusy()).then((rests) => rests && {WHOLE})"));
+    let ranges = "use('model', 'state').then(([m, s]) => ['primary', 'secondary'].map((axis) => m.viewOf(s.get())[axis]))";
+    let width = page.value(&format!("{ranges}.then((both) => both.map(([low, high]) => high - low))"));
+    assert!(numbers(&width).iter().all(|width| (1e-10..1e-9).contains(width)), "{width}");
+    // Ticks tell places apart: an offset in the title, and numbers of a few digits that differ.
+    let labels = page.value(&format!(
+        "use('axes').then(([a]) => {ranges}.then((both) => both.map((range) => {{ const {{found, offset}} = a.ticks(range, 8); \
+         return [offset !== null, ...found.map(({{label}}) => label).filter((label) => label !== null)]; }})))"
+    ));
+    for axis in labels.as_array().unwrap() {
+        let [offset, labels @ ..] = axis.as_array().unwrap().as_slice() else { panic!("{axis}") };
+        assert!(offset == true && labels.len() >= 3, "{axis}");
+        assert!(labels.iter().all(|label| label.as_str().unwrap().len() <= 6), "{axis}");
+        assert!(labels.windows(2).all(|pair| pair[0] != pair[1]), "{axis}");
+    }
+    // The resonance is still there, and the grazing curve passes through it.
+    let graz = "use('diagram', 'plane').then(([d, p]) => [d.diagram.points.filter(({kind}) => kind === 'resonance').length, \
+                p.runs.filter(({curve}) => curve.kind === 'graz').length])";
+    assert!(numbers(&page.value(graz)).iter().all(|count| *count >= 1.0));
+}
+
+#[test]
+fn on_a_phone_the_plane_is_pinched_and_nothing_is_wider_than_the_screen() {
+    let server = Running::new();
+    let Some(mut page) = server.open(PHONE) else { return };
+    assert_eq!(page.value("document.documentElement.scrollWidth"), 360);
+    let small = "[...document.querySelectorAll('button')].filter(b => b.offsetParent && Math.min(b.offsetWidth, \
+                 b.offsetHeight) < 24).length";
+    assert_eq!(page.value(small), 0);
+    let [x, y] = page.middle("#plane");
+    let fingers = |apart: f64| [[x - apart, y], [x + apart, y]];
+    page.fingers(&[fingers(40.0), fingers(60.0), fingers(80.0)]);
+    let view = state(&mut page, "view");
+    let [low, high] = [0, 1].map(|end| view["primary"][end].as_f64().unwrap());
+    // Fingers twice as far apart show half as much.
+    assert!((high - low - 0.65).abs() < 0.07, "{view}");
+    page.wait(&format!("location.hash !== '' && {WHOLE}"));
+    // A box is drawn with a finger once its button is pressed.
+    page.click("[data-command=box]", [0.0, 0.0]);
+    let [x, y] = page.middle("#plane");
+    page.touch([[x - 60.0, y - 60.0], [x + 60.0, y + 60.0]], 4);
+    assert_ne!(state(&mut page, "view"), view);
+    assert_eq!(page.value("document.documentElement.scrollWidth"), 360);
+}

@@ -1,0 +1,4 @@
+//! The server from outside, and the page in a browser.
+
+mod browser;
+mod server;

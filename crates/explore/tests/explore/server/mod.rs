@@ -1,0 +1,333 @@
+//! The server from outside: who is answered, what is sent, and what whoever means harm gets.
+
+mod running;
+
+use std::f64::consts::TAU;
+use std::io::{Read, Write};
+use std::net::TcpStream;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+use std::time::Duration;
+
+use self::running::{LIMITS, Running, events};
+use grazing_description::Description;
+use grazing_explore::Limits;
+use grazing_reproduction::plane;
+use grazing_reproduction::unfolded;
+use grazing_unfold::Diagram;
+use grazing_unfold::progress::Silent;
+use grazing_unfold::stop::Stop;
+use serde_json::{Value, json};
+
+fn whole_view() -> Value {
+    json!({"primary": [0.0, 1.3], "secondary": [0.35, 1.02]})
+}
+
+/// The Duffing oscillator in ranges with one resonance.
+fn narrow() -> (String, Value) {
+    let text = include_str!("../../../../../examples/duffing.toml").to_owned();
+    (text, json!({"primary": [0.2, 0.4], "secondary": [0.95, 1.0]}))
+}
+
+#[test]
+fn only_the_page_itself_is_answered() {
+    let server = Running::new(LIMITS);
+    let path = server.path.clone();
+    assert_eq!(server.get(&path), 200);
+    assert_eq!(server.get(&format!("{path}examples")), 200);
+    for other in [
+        "/",
+        "/examples",
+        &path.to_uppercase(),
+        &path[..path.len() - 2],
+        &format!("{path}../../etc/passwd"),
+        &format!("{path}..%2f..%2fetc%2fpasswd"),
+        &format!("{path}./Cargo.toml"),
+        &format!("{path}diagram"),
+    ] {
+        assert_eq!(server.get(other), 404, "{other}");
+    }
+    let with = |host: &str, more: &str| {
+        let request = format!("GET {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n{more}\r\n");
+        server.ask(request.as_bytes()).0
+    };
+    let own = server.address.to_string();
+    assert_eq!(with(&own, ""), 200);
+    assert_eq!(with("example.org", ""), 403);
+    assert_eq!(with(&own, "Origin: http://example.org\r\n"), 403);
+    assert_eq!(with(&own, "Sec-Fetch-Site: cross-site\r\n"), 403);
+    let (_, head, _) = server.ask(server.head("GET", &path, "").as_bytes());
+    for wanted in ["content-security-policy: default-src 'none';", "x-content-type-options: nosniff"] {
+        assert!(head.contains(wanted), "{head}");
+    }
+}
+
+#[test]
+fn requests_that_are_wrong_or_too_large_are_refused_with_a_reason() {
+    let server = Running::new(LIMITS);
+    let refused = |name: &str, body: &str, status: u16| {
+        let (found, told) = server.post(name, body);
+        assert_eq!(found, status, "{name}: {told}");
+        let told: Value = told.parse().unwrap();
+        assert!(told["message"].as_str().is_some_and(|message| !message.is_empty()));
+    };
+    refused("check", "", 400);
+    refused("check", "{\"text\": 1}", 400);
+    refused("place", "{\"model\": {\"text\": null}, \"at\": [0.1]}", 400);
+    refused("place", "{\"model\": {\"text\": \"name = 1\"}, \"at\": [0.1, 0.2]}", 422);
+    refused("place", "{\"model\": {\"text\": null}, \"at\": [null, 0.2]}", 400);
+    refused("check", &format!("{{\"text\": \"{}\"}}", "a".repeat(LIMITS.body)), 413);
+    refused("nothing", "{}", 404);
+    refused(
+        "export",
+        &json!({"model": {"text": null}, "view": whole_view(), "what": "exe"}).to_string(),
+        422,
+    );
+    let tiles =
+        json!({"model": {"text": null}, "view": whole_view(), "columns": 100_000, "rows": 9, "periods": 9});
+    let (status, told) = server.post("tiles", &tiles.to_string());
+    assert!(status == 200 && events(&told, "error").len() == 1, "{told}");
+    // A hundred megabytes are not waited for.
+    let head = server.head(
+        "POST",
+        &format!("{}check", server.path),
+        "Content-Type: application/json\r\nContent-Length: 100000000\r\n",
+    );
+    assert!([0, 413].contains(&server.ask(&[head.as_bytes(), &vec![b' '; 10_000_000]].concat()).0));
+    // A form of a foreign page can send text, but not this type.
+    let form = server.head(
+        "POST",
+        &format!("{}check", server.path),
+        "Content-Type: text/plain\r\nContent-Length: 2\r\n",
+    );
+    assert_eq!(server.ask(format!("{form}{{}}").as_bytes()).0, 415);
+    // Some of this is the beginning of a request, which is not waited for for ever.
+    let server = Running::new(Limits { patience: Duration::from_millis(500), ..LIMITS });
+    for garbage in ["\r\n\r\n", "GET\r\n\r\n", "\u{0}\u{1}\u{2}\r\n\r\n", "GET / HTTP/9.9\r\n\r\n"] {
+        assert!([0, 400, 505].contains(&server.ask(garbage.as_bytes()).0), "{garbage:?}");
+    }
+    // On a busy machine one that means well may be too slow to be heard, but not again and again.
+    assert!((0..100).any(|_| server.get(&server.path) == 200));
+}
+
+#[test]
+fn many_requests_and_connections_that_say_nothing_bring_nothing_down() {
+    let server = Running::new(Limits { patience: Duration::from_secs(2), ..LIMITS });
+    let silent: Vec<TcpStream> = (0..40).map(|_| server.connect()).collect();
+    let body = json!({"model": {"text": null}, "at": [0.3, 0.8], "states": 4}).to_string();
+    let (served, refused) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    thread::scope(|scope| {
+        for _ in 0..200 {
+            scope.spawn(|| match server.post("place", &body) {
+                (200, answer) => {
+                    assert!(answer.contains("\"attractors\""));
+                    served.fetch_add(1, Ordering::Relaxed);
+                }
+                (0 | 503, _) => drop(refused.fetch_add(1, Ordering::Relaxed)),
+                (status, answer) => panic!("{status}: {answer}"),
+            });
+        }
+    });
+    let (served, refused) = (served.into_inner(), refused.into_inner());
+    assert!(served + refused == 200 && served > 0, "{served} {refused}");
+    // What says nothing is closed after a while.
+    for mut stream in silent {
+        assert_eq!(stream.read(&mut [0; 1]).unwrap_or(0), 0);
+    }
+    // On a busy machine one that means well may be too slow to be heard, but not again and again.
+    assert!((0..100).any(|_| server.post("place", &body).0 == 200));
+}
+
+#[test]
+fn what_nobody_waits_for_makes_room_and_lets_the_server_end() {
+    let server = Running::new(Limits { computations: 1, ..LIMITS });
+    let (text, _) = narrow();
+    let long = json!({"model": {"text": text}, "view": {"primary": [0.0, 1.5], "secondary": [0.4, 1.1]},
+                      "columns": 1000, "rows": 1000, "periods": 5000})
+    .to_string();
+    let more = format!("Content-Type: application/json\r\nContent-Length: {}\r\n", long.len());
+    let request = format!("{}{long}", server.head("POST", &format!("{}tiles", server.path), &more));
+    // It would take hours.
+    let begun = || {
+        let mut stream = server.connect();
+        stream.write_all(request.as_bytes()).unwrap();
+        let mut first = [0; 64];
+        assert!(stream.read(&mut first).unwrap() > 0);
+        stream
+    };
+    drop(begun());
+    let body = json!({"model": {"text": null}, "at": [0.1, 0.8], "states": 2}).to_string();
+    assert_eq!(server.post("place", &body).0, 200);
+    let _waited_for = begun();
+    drop(server);
+}
+
+#[test]
+fn a_process_that_grows_too_large_ends_what_it_computes_and_goes_on() {
+    let server = Running::with_memory(LIMITS, || true);
+    let (text, _) = narrow();
+    let view = json!({"primary": [0.0, 1.5], "secondary": [0.4, 1.1]});
+    let asked =
+        json!({"model": {"text": text}, "view": view, "columns": 1000, "rows": 1000, "periods": 5000});
+    let (status, stream) = server.post("tiles", &asked.to_string());
+    assert_eq!((status, events(&stream, "error").len(), events(&stream, "done").len()), (200, 1, 0));
+    assert_eq!(server.get(&server.path), 200);
+}
+
+#[test]
+fn the_diagram_has_the_numbers_that_unfold_writes() {
+    let server = Running::new(LIMITS);
+    let (text, view) = narrow();
+    let asked = json!({"model": {"text": text, "set": {"kappa": 0.11}, "loops": [3]}, "view": view});
+    let (status, stream) = server.post("diagram", &asked.to_string());
+    assert_eq!((status, events(&stream, "done").len()), (200, 1), "{stream}");
+
+    let settings = ["parameters.kappa=0.11", "primary.range=[0.2, 0.4]", "secondary.range=[0.95, 1.0]"];
+    let settings: Vec<_> = settings.iter().map(|setting| setting.parse().unwrap()).collect();
+    let text = text.split("[[diagrams]]").next().unwrap();
+    let text = grazing_source::Text::new(text, &settings);
+    let description = Description::parse_with(&text, "test").unwrap().with_loops(&[3]).unwrap();
+    let axes = unfolded::axes(&description);
+    let (oscillator, scope) = unfolded::prepared(&description, &axes.units, &Stop::default());
+    let diagram = Diagram::compute(&oscillator, &scope, &Silent).unwrap();
+    let wanted: Vec<[f64; 2]> =
+        plane::curves(&axes, &diagram).iter().map(|row| [row.primary, row.secondary]).collect();
+    // First as they come, then all of them, then approximations to them.
+    let sent = events(&stream, "curves");
+    let all = &sent[sent.len() - 2];
+    let curves = all.as_array().unwrap().iter().flat_map(|curve| curve["points"].as_array().unwrap());
+    let found: Vec<[f64; 2]> =
+        curves.map(|point| [0, 1].map(|index| point[index].as_f64().unwrap())).collect();
+    assert!(found == wanted, "the points differ");
+    let vertices = plane::regions(&axes, &diagram.regions).len();
+    let regions = &events(&stream, "regions")[0];
+    let rings = regions.as_array().unwrap().iter().flat_map(|region| region["rings"].as_array().unwrap());
+    assert_eq!(rings.map(|ring| ring.as_array().unwrap().len()).sum::<usize>(), vertices);
+    // What came first is in what came last, under the same keys.
+    let keys = |value: &Value| -> Vec<String> {
+        value.as_array().unwrap().iter().map(|curve| curve["key"].as_str().unwrap().to_owned()).collect()
+    };
+    let last = keys(all);
+    for early in &sent[..sent.len() - 2] {
+        assert!(keys(early).iter().all(|key| last.contains(key)), "{early}");
+    }
+}
+
+#[test]
+fn places_tell_solutions_and_what_random_states_come_to() {
+    let server = Running::new(LIMITS);
+    let at = |place: [f64; 2]| -> Value {
+        let (status, answer) =
+            server.post("place", &json!({"model": {"text": null}, "at": place}).to_string());
+        assert_eq!(status, 200, "{answer}");
+        answer.parse().unwrap()
+    };
+    // Below grazing everything comes to rest on the non-impacting solution, whose displacements shrink with the damping ratio.
+    let quiet = at([0.05, 0.8]);
+    let attractors = quiet["attractors"].as_array().unwrap();
+    assert_eq!((attractors.len(), attractors[0]["kind"].as_str()), (1, Some("non-impacting")));
+    assert!((attractors[0]["lyapunov"].as_f64().unwrap() + 0.02).abs() < 2e-3, "{}", attractors[0]);
+    // Solutions that are stable and admissible attract somebody, with their own impact.
+    let busy = at([0.9, 0.8]);
+    let solutions = busy["solutions"].as_array().unwrap();
+    let good = |solution: &&Value| {
+        solution["p"] != 0 && solution["stable"] == true && solution["admissible"] == true
+    };
+    let found: Vec<&Value> = solutions.iter().filter(good).collect();
+    assert!(!found.is_empty(), "{busy}");
+    let strikes: Vec<[f64; 2]> = busy["attractors"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .flat_map(|attractor| attractor["strikes"].as_array().unwrap())
+        .map(|strike| [0, 1].map(|index| strike[index].as_f64().unwrap()))
+        .collect();
+    for solution in found {
+        let [velocity, phase] = ["velocity", "phase"].map(|key| solution[key].as_f64().unwrap());
+        let close = |strike: &[f64; 2]| {
+            let turns = (strike[0] - phase) / TAU;
+            (strike[1] - velocity).abs() < 1e-3 && (turns - turns.round()).abs() < 1e-3
+        };
+        assert!(strikes.iter().any(close), "{solution}");
+    }
+}
+
+#[test]
+fn what_was_found_at_a_place_is_followed_to_the_next_one() {
+    let server = Running::new(LIMITS);
+    let (text, _) = narrow();
+    let at = |place: [f64; 2], nearby: &Value| -> Value {
+        let model = json!({"text": text, "loops": [1, 2]});
+        let body = json!({"model": model, "at": place, "states": 6, "nearby": nearby, "orbits": false});
+        let (status, answer) = server.post("place", &body.to_string());
+        assert_eq!(status, 200, "{answer}");
+        assert_eq!(answer, server.post("place", &body.to_string()).1);
+        answer.parse().unwrap()
+    };
+    let list = |value: &Value, name: &str| value[name].as_array().unwrap().clone();
+    let before = at([0.9, 0.9], &Value::Null);
+    let mps = |solution: &&Value| solution["p"] != 0;
+    let told = list(&before, "solutions");
+    let told = told.iter().filter(mps).map(|one| json!([one["p"], one["velocity"], one["phase"]]));
+    let attractors = list(&before, "attractors");
+    let attractors = attractors.iter().map(|one| json!([one["states"], one["state"]]));
+    let nearby = json!({"solutions": told.collect::<Vec<_>>(), "attractors": attractors.collect::<Vec<_>>()});
+    let place = [0.91, 0.905];
+    let (followed, looked_for) = (at(place, &nearby), at(place, &Value::Null));
+    assert_eq!((&followed["followed"], &looked_for["followed"]), (&json!(true), &json!(false)));
+    // All that is followed is there, to the digits to which solutions are located; and here nothing is new.
+    let velocities = |answer: &Value| -> Vec<f64> {
+        list(answer, "solutions").iter().filter(mps).map(|one| one["velocity"].as_f64().unwrap()).collect()
+    };
+    let (own, all) = (velocities(&followed), velocities(&looked_for));
+    assert_eq!(own.len(), all.len(), "{own:?} {all:?}");
+    assert!(
+        all.iter().all(|velocity| own.iter().any(|other| (velocity - other).abs() < 1e-9)),
+        "{own:?} {all:?}"
+    );
+    let kinds = |answer: &Value| -> Vec<Value> {
+        list(answer, "attractors").iter().map(|one| json!([one["kind"], one["periods"]])).collect()
+    };
+    assert_eq!(kinds(&followed), kinds(&looked_for));
+    let many = json!({"solutions": [], "attractors": vec![json!([1, [0, 0, 0]]); 300]});
+    let body = json!({"model": {"text": text}, "at": place, "nearby": many});
+    assert_eq!(server.post("place", &body.to_string()).0, 422);
+}
+
+#[test]
+fn a_cut_tells_its_branches_first_and_then_what_simulation_comes_to() {
+    let server = Running::new(LIMITS);
+    let cut = json!({"model": {"text": null}, "fixed": "secondary", "at": 0.8, "range": [0.1, 0.9]});
+    let (status, answer) = server.post("cut", &cut.to_string());
+    assert_eq!((status, events(&answer, "done").len()), (200, 1), "{answer}");
+    assert!(answer.find("event: branches") < answer.find("event: dots"));
+    let branches = &events(&answer, "branches")[0];
+    assert!(branches["strands"].as_array().is_some_and(|strands| strands.len() >= 2));
+    let grazing = branches["bifurcations"].as_array().unwrap().iter().filter(|found| found["kind"] == "graz");
+    assert_eq!(grazing.count(), 1);
+    let dots = &events(&answer, "dots")[0]["dots"];
+    assert!(dots.as_array().is_some_and(|dots| dots.len() > 160), "{dots}");
+    // A line at zero is one as any other, and one-parameter diagrams of the file are in nobody's way, wherever they stand in it.
+    let (text, _) = narrow();
+    let (before, diagrams) = text.split_once("[[diagrams]]").unwrap();
+    let (head, analysis) = before.split_once("[analysis]").unwrap();
+    let moved = format!("{head}[[diagrams]]{diagrams}\n[analysis]{analysis}");
+    let cut =
+        json!({"model": {"text": moved, "loops": [1]}, "fixed": "primary", "at": 0.0, "range": [0.9, 1.0]});
+    let (status, answer) = server.post("cut", &cut.to_string());
+    assert_eq!((status, events(&answer, "done").len()), (200, 1), "{answer}");
+}
+
+#[test]
+fn a_strand_of_a_cut_is_broken_where_a_visit_is_not_known() {
+    let server = Running::new(LIMITS);
+    // Loops of the paper's oscillator that gain and lose a maximum as its frequency changes.
+    let cut = json!({"model": {"text": null}, "fixed": "primary", "at": 0.6, "range": [0.3, 1.1]});
+    let (status, answer) = server.post("cut", &cut.to_string());
+    assert_eq!((status, events(&answer, "done").len()), (200, 1), "{answer}");
+    let branches = &events(&answer, "branches")[0];
+    let strands = branches["strands"].as_array().unwrap();
+    let numbers = strands.iter().flat_map(|strand| strand["points"].as_array().unwrap());
+    assert!(strands.len() > 5 && numbers.clone().count() > 500);
+    assert!(numbers.clone().all(|point| point[1].is_f64()), "a place without a number is drawn at zero");
+}

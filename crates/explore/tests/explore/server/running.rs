@@ -1,0 +1,121 @@
+//! A server, and asking it.
+
+use std::io::{Read, Write};
+use std::net::{SocketAddr, TcpStream};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::{self, JoinHandle};
+use std::time::Duration;
+
+use grazing_explore::{Example, Limits, Server, Sheet};
+use grazing_unfold::stop::Stop;
+use serde_json::Value;
+
+/// A server that runs until it is dropped.
+pub(crate) struct Running {
+    pub(crate) address: SocketAddr,
+    pub(crate) path: String,
+    ended: Arc<AtomicBool>,
+    thread: Option<JoinHandle<()>>,
+}
+
+/// Far beyond what anything takes on a busy machine: this ends what hangs.
+const BACKSTOP: Duration = Duration::from_secs(600);
+
+/// Small limits, so that they are met; but those of time, which a busy machine must not meet.
+pub(crate) const LIMITS: Limits = Limits {
+    connections: 64,
+    computations: 2,
+    body: 100_000,
+    patience: BACKSTOP,
+    time: Duration::from_secs(3600),
+    steps: 1_000_000_000,
+};
+
+impl Running {
+    pub(crate) fn new(limits: Limits) -> Self {
+        Self::with_memory(limits, || false)
+    }
+
+    pub(crate) fn with_memory(limits: Limits, too_large: impl Fn() -> bool + Send + 'static) -> Self {
+        let example = Example { name: "Paper".to_owned(), file: String::new(), text: None };
+        let export = |_: &_, _: &_, what: &str, _: &str, _: &Stop| match what {
+            "csv:a" => Ok(Sheet { name: "a.csv".to_owned(), kind: "text/csv", content: b"1\n".to_vec() }),
+            other => Err(format!("{other} is not made")),
+        };
+        let server = Server::bind(0, limits, vec![example], Box::new(export)).unwrap();
+        let address = server.address();
+        let rest = address.strip_prefix("http://").unwrap();
+        let (host, path) = rest.split_once('/').unwrap();
+        let (address, path) = (host.parse().unwrap(), format!("/{path}"));
+        let ended = Arc::new(AtomicBool::new(false));
+        let asked = ended.clone();
+        let thread = thread::spawn(move || server.run(|| asked.load(Ordering::Relaxed), too_large).unwrap());
+        Self { address, path, ended, thread: Some(thread) }
+    }
+
+    pub(crate) fn connect(&self) -> TcpStream {
+        let stream = TcpStream::connect(self.address).unwrap();
+        stream.set_read_timeout(Some(BACKSTOP)).unwrap();
+        stream
+    }
+
+    pub(crate) fn head(&self, method: &str, path: &str, more: &str) -> String {
+        format!("{method} {path} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n{more}\r\n", self.address)
+    }
+
+    /// Sends a request and reads the answer: its status, head and body.
+    pub(crate) fn ask(&self, request: &[u8]) -> (u16, String, String) {
+        let mut stream = self.connect();
+        // A request that is refused need not be read to its end.
+        let _ = stream.write_all(request);
+        let mut answer = Vec::new();
+        let _ = stream.read_to_end(&mut answer);
+        let text = String::from_utf8_lossy(&answer).into_owned();
+        let (head, body) = text.split_once("\r\n\r\n").unwrap_or((&text, ""));
+        let status = head.split(' ').nth(1).and_then(|code| code.parse().ok()).unwrap_or(0);
+        let body = if head.contains("transfer-encoding: chunked") { chunks(body) } else { body.to_owned() };
+        (status, head.to_owned(), body)
+    }
+
+    pub(crate) fn post(&self, name: &str, body: &str) -> (u16, String) {
+        let more = format!("Content-Type: application/json\r\nContent-Length: {}\r\n", body.len());
+        let request = format!("{}{body}", self.head("POST", &format!("{}{name}", self.path), &more));
+        let (status, _, body) = self.ask(request.as_bytes());
+        (status, body)
+    }
+
+    pub(crate) fn get(&self, path: &str) -> u16 {
+        self.ask(self.head("GET", path, "").as_bytes()).0
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        self.ended.store(true, Ordering::Relaxed);
+        if let Some(thread) = self.thread.take() {
+            thread.join().unwrap();
+        }
+    }
+}
+
+/// A body that came in pieces.
+fn chunks(mut body: &str) -> String {
+    let mut whole = String::new();
+    while let Some((length, rest)) = body.split_once("\r\n") {
+        let Ok(length) = usize::from_str_radix(length.trim(), 16) else { break };
+        let Some(piece) = rest.get(..length) else { break };
+        whole.push_str(piece);
+        body = rest.get(length + 2..).unwrap_or("");
+    }
+    whole
+}
+
+/// The data of the events of a name.
+pub(crate) fn events(stream: &str, name: &str) -> Vec<Value> {
+    let event = |text: &str| {
+        let (first, data) = text.split_once('\n')?;
+        (first == format!("event: {name}")).then(|| data.strip_prefix("data: ")?.parse().ok())?
+    };
+    stream.split("\n\n").filter_map(event).collect()
+}

@@ -1,0 +1,86 @@
+//! What the page shows.
+
+use grazing_claims::audit::{ClaimVerdict, Finding};
+use grazing_claims::published::Comparison;
+use grazing_claims::source::Sources;
+
+use crate::html::Html;
+use crate::manifest::Manifest;
+use crate::oscillator::OscillatorEntry;
+use crate::outputs::{FigureEntry, TableOutput};
+
+/// All that the page shows.
+#[derive(Debug, Clone, Default)]
+pub struct Report<'a> {
+    /// The figures, in the order of the paper.
+    pub figures: Vec<FigureEntry>,
+    /// The outputs that are tables only.
+    pub tables: Vec<TableOutput>,
+    /// The numbers that the paper prints, with the computed ones.
+    pub published: Vec<Comparison<'a>>,
+    /// The claims with what came of testing them, in the order of the paper.
+    pub claims: Vec<Finding<'a>>,
+    /// The source files to which claims lead.
+    pub sources: Sources,
+    /// Oscillators from text files, each with an identifier of its own. A page can be about them alone: parts of which there is nothing are
+    /// left out.
+    pub oscillators: Vec<OscillatorEntry>,
+    /// What failed or is incomplete, and why.
+    pub missing: Vec<String>,
+    /// Which files were computed, from which parameters, by which program.
+    pub manifest: Manifest,
+    /// The address of the repository's files at its host, with a slash at its end, for the links to source files; without it, files are
+    /// named but not linked: a page is passed on without the files beside it.
+    pub root: Option<String>,
+}
+
+/// How many values and claims of the paper are confirmed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Counts {
+    /// Published values that are met.
+    pub met: usize,
+    /// Claims that hold.
+    pub passed: usize,
+    /// Claims that do not, or whose check broke down.
+    pub failed: usize,
+    /// Claims that are not tested by a computation.
+    pub unchecked: usize,
+    /// Misprints.
+    pub misprints: usize,
+}
+
+impl Report<'_> {
+    /// Counts values, claims and misprints.
+    pub fn counts(&self) -> Counts {
+        let count = |is: fn(&Finding<'_>) -> bool| self.claims.iter().filter(|finding| is(finding)).count();
+        let failed = count(|finding| finding.verdict.fails());
+        let unchecked = count(|finding| matches!(finding.verdict, ClaimVerdict::Unchecked(_)));
+        Counts {
+            met: self.published.iter().filter(|comparison| comparison.is_met()).count(),
+            passed: self.claims.len() - failed - unchecked,
+            failed,
+            unchecked,
+            misprints: count(|finding| finding.claim.misprint.is_some()),
+        }
+    }
+
+    /// Whether anything of the paper is shown.
+    pub(crate) fn is_of_the_paper(&self) -> bool {
+        !(self.figures.is_empty()
+            && self.tables.is_empty()
+            && self.published.is_empty()
+            && self.claims.is_empty())
+    }
+
+    /// Links to those of the files with these paths that were written: of an oscillator only where its files are all that there are.
+    pub(crate) fn links(&self, paths: &[String], of_oscillator: bool) -> Vec<Html> {
+        let listed = self.manifest.outputs.iter().filter(|file| paths.contains(&file.path));
+        let there = listed.filter(|_| !(of_oscillator && self.is_of_the_paper()));
+        there.map(|file| self.manifest.link(&file.path)).collect()
+    }
+
+    /// The figures of the paper and of all oscillators.
+    pub(crate) fn all_figures(&self) -> impl Iterator<Item = &FigureEntry> {
+        self.figures.iter().chain(self.oscillators.iter().flat_map(|oscillator| &oscillator.figures))
+    }
+}

@@ -1,0 +1,23 @@
+//! Oscillators from text files, prepared for an analysis.
+
+use grazing_continuation::curve::Window;
+use grazing_description::{Axis, Description};
+use grazing_model::smooth::{Dimensionless, Integrated, Units};
+use grazing_unfold::Scope;
+use grazing_unfold::stop::{Stop, Stoppable};
+
+/// An oscillator from a text file in units in which its motion is of the order of one.
+pub type Described = Integrated<Stoppable<Dimensionless<Description>>>;
+
+/// An oscillator that ends when an end is asked for, in these units, and what its file asks for.
+pub fn prepared(description: &Description, units: &Units, stop: &Stop) -> (Described, Scope) {
+    let [primary, secondary] = [description.primary(), description.secondary()].map(Axis::range);
+    let scope = Scope {
+        window: Window { primary, secondary },
+        loops: description.loops().to_vec(),
+        start: description.start(),
+    };
+    let scope = scope.without_dimensions(units);
+    let stoppable = Stoppable::new(Dimensionless::new(description.clone(), *units), stop.clone());
+    (Integrated::new(stoppable, [scope.window.primary[0], scope.window.secondary[0]]), scope)
+}

@@ -1,0 +1,101 @@
+//! What the parameter file may hold, and what is said when it holds something else.
+
+mod file;
+mod together;
+mod values;
+
+use grazing_reproduction::parameters::{ParameterError, Parameters};
+use grazing_source::{Setting, SourceError, Text};
+
+const DEFAULT: &str = include_str!("../../../../../figures/parameters.toml");
+
+/// The parameters, or the first thing that is wrong in any section.
+fn parse(text: &str) -> Result<Parameters, SourceError> {
+    let told = |error: ParameterError| source(&error).clone();
+    let parameters = Parameters::parse(&Text::new(text, &[]), "p.toml").map_err(told)?;
+    match errors(&parameters).into_iter().next() {
+        Some(error) => Err(told(error)),
+        None => Ok(parameters),
+    }
+}
+
+/// What is wrong, whatever its kind.
+fn source(error: &ParameterError) -> &SourceError {
+    let (ParameterError::Malformed(error) | ParameterError::Unfit(error)) = error;
+    error
+}
+
+/// What is wrong in the sections, in their order.
+fn errors(parameters: &Parameters) -> Vec<ParameterError> {
+    [
+        parameters.oscillator.get().map(drop),
+        parameters.fig01.get().map(drop),
+        parameters.fig02.get().map(drop),
+        parameters.fig03.get().map(drop),
+        parameters.fig04.get().map(drop),
+        parameters.fig05.get().map(drop),
+        parameters.fig06.get().map(drop),
+        parameters.fig07.get().map(drop),
+        parameters.fig08.get().map(drop),
+        parameters.fig09.get().map(drop),
+        parameters.fig10.get().map(drop),
+    ]
+    .into_iter()
+    .filter_map(Result::err)
+    .collect()
+}
+
+/// The default parameters with settings.
+fn set(settings: &[&str]) -> Result<Parameters, ParameterError> {
+    let settings: Vec<Setting> = settings.iter().map(|text| text.parse().expect("it is a setting")).collect();
+    Parameters::parse(&Text::new(DEFAULT, &settings), "p.toml")
+}
+
+/// The default file with another line in the place of the first one for the key after `section`. The values that stand
+/// there do not matter, so the file can change without its tests.
+fn edited(section: &str, key: &str, line: &str) -> String {
+    let section_start = DEFAULT.find(section).expect("the section stands in the file");
+    let start =
+        1 + section_start + DEFAULT[section_start..].find(&format!("\n{key} = ")).expect("the key follows");
+    let end = start + DEFAULT[start..].find('\n').expect("the file ends with a line end");
+    format!("{}{line}{}", &DEFAULT[..start], &DEFAULT[end..])
+}
+
+/// The line on which `needle` first stands after `section` in the text.
+fn line_of(text: &str, section: &str, needle: &str) -> usize {
+    let start = text.find(section).expect("the section stands in the text");
+    let at = start + text[start..].find(needle).expect("the needle follows");
+    1 + text[..at].matches('\n').count()
+}
+
+/// Asserts that the value, written for the key after `section`, is refused under the full key, on its line, and that
+/// the refusal quotes `culprit`; gives what is said to be allowed.
+fn refusal_quoting(culprit: &str, section: &str, key: &str, value: &str, full_key: &str) -> String {
+    let line = format!("{key} = {value}");
+    let text = edited(section, key, &line);
+    match parse(&text) {
+        Err(SourceError::Forbidden { file, line: number, key, value, allowed }) => {
+            assert_eq!((file.as_str(), key.as_str(), value.as_str()), ("p.toml", full_key, culprit));
+            assert_eq!(number, line_of(&text, section, &line), "the line of {line}");
+            allowed
+        }
+        other => panic!("{section} {line}: {other:?}"),
+    }
+}
+
+/// As [`refusal_quoting`] the whole value.
+fn refusal(section: &str, key: &str, value: &str, full_key: &str) -> String {
+    refusal_quoting(value, section, key, value, full_key)
+}
+
+/// The keys that are refused with settings.
+fn refused(settings: &[&str]) -> Vec<String> {
+    let key = |error: &ParameterError| match source(error) {
+        SourceError::Forbidden { key, .. } => key.clone(),
+        other => other.to_string(),
+    };
+    match set(settings) {
+        Ok(parameters) => errors(&parameters).iter().map(key).collect(),
+        Err(error) => vec![key(&error)],
+    }
+}

@@ -1,0 +1,165 @@
+//! Values that must fit others of the file.
+
+use grazing_reproduction::parameters::{ParameterError, Parameters, contains, encloses, strictly_contains};
+use grazing_source::Text;
+
+use super::{DEFAULT, edited, errors, refusal, refused, set};
+
+#[test]
+fn figure_7_holds_a_resonance() {
+    let allowed = refusal("[fig07]", "frequency", "[0.9, 0.95]", "fig07.frequency");
+    assert!(allowed.contains("no resonance"), "{allowed}");
+    assert!(allowed.contains("the nearest, p = 3, n = 1"), "{allowed}");
+    // One resonance is enough; that of three loops lies outside.
+    assert_eq!(refused(&["fig07.frequency=[0.65, 0.82]"]), [""; 0]);
+    // Resonances accumulate at zero, where there would be no end of them.
+    let allowed = refusal("[fig07]", "frequency", "[1e-9, 1.1]", "fig07.frequency");
+    assert!(allowed.contains("0.05 <= lower"), "{allowed}");
+}
+
+#[test]
+fn parts_lie_inside_the_whole() {
+    refusal("[fig02.magnification]", "amplitude", "[0, 9]", "fig02.magnification.amplitude");
+    refusal("[fig02.magnification]", "x", "[-9, 0]", "fig02.magnification.x");
+    for (setting, key) in [
+        ("fig02.portraits[1].amplitude=9.0", "fig02.portraits[1].amplitude"),
+        ("fig08.panels[1].amplitude=[0.1, 9]", "fig08.panels[1].amplitude"),
+    ] {
+        assert_eq!(refused(&[setting]), [key]);
+    }
+}
+
+#[test]
+fn a_panel_of_figure_8_holds_its_resonance() {
+    let window =
+        |n| format!("fig08.panels=[{{loops=1, n={n}, amplitude=[0.5, 0.61], frequency=[0.6475, 0.6815]}}]");
+    assert_eq!(refused(&[&window(3)]), [""; 0]);
+    assert_eq!(refused(&[&window(5)]), ["fig08.panels[1].amplitude"]);
+    assert_eq!(refused(&["fig08.panels[1].frequency=[0.7, 0.8]"]), ["fig08.panels[1].frequency"]);
+    // Nothing but the resonance is asked for then, and the program chooses the window.
+    let parameters = set(&["fig08.panels[1].n=2"]).expect("it is TOML");
+    let panel = &parameters.fig08.get().expect("it is right").panels[0];
+    assert_eq!((panel.loops, panel.n, panel.amplitude, panel.frequency), (1, 2, None, None));
+}
+
+#[test]
+fn panels_are_about_resonances_that_the_window_holds() {
+    // The last of the three resonances lies below this window.
+    let parameters = set(&["fig07.frequency=[0.6, 1.02]"]).expect("it is TOML");
+    let shown = parameters.fig08.get().expect("it is right");
+    let panels: Vec<_> = shown.panels.iter().map(|panel| (panel.loops, panel.n)).collect();
+    assert_eq!(panels.len(), 3, "{panels:?}");
+    let theory = parameters.oscillator.get().expect("it is right");
+    for (index, (loops, n)) in panels.iter().enumerate() {
+        let resonance = theory.resonance(*loops, *n).expect("it is one");
+        let window = parameters.fig07.get().expect("it is right").window;
+        assert!(contains(window.primary, resonance.grazing().amplitude()), "{loops} {n}");
+        assert!(contains(window.secondary, resonance.forcing_frequency()), "{loops} {n}");
+        assert!(!panels[..index].contains(&(*loops, *n)), "{panels:?}");
+    }
+    assert!(shown.notes[0].contains("p = 3, n = 2 does not lie in the window"), "{:?}", shown.notes);
+    let parameters = set(&["fig08.panels=[]"]).expect("it is TOML");
+    assert_eq!(parameters.fig08.get().expect("it is right").panels.len(), 3);
+}
+
+#[test]
+fn a_portrait_is_strictly_where_its_amplitude_is_and_otherwise_where_it_can_be() {
+    let place = |settings: &[&str]| {
+        let parameters = set(settings).expect("it is TOML");
+        let portrait = &parameters.fig02.get().expect("it is right").portraits[1];
+        (portrait.amplitude, portrait.must)
+    };
+    let (Some(near), false) = place(&[]) else { panic!("the default file has wishes") };
+    assert_eq!(place(&["fig02.portraits[2].amplitude=0.3"]), (Some(0.3), true));
+    assert_eq!(place(&["fig02.portraits[2].near=9.5"]), (Some(9.5), false));
+    assert!(near > 0.0);
+    let parameters = set(&["fig02.portraits=[]"]).expect("it is TOML");
+    assert!(parameters.fig02.get().expect("it is right").portraits.is_empty());
+}
+
+#[test]
+fn what_is_wrong_in_a_section_concerns_no_other_one() {
+    let parameters = set(&["fig10.frequency=-1", "fig04.loops=[]"]).expect("it is TOML");
+    assert_eq!(errors(&parameters).len(), 2);
+    assert!(errors(&parameters).iter().all(|error| matches!(error, ParameterError::Malformed(_))));
+    // Another oscillator can be at odds with what the file says, which is no slip.
+    let parameters = set(&["oscillator.zeta=0.2"]).expect("it is TOML");
+    for error in errors(&parameters) {
+        assert!(matches!(error, ParameterError::Unfit(_)), "{error}");
+    }
+    let parameters = set(&["oscillator.zeta=2"]).expect("it is TOML");
+    assert!(parameters.fig01.get().is_ok() && parameters.fig07.get().is_err());
+}
+
+#[test]
+fn the_frequency_for_figure_10_that_a_refusal_names_is_accepted() {
+    let parameters = set(&["fig10.frequency=0.6"]).expect("it is TOML");
+    let told = parameters.fig10.get().expect_err("Theorem 2.3 does not apply").to_string();
+    let range = told.rsplit("they hold from ").next().expect("a remedy is told");
+    for end in range.split(" to ") {
+        let middle: f64 =
+            range.split(" to ").map(|end| end.parse::<f64>().expect("a number")).sum::<f64>() / 2.0;
+        let close: f64 = 0.999 * end.parse::<f64>().expect("a number") + 0.001 * middle;
+        let parameters = set(&[&format!("fig10.frequency={close}")]).expect("it is TOML");
+        assert!(parameters.fig10.get().is_ok(), "{close} of {told}");
+    }
+}
+
+#[test]
+fn figure_2_holds_its_grazing_amplitude() {
+    let grazing = |parameters: &Parameters| {
+        let frequency = *parameters.fig02_frequency.get().expect("it is right");
+        parameters.oscillator.get().expect("it is right").grazing(frequency).expect("it grazes").amplitude()
+    };
+    for zeta in [0.001, 0.2, 0.9] {
+        let parameters = set(&[&format!("oscillator.zeta={zeta}")]).expect("it is TOML");
+        let (figure, grazing) = (parameters.fig02.get().expect("it has a place"), grazing(&parameters));
+        assert!(strictly_contains(figure.amplitude, grazing), "{zeta}");
+        assert!(encloses(figure.amplitude, figure.magnified_amplitude), "{zeta}");
+        // Told, if it is not where the file says.
+        let there = DEFAULT.contains(&format!("[{}, {}]", figure.amplitude[0], figure.amplitude[1]));
+        assert_eq!(figure.notes.is_empty(), there, "{zeta}");
+        assert!(there || strictly_contains(figure.magnified_amplitude, grazing), "{zeta}");
+    }
+    // What is not a wish is refused.
+    let text = edited("[fig02]", "near", "amplitude = [0.001, 0.002]");
+    let parsed = |text: &str| {
+        Parameters::parse(&Text::new(text, &[]), "p.toml").expect("it is TOML").fig02.get().cloned()
+    };
+    let told = parsed(&text.replace("amplitude = [0.2704, 0.2748]", "amplitude = [0.0015, 0.002]"));
+    let told = told.expect_err("grazing is elsewhere").to_string();
+    assert!(
+        told.contains("fig02.amplitude = [0.001, 0.002]: the range must contain the grazing amplitude"),
+        "{told}"
+    );
+    let neither = parsed(&edited("[fig02]", "near", ""));
+    assert!(neither.expect_err("it has no place").to_string().contains("fig02.near is missing"));
+}
+
+#[test]
+fn portraits_and_panels_show_loops_that_are_computed() {
+    refusal("[[fig02.portraits]]", "loops", "4", "fig02.portraits[1].loops");
+    refusal("[[fig08.panels]]", "loops", "4", "fig08.panels[1].loops");
+    refusal("[[fig08.panels]]", "n", "0", "fig08.panels[1].n");
+    refusal("[[fig08.panels]]", "n", "101", "fig08.panels[1].n");
+}
+
+#[test]
+fn the_oscillator_of_figure_6_keeps_off_the_wall() {
+    for wrong in ["0.0", "-0.1", "9", "nan"] {
+        let allowed = refusal("[fig06]", "amplitude", wrong, "fig06.amplitude");
+        assert!(allowed.contains("grazing amplitude"), "{allowed}");
+    }
+    refusal("[fig06]", "phase", "6.3", "fig06.phase");
+    refusal("[fig06]", "coils", "0", "fig06.coils");
+}
+
+#[test]
+fn the_path_of_figure_10_belongs_to_a_grazing_bifurcation_of_theorem_2_3() {
+    // At 0.6 of the natural frequency a12 is negative; at 0.85 tau lies below h_6.
+    for (wrong, reason) in [("0.6", "a12 alpha"), ("0.85", "h_p")] {
+        let allowed = refusal("[fig10]", "frequency", wrong, "fig10.frequency");
+        assert!(allowed.contains("Theorem 2.3") && allowed.contains(reason), "{allowed}");
+    }
+    refusal("[fig10]", "loops", "2", "fig10.loops");
+}

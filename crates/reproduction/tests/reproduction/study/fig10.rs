@@ -1,0 +1,118 @@
+//! Figure 10 against the formulas of the proof, and against the visits of MPSs that were really followed.
+
+use grazing_continuation::arclength::StepControl;
+use grazing_continuation::curve::{MpsCurve, Route, Window};
+use grazing_continuation::locate::Condition;
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
+use grazing_reproduction::Study;
+use grazing_theorems::auxiliary::{lucas_sequence, scaled_visit_position};
+use grazing_theorems::{GenericGrazing, GrazingState};
+
+use super::{forced, integers, made, numbers, theory};
+
+/// The vertices (u, w) in order.
+fn vertices() -> Vec<[f64; 2]> {
+    let path = Study::new(&made().parameters).fig10().expect("figure 10 can be computed").path;
+    let (u, w) = (numbers(&path, "u"), numbers(&path, "w"));
+    assert_eq!(integers(&path, "visit"), (0..u.len() as u32).collect::<Vec<_>>());
+    u.into_iter().zip(w).map(|(u, w)| [u, w]).collect()
+}
+
+fn grazing() -> GrazingState {
+    let parameters = &made().parameters;
+    theory().grazing(parameters.fig10.get().expect("it is right").frequency).unwrap()
+}
+
+/// S_p / β, which scales slopes in μ to (u, w). Paper: eq:ujwj.
+fn scale() -> f64 {
+    let p = made().parameters.fig10.get().expect("it is right").loops;
+    lucas_sequence(p, grazing().trace(), grazing().determinant()) / grazing().transversality()
+}
+
+#[test]
+fn vertices_are_scaled_slopes_of_the_visits_and_the_closed_form_of_u() {
+    let (point, p) = (grazing().grazing_point(), made().parameters.fig10.get().expect("it is right").loops);
+    let orbit = point.emerging_orbit(p).unwrap();
+    let (tau, delta) = (grazing().trace(), grazing().determinant());
+    for (j, [u, w]) in (0..).zip(vertices()) {
+        let slope = orbit.visit_slope(j) * scale();
+        // A dozen roundings of numbers up to 10.
+        assert!((slope.x - u).abs() < 1e-13 && (slope.y - w).abs() < 1e-13, "{j}: {slope} ({u}, {w})");
+        assert!((scaled_visit_position(j, p, tau, delta) - u).abs() < 1e-13, "{j}");
+    }
+}
+
+#[test]
+fn the_path_starts_and_ends_on_the_w_axis_and_lies_left_of_it_between() {
+    let vertices = vertices();
+    let last = vertices.len() - 1;
+    assert_eq!(last as u32, made().parameters.fig10.get().expect("it is right").loops);
+    assert_eq!(vertices[0][0], 0.0);
+    assert!(vertices[last][0].abs() < 1e-13, "{}", vertices[last][0]);
+    assert!(vertices[1..last].iter().all(|[u, _]| *u < -0.1), "{vertices:?}");
+}
+
+#[test]
+fn the_closed_path_is_convex() {
+    let vertices = vertices();
+    let n = vertices.len();
+    let turn = |k: usize| {
+        let [a, b, c] = [0, 1, 2].map(|step| vertices[(k + step) % n]);
+        (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
+    };
+    let turns: Vec<f64> = (0..n).map(turn).collect();
+    assert!(turns.iter().all(|turn| turn * turns[0] > 0.0), "{turns:?}");
+    // All turns have one sign and no vertex is passed twice, so the angles add up to one full turn, not more.
+    let direction = |k: usize| {
+        let (a, b) = (vertices[k % n], vertices[(k + 1) % n]);
+        libm::atan2(b[1] - a[1], b[0] - a[0])
+    };
+    let wrapped = |angle: f64| angle - core::f64::consts::TAU * libm::round(angle / core::f64::consts::TAU);
+    let total: f64 = (0..n).map(|k| wrapped(direction(k + 1) - direction(k))).sum();
+    assert!((total.abs() - core::f64::consts::TAU).abs() < 1e-12, "{total}");
+}
+
+#[test]
+fn visits_of_followed_solutions_tend_to_the_vertices() {
+    let shown = made().parameters.fig10.get().expect("it is right");
+    let (omega, graz) = (shown.frequency, grazing().amplitude());
+    let oscillator = forced(graz, omega);
+    let equations = LoopEquations::new(oscillator, shown.loops, Formulation::Vivid);
+    let side = GenericGrazing::check(&grazing().grazing_point(), shown.loops).unwrap().side().signum();
+    let reach = 1e-3;
+    let route = Route {
+        window: Window { primary: [graz - reach, graz + reach], secondary: [0.0, f64::INFINITY] },
+        control: StepControl { first: 1e-5, longest: 1e-4, ..StepControl::DRAWING },
+        step_limit: 1000,
+        stop_at_events: false,
+    };
+    let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(omega) };
+    let start = Unknowns::new(0.0, grazing().phase(), graz, omega);
+    let curve = curve
+        .follow(start, Unknowns::new(1.0, 0.0, 0.0, 0.0), EventTimes::default(), &route)
+        .expect("a branch");
+    // Greatest distance of visits / μ from the vertices j = 1, …, p, by |μ|.
+    let mut errors: Vec<(f64, f64)> = Vec::new();
+    for point in &curve.points[1..] {
+        let mu = point.solution.parameters()[0] - graz;
+        assert!(mu * side > 0.0, "the MPS emanates to the side of Theorem 2.3");
+        assert!(point.solution.admissible());
+        let visits = equations.visits(&point.solution.unknowns, &point.times).expect("visits near Π");
+        let mut error = 0.0_f64;
+        for (visit, [u, w]) in visits.iter().zip(&vertices()[1..]) {
+            let turns = core::f64::consts::TAU;
+            let phase = visit[1] - grazing().phase();
+            let phase = phase - turns * libm::round(phase / turns);
+            error = error.max((scale() * visit[0] / mu - u).abs());
+            error = error.max((scale() * phase / mu - w).abs());
+        }
+        errors.push((mu.abs(), error));
+    }
+    // Visits are slope · μ + O(μ²): the error over |μ| stays bounded.
+    let near: Vec<_> = errors.iter().filter(|(mu, _)| (1e-5..1e-4).contains(mu)).collect();
+    assert!(near.len() > 3, "{errors:?}");
+    let ratios = near.iter().map(|(mu, error)| error / mu);
+    let (least, most) = ratios.fold((f64::INFINITY, 0.0_f64), |(l, m), r| (l.min(r), m.max(r)));
+    assert!(most < 1.3 * least, "not of first order: {least} {most}");
+    assert!(near[0].1 < 0.1, "{near:?}");
+}

@@ -1,0 +1,98 @@
+//! The rows of the default parameters: held fixed by snapshots, and against routes that share nothing with them.
+
+mod elsewhere;
+mod fig04;
+mod fig05;
+mod fig06;
+mod fig10;
+mod independent;
+mod snapshots;
+mod space;
+
+use std::path::Path;
+use std::sync::OnceLock;
+
+use grazing_model::LinearOscillator;
+use grazing_reproduction::parameters::Parameters;
+use grazing_reproduction::{Coefficients, Study, TheoremsInAction};
+use grazing_results::branches::OneParameter;
+use grazing_results::plane::{Magnifications, PlaneDiagram};
+use grazing_results::{Cell, Names, Row};
+use grazing_trials::closed_form::{Orbit, orbits};
+
+/// Everything that is reproduced, computed once for all tests.
+struct Made {
+    parameters: Parameters,
+    coefficients: Vec<Coefficients>,
+    fig02: OneParameter,
+    fig07: PlaneDiagram,
+    fig08: Magnifications,
+    theorems: TheoremsInAction,
+}
+
+fn made() -> &'static Made {
+    static MADE: OnceLock<Made> = OnceLock::new();
+    MADE.get_or_init(|| {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../figures/parameters.toml");
+        let parameters = Parameters::from_file(&file, &[]).expect("the default parameters are valid");
+        let study = Study::new(&parameters);
+        Made {
+            coefficients: study.coefficients().expect("all coefficients can be computed").rows.clone(),
+            fig02: study.fig02().expect("figure 2 can be computed"),
+            fig07: study.fig07().expect("figure 7 can be computed"),
+            fig08: study.fig08().expect("figure 8 can be computed"),
+            theorems: study.theorems_in_action().expect("all cases can be worked out"),
+            parameters,
+        }
+    })
+}
+
+/// The paper's oscillator, for which the theory is.
+fn theory() -> &'static grazing_theorems::LinearOscillator {
+    made().parameters.oscillator.get().expect("it is right")
+}
+
+/// The paper's oscillator with its forcing.
+fn forced(amplitude: f64, frequency: f64) -> LinearOscillator {
+    let (zeta, epsilon) = (theory().damping_ratio(), theory().coefficient_of_restitution());
+    LinearOscillator::new(zeta, epsilon, amplitude, frequency).expect("it is in the domain")
+}
+
+/// All MPSs of the paper's oscillator that the quadratic equation gives.
+fn closed_forms(amplitude: f64, frequency: f64, loops: u32) -> Vec<Orbit> {
+    let (zeta, epsilon) = (theory().damping_ratio(), theory().coefficient_of_restitution());
+    orbits(zeta, epsilon, amplitude, frequency, loops)
+}
+
+/// A column, by the name that it has for the paper's oscillator.
+fn column<R: Row>(rows: &[R], name: &str) -> Vec<Cell> {
+    let names = Names::of_the_paper();
+    let place = R::COLUMNS.iter().position(|column| column.header(&names) == name);
+    let place = place.expect("the column is there");
+    rows.iter().map(|row| row.cells().swap_remove(place)).collect()
+}
+
+/// A column of numbers.
+fn numbers<R: Row>(rows: &[R], name: &str) -> Vec<f64> {
+    column(rows, name).iter().map(|cell| cell.number().unwrap_or(f64::NAN)).collect()
+}
+
+/// A column of integers.
+fn integers<R: Row>(rows: &[R], name: &str) -> Vec<u32> {
+    let integer =
+        |cell| if let Cell::Integer(value) = cell { value } else { panic!("{cell:?} is no integer") };
+    column(rows, name).into_iter().map(integer).collect()
+}
+
+/// A column of words.
+fn words<R: Row>(rows: &[R], name: &str) -> Vec<String> {
+    let word =
+        |cell| if let Cell::Text(word) = cell { word.into_owned() } else { panic!("{cell:?} is no word") };
+    column(rows, name).into_iter().map(word).collect()
+}
+
+/// A column of flags.
+fn flags<R: Row>(rows: &[R], name: &str) -> Vec<bool> {
+    let flag = |cell| if let Cell::Flag(value) = cell { value } else { panic!("{cell:?} is no flag") };
+    column(rows, name).into_iter().map(flag).collect()
+}

@@ -1,0 +1,159 @@
+//! Reading a file, or a table of it: TOML, with settings applied, and no unknown keys.
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::error::{Place, SourceError};
+use crate::keys::Requirements;
+use crate::section::Section;
+use crate::setting::Setting;
+use crate::source::{SHOWN, Source};
+use crate::text::Text;
+use crate::words::{joined, shortened};
+
+impl Source<'_> {
+    /// The file's content, with the settings applied.
+    fn document<T, E: From<SourceError>>(
+        &self,
+        read: impl FnOnce(Spanned<DeTable<'_>>) -> Result<T, E>,
+    ) -> Result<T, E> {
+        let Text { whole, end, settings } = self.text;
+        let padded: Vec<String> =
+            settings.iter().map(|(position, setting)| setting.padded(*position)).collect();
+        let mut document = DeTable::parse(&whole[..*end]).map_err(|error| self.syntax(&error))?;
+        for ((position, setting), padded) in settings.iter().zip(&padded) {
+            self.must_be_there(setting, *position, document.get_ref())?;
+            setting.apply(document.get_mut(), *position, padded).map_err(|refusal| {
+                let Place { file, line, .. } = self.place(*position);
+                let (key, value) = (setting.key().to_owned(), setting.value().to_owned());
+                let allowed = format!("{}: {}", refusal.key, refusal.allowed);
+                SourceError::Forbidden { file, line, key, value, allowed }
+            })?;
+        }
+        read(document)
+    }
+
+    /// Refuses a setting for a name that the file would have to bring in: any may stand in its table, and this one does not.
+    fn must_be_there(
+        &self,
+        setting: &Setting,
+        position: usize,
+        document: &DeTable<'_>,
+    ) -> Result<(), SourceError> {
+        let Some((table, name)) =
+            setting.key().rsplit_once('.').filter(|(table, _)| self.requirements.any_key(table))
+        else {
+            return Ok(());
+        };
+        let names = document.get(table).and_then(|value| value.get_ref().as_table());
+        let names: Vec<&str> = names.into_iter().flatten().map(|(key, _)| key.get_ref().as_ref()).collect();
+        if names.contains(&name) {
+            return Ok(());
+        }
+        Err(self.unknown(position, setting.key().to_owned(), name, &names))
+    }
+
+    /// The whole file, read by `read`.
+    ///
+    /// # Errors
+    /// [`SourceError`]: no TOML, or an unknown key; and whatever `read` finds wrong.
+    pub fn whole<T, E: From<SourceError>>(
+        &self,
+        read: impl FnOnce(Section<'_>) -> Result<T, E>,
+    ) -> Result<T, E> {
+        self.document(|document| match first_unknown_key(document.get_ref(), "", self.requirements) {
+            Some(unknown) => Err(self.refuse(unknown).into()),
+            None => read(Section::whole(self, document.get_ref())),
+        })
+    }
+
+    /// Checks that the file is TOML and that its top level has known keys only.
+    ///
+    /// # Errors
+    /// [`SourceError`]: no TOML, or an unknown key.
+    pub fn check_top_level(&self) -> Result<(), SourceError> {
+        self.document(|document| {
+            let known = self.requirements.known_keys("");
+            let keys = document.get_ref().keys();
+            let unknown = keys.filter(|key| !known.contains(&key.get_ref().as_ref()));
+            match unknown.min_by_key(|key| key.span().start) {
+                Some(key) => Err(self.refuse(UnknownKey {
+                    position: key.span().start,
+                    table: String::new(),
+                    name: key.get_ref().to_string(),
+                })),
+                None => Ok(()),
+            }
+        })
+    }
+
+    /// One table of the top level, read by `read`; what stands in the others does not matter.
+    ///
+    /// # Errors
+    /// [`SourceError`]: no TOML, no such table, or an unknown key in it; and whatever `read` finds wrong.
+    pub fn section<T, E: From<SourceError>>(
+        &self,
+        name: &str,
+        read: impl FnOnce(Section<'_>) -> Result<T, E>,
+    ) -> Result<T, E> {
+        self.document(|document| {
+            let Some(value) = document.get_ref().get(name) else {
+                return Err(self.missing("", name, 0).into());
+            };
+            let section = Section::of(self, name.to_owned(), value)?;
+            match value
+                .get_ref()
+                .as_table()
+                .and_then(|table| first_unknown_key(table, name, self.requirements))
+            {
+                Some(unknown) => Err(self.refuse(unknown).into()),
+                None => read(section),
+            }
+        })
+    }
+
+    fn refuse(&self, unknown: UnknownKey) -> SourceError {
+        let UnknownKey { position, table, name } = unknown;
+        let key = joined(&table, &shortened(&name, SHOWN));
+        self.unknown(position, key, &name, &self.requirements.known_keys(&table))
+    }
+}
+
+/// A key that means nothing in its table.
+struct UnknownKey {
+    position: usize,
+    table: String,
+    name: String,
+}
+
+/// The unknown key that stands first in the text. The reader would find it too, but not before a missing one: of a table
+/// whose name is misspelt it would say that it is missing.
+fn first_unknown_key(table: &DeTable<'_>, path: &str, requirements: &Requirements) -> Option<UnknownKey> {
+    let known = requirements.known_keys(path);
+    let any = requirements.any_key(path);
+    table
+        .iter()
+        .filter_map(|(key, value)| {
+            let name = key.get_ref().to_string();
+            if !any && !known.contains(&name.as_str()) {
+                return Some(UnknownKey { position: key.span().start, table: path.to_owned(), name });
+            }
+            let path = joined(path, &name);
+            if requirements.known_keys(&path).is_empty() {
+                // Not to be a table: that is told of the whole value.
+                return None;
+            }
+            match value.get_ref() {
+                DeValue::Table(inner) => first_unknown_key(inner, &path, requirements),
+                DeValue::Array(members) => members
+                    .iter()
+                    .zip(1..)
+                    .filter_map(|(member, number)| Some((member.get_ref().as_table()?, number)))
+                    .find_map(|(inner, number)| {
+                        first_unknown_key(inner, &format!("{path}[{number}]"), requirements)
+                    }),
+                _ => None,
+            }
+        })
+        .min_by_key(|unknown| unknown.position)
+}

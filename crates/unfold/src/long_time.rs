@@ -1,0 +1,29 @@
+//! What orbits come to in the long run: simulated motion after its transient.
+//!
+//! Diagrams, places of the plane and phase portraits all follow orbits by [`LongOrbit::follow`]. Whether an orbit has settled is decided in one
+//! place, [`Recurrence::of`], from its impacts.
+
+mod lyapunov;
+mod orbit;
+mod recurrence;
+mod samples;
+
+use core::f64::consts::TAU;
+
+use grazing_model::State;
+use rand_pcg::Pcg64;
+use rand_pcg::rand_core::Rng;
+
+pub use orbit::{Fate, Horizon, LONGEST_TRANSIENT, LongOrbit, MotionKind, Patience};
+pub use recurrence::{Recurrence, SAME_ORBIT, same_impact};
+pub use samples::{sampled, sampled_solution, time_of_phase};
+
+/// A random point of Π: x uniform between a lowest one and the wall, the phase uniform.
+pub fn random_start(lowest: f64, random: &mut Pcg64) -> State {
+    State::at_rest(lowest * uniform(random), TAU * uniform(random))
+}
+
+/// Uniform in [0, 1), with 53 random bits.
+fn uniform(random: &mut Pcg64) -> f64 {
+    (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
+}

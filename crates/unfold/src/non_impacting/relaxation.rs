@@ -1,0 +1,197 @@
+//! Periodic motion of the oscillator without its wall, at one value of η.
+//!
+//! A periodic solution is a fixed point of the flow over one forcing period. The first ones are found by letting the motion
+//! relax, as a damped oscillator does; then they are followed through the range of the primary parameter, folds included.
+//! Where the highest point of the orbit comes to the wall there is grazing.
+
+use grazing_continuation::curve::{Curve, CurveEnd};
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::{EventTimes, LoopEquations, MaximalPeriodicSolution, Unknowns};
+use grazing_continuation::tolerances::FAR;
+use grazing_model::motion::Motion;
+use grazing_model::{ImpactOscillator, State};
+use grazing_theorems::from_map::GrazingOrbit;
+use nalgebra::Vector2;
+
+use crate::escape::Escape;
+use crate::slices::{FREE_STEPS, Slice, Slicer};
+use crate::{Scope, search};
+
+/// What was seen of periodic motion without the wall at one η, and where it grazes.
+#[derive(Clone, Debug)]
+pub struct PeriodicMotion<O> {
+    /// Grazing orbits, each touching the wall with its highest point.
+    pub grazing: Vec<GrazingOrbit<O>>,
+    /// Orbits that touch the wall without being turned back, with F ≥ 0 there.
+    pub pushed: Vec<Height>,
+    /// How motion from one of the starts ran away.
+    pub ran_away: Option<Escape>,
+    /// The branches of solutions.
+    pub(crate) branches: Vec<Curve>,
+}
+
+/// The highest point of a periodic orbit without the wall.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Height {
+    /// x.
+    pub position: f64,
+    /// The parameters (μ, η).
+    pub parameters: [f64; 2],
+    /// The acceleration there.
+    pub acceleration: f64,
+}
+
+impl Height {
+    /// That of a solution without impacts.
+    pub(crate) fn of<O: ImpactOscillator>(
+        equations: &LoopEquations<O>,
+        solution: &MaximalPeriodicSolution,
+    ) -> Self {
+        let point = &solution.unknowns;
+        let motion = equations.oscillator_at(point).motion(equations.departure(point));
+        let time = solution.highest_interior_maximum.map_or(0.0, |maximum| maximum.time);
+        let acceleration = motion.at(time).acceleration;
+        Self { position: solution.ceiling(), parameters: solution.parameters(), acceleration }
+    }
+}
+
+/// Where the search begins: shares of the range of μ, and positions at rest.
+const SHARES: [f64; 3] = [0.0, 1.0, LAST_RESORT];
+/// The share from which a search begins if there is nothing at the ends.
+const LAST_RESORT: f64 = 0.5;
+const POSITIONS: [f64; 3] = [-1.0, 0.0, -0.25];
+
+/// Forcing periods for which motion is left to relax; Newton's method starts from wherever it is then.
+const LONGEST_RELAXATION: usize = 200;
+/// Newton's method takes over when a period changes the state by less than this.
+const RELAXED: f64 = 1e-3;
+
+/// Motion that relaxes this far from the wall, whose distance from rest is of order one, is looked at only where there is no other: a pendulum
+/// may turn any number of times before it does, and motion about each of its rest positions is the same but for those turns.
+const CARRIED_AWAY: f64 = 10.0;
+
+/// Grazing orbits closer than this are one: Newton's method leaves far less.
+const SAME_GRAZING: f64 = 1e-6;
+
+/// Looks for grazing of periodic motion without the wall over the whole range of μ at η = `secondary`.
+pub fn periodic_motion<O: ImpactOscillator>(
+    oscillator: &O,
+    scope: &Scope,
+    secondary: f64,
+) -> PeriodicMotion<O> {
+    let equations = LoopEquations::without_impacts(oscillator.clone(), scope.window.widths());
+    let slicer = Slicer { equations, window: scope.window, control: FREE_STEPS };
+    motion(oscillator, scope, &slicer, secondary, &[], &[0.0])
+}
+
+/// As [`periodic_motion`], in steps of one's own; with motion that comes from rest at some more positions, or has its highest point at one of
+/// some heights, should none of the rest lead to it.
+pub(crate) fn motion<O: ImpactOscillator>(
+    oscillator: &O,
+    scope: &Scope,
+    slicer: &Slicer<O>,
+    secondary: f64,
+    positions: &[f64],
+    heights: &[f64],
+) -> PeriodicMotion<O> {
+    let mut slice = Slice::new(secondary, Vec::new());
+    let add = |slice: &mut Slice, start: &Unknowns| slicer.add(slice, *start, &EventTimes::default(), true);
+    let (mut ran_away, mut carried_away) = (None, None);
+    for share in SHARES {
+        if share == LAST_RESORT && !slice.branches.is_empty() {
+            break;
+        }
+        let [primary, _] = scope.window.parameters([share, 0.0]);
+        let positions = POSITIONS.iter().chain(positions).map(|position| [*position, 0.0]);
+        for start in scope.start.into_iter().chain(positions) {
+            match relaxed(&slicer.equations, [primary, secondary], Vector2::from(start)) {
+                Ok(Some(orbit)) if orbit[0].abs() > CARRIED_AWAY => {
+                    carried_away = carried_away.or(Some(orbit))
+                }
+                Ok(Some(orbit)) => add(&mut slice, &orbit),
+                Ok(None) => {}
+                Err(escape) => {
+                    ran_away.get_or_insert(escape);
+                }
+            }
+        }
+    }
+    if let Some(orbit) = carried_away.filter(|_| slice.branches.is_empty()) {
+        add(&mut slice, &orbit);
+    }
+    for height in heights {
+        let found = search::highest_at(oscillator, scope, secondary, *height);
+        for start in found.iter().filter_map(|highest| slicer.with_highest(highest)) {
+            add(&mut slice, &start);
+        }
+    }
+    let (grazing, pushed) = (Vec::new(), Vec::new());
+    let mut motion = PeriodicMotion { grazing, pushed, ran_away, branches: slice.branches };
+    motion.look_for_grazing(&slicer.equations, scope);
+    motion
+}
+
+/// The periodic solution to which the motion from a state relaxes; `None` if it does not settle.
+fn relaxed<O: ImpactOscillator>(
+    equations: &LoopEquations<O>,
+    [primary, secondary]: [f64; 2],
+    start: Vector2<f64>,
+) -> Result<Option<Unknowns>, Escape> {
+    let oscillator = equations.oscillator_at(&Unknowns::new(0.0, 0.0, primary, secondary));
+    let period = oscillator.forcing_period();
+    let mut state = start;
+    for _ in 0..LONGEST_RELAXATION {
+        let from = State { position: state[0], velocity: state[1], phase: 0.0 };
+        let end = oscillator.motion(from).at(period);
+        let next = Vector2::new(end.position, end.velocity);
+        // NaN is far as well.
+        if next.norm().is_nan() || next.norm() > FAR {
+            return Err(Escape::of(&oscillator, state.into()));
+        }
+        let change = (next - state).norm();
+        state = next;
+        if change <= RELAXED {
+            break;
+        }
+    }
+    let near = Unknowns::new(state[0], state[1], primary, secondary);
+    Ok(locate(equations, Condition::beside(equations, &near), near, &mut EventTimes::default()).ok())
+}
+
+/// Whether a branch was followed to the edges of the range to both sides.
+pub(crate) fn is_whole(branch: &Curve) -> bool {
+    let mut ends = [branch.beginning.as_ref(), Some(&branch.end)].into_iter().flatten();
+    ends.all(|end| matches!(end, CurveEnd::LeftWindow | CurveEnd::Closed))
+}
+
+impl<O: ImpactOscillator> PeriodicMotion<O> {
+    /// Records where the branches come to the wall.
+    fn look_for_grazing(&mut self, equations: &LoopEquations<O>, scope: &Scope) {
+        for branch in &self.branches {
+            for (index, pair) in (1..).zip(branch.points.windows(2)) {
+                if pair[0].solution.admissible() == pair[1].solution.admissible() {
+                    continue;
+                }
+                let located = branch
+                    .events
+                    .iter()
+                    .find(|event| event.index == index && event.condition == Condition::InteriorGrazing);
+                let near = located.map_or(&pair[0].solution, |event| &event.solution);
+                let [_, phase] = equations.impact(near);
+                let Ok(orbit) = GrazingOrbit::find(&equations.oscillator_at(&near.unknowns), phase) else {
+                    self.pushed.push(Height::of(equations, near));
+                    continue;
+                };
+                let same = |other: &GrazingOrbit<O>| {
+                    (other.primary() - orbit.primary()).abs() <= SAME_GRAZING * scope.window.widths()[0]
+                        && libm::cos(other.phase() - orbit.phase()) > 1.0 - SAME_GRAZING
+                };
+                let [left, right] = scope.window.primary;
+                let inside = left <= orbit.primary() && orbit.primary() <= right;
+                if inside && !self.grazing.iter().any(same) {
+                    self.grazing.push(orbit);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,159 @@
+//! Long-time behaviour of the hybrid system from random states, as x on Π.
+
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_model::maps::{next_visit, virtual_map};
+use grazing_model::motion::{Motion, highest_maximum};
+use grazing_model::orbit::{Flight, FlightEnd};
+use grazing_model::{AtRest, ImpactOscillator, OnWall, State};
+use rand_pcg::Pcg64;
+use rayon::prelude::*;
+
+use crate::long_time::{Horizon, LONGEST_TRANSIENT, LongOrbit, Patience, random_start};
+use crate::progress::Progress;
+
+/// How long-time behaviour is sampled.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sampling {
+    /// Values of the parameter across, evenly spaced, at least 2.
+    pub values: u32,
+    /// They lie between the first bifurcations of these kinds, or there are none; otherwise in the whole range.
+    pub between: Option<[Bifurcation; 2]>,
+    /// Orbits at each, from random states.
+    pub orbits: u32,
+    /// The forcing periods before an orbit counts; more where damping is weak.
+    pub transient: u32,
+    /// The forcing periods for which it counts then.
+    pub recorded: u32,
+    /// Initial states lie between the wall and this x; as low as what is shown if there is none.
+    pub lowest: Option<f64>,
+    /// The seed of the random states.
+    pub seed: u64,
+}
+
+/// Motion without impacts has settled when what it began with is this small a part of what it was: far less than a dot.
+const SETTLED: f64 = 1e-5;
+
+/// The stage.
+const LONG_TIME: &str = "long-time behaviour";
+
+impl Sampling {
+    /// The same with a transient in which motion beside orbits without impacts settles, of whose multipliers these are the products δ.
+    ///
+    /// A period shrinks areas about an orbit by δ, and so lengths by √δ, if the multipliers are complex.
+    pub(super) fn as_long_as_it_takes(&self, products: impl Iterator<Item = f64>) -> Self {
+        let weakest = products.fold(0.0, f64::max);
+        let periods = 2.0 * libm::log(SETTLED) / libm::log(weakest);
+        let enough = if weakest < 1.0 { libm::ceil(periods) as u32 } else { LONGEST_TRANSIENT };
+        Self { transient: enough.min(LONGEST_TRANSIENT).max(self.transient), ..self.clone() }
+    }
+}
+
+/// x on Π at the visits of an orbit from a random state after its transient; none if it has come to rest at the wall by then.
+fn long_time_visits<O: ImpactOscillator>(
+    oscillator: &O,
+    sampling: &Sampling,
+    lowest: f64,
+    random: &mut Pcg64,
+) -> Vec<f64> {
+    let (transient, counted) = (sampling.transient, sampling.recorded);
+    let horizon = Horizon { transient, counted, patience: Patience::Drifting };
+    let orbit = LongOrbit::follow(oscillator, random_start(lowest, random), horizon);
+    if let Some(state) = orbit.free_state(oscillator) {
+        return highest_points(oscillator, state, counted);
+    }
+    let mut visits = Vec::new();
+    orbit.flights.iter().for_each(|flight| visits_of(oscillator, flight, &mut visits));
+    visits
+}
+
+/// The highest point of every forcing period of motion that does not reach the wall.
+fn highest_points<O: ImpactOscillator>(oscillator: &O, from: State, periods: u32) -> Vec<f64> {
+    let period = oscillator.forcing_period();
+    let motion = oscillator.motion(from);
+    let Some(first) = highest_maximum(&motion, 1.25 * period) else { return Vec::new() };
+    // Half-way from one to the next, so that none lies at the end of its period.
+    let points = (0..periods.saturating_sub(1)).filter_map(|k| {
+        let time = first.time + (f64::from(k) + 0.5) * period;
+        let here = motion.at(time);
+        let phase = from.phase + oscillator.forcing_frequency().value * time;
+        let state = State { position: here.position, velocity: here.velocity, phase };
+        highest_maximum(&oscillator.motion(state), period)
+    });
+    core::iter::once(first).chain(points).map(|maximum| maximum.position).collect()
+}
+
+/// (μ, x) at the visits of settled orbits over a range of μ; and how many of them left no visit, and how many there are.
+pub(super) fn long_time_behaviour<O: ImpactOscillator>(
+    oscillator: &O,
+    secondary: f64,
+    [low, high]: [f64; 2],
+    (sampling, lowest): (&Sampling, f64),
+    progress: &dyn Progress,
+) -> (Vec<[f64; 2]>, [u32; 2]) {
+    progress.begin(LONG_TIME, u64::from(sampling.values));
+    let sample = |k: u32| {
+        let primary = low + (high - low) * f64::from(k) / f64::from(sampling.values - 1);
+        let oscillator = oscillator.with_parameters([primary, secondary]);
+        let mut random = Pcg64::new(u128::from(sampling.seed), u128::from(k));
+        let (mut visits, mut resting) = (Vec::new(), 0);
+        for _ in 0..sampling.orbits {
+            if progress.stopped() {
+                break;
+            }
+            let found = long_time_visits(&oscillator, sampling, lowest, &mut random);
+            resting += u32::from(found.is_empty());
+            visits.extend(found.into_iter().map(|x| [primary, x]));
+        }
+        progress.step(LONG_TIME);
+        (visits, resting)
+    };
+    let samples: Vec<_> = (0..sampling.values).into_par_iter().map(sample).collect();
+    progress.end(LONG_TIME);
+    let resting = samples.iter().map(|(_, resting)| resting).sum();
+    let visits = samples.into_iter().flat_map(|(visits, _)| visits);
+    (visits.filter(|visit| visit[1].is_finite()).collect(), [resting, sampling.values * sampling.orbits])
+}
+
+/// The x-values at which a flight meets Π: the iterates of P_global from the virtual point of its recoil for as long as
+/// they lie within the flight, and the virtual top beyond the wall with which it ends.
+fn visits_of<O: ImpactOscillator>(oscillator: &O, flight: &Flight<O::Motion>, visits: &mut Vec<f64>) {
+    let State { position, velocity, phase } = flight.from;
+    let mut here = match velocity {
+        0.0 => Some((0.0, AtRest::new(position, phase))),
+        _ => {
+            let origin = virtual_map::<_, 1>(oscillator, OnWall::new(velocity, phase), None);
+            origin.ok().map(|origin| (origin.time, origin.jet.image()))
+        }
+    };
+    while let Some((time, visit)) = here {
+        let next = next_visit(oscillator, visit, None).ok();
+        let next = next.map(|next| (time + next.time, next.jet.image()));
+        here = next.filter(|(time, _)| *time < flight.duration);
+        visits.extend(here.map(|(_, visit)| visit.position));
+    }
+    if let FlightEnd::Impact(impact) = flight.end
+        && let Ok(top) = virtual_map::<_, 1>(oscillator, OnWall::new(impact.velocity, impact.phase), None)
+    {
+        visits.push(top.jet.value[0]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_transient_is_as_long_as_weak_damping_needs_and_no_longer() {
+        let (between, lowest) = (None, None);
+        let sampling =
+            Sampling { values: 2, between, orbits: 1, transient: 150, recorded: 1, lowest, seed: 1 };
+        let transient = |products: &[f64]| sampling.as_long_as_it_takes(products.iter().copied()).transient;
+        assert_eq!((transient(&[]), transient(&[f64::NAN]), transient(&[0.5])), (150, 150, 150));
+        for product in [0.9, 0.97, 0.985] {
+            let left = |periods: u32| libm::pow(product, 0.5 * f64::from(periods));
+            let periods = transient(&[0.1, product]);
+            assert!(left(periods) <= SETTLED && left(periods - 1) > SETTLED, "{product}: {periods}");
+        }
+        assert_eq!((transient(&[0.9999]), transient(&[1.2])), (LONGEST_TRANSIENT, LONGEST_TRANSIENT));
+    }
+}

@@ -1,0 +1,101 @@
+//! A region, and what is known of it.
+
+use core::fmt;
+
+use grazing_continuation::curve::Window;
+use grazing_results::plane::RegionKind;
+
+use crate::faces;
+use crate::slices::MOST_BRANCHES;
+
+/// Why it is not decided whether solutions are stable and admissible.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Doubt {
+    /// Along a slice solutions gain or lose stability or admissibility where no curve runs.
+    Disagreement,
+    /// Stability changes on a branch without a saddle-node, period-doubling or grazing bifurcation.
+    UnnamedChange,
+    /// A branch could not be followed to its end.
+    Broken(String),
+    /// There are more branches of solutions than are followed.
+    ManyBranches,
+    /// No slice was made.
+    Unseen,
+    /// An end was asked for before it was decided.
+    NotFinished,
+}
+
+impl fmt::Display for Doubt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Disagreement => {
+                write!(f, "solutions gain or lose stability or admissibility where no curve was found")
+            }
+            Self::UnnamedChange => {
+                write!(f, "stability changes without a saddle-node, period-doubling or grazing bifurcation")
+            }
+            Self::Broken(end) => write!(f, "a branch of solutions could not be followed to its end: {end}"),
+            Self::ManyBranches => write!(f, "there are {MOST_BRANCHES} branches of solutions or more"),
+            Self::Unseen => write!(f, "no slice was made"),
+            Self::NotFinished => write!(f, "not finished"),
+        }
+    }
+}
+
+/// A region, as points (μ, η).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Region {
+    /// Number of loops p; 0 for the non-impacting solution.
+    pub loops: u32,
+    /// The integer n of a resonance whose curves bound it; 0 without one, and for the non-impacting solution.
+    pub n: u32,
+    /// Its border and those of its holes, vertex by vertex: a point lies inside if a ray from it crosses them an odd number of times.
+    pub rings: Vec<Vec<[f64; 2]>>,
+    /// Why it is not decided whether solutions are stable and admissible; where it is, they are.
+    pub doubt: Option<Doubt>,
+}
+
+impl Region {
+    /// The whole window, where nothing was decided in time.
+    pub(crate) fn not_finished(window: Window, loops: u32) -> Self {
+        let ([left, right], [low, high]) = (window.primary, window.secondary);
+        let border = vec![[left, low], [right, low], [right, high], [left, high]];
+        Self { loops, n: 0, rings: vec![border], doubt: Some(Doubt::NotFinished) }
+    }
+
+    /// What is known of it.
+    pub fn kind(&self) -> RegionKind {
+        match (&self.doubt, self.loops) {
+            (Some(_), _) => RegionKind::Undecided,
+            (None, 0) => RegionKind::NonImpacting,
+            (None, _) => RegionKind::Mps,
+        }
+    }
+
+    /// What of it lies in a window.
+    pub(crate) fn within(&self, window: Window) -> impl Iterator<Item = Self> {
+        let ([left, right], [low, high]) = (window.primary, window.secondary);
+        let [from, to] = self.extent();
+        let across = [low, high].map(|level| vec![[from[0].min(left), level], [to[0].max(right), level]]);
+        let up = [left, right].map(|place| vec![[place, from[1].min(low)], [place, to[1].max(high)]]);
+        let part = |rings| Self { rings, ..self.clone() };
+        let inside = move |part: &Self| {
+            let [from, to] = part.extent();
+            window.contains([0, 1].map(|k| 0.5 * (from[k] + to[k])))
+        };
+        faces::part(&self.rings, &[across, up].concat()).into_iter().map(part).filter(inside)
+    }
+
+    /// The least and the greatest (μ, η).
+    pub fn extent(&self) -> [[f64; 2]; 2] {
+        let beyond = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        self.rings.iter().flatten().fold(beyond, |[low, high], point| {
+            [[0, 1].map(|k| low[k].min(point[k])), [0, 1].map(|k| high[k].max(point[k]))]
+        })
+    }
+
+    /// Whether a point (μ, η) lies inside.
+    pub fn contains(&self, point: [f64; 2]) -> bool {
+        faces::holds(&self.rings, point)
+    }
+}
