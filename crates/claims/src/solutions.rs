@@ -22,7 +22,7 @@ pub(crate) fn branch<O: ImpactOscillator>(
     oscillator: &O,
     phase: f64,
     p: u32,
-    route: &Route,
+    route: &Route<'_>,
 ) -> Result<Curve, Stall<MapError>> {
     let [primary, secondary] = oscillator.parameters();
     let equations = LoopEquations::new(oscillator.clone(), p, Formulation::Vivid);

@@ -75,7 +75,7 @@ impl Existence {
 }
 
 /// The first points of a curve, wherever it goes, in steps of one length.
-fn first_points(length: f64, shortest: f64, turn: f64) -> Route {
+fn first_points(length: f64, shortest: f64, turn: f64) -> Route<'static> {
     let everywhere = [f64::NEG_INFINITY, f64::INFINITY];
     let steps = StepControl { first: length, longest: length, shortest, turn, ..StepControl::DRAWING };
     Route {
@@ -83,6 +83,7 @@ fn first_points(length: f64, shortest: f64, turn: f64) -> Route {
         control: steps,
         step_limit: POINTS,
         stop_at_events: false,
+        pace: None,
     }
 }
 

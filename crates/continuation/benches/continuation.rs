@@ -27,7 +27,7 @@ struct Start<O> {
     curve: MpsCurve<O>,
     point: Unknowns,
     direction: Unknowns,
-    route: Route,
+    route: Route<'static>,
 }
 
 impl<O: ImpactOscillator> Start<O> {
@@ -43,12 +43,13 @@ impl<O: ImpactOscillator> Start<O> {
     }
 }
 
-fn route(amplitudes: [f64; 2], frequencies: [f64; 2], stop_at_events: bool) -> Route {
+fn route(amplitudes: [f64; 2], frequencies: [f64; 2], stop_at_events: bool) -> Route<'static> {
     Route {
         window: Window { primary: amplitudes, secondary: frequencies },
         control: StepControl::DRAWING,
         step_limit: 20_000,
         stop_at_events,
+        pace: None,
     }
 }
 

@@ -80,8 +80,8 @@ impl Window {
 }
 
 /// Where and how a curve is to be followed.
-#[derive(Clone, Copy, Debug)]
-pub struct Route {
+#[derive(Clone, Copy)]
+pub struct Route<'a> {
     /// The curve ends at the first point outside.
     pub window: Window,
     /// Control of the step length.
@@ -90,6 +90,8 @@ pub struct Route {
     pub step_limit: usize,
     /// The curve ends at the first event; otherwise events are listed and passed. At y = 0 it ends in any case.
     pub stop_at_events: bool,
+    /// How far it may go in a step besides, and where it is left; as far as the control lets it where there is none.
+    pub pace: Option<&'a Pace<'a>>,
 }
 
 /// From the points of a curve so far and the tangent at the last: the longest next step, in lengths of its control; none where the curve

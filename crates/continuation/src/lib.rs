@@ -15,7 +15,6 @@
 //!                  └─ fit    quadratic coefficients measured on these curves
 //!   mps ─ criticality        normal form of period doublings, from third derivatives
 //! ```
-
 //!
 //! ```
 //! use grazing_continuation::arclength::StepControl;
@@ -31,7 +30,8 @@
 //! let equations = LoopEquations::new(oscillator, 1, Formulation::FixedPhase);
 //! let branch = MpsCurve { equations, condition: Condition::Secondary(0.85) };
 //! let window = Window { primary: [0.2, 1.0], secondary: [0.8, 0.9] };
-//! let route = Route { window, control: StepControl::DRAWING, step_limit: 5000, stop_at_events: false };
+//! let control = StepControl::DRAWING;
+//! let route = Route { window, control, step_limit: 5000, stop_at_events: false, pace: None };
 //! let start = Unknowns::new(0.0, grazing.phase(), grazing.amplitude(), 0.85);
 //! let curve = branch.follow(start, Unknowns::x(), EventTimes::default(), &route)?;
 //! let kinds: Vec<_> = curve.events.iter().filter_map(|event| Bifurcation::of(event.condition, 1)).collect();

@@ -215,7 +215,7 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
     }
 
     /// Follows the SN or PD curve from the resonance.
-    fn leave(&self, condition: Condition, route: &Route) -> Result<Curve, ResonanceError> {
+    fn leave(&self, condition: Condition, route: &Route<'_>) -> Result<Curve, ResonanceError> {
         self.curve(condition)
             .follow(self.unknowns(), self.direction(condition), EventTimes::default(), route)
             .map_err(|stall| ResonanceError::not_started(condition, stall.to_string()))
@@ -226,7 +226,7 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
     ///
     /// # Errors
     /// The SN or the PD curve cannot be started.
-    pub fn unfold(&self, route: &Route) -> Result<UnfoldedResonance, ResonanceError> {
+    pub fn unfold(&self, route: &Route<'_>) -> Result<UnfoldedResonance, ResonanceError> {
         let saddle_node = self.leave(Condition::SADDLE_NODE, route)?;
         let period_doubling = self.leave(Condition::PERIOD_DOUBLING, route)?;
         let (mut grazing, mut missing): (Vec<Curve>, Vec<ResonanceError>) = (Vec::new(), Vec::new());
@@ -257,7 +257,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     ///
     /// # Errors
     /// There is no such side, or the curve cannot be started.
-    pub fn branch_off(&self, point: &Event, route: &Route) -> Result<Curve, ResonanceError> {
+    pub fn branch_off(&self, point: &Event, route: &Route<'_>) -> Result<Curve, ResonanceError> {
         let condition = point.condition;
         let bounds = |solution: &MaximalPeriodicSolution| {
             !solution.touches() && (condition != Condition::InteriorGrazing || solution.stable())

@@ -92,13 +92,14 @@ const PLACES: [Place; 3] = [
 ];
 
 /// The window that the file names.
-fn route() -> Route {
+fn route() -> Route<'static> {
     let file = written();
     Route {
         window: Window { primary: file.primary().range(), secondary: file.secondary().range() },
         control: StepControl::DRAWING,
         step_limit: 20_000,
         stop_at_events: true,
+        pace: None,
     }
 }
 

@@ -12,8 +12,8 @@ use grazing_model::ImpactOscillator;
 const STEP_LIMIT: usize = 20_000;
 
 /// The route through a window to the first event.
-pub fn route(window: Window, control: StepControl) -> Route {
-    Route { window, control, step_limit: STEP_LIMIT, stop_at_events: true }
+pub fn route(window: Window, control: StepControl) -> Route<'static> {
+    Route { window, control, step_limit: STEP_LIMIT, stop_at_events: true, pace: None }
 }
 
 /// A bifurcation curve of the diagram.
@@ -122,7 +122,7 @@ impl<O: ImpactOscillator> Net<O> {
     }
 
     /// Follows what is missing of the two curves that meet at each codimension-two point, and so on from where that ends.
-    pub(crate) fn grow(&mut self, route: &Route) {
+    pub(crate) fn grow(&mut self, route: &Route<'_>) {
         while let Some(CodimensionTwoPoint { kind: meeting, loops, n, event }) =
             self.meetings.get(self.grown).cloned()
         {

@@ -71,7 +71,7 @@ const CURVES: &str = "bifurcation curves";
 const UNDECIDABLE_WIDTH: f64 = 1e-7;
 
 /// The route of curves that are drawn: in a small window steps are small, too, down to where curves are straight.
-fn drawn(window: Window) -> Route {
+fn drawn(window: Window) -> Route<'static> {
     let control = StepControl::DRAWING;
     let [across, up] = window.widths();
     // Across the shorter side of a long window a chord of long steps would leave its curve too far.

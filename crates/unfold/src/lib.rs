@@ -89,6 +89,7 @@ mod slices;
 #[cfg(test)]
 mod specimens;
 pub mod stop;
+mod stretches;
 mod suggestion;
 mod survey;
 pub mod units;

@@ -5,8 +5,7 @@
 
 mod relaxation;
 
-use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{CurvePoint, Route};
+use grazing_continuation::curve::CurvePoint;
 use grazing_continuation::mps::LoopEquations;
 use grazing_model::ImpactOscillator;
 use rayon::prelude::*;
@@ -35,8 +34,6 @@ pub(crate) struct NonImpacting<O> {
 
 /// Every so many of the slices motion is left to relax from rest, which finds branches to which grazing does not lead.
 const RELAXED_EVERY: usize = 2;
-/// A curve of this many points has lost its way.
-const STEP_LIMIT: usize = 20_000;
 /// The stage of the search.
 const STAGE: &str = "motion without impacts";
 
@@ -77,10 +74,7 @@ fn on_slices<O: ImpactOscillator>(
         .collect();
     let equations = LoopEquations::without_impacts(oscillator.clone(), scope.window.widths());
     let mut net = Net::new(equations.clone());
-    // Curves go on beyond the wall.
-    let control = StepControl::DRAWING;
-    let route = Route { window: scope.window, control, step_limit: STEP_LIMIT, stop_at_events: false };
-    let mut survey = Survey::new(&mut net, scope, route, &[], Vec::new());
+    let mut survey = Survey::new(&mut net, scope, &[], Vec::new());
     for (secondary, motion) in relaxed.iter().zip(&motions) {
         survey.add_slice(Slice::new(*secondary, motion.branches.clone()));
     }

@@ -24,7 +24,8 @@ pub use visits::Sampling;
 
 use crate::curves::DiagramCurve;
 use crate::progress::Progress;
-use crate::slices::{FREE_STEPS, Slice, Slicer, broken_at, distinct};
+use crate::slices::{FREE_STEPS, Slice, Slicer, distinct};
+use crate::stretches::broken_at;
 use crate::{Scope, non_impacting, search};
 use branches::{Strand, same_bifurcation, within};
 use portraits::Scene;

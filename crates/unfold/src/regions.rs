@@ -4,14 +4,13 @@
 //! which every slice sees a stable, admissible solution all along is shaded, one in which none does is not, and where slices do not
 //! agree, or a branch could not be followed, that is said.
 
-use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
 use grazing_model::ImpactOscillator;
 use rayon::prelude::*;
 
 use crate::Scope;
-use crate::curves::{DiagramCurve, Net, route};
+use crate::curves::{DiagramCurve, Net};
 use crate::faces::{self, Face, Point, chords, extent};
 use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
@@ -78,8 +77,7 @@ pub(crate) fn of_mps<O: ImpactOscillator>(
     let regions = nets.par_iter_mut().map(|net| {
         let loops = net.loops();
         let found = found.iter().filter(|(p, _)| *p == loops).map(|(_, solution)| *solution).collect();
-        let route = route(window, StepControl::DRAWING);
-        let mut survey = Survey::new(net, scope, route, grazing, found);
+        let mut survey = Survey::new(net, scope, grazing, found);
         let regions = decided(window, &mut survey, &levels, progress);
         progress.step(what);
         (!progress.stopped()).then_some(regions)

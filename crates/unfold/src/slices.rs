@@ -8,11 +8,9 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route, Window};
+use grazing_continuation::curve::{Curve, CurvePoint, MpsCurve, Route, Window};
 use grazing_continuation::locate::{Condition, locate, locate_within};
-use grazing_continuation::mps::{
-    EventTimes, LoopEquations, MaximalPeriodicSolution, Unknowns, parameters, unknown,
-};
+use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns, parameters, unknown};
 use grazing_model::motion::Motion;
 use grazing_model::phase::turned;
 use grazing_model::{ImpactOscillator, State};
@@ -70,25 +68,6 @@ pub(crate) fn spread(
             }
         }
     }
-}
-
-/// A piece of a branch on which stability and admissibility do not change.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Stretch {
-    /// The primary parameter at its ends.
-    pub(crate) primary: [f64; 2],
-    /// The MPSs are stable and admissible.
-    pub(crate) good: bool,
-}
-
-/// Where MPSs begin or cease to be stable or admissible.
-#[derive(Clone, Debug)]
-pub(crate) struct Border<'a> {
-    pub(crate) primary: f64,
-    /// The bifurcation; none was located where it is missing.
-    pub(crate) event: Option<&'a Event>,
-    /// How far the stable, admissible MPSs beside it extend in both parameters, unless grazing bounds them.
-    pub(crate) reach: Option<[f64; 2]>,
 }
 
 /// Steps along branches that need not be drawn: rough points are enough for the signs of what happens between them, and that is
@@ -271,7 +250,8 @@ impl<O: ImpactOscillator> Slicer<O> {
         let followed = if !self.equations.has_impacts() {
             // In the order of μ.
             let pace = |points: &[CurvePoint], _: &Unknowns| (!is_lost(points)).then_some(f64::INFINITY);
-            curve.follow_both_ways_at_pace(through, -Unknowns::z(), times, &route, &pace)
+            let route = Route { pace: Some(&pace), ..route };
+            curve.follow_both_ways(through, -Unknowns::z(), times, &route)
         } else if both {
             curve.follow_both_ways(through, Unknowns::x(), times, &route)
         } else {
@@ -280,14 +260,19 @@ impl<O: ImpactOscillator> Slicer<O> {
         slice.branches.extend(followed);
     }
 
-    fn branch(&self, condition: Condition, window: Window, through: &Unknowns) -> (MpsCurve<O>, Route) {
+    fn branch(
+        &self,
+        condition: Condition,
+        window: Window,
+        through: &Unknowns,
+    ) -> (MpsCurve<O>, Route<'static>) {
         let curve = MpsCurve { equations: self.equations.clone(), condition };
         let mut control = self.control;
         let step_limit = ((LONGEST_BRANCH / control.longest) as usize).min(MOST_POINTS);
         if !self.equations.has_impacts() {
             control.longest *= size(through);
         }
-        (curve, Route { window, control, step_limit, stop_at_events: false })
+        (curve, Route { window, control, step_limit, stop_at_events: false, pace: None })
     }
 
     /// The branches at one μ to which slices of constant η lead, without those that are known.
@@ -318,7 +303,8 @@ impl<O: ImpactOscillator> Slicer<O> {
         }
         let pace = Pace::new(&self.equations, window, through);
         let pace = |points: &[CurvePoint], tangent: &Unknowns| pace.longest(points, tangent, size(through));
-        curve.follow_both_ways_at_pace(*through, Unknowns::w(), times, &route, &pace).ok()
+        let route = Route { pace: Some(&pace), ..route };
+        curve.follow_both_ways(*through, Unknowns::w(), times, &route).ok()
     }
 }
 
@@ -380,113 +366,6 @@ pub(crate) fn near_chord<const N: usize>(
 ) -> bool {
     let along = (-start.dot(chord) / chord.norm_squared()).clamp(0.0, 1.0);
     (start + chord * along).norm() < share * chord.norm()
-}
-
-/// A point of a branch: one of the curve's, or an event.
-pub(crate) struct Vertex<'a> {
-    pub(crate) solution: &'a MaximalPeriodicSolution,
-    pub(crate) event: Option<&'a Event>,
-}
-
-/// The points of a branch with its events in their places.
-pub(crate) fn vertices(branch: &Curve) -> Vec<Vertex<'_>> {
-    fn happens(event: &Event) -> Vertex<'_> {
-        Vertex { solution: &event.solution, event: Some(event) }
-    }
-    let mut vertices = Vec::with_capacity(branch.points.len() + branch.events.len());
-    let mut events = branch.events.iter().peekable();
-    for (index, point) in branch.points.iter().enumerate() {
-        while let Some(event) = events.next_if(|event| event.index <= index) {
-            vertices.push(happens(event));
-        }
-        vertices.push(Vertex { solution: &point.solution, event: None });
-    }
-    vertices.extend(events.map(happens));
-    vertices
-}
-
-/// The stretches of a branch and what lies between them, if MPSs are stable and admissible on one of both.
-pub(crate) fn stretches<'a, O: ImpactOscillator>(
-    equations: &LoopEquations<O>,
-    branch: &'a Curve,
-) -> (Vec<Stretch>, Vec<Border<'a>>) {
-    let vertices = vertices(branch);
-    let status = |pair: &[Vertex<'_>]| {
-        let [a, b] = [&pair[0], &pair[1]];
-        match [a.event, b.event] {
-            [None, _] => a.solution.attracts(),
-            [_, None] => b.solution.attracts(),
-            // Two events in a row: what lies between is looked at.
-            _ => middle_of(equations, a.solution, b.solution).is_some_and(|solution| solution.attracts()),
-        }
-    };
-    let primary = |vertex: &Vertex<'_>| vertex.solution.parameters()[0];
-    let stretches: Vec<Stretch> = vertices
-        .windows(2)
-        .map(|pair| Stretch { primary: [primary(&pair[0]), primary(&pair[1])], good: status(pair) })
-        .collect();
-    let mut borders: Vec<Border<'a>> = Vec::new();
-    let mut end = 0;
-    for run in stretches.chunk_by(|a, b| a.good == b.good) {
-        let start = end;
-        end += run.len();
-        if run[0].good {
-            let all = &vertices[start..=end];
-            // Grazing may bound as little, and matters.
-            let grazes = |vertex: &Vertex<'_>| {
-                vertex.event.is_some_and(|it| it.condition == Condition::InteriorGrazing)
-            };
-            let places = || all.iter().map(|vertex| vertex.solution.parameters());
-            let extent = |k: usize| {
-                let [least, greatest] = [f64::min, f64::max].map(|of| places().map(|at| at[k]).reduce(of));
-                greatest.zip(least).map_or(0.0, |(greatest, least)| greatest - least)
-            };
-            let reach = (!all.iter().any(grazes)).then(|| [0, 1].map(extent));
-            let inner = [start, end].into_iter().filter(|k| 0 < *k && *k < stretches.len());
-            borders.extend(inner.map(|k| Border {
-                primary: primary(&vertices[k]),
-                event: vertices[k].event,
-                reach,
-            }));
-        }
-    }
-    (stretches, borders)
-}
-
-/// The solution half the way between two neighbours on a branch.
-fn middle_of<O: ImpactOscillator>(
-    equations: &LoopEquations<O>,
-    a: &MaximalPeriodicSolution,
-    b: &MaximalPeriodicSolution,
-) -> Option<MaximalPeriodicSolution> {
-    let middle = (a.unknowns + b.unknowns) * 0.5;
-    let conditions = Condition::beside(equations, &middle);
-    let found = locate(equations, conditions, middle, &mut EventTimes::default()).ok()?;
-    Some(equations.solution(&found))
-}
-
-/// A branch whose multipliers exceed this may end anywhere: it runs into motion that escapes, over a hill of a potential say, and in its neighbourhood
-/// parameters matter so much that what stable stretches there may be are shorter than a diagram is drawn (empirical: none was seen by simulation).
-const BROKEN_BY_VIOLENCE: f64 = 1e3;
-
-/// The primary parameters at which a branch could not be followed to its end, with what happened; beyond the wall motion without
-/// impacts matters no more.
-pub(crate) fn broken_at(branch: &Curve) -> impl Iterator<Item = (f64, String)> {
-    let ends =
-        [(branch.points.first(), branch.beginning.as_ref()), (branch.points.last(), Some(&branch.end))];
-    ends.into_iter().filter_map(|(point, end)| {
-        let reason = match end? {
-            CurveEnd::LeftWindow | CurveEnd::Grazing | CurveEnd::Closed | CurveEnd::Event(_) => return None,
-            CurveEnd::EventNotLocated { failure, .. } => {
-                format!("a bifurcation was seen and not located: {failure}")
-            }
-            CurveEnd::Stalled(stall) => format!("no further point was found: {stall}"),
-            CurveEnd::StepLimit => format!("after {} points there was no end", branch.points.len()),
-        };
-        let last = &point?.solution;
-        let matters = last.has_impacts() || last.admissible();
-        (matters && last.multipliers.size() <= BROKEN_BY_VIOLENCE).then(|| (last.parameters()[0], reason))
-    })
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@
 
 use std::borrow::Cow;
 
+use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, CurveEnd, Event, MpsCurve, Route, Window};
 use grazing_continuation::locate::{Condition, locate};
@@ -15,20 +16,21 @@ use nalgebra::Vector2;
 use rayon::prelude::*;
 
 use crate::Scope;
-use crate::curves::{DiagramCurve, Net};
+use crate::curves::{DiagramCurve, Net, route};
 use crate::faces::Point;
 use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
 use crate::region::Doubt;
 use crate::sight::Sight;
-use crate::slices::{Border, FREE_STEPS, Slice, Slicer, broken_at, near_chord, spread, steps, stretches};
+use crate::slices::{FREE_STEPS, Slice, Slicer, near_chord, spread, steps};
+use crate::stretches::{Border, broken_at, stretches};
 
 /// The slices through the surface of solutions with p loops, in the order of η.
 pub(crate) struct Survey<'a, O: Clone> {
     net: &'a mut Net<O>,
     pub(crate) slicer: Slicer<O>,
     scope: &'a Scope,
-    route: Route,
+    route: Route<'static>,
     /// The grazing curves; without impacts those that are found on the way are added.
     pub(crate) grazing: Cow<'a, [GrazingCurve<O>]>,
     slices: Vec<Slice>,
@@ -60,11 +62,13 @@ impl<'a, O: ImpactOscillator> Survey<'a, O> {
     pub(crate) fn new(
         net: &'a mut Net<O>,
         scope: &'a Scope,
-        route: Route,
         grazing: &'a [GrazingCurve<O>],
         found: Vec<Unknowns>,
     ) -> Self {
-        let control = if net.equations.has_impacts() { steps(scope.window) } else { FREE_STEPS };
+        let has_impacts = net.equations.has_impacts();
+        let control = if has_impacts { steps(scope.window) } else { FREE_STEPS };
+        // Without impacts curves go on beyond the wall.
+        let route = Route { stop_at_events: has_impacts, ..route(scope.window, StepControl::DRAWING) };
         let slicer = Slicer { equations: net.equations.clone(), window: scope.window, control };
         let grazing = Cow::Borrowed(grazing);
         Self {
@@ -107,7 +111,8 @@ impl<'a, O: ImpactOscillator> Survey<'a, O> {
         loop {
             spread(&mut self.slices, progress, |from, to| self.slicer.carry(from, to));
             let new = self.slices.iter_mut().flat_map(Slice::take_new);
-            let events: Vec<Event> = new.flat_map(|branch| bounding(self.net, branch, self.route)).collect();
+            let events: Vec<Event> =
+                new.flat_map(|branch| bounding(self.net, branch, self.scope.window)).collect();
             self.explain(&events, progress);
             self.follow_columns(progress);
             let curves = &self.net.curves;
@@ -157,7 +162,7 @@ impl<'a, O: ImpactOscillator> Survey<'a, O> {
     }
 
     fn add_column(&mut self, column: Curve, progress: &dyn Progress) {
-        let events: Vec<Event> = bounding(self.net, &column, self.route).collect();
+        let events: Vec<Event> = bounding(self.net, &column, self.scope.window).collect();
         self.columns.push(column);
         self.explain(&events, progress);
     }
@@ -246,10 +251,10 @@ fn is_wide(border: &Border<'_>, window: Window) -> bool {
 fn bounding<O: ImpactOscillator>(
     net: &Net<O>,
     branch: &Curve,
-    route: Route,
+    window: Window,
 ) -> impl Iterator<Item = Event> + use<O> {
     let (_, borders) = stretches(&net.equations, branch);
-    let wide = borders.into_iter().filter(|border| is_wide(border, route.window));
+    let wide = borders.into_iter().filter(|border| is_wide(border, window));
     wide.filter_map(|border| border.event.cloned()).collect::<Vec<_>>().into_iter()
 }
 
@@ -285,7 +290,7 @@ fn explained<O: ImpactOscillator>(net: &Net<O>, kind: Bifurcation, event: &Event
 }
 
 /// Follows the curve through a bifurcation that lies on none that is known.
-fn start<O: ImpactOscillator>(net: &mut Net<O>, kind: Bifurcation, event: &Event, route: &Route) {
+fn start<O: ImpactOscillator>(net: &mut Net<O>, kind: Bifurcation, event: &Event, route: &Route<'_>) {
     let curve = MpsCurve { equations: net.equations.clone(), condition: event.condition };
     // Across the slice.
     let upwards = if net.equations.has_impacts() { Unknowns::w() } else { -Unknowns::w() };
@@ -325,13 +330,11 @@ fn covers(scope: &Scope, known: &DiagramCurve, other: &DiagramCurve) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use grazing_continuation::arclength::StepControl;
     use grazing_continuation::mps::{Formulation, LoopEquations};
     use grazing_description::Description;
     use grazing_model::smooth::Integrated;
 
     use super::*;
-    use crate::curves::route;
     use crate::progress::Silent;
     use crate::search;
 
@@ -344,8 +347,7 @@ mod tests {
         let found = found.into_iter().map(|(_, solution)| solution).collect();
         let mut net = Net::new(LoopEquations::new(oscillator, loops, Formulation::FixedPhase));
         let scope = Scope { window, loops: vec![loops], start: None };
-        let route = route(window, StepControl::DRAWING);
-        let mut survey = Survey::new(&mut net, &scope, route, &[], found);
+        let mut survey = Survey::new(&mut net, &scope, &[], found);
         survey.look_at(levels, &Silent);
         (survey.lines().len(), survey.sights())
     }

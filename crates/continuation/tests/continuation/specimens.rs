@@ -111,12 +111,13 @@ pub(crate) fn located(resonance: &Resonance) -> ResonantGrazingPoint<LinearOscil
 }
 
 /// A route through a window of amplitudes and frequencies, with steps as for drawing.
-pub(crate) fn route(amplitudes: [f64; 2], frequencies: [f64; 2], stop_at_events: bool) -> Route {
+pub(crate) fn route(amplitudes: [f64; 2], frequencies: [f64; 2], stop_at_events: bool) -> Route<'static> {
     Route {
         window: Window { primary: amplitudes, secondary: frequencies },
         control: StepControl::DRAWING,
         step_limit: 5_000,
         stop_at_events,
+        pace: None,
     }
 }
 
@@ -126,7 +127,7 @@ pub(crate) fn branch(
     loops: u32,
     formulation: Formulation,
     side: f64,
-    route: &Route,
+    route: &Route<'_>,
 ) -> (LoopEquations<LinearOscillator>, Curve) {
     let (grazing, oscillator) = at_grazing(zeta, epsilon, omega);
     let equations = LoopEquations::new(oscillator, loops, formulation);

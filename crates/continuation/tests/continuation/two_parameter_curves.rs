@@ -21,7 +21,7 @@ struct Unfolded {
     curves: UnfoldedResonance,
 }
 
-fn window() -> Route {
+fn window() -> Route<'static> {
     route([0.0, 1.3], FREQUENCIES, true)
 }
 

@@ -14,7 +14,7 @@ use grazing_model::{ImpactOscillator, OnWall};
 use grazing_results::branches::{BranchBifurcation, BranchPoint};
 use nalgebra::Vector2;
 
-use crate::slices::{Vertex, vertices};
+use crate::stretches::{Vertex, vertices};
 
 /// A branch of periodic solutions at one η.
 #[derive(Clone, Debug)]

@@ -15,6 +15,7 @@ fn branch(loops: u32) -> Result<(LoopEquations<Specimen>, Curve, f64), Failure> 
         control: StepControl::DRAWING,
         step_limit: 5_000,
         stop_at_events: false,
+        pace: None,
     };
     let curve = solutions::branch(grazing.oscillator(), grazing.phase(), loops, &route)?;
     Ok((equations(&grazing, loops), curve, amplitude))

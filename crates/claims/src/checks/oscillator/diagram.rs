@@ -45,6 +45,7 @@ pub(crate) fn boundaries() -> CheckResult {
         control: StepControl::DRAWING,
         step_limit: 20_000,
         stop_at_events: true,
+        pace: None,
     };
     for resonance in theory.resonances(&[1, 2, 3], FREQUENCIES[0], FREQUENCIES[1])? {
         let grazing = resonance.grazing();

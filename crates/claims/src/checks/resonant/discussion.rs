@@ -154,6 +154,7 @@ pub(super) const ROUTE: Route = Route {
     control: StepControl::DRAWING,
     step_limit: 3_000,
     stop_at_events: true,
+    pace: None,
 };
 
 checks! {

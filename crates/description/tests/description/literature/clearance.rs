@@ -71,6 +71,7 @@ fn branch(omega: f64, n: u32) -> Curve {
         control: StepControl::DRAWING,
         step_limit: 2_000,
         stop_at_events: false,
+        pace: None,
     };
     let start = Unknowns::new(0.0, orbit.phase(), orbit.primary(), omega);
     curve

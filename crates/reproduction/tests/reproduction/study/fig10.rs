@@ -85,6 +85,7 @@ fn visits_of_followed_solutions_tend_to_the_vertices() {
         control: StepControl { first: 1e-5, longest: 1e-4, ..StepControl::DRAWING },
         step_limit: 1000,
         stop_at_events: false,
+        pace: None,
     };
     let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(omega) };
     let start = Unknowns::new(0.0, grazing().phase(), graz, omega);

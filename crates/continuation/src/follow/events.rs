@@ -1,0 +1,247 @@
+//! What happens to the solution along a curve: the functions that vanish at bifurcations, and their zeros on a step.
+
+use grazing_model::ImpactOscillator;
+
+use crate::arclength::{Continuation, Station, StepControl};
+use crate::bifurcation::Bifurcation;
+use crate::curve::{CurveEnd, Event, MpsCurve};
+use crate::locate::{Condition, LocateFailure, locate_grazing_end, locate_within};
+use crate::mps::{EventTimes, MaximalPeriodicSolution, Stability, Unknowns, unknown};
+use crate::tolerances::{CUTS, FARTHEST_EVENT, FARTHEST_ITERATE, NO_VELOCITY, ON_TWO_CURVES, TOUCHES_TOO};
+
+pub(super) type MpsStation = Station<4, EventTimes>;
+
+/// What can happen to the solution along a curve.
+pub(super) const EVENTS: [Condition; 3] = [
+    Bifurcation::SaddleNode.condition(),
+    Bifurcation::PeriodDoubling.condition(),
+    Bifurcation::Grazing.condition(),
+];
+/// The place of admissibility in [`Signs`].
+pub(super) const INADMISSIBLE: usize = 2;
+
+/// Signs of the functions that vanish at the [`EVENTS`]; unknown where that was not looked at.
+pub(super) type Signs = [Option<bool>; EVENTS.len()];
+
+/// So far along the tangent the maxima of loops that touch the wall at y = 0 have left it by more than the tangent is off, and by more than rounding.
+const BESIDE_GRAZING: f64 = 1e-6;
+
+/// What vanishes at a bifurcation that multipliers show.
+pub(super) fn vanishing(event: Condition, stability: &Stability) -> Option<f64> {
+    match event {
+        Condition::SADDLE_NODE => Some(stability.saddle_node),
+        Condition::PERIOD_DOUBLING => Some(stability.period_doubling),
+        _ => None,
+    }
+}
+
+/// On a curve of fixed multiplier the other multiplier is positive or negative throughout: only grazing can happen there.
+pub(super) fn signs(along: Condition, stability: &Stability, solution: &MaximalPeriodicSolution) -> Signs {
+    EVENTS.map(|event| match vanishing(event, stability) {
+        Some(value) => (!matches!(along, Condition::Multiplier(_))).then_some(value > 0.0),
+        None => Some(solution.touches()),
+    })
+}
+
+/// The places in [`EVENTS`] of those between which signs differ.
+pub(super) fn changes(past: Signs, now: Signs) -> impl Iterator<Item = usize> {
+    let differ = |a: Option<bool>, b: Option<bool>| a.is_some_and(|a| b.is_some_and(|b| a != b));
+    (0..EVENTS.len()).filter(move |event| differ(past[*event], now[*event]))
+}
+
+impl<O: ImpactOscillator> MpsCurve<O> {
+    /// Whether a point of the curve is one of the grazing curve, with y = 0.
+    pub(super) fn is_at_grazing(&self, point: &Unknowns) -> bool {
+        self.equations.has_impacts() && point[unknown::VELOCITY] == 0.0
+    }
+
+    /// The signs at the start, unless it is itself a codimension-two point, where one of the functions vanishes.
+    pub(super) fn starting_signs(&self, first: &MpsStation) -> Option<Signs> {
+        let (mut solution, stability) = self.equations.solution_and_stability(&first.point);
+        let at_grazing = self.is_at_grazing(&first.point);
+        if at_grazing {
+            // The maxima of all loops touch the wall there; where they go from there is to be seen a little farther on.
+            solution = self.equations.solution(&(first.point + first.tangent * BESIDE_GRAZING));
+        }
+        let clear = match self.condition {
+            // Where another maximum touches the wall its sign is a toss-up.
+            Condition::Multiplier(_) => at_grazing || solution.ceiling().abs() > TOUCHES_TOO,
+            _ => stability.saddle_node.abs().min(stability.period_doubling.abs()) > ON_TWO_CURVES,
+        };
+        clear.then(|| signs(self.condition, &stability, &solution))
+    }
+}
+
+/// A step along a curve, from one point to the next.
+pub(super) struct Step<'a, O> {
+    pub(super) followed: &'a MpsCurve<O>,
+    pub(super) control: StepControl,
+    pub(super) before: &'a MpsStation,
+    pub(super) after: &'a MpsStation,
+}
+
+impl<O: ImpactOscillator> Step<'_, O> {
+    /// All events on the step, in the order of the curve; `beyond` is the solution at its end, which is the curve's point of this index.
+    pub(super) fn events(
+        &self,
+        past: Signs,
+        now: Signs,
+        beyond: &MaximalPeriodicSolution,
+        index: usize,
+    ) -> Result<Vec<Event>, CurveEnd> {
+        let mut located = Vec::new();
+        for event in changes(past, now) {
+            let condition = EVENTS[event];
+            let found = self.event(condition, beyond);
+            match found.or_else(|failure| self.event_closer(event, past[event]).ok_or(failure)) {
+                Ok((solution, times)) => located.push(Event { condition, solution, index, times }),
+                // Where branches cross for the sake of a symmetry, or rest touches the wall, motion without impacts goes on.
+                Err(_) if !self.followed.equations.has_impacts() => {}
+                Err(failure) => return Err(CurveEnd::EventNotLocated { condition, failure }),
+            }
+        }
+        let way = |event: &Event| self.before.tangent.dot(&(event.solution.unknowns - self.before.point));
+        located.sort_by(|a, b| way(a).total_cmp(&way(b)));
+        Ok(located)
+    }
+
+    /// Locates an event on the step; `beyond` is the solution at its end.
+    fn event(
+        &self,
+        condition: Condition,
+        beyond: &MaximalPeriodicSolution,
+    ) -> Result<(MaximalPeriodicSolution, EventTimes), LocateFailure> {
+        let Self { before, after, .. } = *self;
+        let equations = &self.followed.equations;
+        let mut times = after.carried.clone();
+        let mut near = (before.point + after.point) * 0.5;
+        let mut sought = condition;
+        if condition == Condition::InteriorGrazing {
+            // The maximum that crosses the wall is the highest one at whichever end is inadmissible.
+            let solution = if beyond.touches() {
+                near = after.point;
+                *beyond
+            } else {
+                near = before.point;
+                times = before.carried.clone();
+                equations.solution(&before.point)
+            };
+            if let Some(maximum) = solution.highest_interior_maximum {
+                if self.followed.condition == Condition::InteriorGrazing {
+                    // One maximum touches the wall all along the curve; this is another one.
+                    sought = Condition::SecondInteriorGrazing;
+                    times.second_grazing_time = maximum.time;
+                } else {
+                    times.grazing_time = maximum.time;
+                }
+            }
+        }
+        let point = self.located_near(sought, near, &mut times)?;
+        if sought == Condition::SecondInteriorGrazing {
+            // The curve that can start from there is that of the second maximum.
+            core::mem::swap(&mut times.grazing_time, &mut times.second_grazing_time);
+        }
+        Ok((equations.solution(&point), times))
+    }
+
+    /// Locates an event that Newton's method does not find from the middle of the step: the step is cut about it, over and over.
+    fn event_closer(
+        &self,
+        event: usize,
+        past: Option<bool>,
+    ) -> Option<(MaximalPeriodicSolution, EventTimes)> {
+        let equations = &self.followed.equations;
+        let comes_later = |middle: &MpsStation| {
+            let (solution, stability) = equations.solution_and_stability(&middle.point);
+            signs(self.followed.condition, &stability, &solution)[event] == past
+        };
+        self.cut(comes_later, |part| {
+            let beyond = equations.solution(&part.after.point);
+            part.event(EVENTS[event], &beyond).ok()
+        })
+    }
+
+    /// Cuts the step about a place that lies in it until the place is located.
+    fn cut<T>(
+        &self,
+        comes_later: impl Fn(&MpsStation) -> bool,
+        located: impl Fn(&Step<'_, O>) -> Option<T>,
+    ) -> Option<T> {
+        let (mut before, mut after) = (self.before.clone(), self.after.clone());
+        for _ in 0..CUTS {
+            let half = 0.5 * self.followed.equations.gap(&before.point, &after.point).norm();
+            if half < self.control.shortest {
+                return None;
+            }
+            let tolerance = StepControl::DRAWING.tolerance;
+            let control = StepControl { first: half, longest: half, tolerance, ..self.control };
+            let (point, tangent, times) = (before.point, before.tangent, before.carried.clone());
+            let mut walker = Continuation::new(self.followed, control, point, tangent, times).ok()?;
+            let middle = walker.advance().ok()?.clone();
+            if comes_later(&middle) {
+                before = middle;
+                continue;
+            }
+            after = middle;
+            if let Some(found) = located(&Step { before: &before, after: &after, ..*self }) {
+                return Some(found);
+            }
+        }
+        None
+    }
+
+    /// Where the impact velocity vanishes on the step.
+    pub(super) fn grazing(&self) -> Result<(Unknowns, EventTimes), LocateFailure> {
+        let located = |step: &Step<'_, O>| {
+            let near = step.on_chord(unknown::VELOCITY, 0.0);
+            let mut times = step.after.carried.clone();
+            let MpsCurve { equations, condition } = step.followed;
+            let located = match condition {
+                Condition::InteriorGrazing => {
+                    locate_grazing_end(equations, near, &mut times).and_then(|point| step.holds(point, near))
+                }
+                _ => step.located_near(Condition::ImpactVelocity(0.0), near, &mut times),
+            };
+            located.map(|point| (point, times))
+        };
+        located(self).or_else(|failure| {
+            let comes_later = |middle: &MpsStation| middle.point[unknown::VELOCITY] > NO_VELOCITY;
+            self.cut(comes_later, |part| located(part).ok()).ok_or(failure)
+        })
+    }
+
+    /// The point of the curve with a further condition that lies on the step, or next to it.
+    pub(super) fn located_near(
+        &self,
+        condition: Condition,
+        near: Unknowns,
+        times: &mut EventTimes,
+    ) -> Result<Unknowns, LocateFailure> {
+        let MpsCurve { equations, condition: along } = self.followed;
+        let point =
+            locate_within(FARTHEST_ITERATE * self.length(), equations, [*along, condition], near, times)?;
+        self.holds(point, near)
+    }
+
+    fn length(&self) -> f64 {
+        (self.after.point - self.before.point).norm()
+    }
+
+    /// A point that was looked for on the step, from near it, unless it lies elsewhere.
+    fn holds(&self, point: Unknowns, near: Unknowns) -> Result<Unknowns, LocateFailure> {
+        let (distance, step) = ((point - near).norm(), self.length());
+        if distance > FARTHEST_EVENT * step {
+            return Err(LocateFailure::Elsewhere { distance, step });
+        }
+        Ok(point)
+    }
+
+    /// The point on the chord where one coordinate takes a value.
+    pub(super) fn on_chord(&self, coordinate: usize, value: f64) -> Unknowns {
+        let [before, after] = [self.before, self.after].map(|end| end.point);
+        let (a, b) = (before[coordinate], after[coordinate]);
+        let mut point = before + (after - before) * ((value - a) / (b - a));
+        point[coordinate] = value;
+        point
+    }
+}

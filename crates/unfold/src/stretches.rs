@@ -1,0 +1,132 @@
+//! Stretches of branches: where solutions are stable and admissible, what lies between, and where a branch breaks off.
+
+use grazing_continuation::curve::{Curve, CurveEnd, Event};
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::{EventTimes, LoopEquations, MaximalPeriodicSolution};
+use grazing_model::ImpactOscillator;
+
+/// A piece of a branch on which stability and admissibility do not change.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stretch {
+    /// The primary parameter at its ends.
+    pub(crate) primary: [f64; 2],
+    /// The MPSs are stable and admissible.
+    pub(crate) good: bool,
+}
+
+/// Where MPSs begin or cease to be stable or admissible.
+#[derive(Clone, Debug)]
+pub(crate) struct Border<'a> {
+    pub(crate) primary: f64,
+    /// The bifurcation; none was located where it is missing.
+    pub(crate) event: Option<&'a Event>,
+    /// How far the stable, admissible MPSs beside it extend in both parameters, unless grazing bounds them.
+    pub(crate) reach: Option<[f64; 2]>,
+}
+
+/// A point of a branch: one of the curve's, or an event.
+pub(crate) struct Vertex<'a> {
+    pub(crate) solution: &'a MaximalPeriodicSolution,
+    pub(crate) event: Option<&'a Event>,
+}
+
+/// The points of a branch with its events in their places.
+pub(crate) fn vertices(branch: &Curve) -> Vec<Vertex<'_>> {
+    fn happens(event: &Event) -> Vertex<'_> {
+        Vertex { solution: &event.solution, event: Some(event) }
+    }
+    let mut vertices = Vec::with_capacity(branch.points.len() + branch.events.len());
+    let mut events = branch.events.iter().peekable();
+    for (index, point) in branch.points.iter().enumerate() {
+        while let Some(event) = events.next_if(|event| event.index <= index) {
+            vertices.push(happens(event));
+        }
+        vertices.push(Vertex { solution: &point.solution, event: None });
+    }
+    vertices.extend(events.map(happens));
+    vertices
+}
+
+/// The stretches of a branch and what lies between them, if MPSs are stable and admissible on one of both.
+pub(crate) fn stretches<'a, O: ImpactOscillator>(
+    equations: &LoopEquations<O>,
+    branch: &'a Curve,
+) -> (Vec<Stretch>, Vec<Border<'a>>) {
+    let vertices = vertices(branch);
+    let status = |pair: &[Vertex<'_>]| {
+        let [a, b] = [&pair[0], &pair[1]];
+        match [a.event, b.event] {
+            [None, _] => a.solution.attracts(),
+            [_, None] => b.solution.attracts(),
+            // Two events in a row: what lies between is looked at.
+            _ => middle_of(equations, a.solution, b.solution).is_some_and(|solution| solution.attracts()),
+        }
+    };
+    let primary = |vertex: &Vertex<'_>| vertex.solution.parameters()[0];
+    let stretches: Vec<Stretch> = vertices
+        .windows(2)
+        .map(|pair| Stretch { primary: [primary(&pair[0]), primary(&pair[1])], good: status(pair) })
+        .collect();
+    let mut borders: Vec<Border<'a>> = Vec::new();
+    let mut end = 0;
+    for run in stretches.chunk_by(|a, b| a.good == b.good) {
+        let start = end;
+        end += run.len();
+        if run[0].good {
+            let all = &vertices[start..=end];
+            // Grazing may bound as little, and matters.
+            let grazes = |vertex: &Vertex<'_>| {
+                vertex.event.is_some_and(|it| it.condition == Condition::InteriorGrazing)
+            };
+            let places = || all.iter().map(|vertex| vertex.solution.parameters());
+            let extent = |k: usize| {
+                let [least, greatest] = [f64::min, f64::max].map(|of| places().map(|at| at[k]).reduce(of));
+                greatest.zip(least).map_or(0.0, |(greatest, least)| greatest - least)
+            };
+            let reach = (!all.iter().any(grazes)).then(|| [0, 1].map(extent));
+            let inner = [start, end].into_iter().filter(|k| 0 < *k && *k < stretches.len());
+            borders.extend(inner.map(|k| Border {
+                primary: primary(&vertices[k]),
+                event: vertices[k].event,
+                reach,
+            }));
+        }
+    }
+    (stretches, borders)
+}
+
+/// The solution half the way between two neighbours on a branch.
+fn middle_of<O: ImpactOscillator>(
+    equations: &LoopEquations<O>,
+    a: &MaximalPeriodicSolution,
+    b: &MaximalPeriodicSolution,
+) -> Option<MaximalPeriodicSolution> {
+    let middle = (a.unknowns + b.unknowns) * 0.5;
+    let conditions = Condition::beside(equations, &middle);
+    let found = locate(equations, conditions, middle, &mut EventTimes::default()).ok()?;
+    Some(equations.solution(&found))
+}
+
+/// A branch whose multipliers exceed this may end anywhere: it runs into motion that escapes, over a hill of a potential say, and in its neighbourhood
+/// parameters matter so much that what stable stretches there may be are shorter than a diagram is drawn (empirical: none was seen by simulation).
+const BROKEN_BY_VIOLENCE: f64 = 1e3;
+
+/// The primary parameters at which a branch could not be followed to its end, with what happened; beyond the wall motion without
+/// impacts matters no more.
+pub(crate) fn broken_at(branch: &Curve) -> impl Iterator<Item = (f64, String)> {
+    let ends =
+        [(branch.points.first(), branch.beginning.as_ref()), (branch.points.last(), Some(&branch.end))];
+    ends.into_iter().filter_map(|(point, end)| {
+        let reason = match end? {
+            CurveEnd::LeftWindow | CurveEnd::Grazing | CurveEnd::Closed | CurveEnd::Event(_) => return None,
+            CurveEnd::EventNotLocated { failure, .. } => {
+                format!("a bifurcation was seen and not located: {failure}")
+            }
+            CurveEnd::Stalled(stall) => format!("no further point was found: {stall}"),
+            CurveEnd::StepLimit => format!("after {} points there was no end", branch.points.len()),
+        };
+        let last = &point?.solution;
+        let matters = last.has_impacts() || last.admissible();
+        (matters && last.multipliers.size() <= BROKEN_BY_VIOLENCE).then(|| (last.parameters()[0], reason))
+    })
+}
