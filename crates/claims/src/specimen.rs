@@ -304,10 +304,6 @@ impl ImpactOscillator for Specimen {
         self.law.acceleration(state)
     }
 
-    fn flow<const ORDER: usize>(&self, from: State, duration: f64) -> FlowJet {
-        self.flow_along::<ORDER>(&self.motion(from), from, duration)
-    }
-
     fn flow_along<const ORDER: usize>(&self, motion: &SpecimenMotion, from: State, duration: f64) -> FlowJet {
         match (motion, &self.linear) {
             (SpecimenMotion::Linear(_), Some(linear)) => {

@@ -3,7 +3,7 @@
 use grazing_model::ImpactOscillator;
 use grazing_model::maps::MapError;
 
-use crate::arclength::{CurveEquations, Stall, StepControl, WalkEnd};
+use crate::arclength::{CurveEquations, Stall, StepControl};
 use crate::locate::{Condition, LocateFailure, conditioned};
 use crate::mps::{EventTimes, LoopEquations, MaximalPeriodicSolution, Unknowns};
 use crate::newton::Linearisation;
@@ -133,17 +133,6 @@ pub enum CurveEnd {
     Stalled(Stall<MapError>),
     /// The step limit was reached, which is lower for a sketch among violent motion; or the curve was left by its pace.
     StepLimit,
-}
-
-impl From<WalkEnd<MapError>> for CurveEnd {
-    fn from(end: WalkEnd<MapError>) -> Self {
-        match end {
-            WalkEnd::LeftWindow => Self::LeftWindow,
-            WalkEnd::Closed => Self::Closed,
-            WalkEnd::Stalled(stall) => Self::Stalled(stall),
-            WalkEnd::StepLimit => Self::StepLimit,
-        }
-    }
 }
 
 /// A point of a curve.

@@ -211,7 +211,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         motion: &O::Motion,
     ) -> Result<LoopPair, MapError> {
         let (oscillator, from) = (self.oscillator_at(point), at_phase_zero(point));
-        let around = maps::stroboscopic_map_along::<O, ORDER>(&oscillator, motion, from);
+        let around = maps::to_phase::<O, ORDER, _>(&oscillator, motion, from.at_phase_zero(), TAU);
         let size = around.value.norm();
         // NaN is far as well.
         if size.is_nan() || size > FAR {
@@ -229,9 +229,11 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     ) -> LoopPair {
         let oscillator = self.oscillator_at(point);
         let reset = oscillator.reset::<ORDER>(impact(point));
-        let turns = f64::from(self.loops) * core::f64::consts::TAU;
-        let around = maps::to_phase_along::<O, ORDER>(&oscillator, motion, reset.image(), plane + turns);
-        let ahead = maps::to_phase::<O, ORDER>(&oscillator, impact(point), plane);
+        let [from_recoil, from_impact]: [State; 2] = [reset.image().into(), impact(point).into()];
+        let around_to = plane + f64::from(self.loops) * TAU;
+        let around = maps::to_phase::<O, ORDER, _>(&oscillator, motion, from_recoil, around_to);
+        let straight = oscillator.motion(from_impact);
+        let ahead = maps::to_phase::<O, ORDER, OnWall>(&oscillator, &straight, from_impact, plane);
         LoopPair::of(&around.after::<ORDER, _>(&reset), &ahead)
     }
 

@@ -47,7 +47,8 @@ impl ImpactOscillator for LinearOscillator {
             - 1.0
     }
 
-    fn flow<const ORDER: usize>(&self, from: State, duration: f64) -> FlowJet {
+    #[inline]
+    fn flow_along<const ORDER: usize>(&self, _: &LinearMotion, from: State, duration: f64) -> FlowJet {
         flow::flow::<ORDER>(self, from, duration)
     }
 

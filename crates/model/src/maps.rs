@@ -191,49 +191,19 @@ pub fn discontinuity_map<O: ImpactOscillator, const ORDER: usize>(
     Ok(recoil.jet.after::<ORDER, _>(&reset).after::<ORDER, _>(&inverse))
 }
 
-/// The flow from (y, z) on Σ to the plane of constant phase `target`, with coordinates (x, y).
+/// The flow from a state, whose motion is at hand, to the plane of constant phase `target`, with coordinates (x, y).
 ///
-/// Defined everywhere, in contrast to [`virtual_map`]; the target phase is held in all derivatives.
-pub fn to_phase<O: ImpactOscillator, const ORDER: usize>(
-    oscillator: &O,
-    from: OnWall,
-    target: f64,
-) -> MapJet<OnWall, AtPhase> {
-    to_phase_along::<O, ORDER>(oscillator, &oscillator.motion(from.into()), from, target)
-}
-
-/// [`to_phase`] with the motion from (y, z) at hand.
-pub fn to_phase_along<O: ImpactOscillator, const ORDER: usize>(
+/// The state is given by a point of Σ, (y, z), or of the plane of phase zero, (x, y). Defined everywhere, in contrast to [`virtual_map`]; the target
+/// phase is held in all derivatives. Fixed points of the map from phase zero to phase 2π are the periodic solutions without impacts.
+pub fn to_phase<O: ImpactOscillator, const ORDER: usize, A: Surface>(
     oscillator: &O,
     motion: &O::Motion,
-    from: OnWall,
+    from: State,
     target: f64,
-) -> MapJet<OnWall, AtPhase> {
+) -> MapJet<A, AtPhase> {
     let frequency = oscillator.forcing_frequency();
     let time = (target - from.phase) / frequency.value;
-    let jet = oscillator.flow_along::<ORDER>(motion, from.into(), time);
-    at_constant_phase::<ORDER, _>(&jet, &frequency, time)
-}
-
-/// The flow over one forcing period from phase zero, the wall ignored; its coordinates are (x, y), and its variables (x, y, μ, η).
-///
-/// Its fixed points are the periodic solutions without impacts.
-pub fn stroboscopic_map<O: ImpactOscillator, const ORDER: usize>(
-    oscillator: &O,
-    from: AtPhase,
-) -> MapJet<AtPhase, AtPhase> {
-    stroboscopic_map_along::<O, ORDER>(oscillator, &oscillator.motion(from.at_phase_zero()), from)
-}
-
-/// [`stroboscopic_map`] with the motion from (x, y) at hand.
-pub fn stroboscopic_map_along<O: ImpactOscillator, const ORDER: usize>(
-    oscillator: &O,
-    motion: &O::Motion,
-    from: AtPhase,
-) -> MapJet<AtPhase, AtPhase> {
-    let frequency = oscillator.forcing_frequency();
-    let time = TAU / frequency.value;
-    let jet = oscillator.flow_along::<ORDER>(motion, from.at_phase_zero(), time);
+    let jet = oscillator.flow_along::<ORDER>(motion, from, time);
     at_constant_phase::<ORDER, _>(&jet, &frequency, time)
 }
 

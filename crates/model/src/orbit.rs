@@ -166,8 +166,7 @@ impl<O: ImpactOscillator> Iterator for Orbit<'_, O> {
             self.reset();
             FlightEnd::Impact(impact)
         } else {
-            let there = motion.at(duration);
-            let last = State { position: there.position, velocity: there.velocity, phase };
+            let last = motion.at(duration).state(phase);
             self.state = last;
             self.end = Some(OrbitEnd::TimeIsUp(last));
             FlightEnd::TimeIsUp(last)

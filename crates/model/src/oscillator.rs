@@ -37,13 +37,12 @@ pub trait ImpactOscillator: Clone + Send + Sync {
     fn acceleration(&self, state: State) -> f64;
 
     /// The flow of eq:f for a time `duration` of either sign, the wall ignored, with derivatives up to `ORDER` (1 or 2).
-    fn flow<const ORDER: usize>(&self, from: State, duration: f64) -> FlowJet;
+    fn flow<const ORDER: usize>(&self, from: State, duration: f64) -> FlowJet {
+        self.flow_along::<ORDER>(&self.motion(from), from, duration)
+    }
 
     /// The flow from a state whose motion is at hand, so that what is known of it need not be computed again.
-    #[inline]
-    fn flow_along<const ORDER: usize>(&self, _motion: &Self::Motion, from: State, duration: f64) -> FlowJet {
-        self.flow::<ORDER>(from, duration)
-    }
+    fn flow_along<const ORDER: usize>(&self, motion: &Self::Motion, from: State, duration: f64) -> FlowJet;
 
     /// The reset law R of eq:R as a function of (y, z; μ, η), extended smoothly to y < 0; derivatives up to `ORDER`.
     fn reset<const ORDER: usize>(&self, impact: OnWall) -> MapJet<OnWall, OnWall>;

@@ -40,12 +40,7 @@ impl Escape {
             if exists(middle) { known = middle } else { end = middle }
         }
         let force = |state: State| oscillator.acceleration(state);
-        let last = if known > 0.0 {
-            let there = motion.at(known);
-            State { position: there.position, velocity: there.velocity, phase: frequency * known }
-        } else {
-            from
-        };
+        let last = if known > 0.0 { motion.at(known).state(frequency * known) } else { from };
         let mut value = force(last);
         // Straight on from there, over the way that a step of the integration would take.
         for share in BEHIND {

@@ -24,7 +24,7 @@ pub use visits::Sampling;
 
 use crate::curves::DiagramCurve;
 use crate::progress::Progress;
-use crate::slices::{FREE_STEPS, Slice, Slicer, distinct};
+use crate::slices::{FREE_STEPS, Slice, Slicer};
 use crate::stretches::broken_at;
 use crate::{Scope, non_impacting, search};
 use branches::{Strand, same_bifurcation, within};
@@ -250,8 +250,9 @@ fn mps_branches<O: ImpactOscillator>(
     let completed = |(equations, slice): (LoopEquations<O>, Slice)| {
         let mut slice = Slice::new(secondary, slice.branches);
         let own = found.iter().filter(|(loops, _)| *loops == equations.loops());
-        slicer(&equations).through(&mut slice, own.map(|(_, solution)| *solution));
-        let branches = distinct(&equations, slice.branches).into_iter();
+        let slicer = slicer(&equations);
+        slicer.through(&mut slice, own.map(|(_, solution)| *solution));
+        let branches = slicer.distinct(slice).into_iter();
         branches.map(|curve| Branch { equations: equations.clone(), curve }).collect::<Vec<_>>()
     };
     begun.into_par_iter().map(completed).collect::<Vec<_>>().concat()

@@ -150,12 +150,8 @@ impl<O: ImpactOscillator> Slicer<O> {
         let rest = (TAU - phase) / oscillator.forcing_frequency().value;
         let there = oscillator.motion(State::at_rest(highest.height, phase)).at(rest);
         let near = Unknowns::new(there.position, there.velocity, primary, secondary);
-        locate(&self.equations, self.beside(&near), near, &mut EventTimes::default()).ok()
-    }
-
-    /// What holds a solution in its place where it is carried to another η.
-    pub(crate) fn beside(&self, point: &Unknowns) -> [Condition; 2] {
-        Condition::beside(&self.equations, point)
+        locate(&self.equations, Condition::beside(&self.equations, &near), near, &mut EventTimes::default())
+            .ok()
     }
 
     /// Whether a point in or near the window is a solution with an impact, or one without.
@@ -163,8 +159,32 @@ impl<O: ImpactOscillator> Slicer<O> {
         !self.equations.has_impacts() || point[unknown::VELOCITY] > 0.0
     }
 
+    /// Whether a solution lies on a branch.
     pub(crate) fn passes(&self, branch: &Curve, at: &Unknowns) -> bool {
-        passes(&self.equations, branch, at)
+        let gap = |from: &Unknowns, point: &CurvePoint| self.equations.gap(from, &point.solution.unknowns);
+        let near = if self.equations.has_impacts() { ON_BRANCH } else { ON_FREE_BRANCH };
+        let start = branch.points.first().is_some_and(|point| gap(at, point).norm() < STEPS.first);
+        let on_chord = |pair: &[CurvePoint]| {
+            near_chord(&gap(at, &pair[0]), &gap(&pair[0].solution.unknowns, &pair[1]), near)
+        };
+        start || branch.points.windows(2).any(on_chord)
+    }
+
+    /// The branches of a slice without those that are part of another, which they were begun beyond the end of.
+    pub(crate) fn distinct(&self, slice: Slice) -> Vec<Curve> {
+        let mut distinct: Vec<Curve> = Vec::new();
+        let part = |inner: &Curve, whole: &Curve| {
+            let count = inner.points.len();
+            let places = [0, count / 2, count.saturating_sub(1)].map(|place| inner.points.get(place));
+            places.into_iter().flatten().all(|point| self.passes(whole, &point.solution.unknowns))
+        };
+        for branch in slice.branches {
+            if !distinct.iter().any(|known| part(&branch, known)) {
+                distinct.retain(|known| !part(known, &branch));
+                distinct.push(branch);
+            }
+        }
+        distinct
     }
 
     /// Adds the branches of a slice that a neighbouring slice leads to, and says whether there are any.
@@ -233,7 +253,14 @@ impl<O: ImpactOscillator> Slicer<O> {
 
     /// The solution at the place of `near` on the surface of all, if it lies in the window and nearby.
     fn at(&self, near: Unknowns, times: &mut EventTimes) -> Option<Unknowns> {
-        let found = locate_within(CARRIED_OFF, &self.equations, self.beside(&near), near, times).ok()?;
+        let found = locate_within(
+            CARRIED_OFF,
+            &self.equations,
+            Condition::beside(&self.equations, &near),
+            near,
+            times,
+        )
+        .ok()?;
         (!self.equations.has_impacts() || self.window.contains(parameters(&found))).then_some(found)
     }
 
@@ -313,26 +340,6 @@ fn size(through: &Unknowns) -> f64 {
     (through.fixed_rows::<2>(0).norm() / LARGE).max(1.0)
 }
 
-/// The branches without those that are part of another, which they were begun beyond the end of.
-pub(crate) fn distinct<O: ImpactOscillator>(
-    equations: &LoopEquations<O>,
-    branches: Vec<Curve>,
-) -> Vec<Curve> {
-    let mut distinct: Vec<Curve> = Vec::new();
-    let part = |inner: &Curve, whole: &Curve| {
-        let count = inner.points.len();
-        let places = [0, count / 2, count.saturating_sub(1)].map(|place| inner.points.get(place));
-        places.into_iter().flatten().all(|point| passes(equations, whole, &point.solution.unknowns))
-    };
-    for branch in branches {
-        if !distinct.iter().any(|known| part(&branch, known)) {
-            distinct.retain(|known| !part(known, &branch));
-            distinct.push(branch);
-        }
-    }
-    distinct
-}
-
 /// Where the chords of a curve take a value of one of the unknowns: the curve's condition, the point and the event times nearby.
 pub(crate) fn crossings(
     curve: &Curve,
@@ -345,17 +352,6 @@ pub(crate) fn crossings(
         let crosses = from * to <= 0.0 && from != to;
         crosses.then(|| (curve.condition, a + (b - a) * (from / (from - to)), pair[0].times.clone()))
     })
-}
-
-/// Whether a solution lies on a branch.
-fn passes<O: ImpactOscillator>(equations: &LoopEquations<O>, branch: &Curve, at: &Unknowns) -> bool {
-    let gap = |from: &Unknowns, point: &CurvePoint| equations.gap(from, &point.solution.unknowns);
-    let near = if equations.has_impacts() { ON_BRANCH } else { ON_FREE_BRANCH };
-    let start = branch.points.first().is_some_and(|point| gap(at, point).norm() < STEPS.first);
-    let on_chord = |pair: &[CurvePoint]| {
-        near_chord(&gap(at, &pair[0]), &gap(&pair[0].solution.unknowns, &pair[1]), near)
-    };
-    start || branch.points.windows(2).any(on_chord)
 }
 
 /// Whether the origin lies nearer to a chord that begins at `start` than a share of its length.

@@ -1,5 +1,7 @@
 //! A motion, and the bounds of its derivatives over a stretch of time.
 
+use crate::state::State;
+
 /// Position and its first three derivatives at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kinematics {
@@ -14,6 +16,11 @@ pub struct Kinematics {
 }
 
 impl Kinematics {
+    /// The state, where the forcing has this phase.
+    pub fn state(&self, phase: f64) -> State {
+        State { position: self.position, velocity: self.velocity, phase }
+    }
+
     /// The kinematics a very short time later, by Taylor's formula.
     pub(super) fn after(&self, time: f64) -> Self {
         let Self { position, velocity, acceleration, jerk } = *self;

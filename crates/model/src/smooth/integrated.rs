@@ -60,10 +60,6 @@ impl<M: SmoothOscillator> ImpactOscillator for Integrated<M> {
         self.force(state.position, state.velocity, state.phase / self.frequency)
     }
 
-    fn flow<const ORDER: usize>(&self, from: State, duration: f64) -> FlowJet {
-        self.flow_along::<ORDER>(&self.motion(from), from, duration)
-    }
-
     fn flow_along<const ORDER: usize>(
         &self,
         motion: &IntegratedMotion<M>,

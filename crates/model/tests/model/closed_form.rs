@@ -114,8 +114,9 @@ fn maps_between_the_surfaces_are_those_of_the_closed_form() {
         assert!((a.time - b.time).abs() < TOLERANCE);
         assert_same(&a.jet, &b.jet);
         let target = phase + core::f64::consts::TAU;
-        let a = maps::to_phase::<_, 2>(&integrated, OnWall::new(velocity, phase), target);
-        assert_same(&a, &maps::to_phase::<_, 2>(&closed, OnWall::new(velocity, phase), target));
+        let from = State::on_wall(velocity, phase);
+        let a = maps::to_phase::<_, 2, OnWall>(&integrated, &integrated.motion(from), from, target);
+        assert_same(&a, &maps::to_phase::<_, 2, _>(&closed, &closed.motion(from), from, target));
     }
 }
 

@@ -1,8 +1,7 @@
 //! The maps between Σ and Π: their asymptotics, their derivatives, and how they fit together.
 
 use grazing_model::maps::{
-    MapError, discontinuity_map, global_iterate, global_map, stroboscopic_map, to_phase, virtual_map,
-    virtual_preimage,
+    MapError, discontinuity_map, global_iterate, global_map, to_phase, virtual_map, virtual_preimage,
 };
 use grazing_model::{AtPhase, AtRest, ImpactOscillator, LinearOscillator, MapJet, OnWall, State};
 use nalgebra::Vector2;
@@ -178,14 +177,23 @@ fn implicit_derivatives_of_all_maps_are_right() {
         },
         here,
     );
-    assert_derivatives(|v| to_phase::<_, 2>(&at(v), wall(v), 6.0), here);
+    let flown = |v, from: State| (at(v), at(v).motion(from), from);
+    let landed = |v| {
+        let (oscillator, motion, from) = flown(v, wall(v).into());
+        to_phase::<_, 2, OnWall>(&oscillator, &motion, from, 6.0)
+    };
+    assert_derivatives(landed, here);
     let on_section = [-0.05, graz + 0.1, amplitude, omega];
     assert_derivatives(|v| global_map::<_, 2>(&at(v), rest(v), None).unwrap().jet, on_section);
     assert_derivatives(|v| global_iterate::<_, 2>(&at(v), 3, rest(v)).unwrap(), on_section);
     let beyond_the_wall = [0.08, graz + 0.1, amplitude, omega];
     assert_derivatives(|v| discontinuity_map::<_, 2>(&at(v), rest(v)).unwrap(), beyond_the_wall);
     let anywhere = [-0.4, 0.2, amplitude, omega];
-    assert_derivatives(|v| stroboscopic_map::<_, 2>(&at(v), AtPhase::new(v[0], v[1])), anywhere);
+    let around = |v: [f64; 4]| {
+        let (oscillator, motion, from) = flown(v, AtPhase::new(v[0], v[1]).at_phase_zero());
+        to_phase::<_, 2, AtPhase>(&oscillator, &motion, from, core::f64::consts::TAU)
+    };
+    assert_derivatives(around, anywhere);
 }
 
 #[test]

@@ -199,7 +199,8 @@ fn impact_and_flight_to_a_plane_of_constant_phase_agree_with_differences() {
     let bend = |parameter: f64, i: usize| {
         let [y, z] = [0, 1].map(|k: usize| point[k] + parameter * direction[k]);
         let reset = oscillator.reset::<2>(OnWall::new(y, z));
-        let flight = maps::to_phase::<_, 2>(&oscillator, reset.image(), target);
+        let from = State::from(reset.image());
+        let flight = maps::to_phase::<_, 2, _>(&oscillator, &oscillator.motion(from), from, target);
         let q = Vector4::new(direction[0], direction[1], 0.0, 0.0);
         0.5 * q.dot(&(flight.after::<2, _>(&reset).hessians[i] * q))
     };

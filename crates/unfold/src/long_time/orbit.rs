@@ -216,9 +216,8 @@ fn impact<M>(flight: &Flight<M>) -> Option<Vector2<f64>> {
 
 /// The state at a time from the beginning of a flight.
 pub(super) fn state_at<O: ImpactOscillator>(oscillator: &O, flight: &Flight<O::Motion>, time: f64) -> State {
-    let here = flight.motion.at(time);
     let phase = flight.from.phase + oscillator.forcing_frequency().value * time;
-    State { position: here.position, velocity: here.velocity, phase }
+    flight.motion.at(time).state(phase)
 }
 
 /// The forcing periods after which motion without impacts comes again, after the transient.

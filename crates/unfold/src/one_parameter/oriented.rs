@@ -25,15 +25,6 @@ impl<O> Oriented<O> {
     fn in_roles(&self, [first, second]: [f64; 2]) -> [f64; 2] {
         if self.exchanged { [second, first] } else { [first, second] }
     }
-
-    fn flow_in_roles(&self, mut jet: FlowJet) -> FlowJet {
-        if self.exchanged {
-            let variables @ [a, b] = [flow_variable::PRIMARY, flow_variable::SECONDARY];
-            jet.jacobian.swap_columns(a, b);
-            jet.hessians.iter_mut().for_each(|hessian| exchange(hessian, variables));
-        }
-        jet
-    }
 }
 
 /// Exchanges two variables in second derivatives.
@@ -74,12 +65,14 @@ impl<O: ImpactOscillator> ImpactOscillator for Oriented<O> {
         self.oscillator.acceleration(state)
     }
 
-    fn flow<const ORDER: usize>(&self, from: State, duration: f64) -> FlowJet {
-        self.flow_in_roles(self.oscillator.flow::<ORDER>(from, duration))
-    }
-
     fn flow_along<const ORDER: usize>(&self, motion: &O::Motion, from: State, duration: f64) -> FlowJet {
-        self.flow_in_roles(self.oscillator.flow_along::<ORDER>(motion, from, duration))
+        let mut jet = self.oscillator.flow_along::<ORDER>(motion, from, duration);
+        if self.exchanged {
+            let variables @ [a, b] = [flow_variable::PRIMARY, flow_variable::SECONDARY];
+            jet.jacobian.swap_columns(a, b);
+            jet.hessians.iter_mut().for_each(|hessian| exchange(hessian, variables));
+        }
+        jet
     }
 
     fn reset<const ORDER: usize>(&self, impact: OnWall) -> MapJet<OnWall, OnWall> {

@@ -74,9 +74,7 @@ fn highest_points<O: ImpactOscillator>(oscillator: &O, from: State, periods: u32
     // Half-way from one to the next, so that none lies at the end of its period.
     let points = (0..periods.saturating_sub(1)).filter_map(|k| {
         let time = first.time + (f64::from(k) + 0.5) * period;
-        let here = motion.at(time);
-        let phase = from.phase + oscillator.forcing_frequency().value * time;
-        let state = State { position: here.position, velocity: here.velocity, phase };
+        let state = motion.at(time).state(from.phase + oscillator.forcing_frequency().value * time);
         highest_maximum(&oscillator.motion(state), period)
     });
     core::iter::once(first).chain(points).map(|maximum| maximum.position).collect()
