@@ -39,7 +39,7 @@ use grazing_continuation::mps::{
 };
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::maps::{MapError, discontinuity_map, global_iterate, global_map, virtual_map};
-use grazing_model::motion::{Motion, highest_maximum, local_maxima};
+use grazing_model::motion::Motion;
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
 use grazing_model::{AtRest, ImpactOscillator, OnWall, State, Surface};
 use grazing_theorems::admissibility_boundary::admissibility_boundary;

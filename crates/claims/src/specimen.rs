@@ -6,16 +6,13 @@
 //! parameters. A [`Specimen`] moves in closed form where its force is linear, and is integrated elsewhere.
 
 pub(crate) mod generic;
-mod motion;
 pub(crate) mod resonant;
 
 use crate::*;
 use grazing_continuation::resonance::LocatedResonance;
 use grazing_model::flow_variable::{PRIMARY, SECONDARY};
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator, Taylor};
-use grazing_model::{FlowJet, LinearOscillator, MapJet, ParameterJet, ThirdOrder};
-
-pub(crate) use self::motion::SpecimenMotion;
+use grazing_model::{AnyMotion, FlowJet, LinearOscillator, MapJet, ParameterJet, ThirdOrder};
 
 /// A function of an impact's velocity and phase and of the parameters that never changes its sign:
 /// `size · exp(rates · (y, sin z, μ, η))`.
@@ -285,7 +282,7 @@ impl Specimen {
 }
 
 impl ImpactOscillator for Specimen {
-    type Motion = SpecimenMotion;
+    type Motion = AnyMotion;
 
     fn parameters(&self) -> [f64; 2] {
         self.law.parameters()
@@ -304,32 +301,32 @@ impl ImpactOscillator for Specimen {
         self.law.acceleration(state)
     }
 
-    fn flow_along<const ORDER: usize>(&self, motion: &SpecimenMotion, from: State, duration: f64) -> FlowJet {
-        match (motion, &self.linear) {
-            (SpecimenMotion::Linear(_), Some(linear)) => {
-                let mut jet = linear.flow::<ORDER>(from, duration);
-                if self.law().frequency_first {
-                    jet.jacobian.swap_columns(PRIMARY, SECONDARY);
-                    for hessian in &mut jet.hessians {
-                        hessian.swap_columns(PRIMARY, SECONDARY);
-                        hessian.swap_rows(PRIMARY, SECONDARY);
-                    }
-                }
-                jet
+    fn flow_along<const ORDER: usize>(&self, motion: &AnyMotion, from: State, duration: f64) -> FlowJet {
+        let Some(linear) = &self.linear else {
+            return match motion.downcast_ref() {
+                Some(motion) => self.law.flow_along::<ORDER>(motion, from, duration),
+                None => self.law.flow::<ORDER>(from, duration),
+            };
+        };
+        let mut jet = linear.flow::<ORDER>(from, duration);
+        if self.law().frequency_first {
+            jet.jacobian.swap_columns(PRIMARY, SECONDARY);
+            for hessian in &mut jet.hessians {
+                hessian.swap_columns(PRIMARY, SECONDARY);
+                hessian.swap_rows(PRIMARY, SECONDARY);
             }
-            (SpecimenMotion::Integrated(motion), _) => self.law.flow_along::<ORDER>(motion, from, duration),
-            (SpecimenMotion::Linear(_), None) => self.law.flow::<ORDER>(from, duration),
         }
+        jet
     }
 
     fn reset<const ORDER: usize>(&self, impact: OnWall) -> MapJet<OnWall, OnWall> {
         self.law.reset::<ORDER>(impact)
     }
 
-    fn motion(&self, from: State) -> SpecimenMotion {
+    fn motion(&self, from: State) -> AnyMotion {
         match &self.linear {
-            Some(linear) => SpecimenMotion::Linear(linear.motion(from)),
-            None => SpecimenMotion::Integrated(self.law.motion(from)),
+            Some(linear) => AnyMotion::new(linear.motion(from)),
+            None => AnyMotion::new(self.law.motion(from)),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Branches and bifurcation curves of MPSs: V = 0 and one condition, followed by pseudo-arclength.
 
-use grazing_model::ImpactOscillator;
 use grazing_model::maps::MapError;
+use grazing_model::{AnyOscillator, ImpactOscillator};
 
 use crate::arclength::{CurveEquations, Stall, StepControl};
 use crate::locate::{Condition, LocateFailure, conditioned};
@@ -13,7 +13,7 @@ use crate::newton::Linearisation;
 /// With [`Condition::Secondary`] it is a one-parameter branch, with [`Condition::Multiplier`] a curve of saddle-node or
 /// period-doubling bifurcations, with [`Condition::InteriorGrazing`] a curve of grazing bifurcations of the MPS.
 #[derive(Clone, Debug)]
-pub struct MpsCurve<O> {
+pub struct MpsCurve<O = AnyOscillator> {
     /// The equations of the MPS.
     pub equations: LoopEquations<O>,
     /// The condition that holds along the curve.

@@ -11,9 +11,9 @@
 use core::f64::consts::TAU;
 
 use grazing_model::maps::{self, MapError};
-use grazing_model::motion::{Maximum, Motion, highest_maximum, local_maxima};
+use grazing_model::motion::{Maximum, Motion};
 use grazing_model::phase::turned;
-use grazing_model::{AtPhase, ImpactOscillator, MapJet, OnWall, State, Surface};
+use grazing_model::{AnyOscillator, AtPhase, ImpactOscillator, MapJet, OnWall, State, Surface};
 use nalgebra::{Matrix2, SMatrix, Vector2, Vector4};
 use smallvec::SmallVec;
 
@@ -69,7 +69,7 @@ pub struct EventTimes {
 
 /// The equations of the periodic solutions of one oscillator with one impact in p forcing periods (MPSs), or without impacts (p = 0).
 #[derive(Clone, Debug)]
-pub struct LoopEquations<O> {
+pub struct LoopEquations<O = AnyOscillator> {
     oscillator: O,
     loops: u32,
     formulation: Formulation,
@@ -312,7 +312,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         let flight = self.flight(point);
         // The orbit begins and ends at a maximum; neither is an interior one.
         let ends = END * flight;
-        let interior = local_maxima(&motion, flight)
+        let interior = motion
+            .local_maxima(flight)
             .into_iter()
             .filter(|maximum| (ends..flight - ends).contains(&maximum.time));
         MaximalPeriodicSolution {
@@ -353,7 +354,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             unknowns: *point,
             multipliers,
             highest_interior_maximum: match self.has_impacts() {
-                true => highest_maximum(motion, self.flight(point)),
+                true => motion.highest_maximum(self.flight(point)),
                 false => Some(highest_point(motion, self.flight(point))),
             },
         }
@@ -395,7 +396,7 @@ fn highest_point(motion: &impl Motion, period: f64) -> Maximum {
         here.velocity.abs() * period <= REST && here.acceleration.abs() * period * period <= REST
     });
     // A little more than a period, so that a maximum at phase zero lies inside.
-    let highest = if at_rest { None } else { highest_maximum(motion, 1.25 * period) };
+    let highest = if at_rest { None } else { motion.highest_maximum(1.25 * period) };
     highest.unwrap_or_else(|| Maximum { time: 0.0, position: motion.at(0.0).position })
 }
 

@@ -2,8 +2,8 @@
 
 use core::ops::Deref;
 
-use grazing_model::ImpactOscillator;
 use grazing_model::maps::MapError;
+use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side};
@@ -61,7 +61,7 @@ impl ResonanceError {
 ///
 /// det J = 0 on the curve of grazing bifurcations, through a₁₂ = 0 (p = 1) or κ_p = 0 (p ≥ 2).
 #[derive(Clone, Debug)]
-pub struct LocatedResonance<O> {
+pub struct LocatedResonance<O = AnyOscillator> {
     equations: LoopEquations<O>,
     orbit: GrazingOrbit<O>,
     point: ResonantPoint,
@@ -153,7 +153,7 @@ fn off_resonance(secondary: f64, slope: f64) -> f64 {
 
 /// A located resonance at which Theorem 2.4 or 2.5 holds.
 #[derive(Clone, Debug)]
-pub struct ResonantGrazingPoint<O> {
+pub struct ResonantGrazingPoint<O = AnyOscillator> {
     located: LocatedResonance<O>,
     theorem: ResonantGrazing,
 }

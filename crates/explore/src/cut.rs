@@ -1,10 +1,7 @@
 //! The one-parameter diagram along a line of the plane: its branches first, then what simulation comes to.
 
-use grazing_model::ImpactOscillator;
 use grazing_reproduction::one_parameter::SAMPLING;
-use grazing_reproduction::plane::Axes;
 use grazing_results::branches::{BranchPoint, OneParameter};
-use grazing_unfold::Scope;
 use grazing_unfold::one_parameter::{Line, Sampling, Section};
 use grazing_unfold::stop::Stop;
 use grazing_unfold::units::InUnits;
@@ -12,7 +9,7 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
-use crate::model::{Job, Model, View};
+use crate::model::{Model, View};
 use crate::stream::Events;
 
 /// What is asked for.
@@ -46,29 +43,16 @@ pub(crate) fn compute(request: &CutRequest, events: &Events, stop: &Stop) -> Res
     let [primary, secondary] = if primary_is_fixed { [held, *range] } else { [*range, held] };
     let view = View { primary, secondary };
     let line = Line { diagram: 1, primary_is_fixed, at: *at, range: *range };
-    let found = model.checked(Some(&view))?.with(stop, CutJob { line, events }).ok_or_else(Problem::ended)?;
+    let of = model.prepared(Some(&view), stop)?;
+    // As in the diagrams that a file asks for, but fewer values: it is to be looked at at once.
+    let sampling = Sampling { values: 160, recorded: 16, ..SAMPLING };
+    let line = line.without_dimensions(&of.axes.units);
+    let section = Section::follow(&of.oscillator, &of.scope, &[], line, events).ok_or_else(Problem::ended)?;
+    events.send("branches", &event(&section.diagram().in_units(&of.axes.units)));
+    let found = section.simulated(&sampling, &[], events).in_units(&of.axes.units);
     let dots: Vec<[f64; 2]> = found.attractor.iter().map(|dot| [found.across(dot), dot.x]).collect();
     events.send("dots", &json!({"frame": found.frame.y, "dots": dots, "resting": found.resting}));
     Ok(())
-}
-
-struct CutJob<'a> {
-    line: Line,
-    events: &'a Events,
-}
-
-impl Job for CutJob<'_> {
-    type Outcome = Option<OneParameter>;
-
-    fn run<O: ImpactOscillator>(self, oscillator: &O, scope: &Scope, axes: &Axes) -> Self::Outcome {
-        let Self { line, events } = self;
-        // As in the diagrams that a file asks for, but fewer values: it is to be looked at at once.
-        let sampling = Sampling { values: 160, recorded: 16, ..SAMPLING };
-        let line = line.without_dimensions(&axes.units);
-        let section = Section::follow(oscillator, scope, &[], line, events)?;
-        events.send("branches", &event(&section.diagram().in_units(&axes.units)));
-        Some(section.simulated(&sampling, &[], events).in_units(&axes.units))
-    }
 }
 
 /// Strands and the bifurcations on them.

@@ -7,16 +7,16 @@ use grazing_model::ImpactOscillator;
 use grazing_reproduction::plane::{self, Axes};
 use grazing_results::brief;
 use grazing_results::plane::{PlanePoint, RegionVertex, SpecialPoint};
+use grazing_unfold::Diagram;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::magnification::approximation;
 use grazing_unfold::stop::Stop;
 use grazing_unfold::units::InUnits;
-use grazing_unfold::{Diagram, Scope};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
-use crate::model::{Job, Model, View};
+use crate::model::{Model, Prepared, View};
 use crate::stream::Events;
 
 /// What is asked for.
@@ -30,74 +30,59 @@ pub(crate) struct DiagramRequest {
 }
 
 pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
-    let model = request.model.checked(Some(&request.view))?;
-    model.with(stop, Plane { events, coarse: request.coarse })
-}
-
-struct Plane<'a> {
-    events: &'a Events,
-    coarse: bool,
-}
-
-impl Job for Plane<'_> {
-    type Outcome = Result<(), Problem>;
-
-    fn run<O: ImpactOscillator>(self, oscillator: &O, scope: &Scope, axes: &Axes) -> Result<(), Problem> {
-        let Self { events, coarse } = self;
-        let located = Diagram::located(oscillator, scope, events)
-            .map_err(|error| Problem::wrong(error.in_units(&axes.units).to_string()))?;
-        let grazing = (0..).zip(plane::grazing_rows(axes, &located));
-        events.send("curves", &grazing.map(|(k, rows)| curve(&rows, k)).collect::<Vec<_>>());
-        events.send("resonances", &resonances(axes, &located));
-        let ranks = ranks(&located);
-        let followed = located.follow(events, &|resonance, curves: &[DiagramCurve]| {
-            // A resonance has one SN curve, one PD curve, and up to two GZ curves.
-            let mut grazing = 0;
-            let one = |found: &DiagramCurve| {
-                let mut rank = ranks[resonance];
-                if found.kind == Bifurcation::Grazing {
-                    rank = 2 * rank + grazing;
-                    grazing += 1;
-                }
-                curve(&plane::bifurcation_rows(axes, &located, found), rank)
-            };
-            events.send("curves", &curves.iter().map(one).collect::<Vec<_>>());
-        });
-        let diagram = match coarse {
-            true => located.with_curves(followed),
-            false => located.with(followed, events),
+    let Prepared { oscillator, scope, axes, .. } = request.model.prepared(Some(&request.view), stop)?;
+    let located = Diagram::located(&oscillator, &scope, events)
+        .map_err(|error| Problem::wrong(error.in_units(&axes.units).to_string()))?;
+    let grazing = (0..).zip(plane::grazing_rows(&axes, &located));
+    events.send("curves", &grazing.map(|(k, rows)| curve(&rows, k)).collect::<Vec<_>>());
+    events.send("resonances", &resonances(&axes, &located));
+    let ranks = ranks(&located);
+    let followed = located.follow(events, &|resonance, curves: &[DiagramCurve]| {
+        // A resonance has one SN curve, one PD curve, and up to two GZ curves.
+        let mut grazing = 0;
+        let one = |found: &DiagramCurve| {
+            let mut rank = ranks[resonance];
+            if found.kind == Bifurcation::Grazing {
+                rank = 2 * rank + grazing;
+                grazing += 1;
+            }
+            curve(&plane::bifurcation_rows(&axes, &located, found), rank)
         };
-        // Whatever was sent before is in these, and what begins elsewhere.
-        let rows = plane::curves(axes, &diagram);
-        let mut counts: BTreeMap<(&str, u32, u32), u32> = BTreeMap::new();
-        let all = rows.chunk_by(|a, b| a.arc == b.arc).map(|rows| {
-            let first = &rows[0];
-            let count = counts.entry((first.kind.name(), first.loops, first.n)).or_default();
-            *count += 1;
-            curve(rows, *count - 1)
-        });
-        let all: Vec<Value> = all.collect();
-        events.send("curves", &all);
-        events.send("points", &plane::points(axes, &diagram).iter().map(point).collect::<Vec<_>>());
-        if !coarse {
-            let rows = plane::regions(axes, &diagram.regions);
-            let regions = rows.chunk_by(|a, b| a.region == b.region).map(region);
-            events.send("regions", &regions.collect::<Vec<_>>());
-        }
-        let approximations = approximations(axes, &diagram);
-        events.send("curves", &approximations);
-        // Curves that were sent under another name, as they were thought to be others, are not among these.
-        events
-            .send("keys", &all.iter().chain(&approximations).map(|curve| &curve["key"]).collect::<Vec<_>>());
-        events.send("notes", &plane::lost(&diagram).collect::<Vec<_>>());
-        Ok(())
+        events.send("curves", &curves.iter().map(one).collect::<Vec<_>>());
+    });
+    let diagram = match request.coarse {
+        true => located.with_curves(followed),
+        false => located.with(followed, events),
+    };
+    // Whatever was sent before is in these, and what begins elsewhere.
+    let rows = plane::curves(&axes, &diagram);
+    let mut counts: BTreeMap<(&str, u32, u32), u32> = BTreeMap::new();
+    let all = rows.chunk_by(|a, b| a.arc == b.arc).map(|rows| {
+        let first = &rows[0];
+        let count = counts.entry((first.kind.name(), first.loops, first.n)).or_default();
+        *count += 1;
+        curve(rows, *count - 1)
+    });
+    let all: Vec<Value> = all.collect();
+    events.send("curves", &all);
+    events.send("points", &plane::points(&axes, &diagram).iter().map(point).collect::<Vec<_>>());
+    if !request.coarse {
+        let rows = plane::regions(&axes, &diagram.regions);
+        let regions = rows.chunk_by(|a, b| a.region == b.region).map(region);
+        events.send("regions", &regions.collect::<Vec<_>>());
     }
+    let approximations = approximations(&axes, &diagram);
+    events.send("curves", &approximations);
+    // Curves that were sent under another name, as they were thought to be others, are not among these.
+    events.send("keys", &all.iter().chain(&approximations).map(|curve| &curve["key"]).collect::<Vec<_>>());
+    events.send("notes", &plane::lost(&diagram).collect::<Vec<_>>());
+    Ok(())
 }
 
 /// The place of each resonance among those with the same p and n whose curves are followed.
-fn ranks<O: ImpactOscillator>(diagram: &Diagram<O>) -> Vec<u32> {
+fn ranks(diagram: &Diagram) -> Vec<u32> {
     let mut counts: BTreeMap<(u32, u32), u32> = BTreeMap::new();
-    let rank = |resonance: &grazing_unfold::resonances::Resonance<O>| {
+    let rank = |resonance: &grazing_unfold::resonances::Resonance| {
         let count = counts.entry((resonance.loops, resonance.n)).or_default();
         let rank = *count;
         *count += u32::from(resonance.theorem.is_ok());
@@ -143,9 +128,9 @@ fn region(rows: &[RegionVertex]) -> Value {
 }
 
 /// All resonances, with the coefficients that the theorem gives where it holds.
-fn resonances<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<Value> {
+fn resonances(axes: &Axes, diagram: &Diagram) -> Vec<Value> {
     let units = &axes.units;
-    let one = |resonance: &grazing_unfold::resonances::Resonance<O>| {
+    let one = |resonance: &grazing_unfold::resonances::Resonance| {
         let [primary, secondary] = units.parameters(resonance.located.orbit().oscillator().parameters());
         let (holds, failing, [sn, pd]) = match &resonance.theorem {
             Ok(point) => {
@@ -176,10 +161,10 @@ fn resonances<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<Val
 }
 
 /// The quadratic approximations to the SN and PD curves of the resonances that are seen, as far as they lie in the view.
-fn approximations<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<Value> {
+fn approximations(axes: &Axes, diagram: &Diagram) -> Vec<Value> {
     let ranks = ranks(diagram);
     let unfolding = diagram.resonances.iter().zip(ranks);
-    let of = |(resonance, rank): (&grazing_unfold::resonances::Resonance<O>, u32)| {
+    let of = |(resonance, rank): (&grazing_unfold::resonances::Resonance, u32)| {
         let point = resonance.theorem.as_ref().ok()?;
         let curves = point.leading().named().map(|(kind, curve)| {
             let points = approximation(point, curve, diagram.scope.window);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use grazing_continuation::curve::Window;
 use grazing_description::{Axis, Description};
-use grazing_model::{ImpactOscillator, LinearOscillator};
+use grazing_model::{AnyOscillator, LinearOscillator};
 use grazing_reproduction::plane::Axes;
 use grazing_reproduction::unfolded;
 use grazing_source::{Mistake, Setting, SettingError, Text};
@@ -42,17 +42,15 @@ pub(crate) const PAPER: &str = include_str!("../../../examples/paper.toml");
 /// The constants of that text.
 const CONSTANTS: [&str; 2] = ["zeta", "epsilon"];
 
-/// What is to be done with an oscillator of whatever kind.
-pub(crate) trait Job {
-    type Outcome;
-
-    fn run<O: ImpactOscillator>(self, oscillator: &O, scope: &Scope, axes: &Axes) -> Self::Outcome;
-}
-
-/// A model that was found right.
-pub(crate) enum CheckedModel {
-    Paper(Box<(LinearOscillator, Scope)>),
-    Text(Description),
+/// A model that was found right, ready for an analysis.
+pub(crate) struct Prepared {
+    /// It ends when an end is asked for.
+    pub(crate) oscillator: AnyOscillator,
+    pub(crate) scope: Scope,
+    /// Names and units.
+    pub(crate) axes: Axes,
+    /// Its file; none for the paper's oscillator.
+    pub(crate) description: Option<Description>,
 }
 
 impl Model {
@@ -83,11 +81,13 @@ impl Model {
         }
     }
 
-    /// The oscillator in the ranges of a view, or in those of its file.
-    pub(crate) fn checked(&self, view: Option<&View>) -> Result<CheckedModel, Mistake> {
+    /// The oscillator in the ranges of a view, or in those of its file, to be ended by a mark.
+    pub(crate) fn prepared(&self, view: Option<&View>, stop: &Stop) -> Result<Prepared, Mistake> {
         let description = self.description(view)?;
         if self.text.is_some() {
-            return Ok(CheckedModel::Text(description));
+            let axes = unfolded::axes(&description);
+            let (oscillator, scope) = unfolded::prepared(&description, &axes.units, stop);
+            return Ok(Prepared { oscillator, scope, axes, description: Some(description) });
         }
         let constant = |wanted: &str| {
             let mut constants = description.constants();
@@ -97,13 +97,11 @@ impl Model {
         let window =
             Window { primary: description.primary().range(), secondary: description.secondary().range() };
         let [amplitude, frequency] = [window.primary[0], window.secondary[0]];
-        match LinearOscillator::new(zeta, epsilon, amplitude, frequency) {
-            Ok(oscillator) => {
-                let scope = Scope { window, loops: description.loops().to_vec(), start: None };
-                Ok(CheckedModel::Paper(Box::new((oscillator, scope))))
-            }
-            Err(error) => Err(Mistake::new(error.to_string())),
-        }
+        let oscillator = LinearOscillator::new(zeta, epsilon, amplitude, frequency)
+            .map_err(|error| Mistake::new(error.to_string()))?;
+        let scope = Scope { window, loops: description.loops().to_vec(), start: None };
+        let axes = Axes::of_the_paper();
+        Ok(Prepared { oscillator: AnyOscillator::new(oscillator), scope, axes, description: None })
     }
 
     /// The oscillator in the ranges of a view, that of the paper as a text, too.
@@ -116,8 +114,8 @@ impl Model {
 
     /// What there is to know of the oscillator before anything is computed.
     pub(crate) fn described(&self) -> Result<Value, Mistake> {
-        let (checked, description) = (self.checked(None)?, self.description(None)?);
-        let names = checked.axes().names;
+        let names = self.prepared(None, &Stop::default())?.axes.names;
+        let description = self.description(None)?;
         let axis = |name: &str, title: &str, axis: &Axis| json!({"name": name, "title": title, "range": axis.range(), "unit": axis.unit()});
         let [primary, secondary] = names.titles();
         let constant = |(name, value): (&str, f64)| json!({"name": name, "value": value});
@@ -130,28 +128,6 @@ impl Model {
             "loops": description.loops(),
             "notes": description.notes(),
         }))
-    }
-}
-
-impl CheckedModel {
-    /// Names and units.
-    pub(crate) fn axes(&self) -> Axes {
-        match self {
-            Self::Paper(_) => Axes::of_the_paper(),
-            Self::Text(description) => unfolded::axes(description),
-        }
-    }
-
-    /// Does something with the oscillator, which ends when an end is asked for.
-    pub(crate) fn with<J: Job>(&self, stop: &Stop, job: J) -> J::Outcome {
-        match self {
-            Self::Paper(paper) => job.run(&paper.0, &paper.1, &self.axes()),
-            Self::Text(description) => {
-                let axes = self.axes();
-                let (oscillator, scope) = unfolded::prepared(description, &axes.units, stop);
-                job.run(&oscillator, &scope, &axes)
-            }
-        }
     }
 }
 
@@ -191,16 +167,16 @@ mod tests {
         let mut model = model(example());
         model.set.insert("kappa".to_owned(), 0.3);
         let view = View { primary: [0.25, 0.5], secondary: [0.9, 1.0] };
-        let Ok(CheckedModel::Text(description)) = model.checked(Some(&view)) else { panic!("it is right") };
+        let description = model.description(Some(&view)).unwrap();
         assert_eq!(description.primary().range(), [0.25, 0.5]);
         assert!(description.constants().any(|constant| constant == ("kappa", 0.3)));
         model.set.insert("unknown".to_owned(), 1.0);
         for name in ["unknown", "bad name", "kappa=0\nzeta"] {
             let mut wrong = model.clone();
             wrong.set.insert(name.to_owned(), 1.0);
-            assert!(wrong.checked(None).is_err(), "{name}");
+            assert!(wrong.prepared(None, &Stop::default()).is_err(), "{name}");
         }
         let paper = Model { text: None, set: BTreeMap::from([("zeta".to_owned(), 2.0)]), loops: None };
-        assert!(paper.checked(None).is_err());
+        assert!(paper.prepared(None, &Stop::default()).is_err());
     }
 }

@@ -4,15 +4,13 @@ use grazing_continuation::mps::Multipliers;
 use grazing_description::Description;
 use grazing_model::smooth::Units;
 use grazing_model::{ImpactOscillator, State};
-use grazing_reproduction::plane::Axes;
-use grazing_unfold::Scope;
 use grazing_unfold::place::{Attractor, Nearby, Place, Solution, Starts};
 use grazing_unfold::stop::Stop;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
-use crate::model::{CheckedModel, Job, Model};
+use crate::model::{Model, Prepared};
 
 /// What is asked for.
 #[derive(Deserialize)]
@@ -68,98 +66,83 @@ fn yes() -> bool {
 const MOST_STATES: u32 = 200;
 
 pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Problem> {
-    let model = request.model.checked(None)?;
+    let of = request.model.prepared(None, stop)?;
     if !request.at.iter().all(|value| value.is_finite()) {
         return Err(Problem::wrong("the place must be two numbers"));
     }
-    let mut found = model.with(stop, PlaceJob { request, stop, model: &model })?;
-    found["wall"] = wall(&model, request.at, found["period"].as_f64().unwrap_or(1.0));
-    Ok(found)
+    let units = of.axes.units;
+    let [primary, secondary] = request.at;
+    let here = of.oscillator.with_parameters([primary / units.primary, secondary / units.secondary]);
+    let found = match &request.nearby {
+        None => {
+            let states = request.states.clamp(1, MOST_STATES);
+            Place::compute(&here, &of.scope.loops, &Starts { states, ..Starts::default() }, stop)
+        }
+        Some(motion) => {
+            let nearby = motion
+                .nearby(&of.scope.loops, &units)
+                .ok_or_else(|| Problem::wrong("too much is said to be nearby"))?;
+            Place::followed(&here, &nearby, stop)
+        }
+    };
+    let found = found.ok_or_else(Problem::ended)?;
+    let states: u32 = found.attractors.iter().map(|attractor| attractor.states).sum();
+    let flights = |flights: &[Vec<[f64; 3]>]| match request.orbits {
+        true => flights.iter().map(|flight| outside(flight, &of, request.at)).collect(),
+        false => Vec::new(),
+    };
+    let solution = |solution: &Solution| {
+        let Solution { loops, impact, multipliers, admissible, orbit } = solution;
+        json!({
+            "p": loops,
+            "velocity": impact[0] * units.velocity(),
+            "phase": impact[1],
+            "multipliers": eigenvalues(multipliers),
+            "stable": multipliers.stable(),
+            "admissible": admissible,
+            "orbit": flights(core::slice::from_ref(orbit)),
+        })
+    };
+    let attractor = |attractor: &Attractor| {
+        let Attractor { states: own_states, fate, lyapunov, flights: own, strikes, state } = attractor;
+        let strikes = strikes.iter().map(|[phase, velocity]| [*phase, velocity * units.velocity()]);
+        json!({
+            "share": f64::from(*own_states) / f64::from(states),
+            "states": own_states,
+            "state": [state.position, state.velocity, state.phase],
+            "kind": fate.kind.name(),
+            "loops": fate.loops(),
+            "periods": fate.periods,
+            "impacts": fate.impacts,
+            "lyapunov": lyapunov / units.time,
+            "orbit": flights(own),
+            "strikes": strikes.collect::<Vec<_>>(),
+        })
+    };
+    Ok(json!({
+        "solutions": found.solutions.iter().map(solution).collect::<Vec<_>>(),
+        "attractors": found.attractors.iter().map(attractor).collect::<Vec<_>>(),
+        "period": found.period * units.time,
+        "wall": wall(&of, request.at, found.period * units.time),
+        "followed": request.nearby.is_some(),
+    }))
 }
 
 /// The wall over a forcing period, in the file's coordinates; at rest it is a point.
-fn wall(model: &CheckedModel, at: [f64; 2], period: f64) -> Value {
+fn wall(of: &Prepared, at: [f64; 2], period: f64) -> Value {
     const INSTANTS: u32 = 64;
-    let CheckedModel::Text(description) = model else { return json!([[0.0, 0.0]]) };
+    let Some(description) = &of.description else { return json!([[0.0, 0.0]]) };
     let position = |time: f64| Description::wall(description).outside([0.0, 0.0], time, at)[0];
     let times = (0..=INSTANTS).map(|k| period * f64::from(k) / f64::from(INSTANTS));
     json!(times.map(|time| [time, position(time)]).collect::<Vec<_>>())
 }
 
-struct PlaceJob<'a> {
-    request: &'a PlaceRequest,
-    stop: &'a Stop,
-    model: &'a CheckedModel,
-}
-
-impl Job for PlaceJob<'_> {
-    type Outcome = Result<Value, Problem>;
-
-    fn run<O: ImpactOscillator>(self, oscillator: &O, scope: &Scope, axes: &Axes) -> Result<Value, Problem> {
-        let Self { request, stop, model } = self;
-        let units = axes.units;
-        let [primary, secondary] = request.at;
-        let here = oscillator.with_parameters([primary / units.primary, secondary / units.secondary]);
-        let found = match &request.nearby {
-            None => {
-                let states = request.states.clamp(1, MOST_STATES);
-                Place::compute(&here, &scope.loops, &Starts { states, ..Starts::default() }, stop)
-            }
-            Some(motion) => {
-                let nearby = motion
-                    .nearby(&scope.loops, &units)
-                    .ok_or_else(|| Problem::wrong("too much is said to be nearby"))?;
-                Place::followed(&here, &nearby, stop)
-            }
-        };
-        let found = found.ok_or_else(Problem::ended)?;
-        let states: u32 = found.attractors.iter().map(|attractor| attractor.states).sum();
-        let flights = |flights: &[Vec<[f64; 3]>]| match request.orbits {
-            true => flights.iter().map(|flight| outside(flight, &units, model, request.at)).collect(),
-            false => Vec::new(),
-        };
-        let solution = |solution: &Solution| {
-            let Solution { loops, impact, multipliers, admissible, orbit } = solution;
-            json!({
-                "p": loops,
-                "velocity": impact[0] * units.velocity(),
-                "phase": impact[1],
-                "multipliers": eigenvalues(multipliers),
-                "stable": multipliers.stable(),
-                "admissible": admissible,
-                "orbit": flights(core::slice::from_ref(orbit)),
-            })
-        };
-        let attractor = |attractor: &Attractor| {
-            let Attractor { states: own_states, fate, lyapunov, flights: own, strikes, state } = attractor;
-            let strikes = strikes.iter().map(|[phase, velocity]| [*phase, velocity * units.velocity()]);
-            json!({
-                "share": f64::from(*own_states) / f64::from(states),
-                "states": own_states,
-                "state": [state.position, state.velocity, state.phase],
-                "kind": fate.kind.name(),
-                "loops": fate.loops(),
-                "periods": fate.periods,
-                "impacts": fate.impacts,
-                "lyapunov": lyapunov / units.time,
-                "orbit": flights(own),
-                "strikes": strikes.collect::<Vec<_>>(),
-            })
-        };
-        Ok(json!({
-            "solutions": found.solutions.iter().map(solution).collect::<Vec<_>>(),
-            "attractors": found.attractors.iter().map(attractor).collect::<Vec<_>>(),
-            "period": found.period * units.time,
-            "followed": request.nearby.is_some(),
-        }))
-    }
-}
-
 /// A flight in the file's units and coordinates; it was found as it is seen from the wall.
-fn outside(flight: &[[f64; 3]], units: &Units, model: &CheckedModel, at: [f64; 2]) -> Vec<[f64; 3]> {
+fn outside(flight: &[[f64; 3]], of: &Prepared, at: [f64; 2]) -> Vec<[f64; 3]> {
+    let units = &of.axes.units;
     let point = |[t, u, velocity]: &[f64; 3]| {
         let [t, u, velocity] = [t * units.time, u * units.length, velocity * units.velocity()];
-        let CheckedModel::Text(description) = model else { return [t, u, velocity] };
+        let Some(description) = &of.description else { return [t, u, velocity] };
         let [x, v] = Description::wall(description).outside([u, velocity], t, at);
         [t, x, v]
     };

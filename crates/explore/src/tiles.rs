@@ -3,8 +3,6 @@
 use std::time::{Duration, Instant};
 
 use grazing_model::ImpactOscillator;
-use grazing_reproduction::plane::Axes;
-use grazing_unfold::Scope;
 use grazing_unfold::long_time::{Horizon, LongOrbit, Patience, random_start};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::stop::Stop;
@@ -13,7 +11,7 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
-use crate::model::{Job, Model, View};
+use crate::model::{Model, Prepared, View};
 use crate::stream::Events;
 
 /// What is asked for.
@@ -41,70 +39,56 @@ const OFTEN: Duration = Duration::from_millis(100);
 const COUNTED: u32 = 6;
 
 pub(crate) fn compute(request: &TilesRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
-    let TilesRequest { columns, rows, periods, .. } = request;
-    if !((1..=MOST).contains(columns)
-        && (1..=MOST).contains(rows)
-        && (COUNTED..=MOST_PERIODS).contains(periods))
+    let &TilesRequest { columns, rows, periods, .. } = request;
+    if !((1..=MOST).contains(&columns)
+        && (1..=MOST).contains(&rows)
+        && (COUNTED..=MOST_PERIODS).contains(&periods))
     {
         return Err(Problem::wrong(format!(
             "columns and rows must lie between 1 and {MOST}, periods between {COUNTED} and {MOST_PERIODS}"
         )));
     }
-    request.model.checked(Some(&request.view))?.with(stop, TilesJob { request, events });
-    Ok(())
-}
-
-struct TilesJob<'a> {
-    request: &'a TilesRequest,
-    events: &'a Events,
-}
-
-impl Job for TilesJob<'_> {
-    type Outcome = ();
-
-    fn run<O: ImpactOscillator>(self, oscillator: &O, scope: &Scope, _: &Axes) {
-        let TilesRequest { columns, rows, periods, mut known, .. } = *self.request;
-        let counted = periods / COUNTED;
-        let horizon = Horizon { transient: periods - counted, counted, patience: Patience::Drifting };
-        let (mut step, mut lot) = (COARSEST, LOT);
-        loop {
-            let places = (0..rows)
-                .step_by(step as usize)
-                .flat_map(|row| (0..columns).step_by(step as usize).map(move |column| [column, row]));
-            let coarser = |[column, row]: &[u32; 2]| {
-                step < COARSEST && column % (2 * step) == 0 && row % (2 * step) == 0
-            };
-            let mut places: Vec<[u32; 2]> = places.filter(|place| !coarser(place)).collect();
-            known -= places.drain(..known.min(places.len())).len();
-            let mut rest = &places[..];
-            while !rest.is_empty() {
-                let (now, later) = rest.split_at(lot.min(rest.len()));
-                let began = Instant::now();
-                let cells = now.par_iter().map(|&[column, row]| {
-                    if self.events.stopped() {
-                        return Value::Null;
-                    }
-                    let shares = [(column, columns), (row, rows)]
-                        .map(|(place, count)| (f64::from(place) + 0.5) / f64::from(count));
-                    let here = oscillator.with_parameters(scope.window.parameters(shares));
-                    // The same place has the same state, whatever was computed before.
-                    let mut random = random(column, row);
-                    let fate = LongOrbit::follow(&here, random_start(-1.0, &mut random), horizon).fate;
-                    json!([column, row, fate.loops(), fate.periods, fate.impacts])
-                });
-                let cells: Vec<Value> = cells.collect();
-                if self.events.stopped() {
-                    return;
+    let Prepared { oscillator, scope, .. } = request.model.prepared(Some(&request.view), stop)?;
+    let mut known = request.known;
+    let counted = periods / COUNTED;
+    let horizon = Horizon { transient: periods - counted, counted, patience: Patience::Drifting };
+    let (mut step, mut lot) = (COARSEST, LOT);
+    loop {
+        let places = (0..rows)
+            .step_by(step as usize)
+            .flat_map(|row| (0..columns).step_by(step as usize).map(move |column| [column, row]));
+        let coarser =
+            |[column, row]: &[u32; 2]| step < COARSEST && column % (2 * step) == 0 && row % (2 * step) == 0;
+        let mut places: Vec<[u32; 2]> = places.filter(|place| !coarser(place)).collect();
+        known -= places.drain(..known.min(places.len())).len();
+        let mut rest = &places[..];
+        while !rest.is_empty() {
+            let (now, later) = rest.split_at(lot.min(rest.len()));
+            let began = Instant::now();
+            let cells = now.par_iter().map(|&[column, row]| {
+                if events.stopped() {
+                    return Value::Null;
                 }
-                self.events.send("tiles", &json!({"step": step, "cells": cells}));
-                lot = if began.elapsed() < OFTEN { 2 * lot } else { (lot / 2).max(1) };
-                rest = later;
+                let shares = [(column, columns), (row, rows)]
+                    .map(|(place, count)| (f64::from(place) + 0.5) / f64::from(count));
+                let here = oscillator.with_parameters(scope.window.parameters(shares));
+                // The same place has the same state, whatever was computed before.
+                let mut random = random(column, row);
+                let fate = LongOrbit::follow(&here, random_start(-1.0, &mut random), horizon).fate;
+                json!([column, row, fate.loops(), fate.periods, fate.impacts])
+            });
+            let cells: Vec<Value> = cells.collect();
+            if events.stopped() {
+                return Ok(());
             }
-            if step == 1 {
-                return;
-            }
-            step /= 2;
+            events.send("tiles", &json!({"step": step, "cells": cells}));
+            lot = if began.elapsed() < OFTEN { 2 * lot } else { (lot / 2).max(1) };
+            rest = later;
         }
+        if step == 1 {
+            return Ok(());
+        }
+        step /= 2;
     }
 }
 

@@ -44,6 +44,7 @@
 //! assert!(impacts.count() > 5);
 //! ```
 
+mod any;
 mod jet;
 mod linear;
 pub mod maps;
@@ -58,6 +59,7 @@ mod taylor;
 mod third_order;
 mod tolerances;
 
+pub use any::{AnyMotion, AnyOscillator};
 pub use jet::{FlowJet, MapJet, ParameterJet};
 pub use linear::{LinearMotion, LinearOscillator, OscillatorError};
 pub use oscillator::ImpactOscillator;

@@ -13,7 +13,7 @@ use core::f64::consts::TAU;
 use nalgebra::{Matrix6, Vector2, Vector4};
 
 use crate::jet::{FlowJet, MapJet, ParameterJet};
-use crate::motion::{Motion, first_rest};
+use crate::motion::Motion;
 use crate::oscillator::ImpactOscillator;
 use crate::state::{AtPhase, AtRest, OnWall, State, Surface, flow_variable as flow};
 use crate::tolerances::{LAST_STEP_TO_SECTION, LAST_STEP_TO_WALL, MOST_ITERATIONS, MOST_PERIODS};
@@ -81,7 +81,9 @@ pub fn virtual_map<O: ImpactOscillator, const ORDER: usize>(
         None => {
             let horizon = LONGEST_VIRTUAL * oscillator.forcing_period();
             let forwards = velocity > 0.0;
-            first_rest(&oscillator.motion(impact.into()), forwards, horizon)
+            oscillator
+                .motion(impact.into())
+                .first_rest(forwards, horizon)
                 .ok_or(MapError::NoRest { near: 0.0, velocity })?
         }
     };

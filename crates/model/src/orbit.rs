@@ -1,6 +1,6 @@
 //! Orbits of the hybrid system eq:f with eq:resetLaw: motion and impacts.
 
-use crate::motion::{Motion, first_crossing};
+use crate::motion::Motion;
 use crate::oscillator::ImpactOscillator;
 use crate::phase::turned;
 use crate::state::{OnWall, State};
@@ -156,7 +156,7 @@ impl<O: ImpactOscillator> Iterator for Orbit<'_, O> {
             return None;
         }
         let motion = self.oscillator.motion(from);
-        let crossing = first_crossing(&motion, left);
+        let crossing = motion.first_crossing(left);
         let duration = crossing.map_or(left, |crossing| crossing.time);
         let phase = from.phase + self.oscillator.forcing_frequency().value * duration;
         self.time += duration;

@@ -2,15 +2,13 @@
 
 use grazing_continuation::curve::Window;
 use grazing_description::{Axis, Description};
+use grazing_model::AnyOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated, Units};
 use grazing_unfold::Scope;
 use grazing_unfold::stop::{Stop, Stoppable};
 
-/// An oscillator from a text file in units in which its motion is of the order of one.
-pub type Described = Integrated<Stoppable<Dimensionless<Description>>>;
-
 /// An oscillator that ends when an end is asked for, in these units, and what its file asks for.
-pub fn prepared(description: &Description, units: &Units, stop: &Stop) -> (Described, Scope) {
+pub fn prepared(description: &Description, units: &Units, stop: &Stop) -> (AnyOscillator, Scope) {
     let [primary, secondary] = [description.primary(), description.secondary()].map(Axis::range);
     let scope = Scope {
         window: Window { primary, secondary },
@@ -19,5 +17,6 @@ pub fn prepared(description: &Description, units: &Units, stop: &Stop) -> (Descr
     };
     let scope = scope.without_dimensions(units);
     let stoppable = Stoppable::new(Dimensionless::new(description.clone(), *units), stop.clone());
-    (Integrated::new(stoppable, [scope.window.primary[0], scope.window.secondary[0]]), scope)
+    let at = [scope.window.primary[0], scope.window.secondary[0]];
+    (AnyOscillator::new(Integrated::new(stoppable, at)), scope)
 }

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use grazing_model::motion::highest_maximum;
+use grazing_model::motion::Motion;
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
 use grazing_results::space::{CurveKind, MarkKind, Scene, SurfaceKind};
@@ -67,7 +67,7 @@ fn graze(
 ) -> Result<(), StudyError> {
     let top = State::on_wall(0.0, arrival.phase);
     let whole = duration(oscillator, arrival);
-    let highest = highest_maximum(&oscillator.motion(from), whole);
+    let highest = oscillator.motion(from).highest_maximum(whole);
     if from.position > 0.0
         || oscillator.acceleration(top) >= 0.0
         || highest.is_none_or(|top| top.position > SAME)

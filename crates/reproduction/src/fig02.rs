@@ -3,6 +3,7 @@
 mod subjects;
 
 use grazing_continuation::curve::Window;
+use grazing_model::AnyOscillator;
 use grazing_results::Frame;
 use grazing_results::branches::OneParameter;
 use grazing_unfold::Scope;
@@ -19,7 +20,7 @@ impl Study {
     pub fn fig02(&self) -> Result<OneParameter, StudyError> {
         let (figure, theory) = (self.parameters.fig02.get()?, self.parameters.oscillator.get()?);
         let (at, range) = (figure.frequency, figure.amplitude);
-        let oscillator = forced(theory, range[0], at)?;
+        let oscillator = AnyOscillator::new(forced(theory, range[0], at)?);
         // Of the frequencies only the lower end matters.
         let window = Window { primary: range, secondary: [at, 2.0 * at] };
         let scope = Scope { window, loops: figure.loops.clone(), start: None };

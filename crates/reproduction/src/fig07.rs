@@ -1,7 +1,7 @@
 //! Figure 7 (fig:G): the two-parameter bifurcation diagram of the paper's oscillator, which Figure 8 and the table of coefficients share.
 
 use grazing_continuation::resonance::ResonanceError;
-use grazing_model::LinearOscillator;
+use grazing_model::AnyOscillator;
 use grazing_results::brief;
 use grazing_results::plane::{PlaneDiagram, Section};
 use grazing_unfold::regions::{Doubt, Region};
@@ -13,12 +13,13 @@ use crate::{Study, StudyError};
 
 impl Study {
     /// The diagram in the window of Figure 7: what `grazing_unfold` finds of an oscillator whose flow is known in closed form.
-    pub(crate) fn diagram(&self) -> Result<&Diagram<LinearOscillator>, StudyError> {
+    pub(crate) fn diagram(&self) -> Result<&Diagram, StudyError> {
         let compute = || {
             let figure = self.parameters.fig07.get()?;
             let scope = Scope { window: figure.window, loops: figure.loops.clone(), start: None };
             let theory = self.parameters.oscillator.get()?;
             let oscillator = forced(theory, scope.window.primary[0], scope.window.secondary[0])?;
+            let oscillator = AnyOscillator::new(oscillator);
             Ok(Diagram::compute(&oscillator, &scope, &*self.progress)?)
         };
         self.diagram.get_or_init(compute).as_ref().map_err(Clone::clone)

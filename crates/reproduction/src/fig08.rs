@@ -4,7 +4,6 @@ use core::cell::LazyCell;
 
 use grazing_continuation::curve::Window;
 use grazing_continuation::resonance::ResonantGrazingPoint;
-use grazing_model::LinearOscillator;
 use grazing_results::plane::{Magnifications, MagnifiedPanel};
 use grazing_unfold::magnification::{magnify, window_about};
 use grazing_unfold::resonances::Resonance;
@@ -17,8 +16,8 @@ use crate::{Study, StudyError};
 
 /// A panel whose resonance is in the diagram.
 struct Shown<'a> {
-    resonance: &'a Resonance<LinearOscillator>,
-    point: &'a ResonantGrazingPoint<LinearOscillator>,
+    resonance: &'a Resonance,
+    point: &'a ResonantGrazingPoint,
     window: Window,
 }
 

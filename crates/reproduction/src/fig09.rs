@@ -1,7 +1,7 @@
 //! Figure 9 (fig:Bb): an impact and the points on Σ and Π that it defines, for p loops.
 
 use grazing_model::maps::{MapError, global_map, virtual_map};
-use grazing_model::motion::{Motion, first_rest};
+use grazing_model::motion::Motion;
 use grazing_model::{AtRest, ImpactOscillator, LinearOscillator, OnWall, State};
 use grazing_results::space::{CurveKind, MarkKind, Scene, SurfaceKind};
 
@@ -87,7 +87,7 @@ fn to_level(oscillator: &LinearOscillator, state: State, forwards: bool, level: 
     let there = motion.at(moment);
     let phase = state.phase + oscillator.frequency() * moment;
     let moving = State { position: there.position, velocity: there.velocity, phase };
-    let rest = first_rest(&oscillator.motion(moving), forwards, period.abs());
+    let rest = oscillator.motion(moving).first_rest(forwards, period.abs());
     let turning = moment + rest.unwrap_or(period);
     if motion.at(turning).position >= level {
         return turning;

@@ -42,9 +42,9 @@ pub(crate) fn own_header<'a>(name: &str, tables: impl Iterator<Item = &'a TableP
 }
 
 /// A diagram with the panels that magnify it and the lines along which one-parameter diagrams run.
-pub fn plane_diagram<O: ImpactOscillator>(
+pub fn plane_diagram(
     axes: &Axes,
-    diagram: &Diagram<O>,
+    diagram: &Diagram,
     magnified: Vec<MagnifiedPanel>,
     sections: Vec<Section>,
 ) -> PlaneDiagram {
@@ -59,7 +59,7 @@ pub fn plane_diagram<O: ImpactOscillator>(
 }
 
 /// Grazing curves and bifurcation curves, point by point.
-pub fn curves<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<PlanePoint> {
+pub fn curves(axes: &Axes, diagram: &Diagram) -> Vec<PlanePoint> {
     let curves = diagram.curves.iter().map(|curve| bifurcation_rows(axes, diagram, curve));
     numbered(grazing_rows(axes, diagram).into_iter().chain(curves))
 }
@@ -73,8 +73,8 @@ pub(crate) fn numbered(curves: impl IntoIterator<Item = Vec<PlanePoint>>) -> Vec
 }
 
 /// The pieces of the grazing curve, without numbers.
-pub fn grazing_rows<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<Vec<PlanePoint>> {
-    let rows = |curve: &GrazingCurve<O>| {
+pub fn grazing_rows(axes: &Axes, diagram: &Diagram) -> Vec<Vec<PlanePoint>> {
+    let rows = |curve: &GrazingCurve| {
         let points = curve.states.iter().map(|state| {
             let [primary, secondary] = axes.units.parameters(state.orbit.oscillator().parameters());
             let map = state.orbit.grazing_point().map;
@@ -100,11 +100,7 @@ pub fn grazing_rows<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> V
 }
 
 /// A bifurcation curve without its number; it need not be in the diagram yet, whose grazing curves are.
-pub fn bifurcation_rows<O: ImpactOscillator>(
-    axes: &Axes,
-    diagram: &Diagram<O>,
-    curve: &DiagramCurve,
-) -> Vec<PlanePoint> {
+pub fn bifurcation_rows(axes: &Axes, diagram: &Diagram, curve: &DiagramCurve) -> Vec<PlanePoint> {
     let (units, equations) = (&axes.units, diagram.equations(curve.loops));
     let points = curve.curve.points.iter().map(|point| {
         let solution = &point.solution;
@@ -131,7 +127,7 @@ pub fn bifurcation_rows<O: ImpactOscillator>(
 }
 
 /// Resonances at which a theorem holds, and other codimension-two points.
-pub fn points<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<SpecialPoint> {
+pub fn points(axes: &Axes, diagram: &Diagram) -> Vec<SpecialPoint> {
     let point = |kind, loops, n, parameters| {
         let [primary, secondary] = axes.units.parameters(parameters);
         SpecialPoint { kind, loops, n, secondary, primary }
@@ -173,7 +169,7 @@ pub fn regions(axes: &Axes, regions: &[Region]) -> Vec<RegionVertex> {
 }
 
 /// Resonances that could not be located, and those whose curves could not be followed, in words.
-pub fn lost<O>(diagram: &Diagram<O>) -> impl Iterator<Item = String> {
+pub fn lost(diagram: &Diagram) -> impl Iterator<Item = String> {
     let unlocated = diagram.unlocated.iter().map(|lost| format!("p = {}: {}", lost.loops, lost.reason));
     let not_unfolded = diagram.not_unfolded.iter();
     unlocated.chain(not_unfolded.map(|lost| format!("p = {}, n = {}: {}", lost.loops, lost.n, lost.reason)))

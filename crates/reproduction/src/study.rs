@@ -18,7 +18,7 @@ pub struct Study {
     /// The parameters.
     pub parameters: Parameters,
     pub(crate) progress: Arc<dyn Progress + Send>,
-    pub(crate) diagram: OnceLock<Result<Diagram<LinearOscillator>, StudyError>>,
+    pub(crate) diagram: OnceLock<Result<Diagram, StudyError>>,
     pub(crate) coefficients: OnceLock<Result<CoefficientTable, StudyError>>,
 }
 

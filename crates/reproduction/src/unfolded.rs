@@ -7,8 +7,8 @@ use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::curve::Window;
 use grazing_continuation::fit::FitError;
 use grazing_description::Description;
-use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
+use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_results::branches::OneParameter;
 use grazing_results::family::Family;
 use grazing_results::plane::{Magnifications, MagnifiedPanel, PlaneDiagram, Section};
@@ -24,7 +24,7 @@ use grazing_unfold::verdict::{Coefficient, coefficients};
 use grazing_unfold::{Diagram, Scope};
 use rayon::prelude::*;
 
-pub use crate::described::{Described, prepared};
+pub use crate::described::prepared;
 use crate::plane::{self, Axes, own_header};
 use crate::{StudyError, one_parameter};
 pub use finished::Keep;
@@ -34,11 +34,11 @@ pub use tables::{Along, CheckedHypothesis, GrazingRow};
 /// The analysis of an oscillator: its diagram, and at every resonance where a theorem holds coefficients, simulation and a
 /// magnification.
 #[derive(Clone, Debug)]
-pub struct Unfolded<O> {
+pub struct Unfolded {
     /// The names of the parameters, and the oscillator's own units.
     pub axes: Axes,
     /// Grazing curves, resonances, bifurcation curves, codimension-two points, regions: all without dimensions.
-    pub diagram: Diagram<O>,
+    pub diagram: Diagram,
     /// For each resonance at which a theorem holds, in the order of [`Diagram::unfolding`]; in the oscillator's own units.
     pub resonances: Vec<AtResonance>,
     /// The one-parameter diagrams that are asked for, as far as they were finished; in the oscillator's own units.
@@ -110,7 +110,7 @@ pub fn axes(description: &Description) -> Axes {
     Axes { names: Names::new(&primary, &secondary).with_units(units), units: description.units() }
 }
 
-impl Unfolded<Described> {
+impl Unfolded {
     /// The analysis of an oscillator from a text file, which ends when an end is asked for by `stop`; `keep` gets curves as they are
     /// finished.
     ///
@@ -141,13 +141,13 @@ impl Unfolded<Described> {
     }
 }
 
-impl<O: ImpactOscillator> Unfolded<O> {
+impl Unfolded {
     /// The analysis of any oscillator, counted with its scope in the units of `axes`; its own parameters do not matter.
     ///
     /// # Errors
     /// There is no grazing in the ranges.
     pub fn compute(
-        oscillator: &O,
+        oscillator: &AnyOscillator,
         scope: &Scope,
         axes: Axes,
         progress: &dyn Progress,
@@ -210,7 +210,7 @@ impl<O: ImpactOscillator> Unfolded<O> {
         let units = &self.axes.units;
         // Those with a theorem are measured in the order of the list.
         let mut measured = self.resonances.iter();
-        let entry = |resonance: &Resonance<O>| {
+        let entry = |resonance: &Resonance| {
             let finding = match &resonance.theorem {
                 Ok(_) => measured.next().map(|at| Ok(at.coefficients.zip(at.sides)))?,
                 Err(violated) => {
@@ -285,7 +285,7 @@ tables! {
 const ALONG: &str = "quantities along the grazing curve";
 
 /// What depends on p at each point of the grazing curves; nothing if an end was asked for.
-fn along<O: ImpactOscillator>(diagram: &Diagram<O>, units: &Units, progress: &dyn Progress) -> Vec<Along> {
+fn along(diagram: &Diagram, units: &Units, progress: &dyn Progress) -> Vec<Along> {
     let states = (0..)
         .zip(&diagram.grazing)
         .flat_map(|(arc, curve)| curve.states.iter().map(move |state| (arc, state)));

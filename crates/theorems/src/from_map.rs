@@ -5,7 +5,7 @@
 //! [`linear_oscillator`](crate::linear_oscillator).
 
 use grazing_model::maps::{MapError, global_iterate, global_map};
-use grazing_model::{AtRest, ImpactOscillator, MapJet, OnWall, State};
+use grazing_model::{AnyOscillator, AtRest, ImpactOscillator, MapJet, OnWall, State};
 use nalgebra::{Matrix2, Vector2, Vector3};
 
 use crate::auxiliary::detuning;
@@ -101,7 +101,7 @@ fn slopes(map: &MapJet<AtRest, AtRest>) -> Vector2<f64> {
 /// Paper: Assumption 2.2 with μ = primary − primary_graz(η): the change of parameter that puts grazing at
 /// μ = 0.
 #[derive(Clone, Debug)]
-pub struct GrazingOrbit<O> {
+pub struct GrazingOrbit<O = AnyOscillator> {
     oscillator: O,
     phase: f64,
     map: MapJet<AtRest, AtRest>,

@@ -4,7 +4,7 @@
 use core::f64::consts::TAU;
 
 use grazing_claims::sweep::closed_form::{LoopSolution, LoopSolutions};
-use grazing_model::motion::highest_maximum;
+use grazing_model::motion::Motion;
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
 
 /// One of the at most two p-loop MPSs.
@@ -50,7 +50,7 @@ pub fn orbits(zeta: f64, epsilon: f64, amplitude: f64, omega: f64, loops: u32) -
     let oscillator = LinearOscillator::new(zeta, epsilon, amplitude, omega).expect("valid parameters");
     let orbit = |solution: LoopSolution| {
         let motion = oscillator.motion(State::on_wall(-epsilon * solution.velocity, solution.phase));
-        let ceiling = highest_maximum(&motion, time).map_or(f64::NEG_INFINITY, |maximum| maximum.position);
+        let ceiling = motion.highest_maximum(time).map_or(f64::NEG_INFINITY, |maximum| maximum.position);
         let LoopSolution { velocity, phase, trace, determinant, .. } = solution;
         Orbit { velocity, phase, trace, determinant, ceiling }
     };

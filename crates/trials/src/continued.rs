@@ -8,7 +8,6 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{
     EventTimes, LoopEquations, MaximalPeriodicSolution, Unknowns, parameters, unknown,
 };
-use grazing_model::ImpactOscillator;
 use grazing_unfold::Diagram;
 
 /// Steps along branches: what Newton's method needs between them.
@@ -30,8 +29,8 @@ pub fn good(solution: &MaximalPeriodicSolution) -> bool {
 }
 
 /// The p-loop MPS at the parameters near a known one.
-pub fn near<O: ImpactOscillator>(
-    equations: &LoopEquations<O>,
+pub fn near(
+    equations: &LoopEquations,
     known: &Unknowns,
     [primary, secondary]: [f64; 2],
 ) -> Option<MaximalPeriodicSolution> {
@@ -42,8 +41,8 @@ pub fn near<O: ImpactOscillator>(
 }
 
 /// The p-loop MPSs at one value of η and several of μ, on all branches that begin at grazing or cross a curve of the diagram.
-pub fn along<O: ImpactOscillator>(
-    diagram: &Diagram<O>,
+pub fn along(
+    diagram: &Diagram,
     loops: u32,
     secondary: f64,
     primaries: &[f64],
@@ -72,12 +71,7 @@ pub fn along<O: ImpactOscillator>(
 }
 
 /// MPSs at one η: beside grazing, and on curves of the diagram.
-fn starts<O: ImpactOscillator>(
-    diagram: &Diagram<O>,
-    equations: &LoopEquations<O>,
-    loops: u32,
-    secondary: f64,
-) -> Vec<Unknowns> {
+fn starts(diagram: &Diagram, equations: &LoopEquations, loops: u32, secondary: f64) -> Vec<Unknowns> {
     let here = Condition::Secondary(secondary);
     let solved = |condition: Condition, start: Unknowns, mut times: EventTimes| {
         let found = locate(equations, [condition, here], start, &mut times).ok()?;
@@ -100,12 +94,7 @@ fn starts<O: ImpactOscillator>(
 }
 
 /// The points of a branch from one of them on, as far as there is an impact and the window.
-fn followed<O: ImpactOscillator>(
-    curve: &MpsCurve<O>,
-    start: Unknowns,
-    direction: Unknowns,
-    window: Window,
-) -> Vec<Unknowns> {
+fn followed(curve: &MpsCurve, start: Unknowns, direction: Unknowns, window: Window) -> Vec<Unknowns> {
     let mut points = vec![start];
     let Ok(mut walker) = Continuation::new(curve, STEPS, start, direction, EventTimes::default()) else {
         return points;

@@ -5,7 +5,7 @@ use core::fmt;
 use grazing_continuation::mps::{MaximalPeriodicSolution, Unknowns, unknown};
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
-use grazing_reproduction::unfolded::{Described, prepared};
+use grazing_reproduction::unfolded::prepared;
 use grazing_unfold::simulation::Suspect;
 use grazing_unfold::stop::Stop;
 use grazing_unfold::{Diagram, Scope, UnfoldError};
@@ -71,7 +71,7 @@ const MOST_STEPS: u64 = 200_000_000;
 ///
 /// # Errors
 /// There is nothing to unfold.
-pub fn unfolded(description: &Description) -> Result<Diagram<Described>, UnfoldError> {
+pub fn unfolded(description: &Description) -> Result<Diagram, UnfoldError> {
     let stop = Stop::after(MOST_STEPS);
     let (oscillator, scope) = prepared(description, &description.units(), &stop);
     let diagram = Diagram::compute(&oscillator, &scope, &stop);
@@ -80,7 +80,7 @@ pub fn unfolded(description: &Description) -> Result<Diagram<Described>, UnfoldE
 }
 
 /// Compares a diagram on a lattice of so many points each way, with simulation from so many random states at each.
-pub fn compare<O: ImpactOscillator>(diagram: &Diagram<O>, lattice: usize, states: u32) -> Outcome {
+pub fn compare(diagram: &Diagram, lattice: usize, states: u32) -> Outcome {
     let Scope { window, loops, .. } = &diagram.scope;
     let at = |[low, high]: [f64; 2], k: usize| low + (high - low) * (k as f64 + 0.5) / lattice as f64;
     let points: Vec<[f64; 2]> = (0..lattice * lattice)
@@ -126,8 +126,8 @@ pub fn compare<O: ImpactOscillator>(diagram: &Diagram<O>, lattice: usize, states
 
 /// The stable, admissible MPSs at the points of a lattice: those to which branches from grazing and from curves lead, and where there are none,
 /// those near the ones of neighbouring points or of motion that has settled.
-fn solutions<O: ImpactOscillator>(
-    diagram: &Diagram<O>,
+fn solutions(
+    diagram: &Diagram,
     loops: u32,
     points: &[[f64; 2]],
     seen: &[Vec<Settled>],
@@ -167,8 +167,8 @@ fn solutions<O: ImpactOscillator>(
 }
 
 /// How many of some stable, admissible MPSs at a point simulation comes back to, and what does not agree there.
-fn judge<O: ImpactOscillator>(
-    diagram: &Diagram<O>,
+fn judge(
+    diagram: &Diagram,
     shown: Shown,
     found: &[MaximalPeriodicSolution],
     seen: bool,

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::curve::Window;
-use grazing_model::LinearOscillator;
+use grazing_model::{AnyOscillator, LinearOscillator};
 use grazing_unfold::progress::Silent;
 use grazing_unfold::regions::Region;
 use grazing_unfold::{Diagram, Scope};
@@ -45,7 +45,7 @@ pub fn distance(region: &Region, [x, y]: [f64; 2]) -> f64 {
 }
 
 /// Why regions of a diagram are hatched.
-pub fn doubts<O>(diagram: &Diagram<O>) -> Vec<String> {
+pub fn doubts(diagram: &Diagram) -> Vec<String> {
     let doubt = |region: &Region| Some(format!("p = {}: {}", region.loops, region.doubt.as_ref()?));
     diagram.regions.iter().filter_map(doubt).collect()
 }
@@ -64,7 +64,7 @@ pub enum Shown {
 }
 
 /// What a diagram says of p-loop solutions at a point.
-pub fn shown<O>(diagram: &Diagram<O>, loops: u32, point: [f64; 2]) -> Shown {
+pub fn shown(diagram: &Diagram, loops: u32, point: [f64; 2]) -> Shown {
     let mut of_p = diagram.regions.iter().filter(|region| region.loops == loops);
     let inside: Vec<_> = of_p.clone().filter(|region| region.contains(point)).collect();
     if inside.iter().any(|region| region.doubt.is_some()) {
@@ -104,7 +104,7 @@ pub fn compare(
     let oscillator = LinearOscillator::new(zeta, epsilon, window.primary[0], window.secondary[0])
         .unwrap_or_else(|error| panic!("zeta {zeta}, epsilon {epsilon}: {error}"));
     let mut outcome = Outcome::default();
-    let diagram = match Diagram::compute(&oscillator, &scope, &Silent) {
+    let diagram = match Diagram::compute(&AnyOscillator::new(oscillator), &scope, &Silent) {
         Ok(diagram) => diagram,
         Err(error) => {
             outcome.doubts.push(error.to_string());

@@ -6,7 +6,6 @@ use grazing_continuation::curve::{Curve, CurveEnd, Event, Route, Window};
 use grazing_continuation::cusp::cusps;
 use grazing_continuation::mps::{LoopEquations, Unknowns};
 use grazing_continuation::resonance::same_point;
-use grazing_model::ImpactOscillator;
 
 /// A curve of this many points has lost its way.
 const STEP_LIMIT: usize = 20_000;
@@ -66,16 +65,16 @@ impl CodimensionTwoPoint {
 
 /// The curves of one p, 0 without impacts, as far as they are known.
 #[derive(Clone, Debug)]
-pub(crate) struct Net<O> {
-    pub(crate) equations: LoopEquations<O>,
+pub(crate) struct Net {
+    pub(crate) equations: LoopEquations,
     pub(crate) curves: Vec<DiagramCurve>,
     pub(crate) meetings: Vec<CodimensionTwoPoint>,
     /// How many of the codimension-two points have been looked at for further curves.
     grown: usize,
 }
 
-impl<O: ImpactOscillator> Net<O> {
-    pub(crate) fn new(equations: LoopEquations<O>) -> Self {
+impl Net {
+    pub(crate) fn new(equations: LoopEquations) -> Self {
         Self { equations, curves: Vec::new(), meetings: Vec::new(), grown: 0 }
     }
 

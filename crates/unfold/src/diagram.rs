@@ -5,7 +5,7 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, Route, Window};
 use grazing_continuation::mps::{Formulation, LoopEquations};
 use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, UnfoldedResonance};
-use grazing_model::ImpactOscillator;
+use grazing_model::AnyOscillator;
 use rayon::prelude::*;
 
 use crate::curves::Net;
@@ -42,13 +42,13 @@ pub struct Followed {
 
 /// Everything in the diagram.
 #[derive(Clone, Debug)]
-pub struct Diagram<O> {
+pub struct Diagram {
     /// What was asked for.
     pub scope: Scope,
     /// The pieces of the curve of grazing bifurcations of the non-impacting solution.
-    pub grazing: Vec<GrazingCurve<O>>,
+    pub grazing: Vec<GrazingCurve>,
     /// All resonances on it, by p and along the curve.
-    pub resonances: Vec<Resonance<O>>,
+    pub resonances: Vec<Resonance>,
     /// Folds and period doublings of non-impacting motion (p = 0); then SN, PD and GZ curves of the MPSs, by p.
     pub curves: Vec<DiagramCurve>,
     /// Codimension-two points other than resonances.
@@ -97,14 +97,18 @@ fn widened(window: Window) -> Option<Window> {
     (across.min(up) < 0.5 * UNDECIDABLE_WIDTH).then_some(wide)
 }
 
-impl<O: ImpactOscillator> Diagram<O> {
+impl Diagram {
     /// Finds the grazing curves of an oscillator and all resonances on them, and follows the curves that leave these.
     ///
     /// The oscillator's own parameters do not matter. Resonances are unfolded in parallel; the result does not depend on the number of threads.
     ///
     /// # Errors
     /// There is no grazing in the ranges, with what was seen instead.
-    pub fn compute(oscillator: &O, scope: &Scope, progress: &dyn Progress) -> Result<Self, UnfoldError> {
+    pub fn compute(
+        oscillator: &AnyOscillator,
+        scope: &Scope,
+        progress: &dyn Progress,
+    ) -> Result<Self, UnfoldError> {
         let located = Self::located(oscillator, scope, progress)?;
         let followed = located.follow(progress, &|_, _| ());
         Ok(located.with(followed, progress))
@@ -114,7 +118,11 @@ impl<O: ImpactOscillator> Diagram<O> {
     ///
     /// # Errors
     /// There is no grazing in the ranges, with what was seen instead.
-    pub fn located(oscillator: &O, scope: &Scope, progress: &dyn Progress) -> Result<Self, UnfoldError> {
+    pub fn located(
+        oscillator: &AnyOscillator,
+        scope: &Scope,
+        progress: &dyn Progress,
+    ) -> Result<Self, UnfoldError> {
         let NonImpacting { grazing, curves, regions, unfinished } =
             non_impacting::find(oscillator, scope, progress)?;
         let mut diagram = Self {
@@ -185,13 +193,13 @@ impl<O: ImpactOscillator> Diagram<O> {
     }
 
     /// The curves that were followed, by p; what is missing is noted.
-    fn nets(&mut self, followed: Vec<Followed>) -> Vec<Net<O>> {
+    fn nets(&mut self, followed: Vec<Followed>) -> Vec<Net> {
         let cut = self.resonances.iter().enumerate().filter(|(index, resonance)| {
             resonance.theorem.is_ok() && followed.iter().all(|followed| followed.resonance != *index)
         });
         let cut = cut.map(|(_, resonance)| Unfinished::at(CURVES, resonance)).collect::<Vec<_>>();
         self.unfinished.extend(cut);
-        let mut nets: Vec<Net<O>> =
+        let mut nets: Vec<Net> =
             self.scope.loops.iter().map(|&loops| Net::new(self.equations(loops))).collect();
         for Followed { resonance, curves, missing } in followed {
             let (loops, n) = (self.resonances[resonance].loops, self.resonances[resonance].n);
@@ -204,13 +212,13 @@ impl<O: ImpactOscillator> Diagram<O> {
         nets
     }
 
-    fn grow(&self, nets: &mut [Net<O>]) {
+    fn grow(&self, nets: &mut [Net]) {
         let route = drawn(self.scope.window);
         nets.iter_mut().for_each(|net| net.grow(&route));
     }
 
     /// Takes curves and codimension-two points: first all that come from resonances, as they are told while others are being followed.
-    fn take(&mut self, nets: Vec<Net<O>>, followed: &[usize]) {
+    fn take(&mut self, nets: Vec<Net>, followed: &[usize]) {
         let (mut first, mut then) = (Vec::new(), Vec::new());
         for (mut net, followed) in nets.into_iter().zip(followed) {
             then.extend(net.curves.split_off(*followed));
@@ -222,7 +230,7 @@ impl<O: ImpactOscillator> Diagram<O> {
     }
 
     /// The equations of the p-loop MPSs; of solutions without impacts for p = 0.
-    pub fn equations(&self, loops: u32) -> LoopEquations<O> {
+    pub fn equations(&self, loops: u32) -> LoopEquations {
         let oscillator = self.grazing[0].states[0].orbit.oscillator().clone();
         match loops {
             0 => LoopEquations::without_impacts(oscillator, self.scope.window.widths()),
@@ -231,7 +239,7 @@ impl<O: ImpactOscillator> Diagram<O> {
     }
 
     /// The resonances at which a theorem holds, with their places in the list of all.
-    pub fn unfolding(&self) -> impl Iterator<Item = (&Resonance<O>, &ResonantGrazingPoint<O>)> {
+    pub fn unfolding(&self) -> impl Iterator<Item = (&Resonance, &ResonantGrazingPoint)> {
         self.resonances.iter().filter_map(|resonance| Some((resonance, resonance.theorem.as_ref().ok()?)))
     }
 
@@ -275,7 +283,7 @@ impl<O: ImpactOscillator> Diagram<O> {
 }
 
 /// The curves of a resonance in the order in which they are listed.
-fn listed<O>(index: usize, resonance: &Resonance<O>, unfolded: UnfoldedResonance) -> Followed {
+fn listed(index: usize, resonance: &Resonance, unfolded: UnfoldedResonance) -> Followed {
     let (loops, n) = (resonance.loops, resonance.n);
     let curve = |curve: &Curve| {
         let kind = Bifurcation::of(curve.condition, loops)?;

@@ -1,7 +1,7 @@
 //! Where a motion ceases to exist: it runs away, or comes to where the force has no value.
 
 use grazing_model::motion::Motion;
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::{AnyOscillator, ImpactOscillator, State};
 
 /// The last that is known of a motion without the wall that does not last for a forcing period.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +25,7 @@ const BEHIND: [f64; 4] = [1e-6, 1e-4, 1e-2, 1e-1];
 
 impl Escape {
     /// What becomes of the motion from a state at phase zero within a forcing period.
-    pub fn of<O: ImpactOscillator>(oscillator: &O, [position, velocity]: [f64; 2]) -> Self {
+    pub fn of(oscillator: &AnyOscillator, [position, velocity]: [f64; 2]) -> Self {
         let from = State { position, velocity, phase: 0.0 };
         let frequency = oscillator.forcing_frequency().value;
         let period = oscillator.forcing_period();

@@ -18,8 +18,8 @@ use grazing_continuation::arclength::{Continuation, CurveEquations, StepControl}
 use grazing_continuation::mps::MaximalPeriodicSolution;
 use grazing_continuation::newton::Linearisation;
 use grazing_continuation::regula_falsi::zero_between;
-use grazing_model::motion::highest_maximum;
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::motion::Motion;
+use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
 use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity};
 use grazing_theorems::{ResonantGrazing, ResonantPoint};
@@ -30,26 +30,26 @@ use crate::resonances::Resonance;
 use crate::{Diagram, Scope};
 
 /// The oscillator at a share of the way from one member to the next, with whatever primary and secondary parameter; none where it does not exist.
-pub type Between<'a, O> = &'a (dyn Fn(f64) -> Option<O> + Sync);
+pub type Between<'a> = &'a (dyn Fn(f64) -> Option<AnyOscillator> + Sync);
 
 /// A resonance followed from one member towards another.
 #[derive(Clone, Debug)]
-pub struct Arc<O> {
+pub struct Arc {
     /// Its place in the list of the member's resonances.
     pub resonance: usize,
     /// The resonance along the way, the first point at the member itself.
-    pub points: Vec<ArcPoint<O>>,
+    pub points: Vec<ArcPoint>,
     /// Where and how it ends.
     pub end: ArcEnd,
 }
 
 /// A resonance on the way from one member to another.
 #[derive(Clone, Debug)]
-pub struct ArcPoint<O> {
+pub struct ArcPoint {
     /// The share of the way.
     pub way: f64,
     /// The grazing orbit.
-    pub orbit: GrazingOrbit<O>,
+    pub orbit: GrazingOrbit,
     /// What the theorem asks about.
     pub point: ResonantPoint,
     /// A quantity in the theorem's hypotheses that is zero here: the resonance is degenerate.
@@ -93,7 +93,7 @@ const ZERO: f64 = 1e-11;
 const POLE: f64 = 1e-6;
 
 /// The resonances of a member, followed towards another. What turns back to its own member is listed once.
-pub fn arcs<O: ImpactOscillator>(diagram: &Diagram<O>, between: Between<'_, O>) -> Vec<Arc<O>> {
+pub fn arcs(diagram: &Diagram, between: Between<'_>) -> Vec<Arc> {
     let followed = diagram.resonances.iter().enumerate().filter_map(|(index, resonance)| {
         let path = Path { between, scope: &diagram.scope, loops: resonance.loops };
         let arc = path.follow(index, resonance, &diagram.resonances)?;
@@ -104,13 +104,13 @@ pub fn arcs<O: ImpactOscillator>(diagram: &Diagram<O>, between: Between<'_, O>) 
 }
 
 /// The way of one resonance.
-struct Path<'a, O> {
-    between: Between<'a, O>,
+struct Path<'a> {
+    between: Between<'a>,
     scope: &'a Scope,
     loops: u32,
 }
 
-impl<O: ImpactOscillator> CurveEquations<4> for Path<'_, O> {
+impl CurveEquations<4> for Path<'_> {
     type Carried = ();
     type Failure = Missing;
 
@@ -151,20 +151,20 @@ enum Missing {
 /// A point of the curve, by z, the shares of both ranges and the share of the way.
 type Coordinates = Vector4<f64>;
 
-impl<O: ImpactOscillator> Path<'_, O> {
-    fn orbit(&self, point: &Coordinates) -> Result<GrazingOrbit<O>, Missing> {
+impl Path<'_> {
+    fn orbit(&self, point: &Coordinates) -> Result<GrazingOrbit, Missing> {
         let oscillator = (self.between)(point[3]).ok_or(Missing::Oscillator)?;
         Ok(GrazingOrbit::at(self.scope.oscillator_at(&oscillator, [point[1], point[2]]), point[0])?)
     }
 
     /// What vanishes at a resonance.
-    fn residual(&self, orbit: &GrazingOrbit<O>, phase: f64) -> Vector3<f64> {
+    fn residual(&self, orbit: &GrazingOrbit, phase: f64) -> Vector3<f64> {
         let value = orbit.map().value;
         let [detuning, _] = orbit.detuning(self.loops, &Default::default());
         Vector3::new(value[0], value[1] - phase, detuning)
     }
 
-    fn at(&self, point: &Coordinates) -> Option<ArcPoint<O>> {
+    fn at(&self, point: &Coordinates) -> Option<ArcPoint> {
         let orbit = self.orbit(point).ok()?;
         let resonant = orbit.resonant_point(self.loops).ok()?;
         Some(ArcPoint { way: point[3], orbit, point: resonant, zero: None })
@@ -188,7 +188,7 @@ impl<O: ImpactOscillator> Path<'_, O> {
         (value.abs() <= POLE * size).then_some(point)
     }
 
-    fn follow(&self, index: usize, resonance: &Resonance<O>, all: &[Resonance<O>]) -> Option<Arc<O>> {
+    fn follow(&self, index: usize, resonance: &Resonance, all: &[Resonance]) -> Option<Arc> {
         let orbit = resonance.located.orbit();
         let place = self.scope.place(orbit);
         let start = Vector4::new(place[0], place[1], place[2], 0.0);
@@ -234,7 +234,7 @@ impl<O: ImpactOscillator> Path<'_, O> {
             if let Some(end) = end {
                 arc.end = match end {
                     ArcEnd::Back(_) => {
-                        let home = |other: &Resonance<O>| {
+                        let home = |other: &Resonance| {
                             other.loops == self.loops && self.same(&after, other.located.orbit())
                         };
                         ArcEnd::Back(all.iter().position(home))
@@ -247,7 +247,7 @@ impl<O: ImpactOscillator> Path<'_, O> {
         Some(arc)
     }
 
-    fn same(&self, place: &Coordinates, orbit: &GrazingOrbit<O>) -> bool {
+    fn same(&self, place: &Coordinates, orbit: &GrazingOrbit) -> bool {
         let mut gap = self.scope.place(orbit) - place.fixed_rows::<3>(0);
         gap[0] = libm::remainder(gap[0], TAU);
         gap.norm() < SAME_RESONANCE
@@ -269,7 +269,7 @@ impl<O: ImpactOscillator> Path<'_, O> {
         let orbit = self.orbit(point).ok()?;
         let oscillator = orbit.oscillator();
         let motion = oscillator.motion(State::on_wall(0.0, orbit.phase()));
-        Some(highest_maximum(&motion, oscillator.forcing_period()).map_or(-1.0, |maximum| maximum.position))
+        Some(motion.highest_maximum(oscillator.forcing_period()).map_or(-1.0, |maximum| maximum.position))
     }
 
     /// What the theorem asks at a point with a tangent.
@@ -285,9 +285,9 @@ impl<O: ImpactOscillator> Path<'_, O> {
     }
 
     /// The degenerate resonances between two points of the curve.
-    fn degenerate(&self, ends: [&Coordinates; 2], known: [&[Known]; 2]) -> Vec<ArcPoint<O>> {
+    fn degenerate(&self, ends: [&Coordinates; 2], known: [&[Known]; 2]) -> Vec<ArcPoint> {
         let chord = ends[1] - ends[0];
-        let mut found: Vec<(f64, ArcPoint<O>)> = known[0]
+        let mut found: Vec<(f64, ArcPoint)> = known[0]
             .iter()
             .filter_map(|from| {
                 let quantity = from.quantity;

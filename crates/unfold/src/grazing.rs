@@ -9,8 +9,8 @@ use grazing_continuation::arclength::{CurveEquations, Stall, StepControl, Tangen
 use grazing_continuation::mps::{MaximalPeriodicSolution, Multipliers, unknown};
 use grazing_continuation::newton::Linearisation;
 use grazing_model::maps::{MapError, global_map};
-use grazing_model::motion::highest_maximum;
-use grazing_model::{AtRest, ImpactOscillator, State};
+use grazing_model::motion::Motion;
+use grazing_model::{AnyOscillator, AtRest, ImpactOscillator, State};
 use grazing_theorems::GrazingPoint;
 use grazing_theorems::from_map::{GrazingOrbit, GrazingPlace};
 use nalgebra::{Matrix2, Matrix3, Vector3};
@@ -20,9 +20,9 @@ use crate::edges::{located, on_the_edge};
 
 /// A point of a grazing curve.
 #[derive(Clone, Debug)]
-pub struct GrazingState<O> {
+pub struct GrazingState {
     /// The grazing orbit, with P_global to second order.
-    pub orbit: GrazingOrbit<O>,
+    pub orbit: GrazingOrbit,
     /// The curve's tangent (z, μ, η) there, a unit vector once μ and η are counted in their ranges.
     pub tangent: Vector3<f64>,
     /// Without the wall the orbit is asymptotically stable.
@@ -37,9 +37,9 @@ pub type GrazingEnd = WalkEnd<MapError>;
 
 /// A connected piece of the curve of grazing bifurcations.
 #[derive(Clone, Debug)]
-pub struct GrazingCurve<O> {
+pub struct GrazingCurve {
     /// Its points in order; η is less at the first than at the last.
-    pub states: Vec<GrazingState<O>>,
+    pub states: Vec<GrazingState>,
     /// How it ends before the first point and after the last.
     pub ends: [GrazingEnd; 2],
 }
@@ -55,12 +55,12 @@ const TURN: f64 = 0.5;
 /// How often the way between two points is halved at most.
 const HALVINGS: u32 = 12;
 
-impl<O: ImpactOscillator> GrazingCurve<O> {
+impl GrazingCurve {
     /// The curve through a grazing orbit, followed to both sides until it leaves the ranges.
     ///
     /// # Errors
     /// The curve has no unique tangent at the orbit.
-    pub fn through(orbit: &GrazingOrbit<O>, scope: &Scope) -> Result<Self, Stall<MapError>> {
+    pub fn through(orbit: &GrazingOrbit, scope: &Scope) -> Result<Self, Stall<MapError>> {
         let equations = GrazingEquations { oscillator: orbit.oscillator(), scope, height: 0.0 };
         let start = scope.place(orbit);
         let walk = Walk { equations: &equations, control: STEPS, step_limit: STEP_LIMIT, angle: Some(0) };
@@ -91,8 +91,8 @@ impl<O: ImpactOscillator> GrazingCurve<O> {
 
     /// The places of the curve at a value of η, in its order.
     pub fn all_at(&self, secondary: f64) -> impl Iterator<Item = GrazingPlace> {
-        let parameters = |state: &GrazingState<O>| state.orbit.oscillator().parameters();
-        let around = move |pair: &&[GrazingState<O>]| {
+        let parameters = |state: &GrazingState| state.orbit.oscillator().parameters();
+        let around = move |pair: &&[GrazingState]| {
             let [a, b] = [parameters(&pair[0])[1], parameters(&pair[1])[1]];
             a.min(b) <= secondary && secondary <= a.max(b)
         };
@@ -100,7 +100,7 @@ impl<O: ImpactOscillator> GrazingCurve<O> {
     }
 
     /// Whether the curve passes through a grazing orbit.
-    pub fn passes(&self, orbit: &GrazingOrbit<O>, scope: &Scope) -> bool {
+    pub fn passes(&self, orbit: &GrazingOrbit, scope: &Scope) -> bool {
         let target = scope.place(orbit);
         self.states.windows(2).any(|pair| {
             let [mut gap, next] = [0, 1].map(|k| scope.place(&pair[k].orbit) - target);
@@ -114,10 +114,7 @@ impl<O: ImpactOscillator> GrazingCurve<O> {
 }
 
 /// The place at a value of η between those of two neighbouring points of a curve.
-pub(crate) fn interpolated<O: ImpactOscillator>(
-    neighbours: &[GrazingState<O>],
-    secondary: f64,
-) -> Option<GrazingPlace> {
+pub(crate) fn interpolated(neighbours: &[GrazingState], secondary: f64) -> Option<GrazingPlace> {
     let [first, last] = [neighbours.first()?, neighbours.last()?].map(|state| &state.orbit);
     let [[a, from], [b, to]] = [first, last].map(|orbit| orbit.oscillator().parameters());
     let way = if to == from { 0.0 } else { (secondary - from) / (to - from) };
@@ -140,12 +137,7 @@ const NEARBY: f64 = 0.5;
 
 impl HighestPoint {
     /// The highest point of the same height near this place, one of the parameters held.
-    pub(crate) fn located<O: ImpactOscillator>(
-        &self,
-        oscillator: &O,
-        scope: &Scope,
-        held: usize,
-    ) -> Option<Self> {
+    pub(crate) fn located(&self, oscillator: &AnyOscillator, scope: &Scope, held: usize) -> Option<Self> {
         let Self { height, phase, parameters } = *self;
         let equations = GrazingEquations { oscillator, scope, height };
         let [primary, secondary] = scope.window.shares(parameters);
@@ -160,19 +152,20 @@ impl HighestPoint {
     }
 
     /// Whether the motion of an oscillator with these parameters comes no higher in a forcing period.
-    fn is_highest<O: ImpactOscillator>(&self, oscillator: &O) -> bool {
+    fn is_highest(&self, oscillator: &AnyOscillator) -> bool {
         let motion = oscillator.motion(State::at_rest(self.height, self.phase));
-        highest_maximum(&motion, oscillator.forcing_period())
+        motion
+            .highest_maximum(oscillator.forcing_period())
             .is_none_or(|maximum| maximum.position <= self.height + MaximalPeriodicSolution::TOUCH)
     }
 
     /// Where a grazing orbit touches the wall.
-    fn of<O: ImpactOscillator>(orbit: &GrazingOrbit<O>) -> Self {
+    fn of(orbit: &GrazingOrbit) -> Self {
         Self { height: 0.0, phase: orbit.phase(), parameters: orbit.oscillator().parameters() }
     }
 
     /// The grazing orbit, where the point lies on the wall.
-    pub(crate) fn grazing<O: ImpactOscillator>(&self, oscillator: &O) -> Option<GrazingOrbit<O>> {
+    pub(crate) fn grazing(&self, oscillator: &AnyOscillator) -> Option<GrazingOrbit> {
         GrazingOrbit::at(oscillator.with_parameters(self.parameters), self.phase).ok()
     }
 }
@@ -185,20 +178,20 @@ const CHORD: f64 = 3e-4;
 const ENDS: f64 = 1e-6;
 
 /// The equations of the curve, or of one on which the highest point lies at some other height: unknowns are z and the shares of the ranges of μ and η.
-struct GrazingEquations<'a, O> {
-    oscillator: &'a O,
+struct GrazingEquations<'a> {
+    oscillator: &'a AnyOscillator,
     scope: &'a Scope,
     height: f64,
 }
 
-impl<O: ImpactOscillator> CurveEquations<3> for GrazingEquations<'_, O> {
+impl CurveEquations<3> for GrazingEquations<'_> {
     /// The return time of P_global.
     type Carried = Option<f64>;
     type Failure = MapError;
 
     fn evaluate(&self, point: &Vector3<f64>, time: &mut Option<f64>) -> Result<Linearisation<3>, MapError> {
         let oscillator = self.oscillator_at(point);
-        let landing = global_map::<O, 1>(&oscillator, AtRest::new(self.height, point[0]), *time)?;
+        let landing = global_map::<_, 1>(&oscillator, AtRest::new(self.height, point[0]), *time)?;
         *time = Some(landing.time);
         let [primary, secondary] = self.scope.window.widths();
         let jacobian = landing.jet.jacobian;
@@ -216,7 +209,7 @@ impl<O: ImpactOscillator> CurveEquations<3> for GrazingEquations<'_, O> {
     }
 }
 
-impl<O: ImpactOscillator> GrazingState<O> {
+impl GrazingState {
     /// About the angle by which A turns on a way of some length in z and the shares of the ranges, in radians.
     ///
     /// A and its derivative along the curve are compared in units of x in which a₁₂ and a₂₁ are equally large.
@@ -234,8 +227,8 @@ impl<O: ImpactOscillator> GrazingState<O> {
     }
 }
 
-impl<O: ImpactOscillator> GrazingEquations<'_, O> {
-    fn oscillator_at(&self, point: &Vector3<f64>) -> O {
+impl GrazingEquations<'_> {
+    fn oscillator_at(&self, point: &Vector3<f64>) -> AnyOscillator {
         self.scope.oscillator_at(self.oscillator, [point[1], point[2]])
     }
 
@@ -248,8 +241,8 @@ impl<O: ImpactOscillator> GrazingEquations<'_, O> {
     }
 
     /// All that is known at the points, and at more between them where A turns far from one to the next.
-    fn states(&self, points: &[Tangent<3>]) -> Vec<GrazingState<O>> {
-        let mut states: Vec<GrazingState<O>> = Vec::with_capacity(points.len());
+    fn states(&self, points: &[Tangent<3>]) -> Vec<GrazingState> {
+        let mut states: Vec<GrazingState> = Vec::with_capacity(points.len());
         for (point, tangent) in points {
             let Some(state) = self.state(point, tangent) else { continue };
             if let Some(last) = states.pop() {
@@ -261,13 +254,7 @@ impl<O: ImpactOscillator> GrazingEquations<'_, O> {
     }
 
     /// Adds a point and those between it and the next.
-    fn fill(
-        &self,
-        from: GrazingState<O>,
-        to: &GrazingState<O>,
-        halvings: u32,
-        states: &mut Vec<GrazingState<O>>,
-    ) {
+    fn fill(&self, from: GrazingState, to: &GrazingState, halvings: u32, states: &mut Vec<GrazingState>) {
         let gap = self.scope.place(&to.orbit) - self.scope.place(&from.orbit);
         let turn = from.turn(gap.norm()).max(to.turn(gap.norm()));
         let middle = if turn > TURN && halvings > 0 { self.middle(&from, &gap) } else { None };
@@ -277,7 +264,7 @@ impl<O: ImpactOscillator> GrazingEquations<'_, O> {
     }
 
     /// The point of the curve half the way on from a point.
-    fn middle(&self, from: &GrazingState<O>, gap: &Vector3<f64>) -> Option<GrazingState<O>> {
+    fn middle(&self, from: &GrazingState, gap: &Vector3<f64>) -> Option<GrazingState> {
         let half = self.scope.place(&from.orbit) + gap * 0.5;
         let point = located(self, half, gap, &half)?;
         if (point - half).norm() > 0.5 * gap.norm() {
@@ -287,9 +274,9 @@ impl<O: ImpactOscillator> GrazingEquations<'_, O> {
     }
 
     /// All that is known at a point; nothing where P_global has no second derivatives, or motion is not turned back from the wall.
-    fn state(&self, point: &Vector3<f64>, tangent: &Vector3<f64>) -> Option<GrazingState<O>> {
+    fn state(&self, point: &Vector3<f64>, tangent: &Vector3<f64>) -> Option<GrazingState> {
         let mut orbit = GrazingOrbit::at(self.oscillator_at(point), point[0]).ok()?;
-        let admissible = |orbit: &GrazingOrbit<O>| HighestPoint::of(orbit).is_highest(orbit.oscillator());
+        let admissible = |orbit: &GrazingOrbit| HighestPoint::of(orbit).is_highest(orbit.oscillator());
         // In wide ranges the last digits of a share may be seen in the next maximum, which is the same one.
         if !admissible(&orbit) {
             orbit = GrazingOrbit::find(orbit.oscillator(), orbit.phase()).unwrap_or(orbit);
@@ -306,7 +293,7 @@ impl<O: ImpactOscillator> GrazingEquations<'_, O> {
 }
 
 /// The multipliers of a grazing orbit, the wall ignored, by the flow over a period: the entries of P_global's derivative grow as 1/γ.
-fn multipliers<O: ImpactOscillator>(orbit: &GrazingOrbit<O>) -> Multipliers {
+fn multipliers(orbit: &GrazingOrbit) -> Multipliers {
     let oscillator = orbit.oscillator();
     let flow = oscillator.flow::<1>(State::at_rest(0.0, orbit.phase()), oscillator.forcing_period());
     let derivative = flow.jacobian.fixed_columns::<2>(0);

@@ -38,10 +38,10 @@ const SAMPLES: u32 = 100;
 ///
 /// # Errors
 /// The resonance's curves could not be followed.
-pub fn magnify<O: ImpactOscillator>(
-    diagram: &Diagram<O>,
-    resonance: &Resonance<O>,
-    point: &ResonantGrazingPoint<O>,
+pub fn magnify(
+    diagram: &Diagram,
+    resonance: &Resonance,
+    point: &ResonantGrazingPoint,
     window: Window,
 ) -> Result<Vec<Polyline>, ResonanceError> {
     let (loops, n) = (resonance.loops, resonance.n);
@@ -85,7 +85,7 @@ pub fn magnify<O: ImpactOscillator>(
 }
 
 /// The part of a grazing curve with η in the window, with points close enough for it.
-fn close_to<O: ImpactOscillator>(curve: &GrazingCurve<O>, window: Window) -> Vec<[f64; 2]> {
+fn close_to(curve: &GrazingCurve, window: Window) -> Vec<[f64; 2]> {
     let [low, high] = window.secondary;
     let spacing = (high - low) / f64::from(SAMPLES);
     let mut points: Vec<[f64; 2]> = Vec::new();
@@ -108,11 +108,7 @@ fn close_to<O: ImpactOscillator>(curve: &GrazingCurve<O>, window: Window) -> Vec
 }
 
 /// primary = primary_graz(η) + c η² from the resonance to the edge of the window, on the side of η that theory gives.
-pub fn approximation<O: ImpactOscillator>(
-    point: &ResonantGrazingPoint<O>,
-    curve: BifurcationCurve,
-    window: Window,
-) -> Vec<[f64; 2]> {
+pub fn approximation(point: &ResonantGrazingPoint, curve: BifurcationCurve, window: Window) -> Vec<[f64; 2]> {
     let [_, origin] = point.orbit().oscillator().parameters();
     let edge = if curve.eta_side.signum() < 0.0 { window.secondary[0] } else { window.secondary[1] };
     let mut points = Vec::new();
@@ -137,11 +133,7 @@ pub fn approximation<O: ImpactOscillator>(
 /// Its half-height in η is where the terms beyond the quadratic one are some fifth of it on the curve that bends sooner, or a
 /// little beyond, but not more than half the way to the next resonance of the same p; across it holds all that is drawn, with
 /// a margin.
-pub fn window_about<O: ImpactOscillator>(
-    diagram: &Diagram<O>,
-    resonance: &Resonance<O>,
-    point: &ResonantGrazingPoint<O>,
-) -> Window {
+pub fn window_about(diagram: &Diagram, resonance: &Resonance, point: &ResonantGrazingPoint) -> Window {
     let whole = diagram.scope.window;
     let [_, origin] = point.orbit().oscillator().parameters();
     let mut reach = 0.25 * whole.widths()[1];
@@ -178,11 +170,7 @@ pub fn window_about<O: ImpactOscillator>(
 }
 
 /// How far from the resonance in η a curve stays within a fifth of its quadratic approximation, or how far it goes.
-fn faithful<O: ImpactOscillator>(
-    point: &ResonantGrazingPoint<O>,
-    kind: Bifurcation,
-    curve: &[[f64; 2]],
-) -> f64 {
+fn faithful(point: &ResonantGrazingPoint, kind: Bifurcation, curve: &[[f64; 2]]) -> f64 {
     let [BifurcationCurve { coefficient, .. }, _] = point.leading().starting_with(kind);
     let [_, origin] = point.orbit().oscillator().parameters();
     let mut reached = 0.0;

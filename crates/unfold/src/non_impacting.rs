@@ -7,7 +7,7 @@ mod relaxation;
 
 use grazing_continuation::curve::CurvePoint;
 use grazing_continuation::mps::LoopEquations;
-use grazing_model::ImpactOscillator;
+use grazing_model::AnyOscillator;
 use rayon::prelude::*;
 
 pub use relaxation::{Height, PeriodicMotion, periodic_motion};
@@ -24,8 +24,8 @@ use crate::{Scope, UnfoldError, search};
 
 /// What there is of motion without impacts.
 #[derive(Clone, Debug)]
-pub(crate) struct NonImpacting<O> {
-    pub(crate) grazing: Vec<GrazingCurve<O>>,
+pub(crate) struct NonImpacting {
+    pub(crate) grazing: Vec<GrazingCurve>,
     pub(crate) curves: Vec<DiagramCurve>,
     pub(crate) regions: Vec<Region>,
     /// What was not finished when an end was asked for.
@@ -41,11 +41,11 @@ const STAGE: &str = "motion without impacts";
 ///
 /// # Errors
 /// There is no grazing in the ranges, with what was seen instead.
-pub(crate) fn find<O: ImpactOscillator>(
-    oscillator: &O,
+pub(crate) fn find(
+    oscillator: &AnyOscillator,
     scope: &Scope,
     progress: &dyn Progress,
-) -> Result<NonImpacting<O>, UnfoldError> {
+) -> Result<NonImpacting, UnfoldError> {
     let levels = regions::levels(scope.window).into_iter().enumerate();
     let (relaxed, between): (Vec<_>, Vec<_>) = levels.partition(|(k, _)| k % RELAXED_EVERY == 0);
     let [relaxed, between] =
@@ -57,14 +57,14 @@ pub(crate) fn find<O: ImpactOscillator>(
 }
 
 /// The same from slices on which motion is left to relax from rest, and others between them.
-fn on_slices<O: ImpactOscillator>(
-    oscillator: &O,
+fn on_slices(
+    oscillator: &AnyOscillator,
     scope: &Scope,
     relaxed: &[f64],
     between: &[f64],
     progress: &dyn Progress,
-) -> Result<NonImpacting<O>, UnfoldError> {
-    let motions: Vec<PeriodicMotion<O>> = relaxed
+) -> Result<NonImpacting, UnfoldError> {
+    let motions: Vec<PeriodicMotion> = relaxed
         .par_iter()
         .map(|secondary| {
             let motion = periodic_motion(oscillator, scope, *secondary);
@@ -113,10 +113,7 @@ fn on_slices<O: ImpactOscillator>(
 const SAME_HEIGHT: f64 = 1e-9;
 
 /// Why no survey has seen grazing.
-fn explanation<O: ImpactOscillator>(
-    equations: &LoopEquations<O>,
-    motions: &[PeriodicMotion<O>],
-) -> UnfoldError {
+fn explanation(equations: &LoopEquations, motions: &[PeriodicMotion]) -> UnfoldError {
     if let Some(at) = motions.iter().flat_map(|motion| &motion.pushed).next() {
         return UnfoldError::Pushed { at: *at };
     }

@@ -1,7 +1,7 @@
 //! One-parameter diagrams: what there is on a line of the parameter plane, along which one parameter changes and the other is held.
 //!
 //! Branches of non-impacting motion and of p-loop MPSs, bifurcations on them, the long-time behaviour of the hybrid system from random
-//! states, and orbits at chosen places. Everything is shown by x on the Poincaré section Π. The oscillator is [`Oriented`] so that the parameter
+//! states, and orbits at chosen places. Everything is shown by x on the Poincaré section Π. The oscillator is turned (`oriented`) so that the parameter
 //! across is the first one, called μ below; rows have both parameters as they are.
 
 mod branches;
@@ -12,13 +12,12 @@ mod visits;
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::{Formulation, LoopEquations};
-use grazing_model::ImpactOscillator;
+use grazing_model::AnyOscillator;
 use grazing_results::Frame;
 use grazing_results::branches::{AttractorPoint, BranchBifurcation, OneParameter};
 use rayon::prelude::*;
 
 pub use branches::Branch;
-pub use oriented::Oriented;
 pub use portraits::Subject;
 pub use visits::Sampling;
 
@@ -45,12 +44,13 @@ pub struct Line {
 }
 
 /// The branches on a line.
-pub struct Section<O> {
-    oscillator: Oriented<O>,
+pub struct Section {
+    /// The parameter across is its primary one.
+    oscillator: AnyOscillator,
     scope: Scope,
     line: Line,
     /// Those of motion without impacts first.
-    branches: Vec<Branch<Oriented<O>>>,
+    branches: Vec<Branch>,
 }
 
 /// The stage.
@@ -71,20 +71,20 @@ const LEAST_DEPTH: f64 = 2.0;
 /// Bifurcations that agree to this share of the range, and in their impacts, are one, on branches that overlap.
 const SAME_PARAMETER: f64 = 1e-8;
 
-impl<O: ImpactOscillator> Section<O> {
+impl Section {
     /// The branches of an oscillator on a line, the ranges and the numbers of loops being those of the scope; that of the parameter that is held does
     /// not matter. Curves of the two-parameter diagram that are known lead to branches, but need not be there.
     ///
     /// `None` if an end was asked for before they were known.
     pub fn follow(
-        oscillator: &O,
+        oscillator: &AnyOscillator,
         scope: &Scope,
         curves: &[DiagramCurve],
         line: Line,
         progress: &dyn Progress,
     ) -> Option<Self> {
         let exchanged = line.primary_is_fixed;
-        let oscillator = Oriented { oscillator: oscillator.clone(), exchanged };
+        let oscillator = oriented::oriented(oscillator, exchanged);
         let (scope, curves) = match exchanged {
             true => (scope.exchanged(), oriented::exchanged(curves)),
             false => (scope.clone(), curves.to_vec()),
@@ -108,7 +108,7 @@ impl<O: ImpactOscillator> Section<O> {
     }
 
     /// The branches, those of motion without impacts first; μ is the parameter across.
-    pub fn branches(&self) -> &[Branch<Oriented<O>>] {
+    pub fn branches(&self) -> &[Branch] {
         &self.branches
     }
 
@@ -221,15 +221,15 @@ impl<O: ImpactOscillator> Section<O> {
 
 /// The branches of MPSs of all p at one η: those from grazing (z, μ), those that known curves cross, and those that are found by solving for
 /// MPSs.
-fn mps_branches<O: ImpactOscillator>(
-    oscillator: &O,
+fn mps_branches(
+    oscillator: &AnyOscillator,
     scope: &Scope,
     curves: &[DiagramCurve],
     secondary: f64,
     grazing: &[[f64; 2]],
     progress: &dyn Progress,
-) -> Vec<Branch<O>> {
-    let slicer = |equations: &LoopEquations<O>| Slicer {
+) -> Vec<Branch> {
+    let slicer = |equations: &LoopEquations| Slicer {
         equations: equations.clone(),
         window: scope.window,
         control: StepControl::DRAWING,
@@ -247,7 +247,7 @@ fn mps_branches<O: ImpactOscillator>(
     let fastest = search::fastest(begun.iter().flat_map(|(_, slice)| &slice.branches));
     let found =
         search::on_slice(oscillator, &scope.loops, scope.window, (secondary, PLACES), fastest, progress);
-    let completed = |(equations, slice): (LoopEquations<O>, Slice)| {
+    let completed = |(equations, slice): (LoopEquations, Slice)| {
         let mut slice = Slice::new(secondary, slice.branches);
         let own = found.iter().filter(|(loops, _)| *loops == equations.loops());
         let slicer = slicer(&equations);

@@ -29,16 +29,16 @@ pub(crate) fn is_lost(points: &[CurvePoint]) -> bool {
 ///
 /// The multipliers λ of small motion about an orbit turn as η changes, and at a resonance pass 1 or −1 at a distance that the damping leaves. So
 /// a step may turn them by a share of their distance from there.
-pub(crate) struct Pace<'a, O> {
-    equations: &'a LoopEquations<O>,
+pub(crate) struct Pace<'a> {
+    equations: &'a LoopEquations,
     /// The width of the range of η.
     width: f64,
     /// The angle by which small motion turns in a unit of time, where the branch begins.
     rate: f64,
 }
 
-impl<'a, O: ImpactOscillator> Pace<'a, O> {
-    pub(crate) fn new(equations: &'a LoopEquations<O>, window: Window, start: &Unknowns) -> Self {
+impl<'a> Pace<'a> {
+    pub(crate) fn new(equations: &'a LoopEquations, window: Window, start: &Unknowns) -> Self {
         let oscillator = equations.oscillator_at(start);
         let turned = angle_in_a_period(&oscillator, equations.departure(start));
         Self { equations, width: window.widths()[1], rate: turned / oscillator.forcing_period() }

@@ -5,7 +5,7 @@ use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Multipli
 use grazing_model::motion::Motion;
 use grazing_model::orbit::Flight;
 use grazing_model::phase::turned;
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use nalgebra::Vector2;
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
@@ -98,7 +98,7 @@ const SLOWEST: f64 = SAME_ORBIT * FASTEST;
 const FOLLOWED: Horizon = Horizon { transient: 100, counted: 32, patience: Patience::Drifting };
 
 impl Solution {
-    fn of<O: ImpactOscillator>(equations: &LoopEquations<O>, point: &Unknowns) -> Self {
+    fn of(equations: &LoopEquations, point: &Unknowns) -> Self {
         let solution = equations.solution(point);
         let period = equations.oscillator_at(point).forcing_period();
         let begin = time_of_phase(equations.departure(point).phase, period);
@@ -123,7 +123,7 @@ struct Outcome {
 }
 
 impl Outcome {
-    fn of<O: ImpactOscillator>(oscillator: &O, start: State, horizon: Horizon) -> Self {
+    fn of(oscillator: &AnyOscillator, start: State, horizon: Horizon) -> Self {
         let orbit = LongOrbit::follow(oscillator, start, horizon);
         let at_phase_zero = orbit.at_phase_zero(oscillator);
         let period = oscillator.forcing_period();
@@ -157,7 +157,7 @@ fn highest<M: Motion>(flight: &Flight<M>, period: f64) -> f64 {
 
 impl Attractor {
     /// What so many states come to, one of which this is.
-    fn of<O: ImpactOscillator>(oscillator: &O, states: u32, start: State, horizon: Horizon) -> Self {
+    fn of(oscillator: &AnyOscillator, states: u32, start: State, horizon: Horizon) -> Self {
         let orbit = LongOrbit::follow(oscillator, start, horizon);
         let period = oscillator.forcing_period();
         let flights = match orbit.free_cycle(oscillator) {
@@ -189,8 +189,8 @@ impl Attractor {
 
 impl Place {
     /// What there is at the oscillator's own parameters; none if an end was asked for.
-    pub fn compute<O: ImpactOscillator>(
-        oscillator: &O,
+    pub fn compute(
+        oscillator: &AnyOscillator,
         loops: &[u32],
         starts: &Starts,
         progress: &dyn Progress,
@@ -205,11 +205,7 @@ impl Place {
     }
 
     /// What has become of that which was found nearby, which takes a small part of the time: what is new here is not seen.
-    pub fn followed<O: ImpactOscillator>(
-        oscillator: &O,
-        nearby: &Nearby,
-        progress: &dyn Progress,
-    ) -> Option<Self> {
+    pub fn followed(oscillator: &AnyOscillator, nearby: &Nearby, progress: &dyn Progress) -> Option<Self> {
         let found = || {
             let mut found: Vec<(u32, Unknowns)> = Vec::new();
             for (loops, impact) in &nearby.solutions {
@@ -225,8 +221,8 @@ impl Place {
     }
 
     /// What motion comes to from some states, each of which stands for so many, and these MPSs.
-    fn of<O: ImpactOscillator>(
-        oscillator: &O,
+    fn of(
+        oscillator: &AnyOscillator,
         starts: &[(u32, State)],
         horizon: Horizon,
         progress: &dyn Progress,
@@ -267,8 +263,8 @@ impl Place {
 }
 
 /// The non-impacting solutions to which free motion, or rest, leads.
-fn non_impacting<'a, O: ImpactOscillator>(
-    oscillator: &O,
+fn non_impacting<'a>(
+    oscillator: &AnyOscillator,
     outcomes: impl Iterator<Item = &'a Outcome>,
 ) -> Vec<Solution> {
     let starts = outcomes.filter_map(|one| one.at_phase_zero).map(|state| [state.position, state.velocity]);
@@ -286,7 +282,7 @@ fn non_impacting<'a, O: ImpactOscillator>(
 }
 
 /// The equations of solutions with p loops.
-fn equations<O: ImpactOscillator>(oscillator: &O, loops: u32) -> LoopEquations<O> {
+fn equations(oscillator: &AnyOscillator, loops: u32) -> LoopEquations {
     match loops {
         0 => LoopEquations::without_impacts(oscillator.clone(), [1.0; 2]),
         _ => LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase),
@@ -304,7 +300,7 @@ fn is_known(found: &[(u32, Unknowns)], loops: u32, impact: &Vector2<f64>) -> boo
 }
 
 /// The solution with an impact near another; for p = 0 with position and velocity at phase zero near others.
-fn solved<O: ImpactOscillator>(oscillator: &O, loops: u32, impact: &Vector2<f64>) -> Option<Unknowns> {
+fn solved(oscillator: &AnyOscillator, loops: u32, impact: &Vector2<f64>) -> Option<Unknowns> {
     let [primary, secondary] = oscillator.parameters();
     let equations = equations(oscillator, loops);
     let here = [Condition::Primary(primary), Condition::Secondary(secondary)];

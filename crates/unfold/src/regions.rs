@@ -6,7 +6,6 @@
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
-use grazing_model::ImpactOscillator;
 use rayon::prelude::*;
 
 use crate::Scope;
@@ -62,10 +61,10 @@ pub(crate) fn levels(window: Window) -> Vec<f64> {
 pub(crate) const STAGE: &str = "regions";
 
 /// The regions of the MPSs of each p, none where an end was asked for meanwhile; curves that are found to be missing on the way are added.
-pub(crate) fn of_mps<O: ImpactOscillator>(
+pub(crate) fn of_mps(
     scope: &Scope,
-    grazing: &[GrazingCurve<O>],
-    nets: &mut [Net<O>],
+    grazing: &[GrazingCurve],
+    nets: &mut [Net],
     progress: &dyn Progress,
 ) -> Vec<Option<Vec<Region>>> {
     let (window, what) = (scope.window, STAGE);
@@ -88,9 +87,9 @@ pub(crate) fn of_mps<O: ImpactOscillator>(
 }
 
 /// The regions of the solutions of a survey, from slices at some values of η and wherever else they are needed.
-pub(crate) fn decided<O: ImpactOscillator>(
+pub(crate) fn decided(
     window: Window,
-    survey: &mut Survey<'_, O>,
+    survey: &mut Survey<'_>,
     levels: &[f64],
     progress: &dyn Progress,
 ) -> Vec<Region> {

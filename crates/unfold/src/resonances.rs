@@ -12,15 +12,15 @@ use crate::winding;
 
 /// A resonant grazing bifurcation of the non-impacting solution.
 #[derive(Clone, Debug)]
-pub struct Resonance<O> {
+pub struct Resonance {
     /// Number of loops p.
     pub loops: u32,
     /// The integer n: half-turns (p = 1) or whole turns (p ≥ 2) of neighbouring motion in a forcing period.
     pub n: u32,
     /// The resonance as located.
-    pub located: LocatedResonance<O>,
+    pub located: LocatedResonance,
     /// The theorem that holds there, or the hypotheses of which some fail.
-    pub theorem: Result<ResonantGrazingPoint<O>, HypothesesViolated>,
+    pub theorem: Result<ResonantGrazingPoint, HypothesesViolated>,
 }
 
 /// A resonance that was seen between two points of the grazing curve and could not be located.
@@ -40,11 +40,11 @@ pub const STAGE: &str = "resonances on the grazing curve";
 /// The resonances of all p of the scope on the admissible part of a grazing curve: by p, and in the order of the curve for each.
 ///
 /// Once an end is asked for, those that are missing are neither found nor lost.
-pub fn on_curve<O: ImpactOscillator>(
-    curve: &GrazingCurve<O>,
+pub fn on_curve(
+    curve: &GrazingCurve,
     scope: &Scope,
     progress: &dyn Progress,
-) -> (Vec<Resonance<O>>, Vec<Unlocated>) {
+) -> (Vec<Resonance>, Vec<Unlocated>) {
     let (mut found, mut lost) = (Vec::new(), Vec::new());
     progress.begin(STAGE, scope.loops.len() as u64);
     for &loops in &scope.loops {
@@ -78,7 +78,7 @@ pub fn on_curve<O: ImpactOscillator>(
     (found, lost)
 }
 
-fn numbered<O: ImpactOscillator>(located: LocatedResonance<O>) -> Resonance<O> {
+fn numbered(located: LocatedResonance) -> Resonance {
     let loops = located.loops();
     Resonance { loops, n: winding::index(located.orbit(), loops), theorem: located.checked(), located }
 }
@@ -91,15 +91,15 @@ const PARTS: u32 = 8;
 
 /// The grazing curve between two neighbouring points, and a₁₂ or κ_p along it as a cubic with the right values and slopes at both
 /// ends, so that two zeros between the points are seen as well.
-struct Stretch<'a, O> {
-    ends: [&'a GrazingState<O>; 2],
+struct Stretch<'a> {
+    ends: [&'a GrazingState; 2],
     values: [f64; 2],
     /// Derivatives with respect to the share of the way.
     slopes: [f64; 2],
 }
 
-impl<'a, O: ImpactOscillator> Stretch<'a, O> {
-    fn new(ends: [&'a GrazingState<O>; 2], loops: u32, scope: &Scope) -> Self {
+impl<'a> Stretch<'a> {
+    fn new(ends: [&'a GrazingState; 2], loops: u32, scope: &Scope) -> Self {
         // The stretch's length in the variables in which the curve was followed.
         let length = (scope.place(&ends[1].orbit) - scope.place(&ends[0].orbit)).norm();
         let at = ends.map(|state| {
@@ -111,7 +111,7 @@ impl<'a, O: ImpactOscillator> Stretch<'a, O> {
 
     /// Eigenvalues of A are rounding at both ends.
     fn is_forgotten(&self) -> bool {
-        let radius = |state: &GrazingState<O>| {
+        let radius = |state: &GrazingState| {
             let map = state.orbit.grazing_point().map;
             Eigenvalues::from_trace_and_determinant(map.trace(), map.determinant()).spectral_radius()
         };
@@ -160,7 +160,7 @@ impl<'a, O: ImpactOscillator> Stretch<'a, O> {
         found
     }
 
-    fn interpolated(&self, way: f64, value: impl Fn(&GrazingState<O>) -> f64) -> f64 {
+    fn interpolated(&self, way: f64, value: impl Fn(&GrazingState) -> f64) -> f64 {
         value(self.ends[0]) * (1.0 - way) + value(self.ends[1]) * way
     }
 
@@ -168,7 +168,7 @@ impl<'a, O: ImpactOscillator> Stretch<'a, O> {
         [0, 1].map(|i| self.interpolated(way, |state| state.orbit.oscillator().parameters()[i]))
     }
 
-    fn locate(&self, way: f64, loops: u32) -> Result<LocatedResonance<O>, ResonanceError> {
+    fn locate(&self, way: f64, loops: u32) -> Result<LocatedResonance, ResonanceError> {
         let oscillator = self.ends[0].orbit.oscillator().with_parameters(self.parameters(way));
         LocatedResonance::find(&oscillator, loops, self.interpolated(way, |state| state.orbit.phase()))
     }

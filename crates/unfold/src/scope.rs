@@ -1,7 +1,7 @@
 //! What is asked for.
 
 use grazing_continuation::curve::Window;
-use grazing_model::ImpactOscillator;
+use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::Vector3;
 
@@ -18,12 +18,12 @@ pub struct Scope {
 
 impl Scope {
     /// The oscillator at shares of the ranges of μ and η.
-    pub(crate) fn oscillator_at<O: ImpactOscillator>(&self, oscillator: &O, shares: [f64; 2]) -> O {
+    pub(crate) fn oscillator_at(&self, oscillator: &AnyOscillator, shares: [f64; 2]) -> AnyOscillator {
         oscillator.with_parameters(self.window.parameters(shares))
     }
 
     /// Phase and shares of the ranges of a grazing orbit, the variables in which grazing curves are followed.
-    pub(crate) fn place<O: ImpactOscillator>(&self, orbit: &GrazingOrbit<O>) -> Vector3<f64> {
+    pub(crate) fn place(&self, orbit: &GrazingOrbit) -> Vector3<f64> {
         let [primary, secondary] = self.window.shares(orbit.oscillator().parameters());
         Vector3::new(orbit.phase(), primary, secondary)
     }

@@ -10,7 +10,7 @@ use grazing_continuation::curve::{Curve, Window};
 use grazing_continuation::locate::{Condition, locate_within};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, flight_time, unknown};
 use grazing_model::motion::Motion;
-use grazing_model::{ImpactOscillator, OnWall, State};
+use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
 use nalgebra::Vector2;
 use rayon::prelude::*;
 
@@ -49,8 +49,8 @@ pub(crate) fn fastest<'a>(known: impl Iterator<Item = &'a Curve>) -> f64 {
 
 /// MPSs of some numbers of loops p, with impact velocities up to some value and twice and four times as much, each with its p: on every slice at one μ
 /// and at one small impact velocity, on some at both ends.
-pub(crate) fn on_slices<O: ImpactOscillator>(
-    oscillator: &O,
+pub(crate) fn on_slices(
+    oscillator: &AnyOscillator,
     loops: &[u32],
     window: Window,
     slices: &[f64],
@@ -77,8 +77,8 @@ pub(crate) fn on_slices<O: ImpactOscillator>(
 }
 
 /// The same on one slice, at so many values of μ from end to end and at one small impact velocity.
-pub(crate) fn on_slice<O: ImpactOscillator>(
-    oscillator: &O,
+pub(crate) fn on_slice(
+    oscillator: &AnyOscillator,
     loops: &[u32],
     window: Window,
     (secondary, places): (f64, u32),
@@ -95,8 +95,8 @@ pub(crate) fn on_slice<O: ImpactOscillator>(
 
 /// The MPSs on lattices with impact velocities up to `fastest`, and on those for greater ones as long as there are any; `fast` gives those from some
 /// velocity to twice as much.
-fn on_lattices<O: ImpactOscillator>(
-    oscillator: &O,
+fn on_lattices(
+    oscillator: &AnyOscillator,
     loops: &[u32],
     slow: Vec<Lattice>,
     fast: impl Fn(usize, f64) -> Vec<Lattice>,
@@ -125,8 +125,8 @@ fn on_lattices<O: ImpactOscillator>(
 }
 
 /// Periodic motion without impacts, with its highest point at some height, at an η.
-pub(crate) fn highest_at<O: ImpactOscillator>(
-    oscillator: &O,
+pub(crate) fn highest_at(
+    oscillator: &AnyOscillator,
     scope: &Scope,
     secondary: f64,
     height: f64,
@@ -135,8 +135,8 @@ pub(crate) fn highest_at<O: ImpactOscillator>(
 }
 
 /// Grazing along lines of constant μ through the whole window.
-pub(crate) fn grazing<O: ImpactOscillator>(
-    oscillator: &O,
+pub(crate) fn grazing(
+    oscillator: &AnyOscillator,
     scope: &Scope,
     progress: &dyn Progress,
 ) -> Vec<HighestPoint> {
@@ -151,8 +151,8 @@ pub(crate) fn grazing<O: ImpactOscillator>(
 }
 
 /// The MPSs of an oscillator with impact velocities between two, as far as a lattice of impacts tells them apart.
-pub(crate) fn at<O: ImpactOscillator>(
-    oscillator: &O,
+pub(crate) fn at(
+    oscillator: &AnyOscillator,
     loops: &[u32],
     [slowest, fastest]: [f64; 2],
 ) -> Vec<(u32, Unknowns)> {
@@ -229,12 +229,7 @@ impl Lattice {
 
     /// The MPSs that are faster than `slowest`, as far as the lattice tells them apart: zeros of how much an impact is missed by motion that begins with it, p forcing
     /// periods later and the wall ignored meanwhile, (x, ẋ − y).
-    fn zeros<O: ImpactOscillator>(
-        &self,
-        oscillator: &O,
-        loops: &[u32],
-        slowest: f64,
-    ) -> Vec<(u32, Unknowns)> {
+    fn zeros(&self, oscillator: &AnyOscillator, loops: &[u32], slowest: f64) -> Vec<(u32, Unknowns)> {
         let Self { start, side, .. } = *self;
         let held = match side {
             unknown::VELOCITY => Condition::Primary(start[unknown::PRIMARY]),
@@ -269,7 +264,7 @@ impl Lattice {
     }
 
     /// Periodic motion without impacts with its highest point at some height.
-    fn at_rest<O: ImpactOscillator>(&self, oscillator: &O, scope: &Scope, height: f64) -> Vec<HighestPoint> {
+    fn at_rest(&self, oscillator: &AnyOscillator, scope: &Scope, height: f64) -> Vec<HighestPoint> {
         let rough = oscillator.roughly();
         let held = if self.side == unknown::PRIMARY { unknown::SECONDARY } else { unknown::PRIMARY };
         let missed = |state: &Unknowns| {
@@ -295,7 +290,7 @@ fn same(a: &Unknowns, b: &Unknowns) -> bool {
 }
 
 /// By how much motion that begins with an impact misses it some numbers of forcing periods later.
-fn misses<O: ImpactOscillator>(oscillator: &O, loops: &[u32], impact: &Unknowns) -> Vec<Vector2<f64>> {
+fn misses(oscillator: &AnyOscillator, loops: &[u32], impact: &Unknowns) -> Vec<Vector2<f64>> {
     let [velocity, phase, primary, secondary] = (*impact).into();
     let oscillator = oscillator.with_parameters([primary, secondary]);
     let recoil = oscillator.reset::<1>(OnWall::new(velocity, phase)).value;

@@ -15,7 +15,7 @@ use grazing_continuation::fit::Measurement;
 use grazing_continuation::locate::{Condition, LocateFailure, locate};
 use grazing_continuation::mps::{EventTimes, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
-use grazing_model::ImpactOscillator;
+use grazing_model::AnyOscillator;
 
 use crate::simulation::{MOST_RETURNS, Seen, Suspect};
 use crate::verdict::Coefficient;
@@ -124,8 +124,8 @@ const ASIDE: f64 = 0.4;
 const VELOCITIES: usize = 3;
 
 /// Simulates the hybrid system to both sides of the SN or PD curve close to its resonance, where `coefficients` were measured.
-pub fn simulate<O: ImpactOscillator>(
-    point: &ResonantGrazingPoint<O>,
+pub fn simulate(
+    point: &ResonantGrazingPoint,
     kind: Bifurcation,
     coefficients: &Pair<Coefficient>,
 ) -> Simulated {
@@ -211,11 +211,7 @@ impl Sides {
     }
 
     /// Simulates to both sides of the point of the curve with this impact velocity.
-    fn at<O: ImpactOscillator>(
-        point: &ResonantGrazingPoint<O>,
-        kind: Bifurcation,
-        velocity: f64,
-    ) -> Result<Self, LocateFailure> {
+    fn at(point: &ResonantGrazingPoint, kind: Bifurcation, velocity: f64) -> Result<Self, LocateFailure> {
         let [own, other] = Pair::CONDITIONS.starting_with(kind);
         let slope = |condition| {
             let direction = point.direction(condition);
@@ -273,6 +269,6 @@ impl Sides {
     }
 }
 
-fn suspect<'a, O: ImpactOscillator>(oscillator: &'a O, loops: u32, at: &Unknowns) -> Suspect<'a, O> {
+fn suspect<'a>(oscillator: &'a AnyOscillator, loops: u32, at: &Unknowns) -> Suspect<'a, AnyOscillator> {
     Suspect { oscillator, loops, velocity: at[unknown::VELOCITY], phase: at[unknown::PHASE] }
 }

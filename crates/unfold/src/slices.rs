@@ -112,14 +112,14 @@ pub(crate) const CARRIED_OFF: f64 = 0.5;
 pub(crate) const MOST_BRANCHES: usize = 50;
 
 /// What finds slices.
-pub(crate) struct Slicer<O> {
-    pub(crate) equations: LoopEquations<O>,
+pub(crate) struct Slicer {
+    pub(crate) equations: LoopEquations,
     pub(crate) window: Window,
     /// Steps along branches.
     pub(crate) control: StepControl,
 }
 
-impl<O: ImpactOscillator> Slicer<O> {
+impl Slicer {
     /// The branches at some η that begin on the grazing curve, or pass it, at points (z, μ) of it.
     pub(crate) fn beginning_at_grazing(
         &self,
@@ -287,12 +287,7 @@ impl<O: ImpactOscillator> Slicer<O> {
         slice.branches.extend(followed);
     }
 
-    fn branch(
-        &self,
-        condition: Condition,
-        window: Window,
-        through: &Unknowns,
-    ) -> (MpsCurve<O>, Route<'static>) {
+    fn branch(&self, condition: Condition, window: Window, through: &Unknowns) -> (MpsCurve, Route<'static>) {
         let curve = MpsCurve { equations: self.equations.clone(), condition };
         let mut control = self.control;
         let step_limit = ((LONGEST_BRANCH / control.longest) as usize).min(MOST_POINTS);

@@ -123,7 +123,7 @@ impl Unfinished {
     }
 
     /// A stage at one resonance.
-    pub fn at<O: ImpactOscillator>(stage: &'static str, resonance: &Resonance<O>) -> Self {
+    pub fn at(stage: &'static str, resonance: &Resonance) -> Self {
         let at = resonance.located.orbit().oscillator().parameters();
         Self { stage: stage.into(), resonance: Some([resonance.loops, resonance.n]), at: Some(at) }
     }

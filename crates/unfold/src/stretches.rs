@@ -3,7 +3,6 @@
 use grazing_continuation::curve::{Curve, CurveEnd, Event};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, LoopEquations, MaximalPeriodicSolution};
-use grazing_model::ImpactOscillator;
 
 /// A piece of a branch on which stability and admissibility do not change.
 #[derive(Clone, Copy, Debug)]
@@ -48,10 +47,7 @@ pub(crate) fn vertices(branch: &Curve) -> Vec<Vertex<'_>> {
 }
 
 /// The stretches of a branch and what lies between them, if MPSs are stable and admissible on one of both.
-pub(crate) fn stretches<'a, O: ImpactOscillator>(
-    equations: &LoopEquations<O>,
-    branch: &'a Curve,
-) -> (Vec<Stretch>, Vec<Border<'a>>) {
+pub(crate) fn stretches<'a>(equations: &LoopEquations, branch: &'a Curve) -> (Vec<Stretch>, Vec<Border<'a>>) {
     let vertices = vertices(branch);
     let status = |pair: &[Vertex<'_>]| {
         let [a, b] = [&pair[0], &pair[1]];
@@ -96,8 +92,8 @@ pub(crate) fn stretches<'a, O: ImpactOscillator>(
 }
 
 /// The solution half the way between two neighbours on a branch.
-fn middle_of<O: ImpactOscillator>(
-    equations: &LoopEquations<O>,
+fn middle_of(
+    equations: &LoopEquations,
     a: &MaximalPeriodicSolution,
     b: &MaximalPeriodicSolution,
 ) -> Option<MaximalPeriodicSolution> {

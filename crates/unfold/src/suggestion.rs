@@ -1,7 +1,6 @@
 //! A better window for a diagram that is lost in its own.
 
 use grazing_continuation::curve::Window;
-use grazing_model::ImpactOscillator;
 
 use crate::Diagram;
 
@@ -12,7 +11,7 @@ const MARGIN: f64 = 0.5;
 /// Less than this is a point or a straight line, from which no width can be told.
 const NOTHING: f64 = 1e-6;
 
-impl<O: ImpactOscillator> Diagram<O> {
+impl Diagram {
     /// A narrower window if what was found fills a tenth of a range or less: grazing curves, codimension-two points, and bifurcation curves as
     /// far as something happens on them. A curve that runs to the edge fills a range no further than to its last turn: a few of them do
     /// in every window, however wide it is.

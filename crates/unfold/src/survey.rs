@@ -26,13 +26,13 @@ use crate::slices::{FREE_STEPS, Slice, Slicer, near_chord, spread, steps};
 use crate::stretches::{Border, broken_at, stretches};
 
 /// The slices through the surface of solutions with p loops, in the order of η.
-pub(crate) struct Survey<'a, O: Clone> {
-    net: &'a mut Net<O>,
-    pub(crate) slicer: Slicer<O>,
+pub(crate) struct Survey<'a> {
+    net: &'a mut Net,
+    pub(crate) slicer: Slicer,
     scope: &'a Scope,
     route: Route<'static>,
     /// The grazing curves; without impacts those that are found on the way are added.
-    pub(crate) grazing: Cow<'a, [GrazingCurve<O>]>,
+    pub(crate) grazing: Cow<'a, [GrazingCurve]>,
     slices: Vec<Slice>,
     /// Branches at constant μ, through the range of η.
     columns: Vec<Curve>,
@@ -58,11 +58,11 @@ const NEAR_CURVE: f64 = 0.05;
 /// An orbit on the edge lies inside, give or take rounding.
 const ON_THE_EDGE: f64 = 1e-9;
 
-impl<'a, O: ImpactOscillator> Survey<'a, O> {
+impl<'a> Survey<'a> {
     pub(crate) fn new(
-        net: &'a mut Net<O>,
+        net: &'a mut Net,
         scope: &'a Scope,
-        grazing: &'a [GrazingCurve<O>],
+        grazing: &'a [GrazingCurve],
         found: Vec<Unknowns>,
     ) -> Self {
         let has_impacts = net.equations.has_impacts();
@@ -188,7 +188,7 @@ impl<'a, O: ImpactOscillator> Survey<'a, O> {
     }
 
     /// Adds the grazing curve through an orbit unless it is known, and says whether it did.
-    pub(crate) fn add_grazing(&mut self, orbit: &GrazingOrbit<O>) -> bool {
+    pub(crate) fn add_grazing(&mut self, orbit: &GrazingOrbit) -> bool {
         let shares = self.scope.window.shares(orbit.oscillator().parameters());
         if shares.iter().all(|share| (-ON_THE_EDGE..=1.0 + ON_THE_EDGE).contains(share))
             && !self.grazing.iter().any(|curve| curve.passes(orbit, self.scope))
@@ -248,18 +248,14 @@ fn is_wide(border: &Border<'_>, window: Window) -> bool {
 }
 
 /// The bifurcations on a branch that bound good solutions.
-fn bounding<O: ImpactOscillator>(
-    net: &Net<O>,
-    branch: &Curve,
-    window: Window,
-) -> impl Iterator<Item = Event> + use<O> {
+fn bounding(net: &Net, branch: &Curve, window: Window) -> impl Iterator<Item = Event> + use<> {
     let (_, borders) = stretches(&net.equations, branch);
     let wide = borders.into_iter().filter(|border| is_wide(border, window));
     wide.filter_map(|border| border.event.cloned()).collect::<Vec<_>>().into_iter()
 }
 
 /// Whether a bifurcation on a slice or a column lies on a known curve.
-fn explained<O: ImpactOscillator>(net: &Net<O>, kind: Bifurcation, event: &Event, window: Window) -> bool {
+fn explained(net: &Net, kind: Bifurcation, event: &Event, window: Window) -> bool {
     let here = event.solution.unknowns;
     let secondary = here[unknown::SECONDARY];
     let distance = |point: &Unknowns| {
@@ -290,7 +286,7 @@ fn explained<O: ImpactOscillator>(net: &Net<O>, kind: Bifurcation, event: &Event
 }
 
 /// Follows the curve through a bifurcation that lies on none that is known.
-fn start<O: ImpactOscillator>(net: &mut Net<O>, kind: Bifurcation, event: &Event, route: &Route<'_>) {
+fn start(net: &mut Net, kind: Bifurcation, event: &Event, route: &Route<'_>) {
     let curve = MpsCurve { equations: net.equations.clone(), condition: event.condition };
     // Across the slice.
     let upwards = if net.equations.has_impacts() { Unknowns::w() } else { -Unknowns::w() };

@@ -127,7 +127,7 @@ impl Coefficient {
 }
 
 /// c_SN and c_PD at a resonance.
-pub fn coefficients<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> Pair<Coefficient> {
+pub fn coefficients(point: &ResonantGrazingPoint) -> Pair<Coefficient> {
     let stability = point.resonant_point().stability_coefficients();
     let stability = Pair { saddle_node: stability.plus, period_doubling: stability.minus };
     let known = point.leading().zip(stability).zip(theorem_errors(point)).zip(Pair::CONDITIONS);
@@ -144,7 +144,7 @@ const FIRST_DERIVATIVES: f64 = 1e-12;
 const DIFFERENCES: f64 = 1e-10;
 
 /// How far c_SN and c_PD move when what they are computed from moves by its error, one quantity after the other.
-fn theorem_errors<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> Pair<f64> {
+fn theorem_errors(point: &ResonantGrazingPoint) -> Pair<f64> {
     let known = point.resonant_point();
     let values =
         |point: &ResonantPoint| [point.saddle_node_coefficient(), point.period_doubling_coefficient()];
@@ -190,10 +190,10 @@ const ELSEWHERE: f64 = 3.0;
 /// resonance are not defined.
 ///
 /// Steps of integrated motion are chosen for its values, and where the force bends within a step second derivatives suffer first.
-fn second_derivative_errors<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> [f64; 2] {
+fn second_derivative_errors(point: &ResonantGrazingPoint) -> [f64; 2] {
     let (orbit, known, loops) = (point.orbit(), point.resonant_point(), point.loops());
     let slope = |phase: f64| {
-        global_iterate::<O, 1>(orbit.oscillator(), loops, AtRest::new(0.0, orbit.phase() + phase))
+        global_iterate::<_, 1>(orbit.oscillator(), loops, AtRest::new(0.0, orbit.phase() + phase))
             .map_or(f64::NAN, |jet| jet.jacobian[(0, 1)])
     };
     let [primary, secondary] = orbit.oscillator().parameters();

@@ -8,21 +8,21 @@
 use core::f64::consts::{PI, TAU};
 
 use grazing_model::motion::Motion;
-use grazing_model::{ImpactOscillator, State, flow_variable as flow};
+use grazing_model::{AnyOscillator, ImpactOscillator, State, flow_variable as flow};
 use grazing_theorems::from_map::GrazingOrbit;
 
 /// Instants of a period at which the variation is looked at; it must not make half a turn between two.
 const SAMPLES: u32 = 256;
 
 /// The integer n of the resonance at a grazing orbit.
-pub(crate) fn index<O: ImpactOscillator>(orbit: &GrazingOrbit<O>, loops: u32) -> u32 {
+pub(crate) fn index(orbit: &GrazingOrbit, loops: u32) -> u32 {
     let angle = angle_in_a_period(orbit.oscillator(), State::on_wall(0.0, orbit.phase()));
     // A floating-point number becomes the nearest integer that there is: no turn, or very many.
     libm::round(angle / if loops == 1 { PI } else { TAU }) as u32
 }
 
 /// The angle by which the variation of the motion from a state turns in a forcing period, in radians.
-pub(crate) fn angle_in_a_period<O: ImpactOscillator>(oscillator: &O, from: State) -> f64 {
+pub(crate) fn angle_in_a_period(oscillator: &AnyOscillator, from: State) -> f64 {
     let motion = oscillator.motion(from);
     let period = oscillator.forcing_period();
     // The motion is integrated once, as far as it is needed.

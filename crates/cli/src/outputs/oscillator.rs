@@ -7,7 +7,7 @@ use grazing_description::Description;
 use grazing_drawing::{
     DrawingError, Heading, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
 };
-use grazing_reproduction::unfolded::{AlongGrazing, AtResonances, Described, Unfolded};
+use grazing_reproduction::unfolded::{AlongGrazing, AtResonances, Unfolded};
 use grazing_results::branches::OneParameter;
 use grazing_results::plane::{Magnifications, PlaneDiagram};
 use grazing_results::{Names, brief, columns};
@@ -17,7 +17,7 @@ use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output, sheet_file};
 use crate::failure::Failure;
 
 /// What the analysis of an oscillator from a text file comes to.
-pub(crate) type Analysis = Unfolded<Described>;
+pub(crate) type Analysis = Unfolded;
 
 /// An oscillator from a file, analysed.
 pub(crate) struct AnalysedOscillator {

@@ -26,11 +26,7 @@ pub(super) fn all(description: &Description, unfolded: &Analysis) -> String {
     text
 }
 
-fn explained<O: ImpactOscillator>(
-    description: &Description,
-    resonance: &Resonance<O>,
-    units: &Units,
-) -> String {
+fn explained(description: &Description, resonance: &Resonance, units: &Units) -> String {
     let at = place(description, units.parameters(resonance.located.orbit().oscillator().parameters()));
     let (theorem, hypotheses): (_, &[Hypothesis]) = match &resonance.theorem {
         Ok(point) => (point.theorem().theorem(), point.theorem().hypotheses()),
@@ -49,7 +45,7 @@ fn explained<O: ImpactOscillator>(
 }
 
 /// The quantities of section 2, as `tau = -0.5, delta = 0.8`.
-fn quantities<O: ImpactOscillator>(resonance: &Resonance<O>, units: &Units) -> String {
+fn quantities(resonance: &Resonance, units: &Units) -> String {
     let point = resonance.located.resonant_point().in_units(units);
     let grazing = &point.grazing;
     let (a, b) = (grazing.map.a, grazing.map.b);

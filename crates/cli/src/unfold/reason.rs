@@ -160,10 +160,10 @@ fn has_spring(description: &Description) -> bool {
 }
 
 /// Resonances that could not be located, or whose curves could not be followed: which, and why.
-pub(crate) fn lost<O>(
+pub(crate) fn lost(
     description: &Description,
     units: &Units,
-    diagram: &Diagram<O>,
+    diagram: &Diagram,
 ) -> impl Iterator<Item = (String, String)> {
     let unlocated = diagram.unlocated.iter().map(|lost| {
         let at = place(description, units.parameters(lost.near));

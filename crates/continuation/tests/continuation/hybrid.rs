@@ -1,7 +1,7 @@
 //! MPSs checked against the hybrid system itself, simulated from event to event.
 
 use grazing_continuation::mps::{MaximalPeriodicSolution, Multipliers};
-use grazing_model::motion::{Motion, highest_maximum};
+use grazing_model::motion::Motion;
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
 use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, State};
 use nalgebra::{Matrix2, Vector2};
@@ -58,7 +58,7 @@ pub(crate) fn assert_touches(oscillator: &LinearOscillator, solution: &MaximalPe
     assert_within(end.position, 0.0, 1e-10);
     assert_within(end.velocity, solution.unknowns[0], 1e-10);
     // The maximum was solved for to rounding of x, at a time carried along the curve.
-    let highest = highest_maximum(&motion, period).unwrap();
+    let highest = motion.highest_maximum(period).unwrap();
     assert_within(highest.position, 0.0, MaximalPeriodicSolution::TOUCH);
 }
 

@@ -2,7 +2,7 @@
 
 use super::oscillator::LinearOscillator;
 use super::response::{Stride, multiply};
-use crate::motion::{Bounds, Enclosure, Kinematics, Motion, Walk};
+use crate::motion::{BoundedMotion, Bounds, Enclosure, Kinematics, Walk};
 use crate::state::State;
 
 /// x(t) = e^{−ζt}(p cos ω₁t + q sin ω₁t) + u cos ωt + v sin ωt − 1.
@@ -83,9 +83,9 @@ impl LinearMotion {
     }
 }
 
-impl Motion for LinearMotion {
+impl BoundedMotion for LinearMotion {
     #[inline]
-    fn at(&self, time: f64) -> Kinematics {
+    fn kinematics_at(&self, time: f64) -> Kinematics {
         let decay = libm::exp(-self.damping_ratio * time);
         let (sin, cos) = libm::sincos(self.natural_frequency * time);
         let (forced_sin, forced_cos) = libm::sincos(self.frequency * time);

@@ -1,6 +1,6 @@
 //! A cell of time between two evaluations of a motion: what bounds prove about it, and the events that it holds.
 
-use super::enclosure::{Bounds, Enclosure, Kinematics, Motion};
+use super::enclosure::{BoundedMotion, Bounds, Enclosure, Kinematics};
 use crate::tolerances::{LAST_STEP_TO_EVENT, NARROWEST_CELL, STEPS_TO_EVENT};
 
 /// A local maximum of x(t).
@@ -77,9 +77,9 @@ impl Cell {
     }
 
     /// Both halves; nothing if the motion ceases to exist between them.
-    fn halves(&self, motion: &impl Motion) -> Option<[Cell; 2]> {
+    fn halves(&self, motion: &impl BoundedMotion) -> Option<[Cell; 2]> {
         let time = 0.5 * (self.start + self.end);
-        let middle = motion.at(time);
+        let middle = motion.kinematics_at(time);
         let exists = !(middle.position.is_nan() || middle.velocity.is_nan());
         exists.then_some([
             Cell { end: time, last: middle, ..*self },
@@ -98,7 +98,7 @@ impl Cell {
     }
 
     /// The zero of the velocity, which is strictly monotone in this cell and changes sign.
-    fn stationary_point(&self, motion: &impl Motion) -> (f64, Kinematics) {
+    fn stationary_point(&self, motion: &impl BoundedMotion) -> (f64, Kinematics) {
         let rising = self.first.velocity < self.last.velocity;
         let bracket = [self.start, self.end];
         bracketed_halley(motion, bracket, rising, self.near_stationary_time(), |here| {
@@ -107,7 +107,7 @@ impl Cell {
     }
 
     /// The zero of the position before `time`, where the position is positive; no other zero lies between.
-    fn crossing_before(&self, motion: &impl Motion, time: f64, there: &Kinematics) -> Crossing {
+    fn crossing_before(&self, motion: &impl BoundedMotion, time: f64, there: &Kinematics) -> Crossing {
         let Kinematics { position, velocity, acceleration, .. } = *there;
         let guess = if acceleration < 0.0 {
             // The parabola through the point beyond the wall, followed back.
@@ -124,9 +124,9 @@ impl Cell {
 
     /// A point of a cell in which the velocity falls through zero: the highest one, or any above the wall if there is one, or
     /// one that proves that there is none.
-    fn top(&self, motion: &impl Motion) -> (f64, Kinematics) {
+    fn top(&self, motion: &impl BoundedMotion) -> (f64, Kinematics) {
         let near = self.near_stationary_time();
-        let there = motion.at(near);
+        let there = motion.kinematics_at(near);
         let within = self.start < near && near < self.end;
         // −ẍ is at least this, so that no point is higher than x + y²/(2·this).
         let slack = self.width() * self.width() / 8.0 * self.bounds.snap;
@@ -139,7 +139,7 @@ impl Cell {
     }
 
     /// First crossing from x ≤ 0 to x > 0 in this cell, which begins with x ≤ 0.
-    pub(super) fn crossing(&self, motion: &impl Motion) -> Option<Crossing> {
+    pub(super) fn crossing(&self, motion: &impl BoundedMotion) -> Option<Crossing> {
         if self.ceiling() < 0.0 {
             return None;
         }
@@ -161,7 +161,7 @@ impl Cell {
     /// `visit` returns a threshold of its own; the highest of all is returned.
     pub(super) fn maxima(
         &self,
-        motion: &impl Motion,
+        motion: &impl BoundedMotion,
         threshold: f64,
         visit: &mut impl FnMut(Maximum) -> f64,
     ) -> f64 {
@@ -189,7 +189,7 @@ impl Cell {
 
     /// First zero of the velocity in this cell, in the cell's direction of time; none if `patience` is at an end, the number of
     /// times that a cell may be halved.
-    pub(super) fn rest(&self, motion: &impl Motion, patience: &mut u32) -> Option<f64> {
+    pub(super) fn rest(&self, motion: &impl BoundedMotion, patience: &mut u32) -> Option<f64> {
         let changes = self.first.velocity * self.last.velocity <= 0.0;
         match self.course() {
             Course::Monotone => None,
@@ -216,7 +216,7 @@ fn inverse_hermite([f, g]: [f64; 2], [a, b]: [f64; 2], [da, db]: [f64; 2]) -> f6
 ///
 /// `component` picks value, slope and curvature; `rising` says that the value is negative at the bracket's first end.
 fn bracketed_halley(
-    motion: &impl Motion,
+    motion: &impl BoundedMotion,
     [a, b]: [f64; 2],
     rising: bool,
     guess: f64,
@@ -225,7 +225,7 @@ fn bracketed_halley(
     let (mut low, mut high) = if rising { (a, b) } else { (b, a) };
     let inside = |time: f64, low: f64, high: f64| (time - low) * (time - high) < 0.0;
     let mut time = if inside(guess, low, high) { guess } else { 0.5 * (a + b) };
-    let mut here = motion.at(time);
+    let mut here = motion.kinematics_at(time);
     for _ in 0..STEPS_TO_EVENT {
         let [value, slope, curvature] = component(&here);
         if value == 0.0 {
@@ -247,7 +247,7 @@ fn bracketed_halley(
             here = here.after(step);
             break;
         }
-        here = motion.at(time);
+        here = motion.kinematics_at(time);
     }
     (time, here)
 }

@@ -64,10 +64,11 @@ impl Bounds {
     }
 }
 
-/// A smooth motion x(t), t being the time since it began.
-pub trait Motion {
+/// A smooth motion x(t), t being the time since it began, whose derivatives can be bounded; whatever is such a motion is a
+/// [`Motion`](super::Motion) by the search for events.
+pub trait BoundedMotion {
     /// The motion at a time of either sign; NaN where it has ceased to exist.
-    fn at(&self, time: f64) -> Kinematics;
+    fn kinematics_at(&self, time: f64) -> Kinematics;
 
     /// The derivatives bounded from the beginning to a horizon, which may lie in the past.
     fn enclose(&self, horizon: f64) -> impl Enclosure;

@@ -1,13 +1,13 @@
 //! The searches for events, cell by cell.
 
 use super::cell::{Cell, Course, Crossing, Maximum};
-use super::enclosure::{Enclosure, Kinematics, Motion, Walk};
+use super::enclosure::{BoundedMotion, Enclosure, Kinematics, Walk};
 use crate::tolerances::MOST_CELLS;
 
 /// The cells of a motion from time 0 to `horizon`, up to which an enclosure reaches, in which x may exceed `level`.
 #[inline]
 fn cells_above(
-    motion: &impl Motion,
+    motion: &impl BoundedMotion,
     enclosure: &impl Enclosure,
     horizon: f64,
     level: f64,
@@ -47,17 +47,15 @@ fn cells_above(
             return None;
         }
         index += 1;
-        let last = motion.at(horizon);
+        let last = motion.kinematics_at(horizon);
         let first = known.unwrap_or_else(|| walk.kinematics());
         last.position.is_finite().then(|| Cell::within(enclosure, [start, horizon], [first, last]))
     })
 }
 
-/// The first crossing of x = 0 upwards, at a time in (0, horizon], by a motion that begins with x ≤ 0.
-///
-/// A maximum that only touches the wall (x ≤ 0 to rounding) is no crossing.
+/// [`Motion::first_crossing`](super::Motion::first_crossing).
 #[inline]
-pub fn first_crossing(motion: &impl Motion, horizon: f64) -> Option<Crossing> {
+pub(super) fn first_crossing(motion: &impl BoundedMotion, horizon: f64) -> Option<Crossing> {
     let mut reach = motion.foresight().min(horizon);
     loop {
         let enclosure = motion.enclose(reach);
@@ -69,8 +67,8 @@ pub fn first_crossing(motion: &impl Motion, horizon: f64) -> Option<Crossing> {
     }
 }
 
-/// All local maxima of x(t) for t in (0, horizon), in order of time.
-pub fn local_maxima(motion: &impl Motion, horizon: f64) -> Vec<Maximum> {
+/// [`Motion::local_maxima`](super::Motion::local_maxima).
+pub(super) fn local_maxima(motion: &impl BoundedMotion, horizon: f64) -> Vec<Maximum> {
     let mut found = Vec::new();
     for cell in cells_above(motion, &motion.enclose(horizon), horizon, f64::NEG_INFINITY) {
         cell.maxima(motion, f64::NEG_INFINITY, &mut |maximum| {
@@ -81,8 +79,8 @@ pub fn local_maxima(motion: &impl Motion, horizon: f64) -> Vec<Maximum> {
     found
 }
 
-/// The highest local maximum of x(t) for t in (0, horizon), or `None` if there is no local maximum.
-pub fn highest_maximum(motion: &impl Motion, horizon: f64) -> Option<Maximum> {
+/// [`Motion::highest_maximum`](super::Motion::highest_maximum).
+pub(super) fn highest_maximum(motion: &impl BoundedMotion, horizon: f64) -> Option<Maximum> {
     let enclosure = motion.enclose(horizon);
     let mut candidates: Vec<Cell> = Vec::with_capacity(8);
     // Where the velocity changes from + to − there is a maximum, at least as high as the cell's ends.
@@ -124,18 +122,16 @@ fn highest_seen(enclosure: &impl Enclosure) -> f64 {
     highest
 }
 
-/// The zero of the velocity nearest to time 0 in the given direction of time, at most `horizon` away.
-///
-/// For a motion that begins with a velocity other than zero; paper: the evolution time of P_virt.
-pub fn first_rest(motion: &impl Motion, forwards: bool, horizon: f64) -> Option<f64> {
+/// [`Motion::first_rest`](super::Motion::first_rest).
+pub(super) fn first_rest(motion: &impl BoundedMotion, forwards: bool, horizon: f64) -> Option<f64> {
     let sign = if forwards { 1.0 } else { -1.0 };
     let enclosure = motion.enclose(sign * horizon);
     let stride = enclosure.stride();
-    let (mut start, mut first) = (0.0, motion.at(0.0));
+    let (mut start, mut first) = (0.0, motion.kinematics_at(0.0));
     let mut patience = MOST_CELLS;
     while start < horizon && patience > 0 {
         let end = (start + stride).min(horizon);
-        let last = motion.at(sign * end);
+        let last = motion.kinematics_at(sign * end);
         if !last.position.is_finite() {
             return None;
         }

@@ -5,7 +5,7 @@ use core::cell::RefCell;
 use super::enclosure::{Cage, derivatives, enclose, estimate};
 use super::integrator::{Node, Step};
 use super::oscillator::{Accuracy, Integrated, SmoothOscillator};
-use crate::motion::{Bounds, Enclosure, Kinematics, Motion, Walk};
+use crate::motion::{BoundedMotion, Bounds, Enclosure, Kinematics, Walk};
 use crate::state::State;
 use crate::tolerances::MOST_STEPS;
 
@@ -135,8 +135,8 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
     }
 }
 
-impl<M: SmoothOscillator> Motion for IntegratedMotion<M> {
-    fn at(&self, time: f64) -> Kinematics {
+impl<M: SmoothOscillator> BoundedMotion for IntegratedMotion<M> {
+    fn kinematics_at(&self, time: f64) -> Kinematics {
         self.kinematics(self.state(time), self.start + time)
     }
 

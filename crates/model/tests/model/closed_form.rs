@@ -1,9 +1,7 @@
 //! The linear oscillator, integrated, against its closed form.
 
 use grazing_model::maps::{self, global_map, virtual_map};
-use grazing_model::motion::{
-    Enclosure, Motion, Walk, first_crossing, first_rest, highest_maximum, local_maxima,
-};
+use grazing_model::motion::{Enclosure, Motion, Walk};
 use grazing_model::orbit::Orbit;
 use grazing_model::{ImpactOscillator, MapJet, OnWall, State};
 
@@ -71,20 +69,20 @@ fn events_are_those_of_the_closed_form() {
     for phase in [0.3, 1.1, 2.9, 5.0] {
         let from = State { phase, ..FROM };
         let (a, b) = (integrated.motion(from), closed.motion(from));
-        let (left, right) = (local_maxima(&a, 40.0), local_maxima(&b, 40.0));
+        let (left, right) = (a.local_maxima(40.0), b.local_maxima(40.0));
         assert!(left.len() == right.len() && left.len() > 4);
         for (a, b) in left.iter().zip(&right) {
             assert!((a.time - b.time).abs() < TOLERANCE && (a.position - b.position).abs() < TOLERANCE);
         }
-        let [a_top, b_top] = [highest_maximum(&a, 40.0), highest_maximum(&b, 40.0)].map(Option::unwrap);
+        let [a_top, b_top] = [a.highest_maximum(40.0), b.highest_maximum(40.0)].map(Option::unwrap);
         assert!((a_top.time - b_top.time).abs() < TOLERANCE);
-        let [a_hit, b_hit] = [first_crossing(&a, 40.0), first_crossing(&b, 40.0)];
+        let [a_hit, b_hit] = [a.first_crossing(40.0), b.first_crossing(40.0)];
         assert_eq!(a_hit.is_some(), b_hit.is_some());
         if let (Some(a), Some(b)) = (a_hit, b_hit) {
             assert!((a.time - b.time).abs() < TOLERANCE && (a.velocity - b.velocity).abs() < TOLERANCE);
         }
         for forwards in [true, false] {
-            let [a, b] = [first_rest(&a, forwards, 8.0), first_rest(&b, forwards, 8.0)].map(Option::unwrap);
+            let [a, b] = [a.first_rest(forwards, 8.0), b.first_rest(forwards, 8.0)].map(Option::unwrap);
             assert!((a - b).abs() < TOLERANCE);
         }
     }

@@ -1,6 +1,6 @@
 //! Solutions that cease to exist.
 
-use grazing_model::motion::{Motion, first_crossing, first_rest, highest_maximum, local_maxima};
+use grazing_model::motion::Motion;
 use grazing_model::smooth::Integrated;
 use grazing_model::{ImpactOscillator, State};
 
@@ -35,12 +35,12 @@ fn searches_for_events_end_where_the_solution_does() {
     for position in [1.0, -1.0] {
         let (oscillator, from) = escaping(position);
         let motion = oscillator.motion(from);
-        assert_eq!(highest_maximum(&motion, 50.0), None);
-        assert_eq!(local_maxima(&motion, 50.0), []);
-        assert_eq!(first_rest(&motion, true, 50.0), None);
+        assert_eq!(motion.highest_maximum(50.0), None);
+        assert_eq!(motion.local_maxima(50.0), []);
+        assert_eq!(motion.first_rest(true, 50.0), None);
     }
     let (oscillator, from) = escaping(-1.0);
-    assert_eq!(first_crossing(&oscillator.motion(from), 50.0), None);
+    assert_eq!(oscillator.motion(from).first_crossing(50.0), None);
 }
 
 /// Newton's method may try such a frequency.
@@ -59,7 +59,7 @@ fn an_event_before_the_escape_is_found() {
     let (oscillator, _) = escaping(1.0);
     // Thrown at the wall from below: x rises through zero, and escapes later.
     let motion = oscillator.motion(State { position: -0.5, velocity: 1.0, phase: 0.0 });
-    let crossing = first_crossing(&motion, 50.0).unwrap();
+    let crossing = motion.first_crossing(50.0).unwrap();
     // ẏ = x³ keeps y² − x⁴/2.
     let velocity = (1.0_f64 - 0.5 / 16.0).sqrt();
     assert!((crossing.velocity - velocity).abs() < 1e-12);

@@ -1,6 +1,6 @@
 //! Nonlinear forces: what holds without a closed form.
 
-use grazing_model::motion::{Enclosure, Motion, local_maxima};
+use grazing_model::motion::{Enclosure, Motion};
 use grazing_model::smooth::{Integrated, SmoothOscillator};
 use grazing_model::{ImpactOscillator, State, flow_variable};
 
@@ -112,7 +112,7 @@ fn bounds_hold_and_are_not_idle() {
 fn maxima_are_where_samples_show_them() {
     let oscillator = Integrated::new(Duffing, [0.9, 0.45]);
     let motion = oscillator.motion(FROM);
-    let maxima = local_maxima(&motion, 60.0);
+    let maxima = motion.local_maxima(60.0);
     for maximum in &maxima {
         let here = motion.at(maximum.time);
         // Rounding of the velocity.

@@ -1,6 +1,6 @@
 //! Orbits with impacts: no event is stepped over, and every orbit comes to a named end.
 
-use grazing_model::motion::{Enclosure, Motion, first_crossing, first_rest, highest_maximum, local_maxima};
+use grazing_model::motion::{Enclosure, Motion};
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
 use grazing_model::smooth::Integrated;
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
@@ -25,7 +25,7 @@ fn impacts_at_low_velocity_are_not_stepped_over() {
     for mu in [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
         let oscillator = oscillator(grazing_amplitude() + mu);
         let motion = oscillator.motion(oscillator.non_impacting_solution(3.0));
-        let crossing = first_crossing(&motion, 20.0).expect("the solution crosses the wall");
+        let crossing = motion.first_crossing(20.0).expect("the solution crosses the wall");
         let impact = motion.at(crossing.time);
         let expected = OMEGA * (2.0 * mu / grazing_amplitude()).sqrt();
         // Leading order in √μ; at 1e-12 rounding of x (1e-16) moves the crossing by 1e-16/v.
@@ -38,7 +38,7 @@ fn impacts_at_low_velocity_are_not_stepped_over() {
 fn a_graze_from_below_is_no_impact() {
     let oscillator = oscillator(grazing_amplitude() - 1e-12);
     let motion = oscillator.motion(oscillator.non_impacting_solution(3.0));
-    assert_eq!(first_crossing(&motion, 200.0), None);
+    assert_eq!(motion.first_crossing(200.0), None);
 }
 
 #[test]
@@ -46,14 +46,14 @@ fn maxima_of_the_non_impacting_solution_are_one_a_period() {
     let oscillator = oscillator(0.2);
     let motion = oscillator.motion(oscillator.non_impacting_solution(1.0));
     let period = oscillator.forcing_period();
-    let maxima = local_maxima(&motion, 12.0 * period);
+    let maxima = motion.local_maxima(12.0 * period);
     assert_eq!(maxima.len(), 12);
     for pair in maxima.windows(2) {
         // Event times are exact to rounding of the time, which is up to 90.
         assert!((pair[1].time - pair[0].time - period).abs() < 1e-12);
     }
     let height = 0.2 / grazing_amplitude() - 1.0;
-    let highest = highest_maximum(&motion, 12.0 * period).unwrap();
+    let highest = motion.highest_maximum(12.0 * period).unwrap();
     assert!((highest.position - height).abs() < 1e-14);
 }
 
@@ -71,7 +71,7 @@ proptest! {
     ) {
         let oscillator = LinearOscillator::new(0.02, 0.9, amplitude, omega).unwrap();
         let motion = oscillator.motion(State::on_wall(y, z));
-        let crossing = first_crossing(&motion, 30.0);
+        let crossing = motion.first_crossing(30.0);
         let exact = crossing.map(|crossing| crossing.time);
         let sampled = sampled_crossing(&motion, 30.0);
         match (exact, sampled) {
@@ -97,8 +97,8 @@ proptest! {
     ) {
         let oscillator = LinearOscillator::new(0.02, 0.9, amplitude, omega).unwrap();
         let motion = oscillator.motion(State::on_wall(y, z));
-        let all = local_maxima(&motion, 40.0);
-        let highest = highest_maximum(&motion, 40.0);
+        let all = motion.local_maxima(40.0);
+        let highest = motion.highest_maximum(40.0);
         let expected = all.iter().map(|maximum| maximum.position).fold(f64::NEG_INFINITY, f64::max);
         prop_assert_eq!(highest.map_or(f64::NEG_INFINITY, |maximum| maximum.position), expected);
         for maximum in &all {
@@ -114,7 +114,7 @@ proptest! {
     ) {
         let oscillator = oscillator(0.3);
         let motion = oscillator.motion(State::on_wall(if forwards { y } else { -y }, z));
-        let time = first_rest(&motion, forwards, 10.0).unwrap();
+        let time = motion.first_rest(forwards, 10.0).unwrap();
         prop_assert_eq!(time > 0.0, forwards);
         prop_assert!(motion.at(time).velocity.abs() < 1e-14);
         prop_assert!(motion.at(time).position > 0.0);

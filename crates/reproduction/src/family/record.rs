@@ -21,7 +21,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Plan, Tell};
 use crate::plane::lost;
-use crate::unfolded::{self, Described, slopes};
+use crate::unfolded::{self, slopes};
 
 /// A member of a family: its own rows, and its resonances on their way to its neighbours. Numbers of branches and arcs are given when all
 /// records are there.
@@ -139,7 +139,7 @@ struct Rows {
 }
 
 impl Rows {
-    fn resonance(&self, resonance: &resonances::Resonance<Described>) -> Resonance {
+    fn resonance(&self, resonance: &resonances::Resonance) -> Resonance {
         let located = &resonance.located;
         let found = (resonance.n, FoundBy::Search);
         let orbit = located.orbit();
@@ -211,7 +211,7 @@ impl Rows {
         }
     }
 
-    fn points(&self, diagram: &Diagram<Described>) -> Vec<Point> {
+    fn points(&self, diagram: &Diagram) -> Vec<Point> {
         let varied = self.varied;
         let point = |point: &CodimensionTwoPoint| {
             let at = point.unknowns();
@@ -224,7 +224,7 @@ impl Rows {
     }
 
     /// An arc towards a neighbour at which the first constant has this value.
-    fn way(&self, diagram: &Diagram<Described>, arc: &Arc<Described>, neighbour: f64) -> Way {
+    fn way(&self, diagram: &Diagram, arc: &Arc, neighbour: f64) -> Way {
         let resonance = &diagram.resonances[arc.resonance];
         let (loops, n) = (resonance.loops, resonance.n);
         let varied = |way: f64| {
@@ -233,8 +233,8 @@ impl Rows {
             *value = if way == 1.0 { neighbour } else { *value + (neighbour - *value) * way };
             varied
         };
-        let parameters = |at: &ArcPoint<Described>| at.orbit.oscillator().parameters();
-        let curve = |at: &ArcPoint<Described>| {
+        let parameters = |at: &ArcPoint| at.orbit.oscillator().parameters();
+        let curve = |at: &ArcPoint| {
             let point = at.point.in_units(&self.units);
             let [primary, secondary] = self.units.parameters(parameters(at));
             let varied = varied(at.way);

@@ -1,6 +1,5 @@
 //! What the phase portraits of Figure 2 show: solutions at the amplitudes that the file asks for, or where they exist.
 
-use grazing_model::ImpactOscillator;
 use grazing_unfold::one_parameter::{Branch, Subject};
 
 use crate::StudyError;
@@ -11,10 +10,10 @@ use crate::parameters::{Figure2, MOST_PORTRAITS, Portrait};
 const EDGE: f64 = 0.05;
 
 /// All subjects, and what is shown elsewhere than asked for, or not at all, in sentences.
-pub(super) fn all<O: ImpactOscillator>(
+pub(super) fn all(
     figure: &Figure2,
     grazing: f64,
-    branches: &[Branch<O>],
+    branches: &[Branch],
 ) -> Result<(Vec<Subject>, Vec<String>), StudyError> {
     let asked = &figure.portraits;
     if asked.is_empty() {
@@ -44,7 +43,7 @@ pub(super) fn all<O: ImpactOscillator>(
 }
 
 /// The non-impacting solution, and each p that is somewhere stable, from left to right.
-fn chosen<O: ImpactOscillator>(figure: &Figure2, grazing: f64, branches: &[Branch<O>]) -> Vec<Subject> {
+fn chosen(figure: &Figure2, grazing: f64, branches: &[Branch]) -> Vec<Subject> {
     let mut subjects = vec![non_impacting(figure, grazing, None)];
     for &loops in figure.loops.iter().take(MOST_PORTRAITS - 1) {
         subjects.extend(nearest(branches, loops, None));
@@ -54,12 +53,7 @@ fn chosen<O: ImpactOscillator>(figure: &Figure2, grazing: f64, branches: &[Branc
 }
 
 /// What the file asks for, if it exists.
-fn found<O: ImpactOscillator>(
-    figure: &Figure2,
-    grazing: f64,
-    branches: &[Branch<O>],
-    portrait: &Portrait,
-) -> Option<Subject> {
+fn found(figure: &Figure2, grazing: f64, branches: &[Branch], portrait: &Portrait) -> Option<Subject> {
     let Portrait { loops, amplitude: wish, must, .. } = *portrait;
     if loops == 0 {
         return Some(non_impacting(figure, grazing, wish));
@@ -79,7 +73,7 @@ fn non_impacting(figure: &Figure2, grazing: f64, wish: Option<f64>) -> Subject {
 }
 
 /// The stable admissible MPS at the amplitude that is nearest to the wish, or in the middle of the widest stretch.
-fn nearest<O: ImpactOscillator>(branches: &[Branch<O>], loops: u32, wish: Option<f64>) -> Option<Subject> {
+fn nearest(branches: &[Branch], loops: u32, wish: Option<f64>) -> Option<Subject> {
     let inner = |[low, high]: [f64; 2]| [low + EDGE * (high - low), high - EDGE * (high - low)];
     let mut places: Vec<(f64, f64)> = of(branches, loops)
         .flat_map(Branch::stable_stretches)
@@ -96,11 +90,11 @@ fn nearest<O: ImpactOscillator>(branches: &[Branch<O>], loops: u32, wish: Option
 }
 
 /// The branches of p-loop MPSs.
-fn of<O: ImpactOscillator>(branches: &[Branch<O>], loops: u32) -> impl Iterator<Item = &Branch<O>> {
+fn of(branches: &[Branch], loops: u32) -> impl Iterator<Item = &Branch> {
     branches.iter().filter(move |branch| branch.equations.loops() == loops)
 }
 
-fn missing<O: ImpactOscillator>(branches: &[Branch<O>], portrait: &Portrait) -> StudyError {
+fn missing(branches: &[Branch], portrait: &Portrait) -> StudyError {
     let ranges: Vec<String> = of(branches, portrait.loops)
         .flat_map(Branch::stable_stretches)
         .map(|[low, high]| format!("from {low:.5} to {high:.5}"))
@@ -117,7 +111,7 @@ fn missing<O: ImpactOscillator>(branches: &[Branch<O>], portrait: &Portrait) -> 
 }
 
 /// The stable admissible MPS at the amplitude.
-fn at<O: ImpactOscillator>(branches: &[Branch<O>], loops: u32, across: f64) -> Option<Subject> {
+fn at(branches: &[Branch], loops: u32, across: f64) -> Option<Subject> {
     let there = of(branches, loops).any(|branch| !branch.stable_at(across).is_empty());
     there.then_some(Subject { across, loops: Some(loops) })
 }

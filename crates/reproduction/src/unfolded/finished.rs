@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::sync::mpsc;
 use std::thread;
 
-use grazing_model::ImpactOscillator;
 use grazing_results::Table;
 use grazing_results::plane::PlanePoint;
 use grazing_unfold::Diagram;
@@ -20,9 +19,9 @@ pub type Keep<'a> = &'a (dyn Fn(&Table) + Sync);
 type Done = (usize, Vec<(DiagramCurve, Vec<PlanePoint>)>);
 
 /// Follows the curves of a diagram whose resonances are located, and hands on those that are finished.
-pub(super) fn follow<O: ImpactOscillator>(
+pub(super) fn follow(
     axes: &Axes,
-    located: &Diagram<O>,
+    located: &Diagram,
     progress: &dyn Progress,
     keep: Keep<'_>,
 ) -> Vec<Followed> {
@@ -40,12 +39,7 @@ pub(super) fn follow<O: ImpactOscillator>(
     })
 }
 
-fn hand_on<O: ImpactOscillator>(
-    axes: &Axes,
-    located: &Diagram<O>,
-    receiver: impl IntoIterator<Item = Done>,
-    keep: Keep<'_>,
-) {
+fn hand_on(axes: &Axes, located: &Diagram, receiver: impl IntoIterator<Item = Done>, keep: Keep<'_>) {
     let mut finished = BTreeMap::new();
     for (resonance, curves) in receiver {
         finished.insert(resonance, curves);

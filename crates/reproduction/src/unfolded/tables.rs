@@ -49,7 +49,7 @@ row! { GrazingRow, |row| {
 ] }
 
 /// The grazing orbit and the map around it, point by point along the curve.
-pub(super) fn grazing<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Vec<GrazingRow> {
+pub(super) fn grazing(unfolded: &Unfolded) -> Vec<GrazingRow> {
     let units = &unfolded.axes.units;
     let mut rows = Vec::new();
     for (arc, curve) in (0..).zip(&unfolded.diagram.grazing) {
@@ -168,7 +168,7 @@ row! { CheckedHypothesis, |row| {} [
 ] }
 
 /// For every resonance what its theorem asks, one by one.
-pub(super) fn hypotheses<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Vec<CheckedHypothesis> {
+pub(super) fn hypotheses(unfolded: &Unfolded) -> Vec<CheckedHypothesis> {
     let units = &unfolded.axes.units;
     let mut rows = Vec::new();
     for resonance in &unfolded.diagram.resonances {

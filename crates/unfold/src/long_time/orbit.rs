@@ -3,7 +3,7 @@
 use grazing_model::motion::Motion;
 use grazing_model::orbit::{Flight, FlightEnd, Orbit, OrbitEnd};
 use grazing_model::phase::turned;
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::{AnyMotion, AnyOscillator, ImpactOscillator, State};
 use nalgebra::Vector2;
 
 use super::recurrence::{Recurrence, SAME_ORBIT};
@@ -93,22 +93,22 @@ pub(super) const MOST_PERIODS: u32 = 16;
 const SHOWN: usize = 40;
 
 /// An orbit after its transient, times being counted from the end of that.
-pub struct LongOrbit<O: ImpactOscillator> {
+pub struct LongOrbit {
     /// What it comes to.
     pub fate: Fate,
     /// The flights that begin after the transient.
-    pub flights: Vec<Flight<O::Motion>>,
+    pub flights: Vec<Flight<AnyMotion>>,
     /// The impacts (y, z) at which these end.
     pub impacts: Vec<Vector2<f64>>,
     /// The flight in which the transient ends, as long as none follows it.
-    last: Option<Flight<O::Motion>>,
+    last: Option<Flight<AnyMotion>>,
     /// Its state when time is up, unless it came to rest at the wall or cannot be followed.
     end: Option<State>,
 }
 
-impl<O: ImpactOscillator> LongOrbit<O> {
+impl LongOrbit {
     /// The orbit from a state, with a longer transient where it has not settled, as far as that is waited for.
-    pub fn follow(oscillator: &O, mut from: State, horizon: Horizon) -> Self {
+    pub fn follow(oscillator: &AnyOscillator, mut from: State, horizon: Horizon) -> Self {
         let Horizon { mut transient, counted, patience } = horizon;
         let mut passed = 0;
         loop {
@@ -127,7 +127,7 @@ impl<O: ImpactOscillator> LongOrbit<O> {
         }
     }
 
-    fn after_transient(oscillator: &O, from: State, [transient, counted]: [u32; 2]) -> Self {
+    fn after_transient(oscillator: &AnyOscillator, from: State, [transient, counted]: [u32; 2]) -> Self {
         let period = oscillator.forcing_period();
         let transient = f64::from(transient) * period;
         let horizon = transient + f64::from(counted) * period;
@@ -168,19 +168,19 @@ impl<O: ImpactOscillator> LongOrbit<O> {
     }
 
     /// The flight in which motion without impacts is when time is up.
-    pub fn free(&self) -> Option<&Flight<O::Motion>> {
+    pub fn free(&self) -> Option<&Flight<AnyMotion>> {
         let free = self.flights.last().or(self.last.as_ref());
         free.filter(|_| self.fate.kind == MotionKind::NonImpacting)
     }
 
     /// The state at the end of the transient, where no impact follows.
-    pub fn free_state(&self, oscillator: &O) -> Option<State> {
+    pub fn free_state(&self, oscillator: &AnyOscillator) -> Option<State> {
         let flight = self.last.as_ref().filter(|_| self.end.is_some())?;
         Some(state_at(oscillator, flight, -flight.start))
     }
 
     /// The state of motion without impacts when it has last passed phase zero.
-    pub fn at_phase_zero(&self, oscillator: &O) -> Option<State> {
+    pub fn at_phase_zero(&self, oscillator: &AnyOscillator) -> Option<State> {
         let flight = self.free()?;
         let frequency = oscillator.forcing_frequency().value;
         // The last whole turn of the flight.
@@ -190,7 +190,7 @@ impl<O: ImpactOscillator> LongOrbit<O> {
     }
 
     /// The flights of one cycle, or some of them where they do not come again.
-    pub fn shown(&self) -> &[Flight<O::Motion>] {
+    pub fn shown(&self) -> &[Flight<AnyMotion>] {
         let Fate { periods, impacts, .. } = self.fate;
         let cycle =
             periods.map_or(SHOWN, |periods| libm::round(impacts * f64::from(periods)).max(1.0) as usize);
@@ -198,7 +198,7 @@ impl<O: ImpactOscillator> LongOrbit<O> {
     }
 
     /// The state from which motion without impacts comes again, or some periods of it, and for how many it is followed.
-    pub fn free_cycle(&self, oscillator: &O) -> Option<(State, f64)> {
+    pub fn free_cycle(&self, oscillator: &AnyOscillator) -> Option<(State, f64)> {
         let flight = self.free()?;
         let periods = f64::from(self.fate.periods.unwrap_or(MOST_PERIODS));
         let period = oscillator.forcing_period();
@@ -215,7 +215,7 @@ fn impact<M>(flight: &Flight<M>) -> Option<Vector2<f64>> {
 }
 
 /// The state at a time from the beginning of a flight.
-pub(super) fn state_at<O: ImpactOscillator>(oscillator: &O, flight: &Flight<O::Motion>, time: f64) -> State {
+pub(super) fn state_at(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>, time: f64) -> State {
     let phase = flight.from.phase + oscillator.forcing_frequency().value * time;
     flight.motion.at(time).state(phase)
 }

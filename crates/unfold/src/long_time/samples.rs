@@ -21,11 +21,7 @@ pub fn sampled(motion: &impl Motion, start: f64, duration: f64, period: f64) -> 
 }
 
 /// The flight of an MPS, from its recoil at time `start` to its impact.
-pub fn sampled_solution<O: ImpactOscillator>(
-    equations: &LoopEquations<O>,
-    point: &Unknowns,
-    start: f64,
-) -> Vec<[f64; 3]> {
+pub fn sampled_solution(equations: &LoopEquations, point: &Unknowns, start: f64) -> Vec<[f64; 3]> {
     let oscillator = equations.oscillator_at(point);
     let motion = oscillator.motion(equations.departure(point));
     sampled(&motion, start, equations.flight(point), oscillator.forcing_period())

@@ -9,7 +9,7 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, LoopEquations, MaximalPeriodicSolution, Unknowns};
 use grazing_continuation::tolerances::FAR;
 use grazing_model::motion::Motion;
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::Vector2;
 
@@ -19,9 +19,9 @@ use crate::{Scope, search};
 
 /// What was seen of periodic motion without the wall at one η, and where it grazes.
 #[derive(Clone, Debug)]
-pub struct PeriodicMotion<O> {
+pub struct PeriodicMotion {
     /// Grazing orbits, each touching the wall with its highest point.
-    pub grazing: Vec<GrazingOrbit<O>>,
+    pub grazing: Vec<GrazingOrbit>,
     /// Orbits that touch the wall without being turned back, with F ≥ 0 there.
     pub pushed: Vec<Height>,
     /// How motion from one of the starts ran away.
@@ -43,10 +43,7 @@ pub struct Height {
 
 impl Height {
     /// That of a solution without impacts.
-    pub(crate) fn of<O: ImpactOscillator>(
-        equations: &LoopEquations<O>,
-        solution: &MaximalPeriodicSolution,
-    ) -> Self {
+    pub(crate) fn of(equations: &LoopEquations, solution: &MaximalPeriodicSolution) -> Self {
         let point = &solution.unknowns;
         let motion = equations.oscillator_at(point).motion(equations.departure(point));
         let time = solution.highest_interior_maximum.map_or(0.0, |maximum| maximum.time);
@@ -74,11 +71,7 @@ const CARRIED_AWAY: f64 = 10.0;
 const SAME_GRAZING: f64 = 1e-6;
 
 /// Looks for grazing of periodic motion without the wall over the whole range of μ at η = `secondary`.
-pub fn periodic_motion<O: ImpactOscillator>(
-    oscillator: &O,
-    scope: &Scope,
-    secondary: f64,
-) -> PeriodicMotion<O> {
+pub fn periodic_motion(oscillator: &AnyOscillator, scope: &Scope, secondary: f64) -> PeriodicMotion {
     let equations = LoopEquations::without_impacts(oscillator.clone(), scope.window.widths());
     let slicer = Slicer { equations, window: scope.window, control: FREE_STEPS };
     motion(oscillator, scope, &slicer, secondary, &[], &[0.0])
@@ -86,14 +79,14 @@ pub fn periodic_motion<O: ImpactOscillator>(
 
 /// As [`periodic_motion`], in steps of one's own; with motion that comes from rest at some more positions, or has its highest point at one of
 /// some heights, should none of the rest lead to it.
-pub(crate) fn motion<O: ImpactOscillator>(
-    oscillator: &O,
+pub(crate) fn motion(
+    oscillator: &AnyOscillator,
     scope: &Scope,
-    slicer: &Slicer<O>,
+    slicer: &Slicer,
     secondary: f64,
     positions: &[f64],
     heights: &[f64],
-) -> PeriodicMotion<O> {
+) -> PeriodicMotion {
     let mut slice = Slice::new(secondary, Vec::new());
     let add = |slice: &mut Slice, start: &Unknowns| slicer.add(slice, *start, &EventTimes::default(), true);
     let (mut ran_away, mut carried_away) = (None, None);
@@ -132,8 +125,8 @@ pub(crate) fn motion<O: ImpactOscillator>(
 }
 
 /// The periodic solution to which the motion from a state relaxes; `None` if it does not settle.
-fn relaxed<O: ImpactOscillator>(
-    equations: &LoopEquations<O>,
+fn relaxed(
+    equations: &LoopEquations,
     [primary, secondary]: [f64; 2],
     start: Vector2<f64>,
 ) -> Result<Option<Unknowns>, Escape> {
@@ -164,9 +157,9 @@ pub(crate) fn is_whole(branch: &Curve) -> bool {
     ends.all(|end| matches!(end, CurveEnd::LeftWindow | CurveEnd::Closed))
 }
 
-impl<O: ImpactOscillator> PeriodicMotion<O> {
+impl PeriodicMotion {
     /// Records where the branches come to the wall.
-    fn look_for_grazing(&mut self, equations: &LoopEquations<O>, scope: &Scope) {
+    fn look_for_grazing(&mut self, equations: &LoopEquations, scope: &Scope) {
         for branch in &self.branches {
             for (index, pair) in (1..).zip(branch.points.windows(2)) {
                 if pair[0].solution.admissible() == pair[1].solution.admissible() {
@@ -182,7 +175,7 @@ impl<O: ImpactOscillator> PeriodicMotion<O> {
                     self.pushed.push(Height::of(equations, near));
                     continue;
                 };
-                let same = |other: &GrazingOrbit<O>| {
+                let same = |other: &GrazingOrbit| {
                     (other.primary() - orbit.primary()).abs() <= SAME_GRAZING * scope.window.widths()[0]
                         && libm::cos(other.phase() - orbit.phase()) > 1.0 - SAME_GRAZING
                 };

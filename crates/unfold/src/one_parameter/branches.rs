@@ -8,9 +8,9 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{
     EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns, unknown,
 };
+use grazing_model::OnWall;
 use grazing_model::maps::virtual_map;
 use grazing_model::phase::centred;
-use grazing_model::{ImpactOscillator, OnWall};
 use grazing_results::branches::{BranchBifurcation, BranchPoint};
 use nalgebra::Vector2;
 
@@ -18,9 +18,9 @@ use crate::stretches::{Vertex, vertices};
 
 /// A branch of periodic solutions at one η.
 #[derive(Clone, Debug)]
-pub struct Branch<O> {
+pub struct Branch {
     /// The equations, in the formulation in which the branch was begun.
-    pub equations: LoopEquations<O>,
+    pub equations: LoopEquations,
     /// Its points and bifurcations.
     pub curve: Curve,
 }
@@ -35,7 +35,7 @@ const CLOSED: f64 = 1e-6;
 /// degrees).
 const LARGEST_TURN: f64 = 0.3;
 
-impl<O: ImpactOscillator> Branch<O> {
+impl Branch {
     /// The points (x, z) at which the solutions meet Π, loop by loop; NaN where that is not known.
     ///
     /// The times of the maxima are carried from point to point, and visits count only if the last is the virtual point of the impact, as
@@ -53,7 +53,7 @@ impl<O: ImpactOscillator> Branch<O> {
         // The maximum that is next to the impact.
         let landing = |point: &Unknowns| {
             let impact = OnWall::new(point[unknown::VELOCITY], point[unknown::PHASE]);
-            let landing = virtual_map::<O, 1>(&self.equations.oscillator_at(point), impact, None);
+            let landing = virtual_map::<_, 1>(&self.equations.oscillator_at(point), impact, None);
             landing.map_or(Vector2::repeat(f64::NAN), |landing| landing.jet.value)
         };
         let closed = |point: &Unknowns, mut times: EventTimes| {

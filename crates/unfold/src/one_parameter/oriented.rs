@@ -2,29 +2,21 @@
 
 use grazing_continuation::curve::Window;
 use grazing_continuation::mps::{EventTimes, unknown};
-use grazing_model::{FlowJet, ImpactOscillator, MapJet, OnWall, ParameterJet, State, flow_variable};
+use grazing_model::{
+    AnyMotion, AnyOscillator, FlowJet, ImpactOscillator, MapJet, OnWall, ParameterJet, State, flow_variable,
+};
 use nalgebra::SMatrix;
 
 use crate::Scope;
 use crate::curves::DiagramCurve;
 
-/// An oscillator with its parameters (μ, η) as they are, or in each other's role.
-#[derive(Clone, Debug)]
-pub struct Oriented<O> {
-    /// The oscillator.
-    pub oscillator: O,
-    /// They are exchanged.
-    pub exchanged: bool,
-}
+/// An oscillator with its parameters (μ, η) in each other's role.
+#[derive(Clone)]
+struct Exchanged(AnyOscillator);
 
-impl<O> Oriented<O> {
-    fn of(&self, oscillator: O) -> Self {
-        Self { oscillator, exchanged: self.exchanged }
-    }
-
-    fn in_roles(&self, [first, second]: [f64; 2]) -> [f64; 2] {
-        if self.exchanged { [second, first] } else { [first, second] }
-    }
+/// The oscillator, or the same with its parameters exchanged.
+pub(super) fn oriented(oscillator: &AnyOscillator, exchanged: bool) -> AnyOscillator {
+    if exchanged { AnyOscillator::new(Exchanged(oscillator.clone())) } else { oscillator.clone() }
 }
 
 /// Exchanges two variables in second derivatives.
@@ -33,60 +25,55 @@ fn exchange<const N: usize>(hessian: &mut SMatrix<f64, N, N>, [a, b]: [usize; 2]
     hessian.swap_rows(a, b);
 }
 
-impl<O: ImpactOscillator> ImpactOscillator for Oriented<O> {
-    type Motion = O::Motion;
+impl ImpactOscillator for Exchanged {
+    type Motion = AnyMotion;
 
     fn parameters(&self) -> [f64; 2] {
-        self.in_roles(self.oscillator.parameters())
+        let [mu, eta] = self.0.parameters();
+        [eta, mu]
     }
 
-    fn with_parameters(&self, parameters: [f64; 2]) -> Self {
-        self.of(self.oscillator.with_parameters(self.in_roles(parameters)))
+    fn with_parameters(&self, [eta, mu]: [f64; 2]) -> Self {
+        Self(self.0.with_parameters([mu, eta]))
     }
 
     fn roughly(&self) -> Self {
-        self.of(self.oscillator.roughly())
+        Self(self.0.roughly())
     }
 
     fn finely(&self) -> Option<Self> {
-        self.oscillator.finely().map(|finer| self.of(finer))
+        self.0.finely().map(Self)
     }
 
     fn forcing_frequency(&self) -> ParameterJet {
-        let mut jet = self.oscillator.forcing_frequency();
-        if self.exchanged {
-            jet.gradient.swap_rows(0, 1);
-            exchange(&mut jet.hessian, [0, 1]);
-        }
+        let mut jet = self.0.forcing_frequency();
+        jet.gradient.swap_rows(0, 1);
+        exchange(&mut jet.hessian, [0, 1]);
         jet
     }
 
     fn acceleration(&self, state: State) -> f64 {
-        self.oscillator.acceleration(state)
+        self.0.acceleration(state)
     }
 
-    fn flow_along<const ORDER: usize>(&self, motion: &O::Motion, from: State, duration: f64) -> FlowJet {
-        let mut jet = self.oscillator.flow_along::<ORDER>(motion, from, duration);
-        if self.exchanged {
-            let variables @ [a, b] = [flow_variable::PRIMARY, flow_variable::SECONDARY];
-            jet.jacobian.swap_columns(a, b);
-            jet.hessians.iter_mut().for_each(|hessian| exchange(hessian, variables));
-        }
+    fn flow_along<const ORDER: usize>(&self, motion: &AnyMotion, from: State, duration: f64) -> FlowJet {
+        let mut jet = self.0.flow_along::<ORDER>(motion, from, duration);
+        let variables @ [a, b] = [flow_variable::PRIMARY, flow_variable::SECONDARY];
+        jet.jacobian.swap_columns(a, b);
+        jet.hessians.iter_mut().for_each(|hessian| exchange(hessian, variables));
         jet
     }
 
     fn reset<const ORDER: usize>(&self, impact: OnWall) -> MapJet<OnWall, OnWall> {
-        let mut jet = self.oscillator.reset::<ORDER>(impact);
-        if self.exchanged {
-            let variables @ [a, b] = [unknown::PRIMARY, unknown::SECONDARY];
-            jet.jacobian.swap_columns(a, b);
-            jet.hessians.iter_mut().for_each(|hessian| exchange(hessian, variables));
-        }
+        let mut jet = self.0.reset::<ORDER>(impact);
+        let variables @ [a, b] = [unknown::PRIMARY, unknown::SECONDARY];
+        jet.jacobian.swap_columns(a, b);
+        jet.hessians.iter_mut().for_each(|hessian| exchange(hessian, variables));
         jet
     }
 
-    fn motion(&self, from: State) -> O::Motion {
-        self.oscillator.motion(from)
+    fn motion(&self, from: State) -> AnyMotion {
+        self.0.motion(from)
     }
 }
 

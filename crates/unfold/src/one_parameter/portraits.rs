@@ -1,7 +1,7 @@
 //! Orbits in the (x, y) plane: the stable solutions at some μ, and what simulation finds besides.
 
 use grazing_continuation::mps::Unknowns;
-use grazing_model::ImpactOscillator;
+use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_results::branches::{PortraitKind, PortraitPoint};
 use nalgebra::Vector2;
 use rand_pcg::Pcg64;
@@ -37,9 +37,9 @@ const ALIKE: f64 = 0.03;
 type Impacts = Vec<Vector2<f64>>;
 
 /// What orbits are looked for in.
-pub(super) struct Scene<'a, O> {
-    pub(super) oscillator: &'a O,
-    pub(super) branches: &'a [Branch<O>],
+pub(super) struct Scene<'a> {
+    pub(super) oscillator: &'a AnyOscillator,
+    pub(super) branches: &'a [Branch],
     pub(super) secondary: f64,
     pub(super) transient: u32,
     /// The lowest initial state.
@@ -70,7 +70,7 @@ fn portrait(
     flights.into_iter().flat_map(|flight| flight.into_iter().chain([[f64::NAN; 3]])).map(row).collect()
 }
 
-impl<O: ImpactOscillator> Scene<'_, O> {
+impl Scene<'_> {
     /// The portraits of all subjects, those of each together.
     pub(super) fn of_all(&self, subjects: &[Subject], progress: &dyn Progress) -> Vec<Portrait> {
         let numbered: Vec<(u128, &Subject)> = (0..).zip(subjects).collect();

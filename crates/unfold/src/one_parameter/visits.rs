@@ -2,9 +2,9 @@
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_model::maps::{next_visit, virtual_map};
-use grazing_model::motion::{Motion, highest_maximum};
+use grazing_model::motion::Motion;
 use grazing_model::orbit::{Flight, FlightEnd};
-use grazing_model::{AtRest, ImpactOscillator, OnWall, State};
+use grazing_model::{AnyMotion, AnyOscillator, AtRest, ImpactOscillator, OnWall, State};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
@@ -49,8 +49,8 @@ impl Sampling {
 }
 
 /// x on Π at the visits of an orbit from a random state after its transient; none if it has come to rest at the wall by then.
-fn long_time_visits<O: ImpactOscillator>(
-    oscillator: &O,
+fn long_time_visits(
+    oscillator: &AnyOscillator,
     sampling: &Sampling,
     lowest: f64,
     random: &mut Pcg64,
@@ -67,22 +67,22 @@ fn long_time_visits<O: ImpactOscillator>(
 }
 
 /// The highest point of every forcing period of motion that does not reach the wall.
-fn highest_points<O: ImpactOscillator>(oscillator: &O, from: State, periods: u32) -> Vec<f64> {
+fn highest_points(oscillator: &AnyOscillator, from: State, periods: u32) -> Vec<f64> {
     let period = oscillator.forcing_period();
     let motion = oscillator.motion(from);
-    let Some(first) = highest_maximum(&motion, 1.25 * period) else { return Vec::new() };
+    let Some(first) = motion.highest_maximum(1.25 * period) else { return Vec::new() };
     // Half-way from one to the next, so that none lies at the end of its period.
     let points = (0..periods.saturating_sub(1)).filter_map(|k| {
         let time = first.time + (f64::from(k) + 0.5) * period;
         let state = motion.at(time).state(from.phase + oscillator.forcing_frequency().value * time);
-        highest_maximum(&oscillator.motion(state), period)
+        oscillator.motion(state).highest_maximum(period)
     });
     core::iter::once(first).chain(points).map(|maximum| maximum.position).collect()
 }
 
 /// (μ, x) at the visits of settled orbits over a range of μ; and how many of them left no visit, and how many there are.
-pub(super) fn long_time_behaviour<O: ImpactOscillator>(
-    oscillator: &O,
+pub(super) fn long_time_behaviour(
+    oscillator: &AnyOscillator,
     secondary: f64,
     [low, high]: [f64; 2],
     (sampling, lowest): (&Sampling, f64),
@@ -114,7 +114,7 @@ pub(super) fn long_time_behaviour<O: ImpactOscillator>(
 
 /// The x-values at which a flight meets Π: the iterates of P_global from the virtual point of its recoil for as long as
 /// they lie within the flight, and the virtual top beyond the wall with which it ends.
-fn visits_of<O: ImpactOscillator>(oscillator: &O, flight: &Flight<O::Motion>, visits: &mut Vec<f64>) {
+fn visits_of(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>, visits: &mut Vec<f64>) {
     let State { position, velocity, phase } = flight.from;
     let mut here = match velocity {
         0.0 => Some((0.0, AtRest::new(position, phase))),

@@ -3,7 +3,7 @@
 use core::f64::consts::{PI, TAU};
 
 use grazing_model::maps::global_map;
-use grazing_model::motion::{Motion, highest_maximum};
+use grazing_model::motion::Motion;
 use grazing_model::{AtRest, ImpactOscillator, LinearOscillator, State};
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::spectrum::in_trapesium;
@@ -34,7 +34,7 @@ fn assert_grazes<O: ImpactOscillator>(curve: &GrazingCurve<O>, scope: &Scope) {
         // P_global alone could return at another time than after a period.
         assert_within(back.position, 0.0, 1e-10);
         assert_within(back.velocity, 0.0, 1e-10);
-        let highest = highest_maximum(&motion, period).map_or(0.0, |maximum| maximum.position);
+        let highest = motion.highest_maximum(period).map_or(0.0, |maximum| maximum.position);
         assert_eq!(state.admissible, highest <= 1e-11, "{highest:e}");
         let [primary, secondary] = oscillator.parameters();
         let within = |[low, high]: [f64; 2], value: f64| (low - 1e-12..=high + 1e-12).contains(&value);

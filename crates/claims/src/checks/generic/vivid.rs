@@ -96,7 +96,7 @@ checks! {
         let oscillator = equations.oscillator_at(&point);
         let recoil = equations.departure(&point);
         let visits = equations.visits(&point, &EventTimes::default())?;
-        let maxima = local_maxima(&oscillator.motion(recoil), f64::from(p) * oscillator.forcing_period());
+        let maxima = oscillator.motion(recoil).local_maxima(f64::from(p) * oscillator.forcing_period());
         for (j, visit) in visits.iter().enumerate().take(p as usize - 1) {
             let phase = |time: f64| {
                 recoil.phase + oscillator.forcing_frequency().value * time - TAU * (j as f64 + 1.0)

@@ -21,7 +21,7 @@ checks! {
             velocity: middle[1],
             phase: orbit.phase() + 0.5 * core::f64::consts::TAU,
         };
-        let maxima = local_maxima(&oscillator.motion(start), period);
+        let maxima = oscillator.motion(start).local_maxima(period);
         // Positions of order one are good to some roundings; maxima that do not touch lie far lower in one period.
         let touching = maxima.iter().filter(|maximum| maximum.position > -1e-12).count();
         let inside = maxima.iter().all(|maximum| maximum.position < 1e-12);

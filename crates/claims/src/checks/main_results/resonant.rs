@@ -49,7 +49,7 @@ checks! {
             let next = GrazingOrbit::find(&orbit.oscillator().with_parameters(predicted), near)?;
             let from = State::at_rest(0.0, next.phase());
             let motion = next.oscillator().motion(from);
-            let top = highest_maximum(&motion, 1.5 * next.oscillator().forcing_period());
+            let top = motion.highest_maximum(1.5 * next.oscillator().forcing_period());
             // The contact one period later is the highest maximum, at the wall to rounding.
             let touches = top.is_some_and(|top| top.position.abs() < 1e-12);
             // The prediction is off by h²/2 times second derivatives, which are below 10⁴ for ζ ≥ 0.01.

@@ -9,7 +9,8 @@ pub(crate) fn returned<O: ImpactOscillator>(
 ) -> Result<Vector2<f64>, Failure> {
     let period = oscillator.forcing_period();
     let motion = oscillator.motion(State::at_rest(position, phase));
-    let nearest = local_maxima(&motion, 1.5 * period)
+    let nearest = motion
+        .local_maxima(1.5 * period)
         .into_iter()
         .min_by(|a, b| (a.time - period).abs().total_cmp(&(b.time - period).abs()))
         .ok_or("the motion has no maximum")?;

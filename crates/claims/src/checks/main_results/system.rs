@@ -1,7 +1,7 @@
 //! Section 2.1: equations of motion and reset law.
 
 use crate::*;
-use grazing_model::motion::first_crossing;
+use grazing_model::motion::Motion;
 
 checks! {
     /// eq:f: all three components of the vector field against first differences along the flow, parameters of both kinds.
@@ -105,8 +105,8 @@ checks! {
             }
             // No crossing on the way, and the position at the impact is zero.
             let before = flight.duration * (1.0 - 1e-6);
-            let early = first_crossing(&flight.motion, before).is_some();
-            let top = highest_maximum(&flight.motion, before).map_or(0.0, |top| top.position.max(0.0));
+            let early = flight.motion.first_crossing(before).is_some();
+            let top = flight.motion.highest_maximum(before).map_or(0.0, |top| top.position.max(0.0));
             largest.see(if early { f64::INFINITY } else { top });
             expected = None;
             if let FlightEnd::Impact(impact) = flight.end {

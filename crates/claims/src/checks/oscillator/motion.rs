@@ -127,7 +127,7 @@ checks! {
         let top = |amplitude: f64| {
             let oscillator = oscillator.with_parameters([amplitude, omega]);
             let from = oscillator.non_impacting_solution(sampler_phase(omega));
-            highest_maximum(&oscillator.motion(from), 1.01 * oscillator.forcing_period())
+            oscillator.motion(from).highest_maximum(1.01 * oscillator.forcing_period())
                 .map_or(f64::NAN, |top| top.position)
         };
         largest.see(top(amplitude).abs());
@@ -146,7 +146,7 @@ checks! {
         let oscillator = theory.model();
         let start = sampler_phase(omega);
         let from = oscillator.non_impacting_solution(start);
-        let top = highest_maximum(&oscillator.motion(from), 1.01 * oscillator.forcing_period())
+        let top = oscillator.motion(from).highest_maximum(1.01 * oscillator.forcing_period())
             .ok_or("φ_p has no maximum")?;
         let (sin, cos) = libm::sincos(start + omega * top.time);
         largest.compare(sin, 2.0 * zeta * omega / theory.amplitude(), 1.0);

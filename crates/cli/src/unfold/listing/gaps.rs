@@ -15,13 +15,13 @@ use crate::unfold::layout::headed;
 use crate::unfold::reason::{self, place};
 
 /// Resonances that could not be located, or whose curves could not be followed.
-pub(super) fn missing<O>(description: &Description, units: &Units, diagram: &Diagram<O>) -> String {
+pub(super) fn missing(description: &Description, units: &Units, diagram: &Diagram) -> String {
     let lost = reason::lost(description, units, diagram);
     headed("Resonances that could not be unfolded", lost.map(|(what, why)| (format!("  {what}  "), why)))
 }
 
 /// What a limit or Ctrl-C has cut off.
-pub(super) fn unfinished<O>(description: &Description, units: &Units, diagram: &Diagram<O>) -> String {
+pub(super) fn unfinished(description: &Description, units: &Units, diagram: &Diagram) -> String {
     let cut = diagram.unfinished.iter();
     headed("Not finished", cut.map(|cut| ("  ".to_owned(), reason::unfinished(description, units, cut))))
 }
@@ -63,7 +63,7 @@ pub(super) fn undecided(description: &Description, unfolded: &Analysis) -> Strin
 }
 
 /// What is missing in the diagram although there was time for it, as `1 of 3 resonances could not be unfolded`; nothing if nothing is.
-pub(in crate::unfold) fn incomplete<O>(diagram: &Diagram<O>) -> Option<String> {
+pub(in crate::unfold) fn incomplete(diagram: &Diagram) -> Option<String> {
     let lost = diagram.unlocated.len() + diagram.not_unfolded.len();
     let all = diagram.unlocated.len() + diagram.resonances.len();
     let ends = diagram.curves.iter().flat_map(|curve| curve.curve.beginning.iter().chain([&curve.curve.end]));
