@@ -300,7 +300,7 @@ where
 {
     /// The points from `start` to both sides, in the order of `direction`, and how they end before the first and after the last.
     ///
-    /// `leaves` is told the last point and the next with its tangent. Where the curve leaves the window between the two it gives the point on
+    /// `leaves` gets the last point and the next with its tangent. Where the curve leaves the window between the two it gives the point on
     /// the edge.
     ///
     /// # Errors

@@ -5,7 +5,7 @@ use grazing_model::maps::MapError;
 
 use crate::arclength::{CurveEquations, Stall, StepControl};
 use crate::locate::{Condition, LocateFailure, conditioned};
-use crate::mps::{EventTimes, LoopEquations, MaximalPeriodicSolution, Unknowns};
+use crate::mps::{EventTimes, LoopEquations, PeriodicSolution, Unknowns};
 use crate::newton::Linearisation;
 
 /// The equations of a curve of MPSs.
@@ -13,14 +13,14 @@ use crate::newton::Linearisation;
 /// With [`Condition::Secondary`] it is a one-parameter branch, with [`Condition::Multiplier`] a curve of saddle-node or
 /// period-doubling bifurcations, with [`Condition::InteriorGrazing`] a curve of grazing bifurcations of the MPS.
 #[derive(Clone, Debug)]
-pub struct MpsCurve<O> {
+pub struct SolutionCurve<O> {
     /// The equations of the MPS.
     pub equations: LoopEquations<O>,
     /// The condition that holds along the curve.
     pub condition: Condition,
 }
 
-impl<O: ImpactOscillator> CurveEquations<4> for MpsCurve<O> {
+impl<O: ImpactOscillator> CurveEquations<4> for SolutionCurve<O> {
     type Carried = EventTimes;
     type Failure = MapError;
 
@@ -104,7 +104,7 @@ pub struct Event {
     /// The further condition that holds there.
     pub condition: Condition,
     /// The MPS there, located by Newton's method on both conditions.
-    pub solution: MaximalPeriodicSolution,
+    pub solution: PeriodicSolution,
     /// Index of the first point of the curve beyond the event.
     pub index: usize,
     /// The event times there: another curve can start from them.
@@ -139,7 +139,7 @@ pub enum CurveEnd {
 #[derive(Clone, Debug)]
 pub struct CurvePoint {
     /// The MPS.
-    pub solution: MaximalPeriodicSolution,
+    pub solution: PeriodicSolution,
     /// The event times there.
     pub times: EventTimes,
 }
@@ -155,7 +155,7 @@ pub struct Curve {
     pub events: Vec<Event>,
     /// Why it ends.
     pub end: CurveEnd,
-    /// Why it begins where it does, if that was not given but found: [`MpsCurve::follow_both_ways`].
+    /// Why it begins where it does, if that was not given but found: [`SolutionCurve::follow_both_ways`].
     pub beginning: Option<CurveEnd>,
 }
 

@@ -19,7 +19,7 @@ use smallvec::SmallVec;
 
 use crate::newton::Linearisation;
 pub(crate) use crate::solution::Stability;
-pub use crate::solution::{MaximalPeriodicSolution, Multipliers, Unknowns, parameters, unknown};
+pub use crate::solution::{Multipliers, PeriodicSolution, Unknowns, parameters, unknown};
 use crate::tolerances::{FAR, REST, UNSURE_HEIGHT};
 
 /// The impact of a point.
@@ -288,12 +288,12 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// The orbit that a zero of the equations is: multipliers, maxima, stability, admissibility.
     ///
     /// Needs no virtual points, whatever the formulation.
-    pub fn solution(&self, point: &Unknowns) -> MaximalPeriodicSolution {
+    pub fn solution(&self, point: &Unknowns) -> PeriodicSolution {
         self.solution_and_stability(point).0
     }
 
     /// The same with what its multipliers were read off.
-    pub(crate) fn solution_and_stability(&self, point: &Unknowns) -> (MaximalPeriodicSolution, Stability) {
+    pub(crate) fn solution_and_stability(&self, point: &Unknowns) -> (PeriodicSolution, Stability) {
         let motion = self.motion(point);
         let stability = match self.has_impacts() {
             true => self.fixed_phase_pair_along::<1>(point, point[unknown::PHASE], &motion).stability(),
@@ -306,7 +306,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
 
     /// The same at a point with y = 0 that is approached along a curve with the given tangent, where the multipliers are
     /// limits.
-    pub fn limiting_solution(&self, point: &Unknowns, tangent: &Unknowns) -> MaximalPeriodicSolution {
+    pub fn limiting_solution(&self, point: &Unknowns, tangent: &Unknowns) -> PeriodicSolution {
         let motion = self.motion(point);
         let pair = self.fixed_phase_pair_along::<2>(point, point[unknown::PHASE], &motion);
         let flight = self.flight(point);
@@ -315,7 +315,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         let interior = local_maxima(&motion, flight)
             .into_iter()
             .filter(|maximum| (ends..flight - ends).contains(&maximum.time));
-        MaximalPeriodicSolution {
+        PeriodicSolution {
             loops: self.loops,
             unknowns: *point,
             multipliers: pair.limiting_multipliers(tangent),
@@ -329,7 +329,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         point: &Unknowns,
         multipliers: Multipliers,
         with_maxima: bool,
-    ) -> MaximalPeriodicSolution {
+    ) -> PeriodicSolution {
         if with_maxima {
             let orbit = |equations: &Self| {
                 let motion = equations.oscillator_at(point).motion(self.departure(point));
@@ -339,16 +339,11 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             return if rough.ceiling().abs() > UNSURE_HEIGHT { rough } else { orbit(self) };
         }
         let loops = self.loops;
-        MaximalPeriodicSolution { loops, unknowns: *point, multipliers, highest_interior_maximum: None }
+        PeriodicSolution { loops, unknowns: *point, multipliers, highest_interior_maximum: None }
     }
 
-    fn orbit(
-        &self,
-        point: &Unknowns,
-        motion: &O::Motion,
-        multipliers: Multipliers,
-    ) -> MaximalPeriodicSolution {
-        MaximalPeriodicSolution {
+    fn orbit(&self, point: &Unknowns, motion: &O::Motion, multipliers: Multipliers) -> PeriodicSolution {
+        PeriodicSolution {
             loops: self.loops,
             unknowns: *point,
             multipliers,
@@ -369,7 +364,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     }
 
     /// Velocity and phase of the impact of a solution; without impacts 0 and the phase of the highest point, in [0, 2π).
-    pub fn impact(&self, solution: &MaximalPeriodicSolution) -> [f64; 2] {
+    pub fn impact(&self, solution: &PeriodicSolution) -> [f64; 2] {
         let point = &solution.unknowns;
         if self.has_impacts() {
             return [point[unknown::VELOCITY], point[unknown::PHASE]];

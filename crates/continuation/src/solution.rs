@@ -76,7 +76,7 @@ impl Stability {
 
 /// A zero of the equations, seen as an orbit: an MPS, or a periodic solution without impacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MaximalPeriodicSolution {
+pub struct PeriodicSolution {
     /// The number of loops p; 0 without impacts.
     pub loops: u32,
     /// (y, z, μ, η), or (x, y, μ, η) without impacts.
@@ -87,7 +87,7 @@ pub struct MaximalPeriodicSolution {
     pub highest_interior_maximum: Option<Maximum>,
 }
 
-impl MaximalPeriodicSolution {
+impl PeriodicSolution {
     /// An interior maximum this little above the wall touches it.
     pub const TOUCH: f64 = tolerances::TOUCH;
 

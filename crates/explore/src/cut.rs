@@ -5,7 +5,7 @@ use grazing_reproduction::one_parameter::SAMPLING;
 use grazing_reproduction::plane::Axes;
 use grazing_results::branches::{BranchPoint, OneParameter};
 use grazing_unfold::Scope;
-use grazing_unfold::one_parameter::{Line, Sampling, Section};
+use grazing_unfold::one_parameter::{Cut, Line, Sampling};
 use grazing_unfold::stop::Stop;
 use grazing_unfold::units::InUnits;
 use serde::Deserialize;
@@ -65,7 +65,7 @@ impl Job for CutJob<'_> {
         // As in the diagrams that a file asks for, but fewer values: it is to be looked at at once.
         let sampling = Sampling { values: 160, recorded: 16, ..SAMPLING };
         let line = line.without_dimensions(&axes.units);
-        let section = Section::follow(oscillator, scope, &[], line, events)?;
+        let section = Cut::follow(oscillator, scope, &[], line, events)?;
         events.send("branches", &event(&section.diagram().in_units(&axes.units)));
         Some(section.simulated(&sampling, &[], events).in_units(&axes.units))
     }

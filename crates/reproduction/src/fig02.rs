@@ -6,7 +6,7 @@ use grazing_continuation::curve::Window;
 use grazing_results::Frame;
 use grazing_results::branches::OneParameter;
 use grazing_unfold::Scope;
-use grazing_unfold::one_parameter::{Line, Section};
+use grazing_unfold::one_parameter::{Cut, Line};
 
 use crate::study::forced;
 use crate::{Study, StudyError};
@@ -24,7 +24,7 @@ impl Study {
         let window = Window { primary: range, secondary: [at, 2.0 * at] };
         let scope = Scope { window, loops: figure.loops.clone(), start: None };
         let line = Line { diagram: 1, primary_is_fixed: false, at, range };
-        let section = Section::follow(&oscillator, &scope, &[], line, &*self.progress)
+        let section = Cut::follow(&oscillator, &scope, &[], line, &*self.progress)
             .ok_or_else(|| StudyError::Failed("it was stopped".to_owned()))?;
         let grazing = theory.grazing(at)?.amplitude();
         let (subjects, mut notes) = subjects::all(figure, grazing, section.branches())?;

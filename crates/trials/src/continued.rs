@@ -3,11 +3,9 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::{Continuation, StepControl};
-use grazing_continuation::curve::{MpsCurve, Window};
+use grazing_continuation::curve::{SolutionCurve, Window};
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{
-    EventTimes, LoopEquations, MaximalPeriodicSolution, Unknowns, parameters, unknown,
-};
+use grazing_continuation::mps::{EventTimes, LoopEquations, PeriodicSolution, Unknowns, parameters, unknown};
 use grazing_model::ImpactOscillator;
 use grazing_unfold::Diagram;
 
@@ -25,7 +23,7 @@ const ON_BRANCH: f64 = 0.05;
 const ELSEWHERE: f64 = 0.5;
 
 /// A stable MPS of the hybrid system.
-pub fn good(solution: &MaximalPeriodicSolution) -> bool {
+pub fn good(solution: &PeriodicSolution) -> bool {
     solution.stable() && solution.admissible()
 }
 
@@ -34,7 +32,7 @@ pub fn near<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     known: &Unknowns,
     [primary, secondary]: [f64; 2],
-) -> Option<MaximalPeriodicSolution> {
+) -> Option<PeriodicSolution> {
     let start = Unknowns::new(known[unknown::VELOCITY], known[unknown::PHASE], primary, secondary);
     let conditions = [Condition::Primary(primary), Condition::Secondary(secondary)];
     let found = locate(equations, conditions, start, &mut EventTimes::default()).ok()?;
@@ -47,9 +45,9 @@ pub fn along<O: ImpactOscillator>(
     loops: u32,
     secondary: f64,
     primaries: &[f64],
-) -> Vec<Vec<MaximalPeriodicSolution>> {
+) -> Vec<Vec<PeriodicSolution>> {
     let equations = diagram.equations(loops);
-    let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(secondary) };
+    let curve = SolutionCurve { equations: equations.clone(), condition: Condition::Secondary(secondary) };
     let mut branches: Vec<Vec<Unknowns>> = Vec::new();
     for start in starts(diagram, &equations, loops, secondary) {
         if !branches.iter().any(|branch| lies_on(branch, &start)) {
@@ -101,7 +99,7 @@ fn starts<O: ImpactOscillator>(
 
 /// The points of a branch from one of them on, as far as there is an impact and the window.
 fn followed<O: ImpactOscillator>(
-    curve: &MpsCurve<O>,
+    curve: &SolutionCurve<O>,
     start: Unknowns,
     direction: Unknowns,
     window: Window,

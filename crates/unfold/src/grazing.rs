@@ -6,7 +6,7 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::{CurveEquations, Stall, StepControl, Tangent, Walk, WalkEnd};
-use grazing_continuation::mps::{MaximalPeriodicSolution, Multipliers, unknown};
+use grazing_continuation::mps::{Multipliers, PeriodicSolution, unknown};
 use grazing_continuation::newton::Linearisation;
 use grazing_model::maps::{MapError, global_map};
 use grazing_model::motion::highest_maximum;
@@ -50,7 +50,7 @@ const STEPS: StepControl =
 /// A curve of this many points goes nowhere.
 const STEP_LIMIT: usize = 20_000;
 /// The angle in radians by which A turns between neighbouring points: a cubic follows a sine this far to two parts in ten thousand,
-/// so that the resonances between are told apart.
+/// so that the resonances between are separated.
 const TURN: f64 = 0.5;
 /// How often the way between two points is halved at most.
 const HALVINGS: u32 = 12;
@@ -163,7 +163,7 @@ impl HighestPoint {
     fn is_highest<O: ImpactOscillator>(&self, oscillator: &O) -> bool {
         let motion = oscillator.motion(State::at_rest(self.height, self.phase));
         highest_maximum(&motion, oscillator.forcing_period())
-            .is_none_or(|maximum| maximum.position <= self.height + MaximalPeriodicSolution::TOUCH)
+            .is_none_or(|maximum| maximum.position <= self.height + PeriodicSolution::TOUCH)
     }
 
     /// Where a grazing orbit touches the wall.

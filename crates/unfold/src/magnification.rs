@@ -132,7 +132,7 @@ pub fn approximation<O: ImpactOscillator>(
     points
 }
 
-/// A window about a resonance in which the curves and their approximations can be told apart and compared.
+/// A window about a resonance in which the curves and their approximations can be distinguished and compared.
 ///
 /// Its half-height in η is where the terms beyond the quadratic one are some fifth of it on the curve that bends sooner, or a
 /// little beyond, but not more than half the way to the next resonance of the same p; across it holds all that is drawn, with

@@ -20,6 +20,7 @@ use crate::regions::{self, Region, decided};
 use crate::slices::Slice;
 use crate::stop::Unfinished;
 use crate::survey::Survey;
+use crate::tolerances::BETWEEN_HEIGHTS;
 use crate::{Scope, UnfoldError, search};
 
 /// What there is of motion without impacts.
@@ -109,9 +110,6 @@ fn on_slices<O: ImpactOscillator>(
     Ok(NonImpacting { grazing, curves: net.curves, regions, unfinished })
 }
 
-/// Heights that differ by a smaller share are one: which of them is named is not left to rounding.
-const SAME_HEIGHT: f64 = 1e-9;
-
 /// Why no survey has seen grazing.
 fn explanation<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
@@ -124,7 +122,7 @@ fn explanation<O: ImpactOscillator>(
     let whole = branches.clone().all(is_whole);
     let points = branches.flat_map(|branch| &branch.points);
     let height = |point: &CurvePoint| point.solution.ceiling();
-    let above = |a: &CurvePoint, b: &CurvePoint| height(a) - height(b) > SAME_HEIGHT * height(b).abs();
+    let above = |a: &CurvePoint, b: &CurvePoint| height(a) - height(b) > BETWEEN_HEIGHTS * height(b).abs();
     let lowest = points.clone().reduce(|a, b| if above(a, b) { b } else { a });
     let highest = points.reduce(|a, b| if above(b, a) { b } else { a });
     match (lowest.zip(highest), motions.iter().find_map(|motion| motion.ran_away)) {

@@ -1,7 +1,7 @@
 //! One-parameter diagrams: what there is on a line of the parameter plane, along which one parameter changes and the other is held.
 //!
 //! Branches of non-impacting motion and of p-loop MPSs, bifurcations on them, the long-time behaviour of the hybrid system from random
-//! states, and orbits at chosen places. Everything is shown by x on the Poincaré section Π. The oscillator is [`Oriented`] so that the parameter
+//! states, and orbits at chosen places. Everything is shown by x on the Poincaré section Π. The oscillator is [`OrientedOscillator`] so that the parameter
 //! across is the first one, called μ below; rows have both parameters as they are.
 
 mod branches;
@@ -18,7 +18,7 @@ use grazing_results::branches::{AttractorPoint, BranchBifurcation, OneParameter}
 use rayon::prelude::*;
 
 pub use branches::Branch;
-pub use oriented::Oriented;
+pub use oriented::OrientedOscillator;
 pub use portraits::Subject;
 pub use visits::Sampling;
 
@@ -26,6 +26,7 @@ use crate::curves::DiagramCurve;
 use crate::progress::Progress;
 use crate::slices::{FREE_STEPS, Slice, Slicer};
 use crate::stretches::broken_at;
+use crate::tolerances::BETWEEN_EVENTS_ON_A_CUT;
 use crate::{Scope, non_impacting, search};
 use branches::{Strand, same_bifurcation, within};
 use portraits::Scene;
@@ -45,12 +46,12 @@ pub struct Line {
 }
 
 /// The branches on a line.
-pub struct Section<O> {
-    oscillator: Oriented<O>,
+pub struct Cut<O> {
+    oscillator: OrientedOscillator<O>,
     scope: Scope,
     line: Line,
     /// Those of motion without impacts first.
-    branches: Vec<Branch<Oriented<O>>>,
+    branches: Vec<Branch<OrientedOscillator<O>>>,
 }
 
 /// The stage.
@@ -68,10 +69,8 @@ const LEAST_STEP: f64 = 1e-3;
 const POSITIONS: [f64; 4] = [-1.5, -2.0, -3.0, -4.0];
 /// Random states are looked for this far from the wall at least, which is of the order of one away from rest: those farther off swing faster.
 const LEAST_DEPTH: f64 = 2.0;
-/// Bifurcations that agree to this share of the range, and in their impacts, are one, on branches that overlap.
-const SAME_PARAMETER: f64 = 1e-8;
 
-impl<O: ImpactOscillator> Section<O> {
+impl<O: ImpactOscillator> Cut<O> {
     /// The branches of an oscillator on a line, the ranges and the numbers of loops being those of the scope; that of the parameter that is held does
     /// not matter. Curves of the two-parameter diagram that are known lead to branches, but need not be there.
     ///
@@ -84,7 +83,7 @@ impl<O: ImpactOscillator> Section<O> {
         progress: &dyn Progress,
     ) -> Option<Self> {
         let exchanged = line.primary_is_fixed;
-        let oscillator = Oriented { oscillator: oscillator.clone(), exchanged };
+        let oscillator = OrientedOscillator { oscillator: oscillator.clone(), exchanged };
         let (scope, curves) = match exchanged {
             true => (scope.exchanged(), oriented::exchanged(curves)),
             false => (scope.clone(), curves.to_vec()),
@@ -108,7 +107,7 @@ impl<O: ImpactOscillator> Section<O> {
     }
 
     /// The branches, those of motion without impacts first; μ is the parameter across.
-    pub fn branches(&self) -> &[Branch<Oriented<O>>] {
+    pub fn branches(&self) -> &[Branch<OrientedOscillator<O>>] {
         &self.branches
     }
 
@@ -141,7 +140,7 @@ impl<O: ImpactOscillator> Section<O> {
         }
         let inside = |primary: f64| range[0] <= primary && primary <= range[1];
         bifurcations.retain(|bifurcation| inside(bifurcation.primary));
-        let same = SAME_PARAMETER * self.scope.window.widths()[0];
+        let same = BETWEEN_EVENTS_ON_A_CUT * self.scope.window.widths()[0];
         let bifurcations = bifurcations.into_iter().fold(Vec::new(), |mut distinct, one| {
             if !distinct.iter().any(|other| same_bifurcation(&one, other, same)) {
                 distinct.push(one);

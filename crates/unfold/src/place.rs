@@ -11,11 +11,12 @@ use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 use crate::long_time::{
-    Fate, Horizon, LongOrbit, MotionKind, Patience, SAME_ORBIT, random_start, same_impact, sampled,
-    sampled_solution, time_of_phase,
+    Fate, Horizon, LongOrbit, MotionKind, Patience, random_start, same_impact, sampled, sampled_solution,
+    time_of_phase,
 };
 use crate::progress::Progress;
 use crate::search;
+use crate::tolerances::BETWEEN_ORBITS;
 
 /// A periodic solution, stable or not.
 #[derive(Clone, Debug)]
@@ -91,8 +92,8 @@ pub struct Place {
 
 /// MPSs are looked for up to this impact velocity: motion is of the order of one.
 const FASTEST: f64 = 2.5;
-/// MPSs of impacts slower than this are not told from grazing.
-const SLOWEST: f64 = SAME_ORBIT * FASTEST;
+/// MPSs of impacts slower than this are not distinguished from grazing.
+const SLOWEST: f64 = BETWEEN_ORBITS * FASTEST;
 
 /// Motion from an attractor nearby has not far to go.
 const FOLLOWED: Horizon = Horizon { transient: 100, counted: 32, patience: Patience::Drifting };
@@ -140,9 +141,9 @@ impl Outcome {
         match a.kind {
             MotionKind::Periodic => {
                 let first = &other.impacts[0];
-                self.impacts.iter().any(|impact| same_impact(SAME_ORBIT, impact, first))
+                self.impacts.iter().any(|impact| same_impact(BETWEEN_ORBITS, impact, first))
             }
-            MotionKind::NonImpacting => (self.highest - other.highest).abs() < SAME_ORBIT,
+            MotionKind::NonImpacting => (self.highest - other.highest).abs() < BETWEEN_ORBITS,
             _ => true,
         }
     }
@@ -277,7 +278,7 @@ fn non_impacting<'a, O: ImpactOscillator>(
     let mut found: Vec<(Unknowns, Solution)> = Vec::new();
     for [x, y] in starts.chain(rest) {
         let Some(orbit) = solved(oscillator, 0, &Vector2::new(x, y)) else { continue };
-        if found.iter().any(|(known, _)| (known - orbit).norm() < SAME_ORBIT) {
+        if found.iter().any(|(known, _)| (known - orbit).norm() < BETWEEN_ORBITS) {
             continue;
         }
         found.push((orbit, Solution::of(&equations, &orbit)));
@@ -300,7 +301,9 @@ fn impact_of(point: &Unknowns) -> Vector2<f64> {
 
 /// Whether the MPS with an impact is among these.
 fn is_known(found: &[(u32, Unknowns)], loops: u32, impact: &Vector2<f64>) -> bool {
-    found.iter().any(|(other, point)| *other == loops && same_impact(SAME_ORBIT, &impact_of(point), impact))
+    found
+        .iter()
+        .any(|(other, point)| *other == loops && same_impact(BETWEEN_ORBITS, &impact_of(point), impact))
 }
 
 /// The solution with an impact near another; for p = 0 with position and velocity at phase zero near others.

@@ -2,7 +2,7 @@
 
 use grazing_continuation::curve::{Curve, CurveEnd, Event};
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, LoopEquations, MaximalPeriodicSolution};
+use grazing_continuation::mps::{EventTimes, LoopEquations, PeriodicSolution};
 use grazing_model::ImpactOscillator;
 
 /// A piece of a branch on which stability and admissibility do not change.
@@ -26,7 +26,7 @@ pub(crate) struct Border<'a> {
 
 /// A point of a branch: one of the curve's, or an event.
 pub(crate) struct Vertex<'a> {
-    pub(crate) solution: &'a MaximalPeriodicSolution,
+    pub(crate) solution: &'a PeriodicSolution,
     pub(crate) event: Option<&'a Event>,
 }
 
@@ -98,9 +98,9 @@ pub(crate) fn stretches<'a, O: ImpactOscillator>(
 /// The solution half the way between two neighbours on a branch.
 fn middle_of<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
-    a: &MaximalPeriodicSolution,
-    b: &MaximalPeriodicSolution,
-) -> Option<MaximalPeriodicSolution> {
+    a: &PeriodicSolution,
+    b: &PeriodicSolution,
+) -> Option<PeriodicSolution> {
     let middle = (a.unknowns + b.unknowns) * 0.5;
     let conditions = Condition::beside(equations, &middle);
     let found = locate(equations, conditions, middle, &mut EventTimes::default()).ok()?;

@@ -9,7 +9,7 @@ use crate::Diagram;
 const LITTLE: f64 = 0.1;
 /// What is left free on either side, as a share of what is filled.
 const MARGIN: f64 = 0.5;
-/// Less than this is a point or a straight line, from which no width can be told.
+/// Less than this is a point or a straight line, from which no width follows.
 const NOTHING: f64 = 1e-6;
 
 impl<O: ImpactOscillator> Diagram<O> {

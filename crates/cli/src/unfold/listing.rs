@@ -328,7 +328,7 @@ mod tests {
     use grazing_continuation::bifurcation::Pair;
     use grazing_continuation::fit::{Estimate, Measurement};
     use grazing_unfold::sides::{Inconclusive, Sides};
-    use grazing_unfold::simulation::Seen;
+    use grazing_unfold::simulation::ReturnOutcome;
     use grazing_unfold::verdict::{Coefficient, Obstacle};
 
     /// A resonance whose saddle-node coefficient is measured with an error, and what simulation shows beside that curve.
@@ -354,7 +354,7 @@ mod tests {
         let sides = Sides {
             velocity: 0.001,
             predicted: [false, true],
-            seen: [Seen::Returns; 2],
+            seen: [ReturnOutcome::Returns; 2],
             attracts: [Some(false); 2],
             gone_beyond: Some(true),
         };

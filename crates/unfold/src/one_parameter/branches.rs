@@ -6,7 +6,7 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, Event};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{
-    EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns, unknown,
+    EventTimes, Formulation, LoopEquations, PeriodicSolution, Unknowns, unknown,
 };
 use grazing_model::maps::virtual_map;
 use grazing_model::phase::centred;
@@ -119,7 +119,7 @@ impl<O: ImpactOscillator> Branch<O> {
                     impact_velocity: velocity,
                     impact_phase: centred(phase),
                     stable: (!at.solution.has_impacts() || velocity > 0.0) && stable[k],
-                    admissible: at.solution.ceiling() <= MaximalPeriodicSolution::TOUCH,
+                    admissible: at.solution.ceiling() <= PeriodicSolution::TOUCH,
                     branch: 0,
                 });
             }

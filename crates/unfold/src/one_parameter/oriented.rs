@@ -10,14 +10,14 @@ use crate::curves::DiagramCurve;
 
 /// An oscillator with its parameters (μ, η) as they are, or in each other's role.
 #[derive(Clone, Debug)]
-pub struct Oriented<O> {
+pub struct OrientedOscillator<O> {
     /// The oscillator.
     pub oscillator: O,
     /// They are exchanged.
     pub exchanged: bool,
 }
 
-impl<O> Oriented<O> {
+impl<O> OrientedOscillator<O> {
     fn of(&self, oscillator: O) -> Self {
         Self { oscillator, exchanged: self.exchanged }
     }
@@ -33,7 +33,7 @@ fn exchange<const N: usize>(hessian: &mut SMatrix<f64, N, N>, [a, b]: [usize; 2]
     hessian.swap_rows(a, b);
 }
 
-impl<O: ImpactOscillator> ImpactOscillator for Oriented<O> {
+impl<O: ImpactOscillator> ImpactOscillator for OrientedOscillator<O> {
     type Motion = O::Motion;
 
     fn parameters(&self) -> [f64; 2] {
