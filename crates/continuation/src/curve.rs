@@ -1,4 +1,4 @@
-//! Branches and bifurcation curves of MPSs: V = 0 and one condition, followed by pseudo-arclength.
+//! Branches and bifurcation curves of periodic solutions: V = 0 and one condition, followed by pseudo-arclength.
 
 use grazing_model::ImpactOscillator;
 use grazing_model::maps::MapError;
@@ -8,13 +8,13 @@ use crate::locate::{Condition, LocateFailure, conditioned};
 use crate::mps::{EventTimes, LoopEquations, PeriodicSolution, Unknowns};
 use crate::newton::Linearisation;
 
-/// The equations of a curve of MPSs.
+/// The equations of a curve of periodic solutions.
 ///
 /// With [`Condition::Secondary`] it is a one-parameter branch, with [`Condition::Multiplier`] a curve of saddle-node or
-/// period-doubling bifurcations, with [`Condition::InteriorGrazing`] a curve of grazing bifurcations of the MPS.
+/// period-doubling bifurcations, with [`Condition::InteriorGrazing`] a curve of grazing bifurcations of the solution.
 #[derive(Clone, Debug)]
 pub struct SolutionCurve<O> {
-    /// The equations of the MPS.
+    /// The equations of the solution.
     pub equations: LoopEquations<O>,
     /// The condition that holds along the curve.
     pub condition: Condition,
@@ -98,12 +98,12 @@ pub struct Route<'a> {
 /// is to be left.
 pub type Pace<'a> = dyn Fn(&[CurvePoint], &Unknowns) -> Option<f64> + Sync + 'a;
 
-/// Something happens to the MPS at a point of the curve besides the curve's own condition.
+/// Something happens to the solution at a point of the curve besides the curve's own condition.
 #[derive(Clone, Debug)]
 pub struct Event {
     /// The further condition that holds there.
     pub condition: Condition,
-    /// The MPS there, located by Newton's method on both conditions.
+    /// The solution there, located by Newton's method on both conditions.
     pub solution: PeriodicSolution,
     /// Index of the first point of the curve beyond the event.
     pub index: usize,
@@ -138,13 +138,13 @@ pub enum CurveEnd {
 /// A point of a curve.
 #[derive(Clone, Debug)]
 pub struct CurvePoint {
-    /// The MPS.
+    /// The solution.
     pub solution: PeriodicSolution,
     /// The event times there.
     pub times: EventTimes,
 }
 
-/// A curve of MPSs that has been followed to its end.
+/// A curve of periodic solutions that has been followed to its end.
 #[derive(Clone, Debug)]
 pub struct Curve {
     /// The condition that holds along it.

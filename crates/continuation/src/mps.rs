@@ -87,15 +87,15 @@ pub struct LoopPair {
 }
 
 impl<O: ImpactOscillator> LoopEquations<O> {
-    /// The equations of MPSs with `loops` = p ≥ 1 loops; the oscillator's own parameters do not matter.
+    /// The equations of MPSs with `loops` = p ≥ 1 loops, or, whatever the formulation, of periodic solutions without impacts (p = 0); the
+    /// oscillator's own parameters do not matter.
     pub fn new(oscillator: O, loops: u32, formulation: Formulation) -> Self {
-        assert!(loops >= 1, "an MPS has at least one loop");
         Self { oscillator, loops, formulation, units: [1.0; 2] }
     }
 
     /// The equations of periodic solutions without impacts; in lengths of steps μ and η are counted in these units.
     pub fn without_impacts(oscillator: O, units: [f64; 2]) -> Self {
-        Self { oscillator, loops: 0, formulation: Formulation::FixedPhase, units }
+        Self { units, ..Self::new(oscillator, 0, Formulation::FixedPhase) }
     }
 
     /// The number of loops p; 0 without impacts.

@@ -6,7 +6,7 @@ use grazing_model::ImpactOscillator;
 use grazing_model::maps::MapError;
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
 use grazing_theorems::resonant_theorem::BifurcationCurve;
-use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side};
+use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint};
 
 use crate::bifurcation::Pair;
 use crate::curve::{Curve, CurveEnd, Event, Route, SolutionCurve};
@@ -195,10 +195,6 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
             Condition::Multiplier(multiplier) if multiplier < 0.0 => self.theorem.period_doubling(),
             _ => self.theorem.saddle_node(),
         };
-        let sign = match curve.eta_side {
-            Side::Negative => -1.0,
-            _ => 1.0,
-        };
         Unknowns::new(
             curve.impact_velocity_slope,
             self.orbit.phase_slope() + curve.impact_phase_slope,
@@ -206,7 +202,7 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
             1.0,
         )
         .normalize()
-            * sign
+            * curve.eta_side.signum()
     }
 
     /// The SN or PD curve that leaves the resonance.

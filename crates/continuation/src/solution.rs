@@ -74,7 +74,8 @@ impl Stability {
     }
 }
 
-/// A zero of the equations, seen as an orbit: an MPS, or a periodic solution without impacts.
+/// A periodic solution, which is a zero of the equations: a maximal periodic solution (MPS) of the
+/// paper for p ≥ 1, motion without impacts for p = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PeriodicSolution {
     /// The number of loops p; 0 without impacts.

@@ -65,9 +65,9 @@ impl Job for CutJob<'_> {
         // As in the diagrams that a file asks for, but fewer values: it is to be looked at at once.
         let sampling = Sampling { values: 160, recorded: 16, ..SAMPLING };
         let line = line.without_dimensions(&axes.units);
-        let section = Cut::follow(oscillator, scope, &[], line, events)?;
-        events.send("branches", &event(&section.diagram().in_units(&axes.units)));
-        Some(section.simulated(&sampling, &[], events).in_units(&axes.units))
+        let cut = Cut::follow(oscillator, scope, &[], line, events)?;
+        events.send("branches", &event(&cut.diagram().in_units(&axes.units)));
+        Some(cut.simulated(&sampling, &[], events).in_units(&axes.units))
     }
 }
 

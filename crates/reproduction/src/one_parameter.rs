@@ -32,8 +32,8 @@ pub(crate) fn diagrams(
         let subject = |across: &f64| Subject { across: across / unit, loops: None };
         let subjects: Vec<Subject> = setting.portraits.iter().map(subject).collect();
         let sampling = Sampling { seed, ..SAMPLING };
-        let section = Cut::follow(&oscillator, &scope, curves, line, progress);
-        let found = section.map(|section| section.simulated(&sampling, &subjects, progress).in_units(&units));
+        let cut = Cut::follow(&oscillator, &scope, curves, line, progress);
+        let found = cut.map(|cut| cut.simulated(&sampling, &subjects, progress).in_units(&units));
         let missing = match &found {
             None => Some(format!("one-parameter diagram {diagram}")),
             Some(found) if found.resting.is_none() => {

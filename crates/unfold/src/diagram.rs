@@ -248,11 +248,10 @@ impl<O: ImpactOscillator> Diagram<O> {
         progress: &dyn Progress,
         finished: &(dyn Fn(usize, &[DiagramCurve]) + Sync),
     ) -> Vec<Followed> {
-        let what = CURVES;
         let route = drawn(self.scope.window);
         let points: Vec<_> =
             self.resonances.iter().enumerate().filter(|(_, found)| found.theorem.is_ok()).collect();
-        progress.begin(what, points.len() as u64);
+        progress.begin(CURVES, points.len() as u64);
         let followed = points
             .into_par_iter()
             .filter_map(|(index, resonance)| {
@@ -265,11 +264,11 @@ impl<O: ImpactOscillator> Diagram<O> {
                     return None;
                 }
                 finished(index, &followed.curves);
-                progress.step(what);
+                progress.step(CURVES);
                 Some(followed)
             })
             .collect();
-        progress.end(what);
+        progress.end(CURVES);
         followed
     }
 }

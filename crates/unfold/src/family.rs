@@ -14,7 +14,7 @@
 
 use core::f64::consts::TAU;
 
-use grazing_continuation::arclength::{Continuation, CurveEquations, StepControl};
+use grazing_continuation::arclength::{Continuation, CurveEquations, StepControl, across};
 use grazing_continuation::mps::PeriodicSolution;
 use grazing_continuation::newton::Linearisation;
 use grazing_continuation::regula_falsi::zero_between;
@@ -25,7 +25,7 @@ use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity};
 use grazing_theorems::{ResonantGrazing, ResonantPoint};
 use nalgebra::{Matrix4, Vector3, Vector4};
 
-use crate::edges::{located, on_the_edge};
+use crate::edges::on_the_edge;
 use crate::resonances::Resonance;
 use crate::tolerances::BETWEEN_RESONANCES;
 use crate::{Diagram, Scope};
@@ -179,7 +179,7 @@ impl<O: ImpactOscillator> Path<'_, O> {
         let (chord, size) = (to - from, values[0].abs() + values[1].abs());
         let at = |share: f64| {
             let near = from + chord * share;
-            let point = located(self, near, &chord, &near).ok_or(())?;
+            let point = across(self, near, &chord, &near).ok_or(())?.point;
             let value = function(&point).ok_or(())?;
             Ok::<_, ()>(((point, value), value))
         };
@@ -297,7 +297,7 @@ impl<O: ImpactOscillator> Path<'_, O> {
                 } else if from.falls(chord.norm()) && to.falls(-chord.norm()) {
                     let beside = |point: &Coordinates, share: f64| {
                         let near = point + chord * share;
-                        value(&located(self, near, &chord, &near)?)
+                        value(&across(self, near, &chord, &near)?.point)
                     };
                     let step = RATE / chord.norm();
                     let rate = |point: &Coordinates| Some(beside(point, step)? - beside(point, -step)?);

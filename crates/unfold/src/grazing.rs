@@ -5,7 +5,7 @@
 
 use core::f64::consts::TAU;
 
-use grazing_continuation::arclength::{CurveEquations, Stall, StepControl, Tangent, Walk, WalkEnd};
+use grazing_continuation::arclength::{CurveEquations, Stall, StepControl, Tangent, Walk, WalkEnd, across};
 use grazing_continuation::mps::{Multipliers, PeriodicSolution, unknown};
 use grazing_continuation::newton::Linearisation;
 use grazing_model::maps::{MapError, global_map};
@@ -16,7 +16,7 @@ use grazing_theorems::from_map::{GrazingOrbit, GrazingPlace};
 use nalgebra::{Matrix2, Matrix3, Vector3};
 
 use crate::Scope;
-use crate::edges::{located, on_the_edge};
+use crate::edges::on_the_edge;
 
 /// A point of a grazing curve.
 #[derive(Clone, Debug)]
@@ -150,8 +150,8 @@ impl HighestPoint {
         let equations = GrazingEquations { oscillator, scope, height };
         let [primary, secondary] = scope.window.shares(parameters);
         let near = Vector3::new(phase, primary, secondary);
-        let across = if held == unknown::PRIMARY { Vector3::y() } else { Vector3::z() };
-        let point = located(&equations, near, &across, &near)?;
+        let direction = if held == unknown::PRIMARY { Vector3::y() } else { Vector3::z() };
+        let point = across(&equations, near, &direction, &near)?.point;
         let oscillator = equations.oscillator_at(&point);
         let found = Self { height, phase: point[0], parameters: oscillator.parameters() };
         let turns_back = oscillator.acceleration(State::at_rest(height, found.phase)) < 0.0;
@@ -279,7 +279,7 @@ impl<O: ImpactOscillator> GrazingEquations<'_, O> {
     /// The point of the curve half the way on from a point.
     fn middle(&self, from: &GrazingState<O>, gap: &Vector3<f64>) -> Option<GrazingState<O>> {
         let half = self.scope.place(&from.orbit) + gap * 0.5;
-        let point = located(self, half, gap, &half)?;
+        let point = across(self, half, gap, &half)?.point;
         if (point - half).norm() > 0.5 * gap.norm() {
             return None;
         }

@@ -33,8 +33,6 @@ pub(crate) struct NonImpacting<O> {
     pub(crate) unfinished: Vec<Unfinished>,
 }
 
-/// Every so many of the slices motion is left to relax from rest, which finds branches to which grazing does not lead.
-const RELAXED_EVERY: usize = 2;
 /// The stage of the search.
 const STAGE: &str = "motion without impacts";
 
@@ -47,14 +45,12 @@ pub(crate) fn find<O: ImpactOscillator>(
     scope: &Scope,
     progress: &dyn Progress,
 ) -> Result<NonImpacting<O>, UnfoldError> {
-    let levels = regions::levels(scope.window).into_iter().enumerate();
-    let (relaxed, between): (Vec<_>, Vec<_>) = levels.partition(|(k, _)| k % RELAXED_EVERY == 0);
+    // On every other slice motion is left to relax from rest, which finds branches to which grazing does not lead.
+    let levels = regions::levels(scope.window);
     let [relaxed, between] =
-        [relaxed, between].map(|part| part.into_iter().map(|(_, secondary)| secondary).collect::<Vec<_>>());
-    progress.begin(STAGE, relaxed.len() as u64);
-    let found = on_slices(oscillator, scope, &relaxed, &between, progress);
-    progress.end(STAGE);
-    found
+        [0, 1].map(|first| levels.iter().copied().skip(first).step_by(2).collect::<Vec<_>>());
+    progress
+        .during(STAGE, relaxed.len() as u64, || on_slices(oscillator, scope, &relaxed, &between, progress))
 }
 
 /// The same from slices on which motion is left to relax from rest, and others between them.

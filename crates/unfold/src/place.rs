@@ -238,8 +238,9 @@ impl Place {
             (!progress.stopped()).then(|| (states, Outcome::of(oscillator, from, horizon)))
         });
         let outcomes: Vec<(u32, Outcome)> = outcomes.collect::<Option<_>>()?;
-        let mut solutions = non_impacting(oscillator, outcomes.iter().map(|(_, outcome)| outcome));
-        let mut found = found();
+        let free = non_impacting(oscillator, outcomes.iter().map(|(_, outcome)| outcome));
+        let mut found: Vec<(u32, Unknowns)> =
+            free.into_iter().map(|point| (0, point)).chain(found()).collect();
         // What motion comes to is a solution, too, even if nothing else led to it.
         for (_, one) in &outcomes {
             let near = one.fate.loops().filter(|loops| *loops > 0).zip(one.impacts.first());
@@ -249,9 +250,8 @@ impl Place {
             }
         }
         found.sort_by_key(|(loops, _)| *loops);
-        solutions.extend(
-            found.into_iter().map(|(loops, point)| Solution::of(&equations(oscillator, loops), &point)),
-        );
+        let solution = |(loops, point)| Solution::of(&equations(oscillator, loops), &point);
+        let solutions = found.into_iter().map(solution).collect();
         let mut different: Vec<(u32, &Outcome)> = Vec::new();
         for (states, one) in &outcomes {
             match different.iter_mut().find(|(_, known)| known.is_like(one)) {
@@ -271,27 +271,22 @@ impl Place {
 fn non_impacting<'a, O: ImpactOscillator>(
     oscillator: &O,
     outcomes: impl Iterator<Item = &'a Outcome>,
-) -> Vec<Solution> {
+) -> Vec<Unknowns> {
     let starts = outcomes.filter_map(|one| one.at_phase_zero).map(|state| [state.position, state.velocity]);
     let rest = [[0.0, 0.0], [-1.0, 0.0], [-0.5, 0.5], [-0.5, -0.5]];
-    let equations = equations(oscillator, 0);
-    let mut found: Vec<(Unknowns, Solution)> = Vec::new();
+    let mut found: Vec<Unknowns> = Vec::new();
     for [x, y] in starts.chain(rest) {
         let Some(orbit) = solved(oscillator, 0, &Vector2::new(x, y)) else { continue };
-        if found.iter().any(|(known, _)| (known - orbit).norm() < BETWEEN_ORBITS) {
-            continue;
+        if !found.iter().any(|known| (known - orbit).norm() < BETWEEN_ORBITS) {
+            found.push(orbit);
         }
-        found.push((orbit, Solution::of(&equations, &orbit)));
     }
-    found.into_iter().map(|(_, solution)| solution).collect()
+    found
 }
 
 /// The equations of solutions with p loops.
 fn equations<O: ImpactOscillator>(oscillator: &O, loops: u32) -> LoopEquations<O> {
-    match loops {
-        0 => LoopEquations::without_impacts(oscillator.clone(), [1.0; 2]),
-        _ => LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase),
-    }
+    LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase)
 }
 
 /// Velocity and phase of the impact of an MPS.

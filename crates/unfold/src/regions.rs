@@ -68,22 +68,22 @@ pub(crate) fn of_mps<O: ImpactOscillator>(
     nets: &mut [Net<O>],
     progress: &dyn Progress,
 ) -> Vec<Option<Vec<Region>>> {
-    let (window, what) = (scope.window, STAGE);
+    let window = scope.window;
     let levels = levels(window);
     let fastest = search::fastest(nets.iter().flat_map(|net| &net.curves).map(|curve| &curve.curve));
     let (oscillator, loops) = (grazing[0].states[0].orbit.oscillator(), &scope.loops);
-    progress.begin(what, nets.len() as u64);
+    progress.begin(STAGE, nets.len() as u64);
     let found = search::on_slices(oscillator, loops, window, &levels, fastest, progress);
     let regions = nets.par_iter_mut().map(|net| {
         let loops = net.loops();
         let found = found.iter().filter(|(p, _)| *p == loops).map(|(_, solution)| *solution).collect();
         let mut survey = Survey::new(net, scope, grazing, found);
         let regions = decided(window, &mut survey, &levels, progress);
-        progress.step(what);
+        progress.step(STAGE);
         (!progress.stopped()).then_some(regions)
     });
     let regions = regions.collect();
-    progress.end(what);
+    progress.end(STAGE);
     regions
 }
 

@@ -4,6 +4,7 @@ use grazing_continuation::curve::Window;
 use grazing_model::ImpactOscillator;
 
 use crate::Diagram;
+use crate::faces::range;
 
 /// A diagram that fills this share of a range or less is hard to read.
 const LITTLE: f64 = 0.1;
@@ -43,10 +44,8 @@ impl<O: ImpactOscillator> Diagram<O> {
             landmarks(&curve.curve.parameters().into_iter().map(share).collect::<Vec<_>>())
         });
         let inside = grazing.chain(points).chain(curves).filter(|share| (0.0..=1.0).contains(share));
-        inside.fold(None, |filled, share| {
-            let [from, to] = filled.unwrap_or([share; 2]);
-            Some([share.min(from), share.max(to)])
-        })
+        let [from, to] = range(inside);
+        (from <= to).then_some([from, to])
     }
 }
 

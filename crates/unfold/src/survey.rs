@@ -161,7 +161,7 @@ impl<'a, O: ImpactOscillator> Survey<'a, O> {
     }
 
     fn add_column(&mut self, column: Curve, progress: &dyn Progress) {
-        let events: Vec<Event> = bounding(self.net, &column, self.scope.window).collect();
+        let events = bounding(self.net, &column, self.scope.window);
         self.columns.push(column);
         self.explain(&events, progress);
     }
@@ -247,14 +247,10 @@ fn is_wide(border: &Border<'_>, window: Window) -> bool {
 }
 
 /// The bifurcations on a branch that bound good solutions.
-fn bounding<O: ImpactOscillator>(
-    net: &Net<O>,
-    branch: &Curve,
-    window: Window,
-) -> impl Iterator<Item = Event> + use<O> {
+fn bounding<O: ImpactOscillator>(net: &Net<O>, branch: &Curve, window: Window) -> Vec<Event> {
     let (_, borders) = stretches(&net.equations, branch);
     let wide = borders.into_iter().filter(|border| is_wide(border, window));
-    wide.filter_map(|border| border.event.cloned()).collect::<Vec<_>>().into_iter()
+    wide.filter_map(|border| border.event.cloned()).collect()
 }
 
 /// Whether a bifurcation on a slice or a column lies on a known curve.

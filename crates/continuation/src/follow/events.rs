@@ -1,4 +1,5 @@
-//! What happens to the solution along a curve: the functions that vanish at bifurcations, and their zeros on a step.
+//! What happens to the solution along a curve: the functions that vanish at bifurcations, and their
+//! zeros on a step.
 
 use grazing_model::ImpactOscillator;
 
@@ -23,7 +24,8 @@ pub(super) const INADMISSIBLE: usize = 2;
 /// Signs of the functions that vanish at the [`EVENTS`]; unknown where that was not looked at.
 pub(super) type Signs = [Option<bool>; EVENTS.len()];
 
-/// So far along the tangent the maxima of loops that touch the wall at y = 0 have left it by more than the tangent is off, and by more than rounding.
+/// So far along the tangent the maxima of loops that touch the wall at y = 0 have left it by more
+/// than the tangent is off, and by more than rounding.
 const BESIDE_GRAZING: f64 = 1e-6;
 
 /// What vanishes at a bifurcation that multipliers show.
@@ -35,7 +37,8 @@ pub(super) fn vanishing(event: Condition, stability: &Stability) -> Option<f64> 
     }
 }
 
-/// On a curve of fixed multiplier the other multiplier is positive or negative throughout: only grazing can happen there.
+/// On a curve of fixed multiplier the other multiplier is positive or negative throughout: only
+/// grazing can happen there.
 pub(super) fn signs(along: Condition, stability: &Stability, solution: &PeriodicSolution) -> Signs {
     EVENTS.map(|event| match vanishing(event, stability) {
         Some(value) => (!matches!(along, Condition::Multiplier(_))).then_some(value > 0.0),
@@ -55,12 +58,14 @@ impl<O: ImpactOscillator> SolutionCurve<O> {
         self.equations.has_impacts() && point[unknown::VELOCITY] == 0.0
     }
 
-    /// The signs at the start, unless it is itself a codimension-two point, where one of the functions vanishes.
+    /// The signs at the start, unless it is itself a codimension-two point, where one of the
+    /// functions vanishes.
     pub(super) fn starting_signs(&self, first: &CurveStation) -> Option<Signs> {
         let (mut solution, stability) = self.equations.solution_and_stability(&first.point);
         let at_grazing = self.is_at_grazing(&first.point);
         if at_grazing {
-            // The maxima of all loops touch the wall there; where they go from there is to be seen a little farther on.
+            // The maxima of all loops touch the wall there; where they go from there is to be seen
+            // a little farther on.
             solution = self.equations.solution(&(first.point + first.tangent * BESIDE_GRAZING));
         }
         let clear = match self.condition {
@@ -81,7 +86,8 @@ pub(super) struct Step<'a, O> {
 }
 
 impl<O: ImpactOscillator> Step<'_, O> {
-    /// All events on the step, in the order of the curve; `beyond` is the solution at its end, which is the curve's point of this index.
+    /// All events on the step, in the order of the curve; `beyond` is the solution at its end,
+    /// which is the curve's point of this index.
     pub(super) fn events(
         &self,
         past: Signs,
@@ -95,7 +101,8 @@ impl<O: ImpactOscillator> Step<'_, O> {
             let found = self.event(condition, beyond);
             match found.or_else(|failure| self.event_closer(event, past[event]).ok_or(failure)) {
                 Ok((solution, times)) => located.push(Event { condition, solution, index, times }),
-                // Where branches cross for the sake of a symmetry, or rest touches the wall, motion without impacts goes on.
+                // Where branches cross for the sake of a symmetry, or rest touches the wall, motion
+                // without impacts goes on.
                 Err(_) if !self.followed.equations.has_impacts() => {}
                 Err(failure) => return Err(CurveEnd::EventNotLocated { condition, failure }),
             }
@@ -117,7 +124,8 @@ impl<O: ImpactOscillator> Step<'_, O> {
         let mut near = (before.point + after.point) * 0.5;
         let mut sought = condition;
         if condition == Condition::InteriorGrazing {
-            // The maximum that crosses the wall is the highest one at whichever end is inadmissible.
+            // The maximum that crosses the wall is the highest one at whichever end is
+            // inadmissible.
             let solution = if beyond.touches() {
                 near = after.point;
                 *beyond
@@ -144,7 +152,8 @@ impl<O: ImpactOscillator> Step<'_, O> {
         Ok((equations.solution(&point), times))
     }
 
-    /// Locates an event that Newton's method does not find from the middle of the step: the step is cut about it, over and over.
+    /// Locates an event that Newton's method does not find from the middle of the step: the step is
+    /// cut about it, over and over.
     fn event_closer(&self, event: usize, past: Option<bool>) -> Option<(PeriodicSolution, EventTimes)> {
         let equations = &self.followed.equations;
         let comes_later = |middle: &CurveStation| {

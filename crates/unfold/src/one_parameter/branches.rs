@@ -14,6 +14,7 @@ use grazing_model::{ImpactOscillator, OnWall};
 use grazing_results::branches::{BranchBifurcation, BranchPoint};
 use nalgebra::Vector2;
 
+use crate::faces::range;
 use crate::stretches::{Vertex, vertices};
 
 /// A branch of periodic solutions at one η.
@@ -150,10 +151,7 @@ impl<O: ImpactOscillator> Branch<O> {
         };
         let mut stretches = Vec::new();
         for run in places.chunk_by(|a, b| shown(a) == shown(b)) {
-            let primaries = run.iter().map(|at| at.solution.parameters()[0]);
-            let [low, high] = primaries.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-                [low.min(value), high.max(value)]
-            });
+            let [low, high] = range(run.iter().map(|at| at.solution.parameters()[0]));
             if shown(&run[0]) && low < high {
                 stretches.push([low, high]);
             }

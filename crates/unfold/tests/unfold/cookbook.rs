@@ -47,7 +47,7 @@ fn the_oscillator_in_a_moving_frame_has_the_resonances_of_the_paper() {
     });
 }
 
-/// ReturnOutcome from the table the mass is driven by the force a (1 − ω²) cos ωt − 2 ζ a ω sin ωt, in units of gap and natural frequency: 𝒜 = a 𝒜_graz(ω),
+/// Seen from the table the mass is driven by the force a (1 − ω²) cos ωt − 2 ζ a ω sin ωt, in units of gap and natural frequency: 𝒜 = a 𝒜_graz(ω),
 /// so that 𝒜 = 𝒜_graz(ω) + c (ω − ω*)² + ... is a = 1 + c/𝒜_graz(ω*) (ω − ω*)² + ...
 #[test]
 fn the_mass_over_the_shaking_table_grazes_at_its_height_and_has_the_resonances_of_the_paper() {

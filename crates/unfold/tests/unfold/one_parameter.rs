@@ -33,8 +33,8 @@ fn on<O: ImpactOscillator>(
     values: u32,
     subjects: &[Subject],
 ) -> OneParameter {
-    let section = Cut::follow(oscillator, scope, &[], line, &Silent).expect("nobody stops it");
-    section.simulated(&sampling(values), subjects, &Silent)
+    let cut = Cut::follow(oscillator, scope, &[], line, &Silent).expect("nobody stops it");
+    cut.simulated(&sampling(values), subjects, &Silent)
 }
 
 /// The diagram of the paper's oscillator, integrated from its file, at the frequency of Figure 2.
