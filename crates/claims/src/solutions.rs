@@ -78,15 +78,10 @@ pub(crate) fn zero<O: ImpactOscillator>(grazing: &GrazingOrbit<O>, p: u32, mu: f
 
 /// What an MPS is in the hybrid system, followed from its impact.
 pub(crate) fn followed<O: ImpactOscillator>(equations: &LoopEquations<O>, point: &Unknowns) -> ReturnOutcome {
-    suspect(&equations.oscillator_at(point), equations.loops(), point).follow()
+    Suspect::of(&equations.oscillator_at(point), equations.loops(), point).follow()
 }
 
 /// Whether simulated orbits beside an MPS come nearer in the long run.
 pub(crate) fn attracts<O: ImpactOscillator>(equations: &LoopEquations<O>, point: &Unknowns) -> Option<bool> {
-    suspect(&equations.oscillator_at(point), equations.loops(), point).attracts()
-}
-
-/// The impact of an MPS, to be looked at in the hybrid system.
-pub(crate) fn suspect<'a, O>(oscillator: &'a O, loops: u32, point: &Unknowns) -> Suspect<'a, O> {
-    Suspect { oscillator, loops, velocity: point[unknown::VELOCITY], phase: point[unknown::PHASE] }
+    Suspect::of(&equations.oscillator_at(point), equations.loops(), point).attracts()
 }

@@ -161,7 +161,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     }
 
     /// The motion of the flight.
-    fn motion(&self, point: &Unknowns) -> O::Motion {
+    pub(crate) fn motion(&self, point: &Unknowns) -> O::Motion {
         self.oscillator_at(point).motion(self.departure(point))
     }
 
@@ -175,8 +175,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         times: &mut EventTimes,
     ) -> Result<LoopPair, MapError> {
         match self.formulation {
-            _ if !self.has_impacts() => self.stroboscopic_pair::<ORDER>(point, &self.motion(point)),
-            Formulation::Vivid => {
+            Formulation::Vivid if self.has_impacts() => {
                 let oscillator = self.oscillator_at(point);
                 let reset = oscillator.reset::<ORDER>(impact(point));
                 let [from_impact, from_recoil] = times.virtual_times;
@@ -192,24 +191,24 @@ impl<O: ImpactOscillator> LoopEquations<O> {
                 }
                 Ok(LoopPair::of(&jet, &ahead.jet))
             }
-            Formulation::FixedPhase => {
+            _ => {
                 let plane = *times.reference_phase.get_or_insert(point[unknown::PHASE]);
-                Ok(self.fixed_phase_pair::<ORDER>(point, plane))
+                self.pair_along::<ORDER>(point, plane, &self.motion(point))
             }
         }
     }
 
-    /// The two maps to the plane of constant phase `plane`, which exist at every point.
-    pub(crate) fn fixed_phase_pair<const ORDER: usize>(&self, point: &Unknowns, plane: f64) -> LoopPair {
-        self.fixed_phase_pair_along::<ORDER>(point, plane, &self.motion(point))
-    }
-
-    /// The flow over a forcing period beside the identity; none where motion goes far away.
-    fn stroboscopic_pair<const ORDER: usize>(
+    /// The two maps to the plane of constant phase `plane`, the motion of the flight being at hand. Without impacts they are the flow
+    /// over a forcing period and the identity, and there are none where motion goes far away.
+    fn pair_along<const ORDER: usize>(
         &self,
         point: &Unknowns,
+        plane: f64,
         motion: &O::Motion,
     ) -> Result<LoopPair, MapError> {
+        if self.has_impacts() {
+            return Ok(self.fixed_phase_pair::<ORDER>(point, plane, motion));
+        }
         let (oscillator, from) = (self.oscillator_at(point), at_phase_zero(point));
         let around = maps::to_phase::<O, ORDER, _>(&oscillator, motion, from.at_phase_zero(), TAU);
         let size = around.value.norm();
@@ -220,8 +219,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         Ok(LoopPair::of(&around, &MapJet::identity(from)))
     }
 
-    /// The same with the motion from the recoil at hand.
-    fn fixed_phase_pair_along<const ORDER: usize>(
+    /// The same of an MPS, whose maps exist at every point.
+    pub(crate) fn fixed_phase_pair<const ORDER: usize>(
         &self,
         point: &Unknowns,
         plane: f64,
@@ -295,12 +294,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// The same with what its multipliers were read off.
     pub(crate) fn solution_and_stability(&self, point: &Unknowns) -> (PeriodicSolution, Stability) {
         let motion = self.motion(point);
-        let stability = match self.has_impacts() {
-            true => self.fixed_phase_pair_along::<1>(point, point[unknown::PHASE], &motion).stability(),
-            false => self
-                .stroboscopic_pair::<1>(point, &motion)
-                .map_or(Stability::UNKNOWN, |pair| pair.stability()),
-        };
+        let pair = self.pair_along::<1>(point, point[unknown::PHASE], &motion);
+        let stability = pair.map_or(Stability::UNKNOWN, |pair| pair.stability());
         (self.orbit(point, &motion, stability.multipliers), stability)
     }
 
@@ -308,7 +303,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// limits.
     pub fn limiting_solution(&self, point: &Unknowns, tangent: &Unknowns) -> PeriodicSolution {
         let motion = self.motion(point);
-        let pair = self.fixed_phase_pair_along::<2>(point, point[unknown::PHASE], &motion);
+        let pair = self.fixed_phase_pair::<2>(point, point[unknown::PHASE], &motion);
         let flight = self.flight(point);
         // The orbit begins and ends at a maximum; neither is an interior one.
         let ends = END * flight;

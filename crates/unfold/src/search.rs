@@ -322,7 +322,7 @@ mod tests {
         let found = on_slices(&oscillator, &[1, 2], window, &slices, 2.0, &Silent);
         for (loops, zero) in &found {
             let here = oscillator.with_parameters([zero[2], zero[3]]);
-            let suspect = Suspect { oscillator: &here, loops: *loops, velocity: zero[0], phase: zero[1] };
+            let suspect = Suspect::of(&here, *loops, zero);
             let solution = LoopEquations::new(here, *loops, Formulation::FixedPhase).solution(zero);
             assert_eq!(suspect.follow() == ReturnOutcome::Returns, solution.admissible(), "{loops}: {zero}");
         }

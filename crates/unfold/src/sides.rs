@@ -13,7 +13,7 @@ use core::fmt;
 use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::fit::Measurement;
 use grazing_continuation::locate::{Condition, LocateFailure, locate};
-use grazing_continuation::mps::{EventTimes, Unknowns, unknown};
+use grazing_continuation::mps::{EventTimes, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
 
@@ -258,12 +258,12 @@ impl Sides {
         });
 
         let oscillators = solutions.map(|solution| equations.oscillator_at(&solution));
-        let suspects = [0, 1].map(|k| suspect(&oscillators[k], point.loops(), &solutions[k]));
+        let suspects = [0, 1].map(|k| Suspect::of(&oscillators[k], point.loops(), &solutions[k]));
         let gone_beyond = if kind == Bifurcation::SaddleNode {
             let mut beyond = middle;
             // As far to the other side of the curve as the MPSs lie on theirs.
             beyond[unknown::PRIMARY] -= solutions[1][unknown::PRIMARY] - middle[unknown::PRIMARY];
-            let attracts = suspect(&equations.oscillator_at(&beyond), point.loops(), &beyond).attracts();
+            let attracts = Suspect::of(&equations.oscillator_at(&beyond), point.loops(), &beyond).attracts();
             attracts.map(|attracts| !attracts)
         } else {
             Some(true)
@@ -276,8 +276,4 @@ impl Sides {
             gone_beyond,
         })
     }
-}
-
-fn suspect<'a, O: ImpactOscillator>(oscillator: &'a O, loops: u32, at: &Unknowns) -> Suspect<'a, O> {
-    Suspect { oscillator, loops, velocity: at[unknown::VELOCITY], phase: at[unknown::PHASE] }
 }

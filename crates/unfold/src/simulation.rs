@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use grazing_continuation::mps::flight_time;
+use grazing_continuation::mps::{Unknowns, flight_time, unknown};
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, OnWall, State};
 use nalgebra::{Matrix2, Vector2};
@@ -41,7 +41,12 @@ const PART: f64 = 3e-4;
 /// How often a perturbed orbit is followed through p forcing periods before its fate counts as undecided.
 pub const MOST_RETURNS: usize = 5_000;
 
-impl<O: ImpactOscillator> Suspect<'_, O> {
+impl<'a, O: ImpactOscillator> Suspect<'a, O> {
+    /// The impact of a point (y, z, μ, η).
+    pub fn of(oscillator: &'a O, loops: u32, point: &Unknowns) -> Self {
+        Self { oscillator, loops, velocity: point[unknown::VELOCITY], phase: point[unknown::PHASE] }
+    }
+
     /// Time from recoil to impact if it is an MPS: p forcing periods less what passes during the impact.
     fn flight(&self) -> f64 {
         let reset = self.oscillator.reset::<1>(OnWall::new(self.velocity, self.phase)).value;

@@ -1,8 +1,8 @@
 //! What is seen of any oscillator of the class at grazing, without closed forms.
 
-use crate::solutions::suspect;
 use crate::sweep::generic::small_velocity;
 use crate::*;
+use grazing_unfold::simulation::Suspect;
 
 /// On which side of a generic grazing bifurcation simulation sees the MPS that the VIVID function has a zero for.
 pub(crate) fn side_of_orbit<O: ImpactOscillator>(
@@ -51,7 +51,7 @@ pub(super) fn side_of_curve<O: ImpactOscillator>(
         for (beside, share) in beside.iter_mut().zip([0.7, 1.3]) {
             let mps = at_velocity(&equations, &zero, share * velocity).ok_or("no MPS beside a curve")?;
             let oscillator = equations.oscillator_at(&mps);
-            let suspect = suspect(&oscillator, loops, &mps);
+            let suspect = Suspect::of(&oscillator, loops, &mps);
             if suspect.follow() == ReturnOutcome::Returns {
                 *beside = suspect.multipliers().map(|[t, d]| 1.0 - multiplier * t + d > 0.0);
             }
