@@ -35,7 +35,7 @@ use grazing_continuation::curve::{Route, Window};
 use grazing_continuation::fit::quadratic_coefficient;
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{
-    EventTimes, Formulation, LoopEquations, LoopPair, MaximalPeriodicSolution, Multipliers, Unknowns, unknown,
+    EventTimes, Formulation, LoopEquations, LoopPair, Multipliers, PeriodicSolution, Unknowns, unknown,
 };
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::maps::{MapError, discontinuity_map, global_iterate, global_map, virtual_map};
@@ -53,7 +53,7 @@ use grazing_theorems::hypothesis::Quantity;
 use grazing_theorems::{
     GenericGrazing, GrazingPoint, GrazingState, LinearisedMap, Resonance, ResonantPoint, Side,
 };
-use grazing_unfold::simulation::Seen;
+use grazing_unfold::simulation::ReturnOutcome;
 use nalgebra::{Complex, Matrix2, Vector2};
 
 use convergence::{Observed, SLACK_AT_GRAZING, lowest, order, remembered, seam, together, uniform_order};

@@ -2,7 +2,7 @@
 
 use crate::*;
 use grazing_continuation::arclength::Stall;
-use grazing_continuation::curve::{Curve, MpsCurve};
+use grazing_continuation::curve::{Curve, SolutionCurve};
 use grazing_continuation::locate::locate;
 use grazing_unfold::simulation::Suspect;
 
@@ -26,7 +26,7 @@ pub(crate) fn branch<O: ImpactOscillator>(
 ) -> Result<Curve, Stall<MapError>> {
     let [primary, secondary] = oscillator.parameters();
     let equations = LoopEquations::new(oscillator.clone(), p, Formulation::Vivid);
-    let curve = MpsCurve { equations, condition: Condition::Secondary(secondary) };
+    let curve = SolutionCurve { equations, condition: Condition::Secondary(secondary) };
     let start = Unknowns::new(0.0, phase, primary, secondary);
     curve.follow(start, Unknowns::new(1.0, 0.0, 0.0, 0.0), EventTimes::default(), route)
 }
@@ -77,16 +77,11 @@ pub(crate) fn zero<O: ImpactOscillator>(grazing: &GrazingOrbit<O>, p: u32, mu: f
 }
 
 /// What an MPS is in the hybrid system, followed from its impact.
-pub(crate) fn followed<O: ImpactOscillator>(equations: &LoopEquations<O>, point: &Unknowns) -> Seen {
-    suspect(&equations.oscillator_at(point), equations.loops(), point).follow()
+pub(crate) fn followed<O: ImpactOscillator>(equations: &LoopEquations<O>, point: &Unknowns) -> ReturnOutcome {
+    Suspect::of(&equations.oscillator_at(point), equations.loops(), point).follow()
 }
 
 /// Whether simulated orbits beside an MPS come nearer in the long run.
 pub(crate) fn attracts<O: ImpactOscillator>(equations: &LoopEquations<O>, point: &Unknowns) -> Option<bool> {
-    suspect(&equations.oscillator_at(point), equations.loops(), point).attracts()
-}
-
-/// The impact of an MPS, to be looked at in the hybrid system.
-pub(crate) fn suspect<'a, O>(oscillator: &'a O, loops: u32, point: &Unknowns) -> Suspect<'a, O> {
-    Suspect { oscillator, loops, velocity: point[unknown::VELOCITY], phase: point[unknown::PHASE] }
+    Suspect::of(&equations.oscillator_at(point), equations.loops(), point).attracts()
 }

@@ -10,7 +10,7 @@ use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
 use grazing_theorems::Side;
 use grazing_theorems::auxiliary::detuning;
-use grazing_unfold::simulation::{Seen, Suspect};
+use grazing_unfold::simulation::{ReturnOutcome, Suspect};
 
 #[test]
 fn the_cases_go_to_where_the_theorems_change_their_minds() {
@@ -117,7 +117,7 @@ fn a_blind_search_by_simulation_finds_the_orbit_on_its_side_and_none_on_the_othe
         let (there, oscillator) = search(mu);
         assert_eq!(there.len(), 1, "p = {loops}, {fraction}: {there:?}");
         let suspect = Suspect { oscillator: &oscillator, loops, velocity: there[0][0], phase: there[0][1] };
-        assert_eq!(suspect.follow(), Seen::Returns);
+        assert_eq!(suspect.follow(), ReturnOutcome::Returns);
         let exact = solutions.at(mu)[0];
         // Newton's method stops at steps of 1e-7 of the scale.
         assert!((there[0][0] / exact.velocity - 1.0).abs() < 1e-5, "{there:?} {exact:?}");

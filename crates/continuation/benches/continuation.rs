@@ -8,7 +8,7 @@ use core::hint::black_box;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
+use grazing_continuation::curve::{Curve, Route, SolutionCurve, Window};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_continuation::resonance::ResonantGrazingPoint;
@@ -24,7 +24,7 @@ const EPSILON: f64 = 0.9;
 
 /// A curve that is ready to be followed.
 struct Start<O> {
-    curve: MpsCurve<O>,
+    curve: SolutionCurve<O>,
     point: Unknowns,
     direction: Unknowns,
     route: Route<'static>,
@@ -92,7 +92,7 @@ fn one_parameter_branch(bencher: Bencher<'_, '_>, p: u32, formulation: Formulati
     let theory = grazing_theorems::LinearOscillator::new(ZETA, EPSILON).unwrap();
     let grazing = theory.grazing(OMEGA).unwrap();
     let start = Start {
-        curve: MpsCurve {
+        curve: SolutionCurve {
             equations: LoopEquations::new(grazing.model(), p, formulation),
             condition: Condition::Secondary(OMEGA),
         },
@@ -176,7 +176,7 @@ fn point_of_a_saddle_node_curve_of_an_integrated_oscillator(
     let resonance = ResonantGrazingPoint::find(&oscillator, 1, -0.3).unwrap();
     let condition = Condition::SADDLE_NODE;
     let start = Start {
-        curve: MpsCurve { equations: resonance.equations().with_formulation(formulation), condition },
+        curve: SolutionCurve { equations: resonance.equations().with_formulation(formulation), condition },
         point: resonance.unknowns(),
         direction: resonance.direction(condition),
         route: route([0.3, 1.0], [0.7, 0.8], true),

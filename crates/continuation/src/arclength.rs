@@ -16,7 +16,7 @@ use core::f64::consts::TAU;
 use nalgebra::{Const, DimMin, LU, SVector};
 
 use crate::newton::{self, Linearisation, NewtonFailure};
-use crate::tolerances::{self, CORRECTIONS, FARTHEST_CORRECTION};
+use crate::tolerances::{self, CORRECTIONS, EVALUATIONS, FARTHEST_CORRECTION};
 
 /// N − 1 smooth equations in N unknowns.
 pub trait CurveEquations<const N: usize> {
@@ -145,8 +145,7 @@ where
         let linearisation = in_units(equations, &units, &counted, &mut carried)
             .map_err(|cause| stall(NewtonFailure::Undefined { iteration: 1, cause }))?;
         let residual = linearisation.residual.norm();
-        let mut bordered = linearisation.jacobian;
-        bordered.set_row(N - 1, &direction.component_div(&units).transpose());
+        let bordered = linearisation.bordered(0.0, &direction.component_div(&units)).jacobian;
         let tangent =
             tangent(&bordered.lu()).ok_or(stall(NewtonFailure::Singular { iteration: 1, residual }))?;
         equations.settle(&start, &mut carried);
@@ -226,10 +225,8 @@ where
         let mut carried = self.here.carried.clone();
         let corrected = |near: SVector<f64, N>, tolerance: f64, carried: &mut C::Carried| {
             newton::solve_within(FARTHEST_CORRECTION * self.step, tolerance, near, CORRECTIONS, |point| {
-                let mut bordered = in_units(self.equations, &self.units, point, carried)?;
-                bordered.residual[N - 1] = along.dot(&(point - origin)) - self.step;
-                bordered.jacobian.set_row(N - 1, &along.transpose());
-                Ok(bordered)
+                let system = in_units(self.equations, &self.units, point, carried)?;
+                Ok(system.bordered(along.dot(&(point - origin)) - self.step, along))
             })
         };
         let mut solution = corrected(self.predict(), self.control.tolerance, &mut carried)?;
@@ -257,6 +254,24 @@ fn in_units<const N: usize, C: CurveEquations<N>>(
         column.scale_mut(*unit);
     }
     Ok(linearisation)
+}
+
+/// The point of a curve near another in the plane across a direction that goes through a third; none where Newton's method fails.
+pub fn across<const N: usize, C: CurveEquations<N, Carried: Default>>(
+    equations: &C,
+    near: SVector<f64, N>,
+    direction: &SVector<f64, N>,
+    through: &SVector<f64, N>,
+) -> Option<newton::Solution<N>>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    let mut carried = C::Carried::default();
+    let found = newton::solve(near, EVALUATIONS, |point| {
+        let system = equations.evaluate(point, &mut carried)?;
+        Ok::<_, C::Failure>(system.bordered(direction.dot(&(point - through)), direction))
+    });
+    found.ok()
 }
 
 /// How a curve ends that is followed through a window.
@@ -300,7 +315,7 @@ where
 {
     /// The points from `start` to both sides, in the order of `direction`, and how they end before the first and after the last.
     ///
-    /// `leaves` is told the last point and the next with its tangent. Where the curve leaves the window between the two it gives the point on
+    /// `leaves` gets the last point and the next with its tangent. Where the curve leaves the window between the two it gives the point on
     /// the edge.
     ///
     /// # Errors

@@ -115,7 +115,7 @@ fn flipping<O: ThirdOrder>(
     if point[unknown::VELOCITY] == 0.0 {
         return Err(CriticalityError::Grazing);
     }
-    let pair = equations.fixed_phase_pair::<1>(point, point[unknown::PHASE]);
+    let pair = equations.fixed_phase_pair::<1>(point, point[unknown::PHASE], &equations.motion(point));
     let distance = (pair.round_trip.value - pair.impact.value).norm();
     if distance.is_nan() || distance > LOCATED {
         return Err(CriticalityError::NotPeriodic { distance });

@@ -1,26 +1,26 @@
-//! Branches and bifurcation curves of MPSs: V = 0 and one condition, followed by pseudo-arclength.
+//! Branches and bifurcation curves of periodic solutions: V = 0 and one condition, followed by pseudo-arclength.
 
 use grazing_model::maps::MapError;
 use grazing_model::{AnyOscillator, ImpactOscillator};
 
 use crate::arclength::{CurveEquations, Stall, StepControl};
 use crate::locate::{Condition, LocateFailure, conditioned};
-use crate::mps::{EventTimes, LoopEquations, MaximalPeriodicSolution, Unknowns};
+use crate::mps::{EventTimes, LoopEquations, PeriodicSolution, Unknowns};
 use crate::newton::Linearisation;
 
-/// The equations of a curve of MPSs.
+/// The equations of a curve of periodic solutions.
 ///
 /// With [`Condition::Secondary`] it is a one-parameter branch, with [`Condition::Multiplier`] a curve of saddle-node or
-/// period-doubling bifurcations, with [`Condition::InteriorGrazing`] a curve of grazing bifurcations of the MPS.
+/// period-doubling bifurcations, with [`Condition::InteriorGrazing`] a curve of grazing bifurcations of the solution.
 #[derive(Clone, Debug)]
-pub struct MpsCurve<O = AnyOscillator> {
-    /// The equations of the MPS.
+pub struct SolutionCurve<O = AnyOscillator> {
+    /// The equations of the solution.
     pub equations: LoopEquations<O>,
     /// The condition that holds along the curve.
     pub condition: Condition,
 }
 
-impl<O: ImpactOscillator> CurveEquations<4> for MpsCurve<O> {
+impl<O: ImpactOscillator> CurveEquations<4> for SolutionCurve<O> {
     type Carried = EventTimes;
     type Failure = MapError;
 
@@ -98,13 +98,13 @@ pub struct Route<'a> {
 /// is to be left.
 pub type Pace<'a> = dyn Fn(&[CurvePoint], &Unknowns) -> Option<f64> + Sync + 'a;
 
-/// Something happens to the MPS at a point of the curve besides the curve's own condition.
+/// Something happens to the solution at a point of the curve besides the curve's own condition.
 #[derive(Clone, Debug)]
 pub struct Event {
     /// The further condition that holds there.
     pub condition: Condition,
-    /// The MPS there, located by Newton's method on both conditions.
-    pub solution: MaximalPeriodicSolution,
+    /// The solution there, located by Newton's method on both conditions.
+    pub solution: PeriodicSolution,
     /// Index of the first point of the curve beyond the event.
     pub index: usize,
     /// The event times there: another curve can start from them.
@@ -138,13 +138,13 @@ pub enum CurveEnd {
 /// A point of a curve.
 #[derive(Clone, Debug)]
 pub struct CurvePoint {
-    /// The MPS.
-    pub solution: MaximalPeriodicSolution,
+    /// The solution.
+    pub solution: PeriodicSolution,
     /// The event times there.
     pub times: EventTimes,
 }
 
-/// A curve of MPSs that has been followed to its end.
+/// A curve of periodic solutions that has been followed to its end.
 #[derive(Clone, Debug)]
 pub struct Curve {
     /// The condition that holds along it.
@@ -155,7 +155,7 @@ pub struct Curve {
     pub events: Vec<Event>,
     /// Why it ends.
     pub end: CurveEnd,
-    /// Why it begins where it does, if that was not given but found: [`MpsCurve::follow_both_ways`].
+    /// Why it begins where it does, if that was not given but found: [`SolutionCurve::follow_both_ways`].
     pub beginning: Option<CurveEnd>,
 }
 

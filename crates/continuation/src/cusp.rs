@@ -6,8 +6,9 @@
 use grazing_model::ImpactOscillator;
 use nalgebra::{Vector2, Vector4};
 
-use crate::curve::{Curve, Event};
-use crate::locate::{Condition, across_chord};
+use crate::arclength::across;
+use crate::curve::{Curve, Event, SolutionCurve};
+use crate::locate::Condition;
 use crate::mps::{EventTimes, LoopEquations, Unknowns, unknown};
 use crate::regula_falsi::zero_between;
 use crate::tolerances::{AT_CUSP, IN_THE_PLANE};
@@ -36,8 +37,10 @@ fn turning_point<O: ImpactOscillator>(
     [a, b]: [Unknowns; 2],
     forwards: &Vector2<f64>,
 ) -> Option<Unknowns> {
+    let folds = SolutionCurve { equations: equations.clone(), condition: Condition::SADDLE_NODE };
     let at = |share: f64| {
-        let solution = across_chord(equations, Condition::SADDLE_NODE, [a, b], share).ok()?;
+        let start = a + (b - a) * share;
+        let solution = across(&folds, start, &(b - a).normalize(), &start)?;
         let tangent = in_plane(&solution.factors.solve(&Vector4::w())?.normalize());
         Some(((solution.point, tangent), tangent.dot(forwards)))
     };

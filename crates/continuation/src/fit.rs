@@ -82,7 +82,7 @@ const FIRST: f64 = 0.25;
 const DEEPEST: f64 = 1e-9;
 /// Halving the distance of the nodes divides truncation, of order eight at least, by hundreds, and leaves rounding as it is.
 const FALLING: f64 = 0.25;
-/// The nodes come nearer by this factor at least: what is far from y = 0 tells little of what is near.
+/// The nodes come nearer by this factor at least: what is far from y = 0 says little of what is near.
 const LONGEST: f64 = 1.0 / 16.0;
 /// An error that has grown from level to level this often grows for good.
 const GROWING: usize = 3;

@@ -8,13 +8,13 @@ use grazing_model::ImpactOscillator;
 use grazing_model::maps::MapError;
 
 use crate::arclength::{Continuation, FEWEST_OF_A_LOOP, Stall, back_at};
-use crate::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route};
+use crate::curve::{Curve, CurveEnd, CurvePoint, Event, Route, SolutionCurve};
 use crate::locate::Condition;
-use crate::mps::{EventTimes, MaximalPeriodicSolution, Multipliers, Unknowns, parameters, unknown};
+use crate::mps::{EventTimes, Multipliers, PeriodicSolution, Unknowns, parameters, unknown};
 use crate::tolerances::{LOST_MULTIPLIERS, LOST_POINTS, NO_VELOCITY, ON_TWO_CURVES};
-use events::{EVENTS, INADMISSIBLE, MpsStation, Signs, Step, changes, signs, vanishing};
+use events::{CurveStation, EVENTS, INADMISSIBLE, Signs, Step, changes, signs, vanishing};
 
-impl<O: ImpactOscillator> MpsCurve<O> {
+impl<O: ImpactOscillator> SolutionCurve<O> {
     /// Follows the curve from `start`, to the side of `direction`, until it ends.
     ///
     /// In the formulation of the equations, [`FixedPhase`](crate::mps::Formulation::FixedPhase) as a rule: where VIVID ends, the curve ends.
@@ -117,7 +117,7 @@ impl<O: ImpactOscillator> MpsCurve<O> {
     }
 
     /// The first point; at y = 0 its multipliers are limits along the tangent.
-    fn starting_point(&self, first: &MpsStation) -> CurvePoint {
+    fn starting_point(&self, first: &CurveStation) -> CurvePoint {
         let solution = if self.is_at_grazing(&first.point) {
             self.equations.limiting_solution(&first.point, &first.tangent)
         } else {
@@ -129,7 +129,7 @@ impl<O: ImpactOscillator> MpsCurve<O> {
 
 /// A curve in the making.
 struct Follower<'a, O> {
-    followed: &'a MpsCurve<O>,
+    followed: &'a SolutionCurve<O>,
     route: &'a Route<'a>,
     curve: Curve,
     signs: Option<Signs>,
@@ -137,12 +137,13 @@ struct Follower<'a, O> {
 
 impl<O: ImpactOscillator> Follower<'_, O> {
     /// Goes on until the curve ends (`None`) or no further point is found.
-    fn walk(&mut self, mut here: MpsStation) -> Option<Stall<MapError>> {
+    fn walk(&mut self, mut here: CurveStation) -> Option<Stall<MapError>> {
         let control = self.route.control;
-        let MpsCurve { equations, condition } = self.followed;
+        let SolutionCurve { equations, condition } = self.followed;
         // What happens on a sketch is located by itself, with all digits.
-        let rough =
-            control.sketches().then(|| MpsCurve { equations: equations.roughly(), condition: *condition });
+        let rough = control
+            .sketches()
+            .then(|| SolutionCurve { equations: equations.roughly(), condition: *condition });
         let walked = rough.as_ref().unwrap_or(self.followed);
         let walker = Continuation::new(walked, control, here.point, here.tangent, here.carried.clone());
         let mut walker = match walker {
@@ -177,7 +178,7 @@ impl<O: ImpactOscillator> Follower<'_, O> {
     }
 
     /// Takes in the next point, unless the curve ends before it.
-    fn accept(&mut self, before: &MpsStation, after: MpsStation) -> ControlFlow<CurveEnd> {
+    fn accept(&mut self, before: &CurveStation, after: CurveStation) -> ControlFlow<CurveEnd> {
         let equations = &self.followed.equations;
         let step = Step { followed: self.followed, control: self.route.control, before, after: &after };
         let velocity = after.point[unknown::VELOCITY];
@@ -209,8 +210,8 @@ impl<O: ImpactOscillator> Follower<'_, O> {
 
     /// The MPS at a point and the signs there; if the curve is sketched, as the corrector has left them, and admissibility only where
     /// it or the one before is stable.
-    fn solution_and_signs(&self, station: &MpsStation) -> (MaximalPeriodicSolution, Signs) {
-        let MpsCurve { equations, condition } = self.followed;
+    fn solution_and_signs(&self, station: &CurveStation) -> (PeriodicSolution, Signs) {
+        let SolutionCurve { equations, condition } = self.followed;
         match station.carried.stability.filter(|_| self.route.control.sketches()) {
             Some(stability) => {
                 let before = self.curve.points.last().is_some_and(|point| point.solution.stable());
@@ -229,7 +230,7 @@ impl<O: ImpactOscillator> Follower<'_, O> {
 
     /// Whether something happens before the next point that is to be located: on a sketch a single event between two MPSs neither of
     /// which is stable and admissible is not.
-    fn matters(&self, past: Signs, now: Signs, next: &MaximalPeriodicSolution) -> bool {
+    fn matters(&self, past: Signs, now: Signs, next: &PeriodicSolution) -> bool {
         let either =
             || next.attracts() || self.curve.points.last().is_some_and(|point| point.solution.attracts());
         match changes(past, now).count() {
@@ -261,7 +262,7 @@ impl<O: ImpactOscillator> Follower<'_, O> {
         step: &Step<'_, O>,
         past: Signs,
         now: Signs,
-        beyond: &MaximalPeriodicSolution,
+        beyond: &PeriodicSolution,
     ) -> ControlFlow<CurveEnd> {
         let located = match step.events(past, now, beyond, self.curve.points.len()) {
             Ok(located) => located,
@@ -281,7 +282,7 @@ impl<O: ImpactOscillator> Follower<'_, O> {
 
     /// Ends the curve where the impact velocity vanishes.
     fn end_at_grazing(&mut self, step: &Step<'_, O>) -> CurveEnd {
-        let MpsCurve { equations, condition } = self.followed;
+        let SolutionCurve { equations, condition } = self.followed;
         let (mut point, times) = match step.grazing() {
             Ok(found) => found,
             Err(failure) => {

@@ -19,7 +19,7 @@
 //! ```
 //! use grazing_continuation::arclength::StepControl;
 //! use grazing_continuation::bifurcation::Bifurcation;
-//! use grazing_continuation::curve::{MpsCurve, Route, Window};
+//! use grazing_continuation::curve::{SolutionCurve, Route, Window};
 //! use grazing_continuation::locate::Condition;
 //! use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 //! use grazing_model::LinearOscillator;
@@ -28,7 +28,7 @@
 //! let grazing = grazing_theorems::LinearOscillator::new(0.02, 0.9)?.grazing(0.85)?;
 //! let oscillator = LinearOscillator::new(0.02, 0.9, grazing.amplitude(), 0.85)?;
 //! let equations = LoopEquations::new(oscillator, 1, Formulation::FixedPhase);
-//! let branch = MpsCurve { equations, condition: Condition::Secondary(0.85) };
+//! let branch = SolutionCurve { equations, condition: Condition::Secondary(0.85) };
 //! let window = Window { primary: [0.2, 1.0], secondary: [0.8, 0.9] };
 //! let control = StepControl::DRAWING;
 //! let route = Route { window, control, step_limit: 5000, stop_at_events: false, pace: None };

@@ -141,12 +141,10 @@ pub fn locate_within<O: ImpactOscillator>(
         if farthest.is_nan() || farthest > reach {
             return Err(Lost);
         }
-        let (mut system, pair) =
+        let (system, pair) =
             conditioned(equations, conditions[0], second_order, point, times).map_err(Undefined)?;
         let (value, gradient) = conditions[1].evaluate(equations, point, &pair, times).map_err(Undefined)?;
-        system.residual[3] = value;
-        system.jacobian.set_row(3, &gradient.transpose());
-        Ok(system)
+        Ok(system.bordered(value, &gradient))
     });
     let solution = solution.map_err(|failure| match failure {
         NewtonFailure::Undefined { cause: Lost, .. } => {
@@ -163,23 +161,6 @@ pub fn locate_within<O: ImpactOscillator>(
         }
     })?;
     Ok(solution.point)
-}
-
-/// The point of a curve with this condition in the plane across a chord of it, at a share of the chord.
-pub(crate) fn across_chord<O: ImpactOscillator>(
-    equations: &LoopEquations<O>,
-    condition: Condition,
-    [a, b]: [Unknowns; 2],
-    share: f64,
-) -> Result<newton::Solution<4>, NewtonFailure<MapError>> {
-    let (start, chord) = (a + (b - a) * share, (b - a).normalize());
-    let mut times = EventTimes::default();
-    newton::solve(start, EVALUATIONS, |point| {
-        let (mut system, _) = conditioned(equations, condition, true, point, &mut times)?;
-        system.residual[3] = chord.dot(&(point - start));
-        system.jacobian.set_row(3, &chord.transpose());
-        Ok(system)
-    })
 }
 
 /// Two located points are the same codimension-two point.

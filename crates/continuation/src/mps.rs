@@ -19,7 +19,7 @@ use smallvec::SmallVec;
 
 use crate::newton::Linearisation;
 pub(crate) use crate::solution::Stability;
-pub use crate::solution::{MaximalPeriodicSolution, Multipliers, Unknowns, parameters, unknown};
+pub use crate::solution::{Multipliers, PeriodicSolution, Unknowns, parameters, unknown};
 use crate::tolerances::{FAR, REST, UNSURE_HEIGHT};
 
 /// The impact of a point.
@@ -87,15 +87,15 @@ pub struct LoopPair {
 }
 
 impl<O: ImpactOscillator> LoopEquations<O> {
-    /// The equations of MPSs with `loops` = p ≥ 1 loops; the oscillator's own parameters do not matter.
+    /// The equations of MPSs with `loops` = p ≥ 1 loops, or, whatever the formulation, of periodic solutions without impacts (p = 0); the
+    /// oscillator's own parameters do not matter.
     pub fn new(oscillator: O, loops: u32, formulation: Formulation) -> Self {
-        assert!(loops >= 1, "an MPS has at least one loop");
         Self { oscillator, loops, formulation, units: [1.0; 2] }
     }
 
     /// The equations of periodic solutions without impacts; in lengths of steps μ and η are counted in these units.
     pub fn without_impacts(oscillator: O, units: [f64; 2]) -> Self {
-        Self { oscillator, loops: 0, formulation: Formulation::FixedPhase, units }
+        Self { units, ..Self::new(oscillator, 0, Formulation::FixedPhase) }
     }
 
     /// The number of loops p; 0 without impacts.
@@ -161,7 +161,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     }
 
     /// The motion of the flight.
-    fn motion(&self, point: &Unknowns) -> O::Motion {
+    pub(crate) fn motion(&self, point: &Unknowns) -> O::Motion {
         self.oscillator_at(point).motion(self.departure(point))
     }
 
@@ -175,8 +175,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         times: &mut EventTimes,
     ) -> Result<LoopPair, MapError> {
         match self.formulation {
-            _ if !self.has_impacts() => self.stroboscopic_pair::<ORDER>(point, &self.motion(point)),
-            Formulation::Vivid => {
+            Formulation::Vivid if self.has_impacts() => {
                 let oscillator = self.oscillator_at(point);
                 let reset = oscillator.reset::<ORDER>(impact(point));
                 let [from_impact, from_recoil] = times.virtual_times;
@@ -192,24 +191,24 @@ impl<O: ImpactOscillator> LoopEquations<O> {
                 }
                 Ok(LoopPair::of(&jet, &ahead.jet))
             }
-            Formulation::FixedPhase => {
+            _ => {
                 let plane = *times.reference_phase.get_or_insert(point[unknown::PHASE]);
-                Ok(self.fixed_phase_pair::<ORDER>(point, plane))
+                self.pair_along::<ORDER>(point, plane, &self.motion(point))
             }
         }
     }
 
-    /// The two maps to the plane of constant phase `plane`, which exist at every point.
-    pub(crate) fn fixed_phase_pair<const ORDER: usize>(&self, point: &Unknowns, plane: f64) -> LoopPair {
-        self.fixed_phase_pair_along::<ORDER>(point, plane, &self.motion(point))
-    }
-
-    /// The flow over a forcing period beside the identity; none where motion goes far away.
-    fn stroboscopic_pair<const ORDER: usize>(
+    /// The two maps to the plane of constant phase `plane`, the motion of the flight being at hand. Without impacts they are the flow
+    /// over a forcing period and the identity, and there are none where motion goes far away.
+    fn pair_along<const ORDER: usize>(
         &self,
         point: &Unknowns,
+        plane: f64,
         motion: &O::Motion,
     ) -> Result<LoopPair, MapError> {
+        if self.has_impacts() {
+            return Ok(self.fixed_phase_pair::<ORDER>(point, plane, motion));
+        }
         let (oscillator, from) = (self.oscillator_at(point), at_phase_zero(point));
         let around = maps::to_phase::<O, ORDER, _>(&oscillator, motion, from.at_phase_zero(), TAU);
         let size = around.value.norm();
@@ -220,8 +219,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         Ok(LoopPair::of(&around, &MapJet::identity(from)))
     }
 
-    /// The same with the motion from the recoil at hand.
-    fn fixed_phase_pair_along<const ORDER: usize>(
+    /// The same of an MPS, whose maps exist at every point.
+    pub(crate) fn fixed_phase_pair<const ORDER: usize>(
         &self,
         point: &Unknowns,
         plane: f64,
@@ -288,27 +287,23 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// The orbit that a zero of the equations is: multipliers, maxima, stability, admissibility.
     ///
     /// Needs no virtual points, whatever the formulation.
-    pub fn solution(&self, point: &Unknowns) -> MaximalPeriodicSolution {
+    pub fn solution(&self, point: &Unknowns) -> PeriodicSolution {
         self.solution_and_stability(point).0
     }
 
     /// The same with what its multipliers were read off.
-    pub(crate) fn solution_and_stability(&self, point: &Unknowns) -> (MaximalPeriodicSolution, Stability) {
+    pub(crate) fn solution_and_stability(&self, point: &Unknowns) -> (PeriodicSolution, Stability) {
         let motion = self.motion(point);
-        let stability = match self.has_impacts() {
-            true => self.fixed_phase_pair_along::<1>(point, point[unknown::PHASE], &motion).stability(),
-            false => self
-                .stroboscopic_pair::<1>(point, &motion)
-                .map_or(Stability::UNKNOWN, |pair| pair.stability()),
-        };
+        let pair = self.pair_along::<1>(point, point[unknown::PHASE], &motion);
+        let stability = pair.map_or(Stability::UNKNOWN, |pair| pair.stability());
         (self.orbit(point, &motion, stability.multipliers), stability)
     }
 
     /// The same at a point with y = 0 that is approached along a curve with the given tangent, where the multipliers are
     /// limits.
-    pub fn limiting_solution(&self, point: &Unknowns, tangent: &Unknowns) -> MaximalPeriodicSolution {
+    pub fn limiting_solution(&self, point: &Unknowns, tangent: &Unknowns) -> PeriodicSolution {
         let motion = self.motion(point);
-        let pair = self.fixed_phase_pair_along::<2>(point, point[unknown::PHASE], &motion);
+        let pair = self.fixed_phase_pair::<2>(point, point[unknown::PHASE], &motion);
         let flight = self.flight(point);
         // The orbit begins and ends at a maximum; neither is an interior one.
         let ends = END * flight;
@@ -316,7 +311,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             .local_maxima(flight)
             .into_iter()
             .filter(|maximum| (ends..flight - ends).contains(&maximum.time));
-        MaximalPeriodicSolution {
+        PeriodicSolution {
             loops: self.loops,
             unknowns: *point,
             multipliers: pair.limiting_multipliers(tangent),
@@ -330,7 +325,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         point: &Unknowns,
         multipliers: Multipliers,
         with_maxima: bool,
-    ) -> MaximalPeriodicSolution {
+    ) -> PeriodicSolution {
         if with_maxima {
             let orbit = |equations: &Self| {
                 let motion = equations.oscillator_at(point).motion(self.departure(point));
@@ -340,16 +335,11 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             return if rough.ceiling().abs() > UNSURE_HEIGHT { rough } else { orbit(self) };
         }
         let loops = self.loops;
-        MaximalPeriodicSolution { loops, unknowns: *point, multipliers, highest_interior_maximum: None }
+        PeriodicSolution { loops, unknowns: *point, multipliers, highest_interior_maximum: None }
     }
 
-    fn orbit(
-        &self,
-        point: &Unknowns,
-        motion: &O::Motion,
-        multipliers: Multipliers,
-    ) -> MaximalPeriodicSolution {
-        MaximalPeriodicSolution {
+    fn orbit(&self, point: &Unknowns, motion: &O::Motion, multipliers: Multipliers) -> PeriodicSolution {
+        PeriodicSolution {
             loops: self.loops,
             unknowns: *point,
             multipliers,
@@ -370,7 +360,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     }
 
     /// Velocity and phase of the impact of a solution; without impacts 0 and the phase of the highest point, in [0, 2π).
-    pub fn impact(&self, solution: &MaximalPeriodicSolution) -> [f64; 2] {
+    pub fn impact(&self, solution: &PeriodicSolution) -> [f64; 2] {
         let point = &solution.unknowns;
         if self.has_impacts() {
             return [point[unknown::VELOCITY], point[unknown::PHASE]];

@@ -13,6 +13,16 @@ pub struct Linearisation<const N: usize> {
     pub jacobian: SMatrix<f64, N, N>,
 }
 
+impl<const N: usize> Linearisation<N> {
+    /// The same with the residual and the gradient of one more equation in the last row.
+    #[must_use]
+    pub fn bordered(mut self, residual: f64, gradient: &SVector<f64, N>) -> Self {
+        self.residual[N - 1] = residual;
+        self.jacobian.set_row(N - 1, &gradient.transpose());
+        self
+    }
+}
+
 /// Newton's method did not reach a solution.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum NewtonFailure<E> {

@@ -6,13 +6,13 @@ use grazing_model::maps::MapError;
 use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
 use grazing_theorems::resonant_theorem::BifurcationCurve;
-use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side};
+use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint};
 
 use crate::bifurcation::Pair;
-use crate::curve::{Curve, CurveEnd, Event, MpsCurve, Route};
+use crate::curve::{Curve, CurveEnd, Event, Route, SolutionCurve};
 pub use crate::locate::same_point;
 use crate::locate::{Condition, LocateFailure, locate};
-use crate::mps::{EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns, unknown};
+use crate::mps::{EventTimes, Formulation, LoopEquations, PeriodicSolution, Unknowns, unknown};
 use crate::tolerances::{AT_RESONANCE, OFF_RESONANCE};
 
 /// A resonant grazing point could not be analysed.
@@ -90,7 +90,7 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
             located[unknown::VELOCITY] = 0.0;
         }
         let mut orbit = GrazingOrbit::find(&equations.oscillator_at(&located), located[unknown::PHASE])?;
-        // Where motion is almost forgotten within p periods a saddle-node at y = 0 is hard to tell from others: there a₁₂ or κ_p itself is
+        // Where motion is almost forgotten within p periods a saddle-node at y = 0 is hard to distinguish from others: there a₁₂ or κ_p itself is
         // solved for, along the grazing curve.
         for _ in 0..POLISHING {
             let [detuning, slope] = orbit.detuning(loops, &orbit.derivative_of_map());
@@ -195,10 +195,6 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
             Condition::Multiplier(multiplier) if multiplier < 0.0 => self.theorem.period_doubling(),
             _ => self.theorem.saddle_node(),
         };
-        let sign = match curve.eta_side {
-            Side::Negative => -1.0,
-            _ => 1.0,
-        };
         Unknowns::new(
             curve.impact_velocity_slope,
             self.orbit.phase_slope() + curve.impact_phase_slope,
@@ -206,12 +202,12 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
             1.0,
         )
         .normalize()
-            * sign
+            * curve.eta_side.signum()
     }
 
     /// The SN or PD curve that leaves the resonance.
-    pub fn curve(&self, condition: Condition) -> MpsCurve<O> {
-        MpsCurve { equations: self.equations.with_formulation(Formulation::FixedPhase), condition }
+    pub fn curve(&self, condition: Condition) -> SolutionCurve<O> {
+        SolutionCurve { equations: self.equations.with_formulation(Formulation::FixedPhase), condition }
     }
 
     /// Follows the SN or PD curve from the resonance.
@@ -259,16 +255,16 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// There is no such side, or the curve cannot be started.
     pub fn branch_off(&self, point: &Event, route: &Route<'_>) -> Result<Curve, ResonanceError> {
         let condition = point.condition;
-        let bounds = |solution: &MaximalPeriodicSolution| {
+        let bounds = |solution: &PeriodicSolution| {
             !solution.touches() && (condition != Condition::InteriorGrazing || solution.stable())
         };
         // A curve to the inadmissible side of a point at which two maxima touch the wall ends there at once.
-        let onwards = |solution: &MaximalPeriodicSolution| {
+        let onwards = |solution: &PeriodicSolution| {
             bounds(solution) && !same_point(&solution.unknowns, &point.solution.unknowns)
         };
         let mut reason = "it bounds no region of stable solutions to either side".to_owned();
         for sign in [1.0, -1.0] {
-            let curve = MpsCurve { equations: self.clone(), condition };
+            let curve = SolutionCurve { equations: self.clone(), condition };
             let direction = Unknowns::new(sign, 0.0, 0.0, 0.0);
             match curve.follow(point.solution.unknowns, direction, point.times.clone(), route) {
                 Ok(curve) if curve.points.get(1).is_some_and(|next| onwards(&next.solution)) => {

@@ -74,9 +74,10 @@ impl Stability {
     }
 }
 
-/// A zero of the equations, seen as an orbit: an MPS, or a periodic solution without impacts.
+/// A periodic solution, which is a zero of the equations: a maximal periodic solution (MPS) of the
+/// paper for p ≥ 1, motion without impacts for p = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MaximalPeriodicSolution {
+pub struct PeriodicSolution {
     /// The number of loops p; 0 without impacts.
     pub loops: u32,
     /// (y, z, μ, η), or (x, y, μ, η) without impacts.
@@ -87,7 +88,7 @@ pub struct MaximalPeriodicSolution {
     pub highest_interior_maximum: Option<Maximum>,
 }
 
-impl MaximalPeriodicSolution {
+impl PeriodicSolution {
     /// An interior maximum this little above the wall touches it.
     pub const TOUCH: f64 = tolerances::TOUCH;
 

@@ -1,5 +1,5 @@
 //! What counts as zero, as equal and as lost. The numbers rest on one another, from the last step of Newton's method down to what is
-//! told of a solution, and are measured in dimensionless motion of the order of one. What merely shapes a method stands beside it.
+//! said of a solution, and are measured in dimensionless motion of the order of one. What merely shapes a method stands beside it.
 //!
 //! ```text
 //! STEP 1e-7  ─►  a point is off by the square of it, 1e-14 times the curvature of the equations, which is 1 to 100
@@ -87,7 +87,7 @@ pub(crate) const LOST_MULTIPLIERS: f64 = 1e4;
 /// Multipliers beyond this change so fast that no sign of anything is known for long.
 pub(crate) const UNSETTLED_MULTIPLIERS: f64 = 1e3;
 
-/// Rough motion, with errors of some 10⁻⁷, does not tell on which side of the wall a maximum lies that is so near it.
+/// Rough motion, with errors of some 10⁻⁷, does not show on which side of the wall a maximum lies that is so near it.
 pub(crate) const UNSURE_HEIGHT: f64 = 1e-5;
 
 /// Motion this far away, the wall's distance from rest being of order one, has run away.

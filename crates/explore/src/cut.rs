@@ -2,7 +2,7 @@
 
 use grazing_reproduction::one_parameter::SAMPLING;
 use grazing_results::branches::{BranchPoint, OneParameter};
-use grazing_unfold::one_parameter::{Line, Sampling, Section};
+use grazing_unfold::one_parameter::{Cut, Line, Sampling};
 use grazing_unfold::stop::Stop;
 use grazing_unfold::units::InUnits;
 use serde::Deserialize;
@@ -48,8 +48,8 @@ pub(crate) fn compute(request: &CutRequest, events: &Events, stop: &Stop) -> Res
     let sampling = Sampling { values: 160, recorded: 16, ..SAMPLING };
     let line = line.without_dimensions(&of.axes.units);
     let section = Section::follow(&of.oscillator, &of.scope, &[], line, events).ok_or_else(Problem::ended)?;
-    events.send("branches", &event(&section.diagram().in_units(&of.axes.units)));
-    let found = section.simulated(&sampling, &[], events).in_units(&of.axes.units);
+    events.send("branches", &event(&cut.diagram().in_units(&of.axes.units)));
+    let found = cut.simulated(&sampling, &[], events).in_units(&of.axes.units);
     let dots: Vec<[f64; 2]> = found.attractor.iter().map(|dot| [found.across(dot), dot.x]).collect();
     events.send("dots", &json!({"frame": found.frame.y, "dots": dots, "resting": found.resting}));
     Ok(())

@@ -7,7 +7,7 @@ use grazing_model::AnyOscillator;
 use grazing_results::Frame;
 use grazing_results::branches::OneParameter;
 use grazing_unfold::Scope;
-use grazing_unfold::one_parameter::{Line, Section};
+use grazing_unfold::one_parameter::{Cut, Line};
 
 use crate::study::forced;
 use crate::{Study, StudyError};
@@ -25,11 +25,11 @@ impl Study {
         let window = Window { primary: range, secondary: [at, 2.0 * at] };
         let scope = Scope { window, loops: figure.loops.clone(), start: None };
         let line = Line { diagram: 1, primary_is_fixed: false, at, range };
-        let section = Section::follow(&oscillator, &scope, &[], line, &*self.progress)
+        let cut = Cut::follow(&oscillator, &scope, &[], line, &*self.progress)
             .ok_or_else(|| StudyError::Failed("it was stopped".to_owned()))?;
         let grazing = theory.grazing(at)?.amplitude();
-        let (subjects, mut notes) = subjects::all(figure, grazing, section.branches())?;
-        let mut found = section.simulated(&figure.attractor, &subjects, &*self.progress);
+        let (subjects, mut notes) = subjects::all(figure, grazing, cut.branches())?;
+        let mut found = cut.simulated(&figure.attractor, &subjects, &*self.progress);
         for (loops, amplitude, reason) in &found.broken {
             notes.push(format!(
                 "a branch of p = {loops} could not be followed beyond amplitude {amplitude:.5}: {reason}"

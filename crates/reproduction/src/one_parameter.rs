@@ -3,7 +3,7 @@
 use grazing_description::Description;
 use grazing_results::branches::OneParameter;
 use grazing_unfold::diagram::DiagramCurve;
-use grazing_unfold::one_parameter::{Line, Sampling, Section, Subject};
+use grazing_unfold::one_parameter::{Cut, Line, Sampling, Subject};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::stop::{Stop, Unfinished};
 use grazing_unfold::units::InUnits;
@@ -32,8 +32,8 @@ pub(crate) fn diagrams(
         let subject = |across: &f64| Subject { across: across / unit, loops: None };
         let subjects: Vec<Subject> = setting.portraits.iter().map(subject).collect();
         let sampling = Sampling { seed, ..SAMPLING };
-        let section = Section::follow(&oscillator, &scope, curves, line, progress);
-        let found = section.map(|section| section.simulated(&sampling, &subjects, progress).in_units(&units));
+        let cut = Cut::follow(&oscillator, &scope, curves, line, progress);
+        let found = cut.map(|cut| cut.simulated(&sampling, &subjects, progress).in_units(&units));
         let missing = match &found {
             None => Some(format!("one-parameter diagram {diagram}")),
             Some(found) if found.resting.is_none() => {

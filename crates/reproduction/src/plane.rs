@@ -1,7 +1,7 @@
 //! Rows of a two-parameter diagram, whatever the oscillator and its parameters are called.
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
-use grazing_continuation::mps::MaximalPeriodicSolution;
+use grazing_continuation::mps::PeriodicSolution;
 use grazing_model::ImpactOscillator;
 use grazing_model::phase::centred;
 use grazing_model::smooth::Units;
@@ -119,7 +119,7 @@ pub fn bifurcation_rows(axes: &Axes, diagram: &Diagram, curve: &DiagramCurve) ->
             determinant: solution.multipliers.determinant,
             max_interior_x: solution.ceiling() * units.length,
             stable: solution.stable(),
-            admissible: solution.ceiling() <= MaximalPeriodicSolution::TOUCH,
+            admissible: solution.ceiling() <= PeriodicSolution::TOUCH,
             arc: 0,
         }
     });

@@ -74,7 +74,7 @@ pub enum Condition {
     Positive,
     /// Finite and not zero.
     NonZero,
-    /// Zero, as far as floating-point numbers can tell: its modulus is at most `tolerance`.
+    /// Zero, as far as floating-point numbers can say: its modulus is at most `tolerance`.
     Zero {
         /// The largest modulus that counts as zero.
         tolerance: f64,

@@ -3,11 +3,10 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::{Continuation, StepControl};
-use grazing_continuation::curve::{MpsCurve, Window};
+use grazing_continuation::curve::{SolutionCurve, Window};
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{
-    EventTimes, LoopEquations, MaximalPeriodicSolution, Unknowns, parameters, unknown,
-};
+use grazing_continuation::mps::{EventTimes, LoopEquations, PeriodicSolution, Unknowns, parameters, unknown};
+use grazing_model::ImpactOscillator;
 use grazing_unfold::Diagram;
 
 /// Steps along branches: what Newton's method needs between them.
@@ -24,7 +23,7 @@ const ON_BRANCH: f64 = 0.05;
 const ELSEWHERE: f64 = 0.5;
 
 /// A stable MPS of the hybrid system.
-pub fn good(solution: &MaximalPeriodicSolution) -> bool {
+pub fn good(solution: &PeriodicSolution) -> bool {
     solution.stable() && solution.admissible()
 }
 
@@ -33,7 +32,7 @@ pub fn near(
     equations: &LoopEquations,
     known: &Unknowns,
     [primary, secondary]: [f64; 2],
-) -> Option<MaximalPeriodicSolution> {
+) -> Option<PeriodicSolution> {
     let start = Unknowns::new(known[unknown::VELOCITY], known[unknown::PHASE], primary, secondary);
     let conditions = [Condition::Primary(primary), Condition::Secondary(secondary)];
     let found = locate(equations, conditions, start, &mut EventTimes::default()).ok()?;
@@ -41,14 +40,9 @@ pub fn near(
 }
 
 /// The p-loop MPSs at one value of η and several of μ, on all branches that begin at grazing or cross a curve of the diagram.
-pub fn along(
-    diagram: &Diagram,
-    loops: u32,
-    secondary: f64,
-    primaries: &[f64],
-) -> Vec<Vec<MaximalPeriodicSolution>> {
+pub fn along(diagram: &Diagram, loops: u32, secondary: f64, primaries: &[f64]) -> Vec<Vec<PeriodicSolution>> {
     let equations = diagram.equations(loops);
-    let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(secondary) };
+    let curve = SolutionCurve { equations: equations.clone(), condition: Condition::Secondary(secondary) };
     let mut branches: Vec<Vec<Unknowns>> = Vec::new();
     for start in starts(diagram, &equations, loops, secondary) {
         if !branches.iter().any(|branch| lies_on(branch, &start)) {
@@ -94,7 +88,7 @@ fn starts(diagram: &Diagram, equations: &LoopEquations, loops: u32, secondary: f
 }
 
 /// The points of a branch from one of them on, as far as there is an impact and the window.
-fn followed(curve: &MpsCurve, start: Unknowns, direction: Unknowns, window: Window) -> Vec<Unknowns> {
+fn followed(curve: &SolutionCurve, start: Unknowns, direction: Unknowns, window: Window) -> Vec<Unknowns> {
     let mut points = vec![start];
     let Ok(mut walker) = Continuation::new(curve, STEPS, start, direction, EventTimes::default()) else {
         return points;

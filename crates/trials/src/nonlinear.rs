@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use grazing_continuation::mps::{MaximalPeriodicSolution, Unknowns, unknown};
+use grazing_continuation::mps::{PeriodicSolution, Unknowns, unknown};
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_reproduction::unfolded::prepared;
@@ -132,12 +132,12 @@ fn solutions(
     points: &[[f64; 2]],
     seen: &[Vec<Settled>],
     lattice: usize,
-) -> Vec<Vec<MaximalPeriodicSolution>> {
+) -> Vec<Vec<PeriodicSolution>> {
     let rows = points.par_chunks(lattice).flat_map_iter(|row| {
         let primaries: Vec<f64> = row.iter().map(|point| point[0]).collect();
         along(diagram, loops, row[0][1], &primaries)
     });
-    let mut found: Vec<Vec<MaximalPeriodicSolution>> = rows.collect();
+    let mut found: Vec<Vec<PeriodicSolution>> = rows.collect();
     found.iter_mut().for_each(|here| here.retain(good));
     let equations = diagram.equations(loops);
     for (k, settled) in seen.iter().enumerate() {
@@ -170,7 +170,7 @@ fn solutions(
 fn judge(
     diagram: &Diagram,
     shown: Shown,
-    found: &[MaximalPeriodicSolution],
+    found: &[PeriodicSolution],
     seen: bool,
 ) -> (usize, Vec<Disagreement>) {
     let mut wrong = Vec::new();
@@ -185,7 +185,7 @@ fn judge(
         (Shown::White, false) => wrong.push(Disagreement::FoundUnshaded),
         _ => {}
     }
-    let attracts = |solution: &MaximalPeriodicSolution| {
+    let attracts = |solution: &PeriodicSolution| {
         let equations = diagram.equations(solution.loops);
         let suspect = Suspect {
             oscillator: &equations.oscillator_at(&solution.unknowns),

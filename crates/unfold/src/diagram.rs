@@ -67,7 +67,7 @@ pub struct Diagram {
 const CURVES: &str = "bifurcation curves";
 
 /// Regions of a window that is narrower than this are parts of those of one that is not: curves that touch at a resonance are too close to each other
-/// there for slices to be told apart from rounding, as branches begin at impact velocities of the order of the root of its width.
+/// there for slices to be distinguished from rounding, as branches begin at impact velocities of the order of the root of its width.
 const UNDECIDABLE_WIDTH: f64 = 1e-7;
 
 /// The route of curves that are drawn: in a small window steps are small, too, down to where curves are straight.
@@ -217,7 +217,7 @@ impl Diagram {
         nets.iter_mut().for_each(|net| net.grow(&route));
     }
 
-    /// Takes curves and codimension-two points: first all that come from resonances, as they are told while others are being followed.
+    /// Takes curves and codimension-two points: first all that come from resonances, as they are listed while others are being followed.
     fn take(&mut self, nets: Vec<Net>, followed: &[usize]) {
         let (mut first, mut then) = (Vec::new(), Vec::new());
         for (mut net, followed) in nets.into_iter().zip(followed) {
@@ -256,11 +256,10 @@ impl Diagram {
         progress: &dyn Progress,
         finished: &(dyn Fn(usize, &[DiagramCurve]) + Sync),
     ) -> Vec<Followed> {
-        let what = CURVES;
         let route = drawn(self.scope.window);
         let points: Vec<_> =
             self.resonances.iter().enumerate().filter(|(_, found)| found.theorem.is_ok()).collect();
-        progress.begin(what, points.len() as u64);
+        progress.begin(CURVES, points.len() as u64);
         let followed = points
             .into_par_iter()
             .filter_map(|(index, resonance)| {
@@ -273,11 +272,11 @@ impl Diagram {
                     return None;
                 }
                 finished(index, &followed.curves);
-                progress.step(what);
+                progress.step(CURVES);
                 Some(followed)
             })
             .collect();
-        progress.end(what);
+        progress.end(CURVES);
         followed
     }
 }

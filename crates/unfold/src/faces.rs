@@ -46,11 +46,15 @@ pub(crate) fn chords(face: &Face, secondary: f64) -> Vec<[f64; 2]> {
     crossings.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect()
 }
 
-/// The least and the greatest η of a face.
+/// The least and the greatest of some numbers; infinite, and the wrong way round, if there are none.
+pub(crate) fn range(numbers: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    let none = [f64::INFINITY, f64::NEG_INFINITY];
+    numbers.into_iter().fold(none, |[low, high], number| [low.min(number), high.max(number)])
+}
+
+/// The least and the greatest η of a face, or of a line.
 pub(crate) fn extent(face: &[Vec<Point>]) -> [f64; 2] {
-    let heights = face.iter().flatten().map(|point| point[1]);
-    heights
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], height| [low.min(height), high.max(height)])
+    range(face.iter().flatten().map(|point| point[1]))
 }
 
 /// Whether a point lies in a face.

@@ -14,8 +14,8 @@
 
 use core::f64::consts::TAU;
 
-use grazing_continuation::arclength::{Continuation, CurveEquations, StepControl};
-use grazing_continuation::mps::MaximalPeriodicSolution;
+use grazing_continuation::arclength::{Continuation, CurveEquations, StepControl, across};
+use grazing_continuation::mps::PeriodicSolution;
 use grazing_continuation::newton::Linearisation;
 use grazing_continuation::regula_falsi::zero_between;
 use grazing_model::motion::Motion;
@@ -25,8 +25,9 @@ use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity};
 use grazing_theorems::{ResonantGrazing, ResonantPoint};
 use nalgebra::{Matrix4, Vector3, Vector4};
 
-use crate::edges::{located, on_the_edge};
+use crate::edges::on_the_edge;
 use crate::resonances::Resonance;
+use crate::tolerances::BETWEEN_RESONANCES;
 use crate::{Diagram, Scope};
 
 /// The oscillator at a share of the way from one member to the next, with whatever primary and secondary parameter; none where it does not exist.
@@ -79,8 +80,6 @@ const STEP_LIMIT: usize = 2_000;
 /// Differences in the share of the way for the derivative with respect to it, of which only the direction of steps depends: their error, the square of
 /// this and a rounding over it, is no larger than 1e-9.
 const DIFFERENCE: f64 = 1e-5;
-/// Resonances this close in z and the shares of the ranges are one: located to 1e-10, different ones are much farther apart.
-const SAME_RESONANCE: f64 = 1e-6;
 /// Rates of change along the curve are differences over this length to both sides. Values are right to 1e-13, and so rates to 1e-10; the place at
 /// which a rate is zero is off by the square of this.
 const RATE: f64 = 1e-3;
@@ -180,7 +179,7 @@ impl Path<'_> {
         let (chord, size) = (to - from, values[0].abs() + values[1].abs());
         let at = |share: f64| {
             let near = from + chord * share;
-            let point = located(self, near, &chord, &near).ok_or(())?;
+            let point = across(self, near, &chord, &near).ok_or(())?.point;
             let value = function(&point).ok_or(())?;
             Ok::<_, ()>(((point, value), value))
         };
@@ -220,7 +219,7 @@ impl Path<'_> {
                 None => (after, None),
             };
             let heights = [self.height(&before)?, self.height(&after)?];
-            if heights[1] > MaximalPeriodicSolution::TOUCH {
+            if heights[1] > PeriodicSolution::TOUCH {
                 let touching = self.zero([&before, &after], heights, |point| self.height(point));
                 (after, end) = (touching.unwrap_or(before), Some(ArcEnd::Inadmissible));
             }
@@ -250,7 +249,7 @@ impl Path<'_> {
     fn same(&self, place: &Coordinates, orbit: &GrazingOrbit) -> bool {
         let mut gap = self.scope.place(orbit) - place.fixed_rows::<3>(0);
         gap[0] = libm::remainder(gap[0], TAU);
-        gap.norm() < SAME_RESONANCE
+        gap.norm() < BETWEEN_RESONANCES
     }
 
     /// Where the curve leaves the ranges, or comes to either member, between two of its points, if it does.
@@ -273,19 +272,19 @@ impl Path<'_> {
     }
 
     /// What the theorem asks at a point with a tangent.
-    fn known(&self, place: &Coordinates, tangent: &Coordinates) -> Option<Vec<Known>> {
+    fn known(&self, place: &Coordinates, tangent: &Coordinates) -> Option<Vec<QuantityTrend>> {
         let at = |step: f64| Some(asked(&self.at(&(place + tangent * step))?.point));
         let (here, before, after) = (at(0.0)?, at(-RATE)?, at(RATE)?);
         let known = |asked: &Hypothesis| {
             let quantity = asked.quantity;
             let rate = value_of(&after, quantity)? - value_of(&before, quantity)?;
-            Some(Known { quantity, value: asked.value, rate })
+            Some(QuantityTrend { quantity, value: asked.value, rate })
         };
         Some(here.iter().filter_map(known).collect())
     }
 
     /// The degenerate resonances between two points of the curve.
-    fn degenerate(&self, ends: [&Coordinates; 2], known: [&[Known]; 2]) -> Vec<ArcPoint> {
+    fn degenerate(&self, ends: [&Coordinates; 2], known: [&[QuantityTrend]; 2]) -> Vec<ArcPoint> {
         let chord = ends[1] - ends[0];
         let mut found: Vec<(f64, ArcPoint)> = known[0]
             .iter()
@@ -298,7 +297,7 @@ impl Path<'_> {
                 } else if from.falls(chord.norm()) && to.falls(-chord.norm()) {
                     let beside = |point: &Coordinates, share: f64| {
                         let near = point + chord * share;
-                        value(&located(self, near, &chord, &near)?)
+                        value(&across(self, near, &chord, &near)?.point)
                     };
                     let step = RATE / chord.norm();
                     let rate = |point: &Coordinates| Some(beside(point, step)? - beside(point, -step)?);
@@ -317,13 +316,13 @@ impl Path<'_> {
 }
 
 /// A quantity at a point of the curve, and by how much it changes there from one side to the other.
-struct Known {
+struct QuantityTrend {
     quantity: Quantity,
     value: f64,
     rate: f64,
 }
 
-impl Known {
+impl QuantityTrend {
     /// Whether the quantity would be zero before a point so far onwards if it went on as it does here: what touches zero is twice as fast.
     fn falls(&self, length: f64) -> bool {
         self.value * self.rate * length < 0.0 && (self.rate * length).abs() > 2.0 * RATE * self.value.abs()

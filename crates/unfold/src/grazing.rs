@@ -5,8 +5,8 @@
 
 use core::f64::consts::TAU;
 
-use grazing_continuation::arclength::{CurveEquations, Stall, StepControl, Tangent, Walk, WalkEnd};
-use grazing_continuation::mps::{MaximalPeriodicSolution, Multipliers, unknown};
+use grazing_continuation::arclength::{CurveEquations, Stall, StepControl, Tangent, Walk, WalkEnd, across};
+use grazing_continuation::mps::{Multipliers, PeriodicSolution, unknown};
 use grazing_continuation::newton::Linearisation;
 use grazing_model::maps::{MapError, global_map};
 use grazing_model::motion::Motion;
@@ -16,7 +16,7 @@ use grazing_theorems::from_map::{GrazingOrbit, GrazingPlace};
 use nalgebra::{Matrix2, Matrix3, Vector3};
 
 use crate::Scope;
-use crate::edges::{located, on_the_edge};
+use crate::edges::on_the_edge;
 
 /// A point of a grazing curve.
 #[derive(Clone, Debug)]
@@ -50,7 +50,7 @@ const STEPS: StepControl =
 /// A curve of this many points goes nowhere.
 const STEP_LIMIT: usize = 20_000;
 /// The angle in radians by which A turns between neighbouring points: a cubic follows a sine this far to two parts in ten thousand,
-/// so that the resonances between are told apart.
+/// so that the resonances between are separated.
 const TURN: f64 = 0.5;
 /// How often the way between two points is halved at most.
 const HALVINGS: u32 = 12;
@@ -142,8 +142,8 @@ impl HighestPoint {
         let equations = GrazingEquations { oscillator, scope, height };
         let [primary, secondary] = scope.window.shares(parameters);
         let near = Vector3::new(phase, primary, secondary);
-        let across = if held == unknown::PRIMARY { Vector3::y() } else { Vector3::z() };
-        let point = located(&equations, near, &across, &near)?;
+        let direction = if held == unknown::PRIMARY { Vector3::y() } else { Vector3::z() };
+        let point = across(&equations, near, &direction, &near)?.point;
         let oscillator = equations.oscillator_at(&point);
         let found = Self { height, phase: point[0], parameters: oscillator.parameters() };
         let turns_back = oscillator.acceleration(State::at_rest(height, found.phase)) < 0.0;
@@ -156,7 +156,7 @@ impl HighestPoint {
         let motion = oscillator.motion(State::at_rest(self.height, self.phase));
         motion
             .highest_maximum(oscillator.forcing_period())
-            .is_none_or(|maximum| maximum.position <= self.height + MaximalPeriodicSolution::TOUCH)
+            .is_none_or(|maximum| maximum.position <= self.height + PeriodicSolution::TOUCH)
     }
 
     /// Where a grazing orbit touches the wall.
@@ -266,7 +266,7 @@ impl GrazingEquations<'_> {
     /// The point of the curve half the way on from a point.
     fn middle(&self, from: &GrazingState, gap: &Vector3<f64>) -> Option<GrazingState> {
         let half = self.scope.place(&from.orbit) + gap * 0.5;
-        let point = located(self, half, gap, &half)?;
+        let point = across(self, half, gap, &half)?.point;
         if (point - half).norm() > 0.5 * gap.norm() {
             return None;
         }

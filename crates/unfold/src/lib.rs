@@ -92,6 +92,7 @@ pub mod stop;
 mod stretches;
 mod suggestion;
 mod survey;
+mod tolerances;
 pub mod units;
 pub mod verdict;
 mod winding;

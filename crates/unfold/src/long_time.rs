@@ -15,7 +15,7 @@ use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
 pub use orbit::{Fate, Horizon, LONGEST_TRANSIENT, LongOrbit, MotionKind, Patience};
-pub use recurrence::{Recurrence, SAME_ORBIT, same_impact};
+pub use recurrence::{Recurrence, same_impact};
 pub use samples::{sampled, sampled_solution, time_of_phase};
 
 /// A random point of Π: x uniform between a lowest one and the wall, the phase uniform.

@@ -9,6 +9,7 @@ use grazing_results::plane::CurveSource;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 
 use crate::diagram::{Diagram, DiagramCurve, route};
+use crate::faces::range;
 use crate::grazing::{GrazingCurve, interpolated};
 use crate::resonances::Resonance;
 
@@ -128,7 +129,7 @@ pub fn approximation(point: &ResonantGrazingPoint, curve: BifurcationCurve, wind
     points
 }
 
-/// A window about a resonance in which the curves and their approximations can be told apart and compared.
+/// A window about a resonance in which the curves and their approximations can be distinguished and compared.
 ///
 /// Its half-height in η is where the terms beyond the quadratic one are some fifth of it on the curve that bends sooner, or a
 /// little beyond, but not more than half the way to the next resonance of the same p; across it holds all that is drawn, with
@@ -158,12 +159,10 @@ pub fn window_about(diagram: &Diagram, resonance: &Resonance, point: &ResonantGr
     reach = reach.min(1.2 * middle);
     let secondary = [(origin - reach).max(whole.secondary[0]), (origin + reach).min(whole.secondary[1])];
     let shown = Window { primary: [f64::NEG_INFINITY, f64::INFINITY], secondary };
-    let mut extent = [f64::INFINITY, f64::NEG_INFINITY];
     let curves = own.iter().map(|curve| curve.curve.parameters());
     let grazing = diagram.grazing.iter().map(|curve| close_to(curve, shown));
-    for [primary, _] in curves.chain(grazing).flatten().filter(|at| shown.contains(*at)) {
-        extent = [extent[0].min(primary), extent[1].max(primary)];
-    }
+    let inside = curves.chain(grazing).flatten().filter(|at| shown.contains(*at));
+    let extent = range(inside.map(|[primary, _]| primary));
     let margin = 0.05 * (extent[1] - extent[0]);
     let [least, most] = whole.primary;
     Window { primary: [(extent[0] - margin).max(least), (extent[1] + margin).min(most)], secondary }

@@ -20,6 +20,7 @@ use crate::regions::{self, Region, decided};
 use crate::slices::Slice;
 use crate::stop::Unfinished;
 use crate::survey::Survey;
+use crate::tolerances::BETWEEN_HEIGHTS;
 use crate::{Scope, UnfoldError, search};
 
 /// What there is of motion without impacts.
@@ -32,8 +33,6 @@ pub(crate) struct NonImpacting {
     pub(crate) unfinished: Vec<Unfinished>,
 }
 
-/// Every so many of the slices motion is left to relax from rest, which finds branches to which grazing does not lead.
-const RELAXED_EVERY: usize = 2;
 /// The stage of the search.
 const STAGE: &str = "motion without impacts";
 
@@ -46,14 +45,12 @@ pub(crate) fn find(
     scope: &Scope,
     progress: &dyn Progress,
 ) -> Result<NonImpacting, UnfoldError> {
-    let levels = regions::levels(scope.window).into_iter().enumerate();
-    let (relaxed, between): (Vec<_>, Vec<_>) = levels.partition(|(k, _)| k % RELAXED_EVERY == 0);
+    // On every other slice motion is left to relax from rest, which finds branches to which grazing does not lead.
+    let levels = regions::levels(scope.window);
     let [relaxed, between] =
-        [relaxed, between].map(|part| part.into_iter().map(|(_, secondary)| secondary).collect::<Vec<_>>());
-    progress.begin(STAGE, relaxed.len() as u64);
-    let found = on_slices(oscillator, scope, &relaxed, &between, progress);
-    progress.end(STAGE);
-    found
+        [0, 1].map(|first| levels.iter().copied().skip(first).step_by(2).collect::<Vec<_>>());
+    progress
+        .during(STAGE, relaxed.len() as u64, || on_slices(oscillator, scope, &relaxed, &between, progress))
 }
 
 /// The same from slices on which motion is left to relax from rest, and others between them.
@@ -109,9 +106,6 @@ fn on_slices(
     Ok(NonImpacting { grazing, curves: net.curves, regions, unfinished })
 }
 
-/// Heights that differ by a smaller share are one: which of them is named is not left to rounding.
-const SAME_HEIGHT: f64 = 1e-9;
-
 /// Why no survey has seen grazing.
 fn explanation(equations: &LoopEquations, motions: &[PeriodicMotion]) -> UnfoldError {
     if let Some(at) = motions.iter().flat_map(|motion| &motion.pushed).next() {
@@ -121,7 +115,7 @@ fn explanation(equations: &LoopEquations, motions: &[PeriodicMotion]) -> UnfoldE
     let whole = branches.clone().all(is_whole);
     let points = branches.flat_map(|branch| &branch.points);
     let height = |point: &CurvePoint| point.solution.ceiling();
-    let above = |a: &CurvePoint, b: &CurvePoint| height(a) - height(b) > SAME_HEIGHT * height(b).abs();
+    let above = |a: &CurvePoint, b: &CurvePoint| height(a) - height(b) > BETWEEN_HEIGHTS * height(b).abs();
     let lowest = points.clone().reduce(|a, b| if above(a, b) { b } else { a });
     let highest = points.reduce(|a, b| if above(b, a) { b } else { a });
     match (lowest.zip(highest), motions.iter().find_map(|motion| motion.ran_away)) {

@@ -25,6 +25,7 @@ use crate::curves::DiagramCurve;
 use crate::progress::Progress;
 use crate::slices::{FREE_STEPS, Slice, Slicer};
 use crate::stretches::broken_at;
+use crate::tolerances::BETWEEN_EVENTS_ON_A_CUT;
 use crate::{Scope, non_impacting, search};
 use branches::{Strand, same_bifurcation, within};
 use portraits::Scene;
@@ -44,7 +45,7 @@ pub struct Line {
 }
 
 /// The branches on a line.
-pub struct Section {
+pub struct Cut {
     /// The parameter across is its primary one.
     oscillator: AnyOscillator,
     scope: Scope,
@@ -68,10 +69,8 @@ const LEAST_STEP: f64 = 1e-3;
 const POSITIONS: [f64; 4] = [-1.5, -2.0, -3.0, -4.0];
 /// Random states are looked for this far from the wall at least, which is of the order of one away from rest: those farther off swing faster.
 const LEAST_DEPTH: f64 = 2.0;
-/// Bifurcations that agree to this share of the range, and in their impacts, are one, on branches that overlap.
-const SAME_PARAMETER: f64 = 1e-8;
 
-impl Section {
+impl Cut {
     /// The branches of an oscillator on a line, the ranges and the numbers of loops being those of the scope; that of the parameter that is held does
     /// not matter. Curves of the two-parameter diagram that are known lead to branches, but need not be there.
     ///
@@ -141,7 +140,7 @@ impl Section {
         }
         let inside = |primary: f64| range[0] <= primary && primary <= range[1];
         bifurcations.retain(|bifurcation| inside(bifurcation.primary));
-        let same = SAME_PARAMETER * self.scope.window.widths()[0];
+        let same = BETWEEN_EVENTS_ON_A_CUT * self.scope.window.widths()[0];
         let bifurcations = bifurcations.into_iter().fold(Vec::new(), |mut distinct, one| {
             if !distinct.iter().any(|other| same_bifurcation(&one, other, same)) {
                 distinct.push(one);

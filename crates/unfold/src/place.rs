@@ -11,11 +11,12 @@ use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 use crate::long_time::{
-    Fate, Horizon, LongOrbit, MotionKind, Patience, SAME_ORBIT, random_start, same_impact, sampled,
-    sampled_solution, time_of_phase,
+    Fate, Horizon, LongOrbit, MotionKind, Patience, random_start, same_impact, sampled, sampled_solution,
+    time_of_phase,
 };
 use crate::progress::Progress;
 use crate::search;
+use crate::tolerances::BETWEEN_ORBITS;
 
 /// A periodic solution, stable or not.
 #[derive(Clone, Debug)]
@@ -91,8 +92,8 @@ pub struct Place {
 
 /// MPSs are looked for up to this impact velocity: motion is of the order of one.
 const FASTEST: f64 = 2.5;
-/// MPSs of impacts slower than this are not told from grazing.
-const SLOWEST: f64 = SAME_ORBIT * FASTEST;
+/// MPSs of impacts slower than this are not distinguished from grazing.
+const SLOWEST: f64 = BETWEEN_ORBITS * FASTEST;
 
 /// Motion from an attractor nearby has not far to go.
 const FOLLOWED: Horizon = Horizon { transient: 100, counted: 32, patience: Patience::Drifting };
@@ -140,9 +141,9 @@ impl Outcome {
         match a.kind {
             MotionKind::Periodic => {
                 let first = &other.impacts[0];
-                self.impacts.iter().any(|impact| same_impact(SAME_ORBIT, impact, first))
+                self.impacts.iter().any(|impact| same_impact(BETWEEN_ORBITS, impact, first))
             }
-            MotionKind::NonImpacting => (self.highest - other.highest).abs() < SAME_ORBIT,
+            MotionKind::NonImpacting => (self.highest - other.highest).abs() < BETWEEN_ORBITS,
             _ => true,
         }
     }
@@ -233,8 +234,9 @@ impl Place {
             (!progress.stopped()).then(|| (states, Outcome::of(oscillator, from, horizon)))
         });
         let outcomes: Vec<(u32, Outcome)> = outcomes.collect::<Option<_>>()?;
-        let mut solutions = non_impacting(oscillator, outcomes.iter().map(|(_, outcome)| outcome));
-        let mut found = found();
+        let free = non_impacting(oscillator, outcomes.iter().map(|(_, outcome)| outcome));
+        let mut found: Vec<(u32, Unknowns)> =
+            free.into_iter().map(|point| (0, point)).chain(found()).collect();
         // What motion comes to is a solution, too, even if nothing else led to it.
         for (_, one) in &outcomes {
             let near = one.fate.loops().filter(|loops| *loops > 0).zip(one.impacts.first());
@@ -244,9 +246,8 @@ impl Place {
             }
         }
         found.sort_by_key(|(loops, _)| *loops);
-        solutions.extend(
-            found.into_iter().map(|(loops, point)| Solution::of(&equations(oscillator, loops), &point)),
-        );
+        let solution = |(loops, point)| Solution::of(&equations(oscillator, loops), &point);
+        let solutions = found.into_iter().map(solution).collect();
         let mut different: Vec<(u32, &Outcome)> = Vec::new();
         for (states, one) in &outcomes {
             match different.iter_mut().find(|(_, known)| known.is_like(one)) {
@@ -266,27 +267,22 @@ impl Place {
 fn non_impacting<'a>(
     oscillator: &AnyOscillator,
     outcomes: impl Iterator<Item = &'a Outcome>,
-) -> Vec<Solution> {
+) -> Vec<Unknowns> {
     let starts = outcomes.filter_map(|one| one.at_phase_zero).map(|state| [state.position, state.velocity]);
     let rest = [[0.0, 0.0], [-1.0, 0.0], [-0.5, 0.5], [-0.5, -0.5]];
-    let equations = equations(oscillator, 0);
-    let mut found: Vec<(Unknowns, Solution)> = Vec::new();
+    let mut found: Vec<Unknowns> = Vec::new();
     for [x, y] in starts.chain(rest) {
         let Some(orbit) = solved(oscillator, 0, &Vector2::new(x, y)) else { continue };
-        if found.iter().any(|(known, _)| (known - orbit).norm() < SAME_ORBIT) {
-            continue;
+        if !found.iter().any(|known| (known - orbit).norm() < BETWEEN_ORBITS) {
+            found.push(orbit);
         }
-        found.push((orbit, Solution::of(&equations, &orbit)));
     }
-    found.into_iter().map(|(_, solution)| solution).collect()
+    found
 }
 
 /// The equations of solutions with p loops.
 fn equations(oscillator: &AnyOscillator, loops: u32) -> LoopEquations {
-    match loops {
-        0 => LoopEquations::without_impacts(oscillator.clone(), [1.0; 2]),
-        _ => LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase),
-    }
+    LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase)
 }
 
 /// Velocity and phase of the impact of an MPS.
@@ -296,7 +292,9 @@ fn impact_of(point: &Unknowns) -> Vector2<f64> {
 
 /// Whether the MPS with an impact is among these.
 fn is_known(found: &[(u32, Unknowns)], loops: u32, impact: &Vector2<f64>) -> bool {
-    found.iter().any(|(other, point)| *other == loops && same_impact(SAME_ORBIT, &impact_of(point), impact))
+    found
+        .iter()
+        .any(|(other, point)| *other == loops && same_impact(BETWEEN_ORBITS, &impact_of(point), impact))
 }
 
 /// The solution with an impact near another; for p = 0 with position and velocity at phase zero near others.

@@ -1,4 +1,4 @@
-//! Telling how far long work has come.
+//! How far long work has come.
 
 /// Hears of the progress of a computation; called from any thread.
 pub trait Progress: Sync {
@@ -11,6 +11,16 @@ pub trait Progress: Sync {
     /// Whether nothing more is to be begun, as when time is up: long loops ask this and end with what they have.
     fn stopped(&self) -> bool {
         false
+    }
+}
+
+impl dyn Progress + '_ {
+    /// Does work of a number of steps, each of which is reported when it is done.
+    pub fn during<T>(&self, what: &str, steps: u64, work: impl FnOnce() -> T) -> T {
+        self.begin(what, steps);
+        let done = work();
+        self.end(what);
+        done
     }
 }
 

@@ -88,10 +88,9 @@ impl Region {
 
     /// The least and the greatest (μ, η).
     pub fn extent(&self) -> [[f64; 2]; 2] {
-        let beyond = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
-        self.rings.iter().flatten().fold(beyond, |[low, high], point| {
-            [[0, 1].map(|k| low[k].min(point[k])), [0, 1].map(|k| high[k].max(point[k]))]
-        })
+        let [primary, secondary] =
+            [0, 1].map(|k| faces::range(self.rings.iter().flatten().map(|point| point[k])));
+        [0, 1].map(|end| [primary[end], secondary[end]])
     }
 
     /// Whether a point (μ, η) lies inside.

@@ -20,7 +20,7 @@ use crate::survey::Survey;
 pub use crate::region::{Doubt, Region};
 
 /// A face and what was found in it.
-struct Judged {
+struct FaceVerdict {
     face: Face,
     verdict: Result<bool, Doubt>,
     /// Values of η at which slices do not agree with the rest.
@@ -67,22 +67,22 @@ pub(crate) fn of_mps(
     nets: &mut [Net],
     progress: &dyn Progress,
 ) -> Vec<Option<Vec<Region>>> {
-    let (window, what) = (scope.window, STAGE);
+    let window = scope.window;
     let levels = levels(window);
     let fastest = search::fastest(nets.iter().flat_map(|net| &net.curves).map(|curve| &curve.curve));
     let (oscillator, loops) = (grazing[0].states[0].orbit.oscillator(), &scope.loops);
-    progress.begin(what, nets.len() as u64);
+    progress.begin(STAGE, nets.len() as u64);
     let found = search::on_slices(oscillator, loops, window, &levels, fastest, progress);
     let regions = nets.par_iter_mut().map(|net| {
         let loops = net.loops();
         let found = found.iter().filter(|(p, _)| *p == loops).map(|(_, solution)| *solution).collect();
         let mut survey = Survey::new(net, scope, grazing, found);
         let regions = decided(window, &mut survey, &levels, progress);
-        progress.step(what);
+        progress.step(STAGE);
         (!progress.stopped()).then_some(regions)
     });
     let regions = regions.collect();
-    progress.end(what);
+    progress.end(STAGE);
     regions
 }
 
@@ -143,7 +143,7 @@ impl Judge {
         (!seen && length > 0.0).then_some(best)
     }
 
-    /// Values of η, of those in order, that are not so close to one another or to a slice that another one would tell nothing: evenly fewer than there
+    /// Values of η, of those in order, that are not so close to one another or to a slice that another one would add nothing: evenly fewer than there
     /// are where slices would become too many.
     fn affordable(&self, wanted: &[f64]) -> Vec<f64> {
         let nearest = NEAREST * self.window.widths()[1];
@@ -199,7 +199,7 @@ impl Judge {
         extents.filter(|extent| !crossed(*extent)).map(|[low, high]| 0.5 * (low + high)).collect()
     }
 
-    fn judge(&self, face: Face) -> Judged {
+    fn judge(&self, face: Face) -> FaceVerdict {
         let [low, high] = extent(&face);
         let mut votes: Vec<(f64, f64, f64)> = Vec::new();
         let (mut doubt, mut trouble) = (None, Vec::new());
@@ -208,13 +208,13 @@ impl Judge {
                 let (length, share) = (self.length(chord), sight.share(chord));
                 votes.push((sight.secondary, length, share));
                 let within = |primary: f64| chord[0] < primary && primary < chord[1];
-                let told = sight.doubts.iter().find(|(primary, _)| within(*primary)).map(|(_, doubt)| doubt);
-                let told = told.or(sight.everywhere.as_ref());
+                let known = sight.doubts.iter().find(|(primary, _)| within(*primary)).map(|(_, doubt)| doubt);
+                let known = known.or(sight.everywhere.as_ref());
                 let lesser = share.min(1.0 - share);
                 let mixed = lesser > PURE && length > SHORT || lesser * length > STRETCH;
-                // Where there are good solutions all along, nothing that cannot be told of others matters.
-                let told = told.filter(|_| share < 1.0 - PURE);
-                if let Some(reason) = told {
+                // Where there are good solutions all along, nothing that is unknown of others matters.
+                let known = known.filter(|_| share < 1.0 - PURE);
+                if let Some(reason) = known {
                     doubt.get_or_insert(reason.clone());
                     trouble.push(sight.secondary);
                 } else if mixed {
@@ -242,11 +242,11 @@ impl Judge {
             Some(doubt) => Err(doubt),
             None => Ok(majority),
         };
-        Judged { face, verdict, trouble }
+        FaceVerdict { face, verdict, trouble }
     }
 
     /// Horizontal lines that part the slices at which there is trouble from the others.
-    fn bands(&self, judged: &Judged) -> Vec<Vec<Point>> {
+    fn bands(&self, judged: &FaceVerdict) -> Vec<Vec<Point>> {
         let levels: Vec<f64> = self.sights.iter().map(|sight| sight.secondary).collect();
         let mut cuts: Vec<f64> = Vec::new();
         for level in &judged.trouble {
@@ -268,13 +268,13 @@ impl Judge {
 
     /// Judges a face that has trouble again in bands, each about one of the slices at which there is some; a band that no slice
     /// meets is as doubtful as the whole.
-    fn parted(&self, judged: Judged) -> Vec<Judged> {
+    fn parted(&self, judged: FaceVerdict) -> Vec<FaceVerdict> {
         let Err(doubt) = &judged.verdict else { return vec![judged] };
         let bands = self.bands(&judged);
         let parts = faces::part(&judged.face, &bands).into_iter().map(|face| {
             let part = self.judge(face);
             let verdict = if part.verdict == Err(Doubt::Unseen) { Err(doubt.clone()) } else { part.verdict };
-            Judged { verdict, ..part }
+            FaceVerdict { verdict, ..part }
         });
         parts.collect()
     }
@@ -282,7 +282,7 @@ impl Judge {
     /// The regions into which lines cut the window.
     fn regions(&self, lines: &[Vec<Point>], curves: &[DiagramCurve], loops: u32) -> Vec<Region> {
         let faces = faces::cut(self.window, lines).into_iter();
-        let judged: Vec<Judged> = faces.flat_map(|face| self.parted(self.judge(face))).collect();
+        let judged: Vec<FaceVerdict> = faces.flat_map(|face| self.parted(self.judge(face))).collect();
         let faces: Vec<&Face> = judged.iter().filter(|j| j.verdict == Ok(true)).map(|j| &j.face).collect();
         let mut regions: Vec<(usize, Region)> = Vec::new();
         for rings in faces::unite(&faces).into_iter().filter(|rings| !self.speck(rings)) {

@@ -34,7 +34,7 @@ pub struct Unlocated {
     pub reason: ResonanceError,
 }
 
-/// What is told of the search for resonances.
+/// The stage in which resonances are looked for.
 pub const STAGE: &str = "resonances on the grazing curve";
 
 /// The resonances of all p of the scope on the admissible part of a grazing curve: by p, and in the order of the curve for each.
@@ -54,9 +54,10 @@ pub fn on_curve(
             }
             let stretch = Stretch::new([&pair[0], &pair[1]], loops, scope);
             if stretch.is_forgotten() {
-                let told = |lost: &Unlocated| lost.loops == loops && lost.reason == ResonanceError::Forgotten;
+                let noted =
+                    |lost: &Unlocated| lost.loops == loops && lost.reason == ResonanceError::Forgotten;
                 if let Some(&way) = stretch.zeros().first()
-                    && !lost.iter().any(told)
+                    && !lost.iter().any(noted)
                 {
                     let near = stretch.parameters(way);
                     lost.push(Unlocated { loops, near, reason: ResonanceError::Forgotten });

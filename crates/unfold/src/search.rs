@@ -17,6 +17,7 @@ use rayon::prelude::*;
 use crate::Scope;
 use crate::grazing::HighestPoint;
 use crate::progress::Progress;
+use crate::tolerances::BETWEEN_ZEROS;
 
 /// Cells of a lattice along y, μ or η, and along z,
 const CELLS: [usize; 2] = [20, 30];
@@ -24,8 +25,6 @@ const CELLS: [usize; 2] = [20, 30];
 const FAST_CELLS: usize = 10;
 /// Newton's method does not leave the neighbouring cells, counted in diagonals of a cell.
 const REACH: f64 = 1.5;
-/// Zeros closer than this are one: Newton's method leaves some 10⁻¹⁰.
-const SAME_SOLUTION: f64 = 1e-6;
 /// Both edges of the window are looked at on every so many slices.
 const EDGES_EVERY: usize = 4;
 /// How often velocities up to twice as great are looked at, as long as there are solutions.
@@ -150,7 +149,7 @@ pub(crate) fn grazing(
     found.collect::<Vec<_>>().concat()
 }
 
-/// The MPSs of an oscillator with impact velocities between two, as far as a lattice of impacts tells them apart.
+/// The MPSs of an oscillator with impact velocities between two, as far as a lattice of impacts separates them.
 pub(crate) fn at(
     oscillator: &AnyOscillator,
     loops: &[u32],
@@ -199,7 +198,7 @@ impl Lattice {
         cell
     }
 
-    /// The first corners of cells with a zero inside, as far as the lattice tells, of each of several functions.
+    /// The first corners of cells with a zero inside, as far as the lattice shows, of each of several functions.
     ///
     /// There both components change sign between the corners.
     fn cells(
@@ -227,7 +226,7 @@ impl Lattice {
         both.map(|(index, i, k)| (index, corner(i, k))).collect()
     }
 
-    /// The MPSs that are faster than `slowest`, as far as the lattice tells them apart: zeros of how much an impact is missed by motion that begins with it, p forcing
+    /// The MPSs that are faster than `slowest`, as far as the lattice separates them: zeros of how much an impact is missed by motion that begins with it, p forcing
     /// periods later and the wall ignored meanwhile, (x, ẋ − y).
     fn zeros(&self, oscillator: &AnyOscillator, loops: &[u32], slowest: f64) -> Vec<(u32, Unknowns)> {
         let Self { start, side, .. } = *self;
@@ -286,7 +285,7 @@ impl Lattice {
 fn same(a: &Unknowns, b: &Unknowns) -> bool {
     let mut gap = a - b;
     gap[unknown::PHASE] = libm::remainder(gap[unknown::PHASE], TAU);
-    gap.norm() < SAME_SOLUTION
+    gap.norm() < BETWEEN_ZEROS
 }
 
 /// By how much motion that begins with an impact misses it some numbers of forcing periods later.
@@ -308,7 +307,7 @@ mod tests {
 
     use super::*;
     use crate::progress::Silent;
-    use crate::simulation::{Seen, Suspect};
+    use crate::simulation::{ReturnOutcome, Suspect};
 
     #[test]
     fn simulation_comes_back_to_the_admissible_ones_of_the_solutions_that_are_found() {
@@ -318,9 +317,9 @@ mod tests {
         let found = on_slices(&oscillator, &[1, 2], window, &slices, 2.0, &Silent);
         for (loops, zero) in &found {
             let here = oscillator.with_parameters([zero[2], zero[3]]);
-            let suspect = Suspect { oscillator: &here, loops: *loops, velocity: zero[0], phase: zero[1] };
+            let suspect = Suspect::of(&here, *loops, zero);
             let solution = LoopEquations::new(here, *loops, Formulation::FixedPhase).solution(zero);
-            assert_eq!(suspect.follow() == Seen::Returns, solution.admissible(), "{loops}: {zero}");
+            assert_eq!(suspect.follow() == ReturnOutcome::Returns, solution.admissible(), "{loops}: {zero}");
         }
         let of = |p: u32| found.iter().filter(|(loops, _)| *loops == p).count();
         assert!(of(1) >= slices.len() && of(2) >= 1, "{found:?}");

@@ -13,11 +13,10 @@ use core::fmt;
 use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::fit::Measurement;
 use grazing_continuation::locate::{Condition, LocateFailure, locate};
-use grazing_continuation::mps::{EventTimes, Unknowns, unknown};
+use grazing_continuation::mps::{EventTimes, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
-use grazing_model::AnyOscillator;
 
-use crate::simulation::{MOST_RETURNS, Seen, Suspect};
+use crate::simulation::{MOST_RETURNS, ReturnOutcome, Suspect};
 use crate::verdict::Coefficient;
 
 /// What theory predicts of a slower and a faster MPS beside a bifurcation curve, and what the simulated hybrid system does.
@@ -28,7 +27,7 @@ pub struct Sides {
     /// Whether the slower and the faster MPS are stable, by the theorem.
     pub predicted: [bool; 2],
     /// What comes of their impacts.
-    pub seen: [Seen; 2],
+    pub seen: [ReturnOutcome; 2],
     /// Whether motion beside them comes nearer; `None` if this is undecided after many returns.
     pub attracts: [Option<bool>; 2],
     /// Whether motion beyond a saddle-node goes elsewhere, `None` if this is undecided; of other curves nothing is asked.
@@ -174,26 +173,31 @@ fn leading(own: &Measurement, other: &Measurement) -> f64 {
 /// What is seen instead of what is predicted.
 impl fmt::Display for Sides {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut told = Vec::new();
+        let mut differences = Vec::new();
         for (k, which) in ["slower", "faster"].into_iter().enumerate() {
             let predicted = if self.predicted[k] { "stable" } else { "unstable" };
             match (self.seen[k], self.attracts[k]) {
-                (Seen::Returns, Some(seen)) if seen != self.predicted[k] => {
+                (ReturnOutcome::Returns, Some(seen)) if seen != self.predicted[k] => {
                     let verb = if seen { "attracts" } else { "repels" };
-                    told.push(format!("the {which} solution is predicted to be {predicted} and {verb}"));
+                    differences
+                        .push(format!("the {which} solution is predicted to be {predicted} and {verb}"));
                 }
-                (Seen::Returns, _) => {}
-                (Seen::NoImpact, _) => told.push(format!("the {which} solution has no impact")),
-                (Seen::MeetsTheWall, _) => {
-                    told.push(format!("the {which} solution meets the wall too early"))
+                (ReturnOutcome::Returns, _) => {}
+                (ReturnOutcome::NoImpact, _) => {
+                    differences.push(format!("the {which} solution has no impact"))
                 }
-                (Seen::GoesElsewhere, _) => told.push(format!("the {which} solution does not return")),
+                (ReturnOutcome::MeetsTheWall, _) => {
+                    differences.push(format!("the {which} solution meets the wall too early"))
+                }
+                (ReturnOutcome::GoesElsewhere, _) => {
+                    differences.push(format!("the {which} solution does not return"))
+                }
             }
         }
         if self.gone_beyond == Some(false) {
-            told.push("motion stays where no solution is left".to_owned());
+            differences.push("motion stays where no solution is left".to_owned());
         }
-        write!(formatter, "at impact velocity {:.0e} {}", self.velocity, told.join(", "))
+        write!(formatter, "at impact velocity {:.0e} {}", self.velocity, differences.join(", "))
     }
 }
 
@@ -201,7 +205,7 @@ impl Sides {
     /// Simulation lands on the predicted side; `None` if that is undecided.
     pub fn as_predicted(&self) -> Option<bool> {
         let against = |(predicted, seen): (&bool, &Option<bool>)| seen.is_some_and(|seen| seen != *predicted);
-        if self.seen != [Seen::Returns; 2]
+        if self.seen != [ReturnOutcome::Returns; 2]
             || self.predicted.iter().zip(&self.attracts).any(against)
             || self.gone_beyond == Some(false)
         {
@@ -249,12 +253,12 @@ impl Sides {
         });
 
         let oscillators = solutions.map(|solution| equations.oscillator_at(&solution));
-        let suspects = [0, 1].map(|k| suspect(&oscillators[k], point.loops(), &solutions[k]));
+        let suspects = [0, 1].map(|k| Suspect::of(&oscillators[k], point.loops(), &solutions[k]));
         let gone_beyond = if kind == Bifurcation::SaddleNode {
             let mut beyond = middle;
             // As far to the other side of the curve as the MPSs lie on theirs.
             beyond[unknown::PRIMARY] -= solutions[1][unknown::PRIMARY] - middle[unknown::PRIMARY];
-            let attracts = suspect(&equations.oscillator_at(&beyond), point.loops(), &beyond).attracts();
+            let attracts = Suspect::of(&equations.oscillator_at(&beyond), point.loops(), &beyond).attracts();
             attracts.map(|attracts| !attracts)
         } else {
             Some(true)
@@ -267,8 +271,4 @@ impl Sides {
             gone_beyond,
         })
     }
-}
-
-fn suspect<'a>(oscillator: &'a AnyOscillator, loops: u32, at: &Unknowns) -> Suspect<'a, AnyOscillator> {
-    Suspect { oscillator, loops, velocity: at[unknown::VELOCITY], phase: at[unknown::PHASE] }
 }

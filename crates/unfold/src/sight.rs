@@ -14,7 +14,7 @@ pub(crate) struct Sight {
 }
 
 impl Sight {
-    /// Nothing yet of a slice, but that it has more branches than can be told apart, if that is so.
+    /// Nothing yet of a slice, but that it has more branches than can be distinguished, if that is so.
     pub(crate) fn of(slice: &Slice) -> Self {
         let everywhere = (slice.branches.len() >= MOST_BRANCHES).then_some(Doubt::ManyBranches);
         Self { secondary: slice.secondary, good: Vec::new(), doubts: Vec::new(), everywhere }
@@ -33,7 +33,7 @@ impl Sight {
         self.good.push(joined);
     }
 
-    /// Something that cannot be told, and the μ near which it was met.
+    /// A doubt, and the μ near which it was met.
     pub(crate) fn doubt(&mut self, primary: f64, doubt: Doubt) {
         self.doubts.push((primary, doubt));
     }

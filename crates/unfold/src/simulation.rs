@@ -2,14 +2,16 @@
 
 use core::f64::consts::TAU;
 
-use grazing_continuation::mps::flight_time;
+use grazing_continuation::mps::{Unknowns, flight_time, unknown};
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, OnWall, State};
 use nalgebra::{Matrix2, Vector2};
 
+use crate::tolerances::BETWEEN_RETURNS;
+
 /// What comes of an impact that belongs to an MPS if there is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Seen {
+pub enum ReturnOutcome {
     /// The next impact comes after p forcing periods, and is the same one: an MPS of the hybrid system.
     Returns,
     /// The impact velocity is not positive: no orbit of the hybrid system begins like this.
@@ -36,13 +38,15 @@ pub struct Suspect<'a, O> {
 /// Displacements are this part of the scale on which the motion changes.
 const PART: f64 = 3e-4;
 
-/// Impacts that differ less than this in proportion are the same.
-const RESOLUTION: f64 = 1e-3;
-
 /// How often a perturbed orbit is followed through p forcing periods before its fate counts as undecided.
 pub const MOST_RETURNS: usize = 5_000;
 
-impl<O: ImpactOscillator> Suspect<'_, O> {
+impl<'a, O: ImpactOscillator> Suspect<'a, O> {
+    /// The impact of a point (y, z, μ, η).
+    pub fn of(oscillator: &'a O, loops: u32, point: &Unknowns) -> Self {
+        Self { oscillator, loops, velocity: point[unknown::VELOCITY], phase: point[unknown::PHASE] }
+    }
+
     /// Time from recoil to impact if it is an MPS: p forcing periods less what passes during the impact.
     fn flight(&self) -> f64 {
         let reset = self.oscillator.reset::<1>(OnWall::new(self.velocity, self.phase)).value;
@@ -50,29 +54,28 @@ impl<O: ImpactOscillator> Suspect<'_, O> {
     }
 
     /// Follows the orbit to its next impact.
-    pub fn follow(&self) -> Seen {
+    pub fn follow(&self) -> ReturnOutcome {
         if self.velocity.is_nan() || self.velocity <= 0.0 {
-            return Seen::NoImpact;
+            return ReturnOutcome::NoImpact;
         }
         let due = self.flight();
         let from = State::on_wall(self.velocity, self.phase);
         let mut orbit = Orbit::new(self.oscillator, from, 1.5 * due, 2);
-        // The least that can differ is of the size of the impact: its velocity, and the time that this takes to vanish. The same
-        // impact is met to rounding over y², which is below a thousandth for y above 10⁻⁶.
+        // The least that can differ is of the size of the impact: its velocity, and the time that this takes to vanish.
         let stop = self.velocity / self.oscillator.acceleration(from).abs();
         match orbit.next().map(|flight| (flight.duration, flight.end)) {
             Some((time, FlightEnd::Impact(impact))) => {
-                if time < due - RESOLUTION * stop {
-                    Seen::MeetsTheWall
-                } else if time <= due + RESOLUTION * stop
-                    && (impact.velocity - self.velocity).abs() <= RESOLUTION * self.velocity
+                if time < due - BETWEEN_RETURNS * stop {
+                    ReturnOutcome::MeetsTheWall
+                } else if time <= due + BETWEEN_RETURNS * stop
+                    && (impact.velocity - self.velocity).abs() <= BETWEEN_RETURNS * self.velocity
                 {
-                    Seen::Returns
+                    ReturnOutcome::Returns
                 } else {
-                    Seen::GoesElsewhere
+                    ReturnOutcome::GoesElsewhere
                 }
             }
-            _ => Seen::GoesElsewhere,
+            _ => ReturnOutcome::GoesElsewhere,
         }
     }
 

@@ -8,7 +8,7 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{Curve, CurvePoint, MpsCurve, Route, Window};
+use grazing_continuation::curve::{Curve, CurvePoint, Route, SolutionCurve, Window};
 use grazing_continuation::locate::{Condition, locate, locate_within};
 use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns, parameters, unknown};
 use grazing_model::motion::Motion;
@@ -107,7 +107,7 @@ const CARRIED: usize = 8;
 /// A solution that Newton's method finds farther than this from where it was carried to is another one (empirical; wherever the wall's
 /// distance from rest is of order one).
 pub(crate) const CARRIED_OFF: f64 = 0.5;
-/// No slice has more branches than this, or it is not told apart from one without end, as of a pendulum that may have turned any
+/// No slice has more branches than this, or it is not distinguished from one without end, as of a pendulum that may have turned any
 /// number of times.
 pub(crate) const MOST_BRANCHES: usize = 50;
 
@@ -287,8 +287,13 @@ impl Slicer {
         slice.branches.extend(followed);
     }
 
-    fn branch(&self, condition: Condition, window: Window, through: &Unknowns) -> (MpsCurve, Route<'static>) {
-        let curve = MpsCurve { equations: self.equations.clone(), condition };
+    fn branch(
+        &self,
+        condition: Condition,
+        window: Window,
+        through: &Unknowns,
+    ) -> (SolutionCurve, Route<'static>) {
+        let curve = SolutionCurve { equations: self.equations.clone(), condition };
         let mut control = self.control;
         let step_limit = ((LONGEST_BRANCH / control.longest) as usize).min(MOST_POINTS);
         if !self.equations.has_impacts() {

@@ -1,8 +1,11 @@
-//! Stretches of branches: where solutions are stable and admissible, what lies between, and where a branch breaks off.
+//! Stretches of branches: where solutions are stable and admissible, what lies between, and where a
+//! branch breaks off.
 
 use grazing_continuation::curve::{Curve, CurveEnd, Event};
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, LoopEquations, MaximalPeriodicSolution};
+use grazing_continuation::mps::{EventTimes, LoopEquations, PeriodicSolution};
+
+use crate::faces::range;
 
 /// A piece of a branch on which stability and admissibility do not change.
 #[derive(Clone, Copy, Debug)]
@@ -19,13 +22,14 @@ pub(crate) struct Border<'a> {
     pub(crate) primary: f64,
     /// The bifurcation; none was located where it is missing.
     pub(crate) event: Option<&'a Event>,
-    /// How far the stable, admissible MPSs beside it extend in both parameters, unless grazing bounds them.
+    /// How far the stable, admissible MPSs beside it extend in both parameters, unless grazing
+    /// bounds them.
     pub(crate) reach: Option<[f64; 2]>,
 }
 
 /// A point of a branch: one of the curve's, or an event.
 pub(crate) struct Vertex<'a> {
-    pub(crate) solution: &'a MaximalPeriodicSolution,
+    pub(crate) solution: &'a PeriodicSolution,
     pub(crate) event: Option<&'a Event>,
 }
 
@@ -46,7 +50,8 @@ pub(crate) fn vertices(branch: &Curve) -> Vec<Vertex<'_>> {
     vertices
 }
 
-/// The stretches of a branch and what lies between them, if MPSs are stable and admissible on one of both.
+/// The stretches of a branch and what lies between them, if MPSs are stable and admissible on one
+/// of both.
 pub(crate) fn stretches<'a>(equations: &LoopEquations, branch: &'a Curve) -> (Vec<Stretch>, Vec<Border<'a>>) {
     let vertices = vertices(branch);
     let status = |pair: &[Vertex<'_>]| {
@@ -74,10 +79,9 @@ pub(crate) fn stretches<'a>(equations: &LoopEquations, branch: &'a Curve) -> (Ve
             let grazes = |vertex: &Vertex<'_>| {
                 vertex.event.is_some_and(|it| it.condition == Condition::InteriorGrazing)
             };
-            let places = || all.iter().map(|vertex| vertex.solution.parameters());
             let extent = |k: usize| {
-                let [least, greatest] = [f64::min, f64::max].map(|of| places().map(|at| at[k]).reduce(of));
-                greatest.zip(least).map_or(0.0, |(greatest, least)| greatest - least)
+                let [least, greatest] = range(all.iter().map(|vertex| vertex.solution.parameters()[k]));
+                greatest - least
             };
             let reach = (!all.iter().any(grazes)).then(|| [0, 1].map(extent));
             let inner = [start, end].into_iter().filter(|k| 0 < *k && *k < stretches.len());
@@ -94,21 +98,23 @@ pub(crate) fn stretches<'a>(equations: &LoopEquations, branch: &'a Curve) -> (Ve
 /// The solution half the way between two neighbours on a branch.
 fn middle_of(
     equations: &LoopEquations,
-    a: &MaximalPeriodicSolution,
-    b: &MaximalPeriodicSolution,
-) -> Option<MaximalPeriodicSolution> {
+    a: &PeriodicSolution,
+    b: &PeriodicSolution,
+) -> Option<PeriodicSolution> {
     let middle = (a.unknowns + b.unknowns) * 0.5;
     let conditions = Condition::beside(equations, &middle);
     let found = locate(equations, conditions, middle, &mut EventTimes::default()).ok()?;
     Some(equations.solution(&found))
 }
 
-/// A branch whose multipliers exceed this may end anywhere: it runs into motion that escapes, over a hill of a potential say, and in its neighbourhood
-/// parameters matter so much that what stable stretches there may be are shorter than a diagram is drawn (empirical: none was seen by simulation).
+/// A branch whose multipliers exceed this may end anywhere: it runs into motion that escapes, over
+/// a hill of a potential say, and in its neighbourhood parameters matter so much that what stable
+/// stretches there may be are shorter than a diagram is drawn (empirical: none was seen by
+/// simulation).
 const BROKEN_BY_VIOLENCE: f64 = 1e3;
 
-/// The primary parameters at which a branch could not be followed to its end, with what happened; beyond the wall motion without
-/// impacts matters no more.
+/// The primary parameters at which a branch could not be followed to its end, with what happened;
+/// beyond the wall motion without impacts matters no more.
 pub(crate) fn broken_at(branch: &Curve) -> impl Iterator<Item = (f64, String)> {
     let ends =
         [(branch.points.first(), branch.beginning.as_ref()), (branch.points.last(), Some(&branch.end))];

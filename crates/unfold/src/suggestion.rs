@@ -3,12 +3,13 @@
 use grazing_continuation::curve::Window;
 
 use crate::Diagram;
+use crate::faces::range;
 
 /// A diagram that fills this share of a range or less is hard to read.
 const LITTLE: f64 = 0.1;
 /// What is left free on either side, as a share of what is filled.
 const MARGIN: f64 = 0.5;
-/// Less than this is a point or a straight line, from which no width can be told.
+/// Less than this is a point or a straight line, from which no width follows.
 const NOTHING: f64 = 1e-6;
 
 impl Diagram {
@@ -42,10 +43,8 @@ impl Diagram {
             landmarks(&curve.curve.parameters().into_iter().map(share).collect::<Vec<_>>())
         });
         let inside = grazing.chain(points).chain(curves).filter(|share| (0.0..=1.0).contains(share));
-        inside.fold(None, |filled, share| {
-            let [from, to] = filled.unwrap_or([share; 2]);
-            Some([share.min(from), share.max(to)])
-        })
+        let [from, to] = range(inside);
+        (from <= to).then_some([from, to])
     }
 }
 

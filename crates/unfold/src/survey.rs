@@ -7,7 +7,7 @@ use std::borrow::Cow;
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_continuation::curve::{Curve, CurveEnd, Event, MpsCurve, Route, Window};
+use grazing_continuation::curve::{Curve, CurveEnd, Event, Route, SolutionCurve, Window};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Unknowns, unknown};
 use grazing_model::ImpactOscillator;
@@ -24,6 +24,7 @@ use crate::region::Doubt;
 use crate::sight::Sight;
 use crate::slices::{FREE_STEPS, Slice, Slicer, near_chord, spread, steps};
 use crate::stretches::{Border, broken_at, stretches};
+use crate::tolerances::BETWEEN_BIFURCATIONS;
 
 /// The slices through the surface of solutions with p loops, in the order of η.
 pub(crate) struct Survey<'a> {
@@ -47,8 +48,6 @@ const COLUMNS: u32 = 8;
 /// Without impacts into so many: in the steps that the narrowest resonance asks for they take longer. They find what lies between slices, such
 /// resonances and folds to which no slice comes near.
 const FREE_COLUMNS: u32 = 2;
-/// Bifurcations closer than this, in (y, z) and shares of the range of μ, are one: both were located to some 10⁻¹⁰.
-const SAME_BIFURCATION: f64 = 1e-6;
 /// Where good solutions extend no farther than this share of the ranges, which is how well curves are drawn, nothing is looked for that bounds them, and nothing
 /// is left undecided for want of it: beside the way over a hill of the potential there is any number of such slivers, one thinner than the other.
 /// Where they are wider other slices see them.
@@ -162,7 +161,7 @@ impl<'a> Survey<'a> {
     }
 
     fn add_column(&mut self, column: Curve, progress: &dyn Progress) {
-        let events: Vec<Event> = bounding(self.net, &column, self.scope.window).collect();
+        let events = bounding(self.net, &column, self.scope.window);
         self.columns.push(column);
         self.explain(&events, progress);
     }
@@ -248,10 +247,10 @@ fn is_wide(border: &Border<'_>, window: Window) -> bool {
 }
 
 /// The bifurcations on a branch that bound good solutions.
-fn bounding(net: &Net, branch: &Curve, window: Window) -> impl Iterator<Item = Event> + use<> {
+fn bounding(net: &Net, branch: &Curve, window: Window) -> Vec<Event> {
     let (_, borders) = stretches(&net.equations, branch);
     let wide = borders.into_iter().filter(|border| is_wide(border, window));
-    wide.filter_map(|border| border.event.cloned()).collect::<Vec<_>>().into_iter()
+    wide.filter_map(|border| border.event.cloned()).collect()
 }
 
 /// Whether a bifurcation on a slice or a column lies on a known curve.
@@ -280,14 +279,15 @@ fn explained(net: &Net, kind: Bifurcation, event: &Event, window: Window) -> boo
             let mut times = pair[0].times.clone();
             let conditions = [event.condition, Condition::Secondary(secondary)];
             let found = locate(&net.equations, conditions, near, &mut times);
-            found.is_ok_and(|found| distance(&found) < SAME_BIFURCATION) || distance(&near) < SAME_BIFURCATION
+            found.is_ok_and(|found| distance(&found) < BETWEEN_BIFURCATIONS)
+                || distance(&near) < BETWEEN_BIFURCATIONS
         })
     })
 }
 
 /// Follows the curve through a bifurcation that lies on none that is known.
 fn start(net: &mut Net, kind: Bifurcation, event: &Event, route: &Route<'_>) {
-    let curve = MpsCurve { equations: net.equations.clone(), condition: event.condition };
+    let curve = SolutionCurve { equations: net.equations.clone(), condition: event.condition };
     // Across the slice.
     let upwards = if net.equations.has_impacts() { Unknowns::w() } else { -Unknowns::w() };
     if let Ok(curve) = curve.follow_both_ways(event.solution.unknowns, upwards, &event.times, route)

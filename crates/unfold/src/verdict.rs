@@ -1,4 +1,4 @@
-//! Whether the theorem's quadratic coefficients are those of the continued curves, and where that cannot be told.
+//! Whether the theorem's quadratic coefficients are those of the continued curves, and where that is unknown.
 
 use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::fit::{Estimate, FitError, Measurement, measure};

@@ -130,7 +130,7 @@ impl ResonantSpecimen {
     }
 
     /// The MPS at a point.
-    pub(crate) fn solution(&self, near: &Near) -> MaximalPeriodicSolution {
+    pub(crate) fn solution(&self, near: &Near) -> PeriodicSolution {
         self.resonance.equations().solution(&near.unknowns)
     }
 

@@ -211,13 +211,13 @@ fn simulate(
             let at = oscillator.with_parameters([solution.amplitude, oscillator.frequency()]);
             let suspect = solution.suspect(&at, loops);
             let seen = suspect.follow();
-            if seen == Seen::Returns {
+            if seen == ReturnOutcome::Returns {
                 repels &= suspect.repels_at_once();
             }
             match seen {
-                Seen::Returns => Some(true),
-                Seen::NoImpact | Seen::MeetsTheWall => Some(false),
-                Seen::GoesElsewhere => None,
+                ReturnOutcome::Returns => Some(true),
+                ReturnOutcome::NoImpact | ReturnOutcome::MeetsTheWall => Some(false),
+                ReturnOutcome::GoesElsewhere => None,
             }
         });
         let [first, rest @ ..] = at_sizes;

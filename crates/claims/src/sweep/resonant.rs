@@ -262,7 +262,7 @@ impl Scene<'_> {
         let oscillators =
             both.map(|solution| self.start.with_parameters([solution.amplitude, self.case.omega + eta]));
         let suspects = [0, 1].map(|k| both[k].suspect(&oscillators[k], self.case.loops));
-        if suspects.iter().any(|suspect| suspect.follow() != Seen::Returns) {
+        if suspects.iter().any(|suspect| suspect.follow() != ReturnOutcome::Returns) {
             return None;
         }
         let side =

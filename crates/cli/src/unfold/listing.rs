@@ -90,7 +90,7 @@ pub(super) fn results(description: &Description, unfolded: &Analysis) -> String 
 fn grazing_curves(description: &Description, unfolded: &Analysis) -> String {
     let units = &unfolded.axes.units;
     let (primary, secondary) = (description.primary().name(), description.secondary().name());
-    let told = |(arc, curve): (usize, &GrazingCurve<_>)| {
+    let told = |(arc, curve): (usize, &GrazingCurve)| {
         let points: Vec<[f64; 2]> = curve.parameters().map(|at| units.parameters(at)).collect();
         let extent = |index: usize| {
             let values = points.iter().map(|point| point[index]);
@@ -125,7 +125,7 @@ fn ends(ends: &[GrazingEnd; 2]) -> String {
 }
 
 /// Where the solution is stable, piece by piece.
-fn stability(curve: &GrazingCurve<impl ImpactOscillator>, secondary: &str, units: &Units) -> String {
+fn stability(curve: &GrazingCurve, secondary: &str, units: &Units) -> String {
     let word = |stable: bool, admissible: bool| match (stable, admissible) {
         (true, true) => "stable",
         (false, true) => "unstable",
@@ -328,7 +328,7 @@ mod tests {
     use grazing_continuation::bifurcation::Pair;
     use grazing_continuation::fit::{Estimate, Measurement};
     use grazing_unfold::sides::{Inconclusive, Sides};
-    use grazing_unfold::simulation::Seen;
+    use grazing_unfold::simulation::ReturnOutcome;
     use grazing_unfold::verdict::{Coefficient, Obstacle};
 
     /// A resonance whose saddle-node coefficient is measured with an error, and what simulation shows beside that curve.
@@ -354,7 +354,7 @@ mod tests {
         let sides = Sides {
             velocity: 0.001,
             predicted: [false, true],
-            seen: [Seen::Returns; 2],
+            seen: [ReturnOutcome::Returns; 2],
             attracts: [Some(false); 2],
             gone_beyond: Some(true),
         };

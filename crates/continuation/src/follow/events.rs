@@ -1,15 +1,16 @@
-//! What happens to the solution along a curve: the functions that vanish at bifurcations, and their zeros on a step.
+//! What happens to the solution along a curve: the functions that vanish at bifurcations, and their
+//! zeros on a step.
 
 use grazing_model::ImpactOscillator;
 
 use crate::arclength::{Continuation, Station, StepControl};
 use crate::bifurcation::Bifurcation;
-use crate::curve::{CurveEnd, Event, MpsCurve};
+use crate::curve::{CurveEnd, Event, SolutionCurve};
 use crate::locate::{Condition, LocateFailure, locate_grazing_end, locate_within};
-use crate::mps::{EventTimes, MaximalPeriodicSolution, Stability, Unknowns, unknown};
+use crate::mps::{EventTimes, PeriodicSolution, Stability, Unknowns, unknown};
 use crate::tolerances::{CUTS, FARTHEST_EVENT, FARTHEST_ITERATE, NO_VELOCITY, ON_TWO_CURVES, TOUCHES_TOO};
 
-pub(super) type MpsStation = Station<4, EventTimes>;
+pub(super) type CurveStation = Station<4, EventTimes>;
 
 /// What can happen to the solution along a curve.
 pub(super) const EVENTS: [Condition; 3] = [
@@ -23,7 +24,8 @@ pub(super) const INADMISSIBLE: usize = 2;
 /// Signs of the functions that vanish at the [`EVENTS`]; unknown where that was not looked at.
 pub(super) type Signs = [Option<bool>; EVENTS.len()];
 
-/// So far along the tangent the maxima of loops that touch the wall at y = 0 have left it by more than the tangent is off, and by more than rounding.
+/// So far along the tangent the maxima of loops that touch the wall at y = 0 have left it by more
+/// than the tangent is off, and by more than rounding.
 const BESIDE_GRAZING: f64 = 1e-6;
 
 /// What vanishes at a bifurcation that multipliers show.
@@ -35,8 +37,9 @@ pub(super) fn vanishing(event: Condition, stability: &Stability) -> Option<f64> 
     }
 }
 
-/// On a curve of fixed multiplier the other multiplier is positive or negative throughout: only grazing can happen there.
-pub(super) fn signs(along: Condition, stability: &Stability, solution: &MaximalPeriodicSolution) -> Signs {
+/// On a curve of fixed multiplier the other multiplier is positive or negative throughout: only
+/// grazing can happen there.
+pub(super) fn signs(along: Condition, stability: &Stability, solution: &PeriodicSolution) -> Signs {
     EVENTS.map(|event| match vanishing(event, stability) {
         Some(value) => (!matches!(along, Condition::Multiplier(_))).then_some(value > 0.0),
         None => Some(solution.touches()),
@@ -49,18 +52,20 @@ pub(super) fn changes(past: Signs, now: Signs) -> impl Iterator<Item = usize> {
     (0..EVENTS.len()).filter(move |event| differ(past[*event], now[*event]))
 }
 
-impl<O: ImpactOscillator> MpsCurve<O> {
+impl<O: ImpactOscillator> SolutionCurve<O> {
     /// Whether a point of the curve is one of the grazing curve, with y = 0.
     pub(super) fn is_at_grazing(&self, point: &Unknowns) -> bool {
         self.equations.has_impacts() && point[unknown::VELOCITY] == 0.0
     }
 
-    /// The signs at the start, unless it is itself a codimension-two point, where one of the functions vanishes.
-    pub(super) fn starting_signs(&self, first: &MpsStation) -> Option<Signs> {
+    /// The signs at the start, unless it is itself a codimension-two point, where one of the
+    /// functions vanishes.
+    pub(super) fn starting_signs(&self, first: &CurveStation) -> Option<Signs> {
         let (mut solution, stability) = self.equations.solution_and_stability(&first.point);
         let at_grazing = self.is_at_grazing(&first.point);
         if at_grazing {
-            // The maxima of all loops touch the wall there; where they go from there is to be seen a little farther on.
+            // The maxima of all loops touch the wall there; where they go from there is to be seen
+            // a little farther on.
             solution = self.equations.solution(&(first.point + first.tangent * BESIDE_GRAZING));
         }
         let clear = match self.condition {
@@ -74,19 +79,20 @@ impl<O: ImpactOscillator> MpsCurve<O> {
 
 /// A step along a curve, from one point to the next.
 pub(super) struct Step<'a, O> {
-    pub(super) followed: &'a MpsCurve<O>,
+    pub(super) followed: &'a SolutionCurve<O>,
     pub(super) control: StepControl,
-    pub(super) before: &'a MpsStation,
-    pub(super) after: &'a MpsStation,
+    pub(super) before: &'a CurveStation,
+    pub(super) after: &'a CurveStation,
 }
 
 impl<O: ImpactOscillator> Step<'_, O> {
-    /// All events on the step, in the order of the curve; `beyond` is the solution at its end, which is the curve's point of this index.
+    /// All events on the step, in the order of the curve; `beyond` is the solution at its end,
+    /// which is the curve's point of this index.
     pub(super) fn events(
         &self,
         past: Signs,
         now: Signs,
-        beyond: &MaximalPeriodicSolution,
+        beyond: &PeriodicSolution,
         index: usize,
     ) -> Result<Vec<Event>, CurveEnd> {
         let mut located = Vec::new();
@@ -95,7 +101,8 @@ impl<O: ImpactOscillator> Step<'_, O> {
             let found = self.event(condition, beyond);
             match found.or_else(|failure| self.event_closer(event, past[event]).ok_or(failure)) {
                 Ok((solution, times)) => located.push(Event { condition, solution, index, times }),
-                // Where branches cross for the sake of a symmetry, or rest touches the wall, motion without impacts goes on.
+                // Where branches cross for the sake of a symmetry, or rest touches the wall, motion
+                // without impacts goes on.
                 Err(_) if !self.followed.equations.has_impacts() => {}
                 Err(failure) => return Err(CurveEnd::EventNotLocated { condition, failure }),
             }
@@ -109,15 +116,16 @@ impl<O: ImpactOscillator> Step<'_, O> {
     fn event(
         &self,
         condition: Condition,
-        beyond: &MaximalPeriodicSolution,
-    ) -> Result<(MaximalPeriodicSolution, EventTimes), LocateFailure> {
+        beyond: &PeriodicSolution,
+    ) -> Result<(PeriodicSolution, EventTimes), LocateFailure> {
         let Self { before, after, .. } = *self;
         let equations = &self.followed.equations;
         let mut times = after.carried.clone();
         let mut near = (before.point + after.point) * 0.5;
         let mut sought = condition;
         if condition == Condition::InteriorGrazing {
-            // The maximum that crosses the wall is the highest one at whichever end is inadmissible.
+            // The maximum that crosses the wall is the highest one at whichever end is
+            // inadmissible.
             let solution = if beyond.touches() {
                 near = after.point;
                 *beyond
@@ -144,14 +152,11 @@ impl<O: ImpactOscillator> Step<'_, O> {
         Ok((equations.solution(&point), times))
     }
 
-    /// Locates an event that Newton's method does not find from the middle of the step: the step is cut about it, over and over.
-    fn event_closer(
-        &self,
-        event: usize,
-        past: Option<bool>,
-    ) -> Option<(MaximalPeriodicSolution, EventTimes)> {
+    /// Locates an event that Newton's method does not find from the middle of the step: the step is
+    /// cut about it, over and over.
+    fn event_closer(&self, event: usize, past: Option<bool>) -> Option<(PeriodicSolution, EventTimes)> {
         let equations = &self.followed.equations;
-        let comes_later = |middle: &MpsStation| {
+        let comes_later = |middle: &CurveStation| {
             let (solution, stability) = equations.solution_and_stability(&middle.point);
             signs(self.followed.condition, &stability, &solution)[event] == past
         };
@@ -164,7 +169,7 @@ impl<O: ImpactOscillator> Step<'_, O> {
     /// Cuts the step about a place that lies in it until the place is located.
     fn cut<T>(
         &self,
-        comes_later: impl Fn(&MpsStation) -> bool,
+        comes_later: impl Fn(&CurveStation) -> bool,
         located: impl Fn(&Step<'_, O>) -> Option<T>,
     ) -> Option<T> {
         let (mut before, mut after) = (self.before.clone(), self.after.clone());
@@ -195,7 +200,7 @@ impl<O: ImpactOscillator> Step<'_, O> {
         let located = |step: &Step<'_, O>| {
             let near = step.on_chord(unknown::VELOCITY, 0.0);
             let mut times = step.after.carried.clone();
-            let MpsCurve { equations, condition } = step.followed;
+            let SolutionCurve { equations, condition } = step.followed;
             let located = match condition {
                 Condition::InteriorGrazing => {
                     locate_grazing_end(equations, near, &mut times).and_then(|point| step.holds(point, near))
@@ -205,7 +210,7 @@ impl<O: ImpactOscillator> Step<'_, O> {
             located.map(|point| (point, times))
         };
         located(self).or_else(|failure| {
-            let comes_later = |middle: &MpsStation| middle.point[unknown::VELOCITY] > NO_VELOCITY;
+            let comes_later = |middle: &CurveStation| middle.point[unknown::VELOCITY] > NO_VELOCITY;
             self.cut(comes_later, |part| located(part).ok()).ok_or(failure)
         })
     }
@@ -217,7 +222,7 @@ impl<O: ImpactOscillator> Step<'_, O> {
         near: Unknowns,
         times: &mut EventTimes,
     ) -> Result<Unknowns, LocateFailure> {
-        let MpsCurve { equations, condition: along } = self.followed;
+        let SolutionCurve { equations, condition: along } = self.followed;
         let point =
             locate_within(FARTHEST_ITERATE * self.length(), equations, [*along, condition], near, times)?;
         self.holds(point, near)

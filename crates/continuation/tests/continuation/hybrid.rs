@@ -1,6 +1,6 @@
 //! MPSs checked against the hybrid system itself, simulated from event to event.
 
-use grazing_continuation::mps::{MaximalPeriodicSolution, Multipliers};
+use grazing_continuation::mps::{Multipliers, PeriodicSolution};
 use grazing_model::motion::Motion;
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
 use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, State};
@@ -9,18 +9,18 @@ use nalgebra::{Matrix2, Vector2};
 use crate::specimens::assert_within;
 
 /// The state just after the impact of an MPS.
-fn recoil(oscillator: &LinearOscillator, solution: &MaximalPeriodicSolution) -> State {
+fn recoil(oscillator: &LinearOscillator, solution: &PeriodicSolution) -> State {
     let reset = oscillator.reset::<1>(OnWall::new(solution.unknowns[0], solution.unknowns[1])).value;
     State::on_wall(reset[0], reset[1])
 }
 
 /// The time after which an MPS repeats itself.
-fn duration(oscillator: &LinearOscillator, solution: &MaximalPeriodicSolution) -> f64 {
+fn duration(oscillator: &LinearOscillator, solution: &PeriodicSolution) -> f64 {
     f64::from(solution.loops) * oscillator.forcing_period()
 }
 
 /// The flight from the impact of an MPS to the next impact: its length, and the velocity of that impact.
-fn next_impact(oscillator: &LinearOscillator, solution: &MaximalPeriodicSolution) -> [f64; 2] {
+fn next_impact(oscillator: &LinearOscillator, solution: &PeriodicSolution) -> [f64; 2] {
     let from = State::on_wall(solution.unknowns[0], solution.unknowns[1]);
     let horizon = 1.5 * duration(oscillator, solution);
     let flight = Orbit::new(oscillator, from, horizon, 10).next().unwrap();
@@ -35,7 +35,7 @@ fn next_impact(oscillator: &LinearOscillator, solution: &MaximalPeriodicSolution
 /// This is one impact in p periods and a return to (y, z). The position is back at the wall to some 10⁻¹⁴: a zero
 /// with its multiplier of order 1/y; velocity and time of the impact are off by that over y.
 #[track_caller]
-pub(crate) fn assert_returns(oscillator: &LinearOscillator, solution: &MaximalPeriodicSolution) {
+pub(crate) fn assert_returns(oscillator: &LinearOscillator, solution: &PeriodicSolution) {
     let [time, impact_velocity] = next_impact(oscillator, solution);
     let velocity = solution.impact_velocity();
     let bound = 1e-10 + 1e-13 / velocity;
@@ -44,14 +44,14 @@ pub(crate) fn assert_returns(oscillator: &LinearOscillator, solution: &MaximalPe
 }
 
 /// The orbit from the impact of an MPS is stopped by the wall before p forcing periods are over.
-pub(crate) fn impacts_early(oscillator: &LinearOscillator, solution: &MaximalPeriodicSolution) -> bool {
+pub(crate) fn impacts_early(oscillator: &LinearOscillator, solution: &PeriodicSolution) -> bool {
     next_impact(oscillator, solution)[0] < duration(oscillator, solution) - 1e-6
 }
 
 /// Fails unless the orbit from the impact of an MPS touches the wall within p forcing periods, never crosses it, and is back
 /// at the wall with the same velocity after that time.
 #[track_caller]
-pub(crate) fn assert_touches(oscillator: &LinearOscillator, solution: &MaximalPeriodicSolution) {
+pub(crate) fn assert_touches(oscillator: &LinearOscillator, solution: &PeriodicSolution) {
     let period = duration(oscillator, solution);
     let motion = oscillator.motion(recoil(oscillator, solution));
     let end = motion.at(period);
@@ -59,7 +59,7 @@ pub(crate) fn assert_touches(oscillator: &LinearOscillator, solution: &MaximalPe
     assert_within(end.velocity, solution.unknowns[0], 1e-10);
     // The maximum was solved for to rounding of x, at a time carried along the curve.
     let highest = motion.highest_maximum(period).unwrap();
-    assert_within(highest.position, 0.0, MaximalPeriodicSolution::TOUCH);
+    assert_within(highest.position, 0.0, PeriodicSolution::TOUCH);
 }
 
 /// The stroboscopic map over p forcing periods from a displacement off an MPS, half a period after its impact.
@@ -67,7 +67,7 @@ pub(crate) fn assert_touches(oscillator: &LinearOscillator, solution: &MaximalPe
 /// None if there is not exactly one impact.
 fn strobe(
     oscillator: &LinearOscillator,
-    solution: &MaximalPeriodicSolution,
+    solution: &PeriodicSolution,
     displacement: Vector2<f64>,
 ) -> Option<Vector2<f64>> {
     let half = 0.5 * oscillator.forcing_period();
@@ -91,7 +91,7 @@ fn strobe(
 /// None if an orbit does not have exactly one impact.
 pub(crate) fn simulated_multipliers(
     oscillator: &LinearOscillator,
-    solution: &MaximalPeriodicSolution,
+    solution: &PeriodicSolution,
     h: f64,
 ) -> Option<Multipliers> {
     let column = |direction: Vector2<f64>| {
@@ -106,7 +106,7 @@ pub(crate) fn simulated_multipliers(
 /// The map from impact to impact over p loops with the wall ignored in between, as (y, z) relative to the MPS.
 fn unhindered_return(
     oscillator: &LinearOscillator,
-    solution: &MaximalPeriodicSolution,
+    solution: &PeriodicSolution,
     displacement: Vector2<f64>,
 ) -> Vector2<f64> {
     let from = Vector2::new(solution.unknowns[0], solution.unknowns[1]) + displacement;
@@ -127,7 +127,7 @@ fn unhindered_return(
 ///
 /// For solutions that are not admissible, and so none of the hybrid system.
 #[track_caller]
-pub(crate) fn assert_returns_unhindered(oscillator: &LinearOscillator, solution: &MaximalPeriodicSolution) {
+pub(crate) fn assert_returns_unhindered(oscillator: &LinearOscillator, solution: &PeriodicSolution) {
     const H: f64 = 1e-6;
     assert_within(unhindered_return(oscillator, solution, Vector2::zeros()).norm(), 0.0, 1e-11);
     let column = |direction: Vector2<f64>| {

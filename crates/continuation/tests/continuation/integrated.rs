@@ -4,7 +4,7 @@ use grazing_continuation::curve::Curve;
 use grazing_continuation::cusp::cusps;
 use grazing_continuation::fit;
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, MaximalPeriodicSolution, unknown};
+use grazing_continuation::mps::{EventTimes, PeriodicSolution, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Integrated;
@@ -79,7 +79,7 @@ fn a_branch_is_no_parabola_where_its_saddle_node_curve_turns_back_in_a_cusp() {
     let cusps = cusps(&resonance.curve(Condition::SADDLE_NODE).equations, &curves.saddle_node);
     assert_eq!(cusps.len(), 1);
     // Half the second derivative of μ in y along the branch of fixed η through a saddle-node, by differences.
-    let curvature = |solution: &MaximalPeriodicSolution| {
+    let curvature = |solution: &PeriodicSolution| {
         let fold = solution.unknowns;
         let step = 1e-3 * fold[unknown::VELOCITY];
         let at = |velocity: f64| {

@@ -1,7 +1,7 @@
 //! Resonances located numerically, the directions in which curves leave them, and the coefficients measured on the curves.
 
 use grazing_continuation::arclength::{Continuation, StepControl};
-use grazing_continuation::curve::MpsCurve;
+use grazing_continuation::curve::SolutionCurve;
 use grazing_continuation::fit::quadratic_coefficient;
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::EventTimes;
@@ -40,7 +40,7 @@ fn curves_leave_in_the_direction_of_the_theory() {
     for resonance in all() {
         let located = located(&resonance);
         for condition in CONDITIONS {
-            let curve = MpsCurve { equations: located.equations().clone(), condition };
+            let curve = SolutionCurve { equations: located.equations().clone(), condition };
             let direction = located.direction(condition);
             let start = located.unknowns();
             // Started far from the theory's direction, but to its side.

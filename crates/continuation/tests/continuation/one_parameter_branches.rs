@@ -1,6 +1,6 @@
 //! One-parameter branches: through grazing, through folds, with their events, and where VIVID ends.
 
-use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, MpsCurve};
+use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, SolutionCurve};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_model::LinearOscillator;
@@ -41,7 +41,7 @@ fn branches_that_come_back_to_grazing_end_on_the_grazing_orbit() {
         let (equations, real) = amplitude_branch(loops, [0.2, 0.4]);
         let CurvePoint { solution, times } = &real.points[8];
         let down = Unknowns::new(-1.0, 0.0, 0.0, 0.0);
-        let back = MpsCurve { equations, condition: Condition::Secondary(OMEGA) };
+        let back = SolutionCurve { equations, condition: Condition::Secondary(OMEGA) };
         let route = route([0.2, 0.4], [0.1, 2.0], false);
         let curve = back.follow(solution.unknowns, down, times.clone(), &route).unwrap();
         assert!(matches!(curve.end, CurveEnd::Grazing), "{:?}", curve.end);
@@ -150,7 +150,7 @@ fn a_bifurcation_from_which_a_branch_is_followed_is_one_of_its_events() {
         for start in &whole.events {
             let Condition::Multiplier(multiplier) = start.condition else { continue };
             let equations = equations.with_formulation(Formulation::FixedPhase);
-            let curve = MpsCurve { equations, condition: Condition::Secondary(OMEGA) };
+            let curve = SolutionCurve { equations, condition: Condition::Secondary(OMEGA) };
             let through = start.solution.unknowns;
             let route = route([0.1, 0.7], [0.1, 2.0], false);
             let up = Unknowns::new(1.0, 0.0, 0.0, 0.0);

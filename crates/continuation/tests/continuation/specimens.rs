@@ -1,7 +1,7 @@
 //! Oscillators, resonances and MPSs to test with, and ways to compare numbers.
 
 use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
+use grazing_continuation::curve::{Curve, Route, SolutionCurve, Window};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_continuation::resonance::ResonantGrazingPoint;
@@ -131,7 +131,7 @@ pub(crate) fn branch(
 ) -> (LoopEquations<LinearOscillator>, Curve) {
     let (grazing, oscillator) = at_grazing(zeta, epsilon, omega);
     let equations = LoopEquations::new(oscillator, loops, formulation);
-    let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(omega) };
+    let curve = SolutionCurve { equations: equations.clone(), condition: Condition::Secondary(omega) };
     let start = Unknowns::new(0.0, grazing.phase(), grazing.amplitude(), omega);
     let direction = Unknowns::new(side, 0.0, 0.0, 0.0);
     let curve = curve.follow(start, direction, EventTimes::default(), route).unwrap();

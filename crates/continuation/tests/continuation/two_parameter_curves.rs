@@ -3,9 +3,9 @@
 
 use std::sync::OnceLock;
 
-use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route};
+use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, Route, SolutionCurve};
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::{MaximalPeriodicSolution, Unknowns};
+use grazing_continuation::mps::{PeriodicSolution, Unknowns};
 use grazing_continuation::resonance::{ResonantGrazingPoint, UnfoldedResonance, same_point};
 use grazing_model::LinearOscillator;
 use grazing_theorems::Resonance;
@@ -124,7 +124,7 @@ fn grazing_curve_from_the_end_of_pd_comes_back_to_the_end_of_sn() {
             continue;
         };
         let arrived = [1.0, -1.0].into_iter().any(|side| {
-            let curve = MpsCurve {
+            let curve = SolutionCurve {
                 equations: unfolded.located.equations().clone(),
                 condition: Condition::InteriorGrazing,
             };
@@ -169,7 +169,7 @@ fn every_point_fulfils_the_condition_of_its_curve() {
                     Condition::Multiplier(value) => {
                         assert_within(1.0 - value * multipliers.trace + multipliers.determinant, 0.0, 1e-9);
                     }
-                    _ => assert_within(solution.ceiling(), 0.0, MaximalPeriodicSolution::TOUCH),
+                    _ => assert_within(solution.ceiling(), 0.0, PeriodicSolution::TOUCH),
                 }
             }
         }
@@ -186,7 +186,7 @@ fn every_point_is_an_orbit_of_the_hybrid_system() {
                 curve.points.iter().filter(|point| point.solution.impact_velocity() > 1e-3)
             {
                 let oscillator = unfolded.located.equations().oscillator_at(&solution.unknowns);
-                if solution.ceiling() < -MaximalPeriodicSolution::TOUCH {
+                if solution.ceiling() < -PeriodicSolution::TOUCH {
                     assert_returns(&oscillator, solution);
                     returned += 1;
                 } else {

@@ -20,13 +20,6 @@ const INTEGRATED: [(usize, usize); 4] = [
     (flow::SECONDARY, variable::SECONDARY),
 ];
 
-/// The end of an integration.
-struct Passage<const LENGTH: usize> {
-    state: [Jet<LENGTH>; 2],
-    acceleration: Jet<LENGTH>,
-    jerk: f64,
-}
-
 impl<M: SmoothOscillator> Integrated<M> {
     /// The jet of the flow; NaN if the solution does not exist for so long.
     pub(super) fn flow_jet<const LENGTH: usize>(
@@ -35,25 +28,24 @@ impl<M: SmoothOscillator> Integrated<M> {
         from: State,
         duration: f64,
     ) -> FlowJet {
-        let Some(passage) = self.integrate::<LENGTH>(motion, from, duration) else {
+        let Some(mut jet) = self.integrate::<LENGTH>(motion, from, duration) else {
             return FlowJet {
                 value: Vector2::repeat(f64::NAN),
                 jacobian: Matrix2x6::repeat(f64::NAN),
                 hessians: [Matrix6::repeat(f64::NAN); 2],
             };
         };
-        let mut jet = passage.flow_jet();
         self.add_phase::<LENGTH>(from, &mut jet);
         jet
     }
 
-    /// Position and velocity at the end with derivatives in all variables but the phase.
+    /// The flow's jet, with nothing yet in the place of the phase.
     fn integrate<const LENGTH: usize>(
         &self,
         motion: &IntegratedMotion<M>,
         from: State,
         duration: f64,
-    ) -> Option<Passage<LENGTH>> {
+    ) -> Option<FlowJet> {
         let [mu, eta] = self.parameter_jets::<LENGTH>();
         let start = from.phase / self.frequency;
         // t = z₀/ω + s.
@@ -70,7 +62,32 @@ impl<M: SmoothOscillator> Integrated<M> {
         let [x, y] = jets;
         let acceleration = self.model.force(x, y, origin + Jet::constant(end), mu, eta);
         let [_, jerk] = derivatives(self, [x.value(), y.value()], end);
-        Some(Passage { state: jets, acceleration, jerk })
+        let mut jet = FlowJet {
+            value: Vector2::new(x.value(), y.value()),
+            jacobian: Matrix2x6::zeros(),
+            hessians: [Matrix6::zeros(); 2],
+        };
+        // d/ds: the velocity and the acceleration.
+        let slopes = [y, acceleration];
+        for i in 0..2 {
+            for (column, variable) in INTEGRATED {
+                jet.jacobian[(i, column)] = jets[i].first(variable);
+            }
+            jet.jacobian[(i, flow::DURATION)] = slopes[i].value();
+            if LENGTH == FIRST {
+                continue;
+            }
+            let hessian = &mut jet.hessians[i];
+            for (row, a) in INTEGRATED {
+                for (column, b) in INTEGRATED {
+                    hessian[(row, column)] = jets[i].second(a, b);
+                }
+                hessian[(row, flow::DURATION)] = slopes[i].first(a);
+                hessian[(flow::DURATION, row)] = slopes[i].first(a);
+            }
+            hessian[(flow::DURATION, flow::DURATION)] = [acceleration.value(), jerk][i];
+        }
+        Some(jet)
     }
 
     /// Adds the derivatives in the phase z₀ to a jet that has all others.
@@ -119,38 +136,5 @@ impl<M: SmoothOscillator> Integrated<M> {
             set(flow::DURATION, 0.0);
             set(flow::PHASE, by_phase * by_velocity);
         }
-    }
-}
-
-impl<const LENGTH: usize> Passage<LENGTH> {
-    /// The flow's jet, with nothing yet in the place of the phase.
-    fn flow_jet(&self) -> FlowJet {
-        let [x, y] = &self.state;
-        let mut jet = FlowJet {
-            value: Vector2::new(x.value(), y.value()),
-            jacobian: Matrix2x6::zeros(),
-            hessians: [Matrix6::zeros(); 2],
-        };
-        // d/ds: the velocity and the acceleration.
-        let slopes = [y, &self.acceleration];
-        for i in 0..2 {
-            for (column, variable) in INTEGRATED {
-                jet.jacobian[(i, column)] = self.state[i].first(variable);
-            }
-            jet.jacobian[(i, flow::DURATION)] = slopes[i].value();
-            if LENGTH == FIRST {
-                continue;
-            }
-            let hessian = &mut jet.hessians[i];
-            for (row, a) in INTEGRATED {
-                for (column, b) in INTEGRATED {
-                    hessian[(row, column)] = self.state[i].second(a, b);
-                }
-                hessian[(row, flow::DURATION)] = slopes[i].first(a);
-                hessian[(flow::DURATION, row)] = slopes[i].first(a);
-            }
-            hessian[(flow::DURATION, flow::DURATION)] = [self.acceleration.value(), self.jerk][i];
-        }
-        jet
     }
 }

@@ -40,13 +40,13 @@ pub(super) struct Node {
 /// fast, so both are some 10⁻⁷ or less then, and each error is 10⁻¹³ or less (empirical; tests hold flows to 10⁻¹²).
 const TOLERANCE: f64 = 1e-5;
 /// Size that is allowed of a coefficient of degree twelve, of the acceleration relative to the motion's scale and of h² F_x and h F_y, the first
-/// that is neglected by itself and not in a product, as far as the lower ones tell ([`tail`]). It matters where coefficients are small but fall
+/// that is neglected by itself and not in a product, as far as the lower ones show ([`tail`]). It matters where coefficients are small but fall
 /// slowly: the force comes in pulses, or bends by little and within a short way, as drag that turns about at v = 0, and derivatives of second order are the first to be wrong (empirical: with
 /// this size those are right to 10⁻¹¹ under tanh(50 ẋ), and to 10⁻⁸ under drag with a branch point 0.1 beside the real velocities, whose
 /// coefficients fall so slowly beside larger ones that no six values show them).
 const TAIL: f64 = 3e-14;
 /// The largest h r on a step, r being the fastest rate at which neighbouring motion turns or decays: where F_x and F_y are constant
-/// nothing else tells how fast the variational equations are. Their error is then that of Padé's approximation of the exponential
+/// nothing else shows how fast the variational equations are. Their error is then that of Padé's approximation of the exponential
 /// function, (6!)²/(12! 13!) (h r)¹³: 2·10⁻¹⁴ here.
 const SWING: f64 = 0.85;
 /// A step is solved again if h r is larger by more than this share: its error is four times as large.
@@ -179,7 +179,7 @@ impl Slopes {
         }
     }
 
-    /// The highest coefficients of h² F_x and h F_y, and those of degree twelve, as far as can be told.
+    /// The highest coefficients of h² F_x and h F_y, and those of degree twelve, as far as they are known.
     fn coefficients(&self) -> [f64; 2] {
         let [x, y] = [highest(&self.both[0]), highest(&self.both[1])];
         [together([x[0], y[0]], self.length), together([tail(x), tail(y)], self.length)]
@@ -264,7 +264,7 @@ impl<M: SmoothOscillator> Integrated<M> {
         }
     }
 
-    /// Solves for the accelerations of a step by Newton's method, and tells what F_x and F_y say about it; `None` if it does not converge.
+    /// Solves for the accelerations of a step by Newton's method, and says what F_x and F_y say about it; `None` if it does not converge.
     fn solve(&self, from: Pair<f64>, time: f64, step: &mut Step) -> Option<Slopes> {
         let h = step.length;
         let [mu, eta] = self.parameters.map(Stages::constant);

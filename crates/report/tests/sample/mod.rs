@@ -16,7 +16,7 @@ use grazing_reproduction::unfolded::ResonanceEntry;
 use grazing_results::plane::SpecialPoint;
 use grazing_results::{Column, Names, Table, UnitNames, columns};
 use grazing_unfold::sides::{Inconclusive, Sides, Simulated};
-use grazing_unfold::simulation::Seen;
+use grazing_unfold::simulation::ReturnOutcome;
 use grazing_unfold::verdict::Coefficient;
 
 /// Text that would be markup if it were not escaped.
@@ -130,7 +130,7 @@ pub(crate) const NOT_MEASURED: (f64, f64) = (-12.5, 1.0);
 pub(crate) const SIDES: Sides = Sides {
     velocity: 0.1,
     predicted: [true, false],
-    seen: [Seen::Returns; 2],
+    seen: [ReturnOutcome::Returns; 2],
     attracts: [Some(true), Some(false)],
     gone_beyond: None,
 };

@@ -198,7 +198,7 @@ impl Resonance {
 }
 
 /// The angle by which the free oscillation turns in `p` forcing periods, `2 pi p omega_1 / omega`: the cosine
-/// of it is what tells the formulas for even `n` from the others.
+/// of it is what distinguishes the formulas for even `n` from the others.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Rotation {
     /// An odd number of half turns, cosine -1: `p = 1` with odd `n`, and all `p >= 2`.

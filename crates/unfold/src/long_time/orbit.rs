@@ -6,7 +6,8 @@ use grazing_model::phase::turned;
 use grazing_model::{AnyMotion, AnyOscillator, ImpactOscillator, State};
 use nalgebra::Vector2;
 
-use super::recurrence::{Recurrence, SAME_ORBIT};
+use super::recurrence::Recurrence;
+use crate::tolerances::BETWEEN_ORBITS;
 
 /// What motion comes to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -230,6 +231,6 @@ fn free_periods<M: Motion>(flight: &Flight<M>, period: f64) -> Option<u32> {
     let first = state(start);
     (1..=MOST_PERIODS).find(|periods| {
         let time = start + f64::from(*periods) * period;
-        time <= flight.duration && (state(time) - first).norm() < SAME_ORBIT
+        time <= flight.duration && (state(time) - first).norm() < BETWEEN_ORBITS
     })
 }

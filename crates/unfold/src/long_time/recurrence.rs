@@ -1,11 +1,10 @@
 //! Whether the impacts of an orbit come again.
 
+use crate::tolerances::BETWEEN_ORBITS;
 use core::f64::consts::TAU;
 
 use nalgebra::Vector2;
 
-/// Impacts and states closer than this are one: orbits have settled to far less.
-pub const SAME_ORBIT: f64 = 1e-3;
 /// Motion whose impacts come again to within this may be about to settle.
 const NEARLY: f64 = 0.1;
 /// An orbit whose impacts do not come again after so many counts as not periodic.
@@ -18,7 +17,7 @@ pub enum Recurrence {
     Cycle(usize),
     /// Nearly the same ones do, as where motion comes slowly to a cycle, or leaves one.
     Drift,
-    /// They do not, as far as the orbit was followed, or there are too few to tell.
+    /// They do not, as far as the orbit was followed, or there are too few to say.
     None,
 }
 
@@ -27,7 +26,7 @@ impl Recurrence {
     pub fn of(impacts: &[Vector2<f64>]) -> Self {
         let cycles = 1..=LONGEST_CYCLE.min(impacts.len() / 2);
         let again = |cycle: usize| {
-            impacts.iter().enumerate().all(|(k, a)| same_impact(SAME_ORBIT, a, &impacts[k % cycle]))
+            impacts.iter().enumerate().all(|(k, a)| same_impact(BETWEEN_ORBITS, a, &impacts[k % cycle]))
         };
         if let Some(cycle) = cycles.clone().find(|cycle| again(*cycle)) {
             return Self::Cycle(cycle);
@@ -58,7 +57,7 @@ mod tests {
     fn impacts_that_come_slowly_to_a_cycle_drift_until_they_have_come_to_it() {
         // Each is within the distance of the one two before, but not of the first.
         let slow = settling(0.99, 0.02);
-        assert!(slow.windows(3).all(|three| same_impact(SAME_ORBIT, &three[0], &three[2])));
+        assert!(slow.windows(3).all(|three| same_impact(BETWEEN_ORBITS, &three[0], &three[2])));
         assert_eq!(Recurrence::of(&slow), Recurrence::Drift);
         assert_eq!(Recurrence::of(&settling(0.99, 1e-4)), Recurrence::Cycle(2));
         // What wanders about neither drifts nor comes again.

@@ -6,7 +6,7 @@
 
 use grazing_continuation::curve::{Curve, CurveEnd};
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, LoopEquations, MaximalPeriodicSolution, Unknowns};
+use grazing_continuation::mps::{EventTimes, LoopEquations, PeriodicSolution, Unknowns};
 use grazing_continuation::tolerances::FAR;
 use grazing_model::motion::Motion;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
@@ -15,6 +15,7 @@ use nalgebra::Vector2;
 
 use crate::escape::Escape;
 use crate::slices::{FREE_STEPS, Slice, Slicer};
+use crate::tolerances::BETWEEN_GRAZING_ORBITS;
 use crate::{Scope, search};
 
 /// What was seen of periodic motion without the wall at one η, and where it grazes.
@@ -43,7 +44,7 @@ pub struct Height {
 
 impl Height {
     /// That of a solution without impacts.
-    pub(crate) fn of(equations: &LoopEquations, solution: &MaximalPeriodicSolution) -> Self {
+    pub(crate) fn of(equations: &LoopEquations, solution: &PeriodicSolution) -> Self {
         let point = &solution.unknowns;
         let motion = equations.oscillator_at(point).motion(equations.departure(point));
         let time = solution.highest_interior_maximum.map_or(0.0, |maximum| maximum.time);
@@ -66,9 +67,6 @@ const RELAXED: f64 = 1e-3;
 /// Motion that relaxes this far from the wall, whose distance from rest is of order one, is looked at only where there is no other: a pendulum
 /// may turn any number of times before it does, and motion about each of its rest positions is the same but for those turns.
 const CARRIED_AWAY: f64 = 10.0;
-
-/// Grazing orbits closer than this are one: Newton's method leaves far less.
-const SAME_GRAZING: f64 = 1e-6;
 
 /// Looks for grazing of periodic motion without the wall over the whole range of μ at η = `secondary`.
 pub fn periodic_motion(oscillator: &AnyOscillator, scope: &Scope, secondary: f64) -> PeriodicMotion {
@@ -176,8 +174,9 @@ impl PeriodicMotion {
                     continue;
                 };
                 let same = |other: &GrazingOrbit| {
-                    (other.primary() - orbit.primary()).abs() <= SAME_GRAZING * scope.window.widths()[0]
-                        && libm::cos(other.phase() - orbit.phase()) > 1.0 - SAME_GRAZING
+                    (other.primary() - orbit.primary()).abs()
+                        <= BETWEEN_GRAZING_ORBITS * scope.window.widths()[0]
+                        && libm::cos(other.phase() - orbit.phase()) > 1.0 - BETWEEN_GRAZING_ORBITS
                 };
                 let [left, right] = scope.window.primary;
                 let inside = left <= orbit.primary() && orbit.primary() <= right;

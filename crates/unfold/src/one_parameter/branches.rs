@@ -6,7 +6,7 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, Event};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{
-    EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns, unknown,
+    EventTimes, Formulation, LoopEquations, PeriodicSolution, Unknowns, unknown,
 };
 use grazing_model::OnWall;
 use grazing_model::maps::virtual_map;
@@ -14,6 +14,7 @@ use grazing_model::phase::centred;
 use grazing_results::branches::{BranchBifurcation, BranchPoint};
 use nalgebra::Vector2;
 
+use crate::faces::range;
 use crate::stretches::{Vertex, vertices};
 
 /// A branch of periodic solutions at one η.
@@ -119,7 +120,7 @@ impl Branch {
                     impact_velocity: velocity,
                     impact_phase: centred(phase),
                     stable: (!at.solution.has_impacts() || velocity > 0.0) && stable[k],
-                    admissible: at.solution.ceiling() <= MaximalPeriodicSolution::TOUCH,
+                    admissible: at.solution.ceiling() <= PeriodicSolution::TOUCH,
                     branch: 0,
                 });
             }
@@ -150,10 +151,7 @@ impl Branch {
         };
         let mut stretches = Vec::new();
         for run in places.chunk_by(|a, b| shown(a) == shown(b)) {
-            let primaries = run.iter().map(|at| at.solution.parameters()[0]);
-            let [low, high] = primaries.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-                [low.min(value), high.max(value)]
-            });
+            let [low, high] = range(run.iter().map(|at| at.solution.parameters()[0]));
             if shown(&run[0]) && low < high {
                 stretches.push([low, high]);
             }

@@ -9,10 +9,10 @@ use rayon::prelude::*;
 
 use super::branches::Branch;
 use crate::long_time::{
-    Horizon, LongOrbit, Patience, Recurrence, SAME_ORBIT, random_start, same_impact, sampled,
-    sampled_solution,
+    Horizon, LongOrbit, Patience, Recurrence, random_start, same_impact, sampled, sampled_solution,
 };
 use crate::progress::Progress;
+use crate::tolerances::{BETWEEN_ORBITS, BETWEEN_WANDERING_ORBITS};
 
 /// A phase portrait that is asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,9 +30,6 @@ const ATTRACTOR_PERIODS: u32 = 40;
 const FREE_PERIODS: f64 = 8.0;
 /// Random states at each μ.
 const STARTS: u32 = 8;
-/// Attractors whose impacts lie this close to each other look the same.
-const ALIKE: f64 = 0.03;
-
 /// Impacts (y, z) of an orbit that has settled.
 type Impacts = Vec<Vector2<f64>>;
 
@@ -113,7 +110,7 @@ impl Scene<'_> {
                     }
                     known.push(impact);
                 } else {
-                    if free.iter().any(|other| (other - point).norm() < SAME_ORBIT) {
+                    if free.iter().any(|other| (other - point).norm() < BETWEEN_ORBITS) {
                         continue;
                     }
                     free.push(point);
@@ -168,10 +165,10 @@ impl Scene<'_> {
 }
 
 fn contains(impacts: &Impacts, impact: &Vector2<f64>) -> bool {
-    impacts.iter().any(|other| same_impact(SAME_ORBIT, other, impact))
+    impacts.iter().any(|other| same_impact(BETWEEN_ORBITS, other, impact))
 }
 
 /// Whether every impact of an attractor lies beside one of another.
 fn near(all: &Impacts, impacts: &Impacts) -> bool {
-    impacts.iter().all(|impact| all.iter().any(|other| same_impact(ALIKE, other, impact)))
+    impacts.iter().all(|impact| all.iter().any(|other| same_impact(BETWEEN_WANDERING_ORBITS, other, impact)))
 }

@@ -88,7 +88,6 @@ pub(super) fn long_time_behaviour(
     (sampling, lowest): (&Sampling, f64),
     progress: &dyn Progress,
 ) -> (Vec<[f64; 2]>, [u32; 2]) {
-    progress.begin(LONG_TIME, u64::from(sampling.values));
     let sample = |k: u32| {
         let primary = low + (high - low) * f64::from(k) / f64::from(sampling.values - 1);
         let oscillator = oscillator.with_parameters([primary, secondary]);
@@ -105,8 +104,9 @@ pub(super) fn long_time_behaviour(
         progress.step(LONG_TIME);
         (visits, resting)
     };
-    let samples: Vec<_> = (0..sampling.values).into_par_iter().map(sample).collect();
-    progress.end(LONG_TIME);
+    let samples: Vec<_> = progress.during(LONG_TIME, sampling.values.into(), || {
+        (0..sampling.values).into_par_iter().map(sample).collect()
+    });
     let resting = samples.iter().map(|(_, resting)| resting).sum();
     let visits = samples.into_iter().flat_map(|(visits, _)| visits);
     (visits.filter(|visit| visit[1].is_finite()).collect(), [resting, sampling.values * sampling.orbits])

@@ -8,7 +8,7 @@ use grazing_model::smooth::Integrated;
 use grazing_model::{ImpactOscillator, OnWall, State};
 use grazing_results::branches::{BranchPoint, OneParameter, PortraitKind, PortraitPoint};
 use grazing_unfold::Scope;
-use grazing_unfold::one_parameter::{Line, Oriented, Sampling, Section, Subject};
+use grazing_unfold::one_parameter::{Cut, Line, OrientedOscillator, Sampling, Subject};
 use grazing_unfold::progress::Silent;
 
 use crate::specimens::{example, file};
@@ -33,8 +33,8 @@ fn on<O: ImpactOscillator>(
     values: u32,
     subjects: &[Subject],
 ) -> OneParameter {
-    let section = Section::follow(oscillator, scope, &[], line, &Silent).expect("nobody stops it");
-    section.simulated(&sampling(values), subjects, &Silent)
+    let cut = Cut::follow(oscillator, scope, &[], line, &Silent).expect("nobody stops it");
+    cut.simulated(&sampling(values), subjects, &Silent)
 }
 
 /// The diagram of the paper's oscillator, integrated from its file, at the frequency of Figure 2.
@@ -151,7 +151,7 @@ fn exchanged_parameters_are_those_of_a_file_that_names_them_in_the_other_order()
     let described =
         |primary, secondary| Description::parse(&text(primary, secondary), "moved").expect("it is right");
     let oscillator = Integrated::new(described("a", "b"), [0.7, 0.9]);
-    let exchanged = Oriented { oscillator, exchanged: true };
+    let exchanged = OrientedOscillator { oscillator, exchanged: true };
     let other = Integrated::new(described("b", "a"), [0.9, 0.7]);
     assert_eq!((exchanged.parameters(), other.parameters()), ([0.9, 0.7], [0.9, 0.7]));
     let moved = exchanged.with_parameters([1.1, 0.6]);

@@ -9,7 +9,7 @@ use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_continuation::curve::{Curve, CurveEnd, MpsCurve, Route, Window};
+use grazing_continuation::curve::{Curve, CurveEnd, Route, SolutionCurve, Window};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
@@ -328,7 +328,7 @@ fn branches_and_bifurcations_of_figure_2_are_those_of_the_closed_form() {
     let (integrated, _) = example("paper.toml");
     let follow = |loops| {
         let equations = LoopEquations::new(integrated.clone(), loops, Formulation::Vivid);
-        let curve = MpsCurve { equations, condition: Condition::Secondary(frequency) };
+        let curve = SolutionCurve { equations, condition: Condition::Secondary(frequency) };
         curve.follow(start, Unknowns::new(1.0, 0.0, 0.0, 0.0), EventTimes::default(), &route).unwrap()
     };
     let branches: Vec<_> = loops(figure).into_par_iter().map(|loops| (loops, follow(loops))).collect();

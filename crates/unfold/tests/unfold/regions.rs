@@ -8,7 +8,7 @@ use grazing_results::plane::RegionKind;
 use grazing_trials::closed_form;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::regions::Region;
-use grazing_unfold::simulation::{Seen, Suspect};
+use grazing_unfold::simulation::{ReturnOutcome, Suspect};
 use grazing_unfold::{Diagram, Scope};
 
 use crate::specimens::{EPSILON, ZETA, constant, counted, described, example, grazing_at, scope};
@@ -76,7 +76,7 @@ fn assert_stable_inside<O: ImpactOscillator>(
                 let returns = |orbit: &closed_form::Orbit| {
                     let (velocity, phase) = (orbit.velocity, orbit.phase);
                     let suspect = Suspect { oscillator: &oscillator, loops: polygon.loops, velocity, phase };
-                    suspect.follow() == Seen::Returns
+                    suspect.follow() == ReturnOutcome::Returns
                 };
                 closed_form::orbits(zeta, epsilon, amplitude, frequency, polygon.loops)
                     .iter()
@@ -209,7 +209,7 @@ fn a_region_on_the_edge_to_which_only_inadmissible_solutions_lead_is_found_and_n
     let here = [0.2562, 0.5131];
     let simulated = oscillator.with_parameters(here);
     let suspect = Suspect { oscillator: &simulated, loops: 1, velocity: 0.711, phase: 0.922 };
-    assert_eq!(suspect.follow(), Seen::Returns);
+    assert_eq!(suspect.follow(), ReturnOutcome::Returns);
     assert!(diagram.regions.iter().any(|region| region.kind() == RegionKind::Mps && region.contains(here)));
     // Slices meet other branches on saddle-node curves that are known: these begin at bifurcations.
     let undecided = diagram.regions.iter().filter(|region| region.doubt.is_some());

@@ -6,7 +6,7 @@ use grazing_model::smooth::Integrated;
 use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_unfold::progress::Silent;
 use grazing_unfold::sides::{Inconclusive, Sides, Simulated, simulate};
-use grazing_unfold::simulation::Seen;
+use grazing_unfold::simulation::ReturnOutcome;
 use grazing_unfold::verdict::{Coefficient, Obstacle, Verdict, coefficients};
 use grazing_unfold::{Diagram, Scope};
 
@@ -110,7 +110,7 @@ fn motion_is_as_predicted_only_if_all_of_it_is() {
     let good = Sides {
         velocity: 0.01,
         predicted: [false, true],
-        seen: [Seen::Returns; 2],
+        seen: [ReturnOutcome::Returns; 2],
         attracts: [Some(false), Some(true)],
         gone_beyond: Some(true),
     };
@@ -128,7 +128,7 @@ fn motion_is_as_predicted_only_if_all_of_it_is() {
             "the faster solution is predicted to be stable and repels",
         ),
         (
-            Sides { seen: [Seen::MeetsTheWall, Seen::Returns], ..good },
+            Sides { seen: [ReturnOutcome::MeetsTheWall, ReturnOutcome::Returns], ..good },
             "the slower solution meets the wall too early",
         ),
         (Sides { gone_beyond: Some(false), ..good }, "motion stays where no solution is left"),

@@ -116,7 +116,7 @@ checks! {
     /// the other side of grazing, where y < 0, there is no such orbit.
     zeros_are_orbits: over(admissible()?) |(grazing, p, point); (votes, printed): (Votes, Votes)| {
         let equations = equations(&grazing, p);
-        let comes_back = |at: &Unknowns| followed(&equations, at) == Seen::Returns;
+        let comes_back = |at: &Unknowns| followed(&equations, at) == ReturnOutcome::Returns;
         let mut beside = point;
         beside[0] *= 1.01;
         let found = comes_back(&point);

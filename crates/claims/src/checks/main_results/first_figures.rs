@@ -22,7 +22,7 @@ fn branch(loops: u32) -> Result<(LoopEquations<Specimen>, Curve, f64), Failure> 
 }
 
 /// The first points of a branch beyond the grazing bifurcation.
-fn first(curve: &Curve) -> impl Iterator<Item = &MaximalPeriodicSolution> {
+fn first(curve: &Curve) -> impl Iterator<Item = &PeriodicSolution> {
     curve.points.iter().skip(1).take(3).map(|point| &point.solution)
 }
 
@@ -69,7 +69,7 @@ checks! {
         for solution in first(&curve) {
             let point = &solution.unknowns;
             cases.see((solution.parameters()[0] > amplitude) == (loops < 3));
-            cases.see(solution.admissible() && followed(&equations, point) == Seen::Returns);
+            cases.see(solution.admissible() && followed(&equations, point) == ReturnOutcome::Returns);
             cases.see(!solution.stable() && attracts(&equations, point) == Some(false));
         }
     } => cases.outcome("the first points of the branches p = 1, 2, 3 of Figure 2");

@@ -233,7 +233,7 @@ fn delayed(ratio: f64, alpha: f64) -> Result<Grazing, Failure> {
 }
 
 /// What a solution is in the hybrid system, and whether simulated orbits beside it come nearer.
-fn seen(solution: LoopSolution, loops: u32, omega: f64) -> Option<(Seen, Option<bool>)> {
+fn seen(solution: LoopSolution, loops: u32, omega: f64) -> Option<(ReturnOutcome, Option<bool>)> {
     let oscillator = LinearOscillator::new(ZETA, EPSILON, solution.amplitude, omega).ok()?;
     let suspect = solution.suspect(&oscillator, loops);
     Some((suspect.follow(), suspect.attracts()))
@@ -242,7 +242,7 @@ fn seen(solution: LoopSolution, loops: u32, omega: f64) -> Option<(Seen, Option<
 /// The MPS that grazing makes at this frequency is there, and simulated orbits beside it come nearer.
 fn attracts(loops: u32, omega: f64) -> bool {
     let solution = LoopSolutions::new(ZETA, EPSILON, omega, loops).with_velocity(0.01);
-    seen(solution, loops, omega) == Some((Seen::Returns, Some(true)))
+    seen(solution, loops, omega) == Some((ReturnOutcome::Returns, Some(true)))
 }
 
 /// With 𝒜 = 𝒜_graz ± μ² instead, so that β = 0, the MPS exists for both signs of μ or, with the other sign, for none.
@@ -252,7 +252,7 @@ fn exists_for_both_signs_of_the_root(loops: u32, omega: f64) -> bool {
     let [above, below] = [size, -size].map(|square| {
         let nearest = solutions.at(square).into_iter().next();
         let seen = nearest.and_then(|solution| seen(solution, loops, omega));
-        seen.is_some_and(|(seen, _)| seen == Seen::Returns)
+        seen.is_some_and(|(seen, _)| seen == ReturnOutcome::Returns)
     });
     above != below
 }

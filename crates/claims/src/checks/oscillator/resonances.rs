@@ -124,7 +124,7 @@ pub(crate) fn stable_two_loops() -> CheckResult {
             cases.see(
                 solution.admissible()
                     && solution.stable()
-                    && followed(&equations, &zero) == Seen::Returns
+                    && followed(&equations, &zero) == ReturnOutcome::Returns
                     && attracts(&equations, &zero) == Some(true),
             );
         }
@@ -213,7 +213,7 @@ checks! {
             });
             let (equations, zero) = (equations(&orbit, p), near_grazing(&orbit, p)?);
             cases.see(zero[0] > 0.0 && equations.solution(&zero).admissible() == real);
-            let expected = if real { Seen::Returns } else { Seen::MeetsTheWall };
+            let expected = if real { ReturnOutcome::Returns } else { ReturnOutcome::MeetsTheWall };
             cases.see(followed(&equations, &zero) == expected);
         }
     } => cases.outcome("random oscillators beside n ± 1/(2p): hypotheses, admissibility, simulation");

@@ -9,7 +9,7 @@ use grazing_continuation::criticality::{coefficient_at_resonance, period_doublin
 /// Points of the PD curve that bounds a periodicity region, admissible and evenly spread over its length.
 fn flips(place: &ResonantSpecimen, count: usize) -> Result<Vec<Unknowns>, Failure> {
     let unfolded = place.resonance.unfold(&ROUTE)?;
-    let points: Vec<&MaximalPeriodicSolution> = unfolded
+    let points: Vec<&PeriodicSolution> = unfolded
         .period_doubling
         .points
         .iter()

@@ -93,10 +93,7 @@ pub(super) fn of_figure_7() -> Result<Vec<ResonantSpecimen>, Failure> {
 
 /// The return to Π of an MPS that grazes the wall between its impacts: from its maximum at the wall to the impact, through the
 /// reset law and on to the same maximum, grazing itself ignored as P_global ignores it.
-fn return_through_impact(
-    place: &ResonantSpecimen,
-    solution: &MaximalPeriodicSolution,
-) -> Option<[Observed; 4]> {
+fn return_through_impact(place: &ResonantSpecimen, solution: &PeriodicSolution) -> Option<[Observed; 4]> {
     let equations = place.resonance.equations();
     let point = &solution.unknowns;
     let oscillator = equations.oscillator_at(point);

@@ -116,7 +116,7 @@ mod tests {
                 .unwrap();
         let window = Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] };
         let failure = LocateFailure::Elsewhere { distance: 0.5, step: 0.001 };
-        let diagram = Diagram::<()> {
+        let diagram = Diagram {
             scope: Scope { window, loops: vec![1], start: None },
             grazing: Vec::new(),
             resonances: Vec::new(),

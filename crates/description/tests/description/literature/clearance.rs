@@ -6,7 +6,7 @@
 use core::f64::consts::PI;
 
 use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
+use grazing_continuation::curve::{Curve, Route, SolutionCurve, Window};
 use grazing_continuation::fit;
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
@@ -65,7 +65,7 @@ fn grazing(omega: f64) -> GrazingOrbit<Integrated<Description>> {
 fn branch(omega: f64, n: u32) -> Curve {
     let orbit = grazing(omega);
     let equations = LoopEquations::new(undamped(), n, Formulation::FixedPhase);
-    let curve = MpsCurve { equations, condition: Condition::Secondary(omega) };
+    let curve = SolutionCurve { equations, condition: Condition::Secondary(omega) };
     let route = Route {
         window: Window { primary: [0.0, 2.0], secondary: [0.0, 10.0] },
         control: StepControl::DRAWING,

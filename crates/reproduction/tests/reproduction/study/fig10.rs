@@ -1,7 +1,7 @@
 //! Figure 10 against the formulas of the proof, and against the visits of MPSs that were really followed.
 
 use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{MpsCurve, Route, Window};
+use grazing_continuation::curve::{Route, SolutionCurve, Window};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_reproduction::Study;
@@ -87,7 +87,7 @@ fn visits_of_followed_solutions_tend_to_the_vertices() {
         stop_at_events: false,
         pace: None,
     };
-    let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(omega) };
+    let curve = SolutionCurve { equations: equations.clone(), condition: Condition::Secondary(omega) };
     let start = Unknowns::new(0.0, grazing().phase(), graz, omega);
     let curve = curve
         .follow(start, Unknowns::new(1.0, 0.0, 0.0, 0.0), EventTimes::default(), &route)

@@ -1,8 +1,8 @@
 //! What is seen of any oscillator of the class at grazing, without closed forms.
 
-use crate::solutions::suspect;
 use crate::sweep::generic::small_velocity;
 use crate::*;
+use grazing_unfold::simulation::Suspect;
 
 /// On which side of a generic grazing bifurcation simulation sees the MPS that the VIVID function has a zero for.
 pub(crate) fn side_of_orbit<O: ImpactOscillator>(
@@ -17,7 +17,7 @@ pub(crate) fn side_of_orbit<O: ImpactOscillator>(
     let size = small_velocity(&point, loops).min(0.01 * depth / slope) / slope;
     let seen = |sign: f64| {
         let zero = zero(orbit, loops, sign * size)?;
-        Some(followed(&equations(orbit, loops), &zero) == Seen::Returns)
+        Some(followed(&equations(orbit, loops), &zero) == ReturnOutcome::Returns)
     };
     let (positive, negative) = seen(1.0).zip(seen(-1.0)).ok_or("no zero of V")?;
     Ok(Existence::of([positive, negative]))
@@ -51,8 +51,8 @@ pub(super) fn side_of_curve<O: ImpactOscillator>(
         for (beside, share) in beside.iter_mut().zip([0.7, 1.3]) {
             let mps = at_velocity(&equations, &zero, share * velocity).ok_or("no MPS beside a curve")?;
             let oscillator = equations.oscillator_at(&mps);
-            let suspect = suspect(&oscillator, loops, &mps);
-            if suspect.follow() == Seen::Returns {
+            let suspect = Suspect::of(&oscillator, loops, &mps);
+            if suspect.follow() == ReturnOutcome::Returns {
                 *beside = suspect.multipliers().map(|[t, d]| 1.0 - multiplier * t + d > 0.0);
             }
         }
