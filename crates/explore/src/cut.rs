@@ -47,7 +47,7 @@ pub(crate) fn compute(request: &CutRequest, events: &Events, stop: &Stop) -> Res
     // As in the diagrams that a file asks for, but fewer values: it is to be looked at at once.
     let sampling = Sampling { values: 160, recorded: 16, ..SAMPLING };
     let line = line.without_dimensions(&of.axes.units);
-    let section = Section::follow(&of.oscillator, &of.scope, &[], line, events).ok_or_else(Problem::ended)?;
+    let cut = Cut::follow(&of.oscillator, &of.scope, &[], line, events).ok_or_else(Problem::ended)?;
     events.send("branches", &event(&cut.diagram().in_units(&of.axes.units)));
     let found = cut.simulated(&sampling, &[], events).in_units(&of.axes.units);
     let dots: Vec<[f64; 2]> = found.attractor.iter().map(|dot| [found.across(dot), dot.x]).collect();

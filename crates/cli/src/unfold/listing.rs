@@ -7,7 +7,6 @@ use std::path::Path;
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_description::{Axis, Description};
-use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_reproduction::unfolded::{Known, ResonanceEntry};
 use grazing_results::branches::OneParameter;
