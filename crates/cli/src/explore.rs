@@ -10,7 +10,7 @@ use grazing_reproduction::Study;
 use grazing_reproduction::parameters::Parameters;
 use grazing_reproduction::unfolded::Unfolded;
 use grazing_source::{Setting, Text};
-use grazing_unfold::stop::Stop;
+use grazing_model::smooth::Stop;
 
 use crate::arguments;
 use crate::failure::{Failure, computation};

@@ -13,7 +13,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use grazing_description::Limits;
-use grazing_unfold::stop::Stop;
+use grazing_model::smooth::Stop;
 
 use crate::{folder, terminal};
 

@@ -7,7 +7,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use grazing_unfold::progress::Progress;
-use grazing_unfold::stop::Stop;
+use grazing_model::smooth::Stop;
 use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
 
 use crate::terminal;

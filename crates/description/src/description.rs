@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use grazing_model::smooth::{Scalar, SmoothOscillator, Units};
+use grazing_model::AnyOscillator;
+use grazing_model::smooth::{Dimensionless, Integrated, Scalar, SmoothOscillator, Stop, Stoppable, Units};
 
 use crate::expression::Expression;
 
@@ -177,6 +178,18 @@ impl Axis {
 }
 
 impl Description {
+    /// The oscillator at parameters (μ, η), as the file counts them.
+    pub fn oscillator(&self, parameters: [f64; 2]) -> AnyOscillator {
+        self.counted(parameters, &Units::ONE, &Stop::default())
+    }
+
+    /// The oscillator at parameters (μ, η) that are counted in these units, as its motion is; nothing moves any more once an end
+    /// is asked for.
+    pub fn counted(&self, parameters: [f64; 2], units: &Units, stop: &Stop) -> AnyOscillator {
+        let model = Stoppable::new(Dimensionless::new(self.clone(), *units), stop.clone());
+        AnyOscillator::new(Integrated::new(model, parameters))
+    }
+
     /// What the oscillator is called.
     pub fn name(&self) -> &str {
         &self.0.name

@@ -3,7 +3,7 @@
 use grazing_reproduction::one_parameter::SAMPLING;
 use grazing_results::branches::{BranchPoint, OneParameter};
 use grazing_unfold::one_parameter::{Cut, Line, Sampling};
-use grazing_unfold::stop::Stop;
+use grazing_model::smooth::Stop;
 use grazing_unfold::units::InUnits;
 use serde::Deserialize;
 use serde_json::{Value, json};

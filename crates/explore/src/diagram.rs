@@ -10,7 +10,7 @@ use grazing_results::plane::{PlanePoint, RegionVertex, SpecialPoint};
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::magnification::approximation;
-use grazing_unfold::stop::Stop;
+use grazing_model::smooth::Stop;
 use grazing_unfold::units::InUnits;
 use serde::Deserialize;
 use serde_json::{Value, json};

@@ -9,7 +9,7 @@ use grazing_reproduction::plane::Axes;
 use grazing_reproduction::unfolded;
 use grazing_source::{Mistake, Setting, SettingError, Text};
 use grazing_unfold::Scope;
-use grazing_unfold::stop::Stop;
+use grazing_model::smooth::Stop;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 

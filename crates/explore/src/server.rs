@@ -7,7 +7,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use grazing_source::Mistake;
-use grazing_unfold::stop::Stop;
+use grazing_model::smooth::Stop;
 use http_body_util::{BodyExt, Limited};
 use hyper::body::Incoming;
 use hyper::header::CONTENT_TYPE;

@@ -8,7 +8,7 @@ use std::task::{Context, Poll};
 use std::time::{Duration, Instant};
 
 use grazing_unfold::progress::Progress;
-use grazing_unfold::stop::Stop;
+use grazing_model::smooth::Stop;
 use http_body_util::BodyExt;
 use hyper::Response;
 use hyper::body::{Body as HttpBody, Bytes, Frame};

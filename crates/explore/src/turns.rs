@@ -4,7 +4,7 @@ use std::io;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use grazing_unfold::stop::Stop;
+use grazing_model::smooth::Stop;
 use hyper::{Response, StatusCode};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use serde::Serialize;

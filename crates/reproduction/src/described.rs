@@ -3,9 +3,8 @@
 use grazing_continuation::curve::Window;
 use grazing_description::{Axis, Description};
 use grazing_model::AnyOscillator;
-use grazing_model::smooth::{Dimensionless, Integrated, Units};
+use grazing_model::smooth::{Stop, Units};
 use grazing_unfold::Scope;
-use grazing_unfold::stop::{Stop, Stoppable};
 
 /// An oscillator that ends when an end is asked for, in these units, and what its file asks for.
 pub fn prepared(description: &Description, units: &Units, stop: &Stop) -> (AnyOscillator, Scope) {
@@ -16,7 +15,6 @@ pub fn prepared(description: &Description, units: &Units, stop: &Stop) -> (AnyOs
         start: description.start(),
     };
     let scope = scope.without_dimensions(units);
-    let stoppable = Stoppable::new(Dimensionless::new(description.clone(), *units), stop.clone());
     let at = [scope.window.primary[0], scope.window.secondary[0]];
-    (AnyOscillator::new(Integrated::new(stoppable, at)), scope)
+    (description.counted(at, units, stop), scope)
 }

@@ -12,7 +12,7 @@ use grazing_results::Names;
 use grazing_results::family::Family;
 use grazing_unfold::UnfoldError;
 use grazing_unfold::progress::Progress;
-use grazing_unfold::stop::Stop;
+use grazing_model::smooth::Stop;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 

@@ -5,7 +5,8 @@ use grazing_results::branches::OneParameter;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::one_parameter::{Cut, Line, Sampling, Subject};
 use grazing_unfold::progress::Progress;
-use grazing_unfold::stop::{Stop, Unfinished};
+use grazing_model::smooth::Stop;
+use grazing_unfold::unfinished::Unfinished;
 use grazing_unfold::units::InUnits;
 
 use crate::described::prepared;

@@ -7,7 +7,7 @@ use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_reproduction::unfolded::prepared;
 use grazing_unfold::simulation::Suspect;
-use grazing_unfold::stop::Stop;
+use grazing_model::smooth::Stop;
 use grazing_unfold::{Diagram, Scope, UnfoldError};
 use rayon::prelude::*;
 

@@ -15,7 +15,7 @@ use crate::non_impacting::{self, NonImpacting};
 use crate::progress::Progress;
 use crate::regions::{self, Region};
 use crate::resonances::{self, Resonance, Unlocated};
-use crate::stop::Unfinished;
+use crate::unfinished::Unfinished;
 use crate::{Scope, UnfoldError};
 
 /// A resonance one of whose curves, or all of them, could not be followed.

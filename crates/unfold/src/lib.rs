@@ -88,11 +88,11 @@ pub mod simulation;
 mod slices;
 #[cfg(test)]
 mod specimens;
-pub mod stop;
 mod stretches;
 mod suggestion;
 mod survey;
 mod tolerances;
+pub mod unfinished;
 pub mod units;
 pub mod verdict;
 mod winding;

@@ -18,7 +18,7 @@ use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
 use crate::regions::{self, Region, decided};
 use crate::slices::Slice;
-use crate::stop::Unfinished;
+use crate::unfinished::Unfinished;
 use crate::survey::Survey;
 use crate::tolerances::BETWEEN_HEIGHTS;
 use crate::{Scope, UnfoldError, search};

@@ -1,5 +1,7 @@
 //! How far long work has come.
 
+use grazing_model::smooth::Stop;
+
 /// Hears of the progress of a computation; called from any thread.
 pub trait Progress: Sync {
     /// Work of a number of steps begins.
@@ -32,4 +34,14 @@ impl Progress for Silent {
     fn begin(&self, _: &str, _: u64) {}
     fn step(&self, _: &str) {}
     fn end(&self, _: &str) {}
+}
+
+/// Nobody hears of the progress, and long loops end when an end is asked for.
+impl Progress for Stop {
+    fn begin(&self, _: &str, _: u64) {}
+    fn step(&self, _: &str) {}
+    fn end(&self, _: &str) {}
+    fn stopped(&self) -> bool {
+        self.is_asked()
+    }
 }

@@ -8,7 +8,7 @@ use grazing_results::brief;
 use grazing_unfold::escape::Escape;
 use grazing_unfold::non_impacting::Height;
 use grazing_unfold::regions::Region;
-use grazing_unfold::stop::Unfinished;
+use grazing_unfold::unfinished::Unfinished;
 use grazing_unfold::{Diagram, UnfoldError};
 
 /// What was seen instead of grazing, and the remedy.

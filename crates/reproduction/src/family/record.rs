@@ -14,7 +14,7 @@ use grazing_unfold::Diagram;
 use grazing_unfold::diagram::CodimensionTwoPoint;
 use grazing_unfold::family::{Arc, ArcEnd, ArcPoint, arcs};
 use grazing_unfold::resonances;
-use grazing_unfold::stop::Stop;
+use grazing_model::smooth::Stop;
 use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::coefficients;
 use serde::{Deserialize, Serialize};

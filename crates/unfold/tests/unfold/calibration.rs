@@ -76,7 +76,7 @@ fn assert_calibrated(what: &str, measured: &[Coefficient]) {
     assert!(median < 1e-7, "{what}: {median}");
 }
 
-fn measured<O: ImpactOscillator>(points: &[ResonantGrazingPoint<O>]) -> Vec<Coefficient> {
+fn measured(points: &[ResonantGrazingPoint]) -> Vec<Coefficient> {
     points.par_iter().flat_map_iter(|point| coefficients(point).into_array()).collect()
 }
 

@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use crate::specimens::{self, counted, example, file};
 
 /// An oscillator of an example.
-type Example = Integrated<Dimensionless<Description>>;
+type Example = AnyOscillator;
 
 /// All resonances of an example, and the units in which they are counted.
 fn resonances(name: &str) -> (Vec<Resonance<Example>>, Units) {

@@ -22,14 +22,14 @@ fn linear(frequency: &str, [low, high]: [f64; 2]) -> Description {
     Description::parse(&text, "test.toml").unwrap_or_else(|error| panic!("{error}"))
 }
 
-type Found = Vec<Arc<Integrated<Description>>>;
+type Found = Vec<Arc;
 
 /// The resonances of an oscillator with one value of a constant, and the way they take to another.
 fn followed(
     description: &Description,
     name: &str,
     [from, to]: [f64; 2],
-) -> (Diagram<Integrated<Description>>, Found) {
+) -> (Diagram<AnyOscillator, Found) {
     let at = |way: f64| {
         let there = description.with_constant(name, from + (to - from) * way).ok()?;
         Some(Integrated::new(there, [0.0, description.secondary().range()[0]]))

@@ -26,8 +26,8 @@ fn line(at: f64, range: [f64; 2]) -> Line {
 }
 
 /// What there is on a line; known curves do not help.
-fn on<O: ImpactOscillator>(
-    oscillator: &O,
+fn on(
+    oscillator: &AnyOscillator,
     scope: &Scope,
     line: Line,
     values: u32,

@@ -65,7 +65,7 @@ fn rows(name: &str, columns: &[&str]) -> Vec<Vec<String>> {
 }
 
 /// The diagram of Figure 7, integrated and in closed form.
-static DIAGRAMS: LazyLock<(Diagram<Integrated<Description>>, Diagram<LinearOscillator>)> =
+static DIAGRAMS: LazyLock<(Diagram<AnyOscillator, Diagram)> =
     LazyLock::new(|| {
         let (oscillator, _) = example("paper.toml");
         let figure = &PARAMETERS["fig07"];
@@ -212,11 +212,11 @@ fn points_of_figure_7_are_the_committed_ones() {
 }
 
 /// A resonance of a diagram and what the theorem says there.
-fn resonance<O: ImpactOscillator>(
-    diagram: &Diagram<O>,
+fn resonance(
+    diagram: &Diagram,
     loops: u32,
     n: u32,
-) -> (&Resonance<O>, &ResonantGrazingPoint<O>) {
+) -> (&Resonance, &ResonantGrazingPoint) {
     diagram.unfolding().find(|(found, _)| (found.loops, found.n) == (loops, n)).unwrap()
 }
 

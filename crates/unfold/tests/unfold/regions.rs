@@ -57,8 +57,8 @@ fn points_of(region: &Region, scope: &Scope) -> Vec<[f64; 2]> {
 /// In every polygon there is a stable, admissible solution, to which simulation from event to event returns.
 ///
 /// `reduced` gives the amplitude and the frequency at which the linear oscillator is the one that was looked at.
-fn assert_stable_inside<O: ImpactOscillator>(
-    diagram: &Diagram<O>,
+fn assert_stable_inside(
+    diagram: &Diagram,
     [zeta, epsilon]: [f64; 2],
     reduced: impl Fn([f64; 2]) -> [f64; 2],
 ) -> Vec<(u32, u32)> {
@@ -168,12 +168,12 @@ fn narrow_windows_about_a_resonance_are_shaded_as_the_closed_form_says() {
 }
 
 /// Whether stable motion without impacts is shaded at a pair of parameters.
-fn stays_off<O>(diagram: &Diagram<O>, at: [f64; 2]) -> bool {
+fn stays_off(diagram: &Diagram, at: [f64; 2]) -> bool {
     diagram.regions.iter().any(|region| region.kind() == RegionKind::NonImpacting && region.contains(at))
 }
 
 /// The diagram of an oscillator without the curves of its MPSs, in some ranges.
-fn located(model: Description, [primary, secondary]: [[f64; 2]; 2]) -> Diagram<Integrated<Description>> {
+fn located(model: Description, [primary, secondary]: [[f64; 2]; 2]) -> Diagram<AnyOscillator {
     let oscillator = Integrated::new(model, [primary[1], secondary[1]]);
     Diagram::located(&oscillator, &scope(primary, secondary, &[1]), &Silent).expect("there is grazing")
 }

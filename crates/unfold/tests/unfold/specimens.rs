@@ -39,7 +39,7 @@ pub(crate) fn grazing_at(zeta: f64, frequency: f64) -> GrazingState {
 }
 
 /// The oscillator of an example, and all that its file asks for.
-pub(crate) fn example(name: &str) -> (Integrated<Description>, Scope) {
+pub(crate) fn example(name: &str) -> (AnyOscillator, Scope) {
     let description =
         Description::from_file(&file("examples").join(name)).unwrap_or_else(|error| panic!("{error}"));
     let [primary, secondary] = [description.primary(), description.secondary()].map(|axis| axis.range());
@@ -49,13 +49,13 @@ pub(crate) fn example(name: &str) -> (Integrated<Description>, Scope) {
 }
 
 /// As [`example`], without dimensions, with the units in which it counts.
-pub(crate) fn counted(name: &str) -> (Integrated<Dimensionless<Description>>, Scope, Units) {
+pub(crate) fn counted(name: &str) -> (AnyOscillator, Scope, Units) {
     let (oscillator, scope) = example(name);
     let description = oscillator.model().clone();
     let units = description.units();
     let scope = scope.without_dimensions(&units);
     let Window { primary, secondary } = scope.window;
-    (Integrated::new(Dimensionless::new(description, units), [primary[1], secondary[1]]), scope, units)
+    (description.counted([primary[1], secondary[1]], &units, &Stop::default()), scope, units)
 }
 
 /// A constant of a description.
@@ -79,24 +79,24 @@ pub(crate) fn described(
 }
 
 /// The same with the wall at x = 0.
-pub(crate) fn written(force: &str, frequency: &str, scope: &Scope) -> Integrated<Description> {
+pub(crate) fn written(force: &str, frequency: &str, scope: &Scope) -> AnyOscillator {
     let Window { primary, secondary } = scope.window;
     let description = described([force, frequency, "0"], EPSILON, [primary, secondary]);
     Integrated::new(description, [primary[1], secondary[1]])
 }
 
 /// The pieces of the grazing curve.
-pub(crate) fn grazing_curves<O: ImpactOscillator>(
-    oscillator: &O,
+pub(crate) fn grazing_curves(
+    oscillator: &AnyOscillator,
     scope: &Scope,
-) -> Result<Vec<GrazingCurve<O>>, UnfoldError> {
+) -> Result<Vec<GrazingCurve>, UnfoldError> {
     let only_grazing = Scope { loops: Vec::new(), ..scope.clone() };
     Diagram::compute(oscillator, &only_grazing, &Silent).map(|diagram| diagram.grazing)
 }
 
 /// The grazing curve, which is in one piece.
 #[track_caller]
-pub(crate) fn grazing_curve<O: ImpactOscillator>(oscillator: &O, scope: &Scope) -> GrazingCurve<O> {
+pub(crate) fn grazing_curve(oscillator: &AnyOscillator, scope: &Scope) -> GrazingCurve {
     let mut curves = grazing_curves(oscillator, scope).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(curves.len(), 1);
     curves.remove(0)
@@ -104,7 +104,7 @@ pub(crate) fn grazing_curve<O: ImpactOscillator>(oscillator: &O, scope: &Scope) 
 
 /// The resonances on the grazing curve, of which all are located.
 #[track_caller]
-pub(crate) fn resonances<O: ImpactOscillator>(oscillator: &O, scope: &Scope) -> Vec<Resonance<O>> {
+pub(crate) fn resonances(oscillator: &AnyOscillator, scope: &Scope) -> Vec<Resonance> {
     let (found, lost) = on_curve(&grazing_curve(oscillator, scope), scope, &Silent);
     assert!(lost.is_empty(), "{lost:?}");
     found
@@ -115,8 +115,8 @@ pub(crate) fn resonances<O: ImpactOscillator>(oscillator: &O, scope: &Scope) -> 
 ///
 /// Integration leaves 1e-11 over sixty turns of neighbouring motion.
 #[track_caller]
-pub(crate) fn assert_closed_form<O: ImpactOscillator>(
-    found: &[Resonance<O>],
+pub(crate) fn assert_closed_form(
+    found: &[Resonance],
     [lowest, highest]: [f64; 2],
     loops: &[u32],
     scaled: impl Fn([f64; 4]) -> [f64; 4],

@@ -13,15 +13,15 @@ use grazing_unfold::{Diagram, Scope};
 use crate::specimens::{EPSILON, ZETA, assert_within, described, scope, written};
 
 /// The resonance of the linear oscillator with the given numbers, located from its closed form.
-fn linear(zeta: f64, loops: u32, n: u32) -> ResonantGrazingPoint<LinearOscillator> {
+fn linear(zeta: f64, loops: u32, n: u32) -> ResonantGrazingPoint {
     let known = grazing_theorems::LinearOscillator::new(zeta, EPSILON).unwrap().resonance(loops, n).unwrap();
     let (amplitude, omega) = (known.grazing().amplitude(), known.forcing_frequency());
     let oscillator = LinearOscillator::new(zeta, EPSILON, amplitude, omega).unwrap();
     ResonantGrazingPoint::find(&oscillator, loops, known.grazing().phase()).unwrap()
 }
 
-fn simulated<O: ImpactOscillator>(
-    point: &ResonantGrazingPoint<O>,
+fn simulated(
+    point: &ResonantGrazingPoint,
     both: &Pair<Coefficient>,
 ) -> [Simulated; 2] {
     Pair::BIFURCATIONS.map(|kind| simulate(point, kind, both)).into_array()

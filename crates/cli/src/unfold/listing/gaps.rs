@@ -107,7 +107,7 @@ mod tests {
     use grazing_unfold::diagram::NotUnfolded;
     use grazing_unfold::grazing::GrazingCurve;
     use grazing_unfold::resonances::Unlocated;
-    use grazing_unfold::stop::Unfinished;
+    use grazing_unfold::unfinished::Unfinished;
 
     #[test]
     fn resonances_that_could_not_be_unfolded_are_named_with_the_reason() {

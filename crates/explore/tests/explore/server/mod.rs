@@ -16,7 +16,7 @@ use grazing_reproduction::plane;
 use grazing_reproduction::unfolded;
 use grazing_unfold::Diagram;
 use grazing_unfold::progress::Silent;
-use grazing_unfold::stop::Stop;
+use grazing_model::smooth::Stop;
 use serde_json::{Value, json};
 
 fn whole_view() -> Value {

@@ -8,7 +8,7 @@ use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 use grazing_explore::{Example, Limits, Server, Sheet};
-use grazing_unfold::stop::Stop;
+use grazing_model::smooth::Stop;
 use serde_json::Value;
 
 /// A server that runs until it is dropped.
