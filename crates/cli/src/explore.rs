@@ -6,11 +6,11 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use grazing_explore::{Example, Export, Limits, Model, Server, Sheet, View};
+use grazing_model::smooth::Stop;
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::Parameters;
 use grazing_reproduction::unfolded::Unfolded;
 use grazing_source::{Setting, Text};
-use grazing_model::smooth::Stop;
 
 use crate::arguments;
 use crate::failure::{Failure, computation};

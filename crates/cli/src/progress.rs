@@ -6,8 +6,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use grazing_unfold::progress::Progress;
 use grazing_model::smooth::Stop;
+use grazing_unfold::progress::Progress;
 use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
 
 use crate::terminal;

@@ -10,8 +10,7 @@ use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint};
 
 use crate::bifurcation::Pair;
 use crate::curve::{Curve, CurveEnd, Event, Route, SolutionCurve};
-pub use crate::locate::same_point;
-use crate::locate::{Condition, LocateFailure, locate};
+use crate::locate::{Condition, LocateFailure, locate, same_point};
 use crate::mps::{EventTimes, Formulation, LoopEquations, PeriodicSolution, Unknowns, unknown};
 use crate::tolerances::{AT_RESONANCE, OFF_RESONANCE};
 

@@ -1,9 +1,9 @@
 //! The one-parameter diagram along a line of the plane: its branches first, then what simulation comes to.
 
+use grazing_model::smooth::Stop;
 use grazing_reproduction::one_parameter::SAMPLING;
 use grazing_results::branches::{BranchPoint, OneParameter};
 use grazing_unfold::one_parameter::{Cut, Line, Sampling};
-use grazing_model::smooth::Stop;
 use grazing_unfold::units::InUnits;
 use serde::Deserialize;
 use serde_json::{Value, json};

@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Stop;
 use grazing_reproduction::plane::{self, Axes};
 use grazing_results::brief;
 use grazing_results::plane::{PlanePoint, RegionVertex, SpecialPoint};
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::magnification::approximation;
-use grazing_model::smooth::Stop;
 use grazing_unfold::units::InUnits;
 use serde::Deserialize;
 use serde_json::{Value, json};

@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 
 use grazing_continuation::curve::Window;
 use grazing_description::{Axis, Description};
+use grazing_model::smooth::Stop;
 use grazing_model::{AnyOscillator, LinearOscillator};
 use grazing_reproduction::plane::Axes;
 use grazing_reproduction::unfolded;
 use grazing_source::{Mistake, Setting, SettingError, Text};
 use grazing_unfold::Scope;
-use grazing_model::smooth::Stop;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 

@@ -2,10 +2,10 @@
 
 use grazing_continuation::mps::Multipliers;
 use grazing_description::Description;
+use grazing_model::smooth::Stop;
 use grazing_model::smooth::Units;
 use grazing_model::{ImpactOscillator, State};
 use grazing_unfold::place::{Attractor, Nearby, Place, Solution, Starts};
-use grazing_model::smooth::Stop;
 use serde::Deserialize;
 use serde_json::{Value, json};
 

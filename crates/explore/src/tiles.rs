@@ -3,9 +3,9 @@
 use std::time::{Duration, Instant};
 
 use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Stop;
 use grazing_unfold::long_time::{Horizon, LongOrbit, Patience, random_start};
 use grazing_unfold::progress::Progress;
-use grazing_model::smooth::Stop;
 use rayon::prelude::*;
 use serde::Deserialize;
 use serde_json::{Value, json};

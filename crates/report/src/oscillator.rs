@@ -3,7 +3,7 @@
 use askama::filters::Safe;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_description::Description;
-use grazing_reproduction::unfolded::{Known, ResonanceEntry, axes};
+use grazing_reproduction::unfolded::{CurveFinding, ResonanceEntry, axes};
 pub(crate) use grazing_results::columns::{C_SN, PRIMARY, SECONDARY};
 use grazing_results::{Column, Table};
 use grazing_unfold::sides::Simulated;
@@ -91,7 +91,7 @@ impl OscillatorEntry {
     }
 
     /// The resonances at which a theorem holds, with what is known of the SN and the PD curve.
-    pub(crate) fn unfolded(&self) -> Vec<(&ResonanceEntry, [(Bifurcation, &Known); 2])> {
+    pub(crate) fn unfolded(&self) -> Vec<(&ResonanceEntry, [(Bifurcation, &CurveFinding); 2])> {
         self.resonances.iter().filter_map(|resonance| Some((resonance, resonance.curves()?))).collect()
     }
 

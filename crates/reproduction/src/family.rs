@@ -8,11 +8,11 @@ mod assembly;
 mod record;
 
 use grazing_description::Description;
+use grazing_model::smooth::Stop;
 use grazing_results::Names;
 use grazing_results::family::Family;
 use grazing_unfold::UnfoldError;
 use grazing_unfold::progress::Progress;
-use grazing_model::smooth::Stop;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 

@@ -1,11 +1,11 @@
 //! One-parameter diagrams of an oscillator from a text file.
 
 use grazing_description::Description;
+use grazing_model::smooth::Stop;
 use grazing_results::branches::OneParameter;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::one_parameter::{Cut, Line, Sampling, Subject};
 use grazing_unfold::progress::Progress;
-use grazing_model::smooth::Stop;
 use grazing_unfold::unfinished::Unfinished;
 use grazing_unfold::units::InUnits;
 

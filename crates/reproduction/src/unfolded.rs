@@ -7,6 +7,7 @@ use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::curve::Window;
 use grazing_continuation::fit::FitError;
 use grazing_description::Description;
+use grazing_model::smooth::Stop;
 use grazing_model::smooth::Units;
 use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_results::branches::OneParameter;
@@ -18,7 +19,6 @@ use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::resonances::Resonance;
 use grazing_unfold::sides::{Simulated, simulate};
-use grazing_model::smooth::Stop;
 use grazing_unfold::unfinished::Unfinished;
 use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::{Coefficient, coefficients};
@@ -30,7 +30,7 @@ use crate::plane::{self, Axes, own_header};
 use crate::{StudyError, one_parameter};
 pub use finished::Keep;
 pub(crate) use tables::slopes;
-pub use tables::{Along, CheckedHypothesis, GrazingRow};
+pub use tables::{CheckedHypothesis, GrazingLoopRow, GrazingRow};
 
 /// The analysis of an oscillator: its diagram, and at every resonance where a theorem holds coefficients, simulation and a
 /// magnification.
@@ -45,7 +45,7 @@ pub struct Unfolded {
     /// The one-parameter diagrams that are asked for, as far as they were finished; in the oscillator's own units.
     pub diagrams: Vec<OneParameter>,
     /// What depends on p along the grazing curves, for one p after the other; in the oscillator's own units.
-    along: Vec<Along>,
+    along: Vec<GrazingLoopRow>,
 }
 
 /// What was found at a resonance, in the oscillator's own units.
@@ -70,7 +70,7 @@ pub struct AtResonance {
 }
 
 /// What is known of an SN or PD curve: its coefficient, and the motion beside it.
-pub type Known = (Coefficient, Simulated);
+pub type CurveFinding = (Coefficient, Simulated);
 
 /// A resonant grazing bifurcation with what came of it, in the oscillator's own units.
 #[derive(Clone, Debug)]
@@ -82,12 +82,12 @@ pub struct ResonanceEntry {
     /// Primary and secondary parameter.
     pub parameters: [f64; 2],
     /// What is known of its curves; where the theorem does not apply the hypotheses that fail, with the values of their quantities.
-    pub finding: Result<Pair<Known>, Vec<(String, f64)>>,
+    pub finding: Result<Pair<CurveFinding>, Vec<(String, f64)>>,
 }
 
 impl ResonanceEntry {
     /// What is known of the SN and the PD curve, if the theorem applies.
-    pub fn curves(&self) -> Option<[(Bifurcation, &Known); 2]> {
+    pub fn curves(&self) -> Option<[(Bifurcation, &CurveFinding); 2]> {
         Some(self.finding.as_ref().ok()?.as_ref().named())
     }
 }
@@ -270,7 +270,7 @@ tables! {
     AlongGrazing {
         grazing: GrazingRow = "grazing",
             "a point of the grazing curve, with the grazing orbit and the Poincaré map around it",
-        grazing_loops: Along = "grazing_loops", "such a point and a p, with what depends on p",
+        grazing_loops: GrazingLoopRow = "grazing_loops", "such a point and a p, with what depends on p",
     }
 
     /// What is known at resonances.
@@ -286,7 +286,7 @@ tables! {
 const ALONG: &str = "quantities along the grazing curve";
 
 /// What depends on p at each point of the grazing curves; nothing if an end was asked for.
-fn along(diagram: &Diagram, units: &Units, progress: &dyn Progress) -> Vec<Along> {
+fn along(diagram: &Diagram, units: &Units, progress: &dyn Progress) -> Vec<GrazingLoopRow> {
     let states = (0..)
         .zip(&diagram.grazing)
         .flat_map(|(arc, curve)| curve.states.iter().map(move |state| (arc, state)));
@@ -298,7 +298,7 @@ fn along(diagram: &Diagram, units: &Units, progress: &dyn Progress) -> Vec<Along
         let found = states.par_iter().filter_map(|(arc, state)| {
             let parameters = units.parameters(state.orbit.oscillator().parameters());
             let point = state.orbit.resonant_point(loops).ok()?.in_units(units);
-            Some(Along { arc: *arc, parameters, point })
+            Some(GrazingLoopRow { arc: *arc, parameters, point })
         });
         all.extend(found.collect::<Vec<_>>());
         progress.step(ALONG);

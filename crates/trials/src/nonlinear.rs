@@ -5,9 +5,9 @@ use core::fmt;
 use grazing_continuation::mps::{PeriodicSolution, Unknowns, unknown};
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Stop;
 use grazing_reproduction::unfolded::prepared;
 use grazing_unfold::simulation::Suspect;
-use grazing_model::smooth::Stop;
 use grazing_unfold::{Diagram, Scope, UnfoldError};
 use rayon::prelude::*;
 

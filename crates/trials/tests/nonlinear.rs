@@ -4,12 +4,12 @@
 use std::sync::LazyLock;
 
 use grazing_description::Description;
+use grazing_model::smooth::Stoppable;
 use grazing_model::smooth::{Dimensionless, Integrated};
 use grazing_trials::nonlinear::{Disagreement, compare, unfolded};
 use grazing_trials::oscillators;
 use grazing_unfold::Diagram;
 use grazing_unfold::regions::Region;
-use grazing_model::smooth::Stoppable;
 
 /// The diagram of a random oscillator of seed 1, a spring that stiffens.
 static DIAGRAM: LazyLock<Diagram<Integrated<Stoppable<Dimensionless<Description>>>>> = LazyLock::new(|| {

@@ -21,7 +21,7 @@ fn diagram_from_the_text_file(bencher: Bencher<'_, '_>) {
     let file = Description::from_file(&path).unwrap();
     let window = Window { primary: file.primary().range(), secondary: file.secondary().range() };
     let scope = Scope { window, loops: file.loops().to_vec(), start: None };
-    let oscillator = Integrated::new(file, window.parameters([0.5; 2]));
+    let oscillator = file.oscillator(window.parameters([0.5; 2]));
     let pool = ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     bencher.bench(|| pool.install(|| Diagram::compute(black_box(&oscillator), &scope, &Silent).unwrap()));
 }

@@ -4,8 +4,8 @@ use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_continuation::curve::{Curve, CurveEnd, Event, Route, Window};
 use grazing_continuation::cusp::cusps;
+use grazing_continuation::locate::same_point;
 use grazing_continuation::mps::{LoopEquations, Unknowns};
-use grazing_continuation::resonance::same_point;
 
 /// A curve of this many points has lost its way.
 const STEP_LIMIT: usize = 20_000;

@@ -69,7 +69,7 @@ mod tests {
     fn the_place_is_that_beyond_which_the_force_has_no_value() {
         // There is nothing in x < −2.
         let edge = crate::specimens::unforced("-sqrt(x + 2) - 1");
-        let escape = Escape::of(&Integrated::new(edge, [0.0, 1.0]), [-1.0, 0.0]);
+        let escape = Escape::of(&edge.oscillator([0.0, 1.0]), [-1.0, 0.0]);
         // The integration ends with a step of a billionth, next to the place.
         assert!((escape.position + 2.0).abs() < 1e-2, "{escape:?}");
         assert!(escape.velocity < 0.0 && escape.force.is_nan(), "{escape:?}");

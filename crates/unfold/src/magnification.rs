@@ -3,7 +3,8 @@
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, Window};
-use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, same_point};
+use grazing_continuation::locate::same_point;
+use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint};
 use grazing_model::ImpactOscillator;
 use grazing_results::plane::CurveSource;
 use grazing_theorems::resonant_theorem::BifurcationCurve;

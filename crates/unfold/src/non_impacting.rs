@@ -18,9 +18,9 @@ use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
 use crate::regions::{self, Region, decided};
 use crate::slices::Slice;
-use crate::unfinished::Unfinished;
 use crate::survey::Survey;
 use crate::tolerances::BETWEEN_HEIGHTS;
+use crate::unfinished::Unfinished;
 use crate::{Scope, UnfoldError, search};
 
 /// What there is of motion without impacts.

@@ -311,7 +311,7 @@ mod tests {
 
     #[test]
     fn simulation_comes_back_to_the_admissible_ones_of_the_solutions_that_are_found() {
-        let oscillator = LinearOscillator::new(0.05, 0.9, 0.5, 0.9).expect("it is in the domain");
+        let oscillator = crate::specimens::linear(0.05, [0.5, 0.9]);
         let window = Window { primary: [0.3, 1.2], secondary: [0.6, 1.0] };
         let slices = [0.65, 0.75, 0.85, 0.95];
         let found = on_slices(&oscillator, &[1, 2], window, &slices, 2.0, &Silent);

@@ -376,7 +376,7 @@ mod tests {
     #[test]
     fn a_solution_half_a_turn_from_a_branch_is_not_on_it() {
         let window = Window { primary: [0.0, 1.2], secondary: [0.6, 1.0] };
-        let oscillator = LinearOscillator::new(0.05, 0.9, 0.5, 0.9).expect("it is in the domain");
+        let oscillator = crate::specimens::linear(0.05, [0.5, 0.9]);
         let grazing = grazing_theorems::LinearOscillator::new(0.05, 0.9).and_then(|it| it.grazing(0.8));
         let grazing = grazing.expect("it is in the domain");
         let place = [grazing.phase(), grazing.amplitude()];
@@ -397,7 +397,7 @@ mod tests {
     #[test]
     fn a_slice_that_knows_no_branch_gets_those_through_the_curves_that_cross_it() {
         let window = Window { primary: [0.0, 1.2], secondary: [0.6, 1.0] };
-        let oscillator = LinearOscillator::new(0.05, 0.9, 0.5, 0.9).expect("it is in the domain");
+        let oscillator = crate::specimens::linear(0.05, [0.5, 0.9]);
         let scope = Scope { window, loops: vec![2], start: None };
         let diagram = Diagram::compute(&oscillator, &scope, &Silent).expect("there is grazing");
         let curves: Vec<DiagramCurve> =

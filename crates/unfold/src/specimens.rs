@@ -1,6 +1,13 @@
 //! Oscillators to test with.
 
 use grazing_description::Description;
+use grazing_model::{AnyOscillator, LinearOscillator};
+
+/// The linear oscillator with damping ratio ζ, ε = 0.9 and (𝒜, ω).
+pub(crate) fn linear(zeta: f64, [amplitude, frequency]: [f64; 2]) -> AnyOscillator {
+    let linear = LinearOscillator::new(zeta, 0.9, amplitude, frequency);
+    AnyOscillator::new(linear.expect("it is in the domain"))
+}
 
 /// An elastic impact oscillator with this force and μ cos ηt, which vanishes at (0, 1).
 pub(crate) fn unforced(force: &str) -> Description {

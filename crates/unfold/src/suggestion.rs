@@ -67,7 +67,7 @@ mod tests {
     fn suggested(primary: [f64; 2], secondary: [f64; 2]) -> Option<Window> {
         let window = Window { primary, secondary };
         let scope = Scope { window, loops: vec![1], start: None };
-        let oscillator = LinearOscillator::new(0.02, 0.9, 0.5, 0.8).expect("it is in the domain");
+        let oscillator = crate::specimens::linear(0.02, [0.5, 0.8]);
         Diagram::compute(&oscillator, &scope, &Silent).expect("it grazes").suggested_window()
     }
 

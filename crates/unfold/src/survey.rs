@@ -338,7 +338,7 @@ mod tests {
     fn seen(number: u64, seed: u64, loops: u32, window: Window, levels: &[f64]) -> (usize, Vec<Sight>) {
         let text = grazing_trials::oscillators::description(seed, number);
         let model = Description::parse(&text, "two wells").expect("what is made at random is right");
-        let oscillator = Integrated::new(model, [window.primary[0], window.secondary[0]]);
+        let oscillator = model.oscillator([window.primary[0], window.secondary[0]]);
         let found = search::on_slices(&oscillator, &[loops], window, levels, 2.0, &Silent);
         let found = found.into_iter().map(|(_, solution)| solution).collect();
         let mut net = Net::new(LoopEquations::new(oscillator, loops, Formulation::FixedPhase));

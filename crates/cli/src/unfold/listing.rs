@@ -8,7 +8,7 @@ use std::path::Path;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_description::{Axis, Description};
 use grazing_model::smooth::Units;
-use grazing_reproduction::unfolded::{Known, ResonanceEntry};
+use grazing_reproduction::unfolded::{CurveFinding, ResonanceEntry};
 use grazing_results::branches::OneParameter;
 use grazing_results::brief;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
@@ -190,7 +190,7 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
 }
 
 /// An SN or PD curve with what is known of it, and the resonance that it leaves.
-type CurveAt<'a> = (&'a ResonanceEntry, Bifurcation, &'a Known);
+type CurveAt<'a> = (&'a ResonanceEntry, Bifurcation, &'a CurveFinding);
 
 /// The curves of all resonances at which a theorem applies.
 fn curves(entries: &[ResonanceEntry]) -> impl Iterator<Item = CurveAt<'_>> {

@@ -5,8 +5,9 @@ use std::sync::OnceLock;
 
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, Route, SolutionCurve};
 use grazing_continuation::locate::Condition;
+use grazing_continuation::locate::same_point;
 use grazing_continuation::mps::{PeriodicSolution, Unknowns};
-use grazing_continuation::resonance::{ResonantGrazingPoint, UnfoldedResonance, same_point};
+use grazing_continuation::resonance::{ResonantGrazingPoint, UnfoldedResonance};
 use grazing_model::LinearOscillator;
 use grazing_theorems::Resonance;
 

@@ -130,3 +130,85 @@ impl<M: SmoothOscillator> SmoothOscillator for Stoppable<M> {
         self.model.impact_duration(y, z, mu, eta)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::Motion;
+    use crate::smooth::Integrated;
+    use crate::{ImpactOscillator, State};
+
+    /// ẍ = −x − 1.
+    #[derive(Clone)]
+    struct Spring;
+
+    impl SmoothOscillator for Spring {
+        fn force<S: Scalar>(&self, x: S, _: S, _: S, _: S, _: S) -> S {
+            -x - S::constant(1.0)
+        }
+
+        fn forcing_frequency<S: Scalar>(&self, _: S, eta: S) -> S {
+            eta
+        }
+
+        fn restitution<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
+            S::constant(1.0)
+        }
+
+        fn impact_duration<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
+            S::constant(0.0)
+        }
+    }
+
+    /// The spring, to be ended by a mark.
+    fn spring(stop: &Stop) -> Integrated<Stoppable<Spring>> {
+        Integrated::new(Stoppable::new(Spring, stop.clone()), [0.0, 1.0])
+    }
+
+    fn position_after(oscillator: &Integrated<Stoppable<Spring>>, time: f64) -> f64 {
+        oscillator.motion(State::on_wall(0.0, 0.0)).at(time).position
+    }
+
+    #[test]
+    fn nothing_moves_once_an_end_is_asked_for_until_the_request_is_withdrawn() {
+        let stop = Stop::default();
+        let oscillator = spring(&stop);
+        let before = position_after(&oscillator, 2.0);
+        // x = cos t − 1, to the integration's tolerance.
+        assert!((before - (libm::cos(2.0) - 1.0)).abs() < 1e-12, "{before}");
+        stop.ask();
+        assert!(position_after(&oscillator, 2.0).is_nan());
+        stop.withdraw();
+        assert_eq!(position_after(&oscillator, 2.0).to_bits(), before.to_bits());
+    }
+
+    #[test]
+    fn steps_are_counted_and_their_limit_asks_for_the_end_once() {
+        let stop = Stop::after(10 * LOT);
+        let oscillator = spring(&stop);
+        let mut motions = 0;
+        while !stop.is_asked() {
+            assert!(!stop.is_used_up());
+            position_after(&oscillator, 6.0);
+            motions += 1;
+        }
+        // Some ten steps each, and no more than a hundred.
+        assert!(motions > 20 && stop.is_used_up(), "{motions}");
+        stop.withdraw();
+        for _ in 0..motions {
+            position_after(&oscillator, 6.0);
+        }
+        assert!(!stop.is_asked(), "what is written down afterwards has no limit");
+    }
+
+    #[test]
+    fn an_end_that_is_withdrawn_before_the_steps_are_used_up_lifts_their_limit() {
+        let stop = Stop::after(2 * LOT);
+        let oscillator = spring(&stop);
+        stop.withdraw();
+        for _ in 0..100 {
+            position_after(&oscillator, 6.0);
+        }
+        assert!(stop.is_used_up() && !stop.is_asked());
+    }
+}

@@ -70,13 +70,13 @@ pub(super) fn grazing(unfolded: &Unfolded) -> Vec<GrazingRow> {
 
 /// What depends on p at a point of a grazing curve.
 #[derive(Clone, Copy, Debug)]
-pub struct Along {
+pub struct GrazingLoopRow {
     pub(super) arc: u32,
     pub(super) parameters: [f64; 2],
     pub(super) point: ResonantPoint,
 }
 
-row! { Along, |row| {
+row! { GrazingLoopRow, |row| {
     let point = &row.point;
     let map = &point.grazing.map;
     let stability = point.stability_coefficients();

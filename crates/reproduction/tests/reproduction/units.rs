@@ -1,10 +1,10 @@
 //! The same oscillator in other units: all tables are the same but for the units of their columns.
 
 use grazing_description::Description;
+use grazing_model::smooth::Stop;
 use grazing_reproduction::unfolded::Unfolded;
 use grazing_results::{Cell, Table};
 use grazing_unfold::progress::Silent;
-use grazing_model::smooth::Stop;
 
 /// A hardening spring, a reset law in which everything varies; length and time are units that the text counts in.
 fn written(length: f64, time: f64) -> Description {

@@ -91,7 +91,7 @@ fn errors_of_coefficients_of_random_linear_oscillators_hold() {
         let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon).unwrap();
         let known = theory.resonance(loops, n).unwrap();
         let (amplitude, omega) = (known.grazing().amplitude(), known.forcing_frequency());
-        let oscillator = LinearOscillator::new(zeta, epsilon, amplitude, omega).unwrap();
+        let oscillator = linear(zeta, epsilon, [amplitude, omega]);
         // Where ε E_p > 1 or an entry of A is lost in rounding, no theorem applies.
         if let Ok(point) = ResonantGrazingPoint::find(&oscillator, loops, known.grazing().phase()) {
             points.push(point);
@@ -138,7 +138,7 @@ fn errors_of_coefficients_of_random_integrated_oscillators_hold() {
         let window =
             Window { primary: description.primary().range(), secondary: description.secondary().range() };
         let scope = Scope { window, loops: description.loops().to_vec(), start: None };
-        let oscillator = Integrated::new(description, [1.0, 0.8]);
+        let oscillator = description.oscillator([1.0, 0.8]);
         // Some have no grazing in the window.
         if let Ok(diagram) = Diagram::located(&oscillator, &scope, &Silent) {
             points.extend(diagram.unfolding().map(|(_, point)| point.clone()));

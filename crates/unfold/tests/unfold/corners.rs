@@ -2,7 +2,7 @@
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_continuation::curve::CurveEnd;
-use grazing_continuation::resonance::same_point;
+use grazing_continuation::locate::same_point;
 use grazing_model::motion::Motion;
 use grazing_model::{ImpactOscillator, OnWall, State};
 use grazing_unfold::Diagram;

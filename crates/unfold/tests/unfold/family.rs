@@ -32,7 +32,7 @@ fn followed(
 ) -> (Diagram<AnyOscillator, Found) {
     let at = |way: f64| {
         let there = description.with_constant(name, from + (to - from) * way).ok()?;
-        Some(Integrated::new(there, [0.0, description.secondary().range()[0]]))
+        Some(there.oscillator([0.0, description.secondary().range()[0]]))
     };
     let window =
         Window { primary: description.primary().range(), secondary: description.secondary().range() };

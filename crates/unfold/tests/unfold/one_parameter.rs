@@ -105,7 +105,7 @@ fn branches_that_begin_where_motion_of_twice_the_period_grazes_are_found() {
     let text = grazing_trials::oscillators::description(20_261_122, 2);
     let model = Description::parse(&text, "two wells").expect("what is made at random is right");
     let window = Window { primary: [0.0, 1.9], secondary: [0.5533, 0.5834] };
-    let oscillator = Integrated::new(model, [window.primary[0], window.secondary[0]]);
+    let oscillator = model.oscillator([window.primary[0], window.secondary[0]]);
     let scope = Scope { window, loops: vec![2], start: None };
     let found = on(&oscillator, &scope, line(0.580_712_5, window.primary), 2, &[]);
     // Simulation settles on solutions with two loops here.
@@ -150,9 +150,9 @@ fn exchanged_parameters_are_those_of_a_file_that_names_them_in_the_other_order()
     };
     let described =
         |primary, secondary| Description::parse(&text(primary, secondary), "moved").expect("it is right");
-    let oscillator = Integrated::new(described("a", "b"), [0.7, 0.9]);
+    let oscillator = described("a", "b").oscillator([0.7, 0.9]);
     let exchanged = OrientedOscillator { oscillator, exchanged: true };
-    let other = Integrated::new(described("b", "a"), [0.9, 0.7]);
+    let other = described("b", "a").oscillator([0.9, 0.7]);
     assert_eq!((exchanged.parameters(), other.parameters()), ([0.9, 0.7], [0.9, 0.7]));
     let moved = exchanged.with_parameters([1.1, 0.6]);
     let other = other.with_parameters([1.1, 0.6]);
@@ -212,7 +212,7 @@ fn described(text: &str, line: Line) -> OneParameter {
     let [primary, secondary] = [model.primary(), model.secondary()].map(|axis| axis.range());
     let window = Window { primary, secondary };
     let scope = Scope { window, loops: model.loops().to_vec(), start: None };
-    on(&Integrated::new(model, [primary[0], secondary[0]]), &scope, line, 2, &[])
+    on(&model.oscillator([primary[0], secondary[0]]), &scope, line, 2, &[])
 }
 
 #[test]

@@ -72,7 +72,7 @@ fn assert_stable_inside(
             let stable = if polygon.loops == 0 {
                 amplitude < grazing_at(zeta, frequency).amplitude()
             } else {
-                let oscillator = LinearOscillator::new(zeta, epsilon, amplitude, frequency).unwrap();
+                let oscillator = linear(zeta, epsilon, [amplitude, frequency]);
                 let returns = |orbit: &closed_form::Orbit| {
                     let (velocity, phase) = (orbit.velocity, orbit.phase);
                     let suspect = Suspect { oscillator: &oscillator, loops: polygon.loops, velocity, phase };
@@ -174,7 +174,7 @@ fn stays_off(diagram: &Diagram, at: [f64; 2]) -> bool {
 
 /// The diagram of an oscillator without the curves of its MPSs, in some ranges.
 fn located(model: Description, [primary, secondary]: [[f64; 2]; 2]) -> Diagram<AnyOscillator {
-    let oscillator = Integrated::new(model, [primary[1], secondary[1]]);
+    let oscillator = model.oscillator([primary[1], secondary[1]]);
     Diagram::located(&oscillator, &scope(primary, secondary, &[1]), &Silent).expect("there is grazing")
 }
 
@@ -203,7 +203,7 @@ fn a_region_on_the_edge_to_which_only_inadmissible_solutions_lead_is_found_and_n
     let force = "-0.08*v - (exp(0.6*x) - 1)/0.6 - 0.1 + mu*cos(eta*t) + 0.15*sin(2*eta*t + 0.7)";
     let ranges = [[0.0, 1.2], [0.5, 1.3]];
     let scope = scope(ranges[0], ranges[1], &[1]);
-    let oscillator = Integrated::new(forced(force, "0.8", 0.8, ranges), [0.6, 0.9]);
+    let oscillator = forced(force, "0.8", 0.8, ranges).oscillator([0.6, 0.9]);
     let diagram = Diagram::compute(&oscillator, &scope, &Silent).unwrap();
     // The region lies at omega < 0.5204 between 0.09 < A < 0.47: at both ends of the range of A solutions are stable there, and go through the wall.
     let here = [0.2562, 0.5131];
@@ -260,7 +260,7 @@ fn nothing_beside_a_pole_of_the_force_is_undecided() {
 #[test]
 fn sketches_of_branches_beside_a_hill_leave_nothing_undecided() {
     let scope = scope([0.0, 1.3708], [0.475, 1.2857], &[3]);
-    let oscillator = Integrated::new(random(1, 20_261_123), [0.1, 0.7]);
+    let oscillator = random(1, 20_261_123).oscillator([0.1, 0.7]);
     let diagram = Diagram::compute(&oscillator, &scope, &Silent).unwrap();
     assert!(diagram.regions.iter().all(|region| region.doubt.is_none()));
 }
@@ -286,7 +286,7 @@ fn solutions_that_are_faster_than_any_that_is_known_are_found() {
     let description = forced("-0.1*v - tanh(3*x) + mu*cos(eta*t)", "0.15", 0.85, ranges);
     let units = description.units();
     let own = scope(ranges[0], ranges[1], &[1]);
-    let oscillator = Integrated::new(Dimensionless::new(description, units), [0.3, 1.0]);
+    let oscillator = description.counted([0.3, 1.0], &units, &Stop::default());
     let diagram = Diagram::compute(&oscillator, &own.without_dimensions(&units), &Silent).unwrap();
     // Simulation returns to solutions with impact velocities from 2.7 to 3.4 there; those that are known have 1 at most.
     for here in [[0.57, 1.07], [0.575, 1.05], [0.575, 1.15]] {
@@ -308,7 +308,7 @@ fn motion_that_is_forgotten_within_a_period_is_stable() {
 
 #[test]
 fn every_small_region_of_slow_forcing_is_shaded() {
-    let oscillator = LinearOscillator::new(0.005, 0.9, 1.0, 0.1).unwrap();
+    let oscillator = linear(0.005, 0.9, [1.0, 0.1]);
     let diagram = Diagram::compute(&oscillator, &scope([0.0, 1.5], [0.04, 0.4], &[1]), &Silent).unwrap();
     let shaded =
         |at| diagram.regions.iter().any(|region| region.kind() == RegionKind::Mps && region.contains(at));
@@ -337,7 +337,7 @@ fn no_curve_beside_a_hill_is_followed_without_end() {
     let ranges = [[0.0, 1.2], [0.4, 1.2]];
     let scope = scope(ranges[0], ranges[1], &[2]);
     let model = forced("-0.08*v - x - 1 + 0.05*x^3 + mu*cos(eta*t)", "0", 0.8, ranges);
-    let diagram = Diagram::compute(&Integrated::new(model, [0.6, 0.8]), &scope, &Silent).unwrap();
+    let diagram = Diagram::compute(&model.oscillator([0.6, 0.8]), &scope, &Silent).unwrap();
     let ends = diagram.curves.iter().map(|curve| (curve.curve.points.len(), &curve.curve.end));
     assert!(ends.clone().count() > 5);
     for (points, end) in ends {

@@ -103,7 +103,7 @@ fn resonances_in_the_stiffness_lie_where_the_free_frequency_is_in_step() {
 
 #[test]
 fn resonances_of_motion_that_is_forgotten_within_a_period_are_told_once() {
-    let oscillator = LinearOscillator::new(0.15, EPSILON, 0.5, 0.03).unwrap();
+    let oscillator = linear(0.15, EPSILON, [0.5, 0.03]);
     let diagram = Diagram::located(&oscillator, &scope([0.0, 2.0], [0.02, 0.05], &[1]), &Silent).unwrap();
     let lost: Vec<_> = diagram.unlocated.iter().map(|lost| &lost.reason).collect();
     assert_eq!(lost, [&ResonanceError::Forgotten]);
@@ -128,7 +128,7 @@ fn resonances_of_motion_that_is_forgotten_within_a_period_are_told_once() {
 
 #[test]
 fn resonances_are_found_where_motion_is_almost_forgotten_within_p_periods() {
-    let oscillator = LinearOscillator::new(0.2, 0.9, 0.5, 0.5).unwrap();
+    let oscillator = linear(0.2, 0.9, [0.5, 0.5]);
     let found = resonances(&oscillator, &scope([0.0, 1.3], [0.2, 1.0], &[4, 5]));
     let theory = Theory::new(0.2, 0.9).unwrap();
     let expected = theory.resonances(&[4, 5], 0.2, 1.0).unwrap();

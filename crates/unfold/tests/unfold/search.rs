@@ -79,7 +79,7 @@ fn the_grazing_curve_of_the_linear_oscillator_is_that_of_the_closed_form() {
 /// for lies there.
 #[test]
 fn a_grazing_curve_is_found_once_though_its_phase_turns_at_one_frequency() {
-    let oscillator = LinearOscillator::new(1e-4, EPSILON, 0.5, 0.8).unwrap();
+    let oscillator = linear(1e-4, EPSILON, [0.5, 0.8]);
     let curves = grazing_curves(&oscillator, &scope([0.0, 1.2], [0.3, 1.1], &[])).unwrap();
     assert_eq!(curves.len(), 1);
 }

@@ -29,8 +29,13 @@ pub(crate) fn scope(primary: [f64; 2], secondary: [f64; 2], loops: &[u32]) -> Sc
 }
 
 /// The paper's oscillator; its own parameters do not matter.
-pub(crate) fn closed_form() -> LinearOscillator {
-    LinearOscillator::new(ZETA, EPSILON, 0.5, 0.8).unwrap()
+pub(crate) fn closed_form() -> AnyOscillator {
+    linear(ZETA, EPSILON, [0.5, 0.8])
+}
+
+/// The linear oscillator with ζ, ε and (𝒜, ω).
+pub(crate) fn linear(zeta: f64, epsilon: f64, [amplitude, frequency]: [f64; 2]) -> AnyOscillator {
+    AnyOscillator::new(LinearOscillator::new(zeta, epsilon, amplitude, frequency).unwrap())
 }
 
 /// The closed form of grazing of the linear oscillator.
@@ -45,7 +50,7 @@ pub(crate) fn example(name: &str) -> (AnyOscillator, Scope) {
     let [primary, secondary] = [description.primary(), description.secondary()].map(|axis| axis.range());
     let mut scope = scope(primary, secondary, description.loops());
     scope.start = description.start();
-    (Integrated::new(description, [primary[1], secondary[1]]), scope)
+    (description.oscillator([primary[1], secondary[1]]), scope)
 }
 
 /// As [`example`], without dimensions, with the units in which it counts.
@@ -82,7 +87,7 @@ pub(crate) fn described(
 pub(crate) fn written(force: &str, frequency: &str, scope: &Scope) -> AnyOscillator {
     let Window { primary, secondary } = scope.window;
     let description = described([force, frequency, "0"], EPSILON, [primary, secondary]);
-    Integrated::new(description, [primary[1], secondary[1]])
+    description.oscillator([primary[1], secondary[1]])
 }
 
 /// The pieces of the grazing curve.

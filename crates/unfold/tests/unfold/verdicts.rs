@@ -16,7 +16,7 @@ use crate::specimens::{EPSILON, ZETA, assert_within, described, scope, written};
 fn linear(zeta: f64, loops: u32, n: u32) -> ResonantGrazingPoint {
     let known = grazing_theorems::LinearOscillator::new(zeta, EPSILON).unwrap().resonance(loops, n).unwrap();
     let (amplitude, omega) = (known.grazing().amplitude(), known.forcing_frequency());
-    let oscillator = LinearOscillator::new(zeta, EPSILON, amplitude, omega).unwrap();
+    let oscillator = linear(zeta, EPSILON, [amplitude, omega]);
     ResonantGrazingPoint::find(&oscillator, loops, known.grazing().phase()).unwrap()
 }
 
@@ -55,7 +55,7 @@ fn coefficients_with_the_parameters_swapped_are_those_of_the_other_way_round() {
 fn errors_of_coefficients_cover_those_of_integrating_a_force_of_short_pulses() {
     let window @ [primary, secondary] = [[0.0, 3.0], [0.3, 1.4]];
     let force = "-0.06*v - x - 1 + mu*exp(6*(cos(eta*t) - 1))";
-    let pulses = Integrated::new(described([force, "eta", "0"], 0.8, window), [0.3, 1.0]);
+    let pulses = described([force, "eta", "0"], 0.8, window).oscillator([0.3, 1.0]);
     let diagram = Diagram::located(&pulses, &scope(primary, secondary, &[1]), &Silent).unwrap();
     let both: Vec<_> = diagram.unfolding().flat_map(|(_, point)| coefficients(point).into_array()).collect();
     assert!(both.len() >= 10);
