@@ -6,7 +6,6 @@ use grazing_continuation::arclength::{Continuation, StepControl};
 use grazing_continuation::curve::{SolutionCurve, Window};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, LoopEquations, PeriodicSolution, Unknowns, parameters, unknown};
-use grazing_model::ImpactOscillator;
 use grazing_unfold::Diagram;
 
 /// Steps along branches: what Newton's method needs between them.

@@ -6,7 +6,6 @@ use std::path::Path;
 use divan::Bencher;
 use grazing_continuation::curve::Window;
 use grazing_description::Description;
-use grazing_model::smooth::Integrated;
 use grazing_unfold::{Diagram, Scope, progress::Silent};
 use rayon::ThreadPoolBuilder;
 

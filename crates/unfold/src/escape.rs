@@ -63,7 +63,6 @@ impl Escape {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use grazing_model::smooth::Integrated;
 
     #[test]
     fn the_place_is_that_beyond_which_the_force_has_no_value() {

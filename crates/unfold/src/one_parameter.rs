@@ -1,7 +1,7 @@
 //! One-parameter diagrams: what there is on a line of the parameter plane, along which one parameter changes and the other is held.
 //!
 //! Branches of non-impacting motion and of p-loop MPSs, bifurcations on them, the long-time behaviour of the hybrid system from random
-//! states, and orbits at chosen places. Everything is shown by x on the Poincaré section Π. The oscillator is turned (`oriented`) so that the parameter
+//! states, and orbits at chosen places. Everything is shown by x on the Poincaré section Π. The oscillator is turned ([`oriented`]) so that the parameter
 //! across is the first one, called μ below; rows have both parameters as they are.
 
 mod branches;
@@ -18,6 +18,7 @@ use grazing_results::branches::{AttractorPoint, BranchBifurcation, OneParameter}
 use rayon::prelude::*;
 
 pub use branches::Branch;
+pub use oriented::oriented;
 pub use portraits::Subject;
 pub use visits::Sampling;
 
@@ -83,7 +84,7 @@ impl Cut {
         progress: &dyn Progress,
     ) -> Option<Self> {
         let exchanged = line.primary_is_fixed;
-        let oscillator = oriented::oriented(oscillator, exchanged);
+        let oscillator = oriented(oscillator, exchanged);
         let (scope, curves) = match exchanged {
             true => (scope.exchanged(), oriented::exchanged(curves)),
             false => (scope.clone(), curves.to_vec()),

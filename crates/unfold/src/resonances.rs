@@ -178,15 +178,14 @@ impl<'a> Stretch<'a> {
 #[cfg(test)]
 mod tests {
     use grazing_continuation::curve::Window;
-    use grazing_model::LinearOscillator;
     use grazing_theorems::from_map::GrazingOrbit;
     use nalgebra::Vector3;
 
     use super::*;
 
-    fn states() -> [GrazingState<LinearOscillator>; 2] {
+    fn states() -> [GrazingState; 2] {
         [0.8, 0.81].map(|frequency| {
-            let near = LinearOscillator::new(0.02, 0.9, 0.3, frequency).expect("valid");
+            let near = crate::specimens::linear(0.02, [0.3, frequency]);
             let phase = libm::atan2(0.04 * frequency, 1.0 - frequency * frequency);
             let orbit = GrazingOrbit::find(&near, phase).expect("it grazes");
             GrazingState { orbit, tangent: Vector3::y(), stable: true, admissible: true }

@@ -303,7 +303,6 @@ fn misses(oscillator: &AnyOscillator, loops: &[u32], impact: &Unknowns) -> Vec<V
 
 #[cfg(test)]
 mod tests {
-    use grazing_model::LinearOscillator;
 
     use super::*;
     use crate::progress::Silent;
@@ -318,7 +317,7 @@ mod tests {
         for (loops, zero) in &found {
             let here = oscillator.with_parameters([zero[2], zero[3]]);
             let suspect = Suspect::of(&here, *loops, zero);
-            let solution = LoopEquations::new(here, *loops, Formulation::FixedPhase).solution(zero);
+            let solution = LoopEquations::new(here.clone(), *loops, Formulation::FixedPhase).solution(zero);
             assert_eq!(suspect.follow() == ReturnOutcome::Returns, solution.admissible(), "{loops}: {zero}");
         }
         let of = |p: u32| found.iter().filter(|(loops, _)| *loops == p).count();

@@ -367,7 +367,6 @@ pub(crate) fn near_chord<const N: usize>(
 #[cfg(test)]
 mod tests {
     use grazing_continuation::mps::Formulation;
-    use grazing_model::LinearOscillator;
 
     use super::*;
     use crate::progress::Silent;

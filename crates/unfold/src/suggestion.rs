@@ -62,7 +62,6 @@ mod tests {
     use super::*;
     use crate::Scope;
     use crate::progress::Silent;
-    use grazing_model::LinearOscillator;
 
     fn suggested(primary: [f64; 2], secondary: [f64; 2]) -> Option<Window> {
         let window = Window { primary, secondary };

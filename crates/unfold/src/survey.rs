@@ -328,7 +328,6 @@ fn covers(scope: &Scope, known: &DiagramCurve, other: &DiagramCurve) -> bool {
 mod tests {
     use grazing_continuation::mps::{Formulation, LoopEquations};
     use grazing_description::Description;
-    use grazing_model::smooth::Integrated;
 
     use super::*;
     use crate::progress::Silent;

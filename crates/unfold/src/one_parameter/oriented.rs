@@ -15,7 +15,7 @@ use crate::curves::DiagramCurve;
 struct Exchanged(AnyOscillator);
 
 /// The oscillator, or the same with its parameters exchanged.
-pub(super) fn oriented(oscillator: &AnyOscillator, exchanged: bool) -> AnyOscillator {
+pub fn oriented(oscillator: &AnyOscillator, exchanged: bool) -> AnyOscillator {
     if exchanged { AnyOscillator::new(Exchanged(oscillator.clone())) } else { oscillator.clone() }
 }
 

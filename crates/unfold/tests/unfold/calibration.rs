@@ -11,8 +11,7 @@ use std::io::Write;
 use grazing_continuation::curve::Window;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_description::Description;
-use grazing_model::smooth::Integrated;
-use grazing_model::{ImpactOscillator, LinearOscillator};
+use grazing_model::ImpactOscillator;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::verdict::{Coefficient, Verdict, coefficients};
 use grazing_unfold::{Diagram, Scope};
@@ -91,7 +90,7 @@ fn errors_of_coefficients_of_random_linear_oscillators_hold() {
         let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon).unwrap();
         let known = theory.resonance(loops, n).unwrap();
         let (amplitude, omega) = (known.grazing().amplitude(), known.forcing_frequency());
-        let oscillator = linear(zeta, epsilon, [amplitude, omega]);
+        let oscillator = crate::specimens::linear(zeta, epsilon, [amplitude, omega]);
         // Where ε E_p > 1 or an entry of A is lost in rounding, no theorem applies.
         if let Ok(point) = ResonantGrazingPoint::find(&oscillator, loops, known.grazing().phase()) {
             points.push(point);

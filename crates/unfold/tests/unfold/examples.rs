@@ -2,9 +2,8 @@
 
 use std::fmt::Write;
 
-use grazing_description::Description;
+use grazing_model::smooth::Units;
 use grazing_model::ImpactOscillator;
-use grazing_model::smooth::{Dimensionless, Integrated, Units};
 use grazing_theorems::hypothesis::Quantity;
 use grazing_unfold::resonances::Resonance;
 use grazing_unfold::sides::{Simulated, simulate};
@@ -15,11 +14,8 @@ use rayon::prelude::*;
 
 use crate::specimens::{self, counted, example, file};
 
-/// An oscillator of an example.
-type Example = AnyOscillator;
-
 /// All resonances of an example, and the units in which they are counted.
-fn resonances(name: &str) -> (Vec<Resonance<Example>>, Units) {
+fn resonances(name: &str) -> (Vec<Resonance>, Units) {
     let (oscillator, scope, units) = counted(name);
     let found = specimens::resonances(&oscillator, &scope);
     for resonance in &found {
@@ -33,7 +29,7 @@ fn resonances(name: &str) -> (Vec<Resonance<Example>>, Units) {
 }
 
 /// Theorem and fit agree within their errors and to five digits, and simulation lands on the predicted side of both curves.
-fn assert_theory_holds(name: &str, resonances: &[Resonance<Example>]) {
+fn assert_theory_holds(name: &str, resonances: &[Resonance]) {
     let failures: Vec<String> = resonances
         .par_iter()
         .filter_map(|resonance| Some((resonance, resonance.theorem.as_ref().ok()?)))

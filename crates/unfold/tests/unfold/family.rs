@@ -5,7 +5,6 @@ use std::f64::consts::PI;
 use grazing_continuation::curve::Window;
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
-use grazing_model::smooth::Integrated;
 use grazing_theorems::hypothesis::Quantity;
 use grazing_theorems::linear_oscillator::LinearOscillator;
 use grazing_unfold::family::{Arc, ArcEnd, arcs};
@@ -22,14 +21,10 @@ fn linear(frequency: &str, [low, high]: [f64; 2]) -> Description {
     Description::parse(&text, "test.toml").unwrap_or_else(|error| panic!("{error}"))
 }
 
-type Found = Vec<Arc;
+type Found = Vec<Arc>;
 
 /// The resonances of an oscillator with one value of a constant, and the way they take to another.
-fn followed(
-    description: &Description,
-    name: &str,
-    [from, to]: [f64; 2],
-) -> (Diagram<AnyOscillator, Found) {
+fn followed(description: &Description, name: &str, [from, to]: [f64; 2]) -> (Diagram, Found) {
     let at = |way: f64| {
         let there = description.with_constant(name, from + (to - from) * way).ok()?;
         Some(there.oscillator([0.0, description.secondary().range()[0]]))

@@ -13,9 +13,7 @@ use grazing_continuation::curve::{Curve, CurveEnd, Route, SolutionCurve, Window}
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
-use grazing_description::Description;
-use grazing_model::smooth::Integrated;
-use grazing_model::{ImpactOscillator, LinearOscillator};
+use grazing_model::ImpactOscillator;
 use grazing_results::plane::CurveSource;
 use grazing_unfold::diagram::route;
 use grazing_unfold::magnification::{Polyline, magnify};
@@ -65,14 +63,13 @@ fn rows(name: &str, columns: &[&str]) -> Vec<Vec<String>> {
 }
 
 /// The diagram of Figure 7, integrated and in closed form.
-static DIAGRAMS: LazyLock<(Diagram<AnyOscillator, Diagram)> =
-    LazyLock::new(|| {
-        let (oscillator, _) = example("paper.toml");
-        let figure = &PARAMETERS["fig07"];
-        let scope = Scope { window: window(figure), loops: loops(figure), start: None };
-        let integrated = Diagram::compute(&oscillator, &scope, &Silent).unwrap();
-        (integrated, Diagram::compute(&closed_form(), &scope, &Silent).unwrap())
-    });
+static DIAGRAMS: LazyLock<(Diagram, Diagram)> = LazyLock::new(|| {
+    let (oscillator, _) = example("paper.toml");
+    let figure = &PARAMETERS["fig07"];
+    let scope = Scope { window: window(figure), loops: loops(figure), start: None };
+    let integrated = Diagram::compute(&oscillator, &scope, &Silent).unwrap();
+    (integrated, Diagram::compute(&closed_form(), &scope, &Silent).unwrap())
+});
 
 #[track_caller]
 fn assert_same(integrated: &Unknowns, closed: &Unknowns) {
@@ -119,10 +116,9 @@ fn assert_on_closed_form(curve: &Curve, loops: u32) -> usize {
 
 #[test]
 fn the_text_file_has_the_constants_of_the_figures() {
-    let (oscillator, _) = example("paper.toml");
     let shared = &PARAMETERS["oscillator"];
     assert_eq!([number(&shared["zeta"]), number(&shared["epsilon"])], [ZETA, EPSILON]);
-    let description = oscillator.model();
+    let description = crate::specimens::described_example("paper.toml");
     let constants: Vec<_> = description.constants().collect();
     assert_eq!(constants, [("epsilon", EPSILON), ("zeta", ZETA)]);
 }
@@ -212,11 +208,7 @@ fn points_of_figure_7_are_the_committed_ones() {
 }
 
 /// A resonance of a diagram and what the theorem says there.
-fn resonance(
-    diagram: &Diagram,
-    loops: u32,
-    n: u32,
-) -> (&Resonance, &ResonantGrazingPoint) {
+fn resonance(diagram: &Diagram, loops: u32, n: u32) -> (&Resonance, &ResonantGrazingPoint) {
     diagram.unfolding().find(|(found, _)| (found.loops, found.n) == (loops, n)).unwrap()
 }
 

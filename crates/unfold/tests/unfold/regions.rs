@@ -2,8 +2,8 @@
 
 use grazing_continuation::curve::CurveEnd;
 use grazing_description::Description;
-use grazing_model::smooth::{Dimensionless, Integrated};
-use grazing_model::{ImpactOscillator, LinearOscillator};
+use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Stop;
 use grazing_results::plane::RegionKind;
 use grazing_trials::closed_form;
 use grazing_unfold::progress::Silent;
@@ -11,7 +11,7 @@ use grazing_unfold::regions::Region;
 use grazing_unfold::simulation::{ReturnOutcome, Suspect};
 use grazing_unfold::{Diagram, Scope};
 
-use crate::specimens::{EPSILON, ZETA, constant, counted, described, example, grazing_at, scope};
+use crate::specimens::{EPSILON, ZETA, constant, counted, described, example, grazing_at, linear, scope};
 
 /// Cells of the lattice of points, each way.
 const LATTICE: u32 = 40;
@@ -112,7 +112,7 @@ fn solutions_are_stable_and_admissible_inside_the_polygons_of_the_linear_oscilla
 #[test]
 fn solutions_are_stable_and_admissible_inside_the_polygons_where_the_clearance_is_the_parameter() {
     let (oscillator, _) = example("clearance.toml");
-    let [alpha, r] = ["alpha", "r"].map(|name| constant(oscillator.model(), name));
+    let [alpha, r] = ["alpha", "r"].map(|name| constant("clearance.toml", name));
     let scope = scope([0.05, 1.0], [1.7, 2.3], &[1]);
     let diagram = Diagram::compute(&oscillator, &scope, &Silent).unwrap();
     // A greater clearance leads away from the wall.
@@ -173,7 +173,7 @@ fn stays_off(diagram: &Diagram, at: [f64; 2]) -> bool {
 }
 
 /// The diagram of an oscillator without the curves of its MPSs, in some ranges.
-fn located(model: Description, [primary, secondary]: [[f64; 2]; 2]) -> Diagram<AnyOscillator {
+fn located(model: Description, [primary, secondary]: [[f64; 2]; 2]) -> Diagram {
     let oscillator = model.oscillator([primary[1], secondary[1]]);
     Diagram::located(&oscillator, &scope(primary, secondary, &[1]), &Silent).expect("there is grazing")
 }

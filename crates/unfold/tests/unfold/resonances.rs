@@ -1,15 +1,15 @@
 //! Resonances on the grazing curve of the linear oscillator, of which all are known.
 
 use grazing_continuation::resonance::ResonanceError;
-use grazing_model::{ImpactOscillator, LinearOscillator};
+use grazing_model::ImpactOscillator;
 use grazing_theorems::LinearOscillator as Theory;
 use grazing_unfold::Diagram;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::verdict::{Verdict, coefficients};
 
 use crate::specimens::{
-    DAMPED, EPSILON, ZETA, assert_closed_form, assert_within, closed_form, example, resonances, scope,
-    written,
+    DAMPED, EPSILON, ZETA, assert_closed_form, assert_within, closed_form, example, linear, resonances,
+    scope, written,
 };
 
 /// Forcing frequency and n of all resonances of a p in a range, and whether a theorem holds there: eq:resonance1, eq:resonancep.

@@ -4,7 +4,7 @@ use core::f64::consts::{PI, TAU};
 
 use grazing_model::maps::global_map;
 use grazing_model::motion::Motion;
-use grazing_model::{AtRest, ImpactOscillator, LinearOscillator, State};
+use grazing_model::{AtRest, ImpactOscillator, State};
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::spectrum::in_trapesium;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd, GrazingState};
@@ -25,7 +25,7 @@ fn assert_grazes(curve: &GrazingCurve, scope: &Scope) {
     assert!(curve.states.len() > 10);
     for state in &curve.states {
         let (oscillator, phase) = (state.orbit.oscillator(), state.orbit.phase());
-        let landing = global_map::<O, 1>(oscillator, AtRest::new(0.0, phase), None).unwrap().jet.value;
+        let landing = global_map::<_, 1>(oscillator, AtRest::new(0.0, phase), None).unwrap().jet.value;
         assert_within(landing[0], 0.0, 1e-10);
         assert_within(landing[1], phase, 1e-10);
         let period = oscillator.forcing_period();
@@ -79,7 +79,7 @@ fn the_grazing_curve_of_the_linear_oscillator_is_that_of_the_closed_form() {
 /// for lies there.
 #[test]
 fn a_grazing_curve_is_found_once_though_its_phase_turns_at_one_frequency() {
-    let oscillator = linear(1e-4, EPSILON, [0.5, 0.8]);
+    let oscillator = crate::specimens::linear(1e-4, EPSILON, [0.5, 0.8]);
     let curves = grazing_curves(&oscillator, &scope([0.0, 1.2], [0.3, 1.1], &[])).unwrap();
     assert_eq!(curves.len(), 1);
 }
@@ -153,13 +153,13 @@ fn a_grazing_curve_ends_where_motion_is_no_longer_turned_back() {
     let curves = grazing_curves(&written(force, "eta", &scope), &scope).unwrap();
     let states = || curves.iter().flat_map(|curve| &curve.states);
     // A maximum at the wall becomes a point of inflection there.
-    let gamma = |state: &GrazingState<_>| state.orbit.grazing_point().gamma;
+    let gamma = |state: &GrazingState| state.orbit.grazing_point().gamma;
     assert!(states().map(gamma).fold(f64::INFINITY, f64::min) < 0.01);
     assert!(states().all(|state| gamma(state) > 0.0 && state.stable));
 }
 
 /// A linear oscillator whose forcing is as strong as at grazing on the circle of radius 0.3 about (0, 0), stronger inside.
-fn circle(scope: &Scope) -> GrazingCurve<impl ImpactOscillator> {
+fn circle(scope: &Scope) -> GrazingCurve {
     let strongest = grazing_at(DAMPED, 0.7).amplitude() + 0.09;
     let force = linear(&format!("{strongest:?} - mu^2 - eta^2"), "0.7*t");
     grazing_curve(&written(&force, "0.7", scope), scope)

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use grazing_continuation::curve::Window;
 use grazing_description::Description;
-use grazing_model::smooth::{Dimensionless, Integrated, Units};
-use grazing_model::{ImpactOscillator, LinearOscillator};
+use grazing_model::smooth::{Stop, Units};
+use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator};
 use grazing_theorems::GrazingState;
 use grazing_unfold::grazing::GrazingCurve;
 use grazing_unfold::progress::Silent;
@@ -43,10 +43,14 @@ pub(crate) fn grazing_at(zeta: f64, frequency: f64) -> GrazingState {
     grazing_theorems::LinearOscillator::new(zeta, EPSILON).unwrap().grazing(frequency).unwrap()
 }
 
+/// An example as its file describes it.
+pub(crate) fn described_example(name: &str) -> Description {
+    Description::from_file(&file("examples").join(name)).unwrap_or_else(|error| panic!("{error}"))
+}
+
 /// The oscillator of an example, and all that its file asks for.
 pub(crate) fn example(name: &str) -> (AnyOscillator, Scope) {
-    let description =
-        Description::from_file(&file("examples").join(name)).unwrap_or_else(|error| panic!("{error}"));
+    let description = described_example(name);
     let [primary, secondary] = [description.primary(), description.secondary()].map(|axis| axis.range());
     let mut scope = scope(primary, secondary, description.loops());
     scope.start = description.start();
@@ -55,16 +59,16 @@ pub(crate) fn example(name: &str) -> (AnyOscillator, Scope) {
 
 /// As [`example`], without dimensions, with the units in which it counts.
 pub(crate) fn counted(name: &str) -> (AnyOscillator, Scope, Units) {
-    let (oscillator, scope) = example(name);
-    let description = oscillator.model().clone();
+    let (description, (_, scope)) = (described_example(name), example(name));
     let units = description.units();
     let scope = scope.without_dimensions(&units);
     let Window { primary, secondary } = scope.window;
     (description.counted([primary[1], secondary[1]], &units, &Stop::default()), scope, units)
 }
 
-/// A constant of a description.
-pub(crate) fn constant(description: &Description, name: &str) -> f64 {
+/// A constant of an example.
+pub(crate) fn constant(example: &str, name: &str) -> f64 {
+    let description = described_example(example);
     description.constants().find(|(known, _)| *known == name).unwrap_or_else(|| panic!("{name}")).1
 }
 

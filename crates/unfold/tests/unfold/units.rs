@@ -2,7 +2,7 @@
 
 use grazing_continuation::curve::Window;
 use grazing_description::Description;
-use grazing_model::smooth::{Dimensionless, Integrated};
+use grazing_model::smooth::Stop;
 use grazing_unfold::Scope;
 
 use crate::specimens::{self, EPSILON, ZETA, resonances};

@@ -2,8 +2,7 @@
 
 use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::resonance::ResonantGrazingPoint;
-use grazing_model::smooth::Integrated;
-use grazing_model::{ImpactOscillator, LinearOscillator};
+use grazing_model::ImpactOscillator;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::sides::{Inconclusive, Sides, Simulated, simulate};
 use grazing_unfold::simulation::ReturnOutcome;
@@ -16,14 +15,11 @@ use crate::specimens::{EPSILON, ZETA, assert_within, described, scope, written};
 fn linear(zeta: f64, loops: u32, n: u32) -> ResonantGrazingPoint {
     let known = grazing_theorems::LinearOscillator::new(zeta, EPSILON).unwrap().resonance(loops, n).unwrap();
     let (amplitude, omega) = (known.grazing().amplitude(), known.forcing_frequency());
-    let oscillator = linear(zeta, EPSILON, [amplitude, omega]);
+    let oscillator = crate::specimens::linear(zeta, EPSILON, [amplitude, omega]);
     ResonantGrazingPoint::find(&oscillator, loops, known.grazing().phase()).unwrap()
 }
 
-fn simulated(
-    point: &ResonantGrazingPoint,
-    both: &Pair<Coefficient>,
-) -> [Simulated; 2] {
+fn simulated(point: &ResonantGrazingPoint, both: &Pair<Coefficient>) -> [Simulated; 2] {
     Pair::BIFURCATIONS.map(|kind| simulate(point, kind, both)).into_array()
 }
 
