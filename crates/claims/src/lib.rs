@@ -68,8 +68,8 @@ use specimen::generic::{
     specimens_with,
 };
 use specimen::resonant::{
-    ANY, Bifurcation, EVERYWHERE, Loops, MANY, Near, ONE, Offset, ResonantSpecimen, Symbols, agreement,
-    deviation, everywhere, offsets, orders, orders_against_print, scaled,
+    ANY, Bifurcation, EVERYWHERE, Loops, MANY, Near, ONE, Offset, ResonantSpecimen, Symbols, all_orders,
+    everywhere, offsets, orders, orders_against_print, scaled,
 };
 use specimen::{DELAY, Exponential, Grazing, Law, Specimen, at_grazing, damping_for_decay};
 use sweep::Existence;

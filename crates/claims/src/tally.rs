@@ -41,6 +41,11 @@ impl Deviations {
         self.see(if holds { 0.0 } else { f64::INFINITY });
     }
 
+    /// The largest deviation; not a number if one is not.
+    pub(crate) fn largest(&self) -> f64 {
+        self.largest
+    }
+
     /// The largest deviation against a tolerance.
     pub(crate) fn measure(&self, tolerance: f64) -> Measure {
         Measure::Deviation { largest: self.largest, tolerance }

@@ -219,18 +219,21 @@ fn places() -> Result<Vec<ResonantSpecimen>, Failure> {
     Ok(found)
 }
 
-/// What a function finds at all resonances with these numbers of loops.
-pub(crate) fn everywhere<T>(
+/// What measurements at all resonances with these numbers of loops add up to.
+pub(crate) fn everywhere<T: Default>(
     which: Loops,
-    measure: impl Fn(&ResonantSpecimen) -> Result<Vec<T>, Failure>,
-) -> Result<Vec<T>, Failure> {
-    let mut found = Vec::new();
-    for place in PLACES.as_ref().map_err(String::as_str)? {
-        if which.contains(&place.loops()) {
-            found.extend(measure(place)?);
-        }
-    }
-    Ok(found)
+    measure: impl FnMut(&ResonantSpecimen, &mut T) -> Result<(), Failure>,
+) -> Result<T, Failure> {
+    let places = PLACES.as_ref().map_err(String::as_str)?;
+    over(places.iter().filter(|place| which.contains(&place.loops())), measure)
+}
+
+/// The orders that a function finds at all resonances with these numbers of loops.
+pub(crate) fn all_orders(
+    which: Loops,
+    measure: impl Fn(&ResonantSpecimen) -> Result<Vec<Observed>, Failure>,
+) -> Result<Vec<Observed>, Failure> {
+    everywhere(which, |place, all: &mut Vec<_>| Ok(all.extend(measure(place)?)))
 }
 
 /// The orders that a function finds everywhere, as an outcome.
@@ -239,7 +242,7 @@ pub(crate) fn orders(
     over: &str,
     measure: impl Fn(&ResonantSpecimen) -> Result<Vec<Observed>, Failure>,
 ) -> CheckResult {
-    let orders = everywhere(which, measure)?;
+    let orders = all_orders(which, measure)?;
     Ok(Outcome::new(lowest(&orders), orders.len(), over))
 }
 
@@ -249,27 +252,8 @@ pub(crate) fn orders_against_print(
     corrected: impl Fn(&ResonantSpecimen) -> Result<Vec<Observed>, Failure>,
     printed: impl Fn(&ResonantSpecimen) -> Result<Vec<Observed>, Failure>,
 ) -> CheckResult {
-    let printed = lowest(&everywhere(which.clone(), printed)?);
+    let printed = lowest(&all_orders(which.clone(), printed)?);
     Ok(orders(which, EVERYWHERE, corrected)?.against_print(printed))
-}
-
-/// The largest of the deviations that a function finds everywhere, as an outcome.
-pub(crate) fn deviation(
-    which: Loops,
-    tolerance: f64,
-    over: &str,
-    measure: impl Fn(&ResonantSpecimen) -> Result<Vec<f64>, Failure>,
-) -> CheckResult {
-    Ok(Deviations::of(everywhere(which, measure)?).outcome(tolerance, over))
-}
-
-/// The cases that agree among those that a function finds everywhere, as an outcome.
-pub(crate) fn agreement(
-    which: Loops,
-    over: &str,
-    measure: impl Fn(&ResonantSpecimen) -> Result<Vec<bool>, Failure>,
-) -> CheckResult {
-    Ok(Votes::of(everywhere(which, measure)?).outcome(over))
 }
 
 /// The words for the samples of [`everywhere`] where they are remainders.

@@ -109,7 +109,7 @@ impl GenericRow {
         let [theory, others @ ..] = &self.slopes;
         let scale = libm::hypot(theory[0], theory[1]);
         let off = |other: &[f64; 2]| libm::hypot(other[0] - theory[0], other[1] - theory[1]) / scale;
-        worst(others.iter().map(off))
+        Deviations::of(others.iter().map(off)).largest()
     }
 
     /// What it comes to.
@@ -131,13 +131,6 @@ impl GenericRow {
             _ => CaseVerdict::Unexplained,
         }
     }
-}
-
-/// The largest number, or NaN if there is one.
-pub(super) fn worst(differences: impl IntoIterator<Item = f64>) -> f64 {
-    differences
-        .into_iter()
-        .fold(0.0, |worst: f64, next| if worst.is_nan() || next <= worst { worst } else { next })
 }
 
 /// An impact velocity that is small against that of the next bifurcation on the branch, against the grazing frequency over

@@ -1,7 +1,7 @@
 //! Theorems 2.4 and 2.5: the saddle-node curve and the curve of multiplier −1 that come out of a resonance.
 
 use super::closed_form::{LoopSolution, LoopSolutions};
-use super::generic::{SweepError, to_zero, worst};
+use super::generic::{SweepError, to_zero};
 use super::{Case, CaseVerdict, Reason, first_points};
 use crate::*;
 use grazing_continuation::curve::Curve;
@@ -131,8 +131,8 @@ impl ResonantRow {
 impl CurveRow {
     /// The largest relative difference of the proposition and the exact curve from the theorem's coefficient.
     pub fn difference(&self) -> f64 {
-        let off = |other: f64| ((other - self.theorem) / self.theorem).abs();
-        worst([self.proposition, self.quadratic_equation].map(off))
+        let off = |other: f64| (other - self.theorem) / self.theorem;
+        Deviations::of([self.proposition, self.quadratic_equation].map(off)).largest()
     }
 
     /// The relative difference of the fit from the theorem's coefficient.

@@ -85,7 +85,7 @@ fn approximations(seed: u64, which: Loops) -> CheckResult {
         };
         quadratic_orders(place, approximation)
     };
-    let mut found = everywhere(which.clone(), |place| Ok(measure(place)))?;
+    let mut found = all_orders(which.clone(), |place| Ok(measure(place)))?;
     let (mut sampler, loops) = (Sampler::new(seed), Vec::from_iter(which));
     for _ in 0..30 {
         found.extend(measure(&resonant(&mut sampler, &loops)?));
@@ -102,8 +102,7 @@ fn printed_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
 }
 
 /// Whether an MPS on the curves is admissible for the stated sign of η, and has y < 0 for the other.
-fn sides(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
-    let mut found = Vec::new();
+fn sides(place: &ResonantSpecimen, cases: &mut Votes) -> Result<(), Failure> {
     for curve in place.curves() {
         let sign = curve.leading.eta_side.signum();
         for velocity in [1e-3, 3e-4, 1e-4] {
@@ -113,10 +112,10 @@ fn sides(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
                 continue;
             };
             let solution = place.solution(&right);
-            found.push(solution.admissible() && wrong.unknowns[0] < 0.0);
+            cases.see(solution.admissible() && wrong.unknowns[0] < 0.0);
         }
     }
-    Ok(found)
+    Ok(())
 }
 
 const SIDES: &str =
@@ -125,8 +124,7 @@ const SIDES: &str =
 checks! {
     /// Two zeros of V separate from the SN curve like the square root of the change of μ: the exponent, less 1/2.
     // The next term of the parabola changes the exponent by the square of the relative distance, some 10⁻³ times curvatures.
-    square_root: deviation(ANY, 1e-4, "exponents on either fold: zeros of V at two distances from SN curves", |place| {
-        let mut found = Vec::new();
+    square_root: everywhere(ANY) |place; largest: Deviations| {
         let [fold, _] = place.curves();
         let k_2 = place.point().branch_expansion().k_2;
         for velocity in [0.01, 0.03] {
@@ -156,21 +154,19 @@ checks! {
             let change = k_2 * at.unknowns[0] * at.unknowns[0] / 1024.0;
             let (wide, narrow) =
                 separated(change).zip(separated(change / 4.0)).ok_or("no zeros beyond a fold")?;
-            found.push((libm::log2(wide / narrow) / 2.0 - 0.5).abs());
+            largest.see(libm::log2(wide / narrow) / 2.0 - 0.5);
         }
-        Ok(found)
-    });
+    } => largest.outcome(1e-4, "exponents on either fold: zeros of V at two distances from SN curves");
     /// eq:coeffs1 and eq:coeffsp follow from k₂, k₃ and Υ^±, with T_p and f_p.
     // Some tens of roundings; T_p is used in closed form on one side only, at κ_p of up to 10⁻¹³.
-    simplification: deviation(ANY, 1e-13, "resonances with p up to 5", |place| {
+    simplification: everywhere(ANY) |place; largest: Deviations| {
         let branch = place.point().branch_expansion();
-        let gap = |curve: &Bifurcation| {
-            let slope = curve.leading.impact_velocity_slope;
+        for Bifurcation { leading, .. } in place.curves() {
+            let slope = leading.impact_velocity_slope;
             let terms = (branch.k_2 * slope * slope).abs() + (branch.k_3 * slope).abs();
-            (branch.parameter(slope, 1.0) - curve.leading.coefficient).abs() / terms
-        };
-        Ok(place.curves().iter().map(gap).collect())
-    });
+            largest.compare(branch.parameter(slope, 1.0), leading.coefficient, terms);
+        }
+    } => largest.outcome(1e-13, "resonances with p up to 5");
     /// eq:sn1 and eq:pd1.
     quadratic_for_one_loop: approximations(66, ONE);
     /// eq:snp and eq:pdp.
@@ -184,7 +180,7 @@ checks! {
     /// The same for p ≥ 2.
     functions_of_many_loops: orders_against_print(MANY, coefficient_orders, printed_orders);
     /// With sgn η = sgn(a₁₂' s₁^±) the one-loop MPS is admissible on the curves.
-    admissible_with_one_loop: agreement(ONE, SIDES, sides);
+    admissible_with_one_loop: everywhere(ONE, sides).map(|cases| cases.outcome(SIDES));
     /// With sgn η = sgn(κ_p' s_p^±) the p-loop MPS is admissible on the curves.
-    admissible_with_many_loops: agreement(MANY, SIDES, sides);
+    admissible_with_many_loops: everywhere(MANY, sides).map(|cases| cases.outcome(SIDES));
 }

@@ -5,12 +5,11 @@ use crate::checks::main_results::returns::derivatives;
 use crate::*;
 
 /// Near a resonance an MPS is stable between the lines y Ψ⁺ = 0 and y Ψ⁻ = 0 of the (η, y) plane, and nowhere else.
-fn regions(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
+fn regions(place: &ResonantSpecimen, cases: &mut Votes) -> Result<(), Failure> {
     let stability = place.point().stability_coefficients();
     let by_eta = place.point().grazing.alpha()
         * place.point().grazing.forcing_frequency
         * place.point().off_diagonal_slope();
-    let mut found = Vec::new();
     let radius = 3e-4;
     // Angles in the half-plane y > 0, η in units in which the lines have slopes of order one.
     for k in 1..40 {
@@ -23,9 +22,9 @@ fn regions(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
         }
         let Some(near) = place.on_branch(y, eta) else { continue };
         let solution = place.solution(&near);
-        found.push(solution.stable() == (plus < 0.0 && minus > 0.0));
+        cases.see(solution.stable() == (plus < 0.0 && minus > 0.0));
     }
-    Ok(found)
+    Ok(())
 }
 
 /// n ω* is twice the damped natural frequency at all resonances with p = 1 of a linear oscillator, and not the same number at
@@ -46,21 +45,6 @@ pub(crate) fn rational_multiples() -> CheckResult {
     // Resonances are located to some roundings.
     let over = "n = 2 to 4 of a linear oscillator; the print of one with a nonlinear force";
     Ok(linear.outcome(1e-14, over).against_print(printed.measure(1e-14)))
-}
-
-/// Stable MPSs attract in direct simulation.
-fn attraction(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
-    let mut found = Vec::new();
-    for near in super::simulation::admissible(place).iter().step_by(3) {
-        let solution = place.solution(near);
-        let (trace, determinant) = (solution.multipliers.trace, solution.multipliers.determinant);
-        // Well inside the triangle of stability, so that it does not take long.
-        if trace.abs() > 0.9 * (1.0 + determinant) || determinant > 0.9 {
-            continue;
-        }
-        found.push(attracts(place.resonance.equations(), &near.unknowns) == Some(true));
-    }
-    Ok(found)
 }
 
 /// The sign of a₁₂' by the parity of n, from differences of P_global, and the side on which the SN curve leaves.
@@ -183,23 +167,30 @@ checks! {
             .against_print(printed.measure());
     /// All that the theorems need by finite differences of values of P_global alone, against from_map's derivatives.
     // Nested differences of sixth order: rounding 10⁻¹⁵ over both steps is 10⁻⁹, and sixth derivatives in ω reach 10¹².
-    finite_differences: deviation(ANY, 1e-8, "A, b, ξ and a₁₂' or f at resonances, by values of P_global alone", |place| {
+    finite_differences: everywhere(ANY) |place; largest: Deviations| {
         let point = place.point();
         let map = point.grazing.map;
-        let gap = |found: f64, stated: f64| (found - stated).abs() / (1.0 + stated.abs());
         let found = differences(place).ok_or("P_global is not defined around a resonance")?;
-        let mut gaps = vec![
-            gap(found.xi, point.second_phase_derivative),
-            gap(found.f_followed, point.off_diagonal_slope()),
-        ];
+        largest.pairs([
+            (found.xi, point.second_phase_derivative),
+            (found.f_followed, point.off_diagonal_slope()),
+        ]);
         let columns = [map.a.column(0).into_owned(), map.a.column(1).into_owned(), map.b];
         for (found, stated) in derivatives(place.resonance.orbit(), 1.0)?.iter().zip(&columns) {
-            gaps.extend(found.iter().zip(stated).map(|(found, stated)| gap(*found, *stated)));
+            largest.pairs(found.iter().copied().zip(stated.iter().copied()));
         }
-        Ok(gaps)
-    });
+    } => largest.outcome(1e-8, "A, b, ξ and a₁₂' or f at resonances, by values of P_global alone");
     /// Periodicity regions lie between the SN and the PD curve.
-    periodicity_regions: agreement(ANY, "MPSs around resonances, stable between SN and PD curves alone", regions);
+    periodicity_regions: everywhere(ANY, regions)
+        .map(|cases| cases.outcome("MPSs around resonances, stable between SN and PD curves alone"));
     /// The response can be periodic near resonant grazing: stable MPSs attract.
-    periodic_response: agreement(ANY, "perturbed stable MPSs near resonances, simulated until they are ten times nearer", attraction);
+    periodic_response: everywhere(ANY) |place; cases: Votes| {
+        for near in super::simulation::admissible(place).iter().step_by(3) {
+            let Multipliers { trace, determinant } = place.solution(near).multipliers;
+            // Well inside the triangle of stability, so that it does not take long.
+            if trace.abs() <= 0.9 * (1.0 + determinant) && determinant <= 0.9 {
+                cases.see(attracts(place.resonance.equations(), &near.unknowns) == Some(true));
+            }
+        }
+    } => cases.outcome("perturbed stable MPSs near resonances, simulated until they are ten times nearer");
 }

@@ -51,16 +51,14 @@ pub(super) fn admissible(place: &ResonantSpecimen) -> Vec<Near> {
 checks! {
     /// eq:U: its eigenvalues are the multipliers of the MPS, seen as the growth of perturbations from impact to impact.
     // Differences: rounding of 10⁻¹⁵ over steps down to 6·10⁻⁵, products of two of them for the determinant.
-    multipliers: deviation(ANY, 1e-7, "admissible MPSs near resonances, followed from impact to impact", |place| {
-        let mut found = Vec::new();
+    multipliers: everywhere(ANY) |place; largest: Deviations| {
         for near in admissible(place) {
             let solution = place.solution(&near);
             let simulated = impact_derivative(&near.oscillator(), place.loops(), near.impact())
                 .ok_or("an admissible MPS does not return in simulation")?;
             let scale = 1.0 + solution.multipliers.trace.abs();
-            found.push((simulated.trace() - solution.multipliers.trace).abs() / scale);
-            found.push((simulated.determinant() - solution.multipliers.determinant).abs() / scale);
+            largest.compare(simulated.trace(), solution.multipliers.trace, scale);
+            largest.compare(simulated.determinant(), solution.multipliers.determinant, scale);
         }
-        Ok(found)
-    });
+    } => largest.outcome(1e-7, "admissible MPSs near resonances, followed from impact to impact");
 }

@@ -33,26 +33,6 @@ fn visits(place: &ResonantSpecimen, near: &Near) -> Option<Vec<Vector2<f64>>> {
     Some(visits.iter().map(|visit| visit - Vector2::new(0.0, near.orbit.phase())).collect())
 }
 
-fn visit_signs(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
-    let mut found = Vec::new();
-    let unfolding = place.point().unfolding.derivative;
-    for curve in place.curves() {
-        for size in [1e-3, -1e-3, 1e-4, -1e-4] {
-            let eta = eta_at(&curve, size);
-            let Some(visits) = place.on_curve(&curve, eta).and_then(|near| visits(place, &near)) else {
-                continue;
-            };
-            let loops = place.loops() as usize;
-            let ends = [
-                visits[loops - 1][0] > 0.0,
-                visits[..loops - 1].iter().all(|visit| visit[0] * unfolding * curve.stability * eta < 0.0),
-            ];
-            found.extend(ends);
-        }
-    }
-    Ok(found)
-}
-
 checks! {
     /// eq:admp7.
     phase: orders(MANY, EVERYWHERE, |place| {
@@ -96,7 +76,18 @@ checks! {
         }))
     });
     /// eq:admp11, and x⁽ᵖ⁾ > 0.
-    signs_of_visits: agreement(MANY, "all loops of MPSs on SN and PD curves, η of either sign", visit_signs);
+    signs_of_visits: everywhere(MANY) |place; cases: Votes| {
+        let unfolding = place.point().unfolding.derivative;
+        for curve in place.curves() {
+            for size in [1e-3, -1e-3, 1e-4, -1e-4] {
+                let eta = eta_at(&curve, size);
+                let found = place.on_curve(&curve, eta).and_then(|near| visits(place, &near));
+                let Some((last, inner)) = found.as_deref().and_then(<[_]>::split_last) else { continue };
+                cases.see(last[0] > 0.0);
+                cases.see(inner.iter().all(|visit| visit[0] * unfolding * curve.stability * eta < 0.0));
+            }
+        }
+    } => cases.outcome("all loops of MPSs on SN and PD curves, η of either sign");
     /// S_j > 0 for 0 < j < p at resonance, in units of δ^{(j−1)/2}: adversarial search over δ, p and j.
     sums_are_positive: search(2..=15, "the determinant and 0 < j < p at τ = g_p", "S_j / r^(j−1)", |p, [x, y]| {
         let (delta, j) = (determinant(x), loop_index(y, p));
