@@ -1,4 +1,4 @@
-//! MPSs of any oscillator near grazing: zeros of the VIVID function, and what the hybrid system does there.
+//! MPSs of any oscillator near grazing: zeros of V, and what the hybrid system does there.
 
 use crate::*;
 use grazing_continuation::arclength::Stall;

@@ -1,8 +1,7 @@
 //! From the names of items to the source files that hold them.
 //!
-//! Modules stand where Rust looks for them: `grazing_theorems::auxiliary::resonance_boundary` in
-//! `crates/theorems/src/auxiliary.rs`, or in a file below, if `auxiliary` has modules of its own. What the crates re-export
-//! at their root is found in the file that defines it.
+//! `grazing_theorems::auxiliary::resonance_boundary` stands in `crates/theorems/src/auxiliary.rs`,
+//! or in a file below it. What crates re-export at their root is found in the file that defines it.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -28,8 +27,7 @@ impl Sources {
         Self { files: files.into_iter().collect() }
     }
 
-    /// Where the item with this path is defined: a function, type, constant, method, field or variant of a crate of the
-    /// workspace.
+    /// Where a function, type, constant, method, field or variant of the workspace is defined.
     pub fn item(&self, path: &str) -> Option<Location> {
         let (crate_name, path) = path.strip_prefix("grazing_")?.split_once("::")?;
         self.find(&format!("crates/{}/src/", crate_name.replace('_', "-")), path)
@@ -40,8 +38,8 @@ impl Sources {
         self.find("crates/claims/src/checks/", name)
     }
 
-    /// The line that defines the last name of a path, in a file that has items of the type before it, if there is one: first in
-    /// those files whose own path is most like that of the item, as crates re-export what stands deeper.
+    /// The line that defines the last name of a path, in a file that has items of the type before
+    /// it, if there is one: first in files whose path is most like that of the item.
     fn find(&self, folder: &str, path: &str) -> Option<Location> {
         let names: Vec<&str> = path.split("::").collect();
         let (item, before) = names.split_last()?;

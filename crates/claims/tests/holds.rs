@@ -78,7 +78,7 @@ fn functions(folders: &[PathBuf]) -> Functions {
 
 /// All words in a function and in those of the crate that it calls.
 ///
-/// A name is that of a function in the same file, or of the only one elsewhere: names that several files use tell nothing.
+/// A name is that of a function in the same file, or of the only one elsewhere: names that several files use decide nothing.
 fn reached(functions: &Functions, file: &Path, name: &str) -> BTreeSet<String> {
     let called = |from: &Path, name: &str| {
         let all: Vec<_> = functions.get(name).into_iter().flatten().collect();

@@ -1,5 +1,6 @@
 //! Theorems 2.2 to 2.5 in action: the tables of what they predict and what is seen.
 
+use grazing_claims::outcome::Failure;
 use grazing_claims::sweep::resonant::CurveRow;
 use grazing_claims::sweep::{Existence, GenericRow, ResonantRow, generic_cases, resonant_cases, rows};
 use grazing_results::{row, tables};
@@ -37,10 +38,14 @@ impl Study {
         let what = "theorems 2.2 to 2.5";
         self.progress.begin(what, (generic.len() + resonant.len()) as u64);
         let step = || self.progress.step(what);
-        let generic = rows(&generic, GenericRow::of, step)?.into_iter().map(Generic).collect();
-        let resonant = rows(&resonant, ResonantRow::of, step)?.into_iter().map(Resonant).collect();
+        let failed = |failure: Failure| StudyError::Sweep(failure.to_string());
+        let generic = rows(&generic, GenericRow::of, step).map_err(failed)?;
+        let resonant = rows(&resonant, ResonantRow::of, step).map_err(failed)?;
         self.progress.end(what);
-        Ok(TheoremsInAction { generic, resonant })
+        Ok(TheoremsInAction {
+            generic: generic.into_iter().map(Generic).collect(),
+            resonant: resonant.into_iter().map(Resonant).collect(),
+        })
     }
 }
 

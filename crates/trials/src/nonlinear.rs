@@ -1,4 +1,4 @@
-//! Shaded regions of any oscillator against continued MPSs and against simulation, on a lattice of points.
+//! Shaded regions of any oscillator against continuation and simulation, on a lattice of points.
 
 use core::fmt;
 
@@ -64,10 +64,10 @@ impl Outcome {
     }
 }
 
-/// Steps of integration after which an analysis is ended: minutes, where those of the examples take seconds.
+/// Steps of integration after which an analysis is ended: minutes instead of seconds.
 const MOST_STEPS: u64 = 200_000_000;
 
-/// The diagram of an oscillator, counted in units of its own; regions that take very long are undecided.
+/// The diagram of an oscillator in its own units; regions that take very long are undecided.
 ///
 /// # Errors
 /// There is nothing to unfold.
@@ -79,7 +79,7 @@ pub fn unfolded(description: &Description) -> Result<Diagram<Described>, UnfoldE
     diagram
 }
 
-/// Compares a diagram on a lattice of so many points each way, with simulation from so many random states at each.
+/// Compares a diagram on a lattice, with simulation from so many random states at each point.
 pub fn compare<O: ImpactOscillator>(diagram: &Diagram<O>, lattice: usize, states: u32) -> Outcome {
     let Scope { window, loops, .. } = &diagram.scope;
     let at = |[low, high]: [f64; 2], k: usize| low + (high - low) * (k as f64 + 0.5) / lattice as f64;
@@ -124,8 +124,8 @@ pub fn compare<O: ImpactOscillator>(diagram: &Diagram<O>, lattice: usize, states
     outcome
 }
 
-/// The stable, admissible MPSs at the points of a lattice: those to which branches from grazing and from curves lead, and where there are none,
-/// those near the ones of neighbouring points or of motion that has settled.
+/// The stable, admissible MPSs at the points of a lattice: on branches from grazing and from
+/// curves, or else near those of neighbouring points or near motion that has settled.
 fn solutions<O: ImpactOscillator>(
     diagram: &Diagram<O>,
     loops: u32,
@@ -166,7 +166,7 @@ fn solutions<O: ImpactOscillator>(
     found
 }
 
-/// How many of some stable, admissible MPSs at a point simulation comes back to, and what does not agree there.
+/// To how many of some good MPSs at a point simulation comes back, and what does not agree.
 fn judge<O: ImpactOscillator>(
     diagram: &Diagram<O>,
     shown: Shown,

@@ -23,6 +23,6 @@ fn what_is_shaded_is_where_the_closed_form_has_a_stable_admissible_solution() {
         assert!(outcome.missed.is_empty(), "{zeta}: {:?}", outcome.missed);
         assert!(outcome.false_shading.is_empty(), "{zeta}: {:?}", outcome.false_shading);
         assert!(outcome.hatched < 0.01, "{zeta}: {:?}", outcome.doubts);
-        assert!(outcome.shaded > 100, "{zeta}: {} points tell something", outcome.shaded);
+        assert!(outcome.shaded > 100, "{zeta}: {} points decide something", outcome.shaded);
     }
 }

@@ -25,7 +25,7 @@ pub(crate) struct Symbols {
     pub(crate) omega: f64,
     pub(crate) gamma: f64,
     pub(crate) phi: f64,
-    /// A^p at the resonance as section 5 writes it: A for p = 1, −δ^{p/2} I for p ≥ 2 (the upper right entry is zero).
+    /// A^p at the resonance as in section 5: A for p = 1, −δ^{p/2} I for p ≥ 2, with a₁₂ = 0.
     pub(crate) power: Matrix2<f64>,
     /// ξ_p.
     pub(crate) xi: f64,
@@ -38,7 +38,7 @@ pub(crate) struct Symbols {
 }
 
 impl ResonantSpecimen {
-    /// The resonance of an oscillator with this law that the one (p, n) of the linear oscillator becomes.
+    /// The resonance that the one (p, n) of the linear oscillator becomes with this law.
     pub(crate) fn find(law: Law, loops: u32, index: u32) -> Result<Self, Failure> {
         Ok(Self { resonance: law.resonance(loops, index)?.checked()? })
     }
@@ -197,8 +197,8 @@ pub(crate) const MANY: Loops = 2..=5;
 /// All that there are resonances of in [`everywhere`].
 pub(crate) const ANY: Loops = 1..=5;
 
-/// The resonances at which everything is measured: of the linear oscillator, of one with a reset law that varies, and of one with a
-/// force that is not linear.
+/// The resonances at which everything is measured: of the linear oscillator, of one with a reset
+/// law that varies, and of one with a force that is not linear.
 static PLACES: LazyLock<Result<Vec<ResonantSpecimen>, String>> =
     LazyLock::new(|| places().map_err(|failure| failure.to_string()));
 
@@ -242,8 +242,7 @@ pub(crate) fn orders(
     over: &str,
     measure: impl Fn(&ResonantSpecimen) -> Result<Vec<Observed>, Failure>,
 ) -> CheckResult {
-    let orders = all_orders(which, measure)?;
-    Ok(Outcome::new(lowest(&orders), orders.len(), over))
+    Ok(of_orders(&all_orders(which, measure)?, over))
 }
 
 /// The same for what is corrected and for what is printed.

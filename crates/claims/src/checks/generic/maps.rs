@@ -28,7 +28,7 @@ pub(crate) fn virtual_point<O: ImpactOscillator>(
     Ok(virtual_map::<_, 1>(oscillator, from, None)?.jet.value)
 }
 
-/// The classical Runge–Kutta method on eq:f, from a state over a time of either sign: (x, y, z) at its end.
+/// The classical Runge–Kutta method on eq:f over a time of either sign: (x, y, z) at its end.
 pub(super) fn integrated(oscillator: &Specimen, from: State, duration: f64, steps: u32) -> Vector3<f64> {
     let h = duration / f64::from(steps);
     let omega = oscillator.forcing_frequency().value;
@@ -66,13 +66,13 @@ fn leading_order(seed: u64, component: usize, stated: f64) -> CheckResult {
         let (oscillator, s, z) = near_grazing(grazing, [s, dz, dmu]);
         let image = discontinuity_map::<_, 1>(&oscillator, AtRest::new(s * s, z)).ok()?.value;
         let leading = grazing.grazing_point().discontinuity_map(s * s, z);
-        // Positions are of the size of x̂; the preimage's velocity is known to a rounding of x̂ over itself, and so are phases.
+        // Positions are of the size of x̂; velocities and phases are known to its rounding over s.
         Some((image[component] - leading[component], [ROUNDING, ROUNDING / s][component]))
     })
 }
 
 checks! {
-    /// eq:Pvirt2: both virtual points against numerical integration, forwards for y > 0 and backwards for y < 0.
+    /// eq:Pvirt2: both virtual points against integration, forwards for y > 0, backwards for y < 0.
     // Sixty-four steps over a time below 0.5: some (10⁻²)⁴ times derivatives over 5!.
     virtual_points: at_specimens(2, 60) |sampler, grazing; deviations: Deviations| {
         let oscillator = grazing.oscillator();
@@ -91,8 +91,8 @@ checks! {
             deviations.see((expected - Vector3::new(image[0], 0.0, image[1])).amax());
         }
     } => deviations.outcome(1e-11, "impacts near grazing on twelve oscillators, and their recoils");
-    /// P_virt and P_virt ∘ R are well defined for small y < 0 and twice differentiable across y = 0: the difference of the second
-    /// derivatives at ±y vanishes with y.
+    /// P_virt and P_virt ∘ R are well defined for small y < 0 and twice differentiable across y =
+    /// 0: the difference of the second derivatives at ±y vanishes with y.
     smooth_across_tangency: over(specimens()?) |grazing; orders: Smallest| {
         let oscillator = grazing.oscillator();
         let phase = grazing.phase();
@@ -147,7 +147,7 @@ checks! {
         margins.see(-grazing.oscillator().reset::<1>(OnWall::new(y, z)).value[0] / y);
     } =>
         margins.margin("impacts with velocities from 10⁻⁸ to 3 on twelve oscillators: the smallest −y_rec / y_imp");
-    /// Orbits hit Π transversally near grazing, where P_virt ends: the acceleration there is negative.
+    /// Orbits hit Π transversally near grazing, where P_virt ends: the acceleration is negative.
     transversality: at_specimens(21, 100) |sampler, grazing; margins: Smallest| {
         let oscillator = grazing.oscillator();
         let y = sampler.between(-0.05, 0.05);

@@ -1,4 +1,4 @@
-//! P_global without Newton's method or jets: the maxima of x in a free motion, found by the search of `motion`.
+//! P_global without Newton's method or jets: maxima of x in free motion, by the search of `motion`.
 
 use crate::*;
 

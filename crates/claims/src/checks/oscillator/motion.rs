@@ -38,7 +38,7 @@ fn sampler_phase(omega: f64) -> f64 {
 }
 
 checks! {
-    /// eq:oscResetLaw: at every impact of simulated orbits y becomes −εy, and neither x nor z changes.
+    /// eq:oscResetLaw: at every simulated impact y becomes −εy, and x and z do not change.
     // The same product, and the same phase.
     reset_law: drawn(102, 60) |sampler; largest: Deviations| {
         let oscillator = oscillator(sampler)?;
@@ -76,7 +76,7 @@ checks! {
         largest.compare(end[0] + 1.0, shrunk * (from.position + 1.0), 3.0);
         largest.compare(end[1], shrunk * from.velocity, 3.0);
     } => largest.outcome(1e-14, "random damping ratios");
-    /// eq:flow: the print satisfies the initial condition and the equation, and is the model's flow.
+    /// eq:flow: the print satisfies initial condition and equation, and is the model's flow.
     // Slack as above; values agree to roundings of the periodic solution's size.
     flow: drawn(104, 300) |sampler; least: Smallest| {
         let oscillator = oscillator(sampler)?;
@@ -96,7 +96,7 @@ checks! {
             && (x(time) - oscillator.flow::<1>(from, time - start).value[0]).abs() < 1e-13 * size;
         least.require(same);
     } => least.order(2.0, 0.3, "the printed solution: defect, initial state, and the model's flow");
-    /// eq:phip: the print satisfies the equation, has period 2π/ω, and is the model's periodic solution.
+    /// eq:phip: the print satisfies the equation, has period 2π/ω, and is the model's.
     // Slack as above.
     periodic_solution: drawn(105, 300) |sampler; least: Smallest| {
         let oscillator = oscillator(sampler)?;
@@ -117,7 +117,7 @@ checks! {
             && (returned[0] - position).abs() + (returned[1] - velocity).abs() < 1e-12 * size;
         least.require(same);
     } => least.order(2.0, 0.3, "the printed periodic solution: defect, period, and the model's");
-    /// eq:Agraz: at the printed amplitude the highest maximum of φ_p, found by search, is the wall; beside it is not.
+    /// eq:Agraz: at the printed amplitude the highest maximum of φ_p is at the wall; beside it not.
     // Positions of order one, gains up to a hundred at 𝒜 as small.
     grazing_amplitude: drawn(107, 500) |sampler; largest: Deviations| {
         let oscillator = oscillator(sampler)?;

@@ -9,7 +9,7 @@ fn measured(theory: &LinearOscillator, omega: f64) -> Result<GrazingPoint, Failu
     Ok(law.grazing(omega)?.grazing_point())
 }
 
-/// All zeros in a range of ω₁/ω: sign changes over a grid much finer than the zeros are spaced, bisected.
+/// All zeros in a range of ω₁/ω: sign changes over a much finer grid, bisected.
 fn zeros(value: impl Fn(f64) -> Result<f64, Failure>, [first, last]: [f64; 2]) -> Result<Vec<f64>, Failure> {
     const CELLS: i32 = 400;
     // A grid without pattern: none of its points is a zero.
@@ -52,8 +52,8 @@ fn only_zeros(
     Ok(())
 }
 
-/// The indices n of the labelled points of Figure 7: the printed frequencies belong to them, and between the lowest and the
-/// highest labelled frequency there are no others.
+/// The indices n of the labelled points of Figure 7: the printed frequencies belong to them, and
+/// between the lowest and the highest labelled frequency there are no others.
 pub(crate) fn indices() -> CheckResult {
     let theory = LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
     let omega_1 = theory.damped_natural_frequency();
@@ -61,7 +61,7 @@ pub(crate) fn indices() -> CheckResult {
     for (loops, index, frequency) in printed_at_resonances("omega") {
         let ratio =
             if loops == 1 { 0.5 * f64::from(index) } else { f64::from(index) + 0.5 / f64::from(loops) };
-        // Four printed decimals: half a unit of the last, relative to frequencies from 0.39, and ratios up to 2.5.
+        // Half a unit of the fourth decimal, relative to 0.39, and ratios up to 2.5.
         cases.see((omega_1 / frequency - ratio).abs() < 5e-4);
     }
     let labelled = [(1, vec![3, 4, 5]), (2, vec![1, 2]), (3, vec![1, 2])];
@@ -74,7 +74,7 @@ pub(crate) fn indices() -> CheckResult {
         found.sort_unstable();
         stated.sort_unstable();
         cases.see(found == stated);
-        // Each is a resonance of the numerical map, with SN and PD curves: the theorem's hypotheses hold.
+        // Each is a resonance of the numerical map at which the hypotheses hold.
         let law = Law::linear(printed("zeta"), printed("epsilon"));
         stated.into_iter().for_each(|index| cases.see(ResonantSpecimen::find(law, loops, index).is_ok()));
     }
@@ -101,8 +101,8 @@ fn frequencies(law: &Law, p: u32, n: u32) -> Result<[f64; 2], Failure> {
     Ok([theory.resonance(p, n)?.forcing_frequency(), theory.virtual_resonance_frequency(p, n)?])
 }
 
-/// At p = 2, n = 1 the hypotheses of theorem 2.5 hold, and close to that frequency there is a stable two-loop MPS shortly
-/// after grazing that attracts orbits of the hybrid system.
+/// At p = 2, n = 1 the hypotheses of theorem 2.5 hold, and nearby there is a stable two-loop MPS
+/// shortly after grazing that attracts orbits of the hybrid system.
 pub(crate) fn stable_two_loops() -> CheckResult {
     let place = ResonantSpecimen::find(Law::linear(printed("zeta"), printed("epsilon")), 2, 1)?;
     let theorem = place.resonance.theorem();
@@ -197,8 +197,8 @@ checks! {
             largest.require(point.map.a.m12 * point.alpha() * sign > 0.0);
         }
     } => largest.outcome(1e-13, "resonances with either sign of random oscillators");
-    /// At ω₁/ω = n − 1/(2p) the theorem's hypothesis a₁₂α > 0 fails, and near it the zero of the VIVID function with y > 0 is
-    /// virtual: in the hybrid system its orbit meets the wall too early. At n + 1/(2p) it is none of that.
+    /// At ω₁/ω = n − 1/(2p) the hypothesis a₁₂α > 0 fails, and the zero of V with y > 0 nearby is
+    /// virtual: its orbit meets the wall too early. At n + 1/(2p) none of that.
     virtual_solutions: drawn(124, 40) |sampler; cases: Votes| {
         let (law, p, n, beside) = beside_resonance(sampler);
         let off = 1.0 + sampler.one_of(&[-1.0, 1.0]) * beside;
@@ -217,8 +217,8 @@ checks! {
             cases.see(followed(&equations, &zero) == expected);
         }
     } => cases.outcome("random oscillators beside n ± 1/(2p): hypotheses, admissibility, simulation");
-    /// Nordmark's conjecture: beside ω₁/ω = n ± 1/(2p), to both sides of g_p, the zero of the VIVID function with y > 0 is an MPS if a₁₂α > 0, and
-    /// virtual if not.
+    /// Nordmark's conjecture: beside ω₁/ω = n ± 1/(2p), to both sides of g_p, the zero of the VIVID
+    /// function with y > 0 is an MPS if a₁₂α > 0, and virtual if not.
     conjecture: drawn(125, 40) |sampler; (cases, printed): (Votes, Votes)| {
         let (law, p, n, beside) = beside_resonance(sampler);
         for frequency in frequencies(&law, p, n)? {

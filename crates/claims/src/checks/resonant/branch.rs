@@ -29,7 +29,7 @@ fn branch_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     Ok(found)
 }
 
-/// The coefficients of μ in x⁽ᵖ⁾ and z⁽ᵖ⁾ at resonance: b for p = 1, T_p (β, a₂₁ b₁ + (1 − a₁₁) b₂) for p ≥ 2.
+/// The coefficients of μ at resonance: b for p = 1, T_p (β, a₂₁ b₁ + (1 − a₁₁) b₂) for p ≥ 2.
 fn parameter_column(place: &ResonantSpecimen) -> Vector2<f64> {
     let map = place.point().grazing.map;
     if place.loops() == 1 {
@@ -149,7 +149,7 @@ fn psi_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
 }
 
 checks! {
-    /// eq:Psi: det(U − I) = −Ψ⁺ and det(U + I) = Ψ⁻, which vanish where U has the eigenvalue 1 or −1.
+    /// eq:Psi: det(U − I) = −Ψ⁺ and det(U + I) = Ψ⁻, zero where U has the eigenvalue ±1.
     // Determinants of matrices with entries of size 1/y, relative to their squares.
     multiplier_conditions: everywhere(ANY) |place; largest: Deviations| {
         for (y, eta) in [(0.1, 0.0), (0.03, 0.01), (0.05, -0.01), (0.02, -0.02)] {
@@ -160,7 +160,7 @@ checks! {
             let [plus, minus] = psi(&pair.multipliers());
             let one = Matrix2::identity();
             let size = 1.0 + u.amax() * u.amax();
-            // The function that curves are continued with is det(U ∓ I) times det D P_virt, which stays smooth through y = 0.
+            // What curves are continued with: det(U ∓ I) det D P_virt, smooth through y = 0.
             let scaled = |multiplier: f64| pair.characteristic(multiplier).0 * inverse.determinant();
             for (at_one, at_minus_one) in
                 [(scaled(1.0), scaled(-1.0)), ((u - one).determinant(), (u + one).determinant())]

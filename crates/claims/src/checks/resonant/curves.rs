@@ -3,7 +3,7 @@
 use crate::checks::main_results::coefficients::resonant;
 use crate::*;
 
-/// Rounding of located velocities, phases and positions: on the curves they come from quotients of derivatives.
+/// Rounding of located velocities, phases and positions: quotients of derivatives.
 pub(super) const PHASE: f64 = 1e-13;
 
 /// Rounding of a located μ; it enters V directly.
@@ -14,18 +14,8 @@ pub(super) fn eta_at(curve: &Bifurcation, velocity: f64) -> f64 {
     velocity / curve.leading.impact_velocity_slope
 }
 
-/// Both curves: the order of a remainder in the impact velocity, which is in proportion to η.
+/// The orders of remainders, as many as loops at most, along both curves in y, which goes with η.
 pub(super) fn along_curves(
-    place: &ResonantSpecimen,
-    stated: f64,
-    rounding: f64,
-    remainder: impl Fn(&Bifurcation, f64, &Near) -> Option<f64>,
-) -> Vec<Observed> {
-    all_along_curves(place, stated, rounding, |curve, eta, near| Some(vec![remainder(curve, eta, near)?]))
-}
-
-/// The same for several remainders, whose number is that of the loops at most.
-pub(super) fn all_along_curves(
     place: &ResonantSpecimen,
     stated: f64,
     rounding: f64,
@@ -52,7 +42,7 @@ pub(super) fn all_along_curves(
 
 fn velocity_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     Ok(along_curves(place, 2.0, PHASE, |curve, eta, near| {
-        Some(near.unknowns[0] - curve.leading.impact_velocity_slope * eta)
+        Some(vec![near.unknowns[0] - curve.leading.impact_velocity_slope * eta])
     }))
 }
 
@@ -64,7 +54,7 @@ fn coefficient_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure
 
 /// μ less a quadratic approximation of both curves.
 ///
-/// The larger of the remainders at η and −η, between which terms of third and of fourth order do not cancel.
+/// The larger remainder at η and −η, between which terms of higher order do not cancel.
 pub(crate) fn quadratic_orders(
     place: &ResonantSpecimen,
     stated: impl Fn(&Bifurcation, f64) -> f64,
@@ -72,11 +62,11 @@ pub(crate) fn quadratic_orders(
     along_curves(place, 3.0, PARAMETER, |curve, eta, near| {
         let other = place.on_curve(curve, -eta)?;
         let [here, there] = [near, &other].map(|near| (near.relative()[1] - stated(curve, eta)).abs());
-        Some(here.max(there))
+        Some(vec![here.max(there)])
     })
 }
 
-/// μ less the quadratic approximations of the theorem, each of which is there on its side of η = 0 alone.
+/// μ less the theorem's quadratic approximations, each on its side of η = 0 alone.
 fn approximations(seed: u64, which: Loops) -> CheckResult {
     let measure = |place: &ResonantSpecimen| {
         let approximation = |curve: &Bifurcation, eta: f64| {
@@ -90,8 +80,7 @@ fn approximations(seed: u64, which: Loops) -> CheckResult {
     for _ in 0..30 {
         found.extend(measure(&resonant(&mut sampler, &loops)?));
     }
-    let over = format!("{EVERYWHERE}, and of random oscillators with ψ ≠ 0");
-    Ok(Outcome::new(lowest(&found), found.len(), over))
+    Ok(of_orders(&found, &format!("{EVERYWHERE}, and of random oscillators with ψ ≠ 0")))
 }
 
 /// M(Υ^±, η) with Υ⁺ for both.
@@ -101,7 +90,7 @@ fn printed_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     Ok(quadratic_orders(place, |_, eta| branch.parameter(fold * eta, eta)))
 }
 
-/// Whether an MPS on the curves is admissible for the stated sign of η, and has y < 0 for the other.
+/// Whether an MPS on the curves is admissible for the stated sign of η; y < 0 for the other.
 fn sides(place: &ResonantSpecimen, cases: &mut Votes) -> Result<(), Failure> {
     for curve in place.curves() {
         let sign = curve.leading.eta_side.signum();
@@ -122,8 +111,8 @@ const SIDES: &str =
     "points of SN and PD curves for both signs of η: admissible for the stated one, y < 0 for the other";
 
 checks! {
-    /// Two zeros of V separate from the SN curve like the square root of the change of μ: the exponent, less 1/2.
-    // The next term of the parabola changes the exponent by the square of the relative distance, some 10⁻³ times curvatures.
+    /// Two zeros of V separate from the SN curve like a square root: the exponent, less 1/2.
+    // The next term changes the exponent by the relative distance squared, some 10⁻³.
     square_root: everywhere(ANY) |place; largest: Deviations| {
         let [fold, _] = place.curves();
         let k_2 = place.point().branch_expansion().k_2;
@@ -132,7 +121,7 @@ checks! {
             let eta = eta_at(&fold, velocity);
             let [_, mu_fold] = at.relative();
             let separated = |change: f64| {
-                // The branch as a graph over y: its two points at the same μ, by the secant method from the parabola.
+                // Two points of the branch at the same μ, by the secant method in y.
                 let zero = |side: f64| {
                     let mu = |y: f64| Some(place.on_branch(y, eta)?.relative()[1] - mu_fold - change);
                     let half = (change / k_2).sqrt() * side;
@@ -150,7 +139,7 @@ checks! {
                 };
                 Some(zero(1.0)? - zero(-1.0)?)
             };
-            // Distances from the fold of a 32nd and a 64th of y: next terms of the relative size of their squares.
+            // A 32nd and a 64th of y off the fold: next terms of the size of their squares.
             let change = k_2 * at.unknowns[0] * at.unknowns[0] / 1024.0;
             let (wide, narrow) =
                 separated(change).zip(separated(change / 4.0)).ok_or("no zeros beyond a fold")?;

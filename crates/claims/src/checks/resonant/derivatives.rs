@@ -5,7 +5,7 @@ use crate::*;
 /// Rounding of the entries of D P_virt and D(P_virt ∘ R), numbers of order one.
 const VIRTUAL: f64 = 1e-15;
 
-/// Rounding of the entries of D P_global^p: some 10⁻¹⁵ for each of its p ≤ 5 factors, times angles of up to ten.
+/// Rounding of entries of D P_global^p: 10⁻¹⁵ for each of p ≤ 5 factors, times angles up to ten.
 const GLOBAL: f64 = 1e-13;
 
 /// D P_virt and D(P_virt ∘ R) at a point.
@@ -95,14 +95,14 @@ fn product_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>,
     }))
 }
 
-/// Step of differences: the error of sixth order is some 10⁻¹³, and rounding of 10⁻¹⁵ is divided by the step, for second
-/// derivatives twice.
+/// Step of differences: the error of sixth order is some 10⁻¹³, and rounding of 10⁻¹⁵ is divided by
+/// the step, for second derivatives twice.
 const STEP: f64 = 2e-3;
 
 /// Step in the parameters, on which angles of up to seventy radians depend.
 const PARAMETER_STEP: f64 = 5e-4;
 
-/// ξ_p, d_p, e_p and f_p by differences of P_global^p alone; f_p at fixed z and along the grazing curve.
+/// ξ_p, d_p, e_p, f_p by differences of P_global^p; f_p at fixed z and along the grazing curve.
 pub(super) struct Differences {
     d: f64,
     e: f64,
@@ -141,10 +141,10 @@ fn slope_gaps(place: &ResonantSpecimen, largest: &mut Deviations) -> Result<(), 
 }
 
 checks! {
-    /// The display of d_p, e_p, f_p with ξ_p: that f_p is the f_p of eq:fp, and a₁₂' for p = 1, asks for
-    /// the derivative along the grazing curve; at fixed z, as printed, it is not.
-    // Nested differences: errors of sixth order grow with the derivatives in ω, some 10² for each order at
-    // large p n; rounding is 10⁻¹⁵ over the square of the step.
+    /// The display of d_p, e_p, f_p with ξ_p: that f_p is the f_p of eq:fp, and a₁₂' for p = 1,
+    /// asks for the derivative along the grazing curve; at fixed z, as printed, it is not.
+    // Nested differences: errors of sixth order grow with the derivatives in ω, some 10² for each
+    // order at large p n; rounding is 10⁻¹⁵ over the square of the step.
     second_derivatives: everywhere(ANY) |place; (followed, fixed): (Deviations, Deviations)| {
         let symbols = place.symbols()?;
         let found = differences(place).ok_or("P_global is not defined around a resonance")?;

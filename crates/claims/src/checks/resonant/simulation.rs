@@ -2,8 +2,7 @@
 
 use crate::*;
 
-/// The next impact (y, z) after an impact, its phase counted near that of the first; `None` if it comes at another time than
-/// p periods later.
+/// The next impact (y, z), its phase near that of this one; `None` if not p periods later.
 pub(super) fn next_impact<O: ImpactOscillator>(
     oscillator: &O,
     loops: u32,
@@ -21,7 +20,7 @@ pub(super) fn next_impact<O: ImpactOscillator>(
     Some(Vector2::new(next.velocity, next.phase - turns * TAU))
 }
 
-/// Derivative of the map from impact to impact, by differences with steps in proportion to the velocity, on whose scale it varies.
+/// The derivative of the map from impact to impact, by steps in proportion to the velocity.
 fn impact_derivative<O: ImpactOscillator>(
     oscillator: &O,
     loops: u32,
@@ -49,8 +48,8 @@ pub(super) fn admissible(place: &ResonantSpecimen) -> Vec<Near> {
 }
 
 checks! {
-    /// eq:U: its eigenvalues are the multipliers of the MPS, seen as the growth of perturbations from impact to impact.
-    // Differences: rounding of 10⁻¹⁵ over steps down to 6·10⁻⁵, products of two of them for the determinant.
+    /// eq:U: its eigenvalues are the multipliers, as perturbations grow from impact to impact.
+    // Rounding of 10⁻¹⁵ over steps down to 6·10⁻⁵, products of two for the determinant.
     multipliers: everywhere(ANY) |place; largest: Deviations| {
         for near in admissible(place) {
             let solution = place.solution(&near);

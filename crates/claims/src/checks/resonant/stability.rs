@@ -3,7 +3,7 @@
 use super::derivatives::Cure;
 use crate::*;
 
-/// Rounding of y T and y D: P_global and its derivatives are exact to some 10⁻¹⁵ times their size, and so are these.
+/// Rounding of y T and y D, exact to some 10⁻¹⁵ times their size as P_global is.
 const ROUNDING: f64 = 1e-14;
 
 impl Symbols {
@@ -75,7 +75,7 @@ fn limits(place: &ResonantSpecimen) -> Result<Vec<f64>, Failure> {
     Ok(limits.ok_or("no grazing orbit beside a resonance")?)
 }
 
-/// Away from the resonance y T tends to −α ω a₁₂ S_p, which is not zero: |T| grows without bound as y falls to 0.
+/// Away from the resonance y T → −α ω a₁₂ S_p ≠ 0: |T| grows without bound as y → 0.
 fn divergence_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let one = |(eta, limit): (f64, f64)| {
         // A limit of zero would be no divergence.
@@ -99,9 +99,9 @@ pub(crate) fn divergence() -> CheckResult {
 }
 
 checks! {
-    /// eq:TD: trace and determinant of U by composing the derivatives of P_disc and P_global at (x̂, ẑ), as eq:U is written, against
-    /// the quotient of the derivatives of the two sides of V.
-    // P_virt⁻¹ takes the root of x̂ ≈ y²/2γ, which is rounded to 10⁻¹⁶: relative errors of 10⁻¹⁶/y² ≈ 10⁻¹² in y, and in T.
+    /// eq:TD: trace and determinant of U by composing the derivatives of P_disc and P_global at
+    /// (x̂, ẑ), as eq:U is written, against the quotient of the derivatives of the two sides of V.
+    // The root of x̂ ≈ y²/2γ, rounded to 10⁻¹⁶: relative errors of 10⁻¹⁶/y² ≈ 10⁻¹² in y and T.
     trace_and_determinant: everywhere(ANY) |place; largest: Deviations| {
         for (y, eta) in [(0.05, 0.0), (0.02, 0.01), (0.1, -0.01), (0.03, 0.02)] {
             let Some(near) = place.on_branch(y, eta) else { continue };
