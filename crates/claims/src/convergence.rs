@@ -12,8 +12,8 @@ const SIZES: i32 = 16;
 /// How many times its rounding a remainder must be to count.
 const RESOLVED: f64 = 100.0;
 
-/// The observed order of a remainder in a size: log₂ of the ratio at the two smallest sizes, a
-/// factor two apart, at which it stands a hundredfold above its rounding.
+/// The observed order of a remainder: log₂ of the ratio at the two smallest sizes, a factor two
+/// apart, at which it stands a hundredfold above its rounding.
 ///
 /// `remainder` gives, for a size, the remainder and its rounding, or `None` where the size is too
 /// large for it to exist. Infinite if the remainder is never resolved twice: then there is none to
@@ -107,8 +107,7 @@ pub(crate) fn of_orders(orders: &[Observed], over: &str) -> Outcome {
     Outcome::new(lowest(orders), orders.len(), over)
 }
 
-/// How far the order may lie below the stated one: what the next term does at the sizes where the
-/// remainder still stands a hundredfold above its rounding.
+/// How far the order may lie below the stated one: what the next term does at resolved sizes.
 pub(crate) const SLACK_AT_RESONANCE: f64 = 0.3;
 
 #[cfg(test)]

@@ -18,7 +18,6 @@ macro_rules! kinds {
         impl ClaimKind {
             /// All kinds.
             pub const ALL: [Self; [$($word),*].len()] = [$(Self::$name),*];
-
             /// The word for it in the ledger.
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$name => $word,)* }
@@ -52,8 +51,7 @@ impl fmt::Display for ClaimKind {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Claim {
-    /// The LaTeX label, such as `eq:gp`, or for what has none a name such as
-    /// `sub:2/period-doubling`.
+    /// The LaTeX label, as `eq:gp`; for what has none a name as `sub:2/period-doubling`.
     pub label: String,
     /// Where it stands: "section 2.4, eq. (15)". Equation numbers start anew in each section.
     pub place: String,

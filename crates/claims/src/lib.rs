@@ -3,9 +3,8 @@
 //! `expected/claims.toml` lists every numbered equation, lemma, proposition and theorem, and every
 //! number in text and captions ([`ledger`]). Most name a check, a function here that measures how
 //! well the statement holds ([`outcome`]): the largest deviation of an identity, the order at which
-//! a remainder vanishes, the smallest margin of an inequality under adversarial search, the cases
-//! in which a conclusion is seen in the hybrid system. Where print and mathematics differ, the
-//! print has to fail.
+//! a remainder vanishes, the smallest margin of an inequality by adversarial search, the cases in
+//! which a conclusion is seen. Where print and mathematics differ, the print has to fail.
 //!
 //! Expansions and theorems are measured on the paper's oscillator and on others (`specimen`).
 //!

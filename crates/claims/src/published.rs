@@ -59,7 +59,7 @@ pub struct Comparison<'a> {
 }
 
 impl Comparison<'_> {
-    /// Whether the computed value, rounded to the printed decimals (to nearest, by its exact binary
+    /// Whether the computed value, rounded to the printed decimals (to nearest, by its exact
     /// value), is the print; for [`Rounding::Exact`], whether it is the printed number. NaN never
     /// is.
     pub fn is_met(&self) -> bool {
@@ -104,8 +104,7 @@ impl Published {
         &PRINTED
     }
 
-    /// Holds computed values, by identifier, against the print: one comparison for each published
-    /// value. Computed values that the paper does not print are passed over.
+    /// One comparison for each published value; what is computed and not printed is passed over.
     pub fn compare(&self, computed: &BTreeMap<String, f64>) -> Vec<Comparison<'_>> {
         let of = |value: &PublishedValue| computed.get(&value.id).copied();
         self.values.iter().map(|value| Comparison { published: value, computed: of(value) }).collect()

@@ -1,10 +1,9 @@
 //! Oscillators to measure on: members of the class of section 2.1 without pattern.
 //!
 //! The paper's oscillator has a linear force, Φ = ε and Ψ = 0, so that γ = ω², α = 1 + ε, a₁₁ = a₂₂
-//! where a₁₂ = 0, β > 0 and complex eigenvalues: it does not see much of sections 2, 4 and 5. A
+//! where a₁₂ = 0, β > 0 and complex eigenvalues: it does not see much of sections 2, 4, 5. A
 //! [`Law`] may have a spring that stiffens, damping that depends on the position, and Φ and Ψ that
-//! vary with the impact and both parameters. A [`Specimen`] moves in closed form where its force is
-//! linear.
+//! vary with impact and parameters. A [`Specimen`] moves in closed form where its force is linear.
 
 pub(crate) mod generic;
 mod motion;
@@ -18,8 +17,7 @@ use grazing_model::{FlowJet, LinearOscillator, MapJet, ParameterJet, ThirdOrder}
 
 pub(crate) use self::motion::SpecimenMotion;
 
-/// A function of an impact's velocity and phase and of the parameters that never changes its sign:
-/// `size · exp(rates · (y, sin z, μ, η))`.
+/// A function of impact and parameters of one sign: `size · exp(rates · (y, sin z, μ, η))`.
 ///
 /// All dimensionless. Its derivatives of all orders are other than zero, unless a rate is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -104,8 +102,7 @@ impl Law {
         }
     }
 
-    /// A law without pattern: Φ between 0 and 1 and Ψ of either sign, for velocities y ≥ 0,
-    /// amplitudes and frequencies up to 3; one in ten has a force that is not linear.
+    /// A law without pattern, Φ in (0, 1), frequencies up to 3; one in ten is nonlinear.
     pub(crate) fn random(sampler: &mut Sampler, damping: f64) -> Self {
         let mut factor = |size: f64| Exponential {
             size,

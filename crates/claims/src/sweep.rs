@@ -1,12 +1,12 @@
 //! Theorems 2.2 to 2.5 in action: predictions against continuation and simulation, case by case.
 //!
-//! A theorem says what happens at the grazing bifurcations of many linear oscillators; two routes
-//! see what does. *Continuation* follows the branch of MPSs, or the saddle-node and period-doubling
-//! curves, from the grazing point and decides admissibility over the whole orbit. *Simulation*
-//! takes every periodic solution that can be an MPS from a quadratic equation ([`closed_form`]) and
-//! starts the hybrid system at its impact ([`grazing_unfold::simulation`]). [`generic`] is for
-//! theorems 2.2 and 2.3, [`resonant`] for 2.4 and 2.5; [`cases`] lists the cases, and
-//! [`CaseVerdict`] is what each comes to.
+//! Theorems say what happens at the grazing bifurcations of many linear oscillators; two routes see
+//! it. *Continuation* follows the branch of MPSs, or the saddle-node and period-doubling curves,
+//! from the grazing point and decides admissibility over the whole orbit. *Simulation* takes all
+//! solutions that can be MPSs from a quadratic equation ([`closed_form`]) and starts the hybrid
+//! system there ([`grazing_unfold::simulation`]). [`generic`] is for theorems 2.2 and 2.3,
+//! [`resonant`] for 2.4 and 2.5; [`cases`] lists the cases, and [`CaseVerdict`] is what each comes
+//! to.
 //!
 //! Where a hypothesis fails the theorem is silent. What is seen there has to have a reason, which
 //! is checked as well: to first order (section 4) a loop meets the wall, or none does.

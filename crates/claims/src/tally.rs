@@ -79,8 +79,7 @@ impl Smallest {
         self.samples += 1;
     }
 
-    /// Takes into account the order of a remainder that is there to be seen: if it never was,
-    /// nothing was tested, and that counts against the statement.
+    /// Takes into account an order that has to be resolved: if it never was, nothing was tested.
     pub(crate) fn see_resolved(&mut self, order: f64) {
         self.see(if order == f64::INFINITY { f64::NEG_INFINITY } else { order });
     }

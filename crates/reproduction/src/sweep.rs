@@ -77,7 +77,7 @@ row! { Generic, |this| {
     let map = &r.point.map;
     let [first_order, exact, fit] = r.slopes;
 } [
-    THEOREM = r.theorem(),
+    THEOREM = if r.case.loops == 1 { "2.2" } else { "2.3" },
     ZETA = r.case.zeta,
     EPSILON = r.case.epsilon,
     LOOPS = r.case.loops,
@@ -116,7 +116,7 @@ row! { Resonant, |this| {
     let map = &r.point.grazing.map;
     let [sn, pd] = &r.curves;
 } [
-    THEOREM = r.theorem(),
+    THEOREM = if r.case.loops == 1 { "2.4" } else { "2.5" },
     ZETA = r.case.zeta,
     EPSILON = r.case.epsilon,
     LOOPS = r.case.loops,
@@ -129,7 +129,7 @@ row! { Resonant, |this| {
     SECONDARY_AT_RESONANCE = r.case.omega,
     PRIMARY_AT_GRAZING = r.amplitude,
     E_P = r.decay,
-    EPSILON_E_P = r.rebound(),
+    EPSILON_E_P = (r.case.epsilon * r.decay),
     TRAPESIUM_MARGIN = value(&r.hypotheses, Quantity::StabilityMargin),
     ALPHA = r.point.grazing.alpha(),
     BETA = map.transversality(),

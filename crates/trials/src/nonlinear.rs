@@ -1,7 +1,5 @@
 //! Shaded regions of any oscillator against continuation and simulation, on a lattice of points.
 
-use core::fmt;
-
 use grazing_continuation::mps::{MaximalPeriodicSolution, Unknowns, unknown};
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
@@ -17,27 +15,20 @@ use crate::regions::{Shown, doubts, shown};
 use crate::simulation::{Settled, settled};
 
 /// What regions, continuation and simulation do not agree on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Disagreement {
     /// Motion settles on a p-loop solution, or on one without impacts, and nothing is shaded.
+    #[error("motion settles where nothing is shaded")]
     SeenUnshaded,
     /// Continuation leads to a stable, admissible MPS and nothing is shaded.
+    #[error("a stable solution where nothing is shaded")]
     FoundUnshaded,
     /// It is shaded, and continuation leads to no stable, admissible MPS.
+    #[error("shaded, and no stable solution was found")]
     NotFound,
     /// Simulation that begins beside a stable, admissible MPS does not come back to it.
+    #[error("motion that begins beside a stable solution leaves it")]
     LeavesIt,
-}
-
-impl fmt::Display for Disagreement {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::SeenUnshaded => "motion settles where nothing is shaded",
-            Self::FoundUnshaded => "a stable solution where nothing is shaded",
-            Self::NotFound => "shaded, and no stable solution was found",
-            Self::LeavesIt => "motion that begins beside a stable solution leaves it",
-        })
-    }
 }
 
 /// What was seen on a lattice of points.

@@ -29,7 +29,7 @@ const SURE: usize = 8;
 /// Impacts slower than this belong to motion close to grazing, which is as slow to settle.
 const SLOWEST: f64 = 1e-3;
 /// Motion without impacts farther away than this has been carried off, as a pendulum's over the
-/// top; the wall's distance from rest is of order one.
+/// top.
 const CARRIED_AWAY: f64 = 4.0;
 /// No motion that settles has more impacts in a spell.
 const MOST_IMPACTS: usize = 10_000;

@@ -87,9 +87,9 @@ impl ResonantSpecimen {
     pub(crate) fn along_grazing(
         &self,
         step: f64,
-        number: impl Fn(&LinearisedMap) -> f64,
+        number: fn(u32, &LinearisedMap) -> f64,
     ) -> Result<f64, Failure> {
-        let rate = slope(step, |eta| Some(number(&self.grazing(eta)?.grazing_point().map)));
+        let rate = slope(step, |eta| Some(number(self.loops(), &self.grazing(eta)?.grazing_point().map)));
         Ok(rate.ok_or("no grazing orbit beside a resonance")?)
     }
 
@@ -197,8 +197,7 @@ pub(crate) const MANY: Loops = 2..=5;
 /// All that there are resonances of in [`everywhere`].
 pub(crate) const ANY: Loops = 1..=5;
 
-/// The resonances at which everything is measured: of the linear oscillator, of one with a reset
-/// law that varies, and of one with a force that is not linear.
+/// The resonances at which everything is measured: linear, with varying reset law, nonlinear.
 static PLACES: LazyLock<Result<Vec<ResonantSpecimen>, String>> =
     LazyLock::new(|| places().map_err(|failure| failure.to_string()));
 
@@ -228,28 +227,24 @@ pub(crate) fn everywhere<T: Default>(
     over(places.iter().filter(|place| which.contains(&place.loops())), measure)
 }
 
+/// Orders of remainders.
+pub(crate) type Orders = Result<Vec<Observed>, Failure>;
+
 /// The orders that a function finds at all resonances with these numbers of loops.
-pub(crate) fn all_orders(
-    which: Loops,
-    measure: impl Fn(&ResonantSpecimen) -> Result<Vec<Observed>, Failure>,
-) -> Result<Vec<Observed>, Failure> {
+pub(crate) fn all_orders(which: Loops, measure: impl Fn(&ResonantSpecimen) -> Orders) -> Orders {
     everywhere(which, |place, all: &mut Vec<_>| Ok(all.extend(measure(place)?)))
 }
 
 /// The orders that a function finds everywhere, as an outcome.
-pub(crate) fn orders(
-    which: Loops,
-    over: &str,
-    measure: impl Fn(&ResonantSpecimen) -> Result<Vec<Observed>, Failure>,
-) -> CheckResult {
+pub(crate) fn orders(which: Loops, over: &str, measure: impl Fn(&ResonantSpecimen) -> Orders) -> CheckResult {
     Ok(of_orders(&all_orders(which, measure)?, over))
 }
 
 /// The same for what is corrected and for what is printed.
 pub(crate) fn orders_against_print(
     which: Loops,
-    corrected: impl Fn(&ResonantSpecimen) -> Result<Vec<Observed>, Failure>,
-    printed: impl Fn(&ResonantSpecimen) -> Result<Vec<Observed>, Failure>,
+    corrected: impl Fn(&ResonantSpecimen) -> Orders,
+    printed: impl Fn(&ResonantSpecimen) -> Orders,
 ) -> CheckResult {
     let printed = lowest(&all_orders(which.clone(), printed)?);
     Ok(orders(which, EVERYWHERE, corrected)?.against_print(printed))

@@ -3,8 +3,7 @@
 //! Returning to (0, y) after p forcing periods from (0, −εy) is a condition linear in y and in 𝒜
 //! (cos z, sin z): 𝒜 (cos z, sin z) = a + b y. So 𝒜² = |a + b y|² gives all solutions, at most two
 //! at each amplitude, with a fold where y = −a·b/|b|². A multiplier is −1 where an expression
-//! linear in y vanishes. Simulation decides which solutions are MPSs. Only the equations of motion
-//! are used.
+//! linear in y vanishes. Simulation decides which are MPSs. Only the equations of motion are used.
 
 use crate::*;
 use grazing_unfold::simulation::Suspect;

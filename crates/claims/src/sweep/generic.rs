@@ -35,8 +35,7 @@ pub struct GenericRow {
     pub slopes: [[f64; 2]; 3],
 }
 
-/// Slopes of branches that were followed agree with first-order terms to this: extrapolation from
-/// impact velocities of a hundredth of what is near, to fourth order.
+/// Followed slopes agree with first-order terms to this: fourth-order extrapolation to y = 0.
 pub const SLOPE_TOLERANCE: f64 = 1e-5;
 
 impl GenericRow {
@@ -72,11 +71,6 @@ impl GenericRow {
                 followed_slopes(&curve, orbit.primary(), orbit.phase()),
             ],
         })
-    }
-
-    /// "2.2" or "2.3".
-    pub fn theorem(&self) -> &'static str {
-        if self.case.loops == 1 { "2.2" } else { "2.3" }
     }
 
     /// The largest relative difference of the other slopes from the first-order terms.

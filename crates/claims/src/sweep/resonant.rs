@@ -18,8 +18,7 @@ pub struct CurveRow {
     pub predicted: Option<Side>,
     /// The sign of η of the continued curve, y > 0 and admissible; `None` if the theorem is silent.
     pub continued: Option<Existence>,
-    /// The sign of η for which simulation sees the bifurcation: an MPS to either side of the curve,
-    /// for the saddle-node both on its side with two solutions.
+    /// The sign of η for which simulation sees an MPS to either side of the curve.
     pub simulated: Existence,
     /// The multiplier 1 or −1 is crossed, by simulated derivatives to either side of the curve.
     pub crossed: bool,
@@ -56,10 +55,8 @@ pub struct ResonantRow {
 /// Closed forms, derivatives of the numerical map and the limit on the exact curve agree to this:
 /// rounding of first and second derivatives, divided by s_p⁺ where that is small.
 pub const EXACT_TOLERANCE: f64 = 1e-6;
-
 /// Fits agree to this: velocities up to some hundredths, with s_p⁺ as small as 0.002.
 pub const FIT_TOLERANCE: f64 = 1e-4;
-
 /// What is left of a₁₂, κ_p or s_p^± in numerical derivatives where it is zero.
 const ROUNDING: f64 = 1e-11;
 
@@ -74,11 +71,13 @@ impl ResonantRow {
         let point = orbit.resonant_point(loops)?;
         let closed = if negative { None } else { Some(theory.resonance(loops, n)?) };
         let (theorem, hypotheses) = asked(&point);
-        let located = match theorem {
-            Some(_) => Some(ResonantGrazingPoint::find(&start, loops, state.phase())?),
-            None => None,
+        let unfold = |_: &ResonantGrazing| {
+            let located = ResonantGrazingPoint::find(&start, loops, state.phase())?;
+            let length = 1e-3 * omega.min(1.0);
+            let unfolded = located.unfold(&first_points(length, 1e-4 * length, 0.1))?;
+            Ok::<_, Failure>((located, [unfolded.saddle_node, unfolded.period_doubling]))
         };
-        let followed = located.as_ref().map(|located| followed(located, omega)).transpose()?;
+        let unfolded = theorem.as_ref().map(unfold).transpose()?;
         let stability = point.stability_coefficients();
         let curve = |k: usize| {
             let [multiplier, stability] = [[1.0, stability.plus], [-1.0, stability.minus]][k];
@@ -87,21 +86,11 @@ impl ResonantRow {
                 closed.map(|closed| {
                     [closed.saddle_node_coefficient(), closed.period_doubling_coefficient()][k]
                 }),
-                located.as_ref().zip(followed.as_ref().map(|curves| &curves[k])),
+                unfolded.as_ref().map(|(located, curves)| (located, &curves[k])),
             )
         };
         let curves = [curve(0)?, curve(1)?];
         Ok(Self { case, point, amplitude: state.amplitude(), decay: state.decay(loops), hypotheses, curves })
-    }
-
-    /// "2.4" or "2.5".
-    pub fn theorem(&self) -> &'static str {
-        if self.case.loops == 1 { "2.4" } else { "2.5" }
-    }
-
-    /// ε E_p.
-    pub fn rebound(&self) -> f64 {
-        self.case.epsilon * self.decay
     }
 
     /// What it comes to.
@@ -112,15 +101,15 @@ impl ResonantRow {
         }
         let stability = self.point.stability_coefficients();
         let vanishes = [stability.plus, stability.minus].map(|s| s.abs() <= ROUNDING);
-        let nowhere = |curve: &CurveRow| curve.simulated == Existence::Nowhere;
-        if self.case.negative {
-            let none = self.curves.iter().all(nowhere);
-            return if none { CaseVerdict::Explained(VIRTUAL_ORBIT) } else { CaseVerdict::Unexplained };
+        let nowhere = [0, 1].map(|k| self.curves[k].simulated == Existence::Nowhere);
+        // Otherwise the one whose coefficient vanishes is not there; the other one is.
+        if self.case.negative && nowhere == [true; 2] {
+            CaseVerdict::Explained(VIRTUAL_ORBIT)
+        } else if !self.case.negative && vanishes[0] != vanishes[1] && nowhere == vanishes {
+            CaseVerdict::Explained(NO_CURVE)
+        } else {
+            CaseVerdict::Unexplained
         }
-        // The one whose coefficient vanishes is not there; the other one is.
-        let explained = vanishes[0] != vanishes[1]
-            && self.curves.iter().zip(vanishes).all(|(curve, vanishes)| nowhere(curve) == vanishes);
-        if explained { CaseVerdict::Explained(NO_CURVE) } else { CaseVerdict::Unexplained }
     }
 }
 
@@ -160,13 +149,6 @@ fn asked(point: &ResonantPoint) -> (Option<ResonantGrazing>, Vec<Hypothesis>) {
         }
         Err(HypothesesViolated { hypotheses, .. }) => (None, hypotheses),
     }
-}
-
-/// The first points of both curves.
-fn followed(located: &ResonantGrazingPoint<LinearOscillator>, omega: f64) -> Result<[Curve; 2], Failure> {
-    let length = 1e-3 * omega.min(1.0);
-    let unfolded = located.unfold(&first_points(length, 1e-4 * length, 0.1))?;
-    Ok([unfolded.saddle_node, unfolded.period_doubling])
 }
 
 /// A curve of a resonance, to be looked at.
@@ -244,8 +226,7 @@ impl Scene<'_> {
         to_zero(&at, ratios)
     }
 
-    /// Where there are MPSs on both sides of the bifurcation at one η: whether the multiplier is
-    /// crossed between them, and whether stability changes, if |D| < 1.
+    /// Between MPSs on both sides: is the multiplier crossed; does stability change, if |D| < 1?
     fn beside(&self, eta: f64) -> Option<(bool, Option<bool>)> {
         let solutions = self.solutions(eta);
         let middle = self.bifurcation(eta);

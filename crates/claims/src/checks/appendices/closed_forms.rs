@@ -23,7 +23,6 @@ fn at_resonances(
 const ONE: &str = "resonances with p = 1, n = 1 to 4, E and ε at random";
 const MANY: &str = "resonances with p = 2 to 6, n = 1 to 4, E and ε at random";
 const MORE_LOOPS: &[u32] = &[2, 3, 4, 5, 6];
-
 /// First differences at resonances: rounding over the step.
 const SLOPES: f64 = 1e-11;
 
@@ -39,8 +38,7 @@ fn iterated(resonance: &Resonance) -> Result<f64, Failure> {
     Ok(jet.hessians[0][(1, 1)])
 }
 
-/// s^± by the general formula at the numerical A, φ, ψ, γ and ξ_p, by the first line of the proof,
-/// which a function of E, ε and ±1 gives, and in the end.
+/// s^± by the general formula with numerical data, by the first line of the proof, and in the end.
 fn stability(loops: &[u32], over: &str, first_line: impl Fn(&Resonance, f64) -> f64) -> CheckResult {
     at_resonances(loops, over, 1e-13, |resonance| {
         let grazing = resonance.grazing();

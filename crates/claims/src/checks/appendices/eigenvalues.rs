@@ -4,7 +4,6 @@ use crate::*;
 
 /// Each route makes some p² roundings of the terms by which deviations are divided, p up to 15.
 const ROUNDING: f64 = 1e-13;
-
 const POINTS: &str = "points of the trapesium up to 10⁻⁶ from its slanted sides, p = 2 to 15";
 
 /// The deviation of a sum from a quotient, relative to the moduli of the numerator's terms over the

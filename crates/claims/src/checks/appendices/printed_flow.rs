@@ -131,10 +131,8 @@ pub(crate) fn states(count: usize) -> Result<Vec<GrazingState>, grazing_theorems
 
 /// What differences of sixth order explain: 10⁻¹², and for nested ones some ten times that.
 pub(crate) const DIFFERENCES: f64 = 1e-10;
-
 /// Closed forms with the same rounding: angles of up to 2πp ω₁/ω ≈ 80 are rounded to 10⁻¹⁴.
 pub(crate) const CLOSED: f64 = 1e-12;
-
 pub(crate) const STATES: &str = "grazing states with ζ in (0.01, 0.9) and ω in (0.3, 3)";
 
 /// e^{−2πpζ/ω}, cos and sin of 2πp ω₁/ω, ζ/ω₁, ω₁.

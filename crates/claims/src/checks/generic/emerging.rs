@@ -97,8 +97,7 @@ checks! {
             }
             votes.see(vivid(&equations, &expected).is_some_and(|value| value.amax() < 1e-13));
         }
-    } =>
-        votes.outcome("starts up to five times as far from the solution as grazing is, twelve oscillators, p = 1 to 4");
+    } => votes.outcome("starts up to five times as far from the solution as grazing is, twelve oscillators, p = 1 to 4");
     /// The one-loop MPS has y > 0 on the side of sgn(a₁₂ β) if α > 0, on the other if α < 0.
     one_loop_side: over(specimens()?.into_iter().chain(delayed()?)) |grazing; votes: Votes| {
         let point = grazing.grazing_point();
@@ -114,8 +113,7 @@ checks! {
                     },
             );
         }
-    } =>
-        votes.outcome("twelve oscillators with α > 0 and three with α < 0, where the hypothesis is violated, μ of both signs");
+    } => votes.outcome("twelve oscillators with α > 0 and three with α < 0, where the hypothesis is violated, μ of both signs");
     /// For τ > h_p and τ ≠ g_p: det J has the sign of α a₁₂ κ_p; dy*/dμ has the sign of βκ_p if
     /// a₁₂α > 0, and the other sign where this hypothesis is violated; and on the side of the sign
     /// of βκ_p all visits between the impacts lie below the wall: dx⁽ʲ⁾/dμ has the other sign.

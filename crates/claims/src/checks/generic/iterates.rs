@@ -74,8 +74,7 @@ checks! {
                 Some((remainder[component], 2e-15 * f64::from(p)))
             }));
         }
-    } =>
-        orders.order(2.0, 0.1, "both components on twelve oscillators, p = 1 to 4, seven directions in (x, z, μ) at once");
+    } => orders.order(2.0, 0.1, "both components on twelve oscillators, p = 1 to 4, seven directions in (x, z, μ) at once");
     /// The step of the induction: the printed forms for p, mapped once more, are those for p + 1.
     // One product, of numbers of the size by which deviations are divided.
     induction: sampled(7, 2000, 0..=14) |sampler, p; deviations: Deviations| {

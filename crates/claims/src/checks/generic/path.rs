@@ -6,8 +6,7 @@ use crate::*;
 /// Tens of roundings of numbers of the size by which deviations are divided.
 const ROUNDING: f64 = 1e-14;
 
-/// d(x⁽ʲ⁾, z⁽ʲ⁾)/dμ at grazing, j = 0, …, p, by implicit differentiation of the zero of V and the
-/// chain rule through the maps of the oscillator.
+/// d(x⁽ʲ⁾, z⁽ʲ⁾)/dμ at grazing for the zero of V, by the chain rule through the oscillator's maps.
 fn slopes_of_visits(grazing: &Grazing, p: u32) -> Result<Vec<Vector2<f64>>, Failure> {
     let vivid = derivatives(grazing, p)?;
     let impact = -vivid.by_impact.lu().solve(&vivid.by_parameter).ok_or("det J = 0")?;

@@ -105,8 +105,7 @@ checks! {
             }
         }
     } => deviations.outcome(1e-13, "visits of the admissible MPSs of fifteen oscillators, p = 2 to 4");
-    /// Zeros of V are MPSs: the simulated orbit has its next impact where it started, p periods
-    /// later; from other points, and beyond grazing, where y < 0, it does not.
+    /// Zeros of V are MPSs: simulated orbits return there, and not beside them or beyond grazing.
     zeros_are_orbits: over(admissible()?) |(grazing, p, point); (votes, printed): (Votes, Votes)| {
         let equations = equations(&grazing, p);
         let comes_back = |at: &Unknowns| followed(&equations, at) == Seen::Returns;
@@ -132,8 +131,7 @@ checks! {
         let end = global_iterate::<_, 1>(&oscillator, p, AtRest::new(start[0], start[1]))?.value;
         // The square root magnifies the rounding of x̂ by 1/y.
         deviations.see((end - hat).amax() * point[0]);
-    } =>
-        deviations.outcome(1e-14, "MPSs near grazing of fifteen oscillators, p = 1 to 4: the deviation times y");
+    } => deviations.outcome(1e-14, "MPSs near grazing of fifteen oscillators, p = 1 to 4: the deviation times y");
     /// V is twice differentiable across y = 0.
     // The next term is of relative size h² < 10⁻³.
     smooth_across_tangency: over(specimens_with(1..=3)?) |(grazing, p); orders: Smallest| {

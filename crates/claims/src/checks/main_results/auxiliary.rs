@@ -27,9 +27,8 @@ pub(crate) fn star() -> CheckResult {
 }
 
 /// p-loop MPSs with τ < h_p(δ) exist near δ = 1 for p = 5 and p ≥ 7, not for p = 3, 4, 6: by the
-/// signs of all u⁽ʲ⁾ over a grid of the trapesium, and in simulation where they exist. They exist
-/// for p = 2 too, where h₂ = −2√δ and u⁽¹⁾ = −1, with real eigenvalues, which no linear oscillator
-/// has.
+/// signs of all u⁽ʲ⁾ over a grid of the trapesium, and in simulation. They exist for p = 2 too,
+/// where h₂ = −2√δ and u⁽¹⁾ = −1, with real eigenvalues, which no linear oscillator has.
 pub(crate) fn beyond_the_boundary() -> CheckResult {
     let (mut cases, mut printed) = (Votes::default(), Votes::default());
     printed.see(!two_loops_below_the_boundary()?);
@@ -92,8 +91,7 @@ fn beyond_in_simulation(p: u32, tau: f64, delta: f64) -> Result<bool, Failure> {
 }
 
 checks! {
-    /// eq:gp: at τ = g_p(δ) the (1, 2) entry of Aᵖ vanishes; for larger τ it has the sign of a₁₂;
-    /// and g_p for half-integer p.
+    /// eq:gp: (Aᵖ)₁₂ = 0 at τ = g_p(δ), with the sign of a₁₂ above; and g_p for half-integer p.
     // Powers of a matrix of norm two in fifteen steps; the entry is what cancellation leaves.
     resonance_boundary_is_a_zero: drawn(31, 3000) |sampler; largest: Deviations| {
         let p = sampler.one_of(&[2, 3, 4, 5, 6, 7, 9, 12, 15]);
@@ -149,8 +147,7 @@ checks! {
     });
     /// le:admissibilityBoundary: g_{p/2} < h_p < g_{p−1} by search, from δ = 10⁻⁶ to 1 − 10⁻⁶.
     ///
-    /// Both margins shrink at an end of the interval, the lower one like 1 − √δ, the upper one like
-    /// √δ, beyond the common factor 2√δ: they are measured against that.
+    /// Margins that shrink like 1 − √δ and √δ at an end, beyond 2√δ, are measured against these.
     bounds: search(3..=30, "the determinant", "of both scaled margins", |p, [d, _]| {
         // r = √δ, close to either end at will.
         let modulus = 1e-3 + (1.0 - 1e-3 - 5e-7) * (d * d * (3.0 - 2.0 * d));

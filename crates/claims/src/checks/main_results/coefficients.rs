@@ -60,8 +60,7 @@ checks! {
     // Rounding 10⁻¹⁴ over the step 10⁻⁴.
     unfolding_derivatives: drawn(65, 30) |sampler; largest: Deviations| {
         let place = resonant(sampler, &[1, 2, 3, 4])?;
-        let loops = place.loops();
-        let measured = place.along_grazing(1e-4, |LinearisedMap { a, .. }| {
+        let measured = place.along_grazing(1e-4, |loops, LinearisedMap { a, .. }| {
             let cosine = libm::cos(PI / f64::from(loops));
             if loops == 1 { a.m12 } else { a.trace() - 2.0 * a.determinant().sqrt() * cosine }
         })?;

@@ -2,7 +2,7 @@
 
 use crate::solutions;
 use crate::*;
-use grazing_continuation::curve::Curve;
+use grazing_continuation::curve::{Curve, CurvePoint};
 
 /// The branch of p-loop MPSs that leaves grazing in Figure 2, its equations and 𝒜_graz.
 fn branch(loops: u32) -> Result<(LoopEquations<Specimen>, Curve, f64), Failure> {
@@ -18,11 +18,6 @@ fn branch(loops: u32) -> Result<(LoopEquations<Specimen>, Curve, f64), Failure> 
     };
     let curve = solutions::branch(grazing.oscillator(), grazing.phase(), loops, &route)?;
     Ok((equations(&grazing, loops), curve, amplitude))
-}
-
-/// The first points of a branch beyond the grazing bifurcation.
-fn first(curve: &Curve) -> impl Iterator<Item = &MaximalPeriodicSolution> {
-    curve.points.iter().skip(1).take(3).map(|point| &point.solution)
 }
 
 /// Two loops gain stability at a PD, three at an SN and lose it at a GZ, left of that PD.
@@ -64,7 +59,7 @@ checks! {
     /// MPSs with p = 1 and 2 emanate to the right, p = 3 to the left; all are unstable there.
     emanating_solutions: over(1..=3) |loops; cases: Votes| {
         let (equations, curve, amplitude) = branch(loops)?;
-        for solution in first(&curve) {
+        for CurvePoint { solution, .. } in curve.points.iter().skip(1).take(3) {
             let point = &solution.unknowns;
             cases.see((solution.parameters()[0] > amplitude) == (loops < 3));
             cases.see(solution.admissible() && followed(&equations, point) == Seen::Returns);

@@ -27,8 +27,7 @@ fn nonlinear_orbit(sampler: &mut Sampler) -> Result<Grazing, Failure> {
     loop {
         let orbit = Law::random_grazing(sampler)?;
         let map = orbit.grazing_point().map;
-        // At the fold grazing is not transversal, and Newton's method for the grazing orbit is
-        // singular; where A has the eigenvalue 1 the fixed point turns back.
+        // At the fold grazing is not transversal; with the eigenvalue 1 the fixed point turns back.
         if orbit.primary_slope().abs() > 0.1 && map.determinant() - map.trace() + 1.0 > 0.2 {
             return frequency_first(&orbit);
         }

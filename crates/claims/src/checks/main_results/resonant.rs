@@ -35,8 +35,7 @@ pub(crate) fn sketch() -> CheckResult {
 }
 
 checks! {
-    /// ass:grazing2: along a range of η there is a grazing orbit, touching at F < 0, whose phase
-    /// and μ move continuously, with the slopes that are used along the grazing curve.
+    /// ass:grazing2: grazing orbits along a range of η, F < 0, moving continuously as stated.
     grazing_orbits: drawn(51, 40) |sampler; cases: Votes| {
         let mut orbit = Law::random_grazing(sampler)?;
         let [_, start] = orbit.oscillator().parameters();

@@ -1,5 +1,4 @@
-//! Theorems 2.2 to 2.5, seen in the hybrid system: the conclusion, and without a hypothesis its
-//! failure.
+//! Theorems 2.2 to 2.5, seen in the hybrid system; without a hypothesis the conclusion fails.
 
 pub(super) mod general;
 
@@ -17,11 +16,7 @@ const EPSILON: f64 = 0.8;
 
 /// th:codim11.
 pub(crate) fn generic_grazing_one_loop() -> CheckResult {
-    let mut count = generic_votes(|loops| loops == 1)?;
-    // a₁₂ = 0: the MPS that comes into being is not unstable.
-    let resonance = theory()?.resonance(1, 3)?;
-    count.see(attracts(1, resonance.forcing_frequency()));
-    count.see(exists_for_both_signs_of_the_root(1, 0.97 * resonance.forcing_frequency()));
+    let mut count = generic_votes(&[(1, 3)], |loops| loops == 1)?;
     // Impacts that take time, α > 0, and so much that α < 0: the MPS is on the other side then.
     for shift in [0.05, -0.05] {
         for alpha in [0.5, -0.5] {
@@ -36,12 +31,8 @@ pub(crate) fn generic_grazing_one_loop() -> CheckResult {
 
 /// th:codim1p.
 pub(crate) fn generic_grazing_p_loops() -> CheckResult {
-    let mut count = generic_votes(|loops| loops > 1)?;
+    let mut count = generic_votes(&[(2, 1), (3, 1)], |loops| loops > 1)?;
     for p in [2, 3] {
-        let resonance = theory()?.resonance(p, 1)?;
-        // κ_p = 0: the MPS that comes into being is not unstable.
-        count.see(attracts(p, resonance.forcing_frequency()));
-        count.see(exists_for_both_signs_of_the_root(p, 0.97 * resonance.forcing_frequency()));
         // With α < 0 it is a₁₂ < 0 that makes MPSs, to both sides of n − 1/(2p), and not a₁₂ > 0.
         for share in [0.94, 1.06] {
             let q = share * 0.5 / f64::from(p);
@@ -98,8 +89,7 @@ pub(crate) fn resonant_grazing_p_loops() -> CheckResult {
     ))
 }
 
-/// Where theorem 2.2 or 2.3 applies the MPS is seen on its side; where it does not, this hypothesis
-/// alone is violated, and something else is seen.
+/// Where theorem 2.2 or 2.3 applies the MPS is on its side; or this hypothesis alone is violated.
 fn generic_case(
     orbit: &Grazing,
     loops: u32,
@@ -147,8 +137,8 @@ fn swept(
 }
 
 /// Oscillators at grazing that are not linear: forces, reset laws, β of either sign, real
-/// eigenvalues; and linear forces within 0.01 of τ = h_p and of δ = 1; and whether the theorem
-/// applies, if known.
+/// eigenvalues; and linear ones within 0.01 of τ = h_p and of δ = 1; whether the theorem applies,
+/// if known.
 fn other_oscillators(wanted: impl Fn(u32) -> bool) -> Result<Vec<(Grazing, u32, Option<bool>)>, Failure> {
     let mut found = Vec::new();
     for orbit in specimens()? {
@@ -188,8 +178,14 @@ fn beside_the_boundary(p: u32, margin: f64) -> Result<Grazing, Failure> {
 }
 
 /// Theorem 2.2 or 2.3 on the sweep's oscillators, continued and simulated, and others, simulated.
-fn generic_votes(wanted: impl Fn(u32) -> bool) -> Result<Votes, Failure> {
+fn generic_votes(resonances: &[(u32, u32)], wanted: impl Fn(u32) -> bool) -> Result<Votes, Failure> {
     let mut count = Votes::default();
+    for &(p, n) in resonances {
+        // a₁₂ = 0 or κ_p = 0: the MPS that comes into being is not unstable.
+        let omega = theory()?.resonance(p, n)?.forcing_frequency();
+        count.see(attracts(p, omega));
+        count.see(exists_for_both_signs_of_the_root(p, 0.97 * omega));
+    }
     swept(generic_cases()?, &wanted, &mut count, |case| Ok(GenericRow::of(case)?.verdict()))?;
     for (orbit, p, speaks) in other_oscillators(wanted)? {
         match GenericGrazing::check(&orbit.grazing_point(), p) {
@@ -258,8 +254,7 @@ fn exists_for_both_signs_of_the_root(loops: u32, omega: f64) -> bool {
     above != below
 }
 
-/// Away from a resonance no saddle-node and no period-doubling bifurcation of the MPS comes out of
-/// the grazing point: those nearby in frequency stay at a distance from it.
+/// Away from resonance no SN or PD comes out of grazing: those near in frequency stay away.
 fn no_curve_away_from_resonance(loops: u32, omega: f64) -> bool {
     [0.0, 1e-4, -1e-4].iter().all(|eta| {
         let solutions = LoopSolutions::new(ZETA, EPSILON, omega + eta, loops);

@@ -89,8 +89,7 @@ checks! {
         }
         let [[sn_eta, sn_mu], [pd_eta, pd_mu]] = found;
         cases.see(sn_eta * pd_eta < 0.0 && sn_mu < 0.0 && pd_mu > 0.0);
-    } =>
-        cases.outcome("resonances of random oscillators: curves beside the resonance, and the theorem's sides");
+    } => cases.outcome("resonances of random oscillators: curves beside the resonance, and the theorem's sides");
     /// eq:Ep and E_p = δ^{p/2}: the decay of the free motion over p periods.
     // The exponent is up to a hundred; the determinant is a difference of products.
     decay: drawn(131, 1000) |sampler; largest: Deviations| {

@@ -5,13 +5,10 @@ use crate::*;
 
 /// Ratios of y and η in which points run into the resonance.
 const RATIOS: [[f64; 2]; 4] = [[1.0, 0.0], [1.0, 0.3], [1.0, -0.3], [-1.0, 0.2]];
-
 /// Rounding of a located phase relative to z_graz: the quotient of 10⁻¹⁵ and entries of K.
 const PHASE: f64 = 3e-14;
-
 /// Rounding of a located μ: the zeros of V are exact to the last places of the amplitude.
 const PARAMETER: f64 = 1e-15;
-
 /// Rounding of P_global^p.
 const MAP: f64 = 1e-15;
 

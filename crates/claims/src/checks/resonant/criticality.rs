@@ -70,8 +70,7 @@ checks! {
     } =>
         cases.outcome("points of the seven PD curves of Figure 7: close to the resonances with simulated orbits, for the print all along")
             .against_print(printed.measure());
-    /// The period-doubled solutions end at grazing of their own, on curves that end at the
-    /// resonance: there μ and the first impact velocity are of first order in η.
+    /// Period-doubled solutions end at grazing, on curves with μ and y of first order in η.
     doubled_solutions_graze: over(of_figure_7()?) |place; orders: Vec<Observed>| {
         let equations = DoubledEquations::new(place.resonance.equations());
         let curve = &place.curves()[1];

@@ -5,7 +5,6 @@ use crate::*;
 
 /// Rounding of located velocities, phases and positions: quotients of derivatives.
 pub(super) const PHASE: f64 = 1e-13;
-
 /// Rounding of a located μ; it enters V directly.
 const PARAMETER: f64 = 1e-15;
 

@@ -4,7 +4,6 @@ use crate::*;
 
 /// Rounding of the entries of D P_virt and D(P_virt ∘ R), numbers of order one.
 const VIRTUAL: f64 = 1e-15;
-
 /// Rounding of entries of D P_global^p: 10⁻¹⁵ for each of p ≤ 5 factors, times angles up to ten.
 const GLOBAL: f64 = 1e-13;
 
@@ -95,10 +94,8 @@ fn product_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>,
     }))
 }
 
-/// Step of differences: the error of sixth order is some 10⁻¹³, and rounding of 10⁻¹⁵ is divided by
-/// the step, for second derivatives twice.
+/// Step of differences: their error is some 10⁻¹³, and rounding 10⁻¹⁵ over it or its square.
 const STEP: f64 = 2e-3;
-
 /// Step in the parameters, on which angles of up to seventy radians depend.
 const PARAMETER_STEP: f64 = 5e-4;
 
@@ -131,7 +128,7 @@ pub(super) fn differences(place: &ResonantSpecimen) -> Option<Differences> {
 /// a₁₂' or a₁₂ ∂S_p/∂η by differences along the grazing curve, against eq:fp or a₁₂'.
 fn slope_gaps(place: &ResonantSpecimen, largest: &mut Deviations) -> Result<(), Failure> {
     let (map, loops) = (place.point().grazing.map, place.loops());
-    let by_eta = place.along_grazing(1e-3, |LinearisedMap { a, .. }| {
+    let by_eta = place.along_grazing(1e-3, |loops, LinearisedMap { a, .. }| {
         if loops == 1 { a.m12 } else { lucas_sequence(loops, a.trace(), a.determinant()) }
     })?;
     let found = if loops == 1 { by_eta } else { map.a.m12 * by_eta };
@@ -143,8 +140,7 @@ fn slope_gaps(place: &ResonantSpecimen, largest: &mut Deviations) -> Result<(), 
 checks! {
     /// The display of d_p, e_p, f_p with ξ_p: that f_p is the f_p of eq:fp, and a₁₂' for p = 1,
     /// asks for the derivative along the grazing curve; at fixed z, as printed, it is not.
-    // Nested differences: errors of sixth order grow with the derivatives in ω, some 10² for each
-    // order at large p n; rounding is 10⁻¹⁵ over the square of the step.
+    // Nested differences: 10² for each order at large p n, rounding 10⁻¹⁵ over the step squared.
     second_derivatives: everywhere(ANY) |place; (followed, fixed): (Deviations, Deviations)| {
         let symbols = place.symbols()?;
         let found = differences(place).ok_or("P_global is not defined around a resonance")?;

@@ -5,31 +5,7 @@ use crate::checks::main_results::returns::derivatives;
 use crate::*;
 use grazing_continuation::curve::CurvePoint;
 
-/// Near a resonance an MPS is stable between the lines y Ψ⁺ = 0 and y Ψ⁻ = 0, and nowhere else.
-fn regions(place: &ResonantSpecimen, cases: &mut Votes) -> Result<(), Failure> {
-    let stability = place.point().stability_coefficients();
-    let by_eta = place.point().grazing.alpha()
-        * place.point().grazing.forcing_frequency
-        * place.point().off_diagonal_slope();
-    let radius = 3e-4;
-    // Angles in the half-plane y > 0, η in units in which the lines have slopes of order one.
-    for k in 1..40 {
-        let (sine, cosine) = libm::sincos(core::f64::consts::PI * f64::from(k) / 40.0);
-        let (y, eta) = (radius * sine, radius * cosine / by_eta);
-        let [plus, minus] = [stability.plus * y - by_eta * eta, stability.minus * y - by_eta * eta];
-        // The next terms move the lines by parts of some per cent at this radius.
-        if plus.abs().min(minus.abs()) < 0.05 * radius {
-            continue;
-        }
-        let Some(near) = place.on_branch(y, eta) else { continue };
-        let solution = place.solution(&near);
-        cases.see(solution.stable() == (plus < 0.0 && minus > 0.0));
-    }
-    Ok(())
-}
-
-/// n ω* is twice the damped natural frequency at all resonances with p = 1 of a linear oscillator,
-/// and not the same number at those of one with a nonlinear force.
+/// n ω* is twice the damped natural frequency if p = 1 and the force is linear, and not otherwise.
 pub(crate) fn rational_multiples() -> CheckResult {
     let spread = |law: Law| -> Result<f64, Failure> {
         let products = (2..=4_u32)
@@ -108,7 +84,7 @@ checks! {
     direction_by_parity: over(1..=12_u32) |n; cases: Votes| {
         for decay in [0.2, 0.5, 0.8] {
             let place = ResonantSpecimen::find(Law::linear(damping_for_decay(1, n, decay), 0.8), 1, n)?;
-            let rate = place.along_grazing(1e-3, |map| map.a.m12)?;
+            let rate = place.along_grazing(1e-3, |_, map| map.a.m12)?;
             let odd = n % 2 == 1;
             cases.see((rate > 0.0) == odd);
             // s₁⁺ < 0: the SN curve leaves to the side of −sgn a₁₂', the PD curve to the other.
@@ -169,9 +145,27 @@ checks! {
             largest.pairs(found.iter().copied().zip(stated.iter().copied()));
         }
     } => largest.outcome(1e-8, "A, b, ξ and a₁₂' or f at resonances, by values of P_global alone");
-    /// Periodicity regions lie between the SN and the PD curve.
-    periodicity_regions: everywhere(ANY, regions)
-        .map(|cases| cases.outcome("MPSs around resonances, stable between SN and PD curves alone"));
+    /// Near a resonance an MPS is stable between the lines y Ψ⁺ = 0 and y Ψ⁻ = 0, and nowhere else.
+    periodicity_regions: everywhere(ANY) |place; cases: Votes| {
+        let stability = place.point().stability_coefficients();
+        let by_eta = place.point().grazing.alpha()
+            * place.point().grazing.forcing_frequency
+            * place.point().off_diagonal_slope();
+        let radius = 3e-4;
+        // Angles in the half-plane y > 0, η in units in which the lines have slopes of order one.
+        for k in 1..40 {
+            let (sine, cosine) = libm::sincos(core::f64::consts::PI * f64::from(k) / 40.0);
+            let (y, eta) = (radius * sine, radius * cosine / by_eta);
+            let [plus, minus] = [stability.plus * y - by_eta * eta, stability.minus * y - by_eta * eta];
+            // The next terms move the lines by parts of some per cent at this radius.
+            if plus.abs().min(minus.abs()) < 0.05 * radius {
+                continue;
+            }
+            let Some(near) = place.on_branch(y, eta) else { continue };
+            let solution = place.solution(&near);
+            cases.see(solution.stable() == (plus < 0.0 && minus > 0.0));
+        }
+    } => cases.outcome("MPSs around resonances, stable between SN and PD curves alone");
     /// The response can be periodic near resonant grazing: stable MPSs attract.
     periodic_response: everywhere(ANY) |place; cases: Votes| {
         for near in super::simulation::admissible(place).iter().step_by(3) {

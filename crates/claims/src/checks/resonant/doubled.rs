@@ -36,11 +36,11 @@ impl Doubled {
 }
 
 /// The equations of period-doubled MPSs with 2p loops.
-pub(super) struct DoubledEquations<O>(LoopEquations<O>);
+pub(super) struct DoubledEquations(LoopEquations<Specimen>);
 
-impl<O: ImpactOscillator> DoubledEquations<O> {
+impl DoubledEquations {
     /// Those that branch off the MPSs of these equations.
-    pub(super) fn new(equations: &LoopEquations<O>) -> Self {
+    pub(super) fn new(equations: &LoopEquations<Specimen>) -> Self {
         // The form without virtual points: it is defined all along the curves.
         Self(equations.with_formulation(Formulation::FixedPhase))
     }

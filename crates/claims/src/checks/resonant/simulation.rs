@@ -3,11 +3,7 @@
 use crate::*;
 
 /// The next impact (y, z), its phase near that of this one; `None` if not p periods later.
-pub(super) fn next_impact<O: ImpactOscillator>(
-    oscillator: &O,
-    loops: u32,
-    impact: Vector2<f64>,
-) -> Option<Vector2<f64>> {
+pub(super) fn next_impact(oscillator: &Specimen, loops: u32, impact: Vector2<f64>) -> Option<Vector2<f64>> {
     let period = oscillator.forcing_period();
     let expected = f64::from(loops) * period;
     let start = State::on_wall(impact[0], impact[1]);
@@ -18,18 +14,6 @@ pub(super) fn next_impact<O: ImpactOscillator>(
     }
     let turns = libm::round((next.phase - impact[1]) / TAU);
     Some(Vector2::new(next.velocity, next.phase - turns * TAU))
-}
-
-/// The derivative of the map from impact to impact, by steps in proportion to the velocity.
-fn impact_derivative<O: ImpactOscillator>(
-    oscillator: &O,
-    loops: u32,
-    impact: Vector2<f64>,
-) -> Option<Matrix2<f64>> {
-    let column = |direction: Vector2<f64>| {
-        slope(3e-3 * impact[0], |h| next_impact(oscillator, loops, impact + direction * h))
-    };
-    Some(Matrix2::from_columns(&[column(Vector2::x())?, column(Vector2::y())?]))
 }
 
 /// Admissible MPSs near a resonance, with impact velocities that are small but not tiny.
@@ -53,8 +37,13 @@ checks! {
     multipliers: everywhere(ANY) |place; largest: Deviations| {
         for near in admissible(place) {
             let solution = place.solution(&near);
-            let simulated = impact_derivative(&near.oscillator(), place.loops(), near.impact())
-                .ok_or("an admissible MPS does not return in simulation")?;
+            let (oscillator, impact) = (near.oscillator(), near.impact());
+            // Steps in proportion to the velocity, on whose scale the map varies.
+            let column = |direction: Vector2<f64>| {
+                slope(3e-3 * impact[0], |h| next_impact(&oscillator, place.loops(), impact + direction * h))
+                    .ok_or("an admissible MPS does not return in simulation")
+            };
+            let simulated = Matrix2::from_columns(&[column(Vector2::x())?, column(Vector2::y())?]);
             let scale = 1.0 + solution.multipliers.trace.abs();
             largest.compare(simulated.trace(), solution.multipliers.trace, scale);
             largest.compare(simulated.determinant(), solution.multipliers.determinant, scale);

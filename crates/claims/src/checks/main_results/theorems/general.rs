@@ -1,14 +1,11 @@
-//! What is seen of any oscillator of the class at grazing, without closed forms.
+//! What is seen of a specimen at grazing, without closed forms.
 
 use crate::solutions::suspect;
 use crate::sweep::generic::small_velocity;
 use crate::*;
 
 /// On which side of generic grazing simulation sees the MPS that V has a zero for.
-pub(crate) fn side_of_orbit<O: ImpactOscillator>(
-    orbit: &GrazingOrbit<O>,
-    loops: u32,
-) -> Result<Existence, Failure> {
+pub(crate) fn side_of_orbit(orbit: &Grazing, loops: u32) -> Result<Existence, Failure> {
     let point = orbit.grazing_point();
     let emerging = point.emerging_orbit(loops)?;
     // So small that the expansion decides where the loops lie: close to h_p one is shallow.
@@ -23,20 +20,16 @@ pub(crate) fn side_of_orbit<O: ImpactOscillator>(
     Ok(Existence::of([positive, negative]))
 }
 
-/// The sign of η for which simulation sees the bifurcation near a resonance: an MPS to either side
-/// of it, at the same η, with the multiplier crossed in between.
-pub(super) fn sides_of_curves<O: ImpactOscillator>(
-    orbit: &GrazingOrbit<O>,
-    loops: u32,
-) -> Result<[Existence; 2], Failure> {
+/// The sign of η for which simulation sees each bifurcation: MPSs with the multiplier crossed.
+pub(super) fn sides_of_curves(orbit: &Grazing, loops: u32) -> Result<[Existence; 2], Failure> {
     let point = orbit.resonant_point(loops)?;
     let saddle_node = side_of_curve(orbit, loops, &point, (1.0, point.saddle_node_velocity_slope()))?;
     let flip = side_of_curve(orbit, loops, &point, (-1.0, point.period_doubling_velocity_slope()))?;
     Ok([saddle_node, flip])
 }
 
-fn side_of_curve<O: ImpactOscillator>(
-    orbit: &GrazingOrbit<O>,
+fn side_of_curve(
+    orbit: &Grazing,
     loops: u32,
     point: &ResonantPoint,
     (multiplier, slope): (f64, f64),
