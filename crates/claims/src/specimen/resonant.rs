@@ -232,7 +232,7 @@ pub(crate) type Orders = Result<Vec<Observed>, Failure>;
 
 /// The orders that a function finds at all resonances with these numbers of loops.
 pub(crate) fn all_orders(which: Loops, measure: impl Fn(&ResonantSpecimen) -> Orders) -> Orders {
-    everywhere(which, |place, all: &mut Vec<_>| Ok(all.extend(measure(place)?)))
+    everywhere(which, |place, all: &mut Vec<_>| measure(place).map(|orders| all.extend(orders)))
 }
 
 /// The orders that a function finds everywhere, as an outcome.
