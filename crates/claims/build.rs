@@ -13,7 +13,7 @@ fn main() {
     let names: BTreeSet<String> = ledger.lines().filter_map(named).collect();
     let rows: Vec<String> =
         names.iter().map(|name| format!("Check {{ name: {name:?}, run: {name} }},\n")).collect();
-    let folder = env::var_os("OUT_DIR").expect("cargo tells where to write");
+    let folder = env::var_os("OUT_DIR").expect("cargo says where to write");
     fs::write(Path::new(&folder).join("checks.rs"), format!("&[\n{}]\n", rows.concat()))
         .expect("the folder can be written to");
 }

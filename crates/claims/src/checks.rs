@@ -2,8 +2,8 @@
 
 use crate::outcome::CheckResult;
 
-/// A check under the name that the ledger gives: section, module and function, as `resonant::stability::trace`, which
-/// stands in `src/checks/resonant/stability.rs`.
+/// A check under its name in the ledger, as `resonant::stability::trace`: section, module,
+/// function.
 #[derive(Debug, Clone, Copy)]
 pub struct Check {
     /// The name.
@@ -17,8 +17,9 @@ pub const CHECKS: &[Check] = include!(concat!(env!("OUT_DIR"), "/checks.rs"));
 
 /// Checks as rows of a table: a name, and what is measured.
 ///
-/// `name: drawn(seed, samples) |sampler; largest: Deviations| { .. } => largest.outcome(tolerance, words);` names what is measured
-/// over, what each subject adds to a tally, and what the tally is held against. Any other expression of type `CheckResult` will do.
+/// `name: drawn(seed, samples) |sampler; largest: Deviations| { .. } => largest.outcome(..);`: what
+/// is measured over, what each subject adds to a tally, and its outcome. Or any other
+/// `CheckResult`.
 macro_rules! checks {
     () => {};
     (

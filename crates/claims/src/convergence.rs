@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-use crate::Measure;
+use crate::{Measure, Outcome};
 
 /// Sizes fall by halves from two to the minus this.
 const FIRST: i32 = 6;
@@ -12,12 +12,12 @@ const SIZES: i32 = 16;
 /// How many times its rounding a remainder must be to count.
 const RESOLVED: f64 = 100.0;
 
-/// The observed order of a remainder in a size: log₂ of the ratio at the two smallest sizes, a factor two apart, at which it
-/// stands a hundredfold above its rounding.
+/// The observed order of a remainder: log₂ of the ratio at the two smallest sizes, a factor two
+/// apart, at which it stands a hundredfold above its rounding.
 ///
-/// `remainder` gives, for a size, the remainder and its rounding, or `None` where the size is too large for it to exist.
-/// Infinite if the remainder is never resolved twice: then there is none to be seen. Not a number if it does not exist down to the
-/// smallest size that was looked at.
+/// `remainder` gives, for a size, the remainder and its rounding, or `None` where the size is too
+/// large for it to exist. Infinite if the remainder is never resolved twice: then there is none to
+/// be seen. Not a number if it does not exist down to the smallest size that was looked at.
 pub(crate) fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64 {
     let mut resolved: Vec<f64> = Vec::new();
     let mut exists = false;
@@ -40,7 +40,7 @@ pub(crate) fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64
     }
 }
 
-/// The order of a remainder that is bounded in all directions at once: of the largest in any of them at each size.
+/// The order of a remainder bounded in all directions at once: of the largest at each size.
 pub(crate) fn uniform_order<const N: usize>(
     directions: &[[f64; N]],
     remainder: impl Fn([f64; N], f64) -> Option<(f64, f64)>,
@@ -58,11 +58,11 @@ pub(crate) fn uniform_order<const N: usize>(
     })
 }
 
-/// How far below the stated order the observed one may lie: where remainders are resolved last, sizes are below 10⁻³, and the
-/// next term is of that relative size, times a coefficient of order ten at most.
+/// How far below the stated order the observed one may lie: remainders are resolved last at sizes
+/// below 10⁻³; so small is the next term, times a coefficient of order ten at most.
 pub(crate) const SLACK_AT_GRAZING: f64 = 0.1;
 
-/// The function, which now computes each value once: several remainders are taken from one solution.
+/// The function computing each value once: several remainders are taken from one solution.
 pub(crate) fn remembered<T: Clone>(f: impl Fn(f64) -> Option<T>) -> impl Fn(f64) -> Option<T> {
     let known: RefCell<BTreeMap<u64, Option<T>>> = RefCell::default();
     move |size| known.borrow_mut().entry(size.to_bits()).or_insert_with(|| f(size)).clone()
@@ -78,7 +78,7 @@ pub(crate) fn together<const N: usize>(
     each.into_iter().enumerate().map(|(i, (rounding, stated))| (one(i, rounding), stated)).collect()
 }
 
-/// The order in h of the difference between extrapolations to h = 0 from both sides, which is at least 3 for a function in C³.
+/// The order of the difference of extrapolations to 0 from both sides: at least 3 in C³.
 pub(crate) fn seam(rounding: f64, f: impl Fn(f64) -> Option<f64>) -> Observed {
     let observed = order(|size| {
         let side = |h: f64| Some(4.0 * f(h)? - 6.0 * f(2.0 * h)? + 4.0 * f(3.0 * h)? - f(4.0 * h)?);
@@ -90,7 +90,7 @@ pub(crate) fn seam(rounding: f64, f: impl Fn(f64) -> Option<f64>) -> Observed {
 /// An observed order and the stated one.
 pub(crate) type Observed = (f64, f64);
 
-/// The order that lies lowest in comparison with the stated one; where none lies too low, among the highest stated ones.
+/// The order lowest against the stated one; if none is too low, among the highest stated.
 pub(crate) fn lowest(orders: &[Observed]) -> Measure {
     let measure =
         |(observed, stated): Observed| Measure::Order { observed, stated, slack: SLACK_AT_RESONANCE };
@@ -102,8 +102,12 @@ pub(crate) fn lowest(orders: &[Observed]) -> Measure {
     measure(reported.unwrap_or((f64::NAN, f64::NAN)))
 }
 
-/// How far the order may lie below the stated one: what the next term does at the sizes where the remainder still stands a
-/// hundredfold above its rounding.
+/// The lowest order, as an outcome.
+pub(crate) fn of_orders(orders: &[Observed], over: &str) -> Outcome {
+    Outcome::new(lowest(orders), orders.len(), over)
+}
+
+/// How far the order may lie below the stated one: what the next term does at resolved sizes.
 pub(crate) const SLACK_AT_RESONANCE: f64 = 0.3;
 
 #[cfg(test)]

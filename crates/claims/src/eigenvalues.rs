@@ -32,8 +32,7 @@ impl Pair {
         }
     }
 
-    /// |λ₁| and |λ₂|: sums over them majorise the same sums over the eigenvalues, and rounding errors are small compared
-    /// to these.
+    /// |λ₁| and |λ₂|: sums over them majorise those over the eigenvalues, and their roundings.
     pub(crate) fn moduli(&self) -> Self {
         let real = |lambda: Complex<f64>| Complex::new(lambda.norm(), 0.0);
         Self { first: real(self.first), second: real(self.second) }

@@ -18,7 +18,6 @@ macro_rules! kinds {
         impl ClaimKind {
             /// All kinds.
             pub const ALL: [Self; [$($word),*].len()] = [$(Self::$name),*];
-
             /// The word for it in the ledger.
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$name => $word,)* }
@@ -52,8 +51,7 @@ impl fmt::Display for ClaimKind {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Claim {
-    /// The LaTeX label, such as `eq:gp`; for what has none a name such as `sub:2/period-doubling`, made of the label that
-    /// it stands under and a word.
+    /// The LaTeX label, as `eq:gp`; for what has none a name as `sub:2/period-doubling`.
     pub label: String,
     /// Where it stands: "section 2.4, eq. (15)". Equation numbers start anew in each section.
     pub place: String,
@@ -63,7 +61,7 @@ pub struct Claim {
     pub says: String,
     /// The formula in LaTeX, without dollars, in standard commands only.
     pub formula: Option<String>,
-    /// The public items that hold it, as `grazing_theorems::auxiliary::resonance_boundary`, which its check calls.
+    /// The public items that hold it, as `grazing_theorems::auxiliary::resonance_boundary`.
     #[serde(default)]
     pub holds: Vec<String>,
     /// The figures that show it, as `fig04`.
@@ -94,7 +92,7 @@ pub struct Misprint {
     /// What kind it is.
     #[serde(default)]
     pub kind: MisprintKind,
-    /// The label of the claim whose misprint is the same one: it is told there.
+    /// The label of the claim at which the same misprint is described.
     pub same_as: Option<String>,
 }
 
@@ -102,12 +100,12 @@ pub struct Misprint {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum MisprintKind {
-    /// A formula, a condition or a statement is misprinted; a computation decides, and the print fails.
+    /// A formula, a condition or a statement is misprinted; the print fails.
     #[default]
     Formula,
     /// What is printed was observed, and is not so; a computation decides likewise.
     Observation,
-    /// Judged as printed: a condition is missing, or a reason; where there is something to measure, the print fails.
+    /// A condition is missing, or a reason; where there is something to measure, the print fails.
     Judged,
     /// One of notation or wording, decided by reading: there is no printed value that could fail.
     Wording,

@@ -1,12 +1,12 @@
-//! The ledger of claims: what the paper states, label by label, and the checks that test each statement.
+//! The ledger of claims: what the paper states, label by label, and the checks of each statement.
 //!
-//! `expected/claims.toml` lists every numbered equation, lemma, proposition, theorem and every number in text and captions
-//! ([`ledger`]). Most name a check, a function here that measures how well the statement holds ([`outcome`]): the largest
-//! deviation of an identity over its domain, the order at which a remainder vanishes, the smallest margin of an inequality
-//! under adversarial search, the cases in which a theorem's conclusion is seen in the hybrid system. Where print and
-//! mathematics differ, the check holds the print too, and passes only if the print fails.
+//! `expected/claims.toml` lists every numbered equation, lemma, proposition and theorem, and every
+//! number in text and captions ([`ledger`]). Most name a check, a function here that measures how
+//! well the statement holds ([`outcome`]): the largest deviation of an identity, the order at which
+//! a remainder vanishes, the smallest margin of an inequality by adversarial search, the cases in
+//! which a conclusion is seen. Where print and mathematics differ, the print has to fail.
 //!
-//! Expansions and theorems are measured on the paper's oscillator and on others, with nonlinear forces and reset laws that vary (`specimen`).
+//! Expansions and theorems are measured on the paper's oscillator and on others (`specimen`).
 //!
 //! Nothing here reads files or prints; sampling is seeded, so every run measures the same.
 
@@ -56,7 +56,9 @@ use grazing_theorems::{
 use grazing_unfold::simulation::ReturnOutcome;
 use nalgebra::{Complex, Matrix2, Vector2};
 
-use convergence::{Observed, SLACK_AT_GRAZING, lowest, order, remembered, seam, together, uniform_order};
+use convergence::{
+    Observed, SLACK_AT_GRAZING, lowest, of_orders, order, remembered, seam, together, uniform_order,
+};
 use differences::{curvature, slope};
 use eigenvalues::{Pair, power};
 use outcome::{CheckResult, Failure, Measure, Outcome};
@@ -68,8 +70,8 @@ use specimen::generic::{
     specimens_with,
 };
 use specimen::resonant::{
-    ANY, Bifurcation, EVERYWHERE, Loops, MANY, Near, ONE, Offset, ResonantSpecimen, Symbols, agreement,
-    deviation, everywhere, offsets, orders, orders_against_print, scaled,
+    ANY, Bifurcation, EVERYWHERE, Loops, MANY, Near, ONE, Offset, ResonantSpecimen, Symbols, all_orders,
+    everywhere, offsets, orders, orders_against_print, scaled,
 };
 use specimen::{DELAY, Exponential, Grazing, Law, Specimen, at_grazing, damping_for_decay};
 use sweep::Existence;

@@ -33,14 +33,14 @@ pub enum Measure {
     },
     /// An expansion: the order at which the remainder was seen to vanish.
     Order {
-        /// The smallest order seen; infinite where the remainder is below rounding throughout, which tests nothing.
+        /// The smallest order seen; infinite where the remainder is below rounding throughout.
         observed: f64,
         /// The order that is stated.
         stated: f64,
         /// How far below the stated one the observed order may lie, because of the next term.
         slack: f64,
     },
-    /// An inequality: the smallest margin that a search could find, positive where the inequality holds.
+    /// An inequality: the smallest margin that a search could find, positive where it holds.
     Margin {
         /// The smallest value of what is said to be positive, scaled as the check says.
         smallest: f64,
@@ -79,7 +79,7 @@ impl Outcome {
         Self { print: Some(print), ..self }
     }
 
-    /// Whether the statement holds, and the print, where it differs, does not; nothing holds over no samples.
+    /// Whether the statement holds over some samples, and the print, where it differs, does not.
     pub fn passes(&self) -> bool {
         self.samples > 0 && self.measure.holds() && self.print.is_none_or(|print| !print.holds())
     }

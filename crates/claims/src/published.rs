@@ -59,8 +59,9 @@ pub struct Comparison<'a> {
 }
 
 impl Comparison<'_> {
-    /// Whether the computed value, rounded to the printed decimals (to nearest, as its exact binary value demands), is the print; for
-    /// [`Rounding::Exact`], whether it is the printed number itself. NaN never is, nor is what was not computed.
+    /// Whether the computed value, rounded to the printed decimals (to nearest, by its exact
+    /// value), is the print; for [`Rounding::Exact`], whether it is the printed number. NaN never
+    /// is.
     pub fn is_met(&self) -> bool {
         let Self { published, computed: Some(computed) } = self else { return false };
         match published.rounding {
@@ -103,8 +104,7 @@ impl Published {
         &PRINTED
     }
 
-    /// Holds computed values, by identifier, against the print: one comparison for each published value. Computed values
-    /// that the paper does not print are passed over.
+    /// One comparison for each published value; what is computed and not printed is passed over.
     pub fn compare(&self, computed: &BTreeMap<String, f64>) -> Vec<Comparison<'_>> {
         let of = |value: &PublishedValue| computed.get(&value.id).copied();
         self.values.iter().map(|value| Comparison { published: value, computed: of(value) }).collect()
@@ -117,7 +117,7 @@ pub(crate) fn printed(id: &str) -> f64 {
     value.unwrap_or_else(|| panic!("expected/published.toml has no number {id}")).number()
 }
 
-/// The printed values of a quantity at resonances: p, n, and the number with identifier `quantity_p…_n…`.
+/// The printed values of a quantity at resonances: p, n, and the number `quantity_p…_n…`.
 pub(crate) fn printed_at_resonances(quantity: &str) -> Vec<(u32, u32, f64)> {
     let at_resonance = |value: &PublishedValue| {
         let (loops, index) = value.id.strip_prefix(quantity)?.strip_prefix("_p")?.split_once("_n")?;

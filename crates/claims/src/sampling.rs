@@ -43,7 +43,7 @@ impl Sampler {
         }
     }
 
-    /// A pair (τ, δ) in the trapesium of eq:cT, up to a relative distance 10⁻⁶ from its slanted sides.
+    /// A pair (τ, δ) in the trapesium of eq:cT, 10⁻⁶ or more from its slanted sides, relatively.
     pub(crate) fn trapesium(&mut self) -> (f64, f64) {
         let delta = self.between(0.001, 0.999);
         (self.between(-0.999_999, 0.999_999) * (delta + 1.0), delta)
@@ -89,10 +89,10 @@ pub(crate) fn sampled<T: Default>(
     drawn_over(seed, loops.cycle().take(samples), sample)
 }
 
-/// The smallest value of a function on the unit cube that many local searches from seeded starts find, and where.
+/// The smallest value on the unit cube that local searches from seeded starts find, and where.
 ///
-/// Each search tries a step along every axis and every diagonal pair of it, moves on success, and halves its step when
-/// nothing helps, down to 10⁻⁶. Values that are not numbers are outside the domain.
+/// Each search tries a step along every axis and every diagonal pair, moves on success, and halves
+/// its step otherwise, down to 10⁻⁶. Values that are not numbers are outside the domain.
 pub(crate) fn smallest<const N: usize>(
     seed: u64,
     starts: usize,

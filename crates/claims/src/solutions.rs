@@ -1,4 +1,4 @@
-//! MPSs of any oscillator near grazing: zeros of the VIVID function, and what the hybrid system does there.
+//! MPSs of any oscillator near grazing: zeros of V, and what the hybrid system does there.
 
 use crate::*;
 use grazing_continuation::arclength::Stall;
@@ -7,12 +7,12 @@ use grazing_continuation::locate::locate;
 use grazing_unfold::simulation::Suspect;
 
 /// The equations of p-loop MPSs.
-pub(crate) fn equations<O: ImpactOscillator>(grazing: &GrazingOrbit<O>, p: u32) -> LoopEquations<O> {
+pub(crate) fn equations(grazing: &Grazing, p: u32) -> LoopEquations<Specimen> {
     LoopEquations::new(grazing.oscillator().clone(), p, Formulation::Vivid)
 }
 
 /// The point (y, z; μ) with z and μ counted from grazing.
-pub(crate) fn unknowns<O: ImpactOscillator>(grazing: &GrazingOrbit<O>, [y, dz, dmu]: [f64; 3]) -> Unknowns {
+pub(crate) fn unknowns(grazing: &Grazing, [y, dz, dmu]: [f64; 3]) -> Unknowns {
     let [primary, secondary] = grazing.oscillator().parameters();
     Unknowns::new(y, grazing.phase() + dz, primary + dmu, secondary)
 }
@@ -32,10 +32,7 @@ pub(crate) fn branch<O: ImpactOscillator>(
 }
 
 /// V at a point.
-pub(crate) fn vivid<O: ImpactOscillator>(
-    equations: &LoopEquations<O>,
-    point: &Unknowns,
-) -> Option<Vector2<f64>> {
+pub(crate) fn vivid(equations: &LoopEquations<Specimen>, point: &Unknowns) -> Option<Vector2<f64>> {
     Some(equations.pair::<1>(point, &mut EventTimes::default()).ok()?.difference().0)
 }
 
@@ -49,10 +46,7 @@ pub(crate) fn located<O: ImpactOscillator>(
 }
 
 /// The MPS at the parameters of a start.
-pub(crate) fn at_parameters<O: ImpactOscillator>(
-    equations: &LoopEquations<O>,
-    start: Unknowns,
-) -> Option<Unknowns> {
+pub(crate) fn at_parameters(equations: &LoopEquations<Specimen>, start: Unknowns) -> Option<Unknowns> {
     let [_, _, primary, secondary] = start.into();
     located(equations, [Condition::Primary(primary), Condition::Secondary(secondary)], start)
 }
@@ -70,7 +64,7 @@ pub(crate) fn at_velocity<O: ImpactOscillator>(
 }
 
 /// The zero of V at μ, by Newton's method from its expansion.
-pub(crate) fn zero<O: ImpactOscillator>(grazing: &GrazingOrbit<O>, p: u32, mu: f64) -> Option<Unknowns> {
+pub(crate) fn zero(grazing: &Grazing, p: u32, mu: f64) -> Option<Unknowns> {
     let emerging = grazing.grazing_point().emerging_orbit(p).ok()?;
     let [y, dz] = [emerging.impact_velocity_slope, emerging.impact_phase_slope].map(|slope| slope * mu);
     at_parameters(&equations(grazing, p), unknowns(grazing, [y, dz, mu]))

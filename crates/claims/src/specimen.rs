@@ -1,9 +1,9 @@
 //! Oscillators to measure on: members of the class of section 2.1 without pattern.
 //!
-//! The paper's oscillator has a linear force, Φ = ε and Ψ = 0, so that γ = ω², α = 1 + ε, a₁₁ = a₂₂ where a₁₂ = 0, β > 0 and
-//! complex eigenvalues: much of sections 2, 4 and 5 is not seen by it. A [`Law`] may have a spring that stiffens, damping that
-//! depends on the position, and a reset law in which Φ and Ψ vary with the velocity and the phase of the impact and with both
-//! parameters. A [`Specimen`] moves in closed form where its force is linear, and is integrated elsewhere.
+//! The paper's oscillator has a linear force, Φ = ε and Ψ = 0, so that γ = ω², α = 1 + ε, a₁₁ = a₂₂
+//! where a₁₂ = 0, β > 0 and complex eigenvalues: it does not see much of sections 2, 4, 5. A
+//! [`Law`] may have a spring that stiffens, damping that depends on the position, and Φ and Ψ that
+//! vary with impact and parameters. A [`Specimen`] moves in closed form where its force is linear.
 
 pub(crate) mod generic;
 pub(crate) mod resonant;
@@ -14,8 +14,7 @@ use grazing_model::flow_variable::{PRIMARY, SECONDARY};
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator, Taylor};
 use grazing_model::{AnyMotion, FlowJet, LinearOscillator, MapJet, ParameterJet, ThirdOrder};
 
-/// A function of an impact's velocity and phase and of the parameters that never changes its sign:
-/// `size · exp(rates · (y, sin z, μ, η))`.
+/// A function of impact and parameters of one sign: `size · exp(rates · (y, sin z, μ, η))`.
 ///
 /// All dimensionless. Its derivatives of all orders are other than zero, unless a rate is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,7 +45,7 @@ pub(crate) const RESTITUTION: Exponential = Exponential { size: 0.7, rates: [-0.
 /// The Ψ that goes with [`RESTITUTION`].
 pub(crate) const DELAY: Exponential = Exponential { size: 0.25, rates: [0.5, -0.35, 0.2, 0.3] };
 
-/// ü + 2ζ (1 + d u) u̇ + u + κ u³ = 𝒜 cos(ωt) with u = x + 1, a wall at x = 0 and the reset law R = (−y Φ, z + y Ψ).
+/// ü + 2ζ (1 + d u) u̇ + u + κ u³ = 𝒜 cos(ωt), u = x + 1, wall at x = 0, R = (−y Φ, z + y Ψ).
 ///
 /// Paper: eq:F, eq:R. With d = κ = 0, Φ = ε and Ψ = 0 it is the oscillator of section 3.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,15 +60,15 @@ pub(crate) struct Law {
     pub(crate) restitution: Exponential,
     /// Ψ, likewise.
     pub(crate) delay: Exponential,
-    /// μ is the forcing frequency ω and η the amplitude 𝒜, so that ω varies with μ; otherwise it is the other way about.
+    /// μ is the forcing frequency ω and η the amplitude 𝒜; otherwise the other way about.
     pub(crate) frequency_first: bool,
 }
 
 /// A specimen at grazing.
 pub(crate) type Grazing = GrazingOrbit<Specimen>;
 
-/// The grazing orbit of the linear oscillator is followed in so many steps as d and κ grow: Newton's method converges from each to
-/// the next for d up to 0.9 and κ up to 0.4 (empirical).
+/// The grazing orbit of the linear oscillator is followed in so many steps as d and κ grow:
+/// Newton's method converges from each to the next for d up to 0.9 and κ up to 0.4 (empirical).
 const STEPS: u32 = 6;
 
 impl Law {
@@ -100,8 +99,7 @@ impl Law {
         }
     }
 
-    /// A law without pattern: Φ between 0 and 1 and Ψ of either sign, for velocities y ≥ 0, amplitudes and frequencies up to 3;
-    /// one in ten has a force that is not linear.
+    /// A law without pattern, Φ in (0, 1), frequencies up to 3; one in ten is nonlinear.
     pub(crate) fn random(sampler: &mut Sampler, damping: f64) -> Self {
         let mut factor = |size: f64| Exponential {
             size,
@@ -128,7 +126,7 @@ impl Law {
     pub(crate) fn random_grazing(sampler: &mut Sampler) -> Result<Grazing, Failure> {
         let damping = sampler.between(0.01, 0.25);
         let law = Self::random(sampler, damping);
-        // At lower frequencies springs that stiffen have superharmonic resonances, beside which other loops graze first.
+        // At lower frequencies stiffening springs have other resonances, whose loops graze first.
         let lowest = if law.force_is_linear() { 0.35 } else { 0.7 };
         law.grazing(sampler.between(lowest, 1.9))
     }
@@ -147,7 +145,7 @@ impl Law {
         if self.frequency_first { [second, first] } else { [first, second] }
     }
 
-    /// Laws on the way from the linear force to this one, which is the last of them; the amplitude is the primary parameter.
+    /// Laws on the way from the linear force to this one; the amplitude is the primary parameter.
     fn approach(self) -> impl Iterator<Item = Self> {
         let first = if self.force_is_linear() { STEPS } else { 1 };
         (first..=STEPS).map(move |step| {
@@ -200,7 +198,7 @@ pub(crate) fn damping_for_decay(loops: u32, index: u32, decay: f64) -> f64 {
     skew / (1.0 + skew * skew).sqrt()
 }
 
-/// What so many oscillators with laws without pattern add up to, at grazing; half of them have the frequency as the primary parameter.
+/// What random oscillators at grazing add up to; for half of them the frequency is μ.
 pub(crate) fn at_grazing<T: Default>(
     seed: u64,
     samples: usize,

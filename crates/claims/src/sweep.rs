@@ -1,14 +1,15 @@
 //! Theorems 2.2 to 2.5 in action: predictions against continuation and simulation, case by case.
 //!
-//! For many linear oscillators, numbers of loops and frequencies a theorem is asked what happens at the grazing bifurcation,
-//! and two routes tell what does happen. *Continuation* follows the branch of MPSs, or the saddle-node and period-doubling
-//! curves, from the grazing point and decides admissibility over the whole orbit. *Simulation* takes every periodic
-//! solution that can be an MPS from a quadratic equation ([`closed_form`]), starts the hybrid system at its impact and sees
-//! what comes of it ([`simulation`](grazing_unfold::simulation)). [`generic`] holds what theorems 2.2 and 2.3 come to, [`resonant`] theorems 2.4 and 2.5,
-//! [`cases`] the lists, and [`CaseVerdict`] what is made of it all.
+//! Theorems say what happens at the grazing bifurcations of many linear oscillators; two routes see
+//! it. *Continuation* follows the branch of MPSs, or the saddle-node and period-doubling curves,
+//! from the grazing point and decides admissibility over the whole orbit. *Simulation* takes all
+//! solutions that can be MPSs from a quadratic equation ([`closed_form`]) and starts the hybrid
+//! system there ([`grazing_unfold::simulation`]). [`generic`] is for theorems 2.2 and 2.3,
+//! [`resonant`] for 2.4 and 2.5; [`cases`] lists the cases, and [`CaseVerdict`] is what each comes
+//! to.
 //!
-//! Where a hypothesis fails the theorem is silent. What is seen there has to have a [`Reason`], which is checked as well: the
-//! first-order terms of section 4 tell which loop meets the wall, or that none does.
+//! Where a hypothesis fails the theorem is silent. What is seen there has to have a reason, which
+//! is checked as well: to first order (section 4) a loop meets the wall, or none does.
 
 pub mod cases;
 pub mod closed_form;
@@ -20,18 +21,18 @@ use grazing_continuation::curve::Curve;
 use rayon::prelude::*;
 
 pub use cases::{Case, generic_cases, resonant_cases};
-pub use generic::{GenericRow, SweepError};
+pub use generic::GenericRow;
 pub use resonant::ResonantRow;
 
-/// What comes of all cases, in the order of the list; `step` is told of every one that is done.
+/// What comes of all cases, in the order of the list; `step` is called after each.
 ///
 /// # Errors
-/// [`SweepError`] for the first case that could not be worked out.
+/// The first case that could not be worked out.
 pub fn rows<R: Send>(
     cases: &[Case],
-    work: impl Fn(Case) -> Result<R, SweepError> + Sync,
+    work: impl Fn(Case) -> Result<R, Failure> + Sync,
     step: impl Fn() + Sync,
-) -> Result<Vec<R>, SweepError> {
+) -> Result<Vec<R>, Failure> {
     cases.par_iter().map(|case| work(*case).inspect(|_| step())).collect()
 }
 
@@ -57,8 +58,8 @@ impl Existence {
         }
     }
 
-    /// Of admissible solutions along a curve on which one of the two parameters is on one side of its value at the start; clear if
-    /// there are so many points after the start and all are alike.
+    /// Of admissible solutions along a curve on which one of the parameters is on one side of its
+    /// value at the start; clear if there are so many points after the start and all are alike.
     fn along(curve: &Curve, parameter: usize, start: f64, points: usize) -> Self {
         let mut seen = curve.points.iter().skip(1).map(|point| {
             let ahead = point.solution.parameters()[parameter] - start;
@@ -95,26 +96,22 @@ const POINTS: usize = 5;
 pub enum CaseVerdict {
     /// The hypotheses hold, and all that the theorem concludes is seen.
     Agreement,
-    /// A hypothesis fails, and what is seen is what the reason lets one expect.
-    Explained(Reason),
+    /// A hypothesis fails, and what is seen is what this reason lets one expect.
+    Explained(&'static str),
     /// What is seen is neither concluded nor explained.
     Unexplained,
 }
 
-/// Why there is something else to be seen than a theorem's conclusion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Reason {
-    /// a₁₂ α < 0, and no MPS: whenever y > 0 an interior loop meets the wall.
-    VirtualOrbit,
-    /// τ < h_p, and no MPS: whenever y > 0 an interior loop meets the wall.
-    InteriorLoop,
-    /// τ < h_p, and an MPS all the same: no interior loop meets the wall. The theorem does not ask for as little as that.
-    OrbitBelowTheBoundary,
-    /// a₁₂ α < 0 and τ < h_p, and an MPS all the same: no interior loop meets the wall.
-    OrbitWithNegativeFactor,
-    /// s_p⁺ or s_p⁻ vanishes (ε = 1/E_p): the curve that belongs to it does not come out of the resonance.
-    NoCurve,
-}
+/// a₁₂ α < 0, and no MPS: whenever y > 0 an interior loop meets the wall.
+const VIRTUAL_ORBIT: &str = "virtual orbit, a12 alpha < 0";
+/// τ < h_p, and no MPS: whenever y > 0 an interior loop meets the wall.
+const INTERIOR_LOOP: &str = "interior loop meets the wall, tau < h_p";
+/// τ < h_p, and an MPS all the same, as no interior loop meets the wall. The theorem is silent.
+const ORBIT_BELOW_THE_BOUNDARY: &str = "orbit exists, tau < h_p";
+/// a₁₂ α < 0 and τ < h_p, and an MPS all the same: no interior loop meets the wall.
+const ORBIT_WITH_NEGATIVE_FACTOR: &str = "orbit exists, a12 alpha < 0 and tau < h_p";
+/// s_p⁺ or s_p⁻ vanishes (ε = 1/E_p): its curve does not come out of the resonance.
+const NO_CURVE: &str = "no curve, s_p^+ or s_p^- is zero";
 
 impl CaseVerdict {
     /// The name in tables.
@@ -128,22 +125,6 @@ impl CaseVerdict {
 
     /// The reason in tables, empty for an agreement.
     pub fn reason(self) -> &'static str {
-        match self {
-            Self::Explained(reason) => reason.name(),
-            Self::Agreement | Self::Unexplained => "",
-        }
-    }
-}
-
-impl Reason {
-    /// The name in tables.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::VirtualOrbit => "virtual orbit, a12 alpha < 0",
-            Self::InteriorLoop => "interior loop meets the wall, tau < h_p",
-            Self::OrbitBelowTheBoundary => "orbit exists, tau < h_p",
-            Self::OrbitWithNegativeFactor => "orbit exists, a12 alpha < 0 and tau < h_p",
-            Self::NoCurve => "no curve, s_p^+ or s_p^- is zero",
-        }
+        if let Self::Explained(reason) = self { reason } else { "" }
     }
 }

@@ -1,4 +1,4 @@
-//! Tallies of many measurements that end in one [`Outcome`]. What is not a number is never forgotten.
+//! Tallies of measurements that end in one [`Outcome`]. What is not a number is never forgotten.
 
 use crate::outcome::{Measure, Outcome};
 
@@ -26,12 +26,12 @@ impl Deviations {
         largest
     }
 
-    /// Takes into account the distance of two numbers relative to the scale of the terms they were computed from.
+    /// Takes into account the distance of two numbers relative to the scale of their terms.
     pub(crate) fn compare(&mut self, computed: f64, expected: f64, scale: f64) {
         self.see((computed - expected) / scale);
     }
 
-    /// Takes into account the distances of pairs (found, stated), relative to one plus the size of the stated number.
+    /// Takes into account the distances of pairs (found, stated), relative to one plus |stated|.
     pub(crate) fn pairs(&mut self, pairs: impl IntoIterator<Item = (f64, f64)>) {
         pairs.into_iter().for_each(|(found, stated)| self.compare(found, stated, 1.0 + stated.abs()));
     }
@@ -39,6 +39,11 @@ impl Deviations {
     /// Takes a yes-or-no condition into account, without which no deviation counts as small.
     pub(crate) fn require(&mut self, holds: bool) {
         self.see(if holds { 0.0 } else { f64::INFINITY });
+    }
+
+    /// The largest deviation; not a number if one is not.
+    pub(crate) fn largest(&self) -> f64 {
+        self.largest
     }
 
     /// The largest deviation against a tolerance.
@@ -74,8 +79,7 @@ impl Smallest {
         self.samples += 1;
     }
 
-    /// Takes into account the order of a remainder that is there to be seen: if it never was, nothing was tested, and that
-    /// counts against the statement.
+    /// Takes into account an order that has to be resolved: if it never was, nothing was tested.
     pub(crate) fn see_resolved(&mut self, order: f64) {
         self.see(if order == f64::INFINITY { f64::NEG_INFINITY } else { order });
     }
@@ -118,7 +122,7 @@ impl Votes {
         votes
     }
 
-    /// Takes into account a case of which the statement says nothing: it neither agrees nor disagrees.
+    /// Takes into account a case of which the statement says nothing.
     pub(crate) fn silent(&mut self) {
         self.silent += 1;
     }

@@ -1,4 +1,5 @@
-//! Each claim that a check tests, as a test of its own under its label: `cargo test -p grazing-claims --test claims -- eq:alpha`.
+//! Each claim that a check tests, as a test of its own under its label: `cargo test -p
+//! grazing-claims --test claims -- eq:alpha`.
 //!
 //! With labels only these are run, otherwise all.
 #![expect(clippy::print_stdout, reason = "a test harness says what it does")]
@@ -8,7 +9,8 @@ use std::process::ExitCode;
 use grazing_claims::audit::{ClaimVerdict, Finding, audit};
 use grazing_claims::ledger::{Claim, Ledger, Test};
 
-/// What is wrong with a claim, if anything is: its check fails, or a misprint that has values was not decided by it.
+/// What is wrong with a claim, if anything is: its check fails, or a misprint that has values was
+/// not decided by it.
 fn wrong(finding: &Finding<'_>) -> Option<String> {
     let has_print = finding.claim.misprint.as_ref().map_or(Some(false), |misprint| misprint.measured());
     let decided = matches!(&finding.verdict,

@@ -1,15 +1,19 @@
-//! A claim's `holds` names what its check calls: found in the source of the check and of the functions that this calls.
+//! A claim's `holds` names items of the crates that its check calls: found in the source of the
+//! check and of the functions that it reaches.
 //!
-//! Source is read as text: a function is its name and what stands in it, a call is its name anywhere in that. This decides for
-//! functions; where a type is named, it or one of its methods has to stand there.
+//! Source is read as text. A free function is called where its name stands before `(` or `::<`, or
+//! after `::`; of a type's items the name stands after `.` or `::`; a type's own name stands
+//! anywhere.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use grazing_claims::ledger::Ledger;
+use grazing_claims::source::Sources;
 
-/// The functions of some files, by name: the file and the words that stand in them.
+/// The functions of some files, by name: the file and the words that stand in them, also with what
+/// shows their use ([`used`]).
 type Functions = BTreeMap<String, Vec<(PathBuf, BTreeSet<String>)>>;
 
 fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
@@ -23,12 +27,56 @@ fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-fn words(text: &str) -> BTreeSet<String> {
-    let boundary = |character: char| !(character.is_alphanumeric() || character == '_');
-    text.split(boundary).filter(|word| !word.is_empty()).map(str::to_owned).collect()
+fn is_of_word(character: char) -> bool {
+    character.is_alphanumeric() || character == '_'
 }
 
-/// What follows up to the brace that closes the first one that is opened; nothing for a declaration without a body.
+/// The words of a text; and those that are called, as `name(`, or belong to something, as `.name`.
+fn words(text: &str) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    let mut rest = 0;
+    while let Some(start) = text[rest..].find(is_of_word).map(|at| rest + at) {
+        rest = text[start..].find(|c| !is_of_word(c)).map_or(text.len(), |length| start + length);
+        let (before, word, after) = (text[..start].trim_end(), &text[start..rest], &text[rest..]);
+        let belongs = before.ends_with("::") || before.ends_with('.') && !before.ends_with("..");
+        if belongs {
+            found.insert(format!(".{word}"));
+        }
+        if before.ends_with("::") || !belongs && (after.starts_with('(') || after.starts_with("::<")) {
+            found.insert(format!("{word}("));
+        }
+        found.insert(word.to_owned());
+    }
+    found
+}
+
+/// How the use of an item shows among the words of a function.
+fn used(item: &str) -> String {
+    let names: Vec<&str> = item.split("::").collect();
+    let is_type = |name: &str| name.starts_with(char::is_uppercase);
+    match names[..] {
+        [.., last] if is_type(last) && last.chars().any(char::is_lowercase) => last.to_owned(),
+        [.., owner, last] if is_type(owner) => format!(".{last}"),
+        [.., last] => format!("{last}("),
+        [] => String::new(),
+    }
+}
+
+/// Whether the crate defines an item, and the module that is named, or one below it, has it or its
+/// type, if only from elsewhere.
+fn is_defined(sources: &Sources, files: &[(String, String)], item: &str) -> bool {
+    let names: Vec<&str> = item.split("::").collect();
+    let outer = names.iter().position(|name| name.starts_with(char::is_uppercase)).unwrap_or(names.len() - 1);
+    let crate_name = names[0].trim_start_matches("grazing_");
+    let module =
+        ["crates", crate_name, "src"].iter().chain(&names[1..outer]).copied().collect::<Vec<_>>().join("/");
+    let inside = |path: &str| path.strip_prefix(&module).is_some_and(|rest| rest.starts_with(['.', '/']));
+    let has = |(path, text): &(String, String)| inside(path) && words(text).contains(names[outer]);
+    sources.item(item).is_some() && files.iter().any(has)
+}
+
+/// What follows up to the brace that closes the first one that is opened; nothing for a declaration
+/// without a body.
 fn block(text: &str) -> &str {
     let (mut depth, mut opened) = (0, false);
     for (index, character) in text.char_indices() {
@@ -78,7 +126,8 @@ fn functions(folders: &[PathBuf]) -> Functions {
 
 /// All words in a function and in those of the crate that it calls.
 ///
-/// A name is that of a function in the same file, or of the only one elsewhere: names that several files use tell nothing.
+/// A name is that of a function in the same file, or of the only one elsewhere: names that several
+/// files use decide nothing.
 fn reached(functions: &Functions, file: &Path, name: &str) -> BTreeSet<String> {
     let called = |from: &Path, name: &str| {
         let all: Vec<_> = functions.get(name).into_iter().flatten().collect();
@@ -102,6 +151,15 @@ fn reached(functions: &Functions, file: &Path, name: &str) -> BTreeSet<String> {
 fn what_a_claim_says_that_holds_it_is_called_by_its_check() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let functions = functions(&[root.join("src")]);
+    let workspace = root.join("../..");
+    let mut files = Vec::new();
+    rust_files(&workspace.join("crates"), &mut files);
+    let source = |file: &PathBuf| {
+        let path = file.strip_prefix(&workspace).expect("a file of the workspace");
+        (path.to_string_lossy().replace('\\', "/"), fs::read_to_string(file).expect("a source file"))
+    };
+    let files: Vec<(String, String)> = files.iter().map(source).collect();
+    let sources = Sources::new(files.clone());
     let ledger = Ledger::of_the_paper();
     let mut missing = Vec::new();
     for claim in &ledger.claims {
@@ -111,12 +169,16 @@ fn what_a_claim_says_that_holds_it_is_called_by_its_check() {
         };
         let reached = reached(&functions, Path::new(&format!("checks/{section}/{module}.rs")), function);
         assert!(!reached.is_empty(), "{check} was not found");
+        let place = sources.check(check).map(|location| location.file);
+        assert_eq!(place, Some(format!("crates/claims/src/checks/{section}/{module}.rs")), "{check}");
         for item in &claim.holds {
-            let last = item.rsplit("::").next().unwrap_or(item);
-            if !reached.contains(last) {
-                missing.push(format!("{} ({check}): {item}", claim.label));
+            if !is_defined(&sources, &files, item) {
+                missing.push(format!("{}: {item} is not defined there", claim.label));
+            }
+            if !reached.contains(&used(item)) {
+                missing.push(format!("{} ({check}): {item} is not called", claim.label));
             }
         }
     }
-    assert!(missing.is_empty(), "{} not called:\n{}", missing.len(), missing.join("\n"));
+    assert!(missing.is_empty(), "{} wrong:\n{}", missing.len(), missing.join("\n"));
 }

@@ -1,4 +1,5 @@
-//! How computed values are held against the paper's print. The numbers here are invented, none is the paper's.
+//! How computed values are held against the paper's print. The numbers here are invented, none is
+//! the paper's.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,5 +1,5 @@
-//! Where the cases of the sweep lie, and a search that knows nothing of them; the sweep itself is what the ledger's checks and
-//! `reproduce` run.
+//! Where the cases of the sweep lie, and a search that knows nothing of them; the sweep itself is
+//! what the ledger's checks and `reproduce` run.
 
 use grazing_claims::sweep::closed_form::LoopSolutions;
 use grazing_claims::sweep::resonant::CurveRow;
@@ -43,7 +43,8 @@ fn the_cases_go_to_where_the_theorems_change_their_minds() {
     assert!(resonant.iter().any(|case| case.negative));
 }
 
-/// How much the impact that comes about p forcing periods after one at (y, z) differs from it, by simulation.
+/// How much the impact that comes about p forcing periods after one at (y, z) differs from it, by
+/// simulation.
 fn next_velocity(oscillator: &LinearOscillator, loops: u32, velocity: f64, phase: f64) -> Option<[f64; 2]> {
     let period = oscillator.forcing_period();
     let due = f64::from(loops) * period;
@@ -54,8 +55,9 @@ fn next_velocity(oscillator: &LinearOscillator, loops: u32, velocity: f64, phase
     (late.abs() < 1.0).then_some([impact.velocity - velocity, late])
 }
 
-/// Impacts (y, z) near grazing from which the hybrid system comes back to the same impact, found by Newton's method on simulated
-/// orbits alone, from a grid of impacts in which z is so dense that orbits of all kinds are met.
+/// Impacts (y, z) near grazing from which the hybrid system comes back to the same impact, found by
+/// Newton's method on simulated orbits alone, from a grid of impacts in which z is so dense that
+/// orbits of all kinds are met.
 fn found_by_search(oscillator: &LinearOscillator, loops: u32, centre: f64, scale: f64) -> Vec<[f64; 2]> {
     let mut found: Vec<[f64; 2]> = Vec::new();
     let steps = 400;

@@ -32,5 +32,5 @@ pub enum StudyError {
     Failed(String),
     /// A case of the sweep over the theorems could not be worked out.
     #[error("theorems 2.2 to 2.5: {0}")]
-    Sweep(#[from] grazing_claims::sweep::SweepError),
+    Sweep(String),
 }

@@ -1,5 +1,6 @@
 //! Theorems 2.2 to 2.5 in action: the tables of what they predict and what is seen.
 
+use grazing_claims::outcome::Failure;
 use grazing_claims::sweep::resonant::CurveRow;
 use grazing_claims::sweep::{Existence, GenericRow, ResonantRow, generic_cases, resonant_cases, rows};
 use grazing_results::{row, tables};
@@ -37,10 +38,14 @@ impl Study {
         let what = "theorems 2.2 to 2.5";
         self.progress.begin(what, (generic.len() + resonant.len()) as u64);
         let step = || self.progress.step(what);
-        let generic = rows(&generic, GenericRow::of, step)?.into_iter().map(Generic).collect();
-        let resonant = rows(&resonant, ResonantRow::of, step)?.into_iter().map(Resonant).collect();
+        let failed = |failure: Failure| StudyError::Sweep(failure.to_string());
+        let generic = rows(&generic, GenericRow::of, step).map_err(failed)?;
+        let resonant = rows(&resonant, ResonantRow::of, step).map_err(failed)?;
         self.progress.end(what);
-        Ok(TheoremsInAction { generic, resonant })
+        Ok(TheoremsInAction {
+            generic: generic.into_iter().map(Generic).collect(),
+            resonant: resonant.into_iter().map(Resonant).collect(),
+        })
     }
 }
 
@@ -72,7 +77,7 @@ row! { Generic, |this| {
     let map = &r.point.map;
     let [first_order, exact, fit] = r.slopes;
 } [
-    THEOREM = r.theorem(),
+    THEOREM = if r.case.loops == 1 { "2.2" } else { "2.3" },
     ZETA = r.case.zeta,
     EPSILON = r.case.epsilon,
     LOOPS = r.case.loops,
@@ -111,7 +116,7 @@ row! { Resonant, |this| {
     let map = &r.point.grazing.map;
     let [sn, pd] = &r.curves;
 } [
-    THEOREM = r.theorem(),
+    THEOREM = if r.case.loops == 1 { "2.4" } else { "2.5" },
     ZETA = r.case.zeta,
     EPSILON = r.case.epsilon,
     LOOPS = r.case.loops,
@@ -124,7 +129,7 @@ row! { Resonant, |this| {
     SECONDARY_AT_RESONANCE = r.case.omega,
     PRIMARY_AT_GRAZING = r.amplitude,
     E_P = r.decay,
-    EPSILON_E_P = r.rebound(),
+    EPSILON_E_P = (r.case.epsilon * r.decay),
     TRAPESIUM_MARGIN = value(&r.hypotheses, Quantity::StabilityMargin),
     ALPHA = r.point.grazing.alpha(),
     BETA = map.transversality(),

@@ -1,5 +1,5 @@
-//! All p-loop MPSs of the linear oscillator at given parameters, without iteration: the solutions of a quadratic equation
-//! ([`LoopSolutions`]), and whether they are MPSs of the hybrid system. Nothing of the program but the search for maxima is used.
+//! All p-loop MPSs of the linear oscillator at given parameters, from a quadratic equation
+//! ([`LoopSolutions`]). Nothing of the program but the search for maxima is used.
 
 use core::f64::consts::TAU;
 
@@ -23,7 +23,8 @@ pub struct Orbit {
 }
 
 impl Orbit {
-    /// Both multipliers lie inside the unit circle; D is less than one for every oscillator of this kind.
+    /// Both multipliers lie inside the unit circle; D is less than one for every oscillator of this
+    /// kind.
     pub fn stable(&self) -> bool {
         self.trace.abs() - 1.0 < self.determinant
     }

@@ -1,4 +1,4 @@
-//! MPSs at given parameters by continuation alone: what slices, faces and regions make of the plane has no part in it.
+//! MPSs at given parameters by continuation alone, without slices, faces and regions.
 
 use core::f64::consts::TAU;
 
@@ -15,8 +15,7 @@ const STEPS: StepControl =
 const MOST_POINTS: usize = 3000;
 /// The impact velocity at which branches that begin at grazing are taken up.
 const BESIDE_GRAZING: f64 = 1e-4;
-/// An MPS this near to a chord, as a share of its length, lies on the branch, which leaves the chord by an eighth of the angle of
-/// its turn.
+/// An MPS this near to a chord, as a share of its length, lies on the branch, which turns little.
 const ON_BRANCH: f64 = 0.05;
 /// Newton's method has found another solution if it went this far.
 const ELSEWHERE: f64 = 0.5;
@@ -38,7 +37,7 @@ pub fn near(
     ((found - start).norm() < ELSEWHERE).then(|| equations.solution(&found))
 }
 
-/// The p-loop MPSs at one value of η and several of μ, on all branches that begin at grazing or cross a curve of the diagram.
+/// The p-loop MPSs at one η and several μ, on branches from grazing or from a diagram's curve.
 pub fn along(diagram: &Diagram, loops: u32, secondary: f64, primaries: &[f64]) -> Vec<Vec<PeriodicSolution>> {
     let equations = diagram.equations(loops);
     let curve = SolutionCurve { equations: equations.clone(), condition: Condition::Secondary(secondary) };

@@ -1,14 +1,13 @@
 //! Errors put into formulas on purpose, one at a time: which claims and which tests see them.
 //!
-//! They stand in `expected/deliberate_errors.toml`. Each is put into a copy of the project under `target/`, where what depends on
-//! it is built again; the copy's file is put back before the next. The project itself is never touched.
+//! They stand in `expected/deliberate_errors.toml`. Each is put into a copy of the project under
+//! `target/`, and the copy's file is put back before the next. The project is never touched.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
-use std::{fs, io, thread};
+use std::process::Command;
+use std::{fs, io};
 
 use serde::Deserialize;
 
@@ -151,29 +150,30 @@ impl Copy {
         Ok(if by_tests == Seen::Unseen { by_claims } else { by_tests })
     }
 
-    /// Who sees the error among these tests. They are built first, so that the time limit is that of the tests.
+    /// Who sees the error among these tests. They are built first, without a time limit.
     fn seen_in(&self, what: &[&str], failures: fn(Vec<String>) -> Seen) -> io::Result<Seen> {
-        let cargo = || {
-            let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-            cargo.args(["test", "--locked", "--no-fail-fast"]).args(what).current_dir(&self.root);
-            cargo.env("CARGO_TARGET_DIR", self.root.join("target")).env("INSTA_UPDATE", "no");
-            cargo
+        // `timeout` ends the tests with cargo, which by itself would leave them running.
+        let run = |limit: &str, more: &[&str]| {
+            let mut run = Command::new("timeout");
+            run.args(["--signal=KILL", limit])
+                .arg(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+            run.args(["test", "--locked", "--no-fail-fast"]).args(what).args(more).current_dir(&self.root);
+            run.env("CARGO_TARGET_DIR", self.root.join("target")).env("INSTA_UPDATE", "no").output()
         };
-        let build = cargo().arg("--no-run").output()?;
+        let build = run("0", &["--no-run"])?;
         if !build.status.success() {
-            let told = String::from_utf8_lossy(&build.stderr).into_owned();
-            return if told.contains("could not compile") {
-                Ok(Seen::DoesNotCompile)
-            } else {
-                Err(invalid(told))
-            };
+            let message = String::from_utf8_lossy(&build.stderr).into_owned();
+            let wrong = message.contains("could not compile");
+            return if wrong { Ok(Seen::DoesNotCompile) } else { Err(invalid(message)) };
         }
-        let (ended_well, told) = run(&mut cargo(), &self.root.join("target/told"))?;
-        let failed = told.lines().filter_map(|line| line.strip_prefix("test ")?.strip_suffix(" ... FAILED"));
+        let tests = run(LONGEST, &[])?;
+        let output = String::from_utf8_lossy(&tests.stdout);
+        let failed =
+            output.lines().filter_map(|line| line.strip_prefix("test ")?.strip_suffix(" ... FAILED"));
         let failed: Vec<String> = failed.map(str::to_owned).collect();
         Ok(if !failed.is_empty() {
             failures(failed)
-        } else if ended_well {
+        } else if tests.status.success() {
             Seen::Unseen
         } else {
             Seen::NotEnded
@@ -181,31 +181,10 @@ impl Copy {
     }
 }
 
-/// Tests take half a minute; with an error in a formula a search may go on without end.
-const LONGEST: Duration = Duration::from_secs(180);
+/// In seconds: tests take half a minute; with an error in a formula a search may go on without end.
+const LONGEST: &str = "180";
 
-/// Runs a command in a group of processes of its own, with its output in a file: whether it ended well and in time, and what it told until it
-/// ended or had to be ended.
-fn run(command: &mut Command, output: &Path) -> io::Result<(bool, String)> {
-    #[cfg(unix)]
-    std::os::unix::process::CommandExt::process_group(command, 0);
-    let mut run = command.stdout(fs::File::create(output)?).stderr(Stdio::null()).spawn()?;
-    let start = Instant::now();
-    while start.elapsed() < LONGEST {
-        if let Some(status) = run.try_wait()? {
-            return Ok((status.success(), fs::read_to_string(output)?));
-        }
-        thread::sleep(Duration::from_millis(100));
-    }
-    // The whole group where there are any: cargo does not end its tests.
-    #[cfg(unix)]
-    Command::new("kill").args(["-KILL", "--", &format!("-{}", run.id())]).status()?;
-    run.kill()?;
-    run.wait()?;
-    Ok((false, fs::read_to_string(output)?))
-}
-
-/// The table with new rows in it, in the order of the list; rows of errors that were not tried out stay if their errors are still listed.
+/// The table with new rows in it, in the list's order; other rows stay if still listed.
 pub fn table(before: &str, list: &[DeliberateError], new: &BTreeMap<usize, Seen>) -> String {
     let cells = |line: &str| {
         let mut cells = line.trim_matches(['|', ' ']).splitn(3, " | ").map(str::to_owned);
@@ -227,23 +206,16 @@ pub fn table(before: &str, list: &[DeliberateError], new: &BTreeMap<usize, Seen>
 
 impl std::fmt::Display for Seen {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let mut told = |kind: &str, names: &[String]| {
+        let mut list = |kind: &str, names: &[String]| {
             let first: Vec<String> = names.iter().take(3).map(|name| format!("`{name}`")).collect();
             let more = if names.len() > first.len() { ", …" } else { "" };
-            write!(
-                f,
-                "{} {kind}{}: {}{more}",
-                names.len(),
-                if names.len() == 1 { "" } else { "s" },
-                first.join(", ")
-            )
+            let plural = if names.len() == 1 { "" } else { "s" };
+            write!(f, "{} {kind}{plural}: {}{more}", names.len(), first.join(", "))
         };
         match self {
-            Self::Claims(labels) => told("claim", labels),
-            Self::Tests(names) => told("test", names),
-            Self::NotEnded => {
-                write!(f, "tests that do not end by themselves, or not within {} s", LONGEST.as_secs())
-            }
+            Self::Claims(labels) => list("claim", labels),
+            Self::Tests(names) => list("test", names),
+            Self::NotEnded => write!(f, "tests that do not end by themselves, or not within {LONGEST} s"),
             Self::DoesNotCompile => f.write_str("the compiler"),
             Self::Unseen => f.write_str("**nobody**"),
         }

@@ -1,4 +1,4 @@
-//! Runs the long trials: `grazing-trials regions`, `grazing-trials nonlinear`, `grazing-trials errors`.
+//! Runs the long trials: `grazing-trials regions`, `nonlinear` and `errors`.
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program's output")]
 
 use std::collections::BTreeMap;
@@ -59,7 +59,7 @@ fn usage() -> ExitCode {
     ExitCode::from(2)
 }
 
-/// The deliberate errors with these numbers, or all: whether each is seen. The table is written after each.
+/// The deliberate errors with these numbers, or all: whether each is seen. Writes the table.
 fn deliberate_errors(numbers: Vec<usize>) -> bool {
     let tried = || -> std::io::Result<bool> {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
@@ -84,7 +84,7 @@ fn deliberate_errors(numbers: Vec<usize>) -> bool {
     })
 }
 
-/// Linear oscillators with random damping, restitution and greatest amplitude, against the closed form.
+/// Linear oscillators with random damping, restitution and window, against the closed form.
 fn linear(count: u64, seed: u64) -> bool {
     let mut random = Random::new(seed);
     let (mut wrong, mut hatched) = (0, Vec::new());

@@ -1,6 +1,4 @@
-//! Shaded regions of any oscillator against continued MPSs and against simulation, on a lattice of points.
-
-use core::fmt;
+//! Shaded regions of any oscillator against continuation and simulation, on a lattice of points.
 
 use grazing_continuation::mps::{PeriodicSolution, Unknowns, unknown};
 use grazing_description::Description;
@@ -17,27 +15,20 @@ use crate::regions::{Shown, doubts, shown};
 use crate::simulation::{Settled, settled};
 
 /// What regions, continuation and simulation do not agree on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Disagreement {
     /// Motion settles on a p-loop solution, or on one without impacts, and nothing is shaded.
+    #[error("motion settles where nothing is shaded")]
     SeenUnshaded,
     /// Continuation leads to a stable, admissible MPS and nothing is shaded.
+    #[error("a stable solution where nothing is shaded")]
     FoundUnshaded,
     /// It is shaded, and continuation leads to no stable, admissible MPS.
+    #[error("shaded, and no stable solution was found")]
     NotFound,
     /// Simulation that begins beside a stable, admissible MPS does not come back to it.
+    #[error("motion that begins beside a stable solution leaves it")]
     LeavesIt,
-}
-
-impl fmt::Display for Disagreement {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::SeenUnshaded => "motion settles where nothing is shaded",
-            Self::FoundUnshaded => "a stable solution where nothing is shaded",
-            Self::NotFound => "shaded, and no stable solution was found",
-            Self::LeavesIt => "motion that begins beside a stable solution leaves it",
-        })
-    }
 }
 
 /// What was seen on a lattice of points.
@@ -64,10 +55,10 @@ impl Outcome {
     }
 }
 
-/// Steps of integration after which an analysis is ended: minutes, where those of the examples take seconds.
+/// Steps of integration after which an analysis is ended: minutes instead of seconds.
 const MOST_STEPS: u64 = 200_000_000;
 
-/// The diagram of an oscillator, counted in units of its own; regions that take very long are undecided.
+/// The diagram of an oscillator in its own units; regions that take very long are undecided.
 ///
 /// # Errors
 /// There is nothing to unfold.
@@ -79,7 +70,7 @@ pub fn unfolded(description: &Description) -> Result<Diagram, UnfoldError> {
     diagram
 }
 
-/// Compares a diagram on a lattice of so many points each way, with simulation from so many random states at each.
+/// Compares a diagram on a lattice, with simulation from so many random states at each point.
 pub fn compare(diagram: &Diagram, lattice: usize, states: u32) -> Outcome {
     let Scope { window, loops, .. } = &diagram.scope;
     let at = |[low, high]: [f64; 2], k: usize| low + (high - low) * (k as f64 + 0.5) / lattice as f64;
@@ -124,8 +115,8 @@ pub fn compare(diagram: &Diagram, lattice: usize, states: u32) -> Outcome {
     outcome
 }
 
-/// The stable, admissible MPSs at the points of a lattice: those to which branches from grazing and from curves lead, and where there are none,
-/// those near the ones of neighbouring points or of motion that has settled.
+/// The stable, admissible MPSs at the points of a lattice: on branches from grazing and from
+/// curves, or else near those of neighbouring points or near motion that has settled.
 fn solutions(
     diagram: &Diagram,
     loops: u32,
@@ -166,7 +157,7 @@ fn solutions(
     found
 }
 
-/// How many of some stable, admissible MPSs at a point simulation comes back to, and what does not agree there.
+/// To how many of some good MPSs at a point simulation comes back, and what does not agree.
 fn judge(
     diagram: &Diagram,
     shown: Shown,

@@ -26,7 +26,7 @@ pub struct Outcome {
     pub doubts: Vec<String>,
 }
 
-/// The distance from a border within which a point tells nothing.
+/// The distance from a border within which a point decides nothing.
 pub const BORDER: f64 = 0.002;
 
 /// The distance of a point from the border of a region.
@@ -59,7 +59,7 @@ pub enum Shown {
     White,
     /// Nothing.
     Hatched,
-    /// Too close to a border to tell.
+    /// Too close to a border.
     Border,
 }
 
@@ -78,7 +78,7 @@ pub fn shown(diagram: &Diagram, loops: u32, point: [f64; 2]) -> Shown {
     }
 }
 
-/// Whether a stable, admissible MPS is there all around a point, or nowhere around it; `None` close to a border.
+/// Whether a good MPS is there all around a point, or nowhere; `None` close to a border.
 fn exact(zeta: f64, epsilon: f64, [amplitude, omega]: [f64; 2], loops: u32) -> Option<bool> {
     let at = |a: f64, w: f64| {
         orbits(zeta, epsilon, a, w, loops).iter().any(|orbit| orbit.stable() && orbit.admissible())

@@ -28,13 +28,13 @@ const SAME: f64 = 1e-6;
 const SURE: usize = 8;
 /// Impacts slower than this belong to motion close to grazing, which is as slow to settle.
 const SLOWEST: f64 = 1e-3;
-/// Motion without impacts farther from the wall than this has been carried away, as a pendulum's that went over the top; the wall's distance from rest
-/// is of order one.
+/// Motion without impacts farther away than this has been carried off, as a pendulum's over the
+/// top.
 const CARRIED_AWAY: f64 = 4.0;
 /// No motion that settles has more impacts in a spell.
 const MOST_IMPACTS: usize = 10_000;
 
-/// The p-loop solution on which motion from a random state settles, or the one of the forcing's period without impacts, if it does.
+/// The p-loop solution, or the one without impacts, on which motion from a random state settles.
 pub fn settled(oscillator: &impl ImpactOscillator, random: &mut Random) -> Option<Settled> {
     let period = oscillator.forcing_period();
     let mut from = State {
@@ -68,7 +68,7 @@ pub fn settled(oscillator: &impl ImpactOscillator, random: &mut Random) -> Optio
     (impacts.len() > 3).then(|| repeated(&impacts, period, SAME)).flatten()
 }
 
-/// The solution without impacts on which motion has settled, if a forcing period brings it back to where it is.
+/// The solution without impacts on which motion has settled, if a period brings it back.
 fn without_impacts(oscillator: &impl ImpactOscillator, from: State) -> Option<Settled> {
     let to_phase_zero = (TAU - turned(from.phase)) / oscillator.forcing_frequency().value;
     let after = |state: State, time: f64| {

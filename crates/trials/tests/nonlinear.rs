@@ -1,5 +1,5 @@
-//! Shaded regions of nonlinear oscillators against continuation and simulation; `cargo run --release -p grazing-trials -- nonlinear` takes the
-//! examples and many more, on a finer lattice.
+//! Shaded regions of nonlinear oscillators against continuation and simulation; `cargo run
+//! --release -p grazing-trials -- nonlinear` takes the examples and many more, on a finer lattice.
 
 use std::sync::LazyLock;
 

@@ -1,4 +1,5 @@
-//! Shaded regions of the linear oscillator away from the paper's parameters; `cargo run --release -p grazing-trials` takes many more.
+//! Shaded regions of the linear oscillator away from the paper's parameters; `cargo run --release
+//! -p grazing-trials` takes many more.
 
 use grazing_continuation::curve::Window;
 use grazing_trials::random::Random;
@@ -6,7 +7,8 @@ use grazing_trials::regions::compare;
 
 /// Damping, restitution, greatest amplitude, and the numbers of loops.
 const OSCILLATORS: [(f64, f64, f64, &[u32]); 4] = [
-    // p = 2 has a grazing curve to which no resonance leads, p = 1 interior maxima far above the wall.
+    // p = 2 has a grazing curve to which no resonance leads, p = 1 interior maxima far above the
+    // wall.
     (0.05, 0.9, 1.3, &[1, 2, 3]),
     // Beyond A = 1.8 there is a period doubling of p = 1 that no resonance in the window leads to.
     (0.02, 0.9, 3.0, &[1, 2]),
@@ -23,6 +25,6 @@ fn what_is_shaded_is_where_the_closed_form_has_a_stable_admissible_solution() {
         assert!(outcome.missed.is_empty(), "{zeta}: {:?}", outcome.missed);
         assert!(outcome.false_shading.is_empty(), "{zeta}: {:?}", outcome.false_shading);
         assert!(outcome.hatched < 0.01, "{zeta}: {:?}", outcome.doubts);
-        assert!(outcome.shaded > 100, "{zeta}: {} points tell something", outcome.shaded);
+        assert!(outcome.shaded > 100, "{zeta}: {} points decide something", outcome.shaded);
     }
 }

@@ -1,11 +1,11 @@
-//! What section 4 is measured on: oscillators at grazing, and first-order data without an oscillator behind them.
+//! What section 4 is measured on: oscillators at grazing, and first-order data alone.
 
 use crate::*;
 
-/// The specimens at grazing: three with Φ = ε and Ψ = 0, three whose reset law varies, three of these with the frequency as μ, and
-/// three with a force that is not linear, two of them with real eigenvalues.
+/// The specimens at grazing: three with Φ = ε and Ψ = 0, three whose reset law varies, three of
+/// these with the frequency as μ, three with a nonlinear force, two with real eigenvalues.
 ///
-/// α > 0 for all, a₁₂ and β of either sign, and no p ≤ 4 is near its resonance: |S_p| > 0.1 r^(p−1).
+/// α > 0 for all, a₁₂ and β of either sign, no p ≤ 4 near its resonance: |S_p| > 0.1 r^(p−1).
 pub(crate) fn specimens() -> Result<Vec<Grazing>, Failure> {
     let all = [
         (Law::linear(0.1, 0.8), 0.83),
@@ -48,7 +48,7 @@ pub(crate) fn delayed() -> Result<Vec<Grazing>, Failure> {
     all.into_iter().map(|(law, frequency)| Law { delay, ..law }.grazing(frequency)).collect()
 }
 
-/// First-order data of a global map with (τ, δ) in the trapesium and entries of order one; a₁₂ of either sign.
+/// First-order data of a global map: (τ, δ) in the trapesium, entries of order one, a₁₂ ≠ 0.
 pub(crate) fn sampled_map(sampler: &mut Sampler) -> LinearisedMap {
     let (tau, delta) = sampler.trapesium();
     map_with(sampler, tau, delta)
@@ -86,8 +86,7 @@ pub(crate) fn directions<const N: usize>(sampler: &mut Sampler, number: usize) -
     axes.chain(others).collect()
 }
 
-/// The smallest order of a remainder, with its rounding, that is bounded in all directions at once, over specimens with α of either
-/// sign.
+/// The smallest order of a remainder in all directions at once, over specimens with α of any sign.
 pub(crate) fn smallest_order<const N: usize>(
     seed: u64,
     stated: f64,

@@ -25,7 +25,7 @@ pub(crate) struct Symbols {
     pub(crate) omega: f64,
     pub(crate) gamma: f64,
     pub(crate) phi: f64,
-    /// A^p at the resonance as section 5 writes it: A for p = 1, −δ^{p/2} I for p ≥ 2 (the upper right entry is zero).
+    /// A^p at the resonance as in section 5: A for p = 1, −δ^{p/2} I for p ≥ 2, with a₁₂ = 0.
     pub(crate) power: Matrix2<f64>,
     /// ξ_p.
     pub(crate) xi: f64,
@@ -38,7 +38,7 @@ pub(crate) struct Symbols {
 }
 
 impl ResonantSpecimen {
-    /// The resonance of an oscillator with this law that the one (p, n) of the linear oscillator becomes.
+    /// The resonance that the one (p, n) of the linear oscillator becomes with this law.
     pub(crate) fn find(law: Law, loops: u32, index: u32) -> Result<Self, Failure> {
         Ok(Self { resonance: law.resonance(loops, index)?.checked()? })
     }
@@ -87,9 +87,9 @@ impl ResonantSpecimen {
     pub(crate) fn along_grazing(
         &self,
         step: f64,
-        number: impl Fn(&LinearisedMap) -> f64,
+        number: fn(u32, &LinearisedMap) -> f64,
     ) -> Result<f64, Failure> {
-        let rate = slope(step, |eta| Some(number(&self.grazing(eta)?.grazing_point().map)));
+        let rate = slope(step, |eta| Some(number(self.loops(), &self.grazing(eta)?.grazing_point().map)));
         Ok(rate.ok_or("no grazing orbit beside a resonance")?)
     }
 
@@ -197,8 +197,7 @@ pub(crate) const MANY: Loops = 2..=5;
 /// All that there are resonances of in [`everywhere`].
 pub(crate) const ANY: Loops = 1..=5;
 
-/// The resonances at which everything is measured: of the linear oscillator, of one with a reset law that varies, and of one with a
-/// force that is not linear.
+/// The resonances at which everything is measured: linear, with varying reset law, nonlinear.
 static PLACES: LazyLock<Result<Vec<ResonantSpecimen>, String>> =
     LazyLock::new(|| places().map_err(|failure| failure.to_string()));
 
@@ -219,57 +218,36 @@ fn places() -> Result<Vec<ResonantSpecimen>, Failure> {
     Ok(found)
 }
 
-/// What a function finds at all resonances with these numbers of loops.
-pub(crate) fn everywhere<T>(
+/// What measurements at all resonances with these numbers of loops add up to.
+pub(crate) fn everywhere<T: Default>(
     which: Loops,
-    measure: impl Fn(&ResonantSpecimen) -> Result<Vec<T>, Failure>,
-) -> Result<Vec<T>, Failure> {
-    let mut found = Vec::new();
-    for place in PLACES.as_ref().map_err(String::as_str)? {
-        if which.contains(&place.loops()) {
-            found.extend(measure(place)?);
-        }
-    }
-    Ok(found)
+    measure: impl FnMut(&ResonantSpecimen, &mut T) -> Result<(), Failure>,
+) -> Result<T, Failure> {
+    let places = PLACES.as_ref().map_err(String::as_str)?;
+    over(places.iter().filter(|place| which.contains(&place.loops())), measure)
+}
+
+/// Orders of remainders.
+pub(crate) type Orders = Result<Vec<Observed>, Failure>;
+
+/// The orders that a function finds at all resonances with these numbers of loops.
+pub(crate) fn all_orders(which: Loops, measure: impl Fn(&ResonantSpecimen) -> Orders) -> Orders {
+    everywhere(which, |place, all: &mut Vec<_>| measure(place).map(|orders| all.extend(orders)))
 }
 
 /// The orders that a function finds everywhere, as an outcome.
-pub(crate) fn orders(
-    which: Loops,
-    over: &str,
-    measure: impl Fn(&ResonantSpecimen) -> Result<Vec<Observed>, Failure>,
-) -> CheckResult {
-    let orders = everywhere(which, measure)?;
-    Ok(Outcome::new(lowest(&orders), orders.len(), over))
+pub(crate) fn orders(which: Loops, over: &str, measure: impl Fn(&ResonantSpecimen) -> Orders) -> CheckResult {
+    Ok(of_orders(&all_orders(which, measure)?, over))
 }
 
 /// The same for what is corrected and for what is printed.
 pub(crate) fn orders_against_print(
     which: Loops,
-    corrected: impl Fn(&ResonantSpecimen) -> Result<Vec<Observed>, Failure>,
-    printed: impl Fn(&ResonantSpecimen) -> Result<Vec<Observed>, Failure>,
+    corrected: impl Fn(&ResonantSpecimen) -> Orders,
+    printed: impl Fn(&ResonantSpecimen) -> Orders,
 ) -> CheckResult {
-    let printed = lowest(&everywhere(which.clone(), printed)?);
+    let printed = lowest(&all_orders(which.clone(), printed)?);
     Ok(orders(which, EVERYWHERE, corrected)?.against_print(printed))
-}
-
-/// The largest of the deviations that a function finds everywhere, as an outcome.
-pub(crate) fn deviation(
-    which: Loops,
-    tolerance: f64,
-    over: &str,
-    measure: impl Fn(&ResonantSpecimen) -> Result<Vec<f64>, Failure>,
-) -> CheckResult {
-    Ok(Deviations::of(everywhere(which, measure)?).outcome(tolerance, over))
-}
-
-/// The cases that agree among those that a function finds everywhere, as an outcome.
-pub(crate) fn agreement(
-    which: Loops,
-    over: &str,
-    measure: impl Fn(&ResonantSpecimen) -> Result<Vec<bool>, Failure>,
-) -> CheckResult {
-    Ok(Votes::of(everywhere(which, measure)?).outcome(over))
 }
 
 /// The words for the samples of [`everywhere`] where they are remainders.

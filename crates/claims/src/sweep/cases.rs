@@ -11,7 +11,7 @@ pub struct Case {
     pub epsilon: f64,
     /// Number of loops p of the MPS.
     pub loops: u32,
-    /// The integer n of the resonance, or of the nearest one: ω₁/ω is near n/2 for p = 1, in (n, n + 1) for p ≥ 2.
+    /// n of the resonance or of the nearest one: ω₁/ω ≈ n/2 for p = 1, in (n, n + 1) for p ≥ 2.
     pub n: u32,
     /// A resonance with ω₁/ω = n − 1/(2p) instead of n + 1/(2p): a₁₂ α < 0.
     pub negative: bool,
@@ -22,7 +22,7 @@ pub struct Case {
 /// Damping ratios.
 const ZETA: [f64; 4] = [0.005, 0.03, 0.08, 0.3];
 
-/// A coefficient of restitution, or one in units of 1/E_p, where s_p⁺ vanishes (s_1⁻ for p = 1 and even n).
+/// A coefficient of restitution, or one over 1/E_p, where s_p⁺ vanishes (s_1⁻ for even n).
 #[derive(Debug, Clone, Copy)]
 enum Restitution {
     Plain(f64),
@@ -44,12 +44,12 @@ impl Restitution {
     }
 }
 
-/// If less than this is left of a displacement after p periods, all that distinguishes p loops happens at impact velocities near
-/// the rounding of simulated motion; and if less than ten times this, ε near 1/E_p is nothing that anyone would think of.
+/// If less is left of a displacement after p periods, p loops differ only at velocities near
+/// rounding; if less than ten times this, ε near 1/E_p is far too large.
 const LEAST_DECAY: f64 = 0.02;
 
-/// ω₁/ω less n for p ≥ 2: about the resonance q = 1/(2p), where a₁₂ > 0; to both sides of h_p, which lies between 1/(2(p−1))
-/// and 1/p by lemma 2.1; where p = 5 is known to have MPSs below h_p; and the same with a₁₂ < 0.
+/// ω₁/ω less n for p ≥ 2: about the resonance q = 1/(2p); to both sides of h_p, between 1/(2(p−1))
+/// and 1/p by lemma 2.1; where p = 5 has MPSs below h_p; and the same with a₁₂ < 0.
 fn fractions(p: f64) -> [f64; 14] {
     let (q, before) = (0.5 / p, 0.5 / (p - 1.0));
     let above = 0.5 * (q + before);
@@ -75,14 +75,29 @@ fn fractions(p: f64) -> [f64; 14] {
 /// The same for p = 1, less n/2.
 const SHIFTS: [f64; 8] = [-0.22, -0.12, -0.05, -0.02, 0.02, 0.05, 0.12, 0.22];
 
+impl Case {
+    /// One of these, unless the restitution is too large or the decay too strong.
+    fn of(
+        free: &LinearOscillator,
+        [loops, n]: [u32; 2],
+        omega: f64,
+        restitution: Restitution,
+        negative: bool,
+    ) -> Result<Option<Self>, TheoryError> {
+        let (zeta, decay) = (free.damping_ratio(), free.grazing(omega)?.decay(loops));
+        Ok(restitution.value(decay).map(|epsilon| Self { zeta, epsilon, loops, n, negative, omega }))
+    }
+}
+
 /// Grazing bifurcations away from resonances, for theorems 2.2 and 2.3.
 ///
 /// # Errors
 /// A parameter of the lists outside its domain: an error in the program.
 pub fn generic_cases() -> Result<Vec<Case>, TheoryError> {
     let mut cases = Vec::new();
-    let mut turn = 0;
+    let mut restitutions = RESTITUTION.into_iter().cycle();
     for zeta in ZETA {
+        let free = LinearOscillator::new(zeta, 1.0)?;
         for loops in 1..=6 {
             for n in first_n(zeta, loops)..=3 {
                 let (from, shifts) = if loops == 1 {
@@ -90,15 +105,9 @@ pub fn generic_cases() -> Result<Vec<Case>, TheoryError> {
                 } else {
                     (f64::from(n), fractions(f64::from(loops)).to_vec())
                 };
-                for shift in shifts {
-                    let free = LinearOscillator::new(zeta, 1.0)?;
+                for (shift, restitution) in shifts.into_iter().zip(&mut restitutions) {
                     let omega = free.damped_natural_frequency() / (from + shift);
-                    let decay = free.grazing(omega)?.decay(loops);
-                    let epsilon = RESTITUTION[turn % RESTITUTION.len()].value(decay);
-                    turn += 1;
-                    if let Some(epsilon) = epsilon {
-                        cases.push(Case { zeta, epsilon, loops, n, negative: false, omega });
-                    }
+                    cases.extend(Case::of(&free, [loops, n], omega, restitution, false)?);
                 }
             }
         }
@@ -106,7 +115,7 @@ pub fn generic_cases() -> Result<Vec<Case>, TheoryError> {
     Ok(cases)
 }
 
-/// Resonances for theorems 2.4 and 2.5, those with ω₁/ω = n − 1/(2p) and those with ε = 1/E_p included.
+/// Resonances for theorems 2.4 and 2.5, with ω₁/ω = n − 1/(2p) and ε = 1/E_p among them.
 ///
 /// # Errors
 /// A parameter of the lists outside its domain: an error in the program.
@@ -117,24 +126,17 @@ pub fn resonant_cases() -> Result<Vec<Case>, TheoryError> {
         let free = LinearOscillator::new(zeta, 1.0)?;
         for loops in 1..=5 {
             for n in first_n(zeta, loops)..=4 {
-                let mut add = |omega: f64, restitution: Restitution, negative: bool| {
-                    let decay = free.grazing(omega)?.decay(loops);
-                    if let Some(epsilon) = restitution.value(decay) {
-                        cases.push(Case { zeta, epsilon, loops, n, negative, omega });
-                    }
-                    Ok::<(), TheoryError>(())
-                };
                 let omega = free.resonance(loops, n)?.forcing_frequency();
                 // Half of them here, the other half at the next resonance.
                 turn += 1;
-                for restitution in RESTITUTION.into_iter().skip(turn % 2).step_by(2) {
-                    add(omega, restitution, false)?;
+                let half = RESTITUTION.into_iter().skip(turn % 2).step_by(2);
+                for restitution in half.chain([OverDecay(1.0)]) {
+                    cases.extend(Case::of(&free, [loops, n], omega, restitution, false)?);
                 }
-                add(omega, OverDecay(1.0), false)?;
                 if loops > 1 && n > 0 {
                     let omega = free.virtual_resonance_frequency(loops, n)?;
                     for restitution in [Plain(0.8), OverDecay(1.05)] {
-                        add(omega, restitution, true)?;
+                        cases.extend(Case::of(&free, [loops, n], omega, restitution, true)?);
                     }
                 }
             }

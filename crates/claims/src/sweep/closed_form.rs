@@ -1,10 +1,9 @@
-//! All p-loop MPSs of the linear oscillator at one frequency, their folds and period doublings, without iteration.
+//! All p-loop MPSs of the linear oscillator at one frequency, and their folds and flips.
 //!
-//! The condition to return to (0, y) after p forcing periods from (0, −εy) is linear in y and in 𝒜 (cos z, sin z), and reads
-//! 𝒜 (cos z, sin z) = a + b y. Hence 𝒜² = |a + b y|² gives all solutions: at most two at each amplitude, a fold where
-//! y = −a·b/|b|², and no others. A multiplier is −1 where an expression that is linear in y vanishes. Every MPS of the hybrid
-//! system is such a solution; whether a solution is an MPS, simulation tells. Nothing here uses a formula of the paper but
-//! the equations of motion.
+//! Returning to (0, y) after p forcing periods from (0, −εy) is a condition linear in y and in 𝒜
+//! (cos z, sin z): 𝒜 (cos z, sin z) = a + b y. So 𝒜² = |a + b y|² gives all solutions, at most two
+//! at each amplitude, with a fold where y = −a·b/|b|². A multiplier is −1 where an expression
+//! linear in y vanishes. Simulation decides which are MPSs. Only the equations of motion are used.
 
 use crate::*;
 use grazing_unfold::simulation::Suspect;
@@ -49,7 +48,7 @@ impl LoopSolution {
 }
 
 impl LoopSolutions {
-    /// The solutions with damping ratio ζ, coefficient of restitution ε, forcing frequency ω and p = `loops`.
+    /// The solutions for damping ratio ζ, restitution ε, forcing frequency ω and p = `loops`.
     ///
     /// ζ in (0, 1), ε and ω positive; NaN otherwise.
     pub fn new(zeta: f64, epsilon: f64, omega: f64, loops: u32) -> Self {
@@ -61,7 +60,7 @@ impl LoopSolutions {
         let (stiffness, loss) = (1.0 - omega * omega, 2.0 * zeta * omega);
         let square = stiffness * stiffness + loss * loss;
         let response = Matrix2::new(stiffness, loss, omega * loss, -omega * stiffness) / square;
-        // The response times its transpose is diagonal: its inverse needs no division by a small determinant.
+        // The response times its transpose is diagonal: no division by a small determinant.
         let from_response = Matrix2::new(stiffness, loss / omega, loss, -stiffness / omega);
         let rest = Matrix2::identity() - propagator;
         let determinant = rest.determinant();

@@ -1,41 +1,16 @@
-//! Theorems 2.2 and 2.3: on which side of grazing the MPS comes into being, and that it is unstable.
+//! Theorems 2.2 and 2.3: on which side of grazing the MPS comes into being, unstable.
 
 use super::closed_form::LoopSolutions;
-use super::{Case, CaseVerdict, POINTS, Reason, first_points};
+use super::{
+    Case, CaseVerdict, INTERIOR_LOOP, ORBIT_BELOW_THE_BOUNDARY, ORBIT_WITH_NEGATIVE_FACTOR, POINTS,
+    VIRTUAL_ORBIT, first_points,
+};
 use crate::solutions::branch;
 use crate::*;
-use grazing_continuation::arclength::Stall;
 use grazing_continuation::curve::Curve;
-use grazing_continuation::fit::FitError;
-use grazing_continuation::resonance::ResonanceError;
 use grazing_model::LinearOscillator;
-use grazing_theorems::from_map::GrazingOrbitError;
+use grazing_theorems::HypothesesViolated;
 use grazing_theorems::hypothesis::Hypothesis;
-use grazing_theorems::{HypothesesViolated, TheoryError};
-use thiserror::Error;
-
-/// A case could not be worked out.
-#[derive(Debug, Clone, Error)]
-pub enum SweepError {
-    /// A parameter outside the domain of the theory.
-    #[error(transparent)]
-    Theory(#[from] TheoryError),
-    /// The grazing orbit was not found.
-    #[error(transparent)]
-    Orbit(#[from] GrazingOrbitError),
-    /// P_global is not defined.
-    #[error(transparent)]
-    Map(#[from] MapError),
-    /// The branch cannot be started at the grazing point.
-    #[error("the branch of MPSs cannot be started: {0}")]
-    Branch(Stall<MapError>),
-    /// A bifurcation curve cannot be started at the resonance.
-    #[error("the curves of the resonance cannot be followed: {0}")]
-    Curves(#[from] ResonanceError),
-    /// The coefficient of a bifurcation curve cannot be measured.
-    #[error("the curves of the resonance cannot be followed: {0}")]
-    Fit(#[from] FitError),
-}
 
 /// What theorem 2.2 or 2.3 says about a case, and what is seen.
 #[derive(Debug, Clone)]
@@ -48,25 +23,24 @@ pub struct GenericRow {
     pub hypotheses: Vec<Hypothesis>,
     /// The side that the theorem gives; `None` if a hypothesis fails.
     pub predicted: Option<Side>,
-    /// The side on which y > 0 and, to first order in μ, no interior loop meets the wall (section 4).
+    /// The side on which, to first order in μ, y > 0 and no interior loop meets the wall.
     pub first_order: Existence,
     /// What continuation from the grazing point finds.
     pub continued: Existence,
     /// What simulation of all candidates at small μ of both signs finds.
     pub simulated: Existence,
-    /// The MPS is unstable by its multipliers along the branch and, where it is one, by simulation of perturbed orbits.
+    /// The MPS is unstable: by its multipliers along the branch, and by simulation where it is one.
     pub unstable: [bool; 2],
-    /// dy/dμ and dz/dμ by section 4 from derivatives of the numerical P_global, by closed form, and along the branch.
+    /// dy/dμ and dz/dμ: section 4 with the numerical P_global, closed form, along the branch.
     pub slopes: [[f64; 2]; 3],
 }
 
-/// Slopes of branches that were followed agree with first-order terms to this: extrapolation from impact velocities of a
-/// hundredth of what is near, to fourth order.
+/// Followed slopes agree with first-order terms to this: fourth-order extrapolation to y = 0.
 pub const SLOPE_TOLERANCE: f64 = 1e-5;
 
 impl GenericRow {
     /// Works out a case.
-    pub fn of(case: Case) -> Result<Self, SweepError> {
+    pub fn of(case: Case) -> Result<Self, Failure> {
         let Case { zeta, epsilon, loops, omega, .. } = case;
         let closed = grazing_theorems::LinearOscillator::new(zeta, epsilon)?.grazing(omega)?;
         let start = closed.model();
@@ -80,7 +54,7 @@ impl GenericRow {
         let solutions = LoopSolutions::new(zeta, epsilon, omega, loops);
         let velocity = small_velocity(&point, loops);
         let route = first_points(velocity, 1e-3 * velocity, core::f64::consts::PI);
-        let curve = branch(orbit.oscillator(), orbit.phase(), loops, &route).map_err(SweepError::Branch)?;
+        let curve = branch(orbit.oscillator(), orbit.phase(), loops, &route)?;
         let (simulated, repels) = simulate(&start, &solutions, loops, velocity);
         Ok(Self {
             case,
@@ -99,17 +73,12 @@ impl GenericRow {
         })
     }
 
-    /// "2.2" or "2.3".
-    pub fn theorem(&self) -> &'static str {
-        if self.case.loops == 1 { "2.2" } else { "2.3" }
-    }
-
-    /// The largest relative difference of a slope by closed form or along the branch from the first-order terms.
+    /// The largest relative difference of the other slopes from the first-order terms.
     pub fn slope_difference(&self) -> f64 {
         let [theory, others @ ..] = &self.slopes;
         let scale = libm::hypot(theory[0], theory[1]);
         let off = |other: &[f64; 2]| libm::hypot(other[0] - theory[0], other[1] - theory[1]) / scale;
-        worst(others.iter().map(off))
+        Deviations::of(others.iter().map(off)).largest()
     }
 
     /// What it comes to.
@@ -124,34 +93,27 @@ impl GenericRow {
             (Some(side), Existence::On(seen)) if side == seen && self.unstable == [true; 2] => {
                 CaseVerdict::Agreement
             }
-            (None, Existence::Nowhere) if positive => CaseVerdict::Explained(Reason::InteriorLoop),
-            (None, Existence::Nowhere) => CaseVerdict::Explained(Reason::VirtualOrbit),
-            (None, Existence::On(_)) if positive => CaseVerdict::Explained(Reason::OrbitBelowTheBoundary),
-            (None, Existence::On(_)) => CaseVerdict::Explained(Reason::OrbitWithNegativeFactor),
+            (None, Existence::Nowhere) if positive => CaseVerdict::Explained(INTERIOR_LOOP),
+            (None, Existence::Nowhere) => CaseVerdict::Explained(VIRTUAL_ORBIT),
+            (None, Existence::On(_)) if positive => CaseVerdict::Explained(ORBIT_BELOW_THE_BOUNDARY),
+            (None, Existence::On(_)) => CaseVerdict::Explained(ORBIT_WITH_NEGATIVE_FACTOR),
             _ => CaseVerdict::Unexplained,
         }
     }
 }
 
-/// The largest number, or NaN if there is one.
-pub(super) fn worst(differences: impl IntoIterator<Item = f64>) -> f64 {
-    differences
-        .into_iter()
-        .fold(0.0, |worst: f64, next| if worst.is_nan() || next <= worst { worst } else { next })
-}
-
-/// An impact velocity that is small against that of the next bifurcation on the branch, against the grazing frequency over
-/// 1 + φ, by which an impact shifts the phase, and against the depth of the interior loops.
+/// An impact velocity that is small against that of the next bifurcation, against the grazing
+/// frequency over 1 + φ (an impact shifts the phase), and against the depth of interior loops.
 pub(crate) fn small_velocity(point: &GrazingPoint, loops: u32) -> f64 {
     let off_diagonal = point.map.iterate(loops).a.m12.abs();
-    // Section 5: bifurcations lie at α ω |(Aᵖ)₁₂| / |s_p|, where |s_p| is at most about (1 + φ E_p)² ≤ 4.
+    // Section 5: bifurcations lie at α ω |(Aᵖ)₁₂| / |s_p|, |s_p| up to (1 + φ E_p)² ≤ 4.
     let bifurcation = point.alpha().abs() * point.forcing_frequency * off_diagonal / 4.0;
     let shift = point.gamma / (point.forcing_frequency * (1.0 + point.phi));
     0.01 * bifurcation.min(shift).min(1.0)
 }
 
 /// Where y > 0 and all interior loops have x < 0, to first order in μ.
-fn first_order(point: &GrazingPoint, loops: u32) -> Result<Existence, SweepError> {
+fn first_order(point: &GrazingPoint, loops: u32) -> Result<Existence, Failure> {
     let emerging = point.emerging_orbit(loops)?;
     let positive = |sign: f64| {
         sign * emerging.impact_velocity_slope > 0.0

@@ -1,8 +1,8 @@
-//! Theorems 2.4 and 2.5: the saddle-node curve and the curve of multiplier −1 that come out of a resonance.
+//! Theorems 2.4 and 2.5: the saddle-node curve and that of multiplier −1 from a resonance.
 
 use super::closed_form::{LoopSolution, LoopSolutions};
-use super::generic::{SweepError, to_zero, worst};
-use super::{Case, CaseVerdict, Reason, first_points};
+use super::generic::to_zero;
+use super::{Case, CaseVerdict, NO_CURVE, VIRTUAL_ORBIT, first_points};
 use crate::*;
 use grazing_continuation::curve::Curve;
 use grazing_continuation::fit::Estimate;
@@ -16,17 +16,16 @@ use grazing_theorems::{HypothesesViolated, ResonantGrazing};
 pub struct CurveRow {
     /// The sign of η by the theorem; `None` if a hypothesis fails.
     pub predicted: Option<Side>,
-    /// The sign of η of the continued curve with y > 0, admissible at all its points; not followed where the theorem is silent.
+    /// The sign of η of the continued curve, y > 0 and admissible; `None` if the theorem is silent.
     pub continued: Option<Existence>,
-    /// The sign of η for which simulation sees the bifurcation: for the saddle-node two MPSs on the side of the curve where
-    /// there are two solutions; for the multiplier −1 an MPS to either side of the curve.
+    /// The sign of η for which simulation sees an MPS to either side of the curve.
     pub simulated: Existence,
     /// The multiplier 1 or −1 is crossed, by simulated derivatives to either side of the curve.
     pub crossed: bool,
-    /// If |D| < 1, simulated orbits beside the MPS come nearer to one side of the curve and leave on the other; `None` if
-    /// |D| ≥ 1, where no MPS near the resonance is stable.
+    /// If |D| < 1, simulated orbits beside the MPS come nearer to one side of the curve and leave
+    /// on the other; `None` if |D| ≥ 1, where no MPS near the resonance is stable.
     pub stability_changes: Option<bool>,
-    /// The quadratic coefficient by the theorem from derivatives of the numerical P_global; NaN where it is silent.
+    /// The quadratic coefficient by the theorem, P_global numerical; NaN where it is silent.
     pub theorem: f64,
     /// By proposition 3.2 or 3.3; NaN for ω₁/ω = n − 1/(2p).
     pub proposition: f64,
@@ -53,19 +52,17 @@ pub struct ResonantRow {
     pub curves: [CurveRow; 2],
 }
 
-/// Closed forms, derivatives of the numerical map and the limit on the exact curve agree to this: rounding of first and second
-/// derivatives, divided by s_p⁺ where that is small.
+/// Closed forms, derivatives of the numerical map and the limit on the exact curve agree to this:
+/// rounding of first and second derivatives, divided by s_p⁺ where that is small.
 pub const EXACT_TOLERANCE: f64 = 1e-6;
-
-/// Fits agree to this: nine points at impact velocities up to some hundredths, beside which s_p⁺ can be as small as 0.002.
+/// Fits agree to this: velocities up to some hundredths, with s_p⁺ as small as 0.002.
 pub const FIT_TOLERANCE: f64 = 1e-4;
-
 /// What is left of a₁₂, κ_p or s_p^± in numerical derivatives where it is zero.
 const ROUNDING: f64 = 1e-11;
 
 impl ResonantRow {
     /// Works out a case.
-    pub fn of(case: Case) -> Result<Self, SweepError> {
+    pub fn of(case: Case) -> Result<Self, Failure> {
         let Case { zeta, epsilon, loops, n, negative, omega } = case;
         let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon)?;
         let state = theory.grazing(omega)?;
@@ -74,11 +71,13 @@ impl ResonantRow {
         let point = orbit.resonant_point(loops)?;
         let closed = if negative { None } else { Some(theory.resonance(loops, n)?) };
         let (theorem, hypotheses) = asked(&point);
-        let located = match theorem {
-            Some(_) => Some(ResonantGrazingPoint::find(&start, loops, state.phase())?),
-            None => None,
+        let unfold = |_: &ResonantGrazing| {
+            let located = ResonantGrazingPoint::find(&start, loops, state.phase())?;
+            let length = 1e-3 * omega.min(1.0);
+            let unfolded = located.unfold(&first_points(length, 1e-4 * length, 0.1))?;
+            Ok::<_, Failure>((located, [unfolded.saddle_node, unfolded.period_doubling]))
         };
-        let followed = located.as_ref().map(|located| followed(located, omega)).transpose()?;
+        let unfolded = theorem.as_ref().map(unfold).transpose()?;
         let stability = point.stability_coefficients();
         let curve = |k: usize| {
             let [multiplier, stability] = [[1.0, stability.plus], [-1.0, stability.minus]][k];
@@ -87,21 +86,11 @@ impl ResonantRow {
                 closed.map(|closed| {
                     [closed.saddle_node_coefficient(), closed.period_doubling_coefficient()][k]
                 }),
-                located.as_ref().zip(followed.as_ref().map(|curves| &curves[k])),
+                unfolded.as_ref().map(|(located, curves)| (located, &curves[k])),
             )
         };
         let curves = [curve(0)?, curve(1)?];
         Ok(Self { case, point, amplitude: state.amplitude(), decay: state.decay(loops), hypotheses, curves })
-    }
-
-    /// "2.4" or "2.5".
-    pub fn theorem(&self) -> &'static str {
-        if self.case.loops == 1 { "2.4" } else { "2.5" }
-    }
-
-    /// ε E_p.
-    pub fn rebound(&self) -> f64 {
-        self.case.epsilon * self.decay
     }
 
     /// What it comes to.
@@ -112,27 +101,23 @@ impl ResonantRow {
         }
         let stability = self.point.stability_coefficients();
         let vanishes = [stability.plus, stability.minus].map(|s| s.abs() <= ROUNDING);
-        let nowhere = |curve: &CurveRow| curve.simulated == Existence::Nowhere;
-        if self.case.negative {
-            let none = self.curves.iter().all(nowhere);
-            return if none {
-                CaseVerdict::Explained(Reason::VirtualOrbit)
-            } else {
-                CaseVerdict::Unexplained
-            };
+        let nowhere = [0, 1].map(|k| self.curves[k].simulated == Existence::Nowhere);
+        // Otherwise the one whose coefficient vanishes is not there; the other one is.
+        if self.case.negative && nowhere == [true; 2] {
+            CaseVerdict::Explained(VIRTUAL_ORBIT)
+        } else if !self.case.negative && vanishes[0] != vanishes[1] && nowhere == vanishes {
+            CaseVerdict::Explained(NO_CURVE)
+        } else {
+            CaseVerdict::Unexplained
         }
-        // The one whose coefficient vanishes is not there; the other one is.
-        let explained = vanishes[0] != vanishes[1]
-            && self.curves.iter().zip(vanishes).all(|(curve, vanishes)| nowhere(curve) == vanishes);
-        if explained { CaseVerdict::Explained(Reason::NoCurve) } else { CaseVerdict::Unexplained }
     }
 }
 
 impl CurveRow {
-    /// The largest relative difference of the proposition and the exact curve from the theorem's coefficient.
+    /// The largest relative difference of proposition and exact curve from the theorem.
     pub fn difference(&self) -> f64 {
-        let off = |other: f64| ((other - self.theorem) / self.theorem).abs();
-        worst([self.proposition, self.quadratic_equation].map(off))
+        let off = |other: f64| (other - self.theorem) / self.theorem;
+        Deviations::of([self.proposition, self.quadratic_equation].map(off)).largest()
     }
 
     /// The relative difference of the fit from the theorem's coefficient.
@@ -166,13 +151,6 @@ fn asked(point: &ResonantPoint) -> (Option<ResonantGrazing>, Vec<Hypothesis>) {
     }
 }
 
-/// The first points of both curves.
-fn followed(located: &ResonantGrazingPoint<LinearOscillator>, omega: f64) -> Result<[Curve; 2], SweepError> {
-    let length = 1e-3 * omega.min(1.0);
-    let unfolded = located.unfold(&first_points(length, 1e-4 * length, 0.1))?;
-    Ok([unfolded.saddle_node, unfolded.period_doubling])
-}
-
 /// A curve of a resonance, to be looked at.
 struct Scene<'a> {
     case: Case,
@@ -193,7 +171,7 @@ impl Scene<'_> {
         theorem: Option<BifurcationCurve>,
         closed: Option<f64>,
         continued: Option<(&ResonantGrazingPoint<LinearOscillator>, &Curve)>,
-    ) -> Result<CurveRow, SweepError> {
+    ) -> Result<CurveRow, Failure> {
         let condition = Condition::Multiplier(self.multiplier);
         let fit = continued.map(|(located, _)| quadratic_coefficient(located, condition)).transpose()?;
         let eta = self.small_eta();
@@ -222,8 +200,8 @@ impl Scene<'_> {
         if self.multiplier > 0.0 { solutions.saddle_node() } else { solutions.period_doubling() }
     }
 
-    /// An impact velocity that is small against the frequency over 1 + ε, by which an impact shifts the phase, and smaller where
-    /// s_p^± is small, beside which terms of higher order have to be small.
+    /// An impact velocity that is small against the frequency over 1 + ε (an impact shifts the
+    /// phase), and smaller where s_p^± is small: terms of higher order have to be small beside it.
     fn small_velocity(&self) -> f64 {
         let Case { epsilon, omega, .. } = self.case;
         let root = self.stability.abs().sqrt().min(1.0);
@@ -232,8 +210,8 @@ impl Scene<'_> {
         0.03 * root * (omega / (1.0 + epsilon)).min(1.0)
     }
 
-    /// The η > 0 at which the bifurcation has about this small |y|, if that is small against the change of frequency by which the
-    /// free oscillation over p periods turns by a radian, and against 𝒜_graz, the distance from the pole of the response.
+    /// The η > 0 at which the bifurcation has about this |y|, if small against the change of
+    /// frequency by which the free oscillation turns by a radian in p periods, and against 𝒜_graz.
     fn small_eta(&self) -> f64 {
         let factor = self.point.grazing.alpha() * self.point.grazing.forcing_frequency;
         let slope = factor * self.point.off_diagonal_slope() / self.stability.abs().max(1e-4);
@@ -248,12 +226,11 @@ impl Scene<'_> {
         to_zero(&at, ratios)
     }
 
-    /// Where there are MPSs on both sides of the bifurcation at one η: whether the multiplier is crossed between them, and whether
-    /// stability changes, if |D| < 1.
+    /// Between MPSs on both sides: is the multiplier crossed; does stability change, if |D| < 1?
     fn beside(&self, eta: f64) -> Option<(bool, Option<bool>)> {
         let solutions = self.solutions(eta);
         let middle = self.bifurcation(eta);
-        // A bifurcation whose impact velocity does not go to zero with η does not come out of the resonance.
+        // Unless its velocity goes to zero with η, it does not come out of the resonance.
         let nearer = self.bifurcation(0.25 * eta);
         if nearer.velocity.abs() > 0.5 * middle.velocity.abs() {
             return None;

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use grazing_claims::audit::{ClaimVerdict, Finding};
-use grazing_claims::errata::told;
+use grazing_claims::errata;
 
 /// Width of the longest label that keeps the table in line.
 const LABEL: usize = 38;
@@ -35,7 +35,7 @@ pub(super) fn table(findings: &[Finding<'_>], explain: bool, coloured: bool) -> 
 fn words(verdict: &ClaimVerdict) -> (&'static str, String, String) {
     match verdict {
         ClaimVerdict::Measured(outcome) => {
-            let (measured, against) = told(&outcome.measure);
+            let (measured, against) = errata::words(&outcome.measure);
             let word = match (outcome.passes(), outcome.print.is_some()) {
                 (true, false) => "holds",
                 (true, true) => "corrected",
@@ -67,7 +67,7 @@ fn explained(finding: &Finding<'_>) -> String {
         ClaimVerdict::Measured(outcome) => {
             lines.push(format!("looked at: {} samples: {}", outcome.samples, outcome.over));
             lines.extend(outcome.print.iter().map(|print| {
-                let (measured, against) = told(print);
+                let (measured, against) = errata::words(print);
                 format!("as printed: {measured}, held against {against}")
             }));
         }

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use grazing_model::smooth::Units;
 use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Units;
 use grazing_theorems::hypothesis::Quantity;
 use grazing_unfold::resonances::Resonance;
 use grazing_unfold::sides::{Simulated, simulate};

@@ -2,7 +2,6 @@
 
 use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::resonance::ResonantGrazingPoint;
-use grazing_model::ImpactOscillator;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::sides::{Inconclusive, Sides, Simulated, simulate};
 use grazing_unfold::simulation::ReturnOutcome;

@@ -23,7 +23,6 @@ fn at_resonances(
 const ONE: &str = "resonances with p = 1, n = 1 to 4, E and ε at random";
 const MANY: &str = "resonances with p = 2 to 6, n = 1 to 4, E and ε at random";
 const MORE_LOOPS: &[u32] = &[2, 3, 4, 5, 6];
-
 /// First differences at resonances: rounding over the step.
 const SLOPES: f64 = 1e-11;
 
@@ -39,8 +38,7 @@ fn iterated(resonance: &Resonance) -> Result<f64, Failure> {
     Ok(jet.hessians[0][(1, 1)])
 }
 
-/// s^± by the general formula at the numerical A, φ, ψ, γ and ξ_p, by the first line of the proof, which a function of E, ε and ±1 gives,
-/// and in the end.
+/// s^± by the general formula with numerical data, by the first line of the proof, and in the end.
 fn stability(loops: &[u32], over: &str, first_line: impl Fn(&Resonance, f64) -> f64) -> CheckResult {
     at_resonances(loops, over, 1e-13, |resonance| {
         let grazing = resonance.grazing();
@@ -53,7 +51,7 @@ fn stability(loops: &[u32], over: &str, first_line: impl Fn(&Resonance, f64) -> 
     })
 }
 
-/// The derivative in ω of an entry or combination of entries of A along the grazing curve, by differences of P_global.
+/// The derivative in ω of a number made of A along the grazing curve, by differences of P_global.
 fn along_grazing(resonance: &Resonance, of: impl Fn(&nalgebra::Matrix2<f64>) -> f64) -> Result<f64, Failure> {
     let theory = resonance.grazing().oscillator();
     // Angles 2πω₁/ω change fast at low ω: the step shrinks with ω².
@@ -89,10 +87,10 @@ checks! {
             |p: u32| Ok((along_grazing(resonance, detuning(p))?, resonance.grazing().detuning_derivative(p)));
         (2..=5).map(pair).collect()
     });
-    /// The last steps of both proofs: the general coefficients at resonance are those of Propositions 3.2 and 3.3.
+    /// The last steps of both proofs: the general coefficients are those of the propositions.
     coefficients: at_resonances(&[1, 2, 3, 4, 5, 6], "resonances with p = 1 to 6, E and ε at random", 1e-11, |resonance| {
         let point = resonance.resonant_point();
-        // Divided by the stated number: the coefficients have sizes of all orders, and c_PD loses digits where s⁻ is small.
+        // Divided by the stated number: of all orders in size; c_PD loses digits where s⁻ is small.
         Ok(vec![
             (point.saddle_node_coefficient() / resonance.saddle_node_coefficient(), 1.0),
             (point.period_doubling_coefficient() / resonance.period_doubling_coefficient(), 1.0),

@@ -2,13 +2,12 @@
 
 use crate::*;
 
-/// Each of the two routes makes some p² roundings of the terms by which deviations are divided, p up to 15.
+/// Each route makes some p² roundings of the terms by which deviations are divided, p up to 15.
 const ROUNDING: f64 = 1e-13;
-
 const POINTS: &str = "points of the trapesium up to 10⁻⁶ from its slanted sides, p = 2 to 15";
 
-/// The deviation of a sum from a quotient, relative to the moduli of the terms of the numerator over the denominator: near a
-/// double eigenvalue and near τ = δ + 1 these cancel, and no more digits can be expected.
+/// The deviation of a sum from a quotient, relative to the moduli of the numerator's terms over the
+/// denominator: near a double eigenvalue and near τ = δ + 1 these cancel.
 fn quotient_deviation(sum: f64, numerator: Complex<f64>, size: f64, denominator: Complex<f64>) -> f64 {
     (numerator / denominator - sum).norm() * denominator.norm() / size
 }
@@ -83,8 +82,8 @@ checks! {
         let expected = admissibility_sum(p as u32, tau, delta);
         quotient_deviation(expected, numerator, size, pair.first - pair.second)
     });
-    /// The condition of eq:Sp2 is λ₁ ≠ λ₂: the quotient is right at τ = δ + 1, and has no value at τ = ±2√δ, where the condition
-    /// that the proof of le:dets prints, τ ≠ δ + 1, holds.
+    /// The condition of eq:Sp2 is λ₁ ≠ λ₂: the quotient is right at τ = δ + 1, and has no value at
+    /// τ = ±2√δ, where the condition that the proof of le:dets prints, τ ≠ δ + 1, holds.
     condition_of_quotient: over(1..100) |k; (deviations, print): (Deviations, Deviations)| {
         let (p, delta) = (2 + k % 14, f64::from(k) / 100.0);
         for tau in [delta + 1.0, 2.0 * delta.sqrt() * 1.001, -2.0 * delta.sqrt() * 0.999] {

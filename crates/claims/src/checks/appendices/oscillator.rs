@@ -46,8 +46,8 @@ checks! {
         let velocity = first(STEP / omega.max(1.0), |h| flow(end + h));
         largest.pairs([(flow(end), landing.jet.value[0]), (velocity, 0.0)]);
     } => largest.outcome(1e-12, "returns to Π from points within 0.02 of grazing");
-    /// eq:Abproof2: both lines, as the order of what the linear terms leave of φ and φ̇ at the return.
-    // Slack for the third order at the sizes where the second stands clear of the accuracy of differences.
+    /// eq:Abproof2: both lines, as the order of what the linear terms leave of φ and φ̇.
+    // Slack for the third order where the second stands clear of the differences' accuracy.
     first_order_terms: drawn_over(14, states(60)?) |sampler, state; least: Smallest| {
         let derivatives = Derivatives::new(&state, 1);
         let map = state.linearised_map();
@@ -64,15 +64,15 @@ checks! {
                     + by_start[line] * d_2 / omega
                     + by_amplitude[line] * d_3;
                 let moved = [d_1, d_2 / omega, d_3];
-                // φ or φ̇ where the orbit ends to first order, less what the equation has on its left: x' or zero.
+                // φ or φ̇ at the end to first order, less the equation's left side: x' or zero.
                 let actual = if line == 0 {
                     derivatives.at([shift, moved[0], moved[1], moved[2]])
                 } else {
                     first(derivatives.step(), |h| derivatives.at([shift + h, moved[0], moved[1], moved[2]]))
                 };
                 let left = if line == 0 { map.a.m11 * d_1 + map.a.m12 * d_2 + map.b.x * d_3 } else { 0.0 };
-                // Both the flow and the left-hand side differ from the linear terms in second order; the linear terms are
-                // known to the accuracy of the differences, so that they count for sizes above their hundredfold.
+                // Flow and left-hand side differ from the linear terms in second order; these are
+                // known to the accuracy of differences, and count for sizes above its hundredfold.
                 let gap = (actual - left).abs().max((linear - left).abs());
                 Some((gap, 1e-12 * (1.0 + size * 1e2)))
             }));
@@ -96,7 +96,7 @@ checks! {
             (derivatives.mixed(1, 2), lower / amplitude),
         ])
     });
-    /// eq:Abproof3 with derivatives of the printed flow by differences, against the derivatives of P_global.
+    /// eq:Abproof3 with differences of the printed flow, against the derivatives of P_global.
     entries_by_derivatives: over_states(300, DIFFERENCES, |state| {
         let derivatives = Derivatives::new(state, 1);
         let omega = state.forcing_frequency();
@@ -109,7 +109,7 @@ checks! {
         };
         Ok([(0, 1.0), (1, 1.0 / omega), (2, 1.0)].into_iter().flat_map(entries).collect())
     });
-    /// The display of ξ₁ by derivatives of φ, differences against the second derivative of P_global.
+    /// The display of ξ₁ by differences of φ, against the second derivative of P_global.
     second_derivative_by_flow: over_states(200, DIFFERENCES, |state| {
         let derivatives = Derivatives::new(state, 1);
         let omega = state.forcing_frequency();

@@ -46,8 +46,8 @@ impl Polar {
     }
 }
 
-/// Sines of angles up to pθ are off by p roundings of 2π; τ, which the sums see, is off by a rounding, on which they depend
-/// up to p/sin θ times as strongly; less where both sides see the same angle.
+/// Sines of angles up to pθ are off by p roundings of 2π; τ is off by a rounding, on which the sums
+/// depend up to p/sin θ times as strongly; less where both sides see the same angle.
 const POLAR_ROUNDING: f64 = 1e-12;
 
 fn over_polar(seed: u64, tolerance: f64, deviation: impl Fn(&Polar) -> f64) -> CheckResult {
@@ -69,7 +69,7 @@ pub(super) fn xi(p: u32, theta: f64) -> f64 {
 }
 
 checks! {
-    /// S_p = 0 exactly at τ = g_(p/m), m = 1, …, p − 1, among complex eigenvalues: the text after eq:Sp3.
+    /// The text after eq:Sp3: S_p = 0 exactly at τ = g_(p/m), 0 < m < p, for complex eigenvalues.
     zeros_of_s: drawn_over(20, 2..=15_u32) |sampler, p; votes: Votes| {
         for _ in 0..20 {
             let delta = sampler.between(0.001, 0.999);
@@ -78,7 +78,7 @@ checks! {
                 let tau = resonance_boundary(f64::from(p) / m, delta) + shift;
                 lucas_sequence(p, tau, delta) / scale
             };
-            // A zero within rounding at each g_(p/m), with a change of sign: they are p − 1, as many as the degree in τ.
+            // A zero with a change of sign at each g_(p/m): they are p − 1, as the degree in τ.
             let step = 1e-4 * delta.sqrt();
             votes.see((1..p).all(|m| {
                 let m = f64::from(m);

@@ -1,4 +1,4 @@
-//! The flow of the linear oscillator as it is printed, its derivatives by differences, and states to measure at.
+//! The flow of the linear oscillator as printed, its derivatives by differences, and states.
 
 use crate::*;
 use grazing_model::LinearOscillator;
@@ -40,7 +40,7 @@ impl Printed {
     }
 }
 
-/// Derivatives of φ at grazing after p periods, by central differences of sixth order in t, x, t₀ and 𝒜.
+/// Derivatives of φ at grazing after p periods, by sixth-order differences in t, x, t₀ and 𝒜.
 pub(crate) struct Derivatives {
     printed: Printed,
     end: f64,
@@ -48,8 +48,8 @@ pub(crate) struct Derivatives {
     amplitude: f64,
 }
 
-/// Step of the differences in time: 10⁻² of the shorter of the two time scales leaves an error of 10⁻¹³ and, for second and
-/// third derivatives, rounding of 10⁻¹⁶ over its square or cube.
+/// Step of the differences in time: 10⁻² of the shorter of the two time scales leaves an error of
+/// 10⁻¹³ and, for second and third derivatives, rounding of 10⁻¹⁶ over its square or cube.
 pub(crate) const STEP: f64 = 2e-2;
 
 pub(crate) fn first(step: f64, f: impl Fn(f64) -> f64) -> f64 {
@@ -129,12 +129,10 @@ pub(crate) fn states(count: usize) -> Result<Vec<GrazingState>, grazing_theorems
     (0..count).map(|_| one()).collect()
 }
 
-/// What the differences of sixth order explain: 10⁻¹² for first and second derivatives, and some ten times that for nested ones.
+/// What differences of sixth order explain: 10⁻¹², and for nested ones some ten times that.
 pub(crate) const DIFFERENCES: f64 = 1e-10;
-
 /// Closed forms with the same rounding: angles of up to 2πp ω₁/ω ≈ 80 are rounded to 10⁻¹⁴.
 pub(crate) const CLOSED: f64 = 1e-12;
-
 pub(crate) const STATES: &str = "grazing states with ζ in (0.01, 0.9) and ω in (0.3, 3)";
 
 /// e^{−2πpζ/ω}, cos and sin of 2πp ω₁/ω, ζ/ω₁, ω₁.

@@ -1,4 +1,4 @@
-//! Appendix A: signs of H_p, S_p and T_p, by search for the smallest value, and the proofs of lemmas 2.1, 4.2 and A.1.
+//! Appendix A: signs of H_p, S_p and T_p by search, and the proofs of lemmas 2.1, 4.2 and A.1.
 
 use super::polar::xi;
 use crate::*;
@@ -6,8 +6,7 @@ use crate::*;
 /// Local searches for each number of loops.
 const STARTS: usize = 6;
 
-/// The smallest value that searches over the unit square find, for each of these numbers of loops; where they look and what for, in
-/// words.
+/// The smallest value that searches over the unit square find for any of these numbers of loops.
 pub(crate) fn search(
     loops: RangeInclusive<u32>,
     place: &str,
@@ -91,7 +90,7 @@ checks! {
         let theta = along(x, 1e-3, 1.0 - 1e-3) * end;
         xi(p, theta) / (theta * theta * theta * (end - theta))
     });
-    /// −sin((p − 1)θ) ≥ 0 for π/(p − 1) ≤ θ ≤ 2π/p, with a zero, a simple one, at the lower end only.
+    /// −sin((p − 1)θ) ≥ 0 for π/(p − 1) ≤ θ ≤ 2π/p, with a zero, a simple one, at the lower end.
     second_term_not_negative: search(3..=15, "π/(p − 1) < θ ≤ 2π/p", "−sin((p − 1)θ) / ((p − 1)θ − π)", |p, [x, _]| {
         let (p, from_end) = (f64::from(p), along(x, 1e-6, 1.0));
         let beyond = from_end * PI * (1.0 - 2.0 / p);
@@ -103,7 +102,7 @@ checks! {
         let theta = along(y, PI / (loops - 1.0), 2.0 * PI / loops);
         (1.0 - modulus_power(p - 1, delta)) * libm::sin(theta)
     });
-    /// eq:ujNumerator, which divided by p is δʲ < 1 + (j/p)(δᵖ − 1): the smallest margin over (1 − δ)², which is how it vanishes as δ → 1.
+    /// eq:ujNumerator, over p: δʲ < 1 + (j/p)(δᵖ − 1); margins over (1 − δ)², as they vanish.
     numerator_of_u: search(2..=15, "0 < δ < 1 and 0 < j < p", "−(j (1 − δᵖ) − p (1 − δʲ)) / (1 − δ)²", |p, [x, y]| {
         let (delta, j, p) = (determinant(x), loop_index(y, p), f64::from(p));
         let numerator = j * (1.0 - libm::pow(delta, p)) - p * (1.0 - libm::pow(delta, j));

@@ -31,9 +31,8 @@ fn determinant_size(matrix: &Matrix2<f64>, point: &GrazingPoint) -> f64 {
 }
 
 checks! {
-    /// le:dets: the matrices of the proof, and det J and det K of eq:detJac1detJac2 and eq:detJac2, against the derivatives of the maps
-    /// of oscillators.
-    // Derivatives at event times that are off by rounding, p times, magnified by second derivatives of order ten.
+    /// le:dets: matrices of the proof, det J and det K against derivatives of oscillators' maps.
+    // Event times are off by rounding, p times, magnified by second derivatives of order ten.
     determinants_of_oscillators: over(specimens_with(1..=8)?) |(grazing, p); deviations: Deviations| {
         let point = grazing.grazing_point();
         let [j, k] = matrices(&derivatives(&grazing, p)?);

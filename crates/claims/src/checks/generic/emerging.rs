@@ -6,7 +6,7 @@ use crate::checks::appendices::signs::{determinant, search};
 use crate::*;
 use grazing_theorems::grazing::EmergingOrbit;
 
-/// The smallest order over oscillators and numbers of loops of a remainder at the zero of V for μ and for −μ.
+/// The smallest order of a remainder at the zero of V for ±μ, over oscillators and loops.
 fn smallest_order(
     loops: core::ops::RangeInclusive<u32>,
     stated: f64,
@@ -23,7 +23,7 @@ fn smallest_order(
             Some((remainder(&grazing, &emerging, h * direction)?, rounding))
         }));
     }
-    // The next term is of relative size h < 10⁻³ where remainders are resolved last; near a resonance its coefficient is large.
+    // The next term is of relative size h < 10⁻³ at last, its coefficient large near resonance.
     Ok(orders.order(stated, 0.1, "the zero of V by Newton's method on twelve oscillators, μ of both signs"))
 }
 
@@ -81,7 +81,7 @@ fn above_boundary(sampler: &mut Sampler, p: u32) -> GrazingPoint {
 }
 
 checks! {
-    /// The solution of V = 0 for (y, z) is unique near grazing: Newton's method finds the same from all starts.
+    /// V = 0 has one solution (y, z) near grazing: Newton's method finds it from all starts.
     implicit_function: drawn_over(1, specimens_with(1..=4)?) |sampler, (grazing, p); votes: Votes| {
         let equations = equations(&grazing, p);
         for sign in [1.0, -1.0] {
@@ -97,9 +97,8 @@ checks! {
             }
             votes.see(vivid(&equations, &expected).is_some_and(|value| value.amax() < 1e-13));
         }
-    } =>
-        votes.outcome("starts up to five times as far from the solution as grazing is, twelve oscillators, p = 1 to 4");
-    /// The one-loop MPS has y > 0 on the side of the sign of a₁₂ β if α > 0, and on the other side if α < 0.
+    } => votes.outcome("starts up to five times as far from the solution as grazing is, twelve oscillators, p = 1 to 4");
+    /// The one-loop MPS has y > 0 on the side of sgn(a₁₂ β) if α > 0, on the other if α < 0.
     one_loop_side: over(specimens()?.into_iter().chain(delayed()?)) |grazing; votes: Votes| {
         let point = grazing.grazing_point();
         let size = 0.01 * scale(&grazing, 1).ok_or("no emerging orbit")?;
@@ -114,11 +113,10 @@ checks! {
                     },
             );
         }
-    } =>
-        votes.outcome("twelve oscillators with α > 0 and three with α < 0, where the hypothesis is violated, μ of both signs");
-    /// For τ > h_p and τ ≠ g_p: det J has the sign of α a₁₂ κ_p; dy*/dμ has the sign of βκ_p if a₁₂α > 0, and the other sign where this
-    /// hypothesis is violated; and on the side of the sign of βκ_p all visits between the impacts lie below the wall: dx⁽ʲ⁾/dμ has the
-    /// other sign.
+    } => votes.outcome("twelve oscillators with α > 0 and three with α < 0, where the hypothesis is violated, μ of both signs");
+    /// For τ > h_p and τ ≠ g_p: det J has the sign of α a₁₂ κ_p; dy*/dμ has the sign of βκ_p if
+    /// a₁₂α > 0, and the other sign where this hypothesis is violated; and on the side of the sign
+    /// of βκ_p all visits between the impacts lie below the wall: dx⁽ʲ⁾/dμ has the other sign.
     side: sampled(2, 2000, 2..=15) |sampler, p; votes: Votes| {
         let point = above_boundary(sampler, p);
         let kappa = detuning(p, point.map.trace(), point.map.determinant());
@@ -129,7 +127,7 @@ checks! {
         votes.see((orbit.impact_velocity_slope * side > 0.0) == (factor > 0.0));
         let stated = GenericGrazing::check(&point, p).map(|theorem| theorem.side().signum() * side > 0.0);
         votes.see(stated.unwrap_or(factor < 0.0));
-        // Positions shrink with the eigenvalues, down to the rounding of the terms that they are made of.
+        // Positions shrink with the eigenvalues, down to the rounding of their terms.
         let rounding = 1e-12 * (1.0 + orbit.visit_slope(0).amax()) * (1.0 + point.map.a.amax());
         votes.see((1..p).all(|j| orbit.visit_slope(j).x * side.signum() < rounding));
     } => votes.outcome("grazing points with τ > h_p, a₁₂α of either sign, p = 2 to 15, all visits");

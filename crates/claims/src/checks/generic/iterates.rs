@@ -3,10 +3,10 @@
 use crate::checks::appendices::signs::{along, determinant, search};
 use crate::*;
 
-/// Each of the two routes makes some p² roundings of the terms by which deviations are divided, p up to 15.
+/// Each route makes some p² roundings of the terms by which deviations are divided, p up to 15.
 const ROUNDING: f64 = 1e-13;
 
-/// A sampled map, its iterate by repeated application, and the size of the largest number on the way.
+/// A map's iterate by repeated application, and the size of the largest number on the way.
 fn repeated(map: &LinearisedMap, p: u32) -> (LinearisedMap, f64) {
     let mut iterate = LinearisedMap { a: Matrix2::identity(), b: Vector2::zeros() };
     let mut size = 1.0_f64;
@@ -17,10 +17,10 @@ fn repeated(map: &LinearisedMap, p: u32) -> (LinearisedMap, f64) {
     (iterate, size * (1.0 + map.a.amax()) * (1.0 + map.a.amax()))
 }
 
-/// Tens of roundings of numbers of the size by which deviations are divided; τ and δ are rounded too.
+/// Tens of roundings of numbers by which deviations are divided; τ and δ are rounded too.
 const MATRIX_ROUNDING: f64 = 1e-14;
 
-/// le:SpTp: all three parts where their hypotheses hold, and each seen to fail where its hypothesis does not.
+/// le:SpTp: all three parts where their hypotheses hold, and failing where these do not.
 pub(crate) fn signs_and_values() -> CheckResult {
     let mut sampler = Sampler::new(9);
     let mut votes = Votes::default();
@@ -46,7 +46,7 @@ pub(crate) fn signs_and_values() -> CheckResult {
         }
     }
     for p in 3..=15_u32 {
-        // Near δ = 1 T_p is negative at the θ between 2π/p and 4π/p at which Ξ is least, or for p = 3 below τ = −1.
+        // Near δ = 1 T_p < 0 at a θ in (2π/p, 4π/p) at which Ξ is least; for p = 3 at τ < −1.
         let delta = 0.9999;
         let share = (1..100).map(|k| 0.5 * f64::from(p) / (1.0 + f64::from(k) / 100.0));
         let lowest = share
@@ -74,8 +74,7 @@ checks! {
                 Some((remainder[component], 2e-15 * f64::from(p)))
             }));
         }
-    } =>
-        orders.order(2.0, 0.1, "both components on twelve oscillators, p = 1 to 4, seven directions in (x, z, μ) at once");
+    } => orders.order(2.0, 0.1, "both components on twelve oscillators, p = 1 to 4, seven directions in (x, z, μ) at once");
     /// The step of the induction: the printed forms for p, mapped once more, are those for p + 1.
     // One product, of numbers of the size by which deviations are divided.
     induction: sampled(7, 2000, 0..=14) |sampler, p; deviations: Deviations| {

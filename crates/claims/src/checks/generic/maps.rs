@@ -15,20 +15,17 @@ pub(super) fn near_grazing(grazing: &Grazing, [y, dz, dmu]: [f64; 3]) -> (Specim
 }
 
 /// An impact and where it goes.
-pub(crate) fn impact_and_recoil<O: ImpactOscillator>(oscillator: &O, y: f64, z: f64) -> [OnWall; 2] {
+pub(crate) fn impact_and_recoil(oscillator: &Specimen, y: f64, z: f64) -> [OnWall; 2] {
     let impact = OnWall::new(y, z);
     [impact, oscillator.reset::<1>(impact).image()]
 }
 
 /// The image of a point of Σ under P_virt.
-pub(crate) fn virtual_point<O: ImpactOscillator>(
-    oscillator: &O,
-    from: OnWall,
-) -> Result<Vector2<f64>, MapError> {
+pub(crate) fn virtual_point(oscillator: &Specimen, from: OnWall) -> Result<Vector2<f64>, MapError> {
     Ok(virtual_map::<_, 1>(oscillator, from, None)?.jet.value)
 }
 
-/// The classical Runge–Kutta method on eq:f, from a state over a time of either sign: (x, y, z) at its end.
+/// The classical Runge–Kutta method on eq:f over a time of either sign: (x, y, z) at its end.
 pub(super) fn integrated(oscillator: &Specimen, from: State, duration: f64, steps: u32) -> Vector3<f64> {
     let h = duration / f64::from(steps);
     let omega = oscillator.forcing_frequency().value;
@@ -66,13 +63,13 @@ fn leading_order(seed: u64, component: usize, stated: f64) -> CheckResult {
         let (oscillator, s, z) = near_grazing(grazing, [s, dz, dmu]);
         let image = discontinuity_map::<_, 1>(&oscillator, AtRest::new(s * s, z)).ok()?.value;
         let leading = grazing.grazing_point().discontinuity_map(s * s, z);
-        // Positions are of the size of x̂; the preimage's velocity is known to a rounding of x̂ over itself, and so are phases.
+        // Positions are of the size of x̂; velocities and phases are known to its rounding over s.
         Some((image[component] - leading[component], [ROUNDING, ROUNDING / s][component]))
     })
 }
 
 checks! {
-    /// eq:Pvirt2: both virtual points against numerical integration, forwards for y > 0 and backwards for y < 0.
+    /// eq:Pvirt2: both virtual points against integration, forwards for y > 0, backwards for y < 0.
     // Sixty-four steps over a time below 0.5: some (10⁻²)⁴ times derivatives over 5!.
     virtual_points: at_specimens(2, 60) |sampler, grazing; deviations: Deviations| {
         let oscillator = grazing.oscillator();
@@ -91,8 +88,7 @@ checks! {
             deviations.see((expected - Vector3::new(image[0], 0.0, image[1])).amax());
         }
     } => deviations.outcome(1e-11, "impacts near grazing on twelve oscillators, and their recoils");
-    /// P_virt and P_virt ∘ R are well defined for small y < 0 and twice differentiable across y = 0: the difference of the second
-    /// derivatives at ±y vanishes with y.
+    /// P_virt and P_virt ∘ R are twice differentiable: their jump at ±y vanishes with y.
     smooth_across_tangency: over(specimens()?) |grazing; orders: Smallest| {
         let oscillator = grazing.oscillator();
         let phase = grazing.phase();
@@ -128,8 +124,7 @@ checks! {
             let image = virtual_point(oscillator, OnWall::new(preimage[0], preimage[1]))?;
             deviations.see((image - target).amax());
         }
-    } =>
-        deviations.outcome(1e-14, "positions from 10⁻⁶ to 0.003 beyond the wall, both preimages, twelve oscillators");
+    } => deviations.outcome(1e-14, "positions from 10⁻⁶ to 0.003 beyond the wall, both preimages, twelve oscillators");
     /// The sign of the square-root term is opposite to that of α.
     sign_of_square_root: over(specimens()?.into_iter().chain(delayed()?)) |grazing; votes: Votes| {
         for exponent in [-6.0, -5.0, -4.0] {
@@ -145,9 +140,8 @@ checks! {
         let y = libm::pow(10.0, sampler.between(-8.0, 0.5));
         let z = sampler.between(0.0, core::f64::consts::TAU);
         margins.see(-grazing.oscillator().reset::<1>(OnWall::new(y, z)).value[0] / y);
-    } =>
-        margins.margin("impacts with velocities from 10⁻⁸ to 3 on twelve oscillators: the smallest −y_rec / y_imp");
-    /// Orbits hit Π transversally near grazing, where P_virt ends: the acceleration there is negative.
+    } => margins.margin("impacts with velocities from 10⁻⁸ to 3 on twelve oscillators: the smallest −y_rec / y_imp");
+    /// Orbits hit Π transversally near grazing, where P_virt ends: the acceleration is negative.
     transversality: at_specimens(21, 100) |sampler, grazing; margins: Smallest| {
         let oscillator = grazing.oscillator();
         let y = sampler.between(-0.05, 0.05);
@@ -164,8 +158,7 @@ checks! {
             let y = from.coordinates()[0];
             margins.see(virtual_point(oscillator, from)?[0] / (y * y));
         }
-    } =>
-        margins.margin("impacts with velocities from 10⁻⁵ to 0.2 near grazing: the smallest x̂ / y² and x⁽⁰⁾ / y²");
+    } => margins.margin("impacts with velocities from 10⁻⁵ to 0.2 near grazing: the smallest x̂ / y² and x⁽⁰⁾ / y²");
     /// eq:Pdisc: P_disc maps (x̂, ẑ) to (x⁽⁰⁾, z⁽⁰⁾).
     discontinuity: at_specimens(18, 100) |sampler, grazing; deviations: Deviations| {
         let oscillator = grazing.oscillator();
@@ -176,8 +169,7 @@ checks! {
         let image = discontinuity_map::<_, 1>(oscillator, AtRest::new(hat[0], hat[1]))?.value;
         // A rounding of x̂, 10⁻¹⁶, changes the phase by that over y.
         deviations.see((image - start).amax() * y);
-    } =>
-        deviations.outcome(1e-14, "impacts with velocities from 10⁻⁴ to 0.1, twelve oscillators: the deviation times y");
+    } => deviations.outcome(1e-14, "impacts with velocities from 10⁻⁴ to 0.1, twelve oscillators: the deviation times y");
     /// The display after eq:Pdisc, first line: the coefficient of x̂ is φ².
     leading_position: leading_order(19, 0, 3.0);
     /// The display after eq:Pdisc, second line: the square root.

@@ -6,8 +6,7 @@ use crate::*;
 /// Tens of roundings of numbers of the size by which deviations are divided.
 const ROUNDING: f64 = 1e-14;
 
-/// d(x⁽ʲ⁾, z⁽ʲ⁾)/dμ at grazing, j = 0, …, p, by implicit differentiation of the zero of V and the chain rule through the maps
-/// of the oscillator.
+/// d(x⁽ʲ⁾, z⁽ʲ⁾)/dμ at grazing for the zero of V, by the chain rule through the oscillator's maps.
 fn slopes_of_visits(grazing: &Grazing, p: u32) -> Result<Vec<Vector2<f64>>, Failure> {
     let vivid = derivatives(grazing, p)?;
     let impact = -vivid.by_impact.lu().solve(&vivid.by_parameter).ok_or("det J = 0")?;
@@ -31,7 +30,7 @@ fn scaling(point: &GrazingPoint, p: u32) -> (f64, f64) {
     (s, point.map.transversality())
 }
 
-/// The largest deviation over the specimens and p = 1 to 6 of something made of the numbers (u⁽ʲ⁾, w⁽ʲ⁾) of an oscillator.
+/// The largest deviation of something made of the (u⁽ʲ⁾, w⁽ʲ⁾) of the specimens, p = 1 to 6.
 fn over_oscillators(
     tolerance: f64,
     deviation: impl Fn(&GrazingPoint, u32, &[Vector2<f64>]) -> f64,
@@ -52,7 +51,7 @@ fn over_oscillators(
 const DERIVATIVES: f64 = 1e-12;
 
 checks! {
-    /// eq:ujwj: the scaled derivatives of the visits of oscillators against central differences of their positions.
+    /// eq:ujwj: the scaled derivatives of the visits against central differences of positions.
     // Rounding of 10⁻¹⁵ over a step of some 10⁻⁶, magnified by J⁻¹.
     scaled_slopes: over(specimens_with(1..=3)?) |(grazing, p); deviations: Deviations| {
         let equations = equations(&grazing, p);

@@ -15,8 +15,8 @@ fn r_to(delta: f64, k: u32) -> f64 {
     libm::pow(delta, 0.5 * f64::from(k))
 }
 
-/// The path of a map with this trace and determinant. Others differ by an affine change of the w-coordinate, which does not
-/// matter to convexity; this one turns by equal angles where the eigenvalues are complex.
+/// The path of a map with this trace and determinant; others differ by an affine change of w, which
+/// does not matter to convexity. This one turns by equal angles where eigenvalues are complex.
 fn path(p: u32, tau: f64, delta: f64) -> Vec<Vector2<f64>> {
     let discriminant = 0.25 * tau * tau - delta;
     let a12 = discriminant.abs().sqrt().max(0.1 * delta.sqrt());
@@ -39,8 +39,8 @@ fn cross(a: Vector2<f64>, b: Vector2<f64>) -> f64 {
     a.x * b.y - a.y * b.x
 }
 
-/// The smallest sine of the angles under which the other vertices are seen from the edges of the closed polygon: positive if
-/// and only if it is strictly convex with its vertices in this order.
+/// The smallest sine of the angles under which the other vertices are seen from the edges: positive
+/// if and only if the closed polygon is strictly convex with its vertices in this order.
 fn convexity(path: &[Vector2<f64>]) -> f64 {
     let mut range = (f64::INFINITY, f64::NEG_INFINITY);
     for (i, from) in path.iter().enumerate() {
@@ -63,8 +63,7 @@ fn cross_each_other([a, b]: [Vector2<f64>; 2], [c, d]: [Vector2<f64>; 2]) -> boo
 }
 
 checks! {
-    /// The path seen as a polygon: convex, in order and without intersections for τ > h_p, and not convex for smaller τ (p ≥ 3),
-    /// although Q is affine there too.
+    /// The path as a polygon: convex and in order for τ > h_p, and not for smaller τ (p ≥ 3).
     polygon: drawn_over(9, 0..3000) |sampler, index; (votes, printed): (Votes, Votes)| {
         let p = 2 + index % 7;
         // For smaller determinants the path shrinks below its rounding.
@@ -100,8 +99,7 @@ checks! {
         votes.see(scaled(p - 1, boundary).abs() < 1e-11);
         votes.see((1..p - 1).all(|j| scaled(j, boundary) < -1e-6));
         votes.see(scaled(p - 1, boundary - 1e-4 * delta.sqrt()) > 0.0);
-    } =>
-        votes.outcome("600 determinants, p = 3 to 15, fifty values of τ each from δ + 1 down to h_p and beyond");
+    } => votes.outcome("600 determinants, p = 3 to 15, fifty values of τ each from δ + 1 down to h_p and beyond");
     /// The sum of a truncated geometric series.
     // Twenty roundings.
     geometric_series: sampled(6, 1000, 1..=20) |sampler, n; deviations: Deviations| {
@@ -151,11 +149,12 @@ checks! {
             here = map.a * here + map.b * s;
         }
     } => deviations.outcome(1e-14, "pairs of maps with the same τ and δ, p = 2 to 8");
-    /// The path is convex for h_p < τ < δ + 1, and all its u⁽ʲ⁾ are negative, 0 < j < p, by search for the smallest of the numbers that decide it.
+    /// The path is convex for h_p < τ < δ + 1, and u⁽ʲ⁾ < 0, 0 < j < p: by search.
     ///
-    /// With e = p₁ − p₀ and c = e × Ae, a vertex n − 1 after the end of the edge at i lies on the side of δⁱ T_n c of it, one n before
-    /// its start on that of δ^(i−1) H_(n+1) c, and u⁽ʲ⁾ tells the side of the edge that closes the polygon. So the polygon is convex, and its
-    /// vertices in order, if T_n > 0 and H_n > 0 for n = 2, …, p, and then u⁽ʲ⁾ < 0 for 0 < j < p.
+    /// With e = p₁ − p₀ and c = e × Ae, a vertex n − 1 after the end of the edge at i lies on the
+    /// side of δⁱ T_n c of it, one n before its start on that of δ^(i−1) H_(n+1) c, and u⁽ʲ⁾
+    /// decides for the closing edge. So T_n > 0 and H_n > 0, 2 ≤ n ≤ p, and u⁽ʲ⁾ < 0 make it
+    /// convex.
     convex: search(2..=15, "h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p", "T_n, r^(n−2) H_n and −r^(1−j) u⁽ʲ⁾, n ≤ p, j < p", |p, point| {
         let Some((tau, delta)) = above(p, point) else { return f64::NEG_INFINITY };
         (2..=p)

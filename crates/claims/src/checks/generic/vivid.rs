@@ -3,7 +3,7 @@
 use super::maps::{impact_and_recoil, integrated, virtual_point};
 use crate::*;
 
-/// A size of μ at which the zero of V is as far from grazing as it is in the figures: y and z move by at most a tenth.
+/// A size of μ at which the zero of V is as near to grazing as in the figures: at most a tenth.
 pub(super) fn scale(grazing: &Grazing, p: u32) -> Option<f64> {
     let emerging = grazing.grazing_point().emerging_orbit(p).ok()?;
     Some(0.1 / (1.0 + emerging.impact_velocity_slope.abs() + emerging.impact_phase_slope.abs()))
@@ -15,7 +15,7 @@ fn admissible() -> Result<Vec<(Grazing, u32, Unknowns)>, Failure> {
     for grazing in specimens()?.into_iter().chain(delayed()?) {
         for p in 1..=4 {
             let Ok(theorem) = GenericGrazing::check(&grazing.grazing_point(), p) else { continue };
-            // So near to grazing that the expansion decides on which side of the wall the visits lie.
+            // So near to grazing that the expansion decides on which side the visits lie.
             let size = scale(&grazing, p).ok_or("no emerging orbit")? * 0.01;
             let point = zero(&grazing, p, theorem.side().signum() * size).ok_or("no MPS")?;
             found.push((grazing.clone(), p, point));
@@ -24,13 +24,40 @@ fn admissible() -> Result<Vec<(Grazing, u32, Unknowns)>, Failure> {
     Ok(found)
 }
 
-/// eq:V: V against numerical integration of the way from the impact and of the way from the recoil, return by return.
-pub(crate) fn composition() -> CheckResult {
-    // Some hundred to a unit of time.
-    const STEPS: u32 = 800;
-    let mut sampler = Sampler::new(1);
-    let mut deviations = Deviations::default();
-    for (grazing, p) in specimens_with(1..=4)? {
+/// The derivatives of V at grazing in (y, z, μ), from the derivatives of the maps.
+pub(super) fn derivatives(grazing: &Grazing, p: u32) -> Result<VividLinearisation, MapError> {
+    let point = unknowns(grazing, [0.0; 3]);
+    let (_, derivative) = equations(grazing, p).pair::<1>(&point, &mut EventTimes::default())?.difference();
+    Ok(VividLinearisation {
+        by_impact: derivative.fixed_columns::<2>(0).into_owned(),
+        by_parameter: derivative.column(2).into_owned(),
+    })
+}
+
+/// Expansions of V, a component each.
+fn expansion(seed: u64, component: usize) -> CheckResult {
+    let orders = drawn_over(seed, specimens_with(1..=4)?, |sampler, (grazing, p), orders: &mut Smallest| {
+        let stated = grazing.grazing_point().vivid_linearisation(p);
+        let equations = equations(&grazing, p);
+        orders.see(uniform_order(&directions::<3>(sampler, 4), |direction, h| {
+            let [dy, dz, dmu] = direction.map(|share| share * h);
+            let vivid = vivid(&equations, &unknowns(&grazing, [dy, dz, dmu]))?;
+            let linear = stated.by_impact * Vector2::new(dy, dz) + stated.by_parameter * dmu;
+            // A phase's rounding for each return.
+            Some((vivid[component] - linear[component], 2e-15 * f64::from(p + 1)))
+        }));
+        Ok(())
+    })?;
+    // The next term is of relative size h < 10⁻⁴ where remainders are resolved last.
+    Ok(orders.order(2.0, 0.1, "twelve oscillators, p = 1 to 4, seven directions in (y, z, μ) at once"))
+}
+
+checks! {
+    /// eq:V: V against integration of the ways from impact and recoil, return by return.
+    // The integration's error, of fourth order in steps of 0.01, after four returns.
+    composition: drawn_over(1, specimens_with(1..=4)?) |sampler, (grazing, p); deviations: Deviations| {
+        // Some hundred to a unit of time.
+        const STEPS: u32 = 800;
         for _ in 0..2 {
             let distance = [(); 3].map(|()| sampler.between(-0.02, 0.02));
             let point = unknowns(&grazing, distance);
@@ -54,41 +81,7 @@ pub(crate) fn composition() -> CheckResult {
             }
             deviations.see((vivid - Vector2::new(visit[0] - hat[0], visit[2] - hat[2])).amax());
         }
-    }
-    // The integration's error, of fourth order in steps of 0.01, after four returns.
-    Ok(deviations.outcome(1e-8, "points near grazing, y of either sign, twelve oscillators, p = 1 to 4"))
-}
-
-/// The derivatives of V at grazing in (y, z, μ), from the derivatives of the maps.
-pub(super) fn derivatives(grazing: &Grazing, p: u32) -> Result<VividLinearisation, MapError> {
-    let point = unknowns(grazing, [0.0; 3]);
-    let (_, derivative) = equations(grazing, p).pair::<1>(&point, &mut EventTimes::default())?.difference();
-    Ok(VividLinearisation {
-        by_impact: derivative.fixed_columns::<2>(0).into_owned(),
-        by_parameter: derivative.column(2).into_owned(),
-    })
-}
-
-/// Expansions of V, a component each.
-fn expansion(seed: u64, component: usize) -> CheckResult {
-    let mut sampler = Sampler::new(seed);
-    let mut orders = Smallest::default();
-    for (grazing, p) in specimens_with(1..=4)? {
-        let stated = grazing.grazing_point().vivid_linearisation(p);
-        let equations = equations(&grazing, p);
-        orders.see(uniform_order(&directions::<3>(&mut sampler, 4), |direction, h| {
-            let [dy, dz, dmu] = direction.map(|share| share * h);
-            let vivid = vivid(&equations, &unknowns(&grazing, [dy, dz, dmu]))?;
-            let linear = stated.by_impact * Vector2::new(dy, dz) + stated.by_parameter * dmu;
-            // A phase's rounding for each return.
-            Some((vivid[component] - linear[component], 2e-15 * f64::from(p + 1)))
-        }));
-    }
-    // The next term is of relative size h < 10⁻⁴ where remainders are resolved last.
-    Ok(orders.order(2.0, 0.1, "twelve oscillators, p = 1 to 4, seven directions in (y, z, μ) at once"))
-}
-
-checks! {
+    } => deviations.outcome(1e-8, "points near grazing, y of either sign, twelve oscillators, p = 1 to 4");
     /// eq:xjzj: the points of an MPS on Π are the maxima of its motion from the recoil on.
     // Times of maxima are known to the rounding of the velocity.
     visits: over(admissible()?) |(grazing, p, point); deviations: Deviations| {
@@ -112,8 +105,7 @@ checks! {
             }
         }
     } => deviations.outcome(1e-13, "visits of the admissible MPSs of fifteen oscillators, p = 2 to 4");
-    /// Zeros of V are MPSs: the simulated orbit has its next impact where it started, p periods later; from other points, and on
-    /// the other side of grazing, where y < 0, there is no such orbit.
+    /// Zeros of V are MPSs: simulated orbits return there, and not beside them or beyond grazing.
     zeros_are_orbits: over(admissible()?) |(grazing, p, point); (votes, printed): (Votes, Votes)| {
         let equations = equations(&grazing, p);
         let comes_back = |at: &Unknowns| followed(&equations, at) == ReturnOutcome::Returns;
@@ -139,8 +131,7 @@ checks! {
         let end = global_iterate::<_, 1>(&oscillator, p, AtRest::new(start[0], start[1]))?.value;
         // The square root magnifies the rounding of x̂ by 1/y.
         deviations.see((end - hat).amax() * point[0]);
-    } =>
-        deviations.outcome(1e-14, "MPSs near grazing of fifteen oscillators, p = 1 to 4: the deviation times y");
+    } => deviations.outcome(1e-14, "MPSs near grazing of fifteen oscillators, p = 1 to 4: the deviation times y");
     /// V is twice differentiable across y = 0.
     // The next term is of relative size h² < 10⁻³.
     smooth_across_tangency: over(specimens_with(1..=3)?) |(grazing, p); orders: Smallest| {

@@ -5,7 +5,7 @@ use super::theorems::only;
 use crate::checks::appendices::signs::{scaled_h, search};
 use crate::*;
 
-/// Figure 2's (τ, δ), marked by a star in Figure 4: g₂ < τ, and h_p < τ < g_p for p = 3, 4, 5 and no other p; by
+/// Figure 2's (τ, δ), the star of Figure 4: g₂ < τ, and h_p < τ < g_p for p = 3, 4, 5 alone; by
 /// theorem 2.3 two loops then emerge to the right and three to five to the left.
 pub(crate) fn star() -> CheckResult {
     let oscillator = grazing_theorems::LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
@@ -26,9 +26,9 @@ pub(crate) fn star() -> CheckResult {
     Ok(cases.outcome("p = 2 to 40 at the star; p = 1 to 5 in the hybrid system on both sides of grazing"))
 }
 
-/// p-loop MPSs with τ < h_p(δ) exist near δ = 1 for p = 5 and from p = 7 on, and not for p = 3, 4 and 6: by the signs of
-/// all u⁽ʲ⁾ over a grid of the trapesium, and for those that exist in a simulated oscillator. They exist for p = 2 too, where
-/// h₂ = −2√δ and u⁽¹⁾ = −1; that takes real eigenvalues, which the linear oscillator does not have.
+/// p-loop MPSs with τ < h_p(δ) exist near δ = 1 for p = 5 and p ≥ 7, not for p = 3, 4, 6: by the
+/// signs of all u⁽ʲ⁾ over a grid of the trapesium, and in simulation. They exist for p = 2 too,
+/// where h₂ = −2√δ and u⁽¹⁾ = −1, with real eigenvalues, which no linear oscillator has.
 pub(crate) fn beyond_the_boundary() -> CheckResult {
     let (mut cases, mut printed) = (Votes::default(), Votes::default());
     printed.see(!two_loops_below_the_boundary()?);
@@ -62,7 +62,7 @@ pub(crate) fn beyond_the_boundary() -> CheckResult {
 
 /// Whether an oscillator with τ ≤ −2√δ has a two-loop MPS on the side of βκ₂, as for larger τ.
 ///
-/// Beside a p = 1 resonance of a force that is not linear, a₁₂ = 0, the eigenvalues are near a₁₁ ≠ a₂₂, both negative for n = 1.
+/// Beside a p = 1 resonance of a nonlinear force the eigenvalues are near a₁₁ ≠ a₂₂.
 fn two_loops_below_the_boundary() -> Result<bool, Failure> {
     let law = Law { delay: Exponential::constant(0.0), ..Law::nonlinear(damping_for_decay(1, 1, 0.5)) };
     let resonance = law.resonance(1, 1)?;
@@ -78,7 +78,7 @@ fn two_loops_below_the_boundary() -> Result<bool, Failure> {
     Ok(only_the_margin && side_of_orbit(&orbit, 2)? == stated)
 }
 
-/// Whether the linear oscillator with this trace and determinant has a p-loop MPS near grazing, one side or the other.
+/// Whether the linear oscillator with this trace and determinant has a p-loop MPS near grazing.
 fn beyond_in_simulation(p: u32, tau: f64, delta: f64) -> Result<bool, Failure> {
     // 2πω₁/ω = 2π + θ and 4πζ/ω = −log δ; θ in (0, π) makes a₁₂ positive.
     let turns = 1.0 + libm::acos(0.5 * tau / delta.sqrt()) / (2.0 * PI);
@@ -91,9 +91,8 @@ fn beyond_in_simulation(p: u32, tau: f64, delta: f64) -> Result<bool, Failure> {
 }
 
 checks! {
-    /// eq:gp: at τ = g_p(δ) the (1, 2) entry of Aᵖ vanishes, also for p between integers in the sense of S_p(τ) = 0 at the
-    /// integer; for larger τ it has the sign of a₁₂.
-    // Powers of a matrix of norm two in fifteen steps, of which the entry is what cancellation leaves.
+    /// eq:gp: (Aᵖ)₁₂ = 0 at τ = g_p(δ), with the sign of a₁₂ above; and g_p for half-integer p.
+    // Powers of a matrix of norm two in fifteen steps; the entry is what cancellation leaves.
     resonance_boundary_is_a_zero: drawn(31, 3000) |sampler; largest: Deviations| {
         let p = sampler.one_of(&[2, 3, 4, 5, 6, 7, 9, 12, 15]);
         let delta = sampler.between(0.001, 0.999);
@@ -132,11 +131,11 @@ checks! {
             }));
         }
     } => least.order(2.0, 0.05, "g_p and h_p at random δ, p up to 1024");
-    /// h_p: H_p vanishes there and is positive above, found by search of the smallest quotient H_p/(τ − h_p); h₂ = −2√δ.
+    /// h_p: H_p vanishes there and H_p/(τ − h_p) > 0 above, by search; h₂ = −2√δ.
     admissibility_boundary_is_the_largest_zero: search(2..=20, "τ > h_p and the determinant", "r^(p−2) H_p / (τ − h_p)", |p, [d, s]| {
         let delta = 0.01 + 0.989_999 * d;
         let Ok(boundary) = admissibility_boundary(p, delta) else { return f64::NAN };
-        // Zero to a few roundings of 2√δ times the slope, which is some p³ at most; H₂ has no zero, and h₂ is set by itself.
+        // Zero to roundings of 2√δ times the slope of some p³; H₂ has no zero, and h₂ is set.
         let rounding = 1e-13 * f64::from(p * p * p);
         let off = if p == 2 { boundary + 2.0 * delta.sqrt() } else { scaled_h(p, boundary, delta) };
         if off.abs() > rounding {
@@ -146,10 +145,9 @@ checks! {
         let above = (1e-4 + s * s * s) * (delta + 1.0 - boundary);
         scaled_h(p, boundary + above, delta) / above
     });
-    /// le:admissibilityBoundary: g_{p/2} < h_p < g_{p−1} by adversarial search, from δ = 10⁻⁶ to 1 − 10⁻⁶.
+    /// le:admissibilityBoundary: g_{p/2} < h_p < g_{p−1} by search, from δ = 10⁻⁶ to 1 − 10⁻⁶.
     ///
-    /// Both margins shrink at an end of the interval, the lower one like 1 − √δ, the upper one like √δ, beyond the common
-    /// factor 2√δ: they are measured against that.
+    /// Margins that shrink like 1 − √δ and √δ at an end, beyond 2√δ, are measured against these.
     bounds: search(3..=30, "the determinant", "of both scaled margins", |p, [d, _]| {
         // r = √δ, close to either end at will.
         let modulus = 1e-3 + (1.0 - 1e-3 - 5e-7) * (d * d * (3.0 - 2.0 * d));

@@ -1,9 +1,9 @@
-//! Section 2.6: s_p^±, c_SN and c_PD of oscillators with ψ ≠ 0, against multipliers and continued curves.
+//! Section 2.6: s_p^±, c_SN and c_PD with ψ ≠ 0, against multipliers and continued curves.
 
 use crate::*;
 
-/// A resonance with one of these numbers of loops at which s^± are not within a twentieth of zero, nor the impact
-/// velocity along either curve within a fifth of η: then the curves are seen at small velocities.
+/// A resonance with one of these numbers of loops at which |s^±| > 1/20 and the impact velocity
+/// along either curve is above η/5: then the curves are seen at small velocities.
 pub(crate) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<ResonantSpecimen, Failure> {
     loop {
         let loops = sampler.one_of(loops);
@@ -20,7 +20,7 @@ pub(crate) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<ResonantS
     }
 }
 
-/// s^± as limits of T − D − 1 and T + D + 1 on the branch at η = 0, with T and D of numerical orbits.
+/// s^± as limits of T − D − 1 and T + D + 1 on the branch at η = 0, T and D of numerical orbits.
 fn stability(seed: u64, loops: &[u32], over: &str) -> CheckResult {
     let least = drawn(seed, 30, |sampler, least: &mut Smallest| {
         let place = resonant(sampler, loops)?;
@@ -29,7 +29,7 @@ fn stability(seed: u64, loops: &[u32], over: &str) -> CheckResult {
             least.see_resolved(order(|velocity| {
                 let multipliers = place.solution(&place.on_branch(velocity, 0.0)?).multipliers;
                 let limit = multipliers.trace - sign * (multipliers.determinant + 1.0);
-                // Numerator and denominator of T vanish with y: rounding over y, of terms of order ten.
+                // Numerator and denominator of T vanish with y: rounding of order ten over y.
                 Some((limit - stated, 1e-14 / velocity))
             }));
         }
@@ -41,7 +41,7 @@ fn stability(seed: u64, loops: &[u32], over: &str) -> CheckResult {
 
 /// c_SN and c_PD against the limits of μ/η² on continued curves.
 ///
-/// The accuracy of a fit is what interpolation in the impact velocity leaves; empirical, some tens of times the largest seen.
+/// A fit is as good as interpolation in y; empirical, some tens of times the largest seen.
 fn fitted(seed: u64, loops: &[u32], tolerance: f64, over: &str) -> CheckResult {
     let largest = drawn(seed, 20, |sampler, largest: &mut Deviations| {
         let place = resonant(sampler, loops)?;
@@ -56,12 +56,11 @@ fn fitted(seed: u64, loops: &[u32], tolerance: f64, over: &str) -> CheckResult {
 }
 
 checks! {
-    /// a₁₂′ and κ_p′: total derivatives along the grazing curve, by differences of numerical grazing orbits.
+    /// a₁₂′ and κ_p′: total derivatives along the grazing curve, by differences of grazing orbits.
     // Rounding 10⁻¹⁴ over the step 10⁻⁴.
     unfolding_derivatives: drawn(65, 30) |sampler; largest: Deviations| {
         let place = resonant(sampler, &[1, 2, 3, 4])?;
-        let loops = place.loops();
-        let measured = place.along_grazing(1e-4, |LinearisedMap { a, .. }| {
+        let measured = place.along_grazing(1e-4, |loops, LinearisedMap { a, .. }| {
             let cosine = libm::cos(PI / f64::from(loops));
             if loops == 1 { a.m12 } else { a.trace() - 2.0 * a.determinant().sqrt() * cosine }
         })?;

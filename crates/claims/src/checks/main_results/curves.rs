@@ -4,7 +4,7 @@ use super::coefficients::resonant;
 use crate::*;
 
 checks! {
-    /// Across the SN curve two MPSs on one side of μ become none, and across the PD curve a multiplier passes through −1.
+    /// Across the SN curve two MPSs become none, across the PD curve a multiplier passes −1.
     crossing: drawn(75, 30) |sampler; cases: Votes| {
         let place = resonant(sampler, &[1, 2, 3])?;
         for curve in &place.curves() {

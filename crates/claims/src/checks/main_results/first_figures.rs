@@ -2,9 +2,9 @@
 
 use crate::solutions;
 use crate::*;
-use grazing_continuation::curve::Curve;
+use grazing_continuation::curve::{Curve, CurvePoint};
 
-/// The branch of p-loop MPSs that leaves the grazing bifurcation of Figure 2, with its equations and 𝒜_graz.
+/// The branch of p-loop MPSs that leaves grazing in Figure 2, its equations and 𝒜_graz.
 fn branch(loops: u32) -> Result<(LoopEquations<Specimen>, Curve, f64), Failure> {
     let omega = printed("fig02_frequency");
     let grazing = Law::linear(printed("zeta"), printed("epsilon")).grazing(omega)?;
@@ -21,12 +21,7 @@ fn branch(loops: u32) -> Result<(LoopEquations<Specimen>, Curve, f64), Failure> 
     Ok((equations(&grazing, loops), curve, amplitude))
 }
 
-/// The first points of a branch beyond the grazing bifurcation.
-fn first(curve: &Curve) -> impl Iterator<Item = &PeriodicSolution> {
-    curve.points.iter().skip(1).take(3).map(|point| &point.solution)
-}
-
-/// Two loops gain stability at a PD, three at an SN and lose it at a GZ; between GZ and PD no MPS with p ≤ 3 is stable.
+/// Two loops gain stability at a PD, three at an SN and lose it at a GZ, left of that PD.
 pub(crate) fn stability_gained() -> CheckResult {
     let mut cases = Votes::default();
     let mut located = Vec::new();
@@ -62,11 +57,10 @@ pub(crate) fn stability_gained() -> CheckResult {
 }
 
 checks! {
-    /// MPSs with p = 1 and 2 emanate to the right, those with p = 3 to the left; all are unstable there, by multipliers and in
-    /// simulation.
+    /// MPSs with p = 1 and 2 emanate to the right, p = 3 to the left; all are unstable there.
     emanating_solutions: over(1..=3) |loops; cases: Votes| {
         let (equations, curve, amplitude) = branch(loops)?;
-        for solution in first(&curve) {
+        for CurvePoint { solution, .. } in curve.points.iter().skip(1).take(3) {
             let point = &solution.unknowns;
             cases.see((solution.parameters()[0] > amplitude) == (loops < 3));
             cases.see(solution.admissible() && followed(&equations, point) == ReturnOutcome::Returns);

@@ -7,8 +7,8 @@ use crate::*;
 const DIFFERENCES: f64 = 1e-10;
 
 checks! {
-    /// ass:grazing: the orbit from (0, 0, z_graz) is periodic, touches the wall once per period and lies below it otherwise,
-    /// and F < 0 where it touches; at another amplitude there is no such orbit.
+    /// ass:grazing: the orbit from (0, 0, z_graz) is periodic, touches the wall once a period and
+    /// lies below it otherwise, and F < 0 where it touches; at another μ there is none.
     grazing_orbit: at_grazing(11, 100) |_, orbit; cases: Votes| {
         let oscillator = orbit.oscillator();
         let period = oscillator.forcing_period();
@@ -22,12 +22,12 @@ checks! {
             phase: orbit.phase() + 0.5 * core::f64::consts::TAU,
         };
         let maxima = oscillator.motion(start).local_maxima(period);
-        // Positions of order one are good to some roundings; maxima that do not touch lie far lower in one period.
+        // Positions of order one are good to some roundings; other maxima lie far lower.
         let touching = maxima.iter().filter(|maximum| maximum.position > -1e-12).count();
         let inside = maxima.iter().all(|maximum| maximum.position < 1e-12);
         let periodic = end.amax() < 1e-12;
         cases.see(periodic && touching == 1 && inside && oscillator.acceleration(from) < 0.0);
-        // A hypothesis violated: off the grazing value of μ no orbit from the wall at rest is periodic.
+        // A hypothesis violated: off the grazing value of μ no such orbit is periodic.
         let [primary, secondary] = oscillator.parameters();
         let off = oscillator.with_parameters([primary * 1.01, secondary]);
         let [x, z] = returned(&off, [0.0, orbit.phase()])?.into();

@@ -16,7 +16,7 @@ checks! {
             Some((disc[1] - orbit.phase() - stated, 1e-14))
         }));
     } => least.order(2.0, 0.3, "random oscillators with ψ ≠ 0; order in √x̂");
-    /// eq:phipsigamma: φ and ψ by differences of the reset law at zero velocity, γ by the second difference of Γ; γ > 0.
+    /// eq:phipsigamma: φ and ψ by differences of the reset law, γ by those of Γ; γ > 0.
     // Rounding 10⁻¹⁵ over the step 10⁻³; the error of fourth order is as small.
     constants: at_grazing(42, 100) |_, orbit; largest: Deviations| {
         let (oscillator, point) = (orbit.oscillator(), orbit.grazing_point());
@@ -29,7 +29,7 @@ checks! {
         largest.compare(deceleration, point.gamma, point.gamma.max(1.0));
         largest.require(point.gamma > 0.0);
     } => largest.outcome(1e-11, "random oscillators with ψ ≠ 0");
-    /// κ_p: its sign is that of the (1, 2) entry of Aᵖ over a₁₂ for τ > h_p, and it vanishes with that entry.
+    /// κ_p: it has the sign of (Aᵖ)₁₂/a₁₂ for τ > h_p, and vanishes with it.
     detuning_has_the_sign_of_the_entry: drawn(43, 3000) |sampler; cases: Votes| {
         let p = sampler.one_of(&[2, 3, 4, 5, 6, 8, 10]);
         let delta = sampler.between(0.01, 0.99);
@@ -39,7 +39,7 @@ checks! {
         let entry = (1..p).fold(a, |power, _| power * a)[(0, 1)];
         let kappa = detuning(p, tau, delta);
         let definition = tau - 2.0 * delta.sqrt() * libm::cos(PI / f64::from(p));
-        // The definition to two roundings; the entry has no sign where κ_p is as small as its rounding.
+        // The definition to two roundings; no sign where κ_p is as small as its rounding.
         cases.see((kappa - definition).abs() < 1e-15 && (kappa.abs() < 1e-12 || kappa * entry > 0.0));
     } => cases.outcome("random p ≥ 2, δ and τ above h_p(δ)");
 }

@@ -22,20 +22,19 @@ fn fixed_point(orbit: &Grazing, mu: f64) -> Result<Vector2<f64>, Failure> {
     Err("no fixed point of P_global was found".into())
 }
 
-/// A grazing orbit with the frequency as μ, which enters nonlinearly, away from the fold of 𝒜_graz(ω).
+/// A grazing orbit with the frequency as μ, which enters nonlinearly, off the fold of 𝒜_graz(ω).
 fn nonlinear_orbit(sampler: &mut Sampler) -> Result<Grazing, Failure> {
     loop {
         let orbit = Law::random_grazing(sampler)?;
         let map = orbit.grazing_point().map;
-        // At the fold grazing is not transversal, and Newton's method for the grazing orbit is singular; where A has the eigenvalue 1
-        // the fixed point turns back.
+        // At the fold grazing is not transversal; with the eigenvalue 1 the fixed point turns back.
         if orbit.primary_slope().abs() > 0.1 && map.determinant() - map.trace() + 1.0 > 0.2 {
             return frequency_first(&orbit);
         }
     }
 }
 
-/// eq:beta: β is det(I − A) times dx*/dμ by Cramer's rule, and its sign is the one with which x* crosses the wall.
+/// eq:beta: β = det(I − A) dx*/dμ by Cramer's rule; x* crosses the wall with its sign.
 pub(crate) fn transversality() -> CheckResult {
     let mut sampler = Sampler::new(24);
     let mut largest = Deviations::default();
@@ -101,7 +100,7 @@ checks! {
         log_size += libm::log(power.amax());
         cases.see((log_size < 0.0) == in_trapesium(tau, delta));
     } => cases.outcome("random matrices with δ > 0, a third of them within 10⁻⁶ of a side");
-    /// For small μ with βμ < 0 orbits of the hybrid system that start near the non-impacting solution approach it.
+    /// For small μ with βμ < 0 orbits that start near the non-impacting solution approach it.
     stability: at_grazing(27, 60) |sampler, orbit; cases: Votes| {
         let map = orbit.grazing_point().map;
         let slope = map.fixed_point_position_slope()?;
@@ -110,7 +109,7 @@ checks! {
         let [primary, secondary] = orbit.oscillator().parameters();
         let oscillator = orbit.oscillator().with_parameters([primary + mu, secondary]);
         let [x, z] = fixed_point(orbit, mu)?.into();
-        // Loops contract like |λ|ⁿ: as many as make it 10⁻³, from a tenth of the distance to the wall.
+        // Loops contract like |λ|ⁿ: as many as make it 10⁻³, from a tenth of the distance.
         let radius = map.eigenvalues().spectral_radius();
         let loops = libm::ceil(libm::log(1e-4) / libm::log(radius));
         let from = State::at_rest(x + 0.1 * x * sampler.between(-1.0, 1.0), z);
@@ -121,8 +120,7 @@ checks! {
         };
         cases.see(x < 0.0 && approached);
     } => cases.outcome("random oscillators just below grazing");
-    /// τ and δ are trace and determinant of the flow over one period in (x, y), the wall ignored: P_global has the multipliers
-    /// of Γ.
+    /// τ and δ are those of the flow over one period in (x, y), the wall ignored.
     // Products and sums of a dozen rounded numbers of the size of the entries.
     trace_and_determinant: at_grazing(21, 500) |_, orbit; largest: Deviations| {
         let map = orbit.grazing_point().map;
@@ -146,7 +144,7 @@ checks! {
         }));
     } => least.order(2.0, 0.3, "random oscillators with the frequency as μ");
     /// eq:xStarzStarDeriv: dx*/dμ by differences of numerical fixed points.
-    // h⁶ = 10⁻¹⁸ times seventh derivatives of 𝒜/𝒜_graz(ω), which has its resonance ζ wide, ζ ≥ 0.01: empirical.
+    // h⁶ = 10⁻¹⁸ times seventh derivatives of 𝒜/𝒜_graz(ω), with its resonance ζ wide: empirical.
     position_slope: drawn(23, 100) |sampler; largest: Deviations| {
         let orbit = nonlinear_orbit(sampler)?;
         let map = orbit.grazing_point().map;

@@ -1,4 +1,4 @@
-//! P_global without Newton's method or jets: the maxima of x in a free motion, found by the search of `motion`.
+//! P_global without Newton's method or jets: maxima of x in free motion, by the search of `motion`.
 
 use crate::*;
 
@@ -19,16 +19,8 @@ pub(crate) fn returned<O: ImpactOscillator>(
 }
 
 /// The p-th iterate.
-pub(crate) fn iterated<O: ImpactOscillator>(
-    oscillator: &O,
-    loops: u32,
-    start: [f64; 2],
-) -> Result<Vector2<f64>, Failure> {
-    let mut here = Vector2::from(start);
-    for _ in 0..loops {
-        here = returned(oscillator, here.into())?;
-    }
-    Ok(here)
+pub(crate) fn iterated(oscillator: &Specimen, loops: u32, start: [f64; 2]) -> Result<Vector2<f64>, Failure> {
+    (0..loops).try_fold(start.into(), |here: Vector2<f64>, _| returned(oscillator, here.into()))
 }
 
 /// ∂P_global/∂(x, z, μ) at grazing by differences, μ counted in a unit.

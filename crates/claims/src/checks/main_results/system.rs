@@ -4,7 +4,7 @@ use crate::*;
 use grazing_model::motion::Motion;
 
 checks! {
-    /// eq:f: all three components of the vector field against first differences along the flow, parameters of both kinds.
+    /// eq:f: the components of the vector field against first differences along the flow.
     // Slack as above; the third component holds exactly, which leaves no order to be seen.
     vector_field: at_grazing(2, 60) |sampler, orbit; least: Smallest| {
         let oscillator = orbit.oscillator();
@@ -31,7 +31,7 @@ checks! {
             }));
         }
     } => least.order(2.0, 0.3, "components of the field at states of random oscillators");
-    /// eq:z: along orbits with impacts, which may take time, the phase is ωt from its first value on, reduced to [0, 2π).
+    /// eq:z: along orbits with impacts, which may take time, the phase is ωt in [0, 2π).
     // Phases up to 130 added up over at most 200 impacts.
     phase: drawn(3, 40) |sampler; largest: Deviations| {
         let orbit = Law::random_grazing(sampler)?;
@@ -48,7 +48,7 @@ checks! {
             largest.see(if inside { (elapsed - turns * TAU).abs() } else { f64::INFINITY });
         }
     } => largest.outcome(1e-12, "flights of orbits with impacts");
-    /// Σ_graz: where F < 0 at (0, 0, z), and only there, the orbit through the point stays on the free side around it.
+    /// Σ_graz: where F < 0 at (0, 0, z), and only there, the orbit stays on the free side.
     grazing_set: drawn(4, 300) |sampler; cases: Votes| {
         let orbit = Law::random_grazing(sampler)?;
         let at_grazing = orbit.oscillator();
@@ -57,7 +57,7 @@ checks! {
         let oscillator = at_grazing.with_parameters([sampler.between(0.5, 3.0), frequency]);
         let from = State::on_wall(0.0, sampler.between(0.0, TAU));
         let force = oscillator.acceleration(from);
-        // At a time of 10⁻⁵ the jerk changes x by 10⁻¹⁵ times a number of order one, F by 10⁻¹⁰ |F|.
+        // At a time of 10⁻⁵ the jerk changes x by 10⁻¹⁵ times a number of order one.
         if force.abs() < 1e-4 {
             return Ok(());
         }
@@ -65,7 +65,7 @@ checks! {
         let free = [1e-5, -1e-5].map(|time| motion.at(time).position < 0.0);
         cases.see(free == [force < 0.0; 2]);
     } => cases.outcome("points of the tangency set, F of both signs");
-    /// eq:R: the incoming set goes to the outgoing set, the tangency set to itself, and the law has the form with Φ and Ψ.
+    /// eq:R: incoming set to outgoing set, tangency set to itself, in the form with Φ and Ψ.
     reset_form: drawn(5, 40) |sampler; least: Smallest| {
         let orbit = Law::random_grazing(sampler)?;
         let oscillator = orbit.oscillator();
@@ -86,7 +86,7 @@ checks! {
         });
         least.see(margin);
     } => least.margin("adversarial searches for the smallest recoil velocity per impact velocity");
-    /// eq:resetLaw: simulated orbits stay in x ≤ 0, arrive at the wall with y > 0, and go on from R(y, z).
+    /// eq:resetLaw: simulated orbits stay in x ≤ 0, arrive with y > 0, and go on from R(y, z).
     // Event times are exact to rounding; phases are of order ten.
     reset_law: drawn(6, 40) |sampler; largest: Deviations| {
         let orbit = Law::random_grazing(sampler)?;

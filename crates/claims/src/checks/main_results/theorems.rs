@@ -1,12 +1,11 @@
-//! Theorems 2.2 to 2.5: hypotheses met and the conclusion seen in the hybrid system; a hypothesis violated, and the conclusion seen
-//! to fail.
+//! Theorems 2.2 to 2.5, seen in the hybrid system; without a hypothesis the conclusion fails.
 
 pub(super) mod general;
 
-use self::general::{side_of_curve, side_of_orbit};
+use self::general::{side_of_orbit, sides_of_curves};
 use crate::sweep::closed_form::{LoopSolution, LoopSolutions};
 use crate::sweep::resonant::FIT_TOLERANCE;
-use crate::sweep::{CaseVerdict, GenericRow, ResonantRow, generic_cases, resonant_cases, rows};
+use crate::sweep::{Case, CaseVerdict, GenericRow, ResonantRow, generic_cases, resonant_cases, rows};
 use crate::*;
 use grazing_model::LinearOscillator;
 use grazing_theorems::{HypothesesViolated, ResonantGrazing};
@@ -17,12 +16,8 @@ const EPSILON: f64 = 0.8;
 
 /// th:codim11.
 pub(crate) fn generic_grazing_one_loop() -> CheckResult {
-    let mut count = generic_votes(|loops| loops == 1)?;
-    // a₁₂ = 0: the MPS that comes into being is not unstable.
-    let resonance = theory()?.resonance(1, 3)?;
-    count.see(attracts(1, resonance.forcing_frequency()));
-    count.see(exists_for_both_signs_of_the_root(1, 0.97 * resonance.forcing_frequency()));
-    // Impacts that take some time, α > 0, and so much that α < 0: the MPS is on the other side then.
+    let mut count = generic_votes(&[(1, 3)], |loops| loops == 1)?;
+    // Impacts that take time, α > 0, and so much that α < 0: the MPS is on the other side then.
     for shift in [0.05, -0.05] {
         for alpha in [0.5, -0.5] {
             let orbit = delayed(1.5 + shift, alpha)?;
@@ -36,13 +31,9 @@ pub(crate) fn generic_grazing_one_loop() -> CheckResult {
 
 /// th:codim1p.
 pub(crate) fn generic_grazing_p_loops() -> CheckResult {
-    let mut count = generic_votes(|loops| loops > 1)?;
+    let mut count = generic_votes(&[(2, 1), (3, 1)], |loops| loops > 1)?;
     for p in [2, 3] {
-        let resonance = theory()?.resonance(p, 1)?;
-        // κ_p = 0: the MPS that comes into being is not unstable.
-        count.see(attracts(p, resonance.forcing_frequency()));
-        count.see(exists_for_both_signs_of_the_root(p, 0.97 * resonance.forcing_frequency()));
-        // With α < 0 it is a₁₂ < 0 that makes MPSs, to both sides of n − 1/(2p), and a₁₂ > 0 that makes none.
+        // With α < 0 it is a₁₂ < 0 that makes MPSs, to both sides of n − 1/(2p), and not a₁₂ > 0.
         for share in [0.94, 1.06] {
             let q = share * 0.5 / f64::from(p);
             for (ratio, negative) in [(2.0 - q, true), (1.0 + q, false)] {
@@ -84,7 +75,7 @@ pub(crate) fn resonant_grazing_p_loops() -> CheckResult {
     for p in [2, 3] {
         let q = 0.5 / f64::from(p);
         count.see(no_curve_away_from_resonance(p, theory()?.damped_natural_frequency() / (1.04 + q)));
-        // With α < 0 the resonances at n − 1/(2p) are the real ones, and those at n + 1/(2p) virtual.
+        // With α < 0 the resonances at n − 1/(2p) are real, and those at n + 1/(2p) virtual.
         for (ratio, negative) in [(1.0 + q, false), (2.0 - q, true)] {
             for alpha in [0.5, -0.5] {
                 let (orbit, applies) = (delayed(ratio, alpha)?, negative == (alpha < 0.0));
@@ -98,8 +89,7 @@ pub(crate) fn resonant_grazing_p_loops() -> CheckResult {
     ))
 }
 
-/// Where theorem 2.2 or 2.3 applies the MPS is seen on its side; where it does not, this hypothesis alone is violated, and something
-/// else is seen.
+/// Where theorem 2.2 or 2.3 applies the MPS is on its side; or this hypothesis alone is violated.
 fn generic_case(
     orbit: &Grazing,
     loops: u32,
@@ -128,21 +118,27 @@ fn resonant_case(
     })
 }
 
-fn sides_of_curves(orbit: &Grazing, loops: u32) -> Result<[Existence; 2], Failure> {
-    Ok([side_of_curve(orbit, loops, 1.0)?, side_of_curve(orbit, loops, -1.0)?])
-}
-
 /// Where a hypothesis fails the theorem is silent, as long as what is seen there has its reason.
-fn judged(count: &mut Votes, verdict: CaseVerdict) {
-    match verdict {
-        CaseVerdict::Agreement => count.see(true),
-        CaseVerdict::Explained(_) => count.silent(),
-        CaseVerdict::Unexplained => count.see(false),
+fn swept(
+    cases: Vec<Case>,
+    wanted: impl Fn(u32) -> bool,
+    count: &mut Votes,
+    verdict: fn(Case) -> Result<CaseVerdict, Failure>,
+) -> Result<(), Failure> {
+    let cases: Vec<_> = cases.into_iter().filter(|case| wanted(case.loops)).collect();
+    for verdict in rows(&cases, verdict, || ())? {
+        match verdict {
+            CaseVerdict::Agreement => count.see(true),
+            CaseVerdict::Explained(_) => count.silent(),
+            CaseVerdict::Unexplained => count.see(false),
+        }
     }
+    Ok(())
 }
 
-/// Oscillators at grazing that are not linear: forces, reset laws, β of either sign, real eigenvalues; and linear ones with varying
-/// reset laws within 0.01 of τ = h_p and of δ = 1. With them stands whether the theorem speaks of them, where that is known.
+/// Oscillators at grazing that are not linear: forces, reset laws, β of either sign, real
+/// eigenvalues; and linear ones within 0.01 of τ = h_p and of δ = 1; whether the theorem applies,
+/// if known.
 fn other_oscillators(wanted: impl Fn(u32) -> bool) -> Result<Vec<(Grazing, u32, Option<bool>)>, Failure> {
     let mut found = Vec::new();
     for orbit in specimens()? {
@@ -158,7 +154,7 @@ fn other_oscillators(wanted: impl Fn(u32) -> bool) -> Result<Vec<(Grazing, u32, 
     let orbit = Law::varying(damping).grazing((1.0 - damping * damping).sqrt() / 1.1)?;
     // τ = 1.6 lies above h_p for these p, and a₁₂ > 0.
     found.extend((1..=4).map(|p| (orbit.clone(), p, Some(true))));
-    // β < 0 and a₁₂ > 0: with μ = ω far above the natural frequency, where Γ shrinks as ω grows. h₃ < τ < g₃ and g₂ < τ.
+    // β < 0 and a₁₂ > 0: μ = ω far above the natural frequency. h₃ < τ < g₃ and g₂ < τ.
     let law = Law { delay: Exponential::constant(0.05), ..Law::linear(0.05, 0.7) }.frequency_first();
     let orbit = law.grazing(4.5)?;
     found.extend((1..=3).map(|p| (orbit.clone(), p, Some(true))));
@@ -166,7 +162,7 @@ fn other_oscillators(wanted: impl Fn(u32) -> bool) -> Result<Vec<(Grazing, u32, 
     Ok(found)
 }
 
-/// An oscillator with a varying reset law and τ this much above h_p(δ), a₁₂ > 0: ω₁/ω lies between 1 + 1/(2p) and 1 + 1/p.
+/// An oscillator with τ this much above h_p(δ), a₁₂ > 0: 1 + 1/(2p) < ω₁/ω < 1 + 1/p.
 fn beside_the_boundary(p: u32, margin: f64) -> Result<Grazing, Failure> {
     let theory = theory()?;
     let omega = |ratio: f64| theory.damped_natural_frequency() / ratio;
@@ -181,13 +177,16 @@ fn beside_the_boundary(p: u32, margin: f64) -> Result<Grazing, Failure> {
     Law::varying(ZETA).grazing(omega(near))
 }
 
-/// What theorem 2.2 or 2.3 says of the linear oscillators of the sweep, which are continued and simulated, and of the others, which
-/// are simulated.
-fn generic_votes(wanted: impl Fn(u32) -> bool) -> Result<Votes, Failure> {
+/// Theorem 2.2 or 2.3 on the sweep's oscillators, continued and simulated, and others, simulated.
+fn generic_votes(resonances: &[(u32, u32)], wanted: impl Fn(u32) -> bool) -> Result<Votes, Failure> {
     let mut count = Votes::default();
-    let mut cases = generic_cases()?;
-    cases.retain(|case| wanted(case.loops));
-    rows(&cases, GenericRow::of, || ())?.iter().for_each(|row| judged(&mut count, row.verdict()));
+    for &(p, n) in resonances {
+        // a₁₂ = 0 or κ_p = 0: the MPS that comes into being is not unstable.
+        let omega = theory()?.resonance(p, n)?.forcing_frequency();
+        count.see(attracts(p, omega));
+        count.see(exists_for_both_signs_of_the_root(p, 0.97 * omega));
+    }
+    swept(generic_cases()?, &wanted, &mut count, |case| Ok(GenericRow::of(case)?.verdict()))?;
     for (orbit, p, speaks) in other_oscillators(wanted)? {
         match GenericGrazing::check(&orbit.grazing_point(), p) {
             Ok(theorem) => {
@@ -201,12 +200,10 @@ fn generic_votes(wanted: impl Fn(u32) -> bool) -> Result<Votes, Failure> {
     Ok(count)
 }
 
-/// What theorem 2.4 or 2.5 says of the linear oscillators of the sweep, and of these resonances of one that is not linear.
+/// Theorem 2.4 or 2.5 on the sweep's oscillators, and on these resonances of a nonlinear one.
 fn resonant_votes(wanted: impl Fn(u32) -> bool, others: &[(u32, u32)]) -> Result<Votes, Failure> {
     let mut count = Votes::default();
-    let mut cases = resonant_cases()?;
-    cases.retain(|case| wanted(case.loops));
-    rows(&cases, ResonantRow::of, || ())?.iter().for_each(|row| judged(&mut count, row.verdict()));
+    swept(resonant_cases()?, &wanted, &mut count, |case| Ok(ResonantRow::of(case)?.verdict()))?;
     for &(p, n) in others {
         let located = Law::nonlinear(damping_for_decay(p, n, 0.5)).resonance(p, n)?;
         count.see(holds(located.orbit(), p, located.checked()?.theorem())?);
@@ -223,7 +220,7 @@ pub(super) fn only(violated: &HypothesesViolated, quantity: Quantity) -> bool {
     violated.violated().map(|hypothesis| hypothesis.quantity).eq([quantity])
 }
 
-/// The grazing orbit of an oscillator whose impacts take time, at ω₁/ω = `ratio`, with a reset law that varies and has this α.
+/// The grazing orbit at ω₁/ω = `ratio` of an oscillator whose impacts take time, with this α.
 fn delayed(ratio: f64, alpha: f64) -> Result<Grazing, Failure> {
     let omega = theory()?.damped_natural_frequency() / ratio;
     let with = |size: f64| Law { delay: Exponential { size, ..DELAY }, ..Law::varying(ZETA) }.grazing(omega);
@@ -239,13 +236,13 @@ fn seen(solution: LoopSolution, loops: u32, omega: f64) -> Option<(ReturnOutcome
     Some((suspect.follow(), suspect.attracts()))
 }
 
-/// The MPS that grazing makes at this frequency is there, and simulated orbits beside it come nearer.
+/// The MPS that grazing makes at this frequency is there, and simulated orbits approach it.
 fn attracts(loops: u32, omega: f64) -> bool {
     let solution = LoopSolutions::new(ZETA, EPSILON, omega, loops).with_velocity(0.01);
     seen(solution, loops, omega) == Some((ReturnOutcome::Returns, Some(true)))
 }
 
-/// With 𝒜 = 𝒜_graz ± μ² instead, so that β = 0, the MPS exists for both signs of μ or, with the other sign, for none.
+/// With 𝒜 = 𝒜_graz ± μ² instead, β = 0: the MPS exists for both signs of μ, or for none.
 fn exists_for_both_signs_of_the_root(loops: u32, omega: f64) -> bool {
     let solutions = LoopSolutions::new(ZETA, EPSILON, omega, loops);
     let size = 1e-4 / solutions.slopes()[0].abs();
@@ -257,8 +254,7 @@ fn exists_for_both_signs_of_the_root(loops: u32, omega: f64) -> bool {
     above != below
 }
 
-/// Away from a resonance no saddle-node and no period-doubling bifurcation of the MPS comes out of the grazing point: those
-/// nearby in frequency stay at a distance from it.
+/// Away from resonance no SN or PD comes out of grazing: those near in frequency stay away.
 fn no_curve_away_from_resonance(loops: u32, omega: f64) -> bool {
     [0.0, 1e-4, -1e-4].iter().all(|eta| {
         let solutions = LoopSolutions::new(ZETA, EPSILON, omega + eta, loops);
@@ -266,7 +262,7 @@ fn no_curve_away_from_resonance(loops: u32, omega: f64) -> bool {
     })
 }
 
-/// Both curves are seen for the stated sign of η, and the continued ones have the stated coefficients.
+/// Both curves are seen for the stated sign of η, and have the stated coefficients.
 fn holds(orbit: &Grazing, loops: u32, theorem: &ResonantGrazing) -> Result<bool, Failure> {
     let located = ResonantGrazingPoint::find(orbit.oscillator(), loops, orbit.phase())?;
     let stated = [theorem.saddle_node(), theorem.period_doubling()];

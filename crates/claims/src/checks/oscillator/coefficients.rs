@@ -12,10 +12,10 @@ fn least_of_four(stability: StabilityCoefficients, [sn, pd]: [f64; 2], rebound: 
     by_square[0].min(by_square[1]).min(-sn / size).min(pd / (size * square.min(1.0)))
 }
 
-/// c_SN < 0, c_PD > 0, s⁺ < 0 < s⁻ wherever εE_p ≠ 1, by adversarial search over ζ and ε for each p and n.
+/// c_SN < 0, c_PD > 0, s⁺ < 0 < s⁻ wherever εE_p ≠ 1, by search over ζ and ε for each p and n.
 ///
-/// For ε ≤ 1 the product εE_p stays below 1; for ε beyond 1, on both sides of 1/E_p, the general formulas of section 2.6 are evaluated
-/// with φ = ε. All four are measured against the factors that vanish with 1 − εE_p, E_p and 𝒜_graz.
+/// εE_p < 1 for ε ≤ 1; for larger ε, on both sides of 1/E_p, the general formulas of section 2.6
+/// are taken. All four are measured against what vanishes with 1 − εE_p, E_p and 𝒜_graz.
 pub(crate) fn signs() -> CheckResult {
     let closed_form = |p: u32, n: u32, [a, b]: [f64; 2]| {
         let (zeta, epsilon) = (0.002 + 0.9 * a * a, 0.01 + 0.99 * b);
@@ -54,30 +54,27 @@ pub(crate) fn signs() -> CheckResult {
 /// Loops and indices that stand for all: both parities for one loop.
 const INDICES: [(u32, u32); 9] = [(1, 1), (1, 2), (1, 3), (1, 4), (2, 1), (2, 2), (3, 1), (4, 2), (5, 1)];
 
-/// At the three resonances of Figure 8: the dashed curve, (μ, η) = (𝒜 − 𝒜_graz, ω − ω*) inverted with the closed forms of
-/// the coefficients, is off the continued curve by third order in η.
+/// At the resonances of Figure 8 the dashed curve, (μ, η) = (𝒜 − 𝒜_graz, ω − ω*) inverted with the
+/// closed forms of the coefficients, is off the continued one by third order in η.
 pub(crate) fn quadratic_approximation() -> CheckResult {
     let (zeta, epsilon) = (printed("zeta"), printed("epsilon"));
     let mut orders = Vec::new();
     for (p, n) in [(1, 3), (2, 1), (3, 2)] {
         let resonance = LinearOscillator::new(zeta, epsilon)?.resonance(p, n)?;
-        orders.extend(quadratic_orders(
-            &ResonantSpecimen::find(Law::linear(zeta, epsilon), p, n)?,
-            |curve, eta| {
-                let coefficient = match curve.condition {
-                    Condition::SADDLE_NODE => resonance.saddle_node_coefficient(),
-                    _ => resonance.period_doubling_coefficient(),
-                };
-                coefficient * eta * eta
-            },
-        ));
+        let place = ResonantSpecimen::find(Law::linear(zeta, epsilon), p, n)?;
+        orders.extend(quadratic_orders(&place, |curve, eta| {
+            let coefficient = match curve.condition {
+                Condition::SADDLE_NODE => resonance.saddle_node_coefficient(),
+                _ => resonance.period_doubling_coefficient(),
+            };
+            coefficient * eta * eta
+        }));
     }
-    let over = "SN and PD curves at the three resonances of Figure 8, against the dashed ones";
-    Ok(Outcome::new(lowest(&orders), orders.len(), over))
+    Ok(of_orders(&orders, "SN and PD curves at the three resonances of Figure 8, against the dashed ones"))
 }
 
 checks! {
-    /// The continued SN and PD curves start with η of different signs and μ of different signs: the former as theorems 2.4 and 2.5 say.
+    /// The continued SN and PD curves start with different signs of η, as stated, and of μ.
     opposite_sides: drawn(133, 60) |sampler; cases: Votes| {
         let (zeta, epsilon) = (sampler.between(0.005, 0.1), sampler.between(0.3, 0.98));
         let (p, n) = sampler.one_of(&INDICES);
@@ -92,8 +89,7 @@ checks! {
         }
         let [[sn_eta, sn_mu], [pd_eta, pd_mu]] = found;
         cases.see(sn_eta * pd_eta < 0.0 && sn_mu < 0.0 && pd_mu > 0.0);
-    } =>
-        cases.outcome("resonances of random oscillators: curves beside the resonance, and the theorem's sides");
+    } => cases.outcome("resonances of random oscillators: curves beside the resonance, and the theorem's sides");
     /// eq:Ep and E_p = δ^{p/2}: the decay of the free motion over p periods.
     // The exponent is up to a hundred; the determinant is a difference of products.
     decay: drawn(131, 1000) |sampler; largest: Deviations| {

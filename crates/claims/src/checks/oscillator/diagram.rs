@@ -7,17 +7,17 @@ use grazing_theorems::LinearOscillator;
 /// Frequencies from below the lowest resonance that Figure 7 labels to above the highest.
 const FREQUENCIES: [f64; 2] = [0.36, 0.95];
 
-/// Left of the grazing curve orbits that start near φ_p approach it in the full system; right of it φ_p is no solution.
-pub(crate) fn non_impacting_region() -> CheckResult {
-    let theory = LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
-    let cases = drawn(151, 60, |sampler, cases: &mut Votes| {
+checks! {
+    /// Left of the grazing curve simulated orbits approach φ_p; right of it φ_p is no solution.
+    non_impacting_region: drawn(151, 60) |sampler; cases: Votes| {
+        let theory = LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
         let omega = sampler.between(FREQUENCIES[0], FREQUENCIES[1]);
         let grazing = theory.grazing(omega)?;
         let share = sampler.between(0.1, 0.999);
         let oscillator = grazing.model().with_parameters([share * grazing.amplitude(), omega]);
         let phase = sampler.between(0.0, TAU);
         let start = oscillator.non_impacting_solution(phase);
-        // Off by a tenth of the distance to the wall, towards it or not, in a norm that never grows.
+        // Off by up to a tenth of the distance to the wall, in a norm that never grows.
         let off = 0.1 * (1.0 - share) * sampler.between(-1.0, 1.0);
         let from = State { position: start.position + off, ..start };
         let periods = libm::ceil(5.0 / theory.damping_ratio() / oscillator.forcing_period());
@@ -30,13 +30,11 @@ pub(crate) fn non_impacting_region() -> CheckResult {
         });
         let beyond = oscillator.with_parameters([grazing.amplitude() / share, omega]);
         cases.see(beyond.non_impacting_solution(grazing.phase()).position > 0.0);
-        Ok(())
-    })?;
-    Ok(cases.outcome("points left and right of the grazing curve, simulated"))
+    } => cases.outcome("points left and right of the grazing curve, simulated");
 }
 
-/// At each resonance of Figure 7 an SN and a PD curve leave, a GZ curve of the MPS closes the region, and the MPS is stable on
-/// one side of SN and PD and unstable on the other, in simulation too.
+/// At each resonance of Figure 7 SN and PD curves leave and a GZ curve closes the region; the MPS
+/// is stable on one side of SN and PD and not on the other, in simulation too.
 pub(crate) fn boundaries() -> CheckResult {
     let theory = LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
     let mut cases = Votes::default();
@@ -52,13 +50,13 @@ pub(crate) fn boundaries() -> CheckResult {
         let located = ResonantGrazingPoint::find(&grazing.model(), resonance.loops(), grazing.phase())?;
         let unfolded = located.unfold(&route)?;
         for curve in [&unfolded.saddle_node, &unfolded.period_doubling] {
-            // Each curve ends at the grazing bifurcation of the MPS, or runs on to another resonance on the grazing curve.
+            // It ends at grazing of the MPS, or runs on to another resonance.
             cases.see(match &curve.end {
                 CurveEnd::Grazing => true,
                 CurveEnd::Event(event) => event.condition == Condition::InteriorGrazing,
                 _ => false,
             });
-            // In the middle of the curve, one step of the impact velocity to either side at fixed η.
+            // In the middle of the curve, one step of the impact velocity to either side.
             let middle = curve.points[curve.points.len() / 2].solution.unknowns;
             let equations = located.equations().with_formulation(Formulation::FixedPhase);
             let beside = |factor: f64| {
@@ -66,7 +64,7 @@ pub(crate) fn boundaries() -> CheckResult {
                 Some(equations.solution(&point))
             };
             let (lower, upper) = beside(0.98).zip(beside(1.02)).ok_or("no MPS beside the curve")?;
-            // One side is stable, the other is not; simulation agrees where the orbit is admissible.
+            // One side is stable, the other is not; simulation agrees where it is admissible.
             cases.see(lower.stable() != upper.stable());
             for solution in [lower, upper] {
                 if solution.admissible() {

@@ -4,7 +4,7 @@ use crate::checks::main_results::returns::derivatives;
 use crate::*;
 use grazing_model::LinearOscillator;
 
-/// The closed form at random parameters, and the numerical grazing orbit found from a start beside it.
+/// The closed form at random parameters, and the grazing orbit found from a start beside it.
 fn both(sampler: &mut Sampler) -> Result<(GrazingState, GrazingOrbit<LinearOscillator>), Failure> {
     let (zeta, epsilon) = (sampler.between(0.005, 0.3), sampler.between(0.05, 1.0));
     let omega = sampler.between(0.3, 2.5);
@@ -14,7 +14,7 @@ fn both(sampler: &mut Sampler) -> Result<(GrazingState, GrazingOrbit<LinearOscil
     Ok((closed, orbit))
 }
 
-/// What is measured in the numerical oscillator against a printed expression, over random parameters.
+/// What is measured in the numerical oscillator against a printed expression.
 fn compared(
     seed: u64,
     mut sample: impl FnMut(&GrazingState, &GrazingOrbit<LinearOscillator>, &mut Deviations) -> Result<(), Failure>,
@@ -45,8 +45,8 @@ checks! {
         largest.compare(image[1], state.phase, 1.0);
     } => largest.outcome(1e-14, "random oscillators, states and impacts");
     /// eq:oscphipsigamma: φ, ψ, γ read off the reset law and the numerical grazing orbit.
-    // Newton's method for the grazing orbit leaves some ten roundings of numbers of order one to five.
-    constants: compared(112, |closed, orbit, largest| {
+    // Newton's method for the grazing orbit leaves some ten roundings of numbers up to five.
+    constants: compared(112) |closed, orbit; largest: Deviations| {
         let omega = closed.forcing_frequency();
         let GrazingPoint { phi, psi, gamma, .. } = orbit.grazing_point();
         largest.compare(phi, closed.oscillator().coefficient_of_restitution(), 1.0);
@@ -57,39 +57,34 @@ checks! {
         largest.compare(stated.gamma, gamma, 1.0);
         largest.compare(stated.phi, phi, 1.0);
         largest.compare(stated.psi, psi, 1.0);
-        Ok(())
-    }).map(|largest| largest.outcome(1e-13, "numerical grazing orbits of random oscillators"));
+    } => largest.outcome(1e-13, "numerical grazing orbits of random oscillators");
     /// eq:oscalpha.
     // The same sum.
-    square_root_factor: compared(113, |closed, orbit, largest| {
+    square_root_factor: compared(113) |closed, orbit; largest: Deviations| {
         let epsilon = closed.oscillator().coefficient_of_restitution();
         largest.compare(orbit.grazing_point().alpha(), 1.0 + epsilon, 1.0);
         largest.compare(closed.grazing_point().alpha(), 1.0 + epsilon, 1.0);
-        Ok(())
-    }).map(|largest| largest.outcome(0.0, "numerical grazing orbits of random oscillators"));
-    /// eq:oscA: the closed form against jets of the numerical map and against differences of event locations.
+    } => largest.outcome(0.0, "numerical grazing orbits of random oscillators");
+    /// eq:oscA: the closed form against jets of the numerical map and differences.
     // As for the constants, with arguments 2πω₁/ω up to twenty.
-    first_derivatives: compared(114, |closed, orbit, largest| {
+    first_derivatives: compared(114) |closed, orbit; largest: Deviations| {
         let (jets, stated) = (orbit.grazing_point().map.a, closed.linearised_map().a);
         largest.see((jets - stated).amax());
         let [by_position, by_phase, _] = derivatives(orbit, 1.0)?;
         // Differences are good to fewer digits: counted as that much less.
         largest.see(DIFFERENCES * (Matrix2::from_columns(&[by_position, by_phase]) - stated).amax());
-        Ok(())
-    }).map(|largest| largest.outcome(1e-13, "entries of A of random oscillators, by jets and by differences"));
+    } => largest.outcome(1e-13, "entries of A of random oscillators, by jets and by differences");
     /// eq:oscb, likewise; μ = 𝒜 − 𝒜_graz(ω) at fixed ω.
     // As for A.
-    parameter_derivatives: compared(115, |closed, orbit, largest| {
+    parameter_derivatives: compared(115) |closed, orbit; largest: Deviations| {
         let (jets, stated, amplitude) =
             (orbit.grazing_point().map.b, closed.linearised_map().b, closed.amplitude());
         // Steps in proportion to the amplitude, which is small at resonance.
         let [_, _, by_parameter] = derivatives(orbit, amplitude)?;
         largest.see((jets - stated).amax() * amplitude);
         largest.see(DIFFERENCES * (by_parameter - stated * amplitude).amax());
-        Ok(())
-    }).map(|largest| largest.outcome(1e-13, "entries of b of random oscillators, by jets and by differences"));
-    /// pr:oscAb: A and b of the numerical map as the proposition gives them, strongly damped oscillators and high frequencies
-    /// included.
+    } => largest.outcome(1e-13, "entries of b of random oscillators, by jets and by differences");
+    /// pr:oscAb: A and b of the numerical map, at strong damping and high frequencies too.
     // Derivatives of maxima: sums of a dozen terms of the size of the entries.
     both_derivatives: drawn(118, 1000) |sampler; largest: Deviations| {
         let zeta = sampler.between(0.002, 0.8);
@@ -104,17 +99,15 @@ checks! {
     } => largest.outcome(1e-13, "A and b by jets of the map for damping ratios to 0.8, frequencies 0.25 to 5");
     /// eq:osctaudelta: trace and determinant of the numerical A.
     // As for A.
-    trace_and_determinant: compared(116, |closed, orbit, largest| {
+    trace_and_determinant: compared(116) |closed, orbit; largest: Deviations| {
         let map = orbit.grazing_point().map;
         largest.compare(map.trace(), closed.trace(), 1.0);
         largest.compare(map.determinant(), closed.determinant(), 1.0);
-        Ok(())
-    }).map(|largest| largest.outcome(1e-13, "numerical grazing orbits of random oscillators"));
+    } => largest.outcome(1e-13, "numerical grazing orbits of random oscillators");
     /// The display after eq:osctaudelta: β = (δ − τ + 1)/𝒜_graz.
     // As for b.
-    transversality: compared(117, |closed, orbit, largest| {
+    transversality: compared(117) |closed, orbit; largest: Deviations| {
         let map = orbit.grazing_point().map;
         largest.compare(map.transversality(), closed.transversality(), 1.0 / closed.amplitude());
-        Ok(())
-    }).map(|largest| largest.outcome(1e-13, "numerical grazing orbits of random oscillators"));
+    } => largest.outcome(1e-13, "numerical grazing orbits of random oscillators");
 }

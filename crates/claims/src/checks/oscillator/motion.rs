@@ -14,11 +14,6 @@ fn oscillator(sampler: &mut Sampler) -> Result<LinearOscillator, Failure> {
     )?)
 }
 
-/// φ_p and its derivative as printed in eq:phip.
-fn printed_periodic(oscillator: &LinearOscillator, time: f64) -> [f64; 2] {
-    Printed::of(oscillator).periodic(time, oscillator.amplitude())
-}
-
 /// ẍ + 2ζẋ + x + 1 − 𝒜 cos ωt by central differences of a motion x(t), and its rounding.
 fn defect(oscillator: &LinearOscillator, x: impl Fn(f64) -> f64, time: f64, h: f64) -> (f64, f64) {
     let [back, here, ahead] = [x(time - h), x(time), x(time + h)];
@@ -38,7 +33,7 @@ fn sampler_phase(omega: f64) -> f64 {
 }
 
 checks! {
-    /// eq:oscResetLaw: at every impact of simulated orbits y becomes −εy, and neither x nor z changes.
+    /// eq:oscResetLaw: at every simulated impact y becomes −εy, and x and z do not change.
     // The same product, and the same phase.
     reset_law: drawn(102, 60) |sampler; largest: Deviations| {
         let oscillator = oscillator(sampler)?;
@@ -51,10 +46,7 @@ checks! {
                 let turns = libm::round((impact.phase - flight.from.phase) / TAU);
                 largest.see((impact.phase - turns * TAU - flight.from.phase).abs());
             }
-            before = match flight.end {
-                FlightEnd::Impact(impact) => Some(impact),
-                FlightEnd::TimeIsUp(_) => None,
-            };
+            before = if let FlightEnd::Impact(impact) = flight.end { Some(impact) } else { None };
         }
     } => largest.outcome(0.0, "impacts of orbits of random oscillators");
     /// ω₁ and −ζ ± iω₁: trace and determinant of the matrix of the free oscillator.
@@ -76,7 +68,7 @@ checks! {
         largest.compare(end[0] + 1.0, shrunk * (from.position + 1.0), 3.0);
         largest.compare(end[1], shrunk * from.velocity, 3.0);
     } => largest.outcome(1e-14, "random damping ratios");
-    /// eq:flow: the print satisfies the initial condition and the equation, and is the model's flow.
+    /// eq:flow: the print satisfies initial condition and equation, and is the model's flow.
     // Slack as above; values agree to roundings of the periodic solution's size.
     flow: drawn(104, 300) |sampler; least: Smallest| {
         let oscillator = oscillator(sampler)?;
@@ -90,18 +82,19 @@ checks! {
         least.see_resolved(order(|h| {
             Some(((x(start + h) - x(start - h)) / (2.0 * h) - from.velocity, 1e-14 / h))
         }));
-        let gain = printed_periodic(&oscillator, 0.0).map(f64::abs);
+        let gain = printed.periodic(0.0, oscillator.amplitude()).map(f64::abs);
         let size = 10.0 + gain[0] + gain[1];
         let same = (x(start) - from.position).abs() < 1e-14 * size
             && (x(time) - oscillator.flow::<1>(from, time - start).value[0]).abs() < 1e-13 * size;
         least.require(same);
     } => least.order(2.0, 0.3, "the printed solution: defect, initial state, and the model's flow");
-    /// eq:phip: the print satisfies the equation, has period 2π/ω, and is the model's periodic solution.
+    /// eq:phip: the print satisfies the equation, has period 2π/ω, and is the model's.
     // Slack as above.
     periodic_solution: drawn(105, 300) |sampler; least: Smallest| {
         let oscillator = oscillator(sampler)?;
         let time = sampler.between(0.0, 10.0);
-        let x = |t: f64| printed_periodic(&oscillator, t)[0];
+        let printed = |t: f64| Printed::of(&oscillator).periodic(t, oscillator.amplitude());
+        let x = |t: f64| printed(t)[0];
         // At two times a quarter of a period apart: the fourth derivative is not small at both.
         let later = time + 0.25 * oscillator.forcing_period();
         least.see_resolved(order(|h| {
@@ -109,7 +102,7 @@ checks! {
             Some((libm::hypot(one, other), rounding))
         }));
         let model = oscillator.non_impacting_solution(oscillator.frequency() * time);
-        let [position, velocity] = printed_periodic(&oscillator, time);
+        let [position, velocity] = printed(time);
         let size = 1.0 + position.abs() + velocity.abs();
         let from = State { position, velocity, phase: oscillator.frequency() * time };
         let returned = oscillator.flow::<1>(from, oscillator.forcing_period()).value;
@@ -117,7 +110,7 @@ checks! {
             && (returned[0] - position).abs() + (returned[1] - velocity).abs() < 1e-12 * size;
         least.require(same);
     } => least.order(2.0, 0.3, "the printed periodic solution: defect, period, and the model's");
-    /// eq:Agraz: at the printed amplitude the highest maximum of φ_p, found by search, is the wall; beside it is not.
+    /// eq:Agraz: at the printed amplitude the highest maximum of φ_p is at the wall; beside it not.
     // Positions of order one, gains up to a hundred at 𝒜 as small.
     grazing_amplitude: drawn(107, 500) |sampler; largest: Deviations| {
         let oscillator = oscillator(sampler)?;

@@ -5,13 +5,10 @@ use crate::*;
 
 /// Ratios of y and η in which points run into the resonance.
 const RATIOS: [[f64; 2]; 4] = [[1.0, 0.0], [1.0, 0.3], [1.0, -0.3], [-1.0, 0.2]];
-
 /// Rounding of a located phase relative to z_graz: the quotient of 10⁻¹⁵ and entries of K.
 const PHASE: f64 = 3e-14;
-
 /// Rounding of a located μ: the zeros of V are exact to the last places of the amplitude.
 const PARAMETER: f64 = 1e-15;
-
 /// Rounding of P_global^p.
 const MAP: f64 = 1e-15;
 
@@ -29,7 +26,7 @@ fn branch_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     Ok(found)
 }
 
-/// The coefficients of μ in x⁽ᵖ⁾ and z⁽ᵖ⁾ at resonance: b for p = 1, T_p (β, a₂₁ b₁ + (1 − a₁₁) b₂) for p ≥ 2.
+/// The coefficients of μ at resonance: b for p = 1, T_p (β, a₂₁ b₁ + (1 − a₁₁) b₂) for p ≥ 2.
 fn parameter_column(place: &ResonantSpecimen) -> Vector2<f64> {
     let map = place.point().grazing.map;
     if place.loops() == 1 {
@@ -149,10 +146,9 @@ fn psi_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
 }
 
 checks! {
-    /// eq:Psi: det(U − I) = −Ψ⁺ and det(U + I) = Ψ⁻, which vanish where U has the eigenvalue 1 or −1.
+    /// eq:Psi: det(U − I) = −Ψ⁺ and det(U + I) = Ψ⁻, zero where U has the eigenvalue ±1.
     // Determinants of matrices with entries of size 1/y, relative to their squares.
-    multiplier_conditions: deviation(ANY, 1e-14, "MPSs on branches near resonances", |place| {
-        let mut found = Vec::new();
+    multiplier_conditions: everywhere(ANY) |place; largest: Deviations| {
         for (y, eta) in [(0.1, 0.0), (0.03, 0.01), (0.05, -0.01), (0.02, -0.02)] {
             let Some(near) = place.on_branch(y, eta) else { continue };
             let pair = place.pair(&near)?;
@@ -161,18 +157,19 @@ checks! {
             let [plus, minus] = psi(&pair.multipliers());
             let one = Matrix2::identity();
             let size = 1.0 + u.amax() * u.amax();
-            // The function that curves are continued with is det(U ∓ I) times det D P_virt, which stays smooth through y = 0.
+            // What curves are continued with: det(U ∓ I) det D P_virt, smooth through y = 0.
             let scaled = |multiplier: f64| pair.characteristic(multiplier).0 * inverse.determinant();
-            found.push((scaled(1.0) + plus).abs() / size);
-            found.push((scaled(-1.0) - minus).abs() / size);
-            found.push(((u - one).determinant() + plus).abs() / size);
-            found.push(((u + one).determinant() - minus).abs() / size);
+            for (at_one, at_minus_one) in
+                [(scaled(1.0), scaled(-1.0)), ((u - one).determinant(), (u + one).determinant())]
+            {
+                largest.see((at_one + plus) / size);
+                largest.see((at_minus_one - minus) / size);
+            }
         }
-        Ok(found)
-    });
+    } => largest.outcome(1e-14, "MPSs on branches near resonances");
     /// At the resonance det J = 0 and det K is what eq:detJac2 says.
     // Sums of products of some tens of roundings.
-    jacobians: deviation(ANY, 1e-13, "derivatives of V at located resonances", |place| {
+    jacobians: everywhere(ANY) |place; largest: Deviations| {
         let start = place.resonance.unknowns();
         let pair = place.resonance.equations().pair::<1>(&start, &mut EventTimes::default())?;
         let derivative = pair.difference().1;
@@ -180,8 +177,9 @@ checks! {
             Matrix2::from_columns(&[derivative.column(first), derivative.column(first + 1)]).determinant()
         };
         let expected = place.point().grazing.parameter_jacobian_determinant_factored(place.loops());
-        Ok(vec![determinant(0).abs(), (determinant(1) - expected).abs() / (1.0 + expected.abs())])
-    });
+        largest.see(determinant(0));
+        largest.pairs([(determinant(1), expected)]);
+    } => largest.outcome(1e-13, "derivatives of V at located resonances");
     /// det K/β > 0 at resonance, so that K is non-singular: adversarial search over δ and p.
     second_jacobian_is_regular: search(2..=15, "the determinant at τ = g_p", "det K / β", |p, [x, _]| {
         let delta = determinant(x);
@@ -189,15 +187,11 @@ checks! {
     });
     /// Z(0, η) = z_graz,η and M(0, η) = 0.
     // Both are located to some 10⁻¹⁴; K has entries down to 0.1.
-    at_zero_velocity: deviation(ANY, 1e-13, "zeros of V with y = 0 for η up to 0.03 around resonances", |place| {
-        let mut found = Vec::new();
-        for eta in [-0.03, -0.01, 0.005, 0.02] {
-            if let Some(near) = place.on_branch(0.0, eta) {
-                found.extend(near.relative().map(f64::abs));
-            }
+    at_zero_velocity: everywhere(ANY) |place; largest: Deviations| {
+        for near in [-0.03, -0.01, 0.005, 0.02].into_iter().filter_map(|eta| place.on_branch(0.0, eta)) {
+            near.relative().into_iter().for_each(|gap| largest.see(gap));
         }
-        Ok(found)
-    });
+    } => largest.outcome(1e-13, "zeros of V with y = 0 for η up to 0.03 around resonances");
     /// eq:ZM: Z − z_graz,η is of first order, M of second.
     form: orders(ANY, EVERYWHERE, |place| {
         let mut found = Vec::new();
@@ -210,15 +204,16 @@ checks! {
     });
     /// X₁ = X₂ = X₃ = 0 has the solution eq:k1231 or eq:k123p.
     // A dozen roundings, and a₁₂ or κ_p of up to 10⁻¹³ at the located resonance.
-    solution: deviation(ANY, 1e-14, "resonances with p up to 5", |place| {
+    solution: everywhere(ANY) |place; largest: Deviations| {
         let branch = place.point().branch_expansion();
         let symbols = place.symbols()?;
         let by_parameter = parameter_column(place).x;
         let k = [branch.k_1, branch.k_2, branch.k_3];
-        let sizes = symbols.x([0.0; 3], by_parameter);
-        let terms: [f64; 3] = core::array::from_fn(|i| sizes[i].abs() + k[i].abs() + 1.0 + symbols.f.abs());
-        Ok(symbols.x(k, by_parameter).iter().zip(terms).map(|(x, size)| x.abs() / size).collect())
-    });
+        let (found, sizes) = (symbols.x(k, by_parameter), symbols.x([0.0; 3], by_parameter));
+        for i in 0..3 {
+            largest.see(found[i] / (sizes[i].abs() + k[i].abs() + 1.0 + symbols.f.abs()));
+        }
+    } => largest.outcome(1e-14, "resonances with p up to 5");
     /// eq:k1231 in eq:ZM.
     coefficients_of_one_loop: orders(ONE, EVERYWHERE, branch_orders);
     /// eq:k123p in eq:ZM.

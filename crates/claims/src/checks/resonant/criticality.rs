@@ -6,7 +6,7 @@ use super::simulation::next_impact;
 use crate::*;
 use grazing_continuation::criticality::{coefficient_at_resonance, period_doubling};
 
-/// Points of the PD curve that bounds a periodicity region, admissible and evenly spread over its length.
+/// Admissible points of the PD curve that bounds a region, evenly spread over its length.
 fn flips(place: &ResonantSpecimen, count: usize) -> Result<Vec<Unknowns>, Failure> {
     let unfolded = place.resonance.unfold(&ROUTE)?;
     let points: Vec<&PeriodicSolution> = unfolded
@@ -20,17 +20,17 @@ fn flips(place: &ResonantSpecimen, count: usize) -> Result<Vec<Unknowns>, Failur
     Ok((0..count).map(|k| points[k * last / (count - 1).max(1)].unknowns).collect())
 }
 
-/// Whether the period-doubled MPS next to a point of a PD curve has a multiplier above 1, and that MPS.
+/// The period-doubled MPS beside a PD point, and whether it has a multiplier above 1.
 fn doubled(place: &ResonantSpecimen, flip: &Unknowns) -> Result<(bool, Doubled), Failure> {
     let equations = DoubledEquations::new(place.resonance.equations());
     let beside = 0.1 * flip[unknown::VELOCITY];
     let doubled = equations.near(flip, beside).ok_or("no period-doubled MPS beside a PD point")?;
     let multipliers = equations.multipliers(&doubled).ok_or("no multipliers")?;
-    // 1 − T + D is the product of one less each multiplier; both are near those of the MPS taken twice, 1 and below 1.
+    // 1 − T + D is the product of one less each multiplier, which are near 1 and below 1.
     Ok((1.0 - multipliers.trace + multipliers.determinant < 0.0, doubled))
 }
 
-/// Whether the simulated orbit that starts beside the MPS, at the parameters of the period-doubled one, ends on the latter.
+/// Whether the simulated orbit that starts beside the MPS ends on the period-doubled one.
 fn settles(place: &ResonantSpecimen, doubled: &Doubled) -> bool {
     let [first, second] = doubled.impacts();
     let oscillator = place.resonance.equations().oscillator_at(&first);
@@ -46,67 +46,52 @@ fn settles(place: &ResonantSpecimen, doubled: &Doubled) -> bool {
     (here - first).norm().min((here - second).norm()) < 1e-3 * (first - second).norm()
 }
 
-/// The period doublings of Figure 7. Printed: all create an unstable solution. Found: close to the resonances those with p = 1
-/// and even n do and the others create a stable one, on which simulated orbits end.
-pub(crate) fn criticality_of_figure_7() -> CheckResult {
-    let (mut cases, mut printed) = (Vec::new(), Vec::new());
-    for place in of_figure_7()? {
+checks! {
+    /// The period doublings of Figure 7. Printed: all create an unstable solution. Found: close to
+    /// resonances those with p = 1 and even n do; the others create one on which simulation ends.
+    criticality_of_figure_7: over(of_figure_7()?) |place; (cases, printed): (Votes, Votes)| {
         let subcritical = coefficient_at_resonance(place.point()) < 0.0;
         // As the correction of the misprint says: p = 1 with even n alone.
         let even = place.loops() == 1 && place.point().unfolding.derivative < 0.0;
-        cases.push(subcritical == even);
+        cases.see(subcritical == even);
         for flip in flips(&place, 25)? {
-            printed.push(doubled(&place, &flip)?.0);
+            printed.see(doubled(&place, &flip)?.0);
         }
         let curve = &place.curves()[1];
-        // Close to the resonance: the leading terms rule, so that the velocities of the two impacts stand in proportion to y.
+        // Close to the resonance the leading terms rule: both velocities go with y.
         for y in [4e-3, 2e-3, 1e-3, 5e-4] {
             let eta = y / curve.leading.impact_velocity_slope;
             let Some(near) = place.on_curve(curve, eta) else { continue };
             let (unstable, doubled) = doubled(&place, &near.unknowns)?;
-            cases.push(unstable == subcritical && settles(&place, &doubled) != subcritical);
+            cases.see(unstable == subcritical && settles(&place, &doubled) != subcritical);
             let normal_form = period_doubling(place.resonance.equations(), &near.unknowns)?;
-            cases.push(normal_form.supercritical() != unstable);
+            cases.see(normal_form.supercritical() != unstable);
         }
-    }
-    let over = "points of the seven PD curves of Figure 7: close to the resonances with simulated orbits, for the print all along";
-    Ok(Votes::of(cases).outcome(over).against_print(Votes::of(printed).measure()))
-}
-
-/// The order in η of μ at the grazing member of the period-doubled family, and of its first impact velocity.
-fn doubled_grazing_orders(place: &ResonantSpecimen) -> Vec<Observed> {
-    let equations = DoubledEquations::new(place.resonance.equations());
-    let curve = &place.curves()[1];
-    // Smaller velocities than this are lost in the rounding of the two impacts, whose distance is a part of them.
-    const SMALLEST: f64 = 1e-5;
-    // Located amplitudes and velocities.
-    together([(1e-15, 1.0), (1e-13, 1.0)], |size| {
-        if size < SMALLEST {
-            return Some([0.0; 2]);
+    } =>
+        cases.outcome("points of the seven PD curves of Figure 7: close to the resonances with simulated orbits, for the print all along")
+            .against_print(printed.measure());
+    /// Period-doubled solutions end at grazing, on curves with μ and y of first order in η.
+    doubled_solutions_graze: over(of_figure_7()?) |place; orders: Vec<Observed>| {
+        let equations = DoubledEquations::new(place.resonance.equations());
+        let curve = &place.curves()[1];
+        // Smaller velocities are lost in the rounding of the two impacts' distance.
+        const SMALLEST: f64 = 1e-5;
+        // Located amplitudes and velocities.
+        orders.extend(together([(1e-15, 1.0), (1e-13, 1.0)], |size| {
+            if size < SMALLEST {
+                return Some([0.0; 2]);
+            }
+            let near = place.on_curve(curve, size / curve.leading.impact_velocity_slope)?;
+            let grazing = equations.grazing(&near.unknowns)?;
+            Some([grazing.primary() - near.orbit.primary(), grazing.impacts()[0][unknown::VELOCITY]])
+        }));
+        // Infinite: not found.
+        if orders.iter().any(|(observed, _)| observed.is_infinite()) {
+            return Err("a period-doubled family was not followed to its grazing".into());
         }
-        let near = place.on_curve(curve, size / curve.leading.impact_velocity_slope)?;
-        let grazing = equations.grazing(&near.unknowns)?;
-        Some([grazing.primary() - near.orbit.primary(), grazing.impacts()[0][unknown::VELOCITY]])
-    })
-}
-
-/// The period-doubled solutions end at grazing bifurcations of their own, on curves that end at the resonance.
-pub(crate) fn doubled_solutions_graze() -> CheckResult {
-    let mut orders = Vec::new();
-    for place in of_figure_7()? {
-        orders.extend(doubled_grazing_orders(&place));
-    }
-    // Infinite: not found.
-    if orders.iter().any(|(observed, _)| observed.is_infinite()) {
-        return Err("a period-doubled family was not followed to its grazing".into());
-    }
-    let over = "μ and y on the curves where period-doubled MPSs of Figure 7 graze, as η tends to 0";
-    Ok(Outcome::new(lowest(&orders), orders.len(), over))
-}
-
-checks! {
-    /// The criterion that section 6 asks for, derived at the resonance: y² c of the normal form, c counted in the impact velocity, tends
-    /// to it at first order in y along the PD curve.
+    } => of_orders(&orders, "μ and y on the curves where period-doubled MPSs of Figure 7 graze, as η tends to 0");
+    /// The criterion that section 6 asks for, derived at the resonance: y² c of the normal form, c
+    /// counted in the impact velocity, tends to it at first order in y along the PD curve.
     criterion_at_resonance: orders(ANY, "PD curves running into resonances with p up to 5", |place| {
         let limit = coefficient_at_resonance(place.point());
         let curve = &place.curves()[1];

@@ -3,9 +3,8 @@
 use crate::checks::main_results::coefficients::resonant;
 use crate::*;
 
-/// Rounding of located velocities, phases and positions: on the curves they come from quotients of derivatives.
+/// Rounding of located velocities, phases and positions: quotients of derivatives.
 pub(super) const PHASE: f64 = 1e-13;
-
 /// Rounding of a located μ; it enters V directly.
 const PARAMETER: f64 = 1e-15;
 
@@ -14,18 +13,8 @@ pub(super) fn eta_at(curve: &Bifurcation, velocity: f64) -> f64 {
     velocity / curve.leading.impact_velocity_slope
 }
 
-/// Both curves: the order of a remainder in the impact velocity, which is in proportion to η.
+/// The orders of remainders, as many as loops at most, along both curves in y, which goes with η.
 pub(super) fn along_curves(
-    place: &ResonantSpecimen,
-    stated: f64,
-    rounding: f64,
-    remainder: impl Fn(&Bifurcation, f64, &Near) -> Option<f64>,
-) -> Vec<Observed> {
-    all_along_curves(place, stated, rounding, |curve, eta, near| Some(vec![remainder(curve, eta, near)?]))
-}
-
-/// The same for several remainders, whose number is that of the loops at most.
-pub(super) fn all_along_curves(
     place: &ResonantSpecimen,
     stated: f64,
     rounding: f64,
@@ -52,7 +41,7 @@ pub(super) fn all_along_curves(
 
 fn velocity_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     Ok(along_curves(place, 2.0, PHASE, |curve, eta, near| {
-        Some(near.unknowns[0] - curve.leading.impact_velocity_slope * eta)
+        Some(vec![near.unknowns[0] - curve.leading.impact_velocity_slope * eta])
     }))
 }
 
@@ -64,7 +53,7 @@ fn coefficient_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure
 
 /// μ less a quadratic approximation of both curves.
 ///
-/// The larger of the remainders at η and −η, between which terms of third and of fourth order do not cancel.
+/// The larger remainder at η and −η, between which terms of higher order do not cancel.
 pub(crate) fn quadratic_orders(
     place: &ResonantSpecimen,
     stated: impl Fn(&Bifurcation, f64) -> f64,
@@ -72,11 +61,11 @@ pub(crate) fn quadratic_orders(
     along_curves(place, 3.0, PARAMETER, |curve, eta, near| {
         let other = place.on_curve(curve, -eta)?;
         let [here, there] = [near, &other].map(|near| (near.relative()[1] - stated(curve, eta)).abs());
-        Some(here.max(there))
+        Some(vec![here.max(there)])
     })
 }
 
-/// μ less the quadratic approximations of the theorem, each of which is there on its side of η = 0 alone.
+/// μ less the theorem's quadratic approximations, each on its side of η = 0 alone.
 fn approximations(seed: u64, which: Loops) -> CheckResult {
     let measure = |place: &ResonantSpecimen| {
         let approximation = |curve: &Bifurcation, eta: f64| {
@@ -85,13 +74,12 @@ fn approximations(seed: u64, which: Loops) -> CheckResult {
         };
         quadratic_orders(place, approximation)
     };
-    let mut found = everywhere(which.clone(), |place| Ok(measure(place)))?;
+    let mut found = all_orders(which.clone(), |place| Ok(measure(place)))?;
     let (mut sampler, loops) = (Sampler::new(seed), Vec::from_iter(which));
     for _ in 0..30 {
         found.extend(measure(&resonant(&mut sampler, &loops)?));
     }
-    let over = format!("{EVERYWHERE}, and of random oscillators with ψ ≠ 0");
-    Ok(Outcome::new(lowest(&found), found.len(), over))
+    Ok(of_orders(&found, &format!("{EVERYWHERE}, and of random oscillators with ψ ≠ 0")))
 }
 
 /// M(Υ^±, η) with Υ⁺ for both.
@@ -101,9 +89,8 @@ fn printed_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     Ok(quadratic_orders(place, |_, eta| branch.parameter(fold * eta, eta)))
 }
 
-/// Whether an MPS on the curves is admissible for the stated sign of η, and has y < 0 for the other.
-fn sides(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
-    let mut found = Vec::new();
+/// Whether an MPS on the curves is admissible for the stated sign of η; y < 0 for the other.
+fn sides(place: &ResonantSpecimen, cases: &mut Votes) -> Result<(), Failure> {
     for curve in place.curves() {
         let sign = curve.leading.eta_side.signum();
         for velocity in [1e-3, 3e-4, 1e-4] {
@@ -113,20 +100,19 @@ fn sides(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
                 continue;
             };
             let solution = place.solution(&right);
-            found.push(solution.admissible() && wrong.unknowns[0] < 0.0);
+            cases.see(solution.admissible() && wrong.unknowns[0] < 0.0);
         }
     }
-    Ok(found)
+    Ok(())
 }
 
 const SIDES: &str =
     "points of SN and PD curves for both signs of η: admissible for the stated one, y < 0 for the other";
 
 checks! {
-    /// Two zeros of V separate from the SN curve like the square root of the change of μ: the exponent, less 1/2.
-    // The next term of the parabola changes the exponent by the square of the relative distance, some 10⁻³ times curvatures.
-    square_root: deviation(ANY, 1e-4, "exponents on either fold: zeros of V at two distances from SN curves", |place| {
-        let mut found = Vec::new();
+    /// Two zeros of V separate from the SN curve like a square root: the exponent, less 1/2.
+    // The next term changes the exponent by the relative distance squared, some 10⁻³.
+    square_root: everywhere(ANY) |place; largest: Deviations| {
         let [fold, _] = place.curves();
         let k_2 = place.point().branch_expansion().k_2;
         for velocity in [0.01, 0.03] {
@@ -134,7 +120,7 @@ checks! {
             let eta = eta_at(&fold, velocity);
             let [_, mu_fold] = at.relative();
             let separated = |change: f64| {
-                // The branch as a graph over y: its two points at the same μ, by the secant method from the parabola.
+                // Two points of the branch at the same μ, by the secant method in y.
                 let zero = |side: f64| {
                     let mu = |y: f64| Some(place.on_branch(y, eta)?.relative()[1] - mu_fold - change);
                     let half = (change / k_2).sqrt() * side;
@@ -152,25 +138,23 @@ checks! {
                 };
                 Some(zero(1.0)? - zero(-1.0)?)
             };
-            // Distances from the fold of a 32nd and a 64th of y: next terms of the relative size of their squares.
+            // A 32nd and a 64th of y off the fold: next terms of the size of their squares.
             let change = k_2 * at.unknowns[0] * at.unknowns[0] / 1024.0;
             let (wide, narrow) =
                 separated(change).zip(separated(change / 4.0)).ok_or("no zeros beyond a fold")?;
-            found.push((libm::log2(wide / narrow) / 2.0 - 0.5).abs());
+            largest.see(libm::log2(wide / narrow) / 2.0 - 0.5);
         }
-        Ok(found)
-    });
+    } => largest.outcome(1e-4, "exponents on either fold: zeros of V at two distances from SN curves");
     /// eq:coeffs1 and eq:coeffsp follow from k₂, k₃ and Υ^±, with T_p and f_p.
     // Some tens of roundings; T_p is used in closed form on one side only, at κ_p of up to 10⁻¹³.
-    simplification: deviation(ANY, 1e-13, "resonances with p up to 5", |place| {
+    simplification: everywhere(ANY) |place; largest: Deviations| {
         let branch = place.point().branch_expansion();
-        let gap = |curve: &Bifurcation| {
-            let slope = curve.leading.impact_velocity_slope;
+        for Bifurcation { leading, .. } in place.curves() {
+            let slope = leading.impact_velocity_slope;
             let terms = (branch.k_2 * slope * slope).abs() + (branch.k_3 * slope).abs();
-            (branch.parameter(slope, 1.0) - curve.leading.coefficient).abs() / terms
-        };
-        Ok(place.curves().iter().map(gap).collect())
-    });
+            largest.compare(branch.parameter(slope, 1.0), leading.coefficient, terms);
+        }
+    } => largest.outcome(1e-13, "resonances with p up to 5");
     /// eq:sn1 and eq:pd1.
     quadratic_for_one_loop: approximations(66, ONE);
     /// eq:snp and eq:pdp.
@@ -184,7 +168,7 @@ checks! {
     /// The same for p ≥ 2.
     functions_of_many_loops: orders_against_print(MANY, coefficient_orders, printed_orders);
     /// With sgn η = sgn(a₁₂' s₁^±) the one-loop MPS is admissible on the curves.
-    admissible_with_one_loop: agreement(ONE, SIDES, sides);
+    admissible_with_one_loop: everywhere(ONE, sides).map(|cases| cases.outcome(SIDES));
     /// With sgn η = sgn(κ_p' s_p^±) the p-loop MPS is admissible on the curves.
-    admissible_with_many_loops: agreement(MANY, SIDES, sides);
+    admissible_with_many_loops: everywhere(MANY, sides).map(|cases| cases.outcome(SIDES));
 }

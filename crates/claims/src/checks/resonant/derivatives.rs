@@ -4,8 +4,7 @@ use crate::*;
 
 /// Rounding of the entries of D P_virt and D(P_virt ∘ R), numbers of order one.
 const VIRTUAL: f64 = 1e-15;
-
-/// Rounding of the entries of D P_global^p: some 10⁻¹⁵ for each of its p ≤ 5 factors, times angles of up to ten.
+/// Rounding of entries of D P_global^p: 10⁻¹⁵ for each of p ≤ 5 factors, times angles up to ten.
 const GLOBAL: f64 = 1e-13;
 
 /// D P_virt and D(P_virt ∘ R) at a point.
@@ -95,14 +94,12 @@ fn product_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>,
     }))
 }
 
-/// Step of differences: the error of sixth order is some 10⁻¹³, and rounding of 10⁻¹⁵ is divided by the step, for second
-/// derivatives twice.
+/// Step of differences: their error is some 10⁻¹³, and rounding 10⁻¹⁵ over it or its square.
 const STEP: f64 = 2e-3;
-
 /// Step in the parameters, on which angles of up to seventy radians depend.
 const PARAMETER_STEP: f64 = 5e-4;
 
-/// ξ_p, d_p, e_p and f_p by differences of P_global^p alone; f_p at fixed z and along the grazing curve.
+/// ξ_p, d_p, e_p, f_p by differences of P_global^p; f_p at fixed z and along the grazing curve.
 pub(super) struct Differences {
     d: f64,
     e: f64,
@@ -128,44 +125,37 @@ pub(super) fn differences(place: &ResonantSpecimen) -> Option<Differences> {
     })
 }
 
-/// Gaps of (ξ_p, d_p, e_p, f_p) between differences and what section 5 calculates with, f_p once along the grazing curve and
-/// once at fixed phase.
-fn second_derivative_gaps(place: &ResonantSpecimen) -> Result<Vec<[f64; 2]>, Failure> {
-    let symbols = place.symbols()?;
-    let found = differences(place).ok_or("P_global is not defined around a resonance")?;
-    let gap = |a: f64, b: f64| (a - b).abs() / (1.0 + b.abs());
-    let rest = [gap(found.xi, symbols.xi), gap(found.d, symbols.d), gap(found.e, symbols.e)];
-    let with = |f: f64| rest.into_iter().fold(gap(f, symbols.f), |a, b| if a >= b { a } else { b });
-    Ok(vec![[with(found.f_followed), with(found.f_fixed)]])
-}
-
-/// The display of d_p, e_p, f_p with ξ_p: that f_p is the f_p of eq:fp, and a₁₂' for p = 1, asks for the derivative along the
-/// grazing curve; at fixed z, as printed, it is not.
-pub(crate) fn second_derivatives() -> CheckResult {
-    let gaps = everywhere(ANY, second_derivative_gaps)?;
-    let [followed, fixed] = [0, 1].map(|index| Deviations::of(gaps.iter().map(|gap| gap[index])));
-    // Nested differences: errors of sixth order grow with the derivatives in ω, some 10² for each order at large p n; rounding
-    // is 10⁻¹⁵ over the square of the step.
-    let tolerance = 1e-7;
-    let over = "ξ, d, e, f by differences of P_global^p at resonances with p up to 5";
-    Ok(followed.outcome(tolerance, over).against_print(fixed.measure(tolerance)))
-}
-
 /// a₁₂' or a₁₂ ∂S_p/∂η by differences along the grazing curve, against eq:fp or a₁₂'.
-fn slope_gaps(place: &ResonantSpecimen) -> Result<Vec<f64>, Failure> {
+fn slope_gaps(place: &ResonantSpecimen, largest: &mut Deviations) -> Result<(), Failure> {
     let (map, loops) = (place.point().grazing.map, place.loops());
-    let by_eta = place.along_grazing(1e-3, |LinearisedMap { a, .. }| {
+    let by_eta = place.along_grazing(1e-3, |loops, LinearisedMap { a, .. }| {
         if loops == 1 { a.m12 } else { lucas_sequence(loops, a.trace(), a.determinant()) }
     })?;
     let found = if loops == 1 { by_eta } else { map.a.m12 * by_eta };
     let stated = place.symbols()?.f;
-    Ok(vec![(found - stated).abs() / stated.abs()])
+    largest.compare(found, stated, stated);
+    Ok(())
 }
 
 checks! {
+    /// The display of d_p, e_p, f_p with ξ_p: that f_p is the f_p of eq:fp, and a₁₂' for p = 1,
+    /// asks for the derivative along the grazing curve; at fixed z, as printed, it is not.
+    // Nested differences: 10² for each order at large p n, rounding 10⁻¹⁵ over the step squared.
+    second_derivatives: everywhere(ANY) |place; (followed, fixed): (Deviations, Deviations)| {
+        let symbols = place.symbols()?;
+        let found = differences(place).ok_or("P_global is not defined around a resonance")?;
+        let rest = [(found.xi, symbols.xi), (found.d, symbols.d), (found.e, symbols.e)];
+        for (deviations, f) in [(followed, found.f_followed), (fixed, found.f_fixed)] {
+            let mut gaps = Deviations::default();
+            gaps.pairs(rest.into_iter().chain([(f, symbols.f)]));
+            deviations.see(gaps.largest());
+        }
+    } =>
+        followed.outcome(1e-7, "ξ, d, e, f by differences of P_global^p at resonances with p up to 5")
+            .against_print(fixed.measure(1e-7));
     /// At κ_p = 0: S_p = 0, S_{p+1} = −δ^{p/2}, A^p = −δ^{p/2} I.
     // Roundings of up to five factors.
-    power_at_resonance: deviation(MANY, 1e-13, "located resonances with p = 2 to 5", |place| {
+    power_at_resonance: everywhere(MANY) |place; largest: Deviations| {
         let map = place.point().grazing.map;
         let (loops, tau, delta) = (place.loops(), map.trace(), map.determinant());
         let orbit = place.resonance.orbit();
@@ -178,8 +168,8 @@ checks! {
             lucas_sequence(loops + 1, tau, delta) + modulus,
         ];
         let rest = power + Matrix2::identity() * modulus;
-        Ok(sums.iter().chain(rest.iter()).map(|gap| gap.abs()).collect())
-    });
+        sums.iter().chain(rest.iter()).for_each(|gap| largest.see(*gap));
+    } => largest.outcome(1e-13, "located resonances with p = 2 to 5");
     /// det D P_virt = y G₁ with G₁ = 1/γ at the resonance.
     determinant_quotient: orders(ANY, EVERYWHERE, |place| {
         let gamma = place.symbols()?.gamma;
@@ -235,7 +225,9 @@ checks! {
     /// eq:DPglobalp, about z_graz,η; the print has z_graz,0.
     of_iterated_global_map: orders_against_print(MANY, |at| global_orders(at, Cure::Moving), |at| global_orders(at, Cure::AsPrinted));
     /// f₁ = a₁₂', along the grazing curve: rounding 10⁻¹⁵ over the step of 10⁻³.
-    slope_of_one_loop: deviation(ONE, 1e-10, "the grazing curve around resonances with p = 1", slope_gaps);
+    slope_of_one_loop: everywhere(ONE, slope_gaps)
+        .map(|largest| largest.outcome(1e-10, "the grazing curve around resonances with p = 1"));
     /// eq:fp, from f_p = a₁₂ ∂S_p/∂η: 10⁻¹⁸ times seventh derivatives of up to 10¹⁰.
-    slope_of_many_loops: deviation(MANY, 1e-7, "the grazing curve around resonances with p = 2 to 5", slope_gaps);
+    slope_of_many_loops: everywhere(MANY, slope_gaps)
+        .map(|largest| largest.outcome(1e-7, "the grazing curve around resonances with p = 2 to 5"));
 }

@@ -3,33 +3,9 @@
 use super::derivatives::differences;
 use crate::checks::main_results::returns::derivatives;
 use crate::*;
+use grazing_continuation::curve::CurvePoint;
 
-/// Near a resonance an MPS is stable between the lines y Ψ⁺ = 0 and y Ψ⁻ = 0 of the (η, y) plane, and nowhere else.
-fn regions(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
-    let stability = place.point().stability_coefficients();
-    let by_eta = place.point().grazing.alpha()
-        * place.point().grazing.forcing_frequency
-        * place.point().off_diagonal_slope();
-    let mut found = Vec::new();
-    let radius = 3e-4;
-    // Angles in the half-plane y > 0, η in units in which the lines have slopes of order one.
-    for k in 1..40 {
-        let (sine, cosine) = libm::sincos(core::f64::consts::PI * f64::from(k) / 40.0);
-        let (y, eta) = (radius * sine, radius * cosine / by_eta);
-        let [plus, minus] = [stability.plus * y - by_eta * eta, stability.minus * y - by_eta * eta];
-        // The next terms move the lines by parts of some per cent at this radius.
-        if plus.abs().min(minus.abs()) < 0.05 * radius {
-            continue;
-        }
-        let Some(near) = place.on_branch(y, eta) else { continue };
-        let solution = place.solution(&near);
-        found.push(solution.stable() == (plus < 0.0 && minus > 0.0));
-    }
-    Ok(found)
-}
-
-/// n ω* is twice the damped natural frequency at all resonances with p = 1 of a linear oscillator, and not the same number at
-/// those of one with a nonlinear force.
+/// n ω* is twice the damped natural frequency if p = 1 and the force is linear, and not otherwise.
 pub(crate) fn rational_multiples() -> CheckResult {
     let spread = |law: Law| -> Result<f64, Failure> {
         let products = (2..=4_u32)
@@ -48,42 +24,6 @@ pub(crate) fn rational_multiples() -> CheckResult {
     Ok(linear.outcome(1e-14, over).against_print(printed.measure(1e-14)))
 }
 
-/// Stable MPSs attract in direct simulation.
-fn attraction(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
-    let mut found = Vec::new();
-    for near in super::simulation::admissible(place).iter().step_by(3) {
-        let solution = place.solution(near);
-        let (trace, determinant) = (solution.multipliers.trace, solution.multipliers.determinant);
-        // Well inside the triangle of stability, so that it does not take long.
-        if trace.abs() > 0.9 * (1.0 + determinant) || determinant > 0.9 {
-            continue;
-        }
-        found.push(attracts(place.resonance.equations(), &near.unknowns) == Some(true));
-    }
-    Ok(found)
-}
-
-/// The sign of a₁₂' by the parity of n, from differences of P_global, and the side on which the SN curve leaves.
-pub(crate) fn direction_by_parity() -> CheckResult {
-    let mut cases = Vec::new();
-    for n in 1..=12_u32 {
-        for decay in [0.2, 0.5, 0.8] {
-            let place = ResonantSpecimen::find(Law::linear(damping_for_decay(1, n, decay), 0.8), 1, n)?;
-            let rate = place.along_grazing(1e-3, |map| map.a.m12)?;
-            let odd = n % 2 == 1;
-            cases.push((rate > 0.0) == odd);
-            // s₁⁺ < 0: the saddle-node curve leaves to the side of −sgn a₁₂', the other to that of sgn a₁₂'.
-            for (curve, side) in place.curves().iter().zip([-1.0, 1.0]) {
-                let eta = libm::copysign(1e-4, if odd { side } else { -side })
-                    / curve.leading.impact_velocity_slope.abs();
-                let near = place.on_curve(curve, eta).ok_or("no point on a curve")?;
-                cases.push(near.unknowns[unknown::VELOCITY] > 0.0);
-            }
-        }
-    }
-    Ok(Votes::of(cases).outcome("the sign of a₁₂' and the sides of SN and PD curves, n = 1 to 12"))
-}
-
 /// The resonances of Figure 7: p = 1 with n = 3, 4, 5, p = 2 and 3 with n = 1, 2.
 pub(super) fn of_figure_7() -> Result<Vec<ResonantSpecimen>, Failure> {
     let law = Law::linear(printed("zeta"), printed("epsilon"));
@@ -91,8 +31,8 @@ pub(super) fn of_figure_7() -> Result<Vec<ResonantSpecimen>, Failure> {
     indices.iter().map(|&(p, n)| ResonantSpecimen::find(law, p, n)).collect()
 }
 
-/// The return to Π of an MPS that grazes the wall between its impacts: from its maximum at the wall to the impact, through the
-/// reset law and on to the same maximum, grazing itself ignored as P_global ignores it.
+/// The return to Π of an MPS that grazes between its impacts: from its maximum at the wall to the
+/// impact, through the reset law and on to the same maximum, grazing itself ignored.
 fn return_through_impact(place: &ResonantSpecimen, solution: &PeriodicSolution) -> Option<[Observed; 4]> {
     let equations = place.resonance.equations();
     let point = &solution.unknowns;
@@ -128,23 +68,6 @@ fn return_through_impact(place: &ResonantSpecimen, solution: &PeriodicSolution) 
     Some([component(0, 1.0, 0.3), component(1, 1.0, 0.3), component(0, -0.2, 1.0), component(1, -0.2, 1.0)])
 }
 
-/// Impacts elsewhere leave P_global smooth, as seen at MPSs that graze between their impacts.
-pub(crate) fn impacts_elsewhere() -> CheckResult {
-    let mut orders = Vec::new();
-    for place in of_figure_7()? {
-        for curve in place.resonance.unfold(&ROUTE)?.grazing {
-            for point in curve.points.iter().step_by(10) {
-                // Impacts that are clearly none of grazing.
-                if point.solution.impact_velocity() > 0.05 {
-                    orders.extend(return_through_impact(&place, &point.solution).into_iter().flatten());
-                }
-            }
-        }
-    }
-    let over = "returns through an impact of MPSs on the grazing curves of Figure 7, extrapolated from both sides of the wall";
-    Ok(Outcome::new(lowest(&orders), orders.len(), over))
-}
-
 /// A window wide enough for the curves to end in it by themselves, at codimension-two points.
 pub(super) const ROUTE: Route = Route {
     window: Window { primary: [0.0, 3.0], secondary: [0.2, 1.2] },
@@ -155,7 +78,33 @@ pub(super) const ROUTE: Route = Route {
 };
 
 checks! {
-    /// Between the curves an MPS is stable if φ²δᵖ < 1, and its determinant is larger than 1 if φ²δᵖ > 1.
+    /// The sign of a₁₂' by the parity of n, and the side on which the SN curve leaves.
+    direction_by_parity: over(1..=12_u32) |n; cases: Votes| {
+        for decay in [0.2, 0.5, 0.8] {
+            let place = ResonantSpecimen::find(Law::linear(damping_for_decay(1, n, decay), 0.8), 1, n)?;
+            let rate = place.along_grazing(1e-3, |_, map| map.a.m12)?;
+            let odd = n % 2 == 1;
+            cases.see((rate > 0.0) == odd);
+            // s₁⁺ < 0: the SN curve leaves to the side of −sgn a₁₂', the PD curve to the other.
+            for (curve, side) in place.curves().iter().zip([-1.0, 1.0]) {
+                let eta = libm::copysign(1e-4, if odd { side } else { -side })
+                    / curve.leading.impact_velocity_slope.abs();
+                let near = place.on_curve(curve, eta).ok_or("no point on a curve")?;
+                cases.see(near.unknowns[unknown::VELOCITY] > 0.0);
+            }
+        }
+    } => cases.outcome("the sign of a₁₂' and the sides of SN and PD curves, n = 1 to 12");
+    /// Impacts elsewhere leave P_global smooth, as seen at MPSs that graze between their impacts.
+    impacts_elsewhere: over(of_figure_7()?) |place; orders: Vec<Observed>| {
+        for curve in place.resonance.unfold(&ROUTE)?.grazing {
+            // Impacts that are clearly none of grazing.
+            let fast = |at: &&CurvePoint| at.solution.impact_velocity() > 0.05;
+            for point in curve.points.iter().step_by(10).filter(fast) {
+                orders.extend(return_through_impact(&place, &point.solution).into_iter().flatten());
+            }
+        }
+    } => of_orders(&orders, "returns through an impact of MPSs on the grazing curves of Figure 7, extrapolated from both sides of the wall");
+    /// Between the curves an MPS is stable if φ²δᵖ < 1, and its determinant above 1 if φ²δᵖ > 1.
     stabilisation: over([(1, 2), (1, 3), (2, 1), (3, 1)]) |(loops, n); (votes, printed): (Votes, Votes)| {
         for decay in [0.4, 0.6, 0.8] {
             // φ²δᵖ = (ε E_p)², well below 1 or above.
@@ -166,7 +115,7 @@ checks! {
                 let stability = point.stability_coefficients();
                 let by_eta =
                     point.grazing.alpha() * point.grazing.forcing_frequency * point.off_diagonal_slope();
-                // In the middle between the lines y Ψ⁺ = 0 and y Ψ⁻ = 0, at a velocity that makes the next terms some per cent.
+                // Between the lines y Ψ^± = 0, where the next terms are some per cent.
                 let y = 1e-4;
                 let eta = 0.5 * (stability.plus + stability.minus) * y / by_eta;
                 let near = place.on_branch(y, eta).ok_or("no MPS between the curves")?;
@@ -179,25 +128,50 @@ checks! {
     } =>
         votes.outcome("MPSs between SN and PD at resonances with p up to 3, restitutions to both sides of 1/E_p")
             .against_print(printed.measure());
-    /// All that the theorems need by finite differences of values of P_global alone, against from_map's derivatives.
-    // Nested differences of sixth order: rounding 10⁻¹⁵ over both steps is 10⁻⁹, and sixth derivatives in ω reach 10¹².
-    finite_differences: deviation(ANY, 1e-8, "A, b, ξ and a₁₂' or f at resonances, by values of P_global alone", |place| {
+    /// All that the theorems need by differences of values of P_global, against `from_map`.
+    // Nested differences: rounding 10⁻¹⁵ over both steps is 10⁻⁹; sixth derivatives reach 10¹².
+    finite_differences: everywhere(ANY) |place; largest: Deviations| {
         let point = place.point();
         let map = point.grazing.map;
-        let gap = |found: f64, stated: f64| (found - stated).abs() / (1.0 + stated.abs());
         let found = differences(place).ok_or("P_global is not defined around a resonance")?;
-        let mut gaps = vec![
-            gap(found.xi, point.second_phase_derivative),
-            gap(found.f_followed, point.off_diagonal_slope()),
-        ];
+        largest.pairs([
+            (found.xi, point.second_phase_derivative),
+            (found.f_followed, point.off_diagonal_slope()),
+        ]);
         let columns = [map.a.column(0).into_owned(), map.a.column(1).into_owned(), map.b];
         for (found, stated) in derivatives(place.resonance.orbit(), 1.0)?.iter().zip(&columns) {
-            gaps.extend(found.iter().zip(stated).map(|(found, stated)| gap(*found, *stated)));
+            largest.pairs(found.iter().copied().zip(stated.iter().copied()));
         }
-        Ok(gaps)
-    });
-    /// Periodicity regions lie between the SN and the PD curve.
-    periodicity_regions: agreement(ANY, "MPSs around resonances, stable between SN and PD curves alone", regions);
+    } => largest.outcome(1e-8, "A, b, ξ and a₁₂' or f at resonances, by values of P_global alone");
+    /// Near a resonance an MPS is stable between the lines y Ψ⁺ = 0 and y Ψ⁻ = 0, and nowhere else.
+    periodicity_regions: everywhere(ANY) |place; cases: Votes| {
+        let stability = place.point().stability_coefficients();
+        let by_eta = place.point().grazing.alpha()
+            * place.point().grazing.forcing_frequency
+            * place.point().off_diagonal_slope();
+        let radius = 3e-4;
+        // Angles in the half-plane y > 0, η in units in which the lines have slopes of order one.
+        for k in 1..40 {
+            let (sine, cosine) = libm::sincos(core::f64::consts::PI * f64::from(k) / 40.0);
+            let (y, eta) = (radius * sine, radius * cosine / by_eta);
+            let [plus, minus] = [stability.plus * y - by_eta * eta, stability.minus * y - by_eta * eta];
+            // The next terms move the lines by parts of some per cent at this radius.
+            if plus.abs().min(minus.abs()) < 0.05 * radius {
+                continue;
+            }
+            let Some(near) = place.on_branch(y, eta) else { continue };
+            let solution = place.solution(&near);
+            cases.see(solution.stable() == (plus < 0.0 && minus > 0.0));
+        }
+    } => cases.outcome("MPSs around resonances, stable between SN and PD curves alone");
     /// The response can be periodic near resonant grazing: stable MPSs attract.
-    periodic_response: agreement(ANY, "perturbed stable MPSs near resonances, simulated until they are ten times nearer", attraction);
+    periodic_response: everywhere(ANY) |place; cases: Votes| {
+        for near in super::simulation::admissible(place).iter().step_by(3) {
+            let Multipliers { trace, determinant } = place.solution(near).multipliers;
+            // Well inside the triangle of stability, so that it does not take long.
+            if trace.abs() <= 0.9 * (1.0 + determinant) && determinant <= 0.9 {
+                cases.see(attracts(place.resonance.equations(), &near.unknowns) == Some(true));
+            }
+        }
+    } => cases.outcome("perturbed stable MPSs near resonances, simulated until they are ten times nearer");
 }

@@ -1,4 +1,4 @@
-//! Period-doubled MPSs: orbits with two impacts in 2p loops, near the curve where an MPS has the multiplier −1.
+//! Period-doubled MPSs, with two impacts in 2p loops, near the curve of multiplier −1.
 
 use crate::*;
 use grazing_continuation::newton::{self, Linearisation};
@@ -8,14 +8,12 @@ use nalgebra::{SMatrix, SVector, Vector4};
 /// (y₁, z₁, y₂, z₂, μ) at fixed η.
 type Pair = SVector<f64, 5>;
 
-/// The condition that picks an orbit of the family.
-#[derive(Clone, Copy)]
-enum Pick {
-    /// y₁ − y₂ has this value.
-    Difference(f64),
-    /// y₂ has this value; at 0 the orbit grazes.
-    Lower(f64),
-}
+/// The coefficients of y₁ and y₂ in the condition that picks an orbit of the family.
+type Pick = [f64; 2];
+
+const DIFFERENCE: Pick = [1.0, -1.0];
+/// At 0 the orbit grazes.
+const LOWER: Pick = [0.0, 1.0];
 
 /// A period-doubled MPS.
 #[derive(Clone, Copy)]
@@ -38,11 +36,11 @@ impl Doubled {
 }
 
 /// The equations of period-doubled MPSs with 2p loops.
-pub(super) struct DoubledEquations<O>(LoopEquations<O>);
+pub(super) struct DoubledEquations(LoopEquations<Specimen>);
 
-impl<O: ImpactOscillator> DoubledEquations<O> {
+impl DoubledEquations {
     /// Those that branch off the MPSs of these equations.
-    pub(super) fn new(equations: &LoopEquations<O>) -> Self {
+    pub(super) fn new(equations: &LoopEquations<Specimen>) -> Self {
         // The form without virtual points: it is defined all along the curves.
         Self(equations.with_formulation(Formulation::FixedPhase))
     }
@@ -54,12 +52,12 @@ impl<O: ImpactOscillator> DoubledEquations<O> {
         Ok([self.0.pair::<1>(&first, &mut times)?, self.0.pair::<1>(&second, &mut times)?])
     }
 
-    fn solve(&self, start: Doubled, pick: Pick) -> Option<Doubled> {
+    fn solve(&self, start: Doubled, [first, second]: Pick, value: f64) -> Option<Doubled> {
         let evaluate = |point: &Pair| {
-            let [first, second] = self.pairs(&Doubled { point: *point, ..start })?;
+            let [one, other] = self.pairs(&Doubled { point: *point, ..start })?;
             let mut system = Linearisation { residual: Pair::zeros(), jacobian: SMatrix::zeros() };
             // From the first impact to the second, and from the second to the first.
-            for (row, from, to, columns) in [(0, first, second, [0, 2]), (2, second, first, [2, 0])] {
+            for (row, from, to, columns) in [(0, one, other, [0, 2]), (2, other, one, [2, 0])] {
                 let gap = from.round_trip.value - to.impact.value;
                 system.residual.fixed_rows_mut::<2>(row).copy_from(&gap);
                 let (ahead, behind) = (from.round_trip.derivative(), -to.impact.derivative());
@@ -69,23 +67,15 @@ impl<O: ImpactOscillator> DoubledEquations<O> {
                 let gap = by_primary(&from.round_trip) - by_primary(&to.impact);
                 system.jacobian.fixed_view_mut::<2, 1>(row, 4).copy_from(&gap);
             }
-            match pick {
-                Pick::Difference(difference) => {
-                    system.residual[4] = point[0] - point[2] - difference;
-                    (system.jacobian[(4, 0)], system.jacobian[(4, 2)]) = (1.0, -1.0);
-                }
-                Pick::Lower(velocity) => {
-                    system.residual[4] = point[2] - velocity;
-                    system.jacobian[(4, 2)] = 1.0;
-                }
-            }
+            system.residual[4] = first * point[0] + second * point[2] - value;
+            (system.jacobian[(4, 0)], system.jacobian[(4, 2)]) = (first, second);
             Ok::<_, MapError>(system)
         };
         let solution = newton::solve(start.point, 25, evaluate).ok()?;
         Some(Doubled { point: solution.point, ..start })
     }
 
-    /// The period-doubled MPS whose two impact velocities differ by this much, next to a point with the multiplier −1.
+    /// The period-doubled MPS with this difference of velocities, beside a multiplier −1.
     pub(super) fn near(&self, flip: &Unknowns, difference: f64) -> Option<Doubled> {
         let pair = self.0.pair::<1>(flip, &mut EventTimes::default()).ok()?;
         // The eigenvector to −1: the kernel of the sum of the two derivatives.
@@ -94,7 +84,7 @@ impl<O: ImpactOscillator> DoubledEquations<O> {
         let vector = Vector2::new(1.0, -sum[(row, 0)] / sum[(row, 1)]) * (0.5 * difference);
         let [y, z, primary, secondary] = (*flip).into();
         let point = Pair::from([y + vector[0], z + vector[1], y - vector[0], z - vector[1], primary]);
-        self.solve(Doubled { point, secondary }, Pick::Difference(difference))
+        self.solve(Doubled { point, secondary }, DIFFERENCE, difference)
     }
 
     /// The member of the family that grazes: its second impact has the velocity 0.
@@ -104,20 +94,17 @@ impl<O: ImpactOscillator> DoubledEquations<O> {
         let y = flip[unknown::VELOCITY];
         let mut here = self.near(flip, 0.1 * y)?;
         let start = here.point[2];
-        let mut before: Option<Doubled> = None;
+        let mut before = here;
         for k in 1..=steps {
             let lower = start * (1.0 - f64::from(k) / f64::from(steps));
-            let guess = match before {
-                Some(past) => Doubled { point: here.point * 2.0 - past.point, ..here },
-                None => here,
-            };
-            before = Some(here);
-            here = self.solve(guess, Pick::Lower(lower))?;
+            let guess = Doubled { point: here.point * 2.0 - before.point, ..here };
+            before = here;
+            here = self.solve(guess, LOWER, lower)?;
         }
         Some(here)
     }
 
-    /// Trace and determinant of the derivative of the return to the first impact, which takes two impacts.
+    /// Trace and determinant of the derivative of the return after two impacts.
     pub(super) fn multipliers(&self, doubled: &Doubled) -> Option<Multipliers> {
         let [first, second] = self.pairs(doubled).ok()?;
         let step = |from: &LoopPair, to: &LoopPair| -> Option<Matrix2<f64>> {

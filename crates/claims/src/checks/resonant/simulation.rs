@@ -2,13 +2,8 @@
 
 use crate::*;
 
-/// The next impact (y, z) after an impact, its phase counted near that of the first; `None` if it comes at another time than
-/// p periods later.
-pub(super) fn next_impact<O: ImpactOscillator>(
-    oscillator: &O,
-    loops: u32,
-    impact: Vector2<f64>,
-) -> Option<Vector2<f64>> {
+/// The next impact (y, z), its phase near that of this one; `None` if not p periods later.
+pub(super) fn next_impact(oscillator: &Specimen, loops: u32, impact: Vector2<f64>) -> Option<Vector2<f64>> {
     let period = oscillator.forcing_period();
     let expected = f64::from(loops) * period;
     let start = State::on_wall(impact[0], impact[1]);
@@ -19,18 +14,6 @@ pub(super) fn next_impact<O: ImpactOscillator>(
     }
     let turns = libm::round((next.phase - impact[1]) / TAU);
     Some(Vector2::new(next.velocity, next.phase - turns * TAU))
-}
-
-/// Derivative of the map from impact to impact, by differences with steps in proportion to the velocity, on whose scale it varies.
-fn impact_derivative<O: ImpactOscillator>(
-    oscillator: &O,
-    loops: u32,
-    impact: Vector2<f64>,
-) -> Option<Matrix2<f64>> {
-    let column = |direction: Vector2<f64>| {
-        slope(3e-3 * impact[0], |h| next_impact(oscillator, loops, impact + direction * h))
-    };
-    Some(Matrix2::from_columns(&[column(Vector2::x())?, column(Vector2::y())?]))
 }
 
 /// Admissible MPSs near a resonance, with impact velocities that are small but not tiny.
@@ -49,18 +32,21 @@ pub(super) fn admissible(place: &ResonantSpecimen) -> Vec<Near> {
 }
 
 checks! {
-    /// eq:U: its eigenvalues are the multipliers of the MPS, seen as the growth of perturbations from impact to impact.
-    // Differences: rounding of 10⁻¹⁵ over steps down to 6·10⁻⁵, products of two of them for the determinant.
-    multipliers: deviation(ANY, 1e-7, "admissible MPSs near resonances, followed from impact to impact", |place| {
-        let mut found = Vec::new();
+    /// eq:U: its eigenvalues are the multipliers, as perturbations grow from impact to impact.
+    // Rounding of 10⁻¹⁵ over steps down to 6·10⁻⁵, products of two for the determinant.
+    multipliers: everywhere(ANY) |place; largest: Deviations| {
         for near in admissible(place) {
             let solution = place.solution(&near);
-            let simulated = impact_derivative(&near.oscillator(), place.loops(), near.impact())
-                .ok_or("an admissible MPS does not return in simulation")?;
+            let (oscillator, impact) = (near.oscillator(), near.impact());
+            // Steps in proportion to the velocity, on whose scale the map varies.
+            let column = |direction: Vector2<f64>| {
+                slope(3e-3 * impact[0], |h| next_impact(&oscillator, place.loops(), impact + direction * h))
+                    .ok_or("an admissible MPS does not return in simulation")
+            };
+            let simulated = Matrix2::from_columns(&[column(Vector2::x())?, column(Vector2::y())?]);
             let scale = 1.0 + solution.multipliers.trace.abs();
-            found.push((simulated.trace() - solution.multipliers.trace).abs() / scale);
-            found.push((simulated.determinant() - solution.multipliers.determinant).abs() / scale);
+            largest.compare(simulated.trace(), solution.multipliers.trace, scale);
+            largest.compare(simulated.determinant(), solution.multipliers.determinant, scale);
         }
-        Ok(found)
-    });
+    } => largest.outcome(1e-7, "admissible MPSs near resonances, followed from impact to impact");
 }

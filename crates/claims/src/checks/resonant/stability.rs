@@ -3,7 +3,7 @@
 use super::derivatives::Cure;
 use crate::*;
 
-/// Rounding of y T and y D: P_global and its derivatives are exact to some 10⁻¹⁵ times their size, and so are these.
+/// Rounding of y T and y D, exact to some 10⁻¹⁵ times their size as P_global is.
 const ROUNDING: f64 = 1e-14;
 
 impl Symbols {
@@ -75,7 +75,7 @@ fn limits(place: &ResonantSpecimen) -> Result<Vec<f64>, Failure> {
     Ok(limits.ok_or("no grazing orbit beside a resonance")?)
 }
 
-/// Away from the resonance y T tends to −α ω a₁₂ S_p, which is not zero: |T| grows without bound as y falls to 0.
+/// Away from the resonance y T → −α ω a₁₂ S_p ≠ 0: |T| grows without bound as y → 0.
 fn divergence_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let one = |(eta, limit): (f64, f64)| {
         // A limit of zero would be no divergence.
@@ -91,16 +91,18 @@ fn divergence_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure>
 /// T → ±∞ as y → 0, with the sign of −α a₁₂ S_p.
 pub(crate) fn divergence() -> CheckResult {
     let over = "η to either side of resonances: y T less its limit, which is other than zero; for the print, where it is positive";
-    let positive = everywhere(ANY, |place| Ok(limits(place)?.iter().map(|limit| *limit > 0.0).collect()))?;
-    Ok(orders(ANY, over, divergence_orders)?.against_print(Votes::of(positive).measure()))
+    let positive = everywhere(ANY, |place, positive: &mut Votes| {
+        limits(place)?.iter().for_each(|limit| positive.see(*limit > 0.0));
+        Ok(())
+    })?;
+    Ok(orders(ANY, over, divergence_orders)?.against_print(positive.measure()))
 }
 
 checks! {
-    /// eq:TD: trace and determinant of U by composing the derivatives of P_disc and P_global at (x̂, ẑ), as eq:U is written, against
-    /// the quotient of the derivatives of the two sides of V.
-    // P_virt⁻¹ takes the root of x̂ ≈ y²/2γ, which is rounded to 10⁻¹⁶: relative errors of 10⁻¹⁶/y² ≈ 10⁻¹² in y, and in T.
-    trace_and_determinant: deviation(ANY, 1e-10, "MPSs on branches near resonances", |place| {
-        let mut found = Vec::new();
+    /// eq:TD: trace and determinant of U by composing the derivatives of P_disc and P_global at
+    /// (x̂, ẑ), as eq:U is written, against the quotient of the derivatives of the two sides of V.
+    // The root of x̂ ≈ y²/2γ, rounded to 10⁻¹⁶: relative errors of 10⁻¹⁶/y² ≈ 10⁻¹² in y and T.
+    trace_and_determinant: everywhere(ANY) |place; largest: Deviations| {
         for (y, eta) in [(0.05, 0.0), (0.02, 0.01), (0.1, -0.01), (0.03, 0.02)] {
             let Some(near) = place.on_branch(y, eta) else { continue };
             let oscillator = near.oscillator();
@@ -111,11 +113,10 @@ checks! {
             let around = global_iterate::<_, 1>(&oscillator, place.loops(), disc.image())?;
             let u = around.derivative() * disc.derivative();
             let both = pair.multipliers();
-            found.push((u.trace() - both.trace).abs() / (1.0 + both.trace.abs()));
-            found.push((u.determinant() - both.determinant).abs() / (1.0 + both.trace.abs()));
+            largest.compare(u.trace(), both.trace, 1.0 + both.trace.abs());
+            largest.compare(u.determinant(), both.determinant, 1.0 + both.trace.abs());
         }
-        Ok(found)
-    });
+    } => largest.outcome(1e-10, "MPSs on branches near resonances");
     /// eq:yT1, about z_graz,η; the print has z_graz,0.
     trace_of_one_loop: orders_against_print(ONE, |at| trace_orders(at, Cure::Moving), |at| trace_orders(at, Cure::AsPrinted));
     /// eq:yTp, about z_graz,η; the print has z_graz,0.

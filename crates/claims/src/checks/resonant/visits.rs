@@ -1,6 +1,6 @@
 //! The MPSs on the bifurcation curves, visit by visit: eq:admp7 to eq:admp11.
 
-use super::curves::{PHASE, all_along_curves, along_curves, eta_at};
+use super::curves::{PHASE, along_curves, eta_at};
 use crate::checks::appendices::signs::{determinant, loop_index, search};
 use crate::checks::generic::maps::{impact_and_recoil, virtual_point};
 use crate::*;
@@ -33,38 +33,20 @@ fn visits(place: &ResonantSpecimen, near: &Near) -> Option<Vec<Vector2<f64>>> {
     Some(visits.iter().map(|visit| visit - Vector2::new(0.0, near.orbit.phase())).collect())
 }
 
-fn visit_signs(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
-    let mut found = Vec::new();
-    let unfolding = place.point().unfolding.derivative;
-    for curve in place.curves() {
-        for size in [1e-3, -1e-3, 1e-4, -1e-4] {
-            let eta = eta_at(&curve, size);
-            let Some(visits) = place.on_curve(&curve, eta).and_then(|near| visits(place, &near)) else {
-                continue;
-            };
-            let loops = place.loops() as usize;
-            let ends = [
-                visits[loops - 1][0] > 0.0,
-                visits[..loops - 1].iter().all(|visit| visit[0] * unfolding * curve.stability * eta < 0.0),
-            ];
-            found.extend(ends);
-        }
-    }
-    Ok(found)
-}
-
 checks! {
     /// eq:admp7.
     phase: orders(MANY, EVERYWHERE, |place| {
         Ok(along_curves(place, 2.0, PHASE, |curve, eta, near| {
-            Some(near.relative()[0] - curve.leading.impact_phase_slope * eta)
+            Some(vec![near.relative()[0] - curve.leading.impact_phase_slope * eta])
         }))
     });
     /// eq:admp8a.
-    position_after_recoil: orders(MANY, EVERYWHERE, |place| Ok(along_curves(place, 2.0, PHASE, |_, _, near| Some(recoil(near)?[0]))));
+    position_after_recoil: orders(MANY, EVERYWHERE, |place| {
+        Ok(along_curves(place, 2.0, PHASE, |_, _, near| Some(vec![recoil(near)?[0]])))
+    });
     /// eq:admp8b, both forms.
     phase_after_recoil: orders(MANY, EVERYWHERE, |place| {
-        Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
+        Ok(along_curves(place, 2.0, PHASE, |curve, eta, near| {
             let (slopes, phase) = (place.recoil_phase_slopes(curve).ok()?, recoil(near)?[1]);
             Some(slopes.iter().map(|slope| phase - slope * eta).collect())
         }))
@@ -72,7 +54,7 @@ checks! {
     /// eq:admp9.
     visits_by_powers: orders(MANY, EVERYWHERE, |place| {
         let map = place.point().grazing.map;
-        Ok(all_along_curves(place, 2.0, PHASE, |_, _, near| {
+        Ok(along_curves(place, 2.0, PHASE, |_, _, near| {
             let start = recoil(near)?;
             let gaps = visits(place, near)?
                 .into_iter()
@@ -84,7 +66,7 @@ checks! {
     /// eq:admp10.
     positions_of_visits: orders(MANY, EVERYWHERE, |place| {
         let map = place.point().grazing.map;
-        Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
+        Ok(along_curves(place, 2.0, PHASE, |curve, eta, near| {
             let [_, slope] = place.recoil_phase_slopes(curve).ok()?;
             let gap = |(visit, j): (&Vector2<f64>, u32)| {
                 let entry = map.a.m12 * lucas_sequence(j, map.trace(), map.determinant());
@@ -96,8 +78,19 @@ checks! {
         }))
     });
     /// eq:admp11, and x⁽ᵖ⁾ > 0.
-    signs_of_visits: agreement(MANY, "all loops of MPSs on SN and PD curves, η of either sign", visit_signs);
-    /// S_j > 0 for 0 < j < p at resonance, in units of δ^{(j−1)/2}: adversarial search over δ, p and j.
+    signs_of_visits: everywhere(MANY) |place; cases: Votes| {
+        let unfolding = place.point().unfolding.derivative;
+        for curve in place.curves() {
+            for size in [1e-3, -1e-3, 1e-4, -1e-4] {
+                let eta = eta_at(&curve, size);
+                let found = place.on_curve(&curve, eta).and_then(|near| visits(place, &near));
+                let Some((last, inner)) = found.as_deref().and_then(<[_]>::split_last) else { continue };
+                cases.see(last[0] > 0.0);
+                cases.see(inner.iter().all(|visit| visit[0] * unfolding * curve.stability * eta < 0.0));
+            }
+        }
+    } => cases.outcome("all loops of MPSs on SN and PD curves, η of either sign");
+    /// S_j > 0 for 0 < j < p at resonance, in units of δ^{(j−1)/2}: search over δ, p and j.
     sums_are_positive: search(2..=15, "the determinant and 0 < j < p at τ = g_p", "S_j / r^(j−1)", |p, [x, y]| {
         let (delta, j) = (determinant(x), loop_index(y, p));
         let sum = lucas_sequence(j as u32, resonance_boundary(f64::from(p), delta), delta);

@@ -1,17 +1,14 @@
-//! What is seen of any oscillator of the class at grazing, without closed forms.
+//! What is seen of a specimen at grazing, without closed forms.
 
 use crate::sweep::generic::small_velocity;
 use crate::*;
 use grazing_unfold::simulation::Suspect;
 
-/// On which side of a generic grazing bifurcation simulation sees the MPS that the VIVID function has a zero for.
-pub(crate) fn side_of_orbit<O: ImpactOscillator>(
-    orbit: &GrazingOrbit<O>,
-    loops: u32,
-) -> Result<Existence, Failure> {
+/// On which side of generic grazing simulation sees the MPS that V has a zero for.
+pub(crate) fn side_of_orbit(orbit: &Grazing, loops: u32) -> Result<Existence, Failure> {
     let point = orbit.grazing_point();
     let emerging = point.emerging_orbit(loops)?;
-    // So small that the expansion decides on which side of the wall the loops lie: close to h_p one is shallow.
+    // So small that the expansion decides where the loops lie: close to h_p one is shallow.
     let depth = (1..loops).map(|j| emerging.visit_slope(j).x.abs()).fold(f64::INFINITY, f64::min);
     let slope = emerging.impact_velocity_slope.abs();
     let size = small_velocity(&point, loops).min(0.01 * depth / slope) / slope;
@@ -23,27 +20,27 @@ pub(crate) fn side_of_orbit<O: ImpactOscillator>(
     Ok(Existence::of([positive, negative]))
 }
 
-/// The sign of η for which simulation sees the bifurcation near a resonance: an MPS to either side of it, at the same η, with the
-/// multiplier crossed in between.
-pub(super) fn side_of_curve<O: ImpactOscillator>(
-    orbit: &GrazingOrbit<O>,
-    loops: u32,
-    multiplier: f64,
-) -> Result<Existence, Failure> {
+/// The sign of η for which simulation sees each bifurcation: MPSs with the multiplier crossed.
+pub(super) fn sides_of_curves(orbit: &Grazing, loops: u32) -> Result<[Existence; 2], Failure> {
     let point = orbit.resonant_point(loops)?;
-    let slope = if multiplier > 0.0 {
-        point.saddle_node_velocity_slope()
-    } else {
-        point.period_doubling_velocity_slope()
-    };
+    let saddle_node = side_of_curve(orbit, loops, &point, (1.0, point.saddle_node_velocity_slope()))?;
+    let flip = side_of_curve(orbit, loops, &point, (-1.0, point.period_doubling_velocity_slope()))?;
+    Ok([saddle_node, flip])
+}
+
+fn side_of_curve(
+    orbit: &Grazing,
+    loops: u32,
+    point: &ResonantPoint,
+    (multiplier, slope): (f64, f64),
+) -> Result<Existence, Failure> {
     let equations = equations(orbit, loops);
     let origin = unknowns(orbit, [0.0; 3]);
     let phase_slope = orbit.phase_slope() + slope * point.branch_expansion().k_1;
     let tangent = Unknowns::new(slope, phase_slope, orbit.primary_slope(), 1.0) / slope;
     const VELOCITY: f64 = 0.005;
-    let mut found = [None; 2];
-    for (found, sign) in found.iter_mut().zip([1.0, -1.0]) {
-        let velocity = sign * VELOCITY;
+    let mut seen = Vec::new();
+    for velocity in [VELOCITY, -VELOCITY] {
         let conditions = [Condition::Multiplier(multiplier), Condition::ImpactVelocity(velocity)];
         let start = origin + tangent * velocity;
         let zero = located(&equations, conditions, start).ok_or("no point of a curve")?;
@@ -56,13 +53,13 @@ pub(super) fn side_of_curve<O: ImpactOscillator>(
                 *beside = suspect.multipliers().map(|[t, d]| 1.0 - multiplier * t + d > 0.0);
             }
         }
-        let crossed = matches!(beside, [Some(a), Some(b)] if a != b);
-        let side = Side::of(zero[3] - origin[3]);
-        *found = crossed.then_some(side);
+        if matches!(beside, [Some(a), Some(b)] if a != b) {
+            seen.push(Side::of(zero[3] - origin[3]));
+        }
     }
-    Ok(match found {
-        [Some(side), None] | [None, Some(side)] => Existence::On(side),
-        [None, None] => Existence::Nowhere,
-        [Some(_), Some(_)] => Existence::Unclear,
+    Ok(match seen[..] {
+        [] => Existence::Nowhere,
+        [side] => Existence::On(side),
+        _ => Existence::Unclear,
     })
 }
