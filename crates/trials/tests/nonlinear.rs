@@ -4,15 +4,13 @@
 use std::sync::LazyLock;
 
 use grazing_description::Description;
-use grazing_model::smooth::Stoppable;
-use grazing_model::smooth::{Dimensionless, Integrated};
 use grazing_trials::nonlinear::{Disagreement, compare, unfolded};
 use grazing_trials::oscillators;
 use grazing_unfold::Diagram;
 use grazing_unfold::regions::Region;
 
 /// The diagram of a random oscillator of seed 1, a spring that stiffens.
-static DIAGRAM: LazyLock<Diagram<Integrated<Stoppable<Dimensionless<Description>>>>> = LazyLock::new(|| {
+static DIAGRAM: LazyLock<Diagram> = LazyLock::new(|| {
     let text = oscillators::description(1, 10);
     let description = Description::parse(&text, "random").expect("what is made at random is right");
     unfolded(&description.with_loops(&[1, 2]).expect("they are right")).expect("it grazes")

@@ -15,13 +15,14 @@
 //! All of this counts in units in which motion is of the order of one: [`Dimensionless`](grazing_model::smooth::Dimensionless) makes any
 //! oscillator so, and [`units`] leads back.
 //!
-//! Everything is written against [`ImpactOscillator`](grazing_model::ImpactOscillator): the paper's oscillator with its closed
-//! form and one that is integrated from a text file differ in their flow alone.
+//! Everything takes [`AnyOscillator`](grazing_model::AnyOscillator): the paper's oscillator with its closed form and one that is
+//! integrated from a text file differ in their flow alone.
 //!
 //! An oscillator of your own is its force, frequency and reset law:
 //!
 //! ```
 //! use grazing_continuation::curve::Window;
+//! use grazing_model::AnyOscillator;
 //! use grazing_model::smooth::{Integrated, Scalar, SmoothOscillator};
 //! use grazing_unfold::{Diagram, Scope, progress::Silent};
 //!
@@ -52,7 +53,7 @@
 //! let window = Window { primary: [0.0, 0.4], secondary: [0.62, 0.67] };
 //! let scope = Scope { window, loops: vec![1], start: None };
 //! let pendulum = Integrated::new(Pendulum { damping: 0.05 }, [0.0, 0.6]);
-//! let diagram = Diagram::compute(&pendulum, &scope, &Silent)?;
+//! let diagram = Diagram::compute(&AnyOscillator::new(pendulum), &scope, &Silent)?;
 //! for (resonance, point) in diagram.unfolding() {
 //!     // Three half-swings in a forcing period; the saddle-node curve bends to greater amplitudes.
 //!     assert_eq!((resonance.loops, resonance.n), (1, 3));

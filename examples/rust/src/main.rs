@@ -4,8 +4,8 @@
 #![expect(clippy::print_stdout, reason = "a program's output")]
 
 use grazing_continuation::curve::Window;
-use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Integrated, Scalar, SmoothOscillator};
+use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_unfold::{Diagram, Scope, UnfoldError, progress::Silent};
 
 /// A beam bent by a magnet of strength `pull` at a distance of two units beyond the wall, which softens its spring.
@@ -37,11 +37,11 @@ impl SmoothOscillator for Beam {
 }
 
 /// The diagram for amplitudes up to 1.2 and frequencies from 0.6 to 0.95.
-fn diagram(loops: &[u32]) -> Result<Diagram<Integrated<Beam>>, UnfoldError> {
+fn diagram(loops: &[u32]) -> Result<Diagram, UnfoldError> {
     let window = Window { primary: [0.0, 1.2], secondary: [0.6, 0.95] };
     let scope = Scope { window, loops: loops.to_vec(), start: None };
     let beam = Integrated::new(Beam { damping: 0.04, pull: 0.3 }, [0.0, 0.6]);
-    Diagram::compute(&beam, &scope, &Silent)
+    Diagram::compute(&AnyOscillator::new(beam), &scope, &Silent)
 }
 
 fn main() -> Result<(), UnfoldError> {

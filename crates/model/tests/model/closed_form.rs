@@ -1,7 +1,7 @@
 //! The linear oscillator, integrated, against its closed form.
 
 use grazing_model::maps::{self, global_map, virtual_map};
-use grazing_model::motion::{Enclosure, Motion, Walk};
+use grazing_model::motion::{BoundedMotion, Enclosure, Motion, Walk};
 use grazing_model::orbit::Orbit;
 use grazing_model::{ImpactOscillator, MapJet, OnWall, State};
 

@@ -1,6 +1,6 @@
 //! Nonlinear forces: what holds without a closed form.
 
-use grazing_model::motion::{Enclosure, Motion};
+use grazing_model::motion::{BoundedMotion, Enclosure, Motion};
 use grazing_model::smooth::{Integrated, SmoothOscillator};
 use grazing_model::{ImpactOscillator, State, flow_variable};
 

@@ -1,6 +1,6 @@
 //! Orbits with impacts: no event is stepped over, and every orbit comes to a named end.
 
-use grazing_model::motion::{Enclosure, Motion};
+use grazing_model::motion::{BoundedMotion, Enclosure, Motion};
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
 use grazing_model::smooth::Integrated;
 use grazing_model::{ImpactOscillator, LinearOscillator, State};

@@ -1,6 +1,6 @@
 //! Springs that are much faster than their forcing, and forces that are steep.
 
-use grazing_model::motion::{Enclosure, Motion};
+use grazing_model::motion::{BoundedMotion, Enclosure, Motion};
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator, Taylor};
 use grazing_model::{FlowJet, ImpactOscillator, LinearOscillator, State, ThirdOrder, flow_variable};
 use nalgebra::{Matrix2x6, Matrix6};

@@ -61,7 +61,7 @@ mod tests {
     use std::sync::Mutex;
 
     use grazing_continuation::curve::Window;
-    use grazing_model::LinearOscillator;
+    use grazing_model::{AnyOscillator, LinearOscillator};
     use grazing_unfold::Scope;
     use grazing_unfold::progress::Silent;
 
@@ -71,6 +71,7 @@ mod tests {
     #[test]
     fn every_finished_resonance_is_handed_on_until_the_table_is_the_beginning_of_the_whole_one() {
         let oscillator = LinearOscillator::new(0.05, 0.9, 0.5, 0.9).expect("it is in the domain");
+        let oscillator = AnyOscillator::new(oscillator);
         let window = Window { primary: [0.0, 1.2], secondary: [0.6, 1.1] };
         let scope = Scope { window, loops: vec![2, 3], start: None };
         let kept = Mutex::new(Vec::new());

@@ -5,7 +5,7 @@ use std::thread::{self, sleep};
 use std::time::Duration;
 
 use grazing_continuation::curve::Window;
-use grazing_model::LinearOscillator;
+use grazing_model::{AnyOscillator, LinearOscillator};
 use grazing_reproduction::plane::{self, Axes};
 use grazing_results::plane::{PlanePoint, RegionVertex};
 use grazing_unfold::progress::Silent;
@@ -124,13 +124,13 @@ pub(crate) fn assert_right(pages: &[Page], window: Window) -> usize {
 }
 
 /// What `unfold` computes at a page's constants, whole or coarse.
-fn computed(window: Window, set: &Value, coarse: bool) -> Diagram<LinearOscillator> {
+fn computed(window: Window, set: &Value, coarse: bool) -> Diagram {
     let constant = |name: &str, own: f64| set[name].as_f64().unwrap_or(own);
     let oscillator =
         LinearOscillator::new(constant("zeta", 0.02), constant("epsilon", 0.9), 0.0, window.secondary[0])
             .unwrap();
     let scope = Scope { window, loops: vec![1, 2, 3], start: None };
-    let located = Diagram::located(&oscillator, &scope, &Silent).unwrap();
+    let located = Diagram::located(&AnyOscillator::new(oscillator), &scope, &Silent).unwrap();
     let followed = located.follow(&Silent, &|_, _| ());
     if coarse { located.with_curves(followed) } else { located.with(followed, &Silent) }
 }
