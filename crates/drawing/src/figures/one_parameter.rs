@@ -8,6 +8,7 @@ use crate::geometry::clip::checked;
 use crate::geometry::sheet::Bounds;
 use crate::ink::canvas::Canvas;
 use crate::ink::labels::Labels;
+use crate::ink::sheet::Sheet;
 use crate::ink::style::{MAGNIFIER, MAGNIFIER_FRAME, SheetWidth};
 use crate::ink::svg::POINTS_PER_MM;
 use crate::plot::axes::{Panel, overhang, room_beside};
@@ -43,6 +44,9 @@ const BELOW: f64 = 31.0;
 
 /// What one-parameter diagrams differ in.
 struct Style {
+    /// The name of the file, and what the figure shows, for readers who cannot see it.
+    name: &'static str,
+    description: &'static str,
     /// The tables of the diagram, the most telling first, and of its portraits.
     tables: [&'static str; 3],
     portraits: [&'static str; 1],
@@ -51,11 +55,17 @@ struct Style {
 }
 
 const FIGURE_2: Style = Style {
+    name: "fig02",
+    description: "Below: forcing amplitude across, x-value of the return map up; thick curves are stable, thin ones unstable; \
+                  dots are long-term forward orbits. Framed: magnification. Above: phase portraits with the wall.",
     tables: ["fig02_bifurcations", "fig02_branches", "fig02_attractor"],
     portraits: ["fig02_portraits"],
     says_where: false,
 };
 const OF_AN_OSCILLATOR: Style = Style {
+    name: "diagram",
+    description: "Below: the parameter across, x-value of the return map up; thick curves are stable, thin ones unstable; dots are \
+                  long-term forward orbits. Above: phase portraits with the wall.",
     tables: ["diagram_bifurcations", "diagram_branches", "diagram_attractor"],
     portraits: ["diagram_portraits"],
     says_where: true,
@@ -65,13 +75,9 @@ const OF_AN_OSCILLATOR: Style = Style {
 ///
 /// # Errors
 /// [`DrawingError`] if a frame is empty.
-pub fn draw_fig02(figure: &OneParameter, width: SheetWidth) -> Result<String, DrawingError> {
-    compose(figure, &Names::of_the_paper(), &FIGURE_2, width)?.finish(
-        "fig02",
-        "One-parameter bifurcation diagram with phase portraits",
-        "Below: forcing amplitude across, x-value of the return map up; thick curves are stable, thin ones unstable; \
-         dots are long-term forward orbits. Framed: magnification. Above: phase portraits with the wall.",
-    )
+pub fn draw_fig02(figure: &OneParameter, width: SheetWidth) -> Result<Sheet, DrawingError> {
+    let title = "One-parameter bifurcation diagram with phase portraits";
+    draw(figure, &Names::of_the_paper(), title, &FIGURE_2, width)
 }
 
 /// Draws a one-parameter diagram of an oscillator, whose parameters have these names, under a title.
@@ -83,13 +89,8 @@ pub fn draw_one_parameter(
     names: &Names,
     title: &str,
     width: SheetWidth,
-) -> Result<String, DrawingError> {
-    compose(figure, names, &OF_AN_OSCILLATOR, width)?.finish(
-        "diagram",
-        title,
-        "Below: the parameter across, x-value of the return map up; thick curves are stable, thin ones unstable; dots are \
-         long-term forward orbits. Above: phase portraits with the wall.",
-    )
+) -> Result<Sheet, DrawingError> {
+    draw(figure, names, title, &OF_AN_OSCILLATOR, width)
 }
 
 /// A value as the file has it, unless that takes many digits.
@@ -98,16 +99,17 @@ fn plain(value: f64) -> String {
     if text.chars().count() <= LONGEST { text } else { measured(value, DIGITS) }
 }
 
-fn compose(
+fn draw(
     figure: &OneParameter,
     names: &Names,
+    title: &str,
     style: &Style,
     width: SheetWidth,
-) -> Result<Canvas, DrawingError> {
+) -> Result<Sheet, DrawingError> {
     let frame = checked(figure.frame, "a one-parameter diagram")?;
     let magnified = figure.magnified.map(|part| checked(part, "its magnification")).transpose()?;
     let portraits = portraits(figure);
-    let ([across, held], [title, _]) = (figure.exchanged(names.shown()), figure.exchanged(names.titles()));
+    let ([across, held], [axis, _]) = (figure.exchanged(names.shown()), figure.exchanged(names.titles()));
     let [_, unit] = figure.exchanged(names.parameter_units()).map(Option::unwrap_or_default);
     let [column, _] = figure.exchanged([&names.primary, &names.secondary]);
     let own = Names::new(column, "x");
@@ -148,7 +150,7 @@ fn compose(
         canvas.line(&outline.map(|corner| part.spot(corner)), MAGNIFIER_FRAME);
     }
     let at = equation(&held, &plain(figure.at));
-    let place = format!("{title}  ({})", format!("{at} {unit}").trim_end());
+    let place = format!("{axis}  ({})", format!("{at} {unit}").trim_end());
     // The symbol of the primary parameter at grazing may be another than its name gives.
     let grazing = if figure.primary_is_fixed { &own } else { names };
     for (number, panel) in panels.iter().enumerate() {
@@ -162,9 +164,9 @@ fn compose(
         }
         diagram(panel, labels, figure, grazing, last)?;
         let beside = number > 0 && !narrow;
-        panel.axes(if style.says_where { &place } else { &title }, if beside { "" } else { x })?;
+        panel.axes(if style.says_where { &place } else { &axis }, if beside { "" } else { x })?;
     }
-    Ok(canvas)
+    canvas.finish(style.name, title, style.description)
 }
 
 /// The frames of a diagram and of its magnification, and where they lie on the sheet.
@@ -269,9 +271,7 @@ mod tests {
         let frame = Frame { x: [0.2, 0.7], y: [-0.3, 0.4] };
         let figure = OneParameter { magnified: Some(frame), ..sample([1.0, 1.0], 1) };
         let names = Names::of_the_paper();
-        let size = |width| {
-            compose(&figure, &names, &FIGURE_2, width).map(|sheet| (sheet.width, sheet.height)).unwrap()
-        };
+        let size = |width| draw(&figure, &names, "", &FIGURE_2, width).unwrap().size;
         let (one, paper) = (size(SheetWidth::OneColumn), size(SheetWidth::Paper));
         assert!(one.1 > 1.5 * one.0 && paper.0 > paper.1, "{one:?} {paper:?}");
     }
@@ -283,7 +283,8 @@ mod tests {
             for (scale, portraits) in [([1.0, 1.0], 0), ([1e-4, 1e3], 1), ([250.0, 2e-5], 3), ([1.0, 1.0], 7)]
             {
                 for width in WIDTHS {
-                    let sheet = compose(&sample(scale, portraits), &names, &OF_AN_OSCILLATOR, width).unwrap();
+                    let sheet =
+                        draw(&sample(scale, portraits), &names, "", &OF_AN_OSCILLATOR, width).unwrap();
                     sheet.assert_well_placed(&(scale, portraits, width));
                 }
             }
@@ -294,7 +295,7 @@ mod tests {
     fn titles_name_the_parameters_in_their_roles_and_what_x_is_counted_from() {
         let names = Names::new("A", "omega");
         let texts = |figure: &OneParameter| {
-            compose(figure, &names, &OF_AN_OSCILLATOR, SheetWidth::Paper).unwrap().texts()
+            draw(figure, &names, "", &OF_AN_OSCILLATOR, SheetWidth::Paper).unwrap().texts()
         };
         let mut figure = sample([1.0, 1.0], 1);
         assert!(texts(&figure).contains(&"long-time behaviour".to_owned()), "the dots are named");
@@ -307,7 +308,7 @@ mod tests {
         }
         let [primary, secondary] = ["N", "rad/s"].map(|unit| Some(unit.to_owned()));
         let named = names.clone().with_units(UnitNames { primary, secondary, ..UnitNames::default() });
-        let texts = compose(&figure, &named, &OF_AN_OSCILLATOR, SheetWidth::Paper).unwrap().texts();
+        let texts = draw(&figure, &named, "", &OF_AN_OSCILLATOR, SheetWidth::Paper).unwrap().texts();
         assert!(texts.contains(&r"$\omega$ (rad/s)  ($A=0.854$ N)".to_owned()), "{texts:?}");
     }
 
@@ -315,7 +316,7 @@ mod tests {
     fn panels_say_whose_rows_they_show() {
         let svg =
             draw_one_parameter(&sample([1.0, 1.0], 2), &Names::new("A", "omega"), "t", SheetWidth::Paper);
-        let svg = svg.unwrap();
+        let svg = svg.unwrap().svg();
         assert!(svg.contains("data-only=\"diagram 2\" data-columns=\"A x\""));
         assert!(svg.contains("data-tables=\"diagram_portraits\" data-only=\"portrait 2\""));
     }
