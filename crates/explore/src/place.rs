@@ -19,13 +19,10 @@ use crate::model::{CheckedModel, Job, Model};
 pub(crate) struct PlaceRequest {
     model: Model,
     at: [f64; 2],
-    #[serde(default = "usual")]
-    states: u32,
-    /// Orbits as curves, too.
-    #[serde(default = "yes")]
-    orbits: bool,
+    states: Option<u32>,
+    /// Whether orbits are wanted as curves, too: they are unless it says no.
+    orbits: Option<bool>,
     /// What was found at a place nearby: only this is followed.
-    #[serde(default)]
     nearby: Option<NearbyMotion>,
 }
 
@@ -54,14 +51,6 @@ impl NearbyMotion {
                 .collect(),
         })
     }
-}
-
-fn usual() -> u32 {
-    Starts::default().states
-}
-
-fn yes() -> bool {
-    true
 }
 
 /// More initial states take longer than anybody waits.
@@ -102,8 +91,9 @@ impl Job for PlaceJob<'_> {
         let here = oscillator.with_parameters([primary / units.primary, secondary / units.secondary]);
         let found = match &request.nearby {
             None => {
-                let states = request.states.clamp(1, MOST_STATES);
-                Place::compute(&here, &scope.loops, &Starts { states, ..Starts::default() }, stop)
+                let usual = Starts::default();
+                let states = request.states.unwrap_or(usual.states).clamp(1, MOST_STATES);
+                Place::compute(&here, &scope.loops, &Starts { states, ..usual }, stop)
             }
             Some(motion) => {
                 let nearby = motion
@@ -114,7 +104,7 @@ impl Job for PlaceJob<'_> {
         };
         let found = found.ok_or_else(Problem::ended)?;
         let states: u32 = found.attractors.iter().map(|attractor| attractor.states).sum();
-        let flights = |flights: &[Vec<[f64; 3]>]| match request.orbits {
+        let flights = |flights: &[Vec<[f64; 3]>]| match request.orbits.unwrap_or(true) {
             true => flights.iter().map(|flight| outside(flight, &units, model, request.at)).collect(),
             false => Vec::new(),
         };
