@@ -11,7 +11,7 @@ use crate::ink::labels::{Labels, Site};
 use crate::ink::sheet::Sheet;
 use crate::ink::style::{
     BLACK, Colour, GUIDE, LABEL_SIZE, POINT_RADIUS, POINT_RIM, Paint, Pen, SMALL_LABEL_SIZE, SheetWidth,
-    TICK_SIZE, WHITE,
+    TICK_SIZE,
 };
 use crate::plot::axes::{Heading, Panel};
 use crate::plot::kinds::{pen, text_colour};
@@ -233,8 +233,7 @@ fn points(
 
 /// A colour mixed with white.
 fn pale(colour: Colour, share: f64) -> Colour {
-    let mix = |own: u8, white: u8| (f64::from(own) * (1.0 - share) + f64::from(white) * share) as u8;
-    Colour(mix(colour.0, WHITE.0), mix(colour.1, WHITE.1), mix(colour.2, WHITE.2))
+    colour.map(|own| (f64::from(own) * (1.0 - share) + 255.0 * share) as u8)
 }
 
 #[cfg(test)]

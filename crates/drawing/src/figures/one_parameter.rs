@@ -11,7 +11,7 @@ use crate::ink::labels::Labels;
 use crate::ink::sheet::Sheet;
 use crate::ink::style::{MAGNIFIER, MAGNIFIER_FRAME, SheetWidth};
 use crate::ink::svg::POINTS_PER_MM;
-use crate::plot::axes::{Panel, overhang, room_beside};
+use crate::plot::axes::{Heading, Panel, overhang, room_beside};
 use crate::plot::branches::diagram;
 use crate::plot::portraits::{Caption, draw_portraits, equation, letters, portraits, row_height};
 use crate::plot::ticks::measured;
@@ -42,42 +42,20 @@ const DIGITS: usize = 6;
 /// Room below the diagram for numbers and axis title, in points.
 const BELOW: f64 = 31.0;
 
-/// What one-parameter diagrams differ in.
-struct Style {
-    /// The name of the file, and what the figure shows, for readers who cannot see it.
-    name: &'static str,
-    description: &'static str,
-    /// The tables of the diagram, the most telling first, and of its portraits.
-    tables: [&'static str; 3],
-    portraits: [&'static str; 1],
-    /// The title of the axis says where the other parameter is held.
-    says_where: bool,
-}
-
-const FIGURE_2: Style = Style {
-    name: "fig02",
-    description: "Below: forcing amplitude across, x-value of the return map up; thick curves are stable, thin ones unstable; \
-                  dots are long-term forward orbits. Framed: magnification. Above: phase portraits with the wall.",
-    tables: ["fig02_bifurcations", "fig02_branches", "fig02_attractor"],
-    portraits: ["fig02_portraits"],
-    says_where: false,
-};
-const OF_AN_OSCILLATOR: Style = Style {
-    name: "diagram",
-    description: "Below: the parameter across, x-value of the return map up; thick curves are stable, thin ones unstable; dots are \
-                  long-term forward orbits. Above: phase portraits with the wall.",
-    tables: ["diagram_bifurcations", "diagram_branches", "diagram_attractor"],
-    portraits: ["diagram_portraits"],
-    says_where: true,
-};
-
 /// Draws Figure 2. Paper: fig:Z.
 ///
 /// # Errors
 /// [`DrawingError`] if a frame is empty.
 pub fn draw_fig02(figure: &OneParameter, width: SheetWidth) -> Result<Sheet, DrawingError> {
-    let title = "One-parameter bifurcation diagram with phase portraits";
-    draw(figure, &Names::of_the_paper(), title, &FIGURE_2, width)
+    let heading = Heading {
+        name: "fig02",
+        title: "One-parameter bifurcation diagram with phase portraits",
+        description: "Below: forcing amplitude across, x-value of the return map up; thick curves are stable, thin ones unstable; \
+                      dots are long-term forward orbits. Framed: magnification. Above: phase portraits with the wall.",
+        names: &Names::of_the_paper(),
+        tables: &["fig02_bifurcations", "fig02_branches", "fig02_attractor"],
+    };
+    draw(figure, &heading, &["fig02_portraits"], false, width)
 }
 
 /// Draws a one-parameter diagram of an oscillator, whose parameters have these names, under a title.
@@ -90,7 +68,15 @@ pub fn draw_one_parameter(
     title: &str,
     width: SheetWidth,
 ) -> Result<Sheet, DrawingError> {
-    draw(figure, names, title, &OF_AN_OSCILLATOR, width)
+    let heading = Heading {
+        name: "diagram",
+        title,
+        description: "Below: the parameter across, x-value of the return map up; thick curves are stable, thin ones unstable; dots are \
+                      long-term forward orbits. Above: phase portraits with the wall.",
+        names,
+        tables: &["diagram_bifurcations", "diagram_branches", "diagram_attractor"],
+    };
+    draw(figure, &heading, &["diagram_portraits"], true, width)
 }
 
 /// A value as the file has it, unless that takes many digits.
@@ -99,13 +85,15 @@ fn plain(value: f64) -> String {
     if text.chars().count() <= LONGEST { text } else { measured(value, DIGITS) }
 }
 
+/// Draws a diagram and its portraits, which show the rows of a table; the title of its axis says where the other parameter is held, if it is to.
 fn draw(
     figure: &OneParameter,
-    names: &Names,
-    title: &str,
-    style: &Style,
+    heading: &Heading<'_>,
+    portrait_tables: &[&'static str],
+    says_where: bool,
     width: SheetWidth,
 ) -> Result<Sheet, DrawingError> {
+    let names = heading.names;
     let frame = checked(figure.frame, "a one-parameter diagram")?;
     let magnified = figure.magnified.map(|part| checked(part, "its magnification")).transpose()?;
     let portraits = portraits(figure);
@@ -127,12 +115,12 @@ fn draw(
     };
     let canvas = Canvas::new(width, (portraits_end + height) / POINTS_PER_MM)?;
     if rows > 0 {
-        let caption = Caption { across: &across, titles: [x, "$y$"], table: &style.portraits };
+        let caption = Caption { across: &across, titles: [x, "$y$"], table: portrait_tables };
         draw_portraits(&canvas, figure, &portraits, &caption, rows)?;
     }
     let top = portraits_end + if rows > 0 { LETTERS } else { ABOVE };
     let panel = |frame, bounds| Panel {
-        tables: &style.tables,
+        tables: heading.tables,
         only: Some(("diagram", figure.diagram)),
         names: Some(&own),
         ..Panel::new(&canvas, frame, bounds)
@@ -164,9 +152,9 @@ fn draw(
         }
         diagram(panel, labels, figure, grazing, last)?;
         let beside = number > 0 && !narrow;
-        panel.axes(if style.says_where { &place } else { &axis }, if beside { "" } else { x })?;
+        panel.axes(if says_where { &place } else { &axis }, if beside { "" } else { x })?;
     }
-    canvas.finish(style.name, title, style.description)
+    canvas.finish(heading.name, heading.title, heading.description)
 }
 
 /// The frames of a diagram and of its magnification, and where they lie on the sheet.
@@ -270,8 +258,7 @@ mod tests {
     fn diagram_and_magnification_stand_one_above_the_other_in_one_column() {
         let frame = Frame { x: [0.2, 0.7], y: [-0.3, 0.4] };
         let figure = OneParameter { magnified: Some(frame), ..sample([1.0, 1.0], 1) };
-        let names = Names::of_the_paper();
-        let size = |width| draw(&figure, &names, "", &FIGURE_2, width).unwrap().size;
+        let size = |width| draw_fig02(&figure, width).unwrap().size;
         let (one, paper) = (size(SheetWidth::OneColumn), size(SheetWidth::Paper));
         assert!(one.1 > 1.5 * one.0 && paper.0 > paper.1, "{one:?} {paper:?}");
     }
@@ -283,8 +270,7 @@ mod tests {
             for (scale, portraits) in [([1.0, 1.0], 0), ([1e-4, 1e3], 1), ([250.0, 2e-5], 3), ([1.0, 1.0], 7)]
             {
                 for width in WIDTHS {
-                    let sheet =
-                        draw(&sample(scale, portraits), &names, "", &OF_AN_OSCILLATOR, width).unwrap();
+                    let sheet = draw_one_parameter(&sample(scale, portraits), &names, "", width).unwrap();
                     sheet.assert_well_placed(&(scale, portraits, width));
                 }
             }
@@ -295,7 +281,7 @@ mod tests {
     fn titles_name_the_parameters_in_their_roles_and_what_x_is_counted_from() {
         let names = Names::new("A", "omega");
         let texts = |figure: &OneParameter| {
-            draw(figure, &names, "", &OF_AN_OSCILLATOR, SheetWidth::Paper).unwrap().texts()
+            draw_one_parameter(figure, &names, "", SheetWidth::Paper).unwrap().texts()
         };
         let mut figure = sample([1.0, 1.0], 1);
         assert!(texts(&figure).contains(&"long-time behaviour".to_owned()), "the dots are named");
@@ -308,7 +294,7 @@ mod tests {
         }
         let [primary, secondary] = ["N", "rad/s"].map(|unit| Some(unit.to_owned()));
         let named = names.clone().with_units(UnitNames { primary, secondary, ..UnitNames::default() });
-        let texts = draw(&figure, &named, "", &OF_AN_OSCILLATOR, SheetWidth::Paper).unwrap().texts();
+        let texts = draw_one_parameter(&figure, &named, "", SheetWidth::Paper).unwrap().texts();
         assert!(texts.contains(&r"$\omega$ (rad/s)  ($A=0.854$ N)".to_owned()), "{texts:?}");
     }
 

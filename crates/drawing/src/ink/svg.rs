@@ -28,7 +28,7 @@ pub(crate) fn points(value: f64) -> String {
     hundredths((value * 100.0).round() as i32)
 }
 
-pub(crate) fn hex(Colour(red, green, blue): Colour) -> String {
+pub(crate) fn hex([red, green, blue]: Colour) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
@@ -147,7 +147,7 @@ mod tests {
 
     #[test]
     fn dashes_are_real_ones() {
-        let pen = Pen::dashed(Colour(1, 2, 255), 1.25, &[4.0, 1.5]);
+        let pen = Pen::dashed([1, 2, 255], 1.25, &[4.0, 1.5]);
         assert_eq!(stroke(Some(pen)), " stroke=\"#0102ff\" stroke-width=\"1.25\" stroke-dasharray=\"4 1.5\"");
     }
 
