@@ -129,9 +129,9 @@ mod tests {
         assert!(section.inherited().starts_with("font-family=\"'Figure Text',"), "{}", section.inherited());
         assert_eq!(
             section.body(),
-            "<rect width=\"10\" height=\"10\" fill=\"#ffffff\"/><clipPath id=\"fig99-c\"/>\
-             <path d=\"M0 0l10 .5\" clip-path=\"url(#fig99-c)\"/>\
-             <use href=\"#fig99-c\" font-family=\"'Figure Signs'\"/>"
+            "<rect width=\"10\" height=\"10\" fill=\"#ffffff\"/>\n<clipPath id=\"fig99-c\"/>\n\
+             <path d=\"M0 0l10 .5\" clip-path=\"url(#fig99-c)\"/>\n\
+             <use href=\"#fig99-c\" font-family=\"'Figure Signs'\"/>\n"
         );
     }
 }

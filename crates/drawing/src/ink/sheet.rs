@@ -70,11 +70,11 @@ impl Sheet {
 
     /// The text of an SVG file, which embeds its fonts.
     pub fn svg(&self) -> String {
-        let Self { title, description, size: (width, height), elements, .. } = self;
+        let Self { title, description, size: (width, height), .. } = self;
         let mut svg = format!(
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
              <svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"{}\" {} role=\"img\">\n\
-             <title>{}</title>\n<desc>{}</desc>\n<style>\n{}</style>\n{}\n",
+             <title>{}</title>\n<desc>{}</desc>\n<style>\n{}</style>\n{}",
             points(width / POINTS_PER_MM),
             points(height / POINTS_PER_MM),
             self.view_box(),
@@ -82,12 +82,8 @@ impl Sheet {
             escape(title),
             escape(description),
             style_sheet(),
-            self.background(),
+            self.body(path_data),
         );
-        for element in elements {
-            svg.push_str(&element.svg(path_data));
-            svg.push('\n');
-        }
         if !self.legend.is_empty() {
             let entry = |(meaning, sample): &(String, String)| {
                 format!("<g aria-label=\"{}\">{sample}</g>", escape(meaning))
@@ -105,8 +101,15 @@ impl Sheet {
 
     /// What is drawn, in few letters: paths run from each spot to the next by the difference, which is the same to a hundredth.
     pub fn short_body(&self) -> String {
-        let elements = self.elements.iter().map(|element| element.svg(short_path_data));
-        std::iter::once(self.background()).chain(elements).collect()
+        self.body(short_path_data)
+    }
+
+    /// What is drawn, an element a line, with paths that are written so.
+    fn body(&self, data: fn(&[Hundredths], bool) -> String) -> String {
+        let (width, height) = self.size;
+        let background =
+            format!("<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>\n", points(width), points(height));
+        self.elements.iter().fold(background, |body, element| body + &element.svg(data) + "\n")
     }
 
     /// The panels, in the order of drawing.
@@ -134,11 +137,6 @@ impl Sheet {
         };
         let misplaced: Vec<_> = (0..texts.len()).filter(|&i| spoilt(i)).map(|i| &texts[i]).collect();
         assert!(misplaced.is_empty(), "{what:?}: {misplaced:?}");
-    }
-
-    fn background(&self) -> String {
-        let (width, height) = self.size;
-        format!("<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>", points(width), points(height))
     }
 }
 
