@@ -12,7 +12,7 @@ pub mod paper;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use grazing_drawing::SheetWidth;
+use grazing_drawing::{Sheet, SheetWidth};
 use grazing_report::FigureEntry;
 use grazing_reproduction::StudyError;
 use grazing_reproduction::parameters::ParameterError;
@@ -79,7 +79,7 @@ pub(crate) struct ComputedOutput {
 pub(crate) struct Figure {
     /// The file of its SVG.
     pub(crate) file: String,
-    pub(crate) svg: String,
+    pub(crate) sheet: Sheet,
     pub(crate) caption: Caption,
     /// The tables whose rows it shows,
     pub(crate) tables: Vec<&'static str>,
@@ -173,11 +173,11 @@ impl ComputedOutput {
     pub(crate) fn files(&self, edition: &Edition) -> Result<(Vec<OutputFile>, Vec<Float>), Failure> {
         let (mut files, mut floats) = (Vec::new(), Vec::new());
         let has_latex = edition.has(Format::Tex);
-        for Figure { file, svg, caption, .. } in &self.figures {
-            let failure = |error| computation("figures", &error);
-            files.extend(edition.figure_files(file, svg.clone()).map_err(failure)?);
+        for Figure { file, sheet, caption, .. } in &self.figures {
+            let made = edition.figure_files(file, sheet);
+            files.extend(made.map_err(|error| computation("figures", &error))?);
             if has_latex {
-                floats.push(Float::figure(file, svg, caption).map_err(failure)?);
+                floats.push(Float::figure(file, sheet, caption));
             }
         }
         for table in &self.tables {
@@ -195,12 +195,12 @@ impl ComputedOutput {
 
     /// The figures for a page, each with the rows that it shows.
     pub(crate) fn entries(&self) -> impl Iterator<Item = FigureEntry> {
-        self.figures.iter().map(|Figure { file, svg, caption, tables, only }| {
+        self.figures.iter().map(|Figure { file, sheet, caption, tables, only }| {
             let tables = tables.iter().filter_map(|name| self.table(name));
             FigureEntry {
                 name: file.trim_end_matches(".svg").to_owned(),
                 title: caption.title.clone(),
-                svg: svg.clone(),
+                sheet: sheet.clone(),
                 tables: tables.map(|table| with_only(table.clone(), only.as_ref())).collect(),
             }
         })

@@ -10,7 +10,7 @@ import * as hand from "./hand.js";
 import * as model from "./model.js";
 import * as place from "./place.js";
 import { redraw } from "./plane.js";
-import { onTheme } from "./palette.js";
+import { drawSamples, onTheme } from "./palette.js";
 import * as share from "./share.js";
 import * as state from "./state.js";
 import * as tiles from "./tiles.js";
@@ -141,6 +141,8 @@ async function start() {
     tiles.shaded();
   });
   onTheme(redraw);
+  onTheme(drawSamples);
+  drawSamples();
   new ResizeObserver(redraw).observe($("plane"));
   document.fonts.ready.then(redraw);
   state.subscribe(follow);

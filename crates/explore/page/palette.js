@@ -34,6 +34,15 @@ export function penOf({ kind, source }) {
   return source === "quadratic" ? { ...APPROXIMATION, colour: look[theme()].quadratic } : { ...look, colour: look[theme()].curve };
 }
 
+/** Draws the samples of curves in the legend as curves are drawn; approximations are shown by that to SN. */
+export function drawSamples() {
+  for (const sample of document.querySelectorAll(".legend path[class]:not(.fill)")) {
+    const kind = sample.getAttribute("class");
+    const { colour, width, dashes } = kind in LOOKS ? penOf({ kind }) : penOf({ kind: "SN", source: kind });
+    Object.assign(sample.style, { stroke: colour, strokeWidth: width, strokeDasharray: dashes.join(" ") || "none" });
+  }
+}
+
 /** The ink of a curve's points, and of words about it; undefined for what is no curve. */
 export const curveInk = (kind) => LOOKS[kind]?.[theme()].curve;
 export const wordInk = (kind) => (kind === "graz" ? LOOKS[kind][theme()].quadratic : curveInk(kind));

@@ -17,70 +17,46 @@ pub struct Example {
     pub text: Option<String>,
 }
 
-/// A file: its name, its media type, its content.
-type File = (&'static str, &'static str, &'static [u8]);
+/// A file: its name and its content.
+type File = (&'static str, &'static [u8]);
 
 macro_rules! files {
-    ($list:ident in $folder:literal: $($name:literal = $kind:literal,)+) => {
-        const $list: &[File] = &[$(($name, $kind, include_bytes!(concat!($folder, $name))),)+];
+    ($list:ident in $folder:literal: $($name:literal)+) => {
+        const $list: &[File] = &[$(($name, include_bytes!(concat!($folder, $name))),)+];
     };
 }
 
 // What the page shares with the report, and the fonts of the figures.
-files! {
-    STYLES in "../../report/assets/":
-    "base.css" = "text/css; charset=utf-8",
-    "gestures.js" = "text/javascript; charset=utf-8",
-    "scales.js" = "text/javascript; charset=utf-8",
-    "theme.js" = "text/javascript; charset=utf-8",
-}
-
+files! { STYLES in "../../report/assets/": "base.css" "gestures.js" "scales.js" "theme.js" }
 files! {
     FONTS in "../../drawing/fonts/":
-    "STIXTwoMath-Signs.ttf" = "font/ttf",
-    "STIXTwoText-Italic.ttf" = "font/ttf",
-    "STIXTwoText-Regular.ttf" = "font/ttf",
+    "STIXTwoMath-Signs.ttf" "STIXTwoText-Italic.ttf" "STIXTwoText-Regular.ttf"
 }
-
 files! {
     PAGE in "../page/":
-    "api.js" = "text/javascript; charset=utf-8",
-    "axes.js" = "text/javascript; charset=utf-8",
-    "busy.js" = "text/javascript; charset=utf-8",
-    "constants.js" = "text/javascript; charset=utf-8",
-    "cut.js" = "text/javascript; charset=utf-8",
-    "diagram.js" = "text/javascript; charset=utf-8",
-    "dom.js" = "text/javascript; charset=utf-8",
-    "editor.js" = "text/javascript; charset=utf-8",
-    "explore.css" = "text/css; charset=utf-8",
-    "hand.js" = "text/javascript; charset=utf-8",
-    "index.html" = "text/html; charset=utf-8",
-    "labels.js" = "text/javascript; charset=utf-8",
-    "lasting.js" = "text/javascript; charset=utf-8",
-    "main.js" = "text/javascript; charset=utf-8",
-    "markup.js" = "text/javascript; charset=utf-8",
-    "model.js" = "text/javascript; charset=utf-8",
-    "palette.js" = "text/javascript; charset=utf-8",
-    "panels.css" = "text/css; charset=utf-8",
-    "pick.js" = "text/javascript; charset=utf-8",
-    "place.js" = "text/javascript; charset=utf-8",
-    "plane.js" = "text/javascript; charset=utf-8",
-    "portraits.js" = "text/javascript; charset=utf-8",
-    "share.js" = "text/javascript; charset=utf-8",
-    "state.js" = "text/javascript; charset=utf-8",
-    "tiles.js" = "text/javascript; charset=utf-8",
+    "api.js" "axes.js" "busy.js" "constants.js" "cut.js" "diagram.js" "dom.js" "editor.js" "explore.css"
+    "hand.js" "index.html" "labels.js" "lasting.js" "main.js" "markup.js" "model.js" "palette.js" "panels.css"
+    "pick.js" "place.js" "plane.js" "portraits.js" "share.js" "state.js" "tiles.js"
 }
+
+/// Media types by the endings of names.
+const KINDS: [(&str, &str); 4] = [
+    ("css", "text/css; charset=utf-8"),
+    ("html", "text/html; charset=utf-8"),
+    ("js", "text/javascript; charset=utf-8"),
+    ("ttf", "font/ttf"),
+];
 
 /// A file of the page; the empty name is the page itself.
 pub(crate) fn page(name: &str) -> Option<Response<Body>> {
-    let name = match name {
-        "" => "index.html",
-        "kinds.js" => return Some(answer::of_kind("text/javascript; charset=utf-8", kinds::script())),
-        "kinds.css" => return Some(answer::of_kind("text/css; charset=utf-8", kinds::style_sheet())),
-        name => name,
-    };
+    let name = if name.is_empty() { "index.html" } else { name };
+    let (_, ending) = name.rsplit_once('.')?;
+    let (_, kind) = KINDS.iter().find(|(known, _)| *known == ending)?;
+    if name == "kinds.js" {
+        return Some(answer::of_kind(kind, kinds::script()));
+    }
     let mut files = [PAGE, STYLES, FONTS].into_iter().flatten();
-    let (_, kind, content) = files.find(|(known, _, _)| *known == name)?;
+    let (_, content) = files.find(|(known, _)| *known == name)?;
     Some(answer::of_kind(kind, *content))
 }
 
@@ -99,8 +75,8 @@ mod tests {
             .map(|entry| entry.unwrap().file_name().into_string().unwrap())
             .collect();
         names.sort();
-        assert_eq!(names, PAGE.iter().map(|(name, _, _)| *name).collect::<Vec<_>>());
-        for (name, _, content) in PAGE {
+        assert_eq!(names, PAGE.iter().map(|(name, _)| *name).collect::<Vec<_>>());
+        for (name, content) in PAGE {
             let text = str::from_utf8(content).unwrap();
             let quoted = text.split(['"', '\'']).skip(1).step_by(2);
             let loaded = |text: &str| {

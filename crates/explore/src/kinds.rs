@@ -1,6 +1,4 @@
-//! How kinds of curves look and what they are called, for the page: `grazing_results::kinds` as a script and a style sheet.
-
-use std::fmt::Write;
+//! How kinds of curves look and what they are called, for the page: `grazing_results::kinds` as a script.
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::kinds::{CURVES, Colour, CurveLook};
@@ -44,27 +42,4 @@ pub(crate) fn script() -> String {
         "dashes": pixels(CurveLook::APPROXIMATION_DASHES),
     });
     format!("export const LOOKS = {};\nexport const APPROXIMATION = {approximation};\n", Value::Object(looks))
-}
-
-/// A style sheet with a class for each kind of curve, and `quadratic` for approximations, as the legend shows them.
-pub(crate) fn style_sheet() -> String {
-    let mut text = String::new();
-    let mut rule = |class: &str, colours: [Colour; 2], stroke: f64, dashes: &[f64]| {
-        let [light, dark] = colours.map(hex);
-        let dashes = pixels(dashes).iter().map(f64::to_string).collect::<Vec<_>>().join(" ");
-        let dashes = if dashes.is_empty() { "none".to_owned() } else { dashes };
-        // Writing to a string cannot fail.
-        let _ = writeln!(
-            text,
-            ".legend .{class} {{ stroke: light-dark({light}, {dark}); stroke-width: {}; stroke-dasharray: {dashes}; }}",
-            width(stroke)
-        );
-    };
-    for kind in CURVES {
-        let look = CurveLook::of(kind);
-        rule(kind.name(), look.colours, look.width, look.dashes);
-    }
-    let colours = CurveLook::of(Bifurcation::SaddleNode).approximation();
-    rule("quadratic", colours, CurveLook::APPROXIMATION_WIDTH, CurveLook::APPROXIMATION_DASHES);
-    text
 }

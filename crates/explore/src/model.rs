@@ -22,7 +22,6 @@ pub struct Model {
     #[serde(default)]
     pub set: BTreeMap<String, f64>,
     /// Numbers of loops, if not those of the file.
-    #[serde(default)]
     pub loops: Option<Vec<u32>>,
 }
 

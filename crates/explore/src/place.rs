@@ -17,13 +17,10 @@ use crate::model::{Model, Prepared};
 pub(crate) struct PlaceRequest {
     model: Model,
     at: [f64; 2],
-    #[serde(default = "usual")]
-    states: u32,
-    /// Orbits as curves, too.
-    #[serde(default = "yes")]
-    orbits: bool,
+    states: Option<u32>,
+    /// Whether orbits are wanted as curves, too: they are unless it says no.
+    orbits: Option<bool>,
     /// What was found at a place nearby: only this is followed.
-    #[serde(default)]
     nearby: Option<NearbyMotion>,
 }
 
@@ -54,14 +51,6 @@ impl NearbyMotion {
     }
 }
 
-fn usual() -> u32 {
-    Starts::default().states
-}
-
-fn yes() -> bool {
-    true
-}
-
 /// More initial states take longer than anybody waits.
 const MOST_STATES: u32 = 200;
 
@@ -75,8 +64,9 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
     let here = of.oscillator.with_parameters([primary / units.primary, secondary / units.secondary]);
     let found = match &request.nearby {
         None => {
-            let states = request.states.clamp(1, MOST_STATES);
-            Place::compute(&here, &of.scope.loops, &Starts { states, ..Starts::default() }, stop)
+            let usual = Starts::default();
+            let states = request.states.unwrap_or(usual.states).clamp(1, MOST_STATES);
+            Place::compute(&here, &of.scope.loops, &Starts { states, ..usual }, stop)
         }
         Some(motion) => {
             let nearby = motion
@@ -87,7 +77,7 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
     };
     let found = found.ok_or_else(Problem::ended)?;
     let states: u32 = found.attractors.iter().map(|attractor| attractor.states).sum();
-    let flights = |flights: &[Vec<[f64; 3]>]| match request.orbits {
+    let flights = |flights: &[Vec<[f64; 3]>]| match request.orbits.unwrap_or(true) {
         true => flights.iter().map(|flight| outside(flight, &of, request.at)).collect(),
         false => Vec::new(),
     };

@@ -29,7 +29,8 @@ use crate::model::{Model, View};
 use crate::turns::{self, Limits, Turns};
 use crate::{cut, diagram, place, stream, tiles};
 
-/// Makes a file of what is seen: of a model in a view `svg`, `pdf`, `png` or `csv:TABLE` at a width (`paper`, `one`, `two`).
+/// Makes a file of what is seen: of a model in a view `svg`, `pdf`, `png` or `csv:TABLE` at a width (`one`, `two`, or
+/// that of the paper).
 pub type Export = Box<dyn Fn(&Model, &View, &str, &str, &Stop) -> Result<Sheet, String> + Send + Sync>;
 
 /// A server that is bound to its port, and not running yet.
@@ -153,7 +154,7 @@ async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Res
     let rest = shared.token.rest(&path).ok_or_else(nothing)?;
     if request.method() == Method::GET {
         return match rest {
-            "examples" => Ok(answer::json(&shared.examples)),
+            "examples" => Ok(answer::json(&json!(shared.examples))),
             file => files::page(file).ok_or_else(nothing),
         };
     }
@@ -177,12 +178,16 @@ async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Res
         }
         "diagram" => stream::events(&shared.turns, read(shared, request).await?, diagram::compute).await,
         "tiles" => stream::events(&shared.turns, read(shared, request).await?, tiles::compute).await,
-        "place" => turns::computed(&shared.turns, read(shared, request).await?, place::compute).await,
+        "place" => {
+            let request = read(shared, request).await?;
+            let found = turns::blocking(&shared.turns, move |stop| place::compute(&request, stop));
+            Ok(answer::json(&found.await?))
+        }
         "cut" => stream::events(&shared.turns, read(shared, request).await?, cut::compute).await,
         "export" => {
             let ExportRequest { model, view, what, columns } = read(shared, request).await?;
-            let (own, limits) = (shared.clone(), shared.turns.limits);
-            let made = turns::blocking(&shared.turns, limits, move |stop| {
+            let own = shared.clone();
+            let made = turns::blocking(&shared.turns, move |stop| {
                 (own.export)(&model, &view, &what, &columns, stop).map_err(Problem::wrong)
             });
             answer::file(made.await?)
@@ -197,12 +202,8 @@ struct ExportRequest {
     model: Model,
     view: View,
     what: String,
-    #[serde(default = "paper")]
+    #[serde(default)]
     columns: String,
-}
-
-fn paper() -> String {
-    "paper".to_owned()
 }
 
 /// The body of a request.

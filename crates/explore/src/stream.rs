@@ -101,7 +101,7 @@ pub(crate) async fn events<T: Send + Sync + 'static>(
     compute: fn(&T, &Events, &Stop) -> Result<(), Problem>,
 ) -> Result<Response<Body>, Problem> {
     let turn = turns.turn().await?;
-    let (stop, guard) = turns.mark(turns.limits);
+    let (stop, guard) = turns.mark();
     let (sender, receiver) = channel(WAITING);
     spawn_blocking(move || {
         let began = Instant::now();

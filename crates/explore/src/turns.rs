@@ -5,14 +5,13 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use grazing_model::smooth::Stop;
-use hyper::{Response, StatusCode};
+use hyper::StatusCode;
 use rayon::{ThreadPool, ThreadPoolBuilder};
-use serde::Serialize;
-use tokio::sync::{Notify, OwnedSemaphorePermit, Semaphore, watch};
-use tokio::task::spawn_blocking;
-use tokio::time::{sleep, timeout};
+use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
+use tokio::task::{AbortHandle, spawn_blocking};
+use tokio::time::timeout;
 
-use crate::answer::{self, Body, Problem};
+use crate::answer::Problem;
 
 /// What the server allows. None of it is felt by people at browsers; all of it is by whoever wants to bring the server down.
 #[derive(Clone, Copy, Debug)]
@@ -110,66 +109,39 @@ impl Turns {
 
     /// A mark that ends a computation when its time or its steps are used up, when all are to end, and when what is returned beside it is
     /// dropped.
-    pub(crate) fn mark(&self, limits: Limits) -> (Stop, StopOnDrop) {
-        let stop = Stop::after(limits.steps);
-        let (guard, mut ending) = (StopOnDrop::new(stop.clone()), self.ending.subscribe());
-        let (ended, gone) = (stop.clone(), guard.gone());
-        tokio::spawn(async move {
-            tokio::select! {
-                () = sleep(limits.time) => ended.ask(),
-                _ = ending.changed() => ended.ask(),
-                () = gone.notified() => {}
-            }
+    pub(crate) fn mark(&self) -> (Stop, StopOnDrop) {
+        let stop = Stop::after(self.limits.steps);
+        let (time, ended, mut ending) = (self.limits.time, stop.clone(), self.ending.subscribe());
+        let watch = tokio::spawn(async move {
+            let _ = timeout(time, ending.changed()).await;
+            ended.ask();
         });
-        (stop, guard)
+        (stop.clone(), StopOnDrop { stop, watch: watch.abort_handle() })
     }
 }
 
 /// Asks a computation to end when it is dropped, as the answer that nobody waits for any more is.
 pub(crate) struct StopOnDrop {
     stop: Stop,
-    gone: Arc<Notify>,
-}
-
-impl StopOnDrop {
-    pub(crate) fn new(stop: Stop) -> Self {
-        Self { stop, gone: Arc::default() }
-    }
-
-    /// Reports when it is dropped.
-    pub(crate) fn gone(&self) -> Arc<Notify> {
-        self.gone.clone()
-    }
+    /// What waits for the end of its time.
+    watch: AbortHandle,
 }
 
 impl Drop for StopOnDrop {
     fn drop(&mut self) {
         self.stop.ask();
-        self.gone.notify_one();
+        self.watch.abort();
     }
 }
 
 /// Computes something in a thread of its own, when it is its turn.
 pub(crate) async fn blocking<T: Send + 'static>(
     turns: &Arc<Turns>,
-    limits: Limits,
     work: impl FnOnce(&Stop) -> Result<T, Problem> + Send + 'static,
 ) -> Result<T, Problem> {
     let turn = turns.turn().await?;
-    let (stop, guard) = turns.mark(limits);
+    let (stop, _guard) = turns.mark();
     let computed = spawn_blocking(move || turn.take(|| work(&stop)));
     let failed = |_| Problem::new(StatusCode::INTERNAL_SERVER_ERROR, "the computation failed");
-    let outcome = computed.await.map_err(failed)?;
-    drop(guard);
-    outcome
-}
-
-/// Computes an answer.
-pub(crate) async fn computed<T: Send + 'static, V: Serialize + Send + 'static>(
-    turns: &Arc<Turns>,
-    request: T,
-    compute: fn(&T, &Stop) -> Result<V, Problem>,
-) -> Result<Response<Body>, Problem> {
-    let value = blocking(turns, turns.limits, move |stop| compute(&request, stop)).await?;
-    Ok(answer::json(&value))
+    computed.await.map_err(failed)?
 }

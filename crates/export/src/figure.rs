@@ -4,7 +4,6 @@ use std::sync::{Arc, OnceLock};
 
 use grazing_drawing::FONT_FILES;
 use resvg::usvg::fontdb::Database;
-use resvg::usvg::roxmltree::{Document, ParsingOptions};
 use resvg::usvg::{Options, Tree};
 
 use crate::error::ExportError;
@@ -13,14 +12,9 @@ use crate::tree::ensure_glyphs;
 /// User units to an inch: with 72 of them a unit is a point, as in the figures' view boxes.
 const UNITS_PER_INCH: f32 = 72.0;
 
-/// The name space of the elements.
-const SVG: &str = "http://www.w3.org/2000/svg";
-
 /// A figure that was read.
 pub struct Drawing {
     pub(crate) tree: Tree,
-    title: String,
-    description: String,
 }
 
 impl Drawing {
@@ -30,26 +24,9 @@ impl Drawing {
     /// It is no SVG that can be drawn, or a label cannot be set in the figures' fonts.
     pub fn read(svg: &str) -> Result<Drawing, ExportError> {
         let options = Options { dpi: UNITS_PER_INCH, fontdb: fonts(), ..Options::default() };
-        let parsing = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
-        let document = Document::parse_with_options(svg, parsing).map_err(resvg::usvg::Error::from)?;
-        let text = |element| {
-            let found = document.descendants().find(|node| node.has_tag_name((SVG, element)));
-            found.and_then(|node| node.text()).unwrap_or_default().to_owned()
-        };
-        let (title, description) = (text("title"), text("desc"));
-        let figure = Drawing { tree: Tree::from_xmltree(&document, &options)?, title, description };
-        ensure_glyphs(&figure.tree)?;
-        Ok(figure)
-    }
-
-    /// The title that the SVG carries; empty if it carries none.
-    pub fn title(&self) -> &str {
-        &self.title
-    }
-
-    /// What it shows, in the words that the SVG carries for readers who cannot see it; empty if it carries none.
-    pub fn description(&self) -> &str {
-        &self.description
+        let drawing = Drawing { tree: Tree::from_str(svg, &options)? };
+        ensure_glyphs(&drawing.tree)?;
+        Ok(drawing)
     }
 
     /// Width and height of the sheet, in points.
@@ -74,16 +51,6 @@ fn fonts() -> Arc<Database> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_title_is_read_with_its_entities_and_may_be_missing() {
-        let title = |content: &str| {
-            let svg = format!("<svg xmlns=\"{SVG}\" width=\"9\" height=\"9\">{content}</svg>");
-            Drawing::read(&svg).expect("an SVG").title().to_owned()
-        };
-        assert_eq!(title("<title>a &lt; b &amp;amp; c</title>"), "a < b &amp; c");
-        assert_eq!(title(""), "");
-    }
 
     #[test]
     fn only_the_fonts_of_the_figures_are_known() {

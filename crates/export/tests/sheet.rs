@@ -7,6 +7,8 @@ use grazing_export::{Drawing, ExportError};
 
 /// An SVG with all features that the figures use; lengths in points.
 const SAMPLE: &str = include_str!("sample.svg");
+/// A title for it.
+const TITLE: &str = "A sample & its features";
 /// Pixels to a point at 288 dots per inch.
 const SCALE: f64 = 4.0;
 /// The resolution with so many pixels to a point.
@@ -49,7 +51,7 @@ fn the_sheet_keeps_its_physical_size() {
     let picture = Picture::of(&sample());
     // 60 by 30 millimetres at 288 dots per inch, rounded to pixels; and 288 / 0.0254 dots per metre.
     assert_eq!((picture.width, picture.height, picture.per_metre), (680, 340, 11339));
-    let pdf = String::from_utf8_lossy(&sample().pdf().expect("a PDF")).into_owned();
+    let pdf = String::from_utf8_lossy(&sample().pdf(TITLE).expect("a PDF")).into_owned();
     let page = pdf.split_once("/MediaBox [0 0 ").expect("a page").1;
     let size: Vec<f64> =
         page.split_once(']').expect("its box").0.split(' ').map(|n| n.parse().expect("a length")).collect();
@@ -117,7 +119,7 @@ fn shapes_tell_their_stroke_and_what_a_clip_path_leaves_of_them() {
 
 #[test]
 fn text_stays_text_in_the_pdf_with_the_fonts_embedded() {
-    let pdf = String::from_utf8_lossy(&sample().pdf().expect("a PDF")).into_owned();
+    let pdf = String::from_utf8_lossy(&sample().pdf(TITLE).expect("a PDF")).into_owned();
     for font in ["STIXTwoText-Regular", "STIXTwoText-Italic", "STIXTwoMath"] {
         assert!(pdf.contains(&format!("+{font}")), "{font}");
     }
@@ -128,16 +130,17 @@ fn text_stays_text_in_the_pdf_with_the_fonts_embedded() {
             character.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("{unit:04X}")).collect();
         assert!(pdf.contains(&format!("> <{units}>")), "{character} cannot be copied from the PDF");
     }
-    let title: String = "A sample & its features".encode_utf16().map(|unit| format!("{unit:04X}")).collect();
-    assert!(pdf.contains(&format!("/Title <FEFF{title}>")));
+    assert!(pdf.contains(&format!("/Title ({TITLE})")));
+    let greek = String::from_utf8_lossy(&sample().pdf("aω").expect("a PDF")).into_owned();
+    assert!(greek.contains("/Title <FEFF006103C9>"));
 }
 
 #[test]
 fn equal_figures_give_equal_bytes_without_a_date() {
     // Twelve times, because what is to be kept out comes from random hash seeds.
-    let first = sample().pdf().expect("a PDF");
+    let first = sample().pdf(TITLE).expect("a PDF");
     for _ in 0..12 {
-        assert!(sample().pdf().expect("a PDF") == first);
+        assert!(sample().pdf(TITLE).expect("a PDF") == first);
     }
     let text = String::from_utf8_lossy(&first);
     assert!(!text.contains("Date") && !text.contains("/ID"));
@@ -146,7 +149,7 @@ fn equal_figures_give_equal_bytes_without_a_date() {
 
 #[test]
 fn the_objects_of_the_pdf_lie_where_its_table_says() {
-    let pdf = sample().pdf().expect("a PDF");
+    let pdf = sample().pdf(TITLE).expect("a PDF");
     let text = String::from_utf8_lossy(&pdf[pdf.len() - 2000..]).into_owned();
     let start: usize = text
         .split_once("startxref\n")
@@ -183,7 +186,7 @@ fn another_reader_of_pdf_finds_the_text() {
             .expect("a message can be written");
     };
     let mut input = reader.stdin.take().expect("it is piped");
-    input.write_all(&sample().pdf().expect("a PDF")).expect("pdftotext reads");
+    input.write_all(&sample().pdf(TITLE).expect("a PDF")).expect("pdftotext reads");
     drop(input);
     let output = reader.wait_with_output().expect("pdftotext ends");
     let text = String::from_utf8(output.stdout).expect("text");

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use base64::prelude::{BASE64_STANDARD, Engine};
+use grazing_drawing::{PanelMark, Sheet};
 use grazing_results::columns::HYPOTHESIS;
 use grazing_results::{Cell, Column, Table, brief};
 use miniz_oxide::deflate::compress_to_vec;
@@ -10,8 +11,8 @@ use miniz_oxide::deflate::compress_to_vec;
 use crate::columns::name;
 use crate::formula::signs;
 use crate::html::{Html, json_string};
+use crate::outputs::FigureEntry;
 use crate::report::Report;
-use crate::svg::SvgFile;
 
 /// Significant digits of numbers that a reader sees.
 pub(crate) const SHOWN_DIGITS: usize = 7;
@@ -38,9 +39,14 @@ enum Rounding {
 }
 
 /// The figure's tables for the scripts, compressed: those of which its panels show rows.
-pub(crate) fn of_figure(tables: &[Table], file: &SvgFile<'_>) -> String {
-    let shown = tables.iter().filter(|table| file.shows(table.name));
-    packed(shown, &BOOKKEEPING, Rounding::Column(digits(file)))
+pub(crate) fn of_figure(FigureEntry { sheet, tables, .. }: &FigureEntry) -> String {
+    // A panel that names no tables may show rows of any but regions, which are areas, not points.
+    let shows = |panel: &PanelMark, table: &str| match panel.tables.as_slice() {
+        [] => !table.ends_with("_regions"),
+        named => named.contains(&table),
+    };
+    let shown = tables.iter().filter(|table| sheet.panels().any(|panel| shows(panel, table.name)));
+    packed(shown, &BOOKKEEPING, Rounding::Column(digits(sheet)))
 }
 
 /// A table for the scripts, compressed.
@@ -64,12 +70,13 @@ pub(crate) fn column_names(report: &Report<'_>) -> String {
 }
 
 /// Digits at which a point keeps its place in every panel.
-fn digits(file: &SvgFile<'_>) -> usize {
+fn digits(sheet: &Sheet) -> usize {
     let along = |[low, high]: [f64; 2]| {
         let powers = exponent(low.abs().max(high.abs()) / (high - low).abs());
         usize::try_from(powers + 1 + DIGITS_ALONG_AXIS).unwrap_or(LEAST_DIGITS)
     };
-    file.ranges().map(along).max().unwrap_or(LEAST_DIGITS).clamp(LEAST_DIGITS, MOST_DIGITS)
+    let ranges = sheet.panels().flat_map(|panel| [panel.frame.x, panel.frame.y]);
+    ranges.map(along).max().unwrap_or(LEAST_DIGITS).clamp(LEAST_DIGITS, MOST_DIGITS)
 }
 
 /// The power of ten in a number.
@@ -163,6 +170,8 @@ mod tests {
     use grazing_results::{Column, Names};
 
     use super::*;
+    use grazing_drawing::{Bounds, Element};
+    use grazing_results::Frame;
 
     const COLUMNS: &[Column] = &[BIFURCATION, LOOPS, X, ADMISSIBLE];
 
@@ -213,16 +222,22 @@ mod tests {
 
     #[test]
     fn a_narrow_panel_gets_more_digits_and_a_sketch_no_data() {
-        let mark = |range: &str| {
-            format!(
-                "<svg><rect class=\"panel\" x=\"0\" data-x=\"{range}\" data-y=\"0 1\" data-tables=\"sample\"/></svg>"
-            )
+        let drawn = |x: [f64; 2], tables: &[&'static str]| {
+            let bounds = Bounds { left: 0.0, top: 0.0, right: 10.0, bottom: 10.0 };
+            let (titles, tables, frame) = (Default::default(), tables.to_vec(), Frame { x, y: [0.0, 1.0] });
+            let mark = PanelMark { bounds, frame, titles, tables, only: None, columns: None };
+            Sheet { elements: vec![Element::Panel(mark)], ..Sheet::default() }
         };
-        for (range, expected) in [("0 4", 8), ("0.43 0.44", 8), ("0.43 0.4301", 9), ("1 1.0000000001", 12)] {
-            assert_eq!(digits(&SvgFile::read(&mark(range))), expected, "{range}");
+        for (range, expected) in
+            [([0.0, 4.0], 8), ([0.43, 0.44], 8), ([0.43, 0.4301], 9), ([1.0, 1.000_000_000_1], 12)]
+        {
+            assert_eq!(digits(&drawn(range, &["sample"])), expected, "{range:?}");
         }
-        let of = |svg: &str| of_figure(&[table()], &SvgFile::read(svg)).is_empty();
-        assert!(of("<path d=\"M0,0\"/>") && !of(&mark("0 4")));
-        assert!(of(&mark("0 4").replace("sample", "other")));
+        let is_empty = |sheet| {
+            let (name, title, tables) = (String::new(), String::new(), vec![table()]);
+            of_figure(&FigureEntry { name, title, sheet, tables }).is_empty()
+        };
+        assert!(is_empty(Sheet::default()) && !is_empty(drawn([0.0, 4.0], &["sample"])));
+        assert!(is_empty(drawn([0.0, 4.0], &["other"])) && !is_empty(drawn([0.0, 4.0], &[])));
     }
 }

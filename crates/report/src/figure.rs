@@ -2,56 +2,26 @@
 
 use askama::Template;
 use askama::filters::Safe;
+use grazing_drawing::{POINTS_PER_MM, Sheet, style_sheet};
 
 use crate::formula::prose;
 use crate::html::{Html, capitalised, csv_path, escape, rendered};
 use crate::oscillator::OscillatorEntry;
 use crate::outputs::FigureEntry;
 use crate::report::Report;
-use crate::svg::{SvgFile, with_short_paths};
 use crate::{data, ledger};
-
-/// What the page has of an SVG file.
-struct PageDrawing {
-    view_box: String,
-    /// Millimetres.
-    width: f64,
-    attributes: String,
-    description: String,
-    body: String,
-    /// Samples and meanings.
-    legend: Vec<(Html, Html)>,
-}
-
-impl PageDrawing {
-    /// The width on the page where there is room, in units of the page's type.
-    fn rem(&self) -> String {
-        format!("{:.1}", self.width * REM_PER_MM)
-    }
-}
 
 /// How much larger than on paper figures are shown where there is room, in units of the page's type for a millimetre: all
 /// by the same factor, so that their labels are of one size.
 const REM_PER_MM: f64 = 0.34;
-/// The width, in millimetres, of a figure that does not say it.
-const DEFAULT_WIDTH_MM: f64 = 160.0;
-
 /// The families of the embedded fonts have names of their own on the page: the fonts are cut down to what figures need,
 /// and must not stand in for whole ones of the reader's system.
 const FAMILIES: [(&str, &str); 2] = [("STIX Two Text", "Figure Text"), ("STIX Two Math", "Figure Signs")];
 
-/// The style sheets of all figures, each once: they hold the fonts.
+/// The style sheet of the figures, if there are any: it holds the fonts.
 pub(crate) fn styles(report: &Report<'_>) -> String {
-    let mut styles: Vec<String> = Vec::new();
-    for figure in report.all_figures() {
-        // Each rule stands on a line of its own.
-        for rule in own_fonts(SvgFile::read(&figure.svg).text("style").to_owned()).lines() {
-            if !rule.trim().is_empty() && !styles.iter().any(|known| known == rule) {
-                styles.push(rule.to_owned());
-            }
-        }
-    }
-    styles.join("\n")
+    let sheet = report.all_figures().next().map(|_| own_fonts(style_sheet().trim_end()));
+    sheet.unwrap_or_default()
 }
 
 /// A figure on the page.
@@ -63,7 +33,7 @@ struct FigureSection<'a> {
     /// The name for those who do not see it.
     label: &'a str,
     heading: Html,
-    parts: PageDrawing,
+    sheet: &'a Sheet,
     /// Lines of links with a word before them.
     links: [(&'static str, Vec<Html>); 2],
     /// The tables for the scripts.
@@ -80,27 +50,25 @@ pub(crate) fn of_the_paper(report: &Report<'_>, figure: &FigureEntry) -> Html {
     };
     let shown = report.claims.iter().filter(|finding| finding.claim.figures.contains(&figure.name));
     let claims = shown.map(|finding| ledger::link(&finding.claim.label)).collect();
-    let file = SvgFile::read(&figure.svg);
     rendered(&FigureSection {
         id: &figure.name,
         label: &figure.title,
         heading: Safe(format!("<h3>{heading}</h3>")),
-        parts: parts(&file, &figure.name),
+        sheet: &figure.sheet,
         links: [("Files", report.links(&own_files(figure), false)), ("Claims", claims)],
-        data: data::of_figure(&figure.tables, &file),
+        data: data::of_figure(figure),
     })
 }
 
 /// A figure of an oscillator.
 pub(crate) fn of_oscillator(report: &Report<'_>, oscillator: &OscillatorEntry, figure: &FigureEntry) -> Html {
     let id = format!("{}-{}", oscillator.anchor(), figure.name);
-    let file = SvgFile::read(&figure.svg);
     rendered(&FigureSection {
         label: &format!("{}: {}", oscillator.description.name(), figure.title),
         heading: Safe(format!("<h4>{}</h4>", prose(&capitalised(&figure.title)))),
-        parts: parts(&file, &id),
+        sheet: &figure.sheet,
         links: [("Files", report.links(&own_files(figure), true)), ("", Vec::new())],
-        data: data::of_figure(&figure.tables, &file),
+        data: data::of_figure(figure),
         id: &id,
     })
 }
@@ -111,52 +79,59 @@ fn own_files(figure: &FigureEntry) -> Vec<String> {
     std::iter::once(format!("{}.svg", figure.name)).chain(tables).collect()
 }
 
-/// Takes an SVG file apart, and gives its identifiers and fonts names that no other part of the page has.
-fn parts(file: &SvgFile<'_>, name: &str) -> PageDrawing {
-    let references = [" id=\"", "url(#", "href=\"#"];
-    let body = references.into_iter().fold(own_fonts(file.drawing()), |body, reference| {
-        body.replace(reference, &format!("{reference}{name}-"))
-    });
-    let entry = |(sample, meaning): (String, String)| {
-        let sample = format!("<svg viewBox=\"0 0 24 10\" fill=\"none\" aria-hidden=\"true\">{sample}</svg>");
-        (Safe(sample), prose(&meaning))
-    };
-    let width = file.attribute("width").and_then(|width| width.strip_suffix("mm"));
-    PageDrawing {
-        width: width.and_then(|width| width.parse().ok()).unwrap_or(DEFAULT_WIDTH_MM),
-        view_box: file.attribute("viewBox").unwrap_or("0 0 100 100").to_owned(),
-        attributes: own_fonts(file.inherited()),
-        description: file.text("desc").to_owned(),
-        body: with_short_paths(&body),
-        legend: file.legend().into_iter().map(entry).collect(),
+impl FigureSection<'_> {
+    /// The width where there is room, in units of the page's type.
+    fn rem(&self) -> String {
+        format!("{:.1}", self.sheet.size.0 / POINTS_PER_MM * REM_PER_MM)
+    }
+
+    /// What all that is drawn inherits.
+    fn inherited(&self) -> String {
+        own_fonts(Sheet::INHERITED)
+    }
+
+    /// What is drawn, with identifiers and fonts of names that no other part of the page has.
+    fn body(&self) -> String {
+        let references = [" id=\"", "url(#", "href=\"#"];
+        references.into_iter().fold(own_fonts(&self.sheet.short_body()), |body, reference| {
+            body.replace(reference, &format!("{reference}{}-", self.id))
+        })
     }
 }
 
 /// The text with the page's names for the embedded fonts.
-fn own_fonts(text: String) -> String {
-    FAMILIES.iter().fold(text, |text, (family, own)| text.replace(family, own))
+fn own_fonts(text: &str) -> String {
+    FAMILIES.iter().fold(text.to_owned(), |text, (family, own)| text.replace(family, own))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const SVG: &str = "<?xml version=\"1.0\"?>\n<svg xmlns=\"x\" width=\"1mm\" viewBox=\"0 0 10 10\" font-family=\"'STIX Two Text',serif\" \
-         fill=\"none\">\n<title>T</title><desc>a &lt; b</desc><style>@font-face{font-family:'STIX Two Text'}</style>\n\
-         <clipPath id=\"c\"/><path clip-path=\"url(#c)\"/><use href=\"#c\"/></svg>\n";
+    use grazing_drawing::{Element, Path};
 
     #[test]
-    fn a_file_is_taken_apart_and_its_identifiers_are_its_own() {
-        let file = SvgFile::read(SVG);
-        let parts = parts(&file, "fig99");
-        assert_eq!(parts.view_box, "0 0 10 10");
-        assert_eq!(parts.width, 1.0);
-        assert_eq!(parts.description, "a < b");
-        assert_eq!(own_fonts(file.text("style").to_owned()), "@font-face{font-family:'Figure Text'}");
-        assert_eq!(parts.attributes, "font-family=\"'Figure Text',serif\" fill=\"none\"");
+    fn identifiers_and_fonts_of_a_figure_are_its_own() {
+        let path = |y, attributes: &str| {
+            let pieces = vec![(vec![(0, 0), (1000, y)], false)];
+            Element::Path(Path { pieces, attributes: attributes.to_owned() })
+        };
+        let elements = vec![
+            Element::Markup("<clipPath id=\"c\"/>".to_owned()),
+            path(50, " clip-path=\"url(#c)\""),
+            Element::Markup("<use href=\"#c\" font-family=\"'STIX Two Math'\"/>".to_owned()),
+        ];
+        let sheet = &Sheet { size: (10.0, 10.0), elements, ..Sheet::default() };
+        let (links, data) = (Default::default(), String::new());
+        let heading = Safe(String::new());
+        let section = FigureSection { id: "fig99", label: "", heading, sheet, links, data };
+        assert_eq!(section.rem(), "1.2");
+        assert!(section.inherited().starts_with("font-family=\"'Figure Text',"), "{}", section.inherited());
         assert_eq!(
-            parts.body.trim(),
-            "<clipPath id=\"fig99-c\"/><path clip-path=\"url(#fig99-c)\"/><use href=\"#fig99-c\"/>"
+            section.body(),
+            "<rect width=\"10\" height=\"10\" fill=\"#ffffff\"/>\n<clipPath id=\"fig99-c\"/>\n\
+             <path d=\"M0 0l10 .5\" clip-path=\"url(#fig99-c)\"/>\n\
+             <use href=\"#fig99-c\" font-family=\"'Figure Signs'\"/>\n"
         );
     }
 }

@@ -21,7 +21,6 @@ mod outputs;
 mod page;
 mod published;
 mod report;
-mod svg;
 mod table;
 
 // The sample serves the tests in this crate and those beside it.

@@ -1,5 +1,6 @@
 //! Outputs as the page shows them: figures and tables.
 
+use grazing_drawing::Sheet;
 use grazing_results::Table;
 
 /// A figure with its data.
@@ -9,8 +10,8 @@ pub struct FigureEntry {
     pub name: String,
     /// What it shows, in one line: "Figure 7: two-parameter bifurcation diagram".
     pub title: String,
-    /// The SVG file. Rectangles of class `panel` say where the axes are; without them the figure can be zoomed only.
-    pub svg: String,
+    /// What is drawn. Panels say where the axes are; without them the figure can be zoomed only.
+    pub sheet: Sheet,
     /// The tables that are drawn.
     pub tables: Vec<Table>,
 }

@@ -213,7 +213,7 @@ mod tests {
     #[test]
     fn fonts_are_embedded_once() {
         let html = page(&sample::report());
-        assert_eq!(html.matches("@font-face").count(), 1);
+        assert_eq!(html.matches("@font-face").count(), grazing_drawing::FONT_FILES.len());
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
-use grazing_drawing::SheetWidth;
+use grazing_drawing::{Sheet, SheetWidth};
 use grazing_export::{Drawing, ExportError};
 
 use crate::folder::OutputFile;
@@ -106,12 +106,12 @@ impl Edition {
     }
 
     /// A figure in all formats but LaTeX, which has none.
-    pub(crate) fn figure_files(&self, file: &str, svg: String) -> Result<Vec<OutputFile>, ExportError> {
-        let mut files = Vec::new();
+    pub(crate) fn figure_files(&self, file: &str, sheet: &Sheet) -> Result<Vec<OutputFile>, ExportError> {
+        let (mut files, svg) = (Vec::new(), sheet.svg());
         for (format, path) in self.formats.iter().zip(self.figure_paths(file)) {
             let content = match format {
                 Format::Svg => svg.clone().into_bytes(),
-                Format::Pdf => Drawing::read(&svg)?.pdf()?,
+                Format::Pdf => Drawing::read(&svg)?.pdf(&sheet.title)?,
                 Format::Png => Drawing::read(&svg)?.png(f64::from(self.dpi))?,
                 Format::Tex => continue,
             };

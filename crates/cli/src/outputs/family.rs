@@ -36,11 +36,11 @@ fn compute(
     let sheets = draw_family(&of.family, &of.names, &title, width)?;
     let count = sheets.len();
     let file = output.figure.unwrap_or_default();
-    let figures = sheets.into_iter().zip(1..).map(|(svg, number)| {
+    let figures = sheets.into_iter().zip(1..).map(|(sheet, number)| {
         let file = sheet_file(file, number, count);
         let label = Caption::label("fig", &of.file, file.trim_end_matches(".svg"));
         let caption = Caption { title: output.title.to_owned(), label, remark: String::new() };
-        Figure { file, svg, caption, tables: output.table_names(), only: None }
+        Figure { file, sheet, caption, tables: output.table_names(), only: None }
     });
     Ok(ComputedOutput {
         figures: figures.collect(),

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use grazing_export::{Drawing, ExportError};
+use grazing_drawing::Sheet;
 use grazing_results::{Cell, Column, GREEK, Table, symbol};
 
 use crate::folder::{self, OutputFile};
@@ -139,22 +139,18 @@ pub(crate) struct Float {
 }
 
 impl Float {
-    /// A figure by the file of its SVG, with what that says of itself in its caption.
-    ///
-    /// # Errors
-    /// The SVG cannot be read.
-    pub(crate) fn figure(file: &str, svg: &str, caption: &Caption) -> Result<Self, ExportError> {
-        let figure = Drawing::read(svg)?;
+    /// A figure by the file of its SVG, with what it says of itself in its caption.
+    pub(crate) fn figure(file: &str, sheet: &Sheet, caption: &Caption) -> Self {
         let pdf = Path::new(file).with_extension("pdf");
         let (number, title) = sentence(&caption.title);
-        let text = format!("{title} {}", prose(figure.description()));
-        Ok(Self {
-            environment: if figure.size().0 > COLUMN { "figure*" } else { "figure" },
+        let text = format!("{title} {}", prose(&sheet.description));
+        Self {
+            environment: if sheet.size.0 > COLUMN { "figure*" } else { "figure" },
             body: format!("\\includegraphics{{\\grazingfiles {}}}", pdf.display()),
             caption: format!("{}{}", text.trim_end(), caption.remark),
             label: caption.label.clone(),
             number,
-        })
+        }
     }
 
     /// Columns of a table, and its file; nothing if it is empty or does not fit a page.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use grazing_description::Description;
 use grazing_drawing::{
-    DrawingError, Heading, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
+    DrawingError, Heading, Sheet, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
 };
 use grazing_reproduction::unfolded::{AlongGrazing, AtResonances, Unfolded};
 use grazing_results::branches::OneParameter;
@@ -64,10 +64,10 @@ impl AnalysedOscillator {
         Heading { name, title, description, names: self.names(), tables }
     }
 
-    fn figure(&self, file: String, title: String, svg: String, tables: &[&'static str]) -> Figure {
+    fn figure(&self, file: String, title: String, sheet: Sheet, tables: &[&'static str]) -> Figure {
         let label = Caption::label("fig", &self.file, file.trim_end_matches(".svg"));
         let caption = Caption { title, label, remark: String::new() };
-        Figure { file, svg, caption, tables: tables.to_vec(), only: None }
+        Figure { file, sheet, caption, tables: tables.to_vec(), only: None }
     }
 }
 
@@ -127,9 +127,9 @@ fn two_parameters(
          points; rectangles: magnifications.",
         axes(&of.description)
     );
-    let svg = draw_diagram(&of.diagram, &of.heading("diagram", &title, &description, &tables), width)?;
+    let sheet = draw_diagram(&of.diagram, &of.heading("diagram", &title, &description, &tables), width)?;
     Ok(ComputedOutput {
-        figures: vec![of.figure(DIAGRAM.to_owned(), output.title.to_owned(), svg, &tables)],
+        figures: vec![of.figure(DIAGRAM.to_owned(), output.title.to_owned(), sheet, &tables)],
         tables: of.diagram.tables(of.names()),
         ..ComputedOutput::default()
     })
@@ -155,8 +155,9 @@ fn magnifications(
             1 => output.title.to_owned(),
             _ => format!("{}, sheet {number} of {count}", output.title),
         };
-        let figure = of.figure(sheet_file(MAGNIFICATIONS, number, count), title, sheet.svg, &tables);
-        Figure { only: Some((columns::PANEL, sheet.panels)), ..figure }
+        let panels = sheet.panels().filter_map(|panel| Some(panel.only?.1)).collect();
+        let figure = of.figure(sheet_file(MAGNIFICATIONS, number, count), title, sheet, &tables);
+        Figure { only: Some((columns::PANEL, panels)), ..figure }
     });
     Ok(ComputedOutput {
         figures: figures.collect(),
@@ -173,9 +174,9 @@ fn one_parameter(
     let figure = |diagram: &OneParameter| {
         let shown = format!("{}, {}", output.title, of_one_parameter(&of.description, diagram));
         let title = format!("{}: {shown}", of.description.name());
-        let svg = draw_one_parameter(diagram, of.names(), &title, width)?;
+        let sheet = draw_one_parameter(diagram, of.names(), &title, width)?;
         let file = one_parameter_file(diagram.diagram);
-        let figure = of.figure(file, shown, svg, &output.table_names());
+        let figure = of.figure(file, shown, sheet, &output.table_names());
         Ok(Figure { only: Some((columns::DIAGRAM, vec![diagram.diagram])), ..figure })
     };
     let diagrams = &of.unfolded.diagrams;

@@ -1,7 +1,7 @@
 //! The outputs that `reproduce` writes: the figures and tables of the paper.
 
 use grazing_drawing::{
-    DrawingError, Heading, SheetWidth, draw_diagram, draw_fig01, draw_fig02, draw_fig03, draw_fig04,
+    DrawingError, Heading, Sheet, SheetWidth, draw_diagram, draw_fig01, draw_fig02, draw_fig03, draw_fig04,
     draw_fig05, draw_fig06, draw_fig09, draw_fig10, draw_magnifications,
 };
 use grazing_reproduction::parameters::ParameterError;
@@ -32,7 +32,7 @@ macro_rules! outputs {
                 let shown = study.$name()?;
                 let figure = Figure {
                     file: concat!(stringify!($name), ".svg").to_owned(),
-                    svg: $draw(&shown, width)?,
+                    sheet: $draw(&shown, width)?,
                     caption: output.caption(study),
                     tables: output.table_names(),
                     only: None,
@@ -123,7 +123,7 @@ const THEOREMS: Output<Study> = Output {
 };
 
 /// Figure 7. Paper: fig:G.
-fn draw_fig07(diagram: &PlaneDiagram, width: SheetWidth) -> Result<String, DrawingError> {
+fn draw_fig07(diagram: &PlaneDiagram, width: SheetWidth) -> Result<Sheet, DrawingError> {
     let heading = Heading {
         name: "fig07",
         title: "Two-parameter bifurcation diagram",
@@ -138,7 +138,7 @@ fn draw_fig07(diagram: &PlaneDiagram, width: SheetWidth) -> Result<String, Drawi
 }
 
 /// Figure 8. Paper: fig:Y.
-fn draw_fig08(magnifications: &Magnifications, width: SheetWidth) -> Result<String, DrawingError> {
+fn draw_fig08(magnifications: &Magnifications, width: SheetWidth) -> Result<Sheet, DrawingError> {
     let heading = Heading {
         name: "fig08",
         title: "Magnifications about three resonant grazing bifurcations",
@@ -150,9 +150,7 @@ fn draw_fig08(magnifications: &Magnifications, width: SheetWidth) -> Result<Stri
     // As many panels as there can be stand on one sheet.
     let found = magnifications.panels.len();
     let sheet = draw_magnifications(magnifications, &heading, width)?.pop().filter(|_| found <= 3);
-    let sheet = sheet
-        .ok_or_else(|| DrawingError(format!("fig08 has one to three panels, but {found} were given")))?;
-    Ok(sheet.svg)
+    sheet.ok_or_else(|| DrawingError(format!("fig08 has one to three panels, but {found} were given")))
 }
 
 impl Output<Study> {

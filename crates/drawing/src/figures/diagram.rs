@@ -1,8 +1,8 @@
 //! A two-parameter bifurcation diagram, like Figure 7.
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
+use grazing_results::Frame;
 use grazing_results::plane::{PlaneDiagram, PlanePoint, RegionKind};
-use grazing_results::{Frame, Names};
 
 use crate::error::DrawingError;
 use crate::geometry::clip::checked;
@@ -10,25 +10,11 @@ use crate::geometry::sheet::{Bounds, Spot, area};
 use crate::ink::canvas::Canvas;
 use crate::ink::labels::{Labels, Site};
 use crate::ink::legend::Sample;
+use crate::ink::sheet::Sheet;
 use crate::ink::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, SheetWidth, THIN_SECTION};
-use crate::plot::axes::{Panel, overhang, room_beside};
+use crate::plot::axes::{Heading, Panel, overhang, room_beside};
 use crate::plot::kinds::{Area, Trace, draw_curves, draw_points};
 use crate::plot::magnified::{OFF_TRIANGLE, letter, rectangle};
-
-/// What a diagram or a magnification says of itself.
-#[derive(Debug, Clone, Copy)]
-pub struct Heading<'a> {
-    /// The name of the file without its ending, by which errors call the figure.
-    pub name: &'static str,
-    /// The title of the SVG, for readers who cannot see it.
-    pub title: &'a str,
-    /// The description of the SVG, likewise.
-    pub description: &'a str,
-    /// The names of the two parameters.
-    pub names: &'a Names,
-    /// The names of the tables that the SVG shows, those whose rows are looked for first before the others.
-    pub tables: &'a [&'static str],
-}
 
 /// Width in the paper.
 const WIDTH_MM: f64 = 120.0;
@@ -42,7 +28,7 @@ const MARGINS: Bounds = Bounds { left: 35.0, top: 5.0, right: 8.0, bottom: 30.0 
 /// Curves shorter than this on the sheet (points) stay without a label.
 const LABELLED_LENGTH: f64 = 42.0;
 
-/// Draws a two-parameter bifurcation diagram; returns the text of an SVG file.
+/// Draws a two-parameter bifurcation diagram.
 ///
 /// Points that are inadmissible are not drawn, nor are unstable ones of GZ. Resonances of a p without a region have p written beside them.
 ///
@@ -52,15 +38,7 @@ pub fn draw_diagram(
     diagram: &PlaneDiagram,
     heading: &Heading<'_>,
     width: SheetWidth,
-) -> Result<String, DrawingError> {
-    compose(diagram, heading, width)?.finish(heading.name, heading.title, heading.description)
-}
-
-pub(crate) fn compose(
-    diagram: &PlaneDiagram,
-    heading: &Heading<'_>,
-    width: SheetWidth,
-) -> Result<Canvas, DrawingError> {
+) -> Result<Sheet, DrawingError> {
     let frame = checked(diagram.frame, heading.name)?;
     for magnified in &diagram.magnified {
         checked(magnified.frame, &format!("a rectangle of {}", heading.name))?;
@@ -132,7 +110,7 @@ pub(crate) fn compose(
     }
     labels.name_curves(drawn, LABELLED_LENGTH, &names.grazing_title())?;
     labels.draw()?;
-    Ok(canvas)
+    canvas.finish(heading.name, heading.title, heading.description)
 }
 
 /// Where the panel is: within the margins, wider ones if the numbers or the title need them.
@@ -175,7 +153,7 @@ mod tests {
     use crate::tests::samples::WIDTHS;
 
     fn texts(sample: &SampleOscillator) -> Vec<String> {
-        let sheet = compose(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
+        let sheet = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
         sheet.assert_well_placed(&sample.names);
         sheet.texts()
     }
@@ -184,7 +162,7 @@ mod tests {
     fn no_two_labels_overlap_and_none_leaves_the_sheet_for_any_oscillator_at_any_width() {
         for sample in oscillators() {
             for width in WIDTHS {
-                let sheet = compose(&sample.diagram, &sample.heading(), width).unwrap();
+                let sheet = draw_diagram(&sample.diagram, &sample.heading(), width).unwrap();
                 sheet.assert_well_placed(&(&sample.names, width));
             }
         }
@@ -194,7 +172,7 @@ mod tests {
     fn inadmissible_rows_are_not_drawn() {
         let mut sample = sample(3);
         let count = |sample: &SampleOscillator| {
-            let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
+            let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap().svg();
             crate::tests::inspection::paths(&svg, "#1946be").len()
         };
         assert_eq!(count(&sample), 3, "saddle-node curves");
@@ -209,7 +187,7 @@ mod tests {
         for title in ["$F_{0}$", r"$\Omega$", r"$F_{0,\mathrm{graz}}$"] {
             assert!(texts.iter().any(|text| text == title), "{title}: {texts:?}");
         }
-        let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
+        let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap().svg();
         assert!(svg.contains("data-tables=\"points curves\" data-columns=\"F_0 Omega\""));
     }
 
@@ -220,7 +198,7 @@ mod tests {
         assert_eq!(count(&texts(&sample)), 5);
         sample.diagram.regions.clear();
         assert_eq!(count(&texts(&sample)), 5);
-        let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
+        let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap().svg();
         assert!(!svg.contains("fill-opacity"), "no region is filled");
     }
 
@@ -240,7 +218,7 @@ mod tests {
         // The first 201 rows are the grazing curve.
         sample.diagram.curves.truncate(201);
         sample.diagram.regions.clear();
-        let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
+        let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap().svg();
         // A triangle is a path of three corners.
         let triangles = svg.lines().filter(|line| line.contains('Z') && line.matches('L').count() == 2);
         assert_eq!(triangles.count(), 4);
@@ -257,7 +235,7 @@ mod tests {
         let pieces: Vec<_> = [(0, 0.2), (1, 0.7)].map(fold).to_vec();
         sample.diagram.curves = crate::tests::sample_oscillator::curve_rows(pieces);
         sample.diagram.regions.clear();
-        let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
+        let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap().svg();
         let curves = crate::tests::inspection::paths(&svg, "#78c86e");
         assert_eq!(curves.len(), 2);
         // Each runs left, turns and runs back to the right: its ends are over each other.
@@ -284,7 +262,7 @@ mod tests {
     fn rectangles_smaller_than_the_triangle_leave_it_visible_and_keep_their_letters() {
         let mut sample = sample(3);
         let rectangles = |sample: &SampleOscillator| {
-            let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
+            let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap().svg();
             crate::tests::inspection::paths(&svg, "#f08200").len()
         };
         assert_eq!(rectangles(&sample), 3);
@@ -301,10 +279,10 @@ mod tests {
         let ends = [(0.25, 0.0), (0.25, 1.0)];
         sample.diagram.sections.push(Section { ends, name: "diagram 1".to_owned(), thin: true });
         for width in WIDTHS {
-            let sheet = compose(&sample.diagram, &sample.heading(), width).unwrap();
+            let sheet = draw_diagram(&sample.diagram, &sample.heading(), width).unwrap();
             sheet.assert_well_placed(&width);
             assert!(sheet.texts().contains(&"diagram 1".to_owned()), "{:?}", sheet.texts());
-            let svg = sheet.finish("test", "", "").unwrap();
+            let svg = sheet.svg();
             assert!(svg.contains("aria-label=\"where a one-parameter diagram runs\""));
         }
     }

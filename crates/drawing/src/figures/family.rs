@@ -1,7 +1,5 @@
 //! Resonances, coefficients and codimension-two points over a constant of the oscillator that varies.
 
-use std::ops::Range;
-
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_results::Names;
 use grazing_results::family::{CurvePoint, Degeneracy, Degenerate, Family, Panel as FamilyPanel, Shows};
@@ -9,17 +7,16 @@ use grazing_results::family::{CurvePoint, Degeneracy, Degenerate, Family, Panel 
 use crate::error::DrawingError;
 use crate::geometry::clip::checked;
 use crate::geometry::sheet::{Spot, length};
-use crate::ink::canvas::{Anchor, Canvas};
-use crate::ink::font::Fonts;
 use crate::ink::labels::{Labels, Site};
+use crate::ink::sheet::Sheet;
 use crate::ink::style::{
     BLACK, Colour, GUIDE, LABEL_SIZE, POINT_RADIUS, POINT_RIM, Paint, Pen, SMALL_LABEL_SIZE, SheetWidth,
-    TICK_SIZE, WHITE,
+    TICK_SIZE,
 };
-use crate::plot::axes::Panel;
+use crate::plot::axes::{Heading, Panel};
 use crate::plot::kinds::{pen, text_colour};
 use crate::plot::magnified::panel_letter;
-use crate::plot::panel_grid::{Grid, HEADING_LEADING};
+use crate::plot::panel_grid::{GridPanel, draw_panels, sheets};
 
 /// Curves shorter than this on the sheet (points) stay without a label.
 const LABELLED_LENGTH: f64 = 18.0;
@@ -30,7 +27,7 @@ const SAME_RESONANCE: f64 = 1e-6;
 /// Members are marked on curves by discs of this radius, in points.
 const MEMBER_RADIUS: f64 = 1.1;
 
-/// Draws a family, whose columns have these names, under a title; returns the texts of SVG files.
+/// Draws a family, whose columns have these names, under a title.
 ///
 /// Panels over the constant that varies first: for each p the secondary parameter at resonances and other codimension-two points, c_SN and
 /// c_PD. Curves of further constants are paler the further these are from their first values.
@@ -42,59 +39,36 @@ pub fn draw_family(
     names: &Names,
     title: &str,
     width: SheetWidth,
-) -> Result<Vec<String>, DrawingError> {
-    Canvas::finish_all(
-        compose(family, names, width)?,
-        "family",
-        title,
-        "A constant of the oscillator across; the secondary parameter at resonant grazing bifurcations and other codimension-two \
-         points, and the quadratic coefficients of the saddle-node and period-doubling curves up.",
-    )
-}
-
-pub(crate) fn compose(
-    family: &Family,
-    names: &Names,
-    width: SheetWidth,
-) -> Result<Vec<Canvas>, DrawingError> {
-    for panel in &family.panels {
-        checked(panel.frame, "a panel of a family")?;
-    }
-    let sheets = Grid::sheets(width, family.panels.len());
-    sheets.into_iter().map(|panels| sheet(family, names, panels, width)).collect()
-}
-
-fn sheet(
-    family: &Family,
-    names: &Names,
-    panels: Range<usize>,
-    width: SheetWidth,
-) -> Result<Canvas, DrawingError> {
-    let (shown, fonts) = (&family.panels[panels.clone()], Fonts::load()?);
-    let frames: Vec<_> = shown.iter().map(|panel| panel.frame).collect();
-    let titles: Vec<String> = shown.iter().map(|panel| quantity(panel, names)).collect();
-    let up: Vec<&str> = titles.iter().map(String::as_str).collect();
-    let grid = Grid::new(&fonts, width, family.panels.len(), &frames, &up)?;
-    let canvas = Canvas::new(grid.width_mm, grid.height_mm())?;
+) -> Result<Vec<Sheet>, DrawingError> {
     let varied = names.varied_titles();
     let across = varied.first().map_or("", String::as_str);
     let others = varied.get(1..).unwrap_or_default().join(", then ");
-    let others = if others.is_empty() { others } else { format!("dark to pale: {others}") };
-    for (place, (panel, number)) in shown.iter().zip(panels.start as u32 + 1..).enumerate() {
-        let bounds = grid.bounds(place);
-        let area =
-            Panel { tables: &["family_curves", "family_points"], ..Panel::new(&canvas, panel.frame, bounds) };
-        draw_panel(&area, family, panel, varied.len())?;
-        area.axes(across, if grid.is_titled(place) { up[place] } else { "" })?;
-        let heading = format!("{}  $p={}$", panel_letter(number), panel.loops);
-        let mut baseline = bounds.top - grid.heading_rise() + HEADING_LEADING;
-        if place == 0 && !others.is_empty() {
-            canvas.text((bounds.left, baseline), &others, TICK_SIZE, Anchor::Start, BLACK)?;
-            baseline -= HEADING_LEADING;
-        }
-        canvas.text((bounds.left, baseline), &heading, LABEL_SIZE, Anchor::Start, BLACK)?;
-    }
-    Ok(canvas)
+    let up: Vec<String> = family.panels.iter().map(|panel| quantity(panel, names)).collect();
+    let sheets = sheets(width, family.panels.len());
+    let panel = |(place, panel): (usize, &FamilyPanel)| {
+        let FamilyPanel { frame, loops, .. } = panel;
+        let letter = (format!("{}  $p={loops}$", panel_letter(place as u32 + 1)), LABEL_SIZE);
+        let is_first = sheets.iter().any(|sheet| sheet.start == place);
+        let (first, (second, size)) = match is_first && !others.is_empty() {
+            true => (letter, (format!("dark to pale: {others}"), TICK_SIZE)),
+            false => ((String::new(), LABEL_SIZE), letter),
+        };
+        let frame = checked(*frame, "a panel of a family")?;
+        Ok(GridPanel { frame, up: &up[place], names: None, only: None, first, parts: (vec![second], size) })
+    };
+    let panels = family.panels.iter().enumerate().map(panel);
+    let panels: Vec<_> = panels.collect::<Result<_, DrawingError>>()?;
+    let heading = Heading {
+        name: "family",
+        title,
+        description: "A constant of the oscillator across; the secondary parameter at resonant grazing bifurcations and other \
+                      codimension-two points, and the quadratic coefficients of the saddle-node and period-doubling curves up.",
+        names,
+        tables: &["family_curves", "family_points"],
+    };
+    draw_panels(&heading, width, across, &panels, |panel, place| {
+        draw_panel(panel, family, &family.panels[place], varied.len())
+    })
 }
 
 /// What is up in a panel.
@@ -259,8 +233,7 @@ fn points(
 
 /// A colour mixed with white.
 fn pale(colour: Colour, share: f64) -> Colour {
-    let mix = |own: u8, white: u8| (f64::from(own) * (1.0 - share) + f64::from(white) * share) as u8;
-    Colour(mix(colour.0, WHITE.0), mix(colour.1, WHITE.1), mix(colour.2, WHITE.2))
+    colour.map(|own| (f64::from(own) * (1.0 - share) + 255.0 * share) as u8)
 }
 
 #[cfg(test)]
@@ -339,9 +312,9 @@ mod tests {
         let names = Names::new("A", "omega").with_varied(&["kappa".to_owned(), "long_name".to_owned()]);
         for scale in [1.0, 3e-7, 2e5] {
             for width in WIDTHS {
-                let sheets = compose(&sample(scale), &names, width).unwrap();
+                let sheets = draw_family(&sample(scale), &names, "", width).unwrap();
                 sheets.iter().for_each(|sheet| sheet.assert_well_placed(&(scale, width)));
-                let texts: Vec<String> = sheets.iter().flat_map(Canvas::texts).collect();
+                let texts: Vec<String> = sheets.iter().flat_map(Sheet::texts).collect();
                 for (letter, loops) in ["a", "b", "c", "d", "e", "f"].into_iter().zip([1, 1, 1, 2, 2, 2]) {
                     assert!(texts.contains(&format!("({letter})  $p={loops}$")), "{texts:?}");
                 }

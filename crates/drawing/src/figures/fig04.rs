@@ -10,6 +10,7 @@ use crate::ink::canvas::{Anchor, Canvas};
 use crate::ink::labels::{Labels, Site};
 use crate::ink::legend::Sample;
 use crate::ink::markup::Label;
+use crate::ink::sheet::Sheet;
 use crate::ink::style::{
     BLACK, CURVE_LEADER, LABEL_SIZE, LIMIT, NON_IMPACTING_AREA, OUTLINE, Pen, SMALL_LABEL_SIZE, SheetWidth,
     admissibility_pen, resonance_pen,
@@ -42,7 +43,7 @@ const NAMES_ABOVE: f64 = 10.0;
 const NAME_GAP: f64 = 3.0;
 
 /// Draws Figure 4. Paper: fig:D.
-pub fn draw_fig04(figure: &Figure4, width: SheetWidth) -> Result<String, DrawingError> {
+pub fn draw_fig04(figure: &Figure4, width: SheetWidth) -> Result<Sheet, DrawingError> {
     let curves: Vec<_> = figure.curves.chunk_by(|a, b| (a.kind, a.loops) == (b.kind, b.loops)).collect();
     let (outlines, others): (Vec<_>, Vec<_>) =
         curves.iter().copied().partition(|curve| curve[0].kind == Boundary::Trapesium);
@@ -127,7 +128,7 @@ mod tests {
     #[test]
     fn every_curve_is_named_and_families_differ_without_colour() {
         let figure = study().fig04().unwrap();
-        let svg = draw_fig04(&figure, SheetWidth::Paper).unwrap();
+        let svg = draw_fig04(&figure, SheetWidth::Paper).unwrap().svg();
         let svg = svg.split("<defs").next().unwrap();
         for (kind, family) in [(Boundary::Resonance, "g"), (Boundary::Admissibility, "h")] {
             let own = figure.curves.iter().filter(|point| point.kind == kind);

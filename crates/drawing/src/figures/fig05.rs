@@ -9,6 +9,7 @@ use crate::geometry::sheet::{Bounds, Spot};
 use crate::ink::canvas::Canvas;
 use crate::ink::labels::{Labels, Site};
 use crate::ink::legend::Sample;
+use crate::ink::sheet::Sheet;
 use crate::ink::style::{BLACK, LABEL_SIZE, SMALL_LABEL_SIZE, SheetWidth, TICK_SIZE};
 use crate::plot::axes::{Marker, Panel};
 use crate::plot::kinds::{Trace, draw_curves, label, shade, text_colour};
@@ -27,7 +28,7 @@ const WIDTH_MM: f64 = 64.0;
 const HEIGHT_MM: f64 = 58.0;
 
 /// Draws Figure 5. Paper: fig:E.
-pub fn draw_fig05(figure: &Figure5, width: SheetWidth) -> Result<String, DrawingError> {
+pub fn draw_fig05(figure: &Figure5, width: SheetWidth) -> Result<Sheet, DrawingError> {
     let frame = checked(figure.frame, "fig05")?;
     let curve = |points: &[UnfoldingPoint]| Trace {
         kind: points[0].kind,
@@ -92,7 +93,7 @@ mod tests {
 
     #[test]
     fn curves_and_regions_are_named_and_the_overlap_is_shaded_by_its_two_regions_alone() {
-        let svg = draw_fig05(&study().fig05().unwrap(), SheetWidth::Paper).unwrap();
+        let svg = draw_fig05(&study().fig05().unwrap(), SheetWidth::Paper).unwrap().svg();
         let svg = svg.split("<defs").next().unwrap();
         for label in [">SN<", ">PD<", ">grazing<", ">non-impacting<", ">both<", ">μ<", ">η<", "-loop MPS<"]
         {

@@ -8,6 +8,7 @@ use crate::geometry::clip::checked;
 use crate::geometry::sheet::{Bounds, Spot, span};
 use crate::ink::arrow::{arrow, double_arrow};
 use crate::ink::canvas::{Anchor, Canvas};
+use crate::ink::sheet::Sheet;
 use crate::ink::style::{
     AXIS, BLACK, BODY, BODY_OUTLINE, FORCE, LABEL_SIZE, PISTON, PROJECTION, SMALL_LABEL_SIZE, SheetWidth,
     TICK_SIZE, TITLE_SIZE, WALL, WALL_FACE, WALL_HATCHING, WIRE,
@@ -27,7 +28,7 @@ const MARGIN_BELOW: f64 = 22.0;
 const MARGIN_ABOVE: f64 = 15.0;
 
 /// Draws Figure 6. Paper: fig:F.
-pub fn draw_fig06(figure: &Figure6, width: SheetWidth) -> Result<String, DrawingError> {
+pub fn draw_fig06(figure: &Figure6, width: SheetWidth) -> Result<Sheet, DrawingError> {
     let (canvas, pieces) = on_sheet(&figure.parts, width.mm(WIDTH_MM))?;
     for piece in &pieces {
         draw(&canvas, piece);
@@ -131,7 +132,7 @@ mod tests {
     #[test]
     fn everything_is_named_and_lengths_keep_their_ratio_across_and_up() {
         let figure = study().fig06().unwrap();
-        let svg = draw_fig06(&figure, SheetWidth::Paper).unwrap();
+        let svg = draw_fig06(&figure, SheetWidth::Paper).unwrap().svg();
         for label in
             [">unit stiffness<", ">unit<", ">mass<", ">equilibrium<", "restitution ", "damping 2", ">−1<"]
         {

@@ -9,6 +9,7 @@ use crate::geometry::sheet::{Bounds, Spot, distance, inside, span};
 use crate::ink::arrow::head_on;
 use crate::ink::canvas::Canvas;
 use crate::ink::labels::{Labels, Site};
+use crate::ink::sheet::Sheet;
 use crate::ink::style::{
     BLACK, DISC_RADIUS, LABEL_SIZE, PATH, PATH_AREA, SMALL_LABEL_SIZE, SheetWidth, THRESHOLD,
 };
@@ -23,7 +24,7 @@ const MARGIN: [f64; 2] = [0.42, 0.14];
 const POINTED_LENGTH: f64 = 14.0;
 
 /// Draws Figure 10. Paper: fig:I.
-pub fn draw_fig10(figure: &Figure10, width: SheetWidth) -> Result<String, DrawingError> {
+pub fn draw_fig10(figure: &Figure10, width: SheetWidth) -> Result<Sheet, DrawingError> {
     let vertices: Vec<(f64, f64)> = figure.path.iter().map(|visit| (visit.u, visit.w)).collect();
     let frame = Frame { x: extent(&vertices, |v| v.0, MARGIN[0]), y: extent(&vertices, |v| v.1, MARGIN[1]) };
     let frame = checked(frame, "fig10")?;
@@ -100,7 +101,7 @@ mod tests {
     #[test]
     fn every_vertex_is_marked_and_named() {
         let path = sample();
-        let svg = draw_fig10(&path, SheetWidth::Paper).unwrap();
+        let svg = draw_fig10(&path, SheetWidth::Paper).unwrap().svg();
         assert_eq!(svg.matches("<circle").count(), 7);
         for visit in 0..=6 {
             assert_eq!(svg.matches(&format!(">({visit})</tspan>")).count(), 2, "{visit}");
@@ -111,7 +112,7 @@ mod tests {
     #[test]
     fn vertices_are_named_outside_the_path() {
         let path = sample();
-        let svg = draw_fig10(&path, SheetWidth::Paper).unwrap();
+        let svg = draw_fig10(&path, SheetWidth::Paper).unwrap().svg();
         let area =
             svg.lines().find(|line| line.contains("fill-opacity=\"0.1\"")).expect("the area is filled");
         let outline = coordinates(area);

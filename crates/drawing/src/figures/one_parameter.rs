@@ -8,9 +8,10 @@ use crate::geometry::clip::checked;
 use crate::geometry::sheet::Bounds;
 use crate::ink::canvas::Canvas;
 use crate::ink::labels::Labels;
+use crate::ink::sheet::Sheet;
 use crate::ink::style::{MAGNIFIER, MAGNIFIER_FRAME, SheetWidth};
 use crate::ink::svg::POINTS_PER_MM;
-use crate::plot::axes::{Panel, overhang, room_beside};
+use crate::plot::axes::{Heading, Panel, overhang, room_beside};
 use crate::plot::branches::diagram;
 use crate::plot::portraits::{Caption, draw_portraits, equation, letters, portraits, row_height};
 use crate::plot::ticks::measured;
@@ -41,37 +42,20 @@ const DIGITS: usize = 6;
 /// Room below the diagram for numbers and axis title, in points.
 const BELOW: f64 = 31.0;
 
-/// What one-parameter diagrams differ in.
-struct Style {
-    /// The tables of the diagram, the most telling first, and of its portraits.
-    tables: [&'static str; 3],
-    portraits: [&'static str; 1],
-    /// The title of the axis says where the other parameter is held.
-    says_where: bool,
-}
-
-const FIGURE_2: Style = Style {
-    tables: ["fig02_bifurcations", "fig02_branches", "fig02_attractor"],
-    portraits: ["fig02_portraits"],
-    says_where: false,
-};
-const OF_AN_OSCILLATOR: Style = Style {
-    tables: ["diagram_bifurcations", "diagram_branches", "diagram_attractor"],
-    portraits: ["diagram_portraits"],
-    says_where: true,
-};
-
 /// Draws Figure 2. Paper: fig:Z.
 ///
 /// # Errors
 /// [`DrawingError`] if a frame is empty.
-pub fn draw_fig02(figure: &OneParameter, width: SheetWidth) -> Result<String, DrawingError> {
-    compose(figure, &Names::of_the_paper(), &FIGURE_2, width)?.finish(
-        "fig02",
-        "One-parameter bifurcation diagram with phase portraits",
-        "Below: forcing amplitude across, x-value of the return map up; thick curves are stable, thin ones unstable; \
-         dots are long-term forward orbits. Framed: magnification. Above: phase portraits with the wall.",
-    )
+pub fn draw_fig02(figure: &OneParameter, width: SheetWidth) -> Result<Sheet, DrawingError> {
+    let heading = Heading {
+        name: "fig02",
+        title: "One-parameter bifurcation diagram with phase portraits",
+        description: "Below: forcing amplitude across, x-value of the return map up; thick curves are stable, thin ones unstable; \
+                      dots are long-term forward orbits. Framed: magnification. Above: phase portraits with the wall.",
+        names: &Names::of_the_paper(),
+        tables: &["fig02_bifurcations", "fig02_branches", "fig02_attractor"],
+    };
+    draw(figure, &heading, &["fig02_portraits"], false, width)
 }
 
 /// Draws a one-parameter diagram of an oscillator, whose parameters have these names, under a title.
@@ -83,13 +67,16 @@ pub fn draw_one_parameter(
     names: &Names,
     title: &str,
     width: SheetWidth,
-) -> Result<String, DrawingError> {
-    compose(figure, names, &OF_AN_OSCILLATOR, width)?.finish(
-        "diagram",
+) -> Result<Sheet, DrawingError> {
+    let heading = Heading {
+        name: "diagram",
         title,
-        "Below: the parameter across, x-value of the return map up; thick curves are stable, thin ones unstable; dots are \
-         long-term forward orbits. Above: phase portraits with the wall.",
-    )
+        description: "Below: the parameter across, x-value of the return map up; thick curves are stable, thin ones unstable; dots are \
+                      long-term forward orbits. Above: phase portraits with the wall.",
+        names,
+        tables: &["diagram_bifurcations", "diagram_branches", "diagram_attractor"],
+    };
+    draw(figure, &heading, &["diagram_portraits"], true, width)
 }
 
 /// A value as the file has it, unless that takes many digits.
@@ -98,16 +85,19 @@ fn plain(value: f64) -> String {
     if text.chars().count() <= LONGEST { text } else { measured(value, DIGITS) }
 }
 
-fn compose(
+/// Draws a diagram and its portraits, which show the rows of a table; the title of its axis says where the other parameter is held, if it is to.
+fn draw(
     figure: &OneParameter,
-    names: &Names,
-    style: &Style,
+    heading: &Heading<'_>,
+    portrait_tables: &[&'static str],
+    says_where: bool,
     width: SheetWidth,
-) -> Result<Canvas, DrawingError> {
+) -> Result<Sheet, DrawingError> {
+    let names = heading.names;
     let frame = checked(figure.frame, "a one-parameter diagram")?;
     let magnified = figure.magnified.map(|part| checked(part, "its magnification")).transpose()?;
     let portraits = portraits(figure);
-    let ([across, held], [title, _]) = (figure.exchanged(names.shown()), figure.exchanged(names.titles()));
+    let ([across, held], [axis, _]) = (figure.exchanged(names.shown()), figure.exchanged(names.titles()));
     let [_, unit] = figure.exchanged(names.parameter_units()).map(Option::unwrap_or_default);
     let [column, _] = figure.exchanged([&names.primary, &names.secondary]);
     let own = Names::new(column, "x");
@@ -125,12 +115,12 @@ fn compose(
     };
     let canvas = Canvas::new(width, (portraits_end + height) / POINTS_PER_MM)?;
     if rows > 0 {
-        let caption = Caption { across: &across, titles: [x, "$y$"], table: &style.portraits };
+        let caption = Caption { across: &across, titles: [x, "$y$"], table: portrait_tables };
         draw_portraits(&canvas, figure, &portraits, &caption, rows)?;
     }
     let top = portraits_end + if rows > 0 { LETTERS } else { ABOVE };
     let panel = |frame, bounds| Panel {
-        tables: &style.tables,
+        tables: heading.tables,
         only: Some(("diagram", figure.diagram)),
         names: Some(&own),
         ..Panel::new(&canvas, frame, bounds)
@@ -148,7 +138,7 @@ fn compose(
         canvas.line(&outline.map(|corner| part.spot(corner)), MAGNIFIER_FRAME);
     }
     let at = equation(&held, &plain(figure.at));
-    let place = format!("{title}  ({})", format!("{at} {unit}").trim_end());
+    let place = format!("{axis}  ({})", format!("{at} {unit}").trim_end());
     // The symbol of the primary parameter at grazing may be another than its name gives.
     let grazing = if figure.primary_is_fixed { &own } else { names };
     for (number, panel) in panels.iter().enumerate() {
@@ -162,9 +152,9 @@ fn compose(
         }
         diagram(panel, labels, figure, grazing, last)?;
         let beside = number > 0 && !narrow;
-        panel.axes(if style.says_where { &place } else { &title }, if beside { "" } else { x })?;
+        panel.axes(if says_where { &place } else { &axis }, if beside { "" } else { x })?;
     }
-    Ok(canvas)
+    canvas.finish(heading.name, heading.title, heading.description)
 }
 
 /// The frames of a diagram and of its magnification, and where they lie on the sheet.
@@ -268,10 +258,7 @@ mod tests {
     fn diagram_and_magnification_stand_one_above_the_other_in_one_column() {
         let frame = Frame { x: [0.2, 0.7], y: [-0.3, 0.4] };
         let figure = OneParameter { magnified: Some(frame), ..sample([1.0, 1.0], 1) };
-        let names = Names::of_the_paper();
-        let size = |width| {
-            compose(&figure, &names, &FIGURE_2, width).map(|sheet| (sheet.width, sheet.height)).unwrap()
-        };
+        let size = |width| draw_fig02(&figure, width).unwrap().size;
         let (one, paper) = (size(SheetWidth::OneColumn), size(SheetWidth::Paper));
         assert!(one.1 > 1.5 * one.0 && paper.0 > paper.1, "{one:?} {paper:?}");
     }
@@ -283,7 +270,7 @@ mod tests {
             for (scale, portraits) in [([1.0, 1.0], 0), ([1e-4, 1e3], 1), ([250.0, 2e-5], 3), ([1.0, 1.0], 7)]
             {
                 for width in WIDTHS {
-                    let sheet = compose(&sample(scale, portraits), &names, &OF_AN_OSCILLATOR, width).unwrap();
+                    let sheet = draw_one_parameter(&sample(scale, portraits), &names, "", width).unwrap();
                     sheet.assert_well_placed(&(scale, portraits, width));
                 }
             }
@@ -294,7 +281,7 @@ mod tests {
     fn titles_name_the_parameters_in_their_roles_and_what_x_is_counted_from() {
         let names = Names::new("A", "omega");
         let texts = |figure: &OneParameter| {
-            compose(figure, &names, &OF_AN_OSCILLATOR, SheetWidth::Paper).unwrap().texts()
+            draw_one_parameter(figure, &names, "", SheetWidth::Paper).unwrap().texts()
         };
         let mut figure = sample([1.0, 1.0], 1);
         assert!(texts(&figure).contains(&"long-time behaviour".to_owned()), "the dots are named");
@@ -307,7 +294,7 @@ mod tests {
         }
         let [primary, secondary] = ["N", "rad/s"].map(|unit| Some(unit.to_owned()));
         let named = names.clone().with_units(UnitNames { primary, secondary, ..UnitNames::default() });
-        let texts = compose(&figure, &named, &OF_AN_OSCILLATOR, SheetWidth::Paper).unwrap().texts();
+        let texts = draw_one_parameter(&figure, &named, "", SheetWidth::Paper).unwrap().texts();
         assert!(texts.contains(&r"$\omega$ (rad/s)  ($A=0.854$ N)".to_owned()), "{texts:?}");
     }
 
@@ -315,7 +302,7 @@ mod tests {
     fn panels_say_whose_rows_they_show() {
         let svg =
             draw_one_parameter(&sample([1.0, 1.0], 2), &Names::new("A", "omega"), "t", SheetWidth::Paper);
-        let svg = svg.unwrap();
+        let svg = svg.unwrap().svg();
         assert!(svg.contains("data-only=\"diagram 2\" data-columns=\"A x\""));
         assert!(svg.contains("data-tables=\"diagram_portraits\" data-only=\"portrait 2\""));
     }

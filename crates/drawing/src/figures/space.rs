@@ -4,6 +4,7 @@ use grazing_results::space::{CurveKind, MarkKind, Scene, SurfaceKind};
 
 use crate::error::DrawingError;
 use crate::geometry::sheet::Bounds;
+use crate::ink::sheet::Sheet;
 use crate::ink::style::{
     BLACK, LABEL_SIZE, RESET_COLOUR, RETURN_COLOUR, SMALL_LABEL_SIZE, SheetWidth, TITLE_SIZE,
 };
@@ -73,16 +74,16 @@ pub(crate) const FIG09: SpaceSheet = SpaceSheet {
 };
 
 /// Draws Figure 1. Paper: fig:Bc.
-pub fn draw_fig01(scene: &Scene, width: SheetWidth) -> Result<String, DrawingError> {
+pub fn draw_fig01(scene: &Scene, width: SheetWidth) -> Result<Sheet, DrawingError> {
     FIG01.draw(scene, width)
 }
 
 /// Draws Figure 3. Paper: fig:Ba.
-pub fn draw_fig03(scene: &Scene, width: SheetWidth) -> Result<String, DrawingError> {
+pub fn draw_fig03(scene: &Scene, width: SheetWidth) -> Result<Sheet, DrawingError> {
     FIG03.draw(scene, width)
 }
 
 /// Draws Figure 9. Paper: fig:Bb.
-pub fn draw_fig09(scene: &Scene, width: SheetWidth) -> Result<String, DrawingError> {
+pub fn draw_fig09(scene: &Scene, width: SheetWidth) -> Result<Sheet, DrawingError> {
     FIG09.draw(scene, width)
 }

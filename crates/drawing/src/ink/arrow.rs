@@ -90,7 +90,7 @@ mod tests {
     fn an_arrow_is_a_shaft_and_a_head_that_stops_short_of_the_end() {
         let canvas = Canvas::new(40.0, 40.0).unwrap();
         arrow(&canvas, &[(10.0, 20.0), (60.0, 20.0)], 2.0, RETURN);
-        let svg = canvas.finish("test", "", "").unwrap();
+        let svg = canvas.finish("test", "", "").unwrap().svg();
         let size = head_length(RETURN);
         let neck = points(58.0 - (1.0 - HEAD_SHAPE.1) * size);
         let barb = points(58.0 - size);
@@ -102,6 +102,6 @@ mod tests {
     fn a_line_shorter_than_its_head_is_left_out() {
         let canvas = Canvas::new(40.0, 40.0).unwrap();
         arrow(&canvas, &[(10.0, 20.0), (15.0, 20.0)], 2.0, RETURN);
-        assert!(!canvas.finish("test", "", "").unwrap().contains("<path"));
+        assert!(!canvas.finish("test", "", "").unwrap().svg().contains("<path"));
     }
 }

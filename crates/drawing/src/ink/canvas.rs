@@ -1,20 +1,16 @@
-//! The sheet a figure is drawn on, in points from the top left corner: plotters' drawing area over a backend that writes SVG.
+//! The sheet a figure is drawn on, in points from the top left corner.
 
 use std::cell::RefCell;
-use std::rc::Rc;
-
-use plotters::coord::Shift;
-use plotters::drawing::DrawingArea;
 
 use crate::error::DrawingError;
 use crate::geometry::sheet::{Bounds, Hundredths, Spot, in_hundredths};
 use crate::geometry::simplify::simplify;
-use crate::ink::backend::{Element, SvgBackend};
-use crate::ink::font::{Extent, Fonts, TEXT_FAMILY, style_sheet};
-use crate::ink::legend::{Legend, Sample};
+use crate::ink::font::{Extent, Fonts};
+use crate::ink::legend::Sample;
 use crate::ink::markup::Label;
+use crate::ink::sheet::{Element, Path, Sheet};
 use crate::ink::style::{Colour, Paint, Pen, SIZE_LIMIT, hat_pen};
-use crate::ink::svg::{POINTS_PER_MM, escape, fill, hex, hundredths, path_data, points, spans, stroke};
+use crate::ink::svg::{POINTS_PER_MM, fill, hex, hundredths, points, spans, stroke};
 
 /// Which point of its baseline a text is placed by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,45 +27,46 @@ pub(crate) struct Canvas {
     pub(crate) fonts: Fonts,
     pub(crate) width: f64,
     pub(crate) height: f64,
-    backend: Rc<RefCell<SvgBackend>>,
-    root: DrawingArea<SvgBackend, Shift>,
+    elements: RefCell<Vec<Element>>,
     /// Every label drawn so far and the box of its ink.
     texts: RefCell<Vec<(String, Bounds)>>,
     /// The boxes to which lines are clipped.
     clips: RefCell<Vec<Bounds>>,
-    legend: RefCell<Legend>,
+    legend: RefCell<Vec<(String, Sample)>>,
 }
 
 impl Canvas {
     pub(crate) fn new(width_mm: f64, height_mm: f64) -> Result<Self, DrawingError> {
         let (width, height) = (width_mm * POINTS_PER_MM, height_mm * POINTS_PER_MM);
-        let size = in_hundredths((width, height));
-        let backend = Rc::new(RefCell::new(SvgBackend::new(size)));
-        let root = DrawingArea::from(&backend);
-        let (texts, clips, legend) = Default::default();
-        Ok(Canvas { backend, root, fonts: Fonts::load()?, width, height, texts, clips, legend })
-    }
-
-    /// Draws an element: its spots, and what is written of them.
-    fn draw(&self, spots: &[Spot], write: impl Fn(&[Hundredths]) -> String) {
-        let points: Vec<Hundredths> = spots.iter().map(|&spot| in_hundredths(spot)).collect();
-        let drawn = self.root.draw(&Element { points, write });
-        drawn.expect("the backend cannot fail, and nobody else draws meanwhile");
+        let (elements, texts, clips, legend) = Default::default();
+        Ok(Canvas { fonts: Fonts::load()?, width, height, elements, texts, clips, legend })
     }
 
     /// Adds an entry to the legend, once: what is drawn like the sample.
     pub(crate) fn explain(&self, meaning: &str, sample: Sample) {
-        self.legend.borrow_mut().explain(meaning, sample);
+        let mut legend = self.legend.borrow_mut();
+        if legend.iter().all(|(known, _)| known != meaning) {
+            legend.push((meaning.to_owned(), sample));
+        }
     }
 
-    /// Adds what puts no ink on the sheet.
-    pub(crate) fn note(&self, element: &str) {
-        self.backend.borrow_mut().write(element);
+    /// Adds an element.
+    pub(crate) fn add(&self, element: Element) {
+        self.elements.borrow_mut().push(element);
+    }
+
+    /// Adds a path; spots that fall together in the file are written once.
+    fn path(&self, pieces: impl IntoIterator<Item = (Vec<Hundredths>, bool)>, attributes: String) {
+        let distinct = |(mut spots, closed): (Vec<Hundredths>, bool)| {
+            spots.dedup();
+            (spots, closed)
+        };
+        self.add(Element::Path(Path { pieces: pieces.into_iter().map(distinct).collect(), attributes }));
     }
 
     /// A line, closed if it ends where it begins; one shorter than print resolution is none.
     pub(crate) fn line(&self, spots: &[Spot], pen: Pen) {
-        self.attributed_line(spots, &stroke(Some(pen)));
+        self.attributed_line(spots, stroke(Some(pen)));
     }
 
     /// A line of which no ink leaves a box.
@@ -77,18 +74,18 @@ impl Canvas {
         let reach = bounds.grown(-0.5 * pen.width);
         let close = |&(x, y): &Spot| !reach.holds(&Bounds::about((x, y), 0.0, 0.0));
         let clip = if spots.iter().any(close) { self.clip(bounds) } else { String::new() };
-        self.attributed_line(spots, &(stroke(Some(pen)) + &clip));
+        self.attributed_line(spots, stroke(Some(pen)) + &clip);
     }
 
-    fn attributed_line(&self, spots: &[Spot], attributes: &str) {
-        self.draw(spots, |path| {
-            let path = simplify(path);
-            let closed = path.len() > 3 && path.first() == path.last();
-            match path_data(&path[..path.len() - usize::from(closed)], closed) {
-                data if data.contains('L') => format!("<path d=\"{data}\"{attributes}/>"),
-                _ => String::new(),
-            }
-        });
+    fn attributed_line(&self, spots: &[Spot], attributes: String) {
+        let mut path = simplify(&all_in_hundredths(spots));
+        let closed = path.len() > 3 && path.first() == path.last();
+        if closed {
+            path.pop();
+        }
+        if path.iter().any(|spot| *spot != path[0]) {
+            self.path([(path, closed)], attributes);
+        }
     }
 
     /// The attribute that clips to a box.
@@ -99,9 +96,9 @@ impl Canvas {
             let Bounds { left, top, right, bottom } = *bounds;
             let [x, y, width, height] = [left, top, right - left, bottom - top].map(points);
             let number = clips.len();
-            self.note(&format!(
+            self.add(Element::Markup(format!(
                 "<clipPath id=\"clip{number}\"><rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"/></clipPath>"
-            ));
+            )));
             clips.push(*bounds);
             number
         });
@@ -110,27 +107,19 @@ impl Canvas {
 
     /// A filled and perhaps outlined polygon.
     pub(crate) fn polygon(&self, corners: &[Spot], paint: Paint, outline: Option<Pen>) {
-        self.draw(corners, |path| {
-            format!("<path d=\"{}\"{}{}/>", path_data(path, true), fill(paint), stroke(outline))
-        });
+        self.path([(all_in_hundredths(corners), true)], fill(paint) + &stroke(outline));
     }
 
     /// A filled area, inside where its rings are crossed an odd number of times.
     pub(crate) fn area(&self, rings: &[Vec<Spot>], paint: Paint) {
-        self.draw(&rings.concat(), |mut path| {
-            let mut data = String::new();
-            for ring in rings {
-                let (here, rest) = path.split_at(ring.len());
-                data.push_str(&path_data(here, true));
-                path = rest;
-            }
-            format!("<path d=\"{data}\" fill-rule=\"evenodd\"{}/>", fill(paint))
-        });
+        let rings = rings.iter().map(|ring| (all_in_hundredths(ring), true));
+        self.path(rings, format!(" fill-rule=\"evenodd\"{}", fill(paint)));
     }
 
     /// Draws an element that hangs on one spot, whose coordinates `write` is given.
     fn draw_at(&self, spot: Spot, write: impl Fn(String, String) -> String) {
-        self.draw(&[spot], |path| path.iter().map(|&(x, y)| write(hundredths(x), hundredths(y))).collect());
+        let (x, y) = in_hundredths(spot);
+        self.add(Element::Markup(write(hundredths(x), hundredths(y))));
     }
 
     /// A filled and perhaps outlined disc.
@@ -205,75 +194,38 @@ impl Canvas {
         Ok(())
     }
 
-    /// The labels as they were written, in the order of drawing.
-    #[cfg(test)]
-    pub(crate) fn texts(&self) -> Vec<String> {
-        self.texts.borrow().iter().map(|(source, _)| source.clone()).collect()
-    }
-
-    /// Panics with the labels that overlap another one or leave the sheet, if there are any.
-    #[cfg(test)]
-    pub(crate) fn assert_well_placed(&self, what: &dyn std::fmt::Debug) {
-        let texts = self.texts.borrow();
-        let spoilt = |i: usize| {
-            !self.sheet().holds(&texts[i].1)
-                || texts.iter().enumerate().any(|(j, other)| i != j && other.1.overlaps(&texts[i].1))
-        };
-        let misplaced: Vec<_> = (0..texts.len()).filter(|&i| spoilt(i)).map(|i| &texts[i]).collect();
-        assert!(misplaced.is_empty(), "{what:?}: {misplaced:?}");
-    }
-
     /// All of the sheet.
     pub(crate) fn sheet(&self) -> Bounds {
         Bounds { left: 0.0, top: 0.0, right: self.width, bottom: self.height }
     }
 
-    /// The documents of sheets, each of several with its number in the title.
-    pub(crate) fn finish_all(
-        sheets: Vec<Canvas>,
-        figure: &'static str,
-        title: &str,
-        description: &str,
-    ) -> Result<Vec<String>, DrawingError> {
-        let count = sheets.len();
-        let finish = |(canvas, number): (Canvas, usize)| {
-            let of = if count > 1 { format!(" ({number} of {count})") } else { String::new() };
-            canvas.finish(figure, &format!("{title}{of}"), description)
-        };
-        sheets.into_iter().zip(1..).map(finish).collect()
-    }
-
-    /// The document with its title, its description and the fonts, if it is light enough.
-    ///
-    /// White space is preserved because some viewers drop it at the ends of a tspan otherwise.
+    /// The figure, of which this is the title and the description, if it is light enough.
     pub(crate) fn finish(
         self,
         figure: &'static str,
         title: &str,
         description: &str,
-    ) -> Result<String, DrawingError> {
+    ) -> Result<Sheet, DrawingError> {
+        let legend = self.legend.into_inner().into_iter();
         let [width, height] = [self.width, self.height].map(|length| (length * 100.0).round() / 100.0);
-        let (w, h) = (points(width), points(height));
-        let document = format!(
-            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
-             <svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {w} {h}\" \
-             font-family=\"{TEXT_FAMILY}\" xml:space=\"preserve\" stroke-linejoin=\"round\" fill=\"none\" role=\"img\">\n\
-             <title>{}</title>\n<desc>{}</desc>\n<style>\n{}</style>\n\
-             <rect width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n{}{}</svg>\n",
-            points(width / POINTS_PER_MM),
-            points(height / POINTS_PER_MM),
-            escape(title),
-            escape(description),
-            style_sheet(),
-            self.backend.borrow().body(),
-            self.legend.borrow().element(),
-        );
-        if document.len() > SIZE_LIMIT {
-            let bytes = document.len();
+        let sheet = Sheet {
+            title: title.to_owned(),
+            description: description.to_owned(),
+            size: (width, height),
+            elements: self.elements.into_inner(),
+            legend: legend.map(|(meaning, sample)| (meaning, sample.element())).collect(),
+            texts: self.texts.into_inner(),
+        };
+        let bytes = sheet.svg().len();
+        if bytes > SIZE_LIMIT {
             return Err(DrawingError(format!("{figure} came to {bytes} bytes; the limit is {SIZE_LIMIT}")));
         }
-        Ok(document)
+        Ok(sheet)
     }
+}
+
+fn all_in_hundredths(spots: &[Spot]) -> Vec<Hundredths> {
+    spots.iter().map(|&spot| in_hundredths(spot)).collect()
 }
 
 #[cfg(test)]
@@ -285,14 +237,16 @@ mod tests {
     fn a_line_that_shrinks_to_a_point_is_not_written() {
         let canvas = Canvas::new(10.0, 10.0).unwrap();
         canvas.line(&[(1.0, 2.0), (1.0, 2.0)], FRAME);
-        assert_eq!(canvas.backend.borrow().body(), "");
+        canvas.line(&[(1.0, 2.0), (1.0, 2.0), (3.0, 2.0), (3.0, 2.0)], FRAME);
+        let svg = canvas.finish("test", "", "").unwrap().svg();
+        assert!(svg.contains("d=\"M1,2L3,2\"") && svg.matches("<path").count() == 1, "{svg}");
     }
 
     #[test]
     fn a_title_may_read_upwards() {
         let canvas = Canvas::new(100.0, 100.0).unwrap();
         canvas.text((10.5, 50.0), "amplitude", 10.0, Anchor::Upwards, BLACK).unwrap();
-        let svg = canvas.finish("test", "", "").unwrap();
+        let svg = canvas.finish("test", "", "").unwrap().svg();
         assert!(svg.contains("x=\"10.5\" y=\"50\"") && svg.contains("rotate(-90 10.5 50)"), "{svg}");
         assert!(svg.contains("fill=\"none\""), "nothing is filled unless it says so");
     }

@@ -21,8 +21,6 @@ pub const FONT_FILES: [(&str, &[u8]); 3] = [
     ("STIXTwoMath-Signs.ttf", include_bytes!("../../fonts/STIXTwoMath-Signs.ttf")),
 ];
 
-/// Families of the text fonts, ours first.
-pub(crate) const TEXT_FAMILY: &str = "'STIX Two Text','STIXGeneral','Times New Roman',Times,serif";
 /// Families of the sign font, ours first.
 pub(crate) const SIGN_FAMILY: &str = "'STIX Two Math','STIX Two Text','STIXGeneral',serif";
 
@@ -148,7 +146,7 @@ impl Fonts {
 }
 
 /// The style sheet that embeds the fonts as data.
-pub(crate) fn style_sheet() -> String {
+pub fn style_sheet() -> String {
     let mut sheet = String::new();
     for ((_, bytes), (family, style)) in FONT_FILES.iter().zip([
         ("STIX Two Text", "normal"),

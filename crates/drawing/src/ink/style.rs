@@ -5,9 +5,7 @@
 //! dark, period-doubling solid and of middle lightness, grazing of an MPS dark with dots between its dashes. Plain
 //! dashes are left to approximations.
 
-/// Red, green and blue, 0 to 255 each.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Colour(pub(crate) u8, pub(crate) u8, pub(crate) u8);
+pub(crate) use grazing_results::kinds::Colour;
 
 /// How a line is drawn; lengths in points.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,12 +64,12 @@ impl SheetWidth {
     }
 }
 
-pub(crate) const BLACK: Colour = Colour(0, 0, 0);
-pub(crate) const WHITE: Colour = Colour(255, 255, 255);
-const RED: Colour = Colour(214, 47, 32);
-const BLUE: Colour = Colour(25, 70, 190);
-const ORANGE: Colour = Colour(240, 130, 0);
-const GREY: Colour = Colour(110, 110, 110);
+pub(crate) const BLACK: Colour = [0, 0, 0];
+pub(crate) const WHITE: Colour = [255, 255, 255];
+const RED: Colour = [214, 47, 32];
+const BLUE: Colour = [25, 70, 190];
+const ORANGE: Colour = [240, 130, 0];
+const GREY: Colour = [110, 110, 110];
 
 /// Axis titles, in points.
 pub(crate) const TITLE_SIZE: f64 = 10.0;
@@ -89,18 +87,18 @@ pub(crate) const TICK_LENGTH: f64 = 3.0;
 pub(crate) const MINOR_TICK_LENGTH: f64 = 1.7;
 
 /// Where the non-impacting solution is stable.
-pub(crate) const NON_IMPACTING_AREA: Paint = Paint::opaque(Colour(233, 233, 233));
+pub(crate) const NON_IMPACTING_AREA: Paint = Paint::opaque([233, 233, 233]);
 /// Where an MPS is stable; overlapping regions come out darker.
-pub(crate) const MPS_AREA: Paint = Paint { colour: Colour(40, 40, 40), opacity: 0.3 };
+pub(crate) const MPS_AREA: Paint = Paint { colour: [40, 40, 40], opacity: 0.3 };
 
 /// Hatching where it is not decided whether a solution is stable, and the distance of its lines in points.
-pub(crate) const UNDECIDED: Pen = Pen::solid(Colour(110, 110, 110), 0.45);
+pub(crate) const UNDECIDED: Pen = Pen::solid([110, 110, 110], 0.45);
 pub(crate) const HATCHING: f64 = 3.6;
 
 /// Rectangles that another figure magnifies.
 pub(crate) const MAGNIFIED: Pen = Pen::solid(ORANGE, 1.0);
 /// Labels of those rectangles: darker than the rectangle, to be readable.
-pub(crate) const MAGNIFIED_TEXT: Colour = Colour(176, 84, 0);
+pub(crate) const MAGNIFIED_TEXT: Colour = [176, 84, 0];
 /// The line in the two-parameter diagram along which the one-parameter diagram runs.
 pub(crate) const SECTION: Pen = Pen { round: true, ..Pen::solid(BLACK, 1.5) };
 pub(crate) const THIN_SECTION: Pen = Pen::dashed(BLACK, 0.5, &[4.0, 1.6]);
@@ -114,12 +112,12 @@ pub(crate) const STAR_RADIUS: f64 = 3.8;
 /// A branch of the one-parameter diagram by its number of loops, 0 for the non-impacting solution.
 pub(crate) const fn branch_pen(p: u32, width: f64) -> Pen {
     let colour = match p {
-        1 => Colour(190, 95, 0),
-        2 => Colour(25, 70, 190),
-        3 => Colour(150, 30, 110),
-        4 => Colour(0, 120, 105),
-        5 => Colour(175, 60, 35),
-        6 => Colour(95, 95, 0),
+        1 => [190, 95, 0],
+        2 => [25, 70, 190],
+        3 => [150, 30, 110],
+        4 => [0, 120, 105],
+        5 => [175, 60, 35],
+        6 => [95, 95, 0],
         _ => BLACK,
     };
     Pen::solid(colour, width)
@@ -133,18 +131,18 @@ pub(crate) const CLOUD: [Paint; 3] = [
     Paint { colour: CLOUD_COLOUR, opacity: 0.85 },
     Paint { colour: CLOUD_COLOUR, opacity: 1.0 },
 ];
-const CLOUD_COLOUR: Colour = Colour(45, 70, 105);
+const CLOUD_COLOUR: Colour = [45, 70, 105];
 /// Side of a bin of the attractor, in points.
 pub(crate) const CLOUD_BIN: f64 = 0.36;
 
 pub(crate) const PERIODIC_ORBIT: Pen = Pen::solid(BLACK, 0.9);
-pub(crate) const ATTRACTOR_ORBIT: Pen = Pen::solid(Colour(70, 95, 130), 0.25);
+pub(crate) const ATTRACTOR_ORBIT: Pen = Pen::solid([70, 95, 130], 0.25);
 pub(crate) const IMPACT: Pen = Pen::dashed(BLACK, 0.55, &[1.6, 1.2]);
 pub(crate) const WALL: Pen = Pen::solid(BLACK, 0.9);
-pub(crate) const WALL_FACE: Paint = Paint::opaque(Colour(244, 244, 244));
+pub(crate) const WALL_FACE: Paint = Paint::opaque([244, 244, 244]);
 pub(crate) const WALL_HATCHING: Pen = Pen::solid(GREY, 0.45);
 /// The level x = 0 above which there are impacts.
-pub(crate) const THRESHOLD: Pen = Pen::solid(Colour(170, 170, 170), 0.4);
+pub(crate) const THRESHOLD: Pen = Pen::solid([170, 170, 170], 0.4);
 /// Thin lines from a portrait's letter into the diagram.
 pub(crate) const GUIDE: Pen = Pen::dashed(GREY, 0.45, &[0.8, 1.6]);
 /// The frame that is magnified.
@@ -162,27 +160,27 @@ pub(crate) fn hat_pen(size: f64, colour: Colour) -> Pen {
 
 /// Orbits in phase space.
 pub(crate) const FLOW: Pen = Pen { round: true, ..Pen::solid(FLOW_COLOUR, 1.1) };
-pub(crate) const FLOW_COLOUR: Colour = Colour(20, 50, 140);
+pub(crate) const FLOW_COLOUR: Colour = [20, 50, 140];
 /// Where an orbit goes on as if there were no wall.
 pub(crate) const VIRTUAL_FLOW: Pen = Pen::dashed(FLOW_COLOUR, 0.95, &[3.0, 2.0]);
 /// The grazing periodic solution.
 pub(crate) const PERIODIC_FLOW: Pen = Pen { round: true, ..Pen::solid(BLACK, 1.5) };
 /// The reset law, from impact to recoil.
 pub(crate) const RESET: Pen = Pen::dashed(RESET_COLOUR, 1.0, &[1.6, 1.5]);
-pub(crate) const RESET_COLOUR: Colour = Colour(178, 34, 24);
+pub(crate) const RESET_COLOUR: Colour = [178, 34, 24];
 /// A return map, from a point to its image.
 pub(crate) const RETURN: Pen = Pen::solid(RETURN_COLOUR, 0.8);
-pub(crate) const RETURN_COLOUR: Colour = Colour(0, 105, 75);
+pub(crate) const RETURN_COLOUR: Colour = [0, 105, 75];
 /// Axes of phase space, and thin lines on its surfaces.
 pub(crate) const SPACE_AXIS: Pen = Pen::solid(BLACK, 0.55);
 pub(crate) const TANGENCY: Pen = Pen::solid(BLACK, 0.8);
 pub(crate) const CIRCLE: Pen = Pen::dashed(GREY, 0.5, &[0.8, 1.8]);
 /// Outlines of surfaces.
-pub(crate) const FACE_EDGE: Pen = Pen::solid(Colour(120, 120, 120), 0.4);
+pub(crate) const FACE_EDGE: Pen = Pen::solid([120, 120, 120], 0.4);
 /// The incoming set: darker than the outgoing set, so that they differ without colour.
-pub(crate) const INCOMING_FACE: Paint = Paint { colour: Colour(120, 155, 210), opacity: 0.5 };
-pub(crate) const OUTGOING_FACE: Paint = Paint { colour: Colour(236, 204, 150), opacity: 0.5 };
-pub(crate) const SECTION_FACE: Paint = Paint { colour: Colour(160, 208, 176), opacity: 0.5 };
+pub(crate) const INCOMING_FACE: Paint = Paint { colour: [120, 155, 210], opacity: 0.5 };
+pub(crate) const OUTGOING_FACE: Paint = Paint { colour: [236, 204, 150], opacity: 0.5 };
+pub(crate) const SECTION_FACE: Paint = Paint { colour: [160, 208, 176], opacity: 0.5 };
 /// Points of orbits; virtual ones are open.
 pub(crate) const SPOT_RADIUS: f64 = 1.8;
 pub(crate) const SPOT: Paint = Paint::opaque(BLACK);
@@ -207,7 +205,7 @@ pub(crate) const OUTLINE: Pen = Pen::solid(BLACK, 0.8);
 pub(crate) const CURVE_LEADER: Pen = Pen::solid(GREY, 0.4);
 
 /// Bodies of the schematic, and their outlines.
-pub(crate) const BODY: Paint = Paint::opaque(Colour(222, 228, 236));
+pub(crate) const BODY: Paint = Paint::opaque([222, 228, 236]);
 pub(crate) const BODY_OUTLINE: Pen = Pen::solid(BLACK, 1.0);
 /// Wires, rods and housings.
 pub(crate) const WIRE: Pen = Pen { round: true, ..Pen::solid(BLACK, 0.9) };

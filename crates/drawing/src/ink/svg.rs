@@ -10,7 +10,7 @@ use crate::ink::markup::{Face, Label, Level};
 use crate::ink::style::{Colour, Paint, Pen};
 
 /// Points in a millimetre.
-pub(crate) const POINTS_PER_MM: f64 = 72.0 / 25.4;
+pub const POINTS_PER_MM: f64 = 72.0 / 25.4;
 
 /// Hundredths as a decimal number, without needless zeros.
 pub(crate) fn hundredths(value: i32) -> String {
@@ -28,7 +28,7 @@ pub(crate) fn points(value: f64) -> String {
     hundredths((value * 100.0).round() as i32)
 }
 
-pub(crate) fn hex(Colour(red, green, blue): Colour) -> String {
+pub(crate) fn hex([red, green, blue]: Colour) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
@@ -55,17 +55,12 @@ pub(crate) fn stroke(pen: Option<Pen>) -> String {
     attributes
 }
 
-/// Path data through the spots; spots that fall together in the file are written once.
+/// Path data through the spots.
 pub(crate) fn path_data(path: &[Hundredths], closed: bool) -> String {
     let mut data = String::new();
-    let mut previous = None;
-    for &(x, y) in path {
-        if previous == Some((x, y)) {
-            continue;
-        }
-        let command = if previous.is_none() { "M" } else { "L" };
+    for (place, &(x, y)) in path.iter().enumerate() {
+        let command = if place == 0 { "M" } else { "L" };
         let _ = write!(data, "{command}{},{}", hundredths(x), hundredths(y));
-        previous = Some((x, y));
     }
     if closed && !data.is_empty() {
         data.push('Z');
@@ -145,14 +140,14 @@ mod tests {
     }
 
     #[test]
-    fn points_that_coincide_in_print_are_written_once() {
-        assert_eq!(path_data(&[(0, 0), (0, 0), (150, -25), (150, -25)], false), "M0,0L1.5,-0.25");
+    fn closed_paths_say_so() {
+        assert_eq!(path_data(&[(0, 0), (150, -25)], false), "M0,0L1.5,-0.25");
         assert_eq!(path_data(&[(0, 0), (100, 0), (0, 100)], true), "M0,0L1,0L0,1Z");
     }
 
     #[test]
     fn dashes_are_real_ones() {
-        let pen = Pen::dashed(Colour(1, 2, 255), 1.25, &[4.0, 1.5]);
+        let pen = Pen::dashed([1, 2, 255], 1.25, &[4.0, 1.5]);
         assert_eq!(stroke(Some(pen)), " stroke=\"#0102ff\" stroke-width=\"1.25\" stroke-dasharray=\"4 1.5\"");
     }
 

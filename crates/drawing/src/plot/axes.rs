@@ -1,7 +1,5 @@
 //! A panel: a rectangle of data space on one of the sheet, with border, ticks, numbers and axis titles.
 
-use std::fmt::Write;
-
 use plotters::coord::CoordTranslate;
 use plotters::coord::cartesian::Cartesian2d;
 use plotters::coord::types::RangedCoordf64;
@@ -15,12 +13,27 @@ use crate::geometry::sheet::{Bounds, Spot, in_hundredths};
 use crate::ink::canvas::{Anchor, Canvas};
 use crate::ink::font::Fonts;
 use crate::ink::markup::Label;
+use crate::ink::sheet::{Element, PanelMark};
 use crate::ink::style::{
     BLACK, DISC_RADIUS, FRAME, HATCHING, MARKER, MARKER_RIM, MINOR_TICK_LENGTH, Paint, Pen, STAR_RADIUS,
     TICK, TICK_LENGTH, TICK_SIZE, TITLE_SIZE, TRIANGLE_SIZE,
 };
-use crate::ink::svg::{escape, points};
 use crate::plot::numbers::{Direction, Numbers};
+
+/// What a figure of panels says of itself.
+#[derive(Debug, Clone, Copy)]
+pub struct Heading<'a> {
+    /// The name of the file without its ending, by which errors call the figure.
+    pub name: &'static str,
+    /// The title of the SVG, for readers who cannot see it.
+    pub title: &'a str,
+    /// The description of the SVG, likewise.
+    pub description: &'a str,
+    /// The names of the two parameters.
+    pub names: &'a Names,
+    /// The names of the tables that the SVG shows, those whose rows are looked for first before the others.
+    pub tables: &'a [&'static str],
+}
 
 /// A rectangle of data space laid over one of the sheet.
 pub(crate) struct Panel<'c> {
@@ -147,40 +160,14 @@ impl<'c> Panel<'c> {
         Some(Bounds::about(centre, size, size))
     }
 
-    /// An invisible rectangle of class `panel` by which programs read values off the sheet: `data-x` and `data-y` are the values at its
-    /// left and right, bottom and top edges; `data-columns` the columns that hold them, where the titles do not say it. An empty title is
-    /// that of the panel to the left.
+    /// Says where the panel is and what it shows.
     fn mark(&self, titles: [&str; 2]) {
-        let Panel { frame: Frame { x, y }, bounds, .. } = self;
-        let mut attributes = String::new();
-        // Writing to a String cannot fail.
-        if !self.tables.is_empty() {
-            let _ = write!(attributes, " data-tables=\"{}\"", escape(&self.tables.join(" ")));
-        }
-        if let Some((column, number)) = self.only {
-            let _ = write!(attributes, " data-only=\"{} {number}\"", escape(column));
-        }
-        if let Some(Names { primary, secondary, .. }) = self.names {
-            let said = |title: &str, column: &str| title.is_empty() || column_of(title) == column;
-            if !said(titles[0], primary) || !said(titles[1], secondary) {
-                let columns = format!("{primary} {secondary}");
-                let _ = write!(attributes, " data-columns=\"{}\"", escape(&columns));
-            }
-        }
-        self.canvas.note(&format!(
-            "<rect class=\"panel\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" data-x=\"{} {}\" data-y=\"{} {}\" \
-             data-x-title=\"{}\" data-y-title=\"{}\"{attributes}/>",
-            points(bounds.left),
-            points(bounds.top),
-            points(bounds.right - bounds.left),
-            points(bounds.bottom - bounds.top),
-            x[0],
-            x[1],
-            y[0],
-            y[1],
-            escape(titles[0]),
-            escape(titles[1]),
-        ));
+        let Panel { frame, bounds, only, .. } = *self;
+        let said = |title: &str, column: &str| title.is_empty() || column_of(title) == column;
+        let columns = self.names.map(|names| [names.primary.clone(), names.secondary.clone()]);
+        let columns = columns.filter(|[x, y]| !said(titles[0], x) || !said(titles[1], y));
+        let (tables, titles) = (self.tables.to_vec(), titles.map(str::to_owned));
+        self.canvas.add(Element::Panel(PanelMark { bounds, frame, titles, tables, only, columns }));
     }
 
     /// Border, outward ticks, numbers and axis titles; an empty title is left out.
@@ -289,7 +276,7 @@ mod tests {
             ..Panel::new(&canvas, Frame { x: [-0.5, 1.25], y: [0.0, 3.0] }, bounds)
         };
         panel.mark(titles);
-        let svg = canvas.finish("test", "", "").unwrap();
+        let svg = canvas.finish("test", "", "").unwrap().svg();
         svg.lines().find(|line| line.contains("panel")).unwrap().to_owned()
     }
 

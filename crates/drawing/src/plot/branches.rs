@@ -144,7 +144,7 @@ mod tests {
         let pieces = strand_pieces(&panel, &empty(frame), &strand);
         assert_eq!(panel_points(&pieces), [3, 2]);
         assert_eq!(pieces[0].last(), pieces[1].first());
-        let svg = canvas.finish("test", "", "").unwrap();
+        let svg = canvas.finish("test", "", "").unwrap().svg();
         assert!(svg.contains("stroke-width=\"0.55\"") && svg.contains("stroke-width=\"1.7\""));
     }
 }

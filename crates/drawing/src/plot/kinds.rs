@@ -13,23 +13,19 @@ use crate::ink::style::{
 };
 use crate::plot::axes::{Marker, Panel};
 
-fn colour([red, green, blue]: [u8; 3]) -> Colour {
-    Colour(red, green, blue)
-}
-
 pub(crate) fn pen(bifurcation: Bifurcation) -> Pen {
     let look = CurveLook::of(bifurcation);
-    Pen::dashed(colour(look.colours[0]), look.width, look.dashes)
+    Pen::dashed(look.colours[0], look.width, look.dashes)
 }
 
 /// The pen of the quadratic approximation to a curve.
 fn approximation(bifurcation: Bifurcation) -> Pen {
     let [on_light, _] = CurveLook::of(bifurcation).approximation();
-    Pen::dashed(colour(on_light), CurveLook::APPROXIMATION_WIDTH, CurveLook::APPROXIMATION_DASHES)
+    Pen::dashed(on_light, CurveLook::APPROXIMATION_WIDTH, CurveLook::APPROXIMATION_DASHES)
 }
 
 pub(crate) fn text_colour(bifurcation: Bifurcation) -> Colour {
-    colour(CurveLook::of(bifurcation).text)
+    CurveLook::of(bifurcation).text
 }
 
 /// What a curve is, in words, with its label.

@@ -1,15 +1,18 @@
-//! Where the panels of a sheet stand: in rows of equal panels, with room for headings, numbers and titles.
+//! Sheets of panels: in rows of equal panels, with room for headings, numbers and titles.
 
 use std::ops::Range;
 
-use grazing_results::Frame;
+use grazing_results::{Frame, Names};
 
 use crate::error::DrawingError;
-use crate::geometry::sheet::Bounds;
+use crate::geometry::sheet::{Bounds, Spot};
+use crate::ink::canvas::{Anchor, Canvas};
 use crate::ink::font::Fonts;
-use crate::ink::style::SheetWidth;
+use crate::ink::markup::Label;
+use crate::ink::sheet::Sheet;
+use crate::ink::style::{BLACK, SheetWidth};
 use crate::ink::svg::POINTS_PER_MM;
-use crate::plot::axes::{overhang, room_beside};
+use crate::plot::axes::{Heading, Panel, overhang, room_beside};
 use crate::plot::numbers::{Direction, Numbers};
 
 /// Width in the paper.
@@ -33,12 +36,101 @@ const ROOM_BELOW: f64 = 30.0;
 /// How far above a panel the baseline of the last line of its heading is, in points.
 const LAST_LINE_RISE: f64 = 5.0;
 /// From the baseline of a heading's first line to that of the second, and between further lines, in points.
-pub(crate) const HEADING_LEADING: f64 = 11.0;
-pub(crate) const SUBHEADING_LEADING: f64 = 9.5;
+const HEADING_LEADING: f64 = 11.0;
+const SUBHEADING_LEADING: f64 = 9.5;
+
+/// A panel on one of the sheets.
+pub(crate) struct GridPanel<'a> {
+    pub(crate) frame: Frame,
+    /// The title of its vertical axis.
+    pub(crate) up: &'a str,
+    /// The names of the parameters, and what distinguishes its rows, as in [`Panel`].
+    pub(crate) names: Option<&'a Names>,
+    pub(crate) only: Option<(&'static str, u32)>,
+    /// The first line of what is written over it, and its size.
+    pub(crate) first: (String, f64),
+    /// The parts of the second line, and their size: on lines of their own where they find no room on one.
+    pub(crate) parts: (Vec<String>, f64),
+}
+
+impl GridPanel<'_> {
+    /// The parts of the second line on one.
+    fn joined(&self) -> String {
+        self.parts.0.join(",  ")
+    }
+
+    /// Whether they fit on one line of so many points.
+    fn fits(&self, fonts: &Fonts, room: f64) -> Result<bool, DrawingError> {
+        let one = self.parts.0.len() < 2;
+        Ok(one || fonts.measure(&Label::parse(&self.joined())?, self.parts.1)?.width <= room)
+    }
+
+    /// Writes what stands over it from a spot on.
+    fn write_heading(
+        &self,
+        canvas: &Canvas,
+        (left, mut baseline): Spot,
+        split: bool,
+    ) -> Result<(), DrawingError> {
+        canvas.text((left, baseline), &self.first.0, self.first.1, Anchor::Start, BLACK)?;
+        baseline += HEADING_LEADING;
+        let lines = if split { self.parts.0.clone() } else { vec![self.joined()] };
+        for line in lines {
+            canvas.text((left, baseline), &line, self.parts.1, Anchor::Start, BLACK)?;
+            baseline += SUBHEADING_LEADING;
+        }
+        Ok(())
+    }
+}
+
+/// Draws panels over one parameter on as many sheets as they need, none if there is no panel, each panel by its number from 0; of several
+/// sheets each has its number in the title.
+pub(crate) fn draw_panels(
+    heading: &Heading<'_>,
+    width: SheetWidth,
+    across: &str,
+    panels: &[GridPanel<'_>],
+    draw: impl Fn(&Panel<'_>, usize) -> Result<(), DrawingError>,
+) -> Result<Vec<Sheet>, DrawingError> {
+    let sheets = sheets(width, panels.len());
+    let (count, fonts) = (sheets.len(), Fonts::load()?);
+    let draw_sheet = |(range, number): (Range<usize>, usize)| {
+        let (start, shown) = (range.start, &panels[range]);
+        let mut grid = Grid::new(&fonts, width, panels.len(), shown)?;
+        // All headings of a sheet are alike: if one needs more lines, each has them.
+        let mut split = false;
+        for (place, panel) in shown.iter().enumerate() {
+            split |= !panel.fits(&fonts, grid.heading_room(place))?;
+        }
+        if split {
+            grid.further += SUBHEADING_LEADING;
+        }
+        let canvas = Canvas::new(grid.width_mm, grid.height_mm())?;
+        for (place, shown) in shown.iter().enumerate() {
+            let GridPanel { frame, only, names, .. } = *shown;
+            let bounds = grid.bounds(place);
+            let panel = Panel { tables: heading.tables, only, names, ..Panel::new(&canvas, frame, bounds) };
+            draw(&panel, start + place)?;
+            panel.axes(across, if grid.is_titled(place) { shown.up } else { "" })?;
+            shown.write_heading(&canvas, (bounds.left, bounds.top - grid.heading_rise()), split)?;
+        }
+        let of = if count > 1 { format!(" ({number} of {count})") } else { String::new() };
+        canvas.finish(heading.name, &format!("{}{of}", heading.title), heading.description)
+    };
+    sheets.into_iter().zip(1..).map(draw_sheet).collect()
+}
+
+/// Which of so many panels go on which sheet.
+pub(crate) fn sheets(width: SheetWidth, panels: usize) -> Vec<Range<usize>> {
+    let (columns, _) = row(width.mm(WIDTH_MM), panels);
+    let sheets = panels.div_ceil(columns * ROWS_A_SHEET).max(1);
+    let each = panels.div_ceil(sheets).next_multiple_of(columns).max(1);
+    (0..panels).step_by(each).map(|first| first..(first + each).min(panels)).collect()
+}
 
 /// The panels of one sheet.
-pub(crate) struct Grid {
-    pub(crate) width_mm: f64,
+struct Grid {
+    width_mm: f64,
     row_mm: f64,
     /// Left edges of the columns and the width of a panel, in points.
     lefts: Vec<f64>,
@@ -64,34 +156,25 @@ fn row(width_mm: f64, panels: usize) -> (usize, f64) {
 }
 
 impl Grid {
-    /// Which of so many panels go on which sheet.
-    pub(crate) fn sheets(width: SheetWidth, panels: usize) -> Vec<Range<usize>> {
-        let (columns, _) = row(width.mm(WIDTH_MM), panels);
-        let sheets = panels.div_ceil(columns * ROWS_A_SHEET).max(1);
-        let each = panels.div_ceil(sheets).next_multiple_of(columns).max(1);
-        (0..panels).step_by(each).map(|first| first..(first + each).min(panels)).collect()
-    }
-
-    /// The grid of a sheet that shows these frames with titles on their vertical axes, `panels` being the number of panels on all sheets.
-    pub(crate) fn new(
+    /// The grid of a sheet that shows these panels, `panels` being the number of panels on all sheets.
+    fn new(
         fonts: &Fonts,
         width: SheetWidth,
         panels: usize,
-        frames: &[Frame],
-        titles: &[&str],
+        shown: &[GridPanel<'_>],
     ) -> Result<Self, DrawingError> {
         let width_mm = width.mm(WIDTH_MM);
         let (columns, row_mm) = row(width_mm, panels);
         let height = row_mm * POINTS_PER_MM - ROOM_ABOVE - ROOM_BELOW;
-        let mut all_titled = titles.windows(2).any(|pair| pair[0] != pair[1]);
-        for frame in frames {
+        let mut all_titled = shown.windows(2).any(|pair| pair[0].up != pair[1].up);
+        for GridPanel { frame, .. } in shown {
             all_titled |= !Numbers::along(fonts, frame.y, height, Direction::Up)?.are_plain();
         }
         let mut rooms: Vec<f64> = vec![ROOM_LEFT; columns];
         rooms[0] = ROOM_LEFT_OF_FIRST;
-        for (place, (frame, title)) in frames.iter().zip(titles).enumerate() {
+        for (place, GridPanel { frame, up, .. }) in shown.iter().enumerate() {
             let column = place % columns;
-            let title = if column == 0 || all_titled { title } else { "" };
+            let title = if column == 0 || all_titled { up } else { "" };
             let needed =
                 room_beside(fonts, frame.y, height, title)? + if column == 0 { 0.0 } else { PANEL_GAP };
             rooms[column] = rooms[column].max(needed);
@@ -99,7 +182,7 @@ impl Grid {
         let beside: f64 = rooms.iter().sum();
         let panel = |right: f64| (width_mm * POINTS_PER_MM - beside - right) / columns as f64;
         let mut right = ROOM_RIGHT;
-        for frame in frames.iter().skip(columns - 1).step_by(columns) {
+        for GridPanel { frame, .. } in shown.iter().skip(columns - 1).step_by(columns) {
             right = right.max(overhang(fonts, frame.x, panel(ROOM_RIGHT))? + 1.0);
         }
         let width = panel(right);
@@ -109,14 +192,14 @@ impl Grid {
             row_mm,
             lefts: (0..columns).map(before).collect(),
             width,
-            rows: frames.len().div_ceil(columns),
+            rows: shown.len().div_ceil(columns),
             further: 0.0,
             all_titled,
         })
     }
 
     /// Room for a heading from the left edge of a panel to that of the next one or to the sheet's edge, in points.
-    pub(crate) fn heading_room(&self, place: usize) -> f64 {
+    fn heading_room(&self, place: usize) -> f64 {
         let column = place % self.lefts.len();
         match self.lefts.get(column + 1) {
             Some(next) => next - self.lefts[column] - 12.0,
@@ -124,22 +207,17 @@ impl Grid {
         }
     }
 
-    /// Keeps room for one more line in every heading.
-    pub(crate) fn add_heading_line(&mut self) {
-        self.further += SUBHEADING_LEADING;
-    }
-
     /// How far above a panel the baseline of its heading's first line is, in points.
-    pub(crate) fn heading_rise(&self) -> f64 {
+    fn heading_rise(&self) -> f64 {
         LAST_LINE_RISE + HEADING_LEADING + self.further
     }
 
-    pub(crate) fn height_mm(&self) -> f64 {
+    fn height_mm(&self) -> f64 {
         self.rows as f64 * (self.row_mm + self.further / POINTS_PER_MM)
     }
 
     /// Where a panel is, in points.
-    pub(crate) fn bounds(&self, place: usize) -> Bounds {
+    fn bounds(&self, place: usize) -> Bounds {
         let (column, row) = (place % self.lefts.len(), place / self.lefts.len());
         let pitch = self.row_mm * POINTS_PER_MM + self.further;
         let (left, above) = (self.lefts[column], pitch * row as f64);
@@ -148,7 +226,7 @@ impl Grid {
     }
 
     /// Whether the vertical axis of a panel has a title of its own.
-    pub(crate) fn is_titled(&self, place: usize) -> bool {
+    fn is_titled(&self, place: usize) -> bool {
         self.all_titled || place.is_multiple_of(self.lefts.len())
     }
 }
@@ -160,7 +238,7 @@ mod tests {
     #[test]
     fn panels_are_spread_evenly_over_as_few_sheets_as_hold_them() {
         let sizes = |width, panels| -> Vec<usize> {
-            Grid::sheets(width, panels).into_iter().map(|range| range.len()).collect()
+            sheets(width, panels).into_iter().map(|range| range.len()).collect()
         };
         assert_eq!(sizes(SheetWidth::Paper, 0), []);
         assert_eq!(sizes(SheetWidth::Paper, 9), [9]);
@@ -169,7 +247,7 @@ mod tests {
         assert_eq!(sizes(SheetWidth::OneColumn, 8), [3, 3, 2]);
         for panels in 1..40 {
             for width in [SheetWidth::OneColumn, SheetWidth::Paper] {
-                let sheets = Grid::sheets(width, panels);
+                let sheets = sheets(width, panels);
                 let places: Vec<usize> = sheets.into_iter().flatten().collect();
                 assert_eq!(places, (0..panels).collect::<Vec<_>>());
             }
@@ -182,10 +260,17 @@ mod tests {
         let frame = Frame { x: [0.123_456, 0.123_466], y: [0.5, 0.6] };
         for panels in 1..=9 {
             for width in [SheetWidth::Paper, SheetWidth::TwoColumns] {
-                let mut grid =
-                    Grid::new(&fonts, width, panels, &vec![frame; panels], &vec!["amplitude"; panels])
-                        .unwrap();
-                grid.add_heading_line();
+                let panel = |_| GridPanel {
+                    frame,
+                    up: "amplitude",
+                    names: None,
+                    only: None,
+                    first: (String::new(), 9.0),
+                    parts: (Vec::new(), 7.5),
+                };
+                let shown: Vec<_> = (0..panels).map(panel).collect();
+                let mut grid = Grid::new(&fonts, width, panels, &shown).unwrap();
+                grid.further += SUBHEADING_LEADING;
                 let sheet = Bounds {
                     left: 0.0,
                     top: 0.0,

@@ -223,7 +223,7 @@ mod tests {
         let drawn = |orbit: &[(f64, f64)]| {
             let canvas = Canvas::new(40.0, 40.0).unwrap();
             jump(&Panel::new(&canvas, frame, bounds), orbit);
-            canvas.finish("test", "", "").unwrap().matches("stroke-dasharray").count()
+            canvas.finish("test", "", "").unwrap().svg().matches("stroke-dasharray").count()
         };
         assert_eq!(drawn(&[(0.0, -0.5), (-0.9, 0.0), (0.0, 0.6), (f64::NAN, f64::NAN)]), 1);
         assert_eq!(drawn(&[(0.0, 0.0), (-0.9, -0.5), (-0.9, 0.5), (0.0, 0.0)]), 0);

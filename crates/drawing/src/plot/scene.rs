@@ -13,6 +13,7 @@ use crate::geometry::sheet::{Bounds, Spot, length, span};
 use crate::ink::arrow::{arrow, head_on};
 use crate::ink::canvas::Canvas;
 use crate::ink::labels::{Labels, Site};
+use crate::ink::sheet::Sheet;
 use crate::ink::style::{
     BLACK, CIRCLE, Colour, FACE_EDGE, FLOW, INCOMING_FACE, OPEN_SPOT, OUTGOING_FACE, PERIODIC_FLOW, Paint,
     Pen, RESET, RETURN, SECTION_FACE, SPACE_AXIS, SPOT, SPOT_RADIUS, SPOT_RIM, SheetWidth, TANGENCY,
@@ -103,12 +104,8 @@ pub(crate) enum NamedPart {
 }
 
 impl SpaceSheet {
-    /// The text of an SVG file.
-    pub(crate) fn draw(&self, figure: &Scene, width: SheetWidth) -> Result<String, DrawingError> {
-        self.compose(figure, width)?.finish(self.name, self.title, self.description)
-    }
-
-    fn compose(&self, figure: &Scene, width: SheetWidth) -> Result<Canvas, DrawingError> {
+    /// Draws the scene.
+    pub(crate) fn draw(&self, figure: &Scene, width: SheetWidth) -> Result<Sheet, DrawingError> {
         let (shown, canvas) = OnSheet::fit(figure, self.name, width.mm(self.width_mm), &self.margin)?;
         shown.paint(&canvas);
         let mut labels = shown.labels(&canvas)?;
@@ -138,7 +135,7 @@ impl SpaceSheet {
             }
         }
         labels.draw()?;
-        Ok(canvas)
+        canvas.finish(self.name, self.title, self.description)
     }
 }
 
@@ -354,7 +351,7 @@ mod tests {
             let axes = ["$x$", "$y$", "$z$"].map(str::to_owned);
             let wanted: BTreeSet<String> = marks.chain(names).chain(axes).collect();
             for width in WIDTHS {
-                let found = sheet.compose(&scene, width).unwrap().texts();
+                let found = sheet.draw(&scene, width).unwrap().texts();
                 assert_eq!(BTreeSet::from_iter(found), wanted, "{} {width:?}", sheet.name);
             }
         }
@@ -363,7 +360,7 @@ mod tests {
     #[test]
     fn orbits_are_solid_and_only_the_reset_law_is_dashed() {
         let sample = study().fig01().unwrap();
-        let svg = FIG01.draw(&sample, SheetWidth::Paper).unwrap();
+        let svg = FIG01.draw(&sample, SheetWidth::Paper).unwrap().svg();
         let resets = sample.curves.iter().filter(|vertex| vertex.kind == CurveKind::Reset);
         let resets: BTreeSet<u32> = resets.map(|vertex| vertex.number).collect();
         assert_eq!(svg.matches("stroke-dasharray").count(), resets.len());
@@ -371,7 +368,7 @@ mod tests {
 
     #[test]
     fn what_lies_beyond_the_wall_is_painted_before_the_wall() {
-        let svg = FIG09.draw(&study().fig09().unwrap(), SheetWidth::Paper).unwrap();
+        let svg = FIG09.draw(&study().fig09().unwrap(), SheetWidth::Paper).unwrap().svg();
         let wall = svg.rfind(&fill(INCOMING_FACE)).expect("the incoming set is painted");
         let dashed = "stroke-dasharray=\"3 2\"";
         assert!(svg.matches(dashed).count() >= 3, "three virtual parts");

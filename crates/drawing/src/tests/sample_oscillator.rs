@@ -7,7 +7,7 @@ use grazing_results::plane::{
 };
 use grazing_results::{Frame, Names};
 
-use crate::figures::diagram::Heading;
+use crate::plot::axes::Heading;
 
 /// Where a parameter of the samples goes: multiplied, then shifted.
 #[derive(Debug, Clone, Copy)]

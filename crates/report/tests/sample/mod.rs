@@ -11,10 +11,11 @@ use grazing_claims::source::Sources;
 use grazing_continuation::bifurcation::{CodimensionTwo, Pair};
 use grazing_continuation::fit::{Estimate, Measurement};
 use grazing_description::Description;
+use grazing_drawing::{Bounds, Element, PanelMark, Path, Sheet};
 use grazing_report::{FigureEntry, FileDigest, Manifest, OscillatorEntry, Report, TableOutput};
 use grazing_reproduction::unfolded::ResonanceEntry;
 use grazing_results::plane::SpecialPoint;
-use grazing_results::{Column, Names, Table, UnitNames, columns};
+use grazing_results::{Column, Frame, Names, Table, UnitNames, columns};
 use grazing_unfold::sides::{Inconclusive, Sides, Simulated};
 use grazing_unfold::simulation::ReturnOutcome;
 use grazing_unfold::verdict::Coefficient;
@@ -73,16 +74,33 @@ fn findings() -> Vec<Finding<'static>> {
 }
 
 fn figure(name: &str, title: &str) -> FigureEntry {
-    let svg = format!(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"70mm\" height=\"40mm\" \
-         viewBox=\"0 0 200 120\" font-family=\"'STIX Two Text',serif\" fill=\"none\" role=\"img\">\n<title>{title}</title>\n\
-         <desc>A line through three points.</desc>\n<style>\n@font-face{{font-family:'STIX Two Text';src:url(data:font/ttf;base64,AAAA)}}\n</style>\n\
-         <rect width=\"200\" height=\"120\" fill=\"#ffffff\"/>\n<clipPath id=\"frame\"><rect x=\"20\" y=\"10\" width=\"160\" height=\"80\"/></clipPath>\n\
-         <path clip-path=\"url(#frame)\" d=\"M20,90L100,50L180,10\" stroke=\"#1946be\"/>\n\
-         <path transform=\"translate(20 10) scale(0.5)\" d=\"M100,60.5h3m5,20h1\" stroke=\"#2d4669\" stroke-width=\"1\"/>\n\
-         <rect class=\"panel\" x=\"20\" y=\"10\" width=\"160\" height=\"80\" data-x=\"0 4\" data-y=\"-1 1\" data-x-title=\"$\\mathcal{{A}}$\" \
-         data-y-title=\"$\\omega$\"/>\n</svg>\n"
-    );
+    let markup = |text: &str| Element::Markup(text.to_owned());
+    let line = Path {
+        pieces: vec![(vec![(2000, 9000), (10_000, 5000), (18_000, 1000)], false)],
+        attributes: " clip-path=\"url(#frame)\" stroke=\"#1946be\"".to_owned(),
+    };
+    let panel = PanelMark {
+        bounds: Bounds { left: 20.0, top: 10.0, right: 180.0, bottom: 90.0 },
+        frame: Frame { x: [0.0, 4.0], y: [-1.0, 1.0] },
+        titles: [r"$\mathcal{A}$", r"$\omega$"].map(str::to_owned),
+        tables: Vec::new(),
+        only: None,
+        columns: None,
+    };
+    let sheet = Sheet {
+        title: title.to_owned(),
+        description: "A line through three points.".to_owned(),
+        size: (200.0, 120.0),
+        elements: vec![
+            markup("<clipPath id=\"frame\"><rect x=\"20\" y=\"10\" width=\"160\" height=\"80\"/></clipPath>"),
+            Element::Path(line),
+            markup(
+                "<path transform=\"translate(20 10) scale(0.5)\" d=\"M100,60.5h3m5,20h1\" stroke=\"#2d4669\" stroke-width=\"1\"/>",
+            ),
+            Element::Panel(panel),
+        ],
+        ..Sheet::default()
+    };
     const COLUMNS: &[Column] = &[
         columns::BIFURCATION,
         columns::LOOPS,
@@ -101,7 +119,7 @@ fn figure(name: &str, title: &str) -> FigureEntry {
     ];
     let name_of_table = if name == "fig98" { "fig98_points" } else { "fig99_points" };
     let tables = vec![Table::of_cells(name_of_table, COLUMNS, &Names::of_the_paper(), rows)];
-    FigureEntry { name: name.to_owned(), title: title.to_owned(), svg, tables }
+    FigureEntry { name: name.to_owned(), title: title.to_owned(), sheet, tables }
 }
 
 fn sweep() -> Table {
@@ -145,7 +163,9 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
     );
     let mut drawn = figure("diagram", "two-parameter bifurcation diagram");
     // The panel says which columns it shows, as titles of parameters do not.
-    drawn.svg = drawn.svg.replace("data-x=", "data-columns=\"F_0 A\" data-tables=\"points\" data-x=");
+    if let Some(Element::Panel(panel)) = drawn.sheet.elements.last_mut() {
+        (panel.columns, panel.tables) = (Some(["F_0", "A"].map(str::to_owned)), vec!["points"]);
+    }
     let units = UnitNames { primary: Some("N".to_owned()), ..UnitNames::default() };
     let names = Names::new("F_0", "A").with_units(units);
     let point = |kind, primary, secondary| SpecialPoint { kind, loops: 1, n: 1, secondary, primary };

@@ -1,0 +1,244 @@
+//! A figure as a value: what is drawn, and what it says of itself; its SVG is written from that.
+
+use std::fmt::Write;
+
+use grazing_results::Frame;
+
+use crate::geometry::sheet::{Bounds, Hundredths};
+use crate::ink::font::style_sheet;
+use crate::ink::svg::{POINTS_PER_MM, escape, hundredths, path_data, points};
+
+/// A drawn figure.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Sheet {
+    /// The title, for readers who cannot see it.
+    pub title: String,
+    /// What it shows, likewise.
+    pub description: String,
+    /// Width and height, in points, to hundredths.
+    pub size: (f64, f64),
+    /// What is drawn, in its order.
+    pub elements: Vec<Element>,
+    /// What is drawn how: each meaning, in words with formulas between dollars, with a sample as SVG in a box of 24 by 10 points.
+    pub legend: Vec<(String, String)>,
+    /// Every label and the box of its ink, in the order of drawing.
+    pub texts: Vec<(String, Bounds)>,
+}
+
+/// Something that is drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Element {
+    /// An element of SVG as it stands in the file.
+    Markup(String),
+    /// A path.
+    Path(Path),
+    /// No ink, but where a panel is and what it shows.
+    Panel(PanelMark),
+}
+
+/// A path from spot to spot.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Path {
+    /// Its pieces, in hundredths of a point; whether each is closed.
+    pub pieces: Vec<(Vec<Hundredths>, bool)>,
+    /// The attributes by which it is drawn, each with a space before.
+    pub attributes: String,
+}
+
+/// Where a panel is, and what it shows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PanelMark {
+    /// Its place on the sheet.
+    pub bounds: Bounds,
+    /// The values at its edges.
+    pub frame: Frame,
+    /// The titles across and up; an empty one is that of the panel to the left.
+    pub titles: [String; 2],
+    /// The tables whose rows it shows, the most informative first; none if any table with columns for the axes will do.
+    pub tables: Vec<&'static str>,
+    /// The column and the number that distinguish its rows from those of other panels.
+    pub only: Option<(&'static str, u32)>,
+    /// The columns that hold the values across and up, where the titles do not say it.
+    pub columns: Option<[String; 2]>,
+}
+
+impl Sheet {
+    /// What everything that is drawn inherits: attributes of the element around it. White space is preserved because some viewers drop it
+    /// at the ends of a tspan otherwise.
+    pub const INHERITED: &str = "font-family=\"'STIX Two Text','STIXGeneral','Times New Roman',Times,serif\" \
+                                 xml:space=\"preserve\" stroke-linejoin=\"round\" fill=\"none\"";
+
+    /// The text of an SVG file, which embeds its fonts.
+    pub fn svg(&self) -> String {
+        let Self { title, description, size: (width, height), .. } = self;
+        let mut svg = format!(
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
+             <svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"{}\" {} role=\"img\">\n\
+             <title>{}</title>\n<desc>{}</desc>\n<style>\n{}</style>\n{}",
+            points(width / POINTS_PER_MM),
+            points(height / POINTS_PER_MM),
+            self.view_box(),
+            Self::INHERITED,
+            escape(title),
+            escape(description),
+            style_sheet(),
+            self.body(path_data),
+        );
+        if !self.legend.is_empty() {
+            let entry = |(meaning, sample): &(String, String)| {
+                format!("<g aria-label=\"{}\">{sample}</g>", escape(meaning))
+            };
+            let entries: String = self.legend.iter().map(entry).collect();
+            svg.push_str(&format!("<defs class=\"legend\">{entries}</defs>\n"));
+        }
+        svg + "</svg>\n"
+    }
+
+    /// The view box of its SVG.
+    pub fn view_box(&self) -> String {
+        format!("0 0 {} {}", points(self.size.0), points(self.size.1))
+    }
+
+    /// What is drawn, in few letters: paths run from each spot to the next by the difference, which is the same to a hundredth.
+    pub fn short_body(&self) -> String {
+        self.body(short_path_data)
+    }
+
+    /// What is drawn, an element a line, with paths that are written so.
+    fn body(&self, data: fn(&[Hundredths], bool) -> String) -> String {
+        let (width, height) = self.size;
+        let background =
+            format!("<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>\n", points(width), points(height));
+        self.elements.iter().fold(background, |body, element| body + &element.svg(data) + "\n")
+    }
+
+    /// The panels, in the order of drawing.
+    pub fn panels(&self) -> impl Iterator<Item = &PanelMark> {
+        self.elements.iter().filter_map(|element| match element {
+            Element::Panel(panel) => Some(panel),
+            _ => None,
+        })
+    }
+
+    /// The labels as they were written, in the order of drawing.
+    #[cfg(test)]
+    pub(crate) fn texts(&self) -> Vec<String> {
+        self.texts.iter().map(|(source, _)| source.clone()).collect()
+    }
+
+    /// Panics with the labels that overlap another one or leave the sheet, if there are any.
+    #[cfg(test)]
+    pub(crate) fn assert_well_placed(&self, what: &dyn std::fmt::Debug) {
+        let (texts, (right, bottom)) = (&self.texts, self.size);
+        let whole = Bounds { left: 0.0, top: 0.0, right, bottom };
+        let spoilt = |i: usize| {
+            !whole.holds(&texts[i].1)
+                || texts.iter().enumerate().any(|(j, other)| i != j && other.1.overlaps(&texts[i].1))
+        };
+        let misplaced: Vec<_> = (0..texts.len()).filter(|&i| spoilt(i)).map(|i| &texts[i]).collect();
+        assert!(misplaced.is_empty(), "{what:?}: {misplaced:?}");
+    }
+}
+
+impl Element {
+    /// As SVG, paths with data that are written so.
+    fn svg(&self, data: fn(&[Hundredths], bool) -> String) -> String {
+        match self {
+            Self::Markup(text) => text.clone(),
+            Self::Path(Path { pieces, attributes }) => {
+                let data: String = pieces.iter().map(|(spots, closed)| data(spots, *closed)).collect();
+                format!("<path d=\"{data}\"{attributes}/>")
+            }
+            Self::Panel(panel) => panel.svg(),
+        }
+    }
+}
+
+impl PanelMark {
+    /// An invisible rectangle of class `panel` by which programs read values off the sheet: `data-x` and `data-y` are the values at its
+    /// left and right, bottom and top edges; `data-columns` the columns that hold them, where the titles do not say it.
+    fn svg(&self) -> String {
+        let Self { bounds, frame: Frame { x, y }, titles, tables, only, columns } = self;
+        let mut attributes = String::new();
+        // Writing to a String cannot fail.
+        if !tables.is_empty() {
+            let _ = write!(attributes, " data-tables=\"{}\"", escape(&tables.join(" ")));
+        }
+        if let Some((column, number)) = only {
+            let _ = write!(attributes, " data-only=\"{} {number}\"", escape(column));
+        }
+        if let Some(columns) = columns {
+            let _ = write!(attributes, " data-columns=\"{}\"", escape(&columns.join(" ")));
+        }
+        format!(
+            "<rect class=\"panel\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" data-x=\"{} {}\" data-y=\"{} {}\" \
+             data-x-title=\"{}\" data-y-title=\"{}\"{attributes}/>",
+            points(bounds.left),
+            points(bounds.top),
+            points(bounds.right - bounds.left),
+            points(bounds.bottom - bounds.top),
+            x[0],
+            x[1],
+            y[0],
+            y[1],
+            escape(&titles[0]),
+            escape(&titles[1]),
+        )
+    }
+}
+
+/// Path data from each spot to the next by the difference, without idle letters.
+fn short_path_data(path: &[Hundredths], closed: bool) -> String {
+    let mut data = String::new();
+    let mut push = |letter: &str, pair: [i32; 2]| {
+        data.push_str(letter);
+        for number in pair.map(hundredths) {
+            let short = match number.strip_prefix("-0.") {
+                Some(decimals) => format!("-.{decimals}"),
+                None => number.strip_prefix("0.").map_or(number.clone(), |decimals| format!(".{decimals}")),
+            };
+            // A sign sets a number apart from the one before, as letters do.
+            if data.ends_with(|c: char| c.is_ascii_digit()) && !short.starts_with('-') {
+                data.push(' ');
+            }
+            data.push_str(&short);
+        }
+    };
+    for (place, &(x, y)) in path.iter().enumerate() {
+        match place.checked_sub(1).map(|before| path[before]) {
+            None => push("M", [x, y]),
+            // A command that follows itself need not be repeated.
+            Some(before) => push(if place == 1 { "l" } else { "" }, [x - before.0, y - before.1]),
+        }
+    }
+    data + if closed { "Z" } else { "" }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn short_paths_are_the_same_paths() {
+        for (path, closed, short) in [
+            (
+                &[(2440, 8384), (2440, 8289), (2340, 8300), (3000, -500)][..],
+                true,
+                "M24.4 83.84l0-.95-1 .11 6.6-88Z",
+            ),
+            (&[(50, -25), (50, 25)], false, "M.5-.25l0 .5"),
+            (&[(100, 100), (200, 200), (305, 200)], false, "M1 1l1 1 1.05 0"),
+        ] {
+            assert_eq!(short_path_data(path, closed), short);
+        }
+    }
+
+    #[test]
+    fn an_empty_legend_is_no_element() {
+        let legend = vec![("a < b".to_owned(), "<path/>".to_owned())];
+        let sheet = Sheet { legend, ..Sheet::default() };
+        let defs = "<defs class=\"legend\"><g aria-label=\"a &lt; b\"><path/></g></defs>\n</svg>\n";
+        assert!(sheet.svg().ends_with(defs));
+        assert!(!Sheet::default().svg().contains("<defs"));
+    }
+}
