@@ -15,161 +15,18 @@ use crate::outputs::edition::{Edition, Format, WIDTHS};
 use crate::outputs::{self, edition};
 use crate::variation::{Part, Variation};
 
-/// What the exit codes mean, for the end of the help.
-const EXIT_CODES: &str = "\
-Exit codes:
-  0  all went well
-  1  a check failed: files are not what the code makes, a published value is not met, or
-     theorem and computation contradict each other
-  2  bad input: command line, parameter file, or a folder that cannot be written;
-     nothing was written
-  3  a computation failed, was ended by a limit or Ctrl-C, or parameters do not fit each
-     other; everything but what is named was written
-  4  an I/O error occurred, as on a full disk;
-     each file is either old or new";
-
-const ABOUT: &str = "\
-Regenerates the numerical results of \"Resonant grazing bifurcations revisited\" by
-D. J. W. Simpson and I. Ghosh (arXiv 2602.22797): its figures as SVG, every number drawn as
-CSV, and a comparison with the numbers that the paper prints. Does the same analysis for any
-oscillator with a wall that a text file describes.
-
-In a clone of the repository, `cargo xtask COMMAND` builds this program and runs `grazing COMMAND`.";
-
-const EXAMPLES_OF_REPRODUCE: &str = "\
-Examples:
-  cargo xtask reproduce                  all figures and data, into figures/
-  cargo xtask reproduce --only fig07     Figure 7 and its data
-  cargo xtask reproduce --check          write nothing; fail if figures/ is not what the code makes
-  cargo xtask reproduce --parameters mine.toml --output mine
-  cargo xtask reproduce --set oscillator.zeta=0.05 --set fig07.amplitude=[0,2]
-                                         other values for keys of the parameter file, into varied/
-  cargo xtask reproduce --format pdf,tex --columns one
-                                         for a journal of two columns, into journal/
-
-Each output fails or succeeds by itself: those that can be made with the parameters are written, the
-others are named with the key to change, and the exit code is 3. Only the sections of the parameter
-file that an output reads must be right for it. With --set files go to varied/ beside figures/
-unless --output says otherwise, with settings.txt, which has what was set.
-
-figures/ holds SVG at the paper's widths. Other formats and widths go to journal/ beside it, or to
-the folder that --output names; runs with --only may mix widths there. Data come along as CSV.
-When a figure that is already there changes, a picture of before, after and the difference is drawn
-in the system's folder for temporary files, and named.
-
-Files are replaced whole and only once everything is computed: an interrupted run leaves each of
-them old or new. Only regular files are replaced, through symbolic links to them. A published value
-that is not met is reported, but fails `compare` only.
-
-";
-
-const EXAMPLES_OF_COMPARE: &str = "\
-Examples:
-  cargo xtask compare
-  cargo xtask compare --parameters mine.toml
-
-A value is met if, rounded to the digits that the paper prints, it is the print; the printed values
-stand in expected/published.toml.
-
-";
-
-const EXAMPLES_OF_CLAIMS: &str = "\
-Examples:
-  cargo xtask claims                     all claims; also holds ERRATA.md against the ledger
-  cargo xtask claims eq:gp le:SpTp       two labels
-  cargo xtask claims 'th:*' --explain    the theorems, with all that is known of them
-  cargo xtask claims --misprints         where print and mathematics differ
-
-The ledger stands in expected/claims.toml. A misprint passes if the printed form fails and the
-corrected one holds.
-
-";
-
-const EXAMPLES_OF_REPORT: &str = "\
-Examples:
-  cargo xtask report                     writes report.html; open it in a browser
-  cargo xtask report --output mine.html --parameters mine.toml
-  cargo xtask report --oscillator my.toml
-                                         with an oscillator of one's own beside those of examples/
-
-One page for all: figures with the values behind them, tables, the published values, every claim
-with the computation that tests it, misprints, other oscillators from text files, and the SHA-256
-of each output. It needs no network.
-What is not met or does not hold is shown as such on the page and in the summary, and does not make
-this fail.
-
-";
-
-const EXAMPLES_OF_UNFOLD: &str = "\
-Examples:
-  cargo xtask unfold examples/duffing.toml
-                                         into unfolded/duffing/: diagram.svg, magnifications.svg,
-                                         every number as CSV in data/, all on one page: report.html
-  cargo xtask unfold mine.toml --loops 1,2 --explain
-                                         other p than the file's; every hypothesis with its value
-  cargo xtask unfold mine.toml --set kappa=0.2 --set secondary.range=[0.4,1.1]
-                                         other values for keys of the file; text in quotation marks:
-                                         --set 'impact.restitution=\"0.8\"'
-  cargo xtask unfold examples/*.toml     all examples, each into a folder of its own
-  cargo xtask unfold mine.toml --format pdf --columns one --output figures-of-mine
-  cargo xtask unfold mine.toml --vary zeta=0.01:0.1:10 --vary kappa=0:0.5:6
-                                         resonances, coefficients and codimension-two points for 60
-                                         oscillators, into families/mine/: family.svg, and data/
-
-The file names the parameters, their ranges, and gives force, forcing frequency, restitution and
-impact duration as expressions; `cargo xtask new` writes one to begin with, and examples/ has
-fourteen with comments, and a page that explains the columns. The terminal shows the grazing curve,
-every resonant grazing bifurcation on it, and there the coefficients of Theorem 2.4 or 2.5 beside
-measured ones, or the hypothesis that fails; and better ranges where the diagram fills little of
-the file's.
-
-Files are written whole, and only when everything is computed, a limit of time, memory or steps is
-met, or Ctrl-C is pressed; what is missing then is named, and the exit code is 3. Pressed again,
-Ctrl-C ends the program at once. Until then the curves that are finished stand in
-data/curves.unfinished.csv.
-
-";
-
-const EXAMPLES_OF_EXPLORE: &str = "\
-Examples:
-  cargo xtask explore                    the paper's oscillator; the examples are in a menu
-  cargo xtask explore my.toml
-  cargo xtask explore --no-browser --port 8700
-
-Starts a server that only this machine can reach, prints its address and opens the page in a
-browser. The page loads nothing from elsewhere. Whatever is seen can be exported: figure, numbers, and
-the command that writes the same.
-
-";
-
-const EXAMPLES_OF_MERGE: &str = "\
-Examples:
-  cargo xtask unfold mine.toml --vary zeta=0.01:0.1:40 --part 1/2
-  cargo xtask unfold mine.toml --vary zeta=0.01:0.1:40 --part 2/2
-  cargo xtask merge families/mine/parts/*.toml
-
-The parts may be computed anywhere and in any order. Merged, they give the same files, byte by byte,
-as one run without --part. workflows/ has a Snakemake workflow that computes and merges parts on one
-machine, a cluster or a cloud.
-
-";
-
-const EXAMPLES_OF_NEW: &str = "\
-Examples:
-  cargo xtask new my.toml                a mass on a spring beside a wall, without units
-  cargo xtask new my.toml --kind moving-wall
-  cargo xtask new my.toml --kind si      metres, kilograms, seconds
-
-The file has a comment for every key and can be unfolded as it is, with
-`cargo xtask unfold my.toml`. A file that is there already is not replaced.
-
-";
+/// What stands in files of the folder help/, one after the other.
+macro_rules! help {
+    ($($file:literal),+) => {
+        concat!($("\n", include_str!(concat!("../help/", $file, ".txt"))),+).trim_ascii()
+    };
+}
 
 /// Regenerates the numerical results of "Resonant grazing bifurcations revisited" (arXiv 2602.22797)
 #[derive(Debug, Parser)]
 #[command(name = "grazing", version, subcommand_required = true, arg_required_else_help = true)]
-#[command(after_help = EXIT_CODES)]
-#[command(long_about = ABOUT)]
+#[command(after_help = help!("exit_codes"))]
+#[command(long_about = help!("about"))]
 pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
@@ -180,28 +37,28 @@ pub struct Arguments {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Compute the figures and tables and write them, or check the ones that are there
-    #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_REPRODUCE}{EXIT_CODES}"))]
+    #[command(next_line_help = true, after_help = help!("reproduce", "exit_codes"))]
     Reproduce(Reproduce),
     /// Hold the computed values against the ones that the paper prints
-    #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_COMPARE}{EXIT_CODES}"))]
+    #[command(next_line_help = true, after_help = help!("compare", "exit_codes"))]
     Compare(ParameterFile),
     /// Test what the paper states, label by label, and print what each check measures
-    #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_CLAIMS}{EXIT_CODES}"))]
+    #[command(next_line_help = true, after_help = help!("claims", "exit_codes"))]
     Claims(Claims),
     /// Write one page with figures, tables, claims and a manifest, to be read in a browser
-    #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_REPORT}{EXIT_CODES}"))]
+    #[command(next_line_help = true, after_help = help!("report", "exit_codes"))]
     Report(Report),
     /// Find and unfold the resonant grazing bifurcations of an oscillator from a text file
-    #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_UNFOLD}{EXIT_CODES}"))]
+    #[command(next_line_help = true, after_help = help!("unfold", "exit_codes"))]
     Unfold(Unfold),
     /// Explore the diagram in a browser: move constants, point at places, zoom
-    #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_EXPLORE}{EXIT_CODES}"))]
+    #[command(next_line_help = true, after_help = help!("explore", "exit_codes"))]
     Explore(Explore),
     /// Join the parts of a family that `unfold --part` computed
-    #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_MERGE}{EXIT_CODES}"))]
+    #[command(next_line_help = true, after_help = help!("merge", "exit_codes"))]
     Merge(Merge),
     /// Write a description of an oscillator to begin with, to be changed and unfolded
-    #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_NEW}{EXIT_CODES}"))]
+    #[command(next_line_help = true, after_help = help!("new", "exit_codes"))]
     New(New),
 }
 
