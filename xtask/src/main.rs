@@ -1,8 +1,10 @@
-//! `cargo xtask ...`: builds the `grazing` program in release mode and starts it with the same arguments.
+//! `cargo xtask ...`: builds the `grazing` program in release mode and starts it with the same
+//! arguments.
 //!
-//! It knows no subcommand: whatever `grazing` understands, `cargo xtask` does too, and `grazing` answers for the rest.
-//! Where the built program lies is left to cargo, so target folders set by environment or configuration are honoured.
-//! Exit codes are the program's; those of cargo if the program could not be built.
+//! It knows no subcommand: whatever `grazing` understands, `cargo xtask` does too, and `grazing`
+//! answers for the rest. Where the built program lies is left to cargo, so target folders set by
+//! environment or configuration are honoured. Exit codes are the program's; those of cargo if the
+//! program could not be built.
 
 use std::env;
 use std::ffi::OsString;
@@ -53,7 +55,8 @@ fn cargo() -> Command {
     Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
 }
 
-/// The exit code of a finished program; as shells have it, 128 and the signal's number for one that was stopped.
+/// The exit code of a finished program; as shells have it, 128 and the signal's number for one that
+/// was stopped.
 fn exit_code(status: ExitStatus) -> ExitCode {
     match status.code() {
         Some(code) => ExitCode::from(u8::try_from(code).unwrap_or(1)),

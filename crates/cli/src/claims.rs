@@ -67,7 +67,8 @@ pub(crate) fn findings<'a>(
     Ok(found)
 }
 
-/// Whether a claim was asked for: by a label, where `*` stands for anything, or a part of one; and by kind.
+/// Whether a claim was asked for: by a label, where `*` stands for anything, or a part of one; and
+/// by kind.
 fn is_chosen(claim: &Claim, arguments: &Claims) -> bool {
     let labels = &arguments.labels;
     (labels.is_empty() || labels.iter().any(|wanted| matches(wanted, &claim.label)))

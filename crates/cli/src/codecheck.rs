@@ -1,6 +1,8 @@
-//! The manifest of what this repository reproduces, as CODECHECK wants it (<https://codecheck.org.uk>, version 1.0).
+//! The manifest of what this repository reproduces, as CODECHECK wants it
+//! (<https://codecheck.org.uk>, version 1.0).
 //!
-//! Only what is known before anybody has checked: who checks adds their name, a summary, the time and the certificate.
+//! Only what is known before anybody has checked: who checks adds their name, a summary, the time
+//! and the certificate.
 
 use std::fmt::Write;
 

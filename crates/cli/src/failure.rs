@@ -9,7 +9,8 @@ use grazing_reproduction::StudyError;
 use grazing_reproduction::parameters::ParameterError;
 use grazing_source::SettingError;
 
-/// A failure, with what is printed for it: one line, and where an expression is wrong the expression with a mark.
+/// A failure, with what is printed for it: one line, and where an expression is wrong the
+/// expression with a mark.
 #[derive(Debug)]
 pub struct Failure {
     code: u8,
@@ -62,7 +63,8 @@ impl Failure {
         ))
     }
 
-    /// The exit code: 1 a check failed, 2 bad input, 3 the computation failed, 4 a file could not be read or written.
+    /// The exit code: 1 a check failed, 2 bad input, 3 the computation failed, 4 a file could not
+    /// be read or written.
     pub fn exit_code(&self) -> u8 {
         self.code
     }
@@ -98,8 +100,8 @@ impl From<SettingError> for Failure {
     }
 }
 
-/// The failure of a computation, with the error and those of its causes that its message does not contain; that of a section of
-/// the parameter file if it is one.
+/// The failure of a computation, with the error and those of its causes that its message does not
+/// contain; that of a section of the parameter file if it is one.
 pub(crate) fn computation(what: &'static str, error: &(dyn Error + 'static)) -> Failure {
     if let Some(StudyError::Parameters(error)) = error.downcast_ref() {
         return error.clone().into();

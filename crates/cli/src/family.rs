@@ -1,4 +1,5 @@
-//! `grazing unfold --vary` and `grazing merge`: the resonances of an oscillator as constants of its file vary.
+//! `grazing unfold --vary` and `grazing merge`: the resonances of an oscillator as constants of its
+//! file vary.
 
 mod listing;
 mod part;
@@ -28,7 +29,8 @@ use part::{Origin, PartFile};
 /// Computes a family, or a part of it.
 ///
 /// # Errors
-/// Bad input, before anything is computed; a computation that was ended, with what is finished written.
+/// Bad input, before anything is computed; a computation that was ended, with what is finished
+/// written.
 pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let [file] = arguments.files.as_slice() else {
         return Err(Failure::input(

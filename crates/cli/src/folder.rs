@@ -44,10 +44,11 @@ pub enum Change {
     Unchanged,
 }
 
-/// Makes sure that files can be written into the folder and its subfolder for data, and leaves no trace of the trial.
+/// Makes sure that files can be written into the folder and its subfolder for data, and leaves no
+/// trace of the trial.
 ///
-/// A folder that is not there yet is not made: the trial is held in the nearest one above that is. What runs that died have left
-/// there goes.
+/// A folder that is not there yet is not made: the trial is held in the nearest one above that is.
+/// What runs that died have left there goes.
 ///
 /// # Errors
 /// The folder cannot be written, or something other than a regular file is in a file's place.
@@ -63,7 +64,8 @@ pub fn ensure_writable(folder: &Path, files: &[PathBuf]) -> Result<(), Failure> 
     files.iter().try_for_each(|file| to_write(&folder.join(file)).map(drop))
 }
 
-/// What keeps files from being written into the folder, or into the nearest one above that is there: where, and why.
+/// What keeps files from being written into the folder, or into the nearest one above that is
+/// there: where, and why.
 pub(crate) fn obstacle(folder: &Path) -> Option<(PathBuf, String)> {
     let existing = folder
         .ancestors()
@@ -75,8 +77,9 @@ pub(crate) fn obstacle(folder: &Path) -> Option<(PathBuf, String)> {
     Some((existing.to_owned(), reason))
 }
 
-/// Writes all files, or none, through symbolic links to the files that these name: each goes into a temporary file beside its place first, and only when all are complete
-/// they are moved into their places.
+/// Writes all files, or none, through symbolic links to the files that these name: each goes into a
+/// temporary file beside its place first, and only when all are complete they are moved into their
+/// places.
 ///
 /// # Errors
 /// A file cannot be written. Temporary files are removed; a file is old or new, never in between.
@@ -136,8 +139,9 @@ pub(crate) fn with_slashes(path: &Path) -> String {
     path.components().map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/")
 }
 
-/// Adds how the folder differs from the files: missing ones, other contents, and, if the files are `complete`, files in the
-/// folder that the code does not make; `known` are those that belong there all the same.
+/// Adds how the folder differs from the files: missing ones, other contents, and, if the files are
+/// `complete`, files in the folder that the code does not make; `known` are those that belong there
+/// all the same.
 ///
 /// # Errors
 /// The folder or a file in it cannot be read.
@@ -170,7 +174,8 @@ pub fn compare(
     Ok(())
 }
 
-/// The paths of everything in the folder and its subfolder for data, in order; hidden files only if we began them.
+/// The paths of everything in the folder and its subfolder for data, in order; hidden files only if
+/// we began them.
 fn listed(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let mut paths = Vec::new();
     for subfolder in [Path::new(""), Path::new(DATA)] {
@@ -198,7 +203,8 @@ fn is_foreign(name: &OsStr) -> bool {
     name.starts_with('.') && !name.starts_with(UNFINISHED)
 }
 
-/// What writing will do to the file at a place, with the temporary file that holds its content if it has to be written.
+/// What writing will do to the file at a place, with the temporary file that holds its content if
+/// it has to be written.
 fn stage(place: &Path, content: &[u8]) -> io::Result<(Change, Option<NamedTempFile>)> {
     let change = match fs::read(place) {
         Ok(present) if present == content => return Ok((Change::Unchanged, None)),
@@ -210,7 +216,8 @@ fn stage(place: &Path, content: &[u8]) -> io::Result<(Change, Option<NamedTempFi
     fs::create_dir_all(folder)?;
     let mut file = unfinished(folder)?;
     file.write_all(content)?;
-    // The content must be on the disk before the name is, or a crash could leave an empty file under it.
+    // The content must be on the disk before the name is, or a crash could leave an empty file
+    // under it.
     file.as_file().sync_all()?;
     Ok((change, Some(file)))
 }

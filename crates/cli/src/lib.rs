@@ -1,6 +1,8 @@
-//! The `grazing` program: runs the reproduction, writes figures, tables and a report, and compares with the paper.
+//! The `grazing` program: runs the reproduction, writes figures, tables and a report, and compares
+//! with the paper.
 //!
-//! It is a library too, so that the tests can hold the README's commands against the command line's definition.
+//! It is a library too, so that the tests can hold the README's commands against the command line's
+//! definition.
 
 pub mod arguments;
 mod claims;

@@ -1,8 +1,8 @@
 //! Limits of an analysis: time, memory, steps, and whoever presses Ctrl-C.
 //!
-//! A thread of its own looks at the clock and at the memory that the process holds, and asks the computation to end
-//! ([`Stop`]) when either is used up or Ctrl-C was pressed. What is finished is written then. A second Ctrl-C ends the program at
-//! once.
+//! A thread of its own looks at the clock and at the memory that the process holds, and asks the
+//! computation to end ([`Stop`]) when either is used up or Ctrl-C was pressed. What is finished is
+//! written then. A second Ctrl-C ends the program at once.
 
 use std::fs;
 use std::io;

@@ -1,7 +1,9 @@
-//! Outputs: figures and tables under a name, with what they need, what computes and draws them, and their tables.
+//! Outputs: figures and tables under a name, with what they need, what computes and draws them, and
+//! their tables.
 //!
-//! The figures and tables of the paper are listed in [`paper`], those of an oscillator from a file in `oscillator`, those of a family in `family`. Whatever
-//! is listed is computed and checked by `Output::compute`, and put into files by `ComputedOutput::files`.
+//! The figures and tables of the paper are listed in [`paper`], those of an oscillator from a file
+//! in `oscillator`, those of a family in `family`. Whatever is listed is computed and checked by
+//! `Output::compute`, and put into files by `ComputedOutput::files`.
 
 pub mod edition;
 pub(crate) mod family;
@@ -35,9 +37,11 @@ pub struct Output<Source> {
     pub name: &'static str,
     /// What it shows, in one line.
     pub title: &'static str,
-    /// The label of the figure in the paper, or that of the table in LaTeX; empty where these depend on the source.
+    /// The label of the figure in the paper, or that of the table in LaTeX; empty where these
+    /// depend on the source.
     pub label: &'static str,
-    /// The file of the figure as SVG, if it is one; of several sheets each has its number in the name.
+    /// The file of the figure as SVG, if it is one; of several sheets each has its number in the
+    /// name.
     pub figure: Option<&'static str>,
     /// Its tables.
     pub tables: &'static [TablePlan],
@@ -124,7 +128,8 @@ impl<Source> Output<Source> {
     /// Computes the output and draws its figures.
     ///
     /// # Errors
-    /// A section of the parameter file is not right, the computation failed, or it has other tables than announced.
+    /// A section of the parameter file is not right, the computation failed, or it has other tables
+    /// than announced.
     pub(crate) fn compute(&self, source: &Source, width: SheetWidth) -> Result<ComputedOutput, Failure> {
         (self.check)(source)?;
         let mut computed = (self.compute)(self, source, width).map_err(|error| self.failure(&*error))?;

@@ -42,8 +42,8 @@ impl Display {
         Display { bars: io::stderr().is_terminal().then(MultiProgress::new), ..Display::default() }
     }
 
-    /// The same with the number of steps of integration, which go on within the longest work. An analysis that reports to it ends
-    /// when the mark is set.
+    /// The same with the number of steps of integration, which go on within the longest work. An
+    /// analysis that reports to it ends when the mark is set.
     pub(crate) fn counting(stop: Stop) -> Display {
         let display = Display { stop: stop.clone(), ..Self::new() };
         let tasks = Arc::downgrade(&display.tasks);

@@ -20,8 +20,8 @@ const JOURNAL: &str = "journal";
 /// The default output folder of what is made with settings over the parameter file.
 const VARIED: &str = "varied";
 
-/// The nearest folder, from the current one upwards, that holds the default parameter file; relative, as `../..`, so that
-/// messages name no folder above it.
+/// The nearest folder, from the current one upwards, that holds the default parameter file;
+/// relative, as `../..`, so that messages name no folder above it.
 pub(crate) fn root() -> Option<PathBuf> {
     let here = env::current_dir().ok()?;
     let above = here.ancestors().count();
@@ -47,11 +47,12 @@ pub(crate) fn parameter_file(named: Option<&Path>) -> Result<PathBuf, Failure> {
     }
 }
 
-/// The folder that was named, or the default one, which is another for values that were set (`varied`).
+/// The folder that was named, or the default one, which is another for values that were set
+/// (`varied`).
 ///
 /// # Errors
-/// None was named and there is no default one, or other formats or widths than the default ones were to go to the folder of the
-/// default ones.
+/// None was named and there is no default one, or other formats or widths than the default ones
+/// were to go to the folder of the default ones.
 pub(crate) fn output_folder(
     named: Option<&Path>,
     edition: &Edition,

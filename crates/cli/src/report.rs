@@ -26,7 +26,8 @@ use crate::{claims, project, terminal, versions};
 /// Computes everything and writes the page.
 ///
 /// # Errors
-/// What keeps the page from being made, or that something is missing on it; claims that do not hold are shown on it.
+/// What keeps the page from being made, or that something is missing on it; claims that do not hold
+/// are shown on it.
 pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     crate::limits::leave_nothing_behind();
     let start = Instant::now();
@@ -110,7 +111,8 @@ fn assemble<'a>(
             figures.extend(computed.entries());
         }
     }
-    // Their names are numbered as in the paper; the registry has them in the order in which they are best made.
+    // Their names are numbered as in the paper; the registry has them in the order in which they
+    // are best made.
     figures.sort_by(|a, b| a.name.cmp(&b.name));
     let published = published(&study).unwrap_or_else(|failure| {
         missing.push(failure.to_string());

@@ -8,11 +8,12 @@ use polars::prelude::{AnyValue, Column, CsvWriter, DataFrame, PolarsResult, SerW
 use crate::failure::{Failure, computation};
 use crate::folder::{DATA, OutputFile};
 
-/// The digits after the point: with the one before it 17 significant digits, enough to tell any two numbers apart.
+/// The digits after the point: with the one before it 17 significant digits, enough to tell any two
+/// numbers apart.
 const DECIMALS: usize = 16;
 
-/// The table as CSV: a header, `.` decimals, computed numbers with 17 significant digits, `-0.0` as `0.0`, and an empty
-/// cell for what is missing or not a finite number.
+/// The table as CSV: a header, `.` decimals, computed numbers with 17 significant digits, `-0.0` as
+/// `0.0`, and an empty cell for what is missing or not a finite number.
 pub fn csv(table: &Table) -> PolarsResult<Vec<u8>> {
     let column = |(place, name): (usize, &String)| {
         let values: Vec<AnyValue<'_>> = table.rows.iter().map(|row| value(&row[place])).collect();

@@ -12,8 +12,9 @@ use crate::failure::Failure;
 /// Why the output stream could not be written, the first time that it could not.
 static OUTPUT_ERROR: Mutex<Option<io::Error>> = Mutex::new(None);
 
-/// Writes to the output stream. A closed pipe, as after `| head`, is ignored; the exit code still counts. Any other
-/// failure to write, as on a full disk, ends the program badly: see [`output_failure`].
+/// Writes to the output stream. A closed pipe, as after `| head`, is ignored; the exit code still
+/// counts. Any other failure to write, as on a full disk, ends the program badly: see
+/// [`output_failure`].
 pub(crate) fn say(text: &str) {
     say_coloured(&shown(text));
 }
@@ -39,8 +40,9 @@ pub(crate) fn note(line: &str) {
     let _ = writeln!(io::stderr().lock(), "{}", shown(line));
 }
 
-/// The text as a terminal can take it: control characters other than line ends and tabs, which could move the cursor or worse, and marks
-/// that change the direction of writing are written as escapes, `\u{1b}`.
+/// The text as a terminal can take it: control characters other than line ends and tabs, which
+/// could move the cursor or worse, and marks that change the direction of writing are written as
+/// escapes, `\u{1b}`.
 pub fn shown(text: &str) -> Cow<'_, str> {
     let hidden =
         |character: char| (character.is_control() && !matches!(character, '\n' | '\t')) || directs(character);
@@ -77,7 +79,8 @@ pub fn report(failure: &Failure) {
     note(&format!("error: {failure}"));
 }
 
-/// Whether results may be coloured: on a terminal that knows colours, unless NO_COLOR is set (<https://no-color.org>).
+/// Whether results may be coloured: on a terminal that knows colours, unless NO_COLOR is set
+/// (<https://no-color.org>).
 pub(crate) fn is_coloured() -> bool {
     io::stdout().is_terminal()
         && env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())

@@ -39,10 +39,12 @@ struct Task {
     limits: Limits,
 }
 
-/// Unfolds every file, one after the other, once all are known to be right and their folders to be writable.
+/// Unfolds every file, one after the other, once all are known to be right and their folders to be
+/// writable.
 ///
 /// # Errors
-/// Bad input, before anything is computed; what went wrong with a single file, or with how many of several.
+/// Bad input, before anything is computed; what went wrong with a single file, or with how many of
+/// several.
 pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let edition = arguments.look.edition();
     let tasks = tasks(arguments)?;
@@ -83,7 +85,8 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     }
 }
 
-/// The files with what they describe, and the folders of their results, no two of which are the same.
+/// The files with what they describe, and the folders of their results, no two of which are the
+/// same.
 fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
     let mut tasks: Vec<Task> = Vec::new();
     for file in &arguments.files {
@@ -159,8 +162,8 @@ impl Task {
         Ok(files)
     }
 
-    /// Removes sheets of magnifications that an earlier run wrote of more resonances, and one-parameter diagrams that are not asked for any
-    /// more.
+    /// Removes sheets of magnifications that an earlier run wrote of more resonances, and
+    /// one-parameter diagrams that are not asked for any more.
     fn remove_other_sheets(&self, written: &[OutputFile], edition: &Edition) -> Result<(), Failure> {
         let sheets =
             oscillator::possible_files().flat_map(|file| edition.figure_paths(&file).collect::<Vec<_>>());

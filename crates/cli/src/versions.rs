@@ -23,7 +23,8 @@ fn rust() -> String {
     version.unwrap_or_default()
 }
 
-/// The libraries that the crates of the workspace use themselves, those of the tests included, with their versions.
+/// The libraries that the crates of the workspace use themselves, those of the tests included, with
+/// their versions.
 fn libraries() -> Vec<(String, String)> {
     let lock: Table = LOCK.parse().unwrap_or_default();
     let packages: Vec<&Value> = lock.get("package").and_then(Value::as_array).into_iter().flatten().collect();

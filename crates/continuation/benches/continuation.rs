@@ -1,7 +1,7 @@
 //! Continuation of MPSs: time per point of a branch and of a bifurcation curve.
 //!
-//! A point is a converged one with its multipliers and its admissibility over the whole orbit; events and the ends of the
-//! curve are located along the way.
+//! A point is a converged one with its multipliers and its admissibility over the whole orbit;
+//! events and the ends of the curve are located along the way.
 
 use core::hint::black_box;
 
@@ -75,7 +75,8 @@ impl core::fmt::Display for Place {
     }
 }
 
-/// The branch of p-loop MPSs at ω = 0.854 from the grazing bifurcation on, for amplitudes from 0.2 to 0.6.
+/// The branch of p-loop MPSs at ω = 0.854 from the grazing bifurcation on, for amplitudes from 0.2
+/// to 0.6.
 #[divan::bench(args = [Loops(1), Loops(2), Loops(3)])]
 fn point_of_a_one_parameter_branch(bencher: Bencher<'_, '_>, &Loops(p): &Loops) {
     one_parameter_branch(bencher, p, Formulation::Vivid);

@@ -8,8 +8,9 @@
 //! └ tᵀ    ┘      └ tᵀ(u − u₀) − s   ┘
 //! ```
 //!
-//! It stays regular at folds. The engine knows nothing of what the curve means: events and diagnostics are the
-//! caller's, who advances it point by point, or has it followed from end to end ([`Walk`]).
+//! It stays regular at folds. The engine knows nothing of what the curve means: events and
+//! diagnostics are the caller's, who advances it point by point, or has it followed from end to end
+//! ([`Walk`]).
 
 use core::f64::consts::TAU;
 
@@ -35,7 +36,8 @@ pub trait CurveEquations<const N: usize> {
         carried: &mut Self::Carried,
     ) -> Result<Linearisation<N>, Self::Failure>;
 
-    /// Whether what is carried from the last evaluation may be something else a correction further, so that a rough point is not enough.
+    /// Whether what is carried from the last evaluation may be something else a correction further,
+    /// so that a rough point is not enough.
     fn is_unsettled(&self, _carried: &Self::Carried) -> bool {
         false
     }
@@ -49,15 +51,16 @@ pub trait CurveEquations<const N: usize> {
     fn settle(&self, _point: &SVector<f64, N>, _carried: &mut Self::Carried) {}
 }
 
-/// Control of the step length. All lengths are in the Euclidean norm of the unknowns, each counted in its unit.
+/// Control of the step length. All lengths are in the Euclidean norm of the unknowns, each counted
+/// in its unit.
 #[derive(Clone, Copy, Debug)]
 pub struct StepControl {
     /// Length of the first step.
     pub first: f64,
     /// Steps never get longer than this.
     pub longest: f64,
-    /// A step that would have to be shorter than this ends the curve; longer than [`tolerances::STEP`], below which the
-    /// corrector cannot judge a step.
+    /// A step that would have to be shorter than this ends the curve; longer than
+    /// [`tolerances::STEP`], below which the corrector cannot judge a step.
     pub shortest: f64,
     /// The tangent turns by about this angle from point to point, in radians.
     pub turn: f64,
@@ -66,11 +69,13 @@ pub struct StepControl {
 }
 
 impl StepControl {
-    /// Steps for curves that are drawn: two degrees of turn look smooth at any magnification used (empirical).
+    /// Steps for curves that are drawn: two degrees of turn look smooth at any magnification used
+    /// (empirical).
     pub const DRAWING: Self =
         Self { first: 1e-3, longest: 0.02, shortest: 1e-6, turn: 0.035, tolerance: tolerances::STEP };
 
-    /// Whether points are so rough that no more is to be computed of them than serves to find what happens along a curve.
+    /// Whether points are so rough that no more is to be computed of them than serves to find what
+    /// happens along a curve.
     pub fn sketches(&self) -> bool {
         self.tolerance > tolerances::STEP
     }
@@ -114,14 +119,16 @@ pub struct Continuation<'a, const N: usize, C: CurveEquations<N>> {
 /// A new station and the angle by which the tangent turned on the way.
 type Attempt<const N: usize, M> = (Station<N, M>, f64);
 
-/// A step is taken again if the tangent turns by more than so many times the angle that is aimed at (empirical).
+/// A step is taken again if the tangent turns by more than so many times the angle that is aimed at
+/// (empirical).
 const OVERTURN: f64 = 3.0;
 /// A new step is as long as the turn suggests, within these factors of the last (empirical).
 const GROWTH: [f64; 2] = [0.5, 1.6];
 /// What is left of a step if the tangent turns too far in it, and if no point is found (empirical).
 const TURNED: f64 = 0.5;
 const NOT_FOUND: f64 = 0.25;
-/// Steps this few times as long as the shortest are not taken again for the sake of the turn (empirical).
+/// Steps this few times as long as the shortest are not taken again for the sake of the turn
+/// (empirical).
 const SHORT: f64 = 4.0;
 
 impl<'a, const N: usize, C: CurveEquations<N>> Continuation<'a, N, C>
@@ -206,7 +213,8 @@ where
         }
     }
 
-    /// The cubic through the last two points with their tangents, extrapolated to the plane that the corrector works in.
+    /// The cubic through the last two points with their tangents, extrapolated to the plane that
+    /// the corrector works in.
     fn predict(&self) -> SVector<f64, N> {
         let (point, tangent) = &self.counted;
         let step = self.step;
@@ -219,7 +227,8 @@ where
         point + tangent * (step - tangent.dot(&bend)) + bend
     }
 
-    /// One predictor and corrector; the new station, counted in units, and the angle between the two tangents.
+    /// One predictor and corrector; the new station, counted in units, and the angle between the
+    /// two tangents.
     fn attempt(&self) -> Result<Attempt<N, C::Carried>, NewtonFailure<C::Failure>> {
         let (origin, along) = &self.counted;
         let mut carried = self.here.carried.clone();
@@ -233,7 +242,8 @@ where
         if self.control.sketches() && self.equations.is_unsettled(&carried) {
             solution = corrected(solution.point, tolerances::STEP, &mut carried)?;
         }
-        // The last corrector's matrix is bordered with the old tangent: its factors give the new one as well.
+        // The last corrector's matrix is bordered with the old tangent: its factors give the new
+        // one as well.
         let tangent = tangent(&solution.factors)
             .ok_or(NewtonFailure::Singular { iteration: solution.iterations, residual: solution.residual })?;
         self.equations.settle(&solution.point.component_mul(&self.units), &mut carried);
@@ -256,7 +266,8 @@ fn in_units<const N: usize, C: CurveEquations<N>>(
     Ok(linearisation)
 }
 
-/// The point of a curve near another in the plane across a direction that goes through a third; none where Newton's method fails.
+/// The point of a curve near another in the plane across a direction that goes through a third;
+/// none where Newton's method fails.
 pub fn across<const N: usize, C: CurveEquations<N, Carried: Default>>(
     equations: &C,
     near: SVector<f64, N>,
@@ -303,7 +314,8 @@ pub struct Walk<'a, const N: usize, C> {
     pub angle: Option<usize>,
 }
 
-/// A closed curve has more points than this: its tangent turns once round, by a few degrees from point to point.
+/// A closed curve has more points than this: its tangent turns once round, by a few degrees from
+/// point to point.
 pub const FEWEST_OF_A_LOOP: usize = 10;
 
 /// The points of a curve in order, and how it ends.
@@ -313,10 +325,11 @@ impl<const N: usize, C: CurveEquations<N, Carried: Default>> Walk<'_, N, C>
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
-    /// The points from `start` to both sides, in the order of `direction`, and how they end before the first and after the last.
+    /// The points from `start` to both sides, in the order of `direction`, and how they end before
+    /// the first and after the last.
     ///
-    /// `leaves` gets the last point and the next with its tangent. Where the curve leaves the window between the two it gives the point on
-    /// the edge.
+    /// `leaves` gets the last point and the next with its tangent. Where the curve leaves the
+    /// window between the two it gives the point on the edge.
     ///
     /// # Errors
     /// The curve cannot be started.
@@ -371,8 +384,8 @@ where
     }
 }
 
-/// The start of a curve, if the curve comes back to it between two of its points; with the unknown that is an angle as far on as it is
-/// then. `onwards` is where the curve went from the start.
+/// The start of a curve, if the curve comes back to it between two of its points; with the unknown
+/// that is an angle as far on as it is then. `onwards` is where the curve went from the start.
 pub fn back_at<const N: usize>(
     (start, onwards): Tangent<N>,
     [before, after]: [&SVector<f64, N>; 2],
@@ -397,7 +410,8 @@ pub fn back_at<const N: usize>(
     })
 }
 
-/// The unit null vector of the first N − 1 rows of a matrix, at an acute angle with its last row; from the matrix's factors.
+/// The unit null vector of the first N − 1 rows of a matrix, at an acute angle with its last row;
+/// from the matrix's factors.
 fn tangent<const N: usize>(factors: &LU<f64, Const<N>, Const<N>>) -> Option<SVector<f64, N>>
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,

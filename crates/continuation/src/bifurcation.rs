@@ -20,7 +20,8 @@ impl Bifurcation {
     pub const ALL: [Self; 4] =
         [Self::NonImpactingGrazing, Self::SaddleNode, Self::PeriodDoubling, Self::Grazing];
 
-    /// Where a condition is met by solutions with p loops, 0 without impacts; none if that is no bifurcation.
+    /// Where a condition is met by solutions with p loops, 0 without impacts; none if that is no
+    /// bifurcation.
     pub fn of(condition: Condition, loops: u32) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| {
             kind.condition() == condition
@@ -52,7 +53,8 @@ impl Bifurcation {
 /// A bifurcation of codimension two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 pub enum CodimensionTwo {
-    /// A resonance on the grazing curve of the non-impacting solution, from which SN and PD curves leave.
+    /// A resonance on the grazing curve of the non-impacting solution, from which SN and PD curves
+    /// leave.
     Resonance,
     /// An SN and a GZ curve meet.
     SaddleNodeGrazing,

@@ -1,10 +1,12 @@
 //! The normal form of period doublings of MPSs: what they create, and on which side.
 //!
-//! The impacts (y, z) of orbits with p loops from each to the next follow a map U. The two maps of a [`LoopPair`] define it
-//! implicitly: L(U(X)) = R(X), where R leads through recoil and loops to the plane of constant phase and L straight on. The orbits of
-//! double period lie on an invariant curve X(s) through the impact X₀ of the MPS, on which U is a map g of one variable:
-//! R(X(s)) = L(X(g(s))). Both are found order by order in s from the derivatives of L and R along curves ([`ThirdOrder`]), with g
-//! in normal form; neither U nor the inverse of DL is formed. With λ the multiplier, to leading order in s and in λ + 1,
+//! The impacts (y, z) of orbits with p loops from each to the next follow a map U. The two maps of
+//! a [`LoopPair`] define it implicitly: L(U(X)) = R(X), where R leads through recoil and loops to
+//! the plane of constant phase and L straight on. The orbits of double period lie on an invariant
+//! curve X(s) through the impact X₀ of the MPS, on which U is a map g of one variable: R(X(s)) =
+//! L(X(g(s))). Both are found order by order in s from the derivatives of L and R along curves
+//! ([`ThirdOrder`]), with g in normal form; neither U nor the inverse of DL is formed. With λ the
+//! multiplier, to leading order in s and in λ + 1,
 //!
 //! ```text
 //! g(s) = λ s + c s³,   c = ⅙ ⟨p, C(q, q, q)⟩ + ½ ⟨p, B(q, (I − A)⁻¹ B(q, q))⟩,
@@ -12,13 +14,14 @@
 //!
 //! where A = DU, B = D²U, C = D³U at X₀, A q = −q, Aᵀp = −p and ⟨p, q⟩ = 1.
 //!
-//! Source: Yu. A. Kuznetsov, *Elements of Applied Bifurcation Theory*, chapter 5, centre manifolds of maps. The paper speaks of
-//! criticality without a formula, in section 6.
+//! Source: Yu. A. Kuznetsov, *Elements of Applied Bifurcation Theory*, chapter 5, centre manifolds
+//! of maps. The paper speaks of criticality without a formula, in section 6.
 //!
-//! **Domain.** y ≠ 0: towards a resonance the pair of maps stays smooth, but DL becomes singular and all of U is compressed into
+//! **Domain.** y ≠ 0: towards a resonance the pair of maps stays smooth, but DL becomes singular
+//! and all of U is compressed into
 //! |s| of the order of y, so that y² c tends to a limit. Digits of c are then lost in proportion to 1/y. The formulas
-//! know of no impact but those of the MPS; where an orbit meets the wall in between, as near a grazing bifurcation of the MPS, they
-//! hold for the smaller s.
+//! know of no impact but those of the MPS; where an orbit meets the wall in between, as near a
+//! grazing bifurcation of the MPS, they hold for the smaller s.
 
 mod at_resonance;
 mod normal_form;
@@ -70,7 +73,8 @@ pub struct PeriodDoubling {
 }
 
 impl PeriodDoubling {
-    /// Stable orbits of double period are created beside the unstable MPS; otherwise unstable ones beside the stable MPS.
+    /// Stable orbits of double period are created beside the unstable MPS; otherwise unstable ones
+    /// beside the stable MPS.
     ///
     /// Stability is along the curve X(s): across it the other multiplier decides, for both alike.
     pub fn supercritical(&self) -> bool {
@@ -80,8 +84,8 @@ impl PeriodDoubling {
 
 /// The normal form of the period doubling of an MPS.
 ///
-/// `point` is (y, z, μ, η), located with [`Condition::PERIOD_DOUBLING`](crate::locate::Condition::PERIOD_DOUBLING) in either
-/// formulation.
+/// `point` is (y, z, μ, η), located with
+/// [`Condition::PERIOD_DOUBLING`](crate::locate::Condition::PERIOD_DOUBLING) in either formulation.
 ///
 /// # Errors
 /// No MPS at the point, one without the multiplier −1, y = 0, or another multiplier ±1.

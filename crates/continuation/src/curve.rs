@@ -1,4 +1,5 @@
-//! Branches and bifurcation curves of periodic solutions: V = 0 and one condition, followed by pseudo-arclength.
+//! Branches and bifurcation curves of periodic solutions: V = 0 and one condition, followed by
+//! pseudo-arclength.
 
 use grazing_model::maps::MapError;
 use grazing_model::{AnyOscillator, ImpactOscillator};
@@ -10,8 +11,9 @@ use crate::newton::Linearisation;
 
 /// The equations of a curve of periodic solutions.
 ///
-/// With [`Condition::Secondary`] it is a one-parameter branch, with [`Condition::Multiplier`] a curve of saddle-node or
-/// period-doubling bifurcations, with [`Condition::InteriorGrazing`] a curve of grazing bifurcations of the solution.
+/// With [`Condition::Secondary`] it is a one-parameter branch, with [`Condition::Multiplier`] a
+/// curve of saddle-node or period-doubling bifurcations, with [`Condition::InteriorGrazing`] a
+/// curve of grazing bifurcations of the solution.
 #[derive(Clone, Debug)]
 pub struct SolutionCurve<O = AnyOscillator> {
     /// The equations of the solution.
@@ -88,14 +90,16 @@ pub struct Route<'a> {
     pub control: StepControl,
     /// The curve ends after this many steps.
     pub step_limit: usize,
-    /// The curve ends at the first event; otherwise events are listed and passed. At y = 0 it ends in any case.
+    /// The curve ends at the first event; otherwise events are listed and passed. At y = 0 it ends
+    /// in any case.
     pub stop_at_events: bool,
-    /// How far it may go in a step besides, and where it is left; as far as the control lets it where there is none.
+    /// How far it may go in a step besides, and where it is left; as far as the control lets it
+    /// where there is none.
     pub pace: Option<&'a Pace<'a>>,
 }
 
-/// From the points of a curve so far and the tangent at the last: the longest next step, in lengths of its control; none where the curve
-/// is to be left.
+/// From the points of a curve so far and the tangent at the last: the longest next step, in lengths
+/// of its control; none where the curve is to be left.
 pub type Pace<'a> = dyn Fn(&[CurvePoint], &Unknowns) -> Option<f64> + Sync + 'a;
 
 /// Something happens to the solution at a point of the curve besides the curve's own condition.
@@ -131,7 +135,8 @@ pub enum CurveEnd {
     },
     /// No further point was found, in either formulation.
     Stalled(Stall<MapError>),
-    /// The step limit was reached, which is lower for a sketch among violent motion; or the curve was left by its pace.
+    /// The step limit was reached, which is lower for a sketch among violent motion; or the curve
+    /// was left by its pace.
     StepLimit,
 }
 
@@ -155,7 +160,8 @@ pub struct Curve {
     pub events: Vec<Event>,
     /// Why it ends.
     pub end: CurveEnd,
-    /// Why it begins where it does, if that was not given but found: [`SolutionCurve::follow_both_ways`].
+    /// Why it begins where it does, if that was not given but found:
+    /// [`SolutionCurve::follow_both_ways`].
     pub beginning: Option<CurveEnd>,
 }
 

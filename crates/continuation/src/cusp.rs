@@ -1,7 +1,9 @@
-//! Cusps of saddle-node curves: where a curve that is smooth in (y, z, μ, η) turns back in the plane of the parameters.
+//! Cusps of saddle-node curves: where a curve that is smooth in (y, z, μ, η) turns back in the
+//! plane of the parameters.
 //!
-//! There three MPSs come together, and the branch at fixed η that has its fold there is no parabola any more. The tangent lies in
-//! the plane of (y, z): its part in (μ, η) is zero, and has opposite directions before and after.
+//! There three MPSs come together, and the branch at fixed η that has its fold there is no parabola
+//! any more. The tangent lies in the plane of (y, z): its part in (μ, η) is zero, and has opposite
+//! directions before and after.
 
 use grazing_model::ImpactOscillator;
 use nalgebra::{Vector2, Vector4};

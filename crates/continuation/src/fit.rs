@@ -1,15 +1,16 @@
 //! Quadratic coefficients measured on the continued curves.
 //!
-//! An SN or PD curve is smooth in the impact velocity y, and so through y = 0 and the resonance: with η(y) and
-//! μ(y) = primary − primary_graz(η), measured from the resonance,
+//! An SN or PD curve is smooth in the impact velocity y, and so through y = 0 and the resonance:
+//! with η(y) and μ(y) = primary − primary_graz(η), measured from the resonance,
 //!
 //! ```text
 //! η = e₁ y + e₂ y² + …,   μ = m₂ y² + m₃ y³ + …,   lim μ/η² = m₂/e₁².
 //! ```
 //!
-//! Both functions are interpolated at Chebyshev's nodes to either side of y = 0, where derivatives of the interpolants lose least to
-//! rounding. The expansions converge however small e₁ is, as where s_p^± is nearly zero and the ratio μ/η² itself changes at once.
-//! Neither η* nor μ_graz at the resonance enters, so that errors of these, the same at all nodes, drop out.
+//! Both functions are interpolated at Chebyshev's nodes to either side of y = 0, where derivatives
+//! of the interpolants lose least to rounding. The expansions converge however small e₁ is, as
+//! where s_p^± is nearly zero and the ratio μ/η² itself changes at once. Neither η* nor μ_graz at
+//! the resonance enters, so that errors of these, the same at all nodes, drop out.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -74,26 +75,30 @@ pub fn quadratic_coefficient<O: ImpactOscillator>(
 
 /// Nodes of an interpolant, an even number so that none is y = 0.
 const NODES: usize = 12;
-/// Coefficients at the end of an interpolant that are taken for its error: what is in them is truncation and rounding.
+/// Coefficients at the end of an interpolant that are taken for its error: what is in them is
+/// truncation and rounding.
 const TAIL: usize = 4;
-/// The first nodes reach to this part of the velocity up to which the curve is known to stay near its tangent ([`scale`]).
+/// The first nodes reach to this part of the velocity up to which the curve is known to stay near
+/// its tangent ([`scale`]).
 const FIRST: f64 = 0.25;
 /// No nodes are nearer to y = 0 than 2⁻³⁰ of the first: there nothing is left of μ but rounding.
 const DEEPEST: f64 = 1e-9;
-/// Halving the distance of the nodes divides truncation, of order eight at least, by hundreds, and leaves rounding as it is.
+/// Halving the distance of the nodes divides truncation, of order eight at least, by hundreds, and
+/// leaves rounding as it is.
 const FALLING: f64 = 0.25;
-/// The nodes come nearer by this factor at least: what is far from y = 0 says little of what is near.
+/// The nodes come nearer by this factor at least: what is far from y = 0 says little of what is
+/// near.
 const LONGEST: f64 = 1.0 / 16.0;
 /// An error that has grown from level to level this often grows for good.
 const GROWING: usize = 3;
-/// Rounding scatters, and a tail may be small by chance: the error is this many times what the tail says (empirical: the
-/// calibration in the tests of `unfold`).
+/// Rounding scatters, and a tail may be small by chance: the error is this many times what the tail
+/// says (empirical: the calibration in the tests of `unfold`).
 const SAFETY: f64 = 3.0;
 
 /// The coefficient of the quadratic term and those next to it.
 ///
-/// From level to level the nodes come nearer to y = 0, as far as the terms beyond the interpolant ask for, until these vanish in
-/// rounding. The level with the least error is kept.
+/// From level to level the nodes come nearer to y = 0, as far as the terms beyond the interpolant
+/// ask for, until these vanish in rounding. The level with the least error is kept.
 ///
 /// # Errors
 /// A point of the curve or its grazing orbit was not found, even close to the resonance.
@@ -130,13 +135,15 @@ pub fn measure<O: ImpactOscillator>(
     }
     match (levels.get(best), failure) {
         (Some(level), _) => {
-            // Rounding is the same nearer to y = 0: where the tail is small by chance here, it is not there as well.
+            // Rounding is the same nearer to y = 0: where the tail is small by chance here, it is
+            // not there as well.
             let nearer = levels.get(best + 1).unwrap_or(level);
             let tails = [0, 1].map(|k| level.tails[k].max(nearer.tails[k]));
             // Differences without any scatter are all zero: far below rounding.
             let tails = [0, 1].map(|k| if tails[k] > 0.0 { tails[k] } else { rounding[k] });
             let measured = level.measured(tails);
-            // The error of integration may vary with y as smoothly as the curve does, and no tail shows it.
+            // The error of integration may vary with y as smoothly as the curve does, and no tail
+            // shows it.
             let Some(finer) = equations.finely() else { return Ok(measured) };
             let mut fine = Level::of(resonance, &finer, condition, level.reach)?.measured(tails);
             fine.coefficient.error += (fine.coefficient.value - measured.coefficient.value).abs();
@@ -147,8 +154,8 @@ pub fn measure<O: ImpactOscillator>(
     }
 }
 
-/// The velocity up to which a curve may stay near its tangent: γ/ω, the scale of the motion at the wall, and no further than to where,
-/// at the tangent's η, the map P_global has become another one.
+/// The velocity up to which a curve may stay near its tangent: γ/ω, the scale of the motion at the
+/// wall, and no further than to where, at the tangent's η, the map P_global has become another one.
 fn scale<O: ImpactOscillator>(resonance: &ResonantGrazingPoint<O>, condition: Condition) -> f64 {
     let grazing = &resonance.resonant_point().grazing;
     let direction = resonance.direction(condition);
@@ -203,7 +210,8 @@ impl Level {
         Ok(Self { reach, tails: [eta.tail(), mu.tail()], eta, mu })
     }
 
-    /// The factor by which the nodes have to come nearer for the tails to come down to rounding: a half at most.
+    /// The factor by which the nodes have to come nearer for the tails to come down to rounding: a
+    /// half at most.
     fn remedy(&self, rounding: [f64; 2]) -> f64 {
         let excess = (self.tails[0] / rounding[0]).max(self.tails[1] / rounding[1]);
         // The tail begins with lower powers than this: it is not overdone.
@@ -223,7 +231,8 @@ impl Level {
         let [_, e1, e2, _] = eta.taylor(degrees[0]);
         let [_, _, m2, m3] = mu.taylor(degrees[1]);
         let value = m2 / (e1 * e1);
-        // The weights in e₁ and in m₂ of the first coefficient that is left out, larger than those that are not.
+        // The weights in e₁ and in m₂ of the first coefficient that is left out, larger than those
+        // that are not.
         let next = degrees.map(|degree| (degree + 1) as f64);
         let [of_e1, of_m2] = [next[0] * tails[0], 0.5 * next[1] * next[1] * tails[1]];
         let square = reach * reach;
@@ -263,7 +272,8 @@ impl Interpolant {
         self.0.iter().rposition(|coefficient| coefficient.abs() > tail).unwrap_or(0)
     }
 
-    /// The terms of the expansion about zero up to the third order, from the coefficients up to a degree.
+    /// The terms of the expansion about zero up to the third order, from the coefficients up to a
+    /// degree.
     fn taylor(&self, degree: usize) -> [f64; 4] {
         let mut terms = [0.0; 4];
         for (degree, coefficient) in self.0[..=degree].iter().enumerate() {

@@ -17,10 +17,12 @@ use events::{CurveStation, EVENTS, INADMISSIBLE, Signs, Step, changes, signs, va
 impl<O: ImpactOscillator> SolutionCurve<O> {
     /// Follows the curve from `start`, to the side of `direction`, until it ends.
     ///
-    /// In the formulation of the equations, [`FixedPhase`](crate::mps::Formulation::FixedPhase) as a rule: where VIVID ends, the curve ends.
+    /// In the formulation of the equations, [`FixedPhase`](crate::mps::Formulation::FixedPhase) as
+    /// a rule: where VIVID ends, the curve ends.
     ///
     /// # Errors
-    /// The curve cannot be started: the equations are undefined or have no unique tangent at `start`.
+    /// The curve cannot be started: the equations are undefined or have no unique tangent at
+    /// `start`.
     pub fn follow(
         self,
         start: Unknowns,
@@ -47,7 +49,8 @@ impl<O: ImpactOscillator> SolutionCurve<O> {
         Ok(follower.curve)
     }
 
-    /// Follows the curve through a point of it to both sides: first to the side of `direction`, then to the other, in one list.
+    /// Follows the curve through a point of it to both sides: first to the side of `direction`,
+    /// then to the other, in one list.
     ///
     /// # Errors
     /// As [`follow`](Self::follow).
@@ -84,7 +87,8 @@ impl<O: ImpactOscillator> SolutionCurve<O> {
         Ok(before)
     }
 
-    /// The bifurcation that a point of a one-parameter branch is itself, by which its neighbours on the branch differ.
+    /// The bifurcation that a point of a one-parameter branch is itself, by which its neighbours on
+    /// the branch differ.
     ///
     /// To neither side a sign changes beyond it, so that it is not seen on the way.
     fn bifurcation_between(
@@ -208,8 +212,8 @@ impl<O: ImpactOscillator> Follower<'_, O> {
         ControlFlow::Continue(())
     }
 
-    /// The MPS at a point and the signs there; if the curve is sketched, as the corrector has left them, and admissibility only where
-    /// it or the one before is stable.
+    /// The MPS at a point and the signs there; if the curve is sketched, as the corrector has left
+    /// them, and admissibility only where it or the one before is stable.
     fn solution_and_signs(&self, station: &CurveStation) -> (PeriodicSolution, Signs) {
         let SolutionCurve { equations, condition } = self.followed;
         match station.carried.stability.filter(|_| self.route.control.sketches()) {
@@ -228,8 +232,8 @@ impl<O: ImpactOscillator> Follower<'_, O> {
         }
     }
 
-    /// Whether something happens before the next point that is to be located: on a sketch a single event between two MPSs neither of
-    /// which is stable and admissible is not.
+    /// Whether something happens before the next point that is to be located: on a sketch a single
+    /// event between two MPSs neither of which is stable and admissible is not.
     fn matters(&self, past: Signs, now: Signs, next: &PeriodicSolution) -> bool {
         let either =
             || next.attracts() || self.curve.points.last().is_some_and(|point| point.solution.attracts());
@@ -240,7 +244,8 @@ impl<O: ImpactOscillator> Follower<'_, O> {
         }
     }
 
-    /// The first point, if the curve passes it between two of its points; with the phase as far on as it is then.
+    /// The first point, if the curve passes it between two of its points; with the phase as far on
+    /// as it is then.
     fn back_at_the_start(&self, step: &Step<'_, O>) -> Option<CurvePoint> {
         let [first, second, ..] = self.curve.points.as_slice() else { return None };
         if self.curve.points.len() <= FEWEST_OF_A_LOOP {
@@ -296,14 +301,16 @@ impl<O: ImpactOscillator> Follower<'_, O> {
             Ok(end) if *condition != Condition::InteriorGrazing => {
                 solution = equations.limiting_solution(&point, &end.here().tangent);
             }
-            // An end of interior grazing is a branch point, without a unique tangent along which to take limits.
+            // An end of interior grazing is a branch point, without a unique tangent along which to
+            // take limits.
             _ => solution.multipliers = Multipliers { trace: f64::NAN, determinant: f64::NAN },
         }
         self.curve.points.push(CurvePoint { solution, times });
         CurveEnd::Grazing
     }
 
-    /// Adds the point at which the curve crosses the edge of the window, or the point beyond if it cannot be located.
+    /// Adds the point at which the curve crosses the edge of the window, or the point beyond if it
+    /// cannot be located.
     fn end_on_the_edge(&mut self, step: &Step<'_, O>) {
         let window = &self.route.window;
         let outside = step.after.point;

@@ -13,7 +13,8 @@ use crate::tolerances::{self, EVALUATIONS, FARTHEST, SAME_POINT};
 pub enum Condition {
     /// A stability multiplier equals this: 1 at a saddle-node bifurcation, −1 at a period doubling.
     Multiplier(f64),
-    /// The interior maximum whose event time is carried along touches the wall: a grazing bifurcation of the MPS.
+    /// The interior maximum whose event time is carried along touches the wall: a grazing
+    /// bifurcation of the MPS.
     InteriorGrazing,
     /// A second interior maximum touches the wall, where one does already.
     SecondInteriorGrazing,
@@ -31,7 +32,8 @@ impl Condition {
     /// Period-doubling bifurcation (PD).
     pub const PERIOD_DOUBLING: Self = Self::Multiplier(-1.0);
 
-    /// Residual and gradient in the unknowns; `pair` is of order 2 where [`needs_second_order`](Self::needs_second_order).
+    /// Residual and gradient in the unknowns; `pair` is of order 2 where
+    /// [`needs_second_order`](Self::needs_second_order).
     pub(crate) fn evaluate<O: ImpactOscillator>(
         self,
         equations: &LoopEquations<O>,
@@ -54,7 +56,8 @@ impl Condition {
         })
     }
 
-    /// What holds a point in its place on the surface of solutions, where it is carried to another η: y and η, or without impacts μ and η.
+    /// What holds a point in its place on the surface of solutions, where it is carried to another
+    /// η: y and η, or without impacts μ and η.
     pub fn beside<O: ImpactOscillator>(equations: &LoopEquations<O>, point: &Unknowns) -> [Self; 2] {
         let held = match equations.has_impacts() {
             true => Self::ImpactVelocity(point[unknown::VELOCITY]),
@@ -171,9 +174,10 @@ pub fn same_point(a: &Unknowns, b: &Unknowns) -> bool {
 
 /// The point at which a curve of interior grazing runs into y = 0.
 ///
-/// With y = 0 all loops coincide with the grazing orbit, so the interior maximum lies on the wall for every η and the
-/// equations of [`locate`] are singular. The curve branches off this trivial family where the maximum does not change
-/// to first order along the branch of MPSs: det ∂(V₁, V₂, h)/∂(y, z, μ) = 0, which is solved for η by the secant method.
+/// With y = 0 all loops coincide with the grazing orbit, so the interior maximum lies on the wall
+/// for every η and the equations of [`locate`] are singular. The curve branches off this trivial
+/// family where the maximum does not change to first order along the branch of MPSs: det ∂(V₁, V₂,
+/// h)/∂(y, z, μ) = 0, which is solved for η by the secant method.
 ///
 /// # Errors
 /// Newton's method failed on the grazing orbit, or the secant method did not converge.
@@ -196,7 +200,8 @@ pub fn locate_grazing_end<O: ImpactOscillator>(
         matrix.set_row(2, &slopes.fixed_rows::<3>(0).transpose());
         Ok::<f64, NewtonFailure<MapError>>(matrix.determinant())
     };
-    // Two starting values closer together than the steps of a curve; the secant method needs no more of them.
+    // Two starting values closer together than the steps of a curve; the secant method needs no
+    // more of them.
     let (mut a, mut b) = (near[unknown::SECONDARY], near[unknown::SECONDARY] + 1e-4);
     let mut value_a = degeneracy(&mut point, a)?;
     for _ in 0..EVALUATIONS {

@@ -1,12 +1,15 @@
-//! Maximal periodic solutions (MPSs), and periodic solutions without impacts, as zeros of smooth functions.
+//! Maximal periodic solutions (MPSs), and periodic solutions without impacts, as zeros of smooth
+//! functions.
 //!
-//! A p-loop MPS has one impact, at velocity y and phase z, and returns to it after p forcing periods. Two maps lead from
-//! (y, z) to one surface: one through the recoil and p loops, the other straight from the impact, the wall ignored. The
-//! MPS is where they agree; its stability multipliers are the eigenvalues of the one's derivative times the inverse of
-//! the other's. The choice of the surface gives the [`Formulation`].
+//! A p-loop MPS has one impact, at velocity y and phase z, and returns to it after p forcing
+//! periods. Two maps lead from (y, z) to one surface: one through the recoil and p loops, the other
+//! straight from the impact, the wall ignored. The MPS is where they agree; its stability
+//! multipliers are the eigenvalues of the one's derivative times the inverse of the other's. The
+//! choice of the surface gives the [`Formulation`].
 //!
-//! A periodic solution without impacts is the case p = 0: from (x, y) at phase zero the flow leads round one forcing period, and the
-//! straight way is to stay. All else is the same: two equations, multipliers from the two ways, a highest maximum.
+//! A periodic solution without impacts is the case p = 0: from (x, y) at phase zero the flow leads
+//! round one forcing period, and the straight way is to stay. All else is the same: two equations,
+//! multipliers from the two ways, a highest maximum.
 
 use core::f64::consts::TAU;
 
@@ -32,23 +35,27 @@ fn at_phase_zero(point: &Unknowns) -> AtPhase {
     AtPhase::new(point[0], point[1])
 }
 
-/// A maximum within this share of a flight from either of its ends is that end, which is located as all maxima are, to some 10⁻⁸.
+/// A maximum within this share of a flight from either of its ends is that end, which is located as
+/// all maxima are, to some 10⁻⁸.
 const END: f64 = 1e-4;
 
-/// The surface on which the way through recoil and loops is compared with the straight way from the impact.
+/// The surface on which the way through recoil and loops is compared with the straight way from the
+/// impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Formulation {
-    /// The Poincaré section Π, y = 0: the VIVID function V = P_global^p ∘ P_virt ∘ R − P_virt (eq:V), the paper's method.
-    /// It ends where one of the maxima that it passes through disappears: that of a loop on Π, or the virtual one beyond the
-    /// wall, as where the wall is met with ẍ ≥ 0.
+    /// The Poincaré section Π, y = 0: the VIVID function V = P_global^p ∘ P_virt ∘ R − P_virt
+    /// (eq:V), the paper's method. It ends where one of the maxima that it passes through
+    /// disappears: that of a loop on Π, or the virtual one beyond the wall, as where the wall is
+    /// met with ẍ ≥ 0.
     Vivid,
-    /// The plane of constant phase through the impact: flow for p forcing periods from the impact phase, less what the
-    /// recoil takes. It has no virtual points and is defined everywhere, and one landing serves all loops: curves are followed with it.
+    /// The plane of constant phase through the impact: flow for p forcing periods from the impact
+    /// phase, less what the recoil takes. It has no virtual points and is defined everywhere, and
+    /// one landing serves all loops: curves are followed with it.
     FixedPhase,
 }
 
-/// What the equations carry along a curve: event times, so that "the next maximum" is never ambiguous, and the phase of
-/// the comparison plane.
+/// What the equations carry along a curve: event times, so that "the next maximum" is never
+/// ambiguous, and the phase of the comparison plane.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct EventTimes {
     /// Evolution times of P_virt from the impact and from the recoil.
@@ -67,7 +74,8 @@ pub struct EventTimes {
     pub(crate) unsettled: bool,
 }
 
-/// The equations of the periodic solutions of one oscillator with one impact in p forcing periods (MPSs), or without impacts (p = 0).
+/// The equations of the periodic solutions of one oscillator with one impact in p forcing periods
+/// (MPSs), or without impacts (p = 0).
 #[derive(Clone, Debug)]
 pub struct LoopEquations<O = AnyOscillator> {
     oscillator: O,
@@ -87,13 +95,14 @@ pub struct LoopPair {
 }
 
 impl<O: ImpactOscillator> LoopEquations<O> {
-    /// The equations of MPSs with `loops` = p ≥ 1 loops, or, whatever the formulation, of periodic solutions without impacts (p = 0); the
-    /// oscillator's own parameters do not matter.
+    /// The equations of MPSs with `loops` = p ≥ 1 loops, or, whatever the formulation, of periodic
+    /// solutions without impacts (p = 0); the oscillator's own parameters do not matter.
     pub fn new(oscillator: O, loops: u32, formulation: Formulation) -> Self {
         Self { oscillator, loops, formulation, units: [1.0; 2] }
     }
 
-    /// The equations of periodic solutions without impacts; in lengths of steps μ and η are counted in these units.
+    /// The equations of periodic solutions without impacts; in lengths of steps μ and η are counted
+    /// in these units.
     pub fn without_impacts(oscillator: O, units: [f64; 2]) -> Self {
         Self { units, ..Self::new(oscillator, 0, Formulation::FixedPhase) }
     }
@@ -152,7 +161,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         self.oscillator.with_parameters(parameters(point))
     }
 
-    /// The state in which the flight begins: just after the impact, (0, y_rec, z_rec), or without impacts at phase zero, (x, y, 0).
+    /// The state in which the flight begins: just after the impact, (0, y_rec, z_rec), or without
+    /// impacts at phase zero, (x, y, 0).
     pub fn departure(&self, point: &Unknowns) -> State {
         match self.has_impacts() {
             true => self.oscillator_at(point).reset::<1>(impact(point)).image().into(),
@@ -198,8 +208,9 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         }
     }
 
-    /// The two maps to the plane of constant phase `plane`, the motion of the flight being at hand. Without impacts they are the flow
-    /// over a forcing period and the identity, and there are none where motion goes far away.
+    /// The two maps to the plane of constant phase `plane`, the motion of the flight being at hand.
+    /// Without impacts they are the flow over a forcing period and the identity, and there are none
+    /// where motion goes far away.
     fn pair_along<const ORDER: usize>(
         &self,
         point: &Unknowns,
@@ -241,12 +252,14 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         times.reference_phase = Some(point[unknown::PHASE]);
     }
 
-    /// The points (x⁽ʲ⁾, z⁽ʲ⁾), j = 1, …, p, at which the loops of an MPS meet Π; the last is virtual.
+    /// The points (x⁽ʲ⁾, z⁽ʲ⁾), j = 1, …, p, at which the loops of an MPS meet Π; the last is
+    /// virtual.
     ///
     /// Paper: eq:xjzj. Starts from the event times in `times`.
     ///
     /// # Errors
-    /// A loop has no maximum of x near Π, half a forcing period or more after the one before, as where VIVID is not defined.
+    /// A loop has no maximum of x near Π, half a forcing period or more after the one before, as
+    /// where VIVID is not defined.
     pub fn visits(&self, point: &Unknowns, times: &EventTimes) -> Result<Vec<Vector2<f64>>, MapError> {
         let oscillator = self.oscillator_at(point);
         let recoil = oscillator.reset::<1>(impact(point)).image();
@@ -260,8 +273,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             .collect()
     }
 
-    /// The value of x at the maximum near a time after the recoil, with its first derivatives in the unknowns; the time becomes that of
-    /// the maximum.
+    /// The value of x at the maximum near a time after the recoil, with its first derivatives in
+    /// the unknowns; the time becomes that of the maximum.
     ///
     /// # Errors
     /// The maximum has disappeared.
@@ -299,8 +312,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         (self.orbit(point, &motion, stability.multipliers), stability)
     }
 
-    /// The same at a point with y = 0 that is approached along a curve with the given tangent, where the multipliers are
-    /// limits.
+    /// The same at a point with y = 0 that is approached along a curve with the given tangent,
+    /// where the multipliers are limits.
     pub fn limiting_solution(&self, point: &Unknowns, tangent: &Unknowns) -> PeriodicSolution {
         let motion = self.motion(point);
         let pair = self.fixed_phase_pair::<2>(point, point[unknown::PHASE], &motion);
@@ -319,7 +332,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         }
     }
 
-    /// The same to fewer digits, with multipliers that are known; its maxima are looked for only where they are asked for.
+    /// The same to fewer digits, with multipliers that are known; its maxima are looked for only
+    /// where they are asked for.
     pub(crate) fn sketch(
         &self,
         point: &Unknowns,
@@ -359,7 +373,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         }
     }
 
-    /// Velocity and phase of the impact of a solution; without impacts 0 and the phase of the highest point, in [0, 2π).
+    /// Velocity and phase of the impact of a solution; without impacts 0 and the phase of the
+    /// highest point, in [0, 2π).
     pub fn impact(&self, solution: &PeriodicSolution) -> [f64; 2] {
         let point = &solution.unknowns;
         if self.has_impacts() {
@@ -370,7 +385,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     }
 }
 
-/// The time from the recoil to the impact of a solution with p loops, p T − (z_rec − z)/ω, from the phases of impact and recoil.
+/// The time from the recoil to the impact of a solution with p loops, p T − (z_rec − z)/ω, from the
+/// phases of impact and recoil.
 pub fn flight_time<O: ImpactOscillator>(oscillator: &O, loops: u32, impact: f64, recoil: f64) -> f64 {
     let lag = (recoil - impact) / oscillator.forcing_frequency().value;
     f64::from(loops) * oscillator.forcing_period() - lag
@@ -403,9 +419,10 @@ impl LoopPair {
 
     /// det(D round trip − λ D impact) and its gradient in the unknowns.
     ///
-    /// Zero when λ is a stability multiplier: λ = 1 at a saddle-node, λ = −1 at a period-doubling bifurcation. In contrast
-    /// to the multipliers it stays smooth through y = 0; up to a smooth factor it is y (1 − λT + D) for λ = ±1, the
-    /// paper's y Ψ± (eq:Psi). The gradient needs jets of order 2.
+    /// Zero when λ is a stability multiplier: λ = 1 at a saddle-node, λ = −1 at a period-doubling
+    /// bifurcation. In contrast to the multipliers it stays smooth through y = 0; up to a smooth
+    /// factor it is y (1 − λT + D) for λ = ±1, the paper's y Ψ± (eq:Psi). The gradient needs jets
+    /// of order 2.
     pub fn characteristic(&self, multiplier: f64) -> (f64, Vector4<f64>) {
         let m = self.round_trip.derivative() - self.impact.derivative() * multiplier;
         let determinant = m[(0, 0)] * m[(1, 1)] - m[(0, 1)] * m[(1, 0)];
@@ -434,10 +451,11 @@ impl LoopPair {
         Multipliers { trace: numerators[0] / denominator, determinant: numerators[1] / denominator }
     }
 
-    /// Limits of trace and determinant at a point with y = 0, approached along a curve with the given tangent.
+    /// Limits of trace and determinant at a point with y = 0, approached along a curve with the
+    /// given tangent.
     ///
-    /// Numerators and denominator vanish together at a resonance; the limits are the ratios of their derivatives along
-    /// the curve. Jets of order 2.
+    /// Numerators and denominator vanish together at a resonance; the limits are the ratios of
+    /// their derivatives along the curve. Jets of order 2.
     pub fn limiting_multipliers(&self, tangent: &Unknowns) -> Multipliers {
         let along = |jet: &MapJet| {
             Matrix2::from_fn(|i, j| (0..4).map(|k| jet.hessians[i][(j, k)] * tangent[k]).sum::<f64>())

@@ -71,7 +71,8 @@ where
 /// Solves F(u) = 0 from a starting point.
 ///
 /// # Errors
-/// The equations are undefined at an iterate, the Jacobian is singular, or `limit` evaluations were not enough.
+/// The equations are undefined at an iterate, the Jacobian is singular, or `limit` evaluations were
+/// not enough.
 pub fn solve<const N: usize, E>(
     start: SVector<f64, N>,
     limit: usize,
@@ -83,7 +84,8 @@ where
     solve_within(f64::INFINITY, tolerances::STEP, start, limit, equations)
 }
 
-/// The same with another length of the last step, given up as soon as an iterate is farther from the start than `reach`.
+/// The same with another length of the last step, given up as soon as an iterate is farther from
+/// the start than `reach`.
 ///
 /// # Errors
 /// As [`solve`].

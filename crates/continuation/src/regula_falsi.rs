@@ -2,10 +2,12 @@
 
 use crate::tolerances::FALSE_POSITIONS;
 
-/// What was found at the last share of the way from 0 to 1, by the Illinois variant of regula falsi.
+/// What was found at the last share of the way from 0 to 1, by the Illinois variant of regula
+/// falsi.
 ///
-/// `at` returns what is found at a share with the function's value there, `values` are those at both ends. The search ends as soon as
-/// `enough` says so of what was found and its value, or when nothing is left to try.
+/// `at` returns what is found at a share with the function's value there, `values` are those at
+/// both ends. The search ends as soon as `enough` says so of what was found and its value, or when
+/// nothing is left to try.
 ///
 /// # Errors
 /// `at` fails.

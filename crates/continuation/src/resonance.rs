@@ -1,4 +1,5 @@
-//! Resonant grazing points: located numerically, and the curves that leave them and the codimension-two points at which these end.
+//! Resonant grazing points: located numerically, and the curves that leave them and the
+//! codimension-two points at which these end.
 
 use core::ops::Deref;
 
@@ -29,7 +30,8 @@ pub enum ResonanceError {
     /// A theorem's hypothesis does not hold.
     #[error(transparent)]
     Hypotheses(#[from] HypothesesViolated),
-    /// Motion is damped so much that nothing of a small difference is left after a forcing period, to rounding.
+    /// Motion is damped so much that nothing of a small difference is left after a forcing period,
+    /// to rounding.
     #[error(
         "small differences are forgotten within a forcing period, to rounding: resonances cannot be told from none"
     )]
@@ -79,8 +81,9 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         let [primary, secondary] = oscillator.parameters();
         let conditions = [Condition::SADDLE_NODE, Condition::ImpactVelocity(0.0)];
         let start = Unknowns::new(0.0, near, primary, secondary);
-        // Once more from the point found, which is one step more: where damping is strong, E_p and with it the coefficients change so fast
-        // with η that what the last step leaves would be seen.
+        // Once more from the point found, which is one step more: where damping is strong, E_p and
+        // with it the coefficients change so fast with η that what the last step leaves would be
+        // seen.
         let mut located = start;
         for _ in 0..2 {
             located = locate(&equations, conditions, located, &mut EventTimes::default())
@@ -89,8 +92,8 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
             located[unknown::VELOCITY] = 0.0;
         }
         let mut orbit = GrazingOrbit::find(&equations.oscillator_at(&located), located[unknown::PHASE])?;
-        // Where motion is almost forgotten within p periods a saddle-node at y = 0 is hard to distinguish from others: there a₁₂ or κ_p itself is
-        // solved for, along the grazing curve.
+        // Where motion is almost forgotten within p periods a saddle-node at y = 0 is hard to
+        // distinguish from others: there a₁₂ or κ_p itself is solved for, along the grazing curve.
         for _ in 0..POLISHING {
             let [detuning, slope] = orbit.detuning(loops, &orbit.derivative_of_map());
             let [_, secondary] = orbit.oscillator().parameters();
@@ -166,7 +169,8 @@ impl<O> Deref for ResonantGrazingPoint<O> {
 }
 
 impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
-    /// Locates the resonance near the parameters of `oscillator` and the phase `near`, and checks the theorem's hypotheses.
+    /// Locates the resonance near the parameters of `oscillator` and the phase `near`, and checks
+    /// the theorem's hypotheses.
     ///
     /// # Errors
     /// No resonance is found, or a hypothesis fails there.
@@ -185,10 +189,11 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
         Pair { saddle_node: theorem.saddle_node(), period_doubling: theorem.period_doubling() }
     }
 
-    /// The direction in which theory lets the SN (`multiplier` 1) or PD (−1) curve leave with y > 0.
+    /// The direction in which theory lets the SN (`multiplier` 1) or PD (−1) curve leave with
+    /// y > 0.
     ///
-    /// (y, z, primary, η) grow like (Υ', z_graz' + k₁Υ', primary_graz', 1) η, with the sign of η that makes y positive.
-    /// Paper: eq:Upsilon1, eq:Upsilonp, eq:ZM.
+    /// (y, z, primary, η) grow like (Υ', z_graz' + k₁Υ', primary_graz', 1) η, with the sign of η
+    /// that makes y positive. Paper: eq:Upsilon1, eq:Upsilonp, eq:ZM.
     pub fn direction(&self, condition: Condition) -> Unknowns {
         let curve = match condition {
             Condition::Multiplier(multiplier) if multiplier < 0.0 => self.theorem.period_doubling(),
@@ -216,8 +221,8 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
             .map_err(|stall| ResonanceError::not_started(condition, stall.to_string()))
     }
 
-    /// All curves that bound the stable region of the MPS at this resonance: SN and PD from the resonance, and GZ from the
-    /// codimension-two points at which these end.
+    /// All curves that bound the stable region of the MPS at this resonance: SN and PD from the
+    /// resonance, and GZ from the codimension-two points at which these end.
     ///
     /// # Errors
     /// The SN or the PD curve cannot be started.
@@ -247,8 +252,8 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
 }
 
 impl<O: ImpactOscillator> LoopEquations<O> {
-    /// Follows the other curve of a codimension-two point at which one curve ends: GZ to the side where the MPS is stable, SN and PD
-    /// to the side where it is admissible.
+    /// Follows the other curve of a codimension-two point at which one curve ends: GZ to the side
+    /// where the MPS is stable, SN and PD to the side where it is admissible.
     ///
     /// # Errors
     /// There is no such side, or the curve cannot be started.
@@ -257,7 +262,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         let bounds = |solution: &PeriodicSolution| {
             !solution.touches() && (condition != Condition::InteriorGrazing || solution.stable())
         };
-        // A curve to the inadmissible side of a point at which two maxima touch the wall ends there at once.
+        // A curve to the inadmissible side of a point at which two maxima touch the wall ends there
+        // at once.
         let onwards = |solution: &PeriodicSolution| {
             bounds(solution) && !same_point(&solution.unknowns, &point.solution.unknowns)
         };

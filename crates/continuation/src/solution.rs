@@ -5,8 +5,8 @@ use nalgebra::Vector4;
 
 use crate::tolerances::{self, STABILITY, UNSETTLED_MULTIPLIERS};
 
-/// The unknowns: (y, z, μ, η), impact velocity, impact phase, primary and secondary parameter; without impacts (x, y, μ, η), position
-/// and velocity at phase zero.
+/// The unknowns: (y, z, μ, η), impact velocity, impact phase, primary and secondary parameter;
+/// without impacts (x, y, μ, η), position and velocity at phase zero.
 pub type Unknowns = Vector4<f64>;
 
 /// Positions of the unknowns.
@@ -26,7 +26,8 @@ pub fn parameters(point: &Unknowns) -> [f64; 2] {
     [point[unknown::PRIMARY], point[unknown::SECONDARY]]
 }
 
-/// Trace T and determinant D of the matrix U whose eigenvalues are the stability multipliers (eq:U, eq:TD).
+/// Trace T and determinant D of the matrix U whose eigenvalues are the stability multipliers (eq:U,
+/// eq:TD).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Multipliers {
     /// T.
@@ -66,7 +67,8 @@ impl Stability {
         period_doubling: f64::NAN,
     };
 
-    /// Whether something has changed by more than itself, so that a correction as large as the last one may change its sign.
+    /// Whether something has changed by more than itself, so that a correction as large as the last
+    /// one may change its sign.
     pub(crate) fn is_unsettled_since(&self, before: &Self) -> bool {
         let changed = |of: fn(&Self) -> f64| (of(self) - of(before)).abs() >= of(self).abs();
         self.multipliers.size() < UNSETTLED_MULTIPLIERS
@@ -82,9 +84,11 @@ pub struct PeriodicSolution {
     pub loops: u32,
     /// (y, z, μ, η), or (x, y, μ, η) without impacts.
     pub unknowns: Unknowns,
-    /// Trace and determinant of U; infinite or NaN at y = 0. Without impacts those of the flow over a forcing period.
+    /// Trace and determinant of U; infinite or NaN at y = 0. Without impacts those of the flow over
+    /// a forcing period.
     pub multipliers: Multipliers,
-    /// The highest local maximum of x between the recoil and the next impact, if there is one; without impacts the highest point.
+    /// The highest local maximum of x between the recoil and the next impact, if there is one;
+    /// without impacts the highest point.
     pub highest_interior_maximum: Option<Maximum>,
 }
 
@@ -112,7 +116,8 @@ impl PeriodicSolution {
         self.highest_interior_maximum.map_or(f64::NEG_INFINITY, |maximum| maximum.position)
     }
 
-    /// A valid solution of the hybrid system: y > 0 if there are impacts, and no interior maximum of x above the wall, wherever it lies.
+    /// A valid solution of the hybrid system: y > 0 if there are impacts, and no interior maximum
+    /// of x above the wall, wherever it lies.
     pub fn admissible(&self) -> bool {
         (!self.has_impacts() || self.impact_velocity() > 0.0) && self.ceiling() <= Self::TOUCH
     }

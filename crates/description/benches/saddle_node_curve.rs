@@ -1,7 +1,8 @@
-//! Time per point of the saddle-node curves of `examples/duffing.toml`, next to the same oscillator in compiled Rust.
+//! Time per point of the saddle-node curves of `examples/duffing.toml`, next to the same oscillator
+//! in compiled Rust.
 //!
-//! A point is a converged one with its multipliers and its admissibility over the whole orbit; the end of the curve is
-//! located along the way.
+//! A point is a converged one with its multipliers and its admissibility over the whole orbit; the
+//! end of the curve is located along the way.
 
 use core::hint::black_box;
 use std::path::Path;
@@ -84,7 +85,8 @@ impl core::fmt::Display for Place {
     }
 }
 
-/// Found by homotopy from the linear oscillator's resonances with the largest regions (n = 3, 1, 1; empirical).
+/// Found by homotopy from the linear oscillator's resonances with the largest regions (n = 3, 1, 1;
+/// empirical).
 const PLACES: [Place; 3] = [
     Place { loops: 1, near: [0.0668, 0.6734, 0.7597] },
     Place { loops: 2, near: [0.0868, 0.3983, 0.9134] },

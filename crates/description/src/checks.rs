@@ -1,6 +1,8 @@
-//! Checks at samples of the ranges: what the theorems assume of F, ω, Φ and Ψ, and that the wall moves with the forcing.
+//! Checks at samples of the ranges: what the theorems assume of F, ω, Φ and Ψ, and that the wall
+//! moves with the forcing.
 //!
-//! A sample proves nothing, but a wrong sign, a pole in the range or a forgotten factor shows at almost every point.
+//! A sample proves nothing, but a wrong sign, a pole in the range or a forgotten factor shows at
+//! almost every point.
 
 use std::f64::consts::TAU;
 
@@ -11,22 +13,26 @@ use crate::error::{DescriptionError, KeyPlace, rounded};
 
 /// Points along the range of either parameter, both ends included.
 const ALONG: u32 = 7;
-/// Positions and velocities at which the force is sampled, in the oscillator's [`Units`]; empirical. At the wall and close to
-/// it, from `-NEAR` on, it must be finite; far from it a force may have its poles.
+/// Positions and velocities at which the force is sampled, in the oscillator's [`Units`];
+/// empirical. At the wall and close to it, from `-NEAR` on, it must be finite; far from it a force
+/// may have its poles.
 const POSITIONS: [f64; 4] = [-1.0, -0.37, -0.01, 0.0];
 const NEAR: f64 = 0.01;
 const VELOCITIES: [f64; 3] = [-0.83, 0.0, 0.61];
-/// Impact velocities, likewise, at which the reset law is sampled: the theorems are about slow impacts.
+/// Impact velocities, likewise, at which the reset law is sampled: the theorems are about slow
+/// impacts.
 const IMPACT_VELOCITIES: [f64; 5] = [0.0, 0.01, 0.1, 0.5, 1.0];
 /// Phases, as shares of the period, that no symmetry relates.
 const SHARES: [f64; 5] = [0.0, 0.137, 0.361, 0.592, 0.823];
-/// The relative change over one period that rounding may cause: the phase's error, a few units in the last place, is
-/// magnified by the derivative with respect to it, which is far below 1e6 for any forcing whose period could be resolved.
+/// The relative change over one period that rounding may cause: the phase's error, a few units in
+/// the last place, is magnified by the derivative with respect to it, which is far below 1e6 for
+/// any forcing whose period could be resolved.
 const ROUNDING: f64 = 1e-9;
 
 type Checked = Result<(), DescriptionError>;
 
-/// Checks frequency, force and reset law at samples, in the order of the file; what is allowed and may not be meant.
+/// Checks frequency, force and reset law at samples, in the order of the file; what is allowed and
+/// may not be meant.
 pub(crate) fn samples(
     description: &Description,
     places: &Expressions<KeyPlace>,
@@ -152,7 +158,8 @@ impl Sampler<'_> {
         self.reset(&self.places.duration, unit, [mu, eta], duration, |_| None)
     }
 
-    /// Checks a function of the reset law, which is of the order of `unit`: finite, 2π-periodic in z, and not `refused` for a reason.
+    /// Checks a function of the reset law, which is of the order of `unit`: finite, 2π-periodic in
+    /// z, and not `refused` for a reason.
     fn reset(
         &self,
         place: &KeyPlace,

@@ -59,14 +59,16 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// Those of a file that has none: the examples take seconds and 50 MB, and whoever waits for ten minutes wants to see
-    /// something. The steps are more than two cores do in that time.
+    /// Those of a file that has none: the examples take seconds and 50 MB, and whoever waits for
+    /// ten minutes wants to see something. The steps are more than two cores do in that time.
     pub const USUAL: Self = Self { time: 600.0, memory: 2000.0, steps: 1e10 };
 }
 
-/// The wall, and how its coordinates, in which the oscillator is one of the paper, lead to those of the file.
+/// The wall, and how its coordinates, in which the oscillator is one of the paper, lead to those of
+/// the file.
 ///
-/// With the wall at W(t), u = x − W for motion below it and W − x for motion above it: u ≤ 0, and impacts have the relative velocity u̇ > 0.
+/// With the wall at W(t), u = x − W for motion below it and W − x for motion above it: u ≤ 0, and
+/// impacts have the relative velocity u̇ > 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wall {
     pub(crate) side: Side,
@@ -113,7 +115,8 @@ impl Wall {
         self.side
     }
 
-    /// Position x and velocity v, as the file has them, of motion that is at u with u̇ seen from the wall.
+    /// Position x and velocity v, as the file has them, of motion that is at u with u̇ seen from
+    /// the wall.
     pub fn outside(&self, [u, velocity]: [f64; 2], time: f64, [mu, eta]: [f64; 2]) -> [f64; 2] {
         self.outside.each_ref().map(|coordinate| coordinate.evaluate(&[u, velocity, time, mu, eta]))
     }
@@ -183,8 +186,8 @@ impl Description {
         self.counted(parameters, &Units::ONE, &Stop::default())
     }
 
-    /// The oscillator at parameters (μ, η) that are counted in these units, as its motion is; nothing moves any more once an end
-    /// is asked for.
+    /// The oscillator at parameters (μ, η) that are counted in these units, as its motion is;
+    /// nothing moves any more once an end is asked for.
     pub fn counted(&self, parameters: [f64; 2], units: &Units, stop: &Stop) -> AnyOscillator {
         let model = Stoppable::new(Dimensionless::new(self.clone(), *units), stop.clone());
         AnyOscillator::new(Integrated::new(model, parameters))
@@ -220,7 +223,8 @@ impl Description {
         &self.0.formulas.wall
     }
 
-    /// The formulas that are computed with: the force seen from the [`Wall`], in u, u̇, t, μ, η; ω in μ, η; Φ and Ψ in y, z, μ, η.
+    /// The formulas that are computed with: the force seen from the [`Wall`], in u, u̇, t, μ, η; ω
+    /// in μ, η; Φ and Ψ in y, z, μ, η.
     pub fn formulas(&self) -> [&Expression; 4] {
         let Formulas { force, frequency, restitution, duration, .. } = &self.0.formulas;
         [force, frequency, restitution, duration]
@@ -231,8 +235,8 @@ impl Description {
         &self.0.texts
     }
 
-    /// u and u̇ at time zero from which the non-impacting motion is looked for, if the file gives position and velocity; seen from the wall where it is
-    /// in the middle of the ranges.
+    /// u and u̇ at time zero from which the non-impacting motion is looked for, if the file gives
+    /// position and velocity; seen from the wall where it is in the middle of the ranges.
     pub fn start(&self) -> Option<[f64; 2]> {
         self.0.start
     }
@@ -252,7 +256,8 @@ impl Description {
         Units::of(self, [self.primary().range(), self.secondary().range()])
     }
 
-    /// The numbers of loops p to analyse: at least one, each 1 or more, none twice, as ordered in the file.
+    /// The numbers of loops p to analyse: at least one, each 1 or more, none twice, as ordered in
+    /// the file.
     pub fn loops(&self) -> &[u32] {
         &self.0.loops
     }

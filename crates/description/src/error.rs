@@ -63,7 +63,8 @@ impl KeyPlace {
     }
 }
 
-/// The value to six digits, without zeros at the end, and with an exponent where there were many in it.
+/// The value to six digits, without zeros at the end, and with an exponent where there were many in
+/// it.
 pub(crate) fn rounded(value: f64) -> String {
     let value: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     let plain = value == 0.0 || (1e-5..1e9).contains(&value.abs()) || !value.is_finite();

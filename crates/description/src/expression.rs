@@ -1,21 +1,25 @@
 //! A smooth expression in named variables, evaluated over any kind of number.
 //!
 //! # The parser
-//! The text is parsed by [nanoexpr](https://docs.rs/nanoexpr), which hands every operation to a number type of the caller's
-//! as it reads; ours builds a graph instead of computing. Why this one: its precedence is that of mathematics
-//! (`-x^2` is −(x²), `2^-1` and `2^3^2` work, `a/b/c` is (a/b)/c); every error has its place in the text; names and functions
-//! are asked of the caller, so that none is known but ours; its licence is MIT; without its arithmetic, which is not used,
-//! it brings along no other crate and compiles in about a second. It is young (October 2026), but tested with random input,
-//! and small enough to be kept by whoever keeps this. Of the others, exmex reads `-x^2` as (−x)² and tells no places; the
-//! trees of mathlex and mathexpr have no places either, and the former, made for LaTeX and tensors, is six times as
-//! large; fasteval and meval have had no release for years; evalexpr is under the AGPL.
+//! The text is parsed by [nanoexpr](https://docs.rs/nanoexpr), which hands every operation to a
+//! number type of the caller's as it reads; ours builds a graph instead of computing. Why this one:
+//! its precedence is that of mathematics (`-x^2` is −(x²), `2^-1` and `2^3^2` work, `a/b/c` is
+//! (a/b)/c); every error has its place in the text; names and functions are asked of the caller, so
+//! that none is known but ours; its licence is MIT; without its arithmetic, which is not used, it
+//! brings along no other crate and compiles in about a second. It is young (October 2026), but
+//! tested with random input, and small enough to be kept by whoever keeps this. Of the others,
+//! exmex reads `-x^2` as (−x)² and tells no places; the trees of mathlex and mathexpr have no
+//! places either, and the former, made for LaTeX and tensors, is six times as large; fasteval and
+//! meval have had no release for years; evalexpr is under the AGPL.
 //!
 //! # The tape
-//! Constants are folded while the text is read, equal parts become one node, whole powers are products, and a sum with all
-//! its constant factors is one instruction, for choosing the next instruction takes longer than arithmetic. What is left is
-//! a short list of instructions, each of which adds one value to a list that begins with those of the variables.
-//! [`Expression::evaluate`] runs it over plain numbers, jets or intervals alike. Instructions that need none of the variables
-//! that move stand first, so that [`Expression::hold`] can run them once for many values of those.
+//! Constants are folded while the text is read, equal parts become one node, whole powers are
+//! products, and a sum with all its constant factors is one instruction, for choosing the next
+//! instruction takes longer than arithmetic. What is left is a short list of instructions, each of
+//! which adds one value to a list that begins with those of the variables. [`Expression::evaluate`]
+//! runs it over plain numbers, jets or intervals alike. Instructions that need none of the
+//! variables that move stand first, so that [`Expression::hold`] can run them once for many values
+//! of those.
 
 mod assemble;
 mod derivative;
@@ -36,7 +40,8 @@ use thiserror::Error;
 pub(crate) use function::{is_function, variable};
 pub(crate) use parse::from_the_wall;
 
-/// The most results of instructions that an evaluation keeps on the stack; an expression with more of them allocates.
+/// The most results of instructions that an evaluation keeps on the stack; an expression with more
+/// of them allocates.
 pub const MOST_VALUES_ON_STACK: usize = 24;
 
 /// The first thing in an expression that is not right.
@@ -63,9 +68,11 @@ struct Tape {
     held: usize,
     /// The number of variables that move; they come first.
     moving: usize,
-    /// The slots of what the other instructions need of these and of the variables that do not move,
+    /// The slots of what the other instructions need of these and of the variables that do not
+    /// move,
     needed: Vec<Slot>,
-    /// and the other instructions; on their list the values of those slots take the place of what they came from.
+    /// and the other instructions; on their list the values of those slots take the place of what
+    /// they came from.
     rest: Code,
 }
 
@@ -79,14 +86,16 @@ struct Code {
     result: Slot,
 }
 
-/// The slot of a value in the list: those of the variables come first, then one for each instruction.
+/// The slot of a value in the list: those of the variables come first, then one for each
+/// instruction.
 type Slot = usize;
 
 /// What one instruction computes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Instruction {
     Plain(Operation<Slot>),
-    /// A constant and values times numbers, which stand in the list of terms from `start` to before `end`.
+    /// A constant and values times numbers, which stand in the list of terms from `start` to before
+    /// `end`.
     Sum {
         start: usize,
         end: usize,
@@ -94,7 +103,8 @@ enum Instruction {
     },
 }
 
-/// An operation on operands that are given by number: of a node in the graph, of a value's slot on the tape.
+/// An operation on operands that are given by number: of a node in the graph, of a value's slot on
+/// the tape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Operation<P> {
     Constant(f64),
@@ -173,7 +183,8 @@ impl Operation<Slot> {
     }
 }
 
-/// Writes a result to its slot. It is a call of its own so that the compiler knows the slots to differ, and copies nothing.
+/// Writes a result to its slot. It is a call of its own so that the compiler knows the slots to
+/// differ, and copies nothing.
 #[inline(never)]
 fn into<S, T>(result: &mut S, a: &S, b: &T, compute: impl Fn(&S, &T) -> S) {
     *result = compute(a, b);
@@ -182,8 +193,9 @@ fn into<S, T>(result: &mut S, a: &S, b: &T, compute: impl Fn(&S, &T) -> S) {
 impl Expression {
     /// The expression that a text gives, in these variables and constants.
     ///
-    /// `variables` are the names whose values [`Expression::evaluate`] takes, in this order; `constants` are names with their
-    /// values; `pi` and `e` are known besides. Operators are `+ - * / ^`; every function takes one argument.
+    /// `variables` are the names whose values [`Expression::evaluate`] takes, in this order;
+    /// `constants` are names with their values; `pi` and `e` are known besides. Operators are
+    /// `+ - * / ^`; every function takes one argument.
     ///
     /// # Errors
     /// [`ExpressionError`], the first thing in the text that is not right, with its place.
@@ -195,8 +207,8 @@ impl Expression {
         parse::expression(text, variables, variables.len(), constants).map(|(expression, _)| expression)
     }
 
-    /// As [`Expression::parse`], with the numbers of the variables that the text names; the first so many `moving` ones are
-    /// those that [`Expression::hold`] leaves free.
+    /// As [`Expression::parse`], with the numbers of the variables that the text names; the first
+    /// so many `moving` ones are those that [`Expression::hold`] leaves free.
     pub(crate) fn parse_with_uses(
         text: &str,
         variables: &[&str],
@@ -225,7 +237,8 @@ impl Expression {
         tape.whole.evaluate(&variables[..tape.variables.len()], iter::empty())
     }
 
-    /// The expression as a function of the variables that move, with these values of the others, which may be of a simpler kind of number.
+    /// The expression as a function of the variables that move, with these values of the others,
+    /// which may be of a simpler kind of number.
     ///
     /// # Panics
     /// With fewer values than there are variables that do not move.
@@ -279,7 +292,8 @@ fn value<'v, S, V: Borrow<S>>(slot: Slot, variables: &'v [V], free: usize, list:
 
 /// Writes the sum of values times numbers and a constant to its slot.
 ///
-/// Factors of one and minus one change no bit, and no branch is faster than one that is guessed wrong.
+/// Factors of one and minus one change no bit, and no branch is faster than one that is guessed
+/// wrong.
 #[inline(never)]
 fn add_up<'v, S: Scalar + 'v>(
     result: &mut S,
@@ -311,7 +325,8 @@ impl Code {
         })
     }
 
-    /// Runs some of the instructions, in order; so many values stand on the list before the results.
+    /// Runs some of the instructions, in order; so many values stand on the list before the
+    /// results.
     fn run<S: Scalar, V: Borrow<S>>(
         &self,
         which: Range<usize>,

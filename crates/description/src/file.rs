@@ -9,7 +9,8 @@ use grazing_source::{Keys, Requirements, Section, SourceError, keys};
 
 use crate::description::{Description, Limits, Side};
 
-/// The largest number of loops: higher ones do not relate to resonant grazing, and their curves are not told apart.
+/// The largest number of loops: higher ones do not relate to resonant grazing, and their curves are
+/// not told apart.
 pub(crate) const MOST_LOOPS: u32 = 12;
 
 /// More portraits in one diagram nobody looks at.

@@ -1,9 +1,10 @@
 //! An impact oscillator that is written in a text file.
 //!
-//! A [`Description`] is made from a TOML file that passed every check: it names constants and the two parameters μ and η,
-//! and gives the force F(x, v, t), the forcing frequency ω, the restitution Φ(y, z) and the impact duration Ψ(y, z) as
-//! expressions ([`Expression`]). It is a [`SmoothOscillator`](grazing_model::smooth::SmoothOscillator), as any oscillator
-//! that is written in Rust.
+//! A [`Description`] is made from a TOML file that passed every check: it names constants and the
+//! two parameters μ and η, and gives the force F(x, v, t), the forcing frequency ω, the restitution
+//! Φ(y, z) and the impact duration Ψ(y, z) as expressions ([`Expression`]). It is a
+//! [`SmoothOscillator`](grazing_model::smooth::SmoothOscillator), as any oscillator that is written
+//! in Rust.
 //!
 //! ```
 //! use grazing_description::Description;
@@ -34,8 +35,8 @@
 //! # Ok::<(), grazing_description::DescriptionError>(())
 //! ```
 //!
-//! Whatever is wrong with a file is told as a [`DescriptionError`]: file, line, key, the expression with a mark under the
-//! place, what is wrong and what would be right.
+//! Whatever is wrong with a file is told as a [`DescriptionError`]: file, line, key, the expression
+//! with a mark under the place, what is wrong and what would be right.
 
 mod checks;
 mod description;

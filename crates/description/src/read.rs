@@ -52,8 +52,8 @@ impl Description {
         Ok(Description(Arc::new(content)))
     }
 
-    /// The same oscillator with another value of a constant; a name that is no constant's changes nothing. What the theorems assume is not
-    /// checked again.
+    /// The same oscillator with another value of a constant; a name that is no constant's changes
+    /// nothing. What the theorems assume is not checked again.
     ///
     /// # Errors
     /// An expression has no value with it, as 1/kappa for kappa = 0.
@@ -68,7 +68,8 @@ impl Description {
     /// The same oscillator with other numbers of loops p to analyse.
     ///
     /// # Errors
-    /// [`DescriptionError::Loops`] unless there is at least one number, all lie between 1 and 12, and none stands twice.
+    /// [`DescriptionError::Loops`] unless there is at least one number, all lie between 1 and 12,
+    /// and none stands twice.
     pub fn with_loops(&self, loops: &[u32]) -> Result<Description, DescriptionError> {
         let twice = (1..loops.len()).any(|index| loops[..index].contains(&loops[index]));
         if loops.is_empty() || twice || !loops.iter().all(|number| (1..=MOST_LOOPS).contains(number)) {

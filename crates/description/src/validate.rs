@@ -15,8 +15,8 @@ use crate::names;
 /// More constants than this nobody names; every name in an expression is looked for among them.
 const MOST_CONSTANTS: usize = 1000;
 
-/// The key of an expression with the variables that it may use beside the parameters, and how many of them, the first ones,
-/// move while the others are held.
+/// The key of an expression with the variables that it may use beside the parameters, and how many
+/// of them, the first ones, move while the others are held.
 type Kind = (&'static str, &'static [&'static str], usize);
 
 const FORCE: Kind = ("motion.force", &["x", "v", "t"], 2);
@@ -34,7 +34,8 @@ impl<'a> Known<'a> {
         Self(axes.map(Axis::name), constants)
     }
 
-    /// The expression, and the numbers of the variables in it, the last two of which are the parameters.
+    /// The expression, and the numbers of the variables in it, the last two of which are the
+    /// parameters.
     fn parse(&self, text: &str, (_, own, moving): Kind) -> Result<(Expression, Vec<usize>), ExpressionError> {
         Expression::parse_with_uses(text, &[own, &self.0].concat(), moving, &self.1)
     }
@@ -60,8 +61,8 @@ pub(crate) fn formulas(
     })
 }
 
-/// Checks everything that can be checked without evaluating an expression. Where there is no wall in the file, its expression stands
-/// where that of the force does.
+/// Checks everything that can be checked without evaluating an expression. Where there is no wall
+/// in the file, its expression stands where that of the force does.
 pub(crate) fn description(
     section: &Section<'_>,
 ) -> Result<(Description, Expressions<KeyPlace>), DescriptionError> {

@@ -1,15 +1,19 @@
 //! The figures of the paper as SVG, drawn from rows.
 //!
-//! For each figure there is a function, such as [`draw_fig04`], that takes what it shows ([`grazing_results`]) and returns a [`Sheet`]: what
-//! is drawn, and what the figure says of itself. [`draw_diagram`] and [`draw_magnifications`] draw Figures 7 and 8, and the like of any oscillator. This crate knows
-//! rows, frames and ink; it computes nothing about impacts, and equal input gives equal bytes.
+//! For each figure there is a function, such as [`draw_fig04`], that takes what it shows
+//! ([`grazing_results`]) and returns a [`Sheet`]: what is drawn, and what the figure says of
+//! itself. [`draw_diagram`] and [`draw_magnifications`] draw Figures 7 and 8, and the like of any
+//! oscillator. This crate knows rows, frames and ink; it computes nothing about impacts, and equal
+//! input gives equal bytes.
 //!
-//! The files stand on four floors, each of which uses only those below it: `figures`, `plot` (parts of figures: axes, grids of panels,
-//! curves, scenes), `ink` (fonts, pens, SVG, labels, legends) and `geometry`.
+//! The files stand on four floors, each of which uses only those below it: `figures`, `plot` (parts
+//! of figures: axes, grids of panels, curves, scenes), `ink` (fonts, pens, SVG, labels, legends)
+//! and `geometry`.
 //!
-//! plotters maps data to the sheet, whose lengths are points; SVG is written with two decimals. Curves and
-//! polygons are clipped in data space, so that they leave a frame at their own slope, and are split at NaN. Text stays
-//! text, in fonts that are embedded in each file and measured when labels are placed.
+//! plotters maps data to the sheet, whose lengths are points; SVG is written with two decimals.
+//! Curves and polygons are clipped in data space, so that they leave a frame at their own slope,
+//! and are split at NaN. Text stays text, in fonts that are embedded in each file and measured when
+//! labels are placed.
 
 mod error;
 mod figures;

@@ -1,4 +1,5 @@
-//! Parts of figures: axes, grids of panels, curves, points and regions by their kind, scenes in phase space.
+//! Parts of figures: axes, grids of panels, curves, points and regions by their kind, scenes in
+//! phase space.
 
 pub(crate) mod axes;
 pub(crate) mod branches;

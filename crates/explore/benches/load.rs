@@ -1,4 +1,5 @@
-//! Twenty pages in a real browser that drag at once: what they see move, how long they wait, and what the server needs for it.
+//! Twenty pages in a real browser that drag at once: what they see move, how long they wait, and
+//! what the server needs for it.
 //!
 //! ```sh
 //! EXPLORE_LOAD_SECONDS=60 cargo bench -p grazing-explore --bench load
@@ -22,13 +23,15 @@ use grazing_explore::Limits;
 use running::Running;
 
 const PAGES: usize = 20;
-/// The seconds for which all drag, if the environment does not say it; and megabytes that the process may grow by.
+/// The seconds for which all drag, if the environment does not say it; and megabytes that the
+/// process may grow by.
 const SECONDS: u64 = 5;
 const MEGABYTES: f64 = 200.0;
 /// A hand's pause between two places of a slider.
 const PAUSE: Duration = Duration::from_millis(60);
 
-/// Megabytes that this process, the server, holds and has held at most; nothing where the system does not tell.
+/// Megabytes that this process, the server, holds and has held at most; nothing where the system
+/// does not tell.
 fn held(what: &str) -> Option<f64> {
     let status = fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix(what))?;

@@ -1,4 +1,5 @@
-//! The one-parameter diagram along a line of the plane: its branches first, then what simulation comes to.
+//! The one-parameter diagram along a line of the plane: its branches first, then what simulation
+//! comes to.
 
 use grazing_model::smooth::Stop;
 use grazing_reproduction::one_parameter::SAMPLING;
@@ -29,7 +30,8 @@ enum Fixed {
     Secondary,
 }
 
-/// The range of the parameter that is held, as a part of the file's: only its lower end is looked at.
+/// The range of the parameter that is held, as a part of the file's: only its lower end is looked
+/// at.
 const HELD: f64 = 0.01;
 
 pub(crate) fn compute(request: &CutRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {

@@ -73,7 +73,8 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     }
     let approximations = approximations(&axes, &diagram);
     events.send("curves", &approximations);
-    // Curves that were sent under another name, as they were thought to be others, are not among these.
+    // Curves that were sent under another name, as they were thought to be others, are not among
+    // these.
     events.send("keys", &all.iter().chain(&approximations).map(|curve| &curve["key"]).collect::<Vec<_>>());
     events.send("notes", &plane::lost(&diagram).collect::<Vec<_>>());
     Ok(())
@@ -160,7 +161,8 @@ fn resonances(axes: &Axes, diagram: &Diagram) -> Vec<Value> {
     diagram.resonances.iter().map(one).collect()
 }
 
-/// The quadratic approximations to the SN and PD curves of the resonances that are seen, as far as they lie in the view.
+/// The quadratic approximations to the SN and PD curves of the resonances that are seen, as far as
+/// they lie in the view.
 fn approximations(axes: &Axes, diagram: &Diagram) -> Vec<Value> {
     let ranks = ranks(diagram);
     let unfolding = diagram.resonances.iter().zip(ranks);

@@ -1,8 +1,9 @@
 //! Who may ask, and what every answer says to browsers.
 //!
-//! The server listens on the loopback interface alone, but every page that a browser shows can send requests there. So the address has a random token
-//! in its path, which no other page can know; the Host must be the server's own, or a foreign name could be made to mean
-//! this machine (DNS rebinding); and a request from a page must come from the server's own.
+//! The server listens on the loopback interface alone, but every page that a browser shows can send
+//! requests there. So the address has a random token in its path, which no other page can know; the
+//! Host must be the server's own, or a foreign name could be made to mean this machine (DNS
+//! rebinding); and a request from a page must come from the server's own.
 
 use hyper::header::{self, HeaderMap, HeaderName, HeaderValue};
 
@@ -46,7 +47,8 @@ pub(crate) fn is_own(headers: &HeaderMap, port: u16) -> bool {
     host && origin && site
 }
 
-/// What every answer says: nothing is loaded but from here, nothing is kept, nobody may show it in a frame.
+/// What every answer says: nothing is loaded but from here, nothing is kept, nobody may show it in
+/// a frame.
 pub(crate) fn headers(headers: &mut HeaderMap) {
     let all: [(HeaderName, &'static str); 6] = [
         (

@@ -1,4 +1,5 @@
-//! How kinds of curves look and what they are called, for the page: `grazing_results::kinds` as a script.
+//! How kinds of curves look and what they are called, for the page: `grazing_results::kinds` as a
+//! script.
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::kinds::{CURVES, Colour, CurveLook};
@@ -20,8 +21,9 @@ fn width(width: f64) -> f64 {
     pixels(&[width])[0]
 }
 
-/// A module of JavaScript with `LOOKS`: for each kind of curve its meaning, the colours on light and on dark ground of the curve and of its
-/// approximation, width and dashes; and with `APPROXIMATION`, width and dashes of approximations.
+/// A module of JavaScript with `LOOKS`: for each kind of curve its meaning, the colours on light
+/// and on dark ground of the curve and of its approximation, width and dashes; and with
+/// `APPROXIMATION`, width and dashes of approximations.
 pub(crate) fn script() -> String {
     let look = |kind: Bifurcation| {
         let look = CurveLook::of(kind);

@@ -1,7 +1,9 @@
-//! `grazing explore`: a page in the browser on which the diagram of an oscillator is explored, and the server behind it.
+//! `grazing explore`: a page in the browser on which the diagram of an oscillator is explored, and
+//! the server behind it.
 //!
-//! The page holds all state: the oscillator's file, values of its constants, what is seen of the plane, a place in it. Every request carries what it
-//! needs of that, so the server remembers nothing. It computes with what `unfold` computes with, and what it sends are the same numbers.
+//! The page holds all state: the oscillator's file, values of its constants, what is seen of the
+//! plane, a place in it. Every request carries what it needs of that, so the server remembers
+//! nothing. It computes with what `unfold` computes with, and what it sends are the same numbers.
 //!
 //! | module | |
 //! |---|---|
@@ -13,8 +15,9 @@
 //! | `diagram`, `place`, `cut`, `tiles` | what is asked for |
 //! | `kinds` | how kinds of curves look, for the page |
 //!
-//! HTTP is hyper's: it is what most Rust servers rest on, well kept, and small without a framework around it (some ten seconds of compilation; tokio is in the tree
-//! anyway). The page is a folder of small modules, `page/`, which needs no build step.
+//! HTTP is hyper's: it is what most Rust servers rest on, well kept, and small without a framework
+//! around it (some ten seconds of compilation; tokio is in the tree anyway). The page is a folder
+//! of small modules, `page/`, which needs no build step.
 
 mod answer;
 mod cut;

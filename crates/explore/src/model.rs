@@ -36,7 +36,8 @@ pub struct View {
 
 /// The name of the file in messages.
 const FILE: &str = "oscillator.toml";
-/// The paper's oscillator as a text: its constants, ranges and loops, and its motion where it has to be integrated.
+/// The paper's oscillator as a text: its constants, ranges and loops, and its motion where it has
+/// to be integrated.
 pub(crate) const PAPER: &str = include_str!("../../../examples/paper.toml");
 /// The constants of that text.
 const CONSTANTS: [&str; 2] = ["zeta", "epsilon"];

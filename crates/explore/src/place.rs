@@ -24,7 +24,8 @@ pub(crate) struct PlaceRequest {
     nearby: Option<NearbyMotion>,
 }
 
-/// MPSs, as p, velocity and phase, and attractors, as the number of states and one of its own, which only this program reads.
+/// MPSs, as p, velocity and phase, and attractors, as the number of states and one of its own,
+/// which only this program reads.
 #[derive(Deserialize)]
 struct NearbyMotion {
     solutions: Vec<(u32, f64, f64)>,

@@ -29,8 +29,8 @@ use crate::model::{Model, View};
 use crate::turns::{self, Limits, Turns};
 use crate::{cut, diagram, place, stream, tiles};
 
-/// Makes a file of what is seen: of a model in a view `svg`, `pdf`, `png` or `csv:TABLE` at a width (`one`, `two`, or
-/// that of the paper).
+/// Makes a file of what is seen: of a model in a view `svg`, `pdf`, `png` or `csv:TABLE` at a width
+/// (`one`, `two`, or that of the paper).
 pub type Export = Box<dyn Fn(&Model, &View, &str, &str, &Stop) -> Result<Sheet, String> + Send + Sync>;
 
 /// A server that is bound to its port, and not running yet.
@@ -71,8 +71,8 @@ impl Server {
         format!("http://127.0.0.1:{}/{}/", self.shared.port, self.shared.token.text())
     }
 
-    /// Answers requests until `ended` says so, which is asked several times a second; what is being computed then ends at once. So it does
-    /// when the process is `too_large`, which goes on.
+    /// Answers requests until `ended` says so, which is asked several times a second; what is being
+    /// computed then ends at once. So it does when the process is `too_large`, which goes on.
     ///
     /// # Errors
     /// There are no threads.
@@ -101,7 +101,8 @@ impl Server {
                         continue;
                     }
                 };
-                // A connection that cannot be had, or is one too many, is nobody's trouble but its own.
+                // A connection that cannot be had, or is one too many, is nobody's trouble but its
+                // own.
                 let (Ok((stream, _)), Ok(place)) = (accepted, places.clone().try_acquire_owned()) else {
                     continue;
                 };

@@ -32,7 +32,8 @@ const MOST: u32 = 1000;
 const MOST_PERIODS: u32 = 5000;
 /// The width of the first cells; each is half the one before.
 const COARSEST: u32 = 16;
-/// Places that are sent at once to begin with; later ones are as large as can be simulated in about this time.
+/// Places that are sent at once to begin with; later ones are as large as can be simulated in about
+/// this time.
 const LOT: usize = 32;
 const OFTEN: Duration = Duration::from_millis(100);
 /// Of all forcing periods those that count are this part.

@@ -13,12 +13,14 @@ use tokio::time::timeout;
 
 use crate::answer::Problem;
 
-/// What the server allows. None of it is felt by people at browsers; all of it is by whoever wants to bring the server down.
+/// What the server allows. None of it is felt by people at browsers; all of it is by whoever wants
+/// to bring the server down.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
     /// Connections at once; more are closed.
     pub connections: usize,
-    /// Computations at once; more wait, in the order in which they came. By default so many as one page asks for: diagram, place, cut, simulation.
+    /// Computations at once; more wait, in the order in which they came. By default so many as one
+    /// page asks for: diagram, place, cut, simulation.
     pub computations: usize,
     /// Bytes of a request's body: ten times the largest file that is no generated one.
     pub body: usize,
@@ -47,7 +49,8 @@ impl Default for Limits {
 pub(crate) struct Turns {
     pub(crate) limits: Limits,
     computations: Arc<Semaphore>,
-    /// Each computation has threads of its own: those of one that takes long would not look after another before its end.
+    /// Each computation has threads of its own: those of one that takes long would not look after
+    /// another before its end.
     threads: Mutex<Vec<Arc<ThreadPool>>>,
     /// Changes when all computations are to end.
     ending: watch::Sender<u64>,
@@ -107,8 +110,8 @@ impl Turns {
         Ok(Turn { turns: self.clone(), pool, _permit: permit })
     }
 
-    /// A mark that ends a computation when its time or its steps are used up, when all are to end, and when what is returned beside it is
-    /// dropped.
+    /// A mark that ends a computation when its time or its steps are used up, when all are to end,
+    /// and when what is returned beside it is dropped.
     pub(crate) fn mark(&self) -> (Stop, StopOnDrop) {
         let stop = Stop::after(self.limits.steps);
         let (time, ended, mut ending) = (self.limits.time, stop.clone(), self.ending.subscribe());

@@ -11,8 +11,8 @@ const COMPARISON_DPI: f64 = 150.0;
 /// Space around each picture and height of its heading, in pixels.
 const MARGIN: u32 = 40;
 
-/// A PNG of both versions and of their difference: before, after, and after in grey with each pixel that differs in red
-/// where ink is gone or paler and in blue where it is new or darker.
+/// A PNG of both versions and of their difference: before, after, and after in grey with each pixel
+/// that differs in red where ink is gone or paler and in blue where it is new or darker.
 ///
 /// # Errors
 /// One of the pictures cannot be drawn.

@@ -27,7 +27,8 @@ impl Text {
         self.glyphs.iter().copied().reduce(Bounds::joined)
     }
 
-    /// True if ink of one label lies over ink of the other by more than `slack` points, character by character.
+    /// True if ink of one label lies over ink of the other by more than `slack` points, character
+    /// by character.
     pub fn overlaps(&self, other: &Text, slack: f64) -> bool {
         let over = |own: &Bounds, foreign: &Bounds| own.grown(-slack).overlaps(foreign);
         self.glyphs.iter().any(|own| other.glyphs.iter().any(|foreign| over(own, foreign)))

@@ -1,8 +1,9 @@
-//! PDF: one page of the figure's size, lines as lines, text as text, its objects and dictionary entries in one order.
+//! PDF: one page of the figure's size, lines as lines, text as text, its objects and dictionary
+//! entries in one order.
 //!
-//! svg2pdf keeps fonts and resources in hash maps, so the numbers of its objects and the order of their entries change
-//! from run to run. Neither means anything; here entries are sorted, and objects numbered as they are met from the
-//! drawing on.
+//! svg2pdf keeps fonts and resources in hash maps, so the numbers of its objects and the order of
+//! their entries change from run to run. Neither means anything; here entries are sorted, and
+//! objects numbered as they are met from the drawing on.
 
 use std::collections::BTreeMap;
 
@@ -24,8 +25,9 @@ const FIRST: i32 = 6;
 impl Drawing {
     /// The figure as a PDF of one page under a title.
     ///
-    /// The page has the physical size of the SVG. Text can be searched and copied; of the fonts only the glyphs that are
-    /// used are embedded. There is no date, so equal figures give equal bytes.
+    /// The page has the physical size of the SVG. Text can be searched and copied; of the fonts
+    /// only the glyphs that are used are embedded. There is no date, so equal figures give equal
+    /// bytes.
     ///
     /// # Errors
     /// The PDF could not be written, or is not laid out as expected.
@@ -36,7 +38,8 @@ impl Drawing {
         let (width, height) = (self.tree.size().width(), self.tree.size().height());
         let name = Name(b"figure");
         let mut pdf = Pdf::new();
-        // What the figures use has been in PDF since 1.4; LaTeX warns of a newer version than its own.
+        // What the figures use has been in PDF since 1.4; LaTeX warns of a newer version than its
+        // own.
         pdf.set_version(1, 4);
         pdf.catalog(CATALOGUE).pages(PAGES);
         pdf.pages(PAGES).kids([PAGE]).count(1);
@@ -69,7 +72,8 @@ impl Primitive for Object {
     }
 }
 
-/// The objects in the order in which they are met from the drawing on, and with numbers in this order.
+/// The objects in the order in which they are met from the drawing on, and with numbers in this
+/// order.
 fn ordered(chunk: &Chunk, drawing: Ref) -> Result<Vec<Object>, ExportError> {
     let mut objects = objects(chunk)?;
     let (mut order, mut next) = (vec![drawing.get()], 0);
@@ -110,7 +114,8 @@ fn objects(chunk: &Chunk) -> Result<BTreeMap<i32, Object>, ExportError> {
     Ok(objects)
 }
 
-/// The dictionary with its entries of one line sorted, in each run of them; pdf-writer gives each entry a line.
+/// The dictionary with its entries of one line sorted, in each run of them; pdf-writer gives each
+/// entry a line.
 fn sorted(dictionary: &str) -> String {
     let indent = |line: &str| line.len() - line.trim_start().len();
     let simple = |line: &str| line.trim_start().starts_with('/') && !line.ends_with("<<");

@@ -11,7 +11,8 @@ const POINTS_PER_INCH: f64 = 72.0;
 const METRES_PER_INCH: f64 = 0.0254;
 
 impl Drawing {
-    /// The figure as a PNG with `resolution` dots per inch, which the PNG says of itself, so that it keeps its size.
+    /// The figure as a PNG with `resolution` dots per inch, which the PNG says of itself, so that
+    /// it keeps its size.
     ///
     /// # Errors
     /// There would be no pixel or more than memory holds, or the PNG could not be written.

@@ -49,7 +49,8 @@ const WHITE: [u8; 3] = [255, 255, 255];
 #[test]
 fn the_sheet_keeps_its_physical_size() {
     let picture = Picture::of(&sample());
-    // 60 by 30 millimetres at 288 dots per inch, rounded to pixels; and 288 / 0.0254 dots per metre.
+    // 60 by 30 millimetres at 288 dots per inch, rounded to pixels; and 288 / 0.0254 dots per
+    // metre.
     assert_eq!((picture.width, picture.height, picture.per_metre), (680, 340, 11339));
     let pdf = String::from_utf8_lossy(&sample().pdf(TITLE).expect("a PDF")).into_owned();
     let page = pdf.split_once("/MediaBox [0 0 ").expect("a page").1;

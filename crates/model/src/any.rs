@@ -9,7 +9,8 @@ use crate::motion::{Crossing, Kinematics, Maximum, Motion};
 use crate::oscillator::ImpactOscillator;
 use crate::state::{OnWall, State};
 
-/// Any [`ImpactOscillator`] as a value of one type: what is built on it is compiled once, and takes whatever comes.
+/// Any [`ImpactOscillator`] as a value of one type: what is built on it is compiled once, and takes
+/// whatever comes.
 #[derive(Clone)]
 pub struct AnyOscillator(Arc<dyn Erased>);
 

@@ -1,9 +1,10 @@
 //! Second-order jets: a value with its first and second derivatives.
 //!
-//! Every map of the paper between the surfaces Σ and Π sends two coordinates to two coordinates and depends on the
-//! two parameters (μ, η), so one type, [`MapJet`], serves them all, and composition is one function. From which surface to which
-//! a map leads is part of the type, so that only maps that meet can be composed.
-//! The order that is wanted is a constant: with `ORDER = 1` the second derivatives are left at zero and cost nothing.
+//! Every map of the paper between the surfaces Σ and Π sends two coordinates to two coordinates and
+//! depends on the two parameters (μ, η), so one type, [`MapJet`], serves them all, and composition
+//! is one function. From which surface to which a map leads is part of the type, so that only maps
+//! that meet can be composed. The order that is wanted is a constant: with `ORDER = 1` the second
+//! derivatives are left at zero and cost nothing.
 
 use core::marker::PhantomData;
 
@@ -11,11 +12,12 @@ use nalgebra::{Matrix2, Matrix2x4, Matrix2x6, Matrix4, Matrix6, Vector2};
 
 use crate::state::Surface;
 
-/// Jet of a map `(u, w; μ, η) ↦ (u', w')` at one point, from the surface `A` to the surface `B`; where it does not matter which
-/// these are, they are left out.
+/// Jet of a map `(u, w; μ, η) ↦ (u', w')` at one point, from the surface `A` to the surface `B`;
+/// where it does not matter which these are, they are left out.
 ///
-/// The four variables are, in this order, the two coordinates ([`OnWall`](crate::OnWall), [`AtRest`](crate::AtRest),
-/// [`AtPhase`](crate::AtPhase)), the primary parameter μ and the secondary parameter η. All are dimensionless.
+/// The four variables are, in this order, the two coordinates ([`OnWall`](crate::OnWall),
+/// [`AtRest`](crate::AtRest), [`AtPhase`](crate::AtPhase)), the primary parameter μ and the
+/// secondary parameter η. All are dimensionless.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MapJet<A = (), B = ()> {
     /// The image.
@@ -67,8 +69,8 @@ impl<A, B> MapJet<A, B> {
 
     /// The jet of `self ∘ inner`, both at the same parameters.
     ///
-    /// With G the derivative of `(u, z, μ, η) ↦ (inner, μ, η)`: the first derivatives are D self · G, the second
-    /// Gᵀ · D² self · G + D self · D² inner.
+    /// With G the derivative of `(u, z, μ, η) ↦ (inner, μ, η)`: the first derivatives are D self ·
+    /// G, the second Gᵀ · D² self · G + D self · D² inner.
     #[inline]
     pub fn after<const ORDER: usize, C>(&self, inner: &MapJet<C, A>) -> MapJet<C, B> {
         let mut jacobian = self.derivative() * inner.jacobian;

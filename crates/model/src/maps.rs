@@ -1,12 +1,13 @@
 //! The maps between the impacting surface Σ and the Poincaré section Π, with derivatives.
 //!
-//! Σ is the plane x = 0 with coordinates (y, z); Π is the part of the plane y = 0 near the grazing point, with coordinates
-//! (x, z) (sections 2.1, 2.2 and 4.1 of the paper). All maps ignore the wall. Phases are not reduced modulo 2π except
-//! that P_global takes one turn off, as the paper does, so that grazing is a fixed point.
+//! Σ is the plane x = 0 with coordinates (y, z); Π is the part of the plane y = 0 near the grazing
+//! point, with coordinates (x, z) (sections 2.1, 2.2 and 4.1 of the paper). All maps ignore the
+//! wall. Phases are not reduced modulo 2π except that P_global takes one turn off, as the paper
+//! does, so that grazing is a fixed point.
 //!
-//! A map that ends on Π has to find the time of a zero of the velocity. That time is returned beside the jet, and can be
-//! given as a guess the next time: "the next maximum" is ambiguous once a loop has grown a second one, a continued time
-//! is not.
+//! A map that ends on Π has to find the time of a zero of the velocity. That time is returned
+//! beside the jet, and can be given as a guess the next time: "the next maximum" is ambiguous once
+//! a loop has grown a second one, a continued time is not.
 
 use core::f64::consts::TAU;
 
@@ -58,14 +59,16 @@ pub struct Landing<A> {
     pub time: f64,
 }
 
-/// Over a hill beyond the wall motion may take longer than a forcing period to turn back; after so many it is carried off.
+/// Over a hill beyond the wall motion may take longer than a forcing period to turn back; after so
+/// many it is carried off.
 const LONGEST_VIRTUAL: f64 = 2.0;
 
-/// P_virt: from (y, z) on Σ along the flow to (x', z') on Π, forwards in time for y > 0 and backwards for y < 0.
+/// P_virt: from (y, z) on Σ along the flow to (x', z') on Π, forwards in time for y > 0 and
+/// backwards for y < 0.
 ///
 /// Paper: section 4.1, eq:Pvirt2. For y = 0 the evolution time is zero and the image is (0, z).
-/// `guess` is the evolution time from which Newton's method starts; without one the zero of the velocity nearest to the
-/// wall in the direction of time is isolated first.
+/// `guess` is the evolution time from which Newton's method starts; without one the zero of the
+/// velocity nearest to the wall in the direction of time is isolated first.
 ///
 /// # Errors
 /// No maximum of x beyond the wall, as happens where the wall is met with ẍ ≥ 0.
@@ -90,9 +93,11 @@ pub fn virtual_map<O: ImpactOscillator, const ORDER: usize>(
     land_on_section::<O, ORDER, _>(oscillator, impact.into(), time, 0.0)
 }
 
-/// P_virt⁻¹, the branch on the incoming set: from (x, z) on Π with x ≥ 0 backwards to (y, z) on Σ with y ≥ 0.
+/// P_virt⁻¹, the branch on the incoming set: from (x, z) on Π with x ≥ 0 backwards to (y, z) on Σ
+/// with y ≥ 0.
 ///
-/// Paper: the paragraph before eq:Pdisc. At x = 0 the preimage is (0, z), but the map has no derivative there.
+/// Paper: the paragraph before eq:Pdisc. At x = 0 the preimage is (0, z), but the map has no
+/// derivative there.
 ///
 /// # Errors
 /// x < 0, or the orbit through the point does not come from the wall.
@@ -127,8 +132,9 @@ pub fn virtual_preimage<O: ImpactOscillator>(oscillator: &O, top: AtRest) -> Res
 
 /// P_global: from (x, z) on Π along the flow to the next point (x', z') of Π, one turn later.
 ///
-/// Paper: section 2.2, eq:Pglobal. `guess` is the return time from which Newton's method starts; without one it is the
-/// forcing period, since Π is a neighbourhood of the grazing point and the return time is close to the period of Γ.
+/// Paper: section 2.2, eq:Pglobal. `guess` is the return time from which Newton's method starts;
+/// without one it is the forcing period, since Π is a neighbourhood of the grazing point and the
+/// return time is close to the period of Γ.
 ///
 /// # Errors
 /// There is no maximum of x near the guessed time.
@@ -141,7 +147,8 @@ pub fn global_map<O: ImpactOscillator, const ORDER: usize>(
     land_on_section::<O, ORDER, _>(oscillator, from.into(), time, TAU)
 }
 
-/// The next point at which motion visits Π: P_global, as far as it leads to a maximum that comes more than half a forcing period later.
+/// The next point at which motion visits Π: P_global, as far as it leads to a maximum that comes
+/// more than half a forcing period later.
 ///
 /// # Errors
 /// There is no such maximum near the guessed time.
@@ -193,10 +200,12 @@ pub fn discontinuity_map<O: ImpactOscillator, const ORDER: usize>(
     Ok(recoil.jet.after::<ORDER, _>(&reset).after::<ORDER, _>(&inverse))
 }
 
-/// The flow from a state, whose motion is at hand, to the plane of constant phase `target`, with coordinates (x, y).
+/// The flow from a state, whose motion is at hand, to the plane of constant phase `target`, with
+/// coordinates (x, y).
 ///
-/// The state is given by a point of Σ, (y, z), or of the plane of phase zero, (x, y). Defined everywhere, in contrast to [`virtual_map`]; the target
-/// phase is held in all derivatives. Fixed points of the map from phase zero to phase 2π are the periodic solutions without impacts.
+/// The state is given by a point of Σ, (y, z), or of the plane of phase zero, (x, y). Defined
+/// everywhere, in contrast to [`virtual_map`]; the target phase is held in all derivatives. Fixed
+/// points of the map from phase zero to phase 2π are the periodic solutions without impacts.
 pub fn to_phase<O: ImpactOscillator, const ORDER: usize, A: Surface>(
     oscillator: &O,
     motion: &O::Motion,
@@ -268,7 +277,8 @@ fn finish_landing<O: ImpactOscillator, const ORDER: usize, A: Surface>(
     Ok(Landing { jet: implicit_landing::<ORDER, A>(oscillator, &jet, from.phase, time, turn), time })
 }
 
-/// The jet of (x', z') from the flow's jet at the landing, where y(u, z, s; μ, η) = 0 defines the duration s.
+/// The jet of (x', z') from the flow's jet at the landing, where y(u, z, s; μ, η) = 0 defines the
+/// duration s.
 ///
 /// As ẋ = y = 0 there, second derivatives of s do not enter those of x'.
 #[inline]
@@ -315,7 +325,8 @@ const fn map_columns<A: Surface>() -> [usize; 4] {
     [first, second, flow::PRIMARY, flow::SECONDARY]
 }
 
-/// Second derivative of one component of the flow in the directions a and b, the duration moving with them.
+/// Second derivative of one component of the flow in the directions a and b, the duration moving
+/// with them.
 #[inline]
 fn second_along(hessian: &Matrix6<f64>, columns: &[usize; 4], ds: &Vector4<f64>, a: usize, b: usize) -> f64 {
     hessian[(columns[a], columns[b])]
@@ -324,8 +335,8 @@ fn second_along(hessian: &Matrix6<f64>, columns: &[usize; 4], ds: &Vector4<f64>,
         + hessian[(flow::DURATION, flow::DURATION)] * ds[a] * ds[b]
 }
 
-/// The jet of the flow from a surface to a plane of constant phase, after the time s = (target − z)/ω(μ, η) with z held where it is no
-/// coordinate of the surface.
+/// The jet of the flow from a surface to a plane of constant phase, after the time s = (target −
+/// z)/ω(μ, η) with z held where it is no coordinate of the surface.
 fn at_constant_phase<const ORDER: usize, A: Surface>(
     jet: &FlowJet,
     frequency: &ParameterJet,

@@ -9,7 +9,8 @@ use crate::tolerances::CHATTER_VELOCITY;
 /// A flight between two events of an orbit.
 #[derive(Clone, Debug)]
 pub struct Flight<M> {
-    /// Time at which the flight begins, counted from the start of the orbit; impacts may take time, too.
+    /// Time at which the flight begins, counted from the start of the orbit; impacts may take time,
+    /// too.
     pub start: f64,
     /// State in which the flight begins, its phase reduced to [0, 2π).
     pub from: State,
@@ -35,15 +36,16 @@ pub enum FlightEnd {
 pub enum OrbitEnd {
     /// Followed for the whole time, ending in this state.
     TimeIsUp(State),
-    /// The object is pressed against the wall (y = 0 and ẍ ≥ 0 at x = 0) and stays there until the force turns.
+    /// The object is pressed against the wall (y = 0 and ẍ ≥ 0 at x = 0) and stays there until the
+    /// force turns.
     Sticking {
         /// Time at which it sticks.
         time: f64,
         /// Phase at which it sticks.
         phase: f64,
     },
-    /// Infinitely many impacts accumulate: impact velocities fell below the resolution while ẍ > 0 at the wall, so that they
-    /// go on falling geometrically to a sticking state.
+    /// Infinitely many impacts accumulate: impact velocities fell below the resolution while ẍ > 0
+    /// at the wall, so that they go on falling geometrically to a sticking state.
     Chattering {
         /// Time of the last impact that was resolved.
         time: f64,
@@ -63,7 +65,8 @@ pub enum OrbitEnd {
 
 /// An orbit with impacts as an iterator over its flights.
 ///
-/// After the iterator has ended, [`end`](Self::end) says why. Phases are reduced modulo 2π at every impact (eq:z).
+/// After the iterator has ended, [`end`](Self::end) says why. Phases are reduced modulo 2π at every
+/// impact (eq:z).
 #[derive(Clone, Debug)]
 pub struct Orbit<'a, O> {
     oscillator: &'a O,
@@ -76,7 +79,8 @@ pub struct Orbit<'a, O> {
 }
 
 impl<'a, O: ImpactOscillator> Orbit<'a, O> {
-    /// The orbit from a state with x ≤ 0, to be followed for the time `horizon` or until `impact_limit` impacts.
+    /// The orbit from a state with x ≤ 0, to be followed for the time `horizon` or until
+    /// `impact_limit` impacts.
     ///
     /// A start on the incoming set (x = 0, y > 0) begins with its impact.
     pub fn new(oscillator: &'a O, from: State, horizon: f64, impact_limit: usize) -> Self {

@@ -4,11 +4,13 @@ use crate::jet::{FlowJet, MapJet, ParameterJet};
 use crate::motion::Motion;
 use crate::state::{OnWall, State};
 
-/// A one-degree-of-freedom oscillator ẍ = F(x, ẋ, t; μ, η) with a wall at x = 0 and a smooth reset law.
+/// A one-degree-of-freedom oscillator ẍ = F(x, ẋ, t; μ, η) with a wall at x = 0 and a smooth reset
+/// law.
 ///
-/// Paper: eq:F, eq:f, eq:R, eq:resetLaw. An implementor brings its flow, ignoring the wall, and its reset law, both with
-/// derivatives in all arguments and in the two parameters; everything else (P_virt, P_global, P_disc, orbits with
-/// impacts, continuation) is written once against this trait.
+/// Paper: eq:F, eq:f, eq:R, eq:resetLaw. An implementor brings its flow, ignoring the wall, and its
+/// reset law, both with derivatives in all arguments and in the two parameters; everything else
+/// (P_virt, P_global, P_disc, orbits with impacts, continuation) is written once against this
+/// trait.
 pub trait ImpactOscillator: Clone + Send + Sync {
     /// Motion between impacts as a function of time; the search for events works on it.
     type Motion: Motion;
@@ -19,13 +21,14 @@ pub trait ImpactOscillator: Clone + Send + Sync {
     /// The same oscillator at other parameters (μ, η).
     fn with_parameters(&self, parameters: [f64; 2]) -> Self;
 
-    /// The same with motion to some seven digits, and bounds that are estimates, where that takes less time: for whoever looks around and
-    /// solves for what is seen afterwards.
+    /// The same with motion to some seven digits, and bounds that are estimates, where that takes
+    /// less time: for whoever looks around and solves for what is seen afterwards.
     fn roughly(&self) -> Self {
         self.clone()
     }
 
-    /// The same with motion integrated in shorter steps, where it is integrated: what changes then is the error of integration.
+    /// The same with motion integrated in shorter steps, where it is integrated: what changes then
+    /// is the error of integration.
     fn finely(&self) -> Option<Self> {
         None
     }
@@ -36,15 +39,18 @@ pub trait ImpactOscillator: Clone + Send + Sync {
     /// The vector field F at a state: the acceleration ẍ.
     fn acceleration(&self, state: State) -> f64;
 
-    /// The flow of eq:f for a time `duration` of either sign, the wall ignored, with derivatives up to `ORDER` (1 or 2).
+    /// The flow of eq:f for a time `duration` of either sign, the wall ignored, with derivatives up
+    /// to `ORDER` (1 or 2).
     fn flow<const ORDER: usize>(&self, from: State, duration: f64) -> FlowJet {
         self.flow_along::<ORDER>(&self.motion(from), from, duration)
     }
 
-    /// The flow from a state whose motion is at hand, so that what is known of it need not be computed again.
+    /// The flow from a state whose motion is at hand, so that what is known of it need not be
+    /// computed again.
     fn flow_along<const ORDER: usize>(&self, motion: &Self::Motion, from: State, duration: f64) -> FlowJet;
 
-    /// The reset law R of eq:R as a function of (y, z; μ, η), extended smoothly to y < 0; derivatives up to `ORDER`.
+    /// The reset law R of eq:R as a function of (y, z; μ, η), extended smoothly to y < 0;
+    /// derivatives up to `ORDER`.
     fn reset<const ORDER: usize>(&self, impact: OnWall) -> MapJet<OnWall, OnWall>;
 
     /// The motion that starts in a state, the wall ignored.

@@ -1,8 +1,10 @@
-//! States, and points of the surfaces between which maps lead: pairs of coordinates that look alike are of different types.
+//! States, and points of the surfaces between which maps lead: pairs of coordinates that look alike
+//! are of different types.
 
 use nalgebra::Vector2;
 
-/// A point (x, y, z) of phase space: position, velocity, and phase of the forcing in radians (not wrapped).
+/// A point (x, y, z) of phase space: position, velocity, and phase of the forcing in radians (not
+/// wrapped).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
     /// Position x; the wall stands at x = 0 and motion takes place in x ≤ 0.

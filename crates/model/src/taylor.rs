@@ -6,8 +6,9 @@ use crate::scalar::{Function, Scalar, entrywise, with_plain_numbers};
 
 /// c₀ + c₁ s + c₂ s² + c₃ s³ + O(s⁴): a number that moves along a curve with the parameter s.
 ///
-/// The k-th derivative at s = 0 is k! c_k. A function of numbers on a curve moves along the image of the curve, so that one
-/// evaluation of a map F at X + q s gives (1/6) D³F(q, q, q) as the coefficient of s³, exactly to rounding.
+/// The k-th derivative at s = 0 is k! c_k. A function of numbers on a curve moves along the image
+/// of the curve, so that one evaluation of a map F at X + q s gives (1/6) D³F(q, q, q) as the
+/// coefficient of s³, exactly to rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Taylor([f64; Taylor::ORDER + 1]);
 
@@ -125,7 +126,8 @@ mod tests {
         }
     }
 
-    /// Every operation and function along a curved path, against automatic differentiation by other means.
+    /// Every operation and function along a curved path, against automatic differentiation by other
+    /// means.
     #[test]
     fn coefficients_are_those_of_automatic_differentiation() {
         for function in Function::ALL {
@@ -144,7 +146,8 @@ mod tests {
             );
             let expected = [expected.0, expected.1, expected.2 / 2.0, expected.3 / 6.0];
             for (computed, expected) in computed.coefficients().into_iter().zip(expected) {
-                // Roundings of a dozen operations on coefficients that grow by 1/0.3 with each order.
+                // Roundings of a dozen operations on coefficients that grow by 1/0.3 with each
+                // order.
                 let tolerance = 1e-14 * (1e2 + expected.abs());
                 assert!((computed - expected).abs() < tolerance, "{function:?}: {computed} {expected}");
             }

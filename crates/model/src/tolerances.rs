@@ -1,39 +1,45 @@
-//! What counts as zero, as lost and as too long in motion of the order of one. What merely shapes a method stands beside it: the
-//! step of the collocation, the choice of units.
+//! What counts as zero, as lost and as too long in motion of the order of one. What merely shapes a
+//! method stands beside it: the step of the collocation, the choice of units.
 
-/// Below this width two zeros of the velocity count as one (empirical: far above rounding, far below any motion).
+/// Below this width two zeros of the velocity count as one (empirical: far above rounding, far
+/// below any motion).
 pub(crate) const NARROWEST_CELL: f64 = 1e-9;
 
-/// A step of Halley's method this short is the last on the way to an event: its error is of third order, about 10⁻¹⁸, and the
-/// kinematics at its end follow by Taylor's formula, exact to rounding as well.
+/// A step of Halley's method this short is the last on the way to an event: its error is of third
+/// order, about 10⁻¹⁸, and the kinematics at its end follow by Taylor's formula, exact to rounding
+/// as well.
 pub(crate) const LAST_STEP_TO_EVENT: f64 = 1e-6;
 
-/// Bisection alone empties a bracket of doubles in at most about 60 steps near 1; twice that is ample.
+/// Bisection alone empties a bracket of doubles in at most about 60 steps near 1; twice that is
+/// ample.
 pub(crate) const STEPS_TO_EVENT: usize = 128;
 
-/// How many cells the search for a zero of the velocity looks at. Motion that is one to the eye needs some hundred; where the
-/// oscillator has come to rest but for rounding, or the forcing hardly moves, there would be no end of them (empirical: some
-/// milliseconds).
+/// How many cells the search for a zero of the velocity looks at. Motion that is one to the eye
+/// needs some hundred; where the oscillator has come to rest but for rounding, or the forcing
+/// hardly moves, there would be no end of them (empirical: some milliseconds).
 pub(crate) const MOST_CELLS: u32 = 100_000;
 
-/// A step of Halley's method this short is the last on the way to Π: its error is of third order, about 10⁻¹⁵, as rounding of the
-/// time; the flow is evaluated at its end.
+/// A step of Halley's method this short is the last on the way to Π: its error is of third order,
+/// about 10⁻¹⁵, as rounding of the time; the flow is evaluated at its end.
 pub(crate) const LAST_STEP_TO_SECTION: f64 = 1e-5;
 
-/// Newton's method for P_virt⁻¹, of second order, ends with a step of this fraction of the evolution time: what is left is of
-/// the order of its square.
+/// Newton's method for P_virt⁻¹, of second order, ends with a step of this fraction of the
+/// evolution time: what is left is of the order of its square.
 pub(crate) const LAST_STEP_TO_WALL: f64 = 1e-9;
 
-/// An event time this many forcing periods from where it was expected is none: at rest, say, any time would do.
+/// An event time this many forcing periods from where it was expected is none: at rest, say, any
+/// time would do.
 pub(crate) const MOST_PERIODS: f64 = 20.0;
 
 /// Either method for an event time converges within this many steps or is lost.
 pub(crate) const MOST_ITERATIONS: usize = 50;
 
-/// Impacts slower than this, pressed by ẍ > 0, count as accumulated: a flight then rises v²/2ẍ from the wall, near the rounding
-/// of x, and what is left of the sequence lasts about 10⁻⁶ (for accelerations of order one).
+/// Impacts slower than this, pressed by ẍ > 0, count as accumulated: a flight then rises v²/2ẍ from
+/// the wall, near the rounding of x, and what is left of the sequence lasts about 10⁻⁶ (for
+/// accelerations of order one).
 pub(crate) const CHATTER_VELOCITY: f64 = 1e-6;
 
-/// A motion of so many steps has ended: a few hundred make a period of a spring sixty times as fast as its forcing, and ten
-/// thousand of one that is a thousand times as fast; a hundred thousand take fifteen megabytes and some tenths of a second.
+/// A motion of so many steps has ended: a few hundred make a period of a spring sixty times as fast
+/// as its forcing, and ten thousand of one that is a thousand times as fast; a hundred thousand
+/// take fifteen megabytes and some tenths of a second.
 pub(crate) const MOST_STEPS: usize = 100_000;

@@ -16,9 +16,11 @@ use crate::report::Report;
 
 /// Significant digits of numbers that a reader sees.
 pub(crate) const SHOWN_DIGITS: usize = 7;
-/// Digits of the largest number of a column beside a figure: one more than are shown, so that smaller ones have some, too.
+/// Digits of the largest number of a column beside a figure: one more than are shown, so that
+/// smaller ones have some, too.
 const LEAST_DIGITS: usize = 8;
-/// Digits beyond those in which the ends of a panel's axis differ: points stay in place as far as one can zoom.
+/// Digits beyond those in which the ends of a panel's axis differ: points stay in place as far as
+/// one can zoom.
 const DIGITS_ALONG_AXIS: i32 = 5;
 /// No number has more.
 const MOST_DIGITS: usize = 12;
@@ -34,7 +36,8 @@ const COMPRESSION_LEVEL: u8 = 10;
 enum Rounding {
     /// To so many significant digits, each by itself.
     Each(usize),
-    /// To as many decimals as give the largest of the column so many digits: what follows a curve then differs little from line to line.
+    /// To as many decimals as give the largest of the column so many digits: what follows a curve
+    /// then differs little from line to line.
     Column(usize),
 }
 
@@ -96,9 +99,10 @@ fn packed<'a>(tables: impl IntoIterator<Item = &'a Table>, without: &[&str], rou
     BASE64_STANDARD.encode(compress_to_vec(format!("{{{}}}", tables.join(",")).as_bytes(), COMPRESSION_LEVEL))
 }
 
-/// A line with the headers, one with how each column is written, one with the units, then every cell on a line of its own, column by column: neighbours in a
-/// column are alike. A column is written as it stands, or as `decimals,order`: without the decimal point, and so many times
-/// as differences from the cell before.
+/// A line with the headers, one with how each column is written, one with the units, then every
+/// cell on a line of its own, column by column: neighbours in a column are alike. A column is
+/// written as it stands, or as `decimals,order`: without the decimal point, and so many times as
+/// differences from the cell before.
 fn by_columns(table: &Table, without: &[&str], rounding: Rounding) -> String {
     let (mut headers, mut codes, mut units) = (Vec::new(), Vec::new(), Vec::new());
     let mut lines = Vec::new();
@@ -125,7 +129,8 @@ fn by_columns(table: &Table, without: &[&str], rounding: Rounding) -> String {
     heads.into_iter().chain(lines).collect::<Vec<_>>().join("\n")
 }
 
-/// A column of numbers as differences, or differences of these, whatever is shortest; nothing if it is not one of numbers.
+/// A column of numbers as differences, or differences of these, whatever is shortest; nothing if it
+/// is not one of numbers.
 fn differences<'a>(cells: impl Iterator<Item = &'a Cell>, digits: usize) -> Option<(String, Vec<String>)> {
     let numbers = |cell: &Cell| matches!(cell, Cell::Number(_)).then(|| cell.number());
     let numbers: Vec<Option<f64>> = cells.map(numbers).collect::<Option<_>>()?;

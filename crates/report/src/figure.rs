@@ -11,11 +11,11 @@ use crate::outputs::FigureEntry;
 use crate::report::Report;
 use crate::{data, ledger};
 
-/// How much larger than on paper figures are shown where there is room, in units of the page's type for a millimetre: all
-/// by the same factor, so that their labels are of one size.
+/// How much larger than on paper figures are shown where there is room, in units of the page's type
+/// for a millimetre: all by the same factor, so that their labels are of one size.
 const REM_PER_MM: f64 = 0.34;
-/// The families of the embedded fonts have names of their own on the page: the fonts are cut down to what figures need,
-/// and must not stand in for whole ones of the reader's system.
+/// The families of the embedded fonts have names of their own on the page: the fonts are cut down
+/// to what figures need, and must not stand in for whole ones of the reader's system.
 const FAMILIES: [(&str, &str); 2] = [("STIX Two Text", "Figure Text"), ("STIX Two Math", "Figure Signs")];
 
 /// The style sheet of the figures, if there are any: it holds the fonts.

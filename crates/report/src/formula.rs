@@ -40,13 +40,14 @@ pub fn mathml(latex: &str, displayed: bool) -> Result<String, FormulaError> {
     let mut text = String::new();
     push_mathml(&mut text, events.into_iter(), RenderConfig { display_mode, ..RenderConfig::default() })
         .map_err(|error| FormulaError { latex: latex.to_owned(), reason: error.to_string() })?;
-    // The converter escapes its own entities, leaves relations as they are, and has the sign of micro- for the letter mu.
+    // The converter escapes its own entities, leaves relations as they are, and has the sign of
+    // micro- for the letter mu.
     let tidied = text.replace("&amp;nbsp;", "\u{a0}").replace('\u{b5}', "\u{3bc}");
     Ok(tidied.replace("><</mo>", ">&lt;</mo>").replace(">></mo>", ">&gt;</mo>"))
 }
 
-/// Words with formulas between dollars, as HTML; a formula that cannot be understood is shown as it stands. In the words,
-/// `_` after a single letter lowers what follows, and `^` raises it.
+/// Words with formulas between dollars, as HTML; a formula that cannot be understood is shown as it
+/// stands. In the words, `_` after a single letter lowers what follows, and `^` raises it.
 pub(crate) fn prose(text: &str) -> Html {
     let mut html = String::new();
     for (index, piece) in text.split('$').enumerate() {
@@ -70,8 +71,8 @@ pub(crate) fn greek(name: &str) -> Option<char> {
     GREEK.iter().find(|(known, _)| *known == name).map(|(_, letter)| *letter)
 }
 
-/// Words with names of quantities, as HTML: `tau = g_p(delta)`, `a12 alpha > 0`. Greek letters are named, digits after a letter are
-/// lowered, as is what follows `_`; words stay.
+/// Words with names of quantities, as HTML: `tau = g_p(delta)`, `a12 alpha > 0`. Greek letters are
+/// named, digits after a letter are lowered, as is what follows `_`; words stay.
 pub(crate) fn named(text: &str) -> Html {
     words(&signs(text))
 }
@@ -105,7 +106,8 @@ pub(crate) fn signs(text: &str) -> String {
     signs
 }
 
-/// The escaped text with sub- and superscripts: `h_p`, `c_{SN,1}`, `s_p^+`. Names of several letters, as of functions, stay.
+/// The escaped text with sub- and superscripts: `h_p`, `c_{SN,1}`, `s_p^+`. Names of several
+/// letters, as of functions, stay.
 fn scripts(text: &str) -> String {
     let mut html = String::new();
     let (mut last, mut before_last) = (' ', ' ');
@@ -131,7 +133,8 @@ fn scripts(text: &str) -> String {
     html
 }
 
-/// What a script mark applies to, in braces or as far as letters and digits reach, or one sign; and the text after it.
+/// What a script mark applies to, in braces or as far as letters and digits reach, or one sign; and
+/// the text after it.
 fn script(text: &str) -> (&str, &str) {
     if let Some((script, after)) = text.strip_prefix('{').and_then(|inner| inner.split_once('}')) {
         return (script, after);
@@ -148,7 +151,8 @@ pub(crate) fn shown(latex: &str, displayed: bool) -> Html {
     Safe(mathml(latex, displayed).unwrap_or_else(|_| format!("<code>{}</code>", escape(latex))))
 }
 
-/// The same formula without what the converter does not know: third derivatives as dots, and dollars in `\text`.
+/// The same formula without what the converter does not know: third derivatives as dots, and
+/// dollars in `\text`.
 fn prepared(latex: &str) -> String {
     let plain = latex.replace("\\dddot", "\\overset{\\dots}");
     let mut prepared = String::new();

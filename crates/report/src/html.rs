@@ -52,14 +52,16 @@ pub(crate) fn json_string(text: &str) -> String {
     serde_json::Value::from(text).to_string().replace('<', "\\u003c")
 }
 
-/// The identifier of the element for a label of the paper: all characters that links understand are kept.
+/// The identifier of the element for a label of the paper: all characters that links understand are
+/// kept.
 pub(crate) fn identifier(prefix: &str, label: &str) -> String {
     let keep = |character: char| character.is_ascii_alphanumeric() || ":/-_.".contains(character);
     let kept: String = label.chars().map(|character| if keep(character) { character } else { '_' }).collect();
     format!("{prefix}-{kept}")
 }
 
-/// A number with so many significant digits, as a reader wants it: a true minus sign, powers of ten as powers.
+/// A number with so many significant digits, as a reader wants it: a true minus sign, powers of ten
+/// as powers.
 pub(crate) fn number(value: &f64, digits: usize) -> Html {
     Safe(rounded(*value, digits))
 }

@@ -21,7 +21,8 @@ pub struct Manifest {
     pub parameters: String,
     /// The files that were computed.
     pub outputs: Vec<FileDigest>,
-    /// The address of the folder where these files are, with a slash at its end; without it they are named but not linked.
+    /// The address of the folder where these files are, with a slash at its end; without it they
+    /// are named but not linked.
     pub folder: Option<String>,
 }
 

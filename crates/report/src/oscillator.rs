@@ -1,4 +1,5 @@
-//! Oscillators from text files: what they are, and what the theorems, the curves and simulation say of them.
+//! Oscillators from text files: what they are, and what the theorems, the curves and simulation say
+//! of them.
 
 use askama::filters::Safe;
 use grazing_continuation::bifurcation::Bifurcation;
@@ -32,10 +33,11 @@ pub struct OscillatorEntry {
     pub tables: Vec<Table>,
     /// The resonant grazing bifurcations, in the order in which they were found.
     pub resonances: Vec<ResonanceEntry>,
-    /// What could not be unfolded and why, in words: resonances that were seen and not located, curves that could not be
-    /// followed.
+    /// What could not be unfolded and why, in words: resonances that were seen and not located,
+    /// curves that could not be followed.
     pub lost: Vec<String>,
-    /// Where it is not decided whether solutions are stable, with the numbers of their loops, and why not: what is hatched in the figures.
+    /// Where it is not decided whether solutions are stable, with the numbers of their loops, and
+    /// why not: what is hatched in the figures.
     pub undecided: Vec<(u32, String)>,
 }
 
@@ -101,7 +103,8 @@ impl OscillatorEntry {
         all.filter_map(|resonance| Some((resonance, resonance.finding.as_ref().err()?.as_slice()))).collect()
     }
 
-    /// Where coefficients were not measured or simulation is not as predicted: resonance, what it is about, and the reason.
+    /// Where coefficients were not measured or simulation is not as predicted: resonance, what it
+    /// is about, and the reason.
     pub(crate) fn not_borne_out(&self) -> Vec<(&ResonanceEntry, String, String)> {
         let mut found = Vec::new();
         for (resonance, curves) in self.unfolded() {

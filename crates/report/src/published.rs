@@ -14,7 +14,8 @@ pub(crate) fn computed(value: &f64) -> Html {
     if value.to_string().len() <= COMPUTED_DIGITS { Safe(whole) } else { number(value, COMPUTED_DIGITS) }
 }
 
-/// Quantities are written in ASCII beside the print: Greek names become letters and `_` lowers what follows.
+/// Quantities are written in ASCII beside the print: Greek names become letters and `_` lowers what
+/// follows.
 pub(crate) fn symbols(quantity: &str) -> Html {
     let words: Vec<String> = quantity
         .split(' ')

@@ -22,15 +22,16 @@ pub struct Report<'a> {
     pub claims: Vec<Finding<'a>>,
     /// The source files to which claims lead.
     pub sources: Sources,
-    /// Oscillators from text files, each with an identifier of its own. A page can be about them alone: parts of which there is nothing are
-    /// left out.
+    /// Oscillators from text files, each with an identifier of its own. A page can be about them
+    /// alone: parts of which there is nothing are left out.
     pub oscillators: Vec<OscillatorEntry>,
     /// What failed or is incomplete, and why.
     pub missing: Vec<String>,
     /// Which files were computed, from which parameters, by which program.
     pub manifest: Manifest,
-    /// The address of the repository's files at its host, with a slash at its end, for the links to source files; without it, files are
-    /// named but not linked: a page is passed on without the files beside it.
+    /// The address of the repository's files at its host, with a slash at its end, for the links to
+    /// source files; without it, files are named but not linked: a page is passed on without the
+    /// files beside it.
     pub root: Option<String>,
 }
 
@@ -72,7 +73,8 @@ impl Report<'_> {
             && self.claims.is_empty())
     }
 
-    /// Links to those of the files with these paths that were written: of an oscillator only where its files are all that there are.
+    /// Links to those of the files with these paths that were written: of an oscillator only where
+    /// its files are all that there are.
     pub(crate) fn links(&self, paths: &[String], of_oscillator: bool) -> Vec<Html> {
         let listed = self.manifest.outputs.iter().filter(|file| paths.contains(&file.path));
         let there = listed.filter(|_| !(of_oscillator && self.is_of_the_paper()));

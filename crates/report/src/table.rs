@@ -12,7 +12,8 @@ use crate::html::{Html, capitalised, csv_path, escape, number, rendered};
 use crate::oscillator::OscillatorEntry;
 use crate::report::Report;
 
-/// Tables with more rows begin closed, and their rows are kept for the scripts, which set them once they are asked for.
+/// Tables with more rows begin closed, and their rows are kept for the scripts, which set them once
+/// they are asked for.
 const LONGEST_OPEN_TABLE: usize = 40;
 /// The column that says how a case came out.
 const VERDICT: &str = "verdict";

@@ -6,7 +6,8 @@ mod sample;
 use browser::{Spot, assert_all_pass, checked, sheets_of_paper};
 use grazing_report::page;
 
-/// Ways to write parts of the formula of the sample, g_p(δ) = 2 √δ cos(π/p), with the label of its claim.
+/// Ways to write parts of the formula of the sample, g_p(δ) = 2 √δ cos(π/p), with the label of its
+/// claim.
 const FORMULAS: [(&str, &str); 5] = [
     ("eq:holds", "eq:holds"),
     (r"g_p(\delta)", "eq:holds"),
@@ -17,7 +18,8 @@ const FORMULAS: [(&str, &str); 5] = [
 
 #[test]
 fn the_page_answers_to_pointer_keys_and_filters() {
-    // The panel of the sample reaches from (20, 90) to (180, 10) on the sheet, from (0, -1) to (4, 1) in the data.
+    // The panel of the sample reaches from (20, 90) to (180, 10) on the sheet, from (0, -1) to
+    // (4, 1) in the data.
     let told = |parts: &[&str]| parts.iter().map(|part| (*part).to_owned()).collect();
     let spots = [
         Spot {

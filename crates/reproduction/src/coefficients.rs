@@ -1,4 +1,5 @@
-//! The table of coefficients: by closed form, by the general theorem, and by measurement on the continued curves.
+//! The table of coefficients: by closed form, by the general theorem, and by measurement on the
+//! continued curves.
 
 use grazing_continuation::bifurcation::Pair;
 use grazing_results::{row, tables};
@@ -24,8 +25,8 @@ pub struct Coefficients {
     pub stability: StabilityCoefficients,
     /// c_SN,p and c_PD,p by closed form.
     pub closed_form: Pair<f64>,
-    /// c_SN,p and c_PD,p by Theorems 2.4, 2.5 from derivatives of the numerical P_global, and as limits of μ/η² on the continued
-    /// curves, where these can be measured.
+    /// c_SN,p and c_PD,p by Theorems 2.4, 2.5 from derivatives of the numerical P_global, and as
+    /// limits of μ/η² on the continued curves, where these can be measured.
     pub measured: Pair<Coefficient>,
 }
 

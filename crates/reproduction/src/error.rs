@@ -24,7 +24,8 @@ pub enum StudyError {
     /// There is no grazing in the window.
     #[error(transparent)]
     Unfold(#[from] UnfoldError),
-    /// A portrait's solution does not exist at its amplitude: the key of the file that asks for it, and what would be right.
+    /// A portrait's solution does not exist at its amplitude: the key of the file that asks for it,
+    /// and what would be right.
     #[error("{0}")]
     NoPortrait(String),
     /// Something else is not there at these parameters, in a sentence.

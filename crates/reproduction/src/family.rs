@@ -1,8 +1,9 @@
 //! Families: an oscillator from a text file for several values of its constants.
 //!
-//! Every member is analysed by itself as far as its codimension-two points, and its resonances are followed towards its neighbours in the constant
-//! that varies first ([`grazing_unfold::family`]). What comes of one member is a [`Record`], which may be computed anywhere; a [`Family`] is made of all
-//! of them, whoever computed them, with the same result.
+//! Every member is analysed by itself as far as its codimension-two points, and its resonances are
+//! followed towards its neighbours in the constant that varies first ([`grazing_unfold::family`]).
+//! What comes of one member is a [`Record`], which may be computed anywhere; a [`Family`] is made
+//! of all of them, whoever computed them, with the same result.
 
 mod assembly;
 mod record;
@@ -58,7 +59,8 @@ impl Plan {
         self.varied[0].values.len()
     }
 
-    /// The members of part `part` of `parts`, counted from 1: parts are as equal as can be, and together they are all.
+    /// The members of part `part` of `parts`, counted from 1: parts are as equal as can be, and
+    /// together they are all.
     pub fn part(&self, part: usize, parts: usize) -> core::ops::Range<usize> {
         let end = |part: usize| self.count() * part / parts;
         end(part - 1)..end(part)
@@ -71,7 +73,8 @@ pub type Tell<'a> = &'a (dyn Fn(&Description, &UnfoldError) -> String + Sync);
 /// The stage in which members are computed.
 const MEMBERS: &str = "members of the family";
 
-/// The records of some members, each given with its number; none for those that were not finished when an end was asked for.
+/// The records of some members, each given with its number; none for those that were not finished
+/// when an end was asked for.
 pub fn records(
     plan: &Plan,
     members: &[(usize, Description)],

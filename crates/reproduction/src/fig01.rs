@@ -15,12 +15,13 @@ use crate::{Study, StudyError};
 const AXIS: [f64; 2] = [-1.0, 0.6];
 /// The most impacts of one orbit that a picture can show.
 const MOST_IMPACTS: usize = 20;
-/// What root finding leaves of x and z at an impact that is met again from another start (rounding, a thousandfold).
+/// What root finding leaves of x and z at an impact that is met again from another start (rounding,
+/// a thousandfold).
 const SAME: f64 = 1e-9;
 
 impl Study {
-    /// Figure 1: free flights of orbits, the reset law from each impact to its recoil, the marks of these with the number of their
-    /// orbit, and Σ.
+    /// Figure 1: free flights of orbits, the reset law from each impact to its recoil, the marks of
+    /// these with the number of their orbit, and Σ.
     ///
     /// # Errors
     /// An orbit does not reach the wall where it should.
@@ -81,7 +82,8 @@ fn graze(
     Ok(())
 }
 
-/// An orbit with impacts, simulated from its beginning; its first impact must be the point that was asked for. Returns impacts and recoils.
+/// An orbit with impacts, simulated from its beginning; its first impact must be the point that was
+/// asked for. Returns impacts and recoils.
 fn fly(
     oscillator: &LinearOscillator,
     from: State,

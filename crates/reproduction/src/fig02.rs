@@ -1,4 +1,5 @@
-//! Figure 2 (fig:Z): the one-parameter diagram of the paper's oscillator at a fixed frequency, with a magnification and phase portraits.
+//! Figure 2 (fig:Z): the one-parameter diagram of the paper's oscillator at a fixed frequency, with
+//! a magnification and phase portraits.
 
 mod subjects;
 

@@ -1,7 +1,7 @@
 //! Figure 3 (fig:Ba): the return map P_global on Π and the grazing periodic solution Γ.
 //!
-//! The phase is taken as an angle, so that Γ closes and a point of Π and its image lie on one and the same Π
-//! (`Space`).
+//! The phase is taken as an angle, so that Γ closes and a point of Π and its image lie on one and
+//! the same Π (`Space`).
 
 use core::f64::consts::TAU;
 
@@ -20,8 +20,8 @@ const AXES: ([f64; 2], f64) = ([-0.75, 0.75], 0.75);
 const PHASE_AXIS: f64 = 0.8;
 
 impl Study {
-    /// Figure 3: Γ, the orbit from a point of Π (number 0) to its image (number 1), the map from the one to the other, Π, and the
-    /// circle x = 0, y = 0.
+    /// Figure 3: Γ, the orbit from a point of Π (number 0) to its image (number 1), the map from
+    /// the one to the other, Π, and the circle x = 0, y = 0.
     ///
     /// # Errors
     /// P_global is not defined at the point.

@@ -1,17 +1,21 @@
-//! Figure 5 (fig:E): the quadratic unfolding of a resonant grazing bifurcation in the case c_SN < 0 < c_PD, β > 0.
+//! Figure 5 (fig:E): the quadratic unfolding of a resonant grazing bifurcation in the case c_SN < 0
+//! < c_PD, β > 0.
 //!
-//! The curves are those of Theorems 2.4 and 2.5 at a resonance of the linear oscillator, without their O(η³).
+//! The curves are those of Theorems 2.4 and 2.5 at a resonance of the linear oscillator, without
+//! their O(η³).
 //!
 //! # Where a p-loop MPS is stable
 //!
-//! Near the resonance the MPSs are μ = k₂ y² + k₃ η y with impact velocity y > 0 (eq:ZM), and to leading order a multiplier
-//! is +1 where y = Υ⁺η and −1 where y = Υ⁻η (eq:Upsilon1, eq:Upsilonp): y (T − D − 1) = s⁺ (y − Υ⁺η) and
-//! y (T + D + 1) = s⁻ (y − Υ⁻η). An MPS is stable where the first is negative and the second positive (D < 1 there, by
-//! eq:yD1 and eq:yDp). In the case s⁺ < 0 < s⁻ that is y > Υ⁺η and y > Υ⁻η, of which one bound is positive and one
-//! negative, whatever the sign of η, since Υ⁺ and Υ⁻ are inversely proportional to s⁺ and s⁻. Where k₂ > 0, which
-//! here means β > 0, μ has its least value over y at y = Υ⁺η and grows beyond. So there is exactly one stable MPS where
-//! μ > c_SN η² on the side of η with the saddle-node curve, and where μ > c_PD η² on the other side: one region, beyond
-//! the grazing line but for the strip between it and the saddle-node curve, where the non-impacting solution is stable too.
+//! Near the resonance the MPSs are μ = k₂ y² + k₃ η y with impact velocity y > 0 (eq:ZM), and to
+//! leading order a multiplier is +1 where y = Υ⁺η and −1 where y = Υ⁻η (eq:Upsilon1, eq:Upsilonp):
+//! y (T − D − 1) = s⁺ (y − Υ⁺η) and y (T + D + 1) = s⁻ (y − Υ⁻η). An MPS is stable where the first
+//! is negative and the second positive (D < 1 there, by eq:yD1 and eq:yDp). In the case s⁺ < 0 < s⁻
+//! that is y > Υ⁺η and y > Υ⁻η, of which one bound is positive and one negative, whatever the sign
+//! of η, since Υ⁺ and Υ⁻ are inversely proportional to s⁺ and s⁻. Where k₂ > 0, which here means
+//! β > 0, μ has its least value over y at y = Υ⁺η and grows beyond. So there is exactly one stable
+//! MPS where μ > c_SN η² on the side of η with the saddle-node curve, and where μ > c_PD η² on the
+//! other side: one region, beyond the grazing line but for the strip between it and the saddle-node
+//! curve, where the non-impacting solution is stable too.
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_results::Frame;
@@ -73,7 +77,8 @@ impl Study {
     }
 }
 
-/// μ = c η² from the resonance to the edge of the window, on the side of η that theory gives, as points (μ, η).
+/// μ = c η² from the resonance to the edge of the window, on the side of η that theory gives, as
+/// points (μ, η).
 fn half_parabola(curve: BifurcationCurve, shown: &parameters::Figure5) -> Vec<[f64; 2]> {
     let edge = if curve.eta_side.signum() < 0.0 { shown.eta[0] } else { shown.eta[1] };
     let eta = |k: u32| edge * (f64::from(k) / f64::from(SAMPLES));

@@ -1,8 +1,9 @@
 //! Figure 6 (fig:F): the oscillator as a mechanical schematic, to scale along x.
 //!
-//! Along x everything stands where eq:oscf has it: the wall at x = 0, the equilibrium of the block's face at x = −1, the face
-//! itself at x = φ_p(t), the non-impacting solution at the chosen phase; the force arrow is proportional to 𝒜 cos(ωt).
-//! Across x, in the same unit, are lengths of drawing alone.
+//! Along x everything stands where eq:oscf has it: the wall at x = 0, the equilibrium of the
+//! block's face at x = −1, the face itself at x = φ_p(t), the non-impacting solution at the chosen
+//! phase; the force arrow is proportional to 𝒜 cos(ωt). Across x, in the same unit, are lengths of
+//! drawing alone.
 
 mod shapes;
 
@@ -57,8 +58,9 @@ impl Study {
     }
 }
 
-/// All parts, each as polylines, with the block's face at x, the largest displacement of the motion from x = −1, and the force over its
-/// amplitude. What is listed later covers what is listed earlier.
+/// All parts, each as polylines, with the block's face at x, the largest displacement of the motion
+/// from x = −1, and the force over its amplitude. What is listed later covers what is listed
+/// earlier.
 fn drawing(face: f64, stroke: f64, force: f64, coils: u32) -> Vec<(Part, Vec<Polyline>)> {
     use lengths::*;
     const EQUILIBRIUM: f64 = -1.0;

@@ -1,4 +1,5 @@
-//! Figure 7 (fig:G): the two-parameter bifurcation diagram of the paper's oscillator, which Figure 8 and the table of coefficients share.
+//! Figure 7 (fig:G): the two-parameter bifurcation diagram of the paper's oscillator, which Figure
+//! 8 and the table of coefficients share.
 
 use grazing_continuation::resonance::ResonanceError;
 use grazing_model::AnyOscillator;
@@ -12,7 +13,8 @@ use crate::study::forced;
 use crate::{Study, StudyError};
 
 impl Study {
-    /// The diagram in the window of Figure 7: what `grazing_unfold` finds of an oscillator whose flow is known in closed form.
+    /// The diagram in the window of Figure 7: what `grazing_unfold` finds of an oscillator whose
+    /// flow is known in closed form.
     pub(crate) fn diagram(&self) -> Result<&Diagram, StudyError> {
         let compute = || {
             let figure = self.parameters.fig07.get()?;
@@ -25,7 +27,8 @@ impl Study {
         self.diagram.get_or_init(compute).as_ref().map_err(Clone::clone)
     }
 
-    /// Figure 7, with the line along which Figure 2 runs and the panels of Figure 8, as far as these can be computed.
+    /// Figure 7, with the line along which Figure 2 runs and the panels of Figure 8, as far as
+    /// these can be computed.
     ///
     /// # Errors
     /// There is no grazing in the window.
@@ -40,7 +43,8 @@ impl Study {
         Ok(plane::plane_diagram(&axes, self.diagram()?, panels, section.into_iter().collect()))
     }
 
-    /// What Figure 7 and the table of coefficients lack: resonances that could not be located, in sentences.
+    /// What Figure 7 and the table of coefficients lack: resonances that could not be located, in
+    /// sentences.
     ///
     /// # Errors
     /// As [`fig07`](Self::fig07).
@@ -52,7 +56,8 @@ impl Study {
         Ok(sentence.collect())
     }
 
-    /// What Figure 7 lacks: resonances that could not be located, and curves that could not be followed, in sentences.
+    /// What Figure 7 lacks: resonances that could not be located, and curves that could not be
+    /// followed, in sentences.
     ///
     /// # Errors
     /// As [`fig07`](Self::fig07).
@@ -62,7 +67,8 @@ impl Study {
         Ok(self.unlocated()?.into_iter().chain(not_followed).collect())
     }
 
-    /// Where it is not decided whether solutions are stable, with the reason: one sentence for the regions of one p.
+    /// Where it is not decided whether solutions are stable, with the reason: one sentence for the
+    /// regions of one p.
     ///
     /// # Errors
     /// As [`fig07`](Self::fig07).

@@ -9,8 +9,9 @@ use crate::space::{Drawn, Space, axes, line, outline, recoil, trajectory};
 use crate::{Study, StudyError, parameters};
 
 impl Study {
-    /// Figure 9: real and virtual parts of the orbit near the wall, the reset law, P_global from point to point, and Π on both sides of
-    /// the wall; marks are the impact, the recoil, (x̂, 0, ẑ) as virtual, and (x⁽ʲ⁾, 0, z⁽ʲ⁾) with number j.
+    /// Figure 9: real and virtual parts of the orbit near the wall, the reset law, P_global from
+    /// point to point, and Π on both sides of the wall; marks are the impact, the recoil, (x̂, 0,
+    /// ẑ) as virtual, and (x⁽ʲ⁾, 0, z⁽ʲ⁾) with number j.
     ///
     /// # Errors
     /// P_virt or P_global is not defined at a point.
@@ -76,8 +77,8 @@ impl Study {
     }
 }
 
-/// The time from a state near the wall, in either direction of time, to where x has fallen to a level, or to the turning
-/// point if it does not fall so far.
+/// The time from a state near the wall, in either direction of time, to where x has fallen to a
+/// level, or to the turning point if it does not fall so far.
 fn to_level(oscillator: &LinearOscillator, state: State, forwards: bool, level: f64) -> f64 {
     /// The orbit starts at rest on Π; this share of a period later it moves.
     const MOMENT: f64 = 1e-3;

@@ -7,9 +7,11 @@ use nalgebra::Vector2;
 use crate::{Study, StudyError};
 
 impl Study {
-    /// Figure 10: the vertices as iterates of (0, −b₁ₚ / (a₁₂ β)) under the affine map Q(u, w) = A (u, w) + (S_p / β) b.
+    /// Figure 10: the vertices as iterates of (0, −b₁ₚ / (a₁₂ β)) under the affine map Q(u, w) = A
+    /// (u, w) + (S_p / β) b.
     ///
-    /// Paper: eq:affineMap and the line after eq:affineMapj. The scaling S_p / β of eq:ujwj makes u⁽ʲ⁾ free of μ.
+    /// Paper: eq:affineMap and the line after eq:affineMapj. The scaling S_p / β of eq:ujwj makes
+    /// u⁽ʲ⁾ free of μ.
     pub fn fig10(&self) -> Result<Figure10, StudyError> {
         let (shown, oscillator) = (self.parameters.fig10.get()?, self.parameters.oscillator.get()?);
         let map = oscillator.grazing(shown.frequency)?.linearised_map();

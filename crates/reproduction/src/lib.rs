@@ -1,7 +1,7 @@
 //! The figures and tables of the paper as rows.
 //!
-//! Parameters come in as TOML ([`parameters`]), a [`Study`] computes what is asked for, and each figure is what it shows, as
-//! [`grazing_results`] has it. Nothing here draws or writes files.
+//! Parameters come in as TOML ([`parameters`]), a [`Study`] computes what is asked for, and each
+//! figure is what it shows, as [`grazing_results`] has it. Nothing here draws or writes files.
 
 mod coefficients;
 mod described;

@@ -11,12 +11,13 @@ use grazing_unfold::units::InUnits;
 
 use crate::described::prepared;
 
-/// How long-time behaviour is sampled: at as many values as columns of dots can be told apart in a figure, after a transient that is longer where
-/// damping is weak.
+/// How long-time behaviour is sampled: at as many values as columns of dots can be told apart in a
+/// figure, after a transient that is longer where damping is weak.
 pub const SAMPLING: Sampling =
     Sampling { values: 240, between: None, orbits: 2, transient: 150, recorded: 24, lowest: None, seed: 1 };
 
-/// The one-parameter diagrams that a file asks for, in the oscillator's own units, and what is missing.
+/// The one-parameter diagrams that a file asks for, in the oscillator's own units, and what is
+/// missing.
 pub(crate) fn diagrams(
     description: &Description,
     curves: &[DiagramCurve],

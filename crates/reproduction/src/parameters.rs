@@ -1,9 +1,10 @@
 //! The parameters of the figures: a TOML file in, checked values out.
 //!
-//! [`Parameters`] can be made from a file only; every section of it is checked by itself, and what is not right in one keeps
-//! nobody from using another. `figures/parameters.toml` is the file of the paper's figures; nothing of science has a hidden
-//! default, but places of portraits and panels may be left to the program. All quantities are dimensionless; a range is
-//! [lower, upper], finite, with lower < upper.
+//! [`Parameters`] can be made from a file only; every section of it is checked by itself, and what
+//! is not right in one keeps nobody from using another. `figures/parameters.toml` is the file of
+//! the paper's figures; nothing of science has a hidden default, but places of portraits and panels
+//! may be left to the program. All quantities are dimensionless; a range is [lower, upper], finite,
+//! with lower < upper.
 
 mod error;
 mod fig02;
@@ -81,14 +82,15 @@ impl<T> Checked<T> {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Parameters {
-    /// The oscillator of the paper's example: damping ratio zeta of eq:oscf in (0, 1), coefficient of restitution epsilon of
-    /// eq:oscResetLaw in (0, 1].
+    /// The oscillator of the paper's example: damping ratio zeta of eq:oscf in (0, 1), coefficient
+    /// of restitution epsilon of eq:oscResetLaw in (0, 1].
     pub oscillator: Checked<LinearOscillator>,
     /// What Figure 1 (fig:Bc) shows.
     pub fig01: Checked<Figure1>,
     /// What Figure 2 (fig:Z) shows.
     pub fig02: Checked<Figure2>,
-    /// The forcing frequency of Figure 2, which Figure 4 and the printed numbers share, whatever else its section holds.
+    /// The forcing frequency of Figure 2, which Figure 4 and the printed numbers share, whatever
+    /// else its section holds.
     pub fig02_frequency: Checked<f64>,
     /// What Figure 3 (fig:Ba) shows.
     pub fig03: Checked<Figure3>,
@@ -109,8 +111,8 @@ pub struct Parameters {
 }
 
 impl Parameters {
-    /// Reads and checks a parameter file, with settings that take the place of values in it; its path appears in messages as it is
-    /// given here.
+    /// Reads and checks a parameter file, with settings that take the place of values in it; its
+    /// path appears in messages as it is given here.
     ///
     /// # Errors
     /// As [`parse`](Self::parse), or the file cannot be read.
@@ -122,8 +124,9 @@ impl Parameters {
     /// Checks the text of a parameter file; `file` is the name that messages use.
     ///
     /// # Errors
-    /// [`ParameterError`] if the text is no TOML or has sections that nobody reads, and for settings of keys that are not there. What
-    /// else is wrong, the first thing in each section, is told to whoever asks for that section.
+    /// [`ParameterError`] if the text is no TOML or has sections that nobody reads, and for
+    /// settings of keys that are not there. What else is wrong, the first thing in each section, is
+    /// told to whoever asks for that section.
     pub fn parse(text: &Text, file: &str) -> Result<Parameters, ParameterError> {
         let source = &Source::new(text, file, &REQUIREMENTS);
         source.check_top_level()?;

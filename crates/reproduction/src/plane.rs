@@ -15,7 +15,8 @@ use grazing_unfold::magnification::Polyline;
 use grazing_unfold::regions::{Doubt, Region};
 use grazing_unfold::units::InUnits;
 
-/// The names of the two parameters, which head their columns, and the units in which the tables count what was found without dimensions.
+/// The names of the two parameters, which head their columns, and the units in which the tables
+/// count what was found without dimensions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axes {
     /// The names; one that is another column's has a `_` more.
@@ -99,7 +100,8 @@ pub fn grazing_rows(axes: &Axes, diagram: &Diagram) -> Vec<Vec<PlanePoint>> {
     diagram.grazing.iter().map(rows).collect()
 }
 
-/// A bifurcation curve without its number; it need not be in the diagram yet, whose grazing curves are.
+/// A bifurcation curve without its number; it need not be in the diagram yet, whose grazing curves
+/// are.
 pub fn bifurcation_rows(axes: &Axes, diagram: &Diagram, curve: &DiagramCurve) -> Vec<PlanePoint> {
     let (units, equations) = (&axes.units, diagram.equations(curve.loops));
     let points = curve.curve.points.iter().map(|point| {

@@ -1,9 +1,10 @@
 //! Phase space as Figures 1, 3 and 9 show it: projected along parallel rays, and split into layers.
 //!
-//! The scenes hold curves and two surfaces, Σ (x = 0) and Π (y = 0). Both are planes, so what hides what needs no
-//! comparison of depths: seen from anywhere, all that lies beyond Σ is painted before Σ and the rest after it, and
-//! likewise for Π on either side of Σ (a binary space partition with two planes). [`Space::layer`] is that order; curves
-//! are split where they pass from one side to another.
+//! The scenes hold curves and two surfaces, Σ (x = 0) and Π (y = 0). Both are planes, so what hides
+//! what needs no comparison of depths: seen from anywhere, all that lies beyond Σ is painted before
+//! Σ and the rest after it, and likewise for Π on either side of Σ (a binary space partition with
+//! two planes). [`Space::layer`] is that order; curves are split where they pass from one side to
+//! another.
 
 use grazing_model::motion::Motion;
 use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, State};
@@ -19,11 +20,11 @@ const LINE_SAMPLES: u32 = 60;
 /// A way to see phase space on a page.
 #[derive(Clone, Debug)]
 pub(crate) struct Space {
-    /// Radius ρ and origin z₀ of a ring, if the phase is an angle: (x, y, z) ↦ ((ρ + x) cos ψ, y, (ρ + x) sin ψ) with ψ = z − z₀.
-    /// Otherwise x, y and z are seen along straight axes.
+    /// Radius ρ and origin z₀ of a ring, if the phase is an angle: (x, y, z) ↦ ((ρ + x) cos ψ, y,
+    /// (ρ + x) sin ψ) with ψ = z − z₀. Otherwise x, y and z are seen along straight axes.
     ///
-    /// One-to-one for x > −ρ, with z and z + 2π the same place, and right-handed as the straight axes are. Π stays in a
-    /// plane, y = 0.
+    /// One-to-one for x > −ρ, with z and z + 2π the same place, and right-handed as the straight
+    /// axes are. Π stays in a plane, y = 0.
     ring: Option<[f64; 2]>,
     stretch: [f64; 3],
     /// Sine and cosine of the turn and of the tilt.
@@ -32,16 +33,19 @@ pub(crate) struct Space {
 }
 
 impl Space {
-    /// Seen as a figure has it; for a ring its radius and the phase from which the angle is measured.
+    /// Seen as a figure has it; for a ring its radius and the phase from which the angle is
+    /// measured.
     pub(crate) fn new(view: &View, ring: Option<[f64; 2]>) -> Self {
         let turned = |degrees: f64| libm::sincos(degrees.to_radians());
         Self { ring, stretch: view.stretch, turn: turned(view.turn), tilt: turned(view.tilt) }
     }
 
-    /// The orthographic projection of a state: its place to the right, upwards, and away from the viewer.
+    /// The orthographic projection of a state: its place to the right, upwards, and away from the
+    /// viewer.
     ///
     /// With (X, Y, Z) the place in space, units stretched: turned by α about Y, then tilted by β,
-    /// across = X cos α + Z sin α, up = Y cos β + D sin β, depth = D cos β − Y sin β, where D = X sin α − Z cos α.
+    /// across = X cos α + Z sin α, up = Y cos β + D sin β, depth = D cos β − Y sin β, where D = X
+    /// sin α − Z cos α.
     fn see(&self, state: State) -> [f64; 3] {
         let State { position: x, velocity: y, phase: z } = state;
         let place = self.ring.map_or([x, y, z], |[radius, origin]| {
@@ -58,9 +62,11 @@ impl Space {
         ]
     }
 
-    /// The place in the order of painting, by the signs of x and of y: on a surface where a sign is 0.
+    /// The place in the order of painting, by the signs of x and of y: on a surface where a sign
+    /// is 0.
     ///
-    /// Beyond Σ: beyond Π 0, Π 1, before Π 2; Σ 3; before Σ: beyond Π 4, Π 5, before Π 6. On the ring Σ is not shown.
+    /// Beyond Σ: beyond Π 0, Π 1, before Π 2; Σ 3; before Σ: beyond Π 4, Π 5, before Π 6. On the
+    /// ring Σ is not shown.
     fn layer(&self, x: f64, y: f64) -> u32 {
         // The viewer stands above y = 0, and on the side x < 0 if the scene is turned to the right.
         let about_section = u32::from(y >= 0.0) + u32::from(y > 0.0);
@@ -71,8 +77,8 @@ impl Space {
         }
     }
 
-    /// The layer of what lies right before a point of a surface: there a mark of the point is painted, after all that ends
-    /// in it.
+    /// The layer of what lies right before a point of a surface: there a mark of the point is
+    /// painted, after all that ends in it.
     fn layer_before(&self, state: State) -> u32 {
         let before = |coordinate: f64, side: f64| if coordinate == 0.0 { side } else { coordinate };
         self.layer(before(state.position, -self.turn.0), before(state.velocity, 1.0))
@@ -184,7 +190,8 @@ impl<'a, K: Copy> Drawn<'a, K> {
     }
 }
 
-/// The three axes along the edges of a box that meet at (0, 0, `origin`), each a little longer than the box.
+/// The three axes along the edges of a box that meet at (0, 0, `origin`), each a little longer than
+/// the box.
 pub(crate) fn axes(drawn: &mut Drawn<'_, SurfaceKind>, [x, y, z]: [[f64; 2]; 3], origin: f64) {
     /// By how much of the box an axis is longer than it.
     const OVERSHOOT: f64 = 0.12;

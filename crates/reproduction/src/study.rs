@@ -11,9 +11,9 @@ use crate::StudyError;
 use crate::coefficients::CoefficientTable;
 use crate::parameters::Parameters;
 
-/// The reproduction at one set of parameters: each figure and table is a function of it, in the module of its name. What several
-/// outputs share is computed when it is first needed. Each is an error if a section of the parameter file that it needs is not right, or for what
-/// its docs name.
+/// The reproduction at one set of parameters: each figure and table is a function of it, in the
+/// module of its name. What several outputs share is computed when it is first needed. Each is an
+/// error if a section of the parameter file that it needs is not right, or for what its docs name.
 pub struct Study {
     /// The parameters.
     pub parameters: Parameters,

@@ -28,8 +28,8 @@ pub struct Generic(pub GenericRow);
 pub struct Resonant(pub ResonantRow);
 
 impl Study {
-    /// Theorems 2.2 to 2.5 against continuation and simulation over many oscillators; the parameters of this study do not
-    /// matter.
+    /// Theorems 2.2 to 2.5 against continuation and simulation over many oscillators; the
+    /// parameters of this study do not matter.
     ///
     /// # Errors
     /// A case could not be worked out.

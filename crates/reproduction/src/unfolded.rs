@@ -1,4 +1,5 @@
-//! What there is to know about the resonant grazing bifurcations of any oscillator, as rows of tables.
+//! What there is to know about the resonant grazing bifurcations of any oscillator, as rows of
+//! tables.
 
 mod finished;
 mod tables;
@@ -32,19 +33,23 @@ pub use finished::Keep;
 pub(crate) use tables::slopes;
 pub use tables::{CheckedHypothesis, GrazingLoopRow, GrazingRow};
 
-/// The analysis of an oscillator: its diagram, and at every resonance where a theorem holds coefficients, simulation and a
-/// magnification.
+/// The analysis of an oscillator: its diagram, and at every resonance where a theorem holds
+/// coefficients, simulation and a magnification.
 #[derive(Clone, Debug)]
 pub struct Unfolded {
     /// The names of the parameters, and the oscillator's own units.
     pub axes: Axes,
-    /// Grazing curves, resonances, bifurcation curves, codimension-two points, regions: all without dimensions.
+    /// Grazing curves, resonances, bifurcation curves, codimension-two points, regions: all without
+    /// dimensions.
     pub diagram: Diagram,
-    /// For each resonance at which a theorem holds, in the order of [`Diagram::unfolding`]; in the oscillator's own units.
+    /// For each resonance at which a theorem holds, in the order of [`Diagram::unfolding`]; in the
+    /// oscillator's own units.
     pub resonances: Vec<AtResonance>,
-    /// The one-parameter diagrams that are asked for, as far as they were finished; in the oscillator's own units.
+    /// The one-parameter diagrams that are asked for, as far as they were finished; in the
+    /// oscillator's own units.
     pub diagrams: Vec<OneParameter>,
-    /// What depends on p along the grazing curves, for one p after the other; in the oscillator's own units.
+    /// What depends on p along the grazing curves, for one p after the other; in the oscillator's
+    /// own units.
     along: Vec<GrazingLoopRow>,
 }
 
@@ -81,7 +86,8 @@ pub struct ResonanceEntry {
     pub n: u32,
     /// Primary and secondary parameter.
     pub parameters: [f64; 2],
-    /// What is known of its curves; where the theorem does not apply the hypotheses that fail, with the values of their quantities.
+    /// What is known of its curves; where the theorem does not apply the hypotheses that fail, with
+    /// the values of their quantities.
     pub finding: Result<Pair<CurveFinding>, Vec<(String, f64)>>,
 }
 
@@ -112,8 +118,8 @@ pub fn axes(description: &Description) -> Axes {
 }
 
 impl Unfolded {
-    /// The analysis of an oscillator from a text file, which ends when an end is asked for by `stop`; `keep` gets curves as they are
-    /// finished.
+    /// The analysis of an oscillator from a text file, which ends when an end is asked for by
+    /// `stop`; `keep` gets curves as they are finished.
     ///
     /// # Errors
     /// There is no grazing in the ranges.
@@ -143,7 +149,8 @@ impl Unfolded {
 }
 
 impl Unfolded {
-    /// The analysis of any oscillator, counted with its scope in the units of `axes`; its own parameters do not matter.
+    /// The analysis of any oscillator, counted with its scope in the units of `axes`; its own
+    /// parameters do not matter.
     ///
     /// # Errors
     /// There is no grazing in the ranges.
@@ -161,7 +168,8 @@ impl Unfolded {
         let what = "coefficients and magnifications";
         let found: Vec<_> = diagram.unfolding().collect();
         progress.begin(what, found.len() as u64);
-        // Each resonance by itself; the order of the results is that of the list, whatever the threads do.
+        // Each resonance by itself; the order of the results is that of the list, whatever the
+        // threads do.
         let resonances = found
             .into_par_iter()
             .map(|(resonance, point)| {
@@ -225,8 +233,8 @@ impl Unfolded {
         self.diagram.resonances.iter().filter_map(entry).collect()
     }
 
-    /// The two-parameter diagram, with a panel for each resonance whose curves are there, numbered as in the table of magnifications, and
-    /// lines for the one-parameter diagrams.
+    /// The two-parameter diagram, with a panel for each resonance whose curves are there, numbered
+    /// as in the table of magnifications, and lines for the one-parameter diagrams.
     pub fn plane_diagram(&self) -> PlaneDiagram {
         let is_range = |[low, high]: [f64; 2]| low.is_finite() && high.is_finite() && low < high;
         let panels = (1..).zip(&self.resonances).filter_map(|(panel, at)| {

@@ -72,7 +72,8 @@ pub trait DiagramRow {
     /// Puts others in their place.
     fn set_parameters(&mut self, parameters: [f64; 2]);
 
-    /// Puts it into the diagram of a number, and its parameters into each other's place if they are exchanged.
+    /// Puts it into the diagram of a number, and its parameters into each other's place if they are
+    /// exchanged.
     fn place(&mut self, diagram: u32, exchanged: bool);
 }
 
@@ -135,7 +136,8 @@ tables! {
     }
 }
 
-/// Room below the lowest and above the highest point that is shown, as a part of the height between.
+/// Room below the lowest and above the highest point that is shown, as a part of the height
+/// between.
 const MARGIN: f64 = 0.06;
 
 impl OneParameter {
@@ -150,8 +152,8 @@ impl OneParameter {
         ]
     }
 
-    /// Of what belongs to the primary and the secondary parameter: first that of the one across, then that of the one that is held.
-    /// And back.
+    /// Of what belongs to the primary and the secondary parameter: first that of the one across,
+    /// then that of the one that is held. And back.
     pub fn exchanged<T>(&self, [first, second]: [T; 2]) -> [T; 2] {
         if self.primary_is_fixed { [second, first] } else { [first, second] }
     }

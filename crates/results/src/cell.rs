@@ -48,7 +48,8 @@ cells! {
     CodimensionTwo: |kind| kind.name().into(),
 }
 
-/// Enumerations whose variants stand in tables as words, which say what they mean unless there is more to say.
+/// Enumerations whose variants stand in tables as words, which say what they mean unless there is
+/// more to say.
 macro_rules! words {
     ($($(#[$meta:meta])* $name:ident { $($(#[$about:meta])* $variant:ident = $word:literal,)+ })+) => {$(
         $(#[$meta])*
@@ -72,7 +73,8 @@ macro_rules! words {
 
 pub(crate) use words;
 
-/// The value with this many significant digits at most, without zeros at the end, as `0.5` or `-1.25e-9`.
+/// The value with this many significant digits at most, without zeros at the end, as `0.5` or
+/// `-1.25e-9`.
 pub fn brief(value: f64, digits: usize) -> String {
     let rounded: f64 = format!("{value:.*e}", digits - 1).parse().unwrap_or(value);
     // Adding zero turns -0 into 0.

@@ -1,7 +1,8 @@
 //! All columns of all tables, each declared once.
 //!
-//! In names `{primary}` and `{secondary}` stand for the names of the two parameters, in units for their units. Length, velocity and time are
-//! those in which an oscillator is described; the paper's oscillator is without dimensions, so that all its units are 1. A unit of 1 is left out.
+//! In names `{primary}` and `{secondary}` stand for the names of the two parameters, in units for
+//! their units. Length, velocity and time are those in which an oscillator is described; the
+//! paper's oscillator is without dimensions, so that all its units are 1. A unit of 1 is left out.
 
 use crate::Names;
 
@@ -113,7 +114,8 @@ columns! {
     SOURCE = "source", "", "1";
 }
 
-// Families: what varies from member to member. A family with fewer constants has no columns for the first ones.
+// Families: what varies from member to member. A family with fewer constants has no columns for the
+// first ones.
 columns! {
     /// a constant of the oscillator that varies
     VARIED_1 = "{varied1}", "{varied1}", "as in the file";

@@ -1,4 +1,5 @@
-//! What each kind of curve, point and region is called, and how it looks: one table, which the figures, the report and the explorer read.
+//! What each kind of curve, point and region is called, and how it looks: one table, which the
+//! figures, the report and the explorer read.
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 
@@ -10,14 +11,16 @@ pub type Colour = [u8; 3];
 
 /// What a curve of a kind is called, and how it is drawn.
 ///
-/// The colours are the paper's, but lightness and strokes differ as well, so that kinds can be told apart without colour.
+/// The colours are the paper's, but lightness and strokes differ as well, so that kinds can be told
+/// apart without colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurveLook {
     /// What the curve is.
     pub meaning: &'static str,
     /// On light and on dark ground.
     pub colours: [Colour; 2],
-    /// Its quadratic approximation on dark ground; on light ground see [`approximation`](Self::approximation).
+    /// Its quadratic approximation on dark ground; on light ground see
+    /// [`approximation`](Self::approximation).
     approximation_on_dark: Colour,
     /// Its label on light ground: the line's colour, darker where that would be too light for text.
     pub text: Colour,
@@ -74,7 +77,8 @@ impl CurveLook {
         }
     }
 
-    /// The colours of its quadratic approximation, on light ground darker than the curve, so that it shows on top of that.
+    /// The colours of its quadratic approximation, on light ground darker than the curve, so that
+    /// it shows on top of that.
     pub const fn approximation(&self) -> [Colour; 2] {
         const fn darker(channel: u8) -> u8 {
             (channel as u16 * 11 / 20) as u8
@@ -121,7 +125,8 @@ pub const CURVES: [Bifurcation; 4] = [
     Bifurcation::Grazing,
 ];
 
-/// The words by which tables call kinds of curves, points and portraits, and regions of MPSs, with what they mean.
+/// The words by which tables call kinds of curves, points and portraits, and regions of MPSs, with
+/// what they mean.
 pub fn meanings() -> Vec<(&'static str, &'static str)> {
     use CodimensionTwo::{Cusp, GrazingGrazing, PeriodDoublingGrazing, Resonance, SaddleNodeGrazing};
     let points = [Resonance, SaddleNodeGrazing, PeriodDoublingGrazing, GrazingGrazing, Cusp];

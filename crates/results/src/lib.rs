@@ -1,11 +1,13 @@
 //! Results as rows of tables.
 //!
-//! Whoever computes makes rows of these types, whoever draws or shows takes them, and the CSV files are made of them. A column is declared
-//! once, in [`columns`], with name, symbol, unit, meaning and the paper's equation; a row type lists its columns ([`Row::COLUMNS`]). Headers,
-//! the pages that explain the data, headings and tooltips of the report, LaTeX tables and the names that parameters must not have
-//! follow from that. Rows that nobody draws (coefficients, hypotheses, quantities along the grazing curve, the theorems in action) are what
-//! is computed, with a column for each thing that is told of it ([`row!`]). What is made together, as all that a figure shows, is declared
-//! together ([`tables!`]).
+//! Whoever computes makes rows of these types, whoever draws or shows takes them, and the CSV files
+//! are made of them. A column is declared once, in [`columns`], with name, symbol, unit, meaning
+//! and the paper's equation; a row type lists its columns ([`Row::COLUMNS`]). Headers, the pages
+//! that explain the data, headings and tooltips of the report, LaTeX tables and the names that
+//! parameters must not have follow from that. Rows that nobody draws (coefficients, hypotheses,
+//! quantities along the grazing curve, the theorems in action) are what is computed, with a column
+//! for each thing that is told of it ([`row!`]). What is made together, as all that a figure shows,
+//! is declared together ([`tables!`]).
 //!
 //! | module | rows and tables of |
 //! |---|---|

@@ -177,8 +177,8 @@ impl Names {
         [&self.units.primary, &self.units.secondary].map(|unit| unit.as_deref().map(raised))
     }
 
-    /// A unit as columns declare it with the names of units in it, as far as they are known: those of the parameters are the parameters'
-    /// own names otherwise.
+    /// A unit as columns declare it with the names of units in it, as far as they are known: those
+    /// of the parameters are the parameters' own names otherwise.
     pub fn unit(&self, declared: &str) -> String {
         let UnitNames { length, time, primary, secondary } = &self.units;
         let known = |unit: &Option<String>, otherwise: &str| match unit {
@@ -196,14 +196,16 @@ impl Names {
             .replace("{secondary}", &known(secondary, &self.secondary))
     }
 
-    /// The name of the grazing curve in markup of labels: the symbol of the primary parameter at grazing, unless that is in words.
+    /// The name of the grazing curve in markup of labels: the symbol of the primary parameter at
+    /// grazing, unless that is in words.
     pub fn grazing_title(&self) -> String {
         let [primary, at_grazing, _] = &self.symbols;
         let in_words = primary.is_empty() || primary.starts_with(r"\mathrm");
         if in_words { "grazing".to_owned() } else { format!("${at_grazing}$") }
     }
 
-    /// The text with the names in the place of `{primary}`, `{secondary}`, and `{varied1}` and so on, of which the last ones are filled.
+    /// The text with the names in the place of `{primary}`, `{secondary}`, and `{varied1}` and so
+    /// on, of which the last ones are filled.
     pub fn put_into(&self, text: &str) -> String {
         let text = text.replace("{primary}", &self.primary).replace("{secondary}", &self.secondary);
         self.varied_put_into(text, 0)
@@ -218,7 +220,8 @@ impl Names {
         text
     }
 
-    /// The text with their symbols in LaTeX in these places, and that of the primary parameter at grazing in the place of `{primary_graz}`.
+    /// The text with their symbols in LaTeX in these places, and that of the primary parameter at
+    /// grazing in the place of `{primary_graz}`.
     pub fn symbols_put_into(&self, text: &str) -> String {
         let [primary, at_grazing, secondary] = &self.symbols;
         let text = text.replace("{primary}", primary);
@@ -227,17 +230,18 @@ impl Names {
     }
 }
 
-/// The symbol of a parameter in LaTeX, without dollars; none for a name that is no identifier of ASCII letters, digits and underscores.
+/// The symbol of a parameter in LaTeX, without dollars; none for a name that is no identifier of
+/// ASCII letters, digits and underscores.
 ///
-/// Names of Greek letters become these letters, single letters are italic, longer words upright. What follows an
-/// underscore, and digits at the end of a part, is a subscript: `F_0` and `F0`, `omega_max`. Words joined by underscores
-/// stay words: `forcing_amplitude`.
+/// Names of Greek letters become these letters, single letters are italic, longer words upright.
+/// What follows an underscore, and digits at the end of a part, is a subscript: `F_0` and `F0`,
+/// `omega_max`. Words joined by underscores stay words: `forcing_amplitude`.
 pub fn symbol(name: &str) -> Option<String> {
     Some(Symbol::read(name)?.latex())
 }
 
-/// Whether a character changes the direction in which those after it, or around it, are written: in a name that a person has given it
-/// could make a text read as another one.
+/// Whether a character changes the direction in which those after it, or around it, are written: in
+/// a name that a person has given it could make a text read as another one.
 pub fn directs(character: char) -> bool {
     matches!(character, '\u{200e}' | '\u{200f}' | '\u{61c}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
@@ -301,7 +305,8 @@ impl<'a> Symbol<'a> {
     }
 }
 
-/// The part without the digits at its end, and these digits if there are any; a part of digits alone is all digits.
+/// The part without the digits at its end, and these digits if there are any; a part of digits
+/// alone is all digits.
 fn without_digits(part: &str) -> (&str, Option<&str>) {
     let letters = part.trim_end_matches(|c: char| c.is_ascii_digit());
     let digits = &part[letters.len()..];

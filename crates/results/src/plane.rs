@@ -90,7 +90,8 @@ pub struct MagnifiedPanel {
     pub loops: u32,
     /// The integer n of that, if it is to be written.
     pub n: Option<u32>,
-    /// c_SN and c_PD, in units of the primary parameter over the square of the secondary one; NaN is left out.
+    /// c_SN and c_PD, in units of the primary parameter over the square of the secondary one; NaN
+    /// is left out.
     pub coefficients: Pair<f64>,
 }
 

@@ -1,4 +1,5 @@
-//! Sketches: the boundaries of Figure 4, the unfolding of Figure 5, the oscillator of Figure 6, the path of Figure 10.
+//! Sketches: the boundaries of Figure 4, the unfolding of Figure 5, the oscillator of Figure 6, the
+//! path of Figure 10.
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 

@@ -67,7 +67,8 @@ impl Table {
         Self::of_cells(name, R::COLUMNS, names, rows.into_iter().map(Row::cells).collect())
     }
 
-    /// The table of cells, which stand in the order of the columns; without columns for constants that do not vary.
+    /// The table of cells, which stand in the order of the columns; without columns for constants
+    /// that do not vary.
     pub fn of_cells(
         name: &'static str,
         columns: &'static [Column],
@@ -123,7 +124,8 @@ macro_rules! rows {
 
 pub(crate) use rows;
 
-/// Makes rows of a type that is not only a row: each column with what stands in it, after what these have in common.
+/// Makes rows of a type that is not only a row: each column with what stands in it, after what
+/// these have in common.
 ///
 /// `row! { Point, |p| { let both = p.x + p.y; } [X = p.x, SUM = both] }`
 #[macro_export]
@@ -141,8 +143,8 @@ macro_rules! row {
     };
 }
 
-/// What an output shows: lists of rows, each with the name of its table, what a row is, and what more there is to say of them; and what
-/// else there is to know.
+/// What an output shows: lists of rows, each with the name of its table, what a row is, and what
+/// more there is to say of them; and what else there is to know.
 #[macro_export]
 macro_rules! tables {
     ($($(#[$meta:meta])* $name:ident {

@@ -33,7 +33,8 @@ impl Source<'_> {
         read(document)
     }
 
-    /// Refuses a setting for a name that the file would have to bring in: any may stand in its table, and this one does not.
+    /// Refuses a setting for a name that the file would have to bring in: any may stand in its
+    /// table, and this one does not.
     fn must_be_there(
         &self,
         setting: &Setting,
@@ -126,8 +127,8 @@ struct UnknownKey {
     name: String,
 }
 
-/// The unknown key that stands first in the text. The reader would find it too, but not before a missing one: of a table
-/// whose name is misspelt it would say that it is missing.
+/// The unknown key that stands first in the text. The reader would find it too, but not before a
+/// missing one: of a table whose name is misspelt it would say that it is missing.
 fn first_unknown_key(table: &DeTable<'_>, path: &str, requirements: &Requirements) -> Option<UnknownKey> {
     let known = requirements.known_keys(path);
     let any = requirements.any_key(path);

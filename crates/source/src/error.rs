@@ -6,8 +6,8 @@ use crate::words::suggestion;
 
 /// The first thing in a file that is not right, and what would be.
 ///
-/// Keys are written with dots, members of a list of tables counted from 1: `fig08.panels[2].loops`. Values are given as
-/// the file writes them.
+/// Keys are written with dots, members of a list of tables counted from 1: `fig08.panels[2].loops`.
+/// Values are given as the file writes them.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SourceError {
     /// The file is not there, is no text, or may not be read.
@@ -45,8 +45,8 @@ pub enum SourceError {
     MissingKey {
         /// The file.
         file: String,
-        /// The line, from 1, of the table that lacks the key, which is 1 at the top level; the last line for a table that
-        /// is missing itself.
+        /// The line, from 1, of the table that lacks the key, which is 1 at the top level; the last
+        /// line for a table that is missing itself.
         line: usize,
         /// The key with all that leads to it.
         key: String,
@@ -116,8 +116,8 @@ impl SourceError {
     }
 }
 
-/// A mistake for whoever shows the file: what is wrong, and the line (from 1) and the characters of it (from 0) that are to blame, as far
-/// as they are known.
+/// A mistake for whoever shows the file: what is wrong, and the line (from 1) and the characters of
+/// it (from 0) that are to blame, as far as they are known.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mistake {
     /// What is wrong; the place is part of it only where there is no line, as for a setting.

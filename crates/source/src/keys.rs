@@ -3,8 +3,8 @@
 /// A key as it is declared.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Key {
-    /// The key with all that leads to it; members of lists of tables are without their number, as `fig08.panels.loops`, and `*`
-    /// stands for any name in a table.
+    /// The key with all that leads to it; members of lists of tables are without their number, as
+    /// `fig08.panels.loops`, and `*` stands for any name in a table.
     pub path: String,
     /// What it must hold, in words for error messages.
     pub requirement: String,
@@ -46,8 +46,8 @@ impl Requirements {
         &self.keys
     }
 
-    /// What the key must hold; the numbers of list members in the key do not matter. A key inside a value that is no table is
-    /// wrong because of that value.
+    /// What the key must hold; the numbers of list members in the key do not matter. A key inside a
+    /// value that is no table is wrong because of that value.
     pub fn of(&self, key: &str) -> &str {
         let plain = without_numbers(key);
         let mut key = plain.as_str();
@@ -63,8 +63,8 @@ impl Requirements {
         }
     }
 
-    /// The keys that are known in a table, in the order of the declaration; the top level is the table with the empty name.
-    /// `*` is a table's only key where any name may stand.
+    /// The keys that are known in a table, in the order of the declaration; the top level is the
+    /// table with the empty name. `*` is a table's only key where any name may stand.
     pub fn known_keys(&self, table: &str) -> Vec<&str> {
         let plain = without_numbers(table);
         let name = |key: &'_ Key| match key.path.rsplit_once('.') {

@@ -23,9 +23,10 @@ pub trait Keys: Sized {
     fn list(table: &str, keys: &mut Vec<Key>);
 }
 
-/// Declares a table of a file as a struct that is read from it ([`Keys`]): a field for each key, with what it means, its type, how it is
-/// read ([`Kind`](crate::kind::Kind)), and what it must hold, where the limits take the place of `{}`. Checks that tie several keys
-/// together stand where the struct is used.
+/// Declares a table of a file as a struct that is read from it ([`Keys`]): a field for each key,
+/// with what it means, its type, how it is read ([`Kind`](crate::kind::Kind)), and what it must
+/// hold, where the limits take the place of `{}`. Checks that tie several keys together stand where
+/// the struct is used.
 ///
 /// ```
 /// use grazing_source::{keys, kind::{count, number}};
@@ -121,7 +122,8 @@ impl<V: 'static> Kind<V> {
         (self.read)(section, name)
     }
 
-    /// Adds a key in a table, with what it means and must hold, and the keys in it if it is a table itself.
+    /// Adds a key in a table, with what it means and must hold, and the keys in it if it is a table
+    /// itself.
     #[doc(hidden)]
     pub fn list(&self, table: &str, [name, meaning, requirement]: [&str; 3], keys: &mut Vec<Key>) {
         let filled = |text: String, limit: &String| text.replacen("{}", limit, 1);

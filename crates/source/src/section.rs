@@ -11,8 +11,9 @@ use crate::setting::steps;
 use crate::source::Source;
 use crate::words::joined;
 
-/// A table of a file, whose keys are known ones. Values are read one by one, each as what it is to be, so that whoever checks them
-/// needs no other record of where they stand. What is missing, of the wrong type or fails its test is a [`SourceError`].
+/// A table of a file, whose keys are known ones. Values are read one by one, each as what it is to
+/// be, so that whoever checks them needs no other record of where they stand. What is missing, of
+/// the wrong type or fails its test is a [`SourceError`].
 #[derive(Debug, Clone)]
 pub struct Section<'d> {
     source: &'d Source<'d>,
@@ -117,7 +118,8 @@ impl<'d> Section<'d> {
         self.source.missing(&self.key, name, self.span.start)
     }
 
-    /// The refusal of a value, with what its key must hold; names may lead to it through tables and lists, as `orbits[2].phase`.
+    /// The refusal of a value, with what its key must hold; names may lead to it through tables and
+    /// lists, as `orbits[2].phase`.
     pub fn refusal(&self, name: &str) -> SourceError {
         self.refusal_at(name, self.span(name))
     }
@@ -137,7 +139,8 @@ impl<'d> Section<'d> {
         self.source.place(self.span(name).start)
     }
 
-    /// Where a part of the text that a value is stands, its characters marked unless escapes or a line end lie among them.
+    /// Where a part of the text that a value is stands, its characters marked unless escapes or a
+    /// line end lie among them.
     pub fn place_in(&self, name: &str, text: &str, part: &Range<usize>) -> Place {
         let span = self.span(name);
         // With escapes in it, the text's lines are not those of the file.

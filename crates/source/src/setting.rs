@@ -9,7 +9,8 @@ use toml::de::{DeTable, DeValue};
 
 use crate::words::joined;
 
-/// A value for a key of a file: `oscillator.zeta=0.05`, `fig08.panels[2].n=1`, `analysis.loops=[1, 2]`.
+/// A value for a key of a file: `oscillator.zeta=0.05`, `fig08.panels[2].n=1`, `analysis.loops=[1,
+/// 2]`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Setting {
     key: String,
@@ -80,7 +81,8 @@ impl Setting {
         Setting { key: format!("{table}.{}", self.key), value: self.value.clone() }
     }
 
-    /// The text that [`apply`](Self::apply) reads the value from, for a setting that is written at a position of a longer text.
+    /// The text that [`apply`](Self::apply) reads the value from, for a setting that is written at
+    /// a position of a longer text.
     pub(crate) fn padded(&self, position: usize) -> String {
         padded(&self.value, position + self.key.len() + 1)
     }
@@ -100,7 +102,8 @@ impl Setting {
     }
 }
 
-/// Puts a value where the steps lead from a table with this key, as if it stood in the text at the span.
+/// Puts a value where the steps lead from a table with this key, as if it stood in the text at the
+/// span.
 fn put<'d>(
     table: &mut DeTable<'d>,
     steps: &[Step],
@@ -171,7 +174,8 @@ pub(crate) fn steps(key: &str) -> Option<Vec<Step>> {
 const ASSIGNED: &str = "v=";
 const ASSIGNED_KEY: &str = "v";
 
-/// A text in which the value stands as it does in a longer one at `position`, and nothing before it but its assignment.
+/// A text in which the value stands as it does in a longer one at `position`, and nothing before it
+/// but its assignment.
 fn padded(value: &str, position: usize) -> String {
     format!("{}{ASSIGNED}{value}", " ".repeat(position - ASSIGNED.len()))
 }

@@ -1,4 +1,5 @@
-//! A file with what its keys must hold, and the way back from a place in its text to line, key and value.
+//! A file with what its keys must hold, and the way back from a place in its text to line, key and
+//! value.
 
 use std::ops;
 
@@ -81,7 +82,8 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// What is wrong with a line that is not TOML: what people mean by it most often, or else what the reader says.
+    /// What is wrong with a line that is not TOML: what people mean by it most often, or else what
+    /// the reader says.
     fn syntax_problem(&self, error: &toml::de::Error, line_start: usize) -> String {
         let place = error.span().map_or("", |span| self.text.whole.get(span).unwrap_or_default());
         if error.message().starts_with("duplicate key") {

@@ -1,6 +1,7 @@
 //! Words of messages: what was meant, and not too much of what was written.
 
-/// The known name that is spelt like `name`: the nearest one, the first of equals, if it can have been meant.
+/// The known name that is spelt like `name`: the nearest one, the first of equals, if it can have
+/// been meant.
 ///
 /// Few letters may differ, a third of them at most; or one name begins with the whole of the other.
 pub fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
@@ -19,7 +20,8 @@ pub fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
     best.map(|(_, name)| name)
 }
 
-/// What follows an unknown name in a message: a question if there is a name that can have been meant.
+/// What follows an unknown name in a message: a question if there is a name that can have been
+/// meant.
 pub fn suggestion(nearest: Option<&str>) -> String {
     nearest.map_or(".".to_owned(), |nearest| format!(": did you mean `{nearest}`?"))
 }

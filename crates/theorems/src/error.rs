@@ -2,8 +2,8 @@
 
 use thiserror::Error;
 
-/// An argument for which a formula of the paper has no value; a theorem that does not apply is not an error
-/// of this kind but a [`HypothesesViolated`](crate::hypothesis::HypothesesViolated).
+/// An argument for which a formula of the paper has no value; a theorem that does not apply is not
+/// an error of this kind but a [`HypothesesViolated`](crate::hypothesis::HypothesesViolated).
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum TheoryError {
     /// The determinant `delta` lies outside the open interval (0, 1) in which `h_p` is defined.

@@ -1,8 +1,8 @@
 //! The quantities of section 2 read off the numerical global map of any oscillator.
 //!
-//! Nothing here knows a closed form: the grazing orbit is found by Newton's method on P_global, and every
-//! coefficient is a first or second derivative of P_global. For the linear oscillator the results agree with
-//! [`linear_oscillator`](crate::linear_oscillator).
+//! Nothing here knows a closed form: the grazing orbit is found by Newton's method on P_global, and
+//! every coefficient is a first or second derivative of P_global. For the linear oscillator the
+//! results agree with [`linear_oscillator`](crate::linear_oscillator).
 
 use grazing_model::maps::{MapError, global_iterate, global_map};
 use grazing_model::{AnyOscillator, AtRest, ImpactOscillator, MapJet, OnWall, State};
@@ -29,7 +29,8 @@ pub enum GrazingOrbitError {
     },
 }
 
-/// A longer step of Newton's method, in radians and units of the primary parameter, leads nowhere: all quantities are of order one.
+/// A longer step of Newton's method, in radians and units of the primary parameter, leads nowhere:
+/// all quantities are of order one.
 const LONGEST_STEP: f64 = 1e3;
 
 /// Where the grazing curve is at one value of the secondary parameter η, and where it leads.
@@ -39,13 +40,14 @@ pub struct GrazingPlace {
     pub phase: f64,
     /// primary_graz and η.
     pub parameters: [f64; 2],
-    /// d(z_graz, primary_graz)/dη, right to some seven digits; not numbers at a fold of the grazing curve.
+    /// d(z_graz, primary_graz)/dη, right to some seven digits; not numbers at a fold of the grazing
+    /// curve.
     slopes: Vector2<f64>,
 }
 
 impl GrazingPlace {
-    /// The place at the secondary parameter of `oscillator`, by Newton's method for P_global(0, z; primary) = (0, z) from the oscillator's
-    /// own primary parameter and the phase `near`.
+    /// The place at the secondary parameter of `oscillator`, by Newton's method for P_global(0, z;
+    /// primary) = (0, z) from the oscillator's own primary parameter and the phase `near`.
     ///
     /// # Errors
     /// P_global is not defined at an iterate, or there is no convergence.
@@ -98,8 +100,8 @@ fn slopes(map: &MapJet<AtRest, AtRest>) -> Vector2<f64> {
 
 /// The grazing periodic orbit of an oscillator at one value of the secondary parameter.
 ///
-/// Paper: Assumption 2.2 with μ = primary − primary_graz(η): the change of parameter that puts grazing at
-/// μ = 0.
+/// Paper: Assumption 2.2 with μ = primary − primary_graz(η): the change of parameter that puts
+/// grazing at μ = 0.
 #[derive(Clone, Debug)]
 pub struct GrazingOrbit<O = AnyOscillator> {
     oscillator: O,
@@ -110,7 +112,8 @@ pub struct GrazingOrbit<O = AnyOscillator> {
 }
 
 impl<O: ImpactOscillator> GrazingOrbit<O> {
-    /// The grazing orbit at the secondary parameter of `oscillator`, near its own primary parameter and the phase `near`.
+    /// The grazing orbit at the secondary parameter of `oscillator`, near its own primary parameter
+    /// and the phase `near`.
     ///
     /// # Errors
     /// P_global is not defined at an iterate, or there is no convergence.
@@ -121,7 +124,8 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
 
     /// The grazing orbit known to pass through (0, 0, phase) at the oscillator's parameters.
     ///
-    /// At a fold of the grazing curve, where μ_graz has no derivative in η, the slopes are not numbers.
+    /// At a fold of the grazing curve, where μ_graz has no derivative in η, the slopes are not
+    /// numbers.
     ///
     /// # Errors
     /// P_global is not defined there.
@@ -182,7 +186,8 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
         self.derivative_along(&Vector3::new(self.slopes[0], self.slopes[1], 1.0))
     }
 
-    /// The derivative of A along a tangent (z, μ, η) of the grazing curve, which exists at its folds too.
+    /// The derivative of A along a tangent (z, μ, η) of the grazing curve, which exists at its
+    /// folds too.
     pub fn derivative_along(&self, tangent: &Vector3<f64>) -> Matrix2<f64> {
         Matrix2::from_fn(|i, j| {
             let hessian = &self.map.hessians[i];
@@ -190,9 +195,11 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
         })
     }
 
-    /// What vanishes at a resonance, with its derivative along a direction in which A changes by `rate`.
+    /// What vanishes at a resonance, with its derivative along a direction in which A changes by
+    /// `rate`.
     ///
-    /// a₁₂ for p = 1; κ_p = τ − g_p(δ) for p ≥ 2, which is NaN where δ ≤ 0. Paper: eq:gp, section 2.6.
+    /// a₁₂ for p = 1; κ_p = τ − g_p(δ) for p ≥ 2, which is NaN where δ ≤ 0. Paper: eq:gp, section
+    /// 2.6.
     pub fn detuning(&self, loops: u32, rate: &Matrix2<f64>) -> [f64; 2] {
         let a = self.map.derivative();
         if loops == 1 {

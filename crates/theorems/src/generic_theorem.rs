@@ -1,5 +1,5 @@
-//! On which side of a generic grazing bifurcation the maximal periodic solutions exist: theorems 2.2 and 2.3
-//! of the paper (section 2.5).
+//! On which side of a generic grazing bifurcation the maximal periodic solutions exist:
+//! theorems 2.2 and 2.3 of the paper (section 2.5).
 
 use crate::admissibility_boundary::admissibility_boundary;
 use crate::auxiliary::detuning;
@@ -30,14 +30,14 @@ impl Side {
     }
 }
 
-/// Theorems 2.2 and 2.3: a unique, unstable `p`-loop maximal periodic solution emanates from the grazing
-/// bifurcation, on a known side of it.
+/// Theorems 2.2 and 2.3: a unique, unstable `p`-loop maximal periodic solution emanates from the
+/// grazing bifurcation, on a known side of it.
 ///
-/// A value of this type exists only if the hypotheses hold. Paper: `th:codim11` for `p = 1`, `th:codim1p` for
-/// `p >= 2`.
+/// A value of this type exists only if the hypotheses hold. Paper: `th:codim11` for `p = 1`,
+/// `th:codim1p` for `p >= 2`.
 ///
-/// The smoothness of `F` and `R` and assumption 2.1 (a periodic orbit that touches the wall once per period)
-/// cannot be seen from numbers at one point and are up to the caller.
+/// The smoothness of `F` and `R` and assumption 2.1 (a periodic orbit that touches the wall once
+/// per period) cannot be seen from numbers at one point and are up to the caller.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GenericGrazing {
     hypotheses: Vec<Hypothesis>,
@@ -47,15 +47,15 @@ pub struct GenericGrazing {
 impl GenericGrazing {
     /// Checks the hypotheses of theorem 2.2 (for `p = 1`) or 2.3 (otherwise).
     ///
-    /// Theorem 2.2: `(tau, delta)` in the trapesium, `alpha > 0`, `a12 beta != 0`.
-    /// Theorem 2.3: `p >= 2`, `(tau, delta)` in the trapesium, `a12 alpha > 0`, `tau > h_p(delta)`,
-    /// `beta kappa_p != 0`. For both also what the class of systems implies: `omega > 0`, `gamma > 0`,
+    /// Theorem 2.2: `(tau, delta)` in the trapesium, `alpha > 0`, `a12 beta != 0`. Theorem 2.3:
+    /// `p >= 2`, `(tau, delta)` in the trapesium, `a12 alpha > 0`, `tau > h_p(delta)`, `beta
+    /// kappa_p != 0`. For both also what the class of systems implies: `omega > 0`, `gamma > 0`,
     /// `phi > 0`.
     ///
     /// # Errors
-    /// [`HypothesesViolated`] names each hypothesis that fails, with its value. `tau > h_p(delta)` is left
-    /// out of the list where `h_p` has no value (`delta` outside (0, 1), or `p < 2`), which is then a
-    /// violation itself.
+    /// [`HypothesesViolated`] names each hypothesis that fails, with its value. `tau > h_p(delta)`
+    /// is left out of the list where `h_p` has no value (`delta` outside (0, 1), or `p < 2`), which
+    /// is then a violation itself.
     pub fn check(point: &GrazingPoint, p: u32) -> Result<Self, HypothesesViolated> {
         let a12 = point.map.a.m12;
         let beta = point.map.transversality();
@@ -85,15 +85,15 @@ impl GenericGrazing {
         &self.hypotheses
     }
 
-    /// The sign of `mu` for which the maximal periodic solution exists: that of `a12 beta` if `p = 1`, that of
-    /// `beta kappa_p` if `p >= 2`.
+    /// The sign of `mu` for which the maximal periodic solution exists: that of `a12 beta` if `p =
+    /// 1`, that of `beta kappa_p` if `p >= 2`.
     pub fn side(&self) -> Side {
         self.side
     }
 }
 
-/// The hypotheses that the four theorems share: the class of systems, the trapesium, the number of loops for
-/// `p >= 2`, and the sign of `alpha` (`p = 1`) or of `a12 alpha` (`p >= 2`).
+/// The hypotheses that the four theorems share: the class of systems, the trapesium, the number of
+/// loops for `p >= 2`, and the sign of `alpha` (`p = 1`) or of `a12 alpha` (`p >= 2`).
 pub(crate) fn common_hypotheses(point: &GrazingPoint, theorem: Theorem, loops: u32) -> Vec<Hypothesis> {
     let (tau, delta) = (point.map.trace(), point.map.determinant());
     let alpha = point.alpha();

@@ -1,5 +1,5 @@
-//! The discontinuity map, the VIVID function and the maximal periodic solutions at a generic grazing
-//! bifurcation, to leading order (sections 2.5 and 4 of the paper).
+//! The discontinuity map, the VIVID function and the maximal periodic solutions at a generic
+//! grazing bifurcation, to leading order (sections 2.5 and 4 of the paper).
 
 use nalgebra::{Matrix2, Vector2};
 
@@ -9,27 +9,30 @@ use crate::spectrum::LinearisedMap;
 
 /// What the theorems need to know about a grazing point.
 ///
-/// Paper: section 2, eq. (6) to (8) for the map and eq. (18), `eq:phipsigamma`, for `phi`, `psi`, `gamma`.
+/// Paper: section 2, eq. (6) to (8) for the map and eq. (18), `eq:phipsigamma`, for `phi`, `psi`,
+/// `gamma`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GrazingPoint {
     /// The global map `P_global`, to first order.
     pub map: LinearisedMap,
     /// The forcing frequency omega, radians per unit of time; positive.
     pub forcing_frequency: f64,
-    /// The deceleration at grazing, `gamma = -F(0, 0, z_graz / omega; 0)`; positive on the grazing set.
+    /// The deceleration at grazing, `gamma = -F(0, 0, z_graz / omega; 0)`; positive on the grazing
+    /// set.
     pub gamma: f64,
-    /// The coefficient of restitution at zero impact velocity, `phi = Phi(0, z_graz; 0)`, dimensionless;
-    /// positive.
+    /// The coefficient of restitution at zero impact velocity, `phi = Phi(0, z_graz; 0)`,
+    /// dimensionless; positive.
     pub phi: f64,
-    /// The phase that passes during an impact, per unit of impact velocity, `psi = Psi(0, z_graz; 0)`.
+    /// The phase that passes during an impact, per unit of impact velocity, `psi = Psi(0, z_graz;
+    /// 0)`.
     pub psi: f64,
 }
 
-/// The leading terms of a map from the impacting surface `Sigma`, with coordinates `(y, z)`, to the section
-/// `Pi`, with coordinates `(x, z)`: `(y, z) -> (x_coefficient y^2, z + z_coefficient y)`.
+/// The leading terms of a map from the impacting surface `Sigma`, with coordinates `(y, z)`, to the
+/// section `Pi`, with coordinates `(x, z)`: `(y, z) -> (x_coefficient y^2, z + z_coefficient y)`.
 ///
-/// Paper: section 4, eq. (3) and (4), `eq:xHatzHat`, `eq:x0z0`. The errors are of third order in x and of
-/// second order in z.
+/// Paper: section 4, eq. (3) and (4), `eq:xHatzHat`, `eq:x0z0`. The errors are of third order in x
+/// and of second order in z.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VirtualMap {
     /// The coefficient of `y^2` in x.
@@ -39,8 +42,8 @@ pub struct VirtualMap {
 }
 
 impl VirtualMap {
-    /// The point `(x, z)` on `Pi`, to leading order, that belongs to the velocity `y` and the phase `z`
-    /// (radians, any origin) on `Sigma`.
+    /// The point `(x, z)` on `Pi`, to leading order, that belongs to the velocity `y` and the phase
+    /// `z` (radians, any origin) on `Sigma`.
     pub fn apply(&self, y: f64, z: f64) -> Vector2<f64> {
         Vector2::new(self.x_coefficient * y * y, z + self.z_coefficient * y)
     }
@@ -54,7 +57,8 @@ impl VirtualMap {
 pub struct VividLinearisation {
     /// The matrix `J` of derivatives in `(y_imp, z_imp)`; section 4, eq. (14), `eq:Jac1Jac2`.
     pub by_impact: Matrix2<f64>,
-    /// The derivative in `mu`, `(b_1p, b_2p)`: the second column of the matrix `K` of the same equation.
+    /// The derivative in `mu`, `(b_1p, b_2p)`: the second column of the matrix `K` of the same
+    /// equation.
     pub by_parameter: Vector2<f64>,
 }
 
@@ -68,22 +72,25 @@ impl VividLinearisation {
 impl GrazingPoint {
     /// The factor of the square-root term of the discontinuity map.
     ///
-    /// `alpha = 1 + phi - gamma psi / omega`. Paper: section 2, eq. (17), `eq:alpha`. Dimensionless.
+    /// `alpha = 1 + phi - gamma psi / omega`. Paper: section 2, eq. (17), `eq:alpha`.
+    /// Dimensionless.
     pub fn alpha(&self) -> f64 {
         1.0 + self.phi - self.gamma * self.psi / self.forcing_frequency
     }
 
     /// The map `P_virt` from an impact to the virtual maximum beyond the wall, to leading order.
     ///
-    /// `x_hat = y^2 / (2 gamma)`, `z_hat = z + omega y / gamma`. Paper: section 4, eq. (3), `eq:xHatzHat`.
+    /// `x_hat = y^2 / (2 gamma)`, `z_hat = z + omega y / gamma`. Paper: section 4, eq. (3),
+    /// `eq:xHatzHat`.
     pub fn virtual_map(&self) -> VirtualMap {
         VirtualMap { x_coefficient: 0.5 / self.gamma, z_coefficient: self.forcing_frequency / self.gamma }
     }
 
-    /// The map `P_virt o R` from an impact to the virtual maximum that precedes the recoil, to leading order.
+    /// The map `P_virt o R` from an impact to the virtual maximum that precedes the recoil, to
+    /// leading order.
     ///
-    /// `x^(0) = phi^2 y^2 / (2 gamma)`, `z^(0) = z + omega (1 - alpha) y / gamma`. Paper: section 4, eq. (4),
-    /// `eq:x0z0`.
+    /// `x^(0) = phi^2 y^2 / (2 gamma)`, `z^(0) = z + omega (1 - alpha) y / gamma`. Paper: section
+    /// 4, eq. (4), `eq:x0z0`.
     pub fn virtual_map_after_reset(&self) -> VirtualMap {
         VirtualMap {
             x_coefficient: 0.5 * self.phi * self.phi / self.gamma,
@@ -96,8 +103,8 @@ impl GrazingPoint {
     /// `x^(0) = phi^2 x_hat`, `z^(0) = z_hat - (alpha omega sqrt(2) / sqrt(gamma)) sqrt(x_hat)`.
     /// Paper: section 4, eq. (5) and (6), `eq:Pdisc`.
     ///
-    /// `x_hat`: position on `Pi` beyond the wall, not negative (NaN otherwise: the square root is the point
-    /// of it); `z_hat`: phase, radians, any origin. Returns `(x^(0), z^(0))`.
+    /// `x_hat`: position on `Pi` beyond the wall, not negative (NaN otherwise: the square root is
+    /// the point of it); `z_hat`: phase, radians, any origin. Returns `(x^(0), z^(0))`.
     pub fn discontinuity_map(&self, x_hat: f64, z_hat: f64) -> Vector2<f64> {
         let square_root = (2.0 * x_hat / self.gamma).sqrt();
         Vector2::new(self.phi * self.phi * x_hat, z_hat - self.alpha() * self.forcing_frequency * square_root)
@@ -105,8 +112,8 @@ impl GrazingPoint {
 
     /// The VIVID function of the `p`-loop maximal periodic solution, to first order.
     ///
-    /// `V = A^p (x^(0), z^(0)) + b_p mu - (x_hat, z_hat)`. Paper: section 4, eq. (13), (17) and (18), `eq:V`,
-    /// `eq:V1`, `eq:V2`.
+    /// `V = A^p (x^(0), z^(0)) + b_p mu - (x_hat, z_hat)`. Paper: section 4, eq. (13), (17) and
+    /// (18), `eq:V`, `eq:V1`, `eq:V2`.
     pub fn vivid_linearisation(&self, p: u32) -> VividLinearisation {
         let LinearisedMap { a, b } = self.map.iterate(p);
         let shift = self.forcing_frequency / self.gamma;
@@ -122,10 +129,11 @@ impl GrazingPoint {
         }
     }
 
-    /// The determinant of the derivative of the VIVID function in the impact velocity and the impact phase.
+    /// The determinant of the derivative of the VIVID function in the impact velocity and the
+    /// impact phase.
     ///
-    /// `det(J) = alpha a12 omega S_p / gamma`. Paper: section 4, eq. (15), `eq:detJac1detJac2`. It vanishes
-    /// at a resonance.
+    /// `det(J) = alpha a12 omega S_p / gamma`. Paper: section 4, eq. (15), `eq:detJac1detJac2`. It
+    /// vanishes at a resonance.
     pub fn impact_jacobian_determinant(&self, p: u32) -> f64 {
         let s_p = lucas_sequence(p, self.map.trace(), self.map.determinant());
         self.alpha() * self.map.a.m12 * self.forcing_frequency * s_p / self.gamma
@@ -141,27 +149,28 @@ impl GrazingPoint {
         self.map.iterate(p).transversality()
     }
 
-    /// The same determinant as the product of `beta` and a factor that is positive in the trapesium.
+    /// The same determinant as the product of `beta` and a factor that is positive in the
+    /// trapesium.
     ///
-    /// `det(K) = beta (1 - lambda_1^p) (1 - lambda_2^p) / ((1 - lambda_1) (1 - lambda_2))`. Paper: section 4,
-    /// eq. (16), `eq:detJac2`; here also valid for `tau = delta + 1`.
+    /// `det(K) = beta (1 - lambda_1^p) (1 - lambda_2^p) / ((1 - lambda_1) (1 - lambda_2))`. Paper:
+    /// section 4, eq. (16), `eq:detJac2`; here also valid for `tau = delta + 1`.
     pub fn parameter_jacobian_determinant_factored(&self, p: u32) -> f64 {
         self.map.transversality() * geometric_sum_determinant(p, self.map.trace(), self.map.determinant())
     }
 
-    /// The `p`-loop maximal periodic solution that emanates from a generic grazing bifurcation, to first
-    /// order in `mu`.
+    /// The `p`-loop maximal periodic solution that emanates from a generic grazing bifurcation, to
+    /// first order in `mu`.
     ///
     /// `y* = gamma det(K) mu / (alpha a12 omega S_p)`,
     /// `z* = z_graz + (((S_{p+1} - a11 S_p) (1 - alpha) - 1) b_1p - a12 S_p (1 - alpha) b_2p) mu
     ///       / (alpha a12 S_p)`.
     ///
-    /// Paper: section 4, eq. (21) and (22), `eq:yStarpcodim1proof`, `eq:zStarpcodim1proof`; for `p = 1` eq.
-    /// (19) and (20), `eq:yStar1codim1proof`, `eq:zStar1codim1proof`.
+    /// Paper: section 4, eq. (21) and (22), `eq:yStarpcodim1proof`, `eq:zStarpcodim1proof`; for
+    /// `p = 1` eq. (19) and (20), `eq:yStar1codim1proof`, `eq:zStar1codim1proof`.
     ///
     /// # Errors
-    /// [`TheoryError::TooFewLoops`] when `p = 0`; [`TheoryError::SingularVividJacobian`] when `det(J)` is
-    /// zero (resonance, or `alpha = 0`) or NaN.
+    /// [`TheoryError::TooFewLoops`] when `p = 0`; [`TheoryError::SingularVividJacobian`] when
+    /// `det(J)` is zero (resonance, or `alpha = 0`) or NaN.
     pub fn emerging_orbit(&self, p: u32) -> Result<EmergingOrbit, TheoryError> {
         if p == 0 {
             return Err(TheoryError::TooFewLoops { loops: p, minimum: 1 });
@@ -183,7 +192,8 @@ impl GrazingPoint {
     }
 }
 
-/// The first-order terms in `mu` of a `p`-loop maximal periodic solution near a generic grazing bifurcation.
+/// The first-order terms in `mu` of a `p`-loop maximal periodic solution near a generic grazing
+/// bifurcation.
 ///
 /// Made by [`GrazingPoint::emerging_orbit`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -205,8 +215,8 @@ impl EmergingOrbit {
     /// Paper: section 4, eq. (27) and (29), `eq:ujwj`, `eq:affineMapj`; ends in eq. (23) to (26),
     /// `eq:x0codim1proof`, `eq:z0codim1proof`, `eq:xpcodim1proof`, `eq:zpcodim1proof`.
     ///
-    /// `j` from 0 (just after the impact) to `p` (just before the next one); positions at both ends are of
-    /// second order.
+    /// `j` from 0 (just after the impact) to `p` (just before the next one); positions at both ends
+    /// are of second order.
     pub fn visit_slope(&self, j: u32) -> Vector2<f64> {
         let last = self.map.iterate(self.loops);
         let start = Vector2::new(0.0, -last.b.x / last.a.m12);

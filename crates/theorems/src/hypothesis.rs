@@ -4,7 +4,8 @@ use core::fmt;
 
 use thiserror::Error;
 
-/// Enumerations that are shown in words, each variant with its own, and what more there is to say of it.
+/// Enumerations that are shown in words, each variant with its own, and what more there is to say
+/// of it.
 macro_rules! shown {
     ($($(#[$meta:meta])* $name:ident { $($(#[$doc:meta])* $variant:ident = $words:literal,)+ })+) => {$(
         $(#[$meta])*
@@ -105,7 +106,8 @@ impl Hypothesis {
         Self::new(quantity, value, Condition::NonZero)
     }
 
-    /// The same with the quantity counted in other units, of which one of the present ones is `unit`.
+    /// The same with the quantity counted in other units, of which one of the present ones is
+    /// `unit`.
     pub fn in_units_of(&self, unit: f64) -> Self {
         let condition = match self.condition {
             Condition::Zero { tolerance } => Condition::Zero { tolerance: tolerance * unit },
@@ -148,8 +150,8 @@ impl fmt::Display for Hypothesis {
     }
 }
 
-/// The answer when a theorem says nothing about a point: the theorem and all of its hypotheses, of which at
-/// least one fails.
+/// The answer when a theorem says nothing about a point: the theorem and all of its hypotheses, of
+/// which at least one fails.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{theorem} does not apply: it needs {}", list(self.violated()))]
 pub struct HypothesesViolated {

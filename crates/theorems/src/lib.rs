@@ -1,14 +1,14 @@
 //! The formulas and theorems of the paper as functions and checked types.
 //!
-//! "The paper" is D. J. W. Simpson and I. Ghosh, *Resonant grazing bifurcations revisited*, arXiv 2602.22797.
-//! Every formula of its sections 2 and 3, and those of section 4, section 5 and the appendices that they rest
-//! on, is one public function, named by its meaning; its docs say which label it is. Equation numbers start
-//! anew in each section of the paper, so they are cited with the section. The crate reads and writes nothing and holds no parameter
-//! values.
+//! "The paper" is D. J. W. Simpson and I. Ghosh, *Resonant grazing bifurcations revisited*, arXiv
+//! 2602.22797. Every formula of its sections 2 and 3, and those of section 4, section 5 and the
+//! appendices that they rest on, is one public function, named by its meaning; its docs say which
+//! label it is. Equation numbers start anew in each section of the paper, so they are cited with
+//! the section. The crate reads and writes nothing and holds no parameter values.
 //!
-//! A theorem is a type, [`GenericGrazing`] or [`ResonantGrazing`], of which a value exists only if the
-//! hypotheses hold; it keeps them, with their values, and gives the conclusion. When a hypothesis fails, the
-//! answer is a [`HypothesesViolated`] that names it.
+//! A theorem is a type, [`GenericGrazing`] or [`ResonantGrazing`], of which a value exists only if
+//! the hypotheses hold; it keeps them, with their values, and gives the conclusion. When a
+//! hypothesis fails, the answer is a [`HypothesesViolated`] that names it.
 //!
 //! ```
 //! use grazing_theorems::{LinearOscillator, ResonantGrazing};
@@ -34,15 +34,17 @@
 //! | 2.6 | Theorems 2.4 and 2.5 | [`resonant_theorem`] |
 //! | 3, B | the linear oscillator, Propositions 3.1 to 3.3 | [`linear_oscillator`] |
 //!
-//! All quantities of a [`GrazingPoint`] and of a [`ResonantPoint`] can be read off a numerical global map: [`from_map`]. The maps
-//! themselves are in crate `grazing_model`, the VIVID function and the stability of its zeros in crate `grazing_continuation`.
-//! `expected/claims.toml` names the functions of every label, which tests look up: `cargo xtask claims eq:gp --explain`.
+//! All quantities of a [`GrazingPoint`] and of a [`ResonantPoint`] can be read off a numerical
+//! global map: [`from_map`]. The maps themselves are in crate `grazing_model`, the VIVID function
+//! and the stability of its zeros in crate `grazing_continuation`. `expected/claims.toml` names the
+//! functions of every label, which tests look up: `cargo xtask claims eq:gp --explain`.
 //!
 //! # Where the code departs from the print
 //!
-//! Misprints stand in `ERRATA.md`, each with the computation that decides it. Here they concern `s_p^+-` in
-//! `eq:impFormulap`; `f_p`, and `a12'` in `eq:yT1`, which are derivatives along the grazing curve
-//! ([`ResonantPoint::off_diagonal_slope`]); and the condition of `eq:Sp2`, which the functions here do not need.
+//! Misprints stand in `ERRATA.md`, each with the computation that decides it. Here they concern
+//! `s_p^+-` in `eq:impFormulap`; `f_p`, and `a12'` in `eq:yT1`, which are derivatives along the
+//! grazing curve ([`ResonantPoint::off_diagonal_slope`]); and the condition of `eq:Sp2`, which the
+//! functions here do not need.
 
 pub mod admissibility_boundary;
 pub mod auxiliary;

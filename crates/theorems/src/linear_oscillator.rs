@@ -1,5 +1,5 @@
-//! Closed forms for the harmonically forced linear oscillator with a wall (section 3 and appendix B of the
-//! paper).
+//! Closed forms for the harmonically forced linear oscillator with a wall (section 3 and appendix B
+//! of the paper).
 //!
 //! `x'' + 2 zeta x' + x + 1 = A cos(omega t)` for `x <= 0`, and `y -> -epsilon y` at `x = 0`;
 //! `mu = A - A_graz(omega)` and
@@ -13,8 +13,9 @@ pub use resonance::Resonance;
 
 use crate::error::TheoryError;
 
-/// How many resonances of one `p` are listed at most by [`LinearOscillator::resonances`]. They accumulate at
-/// frequency zero, where the decay over one period makes their coefficients vanish; nobody draws so many.
+/// How many resonances of one `p` are listed at most by [`LinearOscillator::resonances`]. They
+/// accumulate at frequency zero, where the decay over one period makes their coefficients vanish;
+/// nobody draws so many.
 const LARGEST_LIST: u32 = 100_000;
 
 /// The linear impact oscillator: its damping ratio and its coefficient of restitution.
@@ -25,14 +26,15 @@ pub struct LinearOscillator {
 }
 
 impl LinearOscillator {
-    /// An oscillator with damping ratio `zeta` in (0, 1) and coefficient of restitution `epsilon`, positive and
-    /// finite, both dimensionless.
+    /// An oscillator with damping ratio `zeta` in (0, 1) and coefficient of restitution `epsilon`,
+    /// positive and finite, both dimensionless.
     ///
-    /// The theorems ask for `phi > 0` only, and the paper speaks of `epsilon = 1 / E_p`, which is greater than
-    /// 1.
+    /// The theorems ask for `phi > 0` only, and the paper speaks of `epsilon = 1 / E_p`, which is
+    /// greater than 1.
     ///
     /// # Errors
-    /// [`TheoryError::DampingRatio`], [`TheoryError::CoefficientOfRestitution`] outside of these intervals.
+    /// [`TheoryError::DampingRatio`], [`TheoryError::CoefficientOfRestitution`] outside of these
+    /// intervals.
     pub fn new(zeta: f64, epsilon: f64) -> Result<Self, TheoryError> {
         if !(0.0 < zeta && zeta < 1.0) {
             return Err(TheoryError::DampingRatio { zeta });
@@ -55,13 +57,14 @@ impl LinearOscillator {
 
     /// The damped natural frequency.
     ///
-    /// `omega_1 = sqrt(1 - zeta^2)`. Paper: section 3.1. Radians per unit of (non-dimensional) time.
+    /// `omega_1 = sqrt(1 - zeta^2)`. Paper: section 3.1. Radians per unit of (non-dimensional)
+    /// time.
     pub fn damped_natural_frequency(&self) -> f64 {
         ((1.0 - self.zeta) * (1.0 + self.zeta)).sqrt()
     }
 
-    /// The oscillator at the grazing bifurcation with forcing frequency `omega` (radians per unit of time,
-    /// positive).
+    /// The oscillator at the grazing bifurcation with forcing frequency `omega` (radians per unit
+    /// of time, positive).
     ///
     /// # Errors
     /// [`TheoryError::ForcingFrequency`] unless `omega` is positive and finite.
@@ -74,8 +77,9 @@ impl LinearOscillator {
     /// `omega_1 / omega = n / 2` for `p = 1`, `omega_1 / omega = n + 1 / (2 p)` for `p >= 2`.
     /// Paper: section 3, eq. (12) and (13), `eq:resonance1`, `eq:resonancep` with the plus sign.
     ///
-    /// `p >= 1`. `n >= 1` for `p = 1`; `n >= 0` for `p >= 2`, where proposition 3.3 asks for `n >= 1` but
-    /// nothing in its proof does: `n = 0`, `omega = 2 p omega_1`, is a resonance like the others.
+    /// `p >= 1`. `n >= 1` for `p = 1`; `n >= 0` for `p >= 2`, where proposition 3.3 asks for `n >=
+    /// 1` but nothing in its proof does: `n = 0`, `omega = 2 p omega_1`, is a resonance like the
+    /// others.
     ///
     /// # Errors
     /// [`TheoryError::TooFewLoops`], [`TheoryError::ResonanceIndex`] for smaller `p` or `n`.
@@ -83,11 +87,11 @@ impl LinearOscillator {
         Resonance::new(*self, p, n)
     }
 
-    /// The forcing frequency at which `tau = g_p(delta)` but the maximal periodic solutions are virtual,
-    /// since `a12 alpha < 0`.
+    /// The forcing frequency at which `tau = g_p(delta)` but the maximal periodic solutions are
+    /// virtual, since `a12 alpha < 0`.
     ///
-    /// `omega_1 / omega = n - 1 / (2 p)`. Paper: section 3, eq. (13), `eq:resonancep` with the minus sign.
-    /// `p >= 2`, `n >= 1`.
+    /// `omega_1 / omega = n - 1 / (2 p)`. Paper: section 3, eq. (13), `eq:resonancep` with the
+    /// minus sign. `p >= 2`, `n >= 1`.
     ///
     /// # Errors
     /// [`TheoryError::TooFewLoops`], [`TheoryError::ResonanceIndex`] for smaller `p` or `n`.
@@ -101,18 +105,18 @@ impl LinearOscillator {
         Ok(self.damped_natural_frequency() / (f64::from(n) - 0.5 / f64::from(p)))
     }
 
-    /// All resonances of the given numbers of loops with `lowest <= omega <= highest`, by increasing
-    /// frequency.
+    /// All resonances of the given numbers of loops with `lowest <= omega <= highest`, by
+    /// increasing frequency.
     ///
     /// Paper: section 3, eq. (12) and (13), `eq:resonance1`, `eq:resonancep`.
     ///
-    /// `loops`: the values of p, each at least 1; repetitions count once. `lowest`, `highest`: forcing
-    /// frequencies. The list is empty when the window holds none.
+    /// `loops`: the values of p, each at least 1; repetitions count once. `lowest`, `highest`:
+    /// forcing frequencies. The list is empty when the window holds none.
     ///
     /// # Errors
     /// [`TheoryError::FrequencyWindow`] unless `0 < lowest <= highest < infinity`;
-    /// [`TheoryError::TooFewLoops`] when a p is zero; [`TheoryError::TooManyResonances`] when more than 100
-    /// 000 of one p lie in the window.
+    /// [`TheoryError::TooFewLoops`] when a p is zero; [`TheoryError::TooManyResonances`] when more
+    /// than 100 000 of one p lie in the window.
     pub fn resonances(
         &self,
         loops: &[u32],
@@ -137,8 +141,8 @@ impl LinearOscillator {
             if !(count <= f64::from(LARGEST_LIST) && last < f64::from(u32::MAX)) {
                 return Err(TheoryError::TooManyResonances { loops: p, count, limit: LARGEST_LIST });
             }
-            // One index more at either end than the quotients say: membership is decided on the frequency
-            // itself.
+            // One index more at either end than the quotients say: membership is decided on the
+            // frequency itself.
             let first = (omega_1 / highest / spacing - 1.0).max(0.0) as u32;
             for n in first.max(Resonance::smallest_index(p))..=last as u32 {
                 let resonance = self.resonance(p, n)?;

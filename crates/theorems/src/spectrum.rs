@@ -1,12 +1,13 @@
-//! The global map to first order, its eigenvalues and iterates, and the non-impacting periodic solution
-//! (sections 2.2, 2.3 and 4.2 of the paper).
+//! The global map to first order, its eigenvalues and iterates, and the non-impacting periodic
+//! solution (sections 2.2, 2.3 and 4.2 of the paper).
 
 use nalgebra::{Matrix2, Vector2};
 
 use crate::auxiliary::{lucas_partial_sum, lucas_sequence};
 use crate::error::TheoryError;
 
-/// The return map `P_global` at grazing, to first order in the distance from the grazing point and in `mu`.
+/// The return map `P_global` at grazing, to first order in the distance from the grazing point and
+/// in `mu`.
 ///
 /// `(x, z - z_graz) -> A (x, z - z_graz) + b mu`
 ///
@@ -38,26 +39,27 @@ impl LinearisedMap {
     ///
     /// `lambda_{1,2} = (tau +- sqrt(tau^2 - 4 delta)) / 2`. Paper: section 2, eq. (13), `eq:eigs`.
     ///
-    /// The discriminant is taken as `(a11 - a22)^2 + 4 a12 a21`, which keeps its digits near a double
-    /// eigenvalue.
+    /// The discriminant is taken as `(a11 - a22)^2 + 4 a12 a21`, which keeps its digits near a
+    /// double eigenvalue.
     pub fn eigenvalues(&self) -> Eigenvalues {
         let difference = self.a.m11 - self.a.m22;
         let discriminant = difference * difference + 4.0 * self.a.m12 * self.a.m21;
         Eigenvalues::from_discriminant(self.trace(), self.determinant(), discriminant)
     }
 
-    /// The transversality coefficient of the grazing bifurcation: it is non-zero when the non-impacting
-    /// periodic solution crosses the wall at a non-zero rate.
+    /// The transversality coefficient of the grazing bifurcation: it is non-zero when the
+    /// non-impacting periodic solution crosses the wall at a non-zero rate.
     ///
-    /// `beta = (1 - a22) b1 + a12 b2`. Paper: section 2, eq. (12), `eq:beta`. Position per unit of mu.
+    /// `beta = (1 - a22) b1 + a12 b2`. Paper: section 2, eq. (12), `eq:beta`. Position per unit of
+    /// mu.
     pub fn transversality(&self) -> f64 {
         (1.0 - self.a.m22) * self.b.x + self.a.m12 * self.b.y
     }
 
     /// The characteristic polynomial of `A` at 1.
     ///
-    /// `det(I - A) = delta - tau + 1`, the denominator of eq. (11) of section 2, `eq:xStarzStarDeriv`.
-    /// Dimensionless; positive when `(tau, delta)` lies in the trapesium.
+    /// `det(I - A) = delta - tau + 1`, the denominator of eq. (11) of section 2,
+    /// `eq:xStarzStarDeriv`. Dimensionless; positive when `(tau, delta)` lies in the trapesium.
     pub fn characteristic_polynomial_at_one(&self) -> f64 {
         (1.0 - self.a.m11) * (1.0 - self.a.m22) - self.a.m12 * self.a.m21
     }
@@ -77,9 +79,11 @@ impl LinearisedMap {
         Ok(Vector2::new(self.transversality(), adjugate_second) / determinant)
     }
 
-    /// How fast the maximum of the non-impacting periodic solution approaches the wall as `mu` varies.
+    /// How fast the maximum of the non-impacting periodic solution approaches the wall as `mu`
+    /// varies.
     ///
-    /// `d x* / d mu (0) = beta / (delta - tau + 1)`. Paper: section 2, eq. (11), `eq:xStarzStarDeriv`.
+    /// `d x* / d mu (0) = beta / (delta - tau + 1)`. Paper: section 2, eq. (11),
+    /// `eq:xStarzStarDeriv`.
     ///
     /// # Errors
     /// [`TheoryError::UnitEigenvalue`] when `det(I - A)` is zero or NaN.
@@ -140,7 +144,8 @@ impl Eigenvalues {
         if discriminant < 0.0 {
             return Self::ComplexPair { modulus: delta.sqrt(), argument: libm::atan2(root, tau) };
         }
-        // The eigenvalue of larger modulus has no cancellation; the other one follows from the product delta.
+        // The eigenvalue of larger modulus has no cancellation; the other one follows from the
+        // product delta.
         let dominant = 0.5 * if tau < 0.0 { tau - root } else { tau + root };
         let other = if dominant == 0.0 { 0.0 } else { delta / dominant };
         if tau < 0.0 {
@@ -159,12 +164,13 @@ impl Eigenvalues {
     }
 }
 
-/// Whether `(tau, delta)` lies in the trapesium where the grazing orbit is asymptotically stable (impacts
-/// ignored) and the global map preserves orientation.
+/// Whether `(tau, delta)` lies in the trapesium where the grazing orbit is asymptotically stable
+/// (impacts ignored) and the global map preserves orientation.
 ///
 /// `T = { 0 < delta < 1, |tau| < delta + 1 }`. Paper: section 2, eq. (14), `eq:cT`.
 ///
-/// `tau`, `delta`: dimensionless. The boundary does not belong to the trapesium; with NaN the answer is no.
+/// `tau`, `delta`: dimensionless. The boundary does not belong to the trapesium; with NaN the
+/// answer is no.
 pub fn in_trapesium(tau: f64, delta: f64) -> bool {
     0.0 < delta && delta < 1.0 && tau.abs() < delta + 1.0
 }

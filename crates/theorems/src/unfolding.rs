@@ -1,5 +1,5 @@
-//! The coefficients of the saddle-node and period-doubling curves that emanate from a resonant grazing
-//! bifurcation (sections 2.6 and 5 of the paper).
+//! The coefficients of the saddle-node and period-doubling curves that emanate from a resonant
+//! grazing bifurcation (sections 2.6 and 5 of the paper).
 
 use core::f64::consts::PI;
 
@@ -8,28 +8,30 @@ use crate::grazing::GrazingPoint;
 
 /// Which resonance it is, and how fast the second parameter `eta` moves the system through it.
 ///
-/// The derivatives are total ones along the curve of grazing bifurcations: the grazing phase `z_graz` varies
-/// with `eta` and is followed.
+/// The derivatives are total ones along the curve of grazing bifurcations: the grazing phase
+/// `z_graz` varies with `eta` and is followed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unfolding {
     /// The number of loops, p.
     pub loops: u32,
-    /// For `p = 1`, where `a12 = 0`: `a12' = d a12 / d eta`; section 2.6, before eq. (21).
-    /// For `p >= 2`, where `kappa_p = tau - g_p(delta) = 0`: `kappa_p' = d kappa_p / d eta`; section 2.6, before eq. (25).
+    /// For `p = 1`, where `a12 = 0`: `a12' = d a12 / d eta`; section 2.6, before eq. (21). For
+    /// `p >= 2`, where `kappa_p = tau - g_p(delta) = 0`: `kappa_p' = d kappa_p / d eta`; section
+    /// 2.6, before eq. (25).
     pub derivative: f64,
 }
 
 /// A resonant grazing bifurcation and what is needed to unfold it.
 ///
-/// The methods evaluate the formulas of the paper as they stand and check nothing; the hypotheses under which
-/// they mean something are checked by [`ResonantGrazing`](crate::resonant_theorem::ResonantGrazing). Where a
-/// denominator is zero (`s^+- = 0`, `beta = 0`) the result is infinite or NaN.
+/// The methods evaluate the formulas of the paper as they stand and check nothing; the hypotheses
+/// under which they mean something are checked by
+/// [`ResonantGrazing`](crate::resonant_theorem::ResonantGrazing). Where a denominator is zero
+/// (`s^+- = 0`, `beta = 0`) the result is infinite or NaN.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ResonantPoint {
     /// The grazing point at `(mu, eta) = (0, 0)`.
     pub grazing: GrazingPoint,
-    /// `xi_p = d^2 P_global,1^p / d z^2` at the grazing point; section 2, eq. (19), `eq:xi`. Position per
-    /// radian squared.
+    /// `xi_p = d^2 P_global,1^p / d z^2` at the grazing point; section 2, eq. (19), `eq:xi`.
+    /// Position per radian squared.
     pub second_phase_derivative: f64,
     /// Which resonance it is, and its derivative in `eta`.
     pub unfolding: Unfolding,
@@ -46,9 +48,8 @@ pub struct StabilityCoefficients {
     pub minus: f64,
 }
 
-/// The leading terms of the branch of maximal periodic solutions near a resonance, parametrised by the impact
-/// velocity:
-/// `z = z_graz(eta) + k_1 y`, `mu = k_2 y^2 + k_3 eta y`.
+/// The leading terms of the branch of maximal periodic solutions near a resonance, parametrised by
+/// the impact velocity: `z = z_graz(eta) + k_1 y`, `mu = k_2 y^2 + k_3 eta y`.
 ///
 /// Paper: section 5, eq. (15), `eq:ZM`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,8 +80,8 @@ impl ResonantPoint {
     /// `f_1 = a12'`; `f_p = a12 p delta^{p/2 - 1} kappa_p' / (2 sin^2(pi / p))` for `p >= 2`.
     /// Paper: section 5, eq. (8), `eq:fp`.
     ///
-    /// This is the total derivative along the grazing curve. The paper introduces `f_p` as the partial
-    /// derivative `d^2 P_global,1^p / (d z d eta)` at fixed `z`, which differs from it by
+    /// This is the total derivative along the grazing curve. The paper introduces `f_p` as the
+    /// partial derivative `d^2 P_global,1^p / (d z d eta)` at fixed `z`, which differs from it by
     /// `xi_p d z_graz / d eta`; eq. (8) and all that follows from it hold for the total one.
     pub fn off_diagonal_slope(&self) -> f64 {
         let Unfolding { loops, derivative } = self.unfolding;
@@ -94,7 +95,8 @@ impl ResonantPoint {
         map.a.m12 * p * power * derivative / (2.0 * sine * sine)
     }
 
-    /// The coefficients of the impact velocity in the conditions for stability multipliers 1 and -1.
+    /// The coefficients of the impact velocity in the conditions for stability multipliers 1
+    /// and -1.
     ///
     /// `s_1^+- = (1 -+ a22) (a11 phi^2 -+ 1) + alpha^2 omega^2 xi_1 / ((1 - a22) gamma)`,
     /// `s_p^+- = (1 +- delta^{p/2}) (-delta^{p/2} phi^2 -+ 1)
@@ -150,7 +152,8 @@ impl ResonantPoint {
         ratio * (2.0 - ratio) * self.saddle_node_coefficient()
     }
 
-    /// The leading terms of the branch of maximal periodic solutions, parametrised by impact velocity.
+    /// The leading terms of the branch of maximal periodic solutions, parametrised by impact
+    /// velocity.
     ///
     /// For `p = 1`: `k_1 = omega (a22 (1 - alpha) - 1) / ((1 - a22) gamma)`,
     /// `k_2 = -s_1^+ / (2 (1 - a22) b_1 gamma)`,

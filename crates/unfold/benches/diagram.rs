@@ -1,4 +1,5 @@
-//! The whole two-parameter diagram of `examples/duffing.toml`, an oscillator whose motion is integrated, on one core.
+//! The whole two-parameter diagram of `examples/duffing.toml`, an oscillator whose motion is
+//! integrated, on one core.
 
 use core::hint::black_box;
 use std::path::Path;

@@ -1,4 +1,5 @@
-//! The bifurcation curves of the p-loop MPSs of one p, and the codimension-two points at which they meet.
+//! The bifurcation curves of the p-loop MPSs of one p, and the codimension-two points at which they
+//! meet.
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
@@ -22,7 +23,8 @@ pub struct DiagramCurve {
     pub kind: Bifurcation,
     /// Number of loops p.
     pub loops: u32,
-    /// The integer n of the resonance from which the curve, or the point at which it starts, was reached; 0 if from none.
+    /// The integer n of the resonance from which the curve, or the point at which it starts, was
+    /// reached; 0 if from none.
     pub n: u32,
     /// The curve.
     pub curve: Curve,
@@ -120,7 +122,8 @@ impl Net {
         }
     }
 
-    /// Follows what is missing of the two curves that meet at each codimension-two point, and so on from where that ends.
+    /// Follows what is missing of the two curves that meet at each codimension-two point, and so on
+    /// from where that ends.
     pub(crate) fn grow(&mut self, route: &Route<'_>) {
         while let Some(CodimensionTwoPoint { kind: meeting, loops, n, event }) =
             self.meetings.get(self.grown).cloned()

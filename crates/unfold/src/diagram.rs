@@ -1,4 +1,5 @@
-//! The two-parameter diagram: grazing curves, resonances, the curves that leave them, and codimension-two points.
+//! The two-parameter diagram: grazing curves, resonances, the curves that leave them, and
+//! codimension-two points.
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
@@ -49,7 +50,8 @@ pub struct Diagram {
     pub grazing: Vec<GrazingCurve>,
     /// All resonances on it, by p and along the curve.
     pub resonances: Vec<Resonance>,
-    /// Folds and period doublings of non-impacting motion (p = 0); then SN, PD and GZ curves of the MPSs, by p.
+    /// Folds and period doublings of non-impacting motion (p = 0); then SN, PD and GZ curves of the
+    /// MPSs, by p.
     pub curves: Vec<DiagramCurve>,
     /// Codimension-two points other than resonances.
     pub codimension_two: Vec<CodimensionTwoPoint>,
@@ -66,11 +68,13 @@ pub struct Diagram {
 /// The stage in which curves are followed from the resonances.
 const CURVES: &str = "bifurcation curves";
 
-/// Regions of a window that is narrower than this are parts of those of one that is not: curves that touch at a resonance are too close to each other
-/// there for slices to be distinguished from rounding, as branches begin at impact velocities of the order of the root of its width.
+/// Regions of a window that is narrower than this are parts of those of one that is not: curves
+/// that touch at a resonance are too close to each other there for slices to be distinguished from
+/// rounding, as branches begin at impact velocities of the order of the root of its width.
 const UNDECIDABLE_WIDTH: f64 = 1e-7;
 
-/// The route of curves that are drawn: in a small window steps are small, too, down to where curves are straight.
+/// The route of curves that are drawn: in a small window steps are small, too, down to where curves
+/// are straight.
 fn drawn(window: Window) -> Route<'static> {
     let control = StepControl::DRAWING;
     let [across, up] = window.widths();
@@ -98,9 +102,11 @@ fn widened(window: Window) -> Option<Window> {
 }
 
 impl Diagram {
-    /// Finds the grazing curves of an oscillator and all resonances on them, and follows the curves that leave these.
+    /// Finds the grazing curves of an oscillator and all resonances on them, and follows the curves
+    /// that leave these.
     ///
-    /// The oscillator's own parameters do not matter. Resonances are unfolded in parallel; the result does not depend on the number of threads.
+    /// The oscillator's own parameters do not matter. Resonances are unfolded in parallel; the
+    /// result does not depend on the number of threads.
     ///
     /// # Errors
     /// There is no grazing in the ranges, with what was seen instead.
@@ -114,7 +120,8 @@ impl Diagram {
         Ok(located.with(followed, progress))
     }
 
-    /// The first half of [`compute`](Self::compute): grazing curves and resonances, no bifurcation curve yet.
+    /// The first half of [`compute`](Self::compute): grazing curves and resonances, no bifurcation
+    /// curve yet.
     ///
     /// # Errors
     /// There is no grazing in the ranges, with what was seen instead.
@@ -149,8 +156,9 @@ impl Diagram {
         Ok(diagram)
     }
 
-    /// The diagram with what came of following the curves from its resonances, in the order of their list, and all that follows
-    /// from these: the curves that begin where they end, those to which no resonance leads, and the regions.
+    /// The diagram with what came of following the curves from its resonances, in the order of
+    /// their list, and all that follows from these: the curves that begin where they end, those to
+    /// which no resonance leads, and the regions.
     pub fn with(mut self, followed: Vec<Followed>, progress: &dyn Progress) -> Self {
         let known = self.nets(followed);
         let mut nets = known.clone();
@@ -182,8 +190,8 @@ impl Diagram {
         self
     }
 
-    /// The diagram with these curves and those that begin where they end, but without regions, and so without curves to which no
-    /// resonance leads.
+    /// The diagram with these curves and those that begin where they end, but without regions, and
+    /// so without curves to which no resonance leads.
     pub fn with_curves(mut self, followed: Vec<Followed>) -> Self {
         let mut nets = self.nets(followed);
         let followed: Vec<usize> = nets.iter().map(|net| net.curves.len()).collect();
@@ -217,7 +225,8 @@ impl Diagram {
         nets.iter_mut().for_each(|net| net.grow(&route));
     }
 
-    /// Takes curves and codimension-two points: first all that come from resonances, as they are listed while others are being followed.
+    /// Takes curves and codimension-two points: first all that come from resonances, as they are
+    /// listed while others are being followed.
     fn take(&mut self, nets: Vec<Net>, followed: &[usize]) {
         let (mut first, mut then) = (Vec::new(), Vec::new());
         for (mut net, followed) in nets.into_iter().zip(followed) {
@@ -248,9 +257,10 @@ impl Diagram {
         self.grazing.iter().find_map(|curve| curve.at(secondary)).map(|place| place.phase)
     }
 
-    /// The curves from every resonance at which a theorem holds, each resonance by itself, in the order of the list; without
-    /// those that were not finished when an end was asked for. `finished` hears of the curves of each resonance, by its place in the
-    /// list, as soon as they are done: those of others may take a while.
+    /// The curves from every resonance at which a theorem holds, each resonance by itself, in the
+    /// order of the list; without those that were not finished when an end was asked for.
+    /// `finished` hears of the curves of each resonance, by its place in the list, as soon as they
+    /// are done: those of others may take a while.
     pub fn follow(
         &self,
         progress: &dyn Progress,

@@ -3,7 +3,8 @@
 use grazing_continuation::arclength::{self, CurveEquations};
 use nalgebra::{Const, DimMin, SVector};
 
-/// Where a chord first leaves 0 to 1 in one of these unknowns, if it does: the share of the chord, the unknown, and 0 or 1.
+/// Where a chord first leaves 0 to 1 in one of these unknowns, if it does: the share of the chord,
+/// the unknown, and 0 or 1.
 fn leaves<const N: usize>(
     unknowns: impl IntoIterator<Item = usize>,
     [before, after]: [&SVector<f64, N>; 2],
@@ -16,7 +17,8 @@ fn leaves<const N: usize>(
     crossed.min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-/// The point at which a curve leaves 0 to 1 in one of these unknowns between two of its points, if it does, and the unknown.
+/// The point at which a curve leaves 0 to 1 in one of these unknowns between two of its points, if
+/// it does, and the unknown.
 pub(crate) fn on_the_edge<const N: usize, C: CurveEquations<N, Carried: Default>>(
     equations: &C,
     unknowns: impl IntoIterator<Item = usize>,

@@ -28,7 +28,8 @@ pub enum UnfoldError {
         lowest: Height,
         /// The highest of them.
         highest: Height,
-        /// Every periodic motion that was met was followed through the whole range of the primary parameter.
+        /// Every periodic motion that was met was followed through the whole range of the primary
+        /// parameter.
         whole: bool,
     },
     /// Where periodic motion comes to the wall it is not turned back.

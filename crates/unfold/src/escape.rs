@@ -14,13 +14,15 @@ pub struct Escape {
     pub position: f64,
     /// Velocity there.
     pub velocity: f64,
-    /// The force there; if it cannot be computed right behind, its value there, which is not finite.
+    /// The force there; if it cannot be computed right behind, its value there, which is not
+    /// finite.
     pub force: f64,
 }
 
 /// The time of the end is narrowed down by this many halvings of the period.
 const HALVINGS: u32 = 40;
-/// How far behind the end the force is looked at, as shares of the period: a step of the integration, and less.
+/// How far behind the end the force is looked at, as shares of the period: a step of the
+/// integration, and less.
 const BEHIND: [f64; 4] = [1e-6, 1e-4, 1e-2, 1e-1];
 
 impl Escape {

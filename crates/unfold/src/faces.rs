@@ -1,4 +1,5 @@
-//! The faces into which curves cut a rectangle, as rings of vertices: the first ring bounds a face, the others are its holes.
+//! The faces into which curves cut a rectangle, as rings of vertices: the first ring bounds a face,
+//! the others are its holes.
 
 use grazing_continuation::curve::Window;
 use i_overlay::core::fill_rule::FillRule;
@@ -11,7 +12,8 @@ pub(crate) type Point = [f64; 2];
 /// Part of the plane: its rings, even-odd.
 pub(crate) type Face = Vec<Vec<Point>>;
 
-/// The faces into which polylines cut a window; what ends inside a face without cutting it is left out.
+/// The faces into which polylines cut a window; what ends inside a face without cutting it is left
+/// out.
 ///
 /// Ends of polylines that meet must be equal.
 pub(crate) fn cut(window: Window, lines: &[Vec<Point>]) -> Vec<Face> {
@@ -46,7 +48,8 @@ pub(crate) fn chords(face: &Face, secondary: f64) -> Vec<[f64; 2]> {
     crossings.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect()
 }
 
-/// The least and the greatest of some numbers; infinite, and the wrong way round, if there are none.
+/// The least and the greatest of some numbers; infinite, and the wrong way round, if there are
+/// none.
 pub(crate) fn range(numbers: impl IntoIterator<Item = f64>) -> [f64; 2] {
     let none = [f64::INFINITY, f64::NEG_INFINITY];
     numbers.into_iter().fold(none, |[low, high], number| [low.min(number), high.max(number)])

@@ -1,16 +1,18 @@
 //! Resonances as one more parameter of the oscillator varies.
 //!
-//! A family is a list of oscillators that differ by the values of constants. Resonances of neighbouring members belong together if
-//! continuation leads from one to the other: with c between its values at the two members, (z, μ, η, c) lies on the curve
+//! A family is a list of oscillators that differ by the values of constants. Resonances of
+//! neighbouring members belong together if continuation leads from one to the other: with c between
+//! its values at the two members, (z, μ, η, c) lies on the curve
 //!
 //! ```text
 //! P_global(0, z; μ, η, c) = (0, z),   a₁₂ = 0 (p = 1) or κ_p = 0 (p ≥ 2),
 //! ```
 //!
-//! which is followed by arclength, so that it may turn back in c: there a₁₂' or κ_p' vanishes and two resonances are one. Where
-//! another quantity in the hypotheses of Theorem 2.4 or 2.5 is zero, the resonance is degenerate: c_SN is infinite where
-//! s_p⁺ is zero, c_PD where s_p⁻ is, both where β is. A quantity may change its sign there, or touch zero from one side, as
-//! s_p⁺ = −(1 − ϵE_p)² of the linear oscillator does.
+//! which is followed by arclength, so that it may turn back in c: there a₁₂' or κ_p' vanishes and
+//! two resonances are one. Where another quantity in the hypotheses of Theorem 2.4 or 2.5 is zero,
+//! the resonance is degenerate: c_SN is infinite where s_p⁺ is zero, c_PD where s_p⁻ is, both where
+//! β is. A quantity may change its sign there, or touch zero from one side, as s_p⁺ = −(1 − ϵE_p)²
+//! of the linear oscillator does.
 
 use core::f64::consts::TAU;
 
@@ -30,7 +32,8 @@ use crate::resonances::Resonance;
 use crate::tolerances::BETWEEN_RESONANCES;
 use crate::{Diagram, Scope};
 
-/// The oscillator at a share of the way from one member to the next, with whatever primary and secondary parameter; none where it does not exist.
+/// The oscillator at a share of the way from one member to the next, with whatever primary and
+/// secondary parameter; none where it does not exist.
 pub type Between<'a> = &'a (dyn Fn(f64) -> Option<AnyOscillator> + Sync);
 
 /// A resonance followed from one member towards another.
@@ -62,7 +65,8 @@ pub struct ArcPoint {
 pub enum ArcEnd {
     /// It comes to the other member.
     Across,
-    /// It turns back to its own member, as the resonance at this place in the list, if that is known.
+    /// It turns back to its own member, as the resonance at this place in the list, if that is
+    /// known.
     Back(Option<usize>),
     /// It leaves the ranges of the parameters.
     LeftWindow,
@@ -72,26 +76,30 @@ pub enum ArcEnd {
     Lost(String),
 }
 
-/// Steps in z (radians), the shares of both ranges and the share of the way; coefficients, which are drawn, may bend where the curve does not.
+/// Steps in z (radians), the shares of both ranges and the share of the way; coefficients, which
+/// are drawn, may bend where the curve does not.
 const STEPS: StepControl =
     StepControl { first: 0.02, longest: 0.08, shortest: 1e-5, turn: 0.05, ..StepControl::DRAWING };
 /// A curve of this many points between two members goes nowhere.
 const STEP_LIMIT: usize = 2_000;
-/// Differences in the share of the way for the derivative with respect to it, of which only the direction of steps depends: their error, the square of
-/// this and a rounding over it, is no larger than 1e-9.
+/// Differences in the share of the way for the derivative with respect to it, of which only the
+/// direction of steps depends: their error, the square of this and a rounding over it, is no larger
+/// than 1e-9.
 const DIFFERENCE: f64 = 1e-5;
-/// Rates of change along the curve are differences over this length to both sides. Values are right to 1e-13, and so rates to 1e-10; the place at
-/// which a rate is zero is off by the square of this.
+/// Rates of change along the curve are differences over this length to both sides. Values are right
+/// to 1e-13, and so rates to 1e-10; the place at which a rate is zero is off by the square of this.
 const RATE: f64 = 1e-3;
-/// A quantity touches zero where its least modulus is this share of the values at both ends, or a rounding of terms of order one: the square of that
-/// error in its place is less.
+/// A quantity touches zero where its least modulus is this share of the values at both ends, or a
+/// rounding of terms of order one: the square of that error in its place is less.
 const DOUBLE_ZERO: f64 = 1e-9;
 const ROUNDING: f64 = 1e-12;
-/// A zero is located when this share of the values at both ends is left; where more than the second is left the quantity has a pole.
+/// A zero is located when this share of the values at both ends is left; where more than the second
+/// is left the quantity has a pole.
 const ZERO: f64 = 1e-11;
 const POLE: f64 = 1e-6;
 
-/// The resonances of a member, followed towards another. What turns back to its own member is listed once.
+/// The resonances of a member, followed towards another. What turns back to its own member is
+/// listed once.
 pub fn arcs(diagram: &Diagram, between: Between<'_>) -> Vec<Arc> {
     let followed = diagram.resonances.iter().enumerate().filter_map(|(index, resonance)| {
         let path = Path { between, scope: &diagram.scope, loops: resonance.loops };
@@ -169,7 +177,8 @@ impl Path<'_> {
         Some(ArcPoint { way: point[3], orbit, point: resonant, zero: None })
     }
 
-    /// The zero of a function of the point, which has these values at the ends of a chord; nothing at a pole.
+    /// The zero of a function of the point, which has these values at the ends of a chord; nothing
+    /// at a pole.
     fn zero(
         &self,
         [from, to]: [&Coordinates; 2],
@@ -252,7 +261,8 @@ impl Path<'_> {
         gap.norm() < BETWEEN_RESONANCES
     }
 
-    /// Where the curve leaves the ranges, or comes to either member, between two of its points, if it does.
+    /// Where the curve leaves the ranges, or comes to either member, between two of its points, if
+    /// it does.
     fn leaves(&self, before: &Coordinates, after: &Coordinates) -> Option<(Coordinates, ArcEnd)> {
         let (point, unknown) = on_the_edge(self, [1, 2, 3], [before, after])?;
         let end = match (unknown, point[unknown]) {
@@ -263,7 +273,8 @@ impl Path<'_> {
         Some((point, end))
     }
 
-    /// The highest maximum of the grazing orbit beside that at the wall; far below it if there is none.
+    /// The highest maximum of the grazing orbit beside that at the wall; far below it if there is
+    /// none.
     fn height(&self, point: &Coordinates) -> Option<f64> {
         let orbit = self.orbit(point).ok()?;
         let oscillator = orbit.oscillator();
@@ -323,7 +334,8 @@ struct QuantityTrend {
 }
 
 impl QuantityTrend {
-    /// Whether the quantity would be zero before a point so far onwards if it went on as it does here: what touches zero is twice as fast.
+    /// Whether the quantity would be zero before a point so far onwards if it went on as it does
+    /// here: what touches zero is twice as fast.
     fn falls(&self, length: f64) -> bool {
         self.value * self.rate * length < 0.0 && (self.rate * length).abs() > 2.0 * RATE * self.value.abs()
     }

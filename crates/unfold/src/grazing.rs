@@ -1,7 +1,8 @@
 //! Curves of grazing bifurcations of the non-impacting solution in the plane of both parameters.
 //!
-//! The grazing orbit is a zero of P_global(0, z; μ, η) − (0, z) in (z, μ, η): a curve, followed by arclength with folds in μ and
-//! η passed like any other point. Paper: Assumption 2.2, made true by the change of parameter μ ↦ μ − μ_graz(η).
+//! The grazing orbit is a zero of P_global(0, z; μ, η) − (0, z) in (z, μ, η): a curve, followed by
+//! arclength with folds in μ and η passed like any other point. Paper: Assumption 2.2, made true by
+//! the change of parameter μ ↦ μ − μ_graz(η).
 
 use core::f64::consts::TAU;
 
@@ -31,8 +32,8 @@ pub struct GrazingState {
     pub admissible: bool,
 }
 
-/// How a grazing curve ends: where it leaves the ranges of the parameters, closes, or goes no further, as where the deceleration at the wall
-/// vanishes.
+/// How a grazing curve ends: where it leaves the ranges of the parameters, closes, or goes no
+/// further, as where the deceleration at the wall vanishes.
 pub type GrazingEnd = WalkEnd<MapError>;
 
 /// A connected piece of the curve of grazing bifurcations.
@@ -49,8 +50,8 @@ const STEPS: StepControl =
     StepControl { first: 1e-3, longest: 0.01, shortest: 1e-6, turn: 0.035, ..StepControl::DRAWING };
 /// A curve of this many points goes nowhere.
 const STEP_LIMIT: usize = 20_000;
-/// The angle in radians by which A turns between neighbouring points: a cubic follows a sine this far to two parts in ten thousand,
-/// so that the resonances between are separated.
+/// The angle in radians by which A turns between neighbouring points: a cubic follows a sine this
+/// far to two parts in ten thousand, so that the resonances between are separated.
 const TURN: f64 = 0.5;
 /// How often the way between two points is halved at most.
 const HALVINGS: u32 = 12;
@@ -132,7 +133,8 @@ pub(crate) struct HighestPoint {
     pub(crate) parameters: [f64; 2],
 }
 
-/// An orbit that Newton's method finds farther than this in phase and shares of the ranges from where it was looked for is another one.
+/// An orbit that Newton's method finds farther than this in phase and shares of the ranges from
+/// where it was looked for is another one.
 const NEARBY: f64 = 0.5;
 
 impl HighestPoint {
@@ -151,7 +153,8 @@ impl HighestPoint {
         (here && turns_back && found.is_highest(&oscillator)).then_some(found)
     }
 
-    /// Whether the motion of an oscillator with these parameters comes no higher in a forcing period.
+    /// Whether the motion of an oscillator with these parameters comes no higher in a forcing
+    /// period.
     fn is_highest(&self, oscillator: &AnyOscillator) -> bool {
         let motion = oscillator.motion(State::at_rest(self.height, self.phase));
         motion
@@ -170,14 +173,15 @@ impl HighestPoint {
     }
 }
 
-/// A point of the curve lies no farther than this from the chord between two neighbours: an eighth of the longest step times
-/// the angle by which the tangent turns, several times over.
+/// A point of the curve lies no farther than this from the chord between two neighbours: an eighth
+/// of the longest step times the angle by which the tangent turns, several times over.
 const CHORD: f64 = 3e-4;
 
 /// An orbit on the edge of the ranges lies at the end of the curve, give or take rounding.
 const ENDS: f64 = 1e-6;
 
-/// The equations of the curve, or of one on which the highest point lies at some other height: unknowns are z and the shares of the ranges of μ and η.
+/// The equations of the curve, or of one on which the highest point lies at some other height:
+/// unknowns are z and the shares of the ranges of μ and η.
 struct GrazingEquations<'a> {
     oscillator: &'a AnyOscillator,
     scope: &'a Scope,
@@ -210,9 +214,11 @@ impl CurveEquations<3> for GrazingEquations<'_> {
 }
 
 impl GrazingState {
-    /// About the angle by which A turns on a way of some length in z and the shares of the ranges, in radians.
+    /// About the angle by which A turns on a way of some length in z and the shares of the ranges,
+    /// in radians.
     ///
-    /// A and its derivative along the curve are compared in units of x in which a₁₂ and a₂₁ are equally large.
+    /// A and its derivative along the curve are compared in units of x in which a₁₂ and a₂₁ are
+    /// equally large.
     fn turn(&self, length: f64) -> f64 {
         let a = self.orbit.grazing_point().map.a;
         let change = self.orbit.derivative_along(&self.tangent) * length;
@@ -240,7 +246,8 @@ impl GrazingEquations<'_> {
         Some(if tangent.dot(onwards) < 0.0 { -tangent } else { tangent })
     }
 
-    /// All that is known at the points, and at more between them where A turns far from one to the next.
+    /// All that is known at the points, and at more between them where A turns far from one to the
+    /// next.
     fn states(&self, points: &[Tangent<3>]) -> Vec<GrazingState> {
         let mut states: Vec<GrazingState> = Vec::with_capacity(points.len());
         for (point, tangent) in points {
@@ -273,11 +280,13 @@ impl GrazingEquations<'_> {
         self.state(&point, &self.tangent(&point, gap)?)
     }
 
-    /// All that is known at a point; nothing where P_global has no second derivatives, or motion is not turned back from the wall.
+    /// All that is known at a point; nothing where P_global has no second derivatives, or motion is
+    /// not turned back from the wall.
     fn state(&self, point: &Vector3<f64>, tangent: &Vector3<f64>) -> Option<GrazingState> {
         let mut orbit = GrazingOrbit::at(self.oscillator_at(point), point[0]).ok()?;
         let admissible = |orbit: &GrazingOrbit| HighestPoint::of(orbit).is_highest(orbit.oscillator());
-        // In wide ranges the last digits of a share may be seen in the next maximum, which is the same one.
+        // In wide ranges the last digits of a share may be seen in the next maximum, which is the
+        // same one.
         if !admissible(&orbit) {
             orbit = GrazingOrbit::find(orbit.oscillator(), orbit.phase()).unwrap_or(orbit);
         }
@@ -292,7 +301,8 @@ impl GrazingEquations<'_> {
     }
 }
 
-/// The multipliers of a grazing orbit, the wall ignored, by the flow over a period: the entries of P_global's derivative grow as 1/γ.
+/// The multipliers of a grazing orbit, the wall ignored, by the flow over a period: the entries of
+/// P_global's derivative grow as 1/γ.
 fn multipliers(orbit: &GrazingOrbit) -> Multipliers {
     let oscillator = orbit.oscillator();
     let flow = oscillator.flow::<1>(State::at_rest(0.0, orbit.phase()), oscillator.forcing_period());

@@ -1,4 +1,5 @@
-//! From an oscillator alone to its two-parameter diagram: nothing is known beforehand, neither a grazing orbit nor a resonance.
+//! From an oscillator alone to its two-parameter diagram: nothing is known beforehand, neither a
+//! grazing orbit nor a resonance.
 //!
 //! ```text
 //! non_impacting  periodic motion without the wall, followed in the primary parameter until it touches the wall
@@ -12,11 +13,12 @@
 //!                  └─ one_parameter   branches on a line of the plane, with simulation (long_time) and phase portraits
 //! ```
 //!
-//! All of this counts in units in which motion is of the order of one: [`Dimensionless`](grazing_model::smooth::Dimensionless) makes any
-//! oscillator so, and [`units`] leads back.
+//! All of this counts in units in which motion is of the order of one:
+//! [`Dimensionless`](grazing_model::smooth::Dimensionless) makes any oscillator so, and [`units`]
+//! leads back.
 //!
-//! Everything takes [`AnyOscillator`](grazing_model::AnyOscillator): the paper's oscillator with its closed form and one that is
-//! integrated from a text file differ in their flow alone.
+//! Everything takes [`AnyOscillator`](grazing_model::AnyOscillator): the paper's oscillator with
+//! its closed form and one that is integrated from a text file differ in their flow alone.
 //!
 //! An oscillator of your own is its force, frequency and reset law:
 //!

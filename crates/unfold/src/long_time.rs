@@ -1,7 +1,7 @@
 //! What orbits come to in the long run: simulated motion after its transient.
 //!
-//! Diagrams, places of the plane and phase portraits all follow orbits by [`LongOrbit::follow`]. Whether an orbit has settled is decided in one
-//! place, [`Recurrence::of`], from its impacts.
+//! Diagrams, places of the plane and phase portraits all follow orbits by [`LongOrbit::follow`].
+//! Whether an orbit has settled is decided in one place, [`Recurrence::of`], from its impacts.
 
 mod lyapunov;
 mod orbit;

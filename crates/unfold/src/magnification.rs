@@ -33,10 +33,12 @@ pub struct Polyline {
 const MAGNIFIED: StepControl =
     StepControl { first: 1e-4, longest: 4e-3, shortest: 1e-6, turn: 0.02, ..StepControl::DRAWING };
 
-/// Samples of a quadratic approximation from the resonance to the edge of the window, and of the grazing curve across it.
+/// Samples of a quadratic approximation from the resonance to the edge of the window, and of the
+/// grazing curve across it.
 const SAMPLES: u32 = 100;
 
-/// The curves in a window about a resonance: grazing, the resonance's own, its neighbours', quadratic approximations.
+/// The curves in a window about a resonance: grazing, the resonance's own, its neighbours',
+/// quadratic approximations.
 ///
 /// # Errors
 /// The resonance's curves could not be followed.
@@ -61,7 +63,8 @@ pub fn magnify(
         Some(continued(Bifurcation::of(curve.condition, loops)?, [loops, n], curve.parameters()))
     };
     list.extend(unfolded.curves().filter_map(own));
-    // The resonance's own curves are there already; one of them may begin outside and come in again.
+    // The resonance's own curves are there already; one of them may begin outside and come in
+    // again.
     let start = |curve: &Curve| (curve.condition, curve.points[0].solution.unknowns);
     let starts: Vec<_> = unfolded.curves().map(start).collect();
     let shown = |curve: &DiagramCurve| {
@@ -109,7 +112,8 @@ fn close_to(curve: &GrazingCurve, window: Window) -> Vec<[f64; 2]> {
     points
 }
 
-/// primary = primary_graz(η) + c η² from the resonance to the edge of the window, on the side of η that theory gives.
+/// primary = primary_graz(η) + c η² from the resonance to the edge of the window, on the side of η
+/// that theory gives.
 pub fn approximation(point: &ResonantGrazingPoint, curve: BifurcationCurve, window: Window) -> Vec<[f64; 2]> {
     let [_, origin] = point.orbit().oscillator().parameters();
     let edge = if curve.eta_side.signum() < 0.0 { window.secondary[0] } else { window.secondary[1] };
@@ -130,11 +134,12 @@ pub fn approximation(point: &ResonantGrazingPoint, curve: BifurcationCurve, wind
     points
 }
 
-/// A window about a resonance in which the curves and their approximations can be distinguished and compared.
+/// A window about a resonance in which the curves and their approximations can be distinguished and
+/// compared.
 ///
-/// Its half-height in η is where the terms beyond the quadratic one are some fifth of it on the curve that bends sooner, or a
-/// little beyond, but not more than half the way to the next resonance of the same p; across it holds all that is drawn, with
-/// a margin.
+/// Its half-height in η is where the terms beyond the quadratic one are some fifth of it on the
+/// curve that bends sooner, or a little beyond, but not more than half the way to the next
+/// resonance of the same p; across it holds all that is drawn, with a margin.
 pub fn window_about(diagram: &Diagram, resonance: &Resonance, point: &ResonantGrazingPoint) -> Window {
     let whole = diagram.scope.window;
     let [_, origin] = point.orbit().oscillator().parameters();
@@ -155,7 +160,8 @@ pub fn window_about(diagram: &Diagram, resonance: &Resonance, point: &ResonantGr
     let faithful = own.iter().map(|curve| faithful(point, curve.kind, &curve.curve.parameters()));
     let [least, most] = faithful
         .fold([f64::INFINITY, 0.0], |[least, most], reach| [f64::min(least, reach), f64::max(most, reach)]);
-    // Between both curves, nearer to the one that bends sooner: beside it little could be seen of a much steeper one.
+    // Between both curves, nearer to the one that bends sooner: beside it little could be seen of a
+    // much steeper one.
     let middle = libm::cbrt(least * least * most);
     reach = reach.min(1.2 * middle);
     let secondary = [(origin - reach).max(whole.secondary[0]), (origin + reach).min(whole.secondary[1])];
@@ -169,7 +175,8 @@ pub fn window_about(diagram: &Diagram, resonance: &Resonance, point: &ResonantGr
     Window { primary: [(extent[0] - margin).max(least), (extent[1] + margin).min(most)], secondary }
 }
 
-/// How far from the resonance in η a curve stays within a fifth of its quadratic approximation, or how far it goes.
+/// How far from the resonance in η a curve stays within a fifth of its quadratic approximation, or
+/// how far it goes.
 fn faithful(point: &ResonantGrazingPoint, kind: Bifurcation, curve: &[[f64; 2]]) -> f64 {
     let [BifurcationCurve { coefficient, .. }, _] = point.leading().starting_with(kind);
     let [_, origin] = point.orbit().oscillator().parameters();

@@ -1,7 +1,8 @@
-//! Non-impacting motion in the whole window: its grazing curves, its folds and period doublings, and where it is stable.
+//! Non-impacting motion in the whole window: its grazing curves, its folds and period doublings,
+//! and where it is stable.
 //!
-//! It is surveyed as MPSs are (`survey`), p being 0. What is its own is how its first solutions and its grazing are found: motion is left to
-//! relax, and grazing is looked for on lattices.
+//! It is surveyed as MPSs are (`survey`), p being 0. What is its own is how its first solutions and
+//! its grazing are found: motion is left to relax, and grazing is looked for on lattices.
 
 mod relaxation;
 
@@ -45,7 +46,8 @@ pub(crate) fn find(
     scope: &Scope,
     progress: &dyn Progress,
 ) -> Result<NonImpacting, UnfoldError> {
-    // On every other slice motion is left to relax from rest, which finds branches to which grazing does not lead.
+    // On every other slice motion is left to relax from rest, which finds branches to which grazing
+    // does not lead.
     let levels = regions::levels(scope.window);
     let [relaxed, between] =
         [0, 1].map(|first| levels.iter().copied().skip(first).step_by(2).collect::<Vec<_>>());
@@ -82,7 +84,8 @@ fn on_slices(
         survey.add_grazing(orbit);
     }
     survey.follow_columns(progress);
-    // Grazing to which nothing that is known leads, and the branches through the range of η on which it lies.
+    // Grazing to which nothing that is known leads, and the branches through the range of η on
+    // which it lies.
     for highest in search::grazing(oscillator, scope, progress) {
         if let Some(orbit) = highest.grazing(oscillator)
             && survey.add_grazing(&orbit)

@@ -1,8 +1,10 @@
-//! One-parameter diagrams: what there is on a line of the parameter plane, along which one parameter changes and the other is held.
+//! One-parameter diagrams: what there is on a line of the parameter plane, along which one
+//! parameter changes and the other is held.
 //!
-//! Branches of non-impacting motion and of p-loop MPSs, bifurcations on them, the long-time behaviour of the hybrid system from random
-//! states, and orbits at chosen places. Everything is shown by x on the Poincaré section Π. The oscillator is turned ([`oriented`]) so that the parameter
-//! across is the first one, called μ below; rows have both parameters as they are.
+//! Branches of non-impacting motion and of p-loop MPSs, bifurcations on them, the long-time
+//! behaviour of the hybrid system from random states, and orbits at chosen places. Everything is
+//! shown by x on the Poincaré section Π. The oscillator is turned ([`oriented`]) so that the
+//! parameter across is the first one, called μ below; rows have both parameters as they are.
 
 mod branches;
 mod oriented;
@@ -41,7 +43,8 @@ pub struct Line {
     pub primary_is_fixed: bool,
     /// The value of the parameter that is held.
     pub at: f64,
-    /// The values of the other one that are shown, inside those of the scope, through which branches are followed.
+    /// The values of the other one that are shown, inside those of the scope, through which
+    /// branches are followed.
     pub range: [f64; 2],
 }
 
@@ -58,7 +61,8 @@ pub struct Cut {
 /// The stage.
 const BRANCHES: &str = "branches of a one-parameter diagram";
 
-/// Motion without impacts is looked for that has its highest point here, the wall's distance from rest being of order one.
+/// Motion without impacts is looked for that has its highest point here, the wall's distance from
+/// rest being of order one.
 const HEIGHTS: [f64; 4] = [0.0, -0.25, -0.5, -0.75];
 /// MPSs are looked for by solving for them at so many values of μ, from end to end.
 const PLACES: u32 = 9;
@@ -68,12 +72,14 @@ const STEP: f64 = 0.02;
 const LEAST_STEP: f64 = 1e-3;
 /// And it is left to relax from rest at these positions, as in another well.
 const POSITIONS: [f64; 4] = [-1.5, -2.0, -3.0, -4.0];
-/// Random states are looked for this far from the wall at least, which is of the order of one away from rest: those farther off swing faster.
+/// Random states are looked for this far from the wall at least, which is of the order of one away
+/// from rest: those farther off swing faster.
 const LEAST_DEPTH: f64 = 2.0;
 
 impl Cut {
-    /// The branches of an oscillator on a line, the ranges and the numbers of loops being those of the scope; that of the parameter that is held does
-    /// not matter. Curves of the two-parameter diagram that are known lead to branches, but need not be there.
+    /// The branches of an oscillator on a line, the ranges and the numbers of loops being those of
+    /// the scope; that of the parameter that is held does not matter. Curves of the two-parameter
+    /// diagram that are known lead to branches, but need not be there.
     ///
     /// `None` if an end was asked for before they were known.
     pub fn follow(
@@ -117,7 +123,8 @@ impl Cut {
         self.placed(self.oriented())
     }
 
-    /// A diagram whose rows are in the roles of the line: the parameters as they are, in a frame as high as it needs.
+    /// A diagram whose rows are in the roles of the line: the parameters as they are, in a frame as
+    /// high as it needs.
     fn placed(&self, mut diagram: OneParameter) -> OneParameter {
         let Line { diagram: number, primary_is_fixed, .. } = self.line;
         diagram.each_row(&mut |row| row.place(number, primary_is_fixed));
@@ -170,7 +177,8 @@ impl Cut {
         }
     }
 
-    /// The diagram with long-time behaviour and phase portraits, too; without them if an end was asked for.
+    /// The diagram with long-time behaviour and phase portraits, too; without them if an end was
+    /// asked for.
     pub fn simulated(
         &self,
         sampling: &Sampling,
@@ -219,8 +227,8 @@ impl Cut {
     }
 }
 
-/// The branches of MPSs of all p at one η: those from grazing (z, μ), those that known curves cross, and those that are found by solving for
-/// MPSs.
+/// The branches of MPSs of all p at one η: those from grazing (z, μ), those that known curves
+/// cross, and those that are found by solving for MPSs.
 fn mps_branches(
     oscillator: &AnyOscillator,
     scope: &Scope,

@@ -6,15 +6,17 @@ use grazing_model::ImpactOscillator;
 
 use crate::winding::angle_in_a_period;
 
-/// A branch that has passed the wall is left where a multiplier exceeds this (empirical): beyond the wall it matters only for where it may come
-/// back, and next to a force that pulls into a pole motion grows without bounds, which makes every solution there a search by itself.
+/// A branch that has passed the wall is left where a multiplier exceeds this (empirical): beyond
+/// the wall it matters only for where it may come back, and next to a force that pulls into a pole
+/// motion grows without bounds, which makes every solution there a search by itself.
 const LOST_MULTIPLIERS: f64 = 1e4;
-/// So far beyond the wall, whose distance from rest is of order one, a branch through the range of η is left: what is behind a resonance is
-/// reached from there.
+/// So far beyond the wall, whose distance from rest is of order one, a branch through the range of
+/// η is left: what is behind a resonance is reached from there.
 const HIGH: f64 = 10.0;
 /// Multipliers turn in a step by this share of their distance from ±1,
 const PART: f64 = 0.3;
-/// and the step in the share of η need not be shorter than this: without damping a resonance has no width.
+/// and the step in the share of η need not be shorter than this: without damping a resonance has no
+/// width.
 const LEAST_WAY: f64 = 1e-4;
 
 /// Whether a branch has come above the wall, where it is so unstable that no motion stays near it.
@@ -24,11 +26,12 @@ pub(crate) fn is_lost(points: &[CurvePoint]) -> bool {
     })
 }
 
-/// How far a branch through the range of η may go without passing over a resonance of motion without impacts, which is as narrow as the damping
-/// is small.
+/// How far a branch through the range of η may go without passing over a resonance of motion
+/// without impacts, which is as narrow as the damping is small.
 ///
-/// The multipliers λ of small motion about an orbit turn as η changes, and at a resonance pass 1 or −1 at a distance that the damping leaves. So
-/// a step may turn them by a share of their distance from there.
+/// The multipliers λ of small motion about an orbit turn as η changes, and at a resonance pass 1 or
+/// −1 at a distance that the damping leaves. So a step may turn them by a share of their distance
+/// from there.
 pub(crate) struct Pace<'a> {
     equations: &'a LoopEquations,
     /// The width of the range of η.

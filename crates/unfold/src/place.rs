@@ -1,4 +1,5 @@
-//! What an oscillator does at one pair of parameters: its periodic solutions, and what motion comes to in the long run.
+//! What an oscillator does at one pair of parameters: its periodic solutions, and what motion comes
+//! to in the long run.
 
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Multipliers, Unknowns, unknown};
@@ -40,7 +41,8 @@ pub struct Attractor {
     pub states: u32,
     /// What it is.
     pub fate: Fate,
-    /// The largest Lyapunov exponent, of the dimension of a reciprocal time; not a number where motion rests or cannot be followed.
+    /// The largest Lyapunov exponent, of the dimension of a reciprocal time; not a number where
+    /// motion rests or cannot be followed.
     pub lyapunov: f64,
     /// Its flights, (t, x, y) along each; the phase is zero at t = 0.
     pub flights: Vec<Vec<[f64; 3]>>,
@@ -205,7 +207,8 @@ impl Place {
         Self::of(oscillator, &states, starts.horizon, progress, found)
     }
 
-    /// What has become of that which was found nearby, which takes a small part of the time: what is new here is not seen.
+    /// What has become of that which was found nearby, which takes a small part of the time: what
+    /// is new here is not seen.
     pub fn followed(oscillator: &AnyOscillator, nearby: &Nearby, progress: &dyn Progress) -> Option<Self> {
         let found = || {
             let mut found: Vec<(u32, Unknowns)> = Vec::new();
@@ -297,7 +300,8 @@ fn is_known(found: &[(u32, Unknowns)], loops: u32, impact: &Vector2<f64>) -> boo
         .any(|(other, point)| *other == loops && same_impact(BETWEEN_ORBITS, &impact_of(point), impact))
 }
 
-/// The solution with an impact near another; for p = 0 with position and velocity at phase zero near others.
+/// The solution with an impact near another; for p = 0 with position and velocity at phase zero
+/// near others.
 fn solved(oscillator: &AnyOscillator, loops: u32, impact: &Vector2<f64>) -> Option<Unknowns> {
     let [primary, secondary] = oscillator.parameters();
     let equations = equations(oscillator, loops);

@@ -10,7 +10,8 @@ pub trait Progress: Sync {
     fn step(&self, what: &str);
     /// The work is done.
     fn end(&self, what: &str);
-    /// Whether nothing more is to be begun, as when time is up: long loops ask this and end with what they have.
+    /// Whether nothing more is to be begun, as when time is up: long loops ask this and end with
+    /// what they have.
     fn stopped(&self) -> bool {
         false
     }

@@ -47,9 +47,11 @@ impl fmt::Display for Doubt {
 pub struct Region {
     /// Number of loops p; 0 for the non-impacting solution.
     pub loops: u32,
-    /// The integer n of a resonance whose curves bound it; 0 without one, and for the non-impacting solution.
+    /// The integer n of a resonance whose curves bound it; 0 without one, and for the non-impacting
+    /// solution.
     pub n: u32,
-    /// Its border and those of its holes, vertex by vertex: a point lies inside if a ray from it crosses them an odd number of times.
+    /// Its border and those of its holes, vertex by vertex: a point lies inside if a ray from it
+    /// crosses them an odd number of times.
     pub rings: Vec<Vec<[f64; 2]>>,
     /// Why it is not decided whether solutions are stable and admissible; where it is, they are.
     pub doubt: Option<Doubt>,

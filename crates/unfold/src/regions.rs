@@ -1,8 +1,9 @@
 //! Regions of stability in the plane of the two parameters (μ, η), decided face by face.
 //!
-//! The curves of one p cut the window into faces. In every face the solutions are looked at along slices of constant η: a face in
-//! which every slice sees a stable, admissible solution all along is shaded, one in which none does is not, and where slices do not
-//! agree, or a branch could not be followed, that is said.
+//! The curves of one p cut the window into faces. In every face the solutions are looked at along
+//! slices of constant η: a face in which every slice sees a stable, admissible solution all along
+//! is shaded, one in which none does is not, and where slices do not agree, or a branch could not
+//! be followed, that is said.
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
@@ -27,15 +28,19 @@ struct FaceVerdict {
     trouble: Vec<f64>,
 }
 
-/// Along chords shorter than this share of the window a face may seem mixed: curves are drawn by chords of their own.
+/// Along chords shorter than this share of the window a face may seem mixed: curves are drawn by
+/// chords of their own.
 const SHORT: f64 = 2e-3;
-/// A face all of whose chords are shorter than this is thinner than curves are drawn: the majority of its slices decides.
+/// A face all of whose chords are shorter than this is thinner than curves are drawn: the majority
+/// of its slices decides.
 const THIN: f64 = 5e-4;
-/// Along a chord of a face there are good solutions on none or all of it, give or take what the curves' chords leave.
+/// Along a chord of a face there are good solutions on none or all of it, give or take what the
+/// curves' chords leave.
 const PURE: f64 = 0.1;
 /// However long a chord, no more than this share of the window may differ from the rest of it.
 const STRETCH: f64 = 5e-3;
-/// Faces with less than this share of the window's area are left out: curves are drawn to 10⁻⁴ of the ranges.
+/// Faces with less than this share of the window's area are left out: curves are drawn to 10⁻⁴ of
+/// the ranges.
 const SPECK: f64 = 1e-7;
 /// Values of η in a face at which the longest chord is looked for.
 const TRIALS: u32 = 15;
@@ -47,7 +52,8 @@ const SLICES: u32 = 16;
 const ROUNDS: usize = 8;
 /// Slices are no closer than this share of the range of η,
 const NEAREST: f64 = 1e-3;
-/// and no more than this. Where motion is violent, as near the top of a pendulum, each shows changes that the others do not, and what they leave is undecided.
+/// and no more than this. Where motion is violent, as near the top of a pendulum, each shows
+/// changes that the others do not, and what they leave is undecided.
 const MOST_SLICES: usize = 200;
 /// Shares of the range of η at which slices are laid beside a loose end.
 const BESIDE: [f64; 4] = [-0.02, -0.003, 0.003, 0.02];
@@ -60,7 +66,8 @@ pub(crate) fn levels(window: Window) -> Vec<f64> {
 /// The stage in which regions of MPSs are decided.
 pub(crate) const STAGE: &str = "regions";
 
-/// The regions of the MPSs of each p, none where an end was asked for meanwhile; curves that are found to be missing on the way are added.
+/// The regions of the MPSs of each p, none where an end was asked for meanwhile; curves that are
+/// found to be missing on the way are added.
 pub(crate) fn of_mps(
     scope: &Scope,
     grazing: &[GrazingCurve],
@@ -86,7 +93,8 @@ pub(crate) fn of_mps(
     regions
 }
 
-/// The regions of the solutions of a survey, from slices at some values of η and wherever else they are needed.
+/// The regions of the solutions of a survey, from slices at some values of η and wherever else they
+/// are needed.
 pub(crate) fn decided(
     window: Window,
     survey: &mut Survey<'_>,
@@ -143,8 +151,9 @@ impl Judge {
         (!seen && length > 0.0).then_some(best)
     }
 
-    /// Values of η, of those in order, that are not so close to one another or to a slice that another one would add nothing: evenly fewer than there
-    /// are where slices would become too many.
+    /// Values of η, of those in order, that are not so close to one another or to a slice that
+    /// another one would add nothing: evenly fewer than there are where slices would become too
+    /// many.
     fn affordable(&self, wanted: &[f64]) -> Vec<f64> {
         let nearest = NEAREST * self.window.widths()[1];
         let mut apart: Vec<f64> = Vec::new();
@@ -158,8 +167,8 @@ impl Judge {
         (0..apart.len().min(left)).map(|k| apart[k * apart.len() / apart.len().min(left)]).collect()
     }
 
-    /// Values of η half the way between neighbouring slices one of which is in trouble in a face and the other is not: what is
-    /// missing ends between them.
+    /// Values of η half the way between neighbouring slices one of which is in trouble in a face
+    /// and the other is not: what is missing ends between them.
     fn between_verdicts(&self, face: Face) -> Vec<f64> {
         let trouble = self.judge(face).trouble;
         if trouble.is_empty() {
@@ -173,7 +182,8 @@ impl Judge {
         pairs.map(|pair| 0.5 * (pair[0] + pair[1])).collect()
     }
 
-    /// Values of η beside ends of curves inside the window at which no other curve ends: one is missing there.
+    /// Values of η beside ends of curves inside the window at which no other curve ends: one is
+    /// missing there.
     fn beside_loose_ends(&self, lines: &[Vec<Point>]) -> Vec<f64> {
         let ends: Vec<Point> =
             lines.iter().filter_map(|line| Some([*line.first()?, *line.last()?])).flatten().collect();
@@ -190,7 +200,8 @@ impl Judge {
             .collect()
     }
 
-    /// Values of η half the way along curves that no slice crosses: what else begins beside them has not been seen.
+    /// Values of η half the way along curves that no slice crosses: what else begins beside them
+    /// has not been seen.
     fn uncrossed(&self, lines: &[Vec<Point>]) -> Vec<f64> {
         let extents = lines.iter().map(|line| extent(core::slice::from_ref(line)));
         let crossed = |[low, high]: [f64; 2]| {
@@ -212,7 +223,8 @@ impl Judge {
                 let known = known.or(sight.everywhere.as_ref());
                 let lesser = share.min(1.0 - share);
                 let mixed = lesser > PURE && length > SHORT || lesser * length > STRETCH;
-                // Where there are good solutions all along, nothing that is unknown of others matters.
+                // Where there are good solutions all along, nothing that is unknown of others
+                // matters.
                 let known = known.filter(|_| share < 1.0 - PURE);
                 if let Some(reason) = known {
                     doubt.get_or_insert(reason.clone());
@@ -266,8 +278,8 @@ impl Judge {
         cuts.into_iter().map(|level| vec![[left, level], [right, level]]).collect()
     }
 
-    /// Judges a face that has trouble again in bands, each about one of the slices at which there is some; a band that no slice
-    /// meets is as doubtful as the whole.
+    /// Judges a face that has trouble again in bands, each about one of the slices at which there
+    /// is some; a band that no slice meets is as doubtful as the whole.
     fn parted(&self, judged: FaceVerdict) -> Vec<FaceVerdict> {
         let Err(doubt) = &judged.verdict else { return vec![judged] };
         let bands = self.bands(&judged);
@@ -324,7 +336,8 @@ impl Judge {
     }
 }
 
-/// Ends of curves closer than this share of the ranges meet there; they were located to about 10⁻¹⁰.
+/// Ends of curves closer than this share of the ranges meet there; they were located to about
+/// 10⁻¹⁰.
 const MEET: f64 = 1e-7;
 
 /// The distance of two points in shares of the ranges.

@@ -1,4 +1,5 @@
-//! Resonances on a grazing curve: found, located, numbered, and held against the hypotheses of Theorems 2.4 and 2.5.
+//! Resonances on a grazing curve: found, located, numbered, and held against the hypotheses of
+//! Theorems 2.4 and 2.5.
 
 use grazing_continuation::resonance::{LocatedResonance, ResonanceError, ResonantGrazingPoint};
 use grazing_model::ImpactOscillator;
@@ -15,7 +16,8 @@ use crate::winding;
 pub struct Resonance {
     /// Number of loops p.
     pub loops: u32,
-    /// The integer n: half-turns (p = 1) or whole turns (p ≥ 2) of neighbouring motion in a forcing period.
+    /// The integer n: half-turns (p = 1) or whole turns (p ≥ 2) of neighbouring motion in a forcing
+    /// period.
     pub n: u32,
     /// The resonance as located.
     pub located: LocatedResonance,
@@ -37,7 +39,8 @@ pub struct Unlocated {
 /// The stage in which resonances are looked for.
 pub const STAGE: &str = "resonances on the grazing curve";
 
-/// The resonances of all p of the scope on the admissible part of a grazing curve: by p, and in the order of the curve for each.
+/// The resonances of all p of the scope on the admissible part of a grazing curve: by p, and in the
+/// order of the curve for each.
 ///
 /// Once an end is asked for, those that are missing are neither found nor lost.
 pub fn on_curve(
@@ -84,14 +87,14 @@ fn numbered(located: LocatedResonance) -> Resonance {
     Resonance { loops, n: winding::index(located.orbit(), loops), theorem: located.checked(), located }
 }
 
-/// Where eigenvalues are smaller than this Newton's method need not find where a₁₂ or κ_p vanishes: entries of A are computed to some 10⁻¹⁵ (empirical: for p = 1 it
-/// failed from 2·10⁻¹² on).
+/// Where eigenvalues are smaller than this Newton's method need not find where a₁₂ or κ_p vanishes:
+/// entries of A are computed to some 10⁻¹⁵ (empirical: for p = 1 it failed from 2·10⁻¹² on).
 const FORGOTTEN: f64 = 5e-12;
 /// Parts of a stretch in which bisection begins.
 const PARTS: u32 = 8;
 
-/// The grazing curve between two neighbouring points, and a₁₂ or κ_p along it as a cubic with the right values and slopes at both
-/// ends, so that two zeros between the points are seen as well.
+/// The grazing curve between two neighbouring points, and a₁₂ or κ_p along it as a cubic with the
+/// right values and slopes at both ends, so that two zeros between the points are seen as well.
 struct Stretch<'a> {
     ends: [&'a GrazingState; 2],
     values: [f64; 2],
@@ -127,7 +130,8 @@ impl<'a> Stretch<'a> {
         rest * rest * ((1.0 + 2.0 * way) * a + way * da) + way * way * ((1.0 + 2.0 * rest) * b - rest * db)
     }
 
-    /// The shares of the way between which the cubic has one zero at most: its extrema and the ends of the parts, in order.
+    /// The shares of the way between which the cubic has one zero at most: its extrema and the ends
+    /// of the parts, in order.
     fn brackets(&self) -> Vec<f64> {
         let [a, b] = self.values;
         let [da, db] = self.slopes;
@@ -211,7 +215,8 @@ mod tests {
             for c in [1.0, -30.0] {
                 let zeros = found(a, Some(b), c);
                 assert_eq!(zeros.len(), 2, "{a} {b}");
-                // Twenty halvings of an eighth, and a parabola's rounding over the distance of its zeros.
+                // Twenty halvings of an eighth, and a parabola's rounding over the distance of its
+                // zeros.
                 for (zero, wanted) in zeros.iter().zip([a, b]) {
                     assert!((zero - wanted).abs() < 2e-7, "{zero} instead of {wanted}");
                 }
@@ -231,7 +236,8 @@ mod tests {
 
     #[test]
     fn neighbouring_stretches_share_a_zero_at_their_common_end_between_them() {
-        // One step ends where the next begins: the zero belongs to one of them, whatever its sign of rounding.
+        // One step ends where the next begins: the zero belongs to one of them, whatever its sign
+        // of rounding.
         let scope = Scope {
             window: Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] },
             loops: vec![1],

@@ -12,7 +12,8 @@ pub struct Scope {
     pub window: Window,
     /// The numbers of loops p, each at least 1.
     pub loops: Vec<u32>,
-    /// A state (x, y) at phase zero from which the non-impacting motion is looked for, besides the usual ones.
+    /// A state (x, y) at phase zero from which the non-impacting motion is looked for, besides the
+    /// usual ones.
     pub start: Option<[f64; 2]>,
 }
 
@@ -22,7 +23,8 @@ impl Scope {
         oscillator.with_parameters(self.window.parameters(shares))
     }
 
-    /// Phase and shares of the ranges of a grazing orbit, the variables in which grazing curves are followed.
+    /// Phase and shares of the ranges of a grazing orbit, the variables in which grazing curves are
+    /// followed.
     pub(crate) fn place(&self, orbit: &GrazingOrbit) -> Vector3<f64> {
         let [primary, secondary] = self.window.shares(orbit.oscillator().parameters());
         Vector3::new(orbit.phase(), primary, secondary)

@@ -1,8 +1,11 @@
-//! Periodic solutions looked for by solving for them on lattices of impacts, or of states at rest: what nothing that is known leads to.
+//! Periodic solutions looked for by solving for them on lattices of impacts, or of states at rest:
+//! what nothing that is known leads to.
 //!
-//! Slices know branches of p-loop MPSs that begin at grazing, on a neighbouring slice or on a known curve. A sheet of MPSs may be joined to none of these
-//! inside the window, as one between two points of its edge, or one that begins where motion of twice the forcing's period grazes. Motion without
-//! impacts may have branches that are closed, and on which nothing relaxes that begins at rest.
+//! Slices know branches of p-loop MPSs that begin at grazing, on a neighbouring slice or on a known
+//! curve. A sheet of MPSs may be joined to none of these inside the window, as one between two
+//! points of its edge, or one that begins where motion of twice the forcing's period grazes. Motion
+//! without impacts may have branches that are closed, and on which nothing relaxes that begins at
+//! rest.
 
 use core::f64::consts::TAU;
 
@@ -33,11 +36,12 @@ const DOUBLINGS: usize = 2;
 const PARTS: u32 = 8;
 /// The golden ratio: its multiples are spread evenly, whole numbers left out.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
-/// The share of the largest impact velocity at which MPSs are looked for on the whole of a slice: what begins at grazing, of motion of whatever
-/// period, has such velocities not far from there.
+/// The share of the largest impact velocity at which MPSs are looked for on the whole of a slice:
+/// what begins at grazing, of motion of whatever period, has such velocities not far from there.
 const SLOW: f64 = 0.05;
 
-/// MPSs are looked for up to this impact velocity at least: motion is of order one where the wall's distance from rest is.
+/// MPSs are looked for up to this impact velocity at least: motion is of order one where the wall's
+/// distance from rest is.
 const USUAL_VELOCITY: f64 = 2.0;
 
 /// The impact velocity up to which MPSs are to be looked for beside curves of them that are known.
@@ -46,8 +50,9 @@ pub(crate) fn fastest<'a>(known: impl Iterator<Item = &'a Curve>) -> f64 {
     points.map(|point| point.solution.impact_velocity()).fold(USUAL_VELOCITY, f64::max)
 }
 
-/// MPSs of some numbers of loops p, with impact velocities up to some value and twice and four times as much, each with its p: on every slice at one μ
-/// and at one small impact velocity, on some at both ends.
+/// MPSs of some numbers of loops p, with impact velocities up to some value and twice and four
+/// times as much, each with its p: on every slice at one μ and at one small impact velocity, on
+/// some at both ends.
 pub(crate) fn on_slices(
     oscillator: &AnyOscillator,
     loops: &[u32],
@@ -92,8 +97,8 @@ pub(crate) fn on_slice(
     on_lattices(oscillator, loops, slow.collect(), fast, fastest, progress)
 }
 
-/// The MPSs on lattices with impact velocities up to `fastest`, and on those for greater ones as long as there are any; `fast` gives those from some
-/// velocity to twice as much.
+/// The MPSs on lattices with impact velocities up to `fastest`, and on those for greater ones as
+/// long as there are any; `fast` gives those from some velocity to twice as much.
 fn on_lattices(
     oscillator: &AnyOscillator,
     loops: &[u32],
@@ -149,7 +154,8 @@ pub(crate) fn grazing(
     found.collect::<Vec<_>>().concat()
 }
 
-/// The MPSs of an oscillator with impact velocities between two, as far as a lattice of impacts separates them.
+/// The MPSs of an oscillator with impact velocities between two, as far as a lattice of impacts
+/// separates them.
 pub(crate) fn at(
     oscillator: &AnyOscillator,
     loops: &[u32],
@@ -198,7 +204,8 @@ impl Lattice {
         cell
     }
 
-    /// The first corners of cells with a zero inside, as far as the lattice shows, of each of several functions.
+    /// The first corners of cells with a zero inside, as far as the lattice shows, of each of
+    /// several functions.
     ///
     /// There both components change sign between the corners.
     fn cells(
@@ -226,8 +233,9 @@ impl Lattice {
         both.map(|(index, i, k)| (index, corner(i, k))).collect()
     }
 
-    /// The MPSs that are faster than `slowest`, as far as the lattice separates them: zeros of how much an impact is missed by motion that begins with it, p forcing
-    /// periods later and the wall ignored meanwhile, (x, ẋ − y).
+    /// The MPSs that are faster than `slowest`, as far as the lattice separates them: zeros of how
+    /// much an impact is missed by motion that begins with it, p forcing periods later and the wall
+    /// ignored meanwhile, (x, ẋ − y).
     fn zeros(&self, oscillator: &AnyOscillator, loops: &[u32], slowest: f64) -> Vec<(u32, Unknowns)> {
         let Self { start, side, .. } = *self;
         let held = match side {

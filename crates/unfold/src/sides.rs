@@ -1,12 +1,14 @@
-//! Whether the hybrid system, simulated from event to event, does on either side of a bifurcation curve what theory predicts.
+//! Whether the hybrid system, simulated from event to event, does on either side of a bifurcation
+//! curve what theory predicts.
 //!
-//! Close to the resonance two MPSs are taken at the η of a point of the curve, a slower and a faster one. With Υ± the impact
-//! velocities on both curves at this η, 1 − T + D has the sign of s_p⁺ (Υ⁺ − y) and 1 + T + D that of s_p⁻ (y − Υ⁻)
-//! (eq:Psi, eq:Upsilon1, eq:Upsilonp), which says which of the two is stable. Simulation starts at their impacts: both must return,
-//! and the stable one alone must attract. Beyond the saddle-node no MPS is left, and motion must go elsewhere.
+//! Close to the resonance two MPSs are taken at the η of a point of the curve, a slower and a
+//! faster one. With Υ± the impact velocities on both curves at this η, 1 − T + D has the sign of
+//! s_p⁺ (Υ⁺ − y) and 1 + T + D that of s_p⁻ (y − Υ⁻) (eq:Psi, eq:Upsilon1, eq:Upsilonp), which says
+//! which of the two is stable. Simulation starts at their impacts: both must return, and the stable
+//! one alone must attract. Beyond the saddle-node no MPS is left, and motion must go elsewhere.
 //!
-//! All this is to leading order. How far along the curve the leading terms decide is read off the expansions that were measured
-//! there.
+//! All this is to leading order. How far along the curve the leading terms decide is read off the
+//! expansions that were measured there.
 
 use core::fmt;
 
@@ -19,7 +21,8 @@ use grazing_continuation::resonance::ResonantGrazingPoint;
 use crate::simulation::{MOST_RETURNS, ReturnOutcome, Suspect};
 use crate::verdict::Coefficient;
 
-/// What theory predicts of a slower and a faster MPS beside a bifurcation curve, and what the simulated hybrid system does.
+/// What theory predicts of a slower and a faster MPS beside a bifurcation curve, and what the
+/// simulated hybrid system does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sides {
     /// Impact velocity on the curve.
@@ -30,7 +33,8 @@ pub struct Sides {
     pub seen: [ReturnOutcome; 2],
     /// Whether motion beside them comes nearer; `None` if this is undecided after many returns.
     pub attracts: [Option<bool>; 2],
-    /// Whether motion beyond a saddle-node goes elsewhere, `None` if this is undecided; of other curves nothing is asked.
+    /// Whether motion beyond a saddle-node goes elsewhere, `None` if this is undecided; of other
+    /// curves nothing is asked.
     pub gone_beyond: Option<bool>,
 }
 
@@ -79,7 +83,8 @@ pub enum Inconclusive {
         /// After so many returns.
         returns: usize,
     },
-    /// Motion is not as predicted, but it could not be seen at enough smaller velocities to say that it never is.
+    /// Motion is not as predicted, but it could not be seen at enough smaller velocities to say
+    /// that it never is.
     #[error(
         "not as predicted at impact velocity {velocity:.0e}, but nearer to the resonance it cannot be simulated often enough"
     )]
@@ -109,20 +114,22 @@ impl Simulated {
     }
 }
 
-/// The largest and the least impact velocity that is simulated, in units of γ/ω, the scale of motion at the wall (empirical): positions are
-/// known to some 10⁻¹⁵, velocities so to 10⁻¹⁵ over the velocity itself, and the displacements that are followed, down to some
-/// 10⁻⁵ of it, are to be larger.
+/// The largest and the least impact velocity that is simulated, in units of γ/ω, the scale of
+/// motion at the wall (empirical): positions are known to some 10⁻¹⁵, velocities so to 10⁻¹⁵ over
+/// the velocity itself, and the displacements that are followed, down to some 10⁻⁵ of it, are to be
+/// larger.
 const LARGEST: f64 = 0.02;
 const LEAST: f64 = 2e-5;
 /// Terms of next order may be this share of the leading ones.
 const SHARE: f64 = 0.2;
 /// The two MPSs lie this share of the gap between both curves aside, and of the velocity itself.
 const ASIDE: f64 = 0.4;
-/// So many velocities are tried, each a quarter of the one before: theory speaks of a limit, and motion is against it only if it is at all of
-/// them.
+/// So many velocities are tried, each a quarter of the one before: theory speaks of a limit, and
+/// motion is against it only if it is at all of them.
 const VELOCITIES: usize = 3;
 
-/// Simulates the hybrid system to both sides of the SN or PD curve close to its resonance, where `coefficients` were measured.
+/// Simulates the hybrid system to both sides of the SN or PD curve close to its resonance, where
+/// `coefficients` were measured.
 pub fn simulate(
     point: &ResonantGrazingPoint,
     kind: Bifurcation,
@@ -161,8 +168,8 @@ pub fn simulate(
     Simulated::Undecided(doubt)
 }
 
-/// The impact velocity up to which the terms of next order are small: in η along the own curve, against the way aside; in η along the
-/// other curve, against the gap between both; in μ.
+/// The impact velocity up to which the terms of next order are small: in η along the own curve,
+/// against the way aside; in η along the other curve, against the gap between both; in μ.
 fn leading(own: &Measurement, other: &Measurement) -> f64 {
     let gap = (other.eta[0] - own.eta[0]).abs();
     let aside = ASIDE * gap.min(own.eta[0].abs());

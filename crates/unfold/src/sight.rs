@@ -14,7 +14,8 @@ pub(crate) struct Sight {
 }
 
 impl Sight {
-    /// Nothing yet of a slice, but that it has more branches than can be distinguished, if that is so.
+    /// Nothing yet of a slice, but that it has more branches than can be distinguished, if that is
+    /// so.
     pub(crate) fn of(slice: &Slice) -> Self {
         let everywhere = (slice.branches.len() >= MOST_BRANCHES).then_some(Doubt::ManyBranches);
         Self { secondary: slice.secondary, good: Vec::new(), doubts: Vec::new(), everywhere }

@@ -12,7 +12,8 @@ use crate::tolerances::BETWEEN_RETURNS;
 /// What comes of an impact that belongs to an MPS if there is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReturnOutcome {
-    /// The next impact comes after p forcing periods, and is the same one: an MPS of the hybrid system.
+    /// The next impact comes after p forcing periods, and is the same one: an MPS of the hybrid
+    /// system.
     Returns,
     /// The impact velocity is not positive: no orbit of the hybrid system begins like this.
     NoImpact,
@@ -38,7 +39,8 @@ pub struct Suspect<'a, O> {
 /// Displacements are this part of the scale on which the motion changes.
 const PART: f64 = 3e-4;
 
-/// How often a perturbed orbit is followed through p forcing periods before its fate counts as undecided.
+/// How often a perturbed orbit is followed through p forcing periods before its fate counts as
+/// undecided.
 pub const MOST_RETURNS: usize = 5_000;
 
 impl<'a, O: ImpactOscillator> Suspect<'a, O> {
@@ -47,7 +49,8 @@ impl<'a, O: ImpactOscillator> Suspect<'a, O> {
         Self { oscillator, loops, velocity: point[unknown::VELOCITY], phase: point[unknown::PHASE] }
     }
 
-    /// Time from recoil to impact if it is an MPS: p forcing periods less what passes during the impact.
+    /// Time from recoil to impact if it is an MPS: p forcing periods less what passes during the
+    /// impact.
     fn flight(&self) -> f64 {
         let reset = self.oscillator.reset::<1>(OnWall::new(self.velocity, self.phase)).value;
         flight_time(self.oscillator, self.loops, self.phase, reset[1])
@@ -61,7 +64,8 @@ impl<'a, O: ImpactOscillator> Suspect<'a, O> {
         let due = self.flight();
         let from = State::on_wall(self.velocity, self.phase);
         let mut orbit = Orbit::new(self.oscillator, from, 1.5 * due, 2);
-        // The least that can differ is of the size of the impact: its velocity, and the time that this takes to vanish.
+        // The least that can differ is of the size of the impact: its velocity, and the time that
+        // this takes to vanish.
         let stop = self.velocity / self.oscillator.acceleration(from).abs();
         match orbit.next().map(|flight| (flight.duration, flight.end)) {
             Some((time, FlightEnd::Impact(impact))) => {
@@ -79,8 +83,8 @@ impl<'a, O: ImpactOscillator> Suspect<'a, O> {
         }
     }
 
-    /// How far from (y, z) the next impact is, if it begins at (y, z) + `by` and comes when it is due up to a quarter of a forcing
-    /// period.
+    /// How far from (y, z) the next impact is, if it begins at (y, z) + `by` and comes when it is
+    /// due up to a quarter of a forcing period.
     ///
     /// In (y, z) the map from impact to impact is smooth.
     fn displaced(&self, by: Vector2<f64>) -> Option<Vector2<f64>> {
@@ -96,7 +100,8 @@ impl<'a, O: ImpactOscillator> Suspect<'a, O> {
             .then(|| Vector2::new(impact.velocity - self.velocity, by[1] + late * TAU / period))
     }
 
-    /// Whether an orbit displaced by a small part of y² is farther away at the next impact, or has it at another time.
+    /// Whether an orbit displaced by a small part of y² is farther away at the next impact, or has
+    /// it at another time.
     ///
     /// y² is the scale on which orbits beside an MPS far from resonance miss the wall.
     pub fn repels_at_once(&self) -> bool {
@@ -105,8 +110,8 @@ impl<'a, O: ImpactOscillator> Suspect<'a, O> {
         grows(Vector2::x()) || grows(Vector2::y())
     }
 
-    /// Trace and determinant of the derivative of the map from impact to impact, by central differences with a small part of y;
-    /// `None` if an orbit does not come back when it is due.
+    /// Trace and determinant of the derivative of the map from impact to impact, by central
+    /// differences with a small part of y; `None` if an orbit does not come back when it is due.
     ///
     /// y is the scale on which this map varies near a resonance.
     pub fn multipliers(&self) -> Option<[f64; 2]> {
@@ -119,8 +124,9 @@ impl<'a, O: ImpactOscillator> Suspect<'a, O> {
         Some([derivative.trace(), derivative.determinant()])
     }
 
-    /// Whether an orbit that is displaced by a small part of y comes ten times nearer in the long run (yes), or gets as far as
-    /// y/3 away or does not come back when it is due (no). `None` if neither has happened after many returns.
+    /// Whether an orbit that is displaced by a small part of y comes ten times nearer in the long
+    /// run (yes), or gets as far as y/3 away or does not come back when it is due (no). `None` if
+    /// neither has happened after many returns.
     ///
     /// For MPSs near a resonance. Beside a fold a displacement can grow a lot before it shrinks.
     pub fn attracts(&self) -> Option<bool> {

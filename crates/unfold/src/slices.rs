@@ -1,9 +1,12 @@
-//! Slices of the parameter plane: all branches of solutions at one value of η, with one impact in p forcing periods or with none.
+//! Slices of the parameter plane: all branches of solutions at one value of η, with one impact in p
+//! forcing periods or with none.
 //!
-//! A branch of MPSs begins on the grazing curve, where y = 0, on the edge of the window, or is closed. Those from the grazing curve are
-//! followed from there. The others have neighbours in the slices beside: (y, η) are coordinates of the surface of MPSs, so that
-//! an MPS is carried from slice to slice with its y held. And they are met where a known bifurcation curve crosses the slice.
-//! Without impacts branches pass the grazing curve, and solutions are carried with their μ held.
+//! A branch of MPSs begins on the grazing curve, where y = 0, on the edge of the window, or is
+//! closed. Those from the grazing curve are followed from there. The others have neighbours in the
+//! slices beside: (y, η) are coordinates of the surface of MPSs, so that an MPS is carried from
+//! slice to slice with its y held. And they are met where a known bifurcation curve crosses the
+//! slice. Without impacts branches pass the grazing curve, and solutions are carried with their μ
+//! held.
 
 use core::f64::consts::TAU;
 
@@ -46,7 +49,8 @@ impl Slice {
     }
 }
 
-/// Carries branches from slice to slice, in the order of η, until none has one that its neighbours do not know.
+/// Carries branches from slice to slice, in the order of η, until none has one that its neighbours
+/// do not know.
 ///
 /// `carry` adds what the first slice has and the second lacks, and says whether there was any.
 pub(crate) fn spread(
@@ -70,14 +74,17 @@ pub(crate) fn spread(
     }
 }
 
-/// Steps along branches that need not be drawn: rough points are enough for the signs of what happens between them, and that is
-/// located by itself (empirical: neighbouring folds and grazings of the oscillators that were tried lie much farther apart, and the error of a
-/// point, some 10⁻⁸, is far below what is read off it).
+/// Steps along branches that need not be drawn: rough points are enough for the signs of what
+/// happens between them, and that is located by itself (empirical: neighbouring folds and grazings
+/// of the oscillators that were tried lie much farther apart, and the error of a point, some 10⁻⁸,
+/// is far below what is read off it).
 const STEPS: StepControl =
     StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.07, tolerance: 1e-4 };
-/// In a window narrower than this the error of a rough point would be seen: there points have all their digits.
+/// In a window narrower than this the error of a rough point would be seen: there points have all
+/// their digits.
 const ROUGHLY_SEEN: f64 = 1e-3;
-/// Steps along branches without impacts, in (x, y, shares of the ranges), that do not jump over the highest point's changes (empirical).
+/// Steps along branches without impacts, in (x, y, shares of the ranges), that do not jump over the
+/// highest point's changes (empirical).
 pub(crate) const FREE_STEPS: StepControl = StepControl { turn: 0.2, ..precise(STEPS) };
 
 const fn precise(control: StepControl) -> StepControl {
@@ -88,27 +95,31 @@ const fn precise(control: StepControl) -> StepControl {
 pub(crate) fn steps(window: Window) -> StepControl {
     if window.widths()[0] < ROUGHLY_SEEN { precise(STEPS) } else { STEPS }
 }
-/// A branch with as many points as the longest steps would make of this length has lost its way, and so has one of so many points.
+/// A branch with as many points as the longest steps would make of this length has lost its way,
+/// and so has one of so many points.
 const LONGEST_BRANCH: f64 = 500.0;
 const MOST_POINTS: usize = 25_000;
-/// From free motion larger than this steps are as much longer: fast forcing makes the unit of length small beside the wall's distance from rest.
+/// From free motion larger than this steps are as much longer: fast forcing makes the unit of
+/// length small beside the wall's distance from rest.
 const LARGE: f64 = 16.0;
-/// Branches from the grazing curve begin at this impact velocity, beside the singular point (empirical; what lies between is narrower
-/// than y² in μ), and in a window that is not much wider than that at this share of the root of its width.
+/// Branches from the grazing curve begin at this impact velocity, beside the singular point
+/// (empirical; what lies between is narrower than y² in μ), and in a window that is not much wider
+/// than that at this share of the root of its width.
 const BESIDE_GRAZING: f64 = 1e-4;
 const BESIDE_SHARE: f64 = 0.01;
-/// An MPS this close to the chord between two points of a branch, as a share of its length, lies on the branch: that leaves the chord
-/// by an eighth of the angle by which it turns, which is three times that of the step control at most.
+/// An MPS this close to the chord between two points of a branch, as a share of its length, lies on
+/// the branch: that leaves the chord by an eighth of the angle by which it turns, which is three
+/// times that of the step control at most.
 const ON_BRANCH: f64 = 0.05;
 const ON_FREE_BRANCH: f64 = 0.15;
 /// Solutions of a branch that are carried to a neighbouring slice.
 const CARRIED: usize = 8;
 
-/// A solution that Newton's method finds farther than this from where it was carried to is another one (empirical; wherever the wall's
-/// distance from rest is of order one).
+/// A solution that Newton's method finds farther than this from where it was carried to is another
+/// one (empirical; wherever the wall's distance from rest is of order one).
 pub(crate) const CARRIED_OFF: f64 = 0.5;
-/// No slice has more branches than this, or it is not distinguished from one without end, as of a pendulum that may have turned any
-/// number of times.
+/// No slice has more branches than this, or it is not distinguished from one without end, as of a
+/// pendulum that may have turned any number of times.
 pub(crate) const MOST_BRANCHES: usize = 50;
 
 /// What finds slices.
@@ -170,7 +181,8 @@ impl Slicer {
         start || branch.points.windows(2).any(on_chord)
     }
 
-    /// The branches of a slice without those that are part of another, which they were begun beyond the end of.
+    /// The branches of a slice without those that are part of another, which they were begun beyond
+    /// the end of.
     pub(crate) fn distinct(&self, slice: Slice) -> Vec<Curve> {
         let mut distinct: Vec<Curve> = Vec::new();
         let part = |inner: &Curve, whole: &Curve| {
@@ -187,7 +199,8 @@ impl Slicer {
         distinct
     }
 
-    /// Adds the branches of a slice that a neighbouring slice leads to, and says whether there are any.
+    /// Adds the branches of a slice that a neighbouring slice leads to, and says whether there are
+    /// any.
     pub(crate) fn carry(&self, from: &Slice, to: &mut Slice) -> bool {
         let before = to.branches.len();
         for branch in &from.branches {
@@ -204,7 +217,8 @@ impl Slicer {
         to.branches.len() > before
     }
 
-    /// Adds the branches of a slice to which curves that cross it lead, and says whether there are any.
+    /// Adds the branches of a slice to which curves that cross it lead, and says whether there are
+    /// any.
     pub(crate) fn through_curves(&self, slice: &mut Slice, curves: &[DiagramCurve]) -> bool {
         let before = slice.branches.len();
         let secondary = slice.secondary;
@@ -230,8 +244,8 @@ impl Slicer {
         fresh
     }
 
-    /// Adds the branches through MPSs on a slice that are not known; but none on which no MPS is both stable and admissible, if the one that it
-    /// was found by is neither.
+    /// Adds the branches through MPSs on a slice that are not known; but none on which no MPS is
+    /// both stable and admissible, if the one that it was found by is neither.
     pub(crate) fn through(&self, slice: &mut Slice, solutions: impl Iterator<Item = Unknowns>) {
         let mut dismissed: Vec<Curve> = Vec::new();
         for solution in solutions {
@@ -251,7 +265,8 @@ impl Slicer {
         }
     }
 
-    /// The solution at the place of `near` on the surface of all, if it lies in the window and nearby.
+    /// The solution at the place of `near` on the surface of all, if it lies in the window and
+    /// nearby.
     fn at(&self, near: Unknowns, times: &mut EventTimes) -> Option<Unknowns> {
         let found = locate_within(
             CARRIED_OFF,
@@ -264,7 +279,8 @@ impl Slicer {
         (!self.equations.has_impacts() || self.window.contains(parameters(&found))).then_some(found)
     }
 
-    /// Follows the branch through a solution, to greater velocities or to both sides, unless it is known.
+    /// Follows the branch through a solution, to greater velocities or to both sides, unless it is
+    /// known.
     pub(crate) fn add(&self, slice: &mut Slice, through: Unknowns, times: &EventTimes, both: bool) {
         if slice.branches.len() >= MOST_BRANCHES
             || slice.branches.iter().any(|branch| self.passes(branch, &through))
@@ -340,7 +356,8 @@ fn size(through: &Unknowns) -> f64 {
     (through.fixed_rows::<2>(0).norm() / LARGE).max(1.0)
 }
 
-/// Where the chords of a curve take a value of one of the unknowns: the curve's condition, the point and the event times nearby.
+/// Where the chords of a curve take a value of one of the unknowns: the curve's condition, the
+/// point and the event times nearby.
 pub(crate) fn crossings(
     curve: &Curve,
     unknown: usize,

@@ -13,9 +13,10 @@ const MARGIN: f64 = 0.5;
 const NOTHING: f64 = 1e-6;
 
 impl Diagram {
-    /// A narrower window if what was found fills a tenth of a range or less: grazing curves, codimension-two points, and bifurcation curves as
-    /// far as something happens on them. A curve that runs to the edge fills a range no further than to its last turn: a few of them do
-    /// in every window, however wide it is.
+    /// A narrower window if what was found fills a tenth of a range or less: grazing curves,
+    /// codimension-two points, and bifurcation curves as far as something happens on them. A curve
+    /// that runs to the edge fills a range no further than to its last turn: a few of them do in
+    /// every window, however wide it is.
     pub fn suggested_window(&self) -> Option<Window> {
         if !self.unfinished.is_empty() {
             return None;

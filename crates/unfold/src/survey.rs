@@ -1,7 +1,8 @@
-//! Whether the curves of one p are all there: slices of the plane in which every bifurcation must lie on a known curve.
+//! Whether the curves of one p are all there: slices of the plane in which every bifurcation must
+//! lie on a known curve.
 //!
-//! One that does not starts a new curve, until none is left unexplained. Solutions without impacts, p = 0, are surveyed like all others;
-//! their grazing is the grazing curve.
+//! One that does not starts a new curve, until none is left unexplained. Solutions without impacts,
+//! p = 0, are surveyed like all others; their grazing is the grazing curve.
 
 use std::borrow::Cow;
 
@@ -43,14 +44,17 @@ pub(crate) struct Survey<'a> {
     found: Vec<Unknowns>,
 }
 
-/// Columns of constant μ divide the range of μ into so many parts; the first and the last are the window's edges.
+/// Columns of constant μ divide the range of μ into so many parts; the first and the last are the
+/// window's edges.
 const COLUMNS: u32 = 8;
-/// Without impacts into so many: in the steps that the narrowest resonance asks for they take longer. They find what lies between slices, such
-/// resonances and folds to which no slice comes near.
+/// Without impacts into so many: in the steps that the narrowest resonance asks for they take
+/// longer. They find what lies between slices, such resonances and folds to which no slice comes
+/// near.
 const FREE_COLUMNS: u32 = 2;
-/// Where good solutions extend no farther than this share of the ranges, which is how well curves are drawn, nothing is looked for that bounds them, and nothing
-/// is left undecided for want of it: beside the way over a hill of the potential there is any number of such slivers, one thinner than the other.
-/// Where they are wider other slices see them.
+/// Where good solutions extend no farther than this share of the ranges, which is how well curves
+/// are drawn, nothing is looked for that bounds them, and nothing is left undecided for want of it:
+/// beside the way over a hill of the potential there is any number of such slivers, one thinner
+/// than the other. Where they are wider other slices see them.
 const SLIVER: f64 = 1e-4;
 /// A bifurcation this far from a chord between two points of a curve may be one of the curve.
 const NEAR_CURVE: f64 = 0.05;
@@ -135,7 +139,8 @@ impl<'a> Survey<'a> {
         }
     }
 
-    /// Follows the branches of slices through the range of η where they meet a column, MPSs once, and starts curves at what happens on them.
+    /// Follows the branches of slices through the range of η where they meet a column, MPSs once,
+    /// and starts curves at what happens on them.
     pub(crate) fn follow_columns(&mut self, progress: &dyn Progress) {
         let parts = match self.net.equations.has_impacts() {
             true if self.crossed => return,
@@ -240,7 +245,8 @@ impl<'a> Survey<'a> {
     }
 }
 
-/// Whether the good solutions beside a border extend farther than can be drawn, or grazing bounds them.
+/// Whether the good solutions beside a border extend farther than can be drawn, or grazing bounds
+/// them.
 fn is_wide(border: &Border<'_>, window: Window) -> bool {
     let widths = window.widths();
     border.reach.is_none_or(|reach| [0, 1].iter().any(|&k| reach[k] > SLIVER * widths[k]))
@@ -298,7 +304,8 @@ fn start(net: &mut Net, kind: Bifurcation, event: &Event, route: &Route<'_>) {
     }
 }
 
-/// A curve that goes on to nowhere begins at no fold: two branches meet there, as for the sake of a symmetry.
+/// A curve that goes on to nowhere begins at no fold: two branches meet there, as for the sake of a
+/// symmetry.
 fn stalls(curve: &Curve) -> bool {
     let mut ends = [curve.beginning.as_ref(), Some(&curve.end)].into_iter().flatten();
     ends.any(|end| matches!(end, CurveEnd::Stalled(_)))
@@ -307,8 +314,8 @@ fn stalls(curve: &Curve) -> bool {
 /// Curves are drawn to this share of the ranges.
 const DRAWN: f64 = 1e-4;
 
-/// Whether one curve lies on another in the plane, as do those of motion in both wells of a symmetric force: between them there
-/// would be nothing but slivers.
+/// Whether one curve lies on another in the plane, as do those of motion in both wells of a
+/// symmetric force: between them there would be nothing but slivers.
 fn covers(scope: &Scope, known: &DiagramCurve, other: &DiagramCurve) -> bool {
     let places = |curve: &DiagramCurve| -> Vec<Vector2<f64>> {
         let places = curve.curve.parameters().into_iter();
@@ -333,7 +340,8 @@ mod tests {
     use crate::progress::Silent;
     use crate::search;
 
-    /// What is seen of p-loop MPSs on slices through a random oscillator to which nothing leads from grazing, and the number of curves.
+    /// What is seen of p-loop MPSs on slices through a random oscillator to which nothing leads
+    /// from grazing, and the number of curves.
     fn seen(number: u64, seed: u64, loops: u32, window: Window, levels: &[f64]) -> (usize, Vec<Sight>) {
         let text = grazing_trials::oscillators::description(seed, number);
         let model = Description::parse(&text, "two wells").expect("what is made at random is right");

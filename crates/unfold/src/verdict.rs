@@ -1,4 +1,5 @@
-//! Whether the theorem's quadratic coefficients are those of the continued curves, and where that is unknown.
+//! Whether the theorem's quadratic coefficients are those of the continued curves, and where that
+//! is unknown.
 
 use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::fit::{Estimate, FitError, Measurement, measure};
@@ -37,7 +38,8 @@ pub enum Obstacle {
     /// The curve could not be followed close to the resonance.
     #[error("the curve could not be followed to the resonance: {0}")]
     NoCurve(FitError),
-    /// Where μ stands clear of rounding it is not yet quadratic in η: the measured value has this relative error at best.
+    /// Where μ stands clear of rounding it is not yet quadratic in η: the measured value has this
+    /// relative error at best.
     #[error(
         "where the term in eta^2 leads it is lost in rounding: measured up to |eta| = {eta:.1e}, the value has a relative error of {error:.1e}"
     )]
@@ -47,7 +49,8 @@ pub enum Obstacle {
         /// |η| up to which it was measured.
         eta: f64,
     },
-    /// A quantity in the theorem's formula, most likely s_p^±, is so near to zero that its value has this relative error.
+    /// A quantity in the theorem's formula, most likely s_p^±, is so near to zero that its value
+    /// has this relative error.
     #[error(
         "the theorem's own value has a relative error of {error:.1e}: s = {stability:.1e} is too near to 0, or a derivative in the formula is not known well enough"
     )]
@@ -79,7 +82,8 @@ impl Verdict {
     }
 }
 
-/// A larger error than this share of the value would make an agreement mean little: two digits are the least.
+/// A larger error than this share of the value would make an agreement mean little: two digits are
+/// the least.
 const LARGEST_SHARE: f64 = 0.01;
 
 impl Coefficient {
@@ -88,8 +92,8 @@ impl Coefficient {
         self.fit.as_ref().map_or(Estimate { value: f64::NAN, error: f64::NAN }, |fit| fit.coefficient)
     }
 
-    /// What is measured, and how many digits it has in common with the theorem's value, 0 to 15: the order of magnitude of their relative
-    /// difference. Nothing where they cannot be compared.
+    /// What is measured, and how many digits it has in common with the theorem's value, 0 to 15:
+    /// the order of magnitude of their relative difference. Nothing where they cannot be compared.
     pub fn compared(&self) -> Option<(f64, u32)> {
         let (theorem, measured) = (self.theorem.value, self.measured().value);
         let difference = (theorem - measured).abs() / theorem.abs().max(measured.abs());
@@ -138,12 +142,13 @@ pub fn coefficients(point: &ResonantGrazingPoint) -> Pair<Coefficient> {
     })
 }
 
-/// Relative errors that first derivatives of the flow, and differences of them, have at best (empirical: integrated motion is right
-/// to some 10⁻¹³).
+/// Relative errors that first derivatives of the flow, and differences of them, have at best
+/// (empirical: integrated motion is right to some 10⁻¹³).
 const FIRST_DERIVATIVES: f64 = 1e-12;
 const DIFFERENCES: f64 = 1e-10;
 
-/// How far c_SN and c_PD move when what they are computed from moves by its error, one quantity after the other.
+/// How far c_SN and c_PD move when what they are computed from moves by its error, one quantity
+/// after the other.
 fn theorem_errors(point: &ResonantGrazingPoint) -> Pair<f64> {
     let known = point.resonant_point();
     let values =
@@ -179,17 +184,20 @@ fn theorem_errors(point: &ResonantGrazingPoint) -> Pair<f64> {
     Pair { saddle_node, period_doubling }
 }
 
-/// Differences are taken over these parts of a radian, and of the way in η on which P_global becomes another map: wide ones lose least to
-/// rounding, narrow ones stay where maps are defined, as near a fold of the grazing curve.
+/// Differences are taken over these parts of a radian, and of the way in η on which P_global
+/// becomes another map: wide ones lose least to rounding, narrow ones stay where maps are defined,
+/// as near a fold of the grazing curve.
 const WIDTHS: [f64; 3] = [3e-3, 3e-4, 3e-5];
 
-/// The curve's own derivatives are in error as those at the resonance are, and in other places: the errors of these are taken as often.
+/// The curve's own derivatives are in error as those at the resonance are, and in other places: the
+/// errors of these are taken as often.
 const ELSEWHERE: f64 = 3.0;
 
-/// The errors of ξ_p and of a₁₂' or κ_p': how far differences of first derivatives are from them. Infinite where maps beside the
-/// resonance are not defined.
+/// The errors of ξ_p and of a₁₂' or κ_p': how far differences of first derivatives are from them.
+/// Infinite where maps beside the resonance are not defined.
 ///
-/// Steps of integrated motion are chosen for its values, and where the force bends within a step second derivatives suffer first.
+/// Steps of integrated motion are chosen for its values, and where the force bends within a step
+/// second derivatives suffer first.
 fn second_derivative_errors(point: &ResonantGrazingPoint) -> [f64; 2] {
     let (orbit, known, loops) = (point.orbit(), point.resonant_point(), point.loops());
     let slope = |phase: f64| {

@@ -1,9 +1,11 @@
-//! The integer n of a resonance: how often neighbouring motion swings about the grazing orbit in a forcing period.
+//! The integer n of a resonance: how often neighbouring motion swings about the grazing orbit in a
+//! forcing period.
 //!
-//! For the paper's oscillator n is known from the closed form (Propositions 3.2 and 3.3). For any oscillator the variation (u, u̇) of
-//! the motion along the grazing orbit that begins with (0, 1) turns about zero. At a resonance it stands, after p periods, at
-//! a zero of u: after one period it has made n half-turns (p = 1), or n whole turns and π/p more or less (p ≥ 2; less where
-//! a₁₂ α < 0).
+//! For the paper's oscillator n is known from the closed form (Propositions 3.2 and 3.3). For any
+//! oscillator the variation (u, u̇) of the motion along the grazing orbit that begins with (0, 1)
+//! turns about zero. At a resonance it stands, after p periods, at a zero of u: after one period it
+//! has made n half-turns (p = 1), or n whole turns and π/p more or less (p ≥ 2; less where a₁₂ α
+//! < 0).
 
 use core::f64::consts::{PI, TAU};
 
@@ -11,7 +13,8 @@ use grazing_model::motion::Motion;
 use grazing_model::{AnyOscillator, ImpactOscillator, State, flow_variable as flow};
 use grazing_theorems::from_map::GrazingOrbit;
 
-/// Instants of a period at which the variation is looked at; it must not make half a turn between two.
+/// Instants of a period at which the variation is looked at; it must not make half a turn between
+/// two.
 const SAMPLES: u32 = 256;
 
 /// The integer n of the resonance at a grazing orbit.
@@ -21,7 +24,8 @@ pub(crate) fn index(orbit: &GrazingOrbit, loops: u32) -> u32 {
     libm::round(angle / if loops == 1 { PI } else { TAU }) as u32
 }
 
-/// The angle by which the variation of the motion from a state turns in a forcing period, in radians.
+/// The angle by which the variation of the motion from a state turns in a forcing period, in
+/// radians.
 pub(crate) fn angle_in_a_period(oscillator: &AnyOscillator, from: State) -> f64 {
     let motion = oscillator.motion(from);
     let period = oscillator.forcing_period();

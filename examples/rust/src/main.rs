@@ -1,6 +1,8 @@
-//! A beam between two magnets and a wall: an oscillator that is written in Rust, analysed with the crates as a library.
+//! A beam between two magnets and a wall: an oscillator that is written in Rust, analysed with the
+//! crates as a library.
 //!
-//! `cargo run --release -p grazing-example` prints its resonances with the coefficients of the curves that leave them.
+//! `cargo run --release -p grazing-example` prints its resonances with the coefficients of the
+//! curves that leave them.
 #![expect(clippy::print_stdout, reason = "a program's output")]
 
 use grazing_continuation::curve::Window;
@@ -8,7 +10,8 @@ use grazing_model::smooth::{Integrated, Scalar, SmoothOscillator};
 use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_unfold::{Diagram, Scope, UnfoldError, progress::Silent};
 
-/// A beam bent by a magnet of strength `pull` at a distance of two units beyond the wall, which softens its spring.
+/// A beam bent by a magnet of strength `pull` at a distance of two units beyond the wall, which
+/// softens its spring.
 #[derive(Clone)]
 struct Beam {
     damping: f64,

@@ -57,7 +57,8 @@ impl Origin {
     }
 }
 
-/// A part of a family: everything that is needed to make tables and figures once all parts are there.
+/// A part of a family: everything that is needed to make tables and figures once all parts are
+/// there.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct PartFile {
     /// The version of the program that made it.

@@ -46,7 +46,8 @@ fn first_difference(is_table: bool, here: &str, made: &str) -> String {
     }
 }
 
-/// The first column in which two lines of a table differ, with both cells, if both lines have as many as the header.
+/// The first column in which two lines of a table differ, with both cells, if both lines have as
+/// many as the header.
 fn first_cell<'a>(header: &'a str, here: &'a str, made: &'a str) -> Option<(&'a str, [&'a str; 2])> {
     let count = |line: &str| line.split(',').count();
     if header == made || [here, made].map(count) != [count(header); 2] {

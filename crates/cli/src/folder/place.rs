@@ -1,4 +1,5 @@
-//! Where a file is written: only regular files are replaced, and only in the folder that was asked for.
+//! Where a file is written: only regular files are replaced, and only in the folder that was asked
+//! for.
 
 use std::ffi::{OsStr, OsString};
 use std::fs::{FileType, Metadata};
@@ -7,11 +8,12 @@ use std::path::{Path, PathBuf};
 
 use crate::failure::Failure;
 
-/// The place of a file that is to be written: its path, or through symbolic links the regular file that they name, so that the
-/// links stay.
+/// The place of a file that is to be written: its path, or through symbolic links the regular file
+/// that they name, so that the links stay.
 ///
 /// # Errors
-/// Something else is there: a folder, a device, a link that leads nowhere; or that cannot be found out.
+/// Something else is there: a folder, a device, a link that leads nowhere; or that cannot be found
+/// out.
 pub(crate) fn to_write(path: &Path) -> Result<PathBuf, Failure> {
     let refuse = |what: &str| {
         let remedy = "is not replaced: move it away, or name another place with --output";
@@ -58,8 +60,8 @@ fn what_is(kind: FileType) -> &'static str {
     if kind.is_dir() { "a folder" } else { "something else" }
 }
 
-/// The name of a folder for what comes of a file: its name without ending, and without dots in front, which would hide the folder
-/// or lead out of the one that it is to be in.
+/// The name of a folder for what comes of a file: its name without ending, and without dots in
+/// front, which would hide the folder or lead out of the one that it is to be in.
 pub fn name_for(file: &Path) -> OsString {
     const NAMELESS: &str = "oscillator";
     let stem = file.file_stem().unwrap_or_default();

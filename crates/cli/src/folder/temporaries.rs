@@ -1,4 +1,5 @@
-//! Files and folders that a run begins and finishes or removes: which are its own, and which are left of runs that died.
+//! Files and folders that a run begins and finishes or removes: which are its own, and which are
+//! left of runs that died.
 
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
@@ -13,8 +14,8 @@ use tempfile::{Builder, NamedTempFile, TempDir};
 
 /// How the names of files that are not finished begin; the number of the process follows.
 pub(super) const UNFINISHED: &str = ".grazing-";
-/// How the folders of pictures of what changed begin their names; a number for the folder of what changed follows, and that of
-/// the process.
+/// How the folders of pictures of what changed begin their names; a number for the folder of what
+/// changed follows, and that of the process.
 const CHANGES: &str = "grazing-changes-";
 
 /// What this run has begun, of which nothing is left where it is finished.
@@ -24,7 +25,8 @@ fn change_own<T>(change: impl FnOnce(&mut BTreeSet<PathBuf>) -> T) -> T {
     change(&mut OWN.lock().unwrap_or_else(PoisonError::into_inner))
 }
 
-/// Removes everything that this run has begun and not finished, for a run that is being ended from outside.
+/// Removes everything that this run has begun and not finished, for a run that is being ended from
+/// outside.
 pub fn remove_own_temporaries() {
     for path in change_own(std::mem::take) {
         remove(&path);
@@ -37,7 +39,8 @@ fn remove(path: &Path) {
     let _ = if is_folder { fs::remove_dir_all(path) } else { fs::remove_file(path) };
 }
 
-/// An empty file in the folder, readable as other new files are; it goes with the value unless it is moved into its place.
+/// An empty file in the folder, readable as other new files are; it goes with the value unless it
+/// is moved into its place.
 pub(super) fn unfinished(folder: &Path) -> io::Result<NamedTempFile> {
     let prefix = format!("{UNFINISHED}{}-", process::id());
     let mut builder = Builder::new();
@@ -100,8 +103,8 @@ fn process_of(kind: &str, name: &OsStr) -> Option<u32> {
     name.to_str()?.strip_prefix(kind)?.split_once('-')?.0.parse().ok()
 }
 
-/// Whether the process has left the file or folder: it is no more, or it is this one, to which numbers come again in a
-/// container, and does not know of it.
+/// Whether the process has left the file or folder: it is no more, or it is this one, to which
+/// numbers come again in a container, and does not know of it.
 fn is_left(process: u32, path: &Path) -> bool {
     if process == process::id() {
         return change_own(|own| !own.contains(path));
@@ -109,7 +112,8 @@ fn is_left(process: u32, path: &Path) -> bool {
     !is_running(process)
 }
 
-/// Whether a process runs. Where the system has no list of them as files, every other one is taken to do so.
+/// Whether a process runs. Where the system has no list of them as files, every other one is taken
+/// to do so.
 fn is_running(process: u32) -> bool {
     let processes = Path::new("/proc");
     !processes.join(process::id().to_string()).exists() || processes.join(process.to_string()).exists()

@@ -8,7 +8,8 @@ use grazing_results::{Cell, Column, GREEK, Table, symbol};
 
 use crate::folder::{self, OutputFile};
 
-/// Significant digits of the number of least magnitude in a column; all its numbers have as many decimals.
+/// Significant digits of the number of least magnitude in a column; all its numbers have as many
+/// decimals.
 const DIGITS: i32 = 4;
 /// The most decimals; columns with smaller numbers are printed with powers of ten.
 const MOST_DECIMALS: i32 = 6;
@@ -26,7 +27,8 @@ pub(crate) fn table_path(name: &str) -> PathBuf {
     Path::new(name).with_extension("tex")
 }
 
-/// The table as a tabular of booktabs: numbers rounded and aligned at the decimal point, units in the headings.
+/// The table as a tabular of booktabs: numbers rounded and aligned at the decimal point, units in
+/// the headings.
 fn tabular(table: &Table, printed: &[Column], title: &str) -> String {
     let place = |column: &Column| table.columns.iter().position(|found| found.name == column.name);
     let places: Vec<usize> = printed.iter().filter_map(place).collect();
@@ -87,7 +89,8 @@ fn cells(table: &Table, place: usize) -> (Vec<String>, bool) {
     }
 }
 
-/// Numbers with one number of decimals, so that they align, or with powers of ten if they are too small for that.
+/// Numbers with one number of decimals, so that they align, or with powers of ten if they are too
+/// small for that.
 fn aligned(numbers: &[Option<f64>]) -> Vec<String> {
     let finite = || numbers.iter().flatten().copied().filter(|number| number.is_finite());
     let least = finite().map(f64::abs).filter(|size| *size > 0.0).fold(f64::INFINITY, f64::min);

@@ -75,7 +75,8 @@ impl AnalysedOscillator {
 const DIAGRAM: &str = "diagram.svg";
 const MAGNIFICATIONS: &str = "magnifications.svg";
 
-/// All outputs: their tables in the order of the page that explains these, and one-parameter diagrams last.
+/// All outputs: their tables in the order of the page that explains these, and one-parameter
+/// diagrams last.
 pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
     Output::new("grazing", "the grazing curve", AlongGrazing::TABLES, |_, of, _| {
         let tables = of.unfolded.along_grazing().tables(of.names());

@@ -16,9 +16,10 @@ use super::latex::Caption;
 use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output};
 use crate::failure::Failure;
 
-/// All outputs: a first one, the figures of the paper, and a last one. A figure has the parameters of its name, the function of a study of that
-/// name, and one that draws what it computes; then come its label, its tables, its title, the keys to change where it cannot be computed, and
-/// what else to report: a field of what is computed, or what a function of the study returns.
+/// All outputs: a first one, the figures of the paper, and a last one. A figure has the parameters
+/// of its name, the function of a study of that name, and one that draws what it computes; then
+/// come its label, its tables, its title, the keys to change where it cannot be computed, and what
+/// else to report: a field of what is computed, or what a function of the study returns.
 macro_rules! outputs {
     (first $first:ident; last $last:ident;
     $($name:ident = $draw:ident, $label:literal, $tables:expr, $title:literal, change $keys:literal
@@ -160,7 +161,8 @@ impl Output<Study> {
         Caption { title: self.title.to_owned(), label: self.label.to_owned(), remark }
     }
 
-    /// The values with which a diagram is computed, as a sentence after others; none for sketches and tables.
+    /// The values with which a diagram is computed, as a sentence after others; none for sketches
+    /// and tables.
     fn values(&self, study: &Study) -> Option<String> {
         let oscillator = study.parameters.oscillator.get().ok()?;
         let mut values = vec![
@@ -177,7 +179,8 @@ impl Output<Study> {
     }
 }
 
-/// Refuses parameters that would be wrong for any oscillator: that is a slip, better mended than worked around.
+/// Refuses parameters that would be wrong for any oscillator: that is a slip, better mended than
+/// worked around.
 ///
 /// # Errors
 /// The first that some output needs.

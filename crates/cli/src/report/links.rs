@@ -35,7 +35,8 @@ const KEY: &str = "repository-code:";
 /// What leads from the address to the files of the newest state, as the common hosts have it.
 const NEWEST: &str = "blob/HEAD/";
 
-/// The address of the repository's files at its host, with a slash at its end, if the citation file names the host.
+/// The address of the repository's files at its host, with a slash at its end, if the citation file
+/// names the host.
 pub(crate) fn files_at_host(root: &Path) -> Option<String> {
     address(&fs::read_to_string(root.join(CITATION)).ok()?)
 }

@@ -30,8 +30,8 @@ impl OscillatorFile {
         files.iter().map(|file| Self::read(file, &[])).collect()
     }
 
-    /// Unfolds the oscillator, up to its limits; what was met, if one was. A file of the repository's examples is named as such, and linked
-    /// by way of the link to the root.
+    /// Unfolds the oscillator, up to its limits; what was met, if one was. A file of the
+    /// repository's examples is named as such, and linked by way of the link to the root.
     ///
     /// # Errors
     /// There is nothing to unfold, or a figure cannot be drawn.

@@ -15,7 +15,8 @@ use crate::progress::Display;
 
 pub(crate) use crate::outputs::oscillator::Analysis;
 
-/// Analyses an oscillator up to its limits; with what has ended the analysis, if anything is missing in it.
+/// Analyses an oscillator up to its limits; with what has ended the analysis, if anything is
+/// missing in it.
 ///
 /// # Errors
 /// There is nothing to unfold.
@@ -32,7 +33,8 @@ pub(crate) fn analyse(
     Ok((unfolded, met))
 }
 
-/// Why there is nothing to unfold, with the file's names of the parameters, or what has ended the search.
+/// Why there is nothing to unfold, with the file's names of the parameters, or what has ended the
+/// search.
 fn failure(of: &OscillatorFile, error: &StudyError, met: Option<EndCause>) -> Failure {
     let OscillatorFile { file, description, .. } = of;
     match (error, met) {

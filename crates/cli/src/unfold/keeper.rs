@@ -49,7 +49,8 @@ impl<'a> Keeper<'a> {
         }
     }
 
-    /// Writes what is finished. The computation goes on if it cannot be written: in the end all files may well be.
+    /// Writes what is finished. The computation goes on if it cannot be written: in the end all
+    /// files may well be.
     pub(super) fn keep(&self, finished: &Table) {
         let written = tables::csv(finished).map_err(|error| error.to_string()).and_then(|content| {
             let file = OutputFile { path: tables::path(UNFINISHED), content };

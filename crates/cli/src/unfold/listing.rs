@@ -330,7 +330,8 @@ mod tests {
     use grazing_unfold::simulation::ReturnOutcome;
     use grazing_unfold::verdict::{Coefficient, Obstacle};
 
-    /// A resonance whose saddle-node coefficient is measured with an error, and what simulation shows beside that curve.
+    /// A resonance whose saddle-node coefficient is measured with an error, and what simulation
+    /// shows beside that curve.
     fn resonance(error: f64, simulated: Simulated) -> ResonanceEntry {
         let coefficient = |error| Coefficient {
             stability: 1.0,

@@ -111,7 +111,8 @@ fn escaped(escape: &Escape, parameters: &str, description: &Description) -> Stri
         );
     }
     let way = if position.abs() > FAR * units.length {
-        // How far it was followed depends on the steps of the integration; when it escapes hardly does.
+        // How far it was followed depends on the steps of the integration; when it escapes hardly
+        // does.
         let (side, t) = (if position > 0.0 { "behind" } else { "away from" }, brief(time, 3));
         format!(
             "motion runs away wherever it begins: in one case beyond all bounds {side} the wall within t = {t} at {parameters}"
@@ -151,7 +152,8 @@ fn has_spring(description: &Description) -> bool {
         low + 0.5 * (high - low)
     });
     let units = description.units();
-    // At one velocity alone what depends on the position may be lost in rounding, or so may all of it where the force has no value.
+    // At one velocity alone what depends on the position may be lost in rounding, or so may all of
+    // it where the force has no value.
     let differs = |t: f64, v: f64| {
         let force = |x: f64| description.force(x * units.length, v * units.velocity(), t, mu, eta);
         [-1.0, -0.37, -30.0].iter().any(|x| force(*x) != force(0.0))
@@ -187,7 +189,8 @@ pub(crate) fn unfinished(description: &Description, units: &Units, cut: &Unfinis
     text
 }
 
-/// Where it is not decided whether solutions are stable, and why; nothing of a region where that is known.
+/// Where it is not decided whether solutions are stable, and why; nothing of a region where that is
+/// known.
 pub(crate) fn undecided(description: &Description, units: &Units, region: &Region) -> Option<String> {
     let doubt = region.doubt.as_ref()?;
     let [from, to] = region.extent().map(|corner| place(description, units.parameters(corner)));

@@ -1,4 +1,5 @@
-//! The table of `grazing compare`, and its verdict. The numbers of the table are invented, none is the paper's.
+//! The table of `grazing compare`, and its verdict. The numbers of the table are invented, none is
+//! the paper's.
 
 use std::collections::BTreeMap;
 

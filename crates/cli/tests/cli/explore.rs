@@ -73,7 +73,8 @@ fn the_address_is_printed_the_page_is_there_and_ctrl_c_ends_it() {
     assert_eq!(server.interrupted(), Some(0));
 }
 
-/// What is taken home of the page as it is: the figure in three formats and the curves, and the files that the copied command writes.
+/// What is taken home of the page as it is: the figure in three formats and the curves, and the
+/// files that the copied command writes.
 fn taken_home(page: &mut Browser, stem: &str, figure: &str, curves: &str) {
     let home = empty_folder();
     page.permit(home.path());

@@ -14,7 +14,8 @@ fn two_files() -> Vec<OutputFile> {
     vec![made("a.svg", "<svg>\n</svg>\n"), made("data/a.csv", "kind,x\nSN,1.5\nPD,\n")]
 }
 
-/// What is said of the folder that holds the two files but for this change: of files that differ, and of those that do not belong there.
+/// What is said of the folder that holds the two files but for this change: of files that differ,
+/// and of those that do not belong there.
 fn differences_after(change: impl Fn(&Path)) -> [Vec<String>; 2] {
     let folder = empty_folder();
     write(folder.path(), &two_files()).expect("the folder is ours");

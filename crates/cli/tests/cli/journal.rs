@@ -1,4 +1,5 @@
-//! Editions for a journal: PDF, PNG and LaTeX in their own folder; and the manifest for who checks the code.
+//! Editions for a journal: PDF, PNG and LaTeX in their own folder; and the manifest for who checks
+//! the code.
 
 use std::fs;
 use std::io::{self, Write};
@@ -9,7 +10,8 @@ use crate::program::{DEFAULT, edited, empty_folder, grazing, listing, narrow_duf
 use grazing_cli::codecheck;
 use grazing_cli::outputs;
 
-/// The default parameters with little work for the attractor of Figure 2: what is tested here does not depend on it.
+/// The default parameters with little work for the attractor of Figure 2: what is tested here does
+/// not depend on it.
 fn quick_parameters() -> String {
     edited(DEFAULT, "[fig02.attractor]", "amplitudes", "amplitudes = 5")
 }
@@ -42,7 +44,8 @@ fn an_edition_for_a_journal_goes_to_its_own_folder_and_latex_includes_all_of_it(
         let content = fs::read(journal.join(pdf)).expect("the snippet asks for PDF");
         assert!(content.starts_with(b"%PDF-"), "{figure}");
         let content = fs::read(journal.join(figure).with_extension("png")).expect("PNG was asked for");
-        // Its width, in the 17th to 20th byte: 86 mm are 243.8 points, and a point a pixel at 72 dots per inch.
+        // Its width, in the 17th to 20th byte: 86 mm are 243.8 points, and a point a pixel at 72
+        // dots per inch.
         assert_eq!(content[16..20], 244_u32.to_be_bytes(), "{figure}");
     }
     fs::write(journal.join("coefficients.tex"), "").expect("the folder is ours");
@@ -53,8 +56,8 @@ fn an_edition_for_a_journal_goes_to_its_own_folder_and_latex_includes_all_of_it(
     assert!(checked.errors().contains(mend), "{}", checked.messages);
 }
 
-/// What LaTeX says of a document of class article, with one column or two, that has everything of a folder in it; nothing where there
-/// is no pdflatex.
+/// What LaTeX says of a document of class article, with one column or two, that has everything of a
+/// folder in it; nothing where there is no pdflatex.
 fn compiled(journal: &Path, options: &str) -> Option<String> {
     let place = empty_folder();
     let document = format!(
@@ -89,7 +92,8 @@ fn compiled(journal: &Path, options: &str) -> Option<String> {
     Some(String::from_utf8_lossy(&log).into_owned())
 }
 
-/// Fails if a document has a box that is too large, a label that is missing or doubled, or anything else that LaTeX warns of.
+/// Fails if a document has a box that is too large, a label that is missing or doubled, or anything
+/// else that LaTeX warns of.
 fn assert_sets_well(journal: &Path) {
     for options in ["onecolumn", "twocolumn"] {
         let Some(log) = compiled(journal, options) else { return };

@@ -1,5 +1,5 @@
-//! Files with mistakes, made from those that are right by a seeded generator: every run of the program ends by itself, with an exit
-//! code from 0 to 4, and says why if it is not 0.
+//! Files with mistakes, made from those that are right by a seeded generator: every run of the
+//! program ends by itself, with an exit code from 0 to 4, and says why if it is not 0.
 //!
 //! The tests try a handful. Many are tried, and what is wrong is listed and kept, by
 //!
@@ -7,7 +7,8 @@
 //! GRAZING_MUTATIONS=1000 cargo test --release -p grazing-cli --test cli mutations -- --nocapture
 //! ```
 //!
-//! where GRAZING_MUTATIONS_FROM is the number of the first (0), and GRAZING_MUTATIONS_SECONDS the time for each (60).
+//! where GRAZING_MUTATIONS_FROM is the number of the first (0), and GRAZING_MUTATIONS_SECONDS the
+//! time for each (60).
 #![cfg(unix)]
 
 use std::env;
@@ -23,8 +24,8 @@ use rand_pcg::rand_core::Rng;
 
 /// What is tried where nobody asks for more.
 const HANDFUL: u64 = 8;
-/// The address space of a run in kilobytes, and what `unfold` is told to hold of it in megabytes: stacks and pools of threads
-/// take up addresses that are never filled.
+/// The address space of a run in kilobytes, and what `unfold` is told to hold of it in megabytes:
+/// stacks and pools of threads take up addresses that are never filled.
 const ADDRESSES: u32 = 1_000_000;
 const MEMORY: u32 = 500;
 
@@ -260,7 +261,8 @@ fn trial(number: u64) -> (Vec<String>, String) {
     } else {
         let names =
             ["paper", "duffing", "varying-impact", "quadratic-damping", "clearance", "shaking-table", "afm"];
-        // Well before the time that the trial waits; little for the handful, in which nobody asked for patience.
+        // Well before the time that the trial waits; little for the handful, in which nobody asked
+        // for patience.
         let limit = if asked("GRAZING_MUTATIONS").is_some() { 0.3 * seconds() } else { 2.0 };
         let limits = format!("--time-limit {limit} --memory-limit {MEMORY}");
         let text = read(&format!("examples/{}.toml", dice.one_of(&names)));

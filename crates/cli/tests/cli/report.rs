@@ -1,4 +1,5 @@
-//! `grazing report` from end to end: the page of the whole study, its links, and the page in a browser.
+//! `grazing report` from end to end: the page of the whole study, its links, and the page in a
+//! browser.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -16,8 +17,8 @@ const HOST: &str = "https://example.org/grazing";
 /// The heaviest page that opens at once from any disk, in bytes.
 const HEAVIEST: usize = 3_000_000;
 
-/// The most elements: a browser sets the page within a second as long as there are no more (0.74 s on a machine with two busy cores, of which
-/// 0.24 s pass before anything is seen, for 39,000).
+/// The most elements: a browser sets the page within a second as long as there are no more (0.74 s
+/// on a machine with two busy cores, of which 0.24 s pass before anything is seen, for 39,000).
 const MOST_ELEMENTS: usize = 50_000;
 /// The most pages of a print.
 const MOST_SHEETS: usize = 60;
@@ -26,7 +27,8 @@ const MOST_SHEETS: usize = 60;
 const FORMULAS: [(&str, &str); 3] =
     [("eq:coeffsp", "eq:coeffsp"), (r"g_p(\delta)", "eq:gp"), ("gp(δ)", "eq:gp")];
 
-/// The default parameters with little work for the attractor of Figure 2: what is tested here does not depend on it.
+/// The default parameters with little work for the attractor of Figure 2: what is tested here does
+/// not depend on it.
 fn quick_parameters() -> String {
     edited(DEFAULT, "[fig02.attractor]", "amplitudes", "amplitudes = 5")
 }
@@ -69,7 +71,8 @@ fn the_page_of_the_whole_study_is_complete_and_answers() {
     copy_sources(&folder.path().join("crates"), &repository().join("crates"));
     fs::write(folder.path().join("CITATION.cff"), format!("repository-code: \"{HOST}\"\n"))
         .expect("the folder is ours");
-    // One example, and a file of the same name elsewhere; that of the paper's oscillator is not shown again.
+    // One example, and a file of the same name elsewhere; that of the paper's oscillator is not
+    // shown again.
     fs::create_dir(folder.path().join("examples")).expect("the folder is ours");
     for file in ["examples/duffing.toml", "examples/paper.toml", "duffing.toml"] {
         fs::write(folder.path().join(file), narrow_duffing()).expect("the folder is ours");
@@ -129,7 +132,8 @@ fn the_page_of_the_whole_study_is_complete_and_answers() {
     let here = folder.path().display().to_string();
     assert!(!page.contains(&here), "the page names a folder of this machine");
 
-    // Pointing at a codimension-two point tells of it; its place on the sheet is computed here, not by the page.
+    // Pointing at a codimension-two point tells of it; its place on the sheet is computed here, not
+    // by the page.
     let again = grazing(folder.path(), &["reproduce", "--only", "fig07"]);
     assert_eq!(again.code, Some(0), "{}", again.messages);
     let read = |path: &str| fs::read_to_string(folder.path().join(path)).expect("it was written");

@@ -8,7 +8,8 @@ use crate::program::{DEFAULT, edited, grazing, listing, project};
 use grazing_cli::outputs;
 use grazing_cli::outputs::edition::Edition;
 
-/// The default parameters with little work for the attractor of Figure 2: what is tested here does not depend on it.
+/// The default parameters with little work for the attractor of Figure 2: what is tested here does
+/// not depend on it.
 fn quick_parameters() -> String {
     edited(DEFAULT, "[fig02.attractor]", "amplitudes", "amplitudes = 5")
 }
@@ -128,7 +129,8 @@ fn an_interrupted_run_leaves_every_file_as_it_was() {
         .stderr(Stdio::piped())
         .spawn()
         .expect("the program starts");
-    // Its first line of progress comes when the computation begins, which is long before anything is written.
+    // Its first line of progress comes when the computation begins, which is long before anything
+    // is written.
     let mut line = String::new();
     let messages = run.stderr.take().expect("it is piped");
     BufReader::new(messages).read_line(&mut line).expect("the program tells of its progress");

@@ -49,7 +49,8 @@ fn every_snapshot_is_used_by_the_test_that_made_it() {
     assert!(snapshots > 0, "snapshots were found");
 }
 
-/// Whether the name stands in the text as a word of its own, as in quotes or as the name of a function.
+/// Whether the name stands in the text as a word of its own, as in quotes or as the name of a
+/// function.
 fn mentions(text: &str, name: &str) -> bool {
     let is_part = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
     text.match_indices(name).any(|(start, _)| {

@@ -69,7 +69,8 @@ fn an_example_is_unfolded_into_the_same_files_whatever_the_number_of_threads() {
     explained(&first);
 }
 
-/// The terminal shows equation, resonance, coefficients and every hypothesis, and no line is too wide.
+/// The terminal shows equation, resonance, coefficients and every hypothesis, and no line is too
+/// wide.
 fn told(output: &str, coefficients: &str) {
     let mut rows = coefficients.lines().map(|line| line.split(',').collect::<Vec<_>>());
     let (header, row) = (rows.next().expect("a header"), rows.next().expect("a resonance"));
@@ -140,7 +141,8 @@ fn a_one_parameter_diagram_has_a_figure_and_tables_as_long_as_it_is_asked_for() 
     assert_eq!(listing(&results_folder), results());
 }
 
-/// The page beside the tables explains their columns, and that of the examples names the examples and the tables.
+/// The page beside the tables explains their columns, and that of the examples names the examples
+/// and the tables.
 fn explained(results: &Path) {
     let explanations = read(results, "data/README.md");
     let page = read(&repository(), "examples/README.md");
@@ -172,7 +174,8 @@ fn wait_until(run: &mut Child, what: &str, is_done: impl Fn() -> bool) {
     }
 }
 
-/// One-parameter diagrams that take so long that a run is interrupted before their end, however late the signal comes.
+/// One-parameter diagrams that take so long that a run is interrupted before their end, however
+/// late the signal comes.
 fn many_diagrams(values: [f64; 2]) -> String {
     let [from, to] = values;
     let last = Description::MOST_DIAGRAMS as u32 - 1;

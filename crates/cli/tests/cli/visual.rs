@@ -11,16 +11,17 @@ use grazing_drawing::Bounds;
 use grazing_export::{Drawing, Text};
 use sha2::{Digest, Sha256};
 
-/// The thinnest line that offset printing renders reliably, in points, and the smallest text that journals accept.
+/// The thinnest line that offset printing renders reliably, in points, and the smallest text that
+/// journals accept.
 const THINNEST: f64 = 0.2;
 const SMALLEST: f64 = 6.0;
 /// Sub- and superscripts may be smaller than the line that they belong to, but not unreadable.
 const SMALLEST_SCRIPT: f64 = 5.0;
-/// Points by which boxes of ink may touch or leave the sheet: coordinates are rounded to 0.01 point in the file, and a
-/// stroke's width is counted to its mitred corners.
+/// Points by which boxes of ink may touch or leave the sheet: coordinates are rounded to 0.01 point
+/// in the file, and a stroke's width is counted to its mitred corners.
 const HAIR: f64 = 0.15;
-/// The greatest height in points that leaves room for a caption on a page of class article, whose text is 550 points high, at the widths of
-/// a journal: a caption of seven lines takes 90.
+/// The greatest height in points that leaves room for a caption on a page of class article, whose
+/// text is 550 points high, at the widths of a journal: a caption of seven lines takes 90.
 const HIGHEST: f64 = 460.0;
 /// The most bytes of a figure.
 const HEAVIEST: u64 = 2_000_000;
@@ -108,7 +109,8 @@ fn every_figure_is_fit_for_print_at_every_width_and_says_the_same() {
     }
 }
 
-/// What is wrong with Figure 7 beyond that: what crosses the frame of its panel, rectangles that are open, labels on lines.
+/// What is wrong with Figure 7 beyond that: what crosses the frame of its panel, rectangles that
+/// are open, labels on lines.
 fn crossings(folder: &Path) -> Vec<String> {
     let svg = fs::read_to_string(folder.join("fig07.svg")).expect("the figure is there");
     let figure = Drawing::read(&svg).expect("it can be read");
@@ -173,8 +175,8 @@ fn every_element_of_a_figure_can_be_drawn_and_no_coordinate_is_infinite() {
                 "{name}: {sign}"
             );
         }
-        // What a reader drops, as it does with what it cannot understand, is missing among what it has read. Clip paths
-        // hold shapes that are not drawn themselves.
+        // What a reader drops, as it does with what it cannot understand, is missing among what it
+        // has read. Clip paths hold shapes that are not drawn themselves.
         let drawn = body.split("<clipPath").map(|part| part.rsplit("</clipPath>").next().unwrap_or(part));
         let count = |element: &str| drawn.clone().map(|part| part.matches(element).count()).sum::<usize>();
         let figure = Drawing::read(&svg).expect("the figure can be read");

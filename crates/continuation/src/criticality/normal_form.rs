@@ -1,4 +1,5 @@
-//! The normal form of a planar map that is given by a pair of others, L(X') = R(X), at a fixed point with the multiplier −1.
+//! The normal form of a planar map that is given by a pair of others, L(X') = R(X), at a fixed
+//! point with the multiplier −1.
 
 use grazing_model::smooth::Taylor;
 use nalgebra::{Matrix2, Vector2};
@@ -19,15 +20,16 @@ pub(super) struct ImplicitMap<F> {
 }
 
 impl<F: Fn(Germ) -> [Germ; 2]> ImplicitMap<F> {
-    /// q and c with R(X(s)) = L(X(−s + c s³)) up to third order, X(s) = X₀ + q s + h s² + …, where the multiplier is −1 and simple
-    /// and the other one is not 1.
+    /// q and c with R(X(s)) = L(X(−s + c s³)) up to third order, X(s) = X₀ + q s + h s² + …, where
+    /// the multiplier is −1 and simple and the other one is not 1.
     pub(super) fn flip(&self) -> PeriodDoubling {
         let [r, l] = self.derivatives;
         let [direction, covector] = self.null_vectors();
         // s²: DR h + R₂ = DL h + L₂, where R₂ and L₂ are the coefficients along the straight line.
         let [r2, l2] = self.coefficients(2, [direction, Vector2::zeros()]);
         let bend = solved(&(r - l), l2 - r2);
-        // s³: DR k + R₃ = c DL q − DL k − L₃ for the third coefficient k of X(s), of which ℓ takes out c.
+        // s³: DR k + R₃ = c DL q − DL k − L₃ for the third coefficient k of X(s), of which ℓ takes
+        // out c.
         let [r3, l3] = self.coefficients(3, [direction, bend]);
         PeriodDoubling { direction, coefficient: covector.dot(&(r3 + l3)) }
     }
@@ -36,7 +38,8 @@ impl<F: Fn(Germ) -> [Germ; 2]> ImplicitMap<F> {
     fn null_vectors(&self) -> [Vector2<f64>; 2] {
         let [r, l] = self.derivatives;
         let m = r + l;
-        // Perpendicular to the longer row, and to the longer column: the matrix is singular only to rounding.
+        // Perpendicular to the longer row, and to the longer column: the matrix is singular only to
+        // rounding.
         let row = if m.row(0).norm() > m.row(1).norm() { m.row(0) } else { m.row(1) };
         let column = if m.column(0).norm() > m.column(1).norm() { m.column(0) } else { m.column(1) };
         let direction = Vector2::new(row[1], -row[0]).normalize();
@@ -64,7 +67,8 @@ mod tests {
 
     use super::*;
 
-    /// A pair of maps, written once for plain points and curves; the derivatives are read off curves along the axes.
+    /// A pair of maps, written once for plain points and curves; the derivatives are read off
+    /// curves along the axes.
     fn implicit<F: Fn(Germ) -> [Germ; 2]>(point: Vector2<f64>, along: F) -> ImplicitMap<F> {
         let mut derivatives = [Matrix2::zeros(); 2];
         for axis in 0..2 {
@@ -77,7 +81,8 @@ mod tests {
         ImplicitMap { point, derivatives, along }
     }
 
-    /// u ↦ r u (1 − u) beside v ↦ v/2 + u²: its period doubling at r = 3 has c = ¼ f''² = 9, as f''' = 0.
+    /// u ↦ r u (1 − u) beside v ↦ v/2 + u²: its period doubling at r = 3 has c = ¼ f''² = 9, as
+    /// f''' = 0.
     fn logistic(r: f64) -> impl Fn(Germ) -> Germ {
         move |[u, v]| [(u * (Taylor::constant(1.0) - u)).scale(r), v.scale(0.5) + u.square()]
     }
@@ -88,7 +93,8 @@ mod tests {
     fn logistic_map_has_its_known_coefficient() {
         let map = logistic(3.0);
         let flip = implicit(Vector2::from(LOGISTIC_FIXED), |x| [map(x), x]).flip();
-        // Along q = (1, m): −m = m/2 + 2u, so that |q|² = 1 + m² and c is smaller by it, being measured along q.
+        // Along q = (1, m): −m = m/2 + 2u, so that |q|² = 1 + m² and c is smaller by it, being
+        // measured along q.
         let slope: f64 = -2.0 * LOGISTIC_FIXED[0] / 1.5;
         let expected = 9.0 / (1.0 + slope * slope);
         assert!((flip.coefficient - expected).abs() < 1e-14 * expected, "{flip:?}");
@@ -114,7 +120,8 @@ mod tests {
     #[test]
     fn coefficients_do_not_depend_on_coordinates() {
         let (r, at) = (3.0, Vector2::new(0.3, -0.2));
-        // U in coordinates X = bent(Y) + shift, so that Y = `at` is the fixed point; and L, R followed by another map.
+        // U in coordinates X = bent(Y) + shift, so that Y = `at` is the fixed point; and L, R
+        // followed by another map.
         let moved = bent([0, 1].map(|i| Taylor::constant(at[i])));
         let shift = [0, 1].map(|i| Taylor::constant(LOGISTIC_FIXED[i]) - moved[i]);
         let coordinates = |y: Germ| {
@@ -128,7 +135,8 @@ mod tests {
             [bent(map(x)), bent(x)]
         });
         let flip = other.flip();
-        // s is length along q, and lengths change by |D bent q|: c is the same once both measure with one length.
+        // s is length along q, and lengths change by |D bent q|: c is the same once both measure
+        // with one length.
         let q = [0, 1].map(|i| Taylor::new([at[i], flip.direction[i], 0.0, 0.0]));
         let image = Vector2::from(coordinates(q).map(|component| component.coefficients()[1]));
         let expected = plain.coefficient * image.norm_squared();

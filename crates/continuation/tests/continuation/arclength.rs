@@ -81,9 +81,11 @@ fn a_circle_is_followed_round_and_round() {
     for _ in 0..500 {
         let station = walker.advance().unwrap();
         let [x, y] = [station.point[0], station.point[1]];
-        // The last Newton step is below 1e-7 and the curvature one: half its square, and a few roundings.
+        // The last Newton step is below 1e-7 and the curvature one: half its square, and a few
+        // roundings.
         assert_within(libm::hypot(x, y), 1.0, 6e-15);
-        // The tangent is the linearisation's at the last iterate but one, off by the tolerance of 1e-7 at most.
+        // The tangent is the linearisation's at the last iterate but one, off by the tolerance of
+        // 1e-7 at most.
         assert_within((station.tangent - Vector2::new(-y, x)).norm(), 0.0, 1e-7);
         let angle = libm::atan2(y, x);
         let step = angle - before;
@@ -138,7 +140,8 @@ fn both_folds_of_a_cubic_are_passed() {
         let after = walker.advance().unwrap().clone();
         assert!(after.point[1] > before.point[1], "x must grow all along the curve");
         let [mu, x] = [after.point[0], after.point[1]];
-        // A last Newton step of 1e-7 with second derivative 6x ≤ 12: half of 12e-14, and roundings of six.
+        // A last Newton step of 1e-7 with second derivative 6x ≤ 12: half of 12e-14, and roundings
+        // of six.
         assert_within(x * x * x - x, mu, 7e-14);
         let angle = libm::acos(before.tangent.dot(&after.tangent).min(1.0));
         assert!(angle <= 3.0 * CONTROL.turn + 1e-7, "the tangent turned by {angle} at once");
@@ -150,7 +153,8 @@ fn both_folds_of_a_cubic_are_passed() {
     let at = 1.0 / 3f64.sqrt();
     assert_eq!(folds.len(), 2, "{folds:?}");
     for (fold, x) in folds.iter().zip([-at, at]) {
-        // The mid-point of a step; near a fold of radius of curvature 1/6|x| = 0.29 steps are 0.01 to 0.03 long.
+        // The mid-point of a step; near a fold of radius of curvature 1/6|x| = 0.29 steps are 0.01
+        // to 0.03 long.
         assert_within(fold[1], x, 0.03);
         assert_within(fold[0], x * x * x - x, 0.001);
     }
@@ -158,8 +162,9 @@ fn both_folds_of_a_cubic_are_passed() {
 
 #[test]
 fn a_sharp_bend_is_met_with_short_steps() {
-    // The hyperbola xy = 10⁻³ bends with a radius of √(2·10⁻³) = 0.045. Its other branch is 0.09 away there, and steps have to
-    // be shorter than that: nothing but the step length keeps a corrector from the other branch.
+    // The hyperbola xy = 10⁻³ bends with a radius of √(2·10⁻³) = 0.045. Its other branch is 0.09
+    // away there, and steps have to be shorter than that: nothing but the step length keeps a
+    // corrector from the other branch.
     let bend = PlaneCurve::everywhere(|x, y| [x * y - 1e-3, y, x]);
     let control = StepControl { longest: 0.05, ..CONTROL };
     let mut walker = bend.start(control, [1.0, 1e-3], [-1.0, 0.0]).unwrap();

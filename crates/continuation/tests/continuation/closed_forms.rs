@@ -9,7 +9,8 @@ use crate::specimens::{assert_close, assert_within, oscillator_at, resonances};
 /// (ζ, ε): the figures' own, light and heavy damping, and the elastic and a soft wall.
 const OSCILLATORS: [[f64; 2]; 5] = [[0.02, 0.9], [0.005, 0.95], [0.1, 0.9], [0.05, 1.0], [0.03, 0.5]];
 
-/// Every resonance with p = 1, …, 4 and 0.3 < ω < 2, with the grazing orbit found by Newton's method from a little off.
+/// Every resonance with p = 1, …, 4 and 0.3 < ω < 2, with the grazing orbit found by Newton's
+/// method from a little off.
 fn compare(check: impl Fn(&Resonance, &GrazingOrbit<grazing_model::LinearOscillator>)) {
     for [zeta, epsilon] in OSCILLATORS {
         let list = resonances(zeta, epsilon, &[1, 2, 3, 4], [0.3, 2.0]);
@@ -24,8 +25,8 @@ fn compare(check: impl Fn(&Resonance, &GrazingOrbit<grazing_model::LinearOscilla
     }
 }
 
-/// Everything here is a sum of at most some hundred rounded products of the flow's derivatives, which for p = 4 and ω = 0.3
-/// are taken at phases and times up to a hundred: 10² · 10² · 10⁻¹⁶.
+/// Everything here is a sum of at most some hundred rounded products of the flow's derivatives,
+/// which for p = 4 and ω = 0.3 are taken at phases and times up to a hundred: 10² · 10² · 10⁻¹⁶.
 const ROUNDING: f64 = 1e-12;
 
 #[test]
@@ -35,8 +36,8 @@ fn grazing_orbit_and_its_slopes() {
         assert_close(orbit.primary(), grazing.amplitude(), ROUNDING);
         assert_within(orbit.phase(), grazing.phase(), ROUNDING);
         assert_within(orbit.primary_slope(), grazing.amplitude_derivative(), 10.0 * ROUNDING);
-        // dz/dω is a hundred where the amplitude is small, near ω = 1; and for p = 1, even n and light damping the matrix
-        // that is solved with has a determinant of 10⁻².
+        // dz/dω is a hundred where the amplitude is small, near ω = 1; and for p = 1, even n and
+        // light damping the matrix that is solved with has a determinant of 10⁻².
         let scale = 1.0 + grazing.phase_derivative();
         assert_within(orbit.phase_slope(), grazing.phase_derivative(), 100.0 * ROUNDING * scale);
     });
@@ -91,7 +92,8 @@ fn stability_coefficients_and_quadratic_coefficients() {
         let numerical = orbit.resonant_point(resonance.loops()).unwrap();
         let stability = numerical.stability_coefficients();
         let closed = resonance.stability_coefficients();
-        // s^± are sums of terms of order one that may nearly cancel; c are proportional to 1/s⁺ and to (s⁺/s⁻)².
+        // s^± are sums of terms of order one that may nearly cancel; c are proportional to 1/s⁺ and
+        // to (s⁺/s⁻)².
         assert_within(stability.plus, closed.plus, 10.0 * ROUNDING);
         assert_within(stability.minus, closed.minus, 10.0 * ROUNDING);
         let loss = 1.0 / closed.plus.abs().min(closed.minus.abs());

@@ -1,4 +1,5 @@
-//! VIVID (eq:V) and the form without virtual points are the same problem: zeros, multipliers, bifurcations.
+//! VIVID (eq:V) and the form without virtual points are the same problem: zeros, multipliers,
+//! bifurcations.
 
 use std::sync::OnceLock;
 
@@ -21,9 +22,11 @@ struct Specimen {
     delta: f64,
 }
 
-/// A point on a branch of p-loop MPSs that was followed from grazing with VIVID; `share` says how far along.
+/// A point on a branch of p-loop MPSs that was followed from grazing with VIVID; `share` says how
+/// far along.
 ///
-/// None if the branch has no point with y > 0.01: below, the multipliers are of order 1/y and so are their errors.
+/// None if the branch has no point with y > 0.01: below, the multipliers are of order 1/y and so
+/// are their errors.
 fn specimen([zeta, epsilon, omega]: [f64; 3], loops: u32, share: f64) -> Option<Specimen> {
     let (grazing, _) = at_grazing(zeta, epsilon, omega);
     let amplitude = grazing.amplitude();
@@ -81,7 +84,8 @@ fn newton_without_virtual_points_leads_to_the_zero_of_vivid() {
         let conditions = [Condition::Primary(primary), Condition::Secondary(secondary)];
         let start = point + Unknowns::new(1e-5, -1e-5, 0.0, 0.0);
         let found = locate(&other, conditions, start, &mut EventTimes::default()).unwrap();
-        // A zero is known to about 10⁻¹⁴ times the condition of DV, at most 10³ with this determinant.
+        // A zero is known to about 10⁻¹⁴ times the condition of DV, at most 10³ with this
+        // determinant.
         assert_within((found - point).norm(), 0.0, 1e-11);
         compared += 1;
     }
@@ -103,7 +107,8 @@ fn both_give_the_same_multipliers() {
     }
 }
 
-/// T and D are numbers of order 1/y ≤ 100, divided by det D P_virt of order y: 10⁻¹⁵ · 10⁴, relative to T.
+/// T and D are numbers of order 1/y ≤ 100, divided by det D P_virt of order y: 10⁻¹⁵ · 10⁴,
+/// relative to T.
 fn noise(multipliers: &Multipliers) -> f64 {
     1e-11 * (1.0 + multipliers.trace.abs())
 }
@@ -178,7 +183,8 @@ fn folds_and_period_doublings_are_the_same_points() {
                 let start = event.solution.unknowns + Unknowns::new(1e-5, -1e-5, 1e-6, 0.0);
                 let conditions = [event.condition, Condition::Secondary(omega)];
                 let found = locate(&other, conditions, start, &mut EventTimes::default()).unwrap();
-                // Two regular systems with condition numbers of about a thousand at most, solved to rounding.
+                // Two regular systems with condition numbers of about a thousand at most, solved to
+                // rounding.
                 assert_within((found - event.solution.unknowns).norm(), 0.0, 1e-11);
                 compared += 1;
             }

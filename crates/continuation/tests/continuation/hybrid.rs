@@ -19,7 +19,8 @@ fn duration(oscillator: &LinearOscillator, solution: &PeriodicSolution) -> f64 {
     f64::from(solution.loops) * oscillator.forcing_period()
 }
 
-/// The flight from the impact of an MPS to the next impact: its length, and the velocity of that impact.
+/// The flight from the impact of an MPS to the next impact: its length, and the velocity of that
+/// impact.
 fn next_impact(oscillator: &LinearOscillator, solution: &PeriodicSolution) -> [f64; 2] {
     let from = State::on_wall(solution.unknowns[0], solution.unknowns[1]);
     let horizon = 1.5 * duration(oscillator, solution);
@@ -30,10 +31,12 @@ fn next_impact(oscillator: &LinearOscillator, solution: &PeriodicSolution) -> [f
     [flight.duration, impact.velocity]
 }
 
-/// Fails unless the orbit from the impact of an admissible MPS impacts next after p forcing periods with the same velocity.
+/// Fails unless the orbit from the impact of an admissible MPS impacts next after p forcing periods
+/// with the same velocity.
 ///
-/// This is one impact in p periods and a return to (y, z). The position is back at the wall to some 10⁻¹⁴: a zero
-/// with its multiplier of order 1/y; velocity and time of the impact are off by that over y.
+/// This is one impact in p periods and a return to (y, z). The position is back at the wall to some
+/// 10⁻¹⁴: a zero with its multiplier of order 1/y; velocity and time of the impact are off by that
+/// over y.
 #[track_caller]
 pub(crate) fn assert_returns(oscillator: &LinearOscillator, solution: &PeriodicSolution) {
     let [time, impact_velocity] = next_impact(oscillator, solution);
@@ -48,8 +51,8 @@ pub(crate) fn impacts_early(oscillator: &LinearOscillator, solution: &PeriodicSo
     next_impact(oscillator, solution)[0] < duration(oscillator, solution) - 1e-6
 }
 
-/// Fails unless the orbit from the impact of an MPS touches the wall within p forcing periods, never crosses it, and is back
-/// at the wall with the same velocity after that time.
+/// Fails unless the orbit from the impact of an MPS touches the wall within p forcing periods,
+/// never crosses it, and is back at the wall with the same velocity after that time.
 #[track_caller]
 pub(crate) fn assert_touches(oscillator: &LinearOscillator, solution: &PeriodicSolution) {
     let period = duration(oscillator, solution);
@@ -62,7 +65,8 @@ pub(crate) fn assert_touches(oscillator: &LinearOscillator, solution: &PeriodicS
     assert_within(highest.position, 0.0, PeriodicSolution::TOUCH);
 }
 
-/// The stroboscopic map over p forcing periods from a displacement off an MPS, half a period after its impact.
+/// The stroboscopic map over p forcing periods from a displacement off an MPS, half a period after
+/// its impact.
 ///
 /// None if there is not exactly one impact.
 fn strobe(
@@ -86,7 +90,8 @@ fn strobe(
     }
 }
 
-/// Trace and determinant of the derivative of the stroboscopic map, by central differences with steps ±h.
+/// Trace and determinant of the derivative of the stroboscopic map, by central differences with
+/// steps ±h.
 ///
 /// None if an orbit does not have exactly one impact.
 pub(crate) fn simulated_multipliers(
@@ -103,7 +108,8 @@ pub(crate) fn simulated_multipliers(
     Some(Multipliers { trace: derivative.trace(), determinant: derivative.determinant() })
 }
 
-/// The map from impact to impact over p loops with the wall ignored in between, as (y, z) relative to the MPS.
+/// The map from impact to impact over p loops with the wall ignored in between, as (y, z) relative
+/// to the MPS.
 fn unhindered_return(
     oscillator: &LinearOscillator,
     solution: &PeriodicSolution,
@@ -122,8 +128,8 @@ fn unhindered_return(
     Vector2::new(motion.at(time).velocity - solution.unknowns[0], displacement[1] + lag)
 }
 
-/// Fails unless a zero of the equations comes back to its impact after p forcing periods with the wall ignored in between,
-/// with the right trace and determinant of the derivative of this return.
+/// Fails unless a zero of the equations comes back to its impact after p forcing periods with the
+/// wall ignored in between, with the right trace and determinant of the derivative of this return.
 ///
 /// For solutions that are not admissible, and so none of the hybrid system.
 #[track_caller]

@@ -78,7 +78,8 @@ fn a_branch_is_no_parabola_where_its_saddle_node_curve_turns_back_in_a_cusp() {
     let curves = resonance.unfold(&route([0.0, 1.5], [secondary - 0.05, secondary + 0.05], true)).unwrap();
     let cusps = cusps(&resonance.curve(Condition::SADDLE_NODE).equations, &curves.saddle_node);
     assert_eq!(cusps.len(), 1);
-    // Half the second derivative of μ in y along the branch of fixed η through a saddle-node, by differences.
+    // Half the second derivative of μ in y along the branch of fixed η through a saddle-node, by
+    // differences.
     let curvature = |solution: &PeriodicSolution| {
         let fold = solution.unknowns;
         let step = 1e-3 * fold[unknown::VELOCITY];
@@ -92,7 +93,8 @@ fn a_branch_is_no_parabola_where_its_saddle_node_curve_turns_back_in_a_cusp() {
     };
     let [before, after] = [cusps[0].index - 1, cusps[0].index + 1]
         .map(|index| curvature(&curves.saddle_node.points[index].solution));
-    // It changes by its own size within a step; what is left is rounding over the square of the step, and its square.
+    // It changes by its own size within a step; what is left is rounding over the square of the
+    // step, and its square.
     assert!(before * after < 0.0, "{before} {after}");
     assert_within(curvature(&cusps[0].solution) / (before - after), 0.0, 1e-3);
 }

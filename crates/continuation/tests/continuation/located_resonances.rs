@@ -1,4 +1,5 @@
-//! Resonances located numerically, the directions in which curves leave them, and the coefficients measured on the curves.
+//! Resonances located numerically, the directions in which curves leave them, and the coefficients
+//! measured on the curves.
 
 use grazing_continuation::arclength::{Continuation, StepControl};
 use grazing_continuation::curve::SolutionCurve;
@@ -20,7 +21,8 @@ fn all() -> Vec<Resonance> {
 fn resonances_lie_at_the_closed_form() {
     for resonance in all() {
         let point = located(&resonance).unknowns();
-        // Roundings of numbers of order one, with the condition of det J = 0 on the grazing curve: κ_p' and a₁₂' exceed one.
+        // Roundings of numbers of order one, with the condition of det J = 0 on the grazing curve:
+        // κ_p' and a₁₂' exceed one.
         assert_eq!(point[0], 0.0);
         assert_within(point[3], resonance.forcing_frequency(), 1e-13);
         assert_within(point[2], resonance.grazing().amplitude(), 1e-13);
@@ -48,7 +50,8 @@ fn curves_leave_in_the_direction_of_the_theory() {
             let walker =
                 Continuation::new(&curve, StepControl::DRAWING, start, aside, EventTimes::default()).unwrap();
             let tangent = walker.here().tangent;
-            // Quotients of second derivatives that are right to 10⁻¹², and the condition of the bordered system.
+            // Quotients of second derivatives that are right to 10⁻¹², and the condition of the
+            // bordered system.
             assert_within((tangent * tangent.dot(&direction).signum() - direction).norm(), 0.0, 1e-10);
         }
     }
@@ -73,13 +76,15 @@ fn first_point_has_the_multiplier_of_its_curve() {
 
 #[test]
 fn coefficients_measured_on_the_curves_are_the_printed_ones() {
-    // Frequencies for which the fit's first impact velocity lies on the PD curves of p = 4 and of even n.
+    // Frequencies for which the fit's first impact velocity lies on the PD curves of p = 4 and of
+    // even n.
     for resonance in resonances(ZETA, EPSILON, &[1, 2, 3, 4], [0.35, 2.0]) {
         let located = located(&resonance);
         let closed = [resonance.saddle_node_coefficient(), resonance.period_doubling_coefficient()];
         for (condition, expected) in CONDITIONS.into_iter().zip(closed) {
             let estimate = quadratic_coefficient(&located, condition).unwrap();
-            // The estimate claims its error; that it is also small is a property of the scheme: extrapolated to order eight.
+            // The estimate claims its error; that it is also small is a property of the scheme:
+            // extrapolated to order eight.
             assert_within(estimate.value, expected, 3.0 * estimate.error);
             assert_close(estimate.value, expected, 1e-7);
             assert!(estimate.error < 1e-5 * expected.abs());

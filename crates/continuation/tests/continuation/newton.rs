@@ -31,7 +31,8 @@ fn convergence_is_quadratic_and_ends_at_rounding() {
         Ok::<_, ()>(circle_and_hyperbola(u))
     })
     .unwrap();
-    // ½ |D²F| |DF⁻¹| is at most 1 here: |D²F| ≤ 2 on unit vectors of either component, |DF⁻¹| < 0.6 along the way.
+    // ½ |D²F| |DF⁻¹| is at most 1 here: |D²F| ≤ 2 on unit vectors of either component, |DF⁻¹| < 0.6
+    // along the way.
     let squared = errors.windows(2).filter(|pair| pair[0] < 0.3 && pair[1] > 1e-14).collect::<Vec<_>>();
     assert!(squared.len() >= 2, "too few steps to judge: {errors:?}");
     for pair in squared {

@@ -23,8 +23,9 @@ fn branches_cross_the_grazing_bifurcation_smoothly() {
             let conditions = [Condition::ImpactVelocity(y), Condition::Secondary(OMEGA)];
             locate(&equations, conditions, start, &mut EventTimes::default()).ok()
         };
-        // The third difference across y = 0 of a smooth curve is of third order. One of 𝒜(y) or z(y) that is only once
-        // differentiable at y = 0, with a term y|y|, would leave it of second order.
+        // The third difference across y = 0 of a smooth curve is of third order. One of 𝒜(y) or
+        // z(y) that is only once differentiable at y = 0, with a term y|y|, would leave it of
+        // second order.
         for coordinate in [1, 2] {
             assert_vanishes(3.0, 1e-14, |size| {
                 let [a, b, c, d] =
@@ -64,7 +65,8 @@ fn every_admissible_point_of_a_branch_is_an_orbit_of_the_hybrid_system() {
             }
             let oscillator = equations.oscillator_at(&solution.unknowns);
             assert_returns(&oscillator, solution);
-            // As on the two-parameter curves; where the solution is very unstable, the displaced orbits go astray.
+            // As on the two-parameter curves; where the solution is very unstable, the displaced
+            // orbits go astray.
             let step = (1e-3 * solution.impact_velocity() * solution.impact_velocity()).min(1e-6);
             let multipliers = solution.multipliers;
             let scale = 1.0 + multipliers.trace.abs();
@@ -79,7 +81,8 @@ fn every_admissible_point_of_a_branch_is_an_orbit_of_the_hybrid_system() {
 
 #[test]
 fn no_admissible_orbit_is_called_inadmissible() {
-    // Where the ceiling is above the wall, the simulated orbit meets the wall before p periods are over.
+    // Where the ceiling is above the wall, the simulated orbit meets the wall before p periods are
+    // over.
     let mut checked = 0;
     for loops in 2..=5 {
         let (equations, curve) = amplitude_branch(loops, [0.1, 0.7]);
@@ -106,9 +109,10 @@ fn branches_outlive_the_virtual_points() {
         let (_, vivid) = branch(parameters, loops, Formulation::Vivid, 1.0, &route);
         let last = |curve: &Curve| curve.points.last().unwrap().solution.unknowns;
         if matches!(vivid.end, CurveEnd::LeftWindow) {
-            // Where the maximum on which a loop ends disappears, a corrector can also land on another maximum of the same orbit
-            // and VIVID goes on: whether it ends depends on the steps, and not every branch needs to show it.
-            // Located on the edge of the window to rounding, with condition numbers below 10³.
+            // Where the maximum on which a loop ends disappears, a corrector can also land on
+            // another maximum of the same orbit and VIVID goes on: whether it ends depends on the
+            // steps, and not every branch needs to show it. Located on the edge of the window to
+            // rounding, with condition numbers below 10³.
             assert_within((last(&vivid) - last(&curve)).norm(), 0.0, 1e-11);
             continue;
         }
@@ -159,7 +163,8 @@ fn a_bifurcation_from_which_a_branch_is_followed_is_one_of_its_events() {
             let met: Vec<_> = met.collect();
             let [event] = met.as_slice() else { panic!("p = {loops}: {met:?}") };
             assert_eq!(event.condition, start.condition);
-            // Where the index says the multiplier passes, and all events stand in the order of the branch.
+            // Where the index says the multiplier passes, and all events stand in the order of the
+            // branch.
             let side = |index: usize| {
                 let multipliers = both.points[index].solution.multipliers;
                 multipliers.determinant - multiplier * multipliers.trace + 1.0

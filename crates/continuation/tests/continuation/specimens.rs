@@ -33,8 +33,8 @@ impl Spring {
     pub(crate) const DUFFING: Self = Self { kappa: 0.1, varying: true, length: 1.0 };
 }
 
-/// Resonances of [`Spring::DUFFING`], as p and where Newton's method starts (empirical, by homotopy from the linear oscillator's
-/// with n = 3 and n = 1).
+/// Resonances of [`Spring::DUFFING`], as p and where Newton's method starts (empirical, by homotopy
+/// from the linear oscillator's with n = 3 and n = 1).
 pub(crate) const DUFFING: [(u32, [f64; 3]); 2] =
     [(1, [0.0668, 0.6734, 0.7597]), (2, [0.0868, 0.3983, 0.9134])];
 
@@ -86,7 +86,8 @@ pub(crate) fn at_grazing(zeta: f64, epsilon: f64, omega: f64) -> (GrazingState, 
     (grazing, grazing.model())
 }
 
-/// The closed forms of all resonances with the given numbers of loops and forcing frequencies between the two.
+/// The closed forms of all resonances with the given numbers of loops and forcing frequencies
+/// between the two.
 pub(crate) fn resonances(
     zeta: f64,
     epsilon: f64,
@@ -121,7 +122,8 @@ pub(crate) fn route(amplitudes: [f64; 2], frequencies: [f64; 2], stop_at_events:
     }
 }
 
-/// The branch of p-loop MPSs at fixed frequency that leaves the grazing bifurcation, to y > 0 (`side` 1) or y < 0 (−1).
+/// The branch of p-loop MPSs at fixed frequency that leaves the grazing bifurcation, to y > 0
+/// (`side` 1) or y < 0 (−1).
 pub(crate) fn branch(
     [zeta, epsilon, omega]: [f64; 3],
     loops: u32,
@@ -145,9 +147,10 @@ pub(crate) fn order([coarse, fine]: [f64; 2]) -> f64 {
 
 /// Fails unless an error vanishes with at least the stated order in a size.
 ///
-/// The sizes fall by halves from 2⁻⁷ to 2⁻²⁰. The order is read off the two smallest at which the error, where there is
-/// one, still stands a hundredfold above its `rounding`, with slack for the next order there (much for p = 1 and even n, where s⁻ is small);
-/// an error that never does is none.
+/// The sizes fall by halves from 2⁻⁷ to 2⁻²⁰. The order is read off the two smallest at which the
+/// error, where there is one, still stands a hundredfold above its `rounding`, with slack for the
+/// next order there (much for p = 1 and even n, where s⁻ is small); an error that never does is
+/// none.
 #[track_caller]
 pub(crate) fn assert_vanishes(stated: f64, rounding: f64, error: impl Fn(f64) -> Option<f64>) {
     let mut size = libm::exp2(-7.0);

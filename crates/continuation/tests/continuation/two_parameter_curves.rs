@@ -1,5 +1,5 @@
-//! The curves from all resonances of the two-parameter diagram: how they end, where they meet, and every point of them
-//! against the simulated hybrid system.
+//! The curves from all resonances of the two-parameter diagram: how they end, where they meet, and
+//! every point of them against the simulated hybrid system.
 
 use std::sync::OnceLock;
 
@@ -77,7 +77,8 @@ fn every_curve_ends_where_the_diagram_has_it_end() {
     for unfolded in unfolded() {
         let ends = unfolded.all().map(kind).collect::<Vec<_>>();
         let expected = match unfolded.name() {
-            // The three highest regions reach beyond the window or to the resonance of all p near ω = 1.
+            // The three highest regions reach beyond the window or to the resonance of all p near
+            // ω = 1.
             (1, 2) => vec![Edge, Grazing],
             (1, 3) => vec![InteriorGrazing, Grazing, Edge],
             (2, 1) => vec![InteriorGrazing, Grazing, Grazing],
@@ -108,7 +109,8 @@ fn grazing_curve_starts_at_the_end_of_sn_and_arrives_at_the_end_of_pd() {
             if let (Some(from_pd), Some(from_gz)) =
                 (codimension_two_end(period_doubling), codimension_two_end(curve))
             {
-                // Two routes to one point, each located to rounding with a condition of the system below 10³.
+                // Two routes to one point, each located to rounding with a condition of the system
+                // below 10³.
                 assert_within((from_pd.solution.unknowns - from_gz.solution.unknowns).norm(), 0.0, 1e-11);
             }
         }
@@ -166,7 +168,8 @@ fn every_point_fulfils_the_condition_of_its_curve() {
             {
                 let multipliers = solution.multipliers;
                 match curve.condition {
-                    // The points solve det(L − λR) = 0 to 10⁻¹⁴ or so; T and D come from it by division by y ≥ 10⁻⁴.
+                    // The points solve det(L − λR) = 0 to 10⁻¹⁴ or so; T and D come from it by
+                    // division by y ≥ 10⁻⁴.
                     Condition::Multiplier(value) => {
                         assert_within(1.0 - value * multipliers.trace + multipliers.determinant, 0.0, 1e-9);
                     }
@@ -212,8 +215,9 @@ fn multipliers_are_those_of_the_simulated_stroboscopic_map() {
                     continue;
                 }
                 let oscillator = unfolded.located.equations().oscillator_at(&solution.unknowns);
-                // A displacement δ changes the square of the impact velocity by about 2γδ: the map is smooth on the scale
-                // y². The error of the differences is (h/y²)² ≤ 10⁻⁶ and 10⁻¹⁵/(h y) ≤ 10⁻⁵.
+                // A displacement δ changes the square of the impact velocity by about 2γδ: the map
+                // is smooth on the scale y². The error of the differences is (h/y²)² ≤ 10⁻⁶ and
+                // 10⁻¹⁵/(h y) ≤ 10⁻⁵.
                 let step = (1e-3 * velocity * velocity).min(1e-6);
                 let simulated = simulated_multipliers(&oscillator, solution, step).unwrap();
                 let scale = 1.0 + solution.multipliers.trace.abs();

@@ -23,7 +23,8 @@ impl Plan {
     }
 }
 
-/// The expression of nodes of which each stands after those it is made of, and the last one is the whole.
+/// The expression of nodes of which each stands after those it is made of, and the last one is the
+/// whole.
 pub(super) fn expression(variables: Vec<String>, moving: usize, nodes: &[Node]) -> Expression {
     let plans = plans(nodes);
     let mut moves = vec![false; nodes.len()];

@@ -78,7 +78,8 @@ pub(super) fn call<'g>(name: &str, arguments: &[Term<'g>]) -> Option<Result<Term
     Some(match known {
         Known::Elementary(function) => argument.apply(*function),
         Known::Cosh => cosh(*argument),
-        // As the product of these two it is exact near 0 as well, where the difference of exponentials is not.
+        // As the product of these two it is exact near 0 as well, where the difference of
+        // exponentials is not.
         Known::Sinh => argument
             .apply(Function::Tanh)
             .and_then(|tanh| cosh(*argument).and_then(|cosh| tanh.multiply(cosh))),

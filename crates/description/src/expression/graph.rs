@@ -1,4 +1,5 @@
-//! The graph that the parser's arithmetic builds: equal parts are one node, and constants are folded.
+//! The graph that the parser's arithmetic builds: equal parts are one node, and constants are
+//! folded.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -15,7 +16,8 @@ pub(super) enum Node {
     Operation(Operation<usize>),
 }
 
-/// A node as numbers, so that equal nodes are found at once: what it is, and its operands or the bits of its constant.
+/// A node as numbers, so that equal nodes are found at once: what it is, and its operands or the
+/// bits of its constant.
 type Key = (u8, u64, u64);
 
 impl Node {
@@ -79,7 +81,8 @@ impl Graph {
         }
     }
 
-    /// The parts that `root` is made of, each once, operands first and the left one before the right one.
+    /// The parts that `root` is made of, each once, operands first and the left one before the
+    /// right one.
     pub(super) fn parts(&self, root: usize) -> Vec<Node> {
         let nodes = self.nodes.borrow();
         let mut numbers = vec![None; nodes.len()];

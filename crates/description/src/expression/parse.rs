@@ -194,12 +194,15 @@ pub(super) fn term<'g>(
     Ok((term, names.uses.into_inner()))
 }
 
-/// A force seen from the wall: the acceleration of u = s(x − W(t)) as an expression in u, u̇, t, μ, η, and x and v as others.
+/// A force seen from the wall: the acceleration of u = s(x − W(t)) as an expression in u, u̇, t, μ,
+/// η, and x and v as others.
 ///
-/// W is the position of the wall, s = 1 for motion below it and −1 for motion above it: ü = s(F(W + su, Ẇ + su̇, t) − Ẅ).
+/// W is the position of the wall, s = 1 for motion below it and −1 for motion above it: ü = s(F(W +
+/// su, Ẇ + su̇, t) − Ẅ).
 ///
 /// # Errors
-/// The first thing that is not right in one of the texts; if that is none by itself, the two together have numbers that are too large.
+/// The first thing that is not right in one of the texts; if that is none by itself, the two
+/// together have numbers that are too large.
 pub(crate) fn from_the_wall(
     force: &str,
     wall: &str,

@@ -117,7 +117,8 @@ fn plain<S: Scalar>(text: &str, variables: &[S]) -> S {
     *values.last().expect("an expression has a part")
 }
 
-/// The values at the first point with none, some and all of the variables held, after those at the second.
+/// The values at the first point with none, some and all of the variables held, after those at the
+/// second.
 fn all_ways<S: Scalar>(text: &str, [first, second]: [[S; 3]; 2]) -> Vec<S> {
     let held = (0..=3).filter_map(|moving| {
         let expression = read(text, moving)?;

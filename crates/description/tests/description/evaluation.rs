@@ -19,8 +19,8 @@ fn value(text: &str) -> f64 {
     parse(text).evaluate(&[0.0, 0.0, 0.0])
 }
 
-/// Folding and sharing reorder a few roundings, and powers of series are not those of `pow`; each operation costs half a
-/// unit in the last place, and these formulas have less than twenty.
+/// Folding and sharing reorder a few roundings, and powers of series are not those of `pow`; each
+/// operation costs half a unit in the last place, and these formulas have less than twenty.
 const ROUNDING: f64 = 20.0 * f64::EPSILON;
 
 #[test]

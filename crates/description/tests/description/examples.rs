@@ -107,8 +107,8 @@ fn the_forces_of_the_examples_are_those_of_their_comments() {
     }
 }
 
-/// Fails unless the force of the example, seen from its wall, is this acceleration of x at fifty states near rest; `wanted` gets x, v, t
-/// and both parameters.
+/// Fails unless the force of the example, seen from its wall, is this acceleration of x at fifty
+/// states near rest; `wanted` gets x, v, t and both parameters.
 fn assert_force(name: &str, wanted: impl Fn(&dyn Fn(&str) -> f64, [f64; 5]) -> f64) {
     let description = example(name);
     let (units, sign) =

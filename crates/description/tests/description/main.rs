@@ -1,4 +1,5 @@
-//! Descriptions of oscillators: what a text may say, what is said of its mistakes, and what the examples come to.
+//! Descriptions of oscillators: what a text may say, what is said of its mistakes, and what the
+//! examples come to.
 
 mod evaluation;
 mod examples;

@@ -67,7 +67,8 @@ fn third_derivatives_of_the_flow_are_those_of_many_short_flights() {
         }
         for (whole, parts) in whole.iter().zip([x, y]) {
             for (a, b) in whole.coefficients().into_iter().zip(parts.coefficients()) {
-                // The drag bends within a velocity of 0.05: each order of derivatives is worse than the one before.
+                // The drag bends within a velocity of 0.05: each order of derivatives is worse than
+                // the one before.
                 assert!((a - b).abs() < 1e-9 * (1.0 + b.abs()), "{name}: {a} {b}");
             }
         }
@@ -87,7 +88,8 @@ fn reset_law_along_a_curve_has_the_derivatives_that_it_has_in_all_directions() {
     let jet = along(0.0);
     for (i, image) in oscillator.reset_series(y, z).iter().enumerate() {
         let [value, first, second, third] = image.coefficients();
-        // Roundings; for the third a central difference with h² = 1e-8 times derivatives of order one.
+        // Roundings; for the third a central difference with h² = 1e-8 times derivatives of order
+        // one.
         assert!((value - jet.value[i]).abs() < 1e-15);
         assert!((first - q[0] * jet.jacobian[(i, 0)] - q[1] * jet.jacobian[(i, 1)]).abs() < 1e-15);
         assert!((second - bend(0.0, i)).abs() < 1e-15);

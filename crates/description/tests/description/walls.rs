@@ -1,9 +1,11 @@
-//! Walls that stand elsewhere, on the other side, or move: the same oscillator written in other coordinates.
+//! Walls that stand elsewhere, on the other side, or move: the same oscillator written in other
+//! coordinates.
 
 use grazing_description::{Description, Side};
 use grazing_model::smooth::SmoothOscillator;
 
-/// A description with this motion, whose parameters are `B` and `omega` and whose only constants are `zeta` and `d`.
+/// A description with this motion, whose parameters are `B` and `omega` and whose only constants
+/// are `zeta` and `d`.
 fn described(force: &str, wall: &str) -> Result<Description, String> {
     let text = format!(
         "name = \"Test\"\n[parameters]\nzeta = 0.02\nd = 0.3\n[primary]\nname = \"B\"\nrange = [0.1, 1.5]\n[secondary]\nname = \"omega\"\n\

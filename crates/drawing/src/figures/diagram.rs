@@ -18,7 +18,8 @@ use crate::plot::magnified::{OFF_TRIANGLE, letter, rectangle};
 
 /// Width in the paper.
 const WIDTH_MM: f64 = 120.0;
-/// Height as a share of the width, up to the most that leaves room for a caption and text on the page.
+/// Height as a share of the width, up to the most that leaves room for a caption and text on the
+/// page.
 const HEIGHT_SHARE: f64 = 0.8;
 const MOST_HEIGHT_MM: f64 = 118.0;
 /// On narrower sheets the diagram is taller than this share says, so that its labels find room.
@@ -30,7 +31,8 @@ const LABELLED_LENGTH: f64 = 42.0;
 
 /// Draws a two-parameter bifurcation diagram.
 ///
-/// Points that are inadmissible are not drawn, nor are unstable ones of GZ. Resonances of a p without a region have p written beside them.
+/// Points that are inadmissible are not drawn, nor are unstable ones of GZ. Resonances of a p
+/// without a region have p written beside them.
 ///
 /// # Errors
 /// [`DrawingError`] if a frame is empty.
@@ -134,7 +136,8 @@ fn shown_curves(points: &[PlanePoint]) -> Vec<Trace> {
     let curve = |points: &[PlanePoint]| {
         let last = points.len() - 1;
         let spots = points.iter().enumerate().map(|(index, point)| {
-            // At an end of a GZ curve, a codimension-two point, stability is marginal and its flag a toss-up.
+            // At an end of a GZ curve, a codimension-two point, stability is marginal and its flag
+            // a toss-up.
             let stable = point.stable || index == 0 || index == last;
             let shown = point.admissible && (point.kind != Bifurcation::Grazing || stable);
             if shown { (point.primary, point.secondary) } else { (f64::NAN, f64::NAN) }

@@ -1,4 +1,5 @@
-//! Resonances, coefficients and codimension-two points over a constant of the oscillator that varies.
+//! Resonances, coefficients and codimension-two points over a constant of the oscillator that
+//! varies.
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_results::Names;
@@ -29,8 +30,9 @@ const MEMBER_RADIUS: f64 = 1.1;
 
 /// Draws a family, whose columns have these names, under a title.
 ///
-/// Panels over the constant that varies first: for each p the secondary parameter at resonances and other codimension-two points, c_SN and
-/// c_PD. Curves of further constants are paler the further these are from their first values.
+/// Panels over the constant that varies first: for each p the secondary parameter at resonances and
+/// other codimension-two points, c_SN and c_PD. Curves of further constants are paler the further
+/// these are from their first values.
 ///
 /// # Errors
 /// [`DrawingError`] if a frame is empty.
@@ -165,7 +167,8 @@ fn draw_panel(
 /// First and last row of a polyline, and its points.
 type Strand<'a> = (&'a CurvePoint, &'a CurvePoint, Vec<(f64, f64)>);
 
-/// The resonances of p loops from member to member, each as one polyline with the row with which it begins: arcs of one branch that follow each other.
+/// The resonances of p loops from member to member, each as one polyline with the row with which it
+/// begins: arcs of one branch that follow each other.
 fn strands(
     family: &Family,
     loops: u32,
@@ -195,7 +198,8 @@ fn strands(
     strands.into_iter().map(|(first, _, points)| (first, points)).collect()
 }
 
-/// Codimension-two points that are no resonances, by the colour of the curve that ends on the GZ curve there; the first of each kind is named.
+/// Codimension-two points that are no resonances, by the colour of the curve that ends on the GZ
+/// curve there; the first of each kind is named.
 fn points(
     panel: &Panel<'_>,
     labels: &mut Labels<'_>,

@@ -98,7 +98,8 @@ fn name_above(panel: &Panel<'_>, curves: &[&[BoundaryPoint]]) -> Result<(), Draw
     let mut ends: Vec<(Spot, f64, (Pen, String))> = Vec::new();
     for curve in curves {
         if let Some(end) = curve.last().map(place).filter(|&end| panel.frame.contains(end)) {
-            // Of curves that end in one point, the direction they come from decides which is to the left.
+            // Of curves that end in one point, the direction they come from decides which is to the
+            // left.
             let before = place(&curve[curve.len() * 19 / 20]);
             ends.push((panel.spot(end), panel.spot(before).0, pen_and_name(&curve[0])));
         }

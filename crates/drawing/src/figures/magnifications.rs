@@ -21,8 +21,9 @@ const DIGITS: usize = 4;
 
 /// Draws magnifications.
 ///
-/// Panels stand three in a row, on narrow sheets one above the other, three rows on a sheet: as many sheets are drawn as
-/// there have to be, all with about as many panels, none if there is no panel.
+/// Panels stand three in a row, on narrow sheets one above the other, three rows on a sheet: as
+/// many sheets are drawn as there have to be, all with about as many panels, none if there is no
+/// panel.
 ///
 /// # Errors
 /// [`DrawingError`] if a frame is empty.

@@ -1,4 +1,5 @@
-//! One-parameter diagrams with phase portraits above them, of any oscillator; Figure 2 is one, with a magnification.
+//! One-parameter diagrams with phase portraits above them, of any oscillator; Figure 2 is one, with
+//! a magnification.
 
 use grazing_results::branches::OneParameter;
 use grazing_results::{Frame, Names};
@@ -18,22 +19,26 @@ use crate::plot::ticks::measured;
 
 /// Width in the paper.
 const WIDTH_MM: f64 = 156.0;
-/// Portraits stand so many in a row, on sheets narrower than this two; wider ones have the magnification beside the diagram.
+/// Portraits stand so many in a row, on sheets narrower than this two; wider ones have the
+/// magnification beside the diagram.
 const IN_A_ROW: usize = 4;
 const WIDE_MM: f64 = 120.0;
-/// Height of the diagram with its numbers and title, in points: alone, beside its magnification, and above it.
+/// Height of the diagram with its numbers and title, in points: alone, beside its magnification,
+/// and above it.
 const HEIGHT: f64 = 236.0;
 const MAGNIFIED_HEIGHT: f64 = 222.83;
 const STACKED_HEIGHT: f64 = 121.0;
 /// Room above the magnification where it stands below, in points.
 const STACKED_GAP: f64 = 8.0;
-/// Room above the diagram, with letters of portraits and without, and beside it, alone and magnified, in points; numbers that need more get it.
+/// Room above the diagram, with letters of portraits and without, and beside it, alone and
+/// magnified, in points; numbers that need more get it.
 const LETTERS: f64 = 18.0;
 const ABOVE: f64 = 6.0;
 const LEFT: f64 = 38.0;
 const RIGHT: f64 = 9.0;
 const MAGNIFIED_RIGHT: f64 = 6.0;
-/// The part of the width that a diagram has beside its magnification, and the room between, in points.
+/// The part of the width that a diagram has beside its magnification, and the room between, in
+/// points.
 const SPLIT: f64 = 0.59;
 const BETWEEN: f64 = 44.0;
 /// A value of more characters than this is rounded, to so many digits.
@@ -58,7 +63,8 @@ pub fn draw_fig02(figure: &OneParameter, width: SheetWidth) -> Result<Sheet, Dra
     draw(figure, &heading, &["fig02_portraits"], false, width)
 }
 
-/// Draws a one-parameter diagram of an oscillator, whose parameters have these names, under a title.
+/// Draws a one-parameter diagram of an oscillator, whose parameters have these names, under a
+/// title.
 ///
 /// # Errors
 /// [`DrawingError`] if the frame is empty.
@@ -85,7 +91,8 @@ fn plain(value: f64) -> String {
     if text.chars().count() <= LONGEST { text } else { measured(value, DIGITS) }
 }
 
-/// Draws a diagram and its portraits, which show the rows of a table; the title of its axis says where the other parameter is held, if it is to.
+/// Draws a diagram and its portraits, which show the rows of a table; the title of its axis says
+/// where the other parameter is held, if it is to.
 fn draw(
     figure: &OneParameter,
     heading: &Heading<'_>,

@@ -18,7 +18,8 @@ pub(crate) fn checked(frame: Frame, name: &str) -> Result<Frame, DrawingError> {
     Ok(frame)
 }
 
-/// The part of a segment inside the frame, if any; an end inside is kept to the bit, so that neighbours join.
+/// The part of a segment inside the frame, if any; an end inside is kept to the bit, so that
+/// neighbours join.
 fn clip_segment(frame: &Frame, a: (f64, f64), b: (f64, f64)) -> Option<((f64, f64), (f64, f64))> {
     let (enter, leave) = fractions_inside(frame.x, frame.y, a, b)?;
     let at = |t: f64| (a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1));
@@ -46,7 +47,8 @@ pub(crate) fn clip_polyline(frame: &Frame, points: &[(f64, f64)]) -> Vec<Vec<(f6
     pieces
 }
 
-/// Parallel lines at an angle of 45° and so far apart, inside where the rings are crossed an odd number of times.
+/// Parallel lines at an angle of 45° and so far apart, inside where the rings are crossed an odd
+/// number of times.
 pub(crate) fn hatching(rings: &[Vec<(f64, f64)>], distance: f64) -> Vec<[(f64, f64); 2]> {
     // Along a line u = y + x is constant, and v = y − x runs.
     let turned = |&(x, y): &(f64, f64)| (y + x, y - x);
@@ -73,10 +75,11 @@ pub(crate) fn hatching(rings: &[Vec<(f64, f64)>], distance: f64) -> Vec<[(f64, f
     lines
 }
 
-/// Sutherland–Hodgman: the polygon's part inside the frame, as vertices in order (empty if there is none).
+/// Sutherland–Hodgman: the polygon's part inside the frame, as vertices in order (empty if there is
+/// none).
 ///
-/// A part that falls into several pieces comes back joined along the edge, which is right for filling but not for
-/// outlines. Vertices that are not finite are left out.
+/// A part that falls into several pieces comes back joined along the edge, which is right for
+/// filling but not for outlines. Vertices that are not finite are left out.
 pub(crate) fn clip_polygon(frame: &Frame, vertices: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut kept: Vec<(f64, f64)> =
         vertices.iter().copied().filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
@@ -118,7 +121,8 @@ mod tests {
         let lines = hatching(&rings, 1.0);
         let length: f64 =
             lines.iter().map(|[a, b]| ((b.0 - a.0) * (b.0 - a.0) + (b.1 - a.1) * (b.1 - a.1)).sqrt()).sum();
-        // The lines have the length of the area over their distance, give or take one line at either side.
+        // The lines have the length of the area over their distance, give or take one line at
+        // either side.
         assert!((length - 96.0).abs() < 15.0, "{length}");
         for [a, b] in lines {
             let middle = (0.5 * (a.0 + b.0), 0.5 * (a.1 + b.1));
@@ -132,7 +136,8 @@ mod tests {
 
     #[test]
     fn a_line_leaves_the_frame_at_its_own_slope() {
-        // Slope 3 through (0.5, 0.5): it crosses y = 0 and y = 1 at x = 1/3 and 2/3, one rounding away.
+        // Slope 3 through (0.5, 0.5): it crosses y = 0 and y = 1 at x = 1/3 and 2/3, one rounding
+        // away.
         let pieces = clip_polyline(&UNIT, &[(-0.5, -2.5), (1.5, 3.5)]);
         assert_eq!(pieces.len(), 1);
         let [from, to] = pieces[0][..] else { panic!("one segment expected") };
@@ -164,8 +169,8 @@ mod tests {
 
     #[test]
     fn a_polygon_is_cut_along_the_edge() {
-        // A diamond of half-diagonal 0.75 about the centre loses four corner triangles of height 0.25: its area
-        // falls from 1.125 to 1.125 - 4 * 0.0625.
+        // A diamond of half-diagonal 0.75 about the centre loses four corner triangles of height
+        // 0.25: its area falls from 1.125 to 1.125 - 4 * 0.0625.
         let diamond = [(0.5, -0.25), (1.25, 0.5), (0.5, 1.25), (-0.25, 0.5)];
         let cut = clip_polygon(&UNIT, &diamond);
         assert_eq!(cut.len(), 8);

@@ -1,4 +1,5 @@
-//! Curves that pass before each other: the farther one is interrupted where they cross on the sheet.
+//! Curves that pass before each other: the farther one is interrupted where they cross on the
+//! sheet.
 
 use crate::geometry::sheet::{Spot, distance};
 
@@ -9,7 +10,8 @@ pub(crate) type Course = Vec<[f64; 3]>;
 const PASSING_GAP: f64 = 2.2;
 /// Curves that differ in distance by less than this (points) meet rather than pass.
 const MEETING_DEPTH: f64 = 2.0;
-/// The sine of the angle below which curves that cross run side by side for so long that a gap would mean nothing.
+/// The sine of the angle below which curves that cross run side by side for so long that a gap
+/// would mean nothing.
 const LEAST_CROSSING_SINE: f64 = 0.12;
 
 /// The parts of a curve that are left when it is interrupted wherever a nearer one passes.
@@ -32,7 +34,8 @@ pub(crate) fn interrupted(course: &Course, others: &[&Course]) -> Vec<Vec<Spot>>
     without(course, &gaps)
 }
 
-/// Where along the first segment the second one crosses it nearer to the viewer, and half the length of the gap.
+/// Where along the first segment the second one crosses it nearer to the viewer, and half the
+/// length of the gap.
 fn passed(far: &[[f64; 3]], near: &[[f64; 3]]) -> Option<(f64, f64)> {
     let (a, c) = (&far[0], &near[0]);
     let u = [far[1][0] - a[0], far[1][1] - a[1]];

@@ -83,12 +83,14 @@ impl Placer {
         let foreign = self.all_but(curve);
         let place_at = |(at, direction): (Spot, Spot), side: f64, gap: f64| {
             let normal = (direction.1 * side, -direction.0 * side);
-            // The box's half-width seen along the normal brings its nearest corner or edge to the gap.
+            // The box's half-width seen along the normal brings its nearest corner or edge to the
+            // gap.
             let reach = 0.5 * (width * normal.0.abs() + height * normal.1.abs()) + gap;
             let bounds = Bounds::about((at.0 + normal.0 * reach, at.1 + normal.1 * reach), width, height);
             LabelPlace { bounds, leader: None }
         };
-        // First where the label is clearly nearer to its own curve than to any other, then where it is just nearer.
+        // First where the label is clearly nearer to its own curve than to any other, then where it
+        // is just nearer.
         let rounds = [(1.5, 2.0), (2.5, 2.0), (4.0, 2.0), (1.5, -0.3), (2.5, -0.3), (4.0, -0.3), (6.0, -0.3)];
         for (gap, lead) in rounds {
             for &spot in &spots {
@@ -118,7 +120,8 @@ impl Placer {
 
     /// Around a spot: close by if there is room, else farther off with a leader.
     pub(crate) fn around(&mut self, at: Spot, clearance: f64, width: f64, height: f64) -> Option<LabelPlace> {
-        // Unit vectors to the right, then by 22.5 degrees to either side in turn: cos and sin of 0, 22.5, 45, 67.5, 90.
+        // Unit vectors to the right, then by 22.5 degrees to either side in turn: cos and sin of 0,
+        // 22.5, 45, 67.5, 90.
         const TURNS: [Spot; 5] = [
             (1.0, 0.0),
             (0.923_88, 0.382_68),
@@ -163,7 +166,8 @@ impl Placer {
         Some(self.segments.iter().filter(meets).count())
     }
 
-    /// Inside a polygon, where the distance to everything else is greatest; `None` if the box fits nowhere.
+    /// Inside a polygon, where the distance to everything else is greatest; `None` if the box fits
+    /// nowhere.
     pub(crate) fn within(&mut self, polygon: &[Spot], width: f64, height: f64) -> Option<LabelPlace> {
         let polygon = thinned(polygon);
         let Bounds { left, top, right, bottom } = Bounds::around(&polygon).common(self.panel);
@@ -195,8 +199,8 @@ impl Placer {
         self.take(place)
     }
 
-    /// A spot well inside a polygon and off everything blocked: of a grid of trial spots, the one farthest from the
-    /// outline.
+    /// A spot well inside a polygon and off everything blocked: of a grid of trial spots, the one
+    /// farthest from the outline.
     pub(crate) fn deep_inside(&self, polygon: &[Spot]) -> Option<Spot> {
         const TRIALS: u32 = 40;
         let outline = thinned(polygon);
@@ -218,7 +222,8 @@ impl Placer {
         best.map(|(_, spot)| spot)
     }
 
-    /// Distance from a box to the nearest curve, blocked box or edge of the panel (Chebyshev for boxes).
+    /// Distance from a box to the nearest curve, blocked box or edge of the panel (Chebyshev for
+    /// boxes).
     fn clearance(&self, bounds: &Bounds) -> f64 {
         let outside = |(x, y): Spot| {
             let dx = (bounds.left - x).max(x - bounds.right).max(0.0);
@@ -239,11 +244,14 @@ impl Placer {
     }
 }
 
-/// Centres for boxes side by side, as near to the ones wanted as can be without a gap below `gap`, in the order given.
+/// Centres for boxes side by side, as near to the ones wanted as can be without a gap below `gap`,
+/// in the order given.
 ///
-/// Site centres ascend. Boxes that would meet move together, so that the sum of squared moves is least.
+/// Site centres ascend. Boxes that would meet move together, so that the sum of squared moves is
+/// least.
 pub(crate) fn side_by_side(wanted: &[(f64, f64)], gap: f64) -> Vec<f64> {
-    // Offsets of the boxes in a row without slack; centres less offsets have to ascend: pool those that descend.
+    // Offsets of the boxes in a row without slack; centres less offsets have to ascend: pool those
+    // that descend.
     let mut offsets = Vec::with_capacity(wanted.len());
     let mut pools: Vec<(f64, usize)> = Vec::new();
     for (index, &(centre, width)) in wanted.iter().enumerate() {

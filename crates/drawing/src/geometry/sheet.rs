@@ -1,4 +1,5 @@
-//! Geometry on the sheet that the placing of labels needs: spots, boxes, polylines and polygons, in points.
+//! Geometry on the sheet that the placing of labels needs: spots, boxes, polylines and polygons, in
+//! points.
 
 /// A point of the sheet, in points to the right and downwards.
 pub(crate) type Spot = (f64, f64);
@@ -93,7 +94,8 @@ impl Bounds {
     }
 }
 
-/// Liang–Barsky: where the segment from `a` to `b` enters and leaves a rectangle, as fractions of its length.
+/// Liang–Barsky: where the segment from `a` to `b` enters and leaves a rectangle, as fractions of
+/// its length.
 pub(crate) fn fractions_inside(x: [f64; 2], y: [f64; 2], a: (f64, f64), b: (f64, f64)) -> Option<(f64, f64)> {
     let (dx, dy) = (b.0 - a.0, b.1 - a.1);
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
@@ -116,7 +118,8 @@ pub(crate) fn span(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
 }
 
-/// Curves are thinned to segments of at least this length (points): labels need no finer picture of them.
+/// Curves are thinned to segments of at least this length (points): labels need no finer picture of
+/// them.
 const THINNED_STEP: f64 = 0.8;
 
 pub(crate) fn distance(a: Spot, b: Spot) -> f64 {
@@ -135,7 +138,8 @@ pub(crate) fn inside(polygon: &[Spot], (x, y): Spot) -> bool {
     within
 }
 
-/// The curve without the points that are closer than [`THINNED_STEP`] to the one kept before; both ends stay.
+/// The curve without the points that are closer than [`THINNED_STEP`] to the one kept before; both
+/// ends stay.
 pub(crate) fn thinned(curve: &[Spot]) -> Vec<Spot> {
     let mut kept: Vec<Spot> = Vec::new();
     for (index, &spot) in curve.iter().enumerate() {

@@ -2,10 +2,12 @@
 
 use crate::geometry::sheet::Hundredths;
 
-/// Greatest distance between a curve and its simplification, in hundredths of a point, 3.5 micrometres each.
+/// Greatest distance between a curve and its simplification, in hundredths of a point, 3.5
+/// micrometres each.
 const BELOW_PRINT_RESOLUTION: f64 = 1.0;
 
-/// Leaves out points that lie within [`BELOW_PRINT_RESOLUTION`] of the line through the ones kept; both ends stay.
+/// Leaves out points that lie within [`BELOW_PRINT_RESOLUTION`] of the line through the ones kept;
+/// both ends stay.
 pub(crate) fn simplify(path: &[Hundredths]) -> Vec<Hundredths> {
     if path.len() < 3 {
         return path.to_vec();

@@ -4,7 +4,8 @@ use crate::geometry::sheet::{Spot, along, distance};
 use crate::ink::canvas::Canvas;
 use crate::ink::style::{Colour, Paint, Pen};
 
-/// Length of the head of a line one point wide, from its tip to its barbs, in points; it grows with the line.
+/// Length of the head of a line one point wide, from its tip to its barbs, in points; it grows with
+/// the line.
 const HEAD_LENGTH: f64 = 5.6;
 /// Width of a head and depth of the notch in its back, in units of its length.
 const HEAD_SHAPE: (f64, f64) = (0.68, 0.24);
@@ -34,7 +35,8 @@ pub(crate) fn head_on(canvas: &Canvas, curve: &[Spot], share: f64, pen: Pen) {
     }
 }
 
-/// A line with a head, whose tip stops `short` of the line's end; nothing if the line is too short for a head.
+/// A line with a head, whose tip stops `short` of the line's end; nothing if the line is too short
+/// for a head.
 pub(crate) fn arrow(canvas: &Canvas, path: &[Spot], short: f64, pen: Pen) {
     let size = head_length(pen);
     let to_tip = shortened(path, short);

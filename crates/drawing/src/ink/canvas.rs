@@ -128,7 +128,8 @@ impl Canvas {
         self.draw_at(centre, |x, y| format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{fill}{outline}/>"));
     }
 
-    /// Squares of a side on a grid that hangs on its top left corner; `data` is path data in units of the side.
+    /// Squares of a side on a grid that hangs on its top left corner; `data` is path data in units
+    /// of the side.
     pub(crate) fn bins(&self, corner: Spot, side: f64, data: &str, paint: Paint) {
         let (side, colour, opacity) = (points(side), hex(paint.colour), points(paint.opacity));
         self.draw_at(corner, |x, y| {

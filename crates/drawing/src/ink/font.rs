@@ -1,8 +1,9 @@
-//! The embedded fonts: their bytes, the style sheet that carries them, and the size of a label set in them.
+//! The embedded fonts: their bytes, the style sheet that carries them, and the size of a label set
+//! in them.
 //!
-//! STIX Two Text (upright and italic) and a few signs of STIX Two Math, cut down to ASCII, Greek and mathematical
-//! signs, without kerning tables, so that what is measured here is what a viewer sets. SIL Open Font License 1.1, see
-//! `fonts/OFL.txt`.
+//! STIX Two Text (upright and italic) and a few signs of STIX Two Math, cut down to ASCII, Greek
+//! and mathematical signs, without kerning tables, so that what is measured here is what a viewer
+//! sets. SIL Open Font License 1.1, see `fonts/OFL.txt`.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -14,7 +15,8 @@ use ttf_parser::Face as Metrics;
 use crate::error::DrawingError;
 use crate::ink::markup::{Face, Label, Run};
 
-/// Font files to hand to a converter (PDF, PNG) that must not use the system's fonts: name and bytes.
+/// Font files to hand to a converter (PDF, PNG) that must not use the system's fonts: name and
+/// bytes.
 pub const FONT_FILES: [(&str, &[u8]); 3] = [
     ("STIXTwoText-Regular.ttf", include_bytes!("../../fonts/STIXTwoText-Regular.ttf")),
     ("STIXTwoText-Italic.ttf", include_bytes!("../../fonts/STIXTwoText-Italic.ttf")),
@@ -24,14 +26,16 @@ pub const FONT_FILES: [(&str, &[u8]); 3] = [
 /// Families of the sign font, ours first.
 pub(crate) const SIGN_FAMILY: &str = "'STIX Two Math','STIX Two Text','STIXGeneral',serif";
 
-/// A circumflex, in units of the font size, by eye after the font's own accents: its rise above the letter's ink, its height, half
-/// its width, and how far the slant of italics moves it to the right of the letter's middle.
+/// A circumflex, in units of the font size, by eye after the font's own accents: its rise above the
+/// letter's ink, its height, half its width, and how far the slant of italics moves it to the right
+/// of the letter's middle.
 const HAT_RISE: f64 = 0.07;
 const HAT_HEIGHT: f64 = 0.13;
 const HAT_HALF_WIDTH: f64 = 0.15;
 const HAT_SLANT: f64 = 0.07;
 
-/// What a label occupies, in points: its width, and how far its ink reaches above and below the baseline.
+/// What a label occupies, in points: its width, and how far its ink reaches above and below the
+/// baseline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Extent {
     pub(crate) width: f64,
@@ -52,7 +56,8 @@ pub(crate) struct Fonts {
     glyphs: RefCell<BTreeMap<(usize, char), Glyph>>,
 }
 
-/// A character's advance and how far its ink reaches up and down, if it has any, in units of the font.
+/// A character's advance and how far its ink reaches up and down, if it has any, in units of the
+/// font.
 #[derive(Clone, Copy)]
 struct Glyph {
     advance: u16,
@@ -125,7 +130,8 @@ pub(crate) type Hat = [(f64, f64); 3];
 impl Fonts {
     /// The circumflexes over a label set at `size` points.
     ///
-    /// They are drawn as lines: no font that viewers have can be counted on for an accent over an italic letter.
+    /// They are drawn as lines: no font that viewers have can be counted on for an accent over an
+    /// italic letter.
     ///
     /// # Errors
     /// As [`measure`](Self::measure).

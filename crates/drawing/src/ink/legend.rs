@@ -1,4 +1,5 @@
-//! Samples of what is drawn, for legends. They put no ink on the sheet; a figure holds its legend for those who show it.
+//! Samples of what is drawn, for legends. They put no ink on the sheet; a figure holds its legend
+//! for those who show it.
 
 use crate::geometry::shapes::triangle;
 use crate::geometry::sheet::in_hundredths;

@@ -11,7 +11,8 @@
 //! | `\hat{x}`, `'` | one letter with a circumflex; a prime |
 //! | `_x`, `^{12}` | subscript, superscript: one character, one command, or a group in braces |
 //!
-//! Scripts do not nest, and a superscript after a subscript follows it instead of standing above it.
+//! Scripts do not nest, and a superscript after a subscript follows it instead of standing above
+//! it.
 
 use std::str::Chars;
 
@@ -42,7 +43,8 @@ const SUBSCRIPT_DROP: f64 = 0.19;
 const SUPERSCRIPT_RISE: f64 = 0.36;
 
 impl Level {
-    /// The font size on this level of a label of a size, and how far its baseline is above the line's.
+    /// The font size on this level of a label of a size, and how far its baseline is above the
+    /// line's.
     pub(crate) fn size_and_rise(self, size: f64) -> (f64, f64) {
         match self {
             Level::Line => (size, 0.0),

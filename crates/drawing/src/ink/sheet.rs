@@ -19,7 +19,8 @@ pub struct Sheet {
     pub size: (f64, f64),
     /// What is drawn, in its order.
     pub elements: Vec<Element>,
-    /// What is drawn how: each meaning, in words with formulas between dollars, with a sample as SVG in a box of 24 by 10 points.
+    /// What is drawn how: each meaning, in words with formulas between dollars, with a sample as
+    /// SVG in a box of 24 by 10 points.
     pub legend: Vec<(String, String)>,
     /// Every label and the box of its ink, in the order of drawing.
     pub texts: Vec<(String, Bounds)>,
@@ -54,7 +55,8 @@ pub struct PanelMark {
     pub frame: Frame,
     /// The titles across and up; an empty one is that of the panel to the left.
     pub titles: [String; 2],
-    /// The tables whose rows it shows, the most informative first; none if any table with columns for the axes will do.
+    /// The tables whose rows it shows, the most informative first; none if any table with columns
+    /// for the axes will do.
     pub tables: Vec<&'static str>,
     /// The column and the number that distinguish its rows from those of other panels.
     pub only: Option<(&'static str, u32)>,
@@ -63,8 +65,8 @@ pub struct PanelMark {
 }
 
 impl Sheet {
-    /// What everything that is drawn inherits: attributes of the element around it. White space is preserved because some viewers drop it
-    /// at the ends of a tspan otherwise.
+    /// What everything that is drawn inherits: attributes of the element around it. White space is
+    /// preserved because some viewers drop it at the ends of a tspan otherwise.
     pub const INHERITED: &str = "font-family=\"'STIX Two Text','STIXGeneral','Times New Roman',Times,serif\" \
                                  xml:space=\"preserve\" stroke-linejoin=\"round\" fill=\"none\"";
 
@@ -99,7 +101,8 @@ impl Sheet {
         format!("0 0 {} {}", points(self.size.0), points(self.size.1))
     }
 
-    /// What is drawn, in few letters: paths run from each spot to the next by the difference, which is the same to a hundredth.
+    /// What is drawn, in few letters: paths run from each spot to the next by the difference, which
+    /// is the same to a hundredth.
     pub fn short_body(&self) -> String {
         self.body(short_path_data)
     }
@@ -155,8 +158,9 @@ impl Element {
 }
 
 impl PanelMark {
-    /// An invisible rectangle of class `panel` by which programs read values off the sheet: `data-x` and `data-y` are the values at its
-    /// left and right, bottom and top edges; `data-columns` the columns that hold them, where the titles do not say it.
+    /// An invisible rectangle of class `panel` by which programs read values off the sheet:
+    /// `data-x` and `data-y` are the values at its left and right, bottom and top edges;
+    /// `data-columns` the columns that hold them, where the titles do not say it.
     fn svg(&self) -> String {
         let Self { bounds, frame: Frame { x, y }, titles, tables, only, columns } = self;
         let mut attributes = String::new();

@@ -1,9 +1,9 @@
 //! The one style of all figures: colours, stroke widths, font sizes and physical sizes.
 //!
-//! The bifurcation curves keep the paper's colours, but their lightness and their strokes differ as well, so that they
-//! can be distinguished without colour: grazing of the non-impacting solution is light and wide, saddle-node solid and
-//! dark, period-doubling solid and of middle lightness, grazing of an MPS dark with dots between its dashes. Plain
-//! dashes are left to approximations.
+//! The bifurcation curves keep the paper's colours, but their lightness and their strokes differ as
+//! well, so that they can be distinguished without colour: grazing of the non-impacting solution is
+//! light and wide, saddle-node solid and dark, period-doubling solid and of middle lightness,
+//! grazing of an MPS dark with dots between its dashes. Plain dashes are left to approximations.
 
 pub(crate) use grazing_results::kinds::Colour;
 
@@ -91,7 +91,8 @@ pub(crate) const NON_IMPACTING_AREA: Paint = Paint::opaque([233, 233, 233]);
 /// Where an MPS is stable; overlapping regions come out darker.
 pub(crate) const MPS_AREA: Paint = Paint { colour: [40, 40, 40], opacity: 0.3 };
 
-/// Hatching where it is not decided whether a solution is stable, and the distance of its lines in points.
+/// Hatching where it is not decided whether a solution is stable, and the distance of its lines in
+/// points.
 pub(crate) const UNDECIDED: Pen = Pen::solid([110, 110, 110], 0.45);
 pub(crate) const HATCHING: f64 = 3.6;
 

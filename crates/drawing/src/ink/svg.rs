@@ -68,8 +68,8 @@ pub(crate) fn path_data(path: &[Hundredths], closed: bool) -> String {
     data
 }
 
-/// Text with the five characters escaped that XML reserves, without control characters, which it forbids, and with marks that
-/// change the direction of writing as `\u{202e}`.
+/// Text with the five characters escaped that XML reserves, without control characters, which it
+/// forbids, and with marks that change the direction of writing as `\u{202e}`.
 pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for character in text.chars() {

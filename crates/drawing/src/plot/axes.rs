@@ -1,4 +1,5 @@
-//! A panel: a rectangle of data space on one of the sheet, with border, ticks, numbers and axis titles.
+//! A panel: a rectangle of data space on one of the sheet, with border, ticks, numbers and axis
+//! titles.
 
 use plotters::coord::CoordTranslate;
 use plotters::coord::cartesian::Cartesian2d;
@@ -31,7 +32,8 @@ pub struct Heading<'a> {
     pub description: &'a str,
     /// The names of the two parameters.
     pub names: &'a Names,
-    /// The names of the tables that the SVG shows, those whose rows are looked for first before the others.
+    /// The names of the tables that the SVG shows, those whose rows are looked for first before the
+    /// others.
     pub tables: &'a [&'static str],
 }
 
@@ -40,7 +42,8 @@ pub(crate) struct Panel<'c> {
     pub(crate) canvas: &'c Canvas,
     pub(crate) frame: Frame,
     pub(crate) bounds: Bounds,
-    /// The tables whose rows it shows, the most informative first; none if any table with columns for the axes will do.
+    /// The tables whose rows it shows, the most informative first; none if any table with columns
+    /// for the axes will do.
     pub(crate) tables: &'c [&'static str],
     /// The column and the number that distinguish its rows from those of other panels.
     pub(crate) only: Option<(&'static str, u32)>,
@@ -76,8 +79,8 @@ impl<'c> Panel<'c> {
         Panel { canvas, frame, bounds, tables: &[], only: None, names: None, numbers_beside: true }
     }
 
-    /// Where a data point lies on the sheet, in whole hundredths of a point: the rest of the way from the lower left
-    /// corner is cut off.
+    /// Where a data point lies on the sheet, in whole hundredths of a point: the rest of the way
+    /// from the lower left corner is cut off.
     pub(crate) fn spot(&self, point: (f64, f64)) -> Spot {
         let (left, top) = in_hundredths((self.bounds.left, self.bounds.top));
         let (right, bottom) = in_hundredths((self.bounds.right, self.bounds.bottom));
@@ -100,7 +103,8 @@ impl<'c> Panel<'c> {
         pieces
     }
 
-    /// A filled polygon, clipped to the frame; returns its outline on the sheet, if any of it shows.
+    /// A filled polygon, clipped to the frame; returns its outline on the sheet, if any of it
+    /// shows.
     pub(crate) fn fill(&self, vertices: &[(f64, f64)], paint: Paint) -> Vec<Spot> {
         let clipped = clip_polygon(&self.frame, vertices);
         if clipped.len() < 3 {
@@ -111,8 +115,8 @@ impl<'c> Panel<'c> {
         outline
     }
 
-    /// A filled area, clipped to the frame, inside where its rings are crossed an odd number of times; returns its first ring on the
-    /// sheet, if any of it shows.
+    /// A filled area, clipped to the frame, inside where its rings are crossed an odd number of
+    /// times; returns its first ring on the sheet, if any of it shows.
     pub(crate) fn area(&self, rings: &[Vec<(f64, f64)>], paint: Paint) -> Vec<Spot> {
         match rings {
             [] => Vec::new(),
@@ -224,7 +228,8 @@ impl<'c> Panel<'c> {
     }
 }
 
-/// The column that readers of the sheet take a title for: its letters, and that of the forcing amplitude.
+/// The column that readers of the sheet take a title for: its letters, and that of the forcing
+/// amplitude.
 fn column_of(title: &str) -> String {
     let letters = title.replace(r"\mathcal", "").replace(|c: char| !c.is_ascii_alphabetic() && c != '_', "");
     if letters == "A" { "amplitude".to_owned() } else { letters }
@@ -236,7 +241,8 @@ fn title_size(canvas: &Canvas, title: &str, room: f64) -> Result<f64, DrawingErr
     Ok(if width > room { (TITLE_SIZE * room / width).max(LEAST_TITLE_SIZE) } else { TITLE_SIZE })
 }
 
-/// Points that ticks, numbers and title of a vertical axis take left of the frame; an empty title takes none.
+/// Points that ticks, numbers and title of a vertical axis take left of the frame; an empty title
+/// takes none.
 pub(crate) fn room_beside(
     fonts: &Fonts,
     range: [f64; 2],

@@ -16,8 +16,8 @@ use crate::plot::axes::Panel;
 use crate::plot::cloud::{LONG_TIME, draw_cloud};
 use crate::plot::kinds::{label, pen, text_colour};
 
-/// Branches, attractor and bifurcations of one panel, with their labels. Points that follow each other with equal p and branch are a strand: one
-/// loop of a solution as the parameter changes.
+/// Branches, attractor and bifurcations of one panel, with their labels. Points that follow each
+/// other with equal p and branch are a strand: one loop of a solution as the parameter changes.
 pub(crate) fn diagram(
     panel: &Panel<'_>,
     mut labels: Labels<'_>,
@@ -92,7 +92,8 @@ pub(crate) fn diagram(
     labels.draw()
 }
 
-/// Draws a strand, thick where stable and thin where unstable, without gaps between but where it is inadmissible; returns what was drawn.
+/// Draws a strand, thick where stable and thin where unstable, without gaps between but where it is
+/// inadmissible; returns what was drawn.
 fn strand_pieces(panel: &Panel<'_>, figure: &OneParameter, strand: &[BranchPoint]) -> Vec<Vec<Spot>> {
     let place = |point: &BranchPoint| match point.admissible {
         true => (figure.across(point), point.x),

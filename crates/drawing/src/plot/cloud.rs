@@ -10,7 +10,8 @@ use crate::plot::axes::Panel;
 /// What a cloud shows.
 pub(crate) const LONG_TIME: &str = "long-time behaviour";
 
-/// Draws the points of the frame as squares of [`CLOUD_BIN`] points, darker where several points share a bin.
+/// Draws the points of the frame as squares of [`CLOUD_BIN`] points, darker where several points
+/// share a bin.
 pub(crate) fn draw_cloud(panel: &Panel<'_>, points: &[(f64, f64)]) {
     let mut counts: BTreeMap<(i64, i64), u32> = BTreeMap::new();
     for &point in points.iter().filter(|&&p| panel.frame.contains(p)) {
@@ -34,7 +35,8 @@ pub(crate) fn draw_cloud(panel: &Panel<'_>, points: &[(f64, f64)]) {
     }
 }
 
-/// Path data that strokes each bin (row, column) by a horizontal line through its middle; bins must be sorted.
+/// Path data that strokes each bin (row, column) by a horizontal line through its middle; bins must
+/// be sorted.
 fn path_of_bins(bins: &[(i64, i64)]) -> String {
     let mut data = String::new();
     let mut index = 0;

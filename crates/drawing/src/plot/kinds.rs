@@ -1,4 +1,5 @@
-//! What a parameter plane shows: bifurcation curves with the pen and the label of each kind, codimension-two points, regions.
+//! What a parameter plane shows: bifurcation curves with the pen and the label of each kind,
+//! codimension-two points, regions.
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_results::kinds::{CurveLook, point_meaning, region_meaning};
@@ -37,7 +38,8 @@ fn meaning(bifurcation: Bifurcation) -> String {
     }
 }
 
-/// The label, in the markup of labels; `grazing` names the grazing curve of the non-impacting solution.
+/// The label, in the markup of labels; `grazing` names the grazing curve of the non-impacting
+/// solution.
 pub(crate) fn label(bifurcation: Bifurcation, grazing: &str) -> &str {
     match bifurcation {
         Bifurcation::NonImpactingGrazing => grazing,
@@ -53,8 +55,8 @@ pub(crate) struct Trace {
     pub(crate) points: Vec<(f64, f64)>,
 }
 
-/// Draws curves, the wide grazing curve lowest, approximations on top of what they approximate; returns the pieces of the others, from which
-/// labels are kept off.
+/// Draws curves, the wide grazing curve lowest, approximations on top of what they approximate;
+/// returns the pieces of the others, from which labels are kept off.
 pub(crate) fn draw_curves(
     panel: &Panel<'_>,
     labels: &mut Labels<'_>,
@@ -82,10 +84,11 @@ pub(crate) fn draw_curves(
 }
 
 impl Labels<'_> {
-    /// Names bifurcation curves by their kind, the longest first, those shorter than `least` (points) not at all.
+    /// Names bifurcation curves by their kind, the longest first, those shorter than `least`
+    /// (points) not at all.
     ///
-    /// A curve is named once, though it may come twice, followed from its two ends. `grazing` names the grazing curve of
-    /// the non-impacting solution.
+    /// A curve is named once, though it may come twice, followed from its two ends. `grazing` names
+    /// the grazing curve of the non-impacting solution.
     pub(crate) fn name_curves(
         &mut self,
         mut curves: Vec<(Bifurcation, Vec<Spot>)>,
@@ -111,7 +114,8 @@ impl Labels<'_> {
     }
 }
 
-/// Marks codimension-two points, resonances above the others; returns those that are seen, with the boxes that they take.
+/// Marks codimension-two points, resonances above the others; returns those that are seen, with the
+/// boxes that they take.
 pub(crate) fn draw_points<'a>(
     panel: &Panel<'_>,
     labels: &mut Labels<'_>,
@@ -143,7 +147,8 @@ pub(crate) struct Area {
 }
 
 impl Area {
-    /// Regions from their vertices: those of one number are one region, those of one ring of it, in order, one polygon.
+    /// Regions from their vertices: those of one number are one region, those of one ring of it, in
+    /// order, one polygon.
     pub(crate) fn all(vertices: &[RegionVertex]) -> Vec<Self> {
         let region = |vertices: &[RegionVertex]| Area {
             p: vertices[0].loops,

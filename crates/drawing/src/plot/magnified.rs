@@ -12,7 +12,8 @@ use crate::plot::axes::Panel;
 /// Rectangles smaller than this (points) would hide the triangle in them, and stay undrawn.
 const HIDDEN: f64 = TRIANGLE_SIZE;
 
-/// Free space from a resonance to its label, in points: the triangle and its rim, seen along the diagonal.
+/// Free space from a resonance to its label, in points: the triangle and its rim, seen along the
+/// diagonal.
 pub(crate) const OFF_TRIANGLE: f64 = 5.4;
 
 /// The letter by which the figures name a panel: (a) for the first, (aa) for the 27th.
@@ -45,7 +46,8 @@ pub(crate) fn rectangle(panel: &Panel<'_>, frame: &Frame, labels: &mut Labels<'_
     (seen.left <= seen.right && seen.top <= seen.bottom).then_some(seen)
 }
 
-/// Names a rectangle: around its middle or, a small one among many curves, at the first corner where there is room.
+/// Names a rectangle: around its middle or, a small one among many curves, at the first corner
+/// where there is room.
 pub(crate) fn letter(labels: &mut Labels<'_>, number: u32, outline: &Bounds) -> Result<(), DrawingError> {
     let Bounds { left, top, right, bottom } = *outline;
     let reach = 0.5 * (right - left).min(bottom - top);

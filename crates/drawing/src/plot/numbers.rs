@@ -1,7 +1,8 @@
-//! The numbers along an axis: at the finest round step at which they keep their distance, and short for any range.
+//! The numbers along an axis: at the finest round step at which they keep their distance, and short
+//! for any range.
 //!
-//! Where they would be long, what is printed is a power of ten times the value less a round one, and the axis title says
-//! so: `10⁹ A`, `ω − 0.4321`, `10⁶ (ω − 0.4321)`.
+//! Where they would be long, what is printed is a power of ten times the value less a round one,
+//! and the axis title says so: `10⁹ A`, `ω − 0.4321`, `10⁶ (ω − 0.4321)`.
 
 use crate::error::DrawingError;
 use crate::ink::font::Fonts;
@@ -13,8 +14,9 @@ use crate::plot::ticks::{Step, decimal, scientific};
 const NUMBER_GAP: f64 = 9.0;
 /// Numbers with more significant digits are printed less a round one.
 const MOST_DIGITS: i32 = 5;
-/// Numbers whose decimal exponent is not among these are printed with a power of ten before the title; of numbers that
-/// have become small because a round one was taken off, fewer are printed as they are.
+/// Numbers whose decimal exponent is not among these are printed with a power of ten before the
+/// title; of numbers that have become small because a round one was taken off, fewer are printed as
+/// they are.
 const PLAIN_EXPONENTS: std::ops::RangeInclusive<i32> = -4..=4;
 const PLAIN_REST_EXPONENTS: std::ops::RangeInclusive<i32> = -2..=4;
 
@@ -25,7 +27,8 @@ pub(crate) enum Direction {
     Up,
 }
 
-/// What is printed: `10^power` times the value less `offset`, of which there are `offset` units of ten to the `exponent`.
+/// What is printed: `10^power` times the value less `offset`, of which there are `offset` units of
+/// ten to the `exponent`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Scale {
     offset: i128,
@@ -107,7 +110,8 @@ impl Numbers {
         Ok(Self::choose(fonts, range, room, direction, fit)?.0)
     }
 
-    /// The finest round step whose numbers keep their distance, or else the coarsest that has two; and which it was.
+    /// The finest round step whose numbers keep their distance, or else the coarsest that has two;
+    /// and which it was.
     fn choose(
         fonts: &Fonts,
         range: [f64; 2],
@@ -221,7 +225,8 @@ mod tests {
                     assert!(labels.len() >= 2, "{range:?}: {labels:?}");
                     assert!(labels.windows(2).all(|pair| pair[0] != pair[1]), "{range:?}: {labels:?}");
                     assert!(labels.iter().all(|label| label.chars().count() <= 8), "{range:?}: {labels:?}");
-                    // A billionth of a step is what `multiples` allows beyond the ends, and rounding.
+                    // A billionth of a step is what `multiples` allows beyond the ends, and
+                    // rounding.
                     let rounding = 4.0 * f64::EPSILON * range[0].abs().max(range[1].abs());
                     let slack = 1e-9 * (range[1] - range[0]) + rounding;
                     assert!(

@@ -19,23 +19,25 @@ use crate::plot::numbers::{Direction, Numbers};
 const WIDTH_MM: f64 = 156.0;
 /// Sheets at least this wide have panels side by side; on others they stand one above the other.
 const SIDE_BY_SIDE_MM: f64 = 120.0;
-/// Height of a row with headings of two lines, numbers and axis titles, for one, two and three panels side by side and
-/// for panels one above the other; three rows and a caption fill a page.
+/// Height of a row with headings of two lines, numbers and axis titles, for one, two and three
+/// panels side by side and for panels one above the other; three rows and a caption fill a page.
 const ROW_MM: [f64; 3] = [92.0, 75.0, 63.0];
 const STACKED_ROW_MM: f64 = 54.0;
 const ROWS_A_SHEET: usize = 3;
-/// Room left of a panel for its numbers and the gap to the panel before it, in points; the first of a row has the axis
-/// title too. Longer numbers get more.
+/// Room left of a panel for its numbers and the gap to the panel before it, in points; the first of
+/// a row has the axis title too. Longer numbers get more.
 const ROOM_LEFT: f64 = 34.0;
 const ROOM_LEFT_OF_FIRST: f64 = 44.0;
 const PANEL_GAP: f64 = 4.0;
 const ROOM_RIGHT: f64 = 9.0;
-/// Room above a panel for a heading of two lines and below it for numbers and axis title, in points.
+/// Room above a panel for a heading of two lines and below it for numbers and axis title, in
+/// points.
 const ROOM_ABOVE: f64 = 27.0;
 const ROOM_BELOW: f64 = 30.0;
 /// How far above a panel the baseline of the last line of its heading is, in points.
 const LAST_LINE_RISE: f64 = 5.0;
-/// From the baseline of a heading's first line to that of the second, and between further lines, in points.
+/// From the baseline of a heading's first line to that of the second, and between further lines, in
+/// points.
 const HEADING_LEADING: f64 = 11.0;
 const SUBHEADING_LEADING: f64 = 9.5;
 
@@ -49,7 +51,8 @@ pub(crate) struct GridPanel<'a> {
     pub(crate) only: Option<(&'static str, u32)>,
     /// The first line of what is written over it, and its size.
     pub(crate) first: (String, f64),
-    /// The parts of the second line, and their size: on lines of their own where they find no room on one.
+    /// The parts of the second line, and their size: on lines of their own where they find no room
+    /// on one.
     pub(crate) parts: (Vec<String>, f64),
 }
 
@@ -83,8 +86,8 @@ impl GridPanel<'_> {
     }
 }
 
-/// Draws panels over one parameter on as many sheets as they need, none if there is no panel, each panel by its number from 0; of several
-/// sheets each has its number in the title.
+/// Draws panels over one parameter on as many sheets as they need, none if there is no panel, each
+/// panel by its number from 0; of several sheets each has its number in the title.
 pub(crate) fn draw_panels(
     heading: &Heading<'_>,
     width: SheetWidth,
@@ -156,7 +159,8 @@ fn row(width_mm: f64, panels: usize) -> (usize, f64) {
 }
 
 impl Grid {
-    /// The grid of a sheet that shows these panels, `panels` being the number of panels on all sheets.
+    /// The grid of a sheet that shows these panels, `panels` being the number of panels on all
+    /// sheets.
     fn new(
         fonts: &Fonts,
         width: SheetWidth,
@@ -198,7 +202,8 @@ impl Grid {
         })
     }
 
-    /// Room for a heading from the left edge of a panel to that of the next one or to the sheet's edge, in points.
+    /// Room for a heading from the left edge of a panel to that of the next one or to the sheet's
+    /// edge, in points.
     fn heading_room(&self, place: usize) -> f64 {
         let column = place % self.lefts.len();
         match self.lefts.get(column + 1) {

@@ -21,7 +21,8 @@ pub(crate) type Portrait<'a> = &'a [PortraitPoint];
 
 /// Thickness of the wall on the sheet, in points.
 const WALL_THICKNESS: f64 = 7.0;
-/// Height of a row with headings, numbers and axis titles, in points: of a single one, and of one among several.
+/// Height of a row with headings, numbers and axis titles, in points: of a single one, and of one
+/// among several.
 const SINGLE_ROW: f64 = 140.0;
 const ROW: f64 = 104.0;
 /// Room in a row above its frames and below them.
@@ -111,7 +112,8 @@ pub(crate) fn equation(title: &str, value: &str) -> String {
     }
 }
 
-/// The portraits' letters above the diagram, each over a guide at its amplitude; returns the guides.
+/// The portraits' letters above the diagram, each over a guide at its amplitude; returns the
+/// guides.
 pub(crate) fn letters(
     panel: &Panel<'_>,
     figure: &OneParameter,
@@ -151,7 +153,8 @@ fn is_jump(from: (f64, f64), to: (f64, f64), at_wall: f64) -> bool {
     from.0.abs() < at_wall && to.0.abs() < at_wall && from.1 > 0.0 && to.1 < 0.0
 }
 
-/// Nearer to the wall than this is at it: impacts are located by root finding, which leaves x there to a few roundings.
+/// Nearer to the wall than this is at it: impacts are located by root finding, which leaves x there
+/// to a few roundings.
 fn at_wall(frame: Frame) -> f64 {
     1e-6 * (frame.x[1] - frame.x[0])
 }

@@ -1,7 +1,7 @@
 //! Scenes in phase space, as Figures 1, 3 and 9 show them: translucent surfaces, curves, points.
 //!
-//! The rows hold the projected coordinates and the order of painting; here they are scaled to the sheet. Of two curves
-//! that cross on the sheet the farther one is interrupted.
+//! The rows hold the projected coordinates and the order of painting; here they are scaled to the
+//! sheet. Of two curves that cross on the sheet the farther one is interrupted.
 
 use grazing_results::Frame;
 use grazing_results::space::{CurveKind, Mark, Scene, SurfaceKind, Vertex};
@@ -89,7 +89,8 @@ pub(crate) struct SpaceSheet {
     /// The names of points and their size.
     pub(crate) mark: fn(&Mark) -> Option<String>,
     pub(crate) mark_size: f64,
-    /// What else is named, in the order in which places are looked for; each name with its size and its colour.
+    /// What else is named, in the order in which places are looked for; each name with its size and
+    /// its colour.
     pub(crate) names: &'static [(NamedPart, &'static str, f64, Colour)],
 }
 
@@ -148,7 +149,8 @@ struct OnSheet {
 }
 
 impl OnSheet {
-    /// The scene at the scale at which it fills a sheet of the width, whose height follows, and that sheet, empty.
+    /// The scene at the scale at which it fills a sheet of the width, whose height follows, and
+    /// that sheet, empty.
     fn fit(
         figure: &Scene,
         name: &'static str,
@@ -184,7 +186,8 @@ impl OnSheet {
         Ok((scene, Canvas::new(width_mm, height / POINTS_PER_MM)?))
     }
 
-    /// Paints everything, layer by layer; in a layer faces, lines on them, curves from far to near, points.
+    /// Paints everything, layer by layer; in a layer faces, lines on them, curves from far to near,
+    /// points.
     fn paint(&self, canvas: &Canvas) {
         let mut layers: Vec<u32> = self.curves.iter().map(|piece| piece.layer).collect();
         layers.extend(self.surfaces.iter().map(|piece| piece.layer));
@@ -264,8 +267,8 @@ impl OnSheet {
         longest
     }
 
-    /// Of each curve the longest piece, if it is long enough for a head that shows the direction of time, and every very
-    /// long one.
+    /// Of each curve the longest piece, if it is long enough for a head that shows the direction of
+    /// time, and every very long one.
     fn headed(&self) -> Vec<usize> {
         let long = |least: f64| move |piece: &Piece<CurveKind>| flows(piece.kind) && piece.length() >= least;
         let mut headed = self.longest(long(HEADED_LENGTH));

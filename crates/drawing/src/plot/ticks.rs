@@ -1,4 +1,5 @@
-//! Round steps for ticks, both ends of the axis included when they are round, and numbers as they are printed.
+//! Round steps for ticks, both ends of the axis included when they are round, and numbers as they
+//! are printed.
 
 /// `mantissa` times ten to the power of `exponent`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,15 +26,16 @@ impl Step {
         format!("{}e{}", index * self.mantissa, self.exponent).parse().unwrap_or(f64::NAN)
     }
 
-    /// The multiples of the step in a range, ends included up to a billionth of the step: in units of ten to the step's exponent, and as
-    /// numbers.
+    /// The multiples of the step in a range, ends included up to a billionth of the step: in units
+    /// of ten to the step's exponent, and as numbers.
     pub(crate) fn multiples(self, [low, high]: [f64; 2]) -> impl Iterator<Item = (i128, f64)> {
         let step = self.value(1);
         let indices = (low / step - 1e-9).ceil() as i128..=(high / step + 1e-9).floor() as i128;
         indices.map(move |index| (index * self.mantissa, self.value(index)))
     }
 
-    /// The step of the smaller ticks between: a fifth, or a quarter of two, which is a half of the unit.
+    /// The step of the smaller ticks between: a fifth, or a quarter of two, which is a half of the
+    /// unit.
     pub(crate) fn minor(self) -> Step {
         let mantissa = match self.mantissa {
             2 => 5,
@@ -43,9 +45,11 @@ impl Step {
         Step { mantissa, exponent: self.exponent - 1 }
     }
 
-    /// Round steps (1, 2, 5 times a power of ten) from fine to coarse, fit for an axis of the given length.
+    /// Round steps (1, 2, 5 times a power of ten) from fine to coarse, fit for an axis of the given
+    /// length.
     pub(crate) fn round_steps(length: f64) -> impl Iterator<Item = Step> {
-        // The exponent of scientific notation is the floor of the decimal logarithm, without a logarithm.
+        // The exponent of scientific notation is the floor of the decimal logarithm, without a
+        // logarithm.
         let exponent: i32 =
             format!("{length:e}").rsplit('e').next().and_then(|e| e.parse().ok()).unwrap_or(0);
         (exponent - 2..=exponent + 1)
@@ -67,7 +71,8 @@ pub(crate) fn decimal(units: i128, exponent: i32) -> String {
     format!("{sign}{whole}.{fraction}")
 }
 
-/// The same without zeros at the end, in markup within `$`: with a power of ten where it would have many zeros.
+/// The same without zeros at the end, in markup within `$`: with a power of ten where it would have
+/// many zeros.
 pub(crate) fn scientific(mut units: i128, mut exponent: i32) -> String {
     while units != 0 && units % 10 == 0 {
         (units, exponent) = (units / 10, exponent + 1);
@@ -79,8 +84,8 @@ pub(crate) fn scientific(mut units: i128, mut exponent: i32) -> String {
     format!(r"{}\,\times\,10^{{{}}}", decimal(units, -further), exponent + further)
 }
 
-/// A number with so many significant digits in markup within `$`: plain between a thousandth and a hundred thousand, with
-/// a power of ten beyond.
+/// A number with so many significant digits in markup within `$`: plain between a thousandth and a
+/// hundred thousand, with a power of ten beyond.
 pub(crate) fn measured(value: f64, digits: usize) -> String {
     let scientific = format!("{:.*e}", digits.saturating_sub(1), value.abs());
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));

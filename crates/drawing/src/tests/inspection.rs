@@ -1,6 +1,7 @@
 //! Reads coordinates and paths from a finished SVG, for tests.
 
-/// All coordinates of paths and discs, in points from the top left corner; NaN where one cannot be read.
+/// All coordinates of paths and discs, in points from the top left corner; NaN where one cannot be
+/// read.
 pub(crate) fn coordinates(svg: &str) -> Vec<(f64, f64)> {
     let number = |text: &str| text.parse::<f64>().unwrap_or(f64::NAN);
     let mut found = Vec::new();

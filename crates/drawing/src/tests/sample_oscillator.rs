@@ -1,4 +1,5 @@
-//! Made-up results for an oscillator of any kind: parameters of any name and magnitude, any number of resonances.
+//! Made-up results for an oscillator of any kind: parameters of any name and magnitude, any number
+//! of resonances.
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 use grazing_results::plane::{
@@ -38,7 +39,8 @@ fn shares(count: u32) -> impl Iterator<Item = f64> {
     (0..=count).map(move |i| f64::from(i) / f64::from(count))
 }
 
-/// A made-up resonance: p, n, the amplitude at which it lies on the grazing curve, and the size of its loop of curves.
+/// A made-up resonance: p, n, the amplitude at which it lies on the grazing curve, and the size of
+/// its loop of curves.
 type Resonance = (u32, u32, f64, f64);
 
 /// Kind, p, n, arc and points of a made-up curve.
@@ -107,7 +109,8 @@ fn point_rows(curves: &[SampleCurve]) -> Vec<SpecialPoint> {
     ends.collect()
 }
 
-/// The regions that such curves bound; `corners` of the region without impacts lie beside its part of the grazing curve.
+/// The regions that such curves bound; `corners` of the region without impacts lie beside its part
+/// of the grazing curve.
 fn region_rows(curves: &[SampleCurve], corners: [(f64, f64); 2]) -> Vec<RegionVertex> {
     let vertex = |region, kind, loops, (primary, secondary)| {
         let (n, ring, reason) = (0, 0, String::new());

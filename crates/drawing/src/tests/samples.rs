@@ -1,4 +1,5 @@
-//! What `figures/parameters.toml` gives, for the tests of figures whose labels have to find room in one particular picture.
+//! What `figures/parameters.toml` gives, for the tests of figures whose labels have to find room in
+//! one particular picture.
 
 use std::path::Path;
 

@@ -9,9 +9,9 @@ use crate::state::flow_variable::*;
 
 /// The solution eq:flow after a time s, with derivatives in (x₀, y₀, z₀, s, 𝒜, ω).
 ///
-/// With w = (x, y), f(z, ω) the periodic response to unit forcing, M the matrix of the unforced oscillator and E = e^{Ms},
-/// eq:flow reads w(s) = E (w₀ + e₁ − 𝒜 f(z₀)) − e₁ + 𝒜 f(z₀ + ωs). Every derivative below follows by one product rule and
-/// f_zz = −f.
+/// With w = (x, y), f(z, ω) the periodic response to unit forcing, M the matrix of the unforced
+/// oscillator and E = e^{Ms}, eq:flow reads w(s) = E (w₀ + e₁ − 𝒜 f(z₀)) − e₁ + 𝒜 f(z₀ + ωs). Every
+/// derivative below follows by one product rule and f_zz = −f.
 pub(super) fn flow<const ORDER: usize>(oscillator: &LinearOscillator, from: State, duration: f64) -> FlowJet {
     let LinearOscillator { damping_ratio, amplitude, frequency, natural_frequency, .. } = *oscillator;
     let decay = libm::exp(-damping_ratio * duration);

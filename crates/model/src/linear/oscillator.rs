@@ -22,8 +22,8 @@ pub enum OscillatorError {
 
 /// ẍ + 2ζẋ + x + 1 = 𝒜 cos(ωt) with a wall at x = 0 and the reset law y ↦ −εy.
 ///
-/// Paper: eq:oscf, eq:oscResetLaw. As a member of the general class its primary parameter is the forcing amplitude 𝒜 and
-/// its secondary parameter the forcing frequency ω; Φ = ε and Ψ = 0.
+/// Paper: eq:oscf, eq:oscResetLaw. As a member of the general class its primary parameter is the
+/// forcing amplitude 𝒜 and its secondary parameter the forcing frequency ω; Φ = ε and Ψ = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinearOscillator {
     pub(super) damping_ratio: f64,
@@ -37,9 +37,11 @@ pub struct LinearOscillator {
 }
 
 impl LinearOscillator {
-    /// The oscillator with damping ratio ζ, coefficient of restitution ε, forcing amplitude 𝒜 and frequency ω.
+    /// The oscillator with damping ratio ζ, coefficient of restitution ε, forcing amplitude 𝒜 and
+    /// frequency ω.
     ///
-    /// A wall that returns more than it takes, ε > 1, is allowed: the class of systems asks for Φ > 0 only (eq:R).
+    /// A wall that returns more than it takes, ε > 1, is allowed: the class of systems asks for Φ >
+    /// 0 only (eq:R).
     ///
     /// # Errors
     /// ζ outside (0, 1), ε or ω not positive and finite, or 𝒜 not finite.

@@ -4,8 +4,9 @@ use nalgebra::Vector2;
 
 /// The periodic response to forcing of unit amplitude as a function of phase and frequency.
 ///
-/// With H = 1/(1 − ω² + 2iζω) the position is Re(H e^{iz}) and the velocity Re(iωH e^{iz}); stored are these two complex
-/// numbers and their first two derivatives in ω, so that an evaluation costs one sine and one cosine.
+/// With H = 1/(1 − ω² + 2iζω) the position is Re(H e^{iz}) and the velocity Re(iωH e^{iz}); stored
+/// are these two complex numbers and their first two derivatives in ω, so that an evaluation costs
+/// one sine and one cosine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Response {
     /// `re[k][i] + i·im[k][i]` is the k-th derivative in ω of the coefficient of component i.
@@ -78,8 +79,8 @@ pub(super) struct Stride {
 }
 
 impl Stride {
-    /// An eighth of the shorter of the two periods keeps the undecided cells few (empirical; any length finds the same
-    /// events).
+    /// An eighth of the shorter of the two periods keeps the undecided cells few (empirical; any
+    /// length finds the same events).
     pub(super) fn new(damping_ratio: f64, natural_frequency: f64, frequency: f64) -> Self {
         let length = core::f64::consts::TAU / (8.0 * frequency.max(natural_frequency));
         let decay = libm::exp(-damping_ratio * length);

@@ -1,4 +1,5 @@
-//! A cell of time between two evaluations of a motion: what bounds prove about it, and the events that it holds.
+//! A cell of time between two evaluations of a motion: what bounds prove about it, and the events
+//! that it holds.
 
 use super::enclosure::{BoundedMotion, Bounds, Enclosure, Kinematics};
 use crate::tolerances::{LAST_STEP_TO_EVENT, NARROWEST_CELL, STEPS_TO_EVENT};
@@ -87,7 +88,8 @@ impl Cell {
         ])
     }
 
-    /// The zero of the velocity by interpolation; the velocity is strictly monotone in this cell and changes sign.
+    /// The zero of the velocity by interpolation; the velocity is strictly monotone in this cell
+    /// and changes sign.
     #[inline(always)]
     fn near_stationary_time(&self) -> f64 {
         inverse_hermite(
@@ -106,7 +108,8 @@ impl Cell {
         })
     }
 
-    /// The zero of the position before `time`, where the position is positive; no other zero lies between.
+    /// The zero of the position before `time`, where the position is positive; no other zero lies
+    /// between.
     fn crossing_before(&self, motion: &impl BoundedMotion, time: f64, there: &Kinematics) -> Crossing {
         let Kinematics { position, velocity, acceleration, .. } = *there;
         let guess = if acceleration < 0.0 {
@@ -122,8 +125,8 @@ impl Cell {
         Crossing { time, velocity: there.velocity.max(0.0) }
     }
 
-    /// A point of a cell in which the velocity falls through zero: the highest one, or any above the wall if there is one, or
-    /// one that proves that there is none.
+    /// A point of a cell in which the velocity falls through zero: the highest one, or any above
+    /// the wall if there is one, or one that proves that there is none.
     fn top(&self, motion: &impl BoundedMotion) -> (f64, Kinematics) {
         let near = self.near_stationary_time();
         let there = motion.kinematics_at(near);
@@ -157,8 +160,9 @@ impl Cell {
         (top.position > 0.0).then(|| self.crossing_before(motion, time, &top))
     }
 
-    /// Calls `visit` with the local maxima of the cell (its start excluded, its end included) that can exceed `threshold`.
-    /// `visit` returns a threshold of its own; the highest of all is returned.
+    /// Calls `visit` with the local maxima of the cell (its start excluded, its end included) that
+    /// can exceed `threshold`. `visit` returns a threshold of its own; the highest of all is
+    /// returned.
     pub(super) fn maxima(
         &self,
         motion: &impl BoundedMotion,
@@ -187,8 +191,8 @@ impl Cell {
         threshold
     }
 
-    /// First zero of the velocity in this cell, in the cell's direction of time; none if `patience` is at an end, the number of
-    /// times that a cell may be halved.
+    /// First zero of the velocity in this cell, in the cell's direction of time; none if `patience`
+    /// is at an end, the number of times that a cell may be halved.
     pub(super) fn rest(&self, motion: &impl BoundedMotion, patience: &mut u32) -> Option<f64> {
         let changes = self.first.velocity * self.last.velocity <= 0.0;
         match self.course() {
@@ -204,7 +208,8 @@ impl Cell {
     }
 }
 
-/// The argument at which a strictly monotone function vanishes, by cubic Hermite interpolation of its inverse.
+/// The argument at which a strictly monotone function vanishes, by cubic Hermite interpolation of
+/// its inverse.
 fn inverse_hermite([f, g]: [f64; 2], [a, b]: [f64; 2], [da, db]: [f64; 2]) -> f64 {
     let width = g - f;
     let s = -f / width;
@@ -212,9 +217,11 @@ fn inverse_hermite([f, g]: [f64; 2], [a, b]: [f64; 2], [da, db]: [f64; 2]) -> f6
     r * r * (1.0 + 2.0 * s) * a + s * s * (1.0 + 2.0 * r) * b + s * r * width * (r * da - s * db)
 }
 
-/// The zero of a component of a motion that changes sign in a bracket, by Halley's method kept inside it.
+/// The zero of a component of a motion that changes sign in a bracket, by Halley's method kept
+/// inside it.
 ///
-/// `component` picks value, slope and curvature; `rising` says that the value is negative at the bracket's first end.
+/// `component` picks value, slope and curvature; `rising` says that the value is negative at the
+/// bracket's first end.
 fn bracketed_halley(
     motion: &impl BoundedMotion,
     [a, b]: [f64; 2],

@@ -64,8 +64,8 @@ impl Bounds {
     }
 }
 
-/// A smooth motion x(t), t being the time since it began, whose derivatives can be bounded; whatever is such a motion is a
-/// [`Motion`](super::Motion) by the search for events.
+/// A smooth motion x(t), t being the time since it began, whose derivatives can be bounded;
+/// whatever is such a motion is a [`Motion`](super::Motion) by the search for events.
 pub trait BoundedMotion {
     /// The motion at a time of either sign; NaN where it has ceased to exist.
     fn kinematics_at(&self, time: f64) -> Kinematics;
@@ -73,14 +73,16 @@ pub trait BoundedMotion {
     /// The derivatives bounded from the beginning to a horizon, which may lie in the past.
     fn enclose(&self, horizon: f64) -> impl Enclosure;
 
-    /// How far bounds are worth having when the first event may come sooner; all the way, where they cost nothing.
+    /// How far bounds are worth having when the first event may come sooner; all the way, where
+    /// they cost nothing.
     #[inline]
     fn foresight(&self) -> f64 {
         f64::INFINITY
     }
 }
 
-/// The time from a motion's beginning to a horizon, over which its derivatives have been bounded: the only source of bounds.
+/// The time from a motion's beginning to a horizon, over which its derivatives have been bounded:
+/// the only source of bounds.
 ///
 /// It is divided into strides, such that the motion is cheap to evaluate between two.
 pub trait Enclosure {
@@ -93,7 +95,8 @@ pub trait Enclosure {
         self.bounds().acceleration
     }
 
-    /// Bounds between two times, in this order; infinite outside of the enclosure. Those for all of it will do where they are about as good.
+    /// Bounds between two times, in this order; infinite outside of the enclosure. Those for all of
+    /// it will do where they are about as good.
     fn bounds_between(&self, from: f64, to: f64) -> Bounds;
 
     /// The length of the longest stride.

@@ -4,7 +4,8 @@ use super::cell::{Cell, Course, Crossing, Maximum};
 use super::enclosure::{BoundedMotion, Enclosure, Kinematics, Walk};
 use crate::tolerances::MOST_CELLS;
 
-/// The cells of a motion from time 0 to `horizon`, up to which an enclosure reaches, in which x may exceed `level`.
+/// The cells of a motion from time 0 to `horizon`, up to which an enclosure reaches, in which x may
+/// exceed `level`.
 #[inline]
 fn cells_above(
     motion: &impl BoundedMotion,
@@ -42,7 +43,8 @@ fn cells_above(
             (walk, index, known) = (here, cell, None);
         }
         let start = enclosure.time_after(index.min(whole_cells));
-        // The rest of the time, shorter than a stride, comes last, unless the motion ends before the horizon.
+        // The rest of the time, shorter than a stride, comes last, unless the motion ends before
+        // the horizon.
         if index > whole_cells || start >= horizon {
             return None;
         }
@@ -83,7 +85,8 @@ pub(super) fn local_maxima(motion: &impl BoundedMotion, horizon: f64) -> Vec<Max
 pub(super) fn highest_maximum(motion: &impl BoundedMotion, horizon: f64) -> Option<Maximum> {
     let enclosure = motion.enclose(horizon);
     let mut candidates: Vec<Cell> = Vec::with_capacity(8);
-    // Where the velocity changes from + to − there is a maximum, at least as high as the cell's ends.
+    // Where the velocity changes from + to − there is a maximum, at least as high as the cell's
+    // ends.
     let mut threshold = highest_seen(&enclosure);
     for cell in cells_above(motion, &enclosure, horizon, threshold) {
         match cell.course() {
@@ -107,7 +110,8 @@ pub(super) fn highest_maximum(motion: &impl BoundedMotion, horizon: f64) -> Opti
     highest
 }
 
-/// The highest position after a stride that none before and after it exceeds: there is a local maximum between these two, at least as high.
+/// The highest position after a stride that none before and after it exceeds: there is a local
+/// maximum between these two, at least as high.
 fn highest_seen(enclosure: &impl Enclosure) -> f64 {
     let mut walk = enclosure.walk();
     let (mut highest, mut before, mut here) = (f64::NEG_INFINITY, f64::INFINITY, walk.position());

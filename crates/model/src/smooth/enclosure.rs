@@ -1,4 +1,5 @@
-//! Derivatives of a motion, and bounds of them between two nodes that are proved by interval arithmetic.
+//! Derivatives of a motion, and bounds of them between two nodes that are proved by interval
+//! arithmetic.
 
 use super::integrator::{Node, Pair};
 use super::interval::Interval;
@@ -31,15 +32,16 @@ fn ranges<M: SmoothOscillator>(
     let [zero, one] = [0.0, 1.0].map(Interval::constant);
     let [mu, eta] = oscillator.parameters.map(Series::constant);
     let position = Series([x, y, acceleration.scale(0.5), zero]);
-    // The term of second order in the velocity is half the jerk, which is not known yet: F_y goes with it.
+    // The term of second order in the velocity is half the jerk, which is not known yet: F_y goes
+    // with it.
     let velocity = Series([y, acceleration, zero, one]);
     let Series([_, jerk, bend, by_velocity]) =
         oscillator.model.force(position, velocity, Series([time, one, zero, zero]), mu, eta);
     [jerk, bend.scale(2.0) + by_velocity * jerk]
 }
 
-/// A first box holds both ends, with this share of room for motion that turns in between (empirical: most boxes are then right
-/// at once).
+/// A first box holds both ends, with this share of room for motion that turns in between
+/// (empirical: most boxes are then right at once).
 const ROOM: f64 = 0.05;
 
 /// Ranges that were too small, or may be, grow by this share (empirical, likewise).
@@ -48,13 +50,15 @@ const WIDENED: f64 = 0.1;
 /// A box is tried and grown this often before the interval of time is halved.
 const TRIALS: usize = 8;
 
-/// An interval of time is halved this often at most: what cannot be enclosed for so short a time escapes.
+/// An interval of time is halved this often at most: what cannot be enclosed for so short a time
+/// escapes.
 const HALVINGS: u32 = 12;
 
 /// What is known of the motion between two nodes.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Cage {
-    /// A box of positions, velocities and accelerations that the motion does not leave in an interval of time.
+    /// A box of positions, velocities and accelerations that the motion does not leave in an
+    /// interval of time.
     Box([Interval; 3], Interval),
     /// Bounds of the derivatives.
     Bounds(Bounds),
@@ -69,7 +73,8 @@ impl Cage {
         }
     }
 
-    /// The bounds of all derivatives, which are made when they are first asked for: most boxes lie too far from where events are for these to matter.
+    /// The bounds of all derivatives, which are made when they are first asked for: most boxes lie
+    /// too far from where events are for these to matter.
     pub(super) fn bounds<M: SmoothOscillator>(
         &mut self,
         oscillator: &Integrated<M>,
@@ -95,7 +100,8 @@ pub(super) fn enclose<M: SmoothOscillator>(
     boxed(oscillator, node, next).or_else(|| halved(oscillator, node, next, HALVINGS).map(Cage::Bounds))
 }
 
-/// What the step that led to a node shows of the motion on it, without proof; `None` if that is not finite.
+/// What the step that led to a node shows of the motion on it, without proof; `None` if that is not
+/// finite.
 pub(super) fn estimate(next: &Node) -> Option<Cage> {
     let bounds = next.last.as_ref()?.bounds();
     (bounds.acceleration + bounds.jerk + bounds.snap).is_finite().then_some(Cage::Bounds(bounds))
@@ -132,8 +138,8 @@ fn sharp<M: SmoothOscillator>(
     (bounds.acceleration + jerk + snap).is_finite().then_some(bounds)
 }
 
-/// A box that the solution cannot leave (Picard's criterion): with F taken over the box, velocity and position
-/// stay inside it.
+/// A box that the solution cannot leave (Picard's criterion): with F taken over the box, velocity
+/// and position stay inside it.
 fn boxed<M: SmoothOscillator>(oscillator: &Integrated<M>, node: &Node, next: &Node) -> Option<Cage> {
     let [mu, eta] = oscillator.parameters.map(Interval::constant);
     let time = Interval::new(node.time, next.time);

@@ -1,8 +1,9 @@
-//! Gauss's collocation of order 12 for ẍ = F(x, ẋ, t), with control of the step, on plain numbers and on jets.
+//! Gauss's collocation of order 12 for ẍ = F(x, ẋ, t), with control of the step, on plain numbers
+//! and on jets.
 //!
-//! On a step the acceleration is a polynomial that agrees with F at the stages. Its values there solve a small system by
-//! Newton's method, whose matrix is that of the variational equations as well ([`variational`](super::variational)).
-//! F is evaluated at all six stages at once.
+//! On a step the acceleration is a polynomial that agrees with F at the stages. Its values there
+//! solve a small system by Newton's method, whose matrix is that of the variational equations as
+//! well ([`variational`](super::variational)). F is evaluated at all six stages at once.
 
 mod taylor;
 
@@ -34,58 +35,70 @@ pub(super) struct Node {
     pub(super) last: Option<Step>,
 }
 
-/// Size of the two highest coefficients on a step that is allowed: of the acceleration, relative to the motion's scale, and of
-/// h² F_x and h F_y. Gauss's points make the error at the end of a step a product of two neglected coefficients, of degree six and
-/// above: of the acceleration, or its derivative, and of the solution of the variational equations. Coefficients fall
-/// fast, so both are some 10⁻⁷ or less then, and each error is 10⁻¹³ or less (empirical; tests hold flows to 10⁻¹²).
+/// Size of the two highest coefficients on a step that is allowed: of the acceleration, relative to
+/// the motion's scale, and of h² F_x and h F_y. Gauss's points make the error at the end of a step
+/// a product of two neglected coefficients, of degree six and above: of the acceleration, or its
+/// derivative, and of the solution of the variational equations. Coefficients fall fast, so both
+/// are some 10⁻⁷ or less then, and each error is 10⁻¹³ or less (empirical; tests hold flows to
+/// 10⁻¹²).
 const TOLERANCE: f64 = 1e-5;
-/// Size that is allowed of a coefficient of degree twelve, of the acceleration relative to the motion's scale and of h² F_x and h F_y, the first
-/// that is neglected by itself and not in a product, as far as the lower ones show ([`tail`]). It matters where coefficients are small but fall
-/// slowly: the force comes in pulses, or bends by little and within a short way, as drag that turns about at v = 0, and derivatives of second order are the first to be wrong (empirical: with
-/// this size those are right to 10⁻¹¹ under tanh(50 ẋ), and to 10⁻⁸ under drag with a branch point 0.1 beside the real velocities, whose
-/// coefficients fall so slowly beside larger ones that no six values show them).
+/// Size that is allowed of a coefficient of degree twelve, of the acceleration relative to the
+/// motion's scale and of h² F_x and h F_y, the first that is neglected by itself and not in a
+/// product, as far as the lower ones show ([`tail`]). It matters where coefficients are small but
+/// fall slowly: the force comes in pulses, or bends by little and within a short way, as drag that
+/// turns about at v = 0, and derivatives of second order are the first to be wrong (empirical: with
+/// this size those are right to 10⁻¹¹ under tanh(50 ẋ), and to 10⁻⁸ under drag with a branch
+/// point 0.1 beside the real velocities, whose coefficients fall so slowly beside larger ones that
+/// no six values show them).
 const TAIL: f64 = 3e-14;
-/// The largest h r on a step, r being the fastest rate at which neighbouring motion turns or decays: where F_x and F_y are constant
-/// nothing else shows how fast the variational equations are. Their error is then that of Padé's approximation of the exponential
-/// function, (6!)²/(12! 13!) (h r)¹³: 2·10⁻¹⁴ here.
+/// The largest h r on a step, r being the fastest rate at which neighbouring motion turns or
+/// decays: where F_x and F_y are constant nothing else shows how fast the variational equations
+/// are. Their error is then that of Padé's approximation of the exponential function, (6!)²/(12!
+/// 13!) (h r)¹³: 2·10⁻¹⁴ here.
 const SWING: f64 = 0.85;
-/// A step is solved again if h r is larger by more than this share: its error is four times as large.
+/// A step is solved again if h r is larger by more than this share: its error is four times as
+/// large.
 const OVERSWING: f64 = 0.1;
 /// And if it is rougher by more than this share: its error is then two and a half times as large.
 const OVERROUGH: f64 = 0.6;
-/// The new step is this share of what the coefficients suggest, and changes by these factors at most (empirical).
+/// The new step is this share of what the coefficients suggest, and changes by these factors at
+/// most (empirical).
 const SAFETY: f64 = 0.9;
 const SHRINK: f64 = 0.3;
 const GROW: f64 = 2.0;
-/// What h r suggests is followed this far: slopes far from the motion, where a step that is too long ends, mean little.
+/// What h r suggests is followed this far: slopes far from the motion, where a step that is too
+/// long ends, mean little.
 const PLUNGE: f64 = 0.1;
-/// A step this short, in units of 1/ω, means that the solution is not smooth, or escapes. It is made as it is, which leads past a place
-/// where the force bends; where steps become shorter still by this factor, as on the way into a pole, the solution ends.
+/// A step this short, in units of 1/ω, means that the solution is not smooth, or escapes. It is
+/// made as it is, which leads past a place where the force bends; where steps become shorter still
+/// by this factor, as on the way into a pole, the solution ends.
 const SHORTEST: f64 = 1e-9;
 const VANISHING: f64 = 1e-3;
 /// The stages are solved for within this many iterations or the step is too long.
 const ITERATIONS: usize = 12;
-/// A correction this small, relative to what F is a sum of, lets the matrix stand; the next ones are smaller by about as much, and cost
-/// less than a matrix (empirical).
+/// A correction this small, relative to what F is a sum of, lets the matrix stand; the next ones
+/// are smaller by about as much, and cost less than a matrix (empirical).
 const NEAR: f64 = 0.2;
 /// A correction is the last if it is this small, or if the next one would be below rounding.
 const CONVERGED: f64 = 1e-12;
 const ROUNDING: f64 = 1e-15;
-/// Rough motion is allowed coefficients so many times as large, and a swing: with order 12 its errors are some 10⁵ times as large, about
-/// 10⁻⁸, and so much more is left in the stages.
+/// Rough motion is allowed coefficients so many times as large, and a swing: with order 12 its
+/// errors are some 10⁵ times as large, about 10⁻⁸, and so much more is left in the stages.
 const ROUGHER: f64 = 100.0;
 const WIDER: f64 = 2.0;
 const LOOSER: f64 = 1e5;
-/// Steps of fine motion are two thirds as long, coefficients of order five so much smaller, and errors of order twelve 10⁻² as large.
+/// Steps of fine motion are two thirds as long, coefficients of order five so much smaller, and
+/// errors of order twelve 10⁻² as large.
 const NARROWER: f64 = 2.0 / 3.0;
 const FINER: f64 = NARROWER * NARROWER * NARROWER * NARROWER * NARROWER;
 
-/// Room for what a polynomial of degree five leaves out of the acceleration on a rough step, and of its derivatives (its last coefficients are
-/// 10⁻³ of the whole at most).
+/// Room for what a polynomial of degree five leaves out of the acceleration on a rough step, and of
+/// its derivatives (its last coefficients are 10⁻³ of the whole at most).
 const ROOM: f64 = 1.1;
 
-/// The factors of the matrix I − h² A² F_x − h A F_y of Newton's method by columns, without pivots: it is close to the identity where
-/// the step is not too long, and where it is not the iteration fails and the step is shortened.
+/// The factors of the matrix I − h² A² F_x − h A F_y of Newton's method by columns, without pivots:
+/// it is close to the identity where the step is not too long, and where it is not the iteration
+/// fails and the step is shortened.
 pub(super) struct Factors([Stages; STAGES]);
 
 #[expect(clippy::needless_range_loop, reason = "indices as in the formulas")]
@@ -131,8 +144,8 @@ impl Factors {
     }
 }
 
-/// The coefficients of degrees five and four of a function in Legendre polynomials on a step, taken together, and those of degrees three
-/// and two.
+/// The coefficients of degrees five and four of a function in Legendre polynomials on a step, taken
+/// together, and those of degrees three and two.
 fn highest(values: &Stages) -> [f64; 2] {
     let size = |k: usize| values.weighted(&LEGENDRE[k]).abs();
     [size(0) + 0.1 * size(1), size(2) + 0.1 * size(3)]
@@ -145,7 +158,8 @@ fn tail([high, low]: [f64; 2]) -> f64 {
     high * fall * fall * fall * fall.sqrt()
 }
 
-/// The larger of what is of order 5 in the step, and of what is of order 12 as if it were of order 5.
+/// The larger of what is of order 5 in the step, and of what is of order 12 as if it were of
+/// order 5.
 fn of_order_five(five: f64, twelve: f64) -> f64 {
     // Roots take time, and most tails are far too small to matter.
     if twelve < (five * five * five).min(1.0) {
@@ -179,7 +193,8 @@ impl Slopes {
         }
     }
 
-    /// The highest coefficients of h² F_x and h F_y, and those of degree twelve, as far as they are known.
+    /// The highest coefficients of h² F_x and h F_y, and those of degree twelve, as far as they are
+    /// known.
     fn coefficients(&self) -> [f64; 2] {
         let [x, y] = [highest(&self.both[0]), highest(&self.both[1])];
         [together([x[0], y[0]], self.length), together([tail(x), tail(y)], self.length)]
@@ -218,7 +233,8 @@ impl Step {
         [position, y + h * self.accelerations.weighted(&WEIGHTS)]
     }
 
-    /// The accelerations at the stages of another step, which begins at a fraction of this one, by interpolation.
+    /// The accelerations at the stages of another step, which begins at a fraction of this one, by
+    /// interpolation.
     fn guess(&self, begin: f64, length: f64) -> Stages {
         let at = Lanes(NODES).scale(2.0 * length / self.length) + Stages::constant(2.0 * begin - 1.0);
         let [lower @ .., highest] = self.accelerations.through(&POWERS).0;
@@ -226,7 +242,8 @@ impl Step {
         lower.into_iter().rev().fold(from, |value, coefficient| value * at + Stages::constant(coefficient))
     }
 
-    /// Bounds of the derivatives of x on the step, those of its polynomial with some room for what that leaves out.
+    /// Bounds of the derivatives of x on the step, those of its polynomial with some room for what
+    /// that leaves out.
     pub(super) fn bounds(&self) -> Bounds {
         let sizes = self.accelerations.through(&POWERS).0.map(f64::abs);
         let slope = 2.0 / self.length.abs();
@@ -242,7 +259,8 @@ impl Step {
 
     /// The size of accelerations where so fast a rate turns the state at which the step begins.
     ///
-    /// What is far below it moves nothing, and may be no more than rounding: near rest the terms of F cancel.
+    /// What is far below it moves nothing, and may be no more than rounding: near rest the terms of
+    /// F cancel.
     fn scale(&self, [x, y]: Pair<f64>, rate: f64) -> f64 {
         self.accelerations.modulus() + rate * (y.abs() + rate * x.abs())
     }
@@ -264,7 +282,8 @@ impl<M: SmoothOscillator> Integrated<M> {
         }
     }
 
-    /// Solves for the accelerations of a step by Newton's method, and says what F_x and F_y say about it; `None` if it does not converge.
+    /// Solves for the accelerations of a step by Newton's method, and says what F_x and F_y say
+    /// about it; `None` if it does not converge.
     fn solve(&self, from: Pair<f64>, time: f64, step: &mut Step) -> Option<Slopes> {
         let h = step.length;
         let [mu, eta] = self.parameters.map(Stages::constant);
@@ -291,8 +310,9 @@ impl<M: SmoothOscillator> Integrated<M> {
                 if !size.is_finite() {
                     return None;
                 }
-                // The next one would be smaller than this one by the factor by which this one is smaller than the last, or by more; and by
-                // what the slopes have changed since, less than over the whole step. So one is enough where F is linear.
+                // The next one would be smaller than this one by the factor by which this one is
+                // smaller than the last, or by more; and by what the slopes have changed since,
+                // less than over the whole step. So one is enough where F is linear.
                 let next = size * if size <= NEAR { slopes.spread.min(size / before) } else { size / before };
                 if size <= CONVERGED * looser || next <= ROUNDING * looser {
                     return Some(slopes);
@@ -316,14 +336,16 @@ impl<M: SmoothOscillator> Integrated<M> {
         [force.first(0).scale(h * h), force.first(1).scale(h)]
     }
 
-    /// A part of a step that has been solved, as long as `share` of it, from where it begins at a share of it.
+    /// A part of a step that has been solved, as long as `share` of it, from where it begins at a
+    /// share of it.
     fn part(&self, from: Pair<f64>, time: f64, step: &Step, [begin, share]: [f64; 2]) -> Option<Step> {
         let length = step.length * share;
         let mut part = Step { length, accelerations: step.guess(begin, length) };
         self.solve(from, time + begin * step.length, &mut part).map(|_| part)
     }
 
-    /// The node after this one, `longest` away at most in time; `None` if the solution cannot be continued.
+    /// The node after this one, `longest` away at most in time; `None` if the solution cannot be
+    /// continued.
     pub(super) fn next_node(&self, node: &Node, longest: f64) -> Option<Node> {
         let mut trial = if node.proposal.abs() <= longest.abs() { node.proposal } else { longest };
         // Far from any solution Newton's method may try a frequency below zero.
@@ -361,7 +383,8 @@ impl<M: SmoothOscillator> Integrated<M> {
             let [five, twelve] = [of_motion[0] + of_slopes[0], tail(of_motion) + of_slopes[1]];
             let roughness = of_order_five(five / TOLERANCE, twelve / TAIL) / rougher;
             let swing = slopes.rate * trial.abs() / (wider * SWING);
-            // The highest coefficient is of order 5 in the step; 3/16 is a little less than 1/5, and takes roots alone.
+            // The highest coefficient is of order 5 in the step; 3/16 is a little less than 1/5,
+            // and takes roots alone.
             let eighth = roughness.sqrt().sqrt().sqrt();
             let factor = (SAFETY / (eighth * eighth.sqrt())).clamp(SHRINK, GROW).min(1.0 / swing).max(PLUNGE);
             if (roughness <= 1.0 + OVERROUGH && swing <= 1.0 + OVERSWING) || trial.abs() < shortest {
@@ -408,7 +431,8 @@ mod tests {
     use crate::scalar::Function;
     use crate::state::State;
 
-    /// Driven by pulses, the narrower the sharper they are: a pendulum, or a spring that does not bend.
+    /// Driven by pulses, the narrower the sharper they are: a pendulum, or a spring that does not
+    /// bend.
     #[derive(Clone)]
     struct Driven {
         sharpness: f64,
@@ -466,7 +490,8 @@ mod tests {
         let fine = usual.finely().unwrap();
         let period = usual.forcing_period();
         let exact = by_equal_steps(&usual, period, 400);
-        // The second of two ways in turn begins a step at any phase, so that no error is small by chance.
+        // The second of two ways in turn begins a step at any phase, so that no error is small by
+        // chance.
         let error = |oscillator: &Integrated<Driven>| {
             let parted = |k: u32| {
                 let share = f64::from(k) / 50.0;
@@ -479,7 +504,8 @@ mod tests {
             (1..50).map(parted).fold(0.0, f64::max)
         };
         let [usual, fine] = [error(&usual), error(&fine)];
-        // Without a look at the acceleration's own tail the first is 7.9e-14, with it 2.9e-14; what is left of the second is rounding.
+        // Without a look at the acceleration's own tail the first is 7.9e-14, with it 2.9e-14; what
+        // is left of the second is rounding.
         assert!(usual < 5e-14 && fine < 0.5 * usual, "{usual:e} {fine:e}");
     }
 }

@@ -8,8 +8,8 @@ use crate::scalar::{Coefficient, Function, Scalar, entrywise, with_plain_numbers
 
 /// The variables of jets, by number.
 ///
-/// The phase needs no place in the jets that are integrated: the flow's derivatives in z₀ follow from the others. Where
-/// there is no position, it takes the place of that.
+/// The phase needs no place in the jets that are integrated: the flow's derivatives in z₀ follow
+/// from the others. Where there is no position, it takes the place of that.
 pub(super) mod variable {
     pub(crate) const POSITION: usize = 0;
     pub(crate) const PHASE: usize = 0;
@@ -25,8 +25,8 @@ pub(super) const FIRST: usize = 1 + VARIABLES;
 /// Length of a jet of second order: with the upper triangle of the second derivatives.
 pub(super) const SECOND: usize = FIRST + VARIABLES * (VARIABLES + 1) / 2;
 
-/// The two variables of each second derivative, in the order in which they are stored; pairs of neighbours share one, which
-/// lets products be taken two at a time.
+/// The two variables of each second derivative, in the order in which they are stored; pairs of
+/// neighbours share one, which lets products be taken two at a time.
 pub(super) const PAIRS: [[usize; 2]; SECOND - FIRST] =
     [[0, 0], [0, 1], [0, 2], [0, 3], [1, 1], [1, 2], [2, 2], [2, 3], [1, 3], [3, 3]];
 
@@ -46,7 +46,8 @@ const PLACES: [[usize; VARIABLES]; VARIABLES] = {
 /// Length of a jet of first order in two variables alone.
 pub(super) const PLANAR: usize = 3;
 
-/// A value with its derivatives; `LENGTH` is [`PLANAR`], [`FIRST`] or [`SECOND`], and sets the order.
+/// A value with its derivatives; `LENGTH` is [`PLANAR`], [`FIRST`] or [`SECOND`], and sets the
+/// order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Jet<const LENGTH: usize, C = f64>(pub(super) [C; LENGTH]);
 

@@ -1,4 +1,5 @@
-//! Motion of an integrated oscillator between impacts: nodes of the integration, and a step from the nearest one.
+//! Motion of an integrated oscillator between impacts: nodes of the integration, and a step from
+//! the nearest one.
 
 use core::cell::RefCell;
 
@@ -25,7 +26,8 @@ impl Course {
         self.nodes.partition_point(|node| (node.time - start).abs() <= time)
     }
 
-    /// The cages between two times, likewise, as far as they have been made, with the nodes at their ends.
+    /// The cages between two times, likewise, as far as they have been made, with the nodes at
+    /// their ends.
     fn cages_between(
         &mut self,
         start: f64,
@@ -78,7 +80,8 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
         }
     }
 
-    /// Makes nodes until the time is passed, and cages between them, which for rough motion are estimates.
+    /// Makes nodes until the time is passed, and cages between them, which for rough motion are
+    /// estimates.
     ///
     /// Where there is none the solution is about to escape, and counts as ended.
     fn make_cages(&self, course: &mut Course, time: f64) {
@@ -97,8 +100,8 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
         }
     }
 
-    /// The number of the last node before or at a time since the start, nodes being made until the time is passed; `None` if
-    /// the solution does not get that far.
+    /// The number of the last node before or at a time since the start, nodes being made until the
+    /// time is passed; `None` if the solution does not get that far.
     fn node_before(&self, course: &mut Course, time: f64) -> Option<usize> {
         self.extend(course, time);
         let passed = course.nodes_until(self.start, time.abs());
@@ -148,7 +151,8 @@ impl<M: SmoothOscillator> BoundedMotion for IntegratedMotion<M> {
         Boxes { motion: self, course, horizon: horizon.abs() }
     }
 
-    /// Up to the first node beyond the wall: what the force is farther on is not asked for, as nobody may have thought of it.
+    /// Up to the first node beyond the wall: what the force is farther on is not asked for, as
+    /// nobody may have thought of it.
     fn foresight(&self) -> f64 {
         let period = core::f64::consts::TAU / self.oscillator.frequency;
         let mut course = self.courses[0].borrow_mut();

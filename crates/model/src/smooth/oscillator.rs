@@ -10,11 +10,11 @@ pub trait SmoothOscillator: Clone + Send + Sync {
     /// The force F(x, y, t; μ, η) per mass.
     fn force<S: Scalar>(&self, x: S, y: S, t: S, mu: S, eta: S) -> S;
 
-    /// The force at one time, as a function of position and velocity, which may be of another kind of number: jets, say, at a time that
-    /// is plain.
+    /// The force at one time, as a function of position and velocity, which may be of another kind
+    /// of number: jets, say, at a time that is plain.
     ///
-    /// The integrator asks for it again and again at the same times: an implementor saves most of its work who computes
-    /// here, once, what depends on time and parameters alone.
+    /// The integrator asks for it again and again at the same times: an implementor saves most of
+    /// its work who computes here, once, what depends on time and parameters alone.
     fn force_at<T: Scalar, S: Scalar + From<T>>(&self, t: T, mu: T, eta: T) -> impl FnMut(S, S) -> S {
         let [t, mu, eta] = [t, mu, eta].map(S::from);
         move |x, y| self.force(x, y, t, mu, eta)

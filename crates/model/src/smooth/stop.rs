@@ -1,10 +1,12 @@
-//! Ending a computation early: a mark that anybody can set, and oscillators that cease to move once it is.
+//! Ending a computation early: a mark that anybody can set, and oscillators that cease to move once
+//! it is.
 //!
-//! An analysis is loops in loops, and the innermost of all is a step of the integration. So it is the force that asks: once an
-//! end is asked for it is NaN, no step can be made, and whatever waits for a motion finds that there is none. Every loop then
-//! ends within moments by the way it has anyway for motion that does not exist, and nothing that Newton's method, the
-//! continuation or the search for events do has to know of it. What was being computed at that moment is worth nothing and is
-//! left out by whoever asks [`Stop::is_asked`] afterwards.
+//! An analysis is loops in loops, and the innermost of all is a step of the integration. So it is
+//! the force that asks: once an end is asked for it is NaN, no step can be made, and whatever waits
+//! for a motion finds that there is none. Every loop then ends within moments by the way it has
+//! anyway for motion that does not exist, and nothing that Newton's method, the continuation or the
+//! search for events do has to know of it. What was being computed at that moment is worth nothing
+//! and is left out by whoever asks [`Stop::is_asked`] afterwards.
 
 use core::cell::Cell;
 use core::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -13,7 +15,8 @@ use std::sync::Arc;
 use super::oscillator::SmoothOscillator;
 use crate::scalar::Scalar;
 
-/// A mark that asks a computation to end; clones share it. It counts the steps of integration as well.
+/// A mark that asks a computation to end; clones share it. It counts the steps of integration as
+/// well.
 #[derive(Clone, Debug)]
 pub struct Stop(Arc<Shared>);
 
@@ -33,8 +36,8 @@ impl Default for Stop {
     }
 }
 
-/// Every thread adds its steps to the common count in lots of this size: a count that threads shared step by step would
-/// cost them more than the step.
+/// Every thread adds its steps to the common count in lots of this size: a count that threads
+/// shared step by step would cost them more than the step.
 const LOT: u64 = 256;
 
 thread_local! {
@@ -53,7 +56,8 @@ impl Stop {
         self.0.asked.store(true, Ordering::Relaxed);
     }
 
-    /// Clears the request, and the limit of steps with it: everything moves again, for whoever writes down what was finished.
+    /// Clears the request, and the limit of steps with it: everything moves again, for whoever
+    /// writes down what was finished.
     pub fn withdraw(&self) {
         self.0.lifted.store(true, Ordering::Relaxed);
         self.0.asked.store(false, Ordering::Relaxed);

@@ -1,8 +1,9 @@
 //! Coefficients of Gauss's collocation for ẍ = F(x, ẋ, t): six points, order 12.
 //!
-//! Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd edition, section II.7; the
-//! nodes are the zeros of the Legendre polynomial of degree six, shifted to the unit interval, and the other coefficients
-//! integrals of Lagrange's polynomials on them, computed to 50 digits and rounded, or products of such. Tests hold them to the conditions that
+//! Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd
+//! edition, section II.7; the nodes are the zeros of the Legendre polynomial of degree six, shifted
+//! to the unit interval, and the other coefficients integrals of Lagrange's polynomials on them,
+//! computed to 50 digits and rounded, or products of such. Tests hold them to the conditions that
 //! define them.
 
 use super::stages::{Lanes, Matrix, STAGES, Stages};
@@ -114,7 +115,8 @@ pub(super) const POSITION_WEIGHTS: [f64; STAGES] = {
     weights
 };
 
-/// The coefficients of a function in Legendre polynomials on the step, of degrees five to two: (2n + 1) b P_n(2c − 1).
+/// The coefficients of a function in Legendre polynomials on the step, of degrees five to two:
+/// (2n + 1) b P_n(2c − 1).
 pub(super) const LEGENDRE: [[f64; STAGES]; 4] = {
     let mut rows = [[0.0; STAGES]; 4];
     let mut stage = 0;
@@ -129,12 +131,14 @@ pub(super) const LEGENDRE: [[f64; STAGES]; 4] = {
     rows
 };
 
-/// The coefficients of the polynomial through values at the stages, in powers of 2c − 1, from that of degree zero on.
+/// The coefficients of the polynomial through values at the stages, in powers of 2c − 1, from that
+/// of degree zero on.
 pub(super) const POWERS: Matrix = {
     let mut columns = [Lanes([0.0; STAGES]); STAGES];
     let mut j = 0;
     while j < STAGES {
-        // Lagrange's polynomial: 1 at its own stage and 0 at the others, a factor for each of these.
+        // Lagrange's polynomial: 1 at its own stage and 0 at the others, a factor for each of
+        // these.
         let mut product = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
         let mut k = 0;
         while k < STAGES {
@@ -200,7 +204,8 @@ mod tests {
 
     #[test]
     fn highest_coefficients_are_those_of_legendre_polynomials() {
-        // P_n in u = 2c − 1 by Bonnet's recursion, n = 0 to 5: each has the coefficient one of its own degree, and none of another.
+        // P_n in u = 2c − 1 by Bonnet's recursion, n = 0 to 5: each has the coefficient one of its
+        // own degree, and none of another.
         let polynomials = NODES.map(|c| {
             let u = 2.0 * c - 1.0;
             let mut values = [1.0, u, 0.0, 0.0, 0.0, 0.0];

@@ -1,9 +1,11 @@
 //! Units in which an oscillator's motion is of the order of one.
 //!
-//! Tolerances, first guesses and step lengths are made for such motion. Any [`SmoothOscillator`] becomes one of this kind by
-//! a change of variables, [`Dimensionless`]. Its [`Units`] are looked for in the force alone: length and time are those of the balance between
-//! what pushes the oscillator away from the wall and what holds it, be that a spring or inertia. They are powers of four, so that
-//! nothing is rounded on the way there and back, and motion that is of the order of one already keeps its numbers.
+//! Tolerances, first guesses and step lengths are made for such motion. Any [`SmoothOscillator`]
+//! becomes one of this kind by a change of variables, [`Dimensionless`]. Its [`Units`] are looked
+//! for in the force alone: length and time are those of the balance between what pushes the
+//! oscillator away from the wall and what holds it, be that a spring or inertia. They are powers of
+//! four, so that nothing is rounded on the way there and back, and motion that is of the order of
+//! one already keeps its numbers.
 
 use core::f64::consts::TAU;
 
@@ -28,7 +30,8 @@ pub struct Units {
 const INSTANTS: u32 = 16;
 /// Both ranges are looked at at these shares.
 const SHARES: [f64; 3] = [0.0, 0.5, 1.0];
-/// Of the mean force at the wall and the forcing, what is below this share of the other is what rounding leaves of none.
+/// Of the mean force at the wall and the forcing, what is below this share of the other is what
+/// rounding leaves of none.
 const NO_LOAD: f64 = 1e-12;
 /// Units lie between 4⁻⁶⁰ and 4⁶⁰: products of a few of them are numbers still.
 const MOST: f64 = 60.0;
@@ -43,10 +46,11 @@ impl Units {
 
     /// Units for an oscillator in ranges of μ and η.
     ///
-    /// They are the medians of what is seen at nine places. The load is the mean force at the wall, or, where that does not point away
-    /// from the wall, the amplitude of the forcing if there is one. The length is the shortest over which the mean force changes by the load, or
-    /// inertia at the forcing frequency balances it; the square of the time is length over load. A unit of a parameter changes the
-    /// force by the load, or the frequency by one.
+    /// They are the medians of what is seen at nine places. The load is the mean force at the wall,
+    /// or, where that does not point away from the wall, the amplitude of the forcing if there is
+    /// one. The length is the shortest over which the mean force changes by the load, or inertia at
+    /// the forcing frequency balances it; the square of the time is length over load. A unit of a
+    /// parameter changes the force by the load, or the frequency by one.
     pub fn of<M: SmoothOscillator>(model: &M, ranges: [[f64; 2]; 2]) -> Self {
         let at = |[low, high]: [f64; 2], share: f64| low * (1.0 - share) + high * share;
         let places = SHARES.into_iter().flat_map(|m| SHARES.map(|e| [at(ranges[0], m), at(ranges[1], e)]));
@@ -89,8 +93,8 @@ fn power_of_four(value: f64) -> f64 {
     if exponent.is_nan() { 1.0 } else { libm::ldexp(1.0, 2 * exponent.clamp(-MOST, MOST) as i32) }
 }
 
-/// Length, time, and what changes the force by the load or the frequency by its unit in μ and in η (infinite if nothing does); nothing at a
-/// place without load or frequency.
+/// Length, time, and what changes the force by the load or the frequency by its unit in μ and in η
+/// (infinite if nothing does); nothing at a place without load or frequency.
 fn sizes<M: SmoothOscillator>(model: &M, [mu, eta]: [f64; 2]) -> Option<[f64; 4]> {
     let frequency = model.forcing_frequency(mu, eta).abs();
     let instants = move || (0..INSTANTS).map(|k| TAU * f64::from(k) / f64::from(INSTANTS));
@@ -137,7 +141,8 @@ fn sizes<M: SmoothOscillator>(model: &M, [mu, eta]: [f64; 2]) -> Option<[f64; 4]
     Some([length, time, unit([moving[0], still[1]]), unit([still[0], moving[1]])])
 }
 
-/// A [`SmoothOscillator`] whose positions, times and parameters are counted in [`Units`] of its own.
+/// A [`SmoothOscillator`] whose positions, times and parameters are counted in [`Units`] of its
+/// own.
 #[derive(Clone, Debug)]
 pub struct Dimensionless<M> {
     model: M,

@@ -1,15 +1,16 @@
 //! The variational equations of first and second order, along a step that has been solved.
 //!
-//! The derivatives are those of the numerical solution, its steps held. At the stages the accelerations k of a step obey
-//! k = F, and each derivative of this is a system with the same matrix, that of Newton's method:
+//! The derivatives are those of the numerical solution, its steps held. At the stages the
+//! accelerations k of a step obey k = F, and each derivative of this is a system with the same
+//! matrix, that of Newton's method:
 //!
 //! ```text
 //! k_a  − F_x x_a  − F_y y_a  = F_a,
 //! k_ab − F_x x_ab − F_y y_ab = the second derivatives of F on (x_a, y_a) and (x_b, y_b)
 //! ```
 //!
-//! where x and y at a stage depend on all k linearly. So F is evaluated once at the stages, with its derivatives in
-//! position, velocity and parameters, and all else is arithmetic.
+//! where x and y at a stage depend on all k linearly. So F is evaluated once at the stages, with
+//! its derivatives in position, velocity and parameters, and all else is arithmetic.
 
 use super::integrator::{Factors, Pair, Step};
 use super::jet::variable::{POSITION, PRIMARY, VELOCITY};
@@ -19,14 +20,16 @@ use super::stages::{Lanes, STAGES, Stages};
 use super::tableau::{MATRIX, NODES, POSITION_WEIGHTS, SQUARE, WEIGHTS};
 use crate::scalar::Scalar;
 
-/// What F depends on besides position and velocity, as jets: the time origin's shift and the parameters.
+/// What F depends on besides position and velocity, as jets: the time origin's shift and the
+/// parameters.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Surroundings<const LENGTH: usize> {
     pub(super) origin: Jet<LENGTH>,
     pub(super) parameters: [Jet<LENGTH>; 2],
 }
 
-/// F is evaluated with jets at so many stages at once: as many as one instruction takes (empirical: more are slower).
+/// F is evaluated with jets at so many stages at once: as many as one instruction takes (empirical:
+/// more are slower).
 const SIDE_BY_SIDE: usize = 2;
 
 /// The linear system of a step.
@@ -44,7 +47,8 @@ struct Response {
 }
 
 impl Variation {
-    /// The derivative whose value at the beginning of the step is (x, y), with this on the system's right.
+    /// The derivative whose value at the beginning of the step is (x, y), with this on the system's
+    /// right.
     #[inline(always)]
     fn response(&self, [x, y]: Pair<f64>, right: Stages) -> Response {
         let (h, [by_position, by_velocity]) = (self.length, self.slopes);

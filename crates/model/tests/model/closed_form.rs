@@ -7,7 +7,8 @@ use grazing_model::{ImpactOscillator, MapJet, OnWall, State};
 
 use crate::models::{FROM, both};
 
-/// Over a period the closed form itself has errors of 1e-14 or so, and second derivatives, up to 80, of 1e-13.
+/// Over a period the closed form itself has errors of 1e-14 or so, and second derivatives, up to
+/// 80, of 1e-13.
 const TOLERANCE: f64 = 1e-12;
 
 #[test]

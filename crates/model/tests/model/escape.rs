@@ -6,7 +6,8 @@ use grazing_model::{ImpactOscillator, State};
 
 use crate::models::Escaping;
 
-/// With ẋ = x²/√2 and no forcing x = √2/(t* − t): from x = 1 it escapes at t* = √2, from −1 likewise downwards.
+/// With ẋ = x²/√2 and no forcing x = √2/(t* − t): from x = 1 it escapes at t* = √2, from −1
+/// likewise downwards.
 fn escaping(position: f64) -> (Integrated<Escaping>, State) {
     let velocity = core::f64::consts::FRAC_1_SQRT_2 * position;
     (Integrated::new(Escaping, [0.0, 1.0]), State { position, velocity, phase: 0.0 })

@@ -1,4 +1,5 @@
-//! The hand-written flow and its derivatives against the printed solution under automatic differentiation.
+//! The hand-written flow and its derivatives against the printed solution under automatic
+//! differentiation.
 
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
 use nalgebra::SVector;
@@ -10,7 +11,8 @@ use crate::printed::printed_flow;
 proptest! {
     #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, rng_seed: proptest::test_runner::RngSeed::Fixed(2), ..ProptestConfig::default() })]
 
-    /// Tolerance: both sides are sums of terms of size up to 1e4 (second derivatives in ω) with relative errors of rounding.
+    /// Tolerance: both sides are sums of terms of size up to 1e4 (second derivatives in ω) with
+    /// relative errors of rounding.
     #[test]
     fn flow_and_its_derivatives_are_those_of_the_printed_solution(
         zeta in 0.005..0.6_f64, x in -2.0..0.5_f64, y in -2.0..2.0_f64, z in -4.0..4.0_f64,

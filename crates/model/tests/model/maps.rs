@@ -32,7 +32,8 @@ fn near_grazing(size: f64) -> (LinearOscillator, f64, f64, f64) {
 
 #[test]
 fn virtual_point_of_an_impact_has_the_printed_expansion() {
-    // eq:xHatzHat: third order in x, second order in z. Slack of 0.1: higher-order terms at these sizes.
+    // eq:xHatzHat: third order in x, second order in z. Slack of 0.1: higher-order terms at these
+    // sizes.
     let (gamma, omega) = (OMEGA * OMEGA, OMEGA);
     let errors = |size: f64| {
         let (oscillator, y, z, _) = near_grazing(size);
@@ -62,7 +63,8 @@ fn virtual_point_of_the_recoil_has_the_printed_expansion() {
 
 #[test]
 fn discontinuity_map_has_a_square_root() {
-    // z⁽⁰⁾ − ẑ = −αω√2/√γ √x̂ to leading order, so its error is of order x̂; x⁽⁰⁾ = φ² x̂ with an error of order x̂^{3/2}.
+    // z⁽⁰⁾ − ẑ = −αω√2/√γ √x̂ to leading order, so its error is of order x̂; x⁽⁰⁾ = φ² x̂ with an
+    // error of order x̂^{3/2}.
     let (oscillator, graz) = at_grazing(OMEGA);
     let errors = |x: f64| {
         let image = discontinuity_map::<_, 1>(&oscillator, AtRest::new(x, graz)).unwrap().value;
@@ -116,7 +118,8 @@ fn grazing_is_a_fixed_point_of_the_global_map() {
     }
 }
 
-/// Central differences of a map in all four variables, of sixth order, with the noise of the values divided by the step.
+/// Central differences of a map in all four variables, of sixth order, with the noise of the values
+/// divided by the step.
 fn differences<A: Copy, B: Copy>(map: impl Fn([f64; 4]) -> MapJet<A, B>, at: [f64; 4]) -> [MapJet<A, B>; 2] {
     let step = 4e-4;
     let weights = [(1.0, 3.0 / 4.0), (2.0, -3.0 / 20.0), (3.0, 1.0 / 60.0)];
@@ -143,9 +146,11 @@ fn differences<A: Copy, B: Copy>(map: impl Fn([f64; 4]) -> MapJet<A, B>, at: [f6
     [exact, approximate]
 }
 
-/// First derivatives are held against differences of values, second ones against differences of first ones.
+/// First derivatives are held against differences of values, second ones against differences of
+/// first ones.
 ///
-/// Tolerance: the differences' own error is about step⁶ times a seventh derivative (which for P_disc is large) plus 1e-15/step.
+/// Tolerance: the differences' own error is about step⁶ times a seventh derivative (which for
+/// P_disc is large) plus 1e-15/step.
 fn assert_derivatives<A: Copy, B: Copy>(map: impl Fn([f64; 4]) -> MapJet<A, B>, at: [f64; 4]) {
     let [exact, approximate] = differences(map, at);
     let scale = |value: f64| 1e-9 * (1.0 + value.abs());
@@ -198,8 +203,8 @@ fn implicit_derivatives_of_all_maps_are_right() {
 
 #[test]
 fn a_virtual_maximum_that_is_not_there_is_an_error() {
-    // 𝒜 > 1 and phase 0: at the wall the force pushes outwards, and x grows beyond the wall without a maximum nearby
-    // before the wall; backwards from the recoil there is none within a period.
+    // 𝒜 > 1 and phase 0: at the wall the force pushes outwards, and x grows beyond the wall without
+    // a maximum nearby before the wall; backwards from the recoil there is none within a period.
     let oscillator = LinearOscillator::new(ZETA, EPSILON, 3.0, 0.1).unwrap();
     assert!(oscillator.acceleration(State::on_wall(0.0, 0.0)) > 0.0);
     let missing = virtual_map::<_, 1>(&oscillator, OnWall::new(1e-3, 0.0), Some(0.01));

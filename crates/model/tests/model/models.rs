@@ -3,7 +3,8 @@
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator};
 use grazing_model::{LinearOscillator, State};
 
-/// A force alone, of a new type or of one with fields; the parameters are the forcing's amplitude and frequency, impacts are elastic.
+/// A force alone, of a new type or of one with fields; the parameters are the forcing's amplitude
+/// and frequency, impacts are elastic.
 macro_rules! forced {
     ($(#[$doc:meta])* $name:ident, |$x:ident, $y:ident, $forcing:ident| $force:expr) => {
         $(#[$doc])*

@@ -8,7 +8,8 @@ use crate::models::{Conservative, Dragged, Duffing, FROM, Saturating};
 
 /// Derivatives of the flow against central differences of one order less.
 fn assert_derivatives<M: SmoothOscillator>(oscillator: &Integrated<M>) {
-    // Differences of order h²: the error is 1e-12 times third derivatives (up to a few hundred), rounding 1e-14/h = 1e-8.
+    // Differences of order h²: the error is 1e-12 times third derivatives (up to a few hundred),
+    // rounding 1e-14/h = 1e-8.
     let (step, tolerance) = (2e-6, 1e-7);
     let [mu, eta] = oscillator.parameters();
     let jet = |variable: usize, by: f64| {
@@ -95,7 +96,8 @@ fn assert_bounded<M: SmoothOscillator>(oscillator: &Integrated<M>) {
         }
         for (bound, sampled) in [bounds.acceleration, bounds.jerk, bounds.snap].into_iter().zip(largest) {
             assert!(sampled <= bound + 1e-6, "{sampled} exceeds {bound}");
-            // Boxes a tenth of a period long: intervals forget how position and velocity hang together.
+            // Boxes a tenth of a period long: intervals forget how position and velocity hang
+            // together.
             assert!(bound < 40.0 * sampled, "{bound} for {sampled}");
         }
     }
@@ -124,7 +126,8 @@ fn maxima_are_where_samples_show_them() {
     assert_eq!(maxima.len(), sampled);
 }
 
-/// Rough motion is made of half as many steps, and right to seven digits, with its first derivatives.
+/// Rough motion is made of half as many steps, and right to seven digits, with its first
+/// derivatives.
 #[test]
 fn rough_motion_is_rough_and_right_to_seven_digits() {
     let oscillator = Integrated::new(Duffing, [0.6, 0.8]);

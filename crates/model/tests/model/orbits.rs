@@ -20,8 +20,9 @@ fn grazing_amplitude() -> f64 {
 
 #[test]
 fn impacts_at_low_velocity_are_not_stepped_over() {
-    // The periodic solution raised above grazing by μ crosses the wall at a velocity of about ω√(2μ/𝒜_graz) and is back
-    // before the wall a moment later: at μ = 1e-12 that is 2e-6 and 5e-6 time units.
+    // The periodic solution raised above grazing by μ crosses the wall at a velocity of about
+    // ω√(2μ/𝒜_graz) and is back before the wall a moment later: at μ = 1e-12 that is 2e-6 and 5e-6
+    // time units.
     for mu in [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
         let oscillator = oscillator(grazing_amplitude() + mu);
         let motion = oscillator.motion(oscillator.non_impacting_solution(3.0));
@@ -191,7 +192,8 @@ fn chattering_is_named_and_ends() {
     let oscillator = LinearOscillator::new(0.02, 0.5, 3.0, 0.05).unwrap();
     let end = Orbit::new(&oscillator, State::on_wall(0.5, -0.2), 1e3, 100_000).finish();
     let OrbitEnd::Chattering { impacts, time, .. } = end else { panic!("{end:?}") };
-    // Velocities halve: from 0.5 to 1e-6 in 20 bounces; the sequence lasts about 2v/a · ε/(1 − ε) = 0.5.
+    // Velocities halve: from 0.5 to 1e-6 in 20 bounces; the sequence lasts about 2v/a · ε/(1 − ε) =
+    // 0.5.
     assert!((20..22).contains(&impacts), "{impacts}");
     assert!((0.2..1.0).contains(&time), "{time}");
 }

@@ -2,7 +2,8 @@
 
 use num_dual::DualNum;
 
-/// eq:flow and its time derivative, with eq:phip and t₀ = z₀/ω, as a function of (x₀, y₀, z₀, s, 𝒜, ω).
+/// eq:flow and its time derivative, with eq:phip and t₀ = z₀/ω, as a function of (x₀, y₀, z₀, s, 𝒜,
+/// ω).
 pub(crate) fn printed_flow<D: DualNum<Primitive = f64> + Copy>(
     zeta: f64,
     [x0, y0, z0, s, amplitude, omega]: [D; 6],

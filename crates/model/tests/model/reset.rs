@@ -1,4 +1,5 @@
-//! Reset laws, and with them the derivatives of every operation and function, against automatic differentiation.
+//! Reset laws, and with them the derivatives of every operation and function, against automatic
+//! differentiation.
 
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator};
 use grazing_model::{ImpactOscillator, OnWall};

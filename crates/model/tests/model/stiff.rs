@@ -10,8 +10,8 @@ use crate::models::{Bouncing, FROM, forced};
 /// The damping ratio: transients live for hundreds of turns.
 const ZETA: f64 = 1e-4;
 
-/// The paper's oscillator in other units: `rate` is the number of its units of time in one of these, `size` its unit of length in
-/// these. Slow forcing of a stiff spring.
+/// The paper's oscillator in other units: `rate` is the number of its units of time in one of
+/// these, `size` its unit of length in these. Slow forcing of a stiff spring.
 #[derive(Clone, Debug)]
 struct Stiff {
     rate: f64,
@@ -24,7 +24,8 @@ forced!(impl Stiff { rate, size }, |x, y, forcing| {
 });
 
 impl Stiff {
-    /// The units of x, y, z, s, μ, η in those of the paper's oscillator, in the order of a flow's variables.
+    /// The units of x, y, z, s, μ, η in those of the paper's oscillator, in the order of a flow's
+    /// variables.
     fn units(&self) -> [f64; 6] {
         let mut units = [1.0; 6];
         units[flow_variable::POSITION] = self.size;
@@ -46,12 +47,14 @@ impl Stiff {
     }
 }
 
-/// Amplitude and, in the units of the paper's oscillator, duration of a flight: not quite a forcing period of any.
+/// Amplitude and, in the units of the paper's oscillator, duration of a flight: not quite a forcing
+/// period of any.
 const AMPLITUDE: f64 = 0.7;
 const SHARE_OF_PERIOD: f64 = 0.83;
 
-/// An oscillator in both forms, the duration of its flight, and what an error may be relative to the largest of its kind:
-/// 2e-14 for each radian of unforced motion, as the steps allow, and roundings.
+/// An oscillator in both forms, the duration of its flight, and what an error may be relative to
+/// the largest of its kind: 2e-14 for each radian of unforced motion, as the steps allow, and
+/// roundings.
 fn flights(rate: f64, size: f64) -> (Integrated<Stiff>, LinearOscillator, f64, f64) {
     let stiff = Integrated::new(Stiff { rate, size }, [AMPLITUDE, 0.9]);
     let closed = LinearOscillator::new(ZETA, 1.0, AMPLITUDE, 0.9 / rate).unwrap();

@@ -1,5 +1,5 @@
-//! Derivatives along curves to third order: the closed form against automatic differentiation, the integrated flow against the
-//! closed form and against differences.
+//! Derivatives along curves to third order: the closed form against automatic differentiation, the
+//! integrated flow against the closed form and against differences.
 
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator, Taylor};
 use grazing_model::{ImpactOscillator, OnWall, State, ThirdOrder, maps};
@@ -9,7 +9,8 @@ use num_dual::{Dual3_64, third_derivative};
 use crate::models::{Bouncing, Dragged, Duffing, FROM, Saturating, Sticking, both};
 use crate::printed::printed_flow;
 
-/// Curves of (x₀, y₀, z₀, s), coefficients of the first to the third order: bent, and special in no way.
+/// Curves of (x₀, y₀, z₀, s), coefficients of the first to the third order: bent, and special in no
+/// way.
 const CURVES: [[[f64; 4]; 3]; 3] = [
     [[0.3, -0.5, 0.7, 0.4], [0.0; 4], [0.0; 4]],
     [[-0.2, 0.6, 0.1, -0.8], [0.5, 0.2, -0.4, 0.3], [0.1, -0.6, 0.2, 0.5]],
@@ -67,7 +68,8 @@ fn integrated_flow_is_that_of_the_closed_form() {
             let [a, b] = [series(&integrated, duration, curve), series(&closed, duration, curve)];
             for (a, b) in a.iter().zip(&b) {
                 for (a, b) in a.coefficients().into_iter().zip(b.coefficients()) {
-                    // As derivatives of the first two orders, which this integrator has to 1e-12 over a period.
+                    // As derivatives of the first two orders, which this integrator has to 1e-12
+                    // over a period.
                     assert!((a - b).abs() < 1e-12, "{duration}: {a} {b}");
                 }
             }
@@ -75,8 +77,8 @@ fn integrated_flow_is_that_of_the_closed_form() {
     }
 }
 
-/// Coefficients along straight lines: the first two orders against the exact derivatives in all directions, the third against
-/// central differences of the exact second one.
+/// Coefficients along straight lines: the first two orders against the exact derivatives in all
+/// directions, the third against central differences of the exact second one.
 fn assert_series<M: SmoothOscillator>(oscillator: &Integrated<M>) {
     let direction = Vector4::new(0.3, -0.5, 0.7, 0.4);
     let line = [direction.into(), [0.0; 4], [0.0; 4]];
@@ -101,7 +103,8 @@ fn assert_series<M: SmoothOscillator>(oscillator: &Integrated<M>) {
             assert!((value - here.value[i]).abs() < 1e-13);
             assert!((first - (here.jacobian.row(i) * q)[0]).abs() < 1e-12);
             assert!((second - bend(0.0, i)).abs() < 1e-11);
-            // Steps h and h/2 extrapolated: an error of h⁴/4 = 6e-15 times a fifth derivative, and rounding, 1e-12/h.
+            // Steps h and h/2 extrapolated: an error of h⁴/4 = 6e-15 times a fifth derivative, and
+            // rounding, 1e-12/h.
             let difference = |h: f64| (bend(h, i) - bend(-h, i)) / (2.0 * h) / 3.0;
             let h = 4e-4;
             let extrapolated = (4.0 * difference(0.5 * h) - difference(h)) / 3.0;
@@ -117,8 +120,9 @@ fn third_derivatives_of_nonlinear_flows_are_those_of_differences() {
     assert_series(&Integrated::new(Saturating, [0.6, 0.76]));
 }
 
-/// The flow for a time that moves along a curve against that in many short flights, which move along it as well and take steps of
-/// their own; and to second order against the derivatives in all directions.
+/// The flow for a time that moves along a curve against that in many short flights, which move
+/// along it as well and take steps of their own; and to second order against the derivatives in all
+/// directions.
 fn assert_composition<M: SmoothOscillator>(oscillator: &Integrated<M>, tolerance: f64) {
     const FLIGHTS: u32 = 200;
     let assert_same = |a: f64, b: f64, order: usize| {
@@ -157,8 +161,9 @@ fn flow_along_a_curve_is_that_of_many_short_flights() {
     // Roundings of many flights.
     assert_composition(&Integrated::new(Duffing, [0.6, 0.76]), 1e-12);
     assert_composition(&Integrated::new(Saturating, [0.6, 0.76]), 1e-12);
-    // Steps follow the solution and its first derivatives: each order has errors some thirty times as large as the one before,
-    // of about 1e-13 to begin with, and three times that where the force itself bends on the length of a step, as drag does.
+    // Steps follow the solution and its first derivatives: each order has errors some thirty times
+    // as large as the one before, of about 1e-13 to begin with, and three times that where the
+    // force itself bends on the length of a step, as drag does.
     assert_composition(&Integrated::new(Bouncing, [0.6, 0.76]), 3e-11);
     assert_composition(&Integrated::new(Sticking, [0.6, 0.76]), 3e-11);
     assert_composition(&Integrated::new(Dragged, [0.6, 0.76]), 1e-10);

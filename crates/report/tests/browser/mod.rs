@@ -11,7 +11,8 @@ use tempfile::TempDir;
 
 /// What the checks are, in the page's own language.
 const CHECKS: &str = include_str!("checks.js");
-/// Counts, in `EARLY`, what asks for the layout of the page before all of it is read, which delays its first appearance.
+/// Counts, in `EARLY`, what asks for the layout of the page before all of it is read, which delays
+/// its first appearance.
 const WATCH: &str = include_str!("watch.js");
 /// A window on a desk.
 const WINDOW: [u32; 2] = [1400, 1000];
@@ -27,8 +28,9 @@ pub(crate) struct Spot<'a> {
     pub(crate) hidden: bool,
 }
 
-/// Opens the page, runs the checks, those of the search with texts and the labels that they find, and returns what they say, one line each; nothing where there is no browser, which is
-/// said on the error stream.
+/// Opens the page, runs the checks, those of the search with texts and the labels that they find,
+/// and returns what they say, one line each; nothing where there is no browser, which is said on
+/// the error stream.
 pub(crate) fn checked(page: &str, spots: &[Spot<'_>], formulas: &[(&str, &str)]) -> Option<Vec<String>> {
     let told =
         |spot: &Spot<'_>| spot.told.iter().map(|text| format!("{text:?}")).collect::<Vec<_>>().join(",");
@@ -61,7 +63,8 @@ pub(crate) fn sheets_of_paper(page: &str) -> Option<usize> {
     Some(pdf.split(|byte| *byte == b'\n').filter(|line| line.ends_with(b"/Type /Page")).count())
 }
 
-/// Opens the page from a folder, which goes away with the first value; nothing where there is no browser.
+/// Opens the page from a folder, which goes away with the first value; nothing where there is no
+/// browser.
 fn open(page: &str) -> Option<(TempDir, Browser)> {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let file = folder.path().join("page.html");

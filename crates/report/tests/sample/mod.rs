@@ -23,7 +23,8 @@ use grazing_unfold::verdict::Coefficient;
 /// Text that would be markup if it were not escaped.
 pub(crate) const HOSTILE: &str = "<img src=\"x\" onerror='alert(1)'>&";
 
-/// The claims: two that hold, numbers, one with text of others in every place, and one that is not checked.
+/// The claims: two that hold, numbers, one with text of others in every place, and one that is not
+/// checked.
 static LEDGER: LazyLock<Ledger> = LazyLock::new(|| {
     let claim = |label: &str, kind: &str, place: &str, test: &str| {
         format!(

@@ -9,11 +9,12 @@ use grazing_results::family::{Family, Panel, Resonance, Shows};
 use super::record::{Destination, Way};
 use super::{Plan, Record};
 
-/// A resonance that continuation comes to is one that the search has found if they are as close, in radians and shares of the ranges: both are
-/// located to 1e-9 or better.
+/// A resonance that continuation comes to is one that the search has found if they are as close, in
+/// radians and shares of the ranges: both are located to 1e-9 or better.
 const SAME: f64 = 1e-6;
 
-/// The family with these records, in the order of the members; members without a record are left out.
+/// The family with these records, in the order of the members; members without a record are left
+/// out.
 pub fn assemble(plan: &Plan, description: &Description, mut records: Vec<Option<Record>>) -> Family {
     let widths = [description.primary(), description.secondary()].map(|axis| {
         let [low, high] = axis.range();
@@ -53,7 +54,8 @@ pub fn assemble(plan: &Plan, description: &Description, mut records: Vec<Option<
 /// A resonance by the number of its member and its place in that one's list.
 type Node = (usize, usize);
 
-/// Which resonances continuation joins. One that only continuation has found is added to its member.
+/// Which resonances continuation joins. One that only continuation has found is added to its
+/// member.
 fn joins(plan: &Plan, widths: [f64; 2], records: &mut [Option<Record>]) -> Vec<[Node; 2]> {
     let mut joins = Vec::new();
     for index in 0..records.len() {
@@ -161,8 +163,8 @@ fn padded(values: impl Iterator<Item = f64>, margin: f64) -> Option<[f64; 2]> {
     (low < high).then_some([low - room, high + room])
 }
 
-/// The range in which four fifths of the numbers lie, and half as much to either side as far as there are any: coefficients are infinite where a
-/// resonance is degenerate.
+/// The range in which four fifths of the numbers lie, and half as much to either side as far as
+/// there are any: coefficients are infinite where a resonance is degenerate.
 fn typical(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
     let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
     values.sort_by(f64::total_cmp);

@@ -23,8 +23,8 @@ use super::{Plan, Tell};
 use crate::plane::lost;
 use crate::unfolded::{self, slopes};
 
-/// A member of a family: its own rows, and its resonances on their way to its neighbours. Numbers of branches and arcs are given when all
-/// records are there.
+/// A member of a family: its own rows, and its resonances on their way to its neighbours. Numbers
+/// of branches and arcs are given when all records are there.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Record {
     /// The number of the member, from 0.

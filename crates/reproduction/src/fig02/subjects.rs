@@ -1,12 +1,13 @@
-//! What the phase portraits of Figure 2 show: solutions at the amplitudes that the file asks for, or where they exist.
+//! What the phase portraits of Figure 2 show: solutions at the amplitudes that the file asks for,
+//! or where they exist.
 
 use grazing_unfold::one_parameter::{Branch, Subject};
 
 use crate::StudyError;
 use crate::parameters::{Figure2, MOST_PORTRAITS, Portrait};
 
-/// The part of a stretch, at either end, in which no portrait is put by itself: close to a bifurcation an orbit is hardly told
-/// from the one it is born with.
+/// The part of a stretch, at either end, in which no portrait is put by itself: close to a
+/// bifurcation an orbit is hardly told from the one it is born with.
 const EDGE: f64 = 0.05;
 
 /// All subjects, and what is shown elsewhere than asked for, or not at all, in sentences.
@@ -72,7 +73,8 @@ fn non_impacting(figure: &Figure2, grazing: f64, wish: Option<f64>) -> Subject {
     Subject { across, loops: Some(0) }
 }
 
-/// The stable admissible MPS at the amplitude that is nearest to the wish, or in the middle of the widest stretch.
+/// The stable admissible MPS at the amplitude that is nearest to the wish, or in the middle of the
+/// widest stretch.
 fn nearest(branches: &[Branch], loops: u32, wish: Option<f64>) -> Option<Subject> {
     let inner = |[low, high]: [f64; 2]| [low + EDGE * (high - low), high - EDGE * (high - low)];
     let mut places: Vec<(f64, f64)> = of(branches, loops)

@@ -4,16 +4,19 @@ use core::f64::consts::TAU;
 
 use super::Polyline;
 
-/// Chords of a full turn: on 90 mm of paper they stay within a hundredth of a millimetre of the arc.
+/// Chords of a full turn: on 90 mm of paper they stay within a hundredth of a millimetre of the
+/// arc.
 const CHORDS: u32 = 48;
 
-/// The coils of a spring lean by this share of their radius, as a helix seen slightly from the side.
+/// The coils of a spring lean by this share of their radius, as a helix seen slightly from the
+/// side.
 const LEAN: f64 = 0.45;
 
 /// A helix between two straight leads, the same seen from either side.
 ///
-/// (x, h) = (x₀ + ℓs + b (1 − cos θ), h₀ + r sin θ), θ = (2N − 1) π s, 0 ≤ s ≤ 1: N turns less the half one below the axis
-/// h₀, on which it begins and ends. Mirrored in the middle, s becomes 1 − s and cos θ becomes −cos θ.
+/// (x, h) = (x₀ + ℓs + b (1 − cos θ), h₀ + r sin θ), θ = (2N − 1) π s, 0 ≤ s ≤ 1: N turns less the
+/// half one below the axis h₀, on which it begins and ends. Mirrored in the middle, s becomes 1 − s
+/// and cos θ becomes −cos θ.
 pub(super) fn spring([from, to]: [f64; 2], height: f64, radius: f64, lead: f64, coils: u32) -> Polyline {
     let lean = LEAN * radius;
     let (start, length) = (from + lead, to - from - 2.0 * (lead + lean));

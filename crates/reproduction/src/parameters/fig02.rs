@@ -29,7 +29,8 @@ pub struct Figure2 {
     pub amplitude: [f64; 2],
     /// The x-values up.
     pub x: [f64; 2],
-    /// The numbers of loops p that are followed: at least one, each 1 or more, none twice, as ordered in the file.
+    /// The numbers of loops p that are followed: at least one, each 1 or more, none twice, as
+    /// ordered in the file.
     pub loops: Vec<u32>,
     /// The amplitudes of the magnification, inside those of the figure.
     pub magnified_amplitude: [f64; 2],
@@ -47,11 +48,13 @@ pub struct Figure2 {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Portrait {
-    /// The loops p of the maximal periodic solution, one of those of the figure; 0 is the non-impacting solution.
+    /// The loops p of the maximal periodic solution, one of those of the figure; 0 is the
+    /// non-impacting solution.
     pub loops: u32,
     /// The forcing amplitude at which it is shown; if there is none, at any.
     pub amplitude: Option<f64>,
-    /// Whether it is shown there or not at all; otherwise, if the solution is not there, at the nearest amplitude at which it is.
+    /// Whether it is shown there or not at all; otherwise, if the solution is not there, at the
+    /// nearest amplitude at which it is.
     pub must: bool,
     /// The key of the file that says so, with line and value: the beginning of a message.
     pub key: String,
@@ -159,12 +162,13 @@ struct Across {
     notes: Vec<String>,
 }
 
-/// The part of the magnified amplitudes that lies below grazing where the program places them: next to it is what they are to show.
+/// The part of the magnified amplitudes that lies below grazing where the program places them: next
+/// to it is what they are to show.
 const BEFORE: f64 = 0.1;
 
 impl Across {
-    /// The amplitudes across, which contain that of grazing: those of the file, or if other ones may be shown, those in the same
-    /// proportions.
+    /// The amplitudes across, which contain that of grazing: those of the file, or if other ones
+    /// may be shown, those in the same proportions.
     fn new(section: &Section<'_>, written: &Section2, grazing: f64) -> Result<Self, ParameterError> {
         let (name, amplitude) = match (written.amplitude, written.near) {
             (Some(amplitude), _) => ("amplitude", amplitude),

@@ -6,12 +6,15 @@ use grazing_source::kind::{Kind, above, interval, number, strictly};
 use grazing_source::{Section, SourceError};
 use grazing_theorems::{GrazingState, LinearOscillator};
 
-/// The largest number of loops: higher ones do not relate to resonant grazing, and their curves are not told apart.
+/// The largest number of loops: higher ones do not relate to resonant grazing, and their curves are
+/// not told apart.
 pub(super) const MOST_LOOPS: u32 = 12;
-/// The largest integer n of a resonance; its frequency is already below a twentieth of the natural one.
+/// The largest integer n of a resonance; its frequency is already below a twentieth of the natural
+/// one.
 pub(super) const MOST_N: u32 = 100;
-/// Forcing frequencies. Below the least, the block swings a hundred times to and fro in one forcing period, which no figure resolves,
-/// and the work grows without bound; the highest resonance, of p = 12 and n = 0, lies at 24.
+/// Forcing frequencies. Below the least, the block swings a hundred times to and fro in one forcing
+/// period, which no figure resolves, and the work grows without bound; the highest resonance, of
+/// p = 12 and n = 0, lies at 24.
 pub(super) const FREQUENCIES: RangeInclusive<f64> = 0.01..=100.0;
 /// The greatest forcing amplitude: ten times that of grazing at the greatest frequency.
 pub(super) const MOST_AMPLITUDE: f64 = 1e5;

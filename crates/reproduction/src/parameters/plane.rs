@@ -1,4 +1,5 @@
-//! `[fig07]` and `[fig08]`: the window of the two-parameter diagram, and about which resonances Figure 8 magnifies it.
+//! `[fig07]` and `[fig08]`: the window of the two-parameter diagram, and about which resonances
+//! Figure 8 magnifies it.
 
 use grazing_continuation::curve::Window;
 use grazing_source::kind::{count, counts, interval, maybe, table, tables, value};
@@ -13,16 +14,19 @@ use super::limits::{
 
 /// The most panels of Figure 8 that fit side by side.
 const MOST_PANELS: usize = 3;
-/// Forcing frequencies of Figure 7: resonances accumulate at zero, p = 1 has 40 above the least of these.
+/// Forcing frequencies of Figure 7: resonances accumulate at zero, p = 1 has 40 above the least of
+/// these.
 const WINDOW_FREQUENCIES: [f64; 2] = [0.05, 100.0];
 
 /// Figure 7: the forcing amplitude across, the forcing frequency up.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Figure7 {
-    /// The forcing amplitudes across (primary, from 0 or more) and frequencies up (secondary, from above 0).
+    /// The forcing amplitudes across (primary, from 0 or more) and frequencies up (secondary, from
+    /// above 0).
     pub window: Window,
-    /// The numbers of loops p: at least one, none twice, as ordered in the file; one at least has a resonance inside the window.
+    /// The numbers of loops p: at least one, none twice, as ordered in the file; one at least has a
+    /// resonance inside the window.
     pub loops: Vec<u32>,
 }
 
@@ -96,9 +100,11 @@ pub struct Figure8 {
 pub struct Panel {
     /// The loops p of the resonance, one of those of Figure 7.
     pub loops: u32,
-    /// The integer n of the resonance (eq:resonance1 for p = 1, eq:resonancep with the plus sign for p >= 2).
+    /// The integer n of the resonance (eq:resonance1 for p = 1, eq:resonancep with the plus sign
+    /// for p >= 2).
     pub n: u32,
-    /// The amplitudes across, inside those of Figure 7, with that of the resonance inside; none if they are to be chosen.
+    /// The amplitudes across, inside those of Figure 7, with that of the resonance inside; none if
+    /// they are to be chosen.
     pub amplitude: Option<[f64; 2]>,
     /// The frequencies up, likewise.
     pub frequency: Option<[f64; 2]>,
@@ -188,7 +194,8 @@ impl Figure8 {
     }
 }
 
-/// Takes the resonance of highest frequency out of the list for a panel: one with p loops if there is one.
+/// Takes the resonance of highest frequency out of the list for a panel: one with p loops if there
+/// is one.
 fn take(free: &mut Vec<Resonance>, p: u32) -> Option<Panel> {
     let last = free.iter().rposition(|resonance| resonance.loops() == p).or(free.len().checked_sub(1))?;
     let taken = free.remove(last);
@@ -196,8 +203,8 @@ fn take(free: &mut Vec<Resonance>, p: u32) -> Option<Panel> {
 }
 
 impl Panel {
-    /// The panel that the file asks for, and whether it can be shown: not if its resonance lies outside the window and its own window
-    /// may be replaced.
+    /// The panel that the file asks for, and whether it can be shown: not if its resonance lies
+    /// outside the window and its own window may be replaced.
     fn checked(
         written: &WrittenPanel,
         fig07: &Figure7,

@@ -11,8 +11,8 @@ use super::limits::{
     encloses, range, restitution, strictly_contains,
 };
 
-/// Radii of the ring of Figure 3: Gamma is two units of x wide, so that a ring with a smaller radius would overlap itself, and one
-/// with a larger radius looks straight.
+/// Radii of the ring of Figure 3: Gamma is two units of x wide, so that a ring with a smaller
+/// radius would overlap itself, and one with a larger radius looks straight.
 const RADII: [f64; 2] = [2.0, 100.0];
 /// Phases this far from grazing are still on one side of the ring.
 const SECTION_REACH: f64 = 1.5;

@@ -12,13 +12,15 @@ use grazing_unfold::progress::Progress;
 
 use crate::plane::{self, Axes};
 
-/// Gets the table `curves` with the grazing curves and the curves of those resonances that are done, in the order of the whole one.
+/// Gets the table `curves` with the grazing curves and the curves of those resonances that are
+/// done, in the order of the whole one.
 pub type Keep<'a> = &'a (dyn Fn(&Table) + Sync);
 
 /// The curves of a resonance, by its place in the diagram's list.
 type Done = (usize, Vec<(DiagramCurve, Vec<PlanePoint>)>);
 
-/// Follows the curves of a diagram whose resonances are located, and hands on those that are finished.
+/// Follows the curves of a diagram whose resonances are located, and hands on those that are
+/// finished.
 pub(super) fn follow(
     axes: &Axes,
     located: &Diagram,
@@ -27,8 +29,8 @@ pub(super) fn follow(
 ) -> Vec<Followed> {
     let (sender, receiver) = mpsc::channel();
     thread::scope(|scope| {
-        // A thread of its own: one that follows curves would begin with those of another resonance while it waits for the tables
-        // library's threads.
+        // A thread of its own: one that follows curves would begin with those of another resonance
+        // while it waits for the tables library's threads.
         scope.spawn(move || hand_on(axes, located, receiver, keep));
         // The sender goes when the last curve is followed, and with it the thread.
         located.follow(progress, &move |resonance, curves: &[DiagramCurve]| {
@@ -84,7 +86,8 @@ mod tests {
         assert!(tables.len() > 1);
         let whole = Table::new("curves", &unfolded.axes.names, &unfolded.plane_diagram().curves);
         let last = &tables.last().expect("there are some").rows;
-        // What begins at codimension-two points of the finished curves comes after all of them. NaN is not equal to itself, its text is.
+        // What begins at codimension-two points of the finished curves comes after all of them. NaN
+        // is not equal to itself, its text is.
         assert_eq!(format!("{last:?}"), format!("{:?}", &whole.rows[..last.len()]));
         assert!(tables.windows(2).all(|pair| pair[0].rows.len() < pair[1].rows.len()));
     }

@@ -1,4 +1,5 @@
-//! The rows that only an oscillator in general has: quantities along the grazing curve, hypotheses, coefficients; all in its own units.
+//! The rows that only an oscillator in general has: quantities along the grazing curve, hypotheses,
+//! coefficients; all in its own units.
 
 use core::f64::consts::TAU;
 

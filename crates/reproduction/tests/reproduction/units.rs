@@ -6,7 +6,8 @@ use grazing_reproduction::unfolded::Unfolded;
 use grazing_results::{Cell, Table};
 use grazing_unfold::progress::Silent;
 
-/// A hardening spring, a reset law in which everything varies; length and time are units that the text counts in.
+/// A hardening spring, a reset law in which everything varies; length and time are units that the
+/// text counts in.
 fn written(length: f64, time: f64) -> Description {
     let (force, frequency) = (length / time / time, 1.0 / time);
     let text = format!(
@@ -37,7 +38,8 @@ fn tables(description: &Description) -> Vec<Table> {
     .concat()
 }
 
-/// The powers of length and time in a unit as the columns tell it, where the primary parameter is a force per mass and the secondary one a frequency.
+/// The powers of length and time in a unit as the columns tell it, where the primary parameter is a
+/// force per mass and the secondary one a frequency.
 fn dimension(unit: &str) -> [i32; 2] {
     let (above, below) = unit.split_once('/').unwrap_or((unit, ""));
     let powers = |factors: &str| {

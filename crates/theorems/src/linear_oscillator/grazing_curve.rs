@@ -45,7 +45,8 @@ impl GrazingState {
 
     /// The oscillator with this forcing, so that it can be moved, simulated and continued.
     ///
-    /// The only way from this crate's oscillator, which has no forcing, to that of `grazing_model`, which has.
+    /// The only way from this crate's oscillator, which has no forcing, to that of `grazing_model`,
+    /// which has.
     ///
     /// # Panics
     /// The forcing amplitude is infinite, as it is beyond `omega = 1e154`.
@@ -57,7 +58,8 @@ impl GrazingState {
 
     /// The slope of the grazing curve in the `(omega, A)` plane.
     ///
-    /// `d A_graz / d omega = 2 omega (omega^2 - 1 + 2 zeta^2) / A_graz`, from section 3, eq. (5), `eq:Agraz`.
+    /// `d A_graz / d omega = 2 omega (omega^2 - 1 + 2 zeta^2) / A_graz`, from section 3, eq. (5),
+    /// `eq:Agraz`.
     pub fn amplitude_derivative(&self) -> f64 {
         let zeta = self.oscillator.zeta;
         2.0 * self.omega * (2.0 * zeta * zeta - self.stiffness_deficit()) / self.amplitude()
@@ -65,8 +67,8 @@ impl GrazingState {
 
     /// The phase at which the non-impacting periodic solution grazes the wall, in (0, pi), radians.
     ///
-    /// `sin(z_graz) = 2 zeta omega / A_graz`, `cos(z_graz) = (1 - omega^2) / A_graz`. Paper: section 3, eq.
-    /// (6).
+    /// `sin(z_graz) = 2 zeta omega / A_graz`, `cos(z_graz) = (1 - omega^2) / A_graz`. Paper:
+    /// section 3, eq. (6).
     pub fn phase(&self) -> f64 {
         libm::atan2(2.0 * self.oscillator.zeta * self.omega, self.stiffness_deficit())
     }
@@ -127,15 +129,16 @@ impl GrazingState {
 
     /// The transversality coefficient.
     ///
-    /// `beta = (delta - tau + 1) / A_graz`. Paper: section 3.3, after eq. (11), `eq:osctaudelta`. Positive.
+    /// `beta = (delta - tau + 1) / A_graz`. Paper: section 3.3, after eq. (11), `eq:osctaudelta`.
+    /// Positive.
     pub fn transversality(&self) -> f64 {
         (self.determinant() - self.trace() + 1.0) / self.amplitude()
     }
 
     /// What the theorems need to know about the grazing point.
     ///
-    /// `phi = epsilon`, `psi = 0`, `gamma = omega^2`, so that `alpha = 1 + epsilon`. Paper: section 3, eq.
-    /// (7) and (8), `eq:oscphipsigamma`, `eq:oscalpha`.
+    /// `phi = epsilon`, `psi = 0`, `gamma = omega^2`, so that `alpha = 1 + epsilon`. Paper: section
+    /// 3, eq. (7) and (8), `eq:oscphipsigamma`, `eq:oscalpha`.
     pub fn grazing_point(&self) -> GrazingPoint {
         GrazingPoint {
             map: self.linearised_map(),
@@ -148,8 +151,9 @@ impl GrazingState {
 
     /// The second derivative in the phase of the position after `p` returns.
     ///
-    /// `xi_p = E_p^2 (cos - (zeta/omega_1) sin)^2 - E_p (cos - (3 zeta/omega_1) sin)` with the argument
-    /// `2 pi p omega_1 / omega`. Paper: section B, eq. (6) and (10), `eq:xi1proof2`, `eq:xipproof2`.
+    /// `xi_p = E_p^2 (cos - (zeta/omega_1) sin)^2 - E_p (cos - (3 zeta/omega_1) sin)` with the
+    /// argument `2 pi p omega_1 / omega`. Paper: section B, eq. (6) and (10), `eq:xi1proof2`,
+    /// `eq:xipproof2`.
     pub fn second_phase_derivative(&self, p: u32) -> f64 {
         let decay = self.decay(p);
         let (sine, cosine) = self.free_rotation(p);
@@ -160,9 +164,9 @@ impl GrazingState {
 
     /// The derivative of `a12` along the grazing curve.
     ///
-    /// `d a12 / d omega = (E_1 / omega_1) ((1 + 2 pi zeta / omega) sin - (2 pi omega_1 / omega) cos)` with
-    /// the argument `2 pi omega_1 / omega`, from section 3, eq. (9), `eq:oscA`. At a resonance with `p = 1`
-    /// this is `a12'`.
+    /// `d a12 / d omega = (E_1 / omega_1) ((1 + 2 pi zeta / omega) sin - (2 pi omega_1 / omega)
+    /// cos)` with the argument `2 pi omega_1 / omega`, from section 3, eq. (9), `eq:oscA`. At a
+    /// resonance with `p = 1` this is `a12'`.
     pub fn off_diagonal_derivative(&self) -> f64 {
         let omega_1 = self.oscillator.damped_natural_frequency();
         let (sine, cosine) = self.free_rotation(1);
@@ -172,9 +176,9 @@ impl GrazingState {
 
     /// The derivative of `kappa_p` along the grazing curve.
     ///
-    /// `d kappa_p / d omega = (4 pi / omega^2) E_1 (zeta cos + omega_1 sin - zeta cos(pi / p))` with the
-    /// argument `2 pi omega_1 / omega`. Paper: section B, before eq. (13), `eq:xipproof5`. At a resonance
-    /// with this `p` it is `kappa_p'`.
+    /// `d kappa_p / d omega = (4 pi / omega^2) E_1 (zeta cos + omega_1 sin - zeta cos(pi / p))`
+    /// with the argument `2 pi omega_1 / omega`. Paper: section B, before eq. (13), `eq:xipproof5`.
+    /// At a resonance with this `p` it is `kappa_p'`.
     pub fn detuning_derivative(&self, p: u32) -> f64 {
         let LinearOscillator { zeta, .. } = self.oscillator;
         let (sine, cosine) = self.free_rotation(1);

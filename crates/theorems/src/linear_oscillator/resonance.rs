@@ -1,5 +1,5 @@
-//! The resonances of the linear oscillator, and the coefficients there as propositions 3.2 and 3.3 print
-//! them.
+//! The resonances of the linear oscillator, and the coefficients there as propositions 3.2 and 3.3
+//! print them.
 
 use core::f64::consts::PI;
 
@@ -55,8 +55,8 @@ impl Resonance {
 
     /// The forcing frequency at the resonance, `omega*`, radians per unit of time.
     ///
-    /// `2 omega_1 / n` for `p = 1`, `omega_1 / (n + 1 / (2 p))` for `p >= 2`. Paper: section 3, eq. (12) and
-    /// (13), `eq:resonance1`, `eq:resonancep`.
+    /// `2 omega_1 / n` for `p = 1`, `omega_1 / (n + 1 / (2 p))` for `p >= 2`. Paper: section 3, eq.
+    /// (12) and (13), `eq:resonance1`, `eq:resonancep`.
     pub fn forcing_frequency(&self) -> f64 {
         self.grazing.forcing_frequency()
     }
@@ -68,8 +68,8 @@ impl Resonance {
 
     /// The (1, 2) entry of `A`.
     ///
-    /// 0 for `p = 1`; `exp(-2 pi zeta / omega) sin(pi / p) / (n + 1 / (2 p))` for `p >= 2`. Paper: section
-    /// 3.4, after eq. (13).
+    /// 0 for `p = 1`; `exp(-2 pi zeta / omega) sin(pi / p) / (n + 1 / (2 p))` for `p >= 2`. Paper:
+    /// section 3.4, after eq. (13).
     pub fn off_diagonal(&self) -> f64 {
         if self.loops == 1 {
             return 0.0;
@@ -80,8 +80,8 @@ impl Resonance {
 
     /// The second derivative in the phase of the position after `p` returns.
     ///
-    /// `xi_1 = E_1 (E_1 - (-1)^n)`, `xi_p = E_p (E_p + 1)` for `p >= 2`. Paper: section B, eq. (7) and (11),
-    /// `eq:xi1proof3`, `eq:xipproof3`.
+    /// `xi_1 = E_1 (E_1 - (-1)^n)`, `xi_p = E_p (E_p + 1)` for `p >= 2`. Paper: section B, eq. (7)
+    /// and (11), `eq:xi1proof3`, `eq:xipproof3`.
     pub fn second_phase_derivative(&self) -> f64 {
         let decay = self.grazing.decay(self.loops);
         match self.rotation() {
@@ -92,10 +92,10 @@ impl Resonance {
 
     /// The derivative in `eta` that unfolds the resonance.
     ///
-    /// `a12' = 2 pi E_1 / omega` for `p = 1` and odd `n`, `a12' = -2 pi E_1 / omega` for `p = 1` and even
-    /// `n`,
-    /// `kappa_p' = (4 pi omega_1 / omega^2) exp(-2 pi zeta / omega) sin(pi / p)` for `p >= 2`.
-    /// Paper: section 3, eq. (15) to (17), `eq:impFormula1odd`, `eq:impFormula1even`, `eq:impFormulap`.
+    /// `a12' = 2 pi E_1 / omega` for `p = 1` and odd `n`, `a12' = -2 pi E_1 / omega` for `p = 1`
+    /// and even `n`, `kappa_p' = (4 pi omega_1 / omega^2) exp(-2 pi zeta / omega) sin(pi / p)` for
+    /// `p >= 2`. Paper: section 3, eq. (15) to (17), `eq:impFormula1odd`, `eq:impFormula1even`,
+    /// `eq:impFormulap`.
     pub fn unfolding(&self) -> Unfolding {
         let omega = self.forcing_frequency();
         let decay = self.grazing.decay(1);
@@ -112,12 +112,12 @@ impl Resonance {
         Unfolding { loops: self.loops, derivative }
     }
 
-    /// The coefficients of the impact velocity in the conditions for stability multipliers 1 and -1.
+    /// The coefficients of the impact velocity in the conditions for stability multipliers 1
+    /// and -1.
     ///
-    /// `s_p^+ = -(1 - epsilon E_p)^2`, `s_p^- = (1 + epsilon E_p)^2`; for `p = 1` and even `n` with `E_1`
-    /// replaced by `-E_1`.
-    /// Paper: section 3, eq. (15) to (17), `eq:impFormula1odd`, `eq:impFormula1even`, `eq:impFormulap` (which
-    /// prints `s_1` for `s_p`).
+    /// `s_p^+ = -(1 - epsilon E_p)^2`, `s_p^- = (1 + epsilon E_p)^2`; for `p = 1` and even `n` with
+    /// `E_1` replaced by `-E_1`. Paper: section 3, eq. (15) to (17), `eq:impFormula1odd`,
+    /// `eq:impFormula1even`, `eq:impFormulap` (which prints `s_1` for `s_p`).
     pub fn stability_coefficients(&self) -> StabilityCoefficients {
         let (lessened, raised) = (self.one_minus_rebound(), 1.0 + self.rebound());
         match self.rotation() {
@@ -132,9 +132,9 @@ impl Resonance {
 
     /// The quadratic coefficient of the saddle-node curve.
     ///
-    /// `c_SN,p = -(2 pi^2 p^2 A_graz / omega^2) ((1 + epsilon) E_p / ((1 - epsilon E_p) (1 + E_p)))^2`; for
-    /// `p = 1` and even `n` the denominator is `(1 + epsilon E_1) (1 - E_1)`.
-    /// Paper: section 3, eq. (15) to (17), `eq:impFormula1odd`, `eq:impFormula1even`, `eq:impFormulap`.
+    /// `c_SN,p = -(2 pi^2 p^2 A_graz / omega^2) ((1 + epsilon) E_p / ((1 - epsilon E_p) (1 +
+    /// E_p)))^2`; for `p = 1` and even `n` the denominator is `(1 + epsilon E_1) (1 - E_1)`. Paper:
+    /// section 3, eq. (15) to (17), `eq:impFormula1odd`, `eq:impFormula1even`, `eq:impFormulap`.
     /// Negative.
     pub fn saddle_node_coefficient(&self) -> f64 {
         let omega = self.forcing_frequency();
@@ -152,9 +152,8 @@ impl Resonance {
     ///
     /// `c_PD,p = -(1 - epsilon E_p)^2 ((1 + epsilon E_p)^2 + 2 (1 + epsilon^2 E_p^2))
     ///           / (1 + epsilon E_p)^4 c_SN,p`; for `p = 1` and even `n` with `E_1`
-    /// replaced by `-E_1` in the fraction.
-    /// Paper: section 3, eq. (15) to (17), `eq:impFormula1odd`, `eq:impFormula1even`, `eq:impFormulap`.
-    /// Positive.
+    /// replaced by `-E_1` in the fraction. Paper: section 3, eq. (15) to (17), `eq:impFormula1odd`,
+    /// `eq:impFormula1even`, `eq:impFormulap`. Positive.
     pub fn period_doubling_coefficient(&self) -> f64 {
         let (lessened, raised) = (self.one_minus_rebound(), 1.0 + self.rebound());
         let (numerator, denominator) = match self.rotation() {
@@ -165,9 +164,9 @@ impl Resonance {
         -numerator * bracket / (denominator * denominator) * self.saddle_node_coefficient()
     }
 
-    /// What the general formulas need: `A`, `b`, `phi`, `psi`, `gamma` of section 3, the second derivative
-    /// `xi_p` in its general form (section B, eq. (6) and (10)), and the derivative that unfolds the
-    /// resonance.
+    /// What the general formulas need: `A`, `b`, `phi`, `psi`, `gamma` of section 3, the second
+    /// derivative `xi_p` in its general form (section B, eq. (6) and (10)), and the derivative that
+    /// unfolds the resonance.
     pub fn resonant_point(&self) -> ResonantPoint {
         ResonantPoint {
             grazing: self.grazing.grazing_point(),
@@ -197,8 +196,8 @@ impl Resonance {
     }
 }
 
-/// The angle by which the free oscillation turns in `p` forcing periods, `2 pi p omega_1 / omega`: the cosine
-/// of it is what distinguishes the formulas for even `n` from the others.
+/// The angle by which the free oscillation turns in `p` forcing periods, `2 pi p omega_1 / omega`:
+/// the cosine of it is what distinguishes the formulas for even `n` from the others.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Rotation {
     /// An odd number of half turns, cosine -1: `p = 1` with odd `n`, and all `p >= 2`.

@@ -18,8 +18,8 @@ proptest! {
 
     #[test]
     fn boundary_is_explicit_for_three_and_four_loops(delta in 1e-9..0.999_999_f64) {
-        // H_3 = 1 + tau / delta; delta^2 H_4 = tau^2 + delta tau + delta^2 - delta. A few roundings of 2
-        // sqrt(delta).
+        // H_3 = 1 + tau / delta; delta^2 H_4 = tau^2 + delta tau + delta^2 - delta. A few roundings
+        // of 2 sqrt(delta).
         let scale = 2.0 * delta.sqrt();
         assert_within(boundary(3, delta), -delta, 4e-16 * scale);
         let four = 0.5 * (delta * (4.0 - 3.0 * delta)).sqrt() - 0.5 * delta;

@@ -1,4 +1,5 @@
-//! The auxiliary functions at points where their values are known; lemmas and appendix A are checked by the ledger of claims.
+//! The auxiliary functions at points where their values are known; lemmas and appendix A are
+//! checked by the ledger of claims.
 
 use core::f64::consts::PI;
 
@@ -30,8 +31,8 @@ fn resonance_boundary_is_the_scaled_cosine() {
             // Both forms of the cosine are off by a few units in the last place of 1.
             assert_within(resonance_boundary(p, delta), 2.0 * r * libm::cos(PI / p), 1e-15);
         }
-        // p to infinity: 2 sqrt(delta), the right edge of the complex eigenvalues, approached like pi^2 / (2
-        // p^2).
+        // p to infinity: 2 sqrt(delta), the right edge of the complex eigenvalues, approached like
+        // pi^2 / (2 p^2).
         assert_within(resonance_boundary(1e6, delta), 2.0 * r, 2.0 * r * 5e-12);
     }
     assert!(resonance_boundary(3.0, -0.1).is_nan());

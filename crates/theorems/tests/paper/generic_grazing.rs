@@ -1,4 +1,5 @@
-//! Theorems 2.2 and 2.3: each hypothesis violated alone; conclusions are checked by the ledger of claims.
+//! Theorems 2.2 and 2.3: each hypothesis violated alone; conclusions are checked by the ledger of
+//! claims.
 
 use nalgebra::{Matrix2, Vector2};
 
@@ -6,8 +7,8 @@ use grazing_theorems::generic_theorem::Side;
 use grazing_theorems::hypothesis::{HypothesesViolated, Quantity, Theorem};
 use grazing_theorems::{GenericGrazing, GrazingPoint, LinearisedMap, TheoryError};
 
-/// tau = 1/2, delta = 0.26, beta = 0.6: a generic point for which theorem 2.2 and theorem 2.3 with p = 2
-/// hold.
+/// tau = 1/2, delta = 0.26, beta = 0.6: a generic point for which theorem 2.2 and theorem 2.3 with
+/// p = 2 hold.
 fn generic() -> GrazingPoint {
     with_matrix(Matrix2::new(0.3, 0.4, -0.5, 0.2))
 }

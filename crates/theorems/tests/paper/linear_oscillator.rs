@@ -1,5 +1,5 @@
-//! The linear oscillator: which resonances lie in a window, and parameters outside of their domains; its closed forms are checked by the
-//! ledger of claims.
+//! The linear oscillator: which resonances lie in a window, and parameters outside of their
+//! domains; its closed forms are checked by the ledger of claims.
 
 use proptest::prelude::*;
 
@@ -101,9 +101,9 @@ fn windows_and_indices_outside_the_domain_are_refused() {
 
 #[test]
 fn elastic_impacts_without_much_damping_keep_their_digits() {
-    // 1 - E_p cancels in the general formulas; the closed forms are compared with their own limit for small
-    // zeta: E_p = 1 - x, x = 2 pi p zeta / omega, so that c_SN tends to -(2 pi^2 p^2 A_graz / omega^2) / x^2
-    // for epsilon = 1.
+    // 1 - E_p cancels in the general formulas; the closed forms are compared with their own limit
+    // for small zeta: E_p = 1 - x, x = 2 pi p zeta / omega, so that c_SN tends to -(2 pi^2 p^2
+    // A_graz / omega^2) / x^2 for epsilon = 1.
     let zeta = 1e-9;
     let oscillator = LinearOscillator::new(zeta, 1.0).expect("valid");
     let resonance = oscillator.resonance(2, 1).expect("valid");

@@ -1,4 +1,5 @@
-//! Tests of what the ledger of claims (`crates/claims`) does not check: domains, hypotheses, digits and lists.
+//! Tests of what the ledger of claims (`crates/claims`) does not check: domains, hypotheses, digits
+//! and lists.
 //!
 //! Property tests run with a fixed seed and keep no files, so that every run draws the same cases.
 

@@ -1,5 +1,5 @@
-//! Theorems 2.4 and 2.5: each hypothesis violated alone, and agreement with theorems 2.2 and 2.3 next to the
-//! resonance.
+//! Theorems 2.4 and 2.5: each hypothesis violated alone, and agreement with theorems 2.2 and 2.3
+//! next to the resonance.
 
 use nalgebra::{Matrix2, Vector2};
 
@@ -94,8 +94,8 @@ fn each_violated_hypothesis_is_named_alone() {
 
 #[test]
 fn vanishing_stability_coefficients_are_named() {
-    // a11 = a22 = 0 violates delta > 0 too, and makes s_1^+- = -+1 + (alpha omega)^2 xi / gamma vanish
-    // exactly for dyadic numbers.
+    // a11 = a22 = 0 violates delta > 0 too, and makes s_1^+- = -+1 + (alpha omega)^2 xi / gamma
+    // vanish exactly for dyadic numbers.
     let base = with_grazing(one_loop(), |grazing| {
         grazing.map.a = Matrix2::new(0.0, 0.0, -0.5, 0.0);
         grazing.phi = 1.0;
@@ -132,9 +132,9 @@ fn tolerance_decides_what_counts_as_a_resonance() {
 
 #[test]
 fn saddle_node_lies_on_the_side_where_the_generic_theorem_lets_the_unstable_solution_emerge() {
-    // Close to the resonance, on the side of eta where the fold exists, the unstable solution that emerges at
-    // mu = 0 turns around in the fold: c_SN has the sign of its mu. On the other side of eta it emerges the
-    // other way.
+    // Close to the resonance, on the side of eta where the fold exists, the unstable solution that
+    // emerges at mu = 0 turns around in the fold: c_SN has the sign of its mu. On the other side of
+    // eta it emerges the other way.
     let oscillator = LinearOscillator::new(0.07, 0.7).expect("valid");
     for (p, n) in [(1, 1), (1, 2), (1, 5), (2, 1), (3, 1), (4, 2)] {
         let resonance = oscillator.resonance(p, n).expect("valid");

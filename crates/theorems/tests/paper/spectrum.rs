@@ -1,4 +1,5 @@
-//! Eigenvalues of the linearised map where digits could be lost, and where there is no answer; the rest is checked by the ledger of claims.
+//! Eigenvalues of the linearised map where digits could be lost, and where there is no answer; the
+//! rest is checked by the ledger of claims.
 
 use nalgebra::{Matrix2, Vector2};
 use proptest::prelude::*;
@@ -28,8 +29,8 @@ proptest! {
     #[test]
     fn the_matrix_and_its_invariants_have_the_same_eigenvalues(map in maps()) {
         let from_invariants = Eigenvalues::from_trace_and_determinant(map.trace(), map.determinant());
-        // The discriminant is formed in two ways, from terms of order ten; near zero its square root loses
-        // half of the digits.
+        // The discriminant is formed in two ways, from terms of order ten; near zero its square
+        // root loses half of the digits.
         match (map.eigenvalues(), from_invariants) {
             (
                 Eigenvalues::Real { lambda_1, lambda_2 },

@@ -7,10 +7,12 @@ use nalgebra::{Matrix2, Vector2};
 use super::orbit::{LongOrbit, MOST_PERIODS, MotionKind, state_at};
 
 impl LongOrbit {
-    /// The mean rate at which a small displacement grows, by the derivatives of the maps from impact to impact, or of the flow; of the dimension
-    /// of a reciprocal time, and not a number where motion rests or cannot be followed.
+    /// The mean rate at which a small displacement grows, by the derivatives of the maps from
+    /// impact to impact, or of the flow; of the dimension of a reciprocal time, and not a number
+    /// where motion rests or cannot be followed.
     ///
-    /// A displaced orbit hits the wall earlier by δx/ẋ, so that an impact is a map (δy, δz) ↦ (δy, δz) on the wall.
+    /// A displaced orbit hits the wall earlier by δx/ẋ, so that an impact is a map (δy, δz) ↦ (δy,
+    /// δz) on the wall.
     pub fn lyapunov(&self, oscillator: &AnyOscillator) -> f64 {
         if matches!(self.fate.kind, MotionKind::Resting | MotionKind::Escaping) {
             return f64::NAN;

@@ -108,7 +108,8 @@ pub struct LongOrbit {
 }
 
 impl LongOrbit {
-    /// The orbit from a state, with a longer transient where it has not settled, as far as that is waited for.
+    /// The orbit from a state, with a longer transient where it has not settled, as far as that is
+    /// waited for.
     pub fn follow(oscillator: &AnyOscillator, mut from: State, horizon: Horizon) -> Self {
         let Horizon { mut transient, counted, patience } = horizon;
         let mut passed = 0;
@@ -198,7 +199,8 @@ impl LongOrbit {
         &self.flights[..cycle.min(self.flights.len())]
     }
 
-    /// The state from which motion without impacts comes again, or some periods of it, and for how many it is followed.
+    /// The state from which motion without impacts comes again, or some periods of it, and for how
+    /// many it is followed.
     pub fn free_cycle(&self, oscillator: &AnyOscillator) -> Option<(State, f64)> {
         let flight = self.free()?;
         let periods = f64::from(self.fate.periods.unwrap_or(MOST_PERIODS));

@@ -37,7 +37,8 @@ impl Recurrence {
     }
 }
 
-/// Whether two impacts (y, z) are no farther apart than this, in y counted in y where that is above one.
+/// Whether two impacts (y, z) are no farther apart than this, in y counted in y where that is above
+/// one.
 pub fn same_impact(distance: f64, a: &Vector2<f64>, b: &Vector2<f64>) -> bool {
     (a[0] - b[0]).abs() <= distance * a[0].max(1.0) && libm::remainder(a[1] - b[1], TAU).abs() <= distance
 }

@@ -9,7 +9,8 @@ use grazing_model::motion::Motion;
 /// Samples of an orbit per forcing period.
 const SAMPLES: f64 = 200.0;
 
-/// Samples (t, x, y) of a motion in a flight that begins at time `start`, close enough for a curve to be drawn.
+/// Samples (t, x, y) of a motion in a flight that begins at time `start`, close enough for a curve
+/// to be drawn.
 pub fn sampled(motion: &impl Motion, start: f64, duration: f64, period: f64) -> Vec<[f64; 3]> {
     let steps = libm::ceil(SAMPLES * duration / period);
     let at = |k: u32| {

@@ -1,8 +1,9 @@
 //! Periodic motion of the oscillator without its wall, at one value of η.
 //!
-//! A periodic solution is a fixed point of the flow over one forcing period. The first ones are found by letting the motion
-//! relax, as a damped oscillator does; then they are followed through the range of the primary parameter, folds included.
-//! Where the highest point of the orbit comes to the wall there is grazing.
+//! A periodic solution is a fixed point of the flow over one forcing period. The first ones are
+//! found by letting the motion relax, as a damped oscillator does; then they are followed through
+//! the range of the primary parameter, folds included. Where the highest point of the orbit comes
+//! to the wall there is grazing.
 
 use grazing_continuation::curve::{Curve, CurveEnd};
 use grazing_continuation::locate::{Condition, locate};
@@ -59,24 +60,27 @@ const SHARES: [f64; 3] = [0.0, 1.0, LAST_RESORT];
 const LAST_RESORT: f64 = 0.5;
 const POSITIONS: [f64; 3] = [-1.0, 0.0, -0.25];
 
-/// Forcing periods for which motion is left to relax; Newton's method starts from wherever it is then.
+/// Forcing periods for which motion is left to relax; Newton's method starts from wherever it is
+/// then.
 const LONGEST_RELAXATION: usize = 200;
 /// Newton's method takes over when a period changes the state by less than this.
 const RELAXED: f64 = 1e-3;
 
-/// Motion that relaxes this far from the wall, whose distance from rest is of order one, is looked at only where there is no other: a pendulum
-/// may turn any number of times before it does, and motion about each of its rest positions is the same but for those turns.
+/// Motion that relaxes this far from the wall, whose distance from rest is of order one, is looked
+/// at only where there is no other: a pendulum may turn any number of times before it does, and
+/// motion about each of its rest positions is the same but for those turns.
 const CARRIED_AWAY: f64 = 10.0;
 
-/// Looks for grazing of periodic motion without the wall over the whole range of μ at η = `secondary`.
+/// Looks for grazing of periodic motion without the wall over the whole range of μ at η =
+/// `secondary`.
 pub fn periodic_motion(oscillator: &AnyOscillator, scope: &Scope, secondary: f64) -> PeriodicMotion {
     let equations = LoopEquations::without_impacts(oscillator.clone(), scope.window.widths());
     let slicer = Slicer { equations, window: scope.window, control: FREE_STEPS };
     motion(oscillator, scope, &slicer, secondary, &[], &[0.0])
 }
 
-/// As [`periodic_motion`], in steps of one's own; with motion that comes from rest at some more positions, or has its highest point at one of
-/// some heights, should none of the rest lead to it.
+/// As [`periodic_motion`], in steps of one's own; with motion that comes from rest at some more
+/// positions, or has its highest point at one of some heights, should none of the rest lead to it.
 pub(crate) fn motion(
     oscillator: &AnyOscillator,
     scope: &Scope,

@@ -29,18 +29,19 @@ pub struct Branch {
 /// One loop of the solutions of a branch: its points in order.
 pub(super) type Strand = Vec<BranchPoint>;
 
-/// V of a solution whose visits to Π are the right ones is at most this (empirical: Newton's method leaves some 10⁻¹⁰; another maximum is
-/// farther away than this by orders of magnitude).
+/// V of a solution whose visits to Π are the right ones is at most this (empirical: Newton's method
+/// leaves some 10⁻¹⁰; another maximum is farther away than this by orders of magnitude).
 const CLOSED: f64 = 1e-6;
-/// From point to point of a branch a visit's phase changes by less than this (empirical: a step of a curve that is drawn turns by two
-/// degrees).
+/// From point to point of a branch a visit's phase changes by less than this (empirical: a step of
+/// a curve that is drawn turns by two degrees).
 const LARGEST_TURN: f64 = 0.3;
 
 impl Branch {
     /// The points (x, z) at which the solutions meet Π, loop by loop; NaN where that is not known.
     ///
-    /// The times of the maxima are carried from point to point, and visits count only if the last is the virtual point of the impact, as
-    /// that of an MPS is. That one is known in any case. Motion without impacts has its highest point.
+    /// The times of the maxima are carried from point to point, and visits count only if the last
+    /// is the virtual point of the impact, as that of an MPS is. That one is known in any case.
+    /// Motion without impacts has its highest point.
     fn visits(&self, places: &[Vertex<'_>]) -> Vec<Vec<Vector2<f64>>> {
         if !self.equations.has_impacts() {
             let highest = |at: &Vertex<'_>| {
@@ -85,7 +86,8 @@ impl Branch {
         let places = vertices(&self.curve);
         let visits = self.visits(&places);
         let loops = self.equations.loops();
-        // With a multiplier on the unit circle a solution is taken for what it is beyond the bifurcation.
+        // With a multiplier on the unit circle a solution is taken for what it is beyond the
+        // bifurcation.
         let critical = |event: &Event| matches!(event.condition, Condition::Multiplier(_));
         let own = |k: usize| match places[k].event {
             Some(event) if critical(event) => None,

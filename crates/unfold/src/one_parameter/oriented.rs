@@ -1,4 +1,5 @@
-//! An oscillator as a line of the parameter plane sees it: the parameter across first, then the one that is held.
+//! An oscillator as a line of the parameter plane sees it: the parameter across first, then the one
+//! that is held.
 
 use grazing_continuation::curve::Window;
 use grazing_continuation::mps::{EventTimes, unknown};

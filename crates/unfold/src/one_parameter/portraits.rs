@@ -19,8 +19,8 @@ use crate::tolerances::{BETWEEN_ORBITS, BETWEEN_WANDERING_ORBITS};
 pub struct Subject {
     /// The value of the parameter across.
     pub across: f64,
-    /// The one orbit that is shown: a stable solution of p loops, or for 0 one without impacts or, if there is none, what simulation comes to. All
-    /// that are there if it is missing.
+    /// The one orbit that is shown: a stable solution of p loops, or for 0 one without impacts or,
+    /// if there is none, what simulation comes to. All that are there if it is missing.
     pub loops: Option<u32>,
 }
 
@@ -77,7 +77,8 @@ impl Scene<'_> {
         found.collect::<Vec<_>>().concat()
     }
 
-    /// The portraits of a subject, which has a place in their list; none if the orbit is not there, or comes to rest at the wall.
+    /// The portraits of a subject, which has a place in their list; none if the orbit is not there,
+    /// or comes to rest at the wall.
     fn of(&self, place: u128, subject: &Subject) -> Vec<Portrait> {
         let (all, patience) = match subject.loops {
             None => (true, Patience::Aperiodic),

@@ -16,7 +16,8 @@ use crate::progress::Progress;
 pub struct Sampling {
     /// Values of the parameter across, evenly spaced, at least 2.
     pub values: u32,
-    /// They lie between the first bifurcations of these kinds, or there are none; otherwise in the whole range.
+    /// They lie between the first bifurcations of these kinds, or there are none; otherwise in the
+    /// whole range.
     pub between: Option<[Bifurcation; 2]>,
     /// Orbits at each, from random states.
     pub orbits: u32,
@@ -30,16 +31,19 @@ pub struct Sampling {
     pub seed: u64,
 }
 
-/// Motion without impacts has settled when what it began with is this small a part of what it was: far less than a dot.
+/// Motion without impacts has settled when what it began with is this small a part of what it was:
+/// far less than a dot.
 const SETTLED: f64 = 1e-5;
 
 /// The stage.
 const LONG_TIME: &str = "long-time behaviour";
 
 impl Sampling {
-    /// The same with a transient in which motion beside orbits without impacts settles, of whose multipliers these are the products δ.
+    /// The same with a transient in which motion beside orbits without impacts settles, of whose
+    /// multipliers these are the products δ.
     ///
-    /// A period shrinks areas about an orbit by δ, and so lengths by √δ, if the multipliers are complex.
+    /// A period shrinks areas about an orbit by δ, and so lengths by √δ, if the multipliers are
+    /// complex.
     pub(super) fn as_long_as_it_takes(&self, products: impl Iterator<Item = f64>) -> Self {
         let weakest = products.fold(0.0, f64::max);
         let periods = 2.0 * libm::log(SETTLED) / libm::log(weakest);
@@ -48,7 +52,8 @@ impl Sampling {
     }
 }
 
-/// x on Π at the visits of an orbit from a random state after its transient; none if it has come to rest at the wall by then.
+/// x on Π at the visits of an orbit from a random state after its transient; none if it has come to
+/// rest at the wall by then.
 fn long_time_visits(
     oscillator: &AnyOscillator,
     sampling: &Sampling,
@@ -80,7 +85,8 @@ fn highest_points(oscillator: &AnyOscillator, from: State, periods: u32) -> Vec<
     core::iter::once(first).chain(points).map(|maximum| maximum.position).collect()
 }
 
-/// (μ, x) at the visits of settled orbits over a range of μ; and how many of them left no visit, and how many there are.
+/// (μ, x) at the visits of settled orbits over a range of μ; and how many of them left no visit,
+/// and how many there are.
 pub(super) fn long_time_behaviour(
     oscillator: &AnyOscillator,
     secondary: f64,
@@ -112,8 +118,9 @@ pub(super) fn long_time_behaviour(
     (visits.filter(|visit| visit[1].is_finite()).collect(), [resting, sampling.values * sampling.orbits])
 }
 
-/// The x-values at which a flight meets Π: the iterates of P_global from the virtual point of its recoil for as long as
-/// they lie within the flight, and the virtual top beyond the wall with which it ends.
+/// The x-values at which a flight meets Π: the iterates of P_global from the virtual point of its
+/// recoil for as long as they lie within the flight, and the virtual top beyond the wall with which
+/// it ends.
 fn visits_of(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>, visits: &mut Vec<f64>) {
     let State { position, velocity, phase } = flight.from;
     let mut here = match velocity {

@@ -1,4 +1,5 @@
-//! The errors of measured coefficients are what they claim to be: at random resonances theorem and curve differ by less.
+//! The errors of measured coefficients are what they claim to be: at random resonances theorem and
+//! curve differ by less.
 //!
 //! As many as you like, in the time that takes (a thousand: some minutes):
 //!
@@ -21,7 +22,8 @@ use rayon::prelude::*;
 /// Resonances where nobody asks for more.
 const FEW: usize = 60;
 
-/// Of so many resonances one is that of an integrated oscillator, which takes a hundred times as long.
+/// Of so many resonances one is that of an integrated oscillator, which takes a hundred times as
+/// long.
 const INTEGRATED: usize = 5;
 
 /// Seeded numbers.
@@ -42,8 +44,8 @@ fn asked() -> usize {
     std::env::var("GRAZING_RESONANCES").map_or(FEW, |count| count.parse().expect("it is a number"))
 }
 
-/// Fails unless deviations are within errors in at least 95 of 100 cases and nowhere contradict, and errors small where there is something to
-/// measure.
+/// Fails unless deviations are within errors in at least 95 of 100 cases and nowhere contradict,
+/// and errors small where there is something to measure.
 fn assert_calibrated(what: &str, measured: &[Coefficient]) {
     let mut relative: Vec<f64> = Vec::new();
     let (mut within, mut unmeasured, mut contradictions) = (0, 0, Vec::new());
@@ -69,7 +71,8 @@ fn assert_calibrated(what: &str, measured: &[Coefficient]) {
     )
     .expect("there is an error stream");
     assert!(20 * within >= 19 * count, "{what}: {contradictions:?}");
-    // Strong damping over several periods leaves coefficients that are lost in rounding, some of seven here.
+    // Strong damping over several periods leaves coefficients that are lost in rounding, some of
+    // seven here.
     assert!(4 * unmeasured <= measured.len(), "{what}: {unmeasured}");
     assert!(median < 1e-7, "{what}: {median}");
 }
@@ -105,7 +108,8 @@ fn errors_of_coefficients_of_random_linear_oscillators_hold() {
     }
 }
 
-/// A spring that is not linear, drag that is not, or neither, with an impact that varies and takes time.
+/// A spring that is not linear, drag that is not, or neither, with an impact that varies and takes
+/// time.
 fn description(source: &mut Source, kind: usize) -> Description {
     let zeta = source.scaled([0.003, 0.3]);
     let bent = match kind % 3 {

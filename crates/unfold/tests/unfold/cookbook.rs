@@ -10,8 +10,9 @@ use crate::specimens::{
     EPSILON, ZETA, assert_closed_form, assert_within, constant, counted, grazing_curve, resonances,
 };
 
-/// Resonances and coefficients of an example, in units of the paper, are those of the closed form: `scaled` has ω*, the grazing value of
-/// μ, c_SN and c_PD, in the units of the file, and gives those of the amplitude of the force over frequency.
+/// Resonances and coefficients of an example, in units of the paper, are those of the closed form:
+/// `scaled` has ω*, the grazing value of μ, c_SN and c_PD, in the units of the file, and gives
+/// those of the amplitude of the force over frequency.
 fn assert_linear(name: &str, unit_of_frequency: f64, scaled: impl Fn([f64; 4]) -> [f64; 4]) {
     let (oscillator, scope, units) = counted(name);
     let unit = units.primary / (units.secondary * units.secondary);
@@ -37,7 +38,8 @@ fn the_rig_in_si_units_is_the_oscillator_of_the_paper() {
     });
 }
 
-/// 𝒜 = B ω²: a curve B = B_graz(ω) + c (ω − ω*)² + ... is 𝒜 = 𝒜_graz(ω) + c ω*² (ω − ω*)² + ..., since ω² changes at higher orders only.
+/// 𝒜 = B ω²: a curve B = B_graz(ω) + c (ω − ω*)² + ... is 𝒜 = 𝒜_graz(ω) + c ω*² (ω − ω*)² + ...,
+/// since ω² changes at higher orders only.
 #[test]
 fn the_oscillator_in_a_moving_frame_has_the_resonances_of_the_paper() {
     assert_linear("base-excitation.toml", 1.0, |[omega, amplitude, c_sn, c_pd]| {
@@ -46,8 +48,9 @@ fn the_oscillator_in_a_moving_frame_has_the_resonances_of_the_paper() {
     });
 }
 
-/// Seen from the table the mass is driven by the force a (1 − ω²) cos ωt − 2 ζ a ω sin ωt, in units of gap and natural frequency: 𝒜 = a 𝒜_graz(ω),
-/// so that 𝒜 = 𝒜_graz(ω) + c (ω − ω*)² + ... is a = 1 + c/𝒜_graz(ω*) (ω − ω*)² + ...
+/// Seen from the table the mass is driven by the force a (1 − ω²) cos ωt − 2 ζ a ω sin ωt, in units
+/// of gap and natural frequency: 𝒜 = a 𝒜_graz(ω), so that 𝒜 = 𝒜_graz(ω) + c (ω − ω*)² + ... is a =
+/// 1 + c/𝒜_graz(ω*) (ω − ω*)² + ...
 #[test]
 fn the_mass_over_the_shaking_table_grazes_at_its_height_and_has_the_resonances_of_the_paper() {
     let (oscillator, scope, units) = counted("shaking-table.toml");
@@ -67,7 +70,8 @@ fn the_mass_over_the_shaking_table_grazes_at_its_height_and_has_the_resonances_o
     });
 }
 
-/// The response to each harmonic is known, and the highest point of their sum is looked for on a fine grid.
+/// The response to each harmonic is known, and the highest point of their sum is looked for on a
+/// fine grid.
 #[test]
 fn two_harmonics_graze_where_the_sum_of_their_responses_does_and_resonate_where_one_does() {
     let (oscillator, scope, units) = counted("two-harmonics.toml");
@@ -87,7 +91,8 @@ fn two_harmonics_graze_where_the_sum_of_their_responses_does_and_resonate_where_
         let highest = (0..20_000)
             .map(|k| response(omega, TAU * f64::from(k) / 20_000.0))
             .fold(f64::NEG_INFINITY, f64::max);
-        // The grid misses a maximum by its curvature, which is below 40 in these units, times 1.3e-8.
+        // The grid misses a maximum by its curvature, which is below 40 in these units, times
+        // 1.3e-8.
         assert_within(amplitude * highest, 1.0, 1e-6);
         assert_within(amplitude * response(omega, state.orbit.phase()), 1.0, 1e-9);
     }

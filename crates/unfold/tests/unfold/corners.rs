@@ -32,7 +32,8 @@ fn grazing_goes_on_with_another_maximum_where_a_second_one_touches_the_wall() {
     assert!(same_point(&begun.solution.unknowns, &corner.unknowns()));
     assert!(matches!(after.curve.end, CurveEnd::Grazing));
 
-    // The maxima that touch the wall on the two curves are different ones, and both do at the corner.
+    // The maxima that touch the wall on the two curves are different ones, and both do at the
+    // corner.
     let here = oscillator.with_parameters([primary, secondary]);
     let recoil = here.reset::<1>(OnWall::new(velocity, phase)).value;
     let motion = here.motion(State::on_wall(recoil[0], recoil[1]));

@@ -1,4 +1,5 @@
-//! The examples: what the theorems say at every resonance, what is measured there, and what simulation does.
+//! The examples: what the theorems say at every resonance, what is measured there, and what
+//! simulation does.
 
 use std::fmt::Write;
 
@@ -19,7 +20,8 @@ fn resonances(name: &str) -> (Vec<Resonance>, Units) {
     let (oscillator, scope, units) = counted(name);
     let found = specimens::resonances(&oscillator, &scope);
     for resonance in &found {
-        // Where a theorem fails it is for the reason of Proposition 3.3: solutions on the other side of ω₁/ω = n are virtual.
+        // Where a theorem fails it is for the reason of Proposition 3.3: solutions on the other
+        // side of ω₁/ω = n are virtual.
         if let Err(violated) = &resonance.theorem {
             let quantities: Vec<_> = violated.violated().map(|hypothesis| hypothesis.quantity).collect();
             assert_eq!(quantities, [Quantity::OffDiagonalTimesSquareRootFactor], "{name}: {violated}");
@@ -28,7 +30,8 @@ fn resonances(name: &str) -> (Vec<Resonance>, Units) {
     (found, units)
 }
 
-/// Theorem and fit agree within their errors and to five digits, and simulation lands on the predicted side of both curves.
+/// Theorem and fit agree within their errors and to five digits, and simulation lands on the
+/// predicted side of both curves.
 fn assert_theory_holds(name: &str, resonances: &[Resonance]) {
     let failures: Vec<String> = resonances
         .par_iter()
@@ -114,7 +117,8 @@ fn second_derivatives_keep_their_digits_where_drag_bends_within_a_tenth_of_the_v
     let [Ok(point)] = [&found[0].theorem] else { panic!("the theorem holds at n = 2") };
     let (known, theorem) = (point.resonant_point(), point.theorem());
     let [amplitude, frequency] = point.orbit().oscillator().parameters();
-    // By power series of 36 terms in 40 digits, whose derivatives are differences over 10⁻⁹ and 10⁻⁶ of fourth order.
+    // By power series of 36 terms in 40 digits, whose derivatives are differences over 10⁻⁹ and
+    // 10⁻⁶ of fourth order.
     for (computed, exact, bound) in [
         (frequency, 0.999_436_721_828_780_7, 1e-12),
         (amplitude, 0.045_626_017_855_751_53, 1e-12),

@@ -1,4 +1,5 @@
-//! Resonances from one member of a family to another, against the closed form of the linear oscillator.
+//! Resonances from one member of a family to another, against the closed form of the linear
+//! oscillator.
 
 use std::f64::consts::PI;
 
@@ -11,7 +12,8 @@ use grazing_unfold::family::{Arc, ArcEnd, arcs};
 use grazing_unfold::progress::Silent;
 use grazing_unfold::{Diagram, Scope};
 
-/// The paper's oscillator with a frequency that is an expression in eta and c; the bounds of eta are given.
+/// The paper's oscillator with a frequency that is an expression in eta and c; the bounds of eta
+/// are given.
 fn linear(frequency: &str, [low, high]: [f64; 2]) -> Description {
     let text = format!(
         "name = \"Test\"\n[parameters]\nzeta = 0.02\nepsilon = 0.9\nc = 0.76\n[primary]\nname = \"A\"\nrange = [0, 1.5]\n\

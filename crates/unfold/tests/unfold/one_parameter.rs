@@ -139,7 +139,8 @@ fn a_point_is_on_the_branches_of_either_diagram_that_passes_it() {
 
 #[test]
 fn exchanged_parameters_are_those_of_a_file_that_names_them_in_the_other_order() {
-    // What moves: wall and restitution as well as the force and the frequency depend on both parameters.
+    // What moves: wall and restitution as well as the force and the frequency depend on both
+    // parameters.
     let text = |primary: &str, secondary: &str| {
         format!(
             "name = \"moved\"\n[parameters]\n[primary]\nname = \"{primary}\"\nrange = [0.5, 1.5]\n[secondary]\nname = \"{secondary}\"\nrange = [0.5, 1.5]\n\
@@ -220,7 +221,8 @@ fn x_of_a_loop_is_not_that_of_the_impact() {
                 [motion]\nforce = \"-0.04*v - x - 1 + A*cos(w*t)\"\nfrequency = \"w\"\n\
                 [impact]\nrestitution = \"0.9\"\nduration = \"0\"\n[analysis]\nloops = [2]\n";
     let found = described(text, Line { primary_is_fixed: true, ..line(1.6, [2.0, 3.3]) });
-    // There the one maximum between the impacts comes less than half a period from either, and that of the impact is no other.
+    // There the one maximum between the impacts comes less than half a period from either, and that
+    // of the impact is no other.
     let here = at(&found, 2, 2.089_526_71);
     let loops = |visit: u32| here.iter().filter(move |point| point.visit == visit).map(|point| point.x);
     assert!(loops(1).count() > 0 && loops(1).all(|x| x.is_nan()), "{here:?}");
@@ -237,7 +239,8 @@ fn motion_in_the_other_well_is_on_a_branch() {
                 [motion]\nforce = \"-0.12*v + x - x^3 + 0.05 + A*cos(w*t)\"\nfrequency = \"w\"\n[wall]\nposition = \"1.45\"\n\
                 [impact]\nrestitution = \"0.7\"\nduration = \"0\"\n[analysis]\nloops = [1]\n";
     let found = described(text, line(1.13, [0.0, 0.1]));
-    // The highest points of stable motion with the forcing's period, by Newton's method on another program's period map.
+    // The highest points of stable motion with the forcing's period, by Newton's method on another
+    // program's period map.
     for (primary, x) in [(0.01, -0.414_539), (0.01, -2.406_777), (0.05, -0.369_268), (0.05, -2.332_661)] {
         let here = at(&found, 0, primary);
         let there = |point: &&BranchPoint| point.stable && (point.x - x).abs() < 1e-3;

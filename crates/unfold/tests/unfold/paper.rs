@@ -1,7 +1,9 @@
-//! The paper's oscillator from its text file, integrated, against its closed form: Figures 2, 7 and 8 to 10⁻⁸.
+//! The paper's oscillator from its text file, integrated, against its closed form: Figures 2, 7 and
+//! 8 to 10⁻⁸.
 //!
-//! Both go through the same search, continuation and magnification. Every point that the integrated oscillator gives is then
-//! solved for with the closed form, with that one of y, μ and η held that changes most along the curve.
+//! Both go through the same search, continuation and magnification. Every point that the integrated
+//! oscillator gives is then solved for with the closed form, with that one of y, μ and η held that
+//! changes most along the curve.
 
 use std::sync::LazyLock;
 
@@ -24,7 +26,8 @@ use rayon::prelude::*;
 
 use crate::specimens::{EPSILON, ZETA, assert_within, closed_form, example, file, grazing_at};
 
-/// As the issue asks; integration and Newton's method leave far less, magnified where a curve is ill-conditioned.
+/// As the issue asks; integration and Newton's method leave far less, magnified where a curve is
+/// ill-conditioned.
 const AGREEMENT: f64 = 1e-8;
 
 static PARAMETERS: LazyLock<toml::Table> =
@@ -99,7 +102,8 @@ fn assert_on_closed_form(curve: &Curve, loops: u32) -> usize {
     let mut compared = 0;
     for (index, point) in curve.points.iter().enumerate() {
         let here = unknowns[index];
-        // At y = 0 the curve of interior grazing is singular; resonances and ends are compared as points.
+        // At y = 0 the curve of interior grazing is singular; resonances and ends are compared as
+        // points.
         if here[unknown::VELOCITY] == 0.0 {
             continue;
         }
@@ -212,7 +216,8 @@ fn resonance(diagram: &Diagram, loops: u32, n: u32) -> (&Resonance, &ResonantGra
     diagram.unfolding().find(|(found, _)| (found.loops, found.n) == (loops, n)).unwrap()
 }
 
-/// The points of a polyline lie on one of the curves of a kind in closed form, of which many points are known.
+/// The points of a polyline lie on one of the curves of a kind in closed form, of which many points
+/// are known.
 fn assert_near(polyline: &Polyline, condition: Condition, known: &[&Curve], loops: u32) -> usize {
     let mut compared = 0;
     for (index, here) in polyline.points.iter().enumerate() {

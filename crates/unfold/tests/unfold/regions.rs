@@ -1,4 +1,5 @@
-//! Regions of stability against all maximal periodic solutions in closed form, which a quadratic equation gives.
+//! Regions of stability against all maximal periodic solutions in closed form, which a quadratic
+//! equation gives.
 
 use grazing_continuation::curve::CurveEnd;
 use grazing_description::Description;
@@ -54,9 +55,11 @@ fn points_of(region: &Region, scope: &Scope) -> Vec<[f64; 2]> {
     lattice.filter(|point| region.contains(*point) && distance(region, *point, scope) > 1e-4).collect()
 }
 
-/// In every polygon there is a stable, admissible solution, to which simulation from event to event returns.
+/// In every polygon there is a stable, admissible solution, to which simulation from event to event
+/// returns.
 ///
-/// `reduced` gives the amplitude and the frequency at which the linear oscillator is the one that was looked at.
+/// `reduced` gives the amplitude and the frequency at which the linear oscillator is the one that
+/// was looked at.
 fn assert_stable_inside(
     diagram: &Diagram,
     [zeta, epsilon]: [f64; 2],
@@ -97,7 +100,8 @@ fn solutions_are_stable_and_admissible_inside_the_polygons_of_the_linear_oscilla
     let diagram = Diagram::compute(&crate::specimens::closed_form(), &scope, &Silent).unwrap();
     let found = assert_stable_inside(&diagram, [ZETA, EPSILON], |at| at);
     assert_eq!(found[0], (0, 0));
-    // Every resonance at which a theorem holds is a corner of a polygon of its MPSs; two may share one.
+    // Every resonance at which a theorem holds is a corner of a polygon of its MPSs; two may share
+    // one.
     let polygons = &diagram.regions;
     for (resonance, point) in diagram.unfolding() {
         let [primary, secondary] = point.orbit().oscillator().parameters();
@@ -188,7 +192,8 @@ fn random(number: u64, seed: u64) -> Description {
     Description::parse(&text, "random.toml").expect("what is made at random is right")
 }
 
-/// Between grazing and a fold that touches it there is a sliver, one and a half percent of the ranges wide.
+/// Between grazing and a fold that touches it there is a sliver, one and a half percent of the
+/// ranges wide.
 #[test]
 fn motion_without_impacts_is_stable_up_to_the_fold_that_bounds_it() {
     let diagram = located(random(3, 20_261_122), [[0.0, 0.5475], [0.6423, 1.0650]]);
@@ -205,7 +210,8 @@ fn a_region_on_the_edge_to_which_only_inadmissible_solutions_lead_is_found_and_n
     let scope = scope(ranges[0], ranges[1], &[1]);
     let oscillator = forced(force, "0.8", 0.8, ranges).oscillator([0.6, 0.9]);
     let diagram = Diagram::compute(&oscillator, &scope, &Silent).unwrap();
-    // The region lies at omega < 0.5204 between 0.09 < A < 0.47: at both ends of the range of A solutions are stable there, and go through the wall.
+    // The region lies at omega < 0.5204 between 0.09 < A < 0.47: at both ends of the range of A
+    // solutions are stable there, and go through the wall.
     let here = [0.2562, 0.5131];
     let simulated = oscillator.with_parameters(here);
     let suspect = Suspect { oscillator: &simulated, loops: 1, velocity: 0.711, phase: 0.922 };
@@ -216,8 +222,8 @@ fn a_region_on_the_edge_to_which_only_inadmissible_solutions_lead_is_found_and_n
     assert_eq!(undecided.count(), 0);
 }
 
-/// A linear oscillator with a little of the second harmonic, damping across: at half its own frequency that resonates, on a hundredth of the way from one slice to the
-/// next.
+/// A linear oscillator with a little of the second harmonic, damping across: at half its own
+/// frequency that resonates, on a hundredth of the way from one slice to the next.
 #[test]
 fn a_resonance_of_motion_without_impacts_that_is_narrower_than_slices_are_apart_is_found() {
     let ranges = [[0.001, 0.6], [0.4, 1.3]];
@@ -237,14 +243,16 @@ fn a_resonance_of_motion_without_impacts_that_is_narrower_than_slices_are_apart_
     assert!(!stays_off([0.005, 0.5]) && stays_off([0.05, 0.5]) && stays_off([0.005, 0.55]));
 }
 
-/// A pendulum whose length changes, the wall's position across, which motion without impacts does not depend on.
+/// A pendulum whose length changes, the wall's position across, which motion without impacts does
+/// not depend on.
 #[test]
 fn a_fold_along_a_slice_and_motion_that_no_slice_shows_bound_regions() {
     let ranges = [[-0.4, 1.6], [0.5, 2.4]];
     let force = "-0.1*v - (1 + 0.35*cos(2*eta*t))*sin(x) + 0.3*cos(eta*t + 0.4)";
     let diagram = located(forced(force, "mu", 0.8, ranges), ranges);
     let stays_off = |at| stays_off(&diagram, at);
-    // Small motion, highest at 0.8, is stable up to a fold at omega = 0.7957, whatever b is; other motion, highest at 1.24 there, from 0.794 to 0.877.
+    // Small motion, highest at 0.8, is stable up to a fold at omega = 0.7957, whatever b is; other
+    // motion, highest at 1.24 there, from 0.794 to 0.877.
     assert!([0.9, 1.3, 1.5, 1.58].into_iter().all(|b| stays_off([b, 0.78])));
     assert!(stays_off([1.4, 0.86]) && !stays_off([1.2, 0.86]));
 }
@@ -265,7 +273,8 @@ fn sketches_of_branches_beside_a_hill_leave_nothing_undecided() {
     assert!(diagram.regions.iter().all(|region| region.doubt.is_none()));
 }
 
-/// Damping that large motion overcomes: beside small motion there is a closed branch of large motion, less than a hundredth of the range of ω wide.
+/// Damping that large motion overcomes: beside small motion there is a closed branch of large
+/// motion, less than a hundredth of the range of ω wide.
 #[test]
 fn grazing_of_a_closed_branch_between_two_slices_is_found() {
     let ranges = [[0.05, 1.6], [0.63, 1.63]];
@@ -288,7 +297,8 @@ fn solutions_that_are_faster_than_any_that_is_known_are_found() {
     let own = scope(ranges[0], ranges[1], &[1]);
     let oscillator = description.counted([0.3, 1.0], &units, &Stop::default());
     let diagram = Diagram::compute(&oscillator, &own.without_dimensions(&units), &Silent).unwrap();
-    // Simulation returns to solutions with impact velocities from 2.7 to 3.4 there; those that are known have 1 at most.
+    // Simulation returns to solutions with impact velocities from 2.7 to 3.4 there; those that are
+    // known have 1 at most.
     for here in [[0.57, 1.07], [0.575, 1.05], [0.575, 1.15]] {
         let here = [here[0] / units.primary, here[1] / units.secondary];
         let shaded = |region: &Region| region.kind() == RegionKind::Mps && region.contains(here);

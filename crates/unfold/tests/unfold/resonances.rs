@@ -12,7 +12,8 @@ use crate::specimens::{
     scope, written,
 };
 
-/// Forcing frequency and n of all resonances of a p in a range, and whether a theorem holds there: eq:resonance1, eq:resonancep.
+/// Forcing frequency and n of all resonances of a p in a range, and whether a theorem holds there:
+/// eq:resonance1, eq:resonancep.
 fn expected(loops: u32, [lowest, highest]: [f64; 2]) -> Vec<(f64, u32, bool)> {
     let theory = Theory::new(ZETA, EPSILON).unwrap();
     let mut list: Vec<_> = theory
@@ -61,7 +62,8 @@ fn all_resonances_at_high_frequencies_are_found_once_with_their_n() {
     assert_all_found([1.0, 4.2], &[2, 1, 5]);
 }
 
-/// The resonances of the integrated oscillator of `examples/paper.toml`: all that the closed form knows, with all that it says.
+/// The resonances of the integrated oscillator of `examples/paper.toml`: all that the closed form
+/// knows, with all that it says.
 fn assert_integrated(secondary: [f64; 2], loops: &[u32]) {
     let (oscillator, mut scope) = example("paper.toml");
     (scope.window.secondary, scope.loops) = (secondary, loops.to_vec());
@@ -70,7 +72,8 @@ fn assert_integrated(secondary: [f64; 2], loops: &[u32]) {
 
 #[test]
 fn resonances_under_slow_forcing_have_the_coefficients_of_the_closed_form() {
-    // The whole window of the example; n from 15 to 18, 34 to 39 and 56 to 60 for p = 1; from 13 to 15 and 59 to 60 for p = 2 and 3.
+    // The whole window of the example; n from 15 to 18, 34 to 39 and 56 to 60 for p = 1; from 13 to
+    // 15 and 59 to 60 for p = 2 and 3.
     assert_integrated([0.3, 1.1], &[1, 2, 3]);
     assert_integrated([0.11, 0.14], &[1]);
     assert_integrated([0.05, 0.06], &[1]);
@@ -84,7 +87,8 @@ fn resonances_in_the_stiffness_lie_where_the_free_frequency_is_in_step() {
     let scope = scope([0.0, 1.5], [0.8, 2.0], &[1, 2]);
     let oscillator = written("-2*zeta*v - eta*x - 1 + mu*cos(0.8*t)", "0.8", &scope);
     let found = resonances(&oscillator, &scope);
-    // ω₁ = 0.8 n/2 for p = 1 and 0.8 (n ± 1/4) for p = 2, where ω₁² = η − ζ²: eq:resonance1, eq:resonancep.
+    // ω₁ = 0.8 n/2 for p = 1 and 0.8 (n ± 1/4) for p = 2, where ω₁² = η − ζ²: eq:resonance1,
+    // eq:resonancep.
     let wanted = [(1, 3, 1.5, true), (2, 1, 1.25, true), (2, 2, 1.75, false)];
     assert_eq!(found.len(), wanted.len());
     for (resonance, (loops, n, ratio, holds)) in found.iter().zip(wanted) {
@@ -107,7 +111,8 @@ fn resonances_of_motion_that_is_forgotten_within_a_period_are_told_once() {
     let diagram = Diagram::located(&oscillator, &scope([0.0, 2.0], [0.02, 0.05], &[1]), &Silent).unwrap();
     let lost: Vec<_> = diagram.unlocated.iter().map(|lost| &lost.reason).collect();
     assert_eq!(lost, [&ResonanceError::Forgotten]);
-    // Multipliers are exp(−0.3 π/η) in size, 5·10⁻¹² at this η; the other resonances are located as ever.
+    // Multipliers are exp(−0.3 π/η) in size, 5·10⁻¹² at this η; the other resonances are located as
+    // ever.
     let forgotten = 0.3 * core::f64::consts::PI / -libm::log(5e-12);
     assert!(diagram.unlocated[0].near[1] < forgotten);
     let known: Vec<f64> = Theory::new(0.15, EPSILON)

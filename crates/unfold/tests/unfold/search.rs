@@ -1,4 +1,5 @@
-//! The search for grazing of motion without the wall: what it finds, and what it says where there is none.
+//! The search for grazing of motion without the wall: what it finds, and what it says where there
+//! is none.
 
 use core::f64::consts::{PI, TAU};
 
@@ -75,8 +76,8 @@ fn the_grazing_curve_of_the_linear_oscillator_is_that_of_the_closed_form() {
     assert!(curve.at(3.1).is_none());
 }
 
-/// With so little damping A hardly changes where the phase turns by half a circle, and one of the values of omega at which grazing is looked
-/// for lies there.
+/// With so little damping A hardly changes where the phase turns by half a circle, and one of the
+/// values of omega at which grazing is looked for lies there.
 #[test]
 fn a_grazing_curve_is_found_once_though_its_phase_turns_at_one_frequency() {
     let oscillator = crate::specimens::linear(1e-4, EPSILON, [0.5, 0.8]);
@@ -158,7 +159,8 @@ fn a_grazing_curve_ends_where_motion_is_no_longer_turned_back() {
     assert!(states().all(|state| gamma(state) > 0.0 && state.stable));
 }
 
-/// A linear oscillator whose forcing is as strong as at grazing on the circle of radius 0.3 about (0, 0), stronger inside.
+/// A linear oscillator whose forcing is as strong as at grazing on the circle of radius 0.3 about
+/// (0, 0), stronger inside.
 fn circle(scope: &Scope) -> GrazingCurve {
     let strongest = grazing_at(DAMPED, 0.7).amplitude() + 0.09;
     let force = linear(&format!("{strongest:?} - mu^2 - eta^2"), "0.7*t");
@@ -215,7 +217,8 @@ fn folds_of_the_grazing_curve_in_either_parameter_are_passed() {
         assert_on_circle(&curve);
         assert_eq!(curve.ends, [GrazingEnd::LeftWindow; 2]);
         let reached = curve.parameters().map(|at| at[axis].abs()).fold(0.0, f64::max);
-        // Half a step from the fold at most: 0.005 in units of the ranges, squared over the diameter.
+        // Half a step from the fold at most: 0.005 in units of the ranges, squared over the
+        // diameter.
         assert_within(reached, 0.3, 1e-4);
         let ends = [&curve.states[0], &curve.states[curve.states.len() - 1]];
         let [a, b] = ends.map(|state| state.orbit.oscillator().parameters());
@@ -225,7 +228,8 @@ fn folds_of_the_grazing_curve_in_either_parameter_are_passed() {
     }
 }
 
-/// A spring that stiffens about the position of rest, so far that there are two stable motions at one amplitude.
+/// A spring that stiffens about the position of rest, so far that there are two stable motions at
+/// one amplitude.
 const BISTABLE: &str = "-0.08*v - (x + 1) - 0.8*(x + 1)^3 + mu*cos(eta*t)";
 
 #[test]
@@ -254,7 +258,8 @@ fn a_grazing_curve_loses_its_stability_where_the_free_motion_folds() {
     let changes: Vec<_> = (1..stable.len()).filter(|k| stable[*k] != stable[k - 1]).collect();
     let [change] = changes.as_slice() else { panic!("{} changes", changes.len()) };
     assert!(stable[0] && !stable[stable.len() - 1]);
-    // β = det(A − I) is zero where a multiplier of the free motion is one; its sign says on which side of the fold we are.
+    // β = det(A − I) is zero where a multiplier of the free motion is one; its sign says on which
+    // side of the fold we are.
     for state in &curve.states {
         let map = state.orbit.grazing_point().map;
         assert_eq!(state.stable, 1.0 - map.trace() + map.determinant() > 0.0);
@@ -329,7 +334,8 @@ fn rest_that_is_carried_through_the_wall_does_not_graze() {
 
 #[test]
 fn a_start_of_ones_own_leads_to_motion_that_the_usual_ones_miss() {
-    // Two wells, at −2 and −10; all usual starts fall into the one nearer to the wall, from which there is no grazing here.
+    // Two wells, at −2 and −10; all usual starts fall into the one nearer to the wall, from which
+    // there is no grazing here.
     let force = "-0.2*v - 0.05*(x + 2)*(x + 6)*(x + 10) + mu*cos(eta*t)";
     let scope = scope([0.0, 0.02], [0.9, 1.0], &[]);
     let oscillator = written(force, "eta", &scope);

@@ -119,8 +119,8 @@ pub(crate) fn resonances(oscillator: &AnyOscillator, scope: &Scope) -> Vec<Reson
     found
 }
 
-/// Every resonance that the closed form knows in a range is among those found, with what the closed form says of it to nine digits:
-/// ω*, 𝒜_graz, c_SN and c_PD, which `scaled` takes to its units.
+/// Every resonance that the closed form knows in a range is among those found, with what the closed
+/// form says of it to nine digits: ω*, 𝒜_graz, c_SN and c_PD, which `scaled` takes to its units.
 ///
 /// Integration leaves 1e-11 over sixty turns of neighbouring motion.
 #[track_caller]

@@ -30,7 +30,8 @@ fn assert_closed_form([length, time]: [f64; 2], frequencies: [f64; 2], loops: &[
         Window { primary: description.primary().range(), secondary: description.secondary().range() };
     let scope = Scope { window, loops: loops.to_vec(), start: None }.without_dimensions(&units);
     let oscillator = description.counted([0.0, 1.0], &units, &Stop::default());
-    // A has the unit length/time², omega the unit 1/time; digits are those in the units in which the oscillator is of the order of one.
+    // A has the unit length/time², omega the unit 1/time; digits are those in the units in which
+    // the oscillator is of the order of one.
     let coefficient = units.primary / (units.secondary * units.secondary) / length;
     specimens::assert_closed_form(
         &resonances(&oscillator, &scope),

@@ -24,7 +24,8 @@ fn simulated(point: &ResonantGrazingPoint, both: &Pair<Coefficient>) -> [Simulat
 
 #[test]
 fn coefficients_with_the_parameters_swapped_are_those_of_the_other_way_round() {
-    // s₁⁻ is small where n is even, and the curve leaves the quadratic law at once: c_PD is near 10⁶.
+    // s₁⁻ is small where n is even, and the curve leaves the quadratic law at once: c_PD is near
+    // 10⁶.
     let swapped: Scope = scope([0.45, 0.55], [0.7, 0.8], &[1]);
     let force = format!("-2*{ZETA}*v - x - 1 + eta*cos(mu*t)");
     let diagram = Diagram::located(&written(&force, "mu", &swapped), &swapped, &Silent).unwrap();
@@ -66,7 +67,8 @@ fn errors_of_coefficients_cover_those_of_integrating_a_force_of_short_pulses() {
 
 #[test]
 fn coefficients_lost_in_rounding_are_not_measurable_and_others_of_the_same_oscillator_agree() {
-    // With δ = exp(−4πζ/ω) the coefficients fall as δ^(p − 1), and the velocities at which leading terms decide with them.
+    // With δ = exp(−4πζ/ω) the coefficients fall as δ^(p − 1), and the velocities at which leading
+    // terms decide with them.
     let point = linear(0.5, 1, 2);
     let both = coefficients(&point);
     assert!(both.into_array().iter().all(|coefficient| coefficient.verdict() == Verdict::Agree), "{both:?}");

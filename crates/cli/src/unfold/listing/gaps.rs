@@ -62,7 +62,8 @@ pub(super) fn undecided(description: &Description, unfolded: &Analysis) -> Strin
     headed("Not decided (hatched in the diagram)", entries)
 }
 
-/// What is missing in the diagram although there was time for it, as `1 of 3 resonances could not be unfolded`; nothing if nothing is.
+/// What is missing in the diagram although there was time for it, as `1 of 3 resonances could not
+/// be unfolded`; nothing if nothing is.
 pub(in crate::unfold) fn incomplete(diagram: &Diagram) -> Option<String> {
     let lost = diagram.unlocated.len() + diagram.not_unfolded.len();
     let all = diagram.unlocated.len() + diagram.resonances.len();

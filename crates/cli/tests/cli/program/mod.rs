@@ -56,8 +56,9 @@ pub(crate) fn project(parameters: &str) -> tempfile::TempDir {
     folder
 }
 
-/// The parameters with another line in the place of the first one for the key after `section`; none if it is empty.
-/// The value that stood there does not matter, so the default file can change without its tests.
+/// The parameters with another line in the place of the first one for the key after `section`; none
+/// if it is empty. The value that stood there does not matter, so the default file can change
+/// without its tests.
 pub(crate) fn edited(parameters: &str, section: &str, key: &str, line: &str) -> String {
     let section_start = parameters.find(section).expect("the section stands in the file");
     let assignment = format!("\n{key}");
@@ -67,7 +68,8 @@ pub(crate) fn edited(parameters: &str, section: &str, key: &str, line: &str) -> 
     format!("{}{line}{}", &parameters[..start], &parameters[end..])
 }
 
-/// The Duffing oscillator of examples/ in ranges with a single resonance of p = 3 and without its one-parameter diagram, to save time.
+/// The Duffing oscillator of examples/ in ranges with a single resonance of p = 3 and without its
+/// one-parameter diagram, to save time.
 pub(crate) fn narrow_duffing() -> String {
     let whole =
         fs::read_to_string(repository().join("examples/duffing.toml")).expect("it is among the examples");

@@ -24,8 +24,8 @@ fn pairs<O: ImpactOscillator>(
     Ok([pair(&impacts[0])?, pair(&impacts[1])?])
 }
 
-/// Trace and determinant of the derivative of the return to the first impact, which takes both, of the doubled orbit at the η of a
-/// period doubling whose impacts lie 2s apart in the direction q.
+/// Trace and determinant of the derivative of the return to the first impact, which takes both, of
+/// the doubled orbit at the η of a period doubling whose impacts lie 2s apart in the direction q.
 pub(super) fn doubled<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     flip: &Unknowns,

@@ -75,7 +75,8 @@ fn points_that_are_no_simple_bifurcation_have_no_normal_form() {
     let determinant = equations.solution(&fold).multipliers.determinant;
     assert_within(distance, 2.0 * (1.0 + determinant) / (1.0 - determinant), 1e-6);
 
-    // With a restitution that makes up for the loss of energy, D = 1, both multipliers are −1 there.
+    // With a restitution that makes up for the loss of energy, D = 1, both multipliers are −1
+    // there.
     let omega = flip[unknown::SECONDARY];
     let elastic = libm::exp(TAU * ZETA / omega);
     let mut point = flip;

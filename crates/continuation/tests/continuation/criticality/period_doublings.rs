@@ -10,9 +10,9 @@ use crate::specimens::{DUFFING, EPSILON, ZETA, assert_within, duffing, located, 
 
 /// c from the stability of the doubled orbits.
 ///
-/// The impacts of a doubled orbit are X(±s), 2qs apart but for terms of third order. With −s = λs + c s³ the derivative of g∘g there,
-/// (λ + 3cs²)² = 1 − 4cs² + …, makes c from 1 − T + D, in which the other multiplier is the square of the MPS's. Returns y² times
-/// the difference.
+/// The impacts of a doubled orbit are X(±s), 2qs apart but for terms of third order. With −s = λs +
+/// c s³ the derivative of g∘g there, (λ + 3cs²)² = 1 − 4cs² + …, makes c from 1 − T + D, in which
+/// the other multiplier is the square of the MPS's. Returns y² times the difference.
 fn difference_from_doubled_orbits<O: ThirdOrder>(equations: &LoopEquations<O>, flip: &Unknowns) -> f64 {
     let normal_form = period_doubling(equations, flip).unwrap();
     let determinant = equations.solution(flip).multipliers.determinant;

@@ -40,11 +40,13 @@ pub(super) fn at_velocity<O: ImpactOscillator>(
     locate(&equations, conditions, start, &mut EventTimes::default()).unwrap()
 }
 
-/// An even function of s without its term of second order, from values at two sizes one of which is half the other.
+/// An even function of s without its term of second order, from values at two sizes one of which is
+/// half the other.
 pub(super) fn extrapolated([coarse, fine]: [f64; 2]) -> f64 {
     (4.0 * fine - coarse) / 3.0
 }
 
-/// What extrapolation leaves is of fourth order in s/y = 1/32. Rounding is 10⁻¹⁴ (y/s)²/y or so, for impact velocities of 0.03 and
-/// more. Values of y² c are 10⁻³ and more, but next to a change of sign.
+/// What extrapolation leaves is of fourth order in s/y = 1/32. Rounding is 10⁻¹⁴ (y/s)²/y or so,
+/// for impact velocities of 0.03 and more. Values of y² c are 10⁻³ and more, but next to a change
+/// of sign.
 pub(super) const BY_EXTRAPOLATION: f64 = 1e-6;

@@ -1,7 +1,9 @@
-//! The oscillator of Budd, Dux and Cliffe without damping, whose single-impact orbits are known in closed form.
+//! The oscillator of Budd, Dux and Cliffe without damping, whose single-impact orbits are known in
+//! closed form.
 //!
-//! An orbit with one impact in n forcing periods, their (1, n) orbit, is an n-loop MPS. Orbits, bifurcations and resonances
-//! are found here by continuation from the grazing orbit, and the formulas are used for the comparison only.
+//! An orbit with one impact in n forcing periods, their (1, n) orbit, is an n-loop MPS. Orbits,
+//! bifurcations and resonances are found here by continuation from the grazing orbit, and the
+//! formulas are used for the comparison only.
 
 use core::f64::consts::PI;
 
@@ -53,7 +55,8 @@ impl ClosedForms {
     }
 }
 
-/// The grazing orbit at a frequency above 1, where the motion without impacts is opposite to the force.
+/// The grazing orbit at a frequency above 1, where the motion without impacts is opposite to the
+/// force.
 fn grazing(omega: f64) -> GrazingOrbit<Integrated<Description>> {
     // Away from the closed form, near enough for Newton's method.
     let start = 0.9 / (omega * omega - 1.0);
@@ -103,7 +106,8 @@ fn impact_velocities_along_a_branch_lie_on_the_published_ellipse() {
         for point in &curve.points {
             let [velocity, clearance] =
                 [point.solution.impact_velocity(), point.solution.unknowns[unknown::PRIMARY]];
-            // At the tip of the ellipse rounding of the clearance moves the velocity by its square root.
+            // At the tip of the ellipse rounding of the clearance moves the velocity by its square
+            // root.
             if clearance > 0.999 * closed.value("greatest_clearance") {
                 continue;
             }
@@ -125,7 +129,8 @@ fn saddle_node_bifurcations_lie_at_the_published_clearance() {
         let tip = closed.value("greatest_clearance");
         // The integrator's tolerance.
         assert_within(clearance, tip, 1e-12);
-        // At the tip both velocities are the same; a little before it their mean is, to first order.
+        // At the tip both velocities are the same; a little before it their mean is, to first
+        // order.
         let near = tip * (1.0 - 1e-10);
         let mean = 0.5 * (closed.value_at(near, "upper_velocity") + closed.value_at(near, "lower_velocity"));
         assert_within(velocity, mean, 1e-8 * velocity);
@@ -156,9 +161,10 @@ fn resonances_and_their_coefficients_are_those_of_the_published_formulas() {
         // The integrator's tolerance.
         assert_within(found[unknown::SECONDARY], resonant, 1e-12);
 
-        // Without damping δ = 1, at the edge of the trapesium, so that the theorems do not apply; their formulas do. With
-        // η = ω − 2n and μ = σ − |γ|, to leading order |γ| = g = 1/(4n² − 1), ρ = (1 − r)/(2n), k = k'η, k' = π(1 + r)/(4n), and
-        // the ellipse is μ = −(V²ρ² + 4 g k V)/(8g). It is greatest at V = −2gk/ρ², where μ = g(k'/ρ)² η²/2: c_SN. The period
+        // Without damping δ = 1, at the edge of the trapesium, so that the theorems do not apply;
+        // their formulas do. With η = ω − 2n and μ = σ − |γ|, to leading order |γ| = g = 1/(4n²
+        // − 1), ρ = (1 − r)/(2n), k = k'η, k' = π(1 + r)/(4n), and the ellipse is μ = −(V²ρ² + 4 g
+        // k V)/(8g). It is greatest at V = −2gk/ρ², where μ = g(k'/ρ)² η²/2: c_SN. The period
         // doubling has V = 2πngη/(1 + r), which gives c_PD.
         let closed = ClosedForms::at(resonant, n);
         let r = closed.letters[2].1;
@@ -168,7 +174,8 @@ fn resonances_and_their_coefficients_are_those_of_the_published_formulas() {
         let orbit =
             GrazingOrbit::find(&equations.oscillator_at(&found), found[unknown::PHASE]).expect("it is there");
         let theory = orbit.resonant_point(n).expect("the global map is smooth there");
-        // The integrator's tolerance, magnified by differentiating twice and by ((1 + r)/(1 - r))^2.
+        // The integrator's tolerance, magnified by differentiating twice and by ((1 + r)/(1 -
+        // r))^2.
         assert_within(theory.saddle_node_coefficient(), saddle_node, 1e-11 * saddle_node);
         assert_within(theory.period_doubling_coefficient(), period_doubling, 1e-11);
     }

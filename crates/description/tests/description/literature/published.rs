@@ -72,11 +72,13 @@ impl Published {
 
     /// The published formula with the name, at these values of its letters.
     ///
-    /// The formulas are evaluated in the order of the list, each with all before it, up to the one asked for.
+    /// The formulas are evaluated in the order of the list, each with all before it, up to the one
+    /// asked for.
     pub(crate) fn formula(&self, example: &str, id: &str, letters: &[(&str, f64)]) -> f64 {
         let mut known = letters.to_vec();
         for formula in self.formula.iter().filter(|formula| formula.example == example) {
-            // A formula with a letter that has no value here, as one for a given clearance, is not asked for.
+            // A formula with a letter that has no value here, as one for a given clearance, is not
+            // asked for.
             let Ok(expression) = Expression::parse(&formula.expression, &[], &known) else {
                 continue;
             };

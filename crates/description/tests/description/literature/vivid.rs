@@ -1,4 +1,5 @@
-//! Bifurcations of the paper's oscillator as Ghosh and Simpson computed them with their own program.
+//! Bifurcations of the paper's oscillator as Ghosh and Simpson computed them with their own
+//! program.
 //!
 //! They are looked for here without virtual points, not by VIVID as there.
 
@@ -52,8 +53,9 @@ fn printed_bifurcations_are_found_where_they_are_printed() {
         let conditions = [Condition::Secondary(number(&row.secondary)), kind];
         let found = locate(&equations, conditions, start, &mut EventTimes::default())
             .unwrap_or_else(|failure| panic!("{}: {failure}", row.id));
-        // The authors allow a multiplier to be off by 1e-5. At a saddle-node bifurcation the amplitude is an extremum and
-        // feels it to second order; at a period doubling it moves by a tenth of that or less.
+        // The authors allow a multiplier to be off by 1e-5. At a saddle-node bifurcation the
+        // amplitude is an extremum and feels it to second order; at a period doubling it moves by a
+        // tenth of that or less.
         let bound = match row.kind {
             Kind::SaddleNode => 1e-10,
             Kind::PeriodDoubling => 1e-6,

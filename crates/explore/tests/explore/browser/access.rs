@@ -1,4 +1,5 @@
-//! What the page is without a mouse, without light, without motion, and to those who hear it; and that an address holds all of it.
+//! What the page is without a mouse, without light, without motion, and to those who hear it; and
+//! that an address holds all of it.
 
 use std::collections::BTreeSet;
 
@@ -49,7 +50,8 @@ fn every_control_has_a_name_and_is_reached_by_keys_in_order() {
     }
     let controls = assert_all_named(&mut page);
     assert!(controls > 30, "{controls}");
-    // All that can be pressed or filled in gets the focus by tab alone, once each and from top to bottom.
+    // All that can be pressed or filled in gets the focus by tab alone, once each and from top to
+    // bottom.
     let controls = "[...document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex=\"0\"]')]\
                     .filter((e) => e.checkVisibility({visibilityProperty: true}) && !e.disabled)";
     page.value(&format!("{controls}.forEach((e, k) => {{ e.dataset.count = k; }})"));

@@ -37,7 +37,8 @@ const KEYS: [(&str, u32, &str); 10] = [
 pub(crate) const CONTROL: u32 = 2;
 pub(crate) const SHIFT: u32 = 8;
 
-/// Far beyond what anything takes on a busy machine: tests wait for conditions, and this ends those that never come true.
+/// Far beyond what anything takes on a busy machine: tests wait for conditions, and this ends those
+/// that never come true.
 const PATIENCE: Duration = Duration::from_secs(600);
 
 /// The browser's process, which tests that run at once share.
@@ -50,7 +51,8 @@ struct Process {
 static RUNNING: Mutex<Weak<Process>> = Mutex::new(Weak::new());
 
 impl Process {
-    /// The one that runs, or a new one; nothing where there is no browser, which is said on the error stream.
+    /// The one that runs, or a new one; nothing where there is no browser, which is said on the
+    /// error stream.
     fn shared() -> Option<Arc<Self>> {
         let mut running = RUNNING.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(process) = running.upgrade() {

@@ -5,7 +5,8 @@ use serde_json::Value;
 
 use super::{CURVES, DESK, HOLD, HOUR, PHONE, Running, WHOLE, choose_duffing, plane_key, state};
 
-/// Pixels of the plane that lie in the middle of a run of each kind of curve, and whether they have the ink of that kind.
+/// Pixels of the plane that lie in the middle of a run of each kind of curve, and whether they have
+/// the ink of that kind.
 const INKED: &str = "use('plane', 'palette').then(([p, q]) => { const canvas = document.getElementById('plane'); \
                      const context = canvas.getContext('2d'); const probe = document.createElement('canvas').getContext('2d'); \
                      const inks = new Map(); for (const {curve, points, bounds} of p.runs) { if (curve.source === 'quadratic' || !bounds) continue; \
@@ -18,8 +19,9 @@ fn grazing(curves: &Value) -> &Value {
     curves.as_array().unwrap().iter().find(|curve| curve["kind"] == "graz").unwrap()
 }
 
-/// Curves of resonances that bear the same key before and after a small step are the same: most have one of the same key, and each of these runs
-/// close to what it was. Those without a resonance are known by their kind alone.
+/// Curves of resonances that bear the same key before and after a small step are the same: most
+/// have one of the same key, and each of these runs close to what it was. Those without a resonance
+/// are known by their kind alone.
 fn assert_same(before: &Value, after: &Value) {
     let (before, after) = (before.as_array().unwrap(), after.as_array().unwrap());
     let points = |curve: &Value| -> Vec<[f64; 2]> {
@@ -75,7 +77,8 @@ fn curves_that_no_resonance_leads_to_keep_their_numbers_in_one_drag_as_in_small_
     let (before, small) = walk(STEPS, false);
     let (_, large) = walk(STEPS, true);
     assert!(small == large, "{:?} and {:?}", names(&small), names(&large));
-    // Some have gone, of lower numbers than others: in the order in which they are found these would have moved up.
+    // Some have gone, of lower numbers than others: in the order in which they are found these
+    // would have moved up.
     let of_kind = |curves: &Value| -> Vec<String> {
         names(curves).into_iter().filter(|name| name.starts_with(NUMEROUS)).collect()
     };
@@ -87,7 +90,8 @@ fn curves_that_no_resonance_leads_to_keep_their_numbers_in_one_drag_as_in_small_
     assert!(!new.contains(&format!("{NUMEROUS}#0")), "{new:?}");
 }
 
-/// Curves of which the paper's oscillator has several, and the steps of its damping ratio after which two of them are gone.
+/// Curves of which the paper's oscillator has several, and the steps of its damping ratio after
+/// which two of them are gone.
 const NUMEROUS: &str = "GZ 2 0 ";
 const STEPS: u32 = 18;
 

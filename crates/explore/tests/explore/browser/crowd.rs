@@ -51,7 +51,8 @@ pub(crate) fn window(page: &mut Browser) -> Window {
     Window { primary: range("primary"), secondary: range("secondary") }
 }
 
-/// Drags in all pages at once, as long as `goes_on` and until each has seen something move, and waits for the pictures at rest.
+/// Drags in all pages at once, as long as `goes_on` and until each has seen something move, and
+/// waits for the pictures at rest.
 pub(crate) fn drag_all(
     pages: &mut [Browser],
     pause: Duration,
@@ -71,11 +72,13 @@ pub(crate) fn drag_all(
     })
 }
 
-/// Drags the slider of a constant to and fro by pointer or by keys, and lets it rest at a place of its own.
+/// Drags the slider of a constant to and fro by pointer or by keys, and lets it rest at a place of
+/// its own.
 fn drag(page: &mut Browser, number: usize, pause: Duration, goes_on: &impl Fn() -> bool) {
     let constant = ["zeta", "epsilon"][number % 2];
     let slider = format!("document.getElementById('constant-{constant}')");
-    // Who finds one in vain is given twice the time for the next, so that at last something is seen.
+    // Who finds one in vain is given twice the time for the next, so that at last something is
+    // seen.
     let goes_on = |page: &mut Browser| goes_on() || page.value("watched.frames") == 0;
     if number % 4 < 2 {
         let bounds =
@@ -106,7 +109,8 @@ fn drag(page: &mut Browser, number: usize, pause: Duration, goes_on: &impl Fn() 
     }
 }
 
-/// Every diagram that was sent and every picture at rest is what `unfold` computes, to the last bit; returns of how many constants.
+/// Every diagram that was sent and every picture at rest is what `unfold` computes, to the last
+/// bit; returns of how many constants.
 pub(crate) fn assert_right(pages: &[Page], window: Window) -> usize {
     let mut sums = BTreeMap::new();
     for (number, Page { watched, picture }) in pages.iter().enumerate() {

@@ -1,4 +1,5 @@
-//! Pages that drag at once, in a real browser. What they do a second is measured by `cargo bench -p grazing-explore --bench load`.
+//! Pages that drag at once, in a real browser. What they do a second is measured by `cargo bench -p
+//! grazing-explore --bench load`.
 
 use std::time::Duration;
 

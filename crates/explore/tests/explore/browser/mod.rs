@@ -1,4 +1,5 @@
-//! The page in a real browser: each of its abilities by mouse, by keys alone, and on a phone's screen.
+//! The page in a real browser: each of its abilities by mouse, by keys alone, and on a phone's
+//! screen.
 
 mod access;
 mod chromium;
@@ -77,7 +78,8 @@ const QUIET: &str = "!document.documentElement.hasAttribute('data-busy')";
 /// The diagram is whole and nothing else is to come; what is said of it.
 const WHOLE: &str = "!document.documentElement.hasAttribute('data-busy') && /curves? and \\d+ points? in/.test(document.getElementById('progress-text').textContent) && \
                      document.getElementById('progress-text').textContent";
-/// Diagrams that are asked for from now on stop coming once there are curves and there is something to be done, until `letGo()`.
+/// Diagrams that are asked for from now on stop coming once there are curves and there is something
+/// to be done, until `letGo()`.
 const HOLD: &str = "(() => { const held = new Promise((go) => (window.letGo = go)); const ask = window.fetch.bind(window); \
                     window.fetch = async (path, options) => { const answer = await ask(path, options); if (path !== './diagram') return answer; \
                     let [rest, curves] = ['', false]; const [to, from] = [new TextEncoder(), new TextDecoder()]; \

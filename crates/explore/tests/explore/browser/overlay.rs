@@ -16,7 +16,8 @@ fn simulation_agrees_with_the_shading_and_marks_what_does_not() {
     page.click("[data-command=overlay]", [0.0, 0.0]);
     let told = page.wait(DONE);
     assert!(told.as_str().unwrap().contains("none disagrees"), "{told}");
-    // Without the shading of the MPSs of one loop, all that is simulated of these disagrees, and has a cross.
+    // Without the shading of the MPSs of one loop, all that is simulated of these disagrees, and
+    // has a cross.
     let crossed = "use('diagram', 'tiles').then(([d, t]) => { const loops = t.cells().filter(([, , loops]) => loops === 1).length; \
                    d.diagram.regions = d.diagram.regions.filter(({p}) => p !== 1); t.shaded(); return loops; })";
     let loops = page.value(crossed).as_u64().unwrap();

@@ -80,7 +80,8 @@ fn zooming_goes_down_to_a_billionth_about_a_resonance() {
     page.click("#resonances summary", [0.0, 0.0]);
     page.click("#resonances tbody button", [0.0, 0.0]);
     page.wait(&format!("location.hash !== '' && {WHOLE}"));
-    // A part of the plane has the approximations beside the curves that they approximate, in dashes.
+    // A part of the plane has the approximations beside the curves that they approximate, in
+    // dashes.
     assert_eq!(page.value("document.getElementById('quadratic').hidden"), false);
     let near = "use('diagram', 'model', 'state').then(([d, m, s]) => { const {primary: [a, b], secondary: [c, e]} = m.viewOf(s.get()); \
                 const centre = [(a + b) / 2, (c + e) / 2]; const all = [...d.diagram.curves.values()]; \

@@ -222,7 +222,8 @@ fn places_tell_solutions_and_what_random_states_come_to() {
         assert_eq!(status, 200, "{answer}");
         answer.parse().unwrap()
     };
-    // Below grazing everything comes to rest on the non-impacting solution, whose displacements shrink with the damping ratio.
+    // Below grazing everything comes to rest on the non-impacting solution, whose displacements
+    // shrink with the damping ratio.
     let quiet = at([0.05, 0.8]);
     let attractors = quiet["attractors"].as_array().unwrap();
     assert_eq!((attractors.len(), attractors[0]["kind"].as_str()), (1, Some("non-impacting")));
@@ -275,7 +276,8 @@ fn what_was_found_at_a_place_is_followed_to_the_next_one() {
     let place = [0.91, 0.905];
     let (followed, looked_for) = (at(place, &nearby), at(place, &Value::Null));
     assert_eq!((&followed["followed"], &looked_for["followed"]), (&json!(true), &json!(false)));
-    // All that is followed is there, to the digits to which solutions are located; and here nothing is new.
+    // All that is followed is there, to the digits to which solutions are located; and here nothing
+    // is new.
     let velocities = |answer: &Value| -> Vec<f64> {
         list(answer, "solutions").iter().filter(mps).map(|one| one["velocity"].as_f64().unwrap()).collect()
     };
@@ -307,7 +309,8 @@ fn a_cut_tells_its_branches_first_and_then_what_simulation_comes_to() {
     assert_eq!(grazing.count(), 1);
     let dots = &events(&answer, "dots")[0]["dots"];
     assert!(dots.as_array().is_some_and(|dots| dots.len() > 160), "{dots}");
-    // A line at zero is one as any other, and one-parameter diagrams of the file are in nobody's way, wherever they stand in it.
+    // A line at zero is one as any other, and one-parameter diagrams of the file are in nobody's
+    // way, wherever they stand in it.
     let (text, _) = narrow();
     let (before, diagrams) = text.split_once("[[diagrams]]").unwrap();
     let (head, analysis) = before.split_once("[analysis]").unwrap();

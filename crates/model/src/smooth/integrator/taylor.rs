@@ -14,10 +14,12 @@ const PARTS: u32 = 3;
 type Orders = [Stages; Taylor::ORDER + 1];
 
 impl<M: SmoothOscillator> Integrated<M> {
-    /// The end of a step that plain numbers have chosen, from a start and a time that move; `None` if a part of it cannot be solved.
+    /// The end of a step that plain numbers have chosen, from a start and a time that move; `None`
+    /// if a part of it cannot be solved.
     ///
-    /// The step is taken in parts. Its length suits the solution and its first derivatives; the second and the third bend within
-    /// what the force does, and where that is short each has errors thirty times as large as the order before.
+    /// The step is taken in parts. Its length suits the solution and its first derivatives; the
+    /// second and the third bend within what the force does, and where that is short each has
+    /// errors thirty times as large as the order before.
     pub(in crate::smooth) fn series_after(
         &self,
         from: Pair<Taylor>,
@@ -40,7 +42,8 @@ impl<M: SmoothOscillator> Integrated<M> {
 
     /// The solution that passes `from` at `time`, a while later that vanishes at s = 0.
     ///
-    /// The step has no length but along the curve, where the collocation is exact far beyond third order.
+    /// The step has no length but along the curve, where the collocation is exact far beyond third
+    /// order.
     pub(in crate::smooth) fn series_shifted(
         &self,
         from: Pair<Taylor>,
@@ -54,8 +57,8 @@ impl<M: SmoothOscillator> Integrated<M> {
         self.series_step(from, [time, by], accelerations, &factors)
     }
 
-    /// The end of a step whose accelerations at s = 0 are known: each iteration of Newton's method with the matrix at s = 0
-    /// adds one order.
+    /// The end of a step whose accelerations at s = 0 are known: each iteration of Newton's method
+    /// with the matrix at s = 0 adds one order.
     fn series_step(
         &self,
         [x0, y0]: Pair<Taylor>,

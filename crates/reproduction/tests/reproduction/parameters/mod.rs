@@ -51,8 +51,8 @@ fn set(settings: &[&str]) -> Result<Parameters, ParameterError> {
     Parameters::parse(&Text::new(DEFAULT, &settings), "p.toml")
 }
 
-/// The default file with another line in the place of the first one for the key after `section`. The values that stand
-/// there do not matter, so the file can change without its tests.
+/// The default file with another line in the place of the first one for the key after `section`.
+/// The values that stand there do not matter, so the file can change without its tests.
 fn edited(section: &str, key: &str, line: &str) -> String {
     let section_start = DEFAULT.find(section).expect("the section stands in the file");
     let start =
@@ -68,8 +68,8 @@ fn line_of(text: &str, section: &str, needle: &str) -> usize {
     1 + text[..at].matches('\n').count()
 }
 
-/// Asserts that the value, written for the key after `section`, is refused under the full key, on its line, and that
-/// the refusal quotes `culprit`; gives what is said to be allowed.
+/// Asserts that the value, written for the key after `section`, is refused under the full key, on
+/// its line, and that the refusal quotes `culprit`; gives what is said to be allowed.
 fn refusal_quoting(culprit: &str, section: &str, key: &str, value: &str, full_key: &str) -> String {
     let line = format!("{key} = {value}");
     let text = edited(section, key, &line);

@@ -1,4 +1,5 @@
-//! Figure 4 against the sums over eigenvalues that its curves are zeros of, and against the global map of the model.
+//! Figure 4 against the sums over eigenvalues that its curves are zeros of, and against the global
+//! map of the model.
 
 use grazing_model::AtRest;
 use grazing_model::maps::global_map;
@@ -30,7 +31,8 @@ fn polar(tau: f64, delta: f64) -> (f64, f64) {
     (delta.sqrt(), libm::acos(0.5 * tau / delta.sqrt()))
 }
 
-/// S_p = Σ λ₁^{p−k} λ₂^{k−1}, k = 1, …, p, from the eigenvalues, and the sum of the moduli of its terms. Paper: eq:SpTp.
+/// S_p = Σ λ₁^{p−k} λ₂^{k−1}, k = 1, …, p, from the eigenvalues, and the sum of the moduli of its
+/// terms. Paper: eq:SpTp.
 fn sum_of_powers(p: u32, tau: f64, delta: f64) -> (f64, f64) {
     let (modulus, angle) = polar(tau, delta);
     let size = libm::pow(modulus, f64::from(p) - 1.0);
@@ -38,7 +40,8 @@ fn sum_of_powers(p: u32, tau: f64, delta: f64) -> (f64, f64) {
     (terms.sum(), size * f64::from(p))
 }
 
-/// H_p = Σ Σ λ₁^{k−j} λ₂^{1−k}, k ≤ j < p, from the eigenvalues, and the sum of the moduli of its terms. Paper: eq:Hp.
+/// H_p = Σ Σ λ₁^{k−j} λ₂^{1−k}, k ≤ j < p, from the eigenvalues, and the sum of the moduli of its
+/// terms. Paper: eq:Hp.
 fn double_sum(p: u32, tau: f64, delta: f64) -> (f64, f64) {
     let (modulus, angle) = polar(tau, delta);
     let (mut sum, mut size) = (0.0, 0.0);
@@ -68,7 +71,8 @@ fn the_double_sum_over_the_eigenvalues_vanishes_on_h_and_is_positive_beyond() {
     for &p in all_loops() {
         for &[tau, delta] in curve(&figure(), "h", p).iter().filter(|point| point[1] > 0.0) {
             if p == 2 {
-                // H_2 = 1 has no zero: h_2 is where the eigenvalues become real and negative, by definition.
+                // H_2 = 1 has no zero: h_2 is where the eigenvalues become real and negative, by
+                // definition.
                 assert!((tau * tau - 4.0 * delta).abs() < 4.0 * f64::EPSILON && tau < 0.0, "{tau} {delta}");
                 continue;
             }

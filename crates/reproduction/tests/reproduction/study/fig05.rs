@@ -91,7 +91,8 @@ fn it_is_the_case_of_the_caption_with_the_curves_on_opposite_sides() {
             }
         };
         seen[which] += 1;
-        // General theorem and closed form agree to some 1e-12; see `coefficients_come_out_the_same_in_three_ways`.
+        // General theorem and closed form agree to some 1e-12; see
+        // `coefficients_come_out_the_same_in_three_ways`.
         assert!((mu[row] - c * eta[row] * eta[row]).abs() <= 1e-11 * mu[row].abs(), "{mu:?}");
         assert!(eta[row] * side >= 0.0);
     }
@@ -116,8 +117,8 @@ fn every_resonance_of_the_linear_oscillator_is_of_that_case() {
 
 #[test]
 fn an_mps_is_stable_in_the_shaded_region_and_nowhere_else() {
-    // The region is right to leading order: mismatches lie in a band about its boundary whose width, relative to a window
-    // that shrinks like (η, μ) → (sη, s²μ), falls like s.
+    // The region is right to leading order: mismatches lie in a band about its boundary whose
+    // width, relative to a window that shrinks like (η, μ) → (sη, s²μ), falls like s.
     let shaded = region(&figure(), "mps");
     let band = |s: f64| {
         let mut widest = 0.0_f64;
@@ -152,7 +153,8 @@ fn both_solutions_are_stable_in_the_overlap_of_the_two_regions() {
     assert!(overlap > 100, "{overlap}");
 }
 
-/// The impacts (velocity, phase) of an orbit that starts close to an MPS, in the last of many of its periods.
+/// The impacts (velocity, phase) of an orbit that starts close to an MPS, in the last of many of
+/// its periods.
 fn last_impacts(mu: f64, eta: f64, from: &Orbit, closeness: f64) -> Vec<[f64; 2]> {
     let parameters = &made().parameters;
     let (amplitude, omega) = parameters_at(mu, eta);
@@ -184,7 +186,8 @@ fn simulated_orbits_settle_on_the_mps_in_the_shaded_region_and_leave_it_outside(
         }
         for orbit in solutions(mu, eta) {
             let impacts = last_impacts(mu, eta, &orbit, 1e-4);
-            // Whether four successive impacts repeat that of the MPS, up to what is left of the perturbation.
+            // Whether four successive impacts repeat that of the MPS, up to what is left of the
+            // perturbation.
             let stays = impacts.len() == 4
                 && impacts.iter().all(|[velocity, _]| (velocity / orbit.velocity - 1.0).abs() < 1e-6);
             if inside(&shaded, [mu, eta]) && orbit.stable() {
@@ -209,7 +212,8 @@ fn the_non_impacting_solution_attracts_where_it_is_said_to() {
         let State { position, velocity, phase } = oscillator.non_impacting_solution(top);
         assert_eq!(position < 0.0, inside(&light, [mu, eta]));
         if position < 0.0 {
-            // A start a little lower comes up again without reaching the wall: the free motion only decays.
+            // A start a little lower comes up again without reaching the wall: the free motion only
+            // decays.
             let from = State { position: 1.001 * position, velocity, phase };
             let mut orbit = Simulation::new(&oscillator, from, 50.0 * TAU / omega, 1000);
             assert_eq!(orbit.by_ref().count(), 1);
@@ -220,7 +224,8 @@ fn the_non_impacting_solution_attracts_where_it_is_said_to() {
 
 #[test]
 fn closed_form_solutions_are_those_of_the_branch_expansion() {
-    // μ = k₂y² + k₃ηy of eq:ZM, on which the argument for the region rests: at the turning point y = Υ⁺η the two MPSs merge.
+    // μ = k₂y² + k₃ηy of eq:ZM, on which the argument for the region rests: at the turning point
+    // y = Υ⁺η the two MPSs merge.
     let (shown, resonance) = (made().parameters.fig05.get().expect("it is right"), resonance());
     let branch = resonance.resonant_point().branch_expansion();
     assert!(branch.k_2 > 0.0);

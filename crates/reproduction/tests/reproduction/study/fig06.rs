@@ -39,7 +39,8 @@ fn at_phase(phase: f64) -> Parameters {
     Parameters::parse(&Text::new(&format!("{before}[fig06]{own}"), &[]), "p.toml").expect("it is valid")
 }
 
-/// Position and velocity after a time, from rest at the equilibrium, by the classical Runge–Kutta method on eq:oscf.
+/// Position and velocity after a time, from rest at the equilibrium, by the classical Runge–Kutta
+/// method on eq:oscf.
 fn integrated(zeta: f64, amplitude: f64, omega: f64, time: f64, steps: u32) -> [f64; 2] {
     let slope = |t: f64, [x, y]: [f64; 2]| [y, amplitude * libm::cos(omega * t) - 1.0 - x - 2.0 * zeta * y];
     let h = time / f64::from(steps);
@@ -97,7 +98,8 @@ fn parts_join_at_every_phase_and_nothing_runs_into_anything() {
         assert!(cylinder[0] < piston[0] && piston[1] < cylinder[1], "the piston leaves at {phase}");
         assert!(cylinder[1] < block[0], "the block runs into the cylinder at {phase}");
         assert!(anchor[1] < cylinder[0] && block[1] < 0.0);
-        // The arrow is the force at this instant: its sign, and its length in units of that at phase 0.
+        // The arrow is the force at this instant: its sign, and its length in units of that at
+        // phase 0.
         let force = part(&figure, "force");
         let full = part(&self::figure(&at_phase(0.0)), "force");
         let length = |arrow: &[[f64; 2]]| arrow[1][0] - arrow[0][0];

@@ -1,4 +1,5 @@
-//! The rows of the default parameters: held fixed by snapshots, and against routes that share nothing with them.
+//! The rows of the default parameters: held fixed by snapshots, and against routes that share
+//! nothing with them.
 
 mod elsewhere;
 mod fig04;

@@ -89,7 +89,8 @@ fn codimension_two_points_hold() {
     snapshots().bind(|| assert_snapshot!("codimension_two_points", text));
 }
 
-/// First and last point, number of points and extent of each polyline of a table, by the columns that tell them apart.
+/// First and last point, number of points and extent of each polyline of a table, by the columns
+/// that tell them apart.
 fn summary<R: Row>(table: &[R], keys: &[&str], x: &str, y: &str) -> String {
     let (xs, ys) = (numbers(table, x), numbers(table, y));
     let keys: Vec<Vec<Cell>> = keys.iter().map(|name| column(table, name)).collect();
@@ -169,7 +170,8 @@ fn theorems_in_action_hold() {
 
 #[test]
 fn attractor_keeps_its_extent() {
-    // Single points of chaotic orbits say nothing; their number and extent per tenth of the range do.
+    // Single points of chaotic orbits say nothing; their number and extent per tenth of the range
+    // do.
     let table = &made().fig02.attractor;
     let (amplitude, x) = (numbers(table, "amplitude"), numbers(table, "x"));
     let (low, high) = (amplitude[0], amplitude[amplitude.len() - 1]);

@@ -1,7 +1,8 @@
-//! Figures 1, 3 and 9: every drawn point lies where the equations of motion, integrated numerically, say.
+//! Figures 1, 3 and 9: every drawn point lies where the equations of motion, integrated
+//! numerically, say.
 //!
-//! The frames come from the closed-form flow and the maps between Σ and Π; here the equations are integrated by the
-//! classical method of Runge and Kutta, which shares nothing with them.
+//! The frames come from the closed-form flow and the maps between Σ and Π; here the equations are
+//! integrated by the classical method of Runge and Kutta, which shares nothing with them.
 
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -38,7 +39,8 @@ impl Equation {
         [y, self.amplitude * libm::cos(z) - 2.0 * self.zeta * y - x - 1.0, self.frequency]
     }
 
-    /// The state after a time of either sign. Steps of about a thousandth leave an error of 10⁻¹³ a unit of time.
+    /// The state after a time of either sign. Steps of about a thousandth leave an error of 10⁻¹³ a
+    /// unit of time.
     fn follow(&self, from: Point, time: f64) -> Point {
         let steps = (time.abs() * 1000.0).ceil().max(1.0);
         let h = time / steps;
@@ -109,7 +111,8 @@ fn distance(a: Point, b: Point) -> f64 {
     (0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i])).sum::<f64>().sqrt()
 }
 
-/// The error of the integration is below 10⁻¹², the scaling of a few roundings by the flow included.
+/// The error of the integration is below 10⁻¹², the scaling of a few roundings by the flow
+/// included.
 const INTEGRATED: f64 = 1e-11;
 
 fn assert_follows(equation: Equation, curve: &[Point]) {
@@ -169,7 +172,8 @@ fn the_image_in_figure_3_is_where_the_orbit_returns_and_gamma_closes_at_its_only
     assert!(distance([first[0], first[1], first[2] + TAU], last) < 1e-13);
     let inner = &periodic[1..periodic.len() - 1];
     assert!(inner.iter().all(|state| state[0] < 0.0), "Γ meets Σ at one point");
-    // Glued, both ends are one place on the page: the sine and cosine of a phase and of the phase one turn on.
+    // Glued, both ends are one place on the page: the sine and cosine of a phase and of the phase
+    // one turn on.
     let (kinds, seen) = (words(&made.curves, "kind"), sights(&made.curves));
     let on_page: Vec<Point> =
         seen.into_iter().zip(kinds).filter(|(_, kind)| kind == "periodic").map(|(place, _)| place).collect();
@@ -261,7 +265,8 @@ fn the_projection_turns_space_and_leaves_lengths_alone() {
         let (sin, cos) = libm::sincos(z);
         straight(stretch)([(radius + x) * cos, y, (radius + x) * sin])
     };
-    // The ring begins at z_graz, not at 0, which only turns it: equal stretches of the first and third axis keep lengths.
+    // The ring begins at z_graz, not at 0, which only turns it: equal stretches of the first and
+    // third axis keep lengths.
     assert_eq!(stretch[0], stretch[2]);
     check_lengths(&three.curves, ring);
     // Upwards on the page is upwards in velocity: the viewer stands upright.
@@ -273,7 +278,8 @@ fn the_projection_turns_space_and_leaves_lengths_alone() {
     assert!((seen[high][0] - seen[low][0]).abs() < 1e-12);
 }
 
-/// Distances on the page with depth equal distances in stretched space, between each row and the first.
+/// Distances on the page with depth equal distances in stretched space, between each row and the
+/// first.
 fn check_lengths<R: Row>(table: &[R], place: impl Fn(Point) -> Point) {
     let (at, seen) = (states(table), sights(table));
     for row in 1..at.len() {
