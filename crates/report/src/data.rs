@@ -27,7 +27,7 @@ const MOST_DIGITS: usize = 12;
 /// What stands between headers; none has it.
 const SEPARATOR: char = '|';
 /// Columns that only keep rows together.
-const BOOKKEEPING: [&str; 3] = ["arc", "branch", "region"];
+const BOOKKEEPING: [&str; 4] = ["arc", "branch", "curve", "region"];
 /// Most of the possible compression, in little time.
 const COMPRESSION_LEVEL: u8 = 10;
 

@@ -124,7 +124,7 @@ columns! {
     /// a constant of the oscillator that varies
     VARIED_3 = "{varied3}", "{varied3}", "as in the file";
     /// resonances with the same number are joined by continuation in the constant that varies first
-    FAMILY_BRANCH = "branch", "", "1";
+    FAMILY_CURVE = "curve", "", "1";
     /// `search` along the grazing curve of the member, or `continuation` from the member before, where the search of this one did not find it
     FOUND_BY = "found_by", "", "1";
     /// resonances of the member
@@ -140,7 +140,7 @@ columns! {
     /// how a curve that ends between two members ends; empty if it goes on
     FAMILY_END = "end", "", "1";
     /// the theorem holds
-    THEOREM_HOLDS = "holds", "", "1";
+    THEOREM_HOLDS = "theorem_holds", "", "1";
     /// the hypotheses that fail, with the values of their quantities; empty if none does
     FAILING = "failing", "", "1";
 }
@@ -229,8 +229,6 @@ columns! {
     B1 = "b1", "b_1", "length/{primary}", "eq:b";
     /// likewise
     B2 = "b2", "b_2", "1/{primary}", "eq:b";
-    /// `2.4` or `2.5`
-    RESONANT_THEOREM = "theorem", "", "1";
     /// what the theorem asks, as `a12 alpha > 0`
     HYPOTHESIS = "hypothesis", "", "1";
     /// value of the left side of the hypothesis; its unit is that of the quantity
@@ -312,7 +310,7 @@ columns! {
 
 // Theorems 2.2 to 2.5 in action.
 columns! {
-    /// the theorem that the row is about
+    /// the theorem that the row is about, `2.2` to `2.5`
     THEOREM = "theorem", "", "1";
     /// damping ratio ζ
     ZETA = "zeta", r"\zeta", "1", "eq:oscf";

@@ -72,7 +72,7 @@ of_members! {
     Resonance {
         loops: u32 = LOOPS,
         n: u32 = RESONANCE_INDEX,
-        branch: u32 = FAMILY_BRANCH,
+        curve: u32 = FAMILY_CURVE,
         found_by: FoundBy = FOUND_BY,
         secondary: f64 = SECONDARY_AT_RESONANCE,
         primary: f64 = PRIMARY_AT_GRAZING,
@@ -114,7 +114,7 @@ of_members! {
     CurvePoint {
         loops: u32 = LOOPS,
         n: u32 = RESONANCE_INDEX,
-        branch: u32 = FAMILY_BRANCH,
+        curve: u32 = FAMILY_CURVE,
         arc: u32 = ARC,
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,
@@ -129,7 +129,7 @@ of_members! {
     Degenerate {
         loops: u32 = LOOPS,
         n: u32 = RESONANCE_INDEX,
-        branch: u32 = FAMILY_BRANCH,
+        curve: u32 = FAMILY_CURVE,
         quantity: String = DEGENERATE_QUANTITY,
         meaning: Degeneracy = DEGENERATE_MEANING,
         secondary: f64 = SECONDARY,

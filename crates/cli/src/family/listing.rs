@@ -52,7 +52,7 @@ pub(super) fn plan(
 
 /// What was found.
 pub(super) fn results(family: &Family, names: &Names, plan: &Plan) -> String {
-    let mut text = branches(family, names, plan);
+    let mut text = curves(family, names, plan);
     let count = plan.varied.len();
     let values = |varied: [f64; 3]| {
         let own = &varied[varied.len() - count..];
@@ -88,21 +88,21 @@ fn some(heading: &str, mut entries: Vec<(String, String)>) -> String {
     headed(heading, entries)
 }
 
-/// A line for each branch of resonances, by p, with the constant that varies first at its ends.
-fn branches(family: &Family, names: &Names, plan: &Plan) -> String {
-    let mut branches: Vec<(u32, Vec<&Resonance>)> = Vec::new();
+/// A line for each curve of resonances, by p, with the constant that varies first at its ends.
+fn curves(family: &Family, names: &Names, plan: &Plan) -> String {
+    let mut curves: Vec<(u32, Vec<&Resonance>)> = Vec::new();
     for row in &family.resonances {
-        match branches.iter_mut().find(|(branch, _)| *branch == row.branch) {
+        match curves.iter_mut().find(|(curve, _)| *curve == row.curve) {
             Some((_, rows)) => rows.push(row),
-            None => branches.push((row.branch, vec![row])),
+            None => curves.push((row.curve, vec![row])),
         }
     }
-    if branches.is_empty() {
+    if curves.is_empty() {
         return "\nno resonant grazing bifurcation in the ranges of the parameters at any member\n"
             .to_owned();
     }
-    let count = branches.len();
-    branches.truncate(LISTED);
+    let count = curves.len();
+    curves.truncate(LISTED);
     let slot = 3 - plan.varied.len();
     let range = |rows: &[&Resonance], value: &dyn Fn(&Resonance) -> f64| {
         let known = rows.iter().map(|row| value(row)).filter(|value| value.is_finite());
@@ -112,9 +112,9 @@ fn branches(family: &Family, names: &Names, plan: &Plan) -> String {
             _ => "-".to_owned(),
         }
     };
-    let lines = branches.iter().map(|(branch, rows)| {
+    let lines = curves.iter().map(|(curve, rows)| {
         let varied = |row: &Resonance| row.varied;
-        let mut line = vec![branch.to_string(), rows[0].loops.to_string(), rows[0].n.to_string()];
+        let mut line = vec![curve.to_string(), rows[0].loops.to_string(), rows[0].n.to_string()];
         line.extend(varied(rows[0])[slot + 1..].iter().map(|value| brief(*value, DIGITS)));
         line.extend([rows.len().to_string(), range(rows, &|row| varied(row)[slot])]);
         line.extend([
@@ -125,7 +125,7 @@ fn branches(family: &Family, names: &Names, plan: &Plan) -> String {
         line
     });
     let others = plan.varied[1..].iter().map(|other| other.name.as_str());
-    let mut header = vec!["branch", "p", "n"];
+    let mut header = vec!["curve", "p", "n"];
     header.extend(others);
     let secondary = format!("{}*", names.secondary);
     header.extend(["members", plan.varied[0].name.as_str(), &secondary, "c_SN", "c_PD"]);
@@ -135,5 +135,5 @@ fn branches(family: &Family, names: &Names, plan: &Plan) -> String {
     } else {
         String::new()
     };
-    format!("\nBranches of resonances, with the values at their ends\n{table}{more}")
+    format!("\nCurves of resonances, with the values at their ends\n{table}{more}")
 }

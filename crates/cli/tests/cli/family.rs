@@ -47,7 +47,7 @@ fn parts_are_merged_to_the_same_bytes_that_one_run_writes_and_say_what_the_membe
     assert_eq!((merged.code, merged.messages.as_str()), (Some(0), ""));
     let whole = files(&folder.path().join("families/my"));
     assert!(whole.len() == 7 && whole == files(&folder.path().join("merged")));
-    assert!(merged.output.contains("\nBranches of resonances, with the values at their ends\n"));
+    assert!(merged.output.contains("\nCurves of resonances, with the values at their ends\n"));
 
     // Values, not names of machines or times: a header, and a line for each of four members.
     let members =

@@ -168,7 +168,7 @@ fn draw_panel(
 type Strand<'a> = (&'a CurvePoint, &'a CurvePoint, Vec<(f64, f64)>);
 
 /// The resonances of p loops from member to member, each as one polyline with the row with which it
-/// begins: arcs of one branch that follow each other.
+/// begins: arcs of one curve that follow each other.
 fn strands(
     family: &Family,
     loops: u32,
@@ -180,7 +180,7 @@ fn strands(
         let (first, last) = (arc[0], arc[arc.len() - 1]);
         let points = arc.iter().map(|row| place(row));
         let meets = |end: &CurvePoint| {
-            (end.branch, end.n) == (first.branch, first.n)
+            (end.curve, end.n) == (first.curve, first.n)
                 && place(end).0 == place(first).0
                 && (end.secondary - first.secondary).abs() < SAME_RESONANCE * first.secondary.abs()
         };
@@ -248,7 +248,7 @@ mod tests {
     use super::*;
     use crate::tests::samples::WIDTHS;
 
-    /// A family of two constants with branches of p = 1 and 2, one of which has a pole.
+    /// A family of two constants with curves of p = 1 and 2, one of which has a pole.
     fn sample(scale: f64) -> Family {
         let kinds = [CodimensionTwo::SaddleNodeGrazing, CodimensionTwo::PeriodDoublingGrazing];
         let (mut curves, mut points, mut degenerate) = (Vec::new(), Vec::new(), Vec::new());
@@ -262,7 +262,7 @@ mod tests {
                     varied: [f64::NAN, scale * share, other],
                     loops,
                     n,
-                    branch: number as u32,
+                    curve: number as u32,
                     arc: number as u32 * 4 + k.min(39) / 10,
                     secondary: f64::from(n) / f64::from(loops + 1) + 0.2 * share * share + 0.05 * other,
                     primary: 0.5,
@@ -292,7 +292,7 @@ mod tests {
                 varied: [f64::NAN, scale * 0.41, other],
                 loops,
                 n,
-                branch: 0,
+                curve: 0,
                 quantity: "s_p^+".to_owned(),
                 meaning: Degeneracy::InfiniteSaddleNode,
                 secondary: 0.5,

@@ -22,11 +22,11 @@ pub fn assemble(plan: &Plan, description: &Description, mut records: Vec<Option<
     });
     let joins = joins(plan, widths, &mut records);
     let starts = starts(&records);
-    let mut branches = Branches::new(&records);
+    let mut joins = Joins::new(&records);
     for [a, b] in joins {
-        branches.join(starts[a.0] + a.1, starts[b.0] + b.1);
+        joins.join(starts[a.0] + a.1, starts[b.0] + b.1);
     }
-    let numbers = branches.numbers();
+    let numbers = joins.numbers();
     let incomplete = records.iter().flatten().filter(|record| record.incomplete).count() as u32;
     let (mut members, mut resonances, mut points) = (Vec::new(), Vec::new(), Vec::new());
     let (mut curves, mut degenerate, mut arc) = (Vec::new(), Vec::new(), 0);
@@ -36,15 +36,15 @@ pub fn assemble(plan: &Plan, description: &Description, mut records: Vec<Option<
         members.push(record.member);
         points.extend(record.points);
         for Way { from, mut curve, degenerate: mut found, .. } in record.ways {
-            let branch = numbers[start + from];
-            curve.iter_mut().for_each(|point| (point.branch, point.arc) = (branch, arc));
-            found.iter_mut().for_each(|point| point.branch = branch);
+            let number = numbers[start + from];
+            curve.iter_mut().for_each(|point| (point.curve, point.arc) = (number, arc));
+            found.iter_mut().for_each(|point| point.curve = number);
             arc += 1;
             curves.extend(curve);
             degenerate.extend(found);
         }
         let numbered = (start..).zip(record.resonances);
-        resonances.extend(numbered.map(|(node, row)| Resonance { branch: numbers[node], ..row }));
+        resonances.extend(numbered.map(|(node, row)| Resonance { curve: numbers[node], ..row }));
     }
     let panels = Vec::new();
     let family = Family { members, resonances, points, curves, degenerate, panels, incomplete };
@@ -99,10 +99,10 @@ fn starts(records: &[Option<Record>]) -> Vec<usize> {
     counts.scan(0, next).collect()
 }
 
-/// Resonances that are joined: each leads to an earlier one of its branch, or to itself.
-struct Branches(Vec<usize>);
+/// Resonances that are joined: each leads to an earlier one of its curve, or to itself.
+struct Joins(Vec<usize>);
 
-impl Branches {
+impl Joins {
     fn new(records: &[Option<Record>]) -> Self {
         Self((0..records.iter().flatten().map(|record| record.resonances.len()).sum()).collect())
     }
@@ -119,7 +119,7 @@ impl Branches {
         self.0[a.max(b)] = a.min(b);
     }
 
-    /// The number of each one's branch, from 1, in the order in which branches appear.
+    /// The number of each one's curve, from 1, in the order in which curves appear.
     fn numbers(&self) -> Vec<u32> {
         let mut numbers: Vec<u32> = Vec::with_capacity(self.0.len());
         let mut count = 0;

@@ -24,7 +24,7 @@ use crate::plane::lost;
 use crate::unfolded::{self, slopes};
 
 /// A member of a family: its own rows, and its resonances on their way to its neighbours. Numbers
-/// of branches and arcs are given when all records are there.
+/// of curves and arcs are given when all records are there.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Record {
     /// The number of the member, from 0.
@@ -182,7 +182,7 @@ impl Rows {
             varied,
             loops: point.loops(),
             n,
-            branch: 0,
+            curve: 0,
             found_by,
             secondary,
             primary,
@@ -252,7 +252,7 @@ impl Rows {
                 varied,
                 loops,
                 n,
-                branch: 0,
+                curve: 0,
                 arc: 0,
                 secondary,
                 primary,
@@ -276,8 +276,8 @@ impl Rows {
             let zero = at.zero?;
             let [primary, secondary] = self.units.parameters(parameters(at));
             let varied = varied(at.way);
-            let (quantity, meaning, branch) = (zero.to_string(), meaning(zero), 0);
-            Some(Degenerate { varied, loops, n, branch, quantity, meaning, secondary, primary })
+            let (quantity, meaning, curve) = (zero.to_string(), meaning(zero), 0);
+            Some(Degenerate { varied, loops, n, curve, quantity, meaning, secondary, primary })
         });
         let to = match (&arc.end, arc.points.last()) {
             (ArcEnd::Across, Some(last)) => {

@@ -162,7 +162,7 @@ row! { CheckedHypothesis, |row| {} [
     RESONANCE_INDEX = row.n,
     SECONDARY = row.parameters[1],
     PRIMARY = row.parameters[0],
-    RESONANT_THEOREM = if row.loops == 1 { "2.4" } else { "2.5" },
+    THEOREM = if row.loops == 1 { "2.4" } else { "2.5" },
     HYPOTHESIS = row.hypothesis.statement().to_string(),
     HYPOTHESIS_VALUE = row.hypothesis.value,
     HOLDS = row.holds,
