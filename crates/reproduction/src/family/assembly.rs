@@ -22,11 +22,11 @@ pub fn assemble(plan: &Plan, description: &Description, mut records: Vec<Option<
     });
     let joins = joins(plan, widths, &mut records);
     let starts = starts(&records);
-    let mut joins = Joins::new(&records);
+    let mut joined = Joined::new(&records);
     for [a, b] in joins {
-        joins.join(starts[a.0] + a.1, starts[b.0] + b.1);
+        joined.join(starts[a.0] + a.1, starts[b.0] + b.1);
     }
-    let numbers = joins.numbers();
+    let numbers = joined.numbers();
     let incomplete = records.iter().flatten().filter(|record| record.incomplete).count() as u32;
     let (mut members, mut resonances, mut points) = (Vec::new(), Vec::new(), Vec::new());
     let (mut curves, mut degenerate, mut arc) = (Vec::new(), Vec::new(), 0);
@@ -100,9 +100,9 @@ fn starts(records: &[Option<Record>]) -> Vec<usize> {
 }
 
 /// Resonances that are joined: each leads to an earlier one of its curve, or to itself.
-struct Joins(Vec<usize>);
+struct Joined(Vec<usize>);
 
-impl Joins {
+impl Joined {
     fn new(records: &[Option<Record>]) -> Self {
         Self((0..records.iter().flatten().map(|record| record.resonances.len()).sum()).collect())
     }
