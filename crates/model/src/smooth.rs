@@ -18,11 +18,11 @@
 //! order along with the solution.
 //!
 //! **What is proved and what is not.** The bounds of
-//! [`Motion::enclose`](crate::motion::Motion::enclose) hold for the exact solution through the
-//! computed nodes, by Picard's criterion: a box that the integral operator maps into itself holds
-//! the solution. Rounding is ignored in intervals (they are not rounded outwards), and so is the
-//! error of the nodes, which is controlled and not proved: about 10⁻¹³ over a period for forces
-//! that vary on scales of order one. Below such errors an event that is only just one can be
+//! [`BoundedMotion::enclose`](crate::motion::BoundedMotion::enclose) hold for the exact solution
+//! through the computed nodes, by Picard's criterion: a box that the integral operator maps into
+//! itself holds the solution. Rounding is ignored in intervals (they are not rounded outwards), and
+//! so is the error of the nodes, which is controlled and not proved: about 10⁻¹³ over a period for
+//! forces that vary on scales of order one. Below such errors an event that is only just one can be
 //! missed. Of rough motion nothing is proved: its bounds are those of the polynomials on its steps.
 //!
 //! A solution that ceases to exist is NaN from there on, and no event is found beyond.
