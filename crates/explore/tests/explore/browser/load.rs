@@ -6,8 +6,8 @@ use std::time::Duration;
 use super::Running;
 use super::crowd::{assert_right, drag_all, open, window};
 
-/// Two of each kind: by pointer and by keys, either constant.
-const PAGES: usize = 8;
+/// One of each kind: by pointer and by keys, either constant.
+const PAGES: usize = 4;
 
 #[test]
 fn pages_that_drag_at_once_see_what_unfold_computes() {
