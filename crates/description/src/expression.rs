@@ -123,21 +123,11 @@ enum Operation<P> {
 }
 
 impl<P: Copy> Operation<P> {
-    /// The operands from left to right; both slots hold the same one where there is only one.
-    fn operands(&self) -> Option<(P, P)> {
-        match *self {
-            Operation::Constant(_) => None,
-            Operation::Add(a, b)
-            | Operation::Subtract(a, b)
-            | Operation::Multiply(a, b)
-            | Operation::Divide(a, b) => Some((a, b)),
-            Operation::Shift(a, _)
-            | Operation::Negate(a)
-            | Operation::Scale(a, _)
-            | Operation::Square(a)
-            | Operation::Power(a, _)
-            | Operation::Apply(_, a) => Some((a, a)),
-        }
+    /// The operands from left to right.
+    fn operands(&self) -> Vec<P> {
+        let mut operands = Vec::new();
+        self.on(|operand| operands.push(operand));
+        operands
     }
 
     /// The same operation on other operands.

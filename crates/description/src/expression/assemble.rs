@@ -17,7 +17,7 @@ impl Plan {
     fn operands(&self) -> Vec<usize> {
         match self {
             Plan::Nothing => Vec::new(),
-            Plan::Plain(operation) => operation.operands().map_or(Vec::new(), |(a, b)| vec![a, b]),
+            Plan::Plain(operation) => operation.operands(),
             Plan::Sum(terms, _) => terms.iter().map(|(_, operand)| *operand).collect(),
         }
     }
@@ -60,9 +60,7 @@ impl Tape {
         let mut needed = vec![whole.result];
         for instruction in instructions {
             match *instruction {
-                Instruction::Plain(operation) => {
-                    needed.extend(operation.operands().into_iter().flat_map(|(a, b)| [a, b]));
-                }
+                Instruction::Plain(operation) => needed.extend(operation.operands()),
                 Instruction::Sum { start, end, .. } => {
                     needed.extend(whole.terms[start..end].iter().map(|(_, slot)| slot));
                 }
@@ -112,18 +110,8 @@ impl Code {
 fn plans(nodes: &[Node]) -> Vec<Plan> {
     let mut uses = vec![0_u32; nodes.len()];
     for node in nodes {
-        if let Node::Operation(operation) = node
-            && let Some((a, b)) = operation.operands()
-        {
-            uses[a] += 1;
-            let two = matches!(
-                operation,
-                Operation::Add(..)
-                    | Operation::Subtract(..)
-                    | Operation::Multiply(..)
-                    | Operation::Divide(..)
-            );
-            uses[b] += u32::from(two);
+        if let Node::Operation(operation) = node {
+            operation.operands().into_iter().for_each(|operand| uses[operand] += 1);
         }
     }
     let parts = Parts { nodes, uses };

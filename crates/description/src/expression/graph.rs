@@ -16,37 +16,12 @@ pub(super) enum Node {
     Operation(Operation<usize>),
 }
 
-/// A node as numbers, so that equal nodes are found at once: what it is, and its operands or the
-/// bits of its constant.
-type Key = (u8, u64, u64);
-
-impl Node {
-    fn key(&self) -> Key {
-        let place = |place: usize| place as u64;
-        match *self {
-            Node::Variable(number) => (0, place(number), 0),
-            Node::Operation(operation) => match operation {
-                Operation::Constant(value) => (1, value.to_bits(), 0),
-                Operation::Add(a, b) => (2, place(a), place(b)),
-                Operation::Shift(a, value) => (3, place(a), value.to_bits()),
-                Operation::Subtract(a, b) => (4, place(a), place(b)),
-                Operation::Negate(a) => (5, place(a), 0),
-                Operation::Multiply(a, b) => (6, place(a), place(b)),
-                Operation::Scale(a, value) => (7, place(a), value.to_bits()),
-                Operation::Divide(a, b) => (8, place(a), place(b)),
-                Operation::Square(a) => (9, place(a), 0),
-                Operation::Power(a, exponent) => (10, place(a), u64::from(exponent.cast_unsigned())),
-                Operation::Apply(function, a) => (11, place(a), function as u64),
-            },
-        }
-    }
-}
-
 /// All nodes made so far, none twice.
 #[derive(Default)]
 pub(super) struct Graph {
     nodes: RefCell<Vec<Node>>,
-    numbers: RefCell<HashMap<Key, usize>>,
+    /// The number of each by how it is printed, which differs wherever nodes do.
+    numbers: RefCell<HashMap<String, usize>>,
 }
 
 impl Graph {
@@ -62,7 +37,7 @@ impl Graph {
 
     fn term(&self, node: Node) -> Term<'_> {
         let mut nodes = self.nodes.borrow_mut();
-        let index = *self.numbers.borrow_mut().entry(node.key()).or_insert_with(|| {
+        let index = *self.numbers.borrow_mut().entry(format!("{node:?}")).or_insert_with(|| {
             nodes.push(node);
             nodes.len() - 1
         });
@@ -93,22 +68,18 @@ impl Graph {
             if numbers[index].is_some() {
                 continue;
             }
-            let node = nodes[index];
-            let operands = match node {
-                Node::Variable(_) => None,
-                Node::Operation(operation) => operation.operands(),
+            let Node::Operation(operation) = nodes[index] else {
+                numbers[index] = Some(parts.len());
+                parts.push(nodes[index]);
+                continue;
             };
-            match operands {
-                Some((a, b)) if !ready => waiting.extend([(index, true), (b, false), (a, false)]),
-                _ => {
-                    numbers[index] = Some(parts.len());
-                    parts.push(match node {
-                        Node::Variable(number) => Node::Variable(number),
-                        Node::Operation(operation) => Node::Operation(
-                            operation.on(|operand| numbers[operand].expect("operands come first")),
-                        ),
-                    });
-                }
+            if ready {
+                numbers[index] = Some(parts.len());
+                let operation = operation.on(|operand| numbers[operand].expect("operands come first"));
+                parts.push(Node::Operation(operation));
+            } else {
+                waiting.push((index, true));
+                waiting.extend(operation.operands().into_iter().rev().map(|operand| (operand, false)));
             }
         }
         parts
