@@ -91,6 +91,15 @@ pub(crate) struct Figure {
     pub(crate) only: Option<(Column, Vec<u32>)>,
 }
 
+impl Figure {
+    /// A figure of what is computed from the file `of`, which shows all rows of its tables.
+    pub(crate) fn new(of: &Path, file: String, title: String, sheet: Sheet, tables: &[&'static str]) -> Self {
+        let label = Caption::label("fig", of, file.trim_end_matches(".svg"));
+        let caption = Caption { title, label, remark: String::new() };
+        Self { file, sheet, caption, tables: tables.to_vec(), only: None }
+    }
+}
+
 impl<Source> Output<Source> {
     /// An output that needs no parameters.
     const fn new(
@@ -158,6 +167,11 @@ impl<Source> Output<Source> {
 }
 
 impl ComputedOutput {
+    /// Figures and tables alone.
+    pub(crate) fn new(figures: Vec<Figure>, tables: Vec<Table>) -> Self {
+        Self { figures, tables, ..Self::default() }
+    }
+
     /// Several outputs as one.
     pub(crate) fn joined(outputs: impl IntoIterator<Item = Self>) -> Self {
         let mut all = Self::default();

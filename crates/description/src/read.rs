@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use grazing_source::{Setting, Source, Text};
+use grazing_source::{Source, Text};
 
 use crate::description::{Content, Description};
 use crate::error::DescriptionError;
@@ -17,16 +17,7 @@ impl Description {
     /// # Errors
     /// [`DescriptionError`], the first thing in the file that is not right, with its line.
     pub fn from_file(path: &Path) -> Result<Description, DescriptionError> {
-        Description::from_file_with(path, &[])
-    }
-
-    /// As [`from_file`](Self::from_file), with settings that take the place of values in the file.
-    ///
-    /// # Errors
-    /// As [`parse_with`](Self::parse_with), or the file cannot be read.
-    pub fn from_file_with(path: &Path, settings: &[Setting]) -> Result<Description, DescriptionError> {
-        let text = grazing_source::read_file(path)?;
-        Description::parse_with(&Text::new(&text, settings), &path.display().to_string())
+        Description::parse(&grazing_source::read_file(path)?, &path.display().to_string())
     }
 
     /// Checks the text of a description; `file` is the name that messages use.

@@ -150,12 +150,9 @@ pub(super) fn joined(paths: &[PathBuf]) -> Result<PartFile, Failure> {
         found.push((path, part));
     }
     found.sort_by_key(|(_, part)| part.part);
-    let parts: Vec<PartFile> = found.into_iter().map(|(_, part)| part).collect();
-    let Some(count) = parts.first().map(|part| part.parts) else {
-        return Err(Failure::input("no part is named"));
-    };
+    let count = found.first().map_or(0, |(_, part)| part.parts);
     let missing: Vec<String> = (1..=count)
-        .filter(|number| parts.iter().all(|part| part.part != *number))
+        .filter(|number| found.iter().all(|(_, part)| part.part != *number))
         .map(|number| number.to_string())
         .collect();
     if !missing.is_empty() {
@@ -166,7 +163,7 @@ pub(super) fn joined(paths: &[PathBuf]) -> Result<PartFile, Failure> {
             missing.len()
         )));
     }
-    let joined = parts.into_iter().reduce(|mut joined, mut next| {
+    let joined = found.into_iter().map(|(_, part)| part).reduce(|mut joined, mut next| {
         joined.records.append(&mut next.records);
         joined
     });
