@@ -175,7 +175,7 @@ fn finish(
         names: names(plan, description),
         family: assemble(plan, description, records),
     };
-    let (mut files, floats) = FAMILY.compute(&of, task.edition.columns)?.files(task.edition)?;
+    let (_, mut files, floats) = FAMILY.made(&of, task.edition)?;
     files.extend(task.edition.has(Format::Tex).then(|| latex::snippet(&floats)));
     files.push(data_page::of_an_oscillator(FAMILY.tables.iter().copied(), &of.names));
     let written = folder::written(task.folder, &files)?;

@@ -25,7 +25,7 @@ use grazing_results::{Cell, Column, Table, TablePlan};
 
 use crate::failure::{Failure, computation};
 use crate::folder::OutputFile;
-use crate::tables;
+use crate::{tables, terminal};
 use edition::{Edition, Format};
 use latex::{Caption, Float};
 
@@ -78,6 +78,9 @@ pub(crate) struct ComputedOutput {
     /// The tables that a document prints.
     printed: Vec<(PrintedTable, Caption)>,
 }
+
+/// A computed output with its files, and what a document in LaTeX includes.
+type MadeOutput = (ComputedOutput, Vec<OutputFile>, Vec<Float>);
 
 /// A figure of an output.
 pub(crate) struct Figure {
@@ -150,6 +153,17 @@ impl<Source> Output<Source> {
         }
         computed.gaps.iter_mut().for_each(|gap| gap.push_str(&self.remedy()));
         Ok(computed)
+    }
+
+    /// Computes the output, with its files in an edition and what a document in LaTeX includes.
+    ///
+    /// # Errors
+    /// As [`compute`](Self::compute) and [`ComputedOutput::files`].
+    pub(crate) fn made(&self, source: &Source, edition: &Edition) -> Result<MadeOutput, Failure> {
+        let computed = self.compute(source, edition.columns)?;
+        let (files, floats) = computed.files(edition)?;
+        computed.notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", self.name)));
+        Ok((computed, files, floats))
     }
 
     fn remedy(&self) -> String {

@@ -38,7 +38,7 @@ use grazing_model::smooth::{Function, Scalar};
 use thiserror::Error;
 
 pub(crate) use function::{is_function, variable};
-pub(crate) use parse::from_the_wall;
+pub(crate) use parse::{expression as parse_with_uses, from_the_wall};
 
 /// The most results of instructions that an evaluation keeps on the stack; an expression with more
 /// of them allocates.
@@ -195,17 +195,6 @@ impl Expression {
         constants: &[(&str, f64)],
     ) -> Result<Expression, ExpressionError> {
         parse::expression(text, variables, variables.len(), constants).map(|(expression, _)| expression)
-    }
-
-    /// As [`Expression::parse`], with the numbers of the variables that the text names; the first
-    /// so many `moving` ones are those that [`Expression::hold`] leaves free.
-    pub(crate) fn parse_with_uses(
-        text: &str,
-        variables: &[&str],
-        moving: usize,
-        constants: &[(&str, f64)],
-    ) -> Result<(Expression, Vec<usize>), ExpressionError> {
-        parse::expression(text, variables, moving, constants)
     }
 
     /// The names of the variables, in the order of their values.

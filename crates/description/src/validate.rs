@@ -8,7 +8,7 @@ use crate::description::{
     Axis, Content, Description, Expressions, Formulas, Limits, OneParameter, Side, Wall,
 };
 use crate::error::{DescriptionError, KeyPlace};
-use crate::expression::{Expression, ExpressionError, from_the_wall};
+use crate::expression::{Expression, ExpressionError, from_the_wall, parse_with_uses};
 use crate::file::{File, WrittenAxis, WrittenDiagram, WrittenWall};
 use crate::names;
 
@@ -37,7 +37,7 @@ impl<'a> Known<'a> {
     /// The expression, and the numbers of the variables in it, the last two of which are the
     /// parameters.
     fn parse(&self, text: &str, (_, own, moving): Kind) -> Result<(Expression, Vec<usize>), ExpressionError> {
-        Expression::parse_with_uses(text, &[own, &self.0].concat(), moving, &self.1)
+        parse_with_uses(text, &[own, &self.0].concat(), moving, &self.1)
     }
 }
 

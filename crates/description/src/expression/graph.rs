@@ -125,18 +125,13 @@ impl Term<'_> {
     }
 
     fn scaled(self, factor: f64) -> Result<Self, ErrorKind> {
-        let Term::Node(graph, a) = self else {
-            return self.multiply(Term::Number(factor));
-        };
-        Ok(if factor == 0.0 {
-            Term::Number(0.0)
-        } else if factor == 1.0 {
-            self
-        } else if factor == -1.0 {
-            return self.negate();
-        } else {
-            graph.operation(Operation::Scale(a, factor))
-        })
+        match (self, factor) {
+            (Term::Number(_), _) => self.multiply(Term::Number(factor)),
+            (_, 0.0) => Ok(Term::Number(0.0)),
+            (_, 1.0) => Ok(self),
+            (_, -1.0) => self.negate(),
+            (Term::Node(graph, a), _) => Ok(graph.operation(Operation::Scale(a, factor))),
+        }
     }
 
     fn shifted(self, value: f64) -> Self {
@@ -155,20 +150,17 @@ impl Term<'_> {
         let Term::Node(graph, a) = self else {
             return self.power(Term::Number(exponent));
         };
-        // Beyond it, no power of a double is of use.
-        let whole = exponent == exponent.trunc() && exponent.abs() <= 1024.0;
-        Ok(if whole {
-            match exponent as i32 {
-                0 => Term::Number(1.0),
-                1 => self,
-                2 => graph.operation(Operation::Square(a)),
-                exponent => graph.operation(Operation::Power(a, exponent)),
+        match exponent {
+            0.0 => Ok(Term::Number(1.0)),
+            0.5 => self.apply(Function::Sqrt),
+            1.0 => Ok(self),
+            2.0 => Ok(graph.operation(Operation::Square(a))),
+            // Beyond it, no power of a double is of use.
+            whole if whole == whole.trunc() && whole.abs() <= 1024.0 => {
+                Ok(graph.operation(Operation::Power(a, whole as i32)))
             }
-        } else if exponent == 0.5 {
-            return self.apply(Function::Sqrt);
-        } else {
-            return self.real_power(Term::Number(exponent));
-        })
+            _ => self.real_power(Term::Number(exponent)),
+        }
     }
 }
 
