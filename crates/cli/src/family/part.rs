@@ -90,30 +90,24 @@ impl PartFile {
     }
 
     fn read(path: &Path) -> Result<Self, Failure> {
-        let shown = path.display();
-        let text = fs::read_to_string(path)
-            .map_err(|reason| Failure::input(format!("{shown}: cannot be read: {reason}")))?;
+        let refuse = |reason: String| Failure::input(format!("{}: {reason}", path.display()));
+        let text = fs::read_to_string(path).map_err(|reason| refuse(format!("cannot be read: {reason}")))?;
         let found: Self = toml::from_str(&text).map_err(|reason| {
-            Failure::input(format!(
-                "{shown}: is no part of a family as `unfold --part` writes them: {}",
-                reason.message()
-            ))
+            let reason = reason.message();
+            refuse(format!("is no part of a family as `unfold --part` writes them: {reason}"))
         })?;
+        let Self { version, part, parts, .. } = &found;
         let own = env!("CARGO_PKG_VERSION");
-        if found.version != own {
-            return Err(Failure::input(format!(
-                "{shown}: was made by version {} of the program, and this is {own}: compute all parts with one version",
-                found.version
+        if version != own {
+            return Err(refuse(format!(
+                "was made by version {version} of the program, and this is {own}: compute all parts with one version"
             )));
         }
-        let expected = match (1..=found.parts).contains(&found.part) {
-            true => found.plan.part(found.part, found.parts),
-            false => 0..0,
-        };
+        let is_one = (1..=*parts).contains(part);
+        let expected = if is_one { found.plan.part(*part, *parts) } else { 0..0 };
         if !found.records.iter().map(|record| record.index).eq(expected) {
-            return Err(Failure::input(format!(
-                "{shown}: its members are not those of part {} of {}: compute it again with --part {}/{}",
-                found.part, found.parts, found.part, found.parts
+            return Err(refuse(format!(
+                "its members are not those of part {part} of {parts}: compute it again with --part {part}/{parts}"
             )));
         }
         Ok(found)
@@ -129,8 +123,7 @@ pub(super) fn joined(paths: &[PathBuf]) -> Result<PartFile, Failure> {
     for path in paths {
         let part = PartFile::read(path)?;
         if let Some((first, other)) = found.first() {
-            let same = (&part.origin, &part.plan, part.parts) == (&other.origin, &other.plan, other.parts);
-            if !same {
+            if (&part.origin, &part.plan, part.parts) != (&other.origin, &other.plan, other.parts) {
                 return Err(Failure::input(format!(
                     "{}: is a part of another family than {}: oscillator, settings, constants and number of parts must be the same",
                     path.display(),
