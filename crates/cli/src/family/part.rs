@@ -122,14 +122,14 @@ pub(super) fn joined(paths: &[PathBuf]) -> Result<PartFile, Failure> {
     let mut found: Vec<(&PathBuf, PartFile)> = Vec::new();
     for path in paths {
         let part = PartFile::read(path)?;
-        if let Some((first, other)) = found.first() {
-            if (&part.origin, &part.plan, part.parts) != (&other.origin, &other.plan, other.parts) {
-                return Err(Failure::input(format!(
-                    "{}: is a part of another family than {}: oscillator, settings, constants and number of parts must be the same",
-                    path.display(),
-                    first.display()
-                )));
-            }
+        if let Some((first, other)) = found.first()
+            && (&part.origin, &part.plan, part.parts) != (&other.origin, &other.plan, other.parts)
+        {
+            return Err(Failure::input(format!(
+                "{}: is a part of another family than {}: oscillator, settings, constants and number of parts must be the same",
+                path.display(),
+                first.display()
+            )));
         }
         if let Some((other, _)) = found.iter().find(|(_, other)| other.part == part.part) {
             return Err(Failure::input(format!(
