@@ -102,7 +102,7 @@ fn exported(model: &Model, view: &View, what: &str, columns: &str, stop: &Stop) 
         Some(_) => of_a_text(model, view, &edition, stop)?,
     };
     let wanted = |file: &OutputFile| match (format, what.strip_prefix("csv:")) {
-        (Some((format, _)), _) => file.path.extension().is_some_and(|found| found == format.name()),
+        (Some((format, _)), _) => file.path.extension().is_some_and(|found| found == format.name().as_str()),
         (None, Some(table)) => file.path == tables::path(table),
         (None, None) => false,
     };

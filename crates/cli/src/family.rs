@@ -16,12 +16,13 @@ use grazing_source::{nearest, suggestion};
 use crate::arguments;
 use crate::failure::Failure;
 use crate::folder::{self, summary};
-use crate::limits::{self, EndCause, Watch};
+use crate::limits::{self, Watch};
 use crate::outputs::edition::{Edition, Format};
 use crate::outputs::family::{FAMILY, NamedFamily};
 use crate::outputs::latex;
 use crate::progress::Display;
-use crate::unfold::{analysis, reason};
+use crate::unfold::analysis::ended;
+use crate::unfold::reason;
 use crate::variation::{MOST_MEMBERS, Part, Variation};
 use crate::{data_page, terminal};
 use part::{Origin, PartFile};
@@ -79,13 +80,6 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
             }
             Ok(())
         }
-    }
-}
-
-fn ended(file: &Path, cause: Option<EndCause>, outcome: &str) -> Failure {
-    match cause {
-        Some(cause) => analysis::ended(file, cause, outcome),
-        None => Failure::incomplete(format!("{}: {outcome}", file.display())),
     }
 }
 
@@ -181,7 +175,7 @@ fn finish(
         names: names(plan, description),
         family: assemble(plan, description, records),
     };
-    let (mut files, floats) = FAMILY.compute(&of, task.edition.columns)?.files(task.edition)?;
+    let (_, mut files, floats) = FAMILY.made(&of, task.edition)?;
     files.extend(task.edition.has(Format::Tex).then(|| latex::snippet(&floats)));
     files.push(data_page::of_an_oscillator(FAMILY.tables.iter().copied(), &of.names));
     let written = folder::written(task.folder, &files)?;

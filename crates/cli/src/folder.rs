@@ -108,6 +108,11 @@ pub(crate) fn written(folder: &Path, files: &[OutputFile]) -> Result<Vec<(String
     Ok(names.zip(write(folder, files)?).collect())
 }
 
+/// Removes a file if it is there.
+pub(crate) fn remove(path: &Path) -> Result<(), Failure> {
+    if path.is_file() { fs::remove_file(path).map_err(|reason| Failure::file(path, &reason)) } else { Ok(()) }
+}
+
 /// A line for each file, and one that counts.
 pub(crate) fn summary(changes: &[(String, Change)]) -> String {
     let width = changes.iter().map(|(name, _)| name.len()).max().unwrap_or(0);

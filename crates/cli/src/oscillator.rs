@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use grazing_description::{Description, DescriptionError};
-use grazing_source::Setting;
+use grazing_source::{Setting, Text};
 
 use crate::failure::Failure;
 
@@ -21,9 +21,10 @@ impl OscillatorFile {
     /// # Errors
     /// It cannot be read, or something in it is not right.
     pub(crate) fn read(file: &Path, settings: &[Setting]) -> Result<Self, Failure> {
-        let description = Description::from_file_with(file, settings)?;
-        let text = noted(&grazing_source::read_file(file).map_err(DescriptionError::from)?, settings);
-        Ok(Self { file: file.to_owned(), text, description })
+        let text = grazing_source::read_file(file).map_err(DescriptionError::from)?;
+        let named = file.display().to_string();
+        let description = Description::parse_with(&Text::new(&text, settings), &named)?;
+        Ok(Self { file: file.to_owned(), text: noted(&text, settings), description })
     }
 }
 

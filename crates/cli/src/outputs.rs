@@ -25,7 +25,7 @@ use grazing_results::{Cell, Column, Table, TablePlan};
 
 use crate::failure::{Failure, computation};
 use crate::folder::OutputFile;
-use crate::tables;
+use crate::{tables, terminal};
 use edition::{Edition, Format};
 use latex::{Caption, Float};
 
@@ -79,6 +79,9 @@ pub(crate) struct ComputedOutput {
     printed: Vec<(PrintedTable, Caption)>,
 }
 
+/// A computed output with its files, and what a document in LaTeX includes.
+type MadeOutput = (ComputedOutput, Vec<OutputFile>, Vec<Float>);
+
 /// A figure of an output.
 pub(crate) struct Figure {
     /// The file of its SVG.
@@ -89,6 +92,15 @@ pub(crate) struct Figure {
     pub(crate) tables: Vec<&'static str>,
     /// or of these the rows with certain numbers in a column.
     pub(crate) only: Option<(Column, Vec<u32>)>,
+}
+
+impl Figure {
+    /// A figure of what is computed from the file `of`, which shows all rows of its tables.
+    pub(crate) fn new(of: &Path, file: String, title: String, sheet: Sheet, tables: &[&'static str]) -> Self {
+        let label = Caption::label("fig", of, file.trim_end_matches(".svg"));
+        let caption = Caption { title, label, remark: String::new() };
+        Self { file, sheet, caption, tables: tables.to_vec(), only: None }
+    }
 }
 
 impl<Source> Output<Source> {
@@ -143,6 +155,17 @@ impl<Source> Output<Source> {
         Ok(computed)
     }
 
+    /// Computes the output, with its files in an edition and what a document in LaTeX includes.
+    ///
+    /// # Errors
+    /// As [`compute`](Self::compute) and [`ComputedOutput::files`].
+    pub(crate) fn made(&self, source: &Source, edition: &Edition) -> Result<MadeOutput, Failure> {
+        let computed = self.compute(source, edition.columns)?;
+        let (files, floats) = computed.files(edition)?;
+        computed.notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", self.name)));
+        Ok((computed, files, floats))
+    }
+
     fn remedy(&self) -> String {
         if self.keys.is_empty() { String::new() } else { format!("; change {}", self.keys) }
     }
@@ -158,6 +181,11 @@ impl<Source> Output<Source> {
 }
 
 impl ComputedOutput {
+    /// Figures and tables alone.
+    pub(crate) fn new(figures: Vec<Figure>, tables: Vec<Table>) -> Self {
+        Self { figures, tables, ..Self::default() }
+    }
+
     /// Several outputs as one.
     pub(crate) fn joined(outputs: impl IntoIterator<Item = Self>) -> Self {
         let mut all = Self::default();

@@ -66,9 +66,8 @@ pub(crate) fn output_folder(
         };
         return Ok(root_folder()?.join(folder));
     };
-    let same = |default: &PathBuf| match (default.canonicalize(), named.canonicalize()) {
-        (Ok(default), Ok(named)) => default == named,
-        _ => false,
+    let same = |default: &PathBuf| {
+        default.canonicalize().is_ok_and(|default| named.canonicalize().is_ok_and(|named| named == default))
     };
     match root().map(|root| root.join(FIGURES)).filter(same) {
         Some(default) if !edition.is_default() => Err(Failure::input(format!(

@@ -8,7 +8,6 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use grazing_claims::ledger::Ledger;
-use grazing_drawing::SheetWidth;
 use grazing_report::{Counts, FileDigest, Manifest, TableOutput, page};
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
@@ -91,16 +90,13 @@ fn assemble<'a>(
     let study = Study::new(parameters).with_progress(display.clone());
     let (mut figures, mut tables, mut digests) = (Vec::new(), Vec::new(), Vec::new());
     for output in paper::ALL {
-        let computed = output.compute(&study, SheetWidth::Paper);
-        let (files, computed) =
-            match computed.and_then(|computed| Ok((computed.files(&Edition::default())?.0, computed))) {
-                Ok(computed) => computed,
-                Err(failure) => {
-                    missing.push(format!("{}: {}", output.name, failure.reason));
-                    continue;
-                }
-            };
-        computed.notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
+        let (computed, files, _) = match output.made(&study, &Edition::default()) {
+            Ok(made) => made,
+            Err(failure) => {
+                missing.push(format!("{}: {}", output.name, failure.reason));
+                continue;
+            }
+        };
         missing.extend(computed.gaps.iter().map(|gap| format!("{}: it is shown, but {gap}", output.name)));
         digests
             .extend(files.iter().map(|file| FileDigest::of(file.path.display().to_string(), &file.content)));

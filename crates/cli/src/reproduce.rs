@@ -113,13 +113,8 @@ impl<'a> Outcome<'a> {
     fn of(study: &Study, chosen: &[&'a Output<Study>], edition: &Edition) -> Result<Self, Failure> {
         let mut all = Self::default();
         for output in chosen {
-            let computed = output.compute(study, edition.columns);
-            match computed.and_then(|computed| Ok((computed.files(edition)?, computed))) {
-                Ok(((files, floats), computed)) => {
-                    computed
-                        .notes
-                        .iter()
-                        .for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
+            match output.made(study, edition) {
+                Ok((computed, files, floats)) => {
                     all.files.extend(files);
                     all.floats.extend(floats);
                     for gap in computed.gaps {

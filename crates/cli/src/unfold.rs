@@ -9,7 +9,6 @@ pub(crate) mod numbers;
 pub(crate) mod page;
 pub(crate) mod reason;
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -132,7 +131,7 @@ impl Task {
         }
         terminal::say(&format!("\n{}", summary(&written)));
         terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
-        if let Some(met) = met {
+        if met.is_some() {
             let outcome = "what was not finished is named above; everything else is written";
             return Err(ended(file, met, outcome));
         }
@@ -169,10 +168,7 @@ impl Task {
             oscillator::possible_files().flat_map(|file| edition.figure_paths(&file).collect::<Vec<_>>());
         let tables = OneParameter::TABLES.iter().map(|table| tables::path(table.name));
         for path in sheets.chain(tables).filter(|path| written.iter().all(|file| file.path != *path)) {
-            let path = self.folder.join(path);
-            if path.is_file() {
-                fs::remove_file(&path).map_err(|reason| Failure::file(&path, &reason))?;
-            }
+            folder::remove(&self.folder.join(path))?;
         }
         Ok(())
     }

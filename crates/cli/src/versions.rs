@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use grazing_report::Manifest;
-use toml::{Table, Value};
+use serde::Deserialize;
+use toml::Table;
 
 const LOCK: &str = include_str!("../../../Cargo.lock");
 const TOOLCHAIN: &str = include_str!("../../../rust-toolchain.toml");
@@ -16,39 +17,43 @@ pub(crate) fn manifest() -> Manifest {
 
 /// The version of the compiler.
 fn rust() -> String {
-    let version = TOOLCHAIN
-        .parse::<Table>()
-        .ok()
-        .and_then(|file| Some(file.get("toolchain")?.get("channel")?.as_str()?.to_owned()));
-    version.unwrap_or_default()
+    let file: Table = TOOLCHAIN.parse().unwrap_or_default();
+    let version = file.get("toolchain").and_then(|toolchain| toolchain.get("channel")?.as_str());
+    version.unwrap_or_default().to_owned()
+}
+
+/// What is read of `Cargo.lock`.
+#[derive(Default, Deserialize)]
+struct Lock {
+    package: Vec<Package>,
+}
+
+#[derive(Deserialize)]
+struct Package {
+    name: String,
+    version: String,
+    /// A crate of the workspace has none.
+    source: Option<String>,
+    /// Names, with the version where there are several.
+    #[serde(default)]
+    dependencies: Vec<String>,
 }
 
 /// The libraries that the crates of the workspace use themselves, those of the tests included, with
 /// their versions.
 fn libraries() -> Vec<(String, String)> {
-    let lock: Table = LOCK.parse().unwrap_or_default();
-    let packages: Vec<&Value> = lock.get("package").and_then(Value::as_array).into_iter().flatten().collect();
-    let text = |package: &Value, key: &str| package.get(key).and_then(Value::as_str).map(str::to_owned);
-    let mut versions: BTreeMap<String, Vec<String>> = BTreeMap::new();
-    for package in packages.iter().filter(|package| package.get("source").is_some()) {
-        if let (Some(name), Some(version)) = (text(package, "name"), text(package, "version")) {
-            versions.entry(name).or_default().push(version);
-        }
-    }
-    let mut used = BTreeMap::new();
-    // What has no source is a crate of the workspace.
-    for package in packages.iter().filter(|package| package.get("source").is_none()) {
-        for dependency in package.get("dependencies").and_then(Value::as_array).into_iter().flatten() {
-            // The version is given only where there are several.
-            let mut words = dependency.as_str().unwrap_or_default().split(' ');
-            let name = words.next().unwrap_or_default();
-            let given = words.next().map(str::to_owned);
-            let known = versions.get(name).and_then(|versions| versions.first().cloned());
-            if let (true, Some(version)) = (versions.contains_key(name), given.or(known)) {
-                used.insert(name.to_owned(), version);
-            }
-        }
-    }
+    let lock: Lock = toml::from_str(LOCK).unwrap_or_default();
+    let (libraries, own): (Vec<_>, Vec<_>) =
+        lock.package.into_iter().partition(|package| package.source.is_some());
+    let library = |dependency: &String| {
+        let mut words = dependency.split(' ');
+        let (name, version) = (words.next()?, words.next());
+        let is_meant =
+            |known: &&Package| known.name == name && version.is_none_or(|given| known.version == given);
+        libraries.iter().find(is_meant).map(|found| (found.name.clone(), found.version.clone()))
+    };
+    let used: BTreeMap<_, _> =
+        own.iter().flat_map(|package| &package.dependencies).filter_map(library).collect();
     used.into_iter().collect()
 }
 

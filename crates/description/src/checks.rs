@@ -39,11 +39,10 @@ pub(crate) fn samples(
 ) -> Result<Vec<String>, DescriptionError> {
     let sampler = Sampler { description, places, units: description.units() };
     let parameters = sampler.parameters();
-    parameters.iter().try_for_each(|&parameters| sampler.frequency(parameters))?;
-    parameters.iter().try_for_each(|&parameters| sampler.wall(parameters))?;
-    parameters.iter().try_for_each(|&parameters| sampler.force(parameters))?;
-    parameters.iter().try_for_each(|&parameters| sampler.restitution(parameters))?;
-    parameters.iter().try_for_each(|&parameters| sampler.duration(parameters))?;
+    for check in [Sampler::frequency, Sampler::wall, Sampler::force, Sampler::restitution, Sampler::duration]
+    {
+        parameters.iter().try_for_each(|&parameters| check(&sampler, parameters))?;
+    }
     Ok(parameters.iter().find_map(|&parameters| sampler.lively(parameters)).into_iter().collect())
 }
 

@@ -6,6 +6,7 @@ use grazing_model::AnyOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated, Scalar, SmoothOscillator, Stop, Stoppable, Units};
 
 use crate::expression::Expression;
+use crate::file::{Analysis, File};
 
 /// An oscillator with a wall, as a file describes it; a clone shares everything with the original.
 ///
@@ -15,16 +16,11 @@ pub struct Description(pub(crate) Arc<Content>);
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Content {
-    pub(crate) name: String,
-    pub(crate) constants: Vec<(String, f64)>,
-    pub(crate) primary: Axis,
-    pub(crate) secondary: Axis,
-    pub(crate) unit_names: [Option<String>; 2],
+    /// The file as it is written, but for the constants, which are in the order of the alphabet.
+    pub(crate) file: File,
     pub(crate) formulas: Formulas,
     pub(crate) texts: Expressions<String>,
-    pub(crate) loops: Vec<u32>,
     pub(crate) start: Option<[f64; 2]>,
-    pub(crate) limits: Limits,
     pub(crate) diagrams: Vec<OneParameter>,
     pub(crate) notes: Vec<String>,
 }
@@ -195,27 +191,28 @@ impl Description {
 
     /// What the oscillator is called.
     pub fn name(&self) -> &str {
-        &self.0.name
+        &self.0.file.name
     }
 
     /// The constants with their values, in the order of the alphabet.
     pub fn constants(&self) -> impl Iterator<Item = (&str, f64)> {
-        self.0.constants.iter().map(|(name, value)| (name.as_str(), *value))
+        self.0.file.parameters.iter().map(|(name, value)| (name.as_str(), *value))
     }
 
     /// The primary parameter, μ of the trait's functions.
     pub fn primary(&self) -> &Axis {
-        &self.0.primary
+        &self.0.file.primary
     }
 
     /// The secondary parameter, η of the trait's functions.
     pub fn secondary(&self) -> &Axis {
-        &self.0.secondary
+        &self.0.file.secondary
     }
 
     /// The names of the units of length and time, as far as the file has them.
     pub fn unit_names(&self) -> [Option<&str>; 2] {
-        self.0.unit_names.each_ref().map(Option::as_deref)
+        let units = self.0.file.units.as_ref();
+        [units.and_then(|units| units.length.as_deref()), units.and_then(|units| units.time.as_deref())]
     }
 
     /// The wall.
@@ -248,7 +245,8 @@ impl Description {
 
     /// What the analysis may use; all are positive.
     pub fn limits(&self) -> Limits {
-        self.0.limits
+        let Analysis { time_limit: time, memory_limit: memory, step_limit: steps, .. } = self.0.file.analysis;
+        Limits { time, memory, steps }
     }
 
     /// Units in which the motion is of the order of one in the ranges.
@@ -259,7 +257,7 @@ impl Description {
     /// The numbers of loops p to analyse: at least one, each 1 or more, none twice, as ordered in
     /// the file.
     pub fn loops(&self) -> &[u32] {
-        &self.0.loops
+        &self.0.file.analysis.loops
     }
 
     /// The most one-parameter diagrams: more nobody looks at.

@@ -38,7 +38,7 @@ use grazing_model::smooth::{Function, Scalar};
 use thiserror::Error;
 
 pub(crate) use function::{is_function, variable};
-pub(crate) use parse::from_the_wall;
+pub(crate) use parse::{expression as parse_with_uses, from_the_wall};
 
 /// The most results of instructions that an evaluation keeps on the stack; an expression with more
 /// of them allocates.
@@ -123,21 +123,11 @@ enum Operation<P> {
 }
 
 impl<P: Copy> Operation<P> {
-    /// The operands from left to right; both slots hold the same one where there is only one.
-    fn operands(&self) -> Option<(P, P)> {
-        match *self {
-            Operation::Constant(_) => None,
-            Operation::Add(a, b)
-            | Operation::Subtract(a, b)
-            | Operation::Multiply(a, b)
-            | Operation::Divide(a, b) => Some((a, b)),
-            Operation::Shift(a, _)
-            | Operation::Negate(a)
-            | Operation::Scale(a, _)
-            | Operation::Square(a)
-            | Operation::Power(a, _)
-            | Operation::Apply(_, a) => Some((a, a)),
-        }
+    /// The operands from left to right.
+    fn operands(&self) -> Vec<P> {
+        let mut operands = Vec::new();
+        self.on(|operand| operands.push(operand));
+        operands
     }
 
     /// The same operation on other operands.
@@ -205,17 +195,6 @@ impl Expression {
         constants: &[(&str, f64)],
     ) -> Result<Expression, ExpressionError> {
         parse::expression(text, variables, variables.len(), constants).map(|(expression, _)| expression)
-    }
-
-    /// As [`Expression::parse`], with the numbers of the variables that the text names; the first
-    /// so many `moving` ones are those that [`Expression::hold`] leaves free.
-    pub(crate) fn parse_with_uses(
-        text: &str,
-        variables: &[&str],
-        moving: usize,
-        constants: &[(&str, f64)],
-    ) -> Result<(Expression, Vec<usize>), ExpressionError> {
-        parse::expression(text, variables, moving, constants)
     }
 
     /// The names of the variables, in the order of their values.

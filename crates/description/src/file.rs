@@ -7,7 +7,7 @@ use grazing_source::kind::{
 };
 use grazing_source::{Keys, Requirements, Section, SourceError, keys};
 
-use crate::description::{Description, Limits, Side};
+use crate::description::{Axis, Description, Limits, Side};
 
 /// The largest number of loops: higher ones do not relate to resonant grazing, and their curves are
 /// not told apart.
@@ -27,16 +27,16 @@ keys! {
     /// A description as it is written.
     pub(crate) struct File {
         /// What the oscillator is called.
-        name: String = value().such(|name: &String| !name.trim().is_empty()),
+        name: String = value().map(name),
             "the name of the oscillator must be given before the first table, as text in quotation marks that is not empty";
         /// Constants that the expressions use.
         parameters: Vec<(String, f64)> = any_names(number(..), "a constant must be a finite number"),
             "the table [parameters] holds constants by name, as zeta = 0.02; it may be empty";
         /// The primary parameter.
-        primary: WrittenAxis = table(),
+        primary: Axis = axis(),
             "the table [primary] holds name and range of the parameter whose grazing value is sought";
         /// The secondary parameter.
-        secondary: WrittenAxis = table(),
+        secondary: Axis = axis(),
             "the table [secondary] holds name and range of the parameter along the grazing curve";
         /// What the file counts in.
         units: Option<WrittenUnits> = maybe(table()),
@@ -158,6 +158,16 @@ keys! {
 
 const NAME: &str = "a name is made of the letters a to z and A to Z, digits and _, and does not begin with a digit, as \"omega\"";
 const UNIT: &str = "the name of a unit must be up to 20 Latin or Greek letters, digits, blanks or / ^ * - . ( ) %, in quotation marks, as \"rad/s\"; it may be left out and changes no number";
+
+/// The name of the oscillator without blanks about it.
+fn name(written: String, section: &Section<'_>, key: &str) -> Result<String, SourceError> {
+    let name = written.trim();
+    if name.is_empty() { Err(section.refusal(key)) } else { Ok(name.to_owned()) }
+}
+
+fn axis() -> Kind<Axis> {
+    table().map(|WrittenAxis { name, range, unit }, _, _| Ok(Axis { name, range, unit }))
+}
 
 fn limit(usual: f64) -> Kind<f64> {
     or(number(0.0..).such(|limit| *limit > 0.0), usual)

@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use grazing_source::{Setting, Source, Text};
+use grazing_source::{Source, Text};
 
-use crate::description::{Content, Description};
+use crate::description::Description;
 use crate::error::DescriptionError;
 use crate::expression::ExpressionError;
 use crate::file::{MOST_LOOPS, REQUIREMENTS};
@@ -17,16 +17,7 @@ impl Description {
     /// # Errors
     /// [`DescriptionError`], the first thing in the file that is not right, with its line.
     pub fn from_file(path: &Path) -> Result<Description, DescriptionError> {
-        Description::from_file_with(path, &[])
-    }
-
-    /// As [`from_file`](Self::from_file), with settings that take the place of values in the file.
-    ///
-    /// # Errors
-    /// As [`parse_with`](Self::parse_with), or the file cannot be read.
-    pub fn from_file_with(path: &Path, settings: &[Setting]) -> Result<Description, DescriptionError> {
-        let text = grazing_source::read_file(path)?;
-        Description::parse_with(&Text::new(&text, settings), &path.display().to_string())
+        Description::parse(&grazing_source::read_file(path)?, &path.display().to_string())
     }
 
     /// Checks the text of a description; `file` is the name that messages use.
@@ -58,11 +49,11 @@ impl Description {
     /// # Errors
     /// An expression has no value with it, as 1/kappa for kappa = 0.
     pub fn with_constant(&self, name: &str, value: f64) -> Result<Description, ExpressionError> {
-        let mut constants = self.0.constants.clone();
-        constants.iter_mut().filter(|(known, _)| known == name).for_each(|(_, old)| *old = value);
-        let Content { texts, primary, secondary, .. } = &*self.0;
-        let formulas = validate::formulas(texts, self.wall().side, [primary, secondary], &constants)?;
-        Ok(Description(Arc::new(Content { formulas, constants, ..(*self.0).clone() })))
+        let mut content = (*self.0).clone();
+        let constants = content.file.parameters.iter_mut();
+        constants.filter(|(known, _)| known == name).for_each(|(_, old)| *old = value);
+        content.formulas = validate::formulas(&content.texts, self.wall().side, &content.file)?;
+        Ok(Description(Arc::new(content)))
     }
 
     /// The same oscillator with other numbers of loops p to analyse.
@@ -76,7 +67,7 @@ impl Description {
             return Err(DescriptionError::Loops { loops: loops.to_vec() });
         }
         let mut content = (*self.0).clone();
-        content.loops = loops.to_vec();
+        content.file.analysis.loops = loops.to_vec();
         Ok(Description(Arc::new(content)))
     }
 }

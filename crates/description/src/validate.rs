@@ -4,12 +4,10 @@ use std::sync::Arc;
 
 use grazing_source::{Keys, Section, SourceError};
 
-use crate::description::{
-    Axis, Content, Description, Expressions, Formulas, Limits, OneParameter, Side, Wall,
-};
+use crate::description::{Axis, Content, Description, Expressions, Formulas, OneParameter, Side, Wall};
 use crate::error::{DescriptionError, KeyPlace};
-use crate::expression::{Expression, ExpressionError, from_the_wall};
-use crate::file::{File, WrittenAxis, WrittenDiagram, WrittenWall};
+use crate::expression::{Expression, ExpressionError, from_the_wall, parse_with_uses};
+use crate::file::{File, WrittenDiagram, WrittenWall};
 use crate::names;
 
 /// More constants than this nobody names; every name in an expression is looked for among them.
@@ -29,26 +27,25 @@ const DURATION: Kind = ("impact.duration", &["y", "z"], 2);
 struct Known<'a>([&'a str; 2], Vec<(&'a str, f64)>);
 
 impl<'a> Known<'a> {
-    fn new(axes: [&'a Axis; 2], constants: &'a [(String, f64)]) -> Self {
-        let constants = constants.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-        Self(axes.map(Axis::name), constants)
+    fn new(file: &'a File) -> Self {
+        let constants = file.parameters.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+        Self([&file.primary, &file.secondary].map(Axis::name), constants)
     }
 
     /// The expression, and the numbers of the variables in it, the last two of which are the
     /// parameters.
     fn parse(&self, text: &str, (_, own, moving): Kind) -> Result<(Expression, Vec<usize>), ExpressionError> {
-        Expression::parse_with_uses(text, &[own, &self.0].concat(), moving, &self.1)
+        parse_with_uses(text, &[own, &self.0].concat(), moving, &self.1)
     }
 }
 
-/// The formulas of an oscillator with these parameters and constants.
+/// The formulas of an oscillator with the parameters and constants of a file.
 pub(crate) fn formulas(
     texts: &Expressions<String>,
     side: Side,
-    axes: [&Axis; 2],
-    constants: &[(String, f64)],
+    file: &File,
 ) -> Result<Formulas, ExpressionError> {
-    let known = Known::new(axes, constants);
+    let known = Known::new(file);
     let parse = |text, kind| Ok(known.parse(text, kind)?.0);
     let names = ["x", "v", "t", known.0[0], known.0[1]];
     let [force, x, v] = from_the_wall(&texts.force, &texts.wall, side.sign(), &names, &known.1)?;
@@ -66,42 +63,38 @@ pub(crate) fn formulas(
 pub(crate) fn description(
     section: &Section<'_>,
 ) -> Result<(Description, Expressions<KeyPlace>), DescriptionError> {
-    let file = File::read(section)?;
+    let mut file = File::read(section)?;
     names::check(section, &file)?;
     check_number(section, &file)?;
-    let mut constants = file.parameters;
-    constants.sort_by(|(a, _), (b, _)| a.cmp(b));
-    let axis = |WrittenAxis { name, range, unit }| Axis { name, range, unit };
-    let [primary, secondary] = [file.primary, file.secondary].map(axis);
-    let known = Known::new([&primary, &secondary], &constants);
+    file.parameters.sort_by(|(a, _), (b, _)| a.cmp(b));
+    let axes = [&file.primary, &file.secondary];
+    let known = Known::new(&file);
     let mut used = [false; 2];
-    let mut checked = |text: String, kind: Kind| {
+    let mut checked = |text: &String, kind: Kind| {
         let (_, uses) = known
-            .parse(&text, kind)
-            .map_err(|error| DescriptionError::in_expression(section, kind.0, &text, &error))?;
+            .parse(text, kind)
+            .map_err(|error| DescriptionError::in_expression(section, kind.0, text, &error))?;
         for (used, place) in used.iter_mut().zip(kind.1.len()..) {
             *used |= uses.contains(&place);
         }
-        Ok::<_, DescriptionError>((text, KeyPlace::new(section, kind.0)))
+        Ok::<_, DescriptionError>((text.clone(), KeyPlace::new(section, kind.0)))
     };
-    let (side, wall) = match file.wall {
-        Some(WrittenWall { position, side }) => (side, checked(position, POSITION)?),
+    let (side, wall) = match &file.wall {
+        Some(WrittenWall { position, side }) => (*side, checked(position, POSITION)?),
         None => (Side::Below, ("0".to_owned(), KeyPlace::new(section, FORCE.0))),
     };
     let checked = Expressions {
         wall,
-        force: checked(file.motion.force, FORCE)?,
-        frequency: checked(file.motion.frequency, FREQUENCY)?,
-        restitution: checked(file.impact.restitution, RESTITUTION)?,
-        duration: checked(file.impact.duration, DURATION)?,
+        force: checked(&file.motion.force, FORCE)?,
+        frequency: checked(&file.motion.frequency, FREQUENCY)?,
+        restitution: checked(&file.impact.restitution, RESTITUTION)?,
+        duration: checked(&file.impact.duration, DURATION)?,
     };
     let (texts, places) = (checked.map(|(text, _)| text.clone()), checked.map(|(_, place)| place.clone()));
     // Each by itself is right.
-    let formulas = formulas(&texts, side, [&primary, &secondary], &constants)
+    let formulas = formulas(&texts, side, &file)
         .map_err(|error| DescriptionError::Value { place: places.wall.clone(), problem: error.problem })?;
-    for (used, (key, axis)) in
-        used.into_iter().zip([("primary.name", &primary), ("secondary.name", &secondary)])
-    {
+    for ((used, key), axis) in used.into_iter().zip(["primary.name", "secondary.name"]).zip(axes) {
         if !used {
             let allowed = format!(
                 "the name {} appears in none of the expressions, so nothing depends on this parameter: use it in one, or name \
@@ -111,33 +104,13 @@ pub(crate) fn description(
             return Err(section.forbid(key, allowed).into());
         }
     }
-    let analysis = file.analysis;
-    let middle = [&primary, &secondary].map(|axis| axis.range[0] + 0.5 * (axis.range[1] - axis.range[0]));
-    let start = analysis.start.map(|start| formulas.wall.inside(start, 0.0, middle));
-    let diagram = |(written, number): (WrittenDiagram, u32)| {
-        diagram(written, [&primary, &secondary], |name, allowed| {
-            section.forbid(&format!("diagrams[{number}].{name}"), allowed)
-        })
+    let middle = axes.map(|axis| axis.range[0] + 0.5 * (axis.range[1] - axis.range[0]));
+    let start = file.analysis.start.map(|start| formulas.wall.inside(start, 0.0, middle));
+    let diagram = |(written, number): (&WrittenDiagram, u32)| {
+        diagram(written, axes, |name, allowed| section.forbid(&format!("diagrams[{number}].{name}"), allowed))
     };
-    let diagrams = file.diagrams.into_iter().zip(1..).map(diagram).collect::<Result<_, _>>()?;
-    let content = Content {
-        unit_names: file.units.map_or([None, None], |units| [units.length, units.time]),
-        name: file.name.trim().to_owned(),
-        constants,
-        primary,
-        secondary,
-        formulas,
-        texts,
-        loops: analysis.loops,
-        start,
-        limits: Limits {
-            time: analysis.time_limit,
-            memory: analysis.memory_limit,
-            steps: analysis.step_limit,
-        },
-        diagrams,
-        notes: Vec::new(),
-    };
+    let diagrams = file.diagrams.iter().zip(1..).map(diagram).collect::<Result<_, _>>()?;
+    let content = Content { file, formulas, texts, start, diagrams, notes: Vec::new() };
     Ok((Description(Arc::new(content)), places))
 }
 
@@ -154,11 +127,11 @@ fn check_number(section: &Section<'_>, file: &File) -> Result<(), SourceError> {
 }
 
 fn diagram(
-    written: WrittenDiagram,
+    written: &WrittenDiagram,
     [primary, secondary]: [&Axis; 2],
     forbid: impl Fn(&str, String) -> SourceError,
 ) -> Result<OneParameter, SourceError> {
-    let WrittenDiagram { fixed, at, range, portraits, seed } = written;
+    let WrittenDiagram { fixed, at, range, portraits, seed } = written.clone();
     let primary_is_fixed = fixed == primary.name;
     let (held, other) = if primary_is_fixed { (primary, secondary) } else { (secondary, primary) };
     if fixed != held.name {

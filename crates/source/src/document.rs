@@ -62,9 +62,9 @@ impl Source<'_> {
         &self,
         read: impl FnOnce(Section<'_>) -> Result<T, E>,
     ) -> Result<T, E> {
-        self.document(|document| match first_unknown_key(document.get_ref(), "", self.requirements) {
-            Some(unknown) => Err(self.refuse(unknown).into()),
-            None => read(Section::whole(self, document.get_ref())),
+        self.document(|document| {
+            self.refuse_unknown(document.get_ref(), "", true)?;
+            read(Section::whole(self, document.get_ref()))
         })
     }
 
@@ -73,19 +73,7 @@ impl Source<'_> {
     /// # Errors
     /// [`SourceError`]: no TOML, or an unknown key.
     pub fn check_top_level(&self) -> Result<(), SourceError> {
-        self.document(|document| {
-            let known = self.requirements.known_keys("");
-            let keys = document.get_ref().keys();
-            let unknown = keys.filter(|key| !known.contains(&key.get_ref().as_ref()));
-            match unknown.min_by_key(|key| key.span().start) {
-                Some(key) => Err(self.refuse(UnknownKey {
-                    position: key.span().start,
-                    table: String::new(),
-                    name: key.get_ref().to_string(),
-                })),
-                None => Ok(()),
-            }
-        })
+        self.document(|document| self.refuse_unknown(document.get_ref(), "", false))
     }
 
     /// One table of the top level, read by `read`; what stands in the others does not matter.
@@ -102,21 +90,20 @@ impl Source<'_> {
                 return Err(self.missing("", name, 0).into());
             };
             let section = Section::of(self, name.to_owned(), value)?;
-            match value
-                .get_ref()
-                .as_table()
-                .and_then(|table| first_unknown_key(table, name, self.requirements))
-            {
-                Some(unknown) => Err(self.refuse(unknown).into()),
-                None => read(section),
+            if let Some(table) = value.get_ref().as_table() {
+                self.refuse_unknown(table, name, true)?;
             }
+            read(section)
         })
     }
 
-    fn refuse(&self, unknown: UnknownKey) -> SourceError {
+    /// Refuses a key of the table that is not known, or, as far down as it is to be looked at, of
+    /// those in it.
+    fn refuse_unknown(&self, table: &DeTable<'_>, path: &str, deep: bool) -> Result<(), SourceError> {
+        let Some(unknown) = first_unknown_key(table, path, self.requirements, deep) else { return Ok(()) };
         let UnknownKey { position, table, name } = unknown;
         let key = joined(&table, &shortened(&name, SHOWN));
-        self.unknown(position, key, &name, &self.requirements.known_keys(&table))
+        Err(self.unknown(position, key, &name, &self.requirements.known_keys(&table)))
     }
 }
 
@@ -129,7 +116,12 @@ struct UnknownKey {
 
 /// The unknown key that stands first in the text. The reader would find it too, but not before a
 /// missing one: of a table whose name is misspelt it would say that it is missing.
-fn first_unknown_key(table: &DeTable<'_>, path: &str, requirements: &Requirements) -> Option<UnknownKey> {
+fn first_unknown_key(
+    table: &DeTable<'_>,
+    path: &str,
+    requirements: &Requirements,
+    deep: bool,
+) -> Option<UnknownKey> {
     let known = requirements.known_keys(path);
     let any = requirements.any_key(path);
     table
@@ -140,18 +132,18 @@ fn first_unknown_key(table: &DeTable<'_>, path: &str, requirements: &Requirement
                 return Some(UnknownKey { position: key.span().start, table: path.to_owned(), name });
             }
             let path = joined(path, &name);
-            if requirements.known_keys(&path).is_empty() {
-                // Not to be a table: that is told of the whole value.
+            if !deep || requirements.known_keys(&path).is_empty() {
+                // What is not to be a table is refused as a whole.
                 return None;
             }
             match value.get_ref() {
-                DeValue::Table(inner) => first_unknown_key(inner, &path, requirements),
+                DeValue::Table(inner) => first_unknown_key(inner, &path, requirements, deep),
                 DeValue::Array(members) => members
                     .iter()
                     .zip(1..)
                     .filter_map(|(member, number)| Some((member.get_ref().as_table()?, number)))
                     .find_map(|(inner, number)| {
-                        first_unknown_key(inner, &format!("{path}[{number}]"), requirements)
+                        first_unknown_key(inner, &format!("{path}[{number}]"), requirements, deep)
                     }),
                 _ => None,
             }

@@ -73,13 +73,8 @@ impl std::error::Error for SourceError {}
 impl Display for SourceError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Unreadable { file, .. } => write!(formatter, "{file}")?,
             Self::Syntax { file, line, column, .. } => write!(formatter, "{file}:{line}:{column}")?,
-            Self::UnknownKey { file, line, .. }
-            | Self::MissingKey { file, line, .. }
-            | Self::Forbidden { file, line, .. } => {
-                write!(formatter, "{}", Place { file: file.clone(), line: *line, span: None })?;
-            }
+            _ => write!(formatter, "{}", self.place())?,
         }
         write!(formatter, ": {}", self.reason())
     }
@@ -100,19 +95,21 @@ impl SourceError {
         }
     }
 
+    /// Where it is wrong.
+    fn place(&self) -> Place {
+        let (file, line, span) = match self {
+            Self::Unreadable { file, .. } => (file, 0, None),
+            Self::Syntax { file, line, column, .. } => (file, *line, Some([column - 1, *column])),
+            Self::UnknownKey { file, line, .. }
+            | Self::MissingKey { file, line, .. }
+            | Self::Forbidden { file, line, .. } => (file, *line, None),
+        };
+        Place { file: file.clone(), line, span }
+    }
+
     /// What is wrong and where, apart.
     pub fn mistake(&self) -> Mistake {
-        let (line, span) = match self {
-            Self::Syntax { line, column, .. } => (*line, Some([column - 1, *column])),
-            Self::UnknownKey { line, .. } | Self::MissingKey { line, .. } | Self::Forbidden { line, .. } => {
-                (*line, None)
-            }
-            Self::Unreadable { .. } => (0, None),
-        };
-        if line == 0 {
-            return Mistake::new(self.to_string());
-        }
-        Mistake { message: self.reason(), line: Some(line), span }
+        self.place().mistake(self.reason())
     }
 }
 

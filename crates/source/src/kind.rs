@@ -216,13 +216,7 @@ pub fn maybe<V: 'static>(Kind { read, limits, list }: Kind<V>) -> Kind<Option<V>
 
 /// A key that may be left out and has this value then.
 pub fn or<V: Clone + 'static>(kind: Kind<V>, usual: V) -> Kind<V> {
-    let Kind { read, limits, list } = kind;
-    let read: Reader<V> = Box::new(
-        move |section, name| {
-            if section.has(name) { read(section, name) } else { Ok(usual.clone()) }
-        },
-    );
-    Kind { read, limits, list }
+    maybe(kind).map(move |given, _, _| Ok(given.unwrap_or_else(|| usual.clone())))
 }
 
 /// A table.

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use grazing_description::Description;
-use grazing_reproduction::family::Plan;
+use grazing_reproduction::family::{Plan, Varied};
 use grazing_results::Names;
 use grazing_results::brief;
 use grazing_results::family::{Family, Member, Resonance};
@@ -24,23 +24,14 @@ pub(super) fn plan(
     part: Option<Part>,
     members: usize,
 ) -> String {
-    let varied = plan.varied.iter().map(|varied| {
-        let (first, last) = (varied.values[0], varied.values[varied.values.len() - 1]);
-        format!(
-            "{} from {} to {} in {} values",
-            varied.name,
-            brief(first, DIGITS),
-            brief(last, DIGITS),
-            varied.values.len()
-        )
+    let varied = plan.varied.iter().map(|Varied { name, values }| {
+        let [first, last] = [values[0], values[values.len() - 1]].map(|value| brief(value, DIGITS));
+        format!("{name} from {first} to {last} in {} values", values.len())
     });
     let varied: Vec<String> = varied.collect();
-    let part = match part {
-        Some(Part { part, parts }) => {
-            format!(", of which {members} are in part {part} of {parts}")
-        }
-        None => String::new(),
-    };
+    let part = part.map_or(String::new(), |Part { part, parts }| {
+        format!(", of which {members} are in part {part} of {parts}")
+    });
     format!(
         "{} ({}): {}; {} members{part}\n",
         description.name(),
@@ -57,10 +48,8 @@ pub(super) fn results(family: &Family, names: &Names, plan: &Plan) -> String {
     let values = |varied: [f64; 3]| {
         let own = &varied[varied.len() - count..];
         let named = plan.varied.iter().zip(own);
-        named
-            .map(|(constant, value)| format!("{} = {}", constant.name, brief(*value, DIGITS)))
-            .collect::<Vec<_>>()
-            .join(", ")
+        let set = named.map(|(constant, value)| format!("{} = {}", constant.name, brief(*value, DIGITS)));
+        set.collect::<Vec<_>>().join(", ")
     };
     let degenerate = family.degenerate.iter().map(|row| {
         let at = values(row.varied);
@@ -105,18 +94,16 @@ fn curves(family: &Family, names: &Names, plan: &Plan) -> String {
     curves.truncate(LISTED);
     let slot = 3 - plan.varied.len();
     let range = |rows: &[&Resonance], value: &dyn Fn(&Resonance) -> f64| {
-        let known = rows.iter().map(|row| value(row)).filter(|value| value.is_finite());
-        let ends: Vec<f64> = known.collect();
-        match (ends.first(), ends.last()) {
-            (Some(first), Some(last)) => format!("{} .. {}", brief(*first, DIGITS), brief(*last, DIGITS)),
+        let known = || rows.iter().map(|row| value(row)).filter(|value| value.is_finite());
+        match (known().next(), known().next_back()) {
+            (Some(first), Some(last)) => format!("{} .. {}", brief(first, DIGITS), brief(last, DIGITS)),
             _ => "-".to_owned(),
         }
     };
     let lines = curves.iter().map(|(curve, rows)| {
-        let varied = |row: &Resonance| row.varied;
         let mut line = vec![curve.to_string(), rows[0].loops.to_string(), rows[0].n.to_string()];
-        line.extend(varied(rows[0])[slot + 1..].iter().map(|value| brief(*value, DIGITS)));
-        line.extend([rows.len().to_string(), range(rows, &|row| varied(row)[slot])]);
+        line.extend(rows[0].varied[slot + 1..].iter().map(|value| brief(*value, DIGITS)));
+        line.extend([rows.len().to_string(), range(rows, &|row| row.varied[slot])]);
         line.extend([
             range(rows, &|row| row.secondary),
             range(rows, &|row| row.c_sn),
@@ -130,10 +117,9 @@ fn curves(family: &Family, names: &Names, plan: &Plan) -> String {
     let secondary = format!("{}*", names.secondary);
     header.extend(["members", plan.varied[0].name.as_str(), &secondary, "c_SN", "c_PD"]);
     let table = aligned(&header, lines);
-    let more = if count > LISTED {
-        format!("  and {} more, in the tables\n", count - LISTED)
-    } else {
-        String::new()
+    let more = match count.saturating_sub(LISTED) {
+        0 => String::new(),
+        more => format!("  and {more} more, in the tables\n"),
     };
     format!("\nCurves of resonances, with the values at their ends\n{table}{more}")
 }

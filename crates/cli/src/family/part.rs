@@ -90,30 +90,24 @@ impl PartFile {
     }
 
     fn read(path: &Path) -> Result<Self, Failure> {
-        let shown = path.display();
-        let text = fs::read_to_string(path)
-            .map_err(|reason| Failure::input(format!("{shown}: cannot be read: {reason}")))?;
+        let refuse = |reason: String| Failure::input(format!("{}: {reason}", path.display()));
+        let text = fs::read_to_string(path).map_err(|reason| refuse(format!("cannot be read: {reason}")))?;
         let found: Self = toml::from_str(&text).map_err(|reason| {
-            Failure::input(format!(
-                "{shown}: is no part of a family as `unfold --part` writes them: {}",
-                reason.message()
-            ))
+            let reason = reason.message();
+            refuse(format!("is no part of a family as `unfold --part` writes them: {reason}"))
         })?;
+        let Self { version, part, parts, .. } = &found;
         let own = env!("CARGO_PKG_VERSION");
-        if found.version != own {
-            return Err(Failure::input(format!(
-                "{shown}: was made by version {} of the program, and this is {own}: compute all parts with one version",
-                found.version
+        if version != own {
+            return Err(refuse(format!(
+                "was made by version {version} of the program, and this is {own}: compute all parts with one version"
             )));
         }
-        let expected = match (1..=found.parts).contains(&found.part) {
-            true => found.plan.part(found.part, found.parts),
-            false => 0..0,
-        };
+        let is_one = (1..=*parts).contains(part);
+        let expected = if is_one { found.plan.part(*part, *parts) } else { 0..0 };
         if !found.records.iter().map(|record| record.index).eq(expected) {
-            return Err(Failure::input(format!(
-                "{shown}: its members are not those of part {} of {}: compute it again with --part {}/{}",
-                found.part, found.parts, found.part, found.parts
+            return Err(refuse(format!(
+                "its members are not those of part {part} of {parts}: compute it again with --part {part}/{parts}"
             )));
         }
         Ok(found)
@@ -128,15 +122,14 @@ pub(super) fn joined(paths: &[PathBuf]) -> Result<PartFile, Failure> {
     let mut found: Vec<(&PathBuf, PartFile)> = Vec::new();
     for path in paths {
         let part = PartFile::read(path)?;
-        if let Some((first, other)) = found.first() {
-            let same = (&part.origin, &part.plan, part.parts) == (&other.origin, &other.plan, other.parts);
-            if !same {
-                return Err(Failure::input(format!(
-                    "{}: is a part of another family than {}: oscillator, settings, constants and number of parts must be the same",
-                    path.display(),
-                    first.display()
-                )));
-            }
+        if let Some((first, other)) = found.first()
+            && (&part.origin, &part.plan, part.parts) != (&other.origin, &other.plan, other.parts)
+        {
+            return Err(Failure::input(format!(
+                "{}: is a part of another family than {}: oscillator, settings, constants and number of parts must be the same",
+                path.display(),
+                first.display()
+            )));
         }
         if let Some((other, _)) = found.iter().find(|(_, other)| other.part == part.part) {
             return Err(Failure::input(format!(
@@ -150,12 +143,9 @@ pub(super) fn joined(paths: &[PathBuf]) -> Result<PartFile, Failure> {
         found.push((path, part));
     }
     found.sort_by_key(|(_, part)| part.part);
-    let parts: Vec<PartFile> = found.into_iter().map(|(_, part)| part).collect();
-    let Some(count) = parts.first().map(|part| part.parts) else {
-        return Err(Failure::input("no part is named"));
-    };
+    let count = found.first().map_or(0, |(_, part)| part.parts);
     let missing: Vec<String> = (1..=count)
-        .filter(|number| parts.iter().all(|part| part.part != *number))
+        .filter(|number| found.iter().all(|(_, part)| part.part != *number))
         .map(|number| number.to_string())
         .collect();
     if !missing.is_empty() {
@@ -166,7 +156,7 @@ pub(super) fn joined(paths: &[PathBuf]) -> Result<PartFile, Failure> {
             missing.len()
         )));
     }
-    let joined = parts.into_iter().reduce(|mut joined, mut next| {
+    let joined = found.into_iter().map(|(_, part)| part).reduce(|mut joined, mut next| {
         joined.records.append(&mut next.records);
         joined
     });

@@ -23,26 +23,23 @@ pub(super) fn of_content(path: &Path, here: &[u8], made: &[u8]) -> String {
 /// The first line in which the contents differ; for tables the first column with both values.
 fn first_difference(is_table: bool, here: &str, made: &str) -> String {
     let header = made.lines().next().unwrap_or_default();
-    let (mut here_lines, mut made_lines) = (here.lines(), made.lines());
-    let mut number = 0;
-    loop {
-        number += 1;
-        match (here_lines.next(), made_lines.next()) {
-            (Some(here), Some(made)) if here == made => {}
-            (Some(_), Some(_)) if !is_table => {
-                return format!("differs from what the code makes, first in line {number}");
-            }
-            (Some(here), Some(made)) => {
-                let (place, [here, made]) = match first_cell(header, here, made) {
-                    Some((column, cells)) => (format!("line {number}, {column}"), cells.map(cell)),
-                    None => (format!("line {number}"), [here, made].map(quote)),
-                };
-                return format!("{place}: {here} here, {made} made by the code");
-            }
-            (Some(_), None) => return format!("more lines here than the {} made by the code", number - 1),
-            (None, Some(_)) => return format!("ends after line {}, the code makes more", number - 1),
-            (None, None) => return "differs from what the code makes in its line ends only".to_owned(),
+    let [here, made] = [here, made].map(|text| text.lines().collect::<Vec<_>>());
+    let same = here.iter().zip(&made).take_while(|(here, made)| here == made).count();
+    let number = same + 1;
+    match (here.get(same), made.get(same)) {
+        (Some(_), Some(_)) if !is_table => {
+            format!("differs from what the code makes, first in line {number}")
         }
+        (Some(here), Some(made)) => {
+            let (place, [here, made]) = match first_cell(header, here, made) {
+                Some((column, cells)) => (format!("line {number}, {column}"), cells.map(cell)),
+                None => (format!("line {number}"), [here, made].map(|line| quote(line))),
+            };
+            format!("{place}: {here} here, {made} made by the code")
+        }
+        (Some(_), None) => format!("more lines here than the {same} made by the code"),
+        (None, Some(_)) => format!("ends after line {same}, the code makes more"),
+        (None, None) => "differs from what the code makes in its line ends only".to_owned(),
     }
 }
 

@@ -23,13 +23,8 @@ pub enum Format {
 
 impl Format {
     /// The word on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Format::Svg => "svg",
-            Format::Pdf => "pdf",
-            Format::Png => "png",
-            Format::Tex => "tex",
-        }
+    pub fn name(self) -> String {
+        self.to_possible_value().map_or(String::new(), |value| value.get_name().to_owned())
     }
 }
 
@@ -86,7 +81,7 @@ impl Edition {
     pub(crate) fn options(&self) -> String {
         let mut options = String::new();
         if self.formats != [Format::Svg] {
-            let names: Vec<&str> = self.formats.iter().map(|format| format.name()).collect();
+            let names: Vec<String> = self.formats.iter().map(|format| format.name()).collect();
             options.push_str(&format!(" --format {}", names.join(",")));
         }
         // The first is what is made without the option.

@@ -7,7 +7,6 @@ use grazing_drawing::{SheetWidth, draw_family};
 use grazing_results::Names;
 use grazing_results::family::Family;
 
-use super::latex::Caption;
 use super::{ComputedOutput, Figure, Output, sheet_file};
 
 /// A family with its names.
@@ -38,13 +37,7 @@ fn compute(
     let file = output.figure.unwrap_or_default();
     let figures = sheets.into_iter().zip(1..).map(|(sheet, number)| {
         let file = sheet_file(file, number, count);
-        let label = Caption::label("fig", &of.file, file.trim_end_matches(".svg"));
-        let caption = Caption { title: output.title.to_owned(), label, remark: String::new() };
-        Figure { file, sheet, caption, tables: output.table_names(), only: None }
+        Figure::new(&of.file, file, output.title.to_owned(), sheet, &output.table_names())
     });
-    Ok(ComputedOutput {
-        figures: figures.collect(),
-        tables: of.family.tables(&of.names),
-        ..ComputedOutput::default()
-    })
+    Ok(ComputedOutput::new(figures.collect(), of.family.tables(&of.names)))
 }

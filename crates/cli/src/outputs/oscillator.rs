@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use grazing_description::Description;
 use grazing_drawing::{
-    DrawingError, Heading, Sheet, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
+    DrawingError, Heading, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
 };
 use grazing_reproduction::unfolded::{AlongGrazing, AtResonances, Unfolded};
 use grazing_results::branches::OneParameter;
@@ -52,23 +52,6 @@ impl AnalysedOscillator {
     fn names(&self) -> &Names {
         &self.unfolded.axes.names
     }
-
-    /// What a figure says of itself, and the tables that it shows.
-    fn heading<'a>(
-        &'a self,
-        name: &'static str,
-        title: &'a str,
-        description: &'a str,
-        tables: &'a [&'static str],
-    ) -> Heading<'a> {
-        Heading { name, title, description, names: self.names(), tables }
-    }
-
-    fn figure(&self, file: String, title: String, sheet: Sheet, tables: &[&'static str]) -> Figure {
-        let label = Caption::label("fig", &self.file, file.trim_end_matches(".svg"));
-        let caption = Caption { title, label, remark: String::new() };
-        Figure { file, sheet, caption, tables: tables.to_vec(), only: None }
-    }
 }
 
 /// The files of the figures, if all magnifications find room on one sheet.
@@ -79,8 +62,7 @@ const MAGNIFICATIONS: &str = "magnifications.svg";
 /// diagrams last.
 pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
     Output::new("grazing", "the grazing curve", AlongGrazing::TABLES, |_, of, _| {
-        let tables = of.unfolded.along_grazing().tables(of.names());
-        Ok(ComputedOutput { tables, ..ComputedOutput::default() })
+        Ok(ComputedOutput::new(Vec::new(), of.unfolded.along_grazing().tables(of.names())))
     }),
     TWO_PARAMETERS,
     Output {
@@ -128,12 +110,11 @@ fn two_parameters(
          points; rectangles: magnifications.",
         axes(&of.description)
     );
-    let sheet = draw_diagram(&of.diagram, &of.heading("diagram", &title, &description, &tables), width)?;
-    Ok(ComputedOutput {
-        figures: vec![of.figure(DIAGRAM.to_owned(), output.title.to_owned(), sheet, &tables)],
-        tables: of.diagram.tables(of.names()),
-        ..ComputedOutput::default()
-    })
+    let (title, description) = (title.as_str(), description.as_str());
+    let heading = Heading { name: "diagram", title, description, names: of.names(), tables: &tables };
+    let sheet = draw_diagram(&of.diagram, &heading, width)?;
+    let figure = Figure::new(&of.file, DIAGRAM.to_owned(), output.title.to_owned(), sheet, &tables);
+    Ok(ComputedOutput::new(vec![figure], of.diagram.tables(of.names())))
 }
 
 fn magnifications(
@@ -148,7 +129,8 @@ fn magnifications(
         axes(&of.description)
     );
     let magnifications = of.unfolded.magnifications(&of.diagram);
-    let heading = of.heading("magnifications", &title, &description, &tables);
+    let (title, description) = (title.as_str(), description.as_str());
+    let heading = Heading { name: "magnifications", title, description, names: of.names(), tables: &tables };
     let sheets = draw_magnifications(&magnifications, &heading, width)?;
     let count = sheets.len();
     let figures = sheets.into_iter().zip(1..).map(|(sheet, number)| {
@@ -157,14 +139,11 @@ fn magnifications(
             _ => format!("{}, sheet {number} of {count}", output.title),
         };
         let panels = sheet.panels().filter_map(|panel| Some(panel.only?.1)).collect();
-        let figure = of.figure(sheet_file(MAGNIFICATIONS, number, count), title, sheet, &tables);
+        let file = sheet_file(MAGNIFICATIONS, number, count);
+        let figure = Figure::new(&of.file, file, title, sheet, &tables);
         Figure { only: Some((columns::PANEL, panels)), ..figure }
     });
-    Ok(ComputedOutput {
-        figures: figures.collect(),
-        tables: magnifications.tables(of.names()),
-        ..ComputedOutput::default()
-    })
+    Ok(ComputedOutput::new(figures.collect(), magnifications.tables(of.names())))
 }
 
 fn one_parameter(
@@ -177,15 +156,12 @@ fn one_parameter(
         let title = format!("{}: {shown}", of.description.name());
         let sheet = draw_one_parameter(diagram, of.names(), &title, width)?;
         let file = one_parameter_file(diagram.diagram);
-        let figure = of.figure(file, shown, sheet, &output.table_names());
+        let figure = Figure::new(&of.file, file, shown, sheet, &output.table_names());
         Ok(Figure { only: Some((columns::DIAGRAM, vec![diagram.diagram])), ..figure })
     };
     let diagrams = &of.unfolded.diagrams;
-    Ok(ComputedOutput {
-        figures: diagrams.iter().map(figure).collect::<Result<_, DrawingError>>()?,
-        tables: OneParameter::tables_of(diagrams, of.names()),
-        ..ComputedOutput::default()
-    })
+    let figures = diagrams.iter().map(figure).collect::<Result<_, DrawingError>>()?;
+    Ok(ComputedOutput::new(figures, OneParameter::tables_of(diagrams, of.names())))
 }
 
 /// What stands on the axes of the plane, as a sentence.

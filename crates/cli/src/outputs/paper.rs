@@ -118,7 +118,7 @@ const THEOREMS: Output<Study> = Output {
         TheoremsInAction::TABLES,
         |_, study: &Study, _| {
             let tables = study.theorems_in_action()?.tables(&Names::of_the_paper());
-            Ok(ComputedOutput { tables, ..ComputedOutput::default() })
+            Ok(ComputedOutput::new(Vec::new(), tables))
         },
     )
 };

@@ -43,7 +43,7 @@ impl OscillatorFile {
         // Finished curves are not kept: the page is made quickly.
         let (unfolded, met) = analyse(self, self.description.limits(), &|_| ())?;
         let outcome = "what was not finished is named on the page";
-        let met = met.map(|met| ended(&self.file, met, outcome));
+        let met = met.map(|met| ended(&self.file, Some(met), outcome));
         let analysed = AnalysedOscillator::new(&self.file, &self.description, unfolded);
         let mut entry = page::entry(self, &analysed.unfolded, &analysed.computed(SheetWidth::Paper)?);
         if root.is_some_and(|root| self.file.parent() == Some(&root.join(project::EXAMPLES))) {

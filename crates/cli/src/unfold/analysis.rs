@@ -40,7 +40,7 @@ fn failure(of: &OscillatorFile, error: &StudyError, met: Option<EndCause>) -> Fa
     match (error, met) {
         (StudyError::Unfold(UnfoldError::Stopped { stage }), Some(met)) => {
             let outcome = "nothing is written, for nothing was found up to then, in the stage";
-            ended(file, met, &format!("{outcome} `{stage}`"))
+            ended(file, Some(met), &format!("{outcome} `{stage}`"))
         }
         (StudyError::Unfold(error), _) => {
             Failure::incomplete(format!("{}: {}", file.display(), reason::of(error, description)))
@@ -49,7 +49,8 @@ fn failure(of: &OscillatorFile, error: &StudyError, met: Option<EndCause>) -> Fa
     }
 }
 
-/// The failure of an analysis that was ended by a limit or by Ctrl-C.
-pub(crate) fn ended(file: &Path, met: EndCause, outcome: &str) -> Failure {
-    Failure::incomplete(format!("{}: {met}; {outcome}", file.display()))
+/// The failure of an analysis that was ended, by a limit or by Ctrl-C if that is known.
+pub(crate) fn ended(file: &Path, met: Option<EndCause>, outcome: &str) -> Failure {
+    let cause = met.map_or(String::new(), |met| format!("{met}; "));
+    Failure::incomplete(format!("{}: {cause}{outcome}", file.display()))
 }

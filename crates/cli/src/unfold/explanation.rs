@@ -19,11 +19,8 @@ const DIGITS: usize = 9;
 
 /// Hypotheses with their values and quantities, resonance by resonance.
 pub(super) fn all(description: &Description, unfolded: &Analysis) -> String {
-    let mut text = String::new();
-    for resonance in &unfolded.diagram.resonances {
-        text.push_str(&explained(description, resonance, &unfolded.axes.units));
-    }
-    text
+    let resonances = unfolded.diagram.resonances.iter();
+    resonances.map(|resonance| explained(description, resonance, &unfolded.axes.units)).collect()
 }
 
 fn explained(description: &Description, resonance: &Resonance, units: &Units) -> String {

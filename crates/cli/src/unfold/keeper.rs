@@ -1,7 +1,5 @@
 //! Keeping the curves that are finished while others are still being followed.
 
-use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -17,12 +15,12 @@ const UNFINISHED: &str = "curves.unfinished";
 /// Writes the curves of resonances into a file as they finish.
 pub(super) struct Keeper<'a> {
     folder: &'a Path,
-    /// Whether it has been told that the file cannot be written.
+    /// Whether a message has said that the file cannot be written.
     complained: AtomicBool,
 }
 
 impl<'a> Keeper<'a> {
-    /// Keeps curves in the folder, and tells if an interrupted run left some there.
+    /// Keeps curves in the folder, and says if an interrupted run left some there.
     pub(super) fn new(folder: &'a Path) -> Self {
         let keeper = Self { folder, complained: AtomicBool::new(false) };
         let path = keeper.path();
@@ -41,12 +39,7 @@ impl<'a> Keeper<'a> {
 
     /// Removes the file: everything is written.
     pub(super) fn clear(&self) -> Result<(), Failure> {
-        match fs::remove_file(self.path()) {
-            Err(reason) if reason.kind() != io::ErrorKind::NotFound => {
-                Err(Failure::file(&self.path(), &reason))
-            }
-            _ => Ok(()),
-        }
+        folder::remove(&self.path())
     }
 
     /// Writes what is finished. The computation goes on if it cannot be written: in the end all

@@ -87,9 +87,8 @@ fn lost(description: &Description, unfolded: &Analysis) -> Vec<String> {
 /// Where it is not decided whether solutions are stable, with their loops.
 fn undecided(description: &Description, unfolded: &Analysis) -> Vec<(u32, String)> {
     let (units, regions) = (&unfolded.axes.units, unfolded.diagram.regions.iter());
-    regions
-        .filter_map(|region| Some((region.loops, reason::undecided(description, units, region)?)))
-        .collect()
+    let doubts = regions.map(|region| Some((region.loops, reason::undecided(description, units, region)?)));
+    doubts.flatten().collect()
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::graph::Node;
 use super::{Code, Expression, Instruction, Operation, Slot, Tape};
 
-/// What is computed for one node, with the numbers of the nodes it is computed from.
+/// What is computed for one node, with the numbers of the nodes, or the slots, it is computed from.
 enum Plan {
     /// Nothing: a variable, or a part of a sum that is computed with it.
     Nothing,
@@ -17,7 +17,7 @@ impl Plan {
     fn operands(&self) -> Vec<usize> {
         match self {
             Plan::Nothing => Vec::new(),
-            Plan::Plain(operation) => operation.operands().map_or(Vec::new(), |(a, b)| vec![a, b]),
+            Plan::Plain(operation) => operation.operands(),
             Plan::Sum(terms, _) => terms.iter().map(|(_, operand)| *operand).collect(),
         }
     }
@@ -41,7 +41,7 @@ pub(super) fn expression(variables: Vec<String>, moving: usize, nodes: &[Node]) 
         for (index, (node, plan)) in nodes.iter().zip(&plans).enumerate() {
             if let Node::Variable(number) = node {
                 slots[index] = *number;
-            } else if moves[index] == pass && whole.add(plan, &slots) {
+            } else if moves[index] == pass && whole.add(plan, |operand| slots[operand]) {
                 slots[index] = variables.len() + whole.instructions.len() - 1;
             }
         }
@@ -56,18 +56,10 @@ pub(super) fn expression(variables: Vec<String>, moving: usize, nodes: &[Node]) 
 impl Tape {
     /// The tape of a code of which so many instructions need no variable that moves.
     pub(super) fn new(variables: Vec<String>, moving: usize, whole: Code, held: usize) -> Self {
-        let (instructions, results) = (&whole.instructions[held..], variables.len() + held);
-        let mut needed = vec![whole.result];
-        for instruction in instructions {
-            match *instruction {
-                Instruction::Plain(operation) => {
-                    needed.extend(operation.operands().into_iter().flat_map(|(a, b)| [a, b]));
-                }
-                Instruction::Sum { start, end, .. } => {
-                    needed.extend(whole.terms[start..end].iter().map(|(_, slot)| slot));
-                }
-            }
-        }
+        let plans: Vec<Plan> = whole.instructions[held..].iter().map(|made| whole.plan(made)).collect();
+        let results = variables.len() + held;
+        let mut needed: Vec<Slot> = plans.iter().flat_map(Plan::operands).collect();
+        needed.push(whole.result);
         needed.retain(|slot| (moving..results).contains(slot));
         needed.sort_unstable();
         needed.dedup();
@@ -77,30 +69,30 @@ impl Tape {
             Err(_) => slot - results + moving + needed.len(),
         };
         let mut rest = Code { result: place(whole.result), ..Code::default() };
-        for instruction in instructions {
-            rest.instructions.push(match *instruction {
-                Instruction::Plain(operation) => Instruction::Plain(operation.on(place)),
-                Instruction::Sum { start, end, constant } => {
-                    let first = rest.terms.len();
-                    rest.terms
-                        .extend(whole.terms[start..end].iter().map(|(factor, slot)| (*factor, place(*slot))));
-                    Instruction::Sum { start: first, end: rest.terms.len(), constant }
-                }
-            });
+        for plan in &plans {
+            rest.add(plan, place);
         }
         Self { variables, whole, held, moving, needed, rest }
     }
 }
 
 impl Code {
+    /// What an instruction computes, from slots.
+    fn plan(&self, instruction: &Instruction) -> Plan {
+        match *instruction {
+            Instruction::Plain(operation) => Plan::Plain(operation),
+            Instruction::Sum { start, end, constant } => Plan::Sum(self.terms[start..end].to_vec(), constant),
+        }
+    }
+
     /// Adds the instruction of a plan; false if there is none.
-    fn add(&mut self, plan: &Plan, slots: &[Slot]) -> bool {
+    fn add(&mut self, plan: &Plan, slot: impl Fn(usize) -> Slot) -> bool {
         self.instructions.push(match plan {
             Plan::Nothing => return false,
-            Plan::Plain(operation) => Instruction::Plain(operation.on(|operand| slots[operand])),
+            Plan::Plain(operation) => Instruction::Plain(operation.on(slot)),
             Plan::Sum(terms, constant) => {
                 let start = self.terms.len();
-                self.terms.extend(terms.iter().map(|&(factor, operand)| (factor, slots[operand])));
+                self.terms.extend(terms.iter().map(|&(factor, operand)| (factor, slot(operand))));
                 Instruction::Sum { start, end: self.terms.len(), constant: *constant }
             }
         });
@@ -112,18 +104,8 @@ impl Code {
 fn plans(nodes: &[Node]) -> Vec<Plan> {
     let mut uses = vec![0_u32; nodes.len()];
     for node in nodes {
-        if let Node::Operation(operation) = node
-            && let Some((a, b)) = operation.operands()
-        {
-            uses[a] += 1;
-            let two = matches!(
-                operation,
-                Operation::Add(..)
-                    | Operation::Subtract(..)
-                    | Operation::Multiply(..)
-                    | Operation::Divide(..)
-            );
-            uses[b] += u32::from(two);
+        if let Node::Operation(operation) = node {
+            operation.operands().into_iter().for_each(|operand| uses[operand] += 1);
         }
     }
     let parts = Parts { nodes, uses };
@@ -163,7 +145,7 @@ impl Parts<'_> {
         let mut taken = Vec::new();
         let mut rest = whole;
         // From the last term to the first.
-        loop {
+        while rest == whole || self.uses[rest] == 1 {
             let (left, right) = match self.operation(rest) {
                 Some(Operation::Add(a, b)) => (a, Some((1.0, b))),
                 Some(Operation::Subtract(a, b)) => (a, Some((-1.0, b))),
@@ -173,18 +155,13 @@ impl Parts<'_> {
                 }
                 _ => break,
             };
+            if rest != whole {
+                taken.push(rest);
+            }
             if let Some((sign, right)) = right {
                 terms.push(self.term(sign, right, &mut taken));
             }
             rest = left;
-            let more = matches!(
-                self.operation(left),
-                Some(Operation::Add(..) | Operation::Subtract(..) | Operation::Shift(..))
-            );
-            if !more || self.uses[left] > 1 {
-                break;
-            }
-            taken.push(left);
         }
         if rest == whole {
             return None;

@@ -6,24 +6,21 @@ use nanoexpr::{ErrorKind, Number};
 use super::graph::Term;
 
 /// What a name followed by a parenthesis computes.
-#[derive(Clone, Copy)]
-enum Known {
-    Elementary(Function),
-    Sinh,
-    Cosh,
-}
+type Compute = for<'g> fn(Term<'g>) -> Result<Term<'g>, ErrorKind>;
 
-const KNOWN: [(&str, Known); 10] = [
-    ("sin", Known::Elementary(Function::Sin)),
-    ("cos", Known::Elementary(Function::Cos)),
-    ("tan", Known::Elementary(Function::Tan)),
-    ("atan", Known::Elementary(Function::Atan)),
-    ("sinh", Known::Sinh),
-    ("cosh", Known::Cosh),
-    ("tanh", Known::Elementary(Function::Tanh)),
-    ("exp", Known::Elementary(Function::Exp)),
-    ("ln", Known::Elementary(Function::Ln)),
-    ("sqrt", Known::Elementary(Function::Sqrt)),
+const KNOWN: [(&str, Compute); 10] = [
+    ("sin", |x| x.apply(Function::Sin)),
+    ("cos", |x| x.apply(Function::Cos)),
+    ("tan", |x| x.apply(Function::Tan)),
+    ("atan", |x| x.apply(Function::Atan)),
+    // As the product of these two it is exact near 0 as well, where the difference of exponentials
+    // is not.
+    ("sinh", |x| x.apply(Function::Tanh)?.multiply(cosh(x)?)),
+    ("cosh", cosh),
+    ("tanh", |x| x.apply(Function::Tanh)),
+    ("exp", |x| x.apply(Function::Exp)),
+    ("ln", |x| x.apply(Function::Ln)),
+    ("sqrt", |x| x.apply(Function::Sqrt)),
 ];
 
 /// Functions that have a corner, a jump or a cut.
@@ -71,19 +68,11 @@ pub(super) fn is_not_smooth(name: &str) -> bool {
 
 /// The function's value; `None` if there is no function of this name.
 pub(super) fn call<'g>(name: &str, arguments: &[Term<'g>]) -> Option<Result<Term<'g>, ErrorKind>> {
-    let (_, known) = KNOWN.iter().find(|(candidate, _)| *candidate == name)?;
-    let [argument] = arguments else {
-        return Some(Err(ErrorKind::ArgumentCount));
-    };
-    Some(match known {
-        Known::Elementary(function) => argument.apply(*function),
-        Known::Cosh => cosh(*argument),
-        // As the product of these two it is exact near 0 as well, where the difference of
-        // exponentials is not.
-        Known::Sinh => argument
-            .apply(Function::Tanh)
-            .and_then(|tanh| cosh(*argument).and_then(|cosh| tanh.multiply(cosh))),
-    })
+    let (_, compute) = KNOWN.iter().find(|(candidate, _)| *candidate == name)?;
+    match arguments {
+        [argument] => Some(compute(*argument)),
+        _ => Some(Err(ErrorKind::ArgumentCount)),
+    }
 }
 
 fn cosh(argument: Term<'_>) -> Result<Term<'_>, ErrorKind> {

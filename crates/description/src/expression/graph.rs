@@ -16,37 +16,12 @@ pub(super) enum Node {
     Operation(Operation<usize>),
 }
 
-/// A node as numbers, so that equal nodes are found at once: what it is, and its operands or the
-/// bits of its constant.
-type Key = (u8, u64, u64);
-
-impl Node {
-    fn key(&self) -> Key {
-        let place = |place: usize| place as u64;
-        match *self {
-            Node::Variable(number) => (0, place(number), 0),
-            Node::Operation(operation) => match operation {
-                Operation::Constant(value) => (1, value.to_bits(), 0),
-                Operation::Add(a, b) => (2, place(a), place(b)),
-                Operation::Shift(a, value) => (3, place(a), value.to_bits()),
-                Operation::Subtract(a, b) => (4, place(a), place(b)),
-                Operation::Negate(a) => (5, place(a), 0),
-                Operation::Multiply(a, b) => (6, place(a), place(b)),
-                Operation::Scale(a, value) => (7, place(a), value.to_bits()),
-                Operation::Divide(a, b) => (8, place(a), place(b)),
-                Operation::Square(a) => (9, place(a), 0),
-                Operation::Power(a, exponent) => (10, place(a), u64::from(exponent.cast_unsigned())),
-                Operation::Apply(function, a) => (11, place(a), function as u64),
-            },
-        }
-    }
-}
-
 /// All nodes made so far, none twice.
 #[derive(Default)]
 pub(super) struct Graph {
     nodes: RefCell<Vec<Node>>,
-    numbers: RefCell<HashMap<Key, usize>>,
+    /// The number of each by how it is printed, which differs wherever nodes do.
+    numbers: RefCell<HashMap<String, usize>>,
 }
 
 impl Graph {
@@ -62,7 +37,7 @@ impl Graph {
 
     fn term(&self, node: Node) -> Term<'_> {
         let mut nodes = self.nodes.borrow_mut();
-        let index = *self.numbers.borrow_mut().entry(node.key()).or_insert_with(|| {
+        let index = *self.numbers.borrow_mut().entry(format!("{node:?}")).or_insert_with(|| {
             nodes.push(node);
             nodes.len() - 1
         });
@@ -93,22 +68,18 @@ impl Graph {
             if numbers[index].is_some() {
                 continue;
             }
-            let node = nodes[index];
-            let operands = match node {
-                Node::Variable(_) => None,
-                Node::Operation(operation) => operation.operands(),
+            let Node::Operation(operation) = nodes[index] else {
+                numbers[index] = Some(parts.len());
+                parts.push(nodes[index]);
+                continue;
             };
-            match operands {
-                Some((a, b)) if !ready => waiting.extend([(index, true), (b, false), (a, false)]),
-                _ => {
-                    numbers[index] = Some(parts.len());
-                    parts.push(match node {
-                        Node::Variable(number) => Node::Variable(number),
-                        Node::Operation(operation) => Node::Operation(
-                            operation.on(|operand| numbers[operand].expect("operands come first")),
-                        ),
-                    });
-                }
+            if ready {
+                numbers[index] = Some(parts.len());
+                let operation = operation.on(|operand| numbers[operand].expect("operands come first"));
+                parts.push(Node::Operation(operation));
+            } else {
+                waiting.push((index, true));
+                waiting.extend(operation.operands().into_iter().rev().map(|operand| (operand, false)));
             }
         }
         parts
@@ -154,18 +125,13 @@ impl Term<'_> {
     }
 
     fn scaled(self, factor: f64) -> Result<Self, ErrorKind> {
-        let Term::Node(graph, a) = self else {
-            return self.multiply(Term::Number(factor));
-        };
-        Ok(if factor == 0.0 {
-            Term::Number(0.0)
-        } else if factor == 1.0 {
-            self
-        } else if factor == -1.0 {
-            return self.negate();
-        } else {
-            graph.operation(Operation::Scale(a, factor))
-        })
+        match (self, factor) {
+            (Term::Number(_), _) => self.multiply(Term::Number(factor)),
+            (_, 0.0) => Ok(Term::Number(0.0)),
+            (_, 1.0) => Ok(self),
+            (_, -1.0) => self.negate(),
+            (Term::Node(graph, a), _) => Ok(graph.operation(Operation::Scale(a, factor))),
+        }
     }
 
     fn shifted(self, value: f64) -> Self {
@@ -184,20 +150,17 @@ impl Term<'_> {
         let Term::Node(graph, a) = self else {
             return self.power(Term::Number(exponent));
         };
-        // Beyond it, no power of a double is of use.
-        let whole = exponent == exponent.trunc() && exponent.abs() <= 1024.0;
-        Ok(if whole {
-            match exponent as i32 {
-                0 => Term::Number(1.0),
-                1 => self,
-                2 => graph.operation(Operation::Square(a)),
-                exponent => graph.operation(Operation::Power(a, exponent)),
+        match exponent {
+            0.0 => Ok(Term::Number(1.0)),
+            0.5 => self.apply(Function::Sqrt),
+            1.0 => Ok(self),
+            2.0 => Ok(graph.operation(Operation::Square(a))),
+            // Beyond it, no power of a double is of use.
+            whole if whole == whole.trunc() && whole.abs() <= 1024.0 => {
+                Ok(graph.operation(Operation::Power(a, whole as i32)))
             }
-        } else if exponent == 0.5 {
-            return self.apply(Function::Sqrt);
-        } else {
-            return self.real_power(Term::Number(exponent));
-        })
+            _ => self.real_power(Term::Number(exponent)),
+        }
     }
 }
 

@@ -151,8 +151,9 @@ fn is_value(character: char) -> bool {
     character.is_alphanumeric() || character == '_' || character == '.'
 }
 
-/// The expression with the numbers of the variables that its text names.
-pub(super) fn expression(
+/// The expression with the numbers of the variables that its text names; the first so many `moving`
+/// ones are those that [`Expression::hold`] leaves free.
+pub(crate) fn expression(
     text: &str,
     variables: &[&str],
     moving: usize,
