@@ -1,4 +1,4 @@
-//! The output folder: writing files whole, and telling how it differs from what the code makes.
+//! The output folder: writing files whole, and reporting how it differs from what the code makes.
 
 mod difference;
 mod place;

@@ -82,7 +82,7 @@ pub(crate) fn leave_nothing_behind() {
 /// Ends the program with last words, without leaving unfinished files behind.
 fn leave(words: &str) -> ! {
     folder::remove_own_temporaries();
-    // Other threads that tell of their progress wait for this, and so say nothing more.
+    // Other threads that report their progress wait for this, and so say nothing more.
     let _silence = io::stderr().lock();
     terminal::note(words);
     process::exit(ENDED)
@@ -154,12 +154,12 @@ impl Watched {
     }
 }
 
-/// Whether the process holds more than so many megabytes; not where the system does not tell.
+/// Whether the process holds more than so many megabytes; not where the system does not say.
 pub(crate) fn holds_more_than(megabytes: f64) -> bool {
     held().is_some_and(|held| held > megabytes)
 }
 
-/// The memory that the process holds, in megabytes, where the system tells it as Linux does.
+/// The memory that the process holds, in megabytes, where the system reports it as Linux does.
 fn held() -> Option<f64> {
     let status = fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn time_and_memory_end_an_analysis_and_are_told() {
+    fn time_and_memory_end_an_analysis_and_are_named() {
         assert_eq!(met(Limits { time: 0.05, ..AMPLE }), EndCause::Time(0.05));
         if held().is_some() {
             assert_eq!(met(Limits { memory: 0.1, ..AMPLE }), EndCause::Memory(0.1));

@@ -25,9 +25,9 @@ pub(crate) fn changed<'a>(folder: &Path, files: &'a [OutputFile]) -> Vec<Changed
 }
 
 /// Draws each changed figure before, after and what differs, in a new folder for temporary files,
-/// and tells where. It stays until a later run draws changes in the same output folder.
+/// and says where. It stays until a later run draws changes in the same output folder.
 ///
-/// Pictures are a help and not the result: one that cannot be drawn is told of and nothing more.
+/// Pictures are a help and not the result: one that cannot be drawn is named and nothing more.
 pub(crate) fn show(output: &Path, changes: &[Changed<'_>]) {
     if changes.is_empty() {
         return;

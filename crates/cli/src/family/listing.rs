@@ -1,4 +1,4 @@
-//! What there is to tell of a family.
+//! What there is to say of a family.
 
 use std::path::Path;
 

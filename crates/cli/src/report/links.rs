@@ -42,10 +42,10 @@ pub(crate) fn files_at_host(root: &Path) -> Option<String> {
 }
 
 fn address(citation: &str) -> Option<String> {
-    let told = citation.lines().find_map(|line| line.strip_prefix(KEY))?;
-    let told = told.split(" #").next()?.trim().trim_matches(['"', '\'']).trim_end_matches('/');
-    let told = told.strip_suffix(".git").unwrap_or(told);
-    told.strip_prefix("https://").filter(|place| !place.is_empty()).map(|_| format!("{told}/{NEWEST}"))
+    let link = citation.lines().find_map(|line| line.strip_prefix(KEY))?;
+    let link = link.split(" #").next()?.trim().trim_matches(['"', '\'']).trim_end_matches('/');
+    let link = link.strip_suffix(".git").unwrap_or(link);
+    link.strip_prefix("https://").filter(|place| !place.is_empty()).map(|_| format!("{link}/{NEWEST}"))
 }
 
 #[cfg(test)]
@@ -58,13 +58,13 @@ mod tests {
     #[test]
     fn the_address_is_that_of_the_citation_file() {
         let found = Some("https://example.org/a/b/blob/HEAD/".to_owned());
-        for told in [
+        for link in [
             "\"https://example.org/a/b\"",
             "https://example.org/a/b.git # host",
             "'https://example.org/a/b/'",
         ] {
-            let citation = format!("title: x\nrepository-code: {told}\nurl: https://other.org\n");
-            assert_eq!(address(&citation), found, "{told}");
+            let citation = format!("title: x\nrepository-code: {link}\nurl: https://other.org\n");
+            assert_eq!(address(&citation), found, "{link}");
         }
         for none in
             ["title: x\n", "repository-code:\n", "repository-code: a/b\n", "  repository-code: https://a.b\n"]

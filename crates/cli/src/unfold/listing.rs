@@ -1,4 +1,4 @@
-//! What there is to tell of an oscillator and its resonances, as lines on the terminal.
+//! What there is to say of an oscillator and its resonances, as lines on the terminal.
 
 mod gaps;
 mod window;
@@ -89,7 +89,7 @@ pub(super) fn results(description: &Description, unfolded: &Analysis) -> String 
 fn grazing_curves(description: &Description, unfolded: &Analysis) -> String {
     let units = &unfolded.axes.units;
     let (primary, secondary) = (description.primary().name(), description.secondary().name());
-    let told = |(arc, curve): (usize, &GrazingCurve)| {
+    let words = |(arc, curve): (usize, &GrazingCurve)| {
         let points: Vec<[f64; 2]> = curve.parameters().map(|at| units.parameters(at)).collect();
         let extent = |index: usize| {
             let values = points.iter().map(|point| point[index]);
@@ -105,17 +105,17 @@ fn grazing_curves(description: &Description, unfolded: &Analysis) -> String {
         );
         (format!("  curve {arc:<5}"), content)
     };
-    headed("Grazing of the non-impacting solution", unfolded.diagram.grazing.iter().enumerate().map(told))
+    headed("Grazing of the non-impacting solution", unfolded.diagram.grazing.iter().enumerate().map(words))
 }
 
 fn ends(ends: &[GrazingEnd; 2]) -> String {
-    let told = |end: &GrazingEnd| match end {
+    let words = |end: &GrazingEnd| match end {
         GrazingEnd::LeftWindow => "leaves the ranges".to_owned(),
         GrazingEnd::Closed => "is closed".to_owned(),
         GrazingEnd::Stalled(stall) => format!("is lost ({stall})"),
         GrazingEnd::StepLimit => "was followed no further after very many points".to_owned(),
     };
-    let [first, last] = ends.each_ref().map(told);
+    let [first, last] = ends.each_ref().map(words);
     match ends {
         [GrazingEnd::Closed, _] | [_, GrazingEnd::Closed] => "closed".to_owned(),
         _ if first == last => format!("{first} at both ends"),
@@ -143,8 +143,8 @@ fn stability(curve: &GrazingCurve, secondary: &str, units: &Units) -> String {
     match pieces.as_slice() {
         [(word, _)] => format!("{word} throughout"),
         _ => {
-            let told = pieces.iter().map(|(word, ends)| format!("{word} for {secondary} {}", range(*ends)));
-            told.collect::<Vec<_>>().join(", ")
+            let words = pieces.iter().map(|(word, ends)| format!("{word} for {secondary} {}", range(*ends)));
+            words.collect::<Vec<_>>().join(", ")
         }
     }
 }
@@ -221,12 +221,12 @@ fn reasons(secondary: &str, (at, kind, (coefficient, simulated)): CurveAt<'_>) -
 
 /// A sentence for every coefficient and simulation that contradicts the theorem.
 pub(super) fn contradictions(entries: &[ResonanceEntry]) -> Vec<String> {
-    let mut told = Vec::new();
+    let mut found = Vec::new();
     for (at, kind, (coefficient, simulated)) in curves(entries) {
         let what = format!("p = {}, n = {}", at.loops, at.n);
         if let (Verdict::Contradict, Ok(fit)) = (coefficient.verdict(), &coefficient.fit) {
             let number = |value: f64| brief(value, COEFFICIENT);
-            told.push(format!(
+            found.push(format!(
                 "{what}: c_{} is {} by the theorem, to {:.0e}, and {} on the continued curve, to {:.0e}",
                 kind.name(),
                 number(coefficient.theorem.value),
@@ -236,10 +236,10 @@ pub(super) fn contradictions(entries: &[ResonanceEntry]) -> Vec<String> {
             ));
         }
         if let Simulated::Against(sides) = simulated {
-            told.push(format!("{what}: beside the {} curve, {sides}", kind.name()));
+            found.push(format!("{what}: beside the {} curve, {sides}", kind.name()));
         }
     }
-    told
+    found
 }
 
 /// A row: one coefficient by the theorem, measured, and whether simulation agrees.
@@ -264,9 +264,9 @@ fn coefficient((at, kind, (coefficient, simulated)): CurveAt<'_>) -> Vec<String>
 
 /// Resonances at which no theorem applies, with the hypotheses that fail and their values.
 fn silent_theorems(description: &Description, unfolded: &Analysis) -> String {
-    let told = |(statement, value): &(String, f64)| format!("{statement} fails: {}", brief(*value, 4));
+    let words = |(statement, value): &(String, f64)| format!("{statement} fails: {}", brief(*value, 4));
     let silent = unfolded.entries().into_iter().filter_map(|at| {
-        let failing: Vec<String> = at.finding.err()?.iter().map(told).collect();
+        let failing: Vec<String> = at.finding.err()?.iter().map(words).collect();
         let content = format!("{}: {}", place(description, at.parameters), failing.join(", "));
         Some((format!("  p = {}, n = {}  ", at.loops, at.n), content))
     });
@@ -359,9 +359,9 @@ mod tests {
             gone_beyond: Some(true),
         };
         let bad = resonance(1e-7, Simulated::Against(sides));
-        let told = contradictions(&[bad]);
+        let words = contradictions(&[bad]);
         assert_eq!(
-            told,
+            words,
             [
                 "p = 2, n = 3: c_SN is -2.5 by the theorem, to 1e-9, and -2.25 on the continued curve, to 1e-7",
                 "p = 2, n = 3: beside the SN curve, at impact velocity 1e-3 the faster solution is predicted to be stable \
@@ -375,12 +375,12 @@ mod tests {
         let curve = curves(&doubtful).next().expect("the theorem applies");
         let (_, _, (coefficient, _)) = curve;
         assert!(matches!(coefficient.verdict(), Verdict::NotMeasurable(Obstacle::Rounding { .. })));
-        let told = reasons("omega", curve);
+        let words = reasons("omega", curve);
         for wanted in [
             "p = 2, n = 3, omega = 0.75000, SN:  not measurable: where",
             "as simulated undecided: the leading",
         ] {
-            assert!(told.contains(wanted), "{told}");
+            assert!(words.contains(wanted), "{words}");
         }
     }
 }

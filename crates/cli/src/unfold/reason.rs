@@ -256,15 +256,15 @@ mod tests {
         };
         let paper =
             Description::parse(include_str!("../../../../examples/paper.toml"), "paper.toml").unwrap();
-        let told = |escape| escaped(&escape, "A = 0.5, omega = 0.75", &paper);
-        let away = told(escape(-2e9, -4e5, 1e3));
+        let words = |escape| escaped(&escape, "A = 0.5, omega = 0.75", &paper);
+        let away = words(escape(-2e9, -4e5, 1e3));
         assert!(
             away.contains("runs away") && away.contains("away from the wall within t = 1.5 at A = 0.5"),
             "{away}"
         );
-        let pole = told(escape(-0.5, -7437.38, -1.5e8));
+        let pole = words(escape(-0.5, -7437.38, -1.5e8));
         assert!(pole.contains("not beyond x = -0.5") && pole.contains("F = -1.5e8, as at a pole"), "{pole}");
-        let edge = told(escape(-0.9, -1.0, f64::NAN));
+        let edge = words(escape(-0.9, -1.0, f64::NAN));
         assert!(
             edge.contains("no finite value: it is NaN next to x = -0.9, v = -1, t = 1.5 at A = 0.5"),
             "{edge}"

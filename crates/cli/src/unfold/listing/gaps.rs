@@ -28,17 +28,17 @@ pub(super) fn unfinished(description: &Description, units: &Units, diagram: &Dia
 
 /// Curves that end neither at the edge of the ranges nor at a point of codimension two.
 pub(super) fn odd_ends(description: &Description, unfolded: &Analysis) -> String {
-    let told = |DiagramCurve { kind, loops, n, curve }: &DiagramCurve| {
+    let line = |DiagramCurve { kind, loops, n, curve }: &DiagramCurve| {
         let end = odd_end(&curve.end)?;
         let at = curve.points.last().map_or(String::new(), |last| {
             place(description, unfolded.axes.units.parameters(last.solution.parameters()))
         });
         Some((format!("  {} of p = {loops}, n = {n}  ", kind.name()), format!("at {at}: {end}")))
     };
-    headed("Curves that end unexpectedly", unfolded.diagram.curves.iter().filter_map(told))
+    headed("Curves that end unexpectedly", unfolded.diagram.curves.iter().filter_map(line))
 }
 
-/// As many undecided regions of one p and one kind of reason are told one by one.
+/// As many undecided regions of one p and one kind of reason are listed one by one.
 const TOLD: usize = 3;
 
 /// Where it is not decided whether solutions are stable, with the reason.
@@ -46,18 +46,18 @@ pub(super) fn undecided(description: &Description, unfolded: &Analysis) -> Strin
     let mut kinds: Vec<(_, Vec<String>)> = Vec::new();
     for region in &unfolded.diagram.regions {
         let Some(doubt) = &region.doubt else { continue };
-        let Some(told) = reason::undecided(description, &unfolded.axes.units, region) else { continue };
+        let Some(line) = reason::undecided(description, &unfolded.axes.units, region) else { continue };
         let kind = (region.loops, discriminant(doubt));
         match kinds.iter_mut().find(|(known, _)| *known == kind) {
-            Some((_, alike)) => alike.push(told),
-            None => kinds.push((kind, vec![told])),
+            Some((_, alike)) => alike.push(line),
+            None => kinds.push((kind, vec![line])),
         }
     }
     let entries = kinds.into_iter().flat_map(|((loops, _), mut alike)| {
         let more = alike.len().saturating_sub(TOLD);
         alike.truncate(TOLD);
         let more = (more > 0).then(|| format!("{more} more for reasons of this kind, in regions.csv"));
-        alike.into_iter().chain(more).map(move |told| (format!("  p = {loops}  "), told))
+        alike.into_iter().chain(more).map(move |line| (format!("  p = {loops}  "), line))
     });
     headed("Not decided (hatched in the diagram)", entries)
 }
@@ -71,16 +71,16 @@ pub(in crate::unfold) fn incomplete(diagram: &Diagram) -> Option<String> {
     let grazing_ends = diagram.grazing.iter().flat_map(|curve| curve.ends);
     let endless = ends.filter(|end| matches!(end, CurveEnd::StepLimit)).count()
         + grazing_ends.filter(|end| *end == GrazingEnd::StepLimit).count();
-    let mut told = Vec::new();
+    let mut parts = Vec::new();
     if lost > 0 {
-        told.push(format!("{lost} of {all} resonances could not be unfolded"));
+        parts.push(format!("{lost} of {all} resonances could not be unfolded"));
     }
     if endless > 0 {
         let ends =
             if endless == 1 { "1 end of a curve was" } else { &format!("{endless} ends of curves were") };
-        told.push(format!("{ends} not reached within very many points"));
+        parts.push(format!("{ends} not reached within very many points"));
     }
-    (!told.is_empty()).then(|| told.join(" and "))
+    (!parts.is_empty()).then(|| parts.join(" and "))
 }
 
 fn odd_end(end: &CurveEnd) -> Option<String> {
@@ -145,8 +145,8 @@ mod tests {
         };
         let cut = unfinished(&description, &Units::ONE, &diagram);
         assert_eq!(cut, "\nNot finished\n  bifurcation curves of p = 2, n = 1 at A = 0.5, omega = 0.75\n");
-        let told = missing(&description, &Units::ONE, &diagram);
-        let words = told.split_whitespace().collect::<Vec<_>>().join(" ");
+        let line = missing(&description, &Units::ONE, &diagram);
+        let words = line.split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!(
             words,
             "Resonances that could not be unfolded \
