@@ -46,6 +46,7 @@ pub mod bifurcation;
 pub mod criticality;
 pub mod curve;
 pub mod cusp;
+mod emerging;
 pub mod fit;
 mod follow;
 pub mod locate;

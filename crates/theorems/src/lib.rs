@@ -32,6 +32,7 @@
 //! | 2.5 | Theorems 2.2 and 2.3 | [`generic_theorem`] |
 //! | 2.6, 5 | s_p^+-, c_SN, c_PD, the branch and the curves at a resonance, to leading order | [`unfolding`] |
 //! | 2.6 | Theorems 2.4 and 2.5 | [`resonant_theorem`] |
+//! | ours | solutions of more loops at a one-loop resonance | [`iterated`] |
 //! | 3, B | the linear oscillator, Propositions 3.1 to 3.3 | [`linear_oscillator`] |
 //!
 //! All quantities of a [`GrazingPoint`] and of a [`ResonantPoint`] can be read off a numerical
@@ -53,6 +54,7 @@ pub mod from_map;
 pub mod generic_theorem;
 pub mod grazing;
 pub mod hypothesis;
+pub mod iterated;
 pub mod linear_oscillator;
 pub mod resonant_theorem;
 pub mod spectrum;

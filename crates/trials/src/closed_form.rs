@@ -47,13 +47,15 @@ pub fn orbits(zeta: f64, epsilon: f64, amplitude: f64, omega: f64, loops: u32) -
     if found.is_empty() && fold.mu - mu < AT_FOLD {
         found.push(fold);
     }
-    let time = TAU * f64::from(loops) / omega;
+    found.iter().map(|solution| orbit(zeta, epsilon, solution, omega, loops)).collect()
+}
+
+/// A solution with its highest interior maximum.
+pub(crate) fn orbit(zeta: f64, epsilon: f64, solution: &LoopSolution, omega: f64, loops: u32) -> Orbit {
+    let LoopSolution { velocity, phase, amplitude, trace, determinant, .. } = *solution;
     let oscillator = LinearOscillator::new(zeta, epsilon, amplitude, omega).expect("valid parameters");
-    let orbit = |solution: LoopSolution| {
-        let motion = oscillator.motion(State::on_wall(-epsilon * solution.velocity, solution.phase));
-        let ceiling = motion.highest_maximum(time).map_or(f64::NEG_INFINITY, |maximum| maximum.position);
-        let LoopSolution { velocity, phase, trace, determinant, .. } = solution;
-        Orbit { velocity, phase, trace, determinant, ceiling }
-    };
-    found.into_iter().map(orbit).collect()
+    let motion = oscillator.motion(State::on_wall(-epsilon * velocity, phase));
+    let highest = motion.highest_maximum(TAU * f64::from(loops) / omega);
+    let ceiling = highest.map_or(f64::NEG_INFINITY, |maximum| maximum.position);
+    Orbit { velocity, phase, trace, determinant, ceiling }
 }

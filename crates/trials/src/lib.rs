@@ -3,6 +3,7 @@
 pub mod closed_form;
 pub mod continued;
 pub mod errors;
+pub mod lines;
 pub mod nonlinear;
 pub mod oscillators;
 pub mod random;

@@ -50,6 +50,8 @@ pub struct Diagram {
     pub grazing: Vec<GrazingCurve>,
     /// All resonances on it, by p and along the curve.
     pub resonances: Vec<Resonance>,
+    /// Those of one loop where p = 1 was not asked for: solutions of more loops leave them, too.
+    pub one_loop: Vec<Resonance>,
     /// Folds and period doublings of non-impacting motion (p = 0); then SN, PD and GZ curves of the
     /// MPSs, by p.
     pub curves: Vec<DiagramCurve>,
@@ -136,6 +138,7 @@ impl Diagram {
             scope: scope.clone(),
             grazing,
             resonances: Vec::new(),
+            one_loop: Vec::new(),
             curves,
             codimension_two: Vec::new(),
             regions,
@@ -147,6 +150,10 @@ impl Diagram {
             let (mut found, mut lost) = resonances::on_curve(curve, scope, progress);
             diagram.resonances.append(&mut found);
             diagram.unlocated.append(&mut lost);
+            if !scope.loops.contains(&1) {
+                let one_loop = Scope { loops: vec![1], ..scope.clone() };
+                diagram.one_loop.append(&mut resonances::on_curve(curve, &one_loop, progress).0);
+            }
         }
         if progress.stopped() {
             diagram.unfinished.push(Unfinished::stage(resonances::STAGE));
@@ -163,6 +170,7 @@ impl Diagram {
         let known = self.nets(followed);
         let mut nets = known.clone();
         let followed: Vec<usize> = nets.iter().map(|net| net.curves.len()).collect();
+        self.follow_iterated(&mut nets);
         self.grow(&mut nets);
         let of_mps = regions::of_mps(&self.scope, &self.grazing, &mut nets, progress);
         if of_mps.contains(&None) {
@@ -195,6 +203,7 @@ impl Diagram {
     pub fn with_curves(mut self, followed: Vec<Followed>) -> Self {
         let mut nets = self.nets(followed);
         let followed: Vec<usize> = nets.iter().map(|net| net.curves.len()).collect();
+        self.follow_iterated(&mut nets);
         self.grow(&mut nets);
         self.take(nets, &followed);
         self
@@ -218,6 +227,25 @@ impl Diagram {
             }
         }
         nets
+    }
+
+    /// Adds the curves of solutions with more loops that leave the resonances of one loop.
+    fn follow_iterated(&mut self, nets: &mut [Net]) {
+        let route = drawn(self.scope.window);
+        for net in nets.iter_mut().filter(|net| net.loops() > 1) {
+            let loops = net.loops();
+            let one_loop = self.resonances.iter().filter(|resonance| resonance.loops == 1);
+            for resonance in one_loop.chain(&self.one_loop) {
+                let (curves, missing) = resonance.located.unfold_iterated(loops, &route);
+                for curve in curves {
+                    if let Some(kind) = Bifurcation::of(curve.condition, loops) {
+                        net.add(DiagramCurve { kind, loops, n: 0, curve });
+                    }
+                }
+                let failed = |reason| NotUnfolded { loops, n: resonance.n, reason };
+                self.not_unfolded.extend(missing.into_iter().map(failed));
+            }
+        }
     }
 
     fn grow(&self, nets: &mut [Net]) {

@@ -65,6 +65,7 @@
 //! # Ok::<(), grazing_unfold::UnfoldError>(())
 //! ```
 
+mod alongside;
 mod curves;
 pub mod diagram;
 mod edges;

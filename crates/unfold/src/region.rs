@@ -95,6 +95,11 @@ impl Region {
         [0, 1].map(|end| [primary[end], secondary[end]])
     }
 
+    /// The intervals of μ in which a line of constant η lies inside.
+    pub fn chords(&self, secondary: f64) -> Vec<[f64; 2]> {
+        faces::chords(&self.rings, secondary)
+    }
+
     /// Whether a point (μ, η) lies inside.
     pub fn contains(&self, point: [f64; 2]) -> bool {
         faces::holds(&self.rings, point)

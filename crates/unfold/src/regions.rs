@@ -39,8 +39,8 @@ const THIN: f64 = 5e-4;
 const PURE: f64 = 0.1;
 /// However long a chord, no more than this share of the window may differ from the rest of it.
 const STRETCH: f64 = 5e-3;
-/// Faces with less than this share of the window's area are left out: curves are drawn to 10⁻⁴ of
-/// the ranges.
+/// Undecided faces with less than this share of the window's area are left out: the chords of two
+/// curves that cross at a small angle leave such between them.
 const SPECK: f64 = 1e-7;
 /// Values of η in a face at which the longest chord is looked for.
 const TRIALS: u32 = 15;
@@ -52,6 +52,8 @@ const SLICES: u32 = 16;
 const ROUNDS: usize = 8;
 /// Slices are no closer than this share of the range of η,
 const NEAREST: f64 = 1e-3;
+/// but for faces that none crosses, which may be as low as so many times this share,
+const LEAST_APART: f64 = 1e-7;
 /// and no more than this. Where motion is violent, as near the top of a pendulum, each shows
 /// changes that the others do not, and what they leave is undecided.
 const MOST_SLICES: usize = 200;
@@ -106,12 +108,12 @@ pub(crate) fn decided(
     for _ in 0..ROUNDS {
         let lines = joined(window, survey.lines());
         let faces = faces::cut(window, &lines);
-        let mut wanted: Vec<f64> = faces.iter().filter_map(|face| judge.unseen(face)).collect();
-        wanted.extend(faces.into_iter().flat_map(|face| judge.between_verdicts(face)));
+        let unseen: Vec<[f64; 2]> = faces.iter().filter_map(|face| judge.unseen(face)).collect();
+        let mut wanted: Vec<f64> =
+            faces.into_iter().flat_map(|face| judge.between_verdicts(face)).collect();
         wanted.extend(judge.beside_loose_ends(&lines));
         wanted.extend(judge.uncrossed(&lines));
-        wanted.sort_by(f64::total_cmp);
-        let wanted = judge.affordable(&wanted);
+        let wanted = judge.affordable(unseen, &wanted);
         if wanted.is_empty() || progress.stopped() {
             break;
         }
@@ -137,8 +139,9 @@ impl Judge {
         chords(face, secondary).into_iter().map(|chord| self.length(chord)).fold(0.0, f64::max)
     }
 
-    /// The η at which a slice is needed to judge a face, if none of those that there are will do.
-    fn unseen(&self, face: &Face) -> Option<f64> {
+    /// The η at which a slice is needed to judge a face, if none of those that there are will do,
+    /// and how near to it another one would do as well.
+    fn unseen(&self, face: &Face) -> Option<[f64; 2]> {
         let [low, high] = extent(face);
         let trial = |k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(TRIALS);
         let trials = (0..TRIALS).map(|k| (trial(k), self.longest(face, trial(k))));
@@ -148,19 +151,24 @@ impl Judge {
                 && sight.secondary < high
                 && self.longest(face, sight.secondary) >= LONG_ENOUGH * length
         });
-        (!seen && length > 0.0).then_some(best)
+        let height = self.window.widths()[1];
+        let apart = (0.5 / f64::from(TRIALS) * (high - low)).min(NEAREST * height);
+        (!seen && length > 0.0 && apart > LEAST_APART * height).then_some([best, apart])
     }
 
-    /// Values of η, of those in order, that are not so close to one another or to a slice that
-    /// another one would add nothing: evenly fewer than there are where slices would become too
-    /// many.
-    fn affordable(&self, wanted: &[f64]) -> Vec<f64> {
+    /// Values of η that are not so close to one another or to a slice that another one would add
+    /// nothing: evenly fewer than there are where slices would become too many. Those at which a
+    /// face is `unseen` may be closer, each as it says.
+    fn affordable(&self, unseen: Vec<[f64; 2]>, wanted: &[f64]) -> Vec<f64> {
         let nearest = NEAREST * self.window.widths()[1];
+        let mut all = unseen;
+        all.extend(wanted.iter().map(|level| [*level, nearest]));
+        all.sort_by(|a, b| a[0].total_cmp(&b[0]));
         let mut apart: Vec<f64> = Vec::new();
-        for level in wanted {
+        for [level, nearest] in all {
             let known = self.sights.iter().map(|sight| sight.secondary).chain(apart.last().copied());
             if known.into_iter().all(|known| (known - level).abs() >= nearest) {
-                apart.push(*level);
+                apart.push(level);
             }
         }
         let left = MOST_SLICES.saturating_sub(self.sights.len());
@@ -297,7 +305,7 @@ impl Judge {
         let judged: Vec<FaceVerdict> = faces.flat_map(|face| self.parted(self.judge(face))).collect();
         let faces: Vec<&Face> = judged.iter().filter(|j| j.verdict == Ok(true)).map(|j| &j.face).collect();
         let mut regions: Vec<(usize, Region)> = Vec::new();
-        for rings in faces::unite(&faces).into_iter().filter(|rings| !self.speck(rings)) {
+        for rings in faces::unite(&faces) {
             let place = self.bordering(&rings, curves);
             let n = place.map_or(0, |index| curves[index].n);
             regions.push((place.unwrap_or(usize::MAX), Region { loops, n, rings, doubt: None }));
@@ -377,13 +385,15 @@ mod tests {
         let (good, doubts) = (Vec::new(), Vec::new());
         let judge = Judge { window, sights: vec![Sight { secondary: 1.0, good, doubts, everywhere: None }] };
         let wanted: Vec<f64> = (0..=10_000).map(|k| 2.0 * f64::from(k) / 10_000.0).collect();
-        let levels = judge.affordable(&wanted);
+        let levels = judge.affordable(Vec::new(), &wanted);
         assert_eq!(levels.len(), MOST_SLICES - 1);
         assert!(levels.windows(2).all(|pair| pair[1] - pair[0] >= 2.0 * NEAREST));
         assert!(levels.iter().all(|level| (level - 1.0).abs() >= 2.0 * NEAREST));
         // From end to end.
         assert!(levels[0] < 0.02 && levels[levels.len() - 1] > 1.98);
-        assert_eq!(judge.affordable(&[0.5, 1.001, 1.5]), [0.5, 1.5]);
+        assert_eq!(judge.affordable(Vec::new(), &[0.5, 1.001, 1.5]), [0.5, 1.5]);
+        // A face that no slice crosses gets one however low it is.
+        assert_eq!(judge.affordable(vec![[1.001, 1e-5]], &[0.5]), [0.5, 1.001]);
     }
 
     #[test]

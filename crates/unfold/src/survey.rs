@@ -16,7 +16,6 @@ use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::Vector2;
 use rayon::prelude::*;
 
-use crate::Scope;
 use crate::curves::{DiagramCurve, Net, route};
 use crate::faces::Point;
 use crate::grazing::GrazingCurve;
@@ -26,6 +25,7 @@ use crate::sight::Sight;
 use crate::slices::{FREE_STEPS, Slice, Slicer, near_chord, spread, steps};
 use crate::stretches::{Border, broken_at, stretches};
 use crate::tolerances::BETWEEN_BIFURCATIONS;
+use crate::{Scope, alongside};
 
 /// The slices through the surface of solutions with p loops, in the order of η.
 pub(crate) struct Survey<'a> {
@@ -208,13 +208,14 @@ impl<'a> Survey<'a> {
     /// What cuts the window, as polylines.
     pub(crate) fn lines(&self) -> Vec<Vec<Point>> {
         let curves = &self.net.curves;
-        let all = || curves.iter().map(|curve| curve.curve.parameters());
         if self.net.equations.has_impacts() {
-            return all().collect();
+            let levels: Vec<f64> = self.slices.iter().map(|slice| slice.secondary).collect();
+            return alongside::polylines(&self.net.equations, curves, self.scope.window, &levels);
         }
+        let all = curves.iter().map(|curve| curve.curve.parameters());
         let grazing = self.grazing.iter().map(|curve| curve.parameters().collect());
         let covered = |k: usize| curves[..k].iter().any(|earlier| covers(self.scope, earlier, &curves[k]));
-        grazing.chain(all().enumerate().filter(|(k, _)| !covered(*k)).map(|(_, line)| line)).collect()
+        grazing.chain(all.enumerate().filter(|(k, _)| !covered(*k)).map(|(_, line)| line)).collect()
     }
 
     /// The bifurcation curves.

@@ -6,6 +6,7 @@
 mod arclength;
 mod closed_forms;
 mod criticality;
+mod emerging;
 mod formulations;
 mod hybrid;
 mod integrated;

@@ -1,0 +1,183 @@
+//! Solutions of more loops at a one-loop resonance, to leading order. Not in the paper.
+//!
+//! At a resonance of p = 1 the entry a₁₂ of A is zero, and with it that of every iterate A^k: det J
+//! (section 4, eq. (15), `eq:detJac1detJac2`) vanishes for every number of loops, so that MPSs of
+//! every k may leave the resonance together with those of one loop. Theorem 2.5 leaves this case
+//! out. Impact velocity y and phase are of order η, positions and μ of order η².
+//!
+//! Such an MPS has k loops of P_global and one impact: it is a one-loop MPS of P_global^k, whose
+//! a₁₂ vanishes at the same place. So Theorem 2.4 describes it with the quantities of the iterate
+//! ([`IteratedResonance::point`]),
+//!
+//! ```text
+//! A^k,   b_k,   a12' (a11^k - a22^k) / (a11 - a22),   xi_k,
+//! ```
+//!
+//! as far as curves and stability go. What the iterate does not know of is the wall: the MPS must
+//! not reach it at the visits x⁽ʲ⁾ to Π, 0 < j < k. To leading order these are
+//!
+//! ```text
+//! theta_0 = -alpha omega y / ((1 - a22^k) gamma),     theta_(j+1) = a22 theta_j,
+//! x_0 = phi^2 y^2 / (2 gamma),   x_(j+1) = a11 x_j + a12' eta theta_j + xi theta_j^2 / 2 + b1 mu,
+//! ```
+//!
+//! where theta is the phase less z_graz(η), and μ = k₂ y² + k₃ η y on the branch: each x⁽ʲ⁾ is y
+//! times a linear form in y and η ([`VisitHeight`]). Stability is a pair of such forms, too. So
+//! on either side of η the stable, admissible MPSs of k loops, if there are any, are those with
+//! y/|η| in one interval ([`IteratedResonance::emerging`]), bounded by curves that all leave the
+//! resonance, tangent to the grazing curve: between them lies a region however thin.
+
+use crate::generic_theorem::Side;
+use crate::grazing::GrazingPoint;
+use crate::unfolding::{ResonantPoint, Unfolding};
+
+/// The position of a visit to Π divided by the impact velocity, to leading order: a linear form in
+/// impact velocity and η. The visit lies before the wall where it is negative.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VisitHeight {
+    /// The coefficient of y.
+    pub by_velocity: f64,
+    /// The coefficient of η.
+    pub by_eta: f64,
+}
+
+/// Where the stable, admissible MPSs that leave a resonance end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Boundary {
+    /// At a saddle-node bifurcation.
+    SaddleNode,
+    /// Where a multiplier is −1.
+    PeriodDoubling,
+    /// Where the visit of this number touches the wall.
+    Visit(u32),
+}
+
+/// An end of an interval of impact velocities.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VelocityBound {
+    /// What happens there.
+    pub boundary: Boundary,
+    /// The impact velocity there per unit of η; it has the sign of the side of η.
+    pub velocity_slope: f64,
+}
+
+/// The stable, admissible k-loop MPSs on one side of η: those with an impact velocity between the
+/// bounds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EmergingSolutions {
+    /// The sign of η.
+    pub side: Side,
+    /// The least impact velocity.
+    pub slowest: VelocityBound,
+    /// The greatest one; none where faster ones are stable and admissible as far as leading terms
+    /// tell.
+    pub fastest: Option<VelocityBound>,
+}
+
+/// The k-loop MPSs at a one-loop resonance.
+#[derive(Debug, Clone, PartialEq)]
+pub struct IteratedResonance {
+    loops: u32,
+    point: ResonantPoint,
+    visits: Vec<VisitHeight>,
+}
+
+impl IteratedResonance {
+    /// What the k = `loops` ≥ 1 loop MPSs do at the one-loop resonance `resonance`, where a₁₂ = 0 is
+    /// taken for granted.
+    pub fn new(resonance: &ResonantPoint, loops: u32) -> Self {
+        let GrazingPoint { map, forcing_frequency, gamma, phi, .. } = resonance.grazing;
+        let (a11, a22) = (map.a.m11, map.a.m22);
+        let (slope, curvature) = (resonance.unfolding.derivative, resonance.second_phase_derivative);
+        // Derivatives of x of the iterate by phase and η, and twice by phase; a₂₂^j.
+        let (mut mixed, mut second, mut power) = (0.0, 0.0, 1.0);
+        for _ in 0..loops {
+            mixed = a11 * mixed + slope * power;
+            second = a11 * second + curvature * power * power;
+            power *= a22;
+        }
+        let point = ResonantPoint {
+            grazing: GrazingPoint { map: map.iterate(loops), ..resonance.grazing },
+            second_phase_derivative: second,
+            unfolding: Unfolding { loops: 1, derivative: mixed },
+        };
+        let branch = point.branch_expansion();
+        let mut phase = -resonance.grazing.alpha() * forcing_frequency / ((1.0 - power) * gamma);
+        let mut height = VisitHeight { by_velocity: 0.5 * phi * phi / gamma, by_eta: 0.0 };
+        let mut visits = Vec::new();
+        for _ in 1..loops {
+            height = VisitHeight {
+                by_velocity: a11 * height.by_velocity
+                    + 0.5 * curvature * phase * phase
+                    + map.b.x * branch.k_2,
+                by_eta: a11 * height.by_eta + slope * phase + map.b.x * branch.k_3,
+            };
+            phase *= a22;
+            visits.push(height);
+        }
+        Self { loops, point, visits }
+    }
+
+    /// The number k of loops.
+    pub fn loops(&self) -> u32 {
+        self.loops
+    }
+
+    /// The same resonance as one of the k-th iterate of P_global, with one loop: what Theorem 2.4
+    /// asks about.
+    pub fn point(&self) -> &ResonantPoint {
+        &self.point
+    }
+
+    /// The heights of the visits x⁽ʲ⁾, 0 < j < k, in order.
+    pub fn visits(&self) -> &[VisitHeight] {
+        &self.visits
+    }
+
+    /// The stable, admissible MPSs, for either side of η on which there are some.
+    ///
+    /// With V = y/|η| they are those at which s⁺V < ±αω a₁₂', s⁻V > ±αω a₁₂' (section 5, after
+    /// `eq:Upsilon1`, with the quantities of the iterate), and all visits lie before the wall. As V
+    /// tends to zero one of the first two fails, so that there is a least velocity. None where b₁ =
+    /// 0, or for a map that is not contracting.
+    pub fn emerging(&self) -> Vec<EmergingSolutions> {
+        let contracting = self.point.grazing.map.determinant().abs() < 1.0;
+        let sides = [Side::Negative, Side::Positive].into_iter();
+        sides.filter(|_| contracting).filter_map(|side| self.emerging_to(side)).collect()
+    }
+
+    fn emerging_to(&self, side: Side) -> Option<EmergingSolutions> {
+        let stability = self.point.stability_coefficients();
+        let grazing = &self.point.grazing;
+        let turn = grazing.alpha() * grazing.forcing_frequency * self.point.off_diagonal_slope();
+        // Linear forms in V and the sign of η that are positive where all is well.
+        let stable = [
+            (Boundary::SaddleNode, -stability.plus, turn),
+            (Boundary::PeriodDoubling, stability.minus, -turn),
+        ];
+        let visits = (1..).zip(&self.visits);
+        let before_the_wall =
+            visits.map(|(number, visit)| (Boundary::Visit(number), -visit.by_velocity, -visit.by_eta));
+        let (mut slowest, mut fastest): (Option<VelocityBound>, Option<VelocityBound>) = (None, None);
+        for (boundary, by_velocity, by_eta) in stable.into_iter().chain(before_the_wall) {
+            let bound = VelocityBound { boundary, velocity_slope: -by_eta / by_velocity };
+            let velocity = bound.velocity_slope * side.signum();
+            if velocity.is_nan() {
+                return None;
+            }
+            let faster = |known: &VelocityBound| known.velocity_slope.abs() > velocity;
+            match (by_velocity > 0.0, velocity > 0.0) {
+                // Well at all velocities.
+                (true, false) => {}
+                (true, true) => slowest = Some(slowest.filter(faster).unwrap_or(bound)),
+                (false, true) => fastest = Some(fastest.filter(|known| !faster(known)).unwrap_or(bound)),
+                // At none.
+                (false, false) => return None,
+            }
+        }
+        let slowest = slowest?;
+        let is_interval =
+            fastest.is_none_or(|fastest| fastest.velocity_slope.abs() > slowest.velocity_slope.abs());
+        is_interval.then_some(EmergingSolutions { side, slowest, fastest })
+    }
+}

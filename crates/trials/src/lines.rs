@@ -1,0 +1,130 @@
+//! Shaded regions along lines of constant η, whole intervals of μ however narrow: those of the
+//! linear oscillator against the closed form, those of any oscillator in one window against those
+//! in another.
+
+use grazing_claims::sweep::closed_form::LoopSolutions;
+use grazing_continuation::curve::Window;
+use grazing_unfold::Diagram;
+
+use crate::closed_form::orbit;
+
+/// Shorter intervals are those of rounding: two-loop slivers end in cusps, in which they have any
+/// width.
+pub const LEAST: f64 = 1e-8;
+/// Borders are drawn by chords that leave curves by this share of the range of μ at most.
+pub const CHORD: f64 = 3e-4;
+
+/// Intervals of μ on a line, apart and in order.
+pub type Intervals = Vec<[f64; 2]>;
+
+/// The interval of amplitudes in a range at which a p-loop MPS is stable and admissible; at one
+/// frequency there is one at most.
+///
+/// The trace is linear in 1/y, so that stable MPSs are those with y in an interval, on which the
+/// amplitude grows; and they are admissible up to some y, as x is linear in y once it is divided by
+/// what of it the forcing makes.
+pub fn exact(zeta: f64, epsilon: f64, [least, most]: [f64; 2], omega: f64, loops: u32) -> Option<[f64; 2]> {
+    let solutions = LoopSolutions::new(zeta, epsilon, omega, loops);
+    let [one, two] = [1.0, 2.0].map(|velocity| solutions.with_velocity(velocity));
+    let slope = 2.0 * (one.trace - two.trace);
+    let constant = one.trace - slope;
+    let limit = 1.0 + one.determinant;
+    let inverse = [-limit, limit].map(|trace| (trace - constant) / slope);
+    let [low, high] = [inverse[0].min(inverse[1]).max(0.0), inverse[0].max(inverse[1])];
+    if high <= 0.0 {
+        return None;
+    }
+    let amplitude = |velocity: f64| solutions.with_velocity(velocity).amplitude;
+    let slowest = 1.0 / high;
+    // Faster ones lie beyond the range.
+    let mut fastest = if low > 0.0 { 1.0 / low } else { f64::INFINITY };
+    let mut reach = slowest.max(1.0);
+    while reach < fastest && amplitude(reach) < most {
+        reach *= 2.0;
+    }
+    fastest = fastest.min(reach);
+    let admissible = |velocity: f64| orbit(zeta, epsilon, &solutions.with_velocity(velocity), omega, loops).admissible();
+    if !admissible(fastest) {
+        let (mut below, mut above) = (slowest, fastest);
+        if !admissible(slowest) {
+            return None;
+        }
+        for _ in 0..60 {
+            let middle = 0.5 * (below + above);
+            if admissible(middle) { below = middle } else { above = middle }
+        }
+        fastest = below;
+    }
+    let [from, to] = [amplitude(slowest).max(least), amplitude(fastest).min(most)];
+    (to - from > 0.0).then_some([from, to])
+}
+
+/// What a diagram shows of p-loop solutions on a line: where it is shaded, and where it is hatched.
+pub fn shown(diagram: &Diagram, loops: u32, secondary: f64) -> [Intervals; 2] {
+    [false, true].map(|hatched| {
+        let regions = diagram.regions.iter();
+        let regions = regions.filter(|region| region.loops == loops && region.doubt.is_some() == hatched);
+        let mut all: Intervals = regions.flat_map(|region| region.chords(secondary)).collect();
+        all.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        all
+    })
+}
+
+/// The length of what an interval has in common with others.
+pub fn common([from, to]: [f64; 2], others: &[[f64; 2]]) -> f64 {
+    others.iter().map(|[low, high]| (high.min(to) - low.max(from)).max(0.0)).sum()
+}
+
+/// The intervals of `wanted`, within a range of the given width, of which less than half is in
+/// `there`, or so much is not that no chord explains it.
+pub fn missing(wanted: &[[f64; 2]], there: &[[f64; 2]], width: f64) -> Intervals {
+    let lacks = |interval: &&[f64; 2]| {
+        let length = interval[1] - interval[0];
+        let lacking = length - common(**interval, there);
+        length > LEAST && (lacking > CHORD * width || lacking > 0.5 * length && !beside(**interval, there, width))
+    };
+    wanted.iter().filter(lacks).copied().collect()
+}
+
+/// Whether there is an interval of the like length as near as chords may leave it.
+fn beside([from, to]: [f64; 2], there: &[[f64; 2]], width: f64) -> bool {
+    let near = CHORD * width;
+    there.iter().any(|[low, high]| *low < to + near && from - near < *high && (high - low) * 2.0 > to - from)
+}
+
+/// A line on which a diagram is not what it should be.
+#[derive(Clone, Debug)]
+pub struct Wrong {
+    /// p.
+    pub loops: u32,
+    /// η.
+    pub secondary: f64,
+    /// What is there and is not shown.
+    pub missed: Intervals,
+    /// What is shown and is not there.
+    pub false_shading: Intervals,
+}
+
+/// Compares a diagram of the linear oscillator with the closed form on lines.
+pub fn compare(
+    diagram: &Diagram,
+    [zeta, epsilon]: [f64; 2],
+    window: Window,
+    lines: impl Iterator<Item = f64>,
+) -> Vec<Wrong> {
+    let mut wrong = Vec::new();
+    let width = window.widths()[0];
+    for secondary in lines {
+        for &loops in &diagram.scope.loops {
+            let [shaded, hatched] = shown(diagram, loops, secondary);
+            let right: Intervals = exact(zeta, epsilon, window.primary, secondary, loops).into_iter().collect();
+            let known = [shaded.clone(), hatched].concat();
+            let missed = missing(&right, &known, width);
+            let false_shading = missing(&shaded, &right, width);
+            if !missed.is_empty() || !false_shading.is_empty() {
+                wrong.push(Wrong { loops, secondary, missed, false_shading });
+            }
+        }
+    }
+    wrong
+}

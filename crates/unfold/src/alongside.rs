@@ -1,0 +1,167 @@
+//! Curves that run close together, as polylines between which faces have their true order.
+//!
+//! Curves are drawn by chords that leave them by some 10⁻⁴ of the window. Where two curves are
+//! closer than that, as those that leave a resonance tangent to each other, chords with vertices in
+//! different places would cross and cut the strip between them into pieces. So such curves get
+//! vertices at the same values of μ or η, and at those of the slices by which the strip is judged;
+//! each is located by Newton's method.
+
+use grazing_continuation::curve::Window;
+use grazing_continuation::locate::{Condition, locate_within};
+use grazing_continuation::mps::{LoopEquations, Unknowns, parameters, unknown};
+use rayon::prelude::*;
+
+use crate::curves::DiagramCurve;
+use crate::faces::Point;
+
+/// Curves closer to each other than this, in shares of the ranges, run alongside: so far chords are
+/// certain not to leave them.
+const ALONGSIDE: f64 = 1e-3;
+/// Vertices closer than this are one.
+const SAME_LEVEL: f64 = 1e-9;
+
+/// A place between two vertices of a curve at which it gets another: the unknown (μ or η) whose
+/// value is given, and how far between.
+#[derive(Clone, Copy)]
+struct Place {
+    segment: usize,
+    unknown: usize,
+    value: f64,
+    way: f64,
+}
+
+/// A vertex of a curve in shares of the ranges.
+struct Vertex {
+    shares: Point,
+    curve: usize,
+}
+
+/// The curves as polylines, with vertices at common places where they run alongside.
+pub(crate) fn polylines(
+    equations: &LoopEquations,
+    curves: &[DiagramCurve],
+    window: Window,
+    levels: &[f64],
+) -> Vec<Vec<Point>> {
+    let shares: Vec<Vec<Point>> = curves
+        .iter()
+        .map(|curve| curve.curve.parameters().into_iter().map(|at| window.shares(at)).collect())
+        .collect();
+    let mut places = beside_vertices(&shares, window);
+    for (of, more) in places.iter_mut().zip(at_levels(&shares, window, levels)) {
+        of.extend(more);
+    }
+    let polyline = |(curve, places): (&DiagramCurve, Vec<Place>)| refined(equations, curve, places, window);
+    curves.par_iter().zip(places).map(polyline).collect()
+}
+
+/// How far between two numbers a value lies, if it lies inside.
+fn way([from, to]: [f64; 2], value: f64) -> Option<f64> {
+    let way = (value - from) / (to - from);
+    (SAME_LEVEL..=1.0 - SAME_LEVEL).contains(&way).then_some(way)
+}
+
+/// The unknown with each of the two parameters.
+const UNKNOWN: [usize; 2] = [unknown::PRIMARY, unknown::SECONDARY];
+
+/// For each curve the places beside vertices of others.
+fn beside_vertices(curves: &[Vec<Point>], window: Window) -> Vec<Vec<Place>> {
+    let sorted = [0, 1].map(|axis| {
+        let points = |(curve, points): (usize, &Vec<Point>)| {
+            points.iter().map(move |shares| Vertex { shares: *shares, curve }).collect::<Vec<_>>()
+        };
+        let mut all: Vec<Vertex> = curves.iter().enumerate().flat_map(points).collect();
+        all.sort_by(|a, b| a.shares[axis].total_cmp(&b.shares[axis]));
+        all
+    });
+    let places = |(index, points): (usize, &Vec<Point>)| {
+        let mut places = Vec::new();
+        for (segment, pair) in points.windows(2).enumerate() {
+            let [a, b] = [pair[0], pair[1]];
+            // The parameter that changes more, in which the segment is a graph.
+            let axis = usize::from((b[1] - a[1]).abs() >= (b[0] - a[0]).abs());
+            let (low, high) = (a[axis].min(b[axis]), a[axis].max(b[axis]));
+            let first = sorted[axis].partition_point(|vertex| vertex.shares[axis] <= low);
+            for vertex in sorted[axis][first..].iter().take_while(|vertex| vertex.shares[axis] < high) {
+                let Some(way) = way([a[axis], b[axis]], vertex.shares[axis]) else { continue };
+                let other = 1 - axis;
+                let aside = vertex.shares[other] - a[other] - (b[other] - a[other]) * way;
+                if vertex.curve != index && aside.abs() < ALONGSIDE {
+                    let value = window.parameters(vertex.shares)[axis];
+                    places.push(Place { segment, unknown: UNKNOWN[axis], value, way });
+                }
+            }
+        }
+        places
+    };
+    curves.iter().enumerate().map(places).collect()
+}
+
+/// For each curve the places at levels of η where another one is close.
+fn at_levels(curves: &[Vec<Point>], window: Window, levels: &[f64]) -> Vec<Vec<Place>> {
+    let mut places: Vec<Vec<Place>> = vec![Vec::new(); curves.len()];
+    for &value in levels {
+        let [_, level] = window.shares([window.primary[0], value]);
+        let mut crossings: Vec<(f64, usize, Place)> = Vec::new();
+        for (index, points) in curves.iter().enumerate() {
+            for (segment, pair) in points.windows(2).enumerate() {
+                if let Some(way) = way([pair[0][1], pair[1][1]], level) {
+                    let across = pair[0][0] + (pair[1][0] - pair[0][0]) * way;
+                    let place = Place { segment, unknown: unknown::SECONDARY, value, way };
+                    crossings.push((across, index, place));
+                }
+            }
+        }
+        crossings.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut close = vec![false; crossings.len()];
+        for k in 1..crossings.len() {
+            if crossings[k].0 - crossings[k - 1].0 < ALONGSIDE {
+                (close[k - 1], close[k]) = (true, true);
+            }
+        }
+        for ((_, index, place), _) in crossings.into_iter().zip(close).filter(|(_, close)| *close) {
+            places[index].push(place);
+        }
+    }
+    places
+}
+
+/// The polyline of a curve with vertices at further places, as far as they are found.
+fn refined(
+    equations: &LoopEquations,
+    curve: &DiagramCurve,
+    mut places: Vec<Place>,
+    window: Window,
+) -> Vec<Point> {
+    places.sort_by(|a, b| a.segment.cmp(&b.segment).then(a.way.total_cmp(&b.way)));
+    places.dedup_by(|b, a| a.segment == b.segment && b.way - a.way < SAME_LEVEL);
+    let mut places = places.into_iter().peekable();
+    let points = &curve.curve.points;
+    let mut line = Vec::with_capacity(points.len());
+    for (index, point) in points.iter().enumerate() {
+        line.push(point.solution.parameters());
+        while let Some(place) = places.next_if(|place| place.segment == index) {
+            let ends = [0, 1].map(|k| points[index + k].solution.unknowns);
+            let near: Unknowns = ends[0] + (ends[1] - ends[0]) * place.way;
+            let level = match place.unknown {
+                unknown::PRIMARY => Condition::Primary(place.value),
+                _ => Condition::Secondary(place.value),
+            };
+            let conditions = [curve.curve.condition, level];
+            // As far as the curve may leave its chord, and no farther than the next vertices.
+            let reach = (ends[1] - ends[0]).norm();
+            let found =
+                locate_within(reach, equations, conditions, near, &mut point.times.clone()).map(|found| {
+                    let mut at = parameters(&found);
+                    at[place.unknown - unknown::PRIMARY] = place.value;
+                    at
+                });
+            let is_close = |at: &Point| {
+                let [here, there] = [*at, parameters(&near)].map(|at| window.shares(at));
+                [0, 1].iter().all(|&axis| (here[axis] - there[axis]).abs() < ALONGSIDE)
+            };
+            line.extend(found.ok().filter(is_close));
+        }
+    }
+    line
+}
