@@ -43,7 +43,8 @@ pub fn exact(zeta: f64, epsilon: f64, [least, most]: [f64; 2], omega: f64, loops
         reach *= 2.0;
     }
     fastest = fastest.min(reach);
-    let admissible = |velocity: f64| orbit(zeta, epsilon, &solutions.with_velocity(velocity), omega, loops).admissible();
+    let admissible =
+        |velocity: f64| orbit(zeta, epsilon, &solutions.with_velocity(velocity), omega, loops).admissible();
     if !admissible(fastest) {
         let (mut below, mut above) = (slowest, fastest);
         if !admissible(slowest) {
@@ -70,26 +71,39 @@ pub fn shown(diagram: &Diagram, loops: u32, secondary: f64) -> [Intervals; 2] {
     })
 }
 
-/// The length of what an interval has in common with others.
-pub fn common([from, to]: [f64; 2], others: &[[f64; 2]]) -> f64 {
-    others.iter().map(|[low, high]| (high.min(to) - low.max(from)).max(0.0)).sum()
-}
+/// Lines beside a line, in shares of [`CHORD`]: what is shown there may belong to the line itself.
+const BESIDE: [f64; 5] = [0.0, -0.5, 0.5, -1.0, 1.0];
+/// Places in an interval that are looked at.
+const PLACES: u32 = 9;
 
-/// The intervals of `wanted`, within a range of the given width, of which less than half is in
-/// `there`, or so much is not that no chord explains it.
-pub fn missing(wanted: &[[f64; 2]], there: &[[f64; 2]], width: f64) -> Intervals {
-    let lacks = |interval: &&[f64; 2]| {
-        let length = interval[1] - interval[0];
-        let lacking = length - common(**interval, there);
-        length > LEAST && (lacking > CHORD * width || lacking > 0.5 * length && !beside(**interval, there, width))
+/// What of `wanted` lies farther from everything `there` than chords may leave it: pieces of the
+/// intervals that none of the others covers, with places that are near to none of those on lines
+/// beside.
+pub fn lacking(wanted: &[[f64; 2]], there: &[Intervals; BESIDE.len()], width: f64) -> Intervals {
+    let near = |place: f64| {
+        let reach = CHORD * width;
+        there.iter().flatten().any(|[low, high]| low - reach <= place && place <= high + reach)
     };
-    wanted.iter().filter(lacks).copied().collect()
+    let pieces = wanted.iter().flat_map(|interval| uncovered(*interval, &there[0]));
+    let places = |[from, to]: [f64; 2]| {
+        (1..=PLACES).map(move |k| from + (to - from) * f64::from(k) / f64::from(PLACES + 1))
+    };
+    pieces.filter(|piece| piece[1] - piece[0] > LEAST && places(*piece).any(|place| !near(place))).collect()
 }
 
-/// Whether there is an interval of the like length as near as chords may leave it.
-fn beside([from, to]: [f64; 2], there: &[[f64; 2]], width: f64) -> bool {
-    let near = CHORD * width;
-    there.iter().any(|[low, high]| *low < to + near && from - near < *high && (high - low) * 2.0 > to - from)
+/// The parts of an interval in none of the others, which are in order.
+fn uncovered([start, to]: [f64; 2], others: &[[f64; 2]]) -> Intervals {
+    let (mut parts, mut from) = (Vec::new(), start);
+    for [low, high] in others.iter().filter(|[low, high]| *high > start && *low < to) {
+        if *low > from {
+            parts.push([from, *low]);
+        }
+        from = from.max(*high);
+    }
+    if from < to {
+        parts.push([from, to]);
+    }
+    parts
 }
 
 /// A line on which a diagram is not what it should be.
@@ -113,14 +127,21 @@ pub fn compare(
     lines: impl Iterator<Item = f64>,
 ) -> Vec<Wrong> {
     let mut wrong = Vec::new();
-    let width = window.widths()[0];
+    let [width, height] = window.widths();
     for secondary in lines {
         for &loops in &diagram.scope.loops {
-            let [shaded, hatched] = shown(diagram, loops, secondary);
-            let right: Intervals = exact(zeta, epsilon, window.primary, secondary, loops).into_iter().collect();
-            let known = [shaded.clone(), hatched].concat();
-            let missed = missing(&right, &known, width);
-            let false_shading = missing(&shaded, &right, width);
+            let beside = BESIDE.map(|share| secondary + share * CHORD * height);
+            let right = beside.map(|secondary| -> Intervals {
+                exact(zeta, epsilon, window.primary, secondary, loops).into_iter().collect()
+            });
+            let shown = beside.map(|secondary| shown(diagram, loops, secondary));
+            let known = shown.each_ref().map(|lists| {
+                let mut known = lists.concat();
+                known.sort_by(|a, b| a[0].total_cmp(&b[0]));
+                known
+            });
+            let missed = lacking(&right[0], &known, width);
+            let false_shading = lacking(&shown[0][0], &right, width);
             if !missed.is_empty() || !false_shading.is_empty() {
                 wrong.push(Wrong { loops, secondary, missed, false_shading });
             }

@@ -17,6 +17,9 @@ use crate::faces::Point;
 /// Curves closer to each other than this, in shares of the ranges, run alongside: so far chords are
 /// certain not to leave them.
 const ALONGSIDE: f64 = 1e-3;
+/// A segment that rises by less than this share of the range of η for one of that of μ is flat: the
+/// little by which it leaves its curve is much along a slice.
+const FLAT: f64 = 0.1;
 /// Vertices closer than this are one.
 const SAME_LEVEL: f64 = 1e-9;
 
@@ -97,7 +100,7 @@ fn beside_vertices(curves: &[Vec<Point>], window: Window) -> Vec<Vec<Place>> {
     curves.iter().enumerate().map(places).collect()
 }
 
-/// For each curve the places at levels of η where another one is close.
+/// For each curve the places at levels of η where another one is close, or where it is flat.
 fn at_levels(curves: &[Vec<Point>], window: Window, levels: &[f64]) -> Vec<Vec<Place>> {
     let mut places: Vec<Vec<Place>> = vec![Vec::new(); curves.len()];
     for &value in levels {
@@ -113,7 +116,11 @@ fn at_levels(curves: &[Vec<Point>], window: Window, levels: &[f64]) -> Vec<Vec<P
             }
         }
         crossings.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut close = vec![false; crossings.len()];
+        let flat = |(_, index, place): &(f64, usize, Place)| {
+            let pair = &curves[*index][place.segment..];
+            (pair[1][1] - pair[0][1]).abs() < FLAT * (pair[1][0] - pair[0][0]).abs()
+        };
+        let mut close: Vec<bool> = crossings.iter().map(flat).collect();
         for k in 1..crossings.len() {
             if crossings[k].0 - crossings[k - 1].0 < ALONGSIDE {
                 (close[k - 1], close[k]) = (true, true);

@@ -109,8 +109,7 @@ pub(crate) fn decided(
         let lines = joined(window, survey.lines());
         let faces = faces::cut(window, &lines);
         let unseen: Vec<[f64; 2]> = faces.iter().filter_map(|face| judge.unseen(face)).collect();
-        let mut wanted: Vec<f64> =
-            faces.into_iter().flat_map(|face| judge.between_verdicts(face)).collect();
+        let mut wanted: Vec<f64> = faces.into_iter().flat_map(|face| judge.between_verdicts(face)).collect();
         wanted.extend(judge.beside_loose_ends(&lines));
         wanted.extend(judge.uncrossed(&lines));
         let wanted = judge.affordable(unseen, &wanted);

@@ -130,6 +130,7 @@ impl<'a> Survey<'a> {
                 }
                 // Only now that all are known to which something leads.
                 let found = core::mem::take(&mut self.found);
+                self.follow_edges(&found, progress);
                 self.slices.par_iter_mut().for_each(|slice| {
                     let secondary = slice.secondary;
                     let here = found.iter().filter(|solution| solution[unknown::SECONDARY] == secondary);
@@ -156,6 +157,19 @@ impl<'a> Survey<'a> {
             .map(|primary| self.slicer.across(&self.slices, *primary, &self.columns))
             .collect();
         found.into_iter().flatten().for_each(|column| self.add_column(column, progress));
+    }
+
+    /// Follows the edges of the window at which μ is least or greatest through solutions there to
+    /// which nothing may lead: what a corner cuts off may lie between two slices.
+    fn follow_edges(&mut self, found: &[Unknowns], progress: &dyn Progress) {
+        for solution in found.iter().filter(|at| self.scope.window.primary.contains(&at[unknown::PRIMARY])) {
+            if self.columns.iter().any(|column| self.slicer.passes(column, solution)) {
+                continue;
+            }
+            self.follow_column(solution, progress);
+            // Those that are found on the slices are followed across as well.
+            self.crossed = false;
+        }
     }
 
     /// Adds a column through a solution.
