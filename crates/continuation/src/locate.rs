@@ -48,8 +48,9 @@ impl Condition {
         };
         Ok(match self {
             Self::Multiplier(multiplier) => pair.characteristic(multiplier),
-            Self::InteriorGrazing => equations.maximum_near(point, &mut times.grazing_time)?,
-            Self::SecondInteriorGrazing => equations.maximum_near(point, &mut times.second_grazing_time)?,
+            Self::InteriorGrazing | Self::SecondInteriorGrazing => {
+                equations.maximum_near(point, self.maximum_time(times))?
+            }
             Self::ImpactVelocity(value) => coordinate(unknown::VELOCITY, value),
             Self::Primary(value) => coordinate(unknown::PRIMARY, value),
             Self::Secondary(value) => coordinate(unknown::SECONDARY, value),
@@ -64,6 +65,14 @@ impl Condition {
             false => Self::Primary(point[unknown::PRIMARY]),
         };
         [Self::Secondary(point[unknown::SECONDARY]), held]
+    }
+
+    /// The time of the interior maximum that touches the wall.
+    pub(crate) fn maximum_time(self, times: &mut EventTimes) -> &mut f64 {
+        match self {
+            Self::SecondInteriorGrazing => &mut times.second_grazing_time,
+            _ => &mut times.grazing_time,
+        }
     }
 
     pub(crate) fn needs_second_order(self) -> bool {

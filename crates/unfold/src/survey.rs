@@ -10,7 +10,7 @@ use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, CurveEnd, Event, Route, SolutionCurve, Window};
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, Unknowns, unknown};
+use grazing_continuation::mps::{EventTimes, Unknowns, parameters, unknown};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::Vector2;
@@ -162,7 +162,11 @@ impl<'a> Survey<'a> {
     /// Follows the edges of the window at which μ is least or greatest through solutions there to
     /// which nothing may lead: what a corner cuts off may lie between two slices.
     fn follow_edges(&mut self, found: &[Unknowns], progress: &dyn Progress) {
-        for solution in found.iter().filter(|at| self.scope.window.primary.contains(&at[unknown::PRIMARY])) {
+        let on_an_edge = |solution: &&Unknowns| {
+            let [share, _] = self.scope.window.shares(parameters(solution));
+            share.abs().min((share - 1.0).abs()) < ON_THE_EDGE
+        };
+        for solution in found.iter().filter(on_an_edge) {
             if self.columns.iter().any(|column| self.slicer.passes(column, solution)) {
                 continue;
             }

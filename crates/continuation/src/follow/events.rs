@@ -24,6 +24,8 @@ pub(super) const INADMISSIBLE: usize = 2;
 /// Signs of the functions that vanish at the [`EVENTS`]; unknown where that was not looked at.
 pub(super) type Signs = [Option<bool>; EVENTS.len()];
 
+/// So many maxima may come to the wall one after the other within a step.
+const MAXIMA: usize = 16;
 /// So far along the tangent the maxima of loops that touch the wall at y = 0 have left it by more
 /// than the tangent is off, and by more than rounding.
 const BESIDE_GRAZING: f64 = 1e-6;
@@ -134,22 +136,29 @@ impl<O: ImpactOscillator> Step<'_, O> {
                 times = before.carried.clone();
                 equations.solution(&before.point)
             };
+            if self.followed.condition == Condition::InteriorGrazing {
+                // One maximum touches the wall all along the curve; this is another one.
+                sought = Condition::SecondInteriorGrazing;
+            }
             if let Some(maximum) = solution.highest_interior_maximum {
-                if self.followed.condition == Condition::InteriorGrazing {
-                    // One maximum touches the wall all along the curve; this is another one.
-                    sought = Condition::SecondInteriorGrazing;
-                    times.second_grazing_time = maximum.time;
-                } else {
-                    times.grazing_time = maximum.time;
-                }
+                *sought.maximum_time(&mut times) = maximum.time;
             }
         }
-        let point = self.located_near(sought, near, &mut times)?;
+        let mut point = self.located_near(sought, near, &mut times)?;
+        let mut solution = equations.solution(&point);
+        // Where that one touches the wall another may be beyond it, which touched it before.
+        for _ in 0..MAXIMA {
+            let beyond = solution.highest_interior_maximum.filter(|maximum| maximum.position > TOUCHES_TOO);
+            let Some(maximum) = beyond.filter(|_| condition == Condition::InteriorGrazing) else { break };
+            *sought.maximum_time(&mut times) = maximum.time;
+            point = self.located_near(sought, point, &mut times)?;
+            solution = equations.solution(&point);
+        }
         if sought == Condition::SecondInteriorGrazing {
             // The curve that can start from there is that of the second maximum.
             core::mem::swap(&mut times.grazing_time, &mut times.second_grazing_time);
         }
-        Ok((equations.solution(&point), times))
+        Ok((solution, times))
     }
 
     /// Locates an event that Newton's method does not find from the middle of the step: the step is

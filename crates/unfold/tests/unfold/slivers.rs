@@ -61,3 +61,21 @@ fn show() {
         );
     }
 }
+
+#[test]
+fn debug() {
+    let eta = 0.4991989326488868;
+    println!("exact {:?}", lines::exact(0.02, 0.9, [0.0, 1.3], eta, 2));
+    let window = Window { primary: [0.0, 1.3], secondary: [0.35, 1.02] };
+    let scope = Scope { window, loops: vec![1, 2, 3], start: None };
+    let o = AnyOscillator::new(LinearOscillator::new(0.02, 0.9, 0.5, 0.8).unwrap());
+    let d = Diagram::compute(&o, &scope, &Silent).unwrap();
+    println!("shown {:?}", lines::shown(&d, 2, eta));
+    for c in d.curves.iter().filter(|c| c.loops == 2) {
+        for pair in c.curve.parameters().windows(2) {
+            if (pair[0][1] - eta) * (pair[1][1] - eta) <= 0.0 {
+                println!("{:?} {} {:?}", c.kind, c.n, pair);
+            }
+        }
+    }
+}
