@@ -131,6 +131,8 @@ impl<'a> Survey<'a> {
                 // Only now that all are known to which something leads.
                 let found = core::mem::take(&mut self.found);
                 self.follow_edges(&found, progress);
+                // Those on slices are to be followed across as well.
+                self.crossed = false;
                 self.slices.par_iter_mut().for_each(|slice| {
                     let secondary = slice.secondary;
                     let here = found.iter().filter(|solution| solution[unknown::SECONDARY] == secondary);
@@ -167,12 +169,9 @@ impl<'a> Survey<'a> {
             share.abs().min((share - 1.0).abs()) < ON_THE_EDGE
         };
         for solution in found.iter().filter(on_an_edge) {
-            if self.columns.iter().any(|column| self.slicer.passes(column, solution)) {
-                continue;
+            if !self.columns.iter().any(|column| self.slicer.passes(column, solution)) {
+                self.follow_column(solution, progress);
             }
-            self.follow_column(solution, progress);
-            // Those that are found on the slices are followed across as well.
-            self.crossed = false;
         }
     }
 

@@ -64,6 +64,10 @@ fn show() {
 
 #[test]
 fn debug() {
+    let window = Window { primary: [0.058646204591092654, 0.7807141949162433], secondary: [0.41927435061721935, 0.7365060240642822] };
+    let scope = Scope { window, loops: vec![3], start: None };
+    let o = AnyOscillator::new(LinearOscillator::new(0.02, 0.9, 0.5, 0.8).unwrap());
+    let d = Diagram::compute(&o, &scope, &Silent).unwrap();
     let eta = 0.4991989326488868;
     println!("exact {:?}", lines::exact(0.02, 0.9, [0.0, 1.3], eta, 2));
     let window = Window { primary: [0.0, 1.3], secondary: [0.35, 1.02] };
