@@ -245,7 +245,7 @@ impl Slicer {
     }
 
     /// Adds the branches through MPSs on a slice that are not known; but none on which no MPS is
-    /// both stable and admissible, if the one that it was found by is neither.
+    /// stable, if the one that it was found by is not admissible.
     pub(crate) fn through(&self, slice: &mut Slice, solutions: impl Iterator<Item = Unknowns>) {
         let mut dismissed: Vec<Curve> = Vec::new();
         for solution in solutions {
@@ -256,8 +256,8 @@ impl Slicer {
             self.add(slice, solution, &EventTimes::default(), true);
             let Some(new) = slice.branches.get(before) else { continue };
             let start = self.equations.solution(&solution);
-            let attracts = |point: &CurvePoint| point.solution.attracts();
-            if start.stable() || start.admissible() || new.points.iter().any(attracts) {
+            let stable = |point: &CurvePoint| point.solution.stable();
+            if start.stable() || start.admissible() || new.points.iter().any(stable) {
                 slice.carried = false;
             } else {
                 dismissed.extend(slice.branches.pop());
