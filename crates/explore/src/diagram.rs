@@ -52,7 +52,8 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     });
     let diagram = match request.coarse {
         true => located.with_curves(followed),
-        false => located.with(followed, events),
+        false => (located.with(followed, events).found())
+            .map_err(|error| Problem::wrong(error.in_units(&axes.units).to_string()))?,
     };
     // Whatever was sent before is in these, and what begins elsewhere.
     let rows = plane::curves(&axes, &diagram);

@@ -163,7 +163,7 @@ impl Unfolded {
     ) -> Result<Self, StudyError> {
         let located = Diagram::located(oscillator, scope, progress)?;
         let followed = finished::follow(&axes, &located, progress, keep);
-        let mut diagram = located.with(followed, progress);
+        let mut diagram = located.with(followed, progress).found()?;
         let units = axes.units;
         let what = "coefficients and magnifications";
         let found: Vec<_> = diagram.unfolding().collect();

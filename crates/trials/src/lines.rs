@@ -1,12 +1,15 @@
-//! Shaded regions along lines of constant η, whole intervals of μ however narrow: those of the
-//! linear oscillator against the closed form, those of any oscillator in one window against those
-//! in another.
+//! Shaded regions of the linear oscillator along lines of constant η against the closed form: whole
+//! intervals of μ, however narrow, in windows and in parts of them.
 
 use grazing_claims::sweep::closed_form::LoopSolutions;
 use grazing_continuation::curve::Window;
-use grazing_unfold::Diagram;
+use grazing_model::{AnyOscillator, LinearOscillator};
+use grazing_unfold::progress::Silent;
+use grazing_unfold::regions::Region;
+use grazing_unfold::{Diagram, Scope};
 
 use crate::closed_form::orbit;
+use crate::random::Random;
 
 /// Shorter intervals are those of rounding: two-loop slivers end in cusps, in which they have any
 /// width.
@@ -60,11 +63,11 @@ pub fn exact(zeta: f64, epsilon: f64, [least, most]: [f64; 2], omega: f64, loops
     (to - from > 0.0).then_some([from, to])
 }
 
-/// What a diagram shows of p-loop solutions on a line: where it is shaded, and where it is hatched.
-pub fn shown(diagram: &Diagram, loops: u32, secondary: f64) -> [Intervals; 2] {
+/// What regions show of p-loop solutions on a line: where it is shaded, and where it is hatched.
+pub fn shown(regions: &[Region], loops: u32, secondary: f64) -> [Intervals; 2] {
     [false, true].map(|hatched| {
-        let regions = diagram.regions.iter();
-        let regions = regions.filter(|region| region.loops == loops && region.doubt.is_some() == hatched);
+        let regions =
+            regions.iter().filter(|region| region.loops == loops && region.doubt.is_some() == hatched);
         let mut all: Intervals = regions.flat_map(|region| region.chords(secondary)).collect();
         all.sort_by(|a, b| a[0].total_cmp(&b[0]));
         all
@@ -119,22 +122,54 @@ pub struct Wrong {
     pub false_shading: Intervals,
 }
 
-/// Compares a diagram of the linear oscillator with the closed form on lines.
+/// A random part of a window, its sides in logarithmic proportion to those of the whole.
+pub fn part(window: Window, random: &mut Random) -> Window {
+    let mut within = |[low, high]: [f64; 2]| {
+        let width = (high - low) * random.logarithmic(SMALLEST, 1.0);
+        let from = random.uniform(low, high - width);
+        [from, from + width]
+    };
+    Window { primary: within(window.primary), secondary: within(window.secondary) }
+}
+
+/// Sides of parts of a window are at least this share of its own.
+const SMALLEST: f64 = 0.02;
+
+/// What became of the lines of one window.
+#[derive(Clone, Debug, Default)]
+pub struct Outcome {
+    /// Where the diagram is wrong.
+    pub wrong: Vec<Wrong>,
+    /// The share of the lines that is hatched, for all p together.
+    pub hatched: f64,
+}
+
+/// Compares the regions of a linear oscillator (ζ, ε) in a window with the closed form on so many
+/// random lines. Where there is nothing in the window, nothing is shown.
 pub fn compare(
-    diagram: &Diagram,
     [zeta, epsilon]: [f64; 2],
     window: Window,
-    lines: impl Iterator<Item = f64>,
-) -> Vec<Wrong> {
-    let mut wrong = Vec::new();
+    loops: &[u32],
+    lines: usize,
+    random: &mut Random,
+) -> Outcome {
+    let scope = Scope { window, loops: loops.to_vec(), start: None };
+    let oscillator = LinearOscillator::new(zeta, epsilon, window.primary[0], window.secondary[0])
+        .unwrap_or_else(|error| panic!("zeta {zeta}, epsilon {epsilon}: {error}"));
+    let regions = match Diagram::compute(&AnyOscillator::new(oscillator), &scope, &Silent) {
+        Ok(diagram) => diagram.regions,
+        Err(_) => Vec::new(),
+    };
+    let mut outcome = Outcome::default();
     let [width, height] = window.widths();
-    for secondary in lines {
-        for &loops in &diagram.scope.loops {
-            let beside = BESIDE.map(|share| secondary + share * CHORD * height);
+    for _ in 0..lines {
+        let secondary = random.uniform(window.secondary[0], window.secondary[1]);
+        let beside = BESIDE.map(|share| secondary + share * CHORD * height);
+        for &loops in loops {
             let right = beside.map(|secondary| -> Intervals {
                 exact(zeta, epsilon, window.primary, secondary, loops).into_iter().collect()
             });
-            let shown = beside.map(|secondary| shown(diagram, loops, secondary));
+            let shown = beside.map(|secondary| shown(&regions, loops, secondary));
             let known = shown.each_ref().map(|lists| {
                 let mut known = lists.concat();
                 known.sort_by(|a, b| a[0].total_cmp(&b[0]));
@@ -142,10 +177,12 @@ pub fn compare(
             });
             let missed = lacking(&right[0], &known, width);
             let false_shading = lacking(&shown[0][0], &right, width);
+            let length: f64 = shown[0][1].iter().map(|[from, to]| to - from).sum();
+            outcome.hatched += length / width / lines as f64;
             if !missed.is_empty() || !false_shading.is_empty() {
-                wrong.push(Wrong { loops, secondary, missed, false_shading });
+                outcome.wrong.push(Wrong { loops, secondary, missed, false_shading });
             }
         }
     }
-    wrong
+    outcome
 }

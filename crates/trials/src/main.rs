@@ -10,9 +10,10 @@ use grazing_continuation::curve::Window;
 use grazing_description::Description;
 use grazing_trials::nonlinear::{self, Disagreement};
 use grazing_trials::random::Random;
-use grazing_trials::{errors, oscillators, regions};
+use grazing_trials::{errors, lines, oscillators, regions};
 
 const USAGE: &str = "usage: grazing-trials regions [OSCILLATORS [SEED]]      linear ones against the closed form
+       grazing-trials windows [OSCILLATORS [SEED]]      the same in parts of windows, along lines, however narrow regions are
        grazing-trials nonlinear [OSCILLATORS [SEED]]    the examples and random ones against continuation and simulation
        grazing-trials nonlinear FILE...                 the same for those of files
        grazing-trials describe NUMBER [SEED]            a random oscillator as a file for `grazing unfold`
@@ -23,6 +24,11 @@ const POINTS: usize = 2000;
 /// Points of the lattice, each way, and random states at each.
 const LATTICE: usize = 40;
 const STATES: u32 = 10;
+/// Parts of a window, and lines in each.
+const PARTS: usize = 20;
+const LINES: usize = 500;
+/// The numbers of loops.
+const LOOPS: [u32; 3] = [1, 2, 3];
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -32,6 +38,10 @@ fn main() -> ExitCode {
     let right = match arguments.first().map(String::as_str) {
         Some("regions") => match (number(1, 40), number(2, 1)) {
             (Some(count), Some(seed)) if arguments.len() <= 3 => linear(count, seed),
+            _ => return usage(),
+        },
+        Some("windows") => match (number(1, 10), number(2, 1)) {
+            (Some(count), Some(seed)) if arguments.len() <= 3 => windows(count, seed),
             _ => return usage(),
         },
         Some("nonlinear") => match (number(1, 10), number(2, 1)) {
@@ -121,6 +131,36 @@ fn linear(count: u64, seed: u64) -> bool {
         most.unwrap_or(&0.0)
     );
     wrong == 0
+}
+
+/// Linear oscillators with random damping and restitution in a window and in parts of it, against
+/// the closed form on lines. The first is the paper's.
+fn windows(count: u64, seed: u64) -> bool {
+    let mut random = Random::new(seed);
+    let mut right = true;
+    for number in 1..=count {
+        let mut parameters = [random.logarithmic(0.003, 0.3), random.uniform(0.3, 1.0)];
+        let mut window = Window { primary: [0.0, random.uniform(1.0, 3.0)], secondary: [0.25, 1.3] };
+        if number == 1 {
+            (parameters, window) = ([0.02, 0.9], Window { primary: [0.0, 1.3], secondary: [0.35, 1.02] });
+        }
+        for part in 0..=PARTS {
+            let window = if part == 0 { window } else { lines::part(window, &mut random) };
+            let start = Instant::now();
+            let outcome = lines::compare(parameters, window, &LOOPS, LINES, &mut random);
+            let ([zeta, epsilon], seconds) = (parameters, start.elapsed().as_secs_f64());
+            println!(
+                "{number:3} zeta {zeta:.5} epsilon {epsilon:.4} {:?} x {:?}: {} of {LINES} lines wrong, {:.5} hatched, {seconds:.2} s",
+                window.primary,
+                window.secondary,
+                outcome.wrong.len(),
+                outcome.hatched
+            );
+            outcome.wrong.iter().take(5).for_each(|wrong| println!("    {wrong:?}"));
+            right &= outcome.wrong.is_empty();
+        }
+    }
+    right
 }
 
 /// The examples and a number of random oscillators, against continuation and simulation.

@@ -82,7 +82,7 @@ pub fn compare(diagram: &Diagram, lattice: usize, states: u32) -> Outcome {
         .enumerate()
         .map(|(number, point)| {
             let mut random = Random::new(number as u64);
-            let here = diagram.grazing[0].states[0].orbit.oscillator().with_parameters(*point);
+            let here = diagram.oscillator.with_parameters(*point);
             (0..states).filter_map(|_| settled(&here, &mut random)).collect()
         })
         .collect();

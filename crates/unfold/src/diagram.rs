@@ -46,8 +46,12 @@ pub struct Followed {
 pub struct Diagram {
     /// What was asked for.
     pub scope: Scope,
+    /// The oscillator, whose own parameters do not matter.
+    pub oscillator: AnyOscillator,
     /// The pieces of the curve of grazing bifurcations of the non-impacting solution.
     pub grazing: Vec<GrazingCurve>,
+    /// Why there are none, if there are none.
+    pub no_grazing: Option<UnfoldError>,
     /// All resonances on it, by p and along the curve.
     pub resonances: Vec<Resonance>,
     /// Those of one loop where p = 1 was not asked for: solutions of more loops leave them, too.
@@ -111,7 +115,7 @@ impl Diagram {
     /// result does not depend on the number of threads.
     ///
     /// # Errors
-    /// There is no grazing in the ranges, with what was seen instead.
+    /// As [`located`](Self::located) and [`found`](Self::found).
     pub fn compute(
         oscillator: &AnyOscillator,
         scope: &Scope,
@@ -119,24 +123,48 @@ impl Diagram {
     ) -> Result<Self, UnfoldError> {
         let located = Self::located(oscillator, scope, progress)?;
         let followed = located.follow(progress, &|_, _| ());
-        Ok(located.with(followed, progress))
+        located.with(followed, progress).found()
+    }
+
+    /// The diagram, if there is something in it to show: a grazing curve, or what MPSs do where
+    /// none is, as beside a piece of one of their curves in a small window.
+    ///
+    /// # Errors
+    /// Periodic motion stays on one side of the wall, and there is no curve of MPSs and no region.
+    pub fn found(self) -> Result<Self, UnfoldError> {
+        let is_empty = self.curves.iter().all(|curve| curve.loops == 0)
+            && self.regions.iter().all(|region| region.loops == 0 || region.doubt.is_some());
+        match self.no_grazing {
+            Some(reason) if is_empty => Err(reason),
+            _ => Ok(self),
+        }
+    }
+
+    /// The diagram, if there is a grazing curve.
+    ///
+    /// # Errors
+    /// There is none, with what was seen instead.
+    pub fn with_grazing(self) -> Result<Self, UnfoldError> {
+        self.no_grazing.clone().map_or(Ok(self), Err)
     }
 
     /// The first half of [`compute`](Self::compute): grazing curves and resonances, no bifurcation
-    /// curve yet.
+    /// curve yet. Where the ranges hold no grazing the curves of MPSs may cross them still.
     ///
     /// # Errors
-    /// There is no grazing in the ranges, with what was seen instead.
+    /// There is no periodic motion without impacts in the ranges, or none that the wall turns back.
     pub fn located(
         oscillator: &AnyOscillator,
         scope: &Scope,
         progress: &dyn Progress,
     ) -> Result<Self, UnfoldError> {
-        let NonImpacting { grazing, curves, regions, unfinished } =
+        let NonImpacting { grazing, no_grazing, curves, regions, unfinished } =
             non_impacting::find(oscillator, scope, progress)?;
         let mut diagram = Self {
             scope: scope.clone(),
+            oscillator: oscillator.clone(),
             grazing,
+            no_grazing,
             resonances: Vec::new(),
             one_loop: Vec::new(),
             curves,
@@ -172,7 +200,7 @@ impl Diagram {
         let followed: Vec<usize> = nets.iter().map(|net| net.curves.len()).collect();
         self.follow_iterated(&mut nets);
         self.grow(&mut nets);
-        let of_mps = regions::of_mps(&self.scope, &self.grazing, &mut nets, progress);
+        let of_mps = regions::of_mps(&self.oscillator, &self.scope, &self.grazing, &mut nets, progress);
         if of_mps.contains(&None) {
             self.unfinished.push(Unfinished::stage(regions::STAGE));
         }
@@ -186,8 +214,7 @@ impl Diagram {
         self.take(nets, &followed);
         if let Some(window) = widened(self.scope.window) {
             let scope = Scope { window, ..self.scope.clone() };
-            let oscillator = self.grazing[0].states[0].orbit.oscillator();
-            if let Ok(wide) = Self::located(oscillator, &scope, progress) {
+            if let Ok(wide) = Self::located(&self.oscillator, &scope, progress) {
                 let followed = wide.follow(progress, &|_, _| ());
                 let wide = wide.with(followed, progress);
                 self.regions =
@@ -268,7 +295,7 @@ impl Diagram {
 
     /// The equations of the p-loop MPSs; of solutions without impacts for p = 0.
     pub fn equations(&self, loops: u32) -> LoopEquations {
-        let oscillator = self.grazing[0].states[0].orbit.oscillator().clone();
+        let oscillator = self.oscillator.clone();
         match loops {
             0 => LoopEquations::without_impacts(oscillator, self.scope.window.widths()),
             _ => LoopEquations::new(oscillator, loops, Formulation::FixedPhase),

@@ -28,6 +28,8 @@ use crate::{Scope, UnfoldError, search};
 #[derive(Clone, Debug)]
 pub(crate) struct NonImpacting {
     pub(crate) grazing: Vec<GrazingCurve>,
+    /// Why there is none: it stays on one side of the wall.
+    pub(crate) no_grazing: Option<UnfoldError>,
     pub(crate) curves: Vec<DiagramCurve>,
     pub(crate) regions: Vec<Region>,
     /// What was not finished when an end was asked for.
@@ -40,7 +42,8 @@ const STAGE: &str = "motion without impacts";
 /// Looks for grazing of the non-impacting solutions and for their regions.
 ///
 /// # Errors
-/// There is no grazing in the ranges, with what was seen instead.
+/// There is no motion without impacts in the ranges that is periodic, or none that the wall turns
+/// back, with what was seen instead.
 pub(crate) fn find(
     oscillator: &AnyOscillator,
     scope: &Scope,
@@ -94,19 +97,21 @@ fn on_slices(
             survey.follow_column(&start, progress);
         }
     }
-    if survey.grazing.is_empty() {
-        return Err(match progress.stopped() {
-            true => UnfoldError::Stopped { stage: STAGE },
-            false => explanation(&equations, &motions),
-        });
-    }
+    let no_grazing = match survey.grazing.is_empty() {
+        true if progress.stopped() => return Err(UnfoldError::Stopped { stage: STAGE }),
+        true => match explanation(&equations, &motions) {
+            reason @ UnfoldError::NoGrazing { .. } => Some(reason),
+            reason => return Err(reason),
+        },
+        false => None,
+    };
     let regions = decided(scope.window, &mut survey, between, progress);
     let grazing = survey.grazing.into_owned();
     let (regions, unfinished) = match progress.stopped() {
         true => (vec![Region::not_finished(scope.window, 0)], vec![Unfinished::stage(STAGE)]),
         false => (regions, Vec::new()),
     };
-    Ok(NonImpacting { grazing, curves: net.curves, regions, unfinished })
+    Ok(NonImpacting { grazing, no_grazing, curves: net.curves, regions, unfinished })
 }
 
 /// Why no survey has seen grazing.

@@ -7,6 +7,7 @@
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
+use grazing_model::AnyOscillator;
 use rayon::prelude::*;
 
 use crate::Scope;
@@ -71,6 +72,7 @@ pub(crate) const STAGE: &str = "regions";
 /// The regions of the MPSs of each p, none where an end was asked for meanwhile; curves that are
 /// found to be missing on the way are added.
 pub(crate) fn of_mps(
+    oscillator: &AnyOscillator,
     scope: &Scope,
     grazing: &[GrazingCurve],
     nets: &mut [Net],
@@ -79,9 +81,8 @@ pub(crate) fn of_mps(
     let window = scope.window;
     let levels = levels(window);
     let fastest = search::fastest(nets.iter().flat_map(|net| &net.curves).map(|curve| &curve.curve));
-    let (oscillator, loops) = (grazing[0].states[0].orbit.oscillator(), &scope.loops);
     progress.begin(STAGE, nets.len() as u64);
-    let found = search::on_slices(oscillator, loops, window, &levels, fastest, progress);
+    let found = search::on_slices(oscillator, &scope.loops, window, &levels, fastest, progress);
     let regions = nets.par_iter_mut().map(|net| {
         let loops = net.loops();
         let found = found.iter().filter(|(p, _)| *p == loops).map(|(_, solution)| *solution).collect();

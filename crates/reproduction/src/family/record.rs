@@ -82,7 +82,7 @@ impl Record {
         let member = Member { varied: rows.varied, resonances: 0, points: 0, missing: String::new() };
         let (resonances, points, ways) = (Vec::new(), Vec::new(), Vec::new());
         let mut record = Self { index, member, incomplete: false, resonances, points, ways };
-        let diagram = match Diagram::located(&oscillator, &scope, stop) {
+        let diagram = match Diagram::located(&oscillator, &scope, stop).and_then(Diagram::with_grazing) {
             Ok(located) => {
                 let followed = located.follow(stop, &|_, _| ());
                 located.with_curves(followed)

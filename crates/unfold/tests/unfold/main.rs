@@ -11,7 +11,6 @@ mod paper;
 mod regions;
 mod resonances;
 mod search;
-mod slivers;
 mod specimens;
 mod units;
 mod verdicts;
