@@ -132,6 +132,8 @@ pub fn part(window: Window, random: &mut Random) -> Window {
     Window { primary: within(window.primary), secondary: within(window.secondary) }
 }
 
+/// Where a curve is said to be missing, slivers narrower than this share of the range may be, too.
+const TOLD: f64 = 1e-6;
 /// Sides of parts of a window are at least this share of its own.
 const SMALLEST: f64 = 0.02;
 
@@ -156,9 +158,12 @@ pub fn compare(
     let scope = Scope { window, loops: loops.to_vec(), start: None };
     let oscillator = LinearOscillator::new(zeta, epsilon, window.primary[0], window.secondary[0])
         .unwrap_or_else(|error| panic!("zeta {zeta}, epsilon {epsilon}: {error}"));
-    let regions = match Diagram::compute(&AnyOscillator::new(oscillator), &scope, &Silent) {
-        Ok(diagram) => diagram.regions,
-        Err(_) => Vec::new(),
+    let (regions, told) = match Diagram::compute(&AnyOscillator::new(oscillator), &scope, &Silent) {
+        Ok(diagram) => {
+            let lost = diagram.not_unfolded.iter().map(|lost| lost.loops);
+            (diagram.regions, lost.chain(diagram.unlocated.iter().map(|lost| lost.loops)).collect())
+        }
+        Err(_) => (Vec::new(), Vec::new()),
     };
     let mut outcome = Outcome::default();
     let [width, height] = window.widths();
@@ -175,7 +180,10 @@ pub fn compare(
                 known.sort_by(|a, b| a[0].total_cmp(&b[0]));
                 known
             });
-            let missed = lacking(&right[0], &known, width);
+            let mut missed = lacking(&right[0], &known, width);
+            if told.contains(&loops) {
+                missed.retain(|[from, to]| to - from > TOLD * width);
+            }
             let false_shading = lacking(&shown[0][0], &right, width);
             let length: f64 = shown[0][1].iter().map(|[from, to]| to - from).sum();
             outcome.hatched += length / width / lines as f64;

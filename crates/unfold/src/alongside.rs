@@ -9,6 +9,7 @@
 use grazing_continuation::curve::Window;
 use grazing_continuation::locate::{Condition, locate_within};
 use grazing_continuation::mps::{LoopEquations, Unknowns, parameters, unknown};
+use nalgebra::Vector2;
 use rayon::prelude::*;
 
 use crate::curves::DiagramCurve;
@@ -20,6 +21,11 @@ const ALONGSIDE: f64 = 1e-3;
 /// A segment that rises by less than this share of the range of η for one of that of μ is flat: the
 /// little by which it leaves its curve is much along a slice.
 const FLAT: f64 = 0.1;
+/// Chords leave their curves by no more than about this share of the ranges. In a window that is
+/// long and narrow those by which curves are drawn may leave them by more.
+const SAG: f64 = 1e-4;
+/// A chord is cut into no more parts than this.
+const MOST_PARTS: f64 = 20.0;
 /// Vertices closer than this are one.
 const SAME_LEVEL: f64 = 1e-9;
 
@@ -51,8 +57,9 @@ pub(crate) fn polylines(
         .map(|curve| curve.curve.parameters().into_iter().map(|at| window.shares(at)).collect())
         .collect();
     let mut places = beside_vertices(&shares, window);
-    for (of, more) in places.iter_mut().zip(at_levels(&shares, window, levels)) {
-        of.extend(more);
+    let bent = shares.iter().map(|points| where_bent(points, window));
+    for ((of, more), bent) in places.iter_mut().zip(at_levels(&shares, window, levels)).zip(bent) {
+        of.extend(more.into_iter().chain(bent));
     }
     let polyline = |(curve, places): (&DiagramCurve, Vec<Place>)| refined(equations, curve, places, window);
     curves.par_iter().zip(places).map(polyline).collect()
@@ -98,6 +105,25 @@ fn beside_vertices(curves: &[Vec<Point>], window: Window) -> Vec<Vec<Place>> {
         places
     };
     curves.iter().enumerate().map(places).collect()
+}
+
+/// The places at which a curve leaves its chords by too much, as far as the angles between these
+/// tell: by an eighth of their length times the angle.
+fn where_bent(points: &[Point], window: Window) -> Vec<Place> {
+    let chords: Vec<Vector2<f64>> =
+        points.windows(2).map(|pair| Vector2::from(pair[1]) - Vector2::from(pair[0])).collect();
+    let turn = |k: usize| chords.get(k).zip(chords.get(k + 1)).map_or(0.0, |(a, b)| a.angle(b));
+    let places = chords.iter().enumerate().flat_map(|(segment, chord)| {
+        let turn = turn(segment).max(segment.checked_sub(1).map_or(0.0, turn));
+        let parts = libm::ceil((0.125 * chord.norm() * turn / SAG).sqrt()).clamp(1.0, MOST_PARTS);
+        let axis = usize::from(chord[1].abs() >= chord[0].abs());
+        let [from, to] = [points[segment], points[segment + 1]].map(|at| window.parameters(at)[axis]);
+        (1..parts as u32).map(move |k| {
+            let way = f64::from(k) / parts;
+            Place { segment, unknown: UNKNOWN[axis], value: from + (to - from) * way, way }
+        })
+    });
+    places.collect()
 }
 
 /// For each curve the places at levels of η where another one is close, or where it is flat.

@@ -28,10 +28,10 @@ const CELLS: [usize; 2] = [20, 30];
 const FAST_CELLS: usize = 10;
 /// Newton's method does not leave the neighbouring cells, counted in diagonals of a cell.
 const REACH: f64 = 1.5;
-/// Both edges of the window are looked at on every so many slices.
-const EDGES_EVERY: usize = 4;
-/// How often velocities up to twice as great are looked at, as long as there are solutions.
+/// How often velocities up to twice as great are looked at, as long as there are solutions,
 const DOUBLINGS: usize = 2;
+/// and where there are none at all: a small window may hold nothing but fast ones.
+const MOST_DOUBLINGS: usize = 6;
 /// The parts into which the ranges are cut by the lines along which grazing is looked for.
 const PARTS: u32 = 8;
 /// The golden ratio: its multiples are spread evenly, whole numbers left out.
@@ -51,8 +51,8 @@ pub(crate) fn fastest<'a>(known: impl Iterator<Item = &'a Curve>) -> f64 {
 }
 
 /// MPSs of some numbers of loops p, with impact velocities up to some value and twice and four
-/// times as much, each with its p: on every slice at one μ and at one small impact velocity, on
-/// some at both ends.
+/// times as much, each with its p: on every slice at both ends, at one μ between and at one small
+/// impact velocity.
 pub(crate) fn on_slices(
     oscillator: &AnyOscillator,
     loops: &[u32],
@@ -68,10 +68,9 @@ pub(crate) fn on_slices(
         turns - libm::floor(turns)
     };
     let slow = slices().flat_map(|(k, secondary)| {
-        let ends = if k % EDGES_EVERY == 0 { &[0.0, 1.0][..] } else { &[] };
-        let standing = ends.iter().copied().chain([share(k)]);
-        let standing = standing.map(|share| Lattice::slow(place(share, secondary), fastest));
-        standing.chain([Lattice::lying(window, secondary, SLOW * fastest)]).collect::<Vec<_>>()
+        // What an edge cuts off may be met by no slice but there.
+        let standing = [0.0, 1.0, share(k)].map(|share| Lattice::slow(place(share, secondary), fastest));
+        standing.into_iter().chain([Lattice::lying(window, secondary, SLOW * fastest)])
     });
     let fast = |doubling: usize, from: f64| {
         let some = slices().filter(|(k, _)| k % (doubling + 1) == 0);
@@ -117,9 +116,10 @@ fn on_lattices(
     };
     let mut found = on(slow);
     let mut from = fastest;
-    for doubling in 0..DOUBLINGS {
-        let more = on(fast(doubling, from));
-        if more.is_empty() {
+    for doubling in 0..MOST_DOUBLINGS {
+        let more = on(fast(doubling.min(DOUBLINGS - 1), from));
+        if !found.is_empty() && (more.is_empty() || doubling + 1 == DOUBLINGS) {
+            found.extend(more);
             break;
         }
         found.extend(more);
