@@ -1,6 +1,7 @@
 //! One-parameter branches: through grazing, through folds, with their events, and where VIVID ends.
 
-use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, SolutionCurve};
+use grazing_continuation::arclength::StepControl;
+use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, Route, SolutionCurve};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_model::LinearOscillator;
@@ -180,4 +181,22 @@ fn a_bifurcation_from_which_a_branch_is_followed_is_one_of_its_events() {
         }
     }
     assert!(checked >= 5, "{checked}");
+}
+
+#[test]
+fn where_two_maxima_come_to_the_wall_within_a_step_the_first_is_the_grazing_bifurcation() {
+    // Beside the point at which two GZ curves of p = 2 meet; in long steps, as where nothing is drawn.
+    let control = StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.07, tolerance: 1e-4 };
+    let mut met = 0;
+    for k in 0..20 {
+        let omega = 0.49913 + 4e-6 * f64::from(k);
+        let route = Route { control, ..route([0.7, 1.3], [0.1, 2.0], false) };
+        let (_, curve) = branch([ZETA, EPSILON, omega], 2, Formulation::FixedPhase, 1.0, &route);
+        let grazes = |event: &&Event| event.condition == Condition::InteriorGrazing;
+        for event in curve.events.iter().filter(grazes) {
+            assert!(event.solution.ceiling().abs() < 1e-11, "{omega}: {}", event.solution.ceiling());
+            met += 1;
+        }
+    }
+    assert!(met >= 20, "{met}");
 }

@@ -11,6 +11,7 @@ mod paper;
 mod regions;
 mod resonances;
 mod search;
+mod slivers;
 mod specimens;
 mod units;
 mod verdicts;

@@ -1,0 +1,80 @@
+//! Regions however narrow, in windows and in parts of them, against the closed form.
+
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_continuation::curve::Window;
+use grazing_model::{AnyOscillator, LinearOscillator};
+use grazing_trials::lines;
+use grazing_trials::random::Random;
+use grazing_unfold::progress::Silent;
+use grazing_unfold::{Diagram, Scope};
+
+const FIGURE_7: Window = Window { primary: [0.0, 1.3], secondary: [0.35, 1.02] };
+
+fn diagram(window: Window, loops: &[u32]) -> Diagram {
+    let oscillator = LinearOscillator::new(0.02, 0.9, 0.5, 0.8).expect("it is in the domain");
+    let scope = Scope { window, loops: loops.to_vec(), start: None };
+    Diagram::compute(&AnyOscillator::new(oscillator), &scope, &Silent).expect("there are solutions")
+}
+
+#[test]
+fn slivers_of_two_loops_are_found_in_any_window_and_without_p_1() {
+    // Where they lie, by an independent program: from the resonances of n = 5 and 3.
+    let slivers = [[0.399937, 0.406456], [0.666553, 0.675530]];
+    let small = Window { primary: [0.4, 0.8], secondary: [0.6, 0.7] };
+    for (window, loops) in [(FIGURE_7, &[1, 2, 3][..]), (FIGURE_7, &[2]), (small, &[2, 3])] {
+        let diagram = diagram(window, loops);
+        for [low, high] in slivers.into_iter().filter(|[low, _]| *low > window.secondary[0]) {
+            for share in [0.3, 0.6, 0.9] {
+                let omega = low + (high - low) * share;
+                let exact = lines::exact(0.02, 0.9, window.primary, omega, 2).expect("there is a sliver");
+                let [shaded, _] = lines::shown(&diagram.regions, 2, omega);
+                let is_there = |[from, to]: &[f64; 2]| {
+                    // To the chords between vertices at which curves were located.
+                    (from - exact[0]).abs().max((to - exact[1]).abs()) < 1e-4
+                        && ((to - from) / (exact[1] - exact[0]) - 1.0).abs() < 0.1
+                };
+                assert!(shaded.iter().any(is_there), "{window:?} {omega}: {shaded:?}, {exact:?}");
+            }
+        }
+        assert!(diagram.regions.iter().all(|region| region.doubt.is_none()));
+    }
+}
+
+#[test]
+fn what_is_found_in_a_part_of_a_window_is_what_the_closed_form_has_there() {
+    // More windows: `grazing-trials windows`.
+    let mut random = Random::new(26);
+    for [zeta, epsilon] in [[0.02, 0.9], [0.1, 0.7], [0.0131, 0.907]] {
+        for part in 0..=10 {
+            let window = if part == 0 { FIGURE_7 } else { lines::part(FIGURE_7, &mut random) };
+            let outcome = lines::compare([zeta, epsilon], window, &[1, 2, 3], 100, &mut random);
+            assert!(outcome.wrong.is_empty(), "{zeta} {epsilon} {window:?}: {:?}", outcome.wrong);
+            assert!(outcome.hatched < 1e-3, "{window:?}: {}", outcome.hatched);
+        }
+    }
+}
+
+#[test]
+fn a_window_on_a_curve_far_from_grazing_shows_the_curve_and_the_region() {
+    let whole = diagram(FIGURE_7, &[1, 2, 3]);
+    let mut seen = 0;
+    for curve in whole.curves.iter().filter(|curve| curve.loops > 0 && curve.curve.points.len() > 20) {
+        let at = curve.curve.points[curve.curve.points.len() / 2].solution.parameters();
+        for width in [1e-2, 1e-5] {
+            let range = |middle: f64| [middle - 0.6 * width, middle + 0.4 * width];
+            let window = Window { primary: range(at[0]), secondary: range(at[1]) };
+            let part = diagram(window, &[curve.loops]);
+            let same = part.curves.iter().filter(|found| found.kind == curve.kind);
+            let near = same.flat_map(|found| found.curve.parameters()).any(|point| {
+                let gap = [0, 1].map(|k| ((point[k] - at[k]) / width).abs());
+                gap[0].max(gap[1]) < 0.6
+            });
+            // GZ curves between unstable solutions bound nothing.
+            let bounds = curve.kind != Bifurcation::Grazing
+                || part.regions.iter().any(|region| region.loops == curve.loops);
+            assert!(near || !bounds, "{:?} p = {} {window:?}", curve.kind, curve.loops);
+            seen += usize::from(near && part.grazing.is_empty());
+        }
+    }
+    assert!(seen >= 10, "{seen}");
+}
