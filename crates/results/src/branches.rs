@@ -2,9 +2,7 @@
 
 use grazing_continuation::bifurcation::Bifurcation;
 
-use crate::cell::words;
-use crate::table::rows;
-use crate::{Frame, Names, Table, tables};
+use crate::{Frame, Names, Table, Tables, rows, tables, words};
 
 words! {
     /// What a phase portrait shows.

@@ -2,9 +2,7 @@
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 
-use crate::cell::words;
-use crate::table::rows;
-use crate::{Frame, tables};
+use crate::{Frame, rows, tables, words};
 
 words! {
     /// What is known of a region of the parameter plane.

@@ -1,9 +1,7 @@
 //! Scenes in phase space, with the projected coordinates and the order of painting.
 
-use crate::cell::words;
 use crate::columns::{self, Column};
-use crate::table::{Row, rows};
-use crate::{Cell, tables};
+use crate::{Cell, Row, rows, tables, words};
 
 words! {
     /// What a curve in phase space is.

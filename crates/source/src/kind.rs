@@ -268,3 +268,9 @@ pub fn derived<T: Keys + 'static, V: 'static>(
         T::list(key.path.rsplit_once('.').map_or("", |(table, _)| table), keys);
     })
 }
+
+/// No key at all: a field that is filled when the keys have been read, and holds the usual value
+/// until then.
+pub fn unwritten<V: Default + 'static>() -> Kind<V> {
+    Kind::new(|_, _| Ok(V::default())).listed(|_, _| {})
+}
