@@ -1,10 +1,10 @@
 //! What figures are made of: rows in, SVG out.
 //!
-//! [`draw_diagram`], [`draw_magnifications`], [`draw_one_parameter`] and [`draw_family`] take what a
-//! figure of any oscillator shows ([`grazing_results`]) and return a [`Sheet`]: what is drawn, and
-//! what the figure says of itself. The figures of the paper are put together from the same and from
-//! the parts below, each beside its rows. This crate knows rows, frames and ink; it computes nothing
-//! about impacts, and equal input gives equal bytes.
+//! [`draw_diagram`], [`draw_magnifications`], [`draw_one_parameter`] and [`draw_family`] take what
+//! a figure of any oscillator shows ([`grazing_results`]) and return a [`Sheet`]: what is drawn,
+//! and what the figure says of itself. The figures of the paper are put together from the same and
+//! from the parts below, each beside its rows. This crate knows rows, frames and ink; it computes
+//! nothing about impacts, and equal input gives equal bytes.
 //!
 //! The files stand on four floors, each of which uses only those below it: `figures`, [`plot`]
 //! (parts of figures: axes, grids of panels, curves, scenes), [`ink`] (fonts, pens, SVG, labels,

@@ -51,8 +51,8 @@ pub trait PaperFigure: FileSection {
         Ok(Remarks::default())
     }
 
-    /// The constants with which it is computed, by their symbols in LaTeX, as far as a document must
-    /// say them; sketches have none.
+    /// The constants with which it is computed, by their symbols in LaTeX, as far as a document
+    /// must say them; sketches have none.
     ///
     /// # Errors
     /// The section that holds them is not right.

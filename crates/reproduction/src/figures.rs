@@ -19,8 +19,8 @@ use grazing_source::{Requirements, Setting, Text, read_file};
 
 use crate::parameters::{ParameterError, Parameters, declaration, requirements};
 
-/// The list of all figures: an array of what a generic function makes of each, in their order; other
-/// elements may come first and last.
+/// The list of all figures: an array of what a generic function makes of each, in their order;
+/// other elements may come first and last.
 #[macro_export]
 macro_rules! paper_figures {
     ($make:ident $(, first $first:expr)? $(, last $last:expr)?) => {
@@ -59,8 +59,8 @@ impl Parameters {
     ///
     /// # Errors
     /// [`ParameterError`] if the text is no TOML or has sections that nobody reads, and for
-    /// settings of keys that are not there. Whoever asks for a section is told what else is wrong in
-    /// it.
+    /// settings of keys that are not there. Whoever asks for a section is told what else is wrong
+    /// in it.
     pub fn parse(text: &Text, file: &str) -> Result<Self, ParameterError> {
         Self::new(text, file, &REQUIREMENTS)
     }

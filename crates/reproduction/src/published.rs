@@ -1,4 +1,5 @@
-//! The coefficients at the resonances of Figure 7, and the computed values of what the paper prints.
+//! The coefficients at the resonances of Figure 7, and the computed values of what the paper
+//! prints.
 
 use std::collections::BTreeMap;
 

@@ -27,7 +27,8 @@ keys! {
     /// Before any turning x points right, y up and z towards the viewer, a right-handed frame.
     #[derive(Copy)]
     pub struct View {
-        /// The angle in degrees by which the scene is turned about the y-axis; z swings to the right.
+        /// The angle in degrees by which the scene is turned about the y-axis; z swings to the
+        /// right.
         turn: f64 = number(-180.0..=180.0), "the turn must be an angle in degrees from {} to {}";
         /// The angle in degrees by which the viewer stands above the plane y = 0.
         tilt: f64 = number(strictly(0.0, 90.0)), "the tilt must be an angle in degrees strictly between {} and {}";

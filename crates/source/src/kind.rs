@@ -16,7 +16,8 @@ pub trait Keys: Sized {
     /// Reads the table.
     ///
     /// # Errors
-    /// [`SourceError`]: the first key in the order of the declaration that is missing or does not hold what it must.
+    /// [`SourceError`]: the first key in the order of the declaration that is missing or does not
+    /// hold what it must.
     fn read(section: &Section<'_>) -> Result<Self, SourceError>;
 
     /// Adds the keys of the table, which is called `table`, and of those in it.

@@ -49,7 +49,8 @@ keys! {
         /// The velocity y at the point on Sigma; 0 for an orbit that grazes.
         velocity: f64 = number(0.0..),
             "the velocity must not be negative, and lie inside fig01.velocity as its recoil does";
-        /// The phase z at that point in radians; with what follows, the orbit stays within [0, 2 pi].
+        /// The phase z at that point in radians; with what follows, the orbit stays within [0, 2
+        /// pi].
         phase: f64 = number(strictly(0.0, TAU)), "the phase must lie strictly between 0 and 2 pi";
         /// How much phase before the point the orbit is drawn, in radians.
         before: f64 = number(0.0..).such(|before| *before > 0.0),
@@ -89,9 +90,9 @@ impl PaperFigure for Figure1 {
     const REMEDY: &'static str = "fig01.orbits, fig01.amplitude or fig01.frequency";
     type Shown = Scene;
 
-    /// Free flights of orbits, the reset law from each impact to its recoil, the marks of these with
-    /// the number of their orbit, and Σ. An orbit that does not reach the wall where it should is an
-    /// error.
+    /// Free flights of orbits, the reset law from each impact to its recoil, the marks of these
+    /// with the number of their orbit, and Σ. An orbit that does not reach the wall where it should
+    /// is an error.
     fn compute(&self, _: &Study) -> Result<Scene, StudyError> {
         let oscillator = self.oscillator;
         let space = Space::new(&self.view, None);

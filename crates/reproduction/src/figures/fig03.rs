@@ -75,8 +75,8 @@ impl PaperFigure for Figure3 {
     const REMEDY: &'static str = "fig03.start or fig03.frequency";
     type Shown = Scene;
 
-    /// Γ, the orbit from a point of Π (number 0) to its image (number 1), the map from the one to the
-    /// other, Π, and the circle x = 0, y = 0. Where P_global is not defined there is an error.
+    /// Γ, the orbit from a point of Π (number 0) to its image (number 1), the map from the one to
+    /// the other, Π, and the circle x = 0, y = 0. Where P_global is not defined there is an error.
     fn compute(&self, _: &Study) -> Result<Scene, StudyError> {
         let theory = grazing_theorems::LinearOscillator::new(self.zeta, ELASTIC)?;
         let grazing = theory.grazing(self.frequency)?;

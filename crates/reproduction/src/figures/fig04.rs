@@ -60,8 +60,9 @@ rows! {
 tables! {
     /// What Figure 4 shows.
     Boundaries {
-        /// The trapesium's outline, the curves τ = g_p(δ) and τ = h_p(δ), and their limit τ = 2√δ. Points that follow each other with
-        /// equal kind and p are one curve; the outline is closed, every other curve ends on its top side.
+        /// The trapesium's outline, the curves τ = g_p(δ) and τ = h_p(δ), and their limit τ = 2√δ.
+        /// Points that follow each other with equal kind and p are one curve; the outline is
+        /// closed, every other curve ends on its top side.
         curves: BoundaryPoint = "fig04_curves", "a point of a curve",
         /// The grazing bifurcation of Figure 2.
         points: Star = "fig04_points", "a point that is marked",

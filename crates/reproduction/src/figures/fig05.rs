@@ -38,13 +38,14 @@ const RESONANCE_TOLERANCE: f64 = 1e-12;
 keys! {
     /// Figure 5: the unfolding of one resonance.
     ///
-    /// Any will do: at all resonances of the linear oscillator s_p⁺ < 0 < s_p⁻ (both are squares up to their signs, by
-    /// eq:impFormula1odd to eq:impFormulap) and β > 0, so that c_SN < 0 < c_PD, as the caption has it, and the curves lie on
-    /// opposite sides of η = 0.
+    /// Any will do: at all resonances of the linear oscillator s_p⁺ < 0 < s_p⁻ (both are squares up
+    /// to their signs, by eq:impFormula1odd to eq:impFormulap) and β > 0, so that c_SN < 0 < c_PD,
+    /// as the caption has it, and the curves lie on opposite sides of η = 0.
     pub struct Figure5 {
         /// The loops p of the resonance.
         loops: u32 = count(1..=MOST_LOOPS), "the number of loops must be a whole number from {} to {}";
-        /// The integer n of the resonance (eq:resonance1 for p = 1, eq:resonancep with the plus sign for p >= 2).
+        /// The integer n of the resonance (eq:resonance1 for p = 1, eq:resonancep with the plus
+        /// sign for p >= 2).
         n: u32 = count(0..=MOST_N), INDEX;
         /// The values of mu across.
         mu: [f64; 2] = around_zero(), "the values of mu must be a range [lower, upper] with lower < 0 < upper";

@@ -105,8 +105,8 @@ rows! {
 tables! {
     /// What Figure 6 shows.
     Schematic {
-        /// The parts of the drawing as polylines of (x, height); outlines end where they begin. The ticks are those of the face, the
-        /// equilibrium and the wall.
+        /// The parts of the drawing as polylines of (x, height); outlines end where they begin. The
+        /// ticks are those of the face, the equilibrium and the wall.
         parts: PartPoint = "fig06_parts", "a point of the drawing",
     }
 }

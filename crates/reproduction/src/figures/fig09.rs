@@ -59,9 +59,10 @@ impl PaperFigure for Figure9 {
     const REMEDY: &'static str = "fig09.impact, fig09.amplitude or fig09.frequency";
     type Shown = Scene;
 
-    /// Real and virtual parts of the orbit near the wall, the reset law, P_global from point to point,
-    /// and Π on both sides of the wall; marks are the impact, the recoil, (x̂, 0, ẑ) as virtual, and
-    /// (x⁽ʲ⁾, 0, z⁽ʲ⁾) with number j. Where P_virt or P_global is not defined there is an error.
+    /// Real and virtual parts of the orbit near the wall, the reset law, P_global from point to
+    /// point, and Π on both sides of the wall; marks are the impact, the recoil, (x̂, 0, ẑ) as
+    /// virtual, and (x⁽ʲ⁾, 0, z⁽ʲ⁾) with number j. Where P_virt or P_global is not defined there is
+    /// an error.
     fn compute(&self, _: &Study) -> Result<Scene, StudyError> {
         let oscillator = self.oscillator;
         let theory =

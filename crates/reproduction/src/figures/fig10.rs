@@ -14,7 +14,8 @@ use crate::parameters::limits::{FREQUENCIES, FREQUENCY, MOST_LOOPS, grazing};
 keys! {
     /// Figure 10: a generic grazing bifurcation to which Theorem 2.3 applies.
     pub struct Figure10 {
-        /// The forcing frequency omega; the hypotheses of Theorem 2.3 hold at its grazing bifurcation.
+        /// The forcing frequency omega; the hypotheses of Theorem 2.3 hold at its grazing
+        /// bifurcation.
         frequency: f64 = number(FREQUENCIES), FREQUENCY;
         /// The number of loops p.
         loops: u32 = count(3..=MOST_LOOPS), "the number of loops must be a whole number from {} to {}";

@@ -109,8 +109,8 @@ keys! {
     pub struct Portrait {
         /// The loops p of the maximal periodic solution; 0 is the non-impacting solution.
         loops: u32 = value(), "the number of loops must be one of fig02.loops, or 0 for the non-impacting solution";
-        /// The forcing amplitude at which it is shown or not at all, or else, if the solution is not
-        /// there, at the nearest amplitude at which it is; if there is none, at any.
+        /// The forcing amplitude at which it is shown or not at all, or else, if the solution is
+        /// not there, at the nearest amplitude at which it is; if there is none, at any.
         wish: Option<Wish<f64>> = derived(|written: Place, _| Ok(Wish::new(written.amplitude, written.near)));
         /// The key of the file that says so, with line and value: the beginning of a message.
         key: String = unwritten();
@@ -160,8 +160,8 @@ impl FileSection for Figure2 {
 const BEFORE: f64 = 0.1;
 
 impl Figure2 {
-    /// Sees to it that the amplitudes hold that of grazing: if other ones may be shown than those of
-    /// the file, those in the same proportions. Returns what wishes for amplitudes are to be
+    /// Sees to it that the amplitudes hold that of grazing: if other ones may be shown than those
+    /// of the file, those in the same proportions. Returns what wishes for amplitudes are to be
     /// multiplied by.
     fn hold(&mut self, grazing: f64, section: &Section<'_>) -> Result<f64, ParameterError> {
         let Wish { value: amplitude, must } = self.across;
@@ -195,8 +195,8 @@ impl Figure2 {
     }
 }
 
-/// The forcing frequency of Figure 2, which Figure 4 and the printed numbers share, whatever else its
-/// section holds.
+/// The forcing frequency of Figure 2, which Figure 4 and the printed numbers share, whatever else
+/// its section holds.
 ///
 /// # Errors
 /// [`ParameterError`]: it is not right.

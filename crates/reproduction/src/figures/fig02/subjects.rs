@@ -41,8 +41,8 @@ pub(super) fn all(
     Ok((subjects, notes))
 }
 
-/// The non-impacting solution, which is always there, and each p that is somewhere stable, from left
-/// to right.
+/// The non-impacting solution, which is always there, and each p that is somewhere stable, from
+/// left to right.
 fn chosen(figure: &Figure2, grazing: f64, branches: &[Branch]) -> Vec<Subject> {
     let loops = std::iter::once(0).chain(figure.loops.iter().copied().take(MOST_PORTRAITS - 1));
     let mut subjects: Vec<_> =
