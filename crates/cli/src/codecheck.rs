@@ -43,14 +43,11 @@ pub fn manifest() -> String {
 
 /// The figure, or the tables if there is none, by path from the root.
 fn files(output: &Output<Study>) -> Vec<String> {
-    match output.figure {
-        Some(figure) => vec![format!("figures/{figure}")],
-        None => output
-            .paths(&Edition::default())
-            .iter()
-            .map(|path| format!("figures/{}", path.display()))
-            .collect(),
+    if output.is_figure {
+        return vec![format!("figures/{}", output.figure_file())];
     }
+    let paths = output.paths(&Edition::default());
+    paths.iter().map(|path| format!("figures/{}", path.display())).collect()
 }
 
 /// A title as a comment: `Figure 2: …` is Figure 2 of the manuscript.

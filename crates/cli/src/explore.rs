@@ -8,6 +8,7 @@ use std::process::{Command, Stdio};
 use grazing_explore::{Example, Export, Limits, Model, Server, Sheet, View};
 use grazing_model::smooth::Stop;
 use grazing_reproduction::Study;
+use grazing_reproduction::figures::fig07::Figure7;
 use grazing_reproduction::parameters::Parameters;
 use grazing_reproduction::unfolded::Unfolded;
 use grazing_source::{Setting, Text};
@@ -18,7 +19,7 @@ use crate::folder::OutputFile;
 use crate::oscillator::OscillatorFile;
 use crate::outputs::edition::{self, Edition, Format};
 use crate::outputs::oscillator::{AnalysedOscillator, TWO_PARAMETERS};
-use crate::outputs::paper;
+use crate::outputs::paper::figure;
 use crate::{limits, project, tables, terminal};
 
 /// Serves the page until Ctrl-C is pressed.
@@ -134,7 +135,5 @@ fn of_the_paper(model: &Model, view: &View, edition: &Edition) -> Result<Vec<Out
     let settings = constants.chain(ranges).chain(loops).collect::<Result<Vec<_>, _>>()?;
     let parameters = Parameters::parse(&Text::new(PARAMETERS, &settings), "parameters.toml")?;
     let study = Study::new(&parameters);
-    let output = paper::ALL.iter().find(|output| output.name == "fig07");
-    let output = output.ok_or_else(|| Failure::incomplete("there is no Figure 7"))?;
-    Ok(output.compute(&study, edition.columns)?.files(edition)?.0)
+    Ok(figure::<Figure7>().compute(&study, edition.columns)?.files(edition)?.0)
 }

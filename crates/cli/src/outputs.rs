@@ -40,9 +40,8 @@ pub struct Output<Source> {
     /// The label of the figure in the paper, or that of the table in LaTeX; empty where these
     /// depend on the source.
     pub label: &'static str,
-    /// The file of the figure as SVG, if it is one; of several sheets each has its number in the
-    /// name.
-    pub figure: Option<&'static str>,
+    /// Whether it has a figure.
+    pub is_figure: bool,
     /// Its tables.
     pub tables: &'static [TablePlan],
     /// The table that a document prints, and its columns, in an edition that has LaTeX.
@@ -115,7 +114,7 @@ impl<Source> Output<Source> {
             name,
             title,
             label: "",
-            figure: None,
+            is_figure: false,
             tables,
             printed: None,
             check: |_| Ok(()),
@@ -126,10 +125,16 @@ impl<Source> Output<Source> {
 
     /// The paths of its files in the output folder of an edition.
     pub fn paths(&self, edition: &Edition) -> Vec<PathBuf> {
-        let figures = self.figure.iter().flat_map(|figure| edition.figure_paths(figure));
+        let figure = self.is_figure.then(|| self.figure_file());
+        let figures = figure.iter().flat_map(|figure| edition.figure_paths(figure));
         let tables = self.tables.iter().map(|table| tables::path(table.name));
         let printed = self.printed.iter().filter(|_| edition.has(Format::Tex));
         figures.chain(tables).chain(printed.map(|(table, _)| latex::table_path(table))).collect()
+    }
+
+    /// The file of its figure as SVG; of several sheets each has its number in the name.
+    pub fn figure_file(&self) -> String {
+        format!("{}.svg", self.name)
     }
 
     /// The names of its tables.

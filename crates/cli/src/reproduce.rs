@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
-use grazing_reproduction::{Coefficients, Study};
+use grazing_reproduction::{CoefficientTable, Coefficients, Study};
 
 use crate::arguments::{ParameterFile, Reproduce};
 use crate::compare::{all_met, published};
@@ -89,12 +89,13 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
     outcome.report_missing(&chosen, &places[0].folder)?;
     let listed = chosen.iter().any(|output| output.name == paper::COEFFICIENTS.name);
-    match study.coefficients() {
-        Ok(table) if listed && table.rows.iter().any(Coefficients::contradict) => {
-            Err(Failure::check("coefficients: the theorem is contradicted, see above; everything is written"))
-        }
-        _ => Ok(()),
+    let contradicted = |table: &CoefficientTable| table.rows.iter().any(Coefficients::contradict);
+    if listed && study.coefficients().is_ok_and(contradicted) {
+        return Err(Failure::check(
+            "coefficients: the theorem is contradicted, see above; everything is written",
+        ));
     }
+    Ok(())
 }
 
 /// What came of the outputs that were asked for.

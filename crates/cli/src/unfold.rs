@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use grazing_description::Limits;
+use grazing_results::Tables;
 use grazing_results::branches::OneParameter;
 
 use crate::arguments;

@@ -1,11 +1,11 @@
 //! What puts ink on a sheet: fonts, pens, text and lines as SVG, labels and legends.
 
-pub(crate) mod arrow;
-pub(crate) mod canvas;
-pub(crate) mod font;
-pub(crate) mod labels;
-pub(crate) mod legend;
-pub(crate) mod markup;
+pub mod arrow;
+pub mod canvas;
+pub mod font;
+pub mod labels;
+pub mod legend;
+pub mod markup;
 pub(crate) mod sheet;
-pub(crate) mod style;
-pub(crate) mod svg;
+pub mod style;
+pub mod svg;

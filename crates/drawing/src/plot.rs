@@ -1,13 +1,13 @@
 //! Parts of figures: axes, grids of panels, curves, points and regions by their kind, scenes in
 //! phase space.
 
-pub(crate) mod axes;
+pub mod axes;
 pub(crate) mod branches;
 pub(crate) mod cloud;
-pub(crate) mod kinds;
+pub mod kinds;
 pub(crate) mod magnified;
 pub(crate) mod numbers;
 pub(crate) mod panel_grid;
 pub(crate) mod portraits;
-pub(crate) mod scene;
+pub mod scene;
 pub(crate) mod ticks;

@@ -2,7 +2,7 @@
 //! script.
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_results::kinds::{CURVES, Colour, CurveLook};
+use grazing_results::kinds::{Colour, CurveLook};
 use serde_json::{Map, Value, json};
 
 /// Pixels of the page to a point of a figure.
@@ -38,7 +38,7 @@ pub(crate) fn script() -> String {
         });
         (kind.name().to_owned(), value)
     };
-    let looks: Map<String, Value> = CURVES.into_iter().map(look).collect();
+    let looks: Map<String, Value> = Bifurcation::ALL.into_iter().map(look).collect();
     let approximation = json!({
         "width": width(CurveLook::APPROXIMATION_WIDTH),
         "dashes": pixels(CurveLook::APPROXIMATION_DASHES),

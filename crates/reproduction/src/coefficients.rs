@@ -5,10 +5,7 @@ use grazing_continuation::bifurcation::Pair;
 use grazing_results::{row, tables};
 use grazing_theorems::Resonance;
 use grazing_theorems::unfolding::StabilityCoefficients;
-use grazing_unfold::verdict::{self, Coefficient, Verdict};
-use rayon::prelude::*;
-
-use crate::{Study, StudyError};
+use grazing_unfold::verdict::{Coefficient, Verdict};
 
 /// The quadratic coefficients at one resonance, reached in three ways.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,32 +80,5 @@ pub(crate) fn closed_form_coefficients(resonance: &Resonance) -> Pair<f64> {
     Pair {
         saddle_node: resonance.saddle_node_coefficient(),
         period_doubling: resonance.period_doubling_coefficient(),
-    }
-}
-
-impl Study {
-    /// The coefficients at all resonances of Figure 7.
-    ///
-    /// # Errors
-    /// There is no grazing in the window.
-    pub fn coefficients(&self) -> Result<&CoefficientTable, StudyError> {
-        let compute = || {
-            let theory = self.parameters.oscillator.get()?;
-            let resonances: Vec<_> = self.diagram()?.unfolding().collect();
-            let rows = resonances.into_par_iter().map(|(found, located)| {
-                let closed_form = theory.resonance(found.loops, found.n)?;
-                Ok(Coefficients {
-                    loops: closed_form.loops(),
-                    n: closed_form.index(),
-                    frequency: closed_form.forcing_frequency(),
-                    amplitude: closed_form.grazing().amplitude(),
-                    stability: closed_form.stability_coefficients(),
-                    closed_form: closed_form_coefficients(&closed_form),
-                    measured: verdict::coefficients(located),
-                })
-            });
-            Ok(CoefficientTable { rows: rows.collect::<Result<_, StudyError>>()? })
-        };
-        self.coefficients.get_or_init(compute).as_ref().map_err(Clone::clone)
     }
 }

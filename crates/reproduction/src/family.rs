@@ -10,8 +10,8 @@ mod record;
 
 use grazing_description::Description;
 use grazing_model::smooth::Stop;
-use grazing_results::Names;
 use grazing_results::family::Family;
+use grazing_results::{Names, Tables};
 use grazing_unfold::UnfoldError;
 use grazing_unfold::progress::Progress;
 use rayon::prelude::*;

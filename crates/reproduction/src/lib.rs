@@ -1,31 +1,28 @@
-//! The figures and tables of the paper as rows.
+//! The figures and tables of the paper: parameters in, rows and sheets out.
 //!
-//! Parameters come in as TOML ([`parameters`]), a [`Study`] computes what is asked for, and each
-//! figure is what it shows, as [`grazing_results`] has it. Nothing here draws or writes files.
+//! Parameters come in as TOML ([`parameters`]), and a [`Study`] computes what is asked for. Each
+//! figure ([`PaperFigure`]) has a file in [`figures`], with its section of the parameter file, its
+//! rows, what computes and what draws them. Nothing here writes files.
 
 mod coefficients;
 mod described;
 mod error;
 pub mod family;
-mod fig01;
-mod fig02;
-mod fig03;
-mod fig04;
-mod fig05;
-mod fig06;
-mod fig07;
-mod fig08;
-mod fig09;
-mod fig10;
+mod figure;
+pub mod figures;
 pub mod one_parameter;
 pub mod parameters;
 pub mod plane;
+mod published;
 mod space;
 mod study;
 mod sweep;
+#[cfg(test)]
+mod tests;
 pub mod unfolded;
 
 pub use coefficients::{CoefficientTable, Coefficients};
 pub use error::StudyError;
+pub use figure::{PaperFigure, Remarks};
 pub use study::Study;
 pub use sweep::{Generic, Resonant, TheoremsInAction};

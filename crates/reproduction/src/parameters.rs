@@ -1,34 +1,38 @@
 //! The parameters of the figures: a TOML file in, checked values out.
 //!
-//! [`Parameters`] can be made from a file only; every section of it is checked by itself, and what
-//! is not right in one keeps nobody from using another. `figures/parameters.toml` is the file of
-//! the paper's figures; nothing of science has a hidden default, but places of portraits and panels
-//! may be left to the program. All quantities are dimensionless; a range is [lower, upper], finite,
-//! with lower < upper.
+//! A section is read and checked when it is asked for ([`Parameters::section`]), so that what is
+//! not right in one keeps nobody from using another; each stands with the figure that it is for.
+//! `figures/parameters.toml` is the file of the paper's figures; nothing of science has a hidden
+//! default, but places of portraits and panels may be left to the program. All quantities are
+//! dimensionless; a range is [lower, upper], finite, with lower < upper.
 
 mod error;
-mod fig02;
-mod limits;
-mod plane;
-mod scenes;
-mod sketches;
+pub(crate) mod limits;
 
-use std::path::Path;
-use std::sync::LazyLock;
-
-use grazing_source::kind::number;
-use grazing_source::{Keys, Requirements, Section, Setting, Source, SourceError, Text, keys, read_file};
+use grazing_source::{Key, Keys, Requirements, Section, Source, Text, keys};
 use grazing_theorems::LinearOscillator;
 
-use limits::{EPSILON, FREQUENCIES, ZETA, damping_ratio, restitution};
+use limits::{EPSILON, ZETA, damping_ratio, restitution};
 
 pub use error::ParameterError;
-pub(crate) use fig02::MOST_PORTRAITS;
-pub use fig02::{Figure2, Portrait};
 pub use limits::{contains, encloses, strictly_contains};
-pub use plane::{Figure7, Figure8, Panel};
-pub use scenes::{Arrival, Figure1, Figure3, Figure9, View};
-pub use sketches::{Figure4, Figure5, Figure6, Figure10};
+
+/// A section of the parameter file.
+pub trait FileSection: Keys {
+    /// Its name in the file.
+    const NAME: &'static str;
+    /// What is said of it where it is missing.
+    const REQUIREMENT: &'static str;
+
+    /// The section as it is used, once its keys are read: checks that tie several keys together, or
+    /// to other sections.
+    ///
+    /// # Errors
+    /// [`ParameterError`]: the first thing that is not right.
+    fn checked(self, _section: &Section<'_>, _parameters: &Parameters) -> Result<Self, ParameterError> {
+        Ok(self)
+    }
+}
 
 keys! {
     /// The constants of the paper's oscillator.
@@ -40,122 +44,71 @@ keys! {
     }
 }
 
-/// What the keys of a parameter file must hold.
-static REQUIREMENTS: LazyLock<Requirements> = LazyLock::new(|| {
-    Requirements::new("see figures/parameters.toml for what belongs here")
-        .with_table("oscillator", "the table [oscillator] holds zeta and epsilon", Oscillator::list)
-        .with_table("fig01", "the table [fig01] says what Figure 1 shows", Figure1::list)
-        .with_table("fig02", "the table [fig02] says what Figure 2 shows", fig02::Section2::list)
-        .with_table("fig03", "the table [fig03] says what Figure 3 shows", Figure3::list)
-        .with_table("fig04", "the table [fig04] says what Figure 4 shows", Figure4::list)
-        .with_table("fig05", "the table [fig05] says what Figure 5 shows", Figure5::list)
-        .with_table("fig06", "the table [fig06] says what Figure 6 shows", Figure6::list)
-        .with_table("fig07", "the table [fig07] says what Figure 7 shows", plane::Section7::list)
-        .with_table("fig08", "the table [fig08] holds the panels of Figure 8", plane::Section8::list)
-        .with_table("fig09", "the table [fig09] says what Figure 9 shows", Figure9::list)
-        .with_table("fig10", "the table [fig10] says what Figure 10 shows", Figure10::list)
-});
+impl FileSection for Oscillator {
+    const NAME: &'static str = "oscillator";
+    const REQUIREMENT: &'static str = "the table [oscillator] holds zeta and epsilon";
+}
 
-/// What a section says, if it is right.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Checked<T>(Result<T, ParameterError>);
+/// A section as it is declared: its name, what is said of it where it is missing, and its keys.
+pub(crate) type Declaration = (&'static str, &'static str, fn(&str, &mut Vec<Key>));
 
-impl<T> Checked<T> {
-    /// What it says.
-    ///
-    /// # Errors
-    /// The section is not right.
-    pub fn get(&self) -> Result<&T, ParameterError> {
-        self.0.as_ref().map_err(Clone::clone)
-    }
+/// The declaration of a section.
+pub(crate) fn declaration<S: FileSection>() -> Declaration {
+    (S::NAME, S::REQUIREMENT, S::list)
+}
 
-    fn read<E: Into<ParameterError>>(
-        source: &Source<'_>,
-        name: &str,
-        read: impl FnOnce(&Section<'_>) -> Result<T, E>,
-    ) -> Self {
-        Self(source.section(name, |section| read(&section).map_err(Into::into)))
-    }
+/// What the keys of a parameter file with these sections must hold, beside those of the oscillator.
+pub(crate) fn requirements(sections: impl IntoIterator<Item = Declaration>) -> Requirements {
+    let none = Requirements::new("see figures/parameters.toml for what belongs here");
+    let all = std::iter::once(declaration::<Oscillator>()).chain(sections);
+    all.fold(none, |known, (name, requirement, list)| known.with_table(name, requirement, list))
 }
 
 /// Everything that the figures and the tables depend on, section by section.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
+#[derive(Debug, Clone)]
 pub struct Parameters {
-    /// The oscillator of the paper's example: damping ratio zeta of eq:oscf in (0, 1), coefficient
-    /// of restitution epsilon of eq:oscResetLaw in (0, 1].
-    pub oscillator: Checked<LinearOscillator>,
-    /// What Figure 1 (fig:Bc) shows.
-    pub fig01: Checked<Figure1>,
-    /// What Figure 2 (fig:Z) shows.
-    pub fig02: Checked<Figure2>,
-    /// The forcing frequency of Figure 2, which Figure 4 and the printed numbers share, whatever
-    /// else its section holds.
-    pub fig02_frequency: Checked<f64>,
-    /// What Figure 3 (fig:Ba) shows.
-    pub fig03: Checked<Figure3>,
-    /// What Figure 4 (fig:D) shows.
-    pub fig04: Checked<Figure4>,
-    /// What Figure 5 (fig:E) shows.
-    pub fig05: Checked<Figure5>,
-    /// What Figure 6 (fig:F) shows.
-    pub fig06: Checked<Figure6>,
-    /// What Figure 7 (fig:G) shows.
-    pub fig07: Checked<Figure7>,
-    /// What Figure 8 (fig:Y) shows.
-    pub fig08: Checked<Figure8>,
-    /// What Figure 9 (fig:Bb) shows.
-    pub fig09: Checked<Figure9>,
-    /// What Figure 10 (fig:I) shows.
-    pub fig10: Checked<Figure10>,
+    text: Text,
+    file: String,
+    requirements: &'static Requirements,
 }
 
 impl Parameters {
-    /// Reads and checks a parameter file, with settings that take the place of values in it; its
-    /// path appears in messages as it is given here.
-    ///
-    /// # Errors
-    /// As [`parse`](Self::parse), or the file cannot be read.
-    pub fn from_file(path: &Path, settings: &[Setting]) -> Result<Parameters, ParameterError> {
-        let text = read_file(path)?;
-        Parameters::parse(&Text::new(&text, settings), &path.display().to_string())
+    /// The text of a parameter file; `file` is the name that messages use.
+    pub(crate) fn new(
+        text: &Text,
+        file: &str,
+        requirements: &'static Requirements,
+    ) -> Result<Self, ParameterError> {
+        Source::new(text, file, requirements).check_top_level()?;
+        Ok(Self { text: text.clone(), file: file.to_owned(), requirements })
     }
 
-    /// Checks the text of a parameter file; `file` is the name that messages use.
+    /// What a section says.
     ///
     /// # Errors
-    /// [`ParameterError`] if the text is no TOML or has sections that nobody reads, and for
-    /// settings of keys that are not there. What else is wrong, the first thing in each section, is
-    /// told to whoever asks for that section.
-    pub fn parse(text: &Text, file: &str) -> Result<Parameters, ParameterError> {
-        let source = &Source::new(text, file, &REQUIREMENTS);
-        source.check_top_level()?;
-        let oscillator = Checked::read(source, "oscillator", oscillator);
-        let fig07 = Checked::read(source, "fig07", |section| Figure7::checked(section, oscillator.get()?));
-        Ok(Parameters {
-            fig01: Checked::read(source, "fig01", Figure1::checked),
-            fig02: Checked::read(source, "fig02", |section| Figure2::checked(section, oscillator.get()?)),
-            fig02_frequency: Checked::read(source, "fig02", |section| {
-                number(FREQUENCIES).read(section, "frequency")
-            }),
-            fig03: Checked::read(source, "fig03", Figure3::checked),
-            fig04: Checked::read(source, "fig04", Figure4::read),
-            fig05: Checked::read(source, "fig05", |section| {
-                Figure5::checked(section, oscillator.get()?).map_err(ParameterError::from)
-            }),
-            fig06: Checked::read(source, "fig06", |section| Figure6::checked(section, oscillator.get()?)),
-            fig08: Checked::read(source, "fig08", |section| {
-                Figure8::checked(section, fig07.get()?, oscillator.get()?)
-            }),
-            fig09: Checked::read(source, "fig09", Figure9::checked),
-            fig10: Checked::read(source, "fig10", |section| Figure10::checked(section, oscillator.get()?)),
-            fig07,
-            oscillator,
+    /// [`ParameterError`]: the first thing in it that is not right.
+    pub fn section<S: FileSection>(&self) -> Result<S, ParameterError> {
+        self.read(S::NAME, |section| S::read(section)?.checked(section, self))
+    }
+
+    /// The oscillator of the paper's example.
+    ///
+    /// # Errors
+    /// [`ParameterError`]: its section is not right.
+    pub fn oscillator(&self) -> Result<LinearOscillator, ParameterError> {
+        self.read(Oscillator::NAME, |section| {
+            let Oscillator { zeta, epsilon } = Oscillator::read(section)?;
+            LinearOscillator::new(zeta, epsilon)
+                .map_err(|error| section.forbid("zeta", error.to_string()).into())
         })
     }
-}
 
-fn oscillator(section: &Section<'_>) -> Result<LinearOscillator, SourceError> {
-    let Oscillator { zeta, epsilon } = Oscillator::read(section)?;
-    LinearOscillator::new(zeta, epsilon).map_err(|error| section.forbid("zeta", error.to_string()))
+    /// What a function reads from a section, whatever else it holds.
+    pub(crate) fn read<T>(
+        &self,
+        name: &str,
+        read: impl FnOnce(&Section<'_>) -> Result<T, ParameterError>,
+    ) -> Result<T, ParameterError> {
+        Source::new(&self.text, &self.file, self.requirements).section(name, |section| read(&section))
+    }
 }

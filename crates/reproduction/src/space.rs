@@ -6,16 +6,62 @@
 //! two planes). [`Space::layer`] is that order; curves are split where they pass from one side to
 //! another.
 
-use grazing_model::motion::Motion;
+use grazing_model::motion::Motion as _;
 use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, State};
 use grazing_results::space::{Mark, MarkKind, SurfaceKind, Vertex};
+use grazing_source::kind::{above, number, numbers, strictly};
+use grazing_source::{Section, SourceError, keys};
 
-use crate::parameters::View;
+use crate::parameters::limits::{
+    EPSILON, FREQUENCIES, FREQUENCY, MOST_AMPLITUDE, ZETA, damping_ratio, restitution,
+};
 
 /// Samples of an orbit per forcing period: segments shorter than a point on the sheet.
 const SAMPLES: f64 = 300.0;
 /// Samples of a line that joins two points.
 const LINE_SAMPLES: u32 = 60;
+
+keys! {
+    /// From where phase space is looked at: an orthographic view along parallel rays.
+    ///
+    /// Before any turning x points right, y up and z towards the viewer, a right-handed frame.
+    #[derive(Copy)]
+    pub struct View {
+        /// The angle in degrees by which the scene is turned about the y-axis; z swings to the
+        /// right.
+        turn: f64 = number(-180.0..=180.0), "the turn must be an angle in degrees from {} to {}";
+        /// The angle in degrees by which the viewer stands above the plane y = 0.
+        tilt: f64 = number(strictly(0.0, 90.0)), "the tilt must be an angle in degrees strictly between {} and {}";
+        /// The lengths of the units of x, y and z relative to each other.
+        stretch: [f64; 3] = numbers().such(|units: &[f64; 3]| units.iter().all(|&unit| unit > 0.0)),
+            "the stretch must be three positive numbers, for x, y and z";
+    }
+}
+
+/// What is said of a view that is missing.
+pub(crate) const VIEW: &str = "the table of the view holds turn, tilt and stretch";
+
+keys! {
+    /// The linear oscillator of one of these figures; it need not be that of the paper's example.
+    pub(crate) struct Motion {
+        /// The damping ratio zeta.
+        zeta: f64 = damping_ratio(), ZETA;
+        /// The coefficient of restitution.
+        epsilon: f64 = restitution(), EPSILON;
+        /// The forcing amplitude.
+        amplitude: f64 = number(above(0.0, MOST_AMPLITUDE)),
+            "the forcing amplitude must lie above {} and be at most {}";
+        /// The forcing frequency omega.
+        frequency: f64 = number(FREQUENCIES), FREQUENCY;
+    }
+}
+
+/// The oscillator of a figure.
+pub(crate) fn oscillator(motion: Motion, section: &Section<'_>) -> Result<LinearOscillator, SourceError> {
+    let Motion { zeta, epsilon, amplitude, frequency } = motion;
+    LinearOscillator::new(zeta, epsilon, amplitude, frequency)
+        .map_err(|error| section.forbid("amplitude", error.to_string()))
+}
 
 /// A way to see phase space on a page.
 #[derive(Clone, Debug)]

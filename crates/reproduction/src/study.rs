@@ -1,6 +1,5 @@
 //! Everything that is reproduced, computed once each.
 
-use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
 use grazing_model::LinearOscillator;
@@ -11,9 +10,8 @@ use crate::StudyError;
 use crate::coefficients::CoefficientTable;
 use crate::parameters::Parameters;
 
-/// The reproduction at one set of parameters: each figure and table is a function of it, in the
-/// module of its name. What several outputs share is computed when it is first needed. Each is an
-/// error if a section of the parameter file that it needs is not right, or for what its docs name.
+/// The reproduction at one set of parameters, of which each figure and table is a function. What
+/// several of them share is computed when it is first needed.
 pub struct Study {
     /// The parameters.
     pub parameters: Parameters,
@@ -37,31 +35,6 @@ impl Study {
     #[must_use]
     pub fn with_progress(self, progress: Arc<dyn Progress + Send>) -> Self {
         Self { progress, ..self }
-    }
-
-    /// The computed values of what the paper prints, under the names of `expected/published.toml`.
-    ///
-    /// # Errors
-    /// There is no grazing in the window of Figure 7.
-    pub fn published_values(&self) -> Result<BTreeMap<String, f64>, StudyError> {
-        let theory = self.parameters.oscillator.get()?;
-        let frequency = *self.parameters.fig02_frequency.get()?;
-        let grazing = theory.grazing(frequency)?;
-        let mut values = BTreeMap::from([
-            ("zeta".to_owned(), theory.damping_ratio()),
-            ("epsilon".to_owned(), theory.coefficient_of_restitution()),
-            ("fig02_frequency".to_owned(), frequency),
-            ("fig02_amplitude_graz".to_owned(), grazing.amplitude()),
-            ("fig02_tau".to_owned(), grazing.trace()),
-            ("fig02_delta".to_owned(), grazing.determinant()),
-        ]);
-        for c in &self.coefficients()?.rows {
-            let name = |quantity: &str| format!("{quantity}_p{}_n{}", c.loops, c.n);
-            values.insert(name("omega"), c.frequency);
-            values.insert(name("c_sn"), c.closed_form.saddle_node);
-            values.insert(name("c_pd"), c.closed_form.period_doubling);
-        }
-        Ok(values)
     }
 }
 

@@ -14,7 +14,7 @@ use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_results::branches::OneParameter;
 use grazing_results::family::Family;
 use grazing_results::plane::{Magnifications, MagnifiedPanel, PlaneDiagram, Section};
-use grazing_results::{Names, UnitNames, tables};
+use grazing_results::{Names, Tables, UnitNames, tables};
 use grazing_theorems::ResonantPoint;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::progress::Progress;

@@ -2,9 +2,7 @@
 
 use grazing_continuation::bifurcation::Bifurcation;
 
-use crate::cell::words;
-use crate::table::rows;
-use crate::{Frame, Names, Table, tables};
+use crate::{Frame, Names, Table, Tables, rows, tables, words};
 
 words! {
     /// What a phase portrait shows.
@@ -103,7 +101,8 @@ diagram_rows!(BranchPoint, BranchBifurcation, AttractorPoint, PortraitPoint);
 tables! {
     /// A one-parameter diagram of an oscillator; Figure 2 is one.
     OneParameter {
-        /// Those of p = 0 are non-impacting. Points that follow each other with equal p and branch are one curve.
+        /// Those of p = 0 are non-impacting. Points that follow each other with equal p and branch
+        /// are one curve.
         branches: BranchPoint = "diagram_branches",
             "a point of a branch of a one-parameter diagram, on one loop of the solution",
         /// They are of admissible solutions.
@@ -126,10 +125,11 @@ tables! {
         magnified: Option<Frame>,
         /// x is counted from the wall, which is another one than x = 0 with the motion below it.
         from_the_wall: bool,
-        /// The number of simulated orbits that left no point, as they came to rest or could not be followed, and of all; none if simulation was
-        /// not finished.
+        /// The number of simulated orbits that left no point, as they came to rest or could not be
+        /// followed, and of all; none if simulation was not finished.
         resting: Option<[u32; 2]>,
-        /// Where a branch of MPSs could not be followed to its end: p, the parameter across, and what happened.
+        /// Where a branch of MPSs could not be followed to its end: p, the parameter across, and
+        /// what happened.
         broken: Vec<(u32, f64, String)>,
         /// What is shown elsewhere than asked for, or not at all, in sentences.
         notes: Vec<String>,

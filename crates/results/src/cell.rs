@@ -50,6 +50,7 @@ cells! {
 
 /// Enumerations whose variants stand in tables as words, which say what they mean unless there is
 /// more to say.
+#[macro_export]
 macro_rules! words {
     ($($(#[$meta:meta])* $name:ident { $($(#[$about:meta])* $variant:ident = $word:literal,)+ })+) => {$(
         $(#[$meta])*
@@ -70,8 +71,6 @@ macro_rules! words {
         }
     )+};
 }
-
-pub(crate) use words;
 
 /// The value with this many significant digits at most, without zeros at the end, as `0.5` or
 /// `-1.25e-9`.

@@ -3,9 +3,8 @@
 use grazing_continuation::bifurcation::CodimensionTwo;
 use serde::{Deserialize, Serialize};
 
-use crate::cell::words;
 use crate::table::Row;
-use crate::{Cell, Column, Frame, VARIED, columns, tables};
+use crate::{Cell, Column, Frame, VARIED, columns, tables, words};
 
 words! {
     /// How a resonance of a member was found.

@@ -117,14 +117,6 @@ pub const fn portrait_meaning(kind: PortraitKind) -> &'static str {
     }
 }
 
-/// All kinds of curves.
-pub const CURVES: [Bifurcation; 4] = [
-    Bifurcation::NonImpactingGrazing,
-    Bifurcation::SaddleNode,
-    Bifurcation::PeriodDoubling,
-    Bifurcation::Grazing,
-];
-
 /// The words by which tables call kinds of curves, points and portraits, and regions of MPSs, with
 /// what they mean.
 pub fn meanings() -> Vec<(&'static str, &'static str)> {
@@ -132,7 +124,7 @@ pub fn meanings() -> Vec<(&'static str, &'static str)> {
     let points = [Resonance, SaddleNodeGrazing, PeriodDoublingGrazing, GrazingGrazing, Cusp];
     let portraits = [PortraitKind::Periodic, PortraitKind::Attractor];
     let regions = [RegionKind::NonImpacting, RegionKind::Mps, RegionKind::Both, RegionKind::Undecided];
-    let mut all = Vec::from(CURVES.map(|kind| (kind.name(), CurveLook::of(kind).meaning)));
+    let mut all = Vec::from(Bifurcation::ALL.map(|kind| (kind.name(), CurveLook::of(kind).meaning)));
     all.extend(points.map(|kind| (kind.name(), point_meaning(kind))));
     all.extend(portraits.map(|kind| (kind.name(), portrait_meaning(kind))));
     all.extend(regions.map(|kind| (kind.name(), region_meaning(kind))));

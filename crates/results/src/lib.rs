@@ -15,9 +15,13 @@
 //! | [`branches`] | Figure 2 |
 //! | [`family`] | resonances as constants of an oscillator vary |
 //! | [`space`] | Figures 1, 3 and 9 |
-//! | [`sketches`] | Figures 4, 5, 6 and 10 |
+//!
+//! Rows of one figure alone stand with that figure.
 //!
 //! [`kinds`] says what kinds of curves, points and regions are called and how they look.
+
+// What the macros write names this crate, here and elsewhere.
+extern crate self as grazing_results;
 
 pub mod branches;
 mod cell;
@@ -27,7 +31,6 @@ mod frame;
 pub mod kinds;
 mod names;
 pub mod plane;
-pub mod sketches;
 pub mod space;
 mod table;
 
@@ -35,4 +38,4 @@ pub use cell::{Cell, brief};
 pub use columns::Column;
 pub use frame::Frame;
 pub use names::{GREEK, Names, UnitNames, VARIED, directs, symbol};
-pub use table::{Row, Table, TablePlan};
+pub use table::{Row, Table, TablePlan, Tables};

@@ -2,9 +2,7 @@
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 
-use crate::cell::words;
-use crate::table::rows;
-use crate::{Frame, tables};
+use crate::{Frame, rows, tables, words};
 
 words! {
     /// What is known of a region of the parameter plane.
@@ -109,8 +107,8 @@ pub struct Section {
 tables! {
     /// What a two-parameter diagram shows; Figure 7 is one.
     PlaneDiagram {
-        /// The grazing curve of the non-impacting solution and the bifurcation curves of MPSs. Points that follow each other with equal
-        /// kind, p, n and arc are one curve.
+        /// The grazing curve of the non-impacting solution and the bifurcation curves of MPSs.
+        /// Points that follow each other with equal kind, p, n and arc are one curve.
         curves: PlanePoint = "curves", "a point of a curve of the diagram",
         points: SpecialPoint = "points", "a resonance at which a theorem holds, or another codimension-two point",
         regions: RegionVertex = "regions", "a vertex of a region of stability",
@@ -125,7 +123,8 @@ tables! {
 
     /// What magnifications of a two-parameter diagram show; Figure 8 is one sheet of them.
     Magnifications {
-        /// Continued curves and quadratic approximations. Points that follow each other with equal panel, kind, source and arc are one curve.
+        /// Continued curves and quadratic approximations. Points that follow each other with equal
+        /// panel, kind, source and arc are one curve.
         curves: MagnifiedPoint = "magnifications", "a point of a curve of a magnification",
         ;
         /// The points of the diagram.

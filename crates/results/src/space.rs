@@ -1,9 +1,7 @@
 //! Scenes in phase space, with the projected coordinates and the order of painting.
 
-use crate::cell::words;
 use crate::columns::{self, Column};
-use crate::table::{Row, rows};
-use crate::{Cell, tables};
+use crate::{Cell, Row, rows, tables, words};
 
 words! {
     /// What a curve in phase space is.
@@ -120,7 +118,8 @@ rows! {
 tables! {
     /// What a figure in phase space shows: Figures 1, 3 and 9.
     Scene {
-        /// Orbits, and what joins points. Vertices that follow each other with equal number and piece are one polyline.
+        /// Orbits, and what joins points. Vertices that follow each other with equal number and
+        /// piece are one polyline.
         curves: Vertex<CurveKind> = "curves", "a vertex of a curve",
         /// Points with names.
         points: Mark = "points", "a point that is marked",

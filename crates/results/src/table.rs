@@ -100,14 +100,29 @@ impl Table {
     }
 }
 
+/// What an output shows, as tables: see [`tables!`](crate::tables).
+pub trait Tables {
+    /// The names and columns of its tables.
+    const TABLES: &'static [TablePlan];
+
+    /// All tables under the names of these, of which there are as many.
+    fn tables_as(&self, tables: &[TablePlan], names: &Names) -> Vec<Table>;
+
+    /// All tables, with these names of the parameters.
+    fn tables(&self, names: &Names) -> Vec<Table> {
+        self.tables_as(Self::TABLES, names)
+    }
+}
+
 /// Row types: each field with its type and its column.
+#[macro_export]
 macro_rules! rows {
     ($($(#[$meta:meta])* $row:ident { $($field:ident: $type:ty = $column:ident,)+ })+) => {$(
         $(#[$meta])*
         #[derive(Clone, Debug, PartialEq)]
         pub struct $row {
             $(
-                #[doc = concat!("[`", stringify!($column), "`](crate::columns::", stringify!($column), ")")]
+                #[doc = concat!("[`", stringify!($column), "`](grazing_results::columns::", stringify!($column), ")")]
                 pub $field: $type,
             )+
         }
@@ -121,8 +136,6 @@ macro_rules! rows {
         }
     )+};
 }
-
-pub(crate) use rows;
 
 /// Makes rows of a type that is not only a row: each column with what stands in it, after what
 /// these have in common.
@@ -158,17 +171,10 @@ macro_rules! tables {
             $($($(#[$what])* pub $other: $type,)+)?
         }
 
-        impl $name {
-            /// The names and columns of its tables.
-            pub const TABLES: &'static [$crate::TablePlan] = &[$($crate::TablePlan::of::<$row>($table, $is),)+];
+        impl $crate::Tables for $name {
+            const TABLES: &'static [$crate::TablePlan] = &[$($crate::TablePlan::of::<$row>($table, $is),)+];
 
-            /// All tables, with these names of the parameters.
-            pub fn tables(&self, names: &$crate::Names) -> Vec<$crate::Table> {
-                self.tables_as(Self::TABLES, names)
-            }
-
-            /// All tables under the names of these, of which there are as many.
-            pub fn tables_as(&self, tables: &[$crate::TablePlan], names: &$crate::Names) -> Vec<$crate::Table> {
+            fn tables_as(&self, tables: &[$crate::TablePlan], names: &$crate::Names) -> Vec<$crate::Table> {
                 let mut tables = tables.iter();
                 let all = [$(tables.next().map(|table| $crate::Table::new(table.name, names, &self.$rows)),)+];
                 all.into_iter().flatten().collect()

@@ -16,7 +16,8 @@ pub trait Keys: Sized {
     /// Reads the table.
     ///
     /// # Errors
-    /// [`SourceError`]: the first key in the order of the declaration that is missing or does not hold what it must.
+    /// [`SourceError`]: the first key in the order of the declaration that is missing or does not
+    /// hold what it must.
     fn read(section: &Section<'_>) -> Result<Self, SourceError>;
 
     /// Adds the keys of the table, which is called `table`, and of those in it.
@@ -267,4 +268,10 @@ pub fn derived<T: Keys + 'static, V: 'static>(
     Kind::new(move |section, _| make(T::read(section)?, section)).listed(|key, keys| {
         T::list(key.path.rsplit_once('.').map_or("", |(table, _)| table), keys);
     })
+}
+
+/// No key at all: a field that is filled when the keys have been read, and holds the usual value
+/// until then.
+pub fn unwritten<V: Default + 'static>() -> Kind<V> {
+    Kind::new(|_, _| Ok(V::default())).listed(|_, _| {})
 }

@@ -4,8 +4,8 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use grazing_drawing::{SheetWidth, draw_family};
-use grazing_results::Names;
 use grazing_results::family::Family;
+use grazing_results::{Names, Tables};
 
 use super::{ComputedOutput, Figure, Output, sheet_file};
 
@@ -22,7 +22,7 @@ pub(crate) struct NamedFamily {
 
 /// The figure, if there is room for it on one sheet, and the tables of a family.
 pub(crate) const FAMILY: Output<NamedFamily> = Output {
-    figure: Some("family.svg"),
+    is_figure: true,
     ..Output::new("family", "resonant grazing bifurcations of a family", Family::TABLES, compute)
 };
 
@@ -34,9 +34,9 @@ fn compute(
     let title = format!("{}: {}", of.name, output.title);
     let sheets = draw_family(&of.family, &of.names, &title, width)?;
     let count = sheets.len();
-    let file = output.figure.unwrap_or_default();
+    let file = output.figure_file();
     let figures = sheets.into_iter().zip(1..).map(|(sheet, number)| {
-        let file = sheet_file(file, number, count);
+        let file = sheet_file(&file, number, count);
         Figure::new(&of.file, file, output.title.to_owned(), sheet, &output.table_names())
     });
     Ok(ComputedOutput::new(figures.collect(), of.family.tables(&of.names)))

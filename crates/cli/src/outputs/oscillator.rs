@@ -10,7 +10,7 @@ use grazing_drawing::{
 use grazing_reproduction::unfolded::{AlongGrazing, AtResonances, Unfolded};
 use grazing_results::branches::OneParameter;
 use grazing_results::plane::{Magnifications, PlaneDiagram};
-use grazing_results::{Names, brief, columns};
+use grazing_results::{Names, Tables, brief, columns};
 
 use super::latex::Caption;
 use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output, sheet_file};
@@ -54,8 +54,7 @@ impl AnalysedOscillator {
     }
 }
 
-/// The files of the figures, if all magnifications find room on one sheet.
-const DIAGRAM: &str = "diagram.svg";
+/// The file of the magnifications, if all find room on one sheet.
 const MAGNIFICATIONS: &str = "magnifications.svg";
 
 /// All outputs: their tables in the order of the page that explains these, and one-parameter
@@ -78,7 +77,7 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
         })
     },
     Output {
-        figure: Some(MAGNIFICATIONS),
+        is_figure: true,
         ..Output::new(
             "magnifications",
             "magnifications about the resonances",
@@ -91,7 +90,7 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
 
 /// The two-parameter diagram.
 pub(crate) const TWO_PARAMETERS: Output<AnalysedOscillator> = Output {
-    figure: Some(DIAGRAM),
+    is_figure: true,
     ..Output::new("diagram", "two-parameter bifurcation diagram", PlaneDiagram::TABLES, two_parameters)
 };
 
@@ -113,7 +112,7 @@ fn two_parameters(
     let (title, description) = (title.as_str(), description.as_str());
     let heading = Heading { name: "diagram", title, description, names: of.names(), tables: &tables };
     let sheet = draw_diagram(&of.diagram, &heading, width)?;
-    let figure = Figure::new(&of.file, DIAGRAM.to_owned(), output.title.to_owned(), sheet, &tables);
+    let figure = Figure::new(&of.file, output.figure_file(), output.title.to_owned(), sheet, &tables);
     Ok(ComputedOutput::new(vec![figure], of.diagram.tables(of.names())))
 }
 
@@ -154,7 +153,15 @@ fn one_parameter(
     let figure = |diagram: &OneParameter| {
         let shown = format!("{}, {}", output.title, of_one_parameter(&of.description, diagram));
         let title = format!("{}: {shown}", of.description.name());
-        let sheet = draw_one_parameter(diagram, of.names(), &title, width)?;
+        let heading = Heading {
+            name: "diagram",
+            title: &title,
+            description: "Below: the parameter across, x-value of the return map up; thick curves are stable, thin ones unstable; dots are \
+                          long-term forward orbits. Above: phase portraits with the wall.",
+            names: of.names(),
+            tables: &["diagram_bifurcations", "diagram_branches", "diagram_attractor", "diagram_portraits"],
+        };
+        let sheet = draw_one_parameter(diagram, &heading, true, width)?;
         let file = one_parameter_file(diagram.diagram);
         let figure = Figure::new(&of.file, file, shown, sheet, &output.table_names());
         Ok(Figure { only: Some((columns::DIAGRAM, vec![diagram.diagram])), ..figure })

@@ -26,7 +26,7 @@ fn an_edition_for_a_journal_goes_to_its_own_folder_and_latex_includes_all_of_it(
     let journal = folder.path().join("journal");
     let snippet = fs::read_to_string(journal.join("figures.tex")).expect("there is a snippet");
     for output in outputs::ALL {
-        let Some(figure) = output.figure else {
+        if !output.is_figure {
             for table in output.tables {
                 // The others of these are too wide for a page.
                 let printed = table.name == "coefficients";
@@ -35,15 +35,16 @@ fn an_edition_for_a_journal_goes_to_its_own_folder_and_latex_includes_all_of_it(
                 assert_eq!(journal.join(table.name).with_extension("tex").is_file(), printed, "{input}");
             }
             continue;
-        };
-        let pdf = Path::new(figure).with_extension("pdf");
+        }
+        let figure = output.figure_file();
+        let pdf = Path::new(&figure).with_extension("pdf");
         let included = format!("\\includegraphics{{\\grazingfiles {}}}", pdf.display());
         assert_eq!(snippet.matches(&included).count(), 1, "{included} in {snippet}");
         assert_eq!(snippet.matches(&format!("\\label{{{}}}", output.label)).count(), 1, "{snippet}");
-        assert!(!journal.join(figure).exists(), "SVG was not asked for");
+        assert!(!journal.join(&figure).exists(), "SVG was not asked for");
         let content = fs::read(journal.join(pdf)).expect("the snippet asks for PDF");
         assert!(content.starts_with(b"%PDF-"), "{figure}");
-        let content = fs::read(journal.join(figure).with_extension("png")).expect("PNG was asked for");
+        let content = fs::read(journal.join(&figure).with_extension("png")).expect("PNG was asked for");
         // Its width, in the 17th to 20th byte: 86 mm are 243.8 points, and a point a pixel at 72
         // dots per inch.
         assert_eq!(content[16..20], 244_u32.to_be_bytes(), "{figure}");

@@ -7,8 +7,9 @@ use clap::Parser;
 use clap::error::ErrorKind;
 use grazing_claims::ledger::Ledger;
 use grazing_cli::arguments::Arguments;
-use grazing_cli::outputs;
+use grazing_cli::outputs::{self, Output};
 use grazing_reproduction::unfolded::{AlongGrazing, AtResonances};
+use grazing_results::Tables;
 
 /// The lines of the README that begin with `cargo xtask`, as in a block of commands.
 fn commands() -> Vec<String> {
@@ -91,7 +92,7 @@ fn the_readme_counts_the_claims() {
 #[test]
 fn the_readme_shows_every_figure() {
     let readme = fs::read_to_string(repository().join("README.md")).expect("there is a README.md");
-    for figure in outputs::ALL.iter().filter_map(|output| output.figure) {
+    for figure in outputs::ALL.iter().filter(|output| output.is_figure).map(Output::figure_file) {
         assert!(readme.contains(&format!("](figures/{figure})")), "README.md does not show {figure}");
     }
 }

@@ -47,60 +47,25 @@ const DIGITS: usize = 6;
 /// Room below the diagram for numbers and axis title, in points.
 const BELOW: f64 = 31.0;
 
-/// Draws Figure 2. Paper: fig:Z.
-///
-/// # Errors
-/// [`DrawingError`] if a frame is empty.
-pub fn draw_fig02(figure: &OneParameter, width: SheetWidth) -> Result<Sheet, DrawingError> {
-    let heading = Heading {
-        name: "fig02",
-        title: "One-parameter bifurcation diagram with phase portraits",
-        description: "Below: forcing amplitude across, x-value of the return map up; thick curves are stable, thin ones unstable; \
-                      dots are long-term forward orbits. Framed: magnification. Above: phase portraits with the wall.",
-        names: &Names::of_the_paper(),
-        tables: &["fig02_bifurcations", "fig02_branches", "fig02_attractor"],
-    };
-    draw(figure, &heading, &["fig02_portraits"], false, width)
-}
-
-/// Draws a one-parameter diagram of an oscillator, whose parameters have these names, under a
-/// title.
-///
-/// # Errors
-/// [`DrawingError`] if the frame is empty.
-pub fn draw_one_parameter(
-    figure: &OneParameter,
-    names: &Names,
-    title: &str,
-    width: SheetWidth,
-) -> Result<Sheet, DrawingError> {
-    let heading = Heading {
-        name: "diagram",
-        title,
-        description: "Below: the parameter across, x-value of the return map up; thick curves are stable, thin ones unstable; dots are \
-                      long-term forward orbits. Above: phase portraits with the wall.",
-        names,
-        tables: &["diagram_bifurcations", "diagram_branches", "diagram_attractor"],
-    };
-    draw(figure, &heading, &["diagram_portraits"], true, width)
-}
-
 /// A value as the file has it, unless that takes many digits.
 fn plain(value: f64) -> String {
     let text = format!("{value}").replace('-', "−");
     if text.chars().count() <= LONGEST { text } else { measured(value, DIGITS) }
 }
 
-/// Draws a diagram and its portraits, which show the rows of a table; the title of its axis says
-/// where the other parameter is held, if it is to.
-fn draw(
+/// Draws a one-parameter diagram and its portraits, of whose tables those of the heading are
+/// bifurcations, branches, attractor and portraits; the title of its axis says where the other
+/// parameter is held, if it is to.
+///
+/// # Errors
+/// [`DrawingError`] if a frame is empty.
+pub fn draw_one_parameter(
     figure: &OneParameter,
     heading: &Heading<'_>,
-    portrait_tables: &[&'static str],
     says_where: bool,
     width: SheetWidth,
 ) -> Result<Sheet, DrawingError> {
-    let names = heading.names;
+    let (names, (tables, portrait_tables)) = (heading.names, heading.tables.split_at(3));
     let frame = checked(figure.frame, "a one-parameter diagram")?;
     let magnified = figure.magnified.map(|part| checked(part, "its magnification")).transpose()?;
     let portraits = portraits(figure);
@@ -127,7 +92,7 @@ fn draw(
     }
     let top = portraits_end + if rows > 0 { LETTERS } else { ABOVE };
     let panel = |frame, bounds| Panel {
-        tables: heading.tables,
+        tables,
         only: Some(("diagram", figure.diagram)),
         names: Some(&own),
         ..Panel::new(&canvas, frame, bounds)
@@ -261,11 +226,19 @@ mod tests {
         }
     }
 
+    /// The diagram under a title that says where it is.
+    fn drawn(figure: &OneParameter, names: &Names, width: SheetWidth) -> Sheet {
+        let tables = &["diagram_bifurcations", "diagram_branches", "diagram_attractor", "diagram_portraits"];
+        let heading = Heading { name: "diagram", title: "", description: "", names, tables };
+        draw_one_parameter(figure, &heading, true, width).unwrap()
+    }
+
     #[test]
     fn diagram_and_magnification_stand_one_above_the_other_in_one_column() {
         let frame = Frame { x: [0.2, 0.7], y: [-0.3, 0.4] };
         let figure = OneParameter { magnified: Some(frame), ..sample([1.0, 1.0], 1) };
-        let size = |width| draw_fig02(&figure, width).unwrap().size;
+        let names = Names::new("A", "omega");
+        let size = |width| drawn(&figure, &names, width).size;
         let (one, paper) = (size(SheetWidth::OneColumn), size(SheetWidth::Paper));
         assert!(one.1 > 1.5 * one.0 && paper.0 > paper.1, "{one:?} {paper:?}");
     }
@@ -277,7 +250,7 @@ mod tests {
             for (scale, portraits) in [([1.0, 1.0], 0), ([1e-4, 1e3], 1), ([250.0, 2e-5], 3), ([1.0, 1.0], 7)]
             {
                 for width in WIDTHS {
-                    let sheet = draw_one_parameter(&sample(scale, portraits), &names, "", width).unwrap();
+                    let sheet = drawn(&sample(scale, portraits), &names, width);
                     sheet.assert_well_placed(&(scale, portraits, width));
                 }
             }
@@ -287,9 +260,7 @@ mod tests {
     #[test]
     fn titles_name_the_parameters_in_their_roles_and_what_x_is_counted_from() {
         let names = Names::new("A", "omega");
-        let texts = |figure: &OneParameter| {
-            draw_one_parameter(figure, &names, "", SheetWidth::Paper).unwrap().texts()
-        };
+        let texts = |figure: &OneParameter| drawn(figure, &names, SheetWidth::Paper).texts();
         let mut figure = sample([1.0, 1.0], 1);
         assert!(texts(&figure).contains(&"long-time behaviour".to_owned()), "the dots are named");
         assert!(texts(&figure).contains(&r"$A$  ($\omega=0.854$)".to_owned()), "{:?}", texts(&figure));
@@ -301,15 +272,13 @@ mod tests {
         }
         let [primary, secondary] = ["N", "rad/s"].map(|unit| Some(unit.to_owned()));
         let named = names.clone().with_units(UnitNames { primary, secondary, ..UnitNames::default() });
-        let texts = draw_one_parameter(&figure, &named, "", SheetWidth::Paper).unwrap().texts();
+        let texts = drawn(&figure, &named, SheetWidth::Paper).texts();
         assert!(texts.contains(&r"$\omega$ (rad/s)  ($A=0.854$ N)".to_owned()), "{texts:?}");
     }
 
     #[test]
     fn panels_say_whose_rows_they_show() {
-        let svg =
-            draw_one_parameter(&sample([1.0, 1.0], 2), &Names::new("A", "omega"), "t", SheetWidth::Paper);
-        let svg = svg.unwrap().svg();
+        let svg = drawn(&sample([1.0, 1.0], 2), &Names::new("A", "omega"), SheetWidth::Paper).svg();
         assert!(svg.contains("data-only=\"diagram 2\" data-columns=\"A x\""));
         assert!(svg.contains("data-tables=\"diagram_portraits\" data-only=\"portrait 2\""));
     }

@@ -6,7 +6,7 @@ use crate::error::DrawingError;
 use crate::geometry::sheet::{fractions_inside, span};
 
 /// The frame, if both its ranges are finite and increasing; `name` is what an error calls it.
-pub(crate) fn checked(frame: Frame, name: &str) -> Result<Frame, DrawingError> {
+pub fn checked(frame: Frame, name: &str) -> Result<Frame, DrawingError> {
     for (axis, [low, high]) in [("horizontal", frame.x), ("vertical", frame.y)] {
         // Written so that NaN fails too, and a range wider than numbers go.
         if !(low < high && (high - low).is_finite()) {

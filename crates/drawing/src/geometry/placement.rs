@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use crate::geometry::sheet::{Bounds, Spot, along, distance, inside, thinned};
 
 /// What is already on a panel, as far as labels must keep off it.
-pub(crate) struct Placer {
+pub struct Placer {
     panel: Bounds,
     blocked: Vec<Bounds>,
     segments: Vec<(Spot, Spot)>,
@@ -28,22 +28,22 @@ impl Placer {
     }
 
     /// Keeps labels off a box.
-    pub(crate) fn block(&mut self, bounds: Bounds) {
+    pub fn block(&mut self, bounds: Bounds) {
         self.blocked.push(bounds);
     }
 
     /// Keeps labels off a curve.
-    pub(crate) fn keep_off(&mut self, curve: &[Spot]) {
+    pub fn keep_off(&mut self, curve: &[Spot]) {
         self.segments.extend(thinned(curve).windows(2).map(|pair| (pair[0], pair[1])));
     }
 
     /// Keeps labels off a curve for which no label near by could be mistaken.
-    pub(crate) fn keep_off_nameless(&mut self, curve: &[Spot]) {
+    pub fn keep_off_nameless(&mut self, curve: &[Spot]) {
         self.nameless.extend(thinned(curve).windows(2).map(|pair| (pair[0], pair[1])));
     }
 
     /// Keeps labels off a cloud of points as far as there is room elsewhere.
-    pub(crate) fn avoid(&mut self, spots: impl Iterator<Item = Spot>) {
+    pub fn avoid(&mut self, spots: impl Iterator<Item = Spot>) {
         let mut cells: Vec<(i64, i64)> = spots.map(|(x, y)| (x.floor() as i64, y.floor() as i64)).collect();
         cells.sort_unstable();
         cells.dedup();
@@ -249,7 +249,7 @@ impl Placer {
 ///
 /// Site centres ascend. Boxes that would meet move together, so that the sum of squared moves is
 /// least.
-pub(crate) fn side_by_side(wanted: &[(f64, f64)], gap: f64) -> Vec<f64> {
+pub fn side_by_side(wanted: &[(f64, f64)], gap: f64) -> Vec<f64> {
     // Offsets of the boxes in a row without slack; centres less offsets have to ascend: pool those
     // that descend.
     let mut offsets = Vec::with_capacity(wanted.len());

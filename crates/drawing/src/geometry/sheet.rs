@@ -2,10 +2,10 @@
 //! points.
 
 /// A point of the sheet, in points to the right and downwards.
-pub(crate) type Spot = (f64, f64);
+pub type Spot = (f64, f64);
 
 /// A spot in hundredths of a point, to which files are written.
-pub(crate) type Hundredths = (i32, i32);
+pub type Hundredths = (i32, i32);
 
 pub(crate) fn in_hundredths((x, y): Spot) -> Hundredths {
     ((x * 100.0).round() as i32, (y * 100.0).round() as i32)
@@ -25,7 +25,8 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    pub(crate) fn centre(&self) -> Spot {
+    /// Its middle.
+    pub fn centre(&self) -> Spot {
         (0.5 * (self.left + self.right), 0.5 * (self.top + self.bottom))
     }
 
@@ -77,14 +78,14 @@ impl Bounds {
     }
 
     /// The smallest rectangle that holds these spots; the wrong way round if there are none.
-    pub(crate) fn around(spots: &[Spot]) -> Bounds {
+    pub fn around(spots: &[Spot]) -> Bounds {
         let [left, right] = span(spots.iter().map(|spot| spot.0));
         let [top, bottom] = span(spots.iter().map(|spot| spot.1));
         Bounds { left, top, right, bottom }
     }
 
     /// The box of the given size about a centre.
-    pub(crate) fn about((x, y): Spot, width: f64, height: f64) -> Bounds {
+    pub fn about((x, y): Spot, width: f64, height: f64) -> Bounds {
         Bounds {
             left: x - 0.5 * width,
             top: y - 0.5 * height,
@@ -114,7 +115,7 @@ pub(crate) fn fractions_inside(x: [f64; 2], y: [f64; 2], a: (f64, f64), b: (f64,
 }
 
 /// The least and the greatest number, as a range; the wrong way round if there is none.
-pub(crate) fn span(values: impl Iterator<Item = f64>) -> [f64; 2] {
+pub fn span(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
 }
 
@@ -122,13 +123,14 @@ pub(crate) fn span(values: impl Iterator<Item = f64>) -> [f64; 2] {
 /// them.
 const THINNED_STEP: f64 = 0.8;
 
-pub(crate) fn distance(a: Spot, b: Spot) -> f64 {
+/// The distance of two spots.
+pub fn distance(a: Spot, b: Spot) -> f64 {
     let (dx, dy) = (a.0 - b.0, a.1 - b.1);
     (dx * dx + dy * dy).sqrt()
 }
 
 /// True if the spot is inside the closed polygon (even-odd rule).
-pub(crate) fn inside(polygon: &[Spot], (x, y): Spot) -> bool {
+pub fn inside(polygon: &[Spot], (x, y): Spot) -> bool {
     let mut within = false;
     for (a, b) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
         if (a.1 > y) != (b.1 > y) && x < a.0 + (y - a.1) / (b.1 - a.1) * (b.0 - a.0) {

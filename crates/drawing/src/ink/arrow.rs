@@ -27,7 +27,7 @@ fn arrowhead(canvas: &Canvas, tip: Spot, direction: Spot, size: f64, colour: Col
 }
 
 /// A head with its middle at a share of a curve's length, pointing along it.
-pub(crate) fn head_on(canvas: &Canvas, curve: &[Spot], share: f64, pen: Pen) {
+pub fn head_on(canvas: &Canvas, curve: &[Spot], share: f64, pen: Pen) {
     if let Some((middle, direction)) = along(curve, share) {
         let size = head_length(pen);
         let tip = (middle.0 + 0.5 * size * direction.0, middle.1 + 0.5 * size * direction.1);
@@ -37,7 +37,7 @@ pub(crate) fn head_on(canvas: &Canvas, curve: &[Spot], share: f64, pen: Pen) {
 
 /// A line with a head, whose tip stops `short` of the line's end; nothing if the line is too short
 /// for a head.
-pub(crate) fn arrow(canvas: &Canvas, path: &[Spot], short: f64, pen: Pen) {
+pub fn arrow(canvas: &Canvas, path: &[Spot], short: f64, pen: Pen) {
     let size = head_length(pen);
     let to_tip = shortened(path, short);
     let shaft = shortened(&to_tip, (1.0 - HEAD_SHAPE.1) * size);
@@ -51,7 +51,7 @@ pub(crate) fn arrow(canvas: &Canvas, path: &[Spot], short: f64, pen: Pen) {
 }
 
 /// A line with heads at both ends, as of a dimension.
-pub(crate) fn double_arrow(canvas: &Canvas, [from, to]: [Spot; 2], pen: Pen) {
+pub fn double_arrow(canvas: &Canvas, [from, to]: [Spot; 2], pen: Pen) {
     let middle = (0.5 * (from.0 + to.0), 0.5 * (from.1 + to.1));
     arrow(canvas, &[middle, from], 0.0, pen);
     arrow(canvas, &[middle, to], 0.0, pen);

@@ -14,19 +14,25 @@ use crate::ink::svg::{POINTS_PER_MM, fill, hex, hundredths, points, spans, strok
 
 /// Which point of its baseline a text is placed by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Anchor {
+pub enum Anchor {
+    /// Where it begins.
     Start,
+    /// Its middle.
     Middle,
+    /// Where it ends.
     End,
     /// Its middle, and the text reads upwards.
     Upwards,
 }
 
 /// An unfinished sheet.
-pub(crate) struct Canvas {
-    pub(crate) fonts: Fonts,
-    pub(crate) width: f64,
-    pub(crate) height: f64,
+pub struct Canvas {
+    /// The fonts, in which labels are measured.
+    pub fonts: Fonts,
+    /// Its width, in points.
+    pub width: f64,
+    /// Its height, in points.
+    pub height: f64,
     elements: RefCell<Vec<Element>>,
     /// Every label drawn so far and the box of its ink.
     texts: RefCell<Vec<(String, Bounds)>>,
@@ -36,14 +42,18 @@ pub(crate) struct Canvas {
 }
 
 impl Canvas {
-    pub(crate) fn new(width_mm: f64, height_mm: f64) -> Result<Self, DrawingError> {
+    /// An empty sheet.
+    ///
+    /// # Errors
+    /// The embedded fonts cannot be read.
+    pub fn new(width_mm: f64, height_mm: f64) -> Result<Self, DrawingError> {
         let (width, height) = (width_mm * POINTS_PER_MM, height_mm * POINTS_PER_MM);
         let (elements, texts, clips, legend) = Default::default();
         Ok(Canvas { fonts: Fonts::load()?, width, height, elements, texts, clips, legend })
     }
 
     /// Adds an entry to the legend, once: what is drawn like the sample.
-    pub(crate) fn explain(&self, meaning: &str, sample: Sample) {
+    pub fn explain(&self, meaning: &str, sample: Sample) {
         let mut legend = self.legend.borrow_mut();
         if legend.iter().all(|(known, _)| known != meaning) {
             legend.push((meaning.to_owned(), sample));
@@ -65,7 +75,7 @@ impl Canvas {
     }
 
     /// A line, closed if it ends where it begins; one shorter than print resolution is none.
-    pub(crate) fn line(&self, spots: &[Spot], pen: Pen) {
+    pub fn line(&self, spots: &[Spot], pen: Pen) {
         self.attributed_line(spots, stroke(Some(pen)));
     }
 
@@ -106,7 +116,7 @@ impl Canvas {
     }
 
     /// A filled and perhaps outlined polygon.
-    pub(crate) fn polygon(&self, corners: &[Spot], paint: Paint, outline: Option<Pen>) {
+    pub fn polygon(&self, corners: &[Spot], paint: Paint, outline: Option<Pen>) {
         self.path([(all_in_hundredths(corners), true)], fill(paint) + &stroke(outline));
     }
 
@@ -123,7 +133,7 @@ impl Canvas {
     }
 
     /// A filled and perhaps outlined disc.
-    pub(crate) fn disc(&self, centre: Spot, radius: f64, paint: Paint, outline: Option<Pen>) {
+    pub fn disc(&self, centre: Spot, radius: f64, paint: Paint, outline: Option<Pen>) {
         let (r, fill, outline) = (points(radius), fill(paint), stroke(outline));
         self.draw_at(centre, |x, y| format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{fill}{outline}/>"));
     }
@@ -141,7 +151,10 @@ impl Canvas {
     }
 
     /// A label with its baseline at the spot.
-    pub(crate) fn text(
+    ///
+    /// # Errors
+    /// It cannot be set in the embedded fonts.
+    pub fn text(
         &self,
         spot: Spot,
         source: &str,
@@ -200,13 +213,11 @@ impl Canvas {
         Bounds { left: 0.0, top: 0.0, right: self.width, bottom: self.height }
     }
 
-    /// The figure, of which this is the title and the description, if it is light enough.
-    pub(crate) fn finish(
-        self,
-        figure: &'static str,
-        title: &str,
-        description: &str,
-    ) -> Result<Sheet, DrawingError> {
+    /// The figure, of which this is the title and the description.
+    ///
+    /// # Errors
+    /// It is too heavy.
+    pub fn finish(self, figure: &'static str, title: &str, description: &str) -> Result<Sheet, DrawingError> {
         let legend = self.legend.into_inner().into_iter();
         let [width, height] = [self.width, self.height].map(|length| (length * 100.0).round() / 100.0);
         let sheet = Sheet {

@@ -37,10 +37,13 @@ const HAT_SLANT: f64 = 0.07;
 /// What a label occupies, in points: its width, and how far its ink reaches above and below the
 /// baseline.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Extent {
-    pub(crate) width: f64,
-    pub(crate) ascent: f64,
-    pub(crate) descent: f64,
+pub struct Extent {
+    /// Its width.
+    pub width: f64,
+    /// How far it reaches above the baseline.
+    pub ascent: f64,
+    /// How far it reaches below.
+    pub descent: f64,
 }
 
 impl Extent {
@@ -50,7 +53,7 @@ impl Extent {
 }
 
 /// The parsed fonts.
-pub(crate) struct Fonts {
+pub struct Fonts {
     faces: [Metrics<'static>; 3],
     /// What has been measured: reading a glyph's outline takes long.
     glyphs: RefCell<BTreeMap<(usize, char), Glyph>>,
@@ -91,7 +94,7 @@ impl Fonts {
     ///
     /// # Errors
     /// A character is in none of our fonts.
-    pub(crate) fn measure(&self, label: &Label, size: f64) -> Result<Extent, DrawingError> {
+    pub fn measure(&self, label: &Label, size: f64) -> Result<Extent, DrawingError> {
         let mut extent = Extent { width: 0.0, ascent: 0.0, descent: 0.0 };
         for run in &label.runs {
             let index = match run.face {

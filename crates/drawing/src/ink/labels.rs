@@ -11,7 +11,7 @@ use crate::ink::style::{Colour, LEADER};
 const PADDING: f64 = 1.2;
 
 /// Where a label is to stand.
-pub(crate) enum Site<'a> {
+pub enum Site<'a> {
     /// Beside a curve, near its middle.
     Beside(&'a [Spot]),
     /// Around a spot, at least the clearance away.
@@ -21,9 +21,10 @@ pub(crate) enum Site<'a> {
 }
 
 /// Labels placed so far.
-pub(crate) struct Labels<'c> {
+pub struct Labels<'c> {
     canvas: &'c Canvas,
-    pub(crate) placer: Placer,
+    /// What labels keep off.
+    pub placer: Placer,
     placed: Vec<Placed>,
 }
 
@@ -41,12 +42,13 @@ struct Placed {
 const LEADING: f64 = 1.15;
 
 impl<'c> Labels<'c> {
-    pub(crate) fn new(canvas: &'c Canvas, panel: Bounds) -> Self {
+    /// None yet; they stay inside the panel, and each draws on the canvas.
+    pub fn new(canvas: &'c Canvas, panel: Bounds) -> Self {
         Labels { canvas, placer: Placer::new(panel), placed: Vec::new() }
     }
 
     /// Finds a place for a label; false if there is none.
-    pub(crate) fn add(
+    pub fn add(
         &mut self,
         source: &str,
         size: f64,
@@ -57,7 +59,7 @@ impl<'c> Labels<'c> {
     }
 
     /// Finds a place for a label of several lines, each centred; false if there is none.
-    pub(crate) fn add_lines(
+    pub fn add_lines(
         &mut self,
         sources: &[&str],
         size: f64,
@@ -88,7 +90,7 @@ impl<'c> Labels<'c> {
     }
 
     /// Names a curve beside it or, where there is no room, farther off with a line to its middle.
-    pub(crate) fn name_curve(
+    pub fn name_curve(
         &mut self,
         source: &str,
         size: f64,
@@ -105,7 +107,7 @@ impl<'c> Labels<'c> {
     }
 
     /// Draws all labels and their leaders.
-    pub(crate) fn draw(self) -> Result<(), DrawingError> {
+    pub fn draw(self) -> Result<(), DrawingError> {
         for Placed { lines, reach: (ascent, descent), size, colour, place } in &self.placed {
             if let Some((from, to)) = place.leader {
                 self.canvas.line(&[from, to], LEADER);

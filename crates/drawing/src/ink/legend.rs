@@ -8,13 +8,20 @@ use crate::ink::svg::{fill, path_data, points, stroke};
 
 /// A sample of what is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Sample {
+pub enum Sample {
+    /// A line.
     Line(Pen),
+    /// A filled area.
     Area(Paint),
+    /// A hatched area.
     Hatching(Pen),
+    /// The outline of a rectangle.
     Rectangle(Pen),
+    /// A cloud of dots.
     Dots(Paint),
+    /// The marker of a resonance.
     Triangle,
+    /// The marker of another point.
     Disc,
 }
 

@@ -66,7 +66,7 @@ pub(crate) struct Run {
 
 /// A parsed label.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Label {
+pub struct Label {
     pub(crate) source: String,
     pub(crate) runs: Vec<Run>,
 }
@@ -96,7 +96,10 @@ impl Label {
     }
 
     /// Reads a label.
-    pub(crate) fn parse(source: &str) -> Result<Self, DrawingError> {
+    ///
+    /// # Errors
+    /// Its markup is none.
+    pub fn parse(source: &str) -> Result<Self, DrawingError> {
         let mut parser = Parser { source, rest: source.chars(), runs: Vec::new() };
         while let Some(character) = parser.rest.next() {
             if character == '$' {

@@ -5,38 +5,45 @@
 //! light and wide, saddle-node solid and dark, period-doubling solid and of middle lightness,
 //! grazing of an MPS dark with dots between its dashes. Plain dashes are left to approximations.
 
-pub(crate) use grazing_results::kinds::Colour;
+pub use grazing_results::kinds::Colour;
 
 /// How a line is drawn; lengths in points.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Pen {
-    pub(crate) colour: Colour,
-    pub(crate) width: f64,
+pub struct Pen {
+    /// The colour.
+    pub colour: Colour,
+    /// The width.
+    pub width: f64,
     /// Lengths of ink and gap in turn; empty for a solid line.
-    pub(crate) dashes: &'static [f64],
+    pub dashes: &'static [f64],
     /// Round instead of cut ends.
-    pub(crate) round: bool,
+    pub round: bool,
 }
 
 /// How an area is filled.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Paint {
-    pub(crate) colour: Colour,
-    pub(crate) opacity: f64,
+pub struct Paint {
+    /// The colour.
+    pub colour: Colour,
+    /// How much of what is below it covers, from 0 to 1.
+    pub opacity: f64,
 }
 
 impl Pen {
-    const fn solid(colour: Colour, width: f64) -> Self {
+    /// A solid line.
+    pub const fn solid(colour: Colour, width: f64) -> Self {
         Pen { colour, width, dashes: &[], round: false }
     }
 
-    pub(crate) const fn dashed(colour: Colour, width: f64, dashes: &'static [f64]) -> Self {
+    /// A dashed line.
+    pub const fn dashed(colour: Colour, width: f64, dashes: &'static [f64]) -> Self {
         Pen { colour, width, dashes, round: false }
     }
 }
 
 impl Paint {
-    const fn opaque(colour: Colour) -> Self {
+    /// What hides all below it.
+    pub const fn opaque(colour: Colour) -> Self {
         Paint { colour, opacity: 1.0 }
     }
 }
@@ -55,7 +62,7 @@ pub enum SheetWidth {
 
 impl SheetWidth {
     /// The width in millimetres of a figure that is `paper` millimetres wide in the paper.
-    pub(crate) const fn mm(self, paper: f64) -> f64 {
+    pub const fn mm(self, paper: f64) -> f64 {
         match self {
             Self::Paper => paper,
             Self::OneColumn => 86.0,
@@ -64,21 +71,21 @@ impl SheetWidth {
     }
 }
 
-pub(crate) const BLACK: Colour = [0, 0, 0];
+/// Text, frames, and most lines.
+pub const BLACK: Colour = [0, 0, 0];
 pub(crate) const WHITE: Colour = [255, 255, 255];
-const RED: Colour = [214, 47, 32];
-const BLUE: Colour = [25, 70, 190];
 const ORANGE: Colour = [240, 130, 0];
-const GREY: Colour = [110, 110, 110];
+/// Thin lines that only lead the eye.
+pub const GREY: Colour = [110, 110, 110];
 
 /// Axis titles, in points.
-pub(crate) const TITLE_SIZE: f64 = 10.0;
+pub const TITLE_SIZE: f64 = 10.0;
 /// Labels of curves, in points.
-pub(crate) const LABEL_SIZE: f64 = 9.0;
+pub const LABEL_SIZE: f64 = 9.0;
 /// Labels inside crowded panels, in points.
-pub(crate) const SMALL_LABEL_SIZE: f64 = 8.0;
+pub const SMALL_LABEL_SIZE: f64 = 8.0;
 /// Numbers at the ticks, in points.
-pub(crate) const TICK_SIZE: f64 = 7.5;
+pub const TICK_SIZE: f64 = 7.5;
 
 pub(crate) const FRAME: Pen = Pen::solid(BLACK, 0.6);
 pub(crate) const TICK: Pen = Pen::solid(BLACK, 0.5);
@@ -87,7 +94,7 @@ pub(crate) const TICK_LENGTH: f64 = 3.0;
 pub(crate) const MINOR_TICK_LENGTH: f64 = 1.7;
 
 /// Where the non-impacting solution is stable.
-pub(crate) const NON_IMPACTING_AREA: Paint = Paint::opaque([233, 233, 233]);
+pub const NON_IMPACTING_AREA: Paint = Paint::opaque([233, 233, 233]);
 /// Where an MPS is stable; overlapping regions come out darker.
 pub(crate) const MPS_AREA: Paint = Paint { colour: [40, 40, 40], opacity: 0.3 };
 
@@ -107,11 +114,12 @@ pub(crate) const THIN_SECTION: Pen = Pen::dashed(BLACK, 0.5, &[4.0, 1.6]);
 pub(crate) const MARKER: Paint = Paint::opaque(BLACK);
 pub(crate) const MARKER_RIM: Pen = Pen::solid(WHITE, 0.5);
 pub(crate) const TRIANGLE_SIZE: f64 = 6.4;
-pub(crate) const DISC_RADIUS: f64 = 2.1;
+/// A disc that marks a point, in points.
+pub const DISC_RADIUS: f64 = 2.1;
 pub(crate) const STAR_RADIUS: f64 = 3.8;
 
 /// A branch of the one-parameter diagram by its number of loops, 0 for the non-impacting solution.
-pub(crate) const fn branch_pen(p: u32, width: f64) -> Pen {
+pub const fn branch_pen(p: u32, width: f64) -> Pen {
     let colour = match p {
         1 => [190, 95, 0],
         2 => [25, 70, 190],
@@ -139,11 +147,14 @@ pub(crate) const CLOUD_BIN: f64 = 0.36;
 pub(crate) const PERIODIC_ORBIT: Pen = Pen::solid(BLACK, 0.9);
 pub(crate) const ATTRACTOR_ORBIT: Pen = Pen::solid([70, 95, 130], 0.25);
 pub(crate) const IMPACT: Pen = Pen::dashed(BLACK, 0.55, &[1.6, 1.2]);
-pub(crate) const WALL: Pen = Pen::solid(BLACK, 0.9);
-pub(crate) const WALL_FACE: Paint = Paint::opaque([244, 244, 244]);
-pub(crate) const WALL_HATCHING: Pen = Pen::solid(GREY, 0.45);
+/// The wall.
+pub const WALL: Pen = Pen::solid(BLACK, 0.9);
+/// What lies behind the wall.
+pub const WALL_FACE: Paint = Paint::opaque([244, 244, 244]);
+/// The hatching of that.
+pub const WALL_HATCHING: Pen = Pen::solid(GREY, 0.45);
 /// The level x = 0 above which there are impacts.
-pub(crate) const THRESHOLD: Pen = Pen::solid([170, 170, 170], 0.4);
+pub const THRESHOLD: Pen = Pen::solid([170, 170, 170], 0.4);
 /// Thin lines from a portrait's letter into the diagram.
 pub(crate) const GUIDE: Pen = Pen::dashed(GREY, 0.45, &[0.8, 1.6]);
 /// The frame that is magnified.
@@ -168,10 +179,12 @@ pub(crate) const VIRTUAL_FLOW: Pen = Pen::dashed(FLOW_COLOUR, 0.95, &[3.0, 2.0])
 pub(crate) const PERIODIC_FLOW: Pen = Pen { round: true, ..Pen::solid(BLACK, 1.5) };
 /// The reset law, from impact to recoil.
 pub(crate) const RESET: Pen = Pen::dashed(RESET_COLOUR, 1.0, &[1.6, 1.5]);
-pub(crate) const RESET_COLOUR: Colour = [178, 34, 24];
+/// Its colour, also for its name.
+pub const RESET_COLOUR: Colour = [178, 34, 24];
 /// A return map, from a point to its image.
 pub(crate) const RETURN: Pen = Pen::solid(RETURN_COLOUR, 0.8);
-pub(crate) const RETURN_COLOUR: Colour = [0, 105, 75];
+/// Its colour, also for its name.
+pub const RETURN_COLOUR: Colour = [0, 105, 75];
 /// Axes of phase space, and thin lines on its surfaces.
 pub(crate) const SPACE_AXIS: Pen = Pen::solid(BLACK, 0.55);
 pub(crate) const TANGENCY: Pen = Pen::solid(BLACK, 0.8);
@@ -179,49 +192,15 @@ pub(crate) const CIRCLE: Pen = Pen::dashed(GREY, 0.5, &[0.8, 1.8]);
 /// Outlines of surfaces.
 pub(crate) const FACE_EDGE: Pen = Pen::solid([120, 120, 120], 0.4);
 /// The incoming set: darker than the outgoing set, so that they differ without colour.
-pub(crate) const INCOMING_FACE: Paint = Paint { colour: [120, 155, 210], opacity: 0.5 };
+pub const INCOMING_FACE: Paint = Paint { colour: [120, 155, 210], opacity: 0.5 };
 pub(crate) const OUTGOING_FACE: Paint = Paint { colour: [236, 204, 150], opacity: 0.5 };
-pub(crate) const SECTION_FACE: Paint = Paint { colour: [160, 208, 176], opacity: 0.5 };
+/// The Poincaré section.
+pub const SECTION_FACE: Paint = Paint { colour: [160, 208, 176], opacity: 0.5 };
 /// Points of orbits; virtual ones are open.
 pub(crate) const SPOT_RADIUS: f64 = 1.8;
 pub(crate) const SPOT: Paint = Paint::opaque(BLACK);
 pub(crate) const OPEN_SPOT: Paint = Paint::opaque(WHITE);
 pub(crate) const SPOT_RIM: Pen = Pen::solid(BLACK, 0.7);
-
-/// A boundary g_p: solid. Its colour is that of the branch with the same p.
-pub(crate) const fn resonance_pen(p: u32) -> Pen {
-    branch_pen(p, 1.1)
-}
-
-/// A boundary h_p: the colour of g_p, in short dashes.
-pub(crate) const fn admissibility_pen(p: u32) -> Pen {
-    Pen { dashes: &[2.6, 1.3], ..branch_pen(p, 1.1) }
-}
-
-/// What both families of boundaries tend to.
-pub(crate) const LIMIT: Pen = Pen::solid(BLACK, 0.6);
-/// Outline of an area of parameters.
-pub(crate) const OUTLINE: Pen = Pen::solid(BLACK, 0.8);
-/// From a curve's end to its label.
-pub(crate) const CURVE_LEADER: Pen = Pen::solid(GREY, 0.4);
-
-/// Bodies of the schematic, and their outlines.
-pub(crate) const BODY: Paint = Paint::opaque([222, 228, 236]);
-pub(crate) const BODY_OUTLINE: Pen = Pen::solid(BLACK, 1.0);
-/// Wires, rods and housings.
-pub(crate) const WIRE: Pen = Pen { round: true, ..Pen::solid(BLACK, 0.9) };
-/// The piston in its cylinder.
-pub(crate) const PISTON: Pen = Pen::solid(BLACK, 2.0);
-/// Lines that only carry positions over to an axis.
-pub(crate) const PROJECTION: Pen = Pen::dashed(GREY, 0.5, &[2.0, 1.6]);
-/// Axes and dimensions that end in arrowheads.
-pub(crate) const AXIS: Pen = Pen::solid(BLACK, 0.6);
-/// A force, in the colour that says so.
-pub(crate) const FORCE: Pen = Pen::solid(RED, 1.3);
-
-/// The path between visits, and the area that it encloses with the w-axis.
-pub(crate) const PATH: Pen = Pen::solid(BLUE, 1.15);
-pub(crate) const PATH_AREA: Paint = Paint { colour: BLUE, opacity: 0.1 };
 
 /// No figure may be heavier than this, in bytes.
 pub(crate) const SIZE_LIMIT: usize = 2_000_000;

@@ -33,7 +33,7 @@ pub(crate) fn hex([red, green, blue]: Colour) -> String {
 }
 
 /// The attributes that fill an area.
-pub(crate) fn fill(paint: Paint) -> String {
+pub fn fill(paint: Paint) -> String {
     let mut attributes = format!(" fill=\"{}\"", hex(paint.colour));
     if paint.opacity < 1.0 {
         let _ = write!(attributes, " fill-opacity=\"{}\"", points(paint.opacity));

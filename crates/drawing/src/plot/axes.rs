@@ -38,24 +38,27 @@ pub struct Heading<'a> {
 }
 
 /// A rectangle of data space laid over one of the sheet.
-pub(crate) struct Panel<'c> {
-    pub(crate) canvas: &'c Canvas,
-    pub(crate) frame: Frame,
-    pub(crate) bounds: Bounds,
+pub struct Panel<'c> {
+    /// The sheet.
+    pub canvas: &'c Canvas,
+    /// What it shows.
+    pub frame: Frame,
+    /// Where it is on the sheet.
+    pub bounds: Bounds,
     /// The tables whose rows it shows, the most informative first; none if any table with columns
     /// for the axes will do.
-    pub(crate) tables: &'c [&'static str],
+    pub tables: &'c [&'static str],
     /// The column and the number that distinguish its rows from those of other panels.
-    pub(crate) only: Option<(&'static str, u32)>,
+    pub only: Option<(&'static str, u32)>,
     /// The names of the two parameters, where the titles do not say which columns hold them.
-    pub(crate) names: Option<&'c Names>,
+    pub names: Option<&'c Names>,
     /// Whether there are numbers beside it.
-    pub(crate) numbers_beside: bool,
+    pub numbers_beside: bool,
 }
 
 /// Which of the paper's markers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Marker {
+pub enum Marker {
     /// A resonance.
     Triangle,
     /// Any other codimension-two point.
@@ -75,13 +78,13 @@ const LEAST_TITLE_SIZE: f64 = 6.5;
 
 impl<'c> Panel<'c> {
     /// A panel that does not say what it shows.
-    pub(crate) fn new(canvas: &'c Canvas, frame: Frame, bounds: Bounds) -> Self {
+    pub fn new(canvas: &'c Canvas, frame: Frame, bounds: Bounds) -> Self {
         Panel { canvas, frame, bounds, tables: &[], only: None, names: None, numbers_beside: true }
     }
 
     /// Where a data point lies on the sheet, in whole hundredths of a point: the rest of the way
     /// from the lower left corner is cut off.
-    pub(crate) fn spot(&self, point: (f64, f64)) -> Spot {
+    pub fn spot(&self, point: (f64, f64)) -> Spot {
         let (left, top) = in_hundredths((self.bounds.left, self.bounds.top));
         let (right, bottom) = in_hundredths((self.bounds.right, self.bounds.bottom));
         let Frame { x: [first, last], y: [low, high] } = self.frame;
@@ -96,7 +99,7 @@ impl<'c> Panel<'c> {
     }
 
     /// A polyline, clipped to the frame with all of its ink; returns its pieces on the sheet.
-    pub(crate) fn line(&self, points: &[(f64, f64)], pen: Pen) -> Vec<Vec<Spot>> {
+    pub fn line(&self, points: &[(f64, f64)], pen: Pen) -> Vec<Vec<Spot>> {
         let pieces: Vec<_> =
             clip_polyline(&self.frame, points).iter().map(|piece| self.spots(piece)).collect();
         pieces.iter().for_each(|piece| self.canvas.line_within(&self.bounds, piece, pen));
@@ -105,7 +108,7 @@ impl<'c> Panel<'c> {
 
     /// A filled polygon, clipped to the frame; returns its outline on the sheet, if any of it
     /// shows.
-    pub(crate) fn fill(&self, vertices: &[(f64, f64)], paint: Paint) -> Vec<Spot> {
+    pub fn fill(&self, vertices: &[(f64, f64)], paint: Paint) -> Vec<Spot> {
         let clipped = clip_polygon(&self.frame, vertices);
         if clipped.len() < 3 {
             return Vec::new();
@@ -142,7 +145,7 @@ impl<'c> Panel<'c> {
     }
 
     /// A marker, if its point is in the frame; returns the box it takes.
-    pub(crate) fn marker(&self, point: (f64, f64), marker: Marker) -> Option<Bounds> {
+    pub fn marker(&self, point: (f64, f64), marker: Marker) -> Option<Bounds> {
         if !self.frame.contains(point) {
             return None;
         }
@@ -175,7 +178,7 @@ impl<'c> Panel<'c> {
     }
 
     /// Border, outward ticks, numbers and axis titles; an empty title is left out.
-    pub(crate) fn axes(&self, x_title: &str, y_title: &str) -> Result<(), DrawingError> {
+    pub fn axes(&self, x_title: &str, y_title: &str) -> Result<(), DrawingError> {
         let (Bounds { left, top, right, bottom }, canvas) = (self.bounds, self.canvas);
         self.mark([x_title, y_title]);
         canvas.line(

@@ -25,7 +25,8 @@ fn approximation(bifurcation: Bifurcation) -> Pen {
     Pen::dashed(on_light, CurveLook::APPROXIMATION_WIDTH, CurveLook::APPROXIMATION_DASHES)
 }
 
-pub(crate) fn text_colour(bifurcation: Bifurcation) -> Colour {
+/// The colour of the label of a curve.
+pub fn text_colour(bifurcation: Bifurcation) -> Colour {
     CurveLook::of(bifurcation).text
 }
 
@@ -40,7 +41,7 @@ fn meaning(bifurcation: Bifurcation) -> String {
 
 /// The label, in the markup of labels; `grazing` names the grazing curve of the non-impacting
 /// solution.
-pub(crate) fn label(bifurcation: Bifurcation, grazing: &str) -> &str {
+pub fn label(bifurcation: Bifurcation, grazing: &str) -> &str {
     match bifurcation {
         Bifurcation::NonImpactingGrazing => grazing,
         other => other.name(),
@@ -48,16 +49,18 @@ pub(crate) fn label(bifurcation: Bifurcation, grazing: &str) -> &str {
 }
 
 /// A curve of the parameter plane; points are (across, up).
-pub(crate) struct Trace {
-    pub(crate) kind: Bifurcation,
+pub struct Trace {
+    /// What it is of.
+    pub kind: Bifurcation,
     /// Not the curve itself, but its quadratic approximation.
-    pub(crate) approximate: bool,
-    pub(crate) points: Vec<(f64, f64)>,
+    pub approximate: bool,
+    /// Its points; one that is NaN breaks it.
+    pub points: Vec<(f64, f64)>,
 }
 
 /// Draws curves, the wide grazing curve lowest, approximations on top of what they approximate;
 /// returns the pieces of the others, from which labels are kept off.
-pub(crate) fn draw_curves(
+pub fn draw_curves(
     panel: &Panel<'_>,
     labels: &mut Labels<'_>,
     mut curves: Vec<Trace>,
@@ -141,7 +144,7 @@ pub(crate) fn draw_points<'a>(
 /// A region of the parameter plane; vertices are (across, up).
 pub(crate) struct Area {
     pub(crate) p: u32,
-    pub(crate) kind: RegionKind,
+    pub kind: RegionKind,
     /// Its border and those of its holes.
     pub(crate) rings: Vec<Vec<(f64, f64)>>,
 }
@@ -178,7 +181,7 @@ impl Area {
 }
 
 /// The shade of a region in which something is stable, which the legend explains.
-pub(crate) fn shade(panel: &Panel<'_>, kind: RegionKind) -> Paint {
+pub fn shade(panel: &Panel<'_>, kind: RegionKind) -> Paint {
     let (more, paint) = match kind {
         RegionKind::NonImpacting => ("", NON_IMPACTING_AREA),
         _ => ("; darker where several are", MPS_AREA),

@@ -78,24 +78,28 @@ impl<K> Piece<K> {
 }
 
 /// What a figure in phase space is beside its rows.
-pub(crate) struct SpaceSheet {
-    pub(crate) name: &'static str,
-    pub(crate) title: &'static str,
-    pub(crate) description: &'static str,
+pub struct SpaceSheet {
+    /// By which errors call it.
+    pub name: &'static str,
+    /// The title of the SVG, for readers who cannot see it.
+    pub title: &'static str,
+    /// The description of the SVG, likewise.
+    pub description: &'static str,
     /// Width in the paper.
-    pub(crate) width_mm: f64,
+    pub width_mm: f64,
     /// Room around the scene, in points from each edge of the sheet.
-    pub(crate) margin: Bounds,
-    /// The names of points and their size.
-    pub(crate) mark: fn(&Mark) -> Option<String>,
-    pub(crate) mark_size: f64,
+    pub margin: Bounds,
+    /// The names of points.
+    pub mark: fn(&Mark) -> Option<String>,
+    /// The size of these names.
+    pub mark_size: f64,
     /// What else is named, in the order in which places are looked for; each name with its size and
     /// its colour.
-    pub(crate) names: &'static [(NamedPart, &'static str, f64, Colour)],
+    pub names: &'static [(NamedPart, &'static str, f64, Colour)],
 }
 
 /// A part of a scene that has a name.
-pub(crate) enum NamedPart {
+pub enum NamedPart {
     /// Every curve of a kind.
     Curves(CurveKind),
     /// The first surface of a kind, which has its name on it.
@@ -106,7 +110,10 @@ pub(crate) enum NamedPart {
 
 impl SpaceSheet {
     /// Draws the scene.
-    pub(crate) fn draw(&self, figure: &Scene, width: SheetWidth) -> Result<Sheet, DrawingError> {
+    ///
+    /// # Errors
+    /// A coordinate is not finite.
+    pub fn draw(&self, figure: &Scene, width: SheetWidth) -> Result<Sheet, DrawingError> {
         let (shown, canvas) = OnSheet::fit(figure, self.name, width.mm(self.width_mm), &self.margin)?;
         shown.paint(&canvas);
         let mut labels = shown.labels(&canvas)?;
@@ -333,57 +340,4 @@ fn pieces<K: Copy>(vertices: &[Vertex<K>], on_sheet: impl Fn([f64; 3]) -> [f64; 
         Piece { kind, number, layer, course: vertices.iter().map(|vertex| on_sheet(vertex.place)).collect() }
     };
     pieces.map(piece).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use std::collections::BTreeSet;
-
-    use super::*;
-    use crate::figures::space::{FIG01, FIG03, FIG09};
-    use crate::ink::svg::fill;
-    use crate::tests::samples::{WIDTHS, study};
-
-    #[test]
-    fn everything_is_named_at_every_width() {
-        let study = study();
-        for (sheet, scene) in [(FIG01, study.fig01()), (FIG03, study.fig03()), (FIG09, study.fig09())] {
-            let scene = scene.unwrap();
-            let marks = scene.points.iter().filter_map(sheet.mark);
-            let names = sheet.names.iter().map(|(_, name, ..)| (*name).to_owned());
-            let axes = ["$x$", "$y$", "$z$"].map(str::to_owned);
-            let wanted: BTreeSet<String> = marks.chain(names).chain(axes).collect();
-            for width in WIDTHS {
-                let found = sheet.draw(&scene, width).unwrap().texts();
-                assert_eq!(BTreeSet::from_iter(found), wanted, "{} {width:?}", sheet.name);
-            }
-        }
-    }
-
-    #[test]
-    fn orbits_are_solid_and_only_the_reset_law_is_dashed() {
-        let sample = study().fig01().unwrap();
-        let svg = FIG01.draw(&sample, SheetWidth::Paper).unwrap().svg();
-        let resets = sample.curves.iter().filter(|vertex| vertex.kind == CurveKind::Reset);
-        let resets: BTreeSet<u32> = resets.map(|vertex| vertex.number).collect();
-        assert_eq!(svg.matches("stroke-dasharray").count(), resets.len());
-    }
-
-    #[test]
-    fn what_lies_beyond_the_wall_is_painted_before_the_wall() {
-        let svg = FIG09.draw(&study().fig09().unwrap(), SheetWidth::Paper).unwrap().svg();
-        let wall = svg.rfind(&fill(INCOMING_FACE)).expect("the incoming set is painted");
-        let dashed = "stroke-dasharray=\"3 2\"";
-        assert!(svg.matches(dashed).count() >= 3, "three virtual parts");
-        assert!(svg.rfind(dashed).is_some_and(|last| last < wall));
-        assert!(svg.rfind(&fill(SECTION_FACE)).is_some_and(|front| wall < front));
-    }
-
-    #[test]
-    fn a_missing_coordinate_is_an_error() {
-        let mut sample = study().fig01().unwrap();
-        sample.curves[3].place[1] = f64::NAN;
-        let error = FIG01.draw(&sample, SheetWidth::Paper).unwrap_err();
-        assert!(error.to_string().contains("range of fig01"), "{error}");
-    }
 }

@@ -1,10 +1,5 @@
-//! What `figures/parameters.toml` gives, for the tests of figures whose labels have to find room in
-//! one particular picture.
+//! Widths, and a diagram to fill in.
 
-use std::path::Path;
-
-use grazing_reproduction::Study;
-use grazing_reproduction::parameters::Parameters;
 use grazing_results::Frame;
 use grazing_results::branches::OneParameter;
 
@@ -12,11 +7,6 @@ use crate::ink::style::SheetWidth;
 
 /// All widths.
 pub(crate) const WIDTHS: [SheetWidth; 3] = [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns];
-
-pub(crate) fn study() -> Study {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../figures/parameters.toml");
-    Study::new(&Parameters::from_file(&file, &[]).unwrap())
-}
 
 /// A one-parameter diagram with nothing in it.
 pub(crate) fn empty(frame: Frame) -> OneParameter {

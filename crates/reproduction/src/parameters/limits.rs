@@ -8,51 +8,51 @@ use grazing_theorems::{GrazingState, LinearOscillator};
 
 /// The largest number of loops: higher ones do not relate to resonant grazing, and their curves are
 /// not told apart.
-pub(super) const MOST_LOOPS: u32 = 12;
+pub(crate) const MOST_LOOPS: u32 = 12;
 /// The largest integer n of a resonance; its frequency is already below a twentieth of the natural
 /// one.
-pub(super) const MOST_N: u32 = 100;
+pub(crate) const MOST_N: u32 = 100;
 /// Forcing frequencies. Below the least, the block swings a hundred times to and fro in one forcing
 /// period, which no figure resolves, and the work grows without bound; the highest resonance, of
 /// p = 12 and n = 0, lies at 24.
-pub(super) const FREQUENCIES: RangeInclusive<f64> = 0.01..=100.0;
+pub(crate) const FREQUENCIES: RangeInclusive<f64> = 0.01..=100.0;
 /// The greatest forcing amplitude: ten times that of grazing at the greatest frequency.
-pub(super) const MOST_AMPLITUDE: f64 = 1e5;
+pub(crate) const MOST_AMPLITUDE: f64 = 1e5;
 
-pub(super) const ZETA: &str = "the damping ratio must be a number strictly between {} and {}";
-pub(super) const EPSILON: &str = "the coefficient of restitution must be a number above {} and at most {}";
-pub(super) const FREQUENCY: &str = "the forcing frequency must be a number from {} to {}";
-pub(super) const AMPLITUDES: &str =
+pub(crate) const ZETA: &str = "the damping ratio must be a number strictly between {} and {}";
+pub(crate) const EPSILON: &str = "the coefficient of restitution must be a number above {} and at most {}";
+pub(crate) const FREQUENCY: &str = "the forcing frequency must be a number from {} to {}";
+pub(crate) const AMPLITUDES: &str =
     "the forcing amplitudes must be a range [lower, upper] with {} <= lower < upper <= {}";
-pub(super) const AROUND_ZERO: &str =
+pub(crate) const AROUND_ZERO: &str =
     "the range must be [lower, upper] with lower < 0 < upper, neither end beyond 100000";
-pub(super) const LOOPS: &str =
+pub(crate) const LOOPS: &str =
     "the numbers of loops must be a list of different whole numbers from {} to {}, as [1, 2, 3]";
-pub(super) const INDEX: &str =
+pub(crate) const INDEX: &str =
     "the integer n of the resonance must be a whole number from 1 to 100, or 0 for two or more loops";
 
 /// A damping ratio.
-pub(super) fn damping_ratio() -> Kind<f64> {
+pub(crate) fn damping_ratio() -> Kind<f64> {
     number(strictly(0.0, 1.0))
 }
 
 /// A coefficient of restitution.
-pub(super) fn restitution() -> Kind<f64> {
+pub(crate) fn restitution() -> Kind<f64> {
     number(above(0.0, 1.0))
 }
 
 /// A range of forcing amplitudes.
-pub(super) fn amplitudes() -> Kind<[f64; 2]> {
+pub(crate) fn amplitudes() -> Kind<[f64; 2]> {
     interval(0.0..=MOST_AMPLITUDE)
 }
 
 /// A range of quantities, none of which is beyond all amplitudes.
-pub(super) fn range() -> Kind<[f64; 2]> {
+pub(crate) fn range() -> Kind<[f64; 2]> {
     interval(-MOST_AMPLITUDE..=MOST_AMPLITUDE)
 }
 
 /// A range that has 0 strictly inside.
-pub(super) fn around_zero() -> Kind<[f64; 2]> {
+pub(crate) fn around_zero() -> Kind<[f64; 2]> {
     range().such(|range| strictly_contains(*range, 0.0))
 }
 
@@ -72,7 +72,7 @@ pub fn encloses(outer: [f64; 2], inner: [f64; 2]) -> bool {
 }
 
 /// Refuses a range that is not inside another one, which is named.
-pub(super) fn must_lie_inside(
+pub(crate) fn must_lie_inside(
     section: &Section<'_>,
     name: &str,
     range: [f64; 2],
@@ -86,7 +86,7 @@ pub(super) fn must_lie_inside(
 }
 
 /// The grazing bifurcation at the section's forcing frequency.
-pub(super) fn grazing(
+pub(crate) fn grazing(
     section: &Section<'_>,
     oscillator: &LinearOscillator,
     frequency: f64,

@@ -3,7 +3,7 @@
 use grazing_description::Description;
 use grazing_model::smooth::Stop;
 use grazing_reproduction::unfolded::Unfolded;
-use grazing_results::{Cell, Table};
+use grazing_results::{Cell, Table, Tables};
 use grazing_unfold::progress::Silent;
 
 /// A hardening spring, a reset law in which everything varies; length and time are units that the

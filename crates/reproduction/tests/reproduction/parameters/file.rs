@@ -1,5 +1,8 @@
 //! The file as such: its keys, its syntax, and values set over it.
 
+use grazing_reproduction::figures::fig02::Figure2;
+use grazing_reproduction::figures::fig07::Figure7;
+use grazing_reproduction::figures::fig08::Figure8;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
 use grazing_source::{Setting, SourceError};
 
@@ -9,24 +12,23 @@ use super::{DEFAULT, edited, errors, line_of, parse, set};
 fn the_default_file_is_accepted_and_read_whole() {
     let parameters = parse(DEFAULT).expect("the default file is valid");
     assert!(
-        DEFAULT.contains(&format!(
-            "zeta = {}",
-            parameters.oscillator.get().expect("it is right").damping_ratio()
-        ))
+        DEFAULT
+            .contains(&format!("zeta = {}", parameters.oscillator().expect("it is right").damping_ratio()))
     );
     assert!(DEFAULT.contains(&format!(
         "epsilon = {}",
-        parameters.oscillator.get().expect("it is right").coefficient_of_restitution()
+        parameters.oscillator().expect("it is right").coefficient_of_restitution()
     )));
-    assert!(
-        DEFAULT.contains(&format!("frequency = {}", parameters.fig02.get().expect("it is right").frequency))
-    );
-    assert_eq!(parameters.fig02.get().expect("it is right").loops, [1, 2, 3]);
-    assert_eq!(parameters.fig07.get().expect("it is right").loops, [1, 2, 3]);
-    let panels = parameters.fig08.get().expect("it is right").panels.iter();
+    assert!(DEFAULT.contains(&format!(
+        "frequency = {}",
+        parameters.section::<Figure2>().expect("it is right").frequency
+    )));
+    assert_eq!(parameters.section::<Figure2>().expect("it is right").loops, [1, 2, 3]);
+    assert_eq!(parameters.section::<Figure7>().expect("it is right").loops, [1, 2, 3]);
+    let panels = parameters.section::<Figure8>().expect("it is right").panels.into_iter();
     assert_eq!(panels.map(|panel| (panel.loops, panel.n)).collect::<Vec<_>>(), [(1, 3), (2, 1), (3, 2)]);
     assert_eq!(
-        parameters.fig02.get().expect("it is right").portraits.len(),
+        parameters.section::<Figure2>().expect("it is right").portraits.len(),
         DEFAULT.matches("[[fig02.portraits]]").count()
     );
 }
@@ -67,7 +69,7 @@ fn every_key_of_the_default_file_is_needed() {
 #[test]
 fn settings_are_told_of_as_such_and_later_ones_go_before() {
     let parameters = set(&["oscillator.zeta=0.3", "oscillator.zeta=0.04"]).expect("it is TOML");
-    assert_eq!(parameters.oscillator.get().map(|of| of.damping_ratio()), Ok(0.04));
+    assert_eq!(parameters.oscillator().map(|of| of.damping_ratio()), Ok(0.04));
     let told = |settings: &[&str]| match set(settings) {
         Ok(parameters) => errors(&parameters)[0].to_string(),
         Err(error) => error.to_string(),

@@ -5,6 +5,7 @@ mod together;
 mod values;
 
 use grazing_reproduction::parameters::{ParameterError, Parameters};
+use grazing_reproduction::{PaperFigure, paper_figures};
 use grazing_source::{Setting, SourceError, Text};
 
 const DEFAULT: &str = include_str!("../../../../../figures/parameters.toml");
@@ -27,22 +28,11 @@ fn source(error: &ParameterError) -> &SourceError {
 
 /// What is wrong in the sections, in their order.
 fn errors(parameters: &Parameters) -> Vec<ParameterError> {
-    [
-        parameters.oscillator.get().map(drop),
-        parameters.fig01.get().map(drop),
-        parameters.fig02.get().map(drop),
-        parameters.fig03.get().map(drop),
-        parameters.fig04.get().map(drop),
-        parameters.fig05.get().map(drop),
-        parameters.fig06.get().map(drop),
-        parameters.fig07.get().map(drop),
-        parameters.fig08.get().map(drop),
-        parameters.fig09.get().map(drop),
-        parameters.fig10.get().map(drop),
-    ]
-    .into_iter()
-    .filter_map(Result::err)
-    .collect()
+    fn check<F: PaperFigure>() -> fn(&Parameters) -> Result<(), ParameterError> {
+        |parameters| parameters.section::<F>().map(drop)
+    }
+    let sections = paper_figures!(check, first |parameters: &Parameters| parameters.oscillator().map(drop));
+    sections.into_iter().filter_map(|check| check(parameters).err()).collect()
 }
 
 /// The default parameters with settings.

@@ -1,5 +1,10 @@
 //! Values that must fit others of the file.
 
+use grazing_reproduction::figures::fig01::Figure1;
+use grazing_reproduction::figures::fig02::{Figure2, frequency};
+use grazing_reproduction::figures::fig07::Figure7;
+use grazing_reproduction::figures::fig08::Figure8;
+use grazing_reproduction::figures::fig10::Figure10;
 use grazing_reproduction::parameters::{ParameterError, Parameters, contains, encloses, strictly_contains};
 use grazing_source::Text;
 
@@ -38,43 +43,44 @@ fn a_panel_of_figure_8_holds_its_resonance() {
     assert_eq!(refused(&["fig08.panels[1].frequency=[0.7, 0.8]"]), ["fig08.panels[1].frequency"]);
     // Nothing but the resonance is asked for then, and the program chooses the window.
     let parameters = set(&["fig08.panels[1].n=2"]).expect("it is TOML");
-    let panel = &parameters.fig08.get().expect("it is right").panels[0];
-    assert_eq!((panel.loops, panel.n, panel.amplitude, panel.frequency), (1, 2, None, None));
+    let panels = parameters.section::<Figure8>().expect("it is right").panels;
+    let shown = panels.iter().map(|panel| (panel.loops, panel.n, panel.amplitude, panel.frequency));
+    assert_eq!(shown.take(1).collect::<Vec<_>>(), [(1, 2, None, None)]);
 }
 
 #[test]
 fn panels_are_about_resonances_that_the_window_holds() {
     // The last of the three resonances lies below this window.
     let parameters = set(&["fig07.frequency=[0.6, 1.02]"]).expect("it is TOML");
-    let shown = parameters.fig08.get().expect("it is right");
+    let shown = parameters.section::<Figure8>().expect("it is right");
     let panels: Vec<_> = shown.panels.iter().map(|panel| (panel.loops, panel.n)).collect();
     assert_eq!(panels.len(), 3, "{panels:?}");
-    let theory = parameters.oscillator.get().expect("it is right");
+    let theory = parameters.oscillator().expect("it is right");
     for (index, (loops, n)) in panels.iter().enumerate() {
         let resonance = theory.resonance(*loops, *n).expect("it is one");
-        let window = parameters.fig07.get().expect("it is right").window;
+        let window = parameters.section::<Figure7>().expect("it is right").window();
         assert!(contains(window.primary, resonance.grazing().amplitude()), "{loops} {n}");
         assert!(contains(window.secondary, resonance.forcing_frequency()), "{loops} {n}");
         assert!(!panels[..index].contains(&(*loops, *n)), "{panels:?}");
     }
     assert!(shown.notes[0].contains("p = 3, n = 2 does not lie in the window"), "{:?}", shown.notes);
     let parameters = set(&["fig08.panels=[]"]).expect("it is TOML");
-    assert_eq!(parameters.fig08.get().expect("it is right").panels.len(), 3);
+    assert_eq!(parameters.section::<Figure8>().expect("it is right").panels.len(), 3);
 }
 
 #[test]
 fn a_portrait_is_strictly_where_its_amplitude_is_and_otherwise_where_it_can_be() {
     let place = |settings: &[&str]| {
         let parameters = set(settings).expect("it is TOML");
-        let portrait = &parameters.fig02.get().expect("it is right").portraits[1];
-        (portrait.amplitude, portrait.must)
+        let portrait = parameters.section::<Figure2>().expect("it is right").portraits.remove(1);
+        portrait.wish.map(|wish| (wish.value, wish.must))
     };
-    let (Some(near), false) = place(&[]) else { panic!("the default file has wishes") };
-    assert_eq!(place(&["fig02.portraits[2].amplitude=0.3"]), (Some(0.3), true));
-    assert_eq!(place(&["fig02.portraits[2].near=9.5"]), (Some(9.5), false));
+    let Some((near, false)) = place(&[]) else { panic!("the default file has wishes") };
+    assert_eq!(place(&["fig02.portraits[2].amplitude=0.3"]), Some((0.3, true)));
+    assert_eq!(place(&["fig02.portraits[2].near=9.5"]), Some((9.5, false)));
     assert!(near > 0.0);
     let parameters = set(&["fig02.portraits=[]"]).expect("it is TOML");
-    assert!(parameters.fig02.get().expect("it is right").portraits.is_empty());
+    assert!(parameters.section::<Figure2>().expect("it is right").portraits.is_empty());
 }
 
 #[test]
@@ -88,43 +94,44 @@ fn what_is_wrong_in_a_section_concerns_no_other_one() {
         assert!(matches!(error, ParameterError::Unfit(_)), "{error}");
     }
     let parameters = set(&["oscillator.zeta=2"]).expect("it is TOML");
-    assert!(parameters.fig01.get().is_ok() && parameters.fig07.get().is_err());
+    assert!(parameters.section::<Figure1>().is_ok() && parameters.section::<Figure7>().is_err());
 }
 
 #[test]
 fn the_frequency_for_figure_10_that_a_refusal_names_is_accepted() {
     let parameters = set(&["fig10.frequency=0.6"]).expect("it is TOML");
-    let told = parameters.fig10.get().expect_err("Theorem 2.3 does not apply").to_string();
+    let told = parameters.section::<Figure10>().expect_err("Theorem 2.3 does not apply").to_string();
     let range = told.rsplit("they hold from ").next().expect("a remedy is told");
     for end in range.split(" to ") {
         let middle: f64 =
             range.split(" to ").map(|end| end.parse::<f64>().expect("a number")).sum::<f64>() / 2.0;
         let close: f64 = 0.999 * end.parse::<f64>().expect("a number") + 0.001 * middle;
         let parameters = set(&[&format!("fig10.frequency={close}")]).expect("it is TOML");
-        assert!(parameters.fig10.get().is_ok(), "{close} of {told}");
+        assert!(parameters.section::<Figure10>().is_ok(), "{close} of {told}");
     }
 }
 
 #[test]
 fn figure_2_holds_its_grazing_amplitude() {
     let grazing = |parameters: &Parameters| {
-        let frequency = *parameters.fig02_frequency.get().expect("it is right");
-        parameters.oscillator.get().expect("it is right").grazing(frequency).expect("it grazes").amplitude()
+        let frequency = frequency(parameters).expect("it is right");
+        parameters.oscillator().expect("it is right").grazing(frequency).expect("it grazes").amplitude()
     };
     for zeta in [0.001, 0.2, 0.9] {
         let parameters = set(&[&format!("oscillator.zeta={zeta}")]).expect("it is TOML");
-        let (figure, grazing) = (parameters.fig02.get().expect("it has a place"), grazing(&parameters));
-        assert!(strictly_contains(figure.amplitude, grazing), "{zeta}");
-        assert!(encloses(figure.amplitude, figure.magnified_amplitude), "{zeta}");
+        let (figure, grazing) =
+            (parameters.section::<Figure2>().expect("it has a place"), grazing(&parameters));
+        assert!(strictly_contains(figure.across.value, grazing), "{zeta}");
+        assert!(encloses(figure.across.value, figure.magnification.amplitude), "{zeta}");
         // Told, if it is not where the file says.
-        let there = DEFAULT.contains(&format!("[{}, {}]", figure.amplitude[0], figure.amplitude[1]));
+        let there = DEFAULT.contains(&format!("[{}, {}]", figure.across.value[0], figure.across.value[1]));
         assert_eq!(figure.notes.is_empty(), there, "{zeta}");
-        assert!(there || strictly_contains(figure.magnified_amplitude, grazing), "{zeta}");
+        assert!(there || strictly_contains(figure.magnification.amplitude, grazing), "{zeta}");
     }
     // What is not a wish is refused.
     let text = edited("[fig02]", "near", "amplitude = [0.001, 0.002]");
     let parsed = |text: &str| {
-        Parameters::parse(&Text::new(text, &[]), "p.toml").expect("it is TOML").fig02.get().cloned()
+        Parameters::parse(&Text::new(text, &[]), "p.toml").expect("it is TOML").section::<Figure2>()
     };
     let told = parsed(&text.replace("amplitude = [0.2704, 0.2748]", "amplitude = [0.0015, 0.002]"));
     let told = told.expect_err("grazing is elsewhere").to_string();

@@ -12,10 +12,7 @@ fn damping_ratio_lies_strictly_between_0_and_1() {
     }
     // Its resonances differ little from those of the default damping, so the windows keep them.
     let slight = parse(&edited("[oscillator]", "zeta", "zeta = 0.01"));
-    assert_eq!(
-        slight.map(|parameters| parameters.oscillator.get().map(|of| of.damping_ratio())),
-        Ok(Ok(0.01))
-    );
+    assert_eq!(slight.map(|parameters| parameters.oscillator().map(|of| of.damping_ratio())), Ok(Ok(0.01)));
 }
 
 #[test]
@@ -24,8 +21,7 @@ fn restitution_lies_above_0_and_may_be_1() {
         refusal("[oscillator]", "epsilon", wrong, "oscillator.epsilon");
     }
     let elastic = parse(&edited("[oscillator]", "epsilon", "epsilon = 1"));
-    let epsilon =
-        |parameters: Parameters| parameters.oscillator.get().map(|of| of.coefficient_of_restitution());
+    let epsilon = |parameters: Parameters| parameters.oscillator().map(|of| of.coefficient_of_restitution());
     assert_eq!(elastic.map(epsilon), Ok(Ok(1.0)));
 }
 

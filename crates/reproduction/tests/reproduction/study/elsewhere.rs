@@ -2,6 +2,8 @@
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_reproduction::Study;
+use grazing_reproduction::figures::fig02::Figure2;
+use grazing_reproduction::figures::fig07::Figure7;
 use grazing_reproduction::parameters::Parameters;
 use grazing_results::branches::{BranchPoint, OneParameter};
 use grazing_results::plane::CurveSource;
@@ -19,7 +21,7 @@ fn with(settings: &[&str]) -> Parameters {
 }
 
 fn fig02(settings: &[&str]) -> OneParameter {
-    Study::new(&with(settings)).fig02().expect("it can be computed")
+    Study::new(&with(settings)).shown::<Figure2>().expect("it can be computed")
 }
 
 /// Branch points with impacts at which solutions are stable and admissible.
@@ -89,7 +91,7 @@ fn the_linear_oscillator_has_no_cusps() {
         "fig07.amplitude=[0,44.708]",
         "fig07.loops=[1,2,3]",
     ];
-    let points = Study::new(&with(&settings)).fig07().expect("it can be computed").points;
+    let points = Study::new(&with(&settings)).shown::<Figure7>().expect("it can be computed").points;
     assert!(points.len() > 3 && points.iter().all(|point| point.kind.name() != "cusp"));
 }
 

@@ -4,26 +4,27 @@
 use grazing_model::AtRest;
 use grazing_model::maps::global_map;
 use grazing_reproduction::Study;
-use grazing_results::sketches::Figure4;
+use grazing_reproduction::figures::fig02::Figure2;
+use grazing_reproduction::figures::fig04::{Boundaries, Figure4};
 use grazing_theorems::auxiliary::{admissibility_sum, resonance_boundary};
 use grazing_theorems::spectrum::in_trapesium;
 
 use super::{forced, integers, made, numbers, theory, words};
 
-fn figure() -> Figure4 {
-    Study::new(&made().parameters).fig04().expect("figure 4 can be computed")
+fn figure() -> Boundaries {
+    Study::new(&made().parameters).shown::<Figure4>().expect("figure 4 can be computed")
 }
 
 /// The rows (τ, δ) of one curve.
-fn curve(figure: &Figure4, kind: &str, p: u32) -> Vec<[f64; 2]> {
+fn curve(figure: &Boundaries, kind: &str, p: u32) -> Vec<[f64; 2]> {
     let (kinds, loops) = (words(&figure.curves, "kind"), integers(&figure.curves, "p"));
     let (tau, delta) = (numbers(&figure.curves, "tau"), numbers(&figure.curves, "delta"));
     let rows = (0..kinds.len()).filter(|&row| kinds[row] == kind && loops[row] == p);
     rows.map(|row| [tau[row], delta[row]]).collect()
 }
 
-fn all_loops() -> &'static [u32] {
-    &made().parameters.fig04.get().expect("it is right").loops
+fn all_loops() -> Vec<u32> {
+    made().parameters.section::<Figure4>().expect("it is right").loops
 }
 
 /// Modulus and argument of the eigenvalues, which are complex below τ = 2√δ.
@@ -55,7 +56,7 @@ fn double_sum(p: u32, tau: f64, delta: f64) -> (f64, f64) {
 
 #[test]
 fn the_sum_of_powers_of_the_eigenvalues_vanishes_on_g() {
-    for &p in all_loops() {
+    for p in all_loops() {
         let points = curve(&figure(), "g", p);
         assert!(points.len() > 100);
         for &[tau, delta] in points.iter().filter(|point| point[1] > 0.0) {
@@ -68,7 +69,7 @@ fn the_sum_of_powers_of_the_eigenvalues_vanishes_on_g() {
 
 #[test]
 fn the_double_sum_over_the_eigenvalues_vanishes_on_h_and_is_positive_beyond() {
-    for &p in all_loops() {
+    for p in all_loops() {
         for &[tau, delta] in curve(&figure(), "h", p).iter().filter(|point| point[1] > 0.0) {
             if p == 2 {
                 // H_2 = 1 has no zero: h_2 is where the eigenvalues become real and negative, by
@@ -89,7 +90,7 @@ fn the_double_sum_over_the_eigenvalues_vanishes_on_h_and_is_positive_beyond() {
 
 #[test]
 fn h_lies_between_the_two_curves_of_lemma_2_1() {
-    for &p in all_loops().iter().filter(|&&p| p >= 3) {
+    for p in all_loops().into_iter().filter(|&p| p >= 3) {
         let inner = |point: &&[f64; 2]| 0.0 < point[1] && point[1] < 1.0;
         for &[tau, delta] in curve(&figure(), "h", p).iter().filter(inner) {
             let p = f64::from(p);
@@ -104,7 +105,7 @@ fn every_curve_runs_through_the_trapesium_from_its_lower_to_its_upper_side() {
     let outline = curve(&figure, "trapesium", 0);
     assert_eq!(outline.first(), outline.last());
     for (kind, p) in
-        all_loops().iter().flat_map(|&p| [("g", p), ("h", p)]).chain(std::iter::once(("limit", 0)))
+        all_loops().into_iter().flat_map(|p| [("g", p), ("h", p)]).chain(std::iter::once(("limit", 0)))
     {
         let points = curve(&figure, kind, p);
         for &[tau, delta] in &points[1..points.len() - 1] {
@@ -127,7 +128,7 @@ fn the_corners_of_the_trapesium_bound_stable_matrices() {
 fn the_star_is_read_off_the_global_map_and_lies_where_section_2_4_says() {
     let (figure, parameters) = (figure(), &made().parameters);
     let (tau, delta) = (numbers(&figure.points, "tau")[0], numbers(&figure.points, "delta")[0]);
-    let frequency = parameters.fig02.get().expect("it is right").frequency;
+    let frequency = parameters.section::<Figure2>().expect("it is right").frequency;
     let grazing = theory().grazing(frequency).unwrap();
     let oscillator = forced(grazing.amplitude(), frequency);
     let map =

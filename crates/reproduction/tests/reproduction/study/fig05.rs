@@ -5,18 +5,18 @@ use core::f64::consts::TAU;
 use grazing_model::State;
 use grazing_model::orbit::{FlightEnd, Orbit as Simulation};
 use grazing_reproduction::Study;
-use grazing_results::sketches::Figure5;
+use grazing_reproduction::figures::fig05::{Figure5, UnfoldingSketch};
 use grazing_theorems::Resonance;
 
 use super::{closed_forms, forced, made, numbers, theory, words};
 use grazing_trials::closed_form::{self, Orbit};
 
-fn figure() -> Figure5 {
-    Study::new(&made().parameters).fig05().expect("figure 5 can be computed")
+fn figure() -> UnfoldingSketch {
+    Study::new(&made().parameters).shown::<Figure5>().expect("figure 5 can be computed")
 }
 
 fn resonance() -> Resonance {
-    let shown = made().parameters.fig05.get().expect("it is right");
+    let shown = made().parameters.section::<Figure5>().expect("it is right");
     theory().resonance(shown.loops, shown.n).unwrap()
 }
 
@@ -30,12 +30,12 @@ fn parameters_at(mu: f64, eta: f64) -> (f64, f64) {
 fn solutions(mu: f64, eta: f64) -> Vec<Orbit> {
     let (amplitude, omega) = parameters_at(mu, eta);
     let parameters = &made().parameters;
-    let all = closed_forms(amplitude, omega, parameters.fig05.get().expect("it is right").loops);
+    let all = closed_forms(amplitude, omega, parameters.section::<Figure5>().expect("it is right").loops);
     all.into_iter().filter(Orbit::admissible).collect()
 }
 
 /// Vertices (μ, η) of the region of a kind.
-fn region(figure: &Figure5, kind: &str) -> Vec<[f64; 2]> {
+fn region(figure: &UnfoldingSketch, kind: &str) -> Vec<[f64; 2]> {
     let kinds = words(&figure.regions, "kind");
     let (mu, eta) = (numbers(&figure.regions, "mu"), numbers(&figure.regions, "eta"));
     (0..kinds.len()).filter(|&row| kinds[row] == kind).map(|row| [mu[row], eta[row]]).collect()
@@ -52,7 +52,7 @@ fn inside(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
 
 /// A grid over the middle of the cells of the window.
 fn grid(cells: u32) -> Vec<[f64; 2]> {
-    let shown = made().parameters.fig05.get().expect("it is right");
+    let shown = made().parameters.section::<Figure5>().expect("it is right");
     let at = |[low, high]: [f64; 2], k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(cells);
     (0..cells).flat_map(|i| (0..cells).map(move |j| [at(shown.mu, i), at(shown.eta, j)])).collect()
 }
@@ -61,7 +61,7 @@ fn grid(cells: u32) -> Vec<[f64; 2]> {
 fn margin([mu, eta]: [f64; 2]) -> f64 {
     let (sn, pd) = (resonance().saddle_node_coefficient(), resonance().period_doubling_coefficient());
     let boundary = if eta * saddle_node_side() > 0.0 { sn } else { pd } * eta * eta;
-    let [low, high] = made().parameters.fig05.get().expect("it is right").mu;
+    let [low, high] = made().parameters.section::<Figure5>().expect("it is right").mu;
     (mu - boundary).abs() / (high - low)
 }
 
@@ -159,7 +159,7 @@ fn last_impacts(mu: f64, eta: f64, from: &Orbit, closeness: f64) -> Vec<[f64; 2]
     let parameters = &made().parameters;
     let (amplitude, omega) = parameters_at(mu, eta);
     let oscillator = forced(amplitude, omega);
-    let period = f64::from(parameters.fig05.get().expect("it is right").loops) * TAU / omega;
+    let period = f64::from(parameters.section::<Figure5>().expect("it is right").loops) * TAU / omega;
     let start = State::on_wall(from.velocity * (1.0 + closeness), from.phase);
     let periods = 400.0;
     // Half a period on, so that no impact falls on the end.
@@ -226,7 +226,7 @@ fn the_non_impacting_solution_attracts_where_it_is_said_to() {
 fn closed_form_solutions_are_those_of_the_branch_expansion() {
     // μ = k₂y² + k₃ηy of eq:ZM, on which the argument for the region rests: at the turning point
     // y = Υ⁺η the two MPSs merge.
-    let (shown, resonance) = (made().parameters.fig05.get().expect("it is right"), resonance());
+    let (shown, resonance) = (made().parameters.section::<Figure5>().expect("it is right"), resonance());
     let branch = resonance.resonant_point().branch_expansion();
     assert!(branch.k_2 > 0.0);
     let edge = if saddle_node_side() < 0.0 { shown.eta[0] } else { shown.eta[1] };

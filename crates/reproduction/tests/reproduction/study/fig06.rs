@@ -3,14 +3,14 @@
 use core::f64::consts::TAU;
 
 use grazing_reproduction::Study;
+use grazing_reproduction::figures::fig06::{Figure6, PartPoint};
 use grazing_reproduction::parameters::Parameters;
-use grazing_results::sketches::PartPoint;
 use grazing_source::Text;
 
 use super::{made, numbers, words};
 
 fn figure(parameters: &Parameters) -> Vec<PartPoint> {
-    Study::new(parameters).fig06().expect("figure 6 can be computed").parts
+    Study::new(parameters).shown::<Figure6>().expect("figure 6 can be computed").parts
 }
 
 /// All points (x, height) of a part.
@@ -59,11 +59,12 @@ fn integrated(zeta: f64, amplitude: f64, omega: f64, time: f64, steps: u32) -> [
 
 #[test]
 fn the_face_is_where_the_equation_of_motion_takes_it_in_the_long_run() {
-    let (parameters, shown) = (&made().parameters, made().parameters.fig06.get().expect("it is right"));
+    let (parameters, shown) =
+        (&made().parameters, made().parameters.section::<Figure6>().expect("it is right"));
     // The wall ignored, until the free motion has decayed by exp(−ζt), some 1e-9.
     let time = (200.0 * TAU + shown.phase) / shown.frequency;
     let [x, _] = integrated(
-        parameters.oscillator.get().expect("it is right").damping_ratio(),
+        parameters.oscillator().expect("it is right").damping_ratio(),
         shown.amplitude,
         shown.frequency,
         time,
@@ -112,5 +113,5 @@ fn parts_join_at_every_phase_and_nothing_runs_into_anything() {
 fn the_spring_has_as_many_coils_as_asked_for() {
     let points = part(&figure(&made().parameters), "spring");
     let tops = points.windows(3).filter(|w| w[0][1] < w[1][1] && w[1][1] > w[2][1]).count();
-    assert_eq!(tops, made().parameters.fig06.get().expect("it is right").coils as usize);
+    assert_eq!(tops, made().parameters.section::<Figure6>().expect("it is right").coils as usize);
 }

@@ -6,6 +6,7 @@ use grazing_continuation::curve::{Route, SolutionCurve, Window};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_reproduction::Study;
+use grazing_reproduction::figures::fig10::Figure10;
 use grazing_theorems::auxiliary::{lucas_sequence, scaled_visit_position};
 use grazing_theorems::{GenericGrazing, GrazingState};
 
@@ -13,7 +14,7 @@ use super::{forced, integers, made, numbers, theory};
 
 /// The vertices (u, w) in order.
 fn vertices() -> Vec<[f64; 2]> {
-    let path = Study::new(&made().parameters).fig10().expect("figure 10 can be computed").path;
+    let path = Study::new(&made().parameters).shown::<Figure10>().expect("figure 10 can be computed").path;
     let (u, w) = (numbers(&path, "u"), numbers(&path, "w"));
     assert_eq!(integers(&path, "visit"), (0..u.len() as u32).collect::<Vec<_>>());
     u.into_iter().zip(w).map(|(u, w)| [u, w]).collect()
@@ -21,18 +22,19 @@ fn vertices() -> Vec<[f64; 2]> {
 
 fn grazing() -> GrazingState {
     let parameters = &made().parameters;
-    theory().grazing(parameters.fig10.get().expect("it is right").frequency).unwrap()
+    theory().grazing(parameters.section::<Figure10>().expect("it is right").frequency).unwrap()
 }
 
 /// S_p / β, which scales slopes in μ to (u, w). Paper: eq:ujwj.
 fn scale() -> f64 {
-    let p = made().parameters.fig10.get().expect("it is right").loops;
+    let p = made().parameters.section::<Figure10>().expect("it is right").loops;
     lucas_sequence(p, grazing().trace(), grazing().determinant()) / grazing().transversality()
 }
 
 #[test]
 fn vertices_are_scaled_slopes_of_the_visits_and_the_closed_form_of_u() {
-    let (point, p) = (grazing().grazing_point(), made().parameters.fig10.get().expect("it is right").loops);
+    let (point, p) =
+        (grazing().grazing_point(), made().parameters.section::<Figure10>().expect("it is right").loops);
     let orbit = point.emerging_orbit(p).unwrap();
     let (tau, delta) = (grazing().trace(), grazing().determinant());
     for (j, [u, w]) in (0..).zip(vertices()) {
@@ -47,7 +49,7 @@ fn vertices_are_scaled_slopes_of_the_visits_and_the_closed_form_of_u() {
 fn the_path_starts_and_ends_on_the_w_axis_and_lies_left_of_it_between() {
     let vertices = vertices();
     let last = vertices.len() - 1;
-    assert_eq!(last as u32, made().parameters.fig10.get().expect("it is right").loops);
+    assert_eq!(last as u32, made().parameters.section::<Figure10>().expect("it is right").loops);
     assert_eq!(vertices[0][0], 0.0);
     assert!(vertices[last][0].abs() < 1e-13, "{}", vertices[last][0]);
     assert!(vertices[1..last].iter().all(|[u, _]| *u < -0.1), "{vertices:?}");
@@ -76,7 +78,7 @@ fn the_closed_path_is_convex() {
 
 #[test]
 fn visits_of_followed_solutions_tend_to_the_vertices() {
-    let shown = made().parameters.fig10.get().expect("it is right");
+    let shown = made().parameters.section::<Figure10>().expect("it is right");
     let (omega, graz) = (shown.frequency, grazing().amplitude());
     let oscillator = forced(graz, omega);
     let equations = LoopEquations::new(oscillator, shown.loops, Formulation::Vivid);

@@ -1,5 +1,7 @@
 //! The frames against the closed-form MPSs and against each other.
 
+use grazing_reproduction::figures::fig02::Figure2;
+use grazing_reproduction::figures::fig07::Figure7;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
@@ -162,7 +164,7 @@ fn regions_are_where_a_closed_form_mps_is_stable_and_admissible() {
     assert_eq!([count(1), count(2), count(3)], [4, 3, 2]);
 
     let parameters = &made().parameters;
-    let window = parameters.fig07.get().expect("it is right").window;
+    let window = parameters.section::<Figure7>().expect("it is right").window();
     let mut random = Pcg64::new(11, 0);
     let mut uniform =
         |low: f64, high: f64| low + (high - low) * (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
@@ -194,7 +196,7 @@ fn branches_of_figure_2_are_closed_form_mpss_with_their_stability() {
     let (loops, visit) = (integers(table, "p"), integers(table, "loop"));
     let [amplitude, velocity, phase] = ["amplitude", "impact_velocity", "z"].map(|name| numbers(table, name));
     let (stable, admissible) = (flags(table, "stable"), flags(table, "admissible"));
-    let omega = made().parameters.fig02.get().expect("it is right").frequency;
+    let omega = made().parameters.section::<Figure2>().expect("it is right").frequency;
     for row in 0..loops.len() {
         if loops[row] == 0 || visit[row] > 1 || velocity[row] == 0.0 {
             continue;

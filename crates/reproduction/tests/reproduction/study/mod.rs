@@ -7,6 +7,7 @@ mod fig05;
 mod fig06;
 mod fig10;
 mod independent;
+mod legends;
 mod snapshots;
 mod space;
 
@@ -14,6 +15,9 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use grazing_model::LinearOscillator;
+use grazing_reproduction::figures::fig02::Figure2;
+use grazing_reproduction::figures::fig07::Figure7;
+use grazing_reproduction::figures::fig08::Figure8;
 use grazing_reproduction::parameters::Parameters;
 use grazing_reproduction::{Coefficients, Study, TheoremsInAction};
 use grazing_results::branches::OneParameter;
@@ -39,9 +43,9 @@ fn made() -> &'static Made {
         let study = Study::new(&parameters);
         Made {
             coefficients: study.coefficients().expect("all coefficients can be computed").rows.clone(),
-            fig02: study.fig02().expect("figure 2 can be computed"),
-            fig07: study.fig07().expect("figure 7 can be computed"),
-            fig08: study.fig08().expect("figure 8 can be computed"),
+            fig02: study.shown::<Figure2>().expect("figure 2 can be computed"),
+            fig07: study.shown::<Figure7>().expect("figure 7 can be computed"),
+            fig08: study.shown::<Figure8>().expect("figure 8 can be computed"),
             theorems: study.theorems_in_action().expect("all cases can be worked out"),
             parameters,
         }
@@ -49,8 +53,8 @@ fn made() -> &'static Made {
 }
 
 /// The paper's oscillator, for which the theory is.
-fn theory() -> &'static grazing_theorems::LinearOscillator {
-    made().parameters.oscillator.get().expect("it is right")
+fn theory() -> grazing_theorems::LinearOscillator {
+    made().parameters.oscillator().expect("it is right")
 }
 
 /// The paper's oscillator with its forcing.

@@ -5,6 +5,9 @@ use std::fmt::Write;
 use std::path::Path;
 
 use grazing_reproduction::Study;
+use grazing_reproduction::figures::fig04::Figure4;
+use grazing_reproduction::figures::fig05::Figure5;
+use grazing_reproduction::figures::fig06::Figure6;
 use grazing_results::{Cell, Row};
 use insta::{Settings, assert_snapshot};
 
@@ -130,8 +133,9 @@ fn branches_and_curves_hold() {
 #[test]
 fn curves_regions_and_parts_of_the_planar_sketches_hold() {
     let study = Study::new(&made().parameters);
-    let (fig04, fig05) = (study.fig04().expect("figure 4"), study.fig05().expect("figure 5"));
-    let fig06 = study.fig06().expect("figure 6").parts;
+    let (fig04, fig05) =
+        (study.shown::<Figure4>().expect("figure 4"), study.shown::<Figure5>().expect("figure 5"));
+    let fig06 = study.shown::<Figure6>().expect("figure 6").parts;
     let text = [
         summary(&fig04.curves, &["kind", "p"], "tau", "delta"),
         summary(&fig04.points, &["kind"], "tau", "delta"),

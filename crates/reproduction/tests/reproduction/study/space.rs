@@ -9,6 +9,9 @@ use std::path::Path;
 
 use grazing_model::LinearOscillator;
 use grazing_reproduction::Study;
+use grazing_reproduction::figures::fig01::Figure1;
+use grazing_reproduction::figures::fig03::Figure3;
+use grazing_reproduction::figures::fig09::Figure9;
 use grazing_reproduction::parameters::Parameters;
 use grazing_results::Row;
 use grazing_source::Text;
@@ -127,8 +130,8 @@ fn assert_follows(equation: Equation, curve: &[Point]) {
 #[test]
 fn orbits_of_figure_1_obey_the_equation_up_to_the_wall_and_leave_it_as_the_reset_law_says() {
     let (parameters, study) = study();
-    let made = study.fig01().expect("figure 1 can be computed");
-    let shown = parameters.fig01.get().expect("it is right");
+    let made = study.shown::<Figure1>().expect("figure 1 can be computed");
+    let shown = parameters.section::<Figure1>().expect("it is right");
     let flights = curves(&made.curves, "orbit");
     for flight in &flights {
         assert_follows(Equation::of(&shown.oscillator), flight);
@@ -155,8 +158,8 @@ fn orbits_of_figure_1_obey_the_equation_up_to_the_wall_and_leave_it_as_the_reset
 #[test]
 fn the_image_in_figure_3_is_where_the_orbit_returns_and_gamma_closes_at_its_only_touch_of_the_wall() {
     let (parameters, study) = study();
-    let made = study.fig03().expect("figure 3 can be computed");
-    let shown = parameters.fig03.get().expect("it is right");
+    let made = study.shown::<Figure3>().expect("figure 3 can be computed");
+    let shown = parameters.section::<Figure3>().expect("it is right");
     let theory = grazing_theorems::LinearOscillator::new(shown.zeta, 1.0).expect("a damping ratio");
     let grazing = theory.grazing(shown.frequency).expect("a frequency");
     let equation = Equation { zeta: shown.zeta, amplitude: grazing.amplitude(), frequency: shown.frequency };
@@ -183,8 +186,8 @@ fn the_image_in_figure_3_is_where_the_orbit_returns_and_gamma_closes_at_its_only
 #[test]
 fn points_of_figure_9_are_where_the_orbits_come_to_rest() {
     let (parameters, study) = study();
-    let made = study.fig09().expect("figure 9 can be computed");
-    let shown = parameters.fig09.get().expect("it is right");
+    let made = study.shown::<Figure9>().expect("figure 9 can be computed");
+    let shown = parameters.section::<Figure9>().expect("it is right");
     let equation = Equation::of(&shown.oscillator);
     let one = |kind: &str| points(&made.points, kind)[0];
     let (impact, recoil, ahead) = (one("impact"), one("recoil"), one("virtual"));
@@ -207,8 +210,8 @@ fn points_of_figure_9_are_where_the_orbits_come_to_rest() {
 #[test]
 fn curves_of_figure_9_join_the_points_and_are_virtual_exactly_beyond_the_wall() {
     let (parameters, study) = study();
-    let made = study.fig09().expect("figure 9 can be computed");
-    let shown = parameters.fig09.get().expect("it is right");
+    let made = study.shown::<Figure9>().expect("figure 9 can be computed");
+    let shown = parameters.section::<Figure9>().expect("it is right");
     let (real, unreal) = (curves(&made.curves, "orbit"), curves(&made.curves, "virtual"));
     for curve in real.iter().chain(&unreal) {
         assert_follows(Equation::of(&shown.oscillator), curve);
@@ -227,7 +230,7 @@ fn curves_of_figure_9_join_the_points_and_are_virtual_exactly_beyond_the_wall() 
 #[test]
 fn points_lie_on_the_shown_part_of_their_surface() {
     let (_, study) = study();
-    let (one, three, nine) = (study.fig01(), study.fig03(), study.fig09());
+    let (one, three, nine) = (study.shown::<Figure1>(), study.shown::<Figure3>(), study.shown::<Figure9>());
     let (one, three, nine) = (one.expect("figure 1"), three.expect("figure 3"), nine.expect("figure 9"));
     for (points, surfaces) in
         [(one.points, one.surfaces), (three.points, three.surfaces), (nine.points, nine.surfaces)]
@@ -252,14 +255,14 @@ fn points_lie_on_the_shown_part_of_their_surface() {
 fn the_projection_turns_space_and_leaves_lengths_alone() {
     let (parameters, study) = study();
     let straight = |stretch: [f64; 3]| move |p: Point| [0, 1, 2].map(|i| stretch[i] * p[i]);
-    let nine = study.fig09().expect("figure 9");
-    let view = parameters.fig09.get().expect("it is right").view;
+    let nine = study.shown::<Figure9>().expect("figure 9");
+    let view = parameters.section::<Figure9>().expect("it is right").view;
     check_lengths(&nine.curves, straight(view.stretch));
     check_lengths(&nine.surfaces, straight(view.stretch));
-    let three = study.fig03().expect("figure 3");
+    let three = study.shown::<Figure3>().expect("figure 3");
     let (radius, stretch) = (
-        parameters.fig03.get().expect("it is right").radius,
-        parameters.fig03.get().expect("it is right").view.stretch,
+        parameters.section::<Figure3>().expect("it is right").radius,
+        parameters.section::<Figure3>().expect("it is right").view.stretch,
     );
     let ring = |[x, y, z]: Point| {
         let (sin, cos) = libm::sincos(z);
@@ -292,7 +295,7 @@ fn check_lengths<R: Row>(table: &[R], place: impl Fn(Point) -> Point) {
 #[test]
 fn pieces_of_a_curve_join_and_each_lies_on_one_side_of_both_planes() {
     let (_, study) = study();
-    let made = study.fig09().expect("figure 9");
+    let made = study.shown::<Figure9>().expect("figure 9");
     let table = &made.curves;
     let (number, piece, layer) =
         (integers(table, "number"), integers(table, "piece"), integers(table, "layer"));
@@ -328,12 +331,12 @@ fn an_orbit_that_would_meet_the_wall_earlier_and_a_point_that_is_no_maximum_are_
         |text: &str| Parameters::parse(&Text::new(text, &[]), "edited").expect("the values are valid");
     // Followed back for so long, the orbit has been beyond the wall.
     let early = parsed(&edited(&text, "[[fig01.orbits]]", "before", "2.5"));
-    let error = Study::new(&early).fig01().expect_err("the wall is met before");
+    let error = Study::new(&early).shown::<Figure1>().expect_err("the wall is met before");
     assert!(error.to_string().starts_with("figure 1: the orbit through"), "{error}");
     // So far from the wall the spring pulls the oscillator back: x has a minimum.
     let wide = edited(&text, "[fig03]", "position", "[-3.0, 0.4]");
-    assert!(Study::new(&parsed(&wide)).fig03().is_ok());
+    assert!(Study::new(&parsed(&wide)).shown::<Figure3>().is_ok());
     let low = parsed(&edited(&wide, "[fig03]", "start", "[-1.9, 0.0]"));
-    let error = Study::new(&low).fig03().expect_err("a minimum of x");
+    let error = Study::new(&low).shown::<Figure3>().expect_err("a minimum of x");
     assert!(error.to_string().contains("only a maximum"), "{error}");
 }

@@ -5,12 +5,17 @@
 //! phase; the force arrow is proportional to 𝒜 cos(ωt). Across x, in the same unit, are lengths of
 //! drawing alone.
 
+mod ink;
 mod shapes;
 
-use grazing_results::sketches::{Figure6, Part, PartPoint};
+use core::f64::consts::TAU;
 
+use grazing_results::{rows, tables, words};
+use grazing_source::kind::{count, number};
+
+use crate::figure::prelude::*;
+use crate::parameters::limits::{FREQUENCIES, FREQUENCY, grazing};
 use crate::study::forced;
-use crate::{Study, StudyError};
 
 /// A polyline of points (x, height).
 type Polyline = Vec<[f64; 2]>;
@@ -40,28 +45,120 @@ mod lengths {
     pub(super) const AXIS_BEYOND_WALL: f64 = 0.42;
 }
 
-impl Study {
-    /// Figure 6.
-    pub fn fig06(&self) -> Result<Figure6, StudyError> {
-        let (shown, theory) = (self.parameters.fig06.get()?, self.parameters.oscillator.get()?);
-        let oscillator = forced(theory, shown.amplitude, shown.frequency)?;
-        let face = oscillator.non_impacting_solution(shown.phase).position;
+/// The most coils of Figure 6's spring that can be told apart in print.
+const MOST_COILS: u32 = 30;
+
+keys! {
+    /// Figure 6: the oscillator in its non-impacting motion at one phase.
+    pub struct Figure6 {
+        /// The forcing frequency omega.
+        frequency: f64 = number(FREQUENCIES), FREQUENCY;
+        /// The forcing amplitude, below grazing: the motion does not reach the wall.
+        amplitude: f64 = number(0.0..).such(|amplitude| *amplitude > 0.0),
+            "the forcing amplitude must lie above 0 and below the grazing amplitude of fig06.frequency";
+        /// The forcing phase z in radians.
+        phase: f64 = number(0.0..TAU), "the phase must be a number from 0 to below 2 pi";
+        /// The coils of the spring.
+        coils: u32 = count(1..=MOST_COILS), "the number of coils must be a whole number from {} to {}";
+    }
+}
+
+words! {
+    /// The parts of the drawing of the oscillator.
+    Part {
+        /// Behind the anchor.
+        AnchorHatching = "anchor hatching",
+        /// The line to which spring and dashpot are fixed.
+        Anchor = "anchor",
+        /// Behind the wall.
+        WallHatching = "wall hatching",
+        Wall = "wall",
+        Floor = "floor",
+        /// Lines from the block, the equilibrium and the wall to the axis of x.
+        Guide = "guide",
+        Axis = "axis",
+        Tick = "tick",
+        Spring = "spring",
+        /// Cylinder, rods and piston are those of the dashpot.
+        Cylinder = "cylinder",
+        Rod = "rod",
+        Piston = "piston",
+        Wheel = "wheel",
+        Block = "block",
+        /// The arrow of the force.
+        Force = "force",
+        /// The distance between equilibrium and wall.
+        Dimension = "dimension",
+    }
+}
+
+rows! {
+    /// A point of the drawing of the oscillator.
+    PartPoint {
+        part: Part = PART,
+        piece: u32 = PIECE,
+        x: f64 = X,
+        height: f64 = HEIGHT,
+    }
+}
+
+tables! {
+    /// What Figure 6 shows.
+    Schematic {
+        /// The parts of the drawing as polylines of (x, height); outlines end where they begin. The
+        /// ticks are those of the face, the equilibrium and the wall.
+        parts: PartPoint = "fig06_parts", "a point of the drawing",
+    }
+}
+
+impl FileSection for Figure6 {
+    const NAME: &'static str = "fig06";
+    const REQUIREMENT: &'static str = "the table [fig06] says what Figure 6 shows";
+
+    fn checked(self, section: &Section<'_>, parameters: &Parameters) -> Result<Self, ParameterError> {
+        let frequency = self.frequency;
+        let grazing = grazing(section, &parameters.oscillator()?, frequency)?.amplitude();
+        if self.amplitude < grazing {
+            return Ok(self);
+        }
+        let allowed = format!(
+            "the amplitude must lie above 0 and below the grazing amplitude {grazing:.5} of the frequency {frequency}"
+        );
+        Err(ParameterError::Unfit(section.forbid("amplitude", allowed)))
+    }
+}
+
+impl PaperFigure for Figure6 {
+    const LABEL: &'static str = "fig:F";
+    const TITLE: &'static str = "Figure 6: the impact oscillator";
+    const TABLES: &'static [TablePlan] = Schematic::TABLES;
+    const REMEDY: &'static str = "fig06.frequency or fig06.amplitude";
+    type Shown = Schematic;
+
+    fn compute(&self, study: &Study) -> Result<Schematic, StudyError> {
+        let theory = study.parameters.oscillator()?;
+        let oscillator = forced(&theory, self.amplitude, self.frequency)?;
+        let face = oscillator.non_impacting_solution(self.phase).position;
         // φ_p is harmonic about −1 and reaches 0 at the grazing amplitude.
-        let stroke = shown.amplitude / theory.grazing(shown.frequency)?.amplitude();
+        let stroke = self.amplitude / theory.grazing(self.frequency)?.amplitude();
         let mut parts = Vec::new();
-        for (part, pieces) in drawing(face, stroke, libm::cos(shown.phase), shown.coils) {
+        for (part, pieces) in pieces(face, stroke, libm::cos(self.phase), self.coils) {
             for (piece, points) in (1..).zip(&pieces) {
                 parts.extend(points.iter().map(|&[x, height]| PartPoint { part, piece, x, height }));
             }
         }
-        Ok(Figure6 { parts })
+        Ok(Schematic { parts })
+    }
+
+    fn draw(shown: &Schematic, width: SheetWidth) -> Result<Sheet, DrawingError> {
+        ink::draw(shown, width)
     }
 }
 
 /// All parts, each as polylines, with the block's face at x, the largest displacement of the motion
 /// from x = −1, and the force over its amplitude. What is listed later covers what is listed
 /// earlier.
-fn drawing(face: f64, stroke: f64, force: f64, coils: u32) -> Vec<(Part, Vec<Polyline>)> {
+fn pieces(face: f64, stroke: f64, force: f64, coils: u32) -> Vec<(Part, Vec<Polyline>)> {
     use lengths::*;
     const EQUILIBRIUM: f64 = -1.0;
     const WALL: f64 = 0.0;

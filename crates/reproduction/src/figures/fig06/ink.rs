@@ -1,18 +1,32 @@
 //! Figure 6: the oscillator as a mechanical schematic.
 
-use grazing_results::Frame;
-use grazing_results::sketches::{Figure6, Part, PartPoint};
-
-use crate::error::DrawingError;
-use crate::geometry::clip::checked;
-use crate::geometry::sheet::{Bounds, Spot, span};
-use crate::ink::arrow::{arrow, double_arrow};
-use crate::ink::canvas::{Anchor, Canvas};
-use crate::ink::sheet::Sheet;
-use crate::ink::style::{
-    AXIS, BLACK, BODY, BODY_OUTLINE, FORCE, LABEL_SIZE, PISTON, PROJECTION, SMALL_LABEL_SIZE, SheetWidth,
-    TICK_SIZE, TITLE_SIZE, WALL, WALL_FACE, WALL_HATCHING, WIRE,
+use grazing_drawing::POINTS_PER_MM;
+use grazing_drawing::geometry::clip::checked;
+use grazing_drawing::geometry::sheet::{Bounds, Spot, span};
+use grazing_drawing::ink::arrow::{arrow, double_arrow};
+use grazing_drawing::ink::canvas::{Anchor, Canvas};
+use grazing_drawing::ink::style::{
+    BLACK, GREY, LABEL_SIZE, Paint, Pen, SMALL_LABEL_SIZE, TICK_SIZE, TITLE_SIZE, WALL, WALL_FACE,
+    WALL_HATCHING,
 };
+use grazing_results::Frame;
+
+use super::{Part, PartPoint, Schematic};
+use crate::figure::prelude::*;
+
+/// Bodies of the schematic, and their outlines.
+const BODY: Paint = Paint::opaque([222, 228, 236]);
+const BODY_OUTLINE: Pen = Pen::solid(BLACK, 1.0);
+/// Wires, rods and housings.
+const WIRE: Pen = Pen { round: true, ..Pen::solid(BLACK, 0.9) };
+/// The piston in its cylinder.
+const PISTON: Pen = Pen::solid(BLACK, 2.0);
+/// Lines that only carry positions over to an axis.
+const PROJECTION: Pen = Pen::dashed(GREY, 0.5, &[2.0, 1.6]);
+/// Axes and dimensions that end in arrowheads.
+const AXIS: Pen = Pen::solid(BLACK, 0.6);
+/// A force, in the colour that says so.
+const FORCE: Pen = Pen::solid([214, 47, 32], 1.3);
 
 /// A polyline of a part, on the sheet.
 struct Piece {
@@ -27,11 +41,11 @@ const MARGIN_BESIDE: f64 = 4.0;
 const MARGIN_BELOW: f64 = 22.0;
 const MARGIN_ABOVE: f64 = 15.0;
 
-/// Draws Figure 6. Paper: fig:F.
-pub fn draw_fig06(figure: &Figure6, width: SheetWidth) -> Result<Sheet, DrawingError> {
+/// Draws Figure 6.
+pub(super) fn draw(figure: &Schematic, width: SheetWidth) -> Result<Sheet, DrawingError> {
     let (canvas, pieces) = on_sheet(&figure.parts, width.mm(WIDTH_MM))?;
     for piece in &pieces {
-        draw(&canvas, piece);
+        draw_piece(&canvas, piece);
     }
     label(&canvas, &pieces)?;
     canvas.finish(
@@ -42,7 +56,7 @@ pub fn draw_fig06(figure: &Figure6, width: SheetWidth) -> Result<Sheet, DrawingE
     )
 }
 
-fn draw(canvas: &Canvas, Piece { part, path }: &Piece) {
+fn draw_piece(canvas: &Canvas, Piece { part, path }: &Piece) {
     let ends = [path[0], path[path.len() - 1]];
     let pen = match part {
         Part::AnchorHatching | Part::WallHatching => WALL_HATCHING,
@@ -111,10 +125,9 @@ fn on_sheet(parts: &[PartPoint], width_mm: f64) -> Result<(Canvas, Vec<Piece>), 
     let (x, y) = (span(parts.iter().map(|point| point.x)), span(parts.iter().map(|point| point.height)));
     let frame = checked(Frame { x, y }, "fig06")?;
     let [[left, right], [low, high]] = [frame.x, frame.y];
-    let millimetre = crate::ink::svg::POINTS_PER_MM;
-    let scale = (width_mm * millimetre - 2.0 * MARGIN_BESIDE) / (right - left);
+    let scale = (width_mm * POINTS_PER_MM - 2.0 * MARGIN_BESIDE) / (right - left);
     let sheet_height = (high - low) * scale + MARGIN_ABOVE + MARGIN_BELOW;
-    let canvas = Canvas::new(width_mm, sheet_height / millimetre)?;
+    let canvas = Canvas::new(width_mm, sheet_height / POINTS_PER_MM)?;
     let spot = |point: &PartPoint| {
         (MARGIN_BESIDE + (point.x - left) * scale, MARGIN_ABOVE + (high - point.height) * scale)
     };
@@ -126,13 +139,14 @@ fn on_sheet(parts: &[PartPoint], width_mm: f64) -> Result<(Canvas, Vec<Piece>), 
 
 #[cfg(test)]
 mod tests {
+    use super::super::Figure6;
     use super::*;
-    use crate::tests::samples::study;
+    use crate::tests::study;
 
     #[test]
     fn everything_is_named_and_lengths_keep_their_ratio_across_and_up() {
-        let figure = study().fig06().unwrap();
-        let svg = draw_fig06(&figure, SheetWidth::Paper).unwrap().svg();
+        let figure = study().shown::<Figure6>().unwrap();
+        let svg = draw(&figure, SheetWidth::Paper).unwrap().svg();
         for label in
             [">unit stiffness<", ">unit<", ">mass<", ">equilibrium<", "restitution ", "damping 2", ">−1<"]
         {

@@ -1,19 +1,23 @@
 //! Figure 10: the path of the proof of Theorem 2.3.
 
-use grazing_results::Frame;
-use grazing_results::sketches::{Figure10, Visit};
-
-use crate::error::DrawingError;
-use crate::geometry::clip::checked;
-use crate::geometry::sheet::{Bounds, Spot, distance, inside, span};
-use crate::ink::arrow::head_on;
-use crate::ink::canvas::Canvas;
-use crate::ink::labels::{Labels, Site};
-use crate::ink::sheet::Sheet;
-use crate::ink::style::{
-    BLACK, DISC_RADIUS, LABEL_SIZE, PATH, PATH_AREA, SMALL_LABEL_SIZE, SheetWidth, THRESHOLD,
+use grazing_drawing::geometry::clip::checked;
+use grazing_drawing::geometry::sheet::{Bounds, Spot, distance, inside, span};
+use grazing_drawing::ink::arrow::head_on;
+use grazing_drawing::ink::canvas::Canvas;
+use grazing_drawing::ink::labels::{Labels, Site};
+use grazing_drawing::ink::style::{
+    BLACK, Colour, DISC_RADIUS, LABEL_SIZE, Paint, Pen, SMALL_LABEL_SIZE, THRESHOLD,
 };
-use crate::plot::axes::{Marker, Panel};
+use grazing_drawing::plot::axes::{Marker, Panel};
+use grazing_results::Frame;
+
+use super::{Visit, VisitPath};
+use crate::figure::prelude::*;
+
+const BLUE: Colour = [25, 70, 190];
+/// The path between visits, and the area that it encloses with the w-axis.
+const PATH: Pen = Pen::solid(BLUE, 1.15);
+const PATH_AREA: Paint = Paint { colour: BLUE, opacity: 0.1 };
 
 /// Width in the paper.
 const WIDTH_MM: f64 = 80.0;
@@ -23,8 +27,8 @@ const MARGIN: [f64; 2] = [0.42, 0.14];
 /// Segments shorter than this (points) carry no arrowhead.
 const POINTED_LENGTH: f64 = 14.0;
 
-/// Draws Figure 10. Paper: fig:I.
-pub fn draw_fig10(figure: &Figure10, width: SheetWidth) -> Result<Sheet, DrawingError> {
+/// Draws Figure 10.
+pub(super) fn draw(figure: &VisitPath, width: SheetWidth) -> Result<Sheet, DrawingError> {
     let vertices: Vec<(f64, f64)> = figure.path.iter().map(|visit| (visit.u, visit.w)).collect();
     let frame = Frame { x: extent(&vertices, |v| v.0, MARGIN[0]), y: extent(&vertices, |v| v.1, MARGIN[1]) };
     let frame = checked(frame, "fig10")?;
@@ -86,22 +90,23 @@ fn extent(vertices: &[(f64, f64)], coordinate: impl Fn(&(f64, f64)) -> f64, shar
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::tests::inspection::coordinates;
+    use grazing_drawing::Element;
 
-    fn path(places: &[(f64, f64)]) -> Figure10 {
+    use super::*;
+
+    fn path(places: &[(f64, f64)]) -> VisitPath {
         let path = (0..).zip(places).map(|(visit, &(u, w))| Visit { visit, u, w }).collect();
-        Figure10 { path }
+        VisitPath { path }
     }
 
-    fn sample() -> Figure10 {
+    fn sample() -> VisitPath {
         path(&[(0.0, -3.7), (-2.5, -3.2), (-3.8, -1.2), (-3.5, 1.0), (-2.2, 2.1), (-0.8, 1.9), (0.0, 0.7)])
     }
 
     #[test]
     fn every_vertex_is_marked_and_named() {
         let path = sample();
-        let svg = draw_fig10(&path, SheetWidth::Paper).unwrap().svg();
+        let svg = draw(&path, SheetWidth::Paper).unwrap().svg();
         assert_eq!(svg.matches("<circle").count(), 7);
         for visit in 0..=6 {
             assert_eq!(svg.matches(&format!(">({visit})</tspan>")).count(), 2, "{visit}");
@@ -112,20 +117,25 @@ mod tests {
     #[test]
     fn vertices_are_named_outside_the_path() {
         let path = sample();
-        let svg = draw_fig10(&path, SheetWidth::Paper).unwrap().svg();
-        let area =
-            svg.lines().find(|line| line.contains("fill-opacity=\"0.1\"")).expect("the area is filled");
-        let outline = coordinates(area);
-        for text in svg.lines().filter(|line| line.starts_with("<text") && line.contains("w</tspan>")) {
-            let middle = coordinates(&text.replace(" x=", " cx=").replace(" y=", " cy="))[0];
-            assert!(!inside(&outline, middle), "{text}");
+        let sheet = draw(&path, SheetWidth::Paper).unwrap();
+        let area = sheet.elements.iter().find_map(|element| match element {
+            Element::Path(area) if area.attributes.contains("fill-opacity=\"0.1\"") => Some(area),
+            _ => None,
+        });
+        let outline = area.expect("the area is filled").pieces[0].0.iter();
+        let outline: Vec<Spot> =
+            outline.map(|&(x, y)| (f64::from(x) / 100.0, f64::from(y) / 100.0)).collect();
+        let names: Vec<_> = sheet.texts.iter().filter(|(text, _)| text.contains("w^{(")).collect();
+        assert_eq!(names.len(), 7);
+        for (text, bounds) in names {
+            assert!(!inside(&outline, bounds.centre()), "{text}");
         }
     }
 
     #[test]
     fn a_path_without_width_is_an_error() {
         let path = path(&[(0.0, 0.0), (0.0, 1.0)]);
-        let error = draw_fig10(&path, SheetWidth::Paper).unwrap_err();
+        let error = draw(&path, SheetWidth::Paper).unwrap_err();
         assert!(error.to_string().contains("range of fig10"), "{error}");
     }
 }

@@ -1,18 +1,17 @@
 //! Figure 5: the unfolding of a resonant grazing bifurcation.
 
+use grazing_drawing::geometry::clip::checked;
+use grazing_drawing::geometry::sheet::{Bounds, Spot};
+use grazing_drawing::ink::canvas::Canvas;
+use grazing_drawing::ink::labels::{Labels, Site};
+use grazing_drawing::ink::legend::Sample;
+use grazing_drawing::ink::style::{BLACK, LABEL_SIZE, SMALL_LABEL_SIZE, TICK_SIZE};
+use grazing_drawing::plot::axes::{Marker, Panel};
+use grazing_drawing::plot::kinds::{Trace, draw_curves, label, shade, text_colour};
 use grazing_results::plane::RegionKind;
-use grazing_results::sketches::{Figure5, UnfoldingPoint};
 
-use crate::error::DrawingError;
-use crate::geometry::clip::checked;
-use crate::geometry::sheet::{Bounds, Spot};
-use crate::ink::canvas::Canvas;
-use crate::ink::labels::{Labels, Site};
-use crate::ink::legend::Sample;
-use crate::ink::sheet::Sheet;
-use crate::ink::style::{BLACK, LABEL_SIZE, SMALL_LABEL_SIZE, SheetWidth, TICK_SIZE};
-use crate::plot::axes::{Marker, Panel};
-use crate::plot::kinds::{Trace, draw_curves, label, shade, text_colour};
+use super::{UnfoldingPoint, UnfoldingSketch};
+use crate::figure::prelude::*;
 
 fn words(kind: RegionKind) -> &'static [&'static str] {
     match kind {
@@ -27,8 +26,8 @@ fn words(kind: RegionKind) -> &'static [&'static str] {
 const WIDTH_MM: f64 = 64.0;
 const HEIGHT_MM: f64 = 58.0;
 
-/// Draws Figure 5. Paper: fig:E.
-pub fn draw_fig05(figure: &Figure5, width: SheetWidth) -> Result<Sheet, DrawingError> {
+/// Draws Figure 5.
+pub(super) fn draw(figure: &UnfoldingSketch, width: SheetWidth) -> Result<Sheet, DrawingError> {
     let frame = checked(figure.frame, "fig05")?;
     let curve = |points: &[UnfoldingPoint]| Trace {
         kind: points[0].kind,
@@ -88,12 +87,13 @@ pub fn draw_fig05(figure: &Figure5, width: SheetWidth) -> Result<Sheet, DrawingE
 
 #[cfg(test)]
 mod tests {
+    use super::super::Figure5;
     use super::*;
-    use crate::tests::samples::study;
+    use crate::tests::study;
 
     #[test]
     fn curves_and_regions_are_named_and_the_overlap_is_shaded_by_its_two_regions_alone() {
-        let svg = draw_fig05(&study().fig05().unwrap(), SheetWidth::Paper).unwrap().svg();
+        let svg = draw(&study().shown::<Figure5>().unwrap(), SheetWidth::Paper).unwrap().svg();
         let svg = svg.split("<defs").next().unwrap();
         for label in [">SN<", ">PD<", ">grazing<", ">non-impacting<", ">both<", ">μ<", ">η<", "-loop MPS<"]
         {

@@ -3,8 +3,8 @@
 
 use grazing_unfold::one_parameter::{Branch, Subject};
 
+use super::section::{Figure2, MOST_PORTRAITS, Portrait, Wish};
 use crate::StudyError;
-use crate::parameters::{Figure2, MOST_PORTRAITS, Portrait};
 
 /// The part of a stretch, at either end, in which no portrait is put by itself: close to a
 /// bifurcation an orbit is hardly told from the one it is born with.
@@ -16,61 +16,61 @@ pub(super) fn all(
     grazing: f64,
     branches: &[Branch],
 ) -> Result<(Vec<Subject>, Vec<String>), StudyError> {
-    let asked = &figure.portraits;
-    if asked.is_empty() {
-        return Ok((chosen(figure, grazing, branches), Vec::new()));
-    }
     let (mut subjects, mut notes) = (Vec::new(), Vec::new());
-    for portrait in asked {
-        let Portrait { loops, amplitude: wish, must, key, .. } = portrait;
-        match found(figure, grazing, branches, portrait) {
+    for portrait in &figure.portraits {
+        let Portrait { loops, wish, key } = portrait;
+        match found(figure, grazing, branches, *loops, *wish) {
             Some(subject) => {
                 let amplitude = subject.across;
-                if !must && wish.is_some_and(|wish| wish != amplitude) {
+                if wish.is_some_and(|wish| !wish.must && wish.value != amplitude) {
                     notes.push(format!(
                         "{key}: the portrait of p = {loops} is at {amplitude:.5}, where it exists"
                     ));
                 }
                 subjects.push(subject);
             }
-            None if *must => return Err(missing(branches, portrait)),
+            None if wish.is_some_and(|wish| wish.must) => return Err(missing(branches, portrait)),
             None => notes.push(format!(
                 "{key}: no such portrait, as no {loops}-loop solution is stable and admissible at the amplitudes of Figure 2"
             )),
         }
     }
-    // There is always a non-impacting solution.
-    if subjects.is_empty() { Ok((chosen(figure, grazing, branches), notes)) } else { Ok((subjects, notes)) }
+    if subjects.is_empty() {
+        subjects = chosen(figure, grazing, branches);
+    }
+    Ok((subjects, notes))
 }
 
-/// The non-impacting solution, and each p that is somewhere stable, from left to right.
+/// The non-impacting solution, which is always there, and each p that is somewhere stable, from
+/// left to right.
 fn chosen(figure: &Figure2, grazing: f64, branches: &[Branch]) -> Vec<Subject> {
-    let mut subjects = vec![non_impacting(figure, grazing, None)];
-    for &loops in figure.loops.iter().take(MOST_PORTRAITS - 1) {
-        subjects.extend(nearest(branches, loops, None));
-    }
+    let loops = std::iter::once(0).chain(figure.loops.iter().copied().take(MOST_PORTRAITS - 1));
+    let mut subjects: Vec<_> =
+        loops.filter_map(|loops| found(figure, grazing, branches, loops, None)).collect();
     subjects.sort_by(|a, b| a.across.total_cmp(&b.across));
     subjects
 }
 
 /// What the file asks for, if it exists.
-fn found(figure: &Figure2, grazing: f64, branches: &[Branch], portrait: &Portrait) -> Option<Subject> {
-    let Portrait { loops, amplitude: wish, must, .. } = *portrait;
+fn found(
+    figure: &Figure2,
+    grazing: f64,
+    branches: &[Branch],
+    loops: u32,
+    wish: Option<Wish<f64>>,
+) -> Option<Subject> {
+    let amplitude = wish.map(|wish| wish.value);
     if loops == 0 {
-        return Some(non_impacting(figure, grazing, wish));
+        // The non-impacting solution or the attractor, at that amplitude or the nearest one.
+        let [left, right] = figure.across.value;
+        let across = amplitude.map_or(0.5 * (left + grazing), |amplitude| amplitude.clamp(left, right));
+        return Some(Subject { across, loops: Some(0) });
     }
-    let there = wish.and_then(|amplitude| at(branches, loops, amplitude));
-    if must { there } else { there.or_else(|| nearest(branches, loops, wish)) }
-}
-
-/// The non-impacting solution or the attractor, at the amplitude or the nearest one in the figure.
-fn non_impacting(figure: &Figure2, grazing: f64, wish: Option<f64>) -> Subject {
-    let window = figure.amplitude;
-    let across = match wish {
-        Some(wish) => wish.clamp(window[0], window[1]),
-        None => 0.5 * (window[0] + grazing),
-    };
-    Subject { across, loops: Some(0) }
+    let there = amplitude.and_then(|amplitude| at(branches, loops, amplitude));
+    match wish {
+        Some(Wish { must: true, .. }) => there,
+        _ => there.or_else(|| nearest(branches, loops, amplitude)),
+    }
 }
 
 /// The stable admissible MPS at the amplitude that is nearest to the wish, or in the middle of the

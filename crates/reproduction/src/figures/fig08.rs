@@ -1,18 +1,25 @@
 //! Figure 8 (fig:Y): magnifications around resonances with the quadratic approximations.
 
+mod section;
+
 use core::cell::LazyCell;
 
 use grazing_continuation::curve::Window;
 use grazing_continuation::resonance::ResonantGrazingPoint;
+use grazing_drawing::{Heading, draw_magnifications};
+use grazing_results::Names;
 use grazing_results::plane::{Magnifications, MagnifiedPanel};
 use grazing_unfold::magnification::{magnify, window_about};
 use grazing_unfold::resonances::Resonance;
 use rayon::prelude::*;
 
+use super::fig07::diagram::not_followed;
 use crate::coefficients::closed_form_coefficients;
-use crate::fig07::not_followed;
+use crate::figure::prelude::*;
 use crate::plane::{self, Axes};
-use crate::{Study, StudyError};
+
+use section::MOST_PANELS;
+pub use section::{Figure8, Near, Panel};
 
 /// A panel whose resonance is in the diagram.
 struct Shown<'a> {
@@ -21,13 +28,17 @@ struct Shown<'a> {
     window: Window,
 }
 
-impl Study {
-    /// Figure 8: magnifications of Figure 7.
-    ///
-    /// # Errors
-    /// A resonance could not be located, unfolded or measured.
-    pub fn fig08(&self) -> Result<Magnifications, StudyError> {
-        let (diagram, (shown, _), axes) = (self.diagram()?, self.shown()?, Axes::of_the_paper());
+impl PaperFigure for Figure8 {
+    const LABEL: &'static str = "fig:Y";
+    const TITLE: &'static str = "Figure 8: three magnifications of Figure 7 with quadratic approximations";
+    const TABLES: &'static [TablePlan] = &TablePlan::renamed(Magnifications::TABLES, ["fig08_curves"]);
+    const REMEDY: &'static str = "fig08.panels, fig07.frequency or fig07.amplitude";
+    type Shown = Magnifications;
+
+    /// Magnifications of Figure 7. A resonance that cannot be located, unfolded or measured is an
+    /// error.
+    fn compute(&self, study: &Study) -> Result<Magnifications, StudyError> {
+        let (diagram, (shown, _), axes) = (study.diagram()?, self.shown(study)?, Axes::of_the_paper());
         let curves = |&Shown { resonance, point, window }: &Shown<'_>| {
             magnify(diagram, resonance, point, window)
                 .map_err(|reason| StudyError::Failed(not_followed(resonance.loops, resonance.n, &reason)))
@@ -37,32 +48,51 @@ impl Study {
             curves: plane::magnified_curves(&polylines),
             points: plane::points(&axes, diagram),
             regions: plane::regions(&axes, &diagram.regions),
-            panels: self.panels()?,
+            panels: self.panels(study)?,
         })
     }
 
-    /// What Figure 8 shows in the place of something else, in sentences.
-    ///
-    /// # Errors
-    /// As [`fig08`](Self::fig08).
-    pub fn fig08_notes(&self) -> Result<Vec<String>, StudyError> {
-        Ok([self.parameters.fig08.get()?.notes.as_slice(), &self.shown()?.1].concat())
+    fn draw(magnifications: &Magnifications, width: SheetWidth) -> Result<Sheet, DrawingError> {
+        let heading = Heading {
+            name: "fig08",
+            title: "Magnifications about three resonant grazing bifurcations",
+            description: "Forcing amplitude across, forcing frequency up. Dashed: the quadratic approximations to the \
+             saddle-node and period-doubling curves.",
+            names: &Names::of_the_paper(),
+            tables: &["fig08_curves"],
+        };
+        // As many panels as there can be stand on one sheet.
+        let found = magnifications.panels.len();
+        let sheet = draw_magnifications(magnifications, &heading, width)?.pop();
+        let sheet = sheet.filter(|_| found <= MOST_PANELS);
+        sheet.ok_or_else(|| DrawingError(format!("fig08 has one to three panels, but {found} were given")))
     }
 
-    /// The panels of Figure 8, without their curves.
-    pub(crate) fn panels(&self) -> Result<Vec<MagnifiedPanel>, StudyError> {
-        let theory = self.parameters.oscillator.get()?;
+    fn remarks(&self, study: &Study, _: &Magnifications) -> Result<Remarks, StudyError> {
+        let notes = [self.notes.as_slice(), &self.shown(study)?.1].concat();
+        Ok(Remarks { notes, ..Remarks::default() })
+    }
+
+    fn constants(study: &Study) -> Result<Vec<(&'static str, f64)>, ParameterError> {
+        study.oscillator_constants()
+    }
+}
+
+impl Figure8 {
+    /// The panels, without their curves.
+    pub(super) fn panels(&self, study: &Study) -> Result<Vec<MagnifiedPanel>, StudyError> {
+        let theory = study.parameters.oscillator()?;
         let panel = |(panel, shown): (u32, &Shown<'_>)| {
             let &Shown { resonance: &Resonance { loops, n, .. }, window, .. } = shown;
             let coefficients = closed_form_coefficients(&theory.resonance(loops, n)?);
             Ok(MagnifiedPanel { panel, frame: window.into(), loops, n: None, coefficients })
         };
-        (1..).zip(&self.shown()?.0).map(panel).collect()
+        (1..).zip(&self.shown(study)?.0).map(panel).collect()
     }
 
     /// The panels that can be shown, and why others cannot, in sentences.
-    fn shown(&self) -> Result<(Vec<Shown<'_>>, Vec<String>), StudyError> {
-        let (diagram, asked) = (self.diagram()?, &self.parameters.fig08.get()?.panels);
+    fn shown<'a>(&self, study: &'a Study) -> Result<(Vec<Shown<'a>>, Vec<String>), StudyError> {
+        let (diagram, asked) = (study.diagram()?, &self.panels);
         let (mut panels, mut notes) = (Vec::new(), Vec::new());
         for panel in asked {
             let (loops, n) = (panel.loops, panel.n);

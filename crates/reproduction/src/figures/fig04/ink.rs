@@ -1,21 +1,36 @@
 //! Figure 4: the boundaries g_p and h_p in the trapesium.
 
-use grazing_results::Frame;
-use grazing_results::sketches::{Boundary, BoundaryPoint, Figure4};
-
-use crate::error::DrawingError;
-use crate::geometry::placement::side_by_side;
-use crate::geometry::sheet::{Bounds, Spot};
-use crate::ink::canvas::{Anchor, Canvas};
-use crate::ink::labels::{Labels, Site};
-use crate::ink::legend::Sample;
-use crate::ink::markup::Label;
-use crate::ink::sheet::Sheet;
-use crate::ink::style::{
-    BLACK, CURVE_LEADER, LABEL_SIZE, LIMIT, NON_IMPACTING_AREA, OUTLINE, Pen, SMALL_LABEL_SIZE, SheetWidth,
-    admissibility_pen, resonance_pen,
+use grazing_drawing::geometry::placement::side_by_side;
+use grazing_drawing::geometry::sheet::{Bounds, Spot};
+use grazing_drawing::ink::canvas::{Anchor, Canvas};
+use grazing_drawing::ink::labels::{Labels, Site};
+use grazing_drawing::ink::legend::Sample;
+use grazing_drawing::ink::markup::Label;
+use grazing_drawing::ink::style::{
+    BLACK, GREY, LABEL_SIZE, NON_IMPACTING_AREA, Pen, SMALL_LABEL_SIZE, branch_pen,
 };
-use crate::plot::axes::{Marker, Panel};
+use grazing_drawing::plot::axes::{Marker, Panel};
+use grazing_results::Frame;
+
+use super::{Boundaries, Boundary, BoundaryPoint};
+use crate::figure::prelude::*;
+
+/// A boundary g_p: solid. Its colour is that of the branch with the same p.
+const fn resonance_pen(p: u32) -> Pen {
+    branch_pen(p, 1.1)
+}
+
+/// A boundary h_p: the colour of g_p, in short dashes.
+const fn admissibility_pen(p: u32) -> Pen {
+    Pen { dashes: &[2.6, 1.3], ..branch_pen(p, 1.1) }
+}
+
+/// What both families of boundaries tend to.
+const LIMIT: Pen = Pen::solid(BLACK, 0.6);
+/// Outline of an area of parameters.
+const OUTLINE: Pen = Pen::solid(BLACK, 0.8);
+/// From a curve's end to its label.
+const CURVE_LEADER: Pen = Pen::solid(GREY, 0.4);
 
 /// The pen of the curve to which a point belongs, and its name.
 fn pen_and_name(BoundaryPoint { kind, loops: p, .. }: &BoundaryPoint) -> (Pen, String) {
@@ -42,8 +57,8 @@ const NAMES_ABOVE: f64 = 10.0;
 /// Least gap between two names, in points.
 const NAME_GAP: f64 = 3.0;
 
-/// Draws Figure 4. Paper: fig:D.
-pub fn draw_fig04(figure: &Figure4, width: SheetWidth) -> Result<Sheet, DrawingError> {
+/// Draws Figure 4.
+pub(super) fn draw(figure: &Boundaries, width: SheetWidth) -> Result<Sheet, DrawingError> {
     let curves: Vec<_> = figure.curves.chunk_by(|a, b| (a.kind, a.loops) == (b.kind, b.loops)).collect();
     let (outlines, others): (Vec<_>, Vec<_>) =
         curves.iter().copied().partition(|curve| curve[0].kind == Boundary::Trapesium);
@@ -123,13 +138,14 @@ fn name_above(panel: &Panel<'_>, curves: &[&[BoundaryPoint]]) -> Result<(), Draw
 mod tests {
     use std::collections::BTreeSet;
 
+    use super::super::Figure4;
     use super::*;
-    use crate::tests::samples::study;
+    use crate::tests::study;
 
     #[test]
     fn every_curve_is_named_and_families_differ_without_colour() {
-        let figure = study().fig04().unwrap();
-        let svg = draw_fig04(&figure, SheetWidth::Paper).unwrap().svg();
+        let figure = study().shown::<Figure4>().unwrap();
+        let svg = draw(&figure, SheetWidth::Paper).unwrap().svg();
         let svg = svg.split("<defs").next().unwrap();
         for (kind, family) in [(Boundary::Resonance, "g"), (Boundary::Admissibility, "h")] {
             let own = figure.curves.iter().filter(|point| point.kind == kind);

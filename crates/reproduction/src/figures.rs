@@ -1,0 +1,67 @@
+//! The figures of the paper. A new one is a module and a line in the list; the sections of the
+//! parameter file and the outputs of the program follow from that.
+
+pub mod fig01;
+pub mod fig02;
+pub mod fig03;
+pub mod fig04;
+pub mod fig05;
+pub mod fig06;
+pub mod fig07;
+pub mod fig08;
+pub mod fig09;
+pub mod fig10;
+
+use std::path::Path;
+use std::sync::LazyLock;
+
+use grazing_source::{Requirements, Setting, Text, read_file};
+
+use crate::parameters::{ParameterError, Parameters, declaration, requirements};
+
+/// The list of all figures: an array of what a generic function makes of each, in their order;
+/// other elements may come first and last.
+#[macro_export]
+macro_rules! paper_figures {
+    ($make:ident $(, first $first:expr)? $(, last $last:expr)?) => {
+        [
+            $($first,)?
+            $make::<$crate::figures::fig01::Figure1>(),
+            $make::<$crate::figures::fig02::Figure2>(),
+            $make::<$crate::figures::fig03::Figure3>(),
+            $make::<$crate::figures::fig04::Figure4>(),
+            $make::<$crate::figures::fig05::Figure5>(),
+            $make::<$crate::figures::fig06::Figure6>(),
+            $make::<$crate::figures::fig07::Figure7>(),
+            $make::<$crate::figures::fig08::Figure8>(),
+            $make::<$crate::figures::fig09::Figure9>(),
+            $make::<$crate::figures::fig10::Figure10>(),
+            $($last,)?
+        ]
+    };
+}
+
+/// What the keys of a parameter file must hold.
+static REQUIREMENTS: LazyLock<Requirements> = LazyLock::new(|| requirements(paper_figures!(declaration)));
+
+impl Parameters {
+    /// Reads a parameter file, with settings that take the place of values in it; its path appears
+    /// in messages as it is given here.
+    ///
+    /// # Errors
+    /// As [`parse`](Self::parse), or the file cannot be read.
+    pub fn from_file(path: &Path, settings: &[Setting]) -> Result<Self, ParameterError> {
+        let text = read_file(path)?;
+        Self::parse(&Text::new(&text, settings), &path.display().to_string())
+    }
+
+    /// The text of a parameter file; `file` is the name that messages use.
+    ///
+    /// # Errors
+    /// [`ParameterError`] if the text is no TOML or has sections that nobody reads, and for
+    /// settings of keys that are not there. Whoever asks for a section is told what else is wrong
+    /// in it.
+    pub fn parse(text: &Text, file: &str) -> Result<Self, ParameterError> {
+        Self::new(text, file, &REQUIREMENTS)
+    }
+}

@@ -1,0 +1,81 @@
+//! Figure 2 (fig:Z): the one-parameter diagram of the paper's oscillator at a fixed frequency, with
+//! a magnification and phase portraits.
+
+mod section;
+mod subjects;
+
+use grazing_continuation::curve::Window;
+use grazing_drawing::{Heading, draw_one_parameter};
+use grazing_model::AnyOscillator;
+use grazing_results::branches::OneParameter;
+use grazing_results::{Frame, Names};
+use grazing_unfold::Scope;
+use grazing_unfold::one_parameter::{Cut, Line};
+
+use crate::figure::prelude::*;
+use crate::study::forced;
+
+pub use section::{Figure2, Magnification, Portrait, Wish, frequency};
+
+impl PaperFigure for Figure2 {
+    const LABEL: &'static str = "fig:Z";
+    const TITLE: &'static str = "Figure 2: one-parameter bifurcation diagram with phase portraits";
+    const TABLES: &'static [TablePlan] = &TablePlan::renamed(
+        OneParameter::TABLES,
+        ["fig02_branches", "fig02_bifurcations", "fig02_attractor", "fig02_portraits"],
+    );
+    const REMEDY: &'static str = "fig02.frequency, fig02.near or fig02.loops";
+    type Shown = OneParameter;
+
+    fn compute(&self, study: &Study) -> Result<OneParameter, StudyError> {
+        let theory = study.parameters.oscillator()?;
+        let (at, range) = (self.frequency, self.across.value);
+        let oscillator = AnyOscillator::new(forced(&theory, range[0], at)?);
+        // Of the frequencies only the lower end matters.
+        let window = Window { primary: range, secondary: [at, 2.0 * at] };
+        let scope = Scope { window, loops: self.loops.clone(), start: None };
+        let line = Line { diagram: 1, primary_is_fixed: false, at, range };
+        let cut = Cut::follow(&oscillator, &scope, &[], line, &*study.progress)
+            .ok_or_else(|| StudyError::Failed("it was stopped".to_owned()))?;
+        let grazing = theory.grazing(at)?.amplitude();
+        let (subjects, mut notes) = subjects::all(self, grazing, cut.branches())?;
+        let mut found = cut.simulated(&self.attractor, &subjects, &*study.progress);
+        for (loops, amplitude, reason) in &found.broken {
+            notes.push(format!(
+                "a branch of p = {loops} could not be followed beyond amplitude {amplitude:.5}: {reason}"
+            ));
+        }
+        for subject in &subjects {
+            if !found.portraits.iter().any(|point| point.primary == subject.across) {
+                let said = "the orbit comes to rest at the wall, so that there is no portrait of it";
+                notes.push(format!("amplitude {}: {said}", subject.across));
+            }
+        }
+        found.frame.y = self.x;
+        found.magnified = Some(Frame { x: self.magnification.amplitude, y: self.magnification.x });
+        found.notes = [self.notes.as_slice(), &notes].concat();
+        Ok(found)
+    }
+
+    fn draw(figure: &OneParameter, width: SheetWidth) -> Result<Sheet, DrawingError> {
+        let heading = Heading {
+            name: "fig02",
+            title: "One-parameter bifurcation diagram with phase portraits",
+            description: "Below: forcing amplitude across, x-value of the return map up; thick curves are stable, thin ones unstable; \
+                          dots are long-term forward orbits. Framed: magnification. Above: phase portraits with the wall.",
+            names: &Names::of_the_paper(),
+            tables: &["fig02_bifurcations", "fig02_branches", "fig02_attractor", "fig02_portraits"],
+        };
+        draw_one_parameter(figure, &heading, false, width)
+    }
+
+    fn remarks(&self, _: &Study, shown: &OneParameter) -> Result<Remarks, StudyError> {
+        Ok(Remarks { notes: shown.notes.clone(), ..Remarks::default() })
+    }
+
+    fn constants(study: &Study) -> Result<Vec<(&'static str, f64)>, ParameterError> {
+        let mut constants = study.oscillator_constants()?;
+        constants.push((r"\omega", frequency(&study.parameters)?));
+        Ok(constants)
+    }
+}

@@ -1,0 +1,81 @@
+//! Figure 7 (fig:G): the two-parameter bifurcation diagram of the paper's oscillator.
+
+pub(crate) mod diagram;
+
+use grazing_drawing::{Heading, draw_diagram};
+use grazing_results::plane::{PlaneDiagram, Section};
+use grazing_results::{Names, brief};
+use grazing_unfold::regions::{Doubt, Region};
+
+use super::fig02::Figure2;
+use super::fig08::Figure8;
+use crate::figure::prelude::*;
+use crate::plane::{self, Axes};
+
+pub use diagram::Figure7;
+use diagram::not_followed;
+
+impl PaperFigure for Figure7 {
+    const LABEL: &'static str = "fig:G";
+    const TITLE: &'static str = "Figure 7: two-parameter bifurcation diagram";
+    const TABLES: &'static [TablePlan] =
+        &TablePlan::renamed(PlaneDiagram::TABLES, ["fig07_curves", "fig07_points", "fig07_regions"]);
+    const REMEDY: &'static str = "fig07.frequency, fig07.amplitude or fig07.loops";
+    type Shown = PlaneDiagram;
+
+    /// The diagram, with the line along which Figure 2 runs and the panels of Figure 8, as far as
+    /// these can be computed.
+    fn compute(&self, study: &Study) -> Result<PlaneDiagram, StudyError> {
+        let panels = study.parameters.section::<Figure8>().map_err(StudyError::from);
+        let panels = panels.and_then(|figure| figure.panels(study)).unwrap_or_default();
+        let section = study.parameters.section::<Figure2>().ok().map(|fig02| Section {
+            ends: fig02.across.value.map(|amplitude| (amplitude, fig02.frequency)),
+            name: "Fig. 2".to_owned(),
+            thin: false,
+        });
+        let axes = Axes::of_the_paper();
+        Ok(plane::plane_diagram(&axes, study.diagram()?, panels, section.into_iter().collect()))
+    }
+
+    fn draw(diagram: &PlaneDiagram, width: SheetWidth) -> Result<Sheet, DrawingError> {
+        let heading = Heading {
+            name: "fig07",
+            title: "Two-parameter bifurcation diagram",
+            description: "Forcing amplitude across, forcing frequency up. Grazing curve of the non-impacting solution; \
+             saddle-node, period-doubling and grazing bifurcations of maximal periodic solutions; regions of stability \
+             in grey. Triangles: resonances; discs: other codimension-two points. Rectangles: the panels of Figure 8; thick \
+             line: where Figure 2 runs.",
+            names: &Names::of_the_paper(),
+            tables: &["fig07_points", "fig07_curves"],
+        };
+        draw_diagram(diagram, &heading, width)
+    }
+
+    /// Where it is not decided whether solutions are stable; resonances that could not be located,
+    /// and curves that could not be followed.
+    fn remarks(&self, study: &Study, _: &PlaneDiagram) -> Result<Remarks, StudyError> {
+        let diagram = study.diagram()?;
+        let regions = diagram.regions.iter();
+        let doubts: Vec<_> = regions.filter_map(|region| Some((region, region.doubt.as_ref()?))).collect();
+        let notes = doubts.chunk_by(|(a, _), (b, _)| a.loops == b.loops).map(undecided).collect();
+        let lost = diagram.not_unfolded.iter().map(|lost| not_followed(lost.loops, lost.n, &lost.reason));
+        Ok(Remarks { notes, gaps: study.unlocated()?.into_iter().chain(lost).collect() })
+    }
+
+    fn constants(study: &Study) -> Result<Vec<(&'static str, f64)>, ParameterError> {
+        study.oscillator_constants()
+    }
+}
+
+/// Where one p is undecided.
+fn undecided(doubts: &[(&Region, &Doubt)]) -> String {
+    let (first, doubt) = doubts[0];
+    let [from, to] = first.extent().map(|[amplitude, frequency]| {
+        format!("amplitude {}, frequency {}", brief(amplitude, 6), brief(frequency, 6))
+    });
+    let more = match doubts.len() - 1 {
+        0 => String::new(),
+        more => format!("; and in {more} more places, see fig07_regions.csv"),
+    };
+    format!("p = {} is undecided, and hatched, from {from} to {to}: {doubt}{more}", first.loops)
+}

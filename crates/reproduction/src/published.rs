@@ -1,0 +1,63 @@
+//! The coefficients at the resonances of Figure 7, and the computed values of what the paper
+//! prints.
+
+use std::collections::BTreeMap;
+
+use grazing_unfold::verdict;
+use rayon::prelude::*;
+
+use crate::coefficients::{CoefficientTable, Coefficients, closed_form_coefficients};
+use crate::figures::fig02;
+use crate::{Study, StudyError};
+
+impl Study {
+    /// The coefficients at all resonances of Figure 7.
+    ///
+    /// # Errors
+    /// There is no grazing in the window.
+    pub fn coefficients(&self) -> Result<&CoefficientTable, StudyError> {
+        let compute = || {
+            let theory = self.parameters.oscillator()?;
+            let resonances: Vec<_> = self.diagram()?.unfolding().collect();
+            let rows = resonances.into_par_iter().map(|(found, located)| {
+                let closed_form = theory.resonance(found.loops, found.n)?;
+                Ok(Coefficients {
+                    loops: closed_form.loops(),
+                    n: closed_form.index(),
+                    frequency: closed_form.forcing_frequency(),
+                    amplitude: closed_form.grazing().amplitude(),
+                    stability: closed_form.stability_coefficients(),
+                    closed_form: closed_form_coefficients(&closed_form),
+                    measured: verdict::coefficients(located),
+                })
+            });
+            Ok(CoefficientTable { rows: rows.collect::<Result<_, StudyError>>()? })
+        };
+        self.coefficients.get_or_init(compute).as_ref().map_err(Clone::clone)
+    }
+
+    /// The computed values of what the paper prints, under the names of `expected/published.toml`.
+    ///
+    /// # Errors
+    /// There is no grazing in the window of Figure 7.
+    pub fn published_values(&self) -> Result<BTreeMap<String, f64>, StudyError> {
+        let theory = self.parameters.oscillator()?;
+        let frequency = fig02::frequency(&self.parameters)?;
+        let grazing = theory.grazing(frequency)?;
+        let mut values = BTreeMap::from([
+            ("zeta".to_owned(), theory.damping_ratio()),
+            ("epsilon".to_owned(), theory.coefficient_of_restitution()),
+            ("fig02_frequency".to_owned(), frequency),
+            ("fig02_amplitude_graz".to_owned(), grazing.amplitude()),
+            ("fig02_tau".to_owned(), grazing.trace()),
+            ("fig02_delta".to_owned(), grazing.determinant()),
+        ]);
+        for c in &self.coefficients()?.rows {
+            let name = |quantity: &str| format!("{quantity}_p{}_n{}", c.loops, c.n);
+            values.insert(name("omega"), c.frequency);
+            values.insert(name("c_sn"), c.closed_form.saddle_node);
+            values.insert(name("c_pd"), c.closed_form.period_doubling);
+        }
+        Ok(values)
+    }
+}
