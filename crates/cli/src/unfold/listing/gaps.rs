@@ -121,6 +121,7 @@ mod tests {
             scope: Scope { window, loops: vec![1], start: None },
             grazing: Vec::new(),
             resonances: Vec::new(),
+            one_loop: Vec::new(),
             curves: Vec::new(),
             codimension_two: Vec::new(),
             regions: Vec::new(),
