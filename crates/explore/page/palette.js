@@ -30,8 +30,12 @@ export function penOf({ kind, source }) {
   return source === "quadratic" ? { ...APPROXIMATION, colour: look[theme()].quadratic } : { ...look, colour: look[theme()].curve };
 }
 
-/** Draws the samples of curves in the legend as curves are drawn; approximations are shown by that to SN. */
+/** Draws the samples in the legend as the plane is drawn; approximations are shown by that to SN. */
 export function drawSamples() {
+  const { calm, loops } = inks();
+  for (const [kind, ink] of [["calm", calm], ["mps", loops]]) {
+    document.querySelectorAll(`.area.${kind}`).forEach((sample) => (sample.style.background = ink));
+  }
   for (const sample of document.querySelectorAll(".legend path[class]:not(.fill)")) {
     const kind = sample.getAttribute("class");
     const { colour, width, dashes } = kind in LOOKS ? penOf({ kind }) : penOf({ kind: "SN", source: kind });
