@@ -4,12 +4,12 @@
 //! Only what is known before anybody has checked: who checks adds their name, a summary, the time
 //! and the certificate.
 
-use std::fmt::Write;
-
-use crate::outputs::edition::Edition;
+use askama::Template;
 use grazing_reproduction::Study;
 
+use crate::outputs::edition::Edition;
 use crate::outputs::{self, Output};
+use crate::template::rendered;
 
 /// The manifest's file, at the root of the repository.
 pub const FILE: &str = "codecheck.yml";
@@ -20,25 +20,17 @@ pub const AUTHORS: [&str; 2] = ["David J. W. Simpson", "Indranil Ghosh"];
 /// Where it is found.
 pub const REFERENCE: &str = "https://arxiv.org/abs/2602.22797";
 
+#[derive(Template)]
+#[template(path = "codecheck.yml", escape = "none")]
+struct Manifest {
+    /// Each with what it is.
+    files: Vec<(String, String)>,
+}
+
 /// The manifest: all figures, and the tables that are none's data.
 pub fn manifest() -> String {
-    let mut text = format!(
-        "---\n# Made by `cargo xtask reproduce` from its registry of outputs. Whoever checks adds codechecker, summary, repository,\n\
-         # check_time, certificate and report.\nversion: https://codecheck.org.uk/spec/config/1.0\n\npaper:\n  title: {}\n  \
-         authors:\n",
-        quoted(TITLE)
-    );
-    // Writing to a string cannot fail.
-    for author in AUTHORS {
-        let _ = writeln!(text, "    - name: {}", quoted(author));
-    }
-    let _ = write!(text, "  reference: {REFERENCE}\n\nmanifest:\n");
-    for output in outputs::ALL {
-        for file in files(output) {
-            let _ = writeln!(text, "  - file: {file}\n    comment: {}", quoted(&comment(output.title)));
-        }
-    }
-    text
+    let listed = |output| files(output).into_iter().map(|file| (file, comment(output.title)));
+    rendered(&Manifest { files: outputs::ALL.iter().flat_map(listed).collect() })
 }
 
 /// The figure, or the tables if there is none, by path from the root.

@@ -22,6 +22,7 @@ mod project;
 mod report;
 mod reproduce;
 pub mod tables;
+mod template;
 pub mod terminal;
 mod unfold;
 pub mod variation;

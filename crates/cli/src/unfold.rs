@@ -136,7 +136,7 @@ impl Task {
             let outcome = "what was not finished is named above; everything else is written";
             return Err(ended(file, met, outcome));
         }
-        let (file, contradictions) = (file.display(), listing::contradictions(&unfolded.entries()));
+        let (file, contradictions) = (file.display(), listing::contradictions(&unfolded.resonances));
         if !contradictions.is_empty() {
             let what = contradictions.join("; ");
             return Err(Failure::check(format!(

@@ -6,7 +6,7 @@ use grazing_model::AnyOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated, Scalar, SmoothOscillator, Stop, Stoppable, Units};
 
 use crate::expression::Expression;
-use crate::file::{Analysis, File};
+use crate::file::{Analysis, Axis, File, Limits, MOST_DIAGRAMS, Side};
 
 /// An oscillator with a wall, as a file describes it; a clone shares everything with the original.
 ///
@@ -43,23 +43,6 @@ pub struct OneParameter {
     pub seed: u64,
 }
 
-/// What an analysis may use before it ends with what it has.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limits {
-    /// Seconds.
-    pub time: f64,
-    /// Megabytes that the process holds.
-    pub memory: f64,
-    /// Steps of integration.
-    pub steps: f64,
-}
-
-impl Limits {
-    /// Those of a file that has none: the examples take seconds and 50 MB, and whoever waits for
-    /// ten minutes wants to see something. The steps are more than two cores do in that time.
-    pub const USUAL: Self = Self { time: 600.0, memory: 2000.0, steps: 1e10 };
-}
-
 /// The wall, and how its coordinates, in which the oscillator is one of the paper, lead to those of
 /// the file.
 ///
@@ -70,33 +53,6 @@ pub struct Wall {
     pub(crate) side: Side,
     /// x and v, expressions in u, u̇, t, μ, η.
     pub(crate) outside: [Expression; 2],
-}
-
-/// The side of the wall on which the motion is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
-    /// Less than the position of the wall, as in the paper.
-    Below,
-    /// Greater than the position of the wall.
-    Above,
-}
-
-impl Side {
-    /// `below` or `above`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Below => "below",
-            Self::Above => "above",
-        }
-    }
-
-    /// s = ±1 in u = s(x − W).
-    pub(crate) const fn sign(self) -> f64 {
-        match self {
-            Self::Below => 1.0,
-            Self::Above => -1.0,
-        }
-    }
 }
 
 impl Wall {
@@ -151,32 +107,10 @@ impl<T> Expressions<T> {
     }
 }
 
-/// One of the two parameters with its range.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Axis {
-    pub(crate) name: String,
-    pub(crate) range: [f64; 2],
-    pub(crate) unit: Option<String>,
-}
-
-impl Axis {
-    /// The name that the expressions use.
-    pub fn name(&self) -> &str {
-        &self.name
-    }
-
-    /// The lower and the upper end of the range: finite, lower < upper.
-    pub fn range(&self) -> [f64; 2] {
-        self.range
-    }
-
-    /// The name of its unit, if the file has one.
-    pub fn unit(&self) -> Option<&str> {
-        self.unit.as_deref()
-    }
-}
-
 impl Description {
+    /// The most one-parameter diagrams.
+    pub const MOST_DIAGRAMS: usize = MOST_DIAGRAMS;
+
     /// The oscillator at parameters (μ, η), as the file counts them.
     pub fn oscillator(&self, parameters: [f64; 2]) -> AnyOscillator {
         self.counted(parameters, &Units::ONE, &Stop::default())
@@ -259,9 +193,6 @@ impl Description {
     pub fn loops(&self) -> &[u32] {
         &self.0.file.analysis.loops
     }
-
-    /// The most one-parameter diagrams: more nobody looks at.
-    pub const MOST_DIAGRAMS: usize = 8;
 
     /// The one-parameter diagrams that are asked for.
     pub fn diagrams(&self) -> &[OneParameter] {

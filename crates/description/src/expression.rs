@@ -130,6 +130,19 @@ impl<P: Copy> Operation<P> {
         operands
     }
 
+    /// What distinguishes it from others of its kind on the same operands: the bits of its number,
+    /// or which power or function it is.
+    fn detail(&self) -> u64 {
+        match *self {
+            Operation::Constant(value) | Operation::Shift(_, value) | Operation::Scale(_, value) => {
+                value.to_bits()
+            }
+            Operation::Power(_, exponent) => i64::from(exponent).cast_unsigned(),
+            Operation::Apply(function, _) => function as u64,
+            _ => 0,
+        }
+    }
+
     /// The same operation on other operands.
     fn on<Q>(&self, mut slot: impl FnMut(P) -> Q) -> Operation<Q> {
         match *self {

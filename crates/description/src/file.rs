@@ -7,11 +7,12 @@ use grazing_source::kind::{
 };
 use grazing_source::{Keys, Requirements, Section, SourceError, keys};
 
-use crate::description::{Axis, Description, Limits, Side};
-
 /// The largest number of loops: higher ones do not relate to resonant grazing, and their curves are
 /// not told apart.
 pub(crate) const MOST_LOOPS: u32 = 12;
+
+/// More one-parameter diagrams nobody looks at.
+pub(crate) const MOST_DIAGRAMS: usize = 8;
 
 /// More portraits in one diagram nobody looks at.
 const MOST_PORTRAITS: usize = 6;
@@ -52,7 +53,7 @@ keys! {
         analysis: Analysis = table(),
             "the table [analysis] holds loops and may hold start, time_limit, memory_limit and step_limit";
         /// One-parameter diagrams.
-        diagrams: Vec<WrittenDiagram> = tables(0..=Description::MOST_DIAGRAMS),
+        diagrams: Vec<WrittenDiagram> = tables(0..=MOST_DIAGRAMS),
             "each [[diagrams]] is a one-parameter diagram and holds fixed and at, and may hold range, portraits and seed; there are at most 8";
     }
 }
@@ -156,6 +157,75 @@ keys! {
     }
 }
 
+/// One of the two parameters with its range.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    pub(crate) name: String,
+    pub(crate) range: [f64; 2],
+    pub(crate) unit: Option<String>,
+}
+
+impl Axis {
+    /// The name that the expressions use.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The lower and the upper end of the range: finite, lower < upper.
+    pub fn range(&self) -> [f64; 2] {
+        self.range
+    }
+
+    /// The name of its unit, if the file has one.
+    pub fn unit(&self) -> Option<&str> {
+        self.unit.as_deref()
+    }
+}
+
+/// The side of the wall on which the motion is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// Less than the position of the wall, as in the paper.
+    Below,
+    /// Greater than the position of the wall.
+    Above,
+}
+
+impl Side {
+    /// `below` or `above`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Below => "below",
+            Self::Above => "above",
+        }
+    }
+
+    /// s = ±1 in u = s(x − W).
+    pub(crate) const fn sign(self) -> f64 {
+        match self {
+            Self::Below => 1.0,
+            Self::Above => -1.0,
+        }
+    }
+}
+
+/// What an analysis may use before it ends with what it has.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Seconds.
+    pub time: f64,
+    /// Megabytes that the process holds.
+    pub memory: f64,
+    /// Steps of integration.
+    pub steps: f64,
+}
+
+impl Limits {
+    /// Those of a file that has none: the examples take seconds and 50 MB, and whoever waits for
+    /// ten minutes wants to see something. The steps are more than two cores do in that time.
+    pub const USUAL: Self = Self { time: 600.0, memory: 2000.0, steps: 1e10 };
+}
+
 const NAME: &str = "a name is made of the letters a to z and A to Z, digits and _, and does not begin with a digit, as \"omega\"";
 const UNIT: &str = "the name of a unit must be up to 20 Latin or Greek letters, digits, blanks or / ^ * - . ( ) %, in quotation marks, as \"rad/s\"; it may be left out and changes no number";
 
@@ -217,7 +287,7 @@ mod tests {
 
     #[test]
     fn limits_are_said_as_they_are_checked() {
-        assert!(REQUIREMENTS.of("diagrams").ends_with(&format!(" at most {}", Description::MOST_DIAGRAMS)));
+        assert!(REQUIREMENTS.of("diagrams").ends_with(&format!(" at most {MOST_DIAGRAMS}")));
         assert!(REQUIREMENTS.of("diagrams.portraits").contains(&format!(" at most {MOST_PORTRAITS} ")));
         assert!(REQUIREMENTS.of("primary.unit").contains(&format!(" up to {LONGEST_UNIT} ")));
     }

@@ -47,9 +47,10 @@ mod names;
 mod read;
 mod validate;
 
-pub use description::{Axis, Description, Expressions, Limits, OneParameter, Side, Wall};
+pub use description::{Description, Expressions, OneParameter, Wall};
 pub use error::DescriptionError;
 pub use expression::{Expression, ExpressionError, MOST_VALUES_ON_STACK};
+pub use file::{Axis, Limits, Side};
 
 /// Every key that a file can have, with what it means and what it must hold.
 pub fn keys() -> &'static [grazing_source::Key] {

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use grazing_source::{Keys, Section, SourceError};
 
-use crate::description::{Axis, Content, Description, Expressions, Formulas, OneParameter, Side, Wall};
+use crate::description::{Content, Description, Expressions, Formulas, OneParameter, Wall};
 use crate::error::{DescriptionError, KeyPlace};
 use crate::expression::{Expression, ExpressionError, from_the_wall, parse_with_uses};
-use crate::file::{File, WrittenDiagram, WrittenWall};
+use crate::file::{Axis, File, Side, WrittenDiagram, WrittenWall};
 use crate::names;
 
 /// More constants than this nobody names; every name in an expression is looked for among them.

@@ -1,19 +1,15 @@
-// The inks of what is no bifurcation curve: those of the printed figures on light, and lighter ones of the same hues on
-// dark. Those of curves stand in kinds.js, which the program writes.
-import { APPROXIMATION, LOOKS } from "./kinds.js";
+// The inks of what no figure shows, on light and on dark. Those of curves, regions, points and branches stand in kinds.js,
+// which the program writes.
+import { APPROXIMATION, INKS, LOOKS } from "./kinds.js";
 
-const INKS = {
+const OWN = {
   light: {
     paper: "#ffffff", ink: "#1e1d1b", muted: "#63615b", faint: "#d9d6ce",
-    calm: "#e9e9e9", loops: "rgba(40,40,40,0.3)", hatching: "#6e6e6e", marker: "#000000", rim: "#ffffff",
     place: "#c2185b", kept: "#00796b", wall: "#6e6e6e", cloud: "rgba(45,70,105,0.55)",
-    branch: ["#000000", "#be5f00", "#1946be", "#961e6e", "#007869", "#af3c23", "#5f5f00"],
   },
   dark: {
     paper: "#1b1e23", ink: "#e7e5df", muted: "#a09e97", faint: "#3a3f47",
-    calm: "#2b2f36", loops: "rgba(225,225,225,0.2)", hatching: "#8c8c8c", marker: "#f2f0ea", rim: "#1b1e23",
     place: "#ff79ad", kept: "#4fd1bd", wall: "#9a9a9a", cloud: "rgba(160,190,230,0.5)",
-    branch: ["#f2f0ea", "#f0a04b", "#8cabff", "#e48ac6", "#4fd1bd", "#ff9c82", "#d0cf6a"],
   },
 };
 
@@ -25,7 +21,7 @@ const TILES = {
 };
 
 const theme = () => (document.documentElement.dataset.theme === "dark" ? "dark" : "light");
-export const inks = () => INKS[theme()];
+export const inks = () => ({ ...OWN[theme()], ...INKS[theme()] });
 export const tileInks = () => TILES[theme()];
 
 /** How a curve is drawn: colour, width and dashes in pixels of the page. */
@@ -34,8 +30,12 @@ export function penOf({ kind, source }) {
   return source === "quadratic" ? { ...APPROXIMATION, colour: look[theme()].quadratic } : { ...look, colour: look[theme()].curve };
 }
 
-/** Draws the samples of curves in the legend as curves are drawn; approximations are shown by that to SN. */
+/** Draws the samples in the legend as the plane is drawn; approximations are shown by that to SN. */
 export function drawSamples() {
+  const { calm, loops } = inks();
+  for (const [kind, ink] of [["calm", calm], ["mps", loops]]) {
+    document.querySelectorAll(`.area.${kind}`).forEach((sample) => (sample.style.background = ink));
+  }
   for (const sample of document.querySelectorAll(".legend path[class]:not(.fill)")) {
     const kind = sample.getAttribute("class");
     const { colour, width, dashes } = kind in LOOKS ? penOf({ kind }) : penOf({ kind: "SN", source: kind });

@@ -3,10 +3,9 @@
 use std::collections::BTreeMap;
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
 use grazing_reproduction::plane::{self, Axes};
-use grazing_results::brief;
+use grazing_reproduction::unfolded::AtResonance;
 use grazing_results::plane::{PlanePoint, RegionVertex, SpecialPoint};
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::DiagramCurve;
@@ -131,32 +130,19 @@ fn region(rows: &[RegionVertex]) -> Value {
 
 /// All resonances, with the coefficients that the theorem gives where it holds.
 fn resonances(axes: &Axes, diagram: &Diagram) -> Vec<Value> {
-    let units = &axes.units;
     let one = |resonance: &grazing_unfold::resonances::Resonance| {
-        let [primary, secondary] = units.parameters(resonance.located.orbit().oscillator().parameters());
-        let (holds, failing, [sn, pd]) = match &resonance.theorem {
-            Ok(point) => {
-                let own = point.resonant_point().in_units(units);
-                let both = [own.saddle_node_coefficient(), own.period_doubling_coefficient()];
-                (true, String::new(), both)
-            }
-            Err(violated) => {
-                let failing = violated.violated().map(|failing| {
-                    let failing = failing.in_units(units);
-                    format!("{}, where it is {}", failing.statement(), brief(failing.value, 4))
-                });
-                (false, failing.collect::<Vec<_>>().join("; "), [f64::NAN; 2])
-            }
-        };
+        let (at, holds) = (AtResonance::new(resonance, &axes.units), resonance.theorem.is_ok());
+        let [primary, secondary] = at.parameters;
+        let coefficient = |value| if holds { value } else { f64::NAN };
         json!({
-            "p": resonance.loops,
-            "n": resonance.n,
+            "p": at.loops,
+            "n": at.n,
             "primary": primary,
             "secondary": secondary,
-            "c_sn": sn,
-            "c_pd": pd,
+            "c_sn": coefficient(at.point.saddle_node_coefficient()),
+            "c_pd": coefficient(at.point.period_doubling_coefficient()),
             "holds": holds,
-            "failing": failing,
+            "failing": at.failing().collect::<Vec<_>>().join("; "),
         })
     };
     diagram.resonances.iter().map(one).collect()

@@ -2,7 +2,8 @@
 //! script.
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_results::kinds::{Colour, CurveLook};
+use grazing_results::kinds::{BRANCHES, Colour, CurveLook, MARKER, MARKER_RIM, region_inks};
+use grazing_results::plane::RegionKind;
 use serde_json::{Map, Value, json};
 
 /// Pixels of the page to a point of a figure.
@@ -19,6 +20,22 @@ fn pixels(lengths: &[f64]) -> Vec<f64> {
 
 fn width(width: f64) -> f64 {
     pixels(&[width])[0]
+}
+
+/// The inks of regions, points and branches on light (0) or on dark ground (1).
+fn inks(ground: usize) -> Value {
+    let region = |kind| {
+        let ([red, green, blue], opacity) = region_inks(kind)[ground];
+        format!("rgba({red},{green},{blue},{opacity})")
+    };
+    json!({
+        "calm": region(RegionKind::NonImpacting),
+        "loops": region(RegionKind::Mps),
+        "hatching": region(RegionKind::Undecided),
+        "marker": hex(MARKER[ground]),
+        "rim": hex(MARKER_RIM[ground]),
+        "branch": BRANCHES.map(|colours| hex(colours[ground])),
+    })
 }
 
 /// A module of JavaScript with `LOOKS`: for each kind of curve its meaning, the colours on light
@@ -43,5 +60,9 @@ pub(crate) fn script() -> String {
         "width": width(CurveLook::APPROXIMATION_WIDTH),
         "dashes": pixels(CurveLook::APPROXIMATION_DASHES),
     });
-    format!("export const LOOKS = {};\nexport const APPROXIMATION = {approximation};\n", Value::Object(looks))
+    let inks = json!({"light": inks(0), "dark": inks(1)});
+    format!(
+        "export const LOOKS = {};\nexport const APPROXIMATION = {approximation};\nexport const INKS = {inks};\n",
+        Value::Object(looks)
+    )
 }

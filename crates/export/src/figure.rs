@@ -4,10 +4,9 @@ use std::sync::{Arc, OnceLock};
 
 use grazing_drawing::FONT_FILES;
 use resvg::usvg::fontdb::Database;
-use resvg::usvg::{Options, Tree};
+use resvg::usvg::{Group, Node, Options, Text, Tree};
 
 use crate::error::ExportError;
-use crate::tree::ensure_glyphs;
 
 /// User units to an inch: with 72 of them a unit is a point, as in the figures' view boxes.
 const UNITS_PER_INCH: f32 = 72.0;
@@ -29,10 +28,43 @@ impl Drawing {
         Ok(drawing)
     }
 
+    /// What is drawn, element by element.
+    pub fn tree(&self) -> &Tree {
+        &self.tree
+    }
+
     /// Width and height of the sheet, in points.
     pub fn size(&self) -> (f64, f64) {
         (f64::from(self.tree.size().width()), f64::from(self.tree.size().height()))
     }
+}
+
+/// All labels in a group.
+fn labels(group: &Group) -> Vec<&Text> {
+    let mut found = Vec::new();
+    for node in group.children() {
+        match node {
+            Node::Group(inner) => found.extend(labels(inner)),
+            Node::Text(text) => found.push(text.as_ref()),
+            _ => {}
+        }
+    }
+    found
+}
+
+/// Every character has a glyph.
+fn ensure_glyphs(tree: &Tree) -> Result<(), ExportError> {
+    for text in labels(tree.root()) {
+        let glyphs = || text.layouted().iter().flat_map(|span| &span.positioned_glyphs);
+        let label: String = text.chunks().iter().map(|chunk| chunk.text()).collect();
+        // A font's glyph 0 stands for all characters that it lacks.
+        if glyphs().any(|glyph| glyph.id.0 == 0) || (glyphs().next().is_none() && !label.trim().is_empty()) {
+            return Err(ExportError(format!(
+                "label `{label}` needs a character that the embedded fonts do not have"
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// The fonts of the figures and no others.

@@ -1,10 +1,10 @@
-//! The figures as a journal takes them, PDF and PNG, and what a reader of them sees.
+//! The figures as a journal takes them, PDF and PNG.
 //!
 //! [`Drawing::read`] reads the SVG that `grazing-drawing` makes. [`Drawing::pdf`] keeps lines as
 //! lines and text as text, with the glyphs that are used embedded; [`Drawing::png`] draws pixels at
-//! a resolution; [`Drawing::texts`] and [`Drawing::shapes`] list where every label and line lies,
-//! for checks; [`comparison`] sets two versions of a figure side by side. Sheets are measured in
-//! points (1/72 inch), as in the SVG.
+//! a resolution; [`Drawing::tree`] has all elements, for checks of where they lie; [`comparison`]
+//! sets two versions of a figure side by side. Sheets are measured in points (1/72 inch), as in the
+//! SVG.
 //!
 //! Only the fonts of the figures are known here, never the system's, so that equal input gives
 //! equal bytes on every machine. A character that these fonts lack is an error, not a box.
@@ -17,12 +17,9 @@
 mod comparison;
 mod error;
 mod figure;
-mod geometry;
 mod pdf;
 mod raster;
-mod tree;
 
 pub use comparison::comparison;
 pub use error::ExportError;
 pub use figure::Drawing;
-pub use geometry::{Shape, Text};

@@ -1,9 +1,13 @@
 //! What an SVG says comes out in PDF and PNG, in its place.
 
+mod reading;
+
 use std::io::Write;
 use std::process::{Command, Stdio};
 
 use grazing_export::{Drawing, ExportError};
+
+use reading::Reading;
 
 /// An SVG with all features that the figures use; lengths in points.
 const SAMPLE: &str = include_str!("sample.svg");

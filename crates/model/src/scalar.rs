@@ -114,38 +114,28 @@ impl Function {
     pub const ALL: [Self; 8] =
         [Self::Sin, Self::Cos, Self::Tan, Self::Tanh, Self::Atan, Self::Exp, Self::Ln, Self::Sqrt];
 
-    /// The value with the first and second derivative; NaN outside the domain.
+    /// The value at any kind of number, with the first and second derivative, which follow from it.
     #[inline]
-    pub(crate) fn derivatives(self, x: f64) -> [f64; 3] {
+    pub(crate) fn derivatives<S: Scalar>(self, x: S) -> [S; 3] {
+        let value = x.apply(self);
         match self {
-            Self::Sin => {
-                let (sin, cos) = libm::sincos(x);
-                [sin, cos, -sin]
-            }
-            Self::Cos => {
-                let (sin, cos) = libm::sincos(x);
-                [cos, -sin, -cos]
-            }
+            Self::Sin => [value, x.apply(Self::Cos), -value],
+            Self::Cos => [value, -x.apply(Self::Sin), -value],
             Self::Tan => {
-                let tan = libm::tan(x);
-                let slope = 1.0 + tan * tan;
-                [tan, slope, 2.0 * tan * slope]
+                let slope = value.square() + 1.0;
+                [value, slope, value.scale(2.0) * slope]
             }
             Self::Tanh => {
-                let tanh = libm::tanh(x);
-                let slope = 1.0 - tanh * tanh;
-                [tanh, slope, -2.0 * tanh * slope]
+                let slope = -value.square() + 1.0;
+                [value, slope, value.scale(-2.0) * slope]
             }
             Self::Atan => {
-                let slope = 1.0 / (1.0 + x * x);
-                [libm::atan(x), slope, -2.0 * x * slope * slope]
+                let slope = S::constant(1.0) / (x.square() + 1.0);
+                [value, slope, x.scale(-2.0) * slope * slope]
             }
-            Self::Exp => [libm::exp(x); 3],
-            Self::Ln => [libm::log(x), 1.0 / x, -1.0 / (x * x)],
-            Self::Sqrt => {
-                let root = x.sqrt();
-                [root, 0.5 / root, -0.25 / (root * x)]
-            }
+            Self::Exp => [value; 3],
+            Self::Ln => [value, S::constant(1.0) / x, S::constant(-1.0) / x.square()],
+            Self::Sqrt => [value, S::constant(0.5) / value, S::constant(-0.25) / (value * x)],
         }
     }
 }
@@ -238,14 +228,27 @@ impl Scalar for f64 {
         match function {
             Function::Sin => libm::sin(self),
             Function::Cos => libm::cos(self),
-            function => function.derivatives(self)[0],
+            Function::Tan => libm::tan(self),
+            Function::Tanh => libm::tanh(self),
+            Function::Atan => libm::atan(self),
+            Function::Exp => libm::exp(self),
+            Function::Ln => libm::log(self),
+            Function::Sqrt => self.sqrt(),
         }
     }
 }
 
 impl Coefficient for f64 {
+    /// NaN outside the domain.
     #[inline]
     fn derivatives(self, function: Function) -> [Self; 3] {
-        function.derivatives(self)
+        match function {
+            // Both at once.
+            Function::Sin | Function::Cos => {
+                let (sin, cos) = libm::sincos(self);
+                if function == Function::Sin { [sin, cos, -sin] } else { [cos, -sin, -cos] }
+            }
+            function => function.derivatives(self),
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use core::ops::{Div, Mul};
 
-use crate::scalar::{Function, Scalar, entrywise, with_plain_numbers};
+use crate::scalar::{Coefficient, Function, Scalar, entrywise, with_plain_numbers};
 
 /// c₀ + c₁ s + c₂ s² + c₃ s³ + O(s⁴): a number that moves along a curve with the parameter s.
 ///
@@ -96,7 +96,7 @@ impl Scalar for Taylor {
     #[inline]
     fn apply(self, function: Function) -> Self {
         let x = self.value();
-        let known = function.derivatives(x);
+        let known = x.derivatives(function);
         let [value, slope, curvature] = known;
         self.compose([value, slope, curvature, third_derivative(function, x, known)])
     }

@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 
 use askama::filters::Safe;
 use grazing_claims::audit::{ClaimVerdict, Finding};
+use grazing_claims::errata;
 use grazing_claims::ledger::{Claim, Misprint};
 use grazing_claims::outcome::Measure;
 use grazing_claims::source::Location;
 
-use crate::html::{Html, escape, identifier, number};
+use crate::html::{Html, escape, identifier};
 use crate::report::Report;
 
 /// How a claim came out.
@@ -52,21 +53,19 @@ fn distinct<'a>(words: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
 
 /// A measurement with what it is held against.
 pub(crate) fn measured(measure: &Measure) -> Html {
-    Safe(match *measure {
-        Measure::Deviation { largest, tolerance } => {
-            format!("largest deviation <b>{}</b>, tolerance {}", number(&largest, 2), number(&tolerance, 2))
+    let (measured, against) = errata::words(measure);
+    Safe(format!("<b>{}</b>, held against {}", powers(&measured), powers(&against)))
+}
+
+/// Words, in which the powers of numbers in scientific notation are raised.
+fn powers(text: &str) -> String {
+    let shown = |word: &str| match word.split_once('e') {
+        Some((mantissa, power)) if word.parse::<f64>().is_ok() => {
+            format!("{mantissa} × 10<sup>{}</sup>", power.replace('-', "−"))
         }
-        Measure::Order { observed, stated, slack } => format!(
-            "observed order <b>{}</b>, stated order {}, tolerance {}",
-            number(&observed, 3),
-            number(&stated, 1),
-            number(&slack, 1)
-        ),
-        Measure::Margin { smallest } => {
-            format!("smallest margin <b>{}</b>, must be positive", number(&smallest, 2))
-        }
-        Measure::Agreement { agreeing, cases } => format!("<b>{agreeing}</b> of {cases} cases agree"),
-    })
+        _ => escape(word),
+    };
+    text.split(' ').map(shown).collect::<Vec<_>>().join(" ")
 }
 
 /// Links to source files and figures, with a word before each kind.
@@ -141,11 +140,11 @@ mod tests {
         for (measure, shown) in [
             (
                 Measure::Deviation { largest: 3.14e-15, tolerance: 1e-12 },
-                "largest deviation <b>3.1 × 10<sup>−15</sup></b>, tolerance 10<sup>−12</sup>",
+                "<b>deviation 3.1 × 10<sup>−15</sup></b>, held against at most 1 × 10<sup>−12</sup>",
             ),
             (
-                Measure::Order { observed: f64::INFINITY, stated: 2.0, slack: 0.3 },
-                "observed order <b>∞</b>, stated order 2, tolerance 0.3",
+                Measure::Order { observed: 2.1, stated: 2.0, slack: 0.3 },
+                "<b>order 2.10</b>, held against order 2 − 0.3",
             ),
         ] {
             assert_eq!(measured(&measure).0, shown);

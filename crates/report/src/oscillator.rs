@@ -4,7 +4,7 @@
 use askama::filters::Safe;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_description::Description;
-use grazing_reproduction::unfolded::{CurveFinding, ResonanceEntry, axes};
+use grazing_reproduction::unfolded::{AtResonance, CurveFinding, axes, curves};
 pub(crate) use grazing_results::columns::{C_SN, PRIMARY, SECONDARY};
 use grazing_results::{Column, Table};
 use grazing_unfold::sides::Simulated;
@@ -32,7 +32,7 @@ pub struct OscillatorEntry {
     /// The tables that are shown as such.
     pub tables: Vec<Table>,
     /// The resonant grazing bifurcations, in the order in which they were found.
-    pub resonances: Vec<ResonanceEntry>,
+    pub resonances: Vec<AtResonance>,
     /// What could not be unfolded and why, in words: resonances that were seen and not located,
     /// curves that could not be followed.
     pub lost: Vec<String>,
@@ -41,26 +41,25 @@ pub struct OscillatorEntry {
     pub undecided: Vec<(u32, String)>,
 }
 
-/// Significant digits of coefficients, of parameters and of other values.
+/// Significant digits of coefficients and of parameters.
 pub(crate) const COEFFICIENT: usize = 9;
 pub(crate) const PARAMETER: usize = 7;
-pub(crate) const VALUE: usize = 4;
 
-/// The class of a verdict's colour, and the verdict on what a theorem predicts of the curves.
-pub(crate) fn agreement(coefficient: &Coefficient) -> (&'static str, &'static str) {
+/// The class of the colour of the verdict on a coefficient.
+pub(crate) fn agreement(coefficient: &Coefficient) -> &'static str {
     match coefficient.verdict() {
-        Verdict::Agree => ("passed", "agrees"),
-        Verdict::Contradict => ("failed", "contradicts"),
-        Verdict::NotMeasurable(_) => ("unchecked", "not measurable"),
+        Verdict::Agree => "passed",
+        Verdict::Contradict => "failed",
+        Verdict::NotMeasurable(_) => "unchecked",
     }
 }
 
 /// The same of a simulation.
-pub(crate) fn simulation(simulated: &Simulated) -> (&'static str, &'static str) {
+pub(crate) fn simulation(simulated: &Simulated) -> &'static str {
     match simulated {
-        Simulated::AsPredicted(_) => ("passed", "as predicted"),
-        Simulated::Against(_) => ("failed", "not as predicted"),
-        Simulated::Undecided(_) => ("unchecked", "undecided"),
+        Simulated::AsPredicted(_) => "passed",
+        Simulated::Against(_) => "failed",
+        Simulated::Undecided(_) => "unchecked",
     }
 }
 
@@ -92,34 +91,22 @@ impl OscillatorEntry {
         Safe(in_parentheses(&column.unit(&axes(&self.description).names)))
     }
 
-    /// The resonances at which a theorem holds, with what is known of the SN and the PD curve.
-    pub(crate) fn unfolded(&self) -> Vec<(&ResonanceEntry, [(Bifurcation, &CurveFinding); 2])> {
-        self.resonances.iter().filter_map(|resonance| Some((resonance, resonance.curves()?))).collect()
+    /// The resonances at which a theorem applies, or those at which none does.
+    pub(crate) fn resonances_where(&self, applies: bool) -> Vec<&AtResonance> {
+        self.resonances.iter().filter(|at| at.curves.is_some() == applies).collect()
     }
 
-    /// The resonances at which none does, with the hypotheses that fail.
-    pub(crate) fn silent(&self) -> Vec<(&ResonanceEntry, &[(String, f64)])> {
-        let all = self.resonances.iter();
-        all.filter_map(|resonance| Some((resonance, resonance.finding.as_ref().err()?.as_slice()))).collect()
+    /// The SN and PD curves of all resonances.
+    pub(crate) fn curves(&self) -> Vec<(&AtResonance, Bifurcation, &CurveFinding)> {
+        curves(&self.resonances).collect()
     }
 
-    /// Where coefficients were not measured or simulation is not as predicted: resonance, what it
-    /// is about, and the reason.
-    pub(crate) fn not_borne_out(&self) -> Vec<(&ResonanceEntry, String, String)> {
-        let mut found = Vec::new();
-        for (resonance, curves) in self.unfolded() {
-            for (curve, (coefficient, simulated)) in curves {
-                for (what, (tone, word), reason) in [
-                    ("coefficient", agreement(coefficient), coefficient.verdict().reason()),
-                    ("simulation", simulation(simulated), simulated.reason()),
-                ] {
-                    if tone != "passed" {
-                        found.push((resonance, format!("{}, {what} {word}", curve.name()), reason));
-                    }
-                }
-            }
-        }
-        found
+    /// What is not as a theorem predicts of these, or not known, with the reason.
+    pub(crate) fn doubts(&self) -> Vec<(&AtResonance, Bifurcation, String, String)> {
+        let all = |(at, kind, known): (_, _, &CurveFinding)| {
+            known.doubts().map(move |(doubt, reason)| (at, kind, doubt, reason))
+        };
+        curves(&self.resonances).flat_map(all).collect()
     }
 
     fn tally(&self) -> Tally {
@@ -151,8 +138,8 @@ impl Tally {
     pub(crate) fn of_all(oscillators: &[OscillatorEntry]) -> Self {
         let resonances = oscillators.iter().map(|oscillator| oscillator.resonances.len()).sum();
         let mut tally = Tally { resonances, ..Tally::default() };
-        let unfolded = oscillators.iter().flat_map(OscillatorEntry::unfolded);
-        for (coefficient, simulated) in unfolded.flat_map(|(_, both)| both.map(|(_, known)| known)) {
+        let known = oscillators.iter().flat_map(OscillatorEntry::curves);
+        for (_, _, CurveFinding { coefficient, simulated }) in known {
             tally.all += 1;
             if let Some((_, digits)) = coefficient.compared() {
                 tally.digits = Some(tally.digits.map_or(digits, |least| least.min(digits)));
@@ -218,8 +205,11 @@ mod tests {
     fn tally((value, error): (f64, f64), simulated: Simulated) -> Tally {
         let mut entry = crate::sample::oscillator("a", "a");
         let good = coefficient(MEASURED.0, MEASURED.1);
-        let (saddle_node, period_doubling) = ((good, PREDICTED), (coefficient(value, error), simulated));
-        entry.resonances[0].finding = Ok(Pair { saddle_node, period_doubling });
+        let finding = |coefficient, simulated| CurveFinding { coefficient, simulated };
+        entry.resonances[0].curves.as_mut().expect("the theorem applies").findings = Pair {
+            saddle_node: finding(good, PREDICTED),
+            period_doubling: finding(coefficient(value, error), simulated),
+        };
         entry.tally()
     }
 

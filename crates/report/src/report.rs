@@ -50,19 +50,26 @@ pub struct Counts {
     pub misprints: usize,
 }
 
-impl Report<'_> {
+impl Counts {
     /// Counts values, claims and misprints.
-    pub fn counts(&self) -> Counts {
-        let count = |is: fn(&Finding<'_>) -> bool| self.claims.iter().filter(|finding| is(finding)).count();
+    pub fn of(published: &[Comparison<'_>], claims: &[Finding<'_>]) -> Self {
+        let count = |is: fn(&Finding<'_>) -> bool| claims.iter().filter(|finding| is(finding)).count();
         let failed = count(|finding| finding.verdict.fails());
         let unchecked = count(|finding| matches!(finding.verdict, ClaimVerdict::Unchecked(_)));
-        Counts {
-            met: self.published.iter().filter(|comparison| comparison.is_met()).count(),
-            passed: self.claims.len() - failed - unchecked,
+        Self {
+            met: published.iter().filter(|comparison| comparison.is_met()).count(),
+            passed: claims.len() - failed - unchecked,
             failed,
             unchecked,
             misprints: count(|finding| finding.claim.misprint.is_some()),
         }
+    }
+}
+
+impl Report<'_> {
+    /// What is confirmed of all that is shown.
+    pub fn counts(&self) -> Counts {
+        Counts::of(&self.published, &self.claims)
     }
 
     /// Whether anything of the paper is shown.

@@ -7,6 +7,7 @@ mod tables;
 use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::curve::Window;
 use grazing_continuation::fit::FitError;
+use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_description::Description;
 use grazing_model::smooth::Stop;
 use grazing_model::smooth::Units;
@@ -14,8 +15,9 @@ use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_results::branches::OneParameter;
 use grazing_results::family::Family;
 use grazing_results::plane::{Magnifications, MagnifiedPanel, PlaneDiagram, Section};
-use grazing_results::{Names, Tables, UnitNames, tables};
+use grazing_results::{Names, Tables, UnitNames, brief, tables};
 use grazing_theorems::ResonantPoint;
+use grazing_theorems::hypothesis::{Hypothesis, Theorem};
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::resonances::Resonance;
@@ -31,7 +33,7 @@ use crate::plane::{self, Axes, own_header};
 use crate::{StudyError, one_parameter};
 pub use finished::Keep;
 pub(crate) use tables::slopes;
-pub use tables::{CheckedHypothesis, GrazingLoopRow, GrazingRow};
+pub use tables::{CheckedHypothesis, CoefficientRow, GrazingLoopRow, GrazingRow};
 
 /// The analysis of an oscillator: its diagram, and at every resonance where a theorem holds
 /// coefficients, simulation and a magnification.
@@ -42,8 +44,7 @@ pub struct Unfolded {
     /// Grazing curves, resonances, bifurcation curves, codimension-two points, regions: all without
     /// dimensions.
     pub diagram: Diagram,
-    /// For each resonance at which a theorem holds, in the order of [`Diagram::unfolding`]; in the
-    /// oscillator's own units.
+    /// All resonances, in the order in which they were found; in the oscillator's own units.
     pub resonances: Vec<AtResonance>,
     /// The one-parameter diagrams that are asked for, as far as they were finished; in the
     /// oscillator's own units.
@@ -53,7 +54,7 @@ pub struct Unfolded {
     along: Vec<GrazingLoopRow>,
 }
 
-/// What was found at a resonance, in the oscillator's own units.
+/// A resonant grazing bifurcation with what came of it, in the oscillator's own units.
 #[derive(Clone, Debug)]
 pub struct AtResonance {
     /// Number of loops p.
@@ -62,40 +63,80 @@ pub struct AtResonance {
     pub n: u32,
     /// Primary and secondary parameter.
     pub parameters: [f64; 2],
-    /// What the theorem knows of it.
+    /// What the theorem asks about.
     pub point: ResonantPoint,
-    /// c_SN and c_PD by the theorem and measured.
-    pub coefficients: Pair<Coefficient>,
-    /// What the simulated hybrid system does beside the SN and the PD curve.
-    pub sides: Pair<Simulated>,
+    /// Theorem 2.4 or 2.5.
+    pub theorem: Theorem,
+    /// What it asks; it applies where all of this holds.
+    pub hypotheses: Vec<Hypothesis>,
+    /// What is known of the curves, where it applies.
+    pub curves: Option<Curves>,
+}
+
+impl AtResonance {
+    /// A resonance in the oscillator's own units; nothing is known of its curves yet.
+    pub fn new(resonance: &Resonance, units: &Units) -> Self {
+        let Resonance { loops, n, located, theorem } = resonance;
+        let (theorem, hypotheses) = match theorem {
+            Ok(point) => (point.theorem().theorem(), point.theorem().hypotheses()),
+            Err(violated) => (violated.theorem, violated.hypotheses.as_slice()),
+        };
+        Self {
+            loops: *loops,
+            n: *n,
+            parameters: units.parameters(located.orbit().oscillator().parameters()),
+            point: located.resonant_point().in_units(units),
+            theorem,
+            hypotheses: hypotheses.iter().map(|hypothesis| hypothesis.in_units(units)).collect(),
+            curves: None,
+        }
+    }
+
+    /// The hypotheses that fail, with their values; none where the theorem applies.
+    pub fn failing(&self) -> impl Iterator<Item = String> {
+        let failing = self.hypotheses.iter().filter(|hypothesis| !hypothesis.holds());
+        failing.map(|failing| format!("{} fails: {}", failing.statement(), brief(failing.value, 4)))
+    }
+}
+
+/// What is known of the curves that leave a resonance.
+#[derive(Clone, Debug)]
+pub struct Curves {
+    /// Of the SN and the PD curve.
+    pub findings: Pair<CurveFinding>,
     /// The window of the magnification.
     pub window: Window,
-    /// Its curves; none where they could not be followed.
+    /// What is drawn in it; nothing where the curves could not be followed.
     pub magnified: Vec<Polyline>,
 }
 
-/// What is known of an SN or PD curve: its coefficient, and the motion beside it.
-pub type CurveFinding = (Coefficient, Simulated);
-
-/// A resonant grazing bifurcation with what came of it, in the oscillator's own units.
-#[derive(Clone, Debug)]
-pub struct ResonanceEntry {
-    /// Number of loops p.
-    pub loops: u32,
-    /// The integer n.
-    pub n: u32,
-    /// Primary and secondary parameter.
-    pub parameters: [f64; 2],
-    /// What is known of its curves; where the theorem does not apply the hypotheses that fail, with
-    /// the values of their quantities.
-    pub finding: Result<Pair<CurveFinding>, Vec<(String, f64)>>,
+/// What is known of an SN or PD curve.
+#[derive(Clone, Copy, Debug)]
+pub struct CurveFinding {
+    /// Its coefficient by the theorem and measured.
+    pub coefficient: Coefficient,
+    /// What the simulated hybrid system does beside it.
+    pub simulated: Simulated,
 }
 
-impl ResonanceEntry {
-    /// What is known of the SN and the PD curve, if the theorem applies.
-    pub fn curves(&self) -> Option<[(Bifurcation, &CurveFinding); 2]> {
-        Some(self.finding.as_ref().ok()?.as_ref().named())
+impl CurveFinding {
+    /// What is not as predicted, or not known, each with the reason.
+    pub fn doubts(&self) -> impl Iterator<Item = (String, String)> + use<> {
+        let (verdict, simulated) = (self.coefficient.verdict(), self.simulated);
+        let both = [
+            (verdict.name().to_owned(), verdict.reason()),
+            (format!("as simulated {}", simulated.name()), simulated.reason()),
+        ];
+        both.into_iter().filter(|(_, reason)| !reason.is_empty())
     }
+}
+
+/// The SN and PD curves of all these resonances, each with the resonance that it leaves.
+pub fn curves(
+    resonances: &[AtResonance],
+) -> impl Iterator<Item = (&AtResonance, Bifurcation, &CurveFinding)> {
+    let unfolded = resonances.iter().filter_map(|at| Some((at, at.curves.as_ref()?)));
+    unfolded.flat_map(|(at, curves)| curves.findings.as_ref().named().map(|(kind, known)| (at, kind, known)))
 }
 
 /// The names of an oscillator's parameters, and its own units.
@@ -166,44 +207,26 @@ impl Unfolded {
         let mut diagram = located.with(followed, progress).found()?;
         let units = axes.units;
         let what = "coefficients and magnifications";
-        let found: Vec<_> = diagram.unfolding().collect();
-        progress.begin(what, found.len() as u64);
+        progress.begin(what, diagram.unfolding().count() as u64);
         // Each resonance by itself; the order of the results is that of the list, whatever the
         // threads do.
-        let resonances = found
-            .into_par_iter()
-            .map(|(resonance, point)| {
-                let at = || {
-                    let coefficients = coefficients(point);
-                    let simulated = |kind| simulate(point, kind, &coefficients);
-                    let window = window_about(&diagram, resonance, point);
-                    let mut magnified = magnify(&diagram, resonance, point, window).unwrap_or_default();
-                    for place in magnified.iter_mut().flat_map(|polyline| &mut polyline.points) {
-                        *place = units.parameters(*place);
-                    }
-                    AtResonance {
-                        loops: resonance.loops,
-                        n: resonance.n,
-                        parameters: units.parameters(point.orbit().oscillator().parameters()),
-                        point: point.resonant_point().in_units(&units),
-                        sides: Pair::BIFURCATIONS.map(|kind| simulated(kind).in_units(&units)),
-                        coefficients: coefficients.map(|known| known.in_units(&units)),
-                        window: window.in_units(&units),
-                        magnified,
-                    }
-                };
-                let mut found = at();
-                let stopped = progress.stopped();
-                if stopped {
-                    // Nothing moves any more: now all of it is missing, not only what was to come.
-                    found = at();
-                    let missing = |known| Coefficient { fit: Err(FitError::NotFinished), ..known };
-                    found.coefficients = found.coefficients.map(missing);
+        let resonances = diagram.resonances.par_iter().map(|resonance| {
+            let found = AtResonance::new(resonance, &units);
+            let Ok(point) = &resonance.theorem else { return (found, None) };
+            let mut curves = curves_from(&diagram, resonance, point, &units);
+            let stopped = progress.stopped();
+            if stopped {
+                // Nothing moves any more: now all of it is missing, not only what was to come.
+                curves = curves_from(&diagram, resonance, point, &units);
+                for known in [&mut curves.findings.saddle_node, &mut curves.findings.period_doubling] {
+                    known.coefficient.fit = Err(FitError::NotFinished);
                 }
-                progress.step(what);
-                (found, stopped.then(|| Unfinished::at(what, resonance)))
-            })
-            .collect::<Vec<_>>();
+            }
+            let found = AtResonance { curves: Some(curves), ..found };
+            progress.step(what);
+            (found, stopped.then(|| Unfinished::at(what, resonance)))
+        });
+        let resonances: Vec<_> = resonances.collect();
         progress.end(what);
         let (resonances, unfinished): (Vec<_>, Vec<_>) = resonances.into_iter().unzip();
         diagram.unfinished.extend(unfinished.into_iter().flatten());
@@ -214,34 +237,20 @@ impl Unfolded {
         Ok(Self { axes, diagram, resonances, diagrams: Vec::new(), along })
     }
 
-    /// All resonances, in the order in which they were found.
-    pub fn entries(&self) -> Vec<ResonanceEntry> {
-        let units = &self.axes.units;
-        // Those with a theorem are measured in the order of the list.
-        let mut measured = self.resonances.iter();
-        let entry = |resonance: &Resonance| {
-            let finding = match &resonance.theorem {
-                Ok(_) => measured.next().map(|at| Ok(at.coefficients.zip(at.sides)))?,
-                Err(violated) => {
-                    let failing = violated.violated();
-                    Err(failing.map(|failing| (failing.statement(), failing.in_units(units).value)).collect())
-                }
-            };
-            let parameters = units.parameters(resonance.located.orbit().oscillator().parameters());
-            Some(ResonanceEntry { loops: resonance.loops, n: resonance.n, parameters, finding })
-        };
-        self.diagram.resonances.iter().filter_map(entry).collect()
+    /// The resonances at which a theorem holds, with what is known of their curves.
+    fn unfolding(&self) -> impl Iterator<Item = (&AtResonance, &Curves)> {
+        self.resonances.iter().filter_map(|at| Some((at, at.curves.as_ref()?)))
     }
 
     /// The two-parameter diagram, with a panel for each resonance whose curves are there, numbered
     /// as in the table of magnifications, and lines for the one-parameter diagrams.
     pub fn plane_diagram(&self) -> PlaneDiagram {
         let is_range = |[low, high]: [f64; 2]| low.is_finite() && high.is_finite() && low < high;
-        let panels = (1..).zip(&self.resonances).filter_map(|(panel, at)| {
-            let shown =
-                !at.magnified.is_empty() && is_range(at.window.primary) && is_range(at.window.secondary);
-            let coefficients = at.coefficients.map(|coefficient| coefficient.theorem.value);
-            let (frame, n) = (at.window.into(), Some(at.n));
+        let panels = (1..).zip(self.unfolding()).filter_map(|(panel, (at, curves))| {
+            let Curves { findings, window, magnified } = curves;
+            let shown = !magnified.is_empty() && is_range(window.primary) && is_range(window.secondary);
+            let coefficients = findings.map(|known| known.coefficient.theorem.value);
+            let (frame, n) = ((*window).into(), Some(at.n));
             shown.then_some(MagnifiedPanel { panel, frame, loops: at.loops, n, coefficients })
         });
         let sections = self.diagrams.iter().map(|diagram| Section {
@@ -255,7 +264,7 @@ impl Unfolded {
     /// The magnifications whose panels the diagram has.
     pub fn magnifications(&self, diagram: &PlaneDiagram) -> Magnifications {
         Magnifications {
-            curves: plane::magnified_curves(self.resonances.iter().map(|at| &at.magnified)),
+            curves: plane::magnified_curves(self.unfolding().map(|(_, curves)| &curves.magnified)),
             points: diagram.points.clone(),
             regions: diagram.regions.clone(),
             panels: diagram.magnified.clone(),
@@ -269,7 +278,7 @@ impl Unfolded {
 
     /// The rows of what is known at resonances.
     pub fn at_resonances(&self) -> AtResonances {
-        AtResonances { coefficients: self.resonances.clone(), hypotheses: tables::hypotheses(self) }
+        AtResonances { coefficients: tables::coefficients(self), hypotheses: tables::hypotheses(self) }
     }
 }
 
@@ -283,11 +292,32 @@ tables! {
 
     /// What is known at resonances.
     AtResonances {
-        coefficients: AtResonance = "coefficients",
+        coefficients: CoefficientRow = "coefficients",
             "a resonance at which Theorem 2.4 (p = 1) or 2.5 (p ≥ 2) holds",
         hypotheses: CheckedHypothesis = "hypotheses",
             "a hypothesis of the theorem at a resonance, whether or not all of them hold",
     }
+}
+
+/// What there is to know of the curves that leave a resonance.
+fn curves_from(
+    diagram: &Diagram,
+    resonance: &Resonance,
+    point: &ResonantGrazingPoint,
+    units: &Units,
+) -> Curves {
+    let coefficients = coefficients(point);
+    let finding = |(kind, coefficient): (Bifurcation, &Coefficient)| CurveFinding {
+        coefficient: coefficient.in_units(units),
+        simulated: simulate(point, kind, &coefficients).in_units(units),
+    };
+    let window = window_about(diagram, resonance, point);
+    let mut magnified = magnify(diagram, resonance, point, window).unwrap_or_default();
+    for place in magnified.iter_mut().flat_map(|polyline| &mut polyline.points) {
+        *place = units.parameters(*place);
+    }
+    let findings = Pair::BIFURCATIONS.zip(coefficients.as_ref()).map(finding);
+    Curves { findings, window: window.in_units(units), magnified }
 }
 
 /// The stage in which quantities along the grazing curves are computed.

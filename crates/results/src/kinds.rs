@@ -88,6 +88,33 @@ impl CurveLook {
     }
 }
 
+/// How a region of a kind is filled or hatched, on light and on dark ground: colour and opacity.
+/// Regions that overlap come out darker.
+pub const fn region_inks(kind: RegionKind) -> [(Colour, f64); 2] {
+    match kind {
+        RegionKind::NonImpacting => [([233, 233, 233], 1.0), ([43, 47, 54], 1.0)],
+        RegionKind::Mps | RegionKind::Both => [([40, 40, 40], 0.3), ([225, 225, 225], 0.2)],
+        RegionKind::Undecided => [([110, 110, 110], 1.0), ([140, 140, 140], 1.0)],
+    }
+}
+
+/// Codimension-two points, and their rims, on light and on dark ground.
+pub const MARKER: [Colour; 2] = [[0, 0, 0], [242, 240, 234]];
+/// See [`MARKER`].
+pub const MARKER_RIM: [Colour; 2] = [[255, 255, 255], [27, 30, 35]];
+
+/// A branch of solutions by its number of loops, on light and on dark ground: first motion without
+/// impacts, as which more loops than are here look, too.
+pub const BRANCHES: [[Colour; 2]; 7] = [
+    [[0, 0, 0], [242, 240, 234]],
+    [[190, 95, 0], [240, 160, 75]],
+    [[25, 70, 190], [140, 171, 255]],
+    [[150, 30, 110], [228, 138, 198]],
+    [[0, 120, 105], [79, 209, 189]],
+    [[175, 60, 35], [255, 156, 130]],
+    [[95, 95, 0], [208, 207, 106]],
+];
+
 /// What a point of a kind is.
 pub const fn point_meaning(kind: CodimensionTwo) -> &'static str {
     match kind {

@@ -37,5 +37,5 @@ mod table;
 pub use cell::{Cell, brief};
 pub use columns::Column;
 pub use frame::Frame;
-pub use names::{GREEK, Names, UnitNames, VARIED, directs, symbol};
+pub use names::{GREEK, Names, UnitNames, VARIED, directs, raised, symbol};
 pub use table::{Row, Table, TablePlan, Tables};

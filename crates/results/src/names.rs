@@ -84,7 +84,7 @@ pub struct UnitNames {
 }
 
 /// A unit in markup of labels, its powers raised: `m/s^2` and `m/s²` are `m/s$^{2}$`.
-fn raised(unit: &str) -> String {
+pub fn raised(unit: &str) -> String {
     const RAISED: [(char, char); 4] = [('¹', '1'), ('²', '2'), ('³', '3'), ('⁻', '-')];
     let mut text = String::new();
     let mut characters = unit.chars().peekable();

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use grazing_claims::audit::{ClaimVerdict, Finding};
 use grazing_claims::errata;
+use grazing_report::Counts;
 
 /// Width of the longest label that keeps the table in line.
 const LABEL: usize = 38;
@@ -101,13 +102,9 @@ fn paint(verdict: &ClaimVerdict, word: &str) -> String {
 
 /// The counts.
 pub(super) fn summary(findings: &[Finding<'_>]) -> String {
-    let count = |is: fn(&Finding<'_>) -> bool| findings.iter().filter(|finding| is(finding)).count();
-    let failing = count(|finding| finding.verdict.fails());
-    let unchecked = count(|finding| matches!(finding.verdict, ClaimVerdict::Unchecked(_)));
-    let misprints = count(|finding| finding.claim.misprint.is_some());
-    let holding = findings.len() - failing - unchecked;
+    let Counts { passed, failed, unchecked, misprints, .. } = Counts::of(&[], findings);
     format!(
-        "\n{} claims: {holding} hold ({misprints} of them not as printed), {failing} fail, {unchecked} cannot be tested by a \
+        "\n{} claims: {passed} hold ({misprints} of them not as printed), {failed} fail, {unchecked} cannot be tested by a \
          computation.\n",
         findings.len()
     )

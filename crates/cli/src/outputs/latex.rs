@@ -1,12 +1,13 @@
 //! LaTeX: tables for booktabs, and a snippet that includes figures and tables.
 
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
+use askama::Template;
 use grazing_drawing::Sheet;
-use grazing_results::{Cell, Column, GREEK, Table, symbol};
+use grazing_results::{Cell, Column, GREEK, Table, raised, symbol};
 
 use crate::folder::{self, OutputFile};
+use crate::template::rendered;
 
 /// Significant digits of the number of least magnitude in a column; all its numbers have as many
 /// decimals.
@@ -18,7 +19,7 @@ const MOST_ROWS: usize = 45;
 /// Figures wider than a column of a journal with two (points) span both.
 const COLUMN: f64 = 245.0;
 /// LaTeX keeps no more floats than 52 in memory until it has a page for them.
-const MOST_FLOATS: usize = 40;
+pub(crate) const MOST_FLOATS: usize = 40;
 /// The snippet's file.
 pub(crate) const SNIPPET: &str = "figures.tex";
 
@@ -27,13 +28,23 @@ pub(crate) fn table_path(name: &str) -> PathBuf {
     Path::new(name).with_extension("tex")
 }
 
-/// The table as a tabular of booktabs: numbers rounded and aligned at the decimal point, units in
-/// the headings.
+/// A tabular of booktabs.
+#[derive(Template)]
+#[template(path = "tabular.tex", escape = "none")]
+struct Tabular {
+    title: String,
+    /// The table that it shows.
+    name: &'static str,
+    alignment: String,
+    headings: Vec<String>,
+    rows: Vec<Vec<String>>,
+}
+
+/// The table as a tabular: numbers rounded and aligned at the decimal point, units in the headings.
 fn tabular(table: &Table, printed: &[Column], title: &str) -> String {
     let place = |column: &Column| table.columns.iter().position(|found| found.name == column.name);
     let places: Vec<usize> = printed.iter().filter_map(place).collect();
     let columns: Vec<(Vec<String>, bool)> = places.iter().map(|&place| cells(table, place)).collect();
-    let alignment: String = columns.iter().map(|(_, numeric)| if *numeric { 'r' } else { 'l' }).collect();
     let heading = |&place: &usize| {
         let name = match table.symbols[place].as_str() {
             "" => escaped(&table.headers[place]),
@@ -41,35 +52,23 @@ fn tabular(table: &Table, printed: &[Column], title: &str) -> String {
         };
         match table.units[place].as_str() {
             "" => name,
-            unit => format!("{name} ({})", raised(unit)),
+            unit => format!("{name} ({})", outside_formulas(&raised(unit))),
         }
     };
-    let headings: Vec<String> = places.iter().map(heading).collect();
-    let mut text = format!(
-        "% {}\n% Needs \\usepackage{{booktabs}}. Where a heading has no unit the numbers are dimensionless. They are rounded; those of\n\
-         % data/{}.csv are not.\n\\begin{{tabular}}{{{alignment}}}\n  \\toprule\n  {} \\\\\n  \\midrule\n",
-        escaped(title),
-        table.name,
-        headings.join(" & "),
-    );
-    for row in 0..table.rows.len() {
-        let cells: Vec<&str> = columns.iter().map(|(cells, _)| cells[row].as_str()).collect();
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "  {} \\\\", cells.join(" & "));
-    }
-    text.push_str("  \\bottomrule\n\\end{tabular}\n");
-    text
+    let row = |row: usize| columns.iter().map(|(cells, _)| cells[row].clone()).collect();
+    rendered(&Tabular {
+        title: escaped(title),
+        name: table.name,
+        alignment: columns.iter().map(|(_, numeric)| if *numeric { 'r' } else { 'l' }).collect(),
+        headings: places.iter().map(heading).collect(),
+        rows: (0..table.rows.len()).map(row).collect(),
+    })
 }
 
-/// A unit with its powers raised.
-fn raised(unit: &str) -> String {
-    let mut parts = unit.split('^');
-    let mut text = escaped(parts.next().unwrap_or_default());
-    for part in parts {
-        let end = part.find(|c: char| !(c.is_ascii_digit() || c == '-')).unwrap_or(part.len());
-        text.push_str(&format!("$^{{{}}}${}", &part[..end], escaped(&part[end..])));
-    }
-    text
+/// Markup of labels for LaTeX, which reads what stands between dollars as it is.
+fn outside_formulas(markup: &str) -> String {
+    let pieces = markup.split('$').enumerate();
+    pieces.map(|(k, piece)| if k % 2 == 0 { escaped(piece) } else { format!("${piece}$") }).collect()
 }
 
 /// The cells of a column, and whether they are numbers.
@@ -174,38 +173,16 @@ impl Float {
     }
 }
 
-/// What a document has to know, and how a float comes to fit its page.
-const HEAD: &str = r"% The figures and tables, to be read by \input. The preamble needs \usepackage{graphicx,booktabs}. If the files do not lie
-% beside the main document, say where they lie before, with a slash at the end: \newcommand{\grazingfiles}{journal/}.
-% Other tables, and those of more rows than a page holds, are in data/.
-\providecommand{\grazingfiles}{}
-% What is wider than its column, or leaves no room for its caption, is set smaller.
-\ifdefined\grazingbox\else\newsavebox{\grazingbox}\fi
-\providecommand{\grazingfit}[1]{%
-  \sbox{\grazingbox}{#1}%
-  \ifdim\wd\grazingbox>\linewidth\sbox{\grazingbox}{\resizebox{\linewidth}{!}{\usebox{\grazingbox}}}\fi
-  \ifdim\dimexpr\ht\grazingbox+\dp\grazingbox\relax>0.85\textheight
-    \sbox{\grazingbox}{\resizebox*{!}{0.85\textheight}{\usebox{\grazingbox}}}\fi
-  \usebox{\grazingbox}}
-";
-
 /// The snippet that includes figures and tables.
+#[derive(Template)]
+#[template(path = "figures.tex", escape = "none")]
+struct Snippet<'a> {
+    floats: &'a [Float],
+}
+
+/// Its file.
 pub(crate) fn snippet(floats: &[Float]) -> OutputFile {
-    let mut text = HEAD.to_owned();
-    for (index, float) in floats.iter().enumerate() {
-        let Float { environment, body, label, .. } = float;
-        if index > 0 && index % MOST_FLOATS == 0 {
-            text.push_str("\n\\clearpage\n");
-        }
-        // Writing to a string cannot fail.
-        let _ = write!(
-            text,
-            "\n\\begin{{{environment}}}\n  \\centering\n  \\grazingfit{{{body}}}\n  \\caption{{{}}}\n  \\label{{{label}}}\n\
-             \\end{{{environment}}}\n",
-            referring(&float.caption, floats),
-        );
-    }
-    OutputFile { path: PathBuf::from(SNIPPET), content: text.into_bytes() }
+    OutputFile { path: PathBuf::from(SNIPPET), content: rendered(&Snippet { floats }).into_bytes() }
 }
 
 /// The number in a title, and the rest as a sentence: the number of a caption is LaTeX's.
@@ -245,7 +222,7 @@ fn prose(text: &str) -> String {
 }
 
 /// The caption with references in the place of the numbers of figures that are included.
-fn referring(caption: &str, floats: &[Float]) -> String {
+pub(crate) fn referring(caption: &str, floats: &[Float]) -> String {
     let mut figures: Vec<(&str, &str)> =
         floats.iter().filter_map(|float| Some((float.number.as_deref()?, float.label.as_str()))).collect();
     // The longest first, so that Figure 10 is not taken for Figure 1.

@@ -3,13 +3,9 @@
 use std::fmt::Write;
 
 use grazing_description::Description;
-use grazing_model::ImpactOscillator;
-use grazing_model::smooth::Units;
+use grazing_reproduction::unfolded::AtResonance;
 use grazing_results::brief;
-use grazing_theorems::Unfolding;
-use grazing_theorems::hypothesis::Hypothesis;
-use grazing_unfold::resonances::Resonance;
-use grazing_unfold::units::InUnits;
+use grazing_theorems::{ResonantPoint, Unfolding};
 
 use super::analysis::Analysis;
 use super::layout::{KEPT, wrapped};
@@ -19,31 +15,26 @@ const DIGITS: usize = 9;
 
 /// Hypotheses with their values and quantities, resonance by resonance.
 pub(super) fn all(description: &Description, unfolded: &Analysis) -> String {
-    let resonances = unfolded.diagram.resonances.iter();
-    resonances.map(|resonance| explained(description, resonance, &unfolded.axes.units)).collect()
+    unfolded.resonances.iter().map(|at| explained(description, at)).collect()
 }
 
-fn explained(description: &Description, resonance: &Resonance, units: &Units) -> String {
-    let at = place(description, units.parameters(resonance.located.orbit().oscillator().parameters()));
-    let (theorem, hypotheses): (_, &[Hypothesis]) = match &resonance.theorem {
-        Ok(point) => (point.theorem().theorem(), point.theorem().hypotheses()),
-        Err(violated) => (violated.theorem, &violated.hypotheses),
-    };
-    let answer = if resonance.theorem.is_ok() { "applies" } else { "does not apply" };
-    let mut text = format!("\np = {}, n = {} at {at}: {theorem} {answer}\n", resonance.loops, resonance.n);
-    for hypothesis in hypotheses {
+fn explained(description: &Description, at: &AtResonance) -> String {
+    let AtResonance { loops, n, theorem, .. } = at;
+    let answer = if at.curves.is_some() { "applies" } else { "does not apply" };
+    let at_place = place(description, at.parameters);
+    let mut text = format!("\np = {loops}, n = {n} at {at_place}: {theorem} {answer}\n");
+    for hypothesis in &at.hypotheses {
         let word = if hypothesis.holds() { "holds" } else { "FAILS" };
-        let (statement, value) = (hypothesis.statement(), brief(hypothesis.in_units(units).value, DIGITS));
+        let (statement, value) = (hypothesis.statement(), brief(hypothesis.value, DIGITS));
         // Writing to a string cannot fail.
         let _ = writeln!(text, "  {word}  {statement:24} {value:>16}");
     }
-    text.push_str(&wrapped("  where ", &quantities(resonance, units)));
+    text.push_str(&wrapped("  where ", &quantities(&at.point)));
     text
 }
 
 /// The quantities of section 2, as `tau = -0.5, delta = 0.8`.
-fn quantities(resonance: &Resonance, units: &Units) -> String {
-    let point = resonance.located.resonant_point().in_units(units);
+fn quantities(point: &ResonantPoint) -> String {
     let grazing = &point.grazing;
     let (a, b) = (grazing.map.a, grazing.map.b);
     let number = |value| brief(value, DIGITS);

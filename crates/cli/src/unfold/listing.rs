@@ -8,7 +8,7 @@ use std::path::Path;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_description::{Axis, Description};
 use grazing_model::smooth::Units;
-use grazing_reproduction::unfolded::{CurveFinding, ResonanceEntry};
+use grazing_reproduction::unfolded::{AtResonance, CurveFinding, curves};
 use grazing_results::branches::OneParameter;
 use grazing_results::brief;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
@@ -151,17 +151,18 @@ fn stability(curve: &GrazingCurve, secondary: &str, units: &Units) -> String {
 
 /// Resonances at which a theorem holds, and the coefficients there.
 fn resonances(description: &Description, unfolded: &Analysis) -> String {
-    let found = &unfolded.resonances;
     let (primary, secondary) = (description.primary().name(), description.secondary().name());
-    let all = unfolded.diagram.resonances.len();
-    if all == 0 {
+    let all = &unfolded.resonances;
+    if all.is_empty() {
         let loops = loops(description);
         let looked = !unfolded.diagram.unfinished.iter().any(|part| part.stage == resonances::STAGE);
         let found = if looked { "none on the grazing curve" } else { "not looked for to the end" };
         return format!("\nResonant grazing bifurcations\n  {found} for p = {loops}\n");
     }
+    let found: Vec<&AtResonance> = all.iter().filter(|at| at.curves.is_some()).collect();
     let mut text = format!(
-        "\nResonant grazing bifurcations: {all}; at {} of them Theorem 2.4 (p = 1) or 2.5 (p >= 2) applies\n",
+        "\nResonant grazing bifurcations: {}; at {} of them Theorem 2.4 (p = 1) or 2.5 (p >= 2) applies\n",
+        all.len(),
         found.len()
     );
     if found.is_empty() {
@@ -181,26 +182,18 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
     let formula = format!("{primary} = {primary}_graz({secondary}) + c eta^2 + ...,").replace(' ', KEPT);
     let content = format!("{formula} where eta is {secondary} less that of the resonance");
     text.push_str(&wrapped("Curves that leave them:  ", &content));
-    let entries = unfolded.entries();
     let header =
         ["p", "n", secondary, "curve", "c by theorem", "c measured", "digits agreeing", "as simulated"];
-    text.push_str(&aligned(&header, curves(&entries).map(coefficient)));
-    text.extend(curves(&entries).map(|curve| reasons(secondary, curve)));
+    text.push_str(&aligned(&header, curves(all).map(coefficient)));
+    text.extend(curves(all).map(|curve| reasons(secondary, curve)));
     text
 }
 
 /// An SN or PD curve with what is known of it, and the resonance that it leaves.
-type CurveAt<'a> = (&'a ResonanceEntry, Bifurcation, &'a CurveFinding);
-
-/// The curves of all resonances at which a theorem applies.
-fn curves(entries: &[ResonanceEntry]) -> impl Iterator<Item = CurveAt<'_>> {
-    let unfolded = entries.iter().filter_map(|at| Some((at, at.curves()?)));
-    unfolded.flat_map(|(at, curves)| curves.map(|(kind, known)| (at, kind, known)))
-}
+type CurveAt<'a> = (&'a AtResonance, Bifurcation, &'a CurveFinding);
 
 /// Why a coefficient was not measured or simulation is not as predicted; nothing if all is well.
-fn reasons(secondary: &str, (at, kind, (coefficient, simulated)): CurveAt<'_>) -> String {
-    let verdict = coefficient.verdict();
+fn reasons(secondary: &str, (at, kind, known): CurveAt<'_>) -> String {
     let mark = format!(
         "  p = {}, n = {}, {secondary} = {}, {}:  ",
         at.loops,
@@ -208,21 +201,13 @@ fn reasons(secondary: &str, (at, kind, (coefficient, simulated)): CurveAt<'_>) -
         significant(at.parameters[1], QUANTITY),
         kind.name()
     );
-    let mut text = String::new();
-    if verdict != Verdict::Agree {
-        text.push_str(&wrapped(&mark, &format!("{}: {}", verdict.name(), verdict.reason())));
-    }
-    if !matches!(simulated, Simulated::AsPredicted(_)) {
-        let content = format!("as simulated {}: {}", simulated.name(), simulated.reason());
-        text.push_str(&wrapped(&mark, &content));
-    }
-    text
+    known.doubts().map(|(doubt, reason)| wrapped(&mark, &format!("{doubt}: {reason}"))).collect()
 }
 
 /// A sentence for every coefficient and simulation that contradicts the theorem.
-pub(super) fn contradictions(entries: &[ResonanceEntry]) -> Vec<String> {
+pub(super) fn contradictions(resonances: &[AtResonance]) -> Vec<String> {
     let mut found = Vec::new();
-    for (at, kind, (coefficient, simulated)) in curves(entries) {
+    for (at, kind, CurveFinding { coefficient, simulated }) in curves(resonances) {
         let what = format!("p = {}, n = {}", at.loops, at.n);
         if let (Verdict::Contradict, Ok(fit)) = (coefficient.verdict(), &coefficient.fit) {
             let number = |value: f64| brief(value, COEFFICIENT);
@@ -243,7 +228,7 @@ pub(super) fn contradictions(entries: &[ResonanceEntry]) -> Vec<String> {
 }
 
 /// A row: one coefficient by the theorem, measured, and whether simulation agrees.
-fn coefficient((at, kind, (coefficient, simulated)): CurveAt<'_>) -> Vec<String> {
+fn coefficient((at, kind, CurveFinding { coefficient, simulated }): CurveAt<'_>) -> Vec<String> {
     let theorem = coefficient.theorem.value;
     let (measured, digits) = match coefficient.compared() {
         Some((value, digits)) => (significant(value, COEFFICIENT), digits.to_string()),
@@ -264,11 +249,11 @@ fn coefficient((at, kind, (coefficient, simulated)): CurveAt<'_>) -> Vec<String>
 
 /// Resonances at which no theorem applies, with the hypotheses that fail and their values.
 fn silent_theorems(description: &Description, unfolded: &Analysis) -> String {
-    let words = |(statement, value): &(String, f64)| format!("{statement} fails: {}", brief(*value, 4));
-    let silent = unfolded.entries().into_iter().filter_map(|at| {
-        let failing: Vec<String> = at.finding.err()?.iter().map(words).collect();
+    let silent = unfolded.resonances.iter().filter(|at| at.curves.is_none());
+    let silent = silent.map(|at| {
+        let failing: Vec<String> = at.failing().collect();
         let content = format!("{}: {}", place(description, at.parameters), failing.join(", "));
-        Some((format!("  p = {}, n = {}  ", at.loops, at.n), content))
+        (format!("  p = {}, n = {}  ", at.loops, at.n), content)
     });
     headed("Resonances where the theorem does not apply, and no curve is followed", silent)
 }
@@ -325,28 +310,45 @@ fn one_parameter(description: &Description, diagram: &OneParameter) -> String {
 mod tests {
     use super::*;
     use grazing_continuation::bifurcation::Pair;
+    use grazing_continuation::curve::Window;
     use grazing_continuation::fit::{Estimate, Measurement};
+    use grazing_reproduction::unfolded::Curves;
+    use grazing_theorems::LinearOscillator;
+    use grazing_theorems::hypothesis::Theorem;
     use grazing_unfold::sides::{Inconclusive, Sides};
     use grazing_unfold::simulation::ReturnOutcome;
-    use grazing_unfold::verdict::{Coefficient, Obstacle};
+    use grazing_unfold::verdict::{Coefficient, Obstacle, Verdict};
 
     /// A resonance whose saddle-node coefficient is measured with an error, and what simulation
     /// shows beside that curve.
-    fn resonance(error: f64, simulated: Simulated) -> ResonanceEntry {
-        let coefficient = |error| Coefficient {
-            stability: 1.0,
-            theorem: Estimate { value: -2.5, error: 1e-9 },
-            fit: Ok(Measurement {
-                coefficient: Estimate { value: -2.25, error },
-                eta: [1.0, 0.0],
-                mu: [-2.25, 0.0],
-                velocity: 0.01,
-            }),
+    fn resonance(error: f64, simulated: Simulated) -> AtResonance {
+        let finding = |error, simulated| CurveFinding {
+            coefficient: Coefficient {
+                stability: 1.0,
+                theorem: Estimate { value: -2.5, error: 1e-9 },
+                fit: Ok(Measurement {
+                    coefficient: Estimate { value: -2.25, error },
+                    eta: [1.0, 0.0],
+                    mu: [-2.25, 0.0],
+                    velocity: 0.01,
+                }),
+            },
+            simulated,
         };
         let undecided = Simulated::Undecided(Inconclusive::NotMeasured);
-        let (saddle_node, period_doubling) = ((coefficient(error), simulated), (coefficient(1.0), undecided));
-        let finding = Ok(Pair { saddle_node, period_doubling });
-        ResonanceEntry { loops: 2, n: 3, parameters: [0.5, 0.75], finding }
+        let findings =
+            Pair { saddle_node: finding(error, simulated), period_doubling: finding(1.0, undecided) };
+        let window = Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] };
+        let point = LinearOscillator::new(0.05, 0.8).and_then(|oscillator| oscillator.resonance(2, 3));
+        AtResonance {
+            loops: 2,
+            n: 3,
+            parameters: [0.5, 0.75],
+            point: point.expect("they are in the domain").resonant_point(),
+            theorem: Theorem::ResonantMultiLoop,
+            hypotheses: Vec::new(),
+            curves: Some(Curves { findings, window, magnified: Vec::new() }),
+        }
     }
 
     #[test]
@@ -373,8 +375,7 @@ mod tests {
         assert!(contradictions(std::slice::from_ref(&doubtful)).is_empty());
         let doubtful = [doubtful];
         let curve = curves(&doubtful).next().expect("the theorem applies");
-        let (_, _, (coefficient, _)) = curve;
-        assert!(matches!(coefficient.verdict(), Verdict::NotMeasurable(Obstacle::Rounding { .. })));
+        assert!(matches!(curve.2.coefficient.verdict(), Verdict::NotMeasurable(Obstacle::Rounding { .. })));
         let words = reasons("omega", curve);
         for wanted in [
             "p = 2, n = 3, omega = 0.75000, SN:  not measurable: where",

@@ -28,7 +28,7 @@ pub(crate) fn entry(of: &OscillatorFile, unfolded: &Analysis, computed: &Compute
         description: description.clone(),
         figures: computed.entries().collect(),
         tables: SHOWN.iter().filter_map(|name| computed.table(name).cloned()).collect(),
-        resonances: unfolded.entries(),
+        resonances: unfolded.resonances.clone(),
         lost: lost(description, unfolded),
         undecided: undecided(description, unfolded),
     }

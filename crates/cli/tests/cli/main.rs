@@ -4,6 +4,9 @@
 #[path = "../../../report/tests/browser/mod.rs"]
 mod browser;
 mod program;
+// What the tests of exported figures read off them.
+#[path = "../../../export/tests/reading/mod.rs"]
+mod reading;
 
 mod bad_input;
 mod claims;

@@ -5,10 +5,11 @@ use std::fs;
 use std::path::Path;
 
 use crate::program::{empty_folder, grazing, repository, snapshots};
+use crate::reading::{Reading, Text};
 use grazing_cli::outputs;
 use grazing_cli::outputs::edition::Edition;
 use grazing_drawing::Bounds;
-use grazing_export::{Drawing, Text};
+use grazing_export::Drawing;
 use sha2::{Digest, Sha256};
 
 /// The thinnest line that offset printing renders reliably, in points, and the smallest text that

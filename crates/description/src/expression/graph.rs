@@ -3,6 +3,7 @@
 
 use std::cell::RefCell;
 use std::collections::HashMap;
+use std::mem::{Discriminant, discriminant};
 
 use grazing_model::smooth::{Function, Scalar};
 use nanoexpr::{ErrorKind, Number};
@@ -16,12 +17,27 @@ pub(super) enum Node {
     Operation(Operation<usize>),
 }
 
+/// What equal nodes have in common and no others: the kind of operation, operands, and detail; a
+/// variable has its number.
+type Key = (Option<Discriminant<Operation<usize>>>, Vec<usize>, u64);
+
+impl Node {
+    fn key(&self) -> Key {
+        match self {
+            Node::Variable(number) => (None, vec![*number], 0),
+            Node::Operation(operation) => {
+                (Some(discriminant(operation)), operation.operands(), operation.detail())
+            }
+        }
+    }
+}
+
 /// All nodes made so far, none twice.
 #[derive(Default)]
 pub(super) struct Graph {
     nodes: RefCell<Vec<Node>>,
-    /// The number of each by how it is printed, which differs wherever nodes do.
-    numbers: RefCell<HashMap<String, usize>>,
+    /// The number of each.
+    numbers: RefCell<HashMap<Key, usize>>,
 }
 
 impl Graph {
@@ -37,7 +53,7 @@ impl Graph {
 
     fn term(&self, node: Node) -> Term<'_> {
         let mut nodes = self.nodes.borrow_mut();
-        let index = *self.numbers.borrow_mut().entry(format!("{node:?}")).or_insert_with(|| {
+        let index = *self.numbers.borrow_mut().entry(node.key()).or_insert_with(|| {
             nodes.push(node);
             nodes.len() - 1
         });

@@ -6,6 +6,8 @@
 //! grazing of an MPS dark with dots between its dashes. Plain dashes are left to approximations.
 
 pub use grazing_results::kinds::Colour;
+use grazing_results::kinds::{self, region_inks};
+use grazing_results::plane::RegionKind;
 
 /// How a line is drawn; lengths in points.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,6 +47,11 @@ impl Paint {
     /// What hides all below it.
     pub const fn opaque(colour: Colour) -> Self {
         Paint { colour, opacity: 1.0 }
+    }
+
+    const fn of_region(kind: RegionKind) -> Self {
+        let [(colour, opacity), _] = region_inks(kind);
+        Paint { colour, opacity }
     }
 }
 
@@ -94,13 +101,13 @@ pub(crate) const TICK_LENGTH: f64 = 3.0;
 pub(crate) const MINOR_TICK_LENGTH: f64 = 1.7;
 
 /// Where the non-impacting solution is stable.
-pub const NON_IMPACTING_AREA: Paint = Paint::opaque([233, 233, 233]);
+pub const NON_IMPACTING_AREA: Paint = Paint::of_region(RegionKind::NonImpacting);
 /// Where an MPS is stable; overlapping regions come out darker.
-pub(crate) const MPS_AREA: Paint = Paint { colour: [40, 40, 40], opacity: 0.3 };
+pub(crate) const MPS_AREA: Paint = Paint::of_region(RegionKind::Mps);
 
 /// Hatching where it is not decided whether a solution is stable, and the distance of its lines in
 /// points.
-pub(crate) const UNDECIDED: Pen = Pen::solid([110, 110, 110], 0.45);
+pub(crate) const UNDECIDED: Pen = Pen::solid(Paint::of_region(RegionKind::Undecided).colour, 0.45);
 pub(crate) const HATCHING: f64 = 3.6;
 
 /// Rectangles that another figure magnifies.
@@ -111,8 +118,8 @@ pub(crate) const MAGNIFIED_TEXT: Colour = [176, 84, 0];
 pub(crate) const SECTION: Pen = Pen { round: true, ..Pen::solid(BLACK, 1.5) };
 pub(crate) const THIN_SECTION: Pen = Pen::dashed(BLACK, 0.5, &[4.0, 1.6]);
 
-pub(crate) const MARKER: Paint = Paint::opaque(BLACK);
-pub(crate) const MARKER_RIM: Pen = Pen::solid(WHITE, 0.5);
+pub(crate) const MARKER: Paint = Paint::opaque(kinds::MARKER[0]);
+pub(crate) const MARKER_RIM: Pen = Pen::solid(kinds::MARKER_RIM[0], 0.5);
 pub(crate) const TRIANGLE_SIZE: f64 = 6.4;
 /// A disc that marks a point, in points.
 pub const DISC_RADIUS: f64 = 2.1;
@@ -120,16 +127,8 @@ pub(crate) const STAR_RADIUS: f64 = 3.8;
 
 /// A branch of the one-parameter diagram by its number of loops, 0 for the non-impacting solution.
 pub const fn branch_pen(p: u32, width: f64) -> Pen {
-    let colour = match p {
-        1 => [190, 95, 0],
-        2 => [25, 70, 190],
-        3 => [150, 30, 110],
-        4 => [0, 120, 105],
-        5 => [175, 60, 35],
-        6 => [95, 95, 0],
-        _ => BLACK,
-    };
-    Pen::solid(colour, width)
+    let place = if (p as usize) < kinds::BRANCHES.len() { p as usize } else { 0 };
+    Pen::solid(kinds::BRANCHES[place][0], width)
 }
 
 pub(crate) const STABLE_WIDTH: f64 = 1.7;

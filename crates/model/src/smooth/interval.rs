@@ -164,33 +164,7 @@ impl Scalar for Interval {
 
 impl Coefficient for Interval {
     fn derivatives(self, function: Function) -> [Self; 3] {
-        let one = Self::constant(1.0);
-        let value = self.apply(function);
-        match function {
-            Function::Sin => [value, self.apply(Function::Cos), -value],
-            Function::Cos => [value, -self.apply(Function::Sin), -value],
-            Function::Tan => {
-                let slope = one + value.square();
-                [value, slope, (value * slope).scale(2.0)]
-            }
-            Function::Tanh => {
-                let slope = one - value.square();
-                [value, slope, (value * slope).scale(-2.0)]
-            }
-            Function::Atan => {
-                let slope = one / (one + self.square());
-                [value, slope, (self * slope.square()).scale(-2.0)]
-            }
-            Function::Exp => [value; 3],
-            Function::Ln => {
-                let slope = one / self;
-                [value, slope, -slope.square()]
-            }
-            Function::Sqrt => {
-                let slope = Self::constant(0.5) / value;
-                [value, slope, -slope / self.scale(2.0)]
-            }
-        }
+        function.derivatives(self)
     }
 }
 
@@ -224,7 +198,7 @@ mod tests {
                 let ranges = interval.derivatives(function);
                 assert_eq!(ranges[0], interval.apply(function));
                 for point in points {
-                    for (range, value) in ranges.into_iter().zip(function.derivatives(point)) {
+                    for (range, value) in ranges.into_iter().zip(point.derivatives(function)) {
                         assert_holds(range, value);
                     }
                 }

@@ -120,7 +120,7 @@ impl<const COUNT: usize> Coefficient for Lanes<COUNT> {
     fn derivatives(self, function: Function) -> [Self; 3] {
         let mut all = [self; 3];
         for i in 0..COUNT {
-            let derivatives = function.derivatives(self.0[i]);
+            let derivatives = self.0[i].derivatives(function);
             for (stages, derivative) in all.iter_mut().zip(derivatives) {
                 stages.0[i] = derivative;
             }

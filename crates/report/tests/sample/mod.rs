@@ -9,13 +9,16 @@ use grazing_claims::outcome::{Measure, Outcome};
 use grazing_claims::published::{Comparison, Published};
 use grazing_claims::source::Sources;
 use grazing_continuation::bifurcation::{CodimensionTwo, Pair};
+use grazing_continuation::curve::Window;
 use grazing_continuation::fit::{Estimate, Measurement};
 use grazing_description::Description;
 use grazing_drawing::{Bounds, Element, PanelMark, Path, Sheet};
 use grazing_report::{FigureEntry, FileDigest, Manifest, OscillatorEntry, Report, TableOutput};
-use grazing_reproduction::unfolded::ResonanceEntry;
+use grazing_reproduction::unfolded::{AtResonance, CurveFinding, Curves};
 use grazing_results::plane::SpecialPoint;
 use grazing_results::{Column, Frame, Names, Table, UnitNames, columns};
+use grazing_theorems::LinearOscillator;
+use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity, Theorem};
 use grazing_unfold::sides::{Inconclusive, Sides, Simulated};
 use grazing_unfold::simulation::ReturnOutcome;
 use grazing_unfold::verdict::Coefficient;
@@ -184,13 +187,30 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
         vec![p.into(), 1_u32.into(), secondary.into(), primary.into(), c_sn.into()]
     };
     let coefficients = vec![row(2, 0.75, 0.5, -12.5), row(3, 0.7, 0.6, 25.0)];
-    let resonance = |n, finding| ResonanceEntry { loops: 2, n, parameters: [0.5, 0.75], finding };
-    let unfolded = Pair {
-        saddle_node: (coefficient(MEASURED.0, MEASURED.1), Simulated::AsPredicted(SIDES)),
-        period_doubling: (
-            coefficient(NOT_MEASURED.0, NOT_MEASURED.1),
-            Simulated::Undecided(Inconclusive::NotMeasured),
-        ),
+    let point = LinearOscillator::new(0.05, 0.8).and_then(|oscillator| oscillator.resonance(2, 1));
+    let point = point.expect("they are in the domain").resonant_point();
+    let resonance = |n, curves, value| AtResonance {
+        loops: 2,
+        n,
+        parameters: [0.5, 0.75],
+        point,
+        theorem: Theorem::ResonantMultiLoop,
+        hypotheses: vec![Hypothesis {
+            quantity: Quantity::OffDiagonalTimesSquareRootFactor,
+            value,
+            condition: Condition::Positive,
+        }],
+        curves,
+    };
+    let finding =
+        |(value, error), simulated| CurveFinding { coefficient: coefficient(value, error), simulated };
+    let unfolded = Curves {
+        findings: Pair {
+            saddle_node: finding(MEASURED, Simulated::AsPredicted(SIDES)),
+            period_doubling: finding(NOT_MEASURED, Simulated::Undecided(Inconclusive::NotMeasured)),
+        },
+        window: Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] },
+        magnified: Vec::new(),
     };
     OscillatorEntry {
         id: id.to_owned(),
@@ -200,10 +220,7 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
         description: Description::parse(&description, "sample.toml").expect("the sample is right"),
         figures: vec![drawn],
         tables: vec![Table::of_cells("coefficients", COLUMNS, &names, coefficients)],
-        resonances: vec![
-            resonance(1, Ok(unfolded)),
-            resonance(2, Err(vec![("a12 alpha > 0".to_owned(), -0.25)])),
-        ],
+        resonances: vec![resonance(1, Some(unfolded), 0.25), resonance(2, None, -0.25)],
         lost: vec![hostile()],
         undecided: vec![(2, hostile())],
     }

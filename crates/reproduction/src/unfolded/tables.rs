@@ -11,7 +11,7 @@ use grazing_theorems::hypothesis::Hypothesis;
 use grazing_theorems::{GrazingPoint, ResonantPoint, Unfolding, auxiliary};
 use grazing_unfold::units::InUnits;
 
-use super::{AtResonance, Unfolded};
+use super::{AtResonance, CurveFinding, Unfolded};
 
 /// A point of the grazing curve, with the grazing orbit and the Poincaré map around it.
 #[derive(Clone, Copy, Debug)]
@@ -106,13 +106,23 @@ pub(crate) fn slopes(point: &ResonantPoint) -> [f64; 2] {
     if loops == 1 { [derivative, f64::NAN] } else { [f64::NAN, derivative] }
 }
 
-row! { AtResonance, |row| {
+/// A resonance at which the theorem holds, with what is known of its SN and PD curves.
+#[derive(Clone, Debug)]
+pub struct CoefficientRow(AtResonance, Pair<CurveFinding>);
+
+/// The resonances at which a theorem holds.
+pub(super) fn coefficients(unfolded: &Unfolded) -> Vec<CoefficientRow> {
+    unfolded.unfolding().map(|(at, curves)| CoefficientRow(at.clone(), curves.findings)).collect()
+}
+
+row! { CoefficientRow, |this| {
+    let CoefficientRow(row, findings) = this;
     let point = &row.point;
     let stability = point.stability_coefficients();
     let [a12_prime, kappa_prime] = slopes(point);
-    let Pair { saddle_node: sn, period_doubling: pd } = &row.coefficients;
-    let [sn_verdict, pd_verdict] = row.coefficients.map(|coefficient| coefficient.verdict()).into_array();
-    let [sn_side, pd_side] = row.sides.as_ref().into_array();
+    let [sn, pd] = findings.map(|known| known.coefficient).into_array();
+    let [sn_verdict, pd_verdict] = [sn.verdict(), pd.verdict()];
+    let [sn_side, pd_side] = findings.map(|known| known.simulated).into_array();
 } [
     LOOPS = row.loops,
     RESONANCE_INDEX = row.n,
@@ -154,7 +164,6 @@ pub struct CheckedHypothesis {
     n: u32,
     parameters: [f64; 2],
     hypothesis: Hypothesis,
-    holds: bool,
 }
 
 row! { CheckedHypothesis, |row| {} [
@@ -165,25 +174,16 @@ row! { CheckedHypothesis, |row| {} [
     THEOREM = if row.loops == 1 { "2.4" } else { "2.5" },
     HYPOTHESIS = row.hypothesis.statement().to_string(),
     HYPOTHESIS_VALUE = row.hypothesis.value,
-    HOLDS = row.holds,
+    HOLDS = row.hypothesis.holds(),
 ] }
 
 /// For every resonance what its theorem asks, one by one.
 pub(super) fn hypotheses(unfolded: &Unfolded) -> Vec<CheckedHypothesis> {
-    let units = &unfolded.axes.units;
-    let mut rows = Vec::new();
-    for resonance in &unfolded.diagram.resonances {
-        let asked: &[Hypothesis] = match &resonance.theorem {
-            Ok(point) => point.theorem().hypotheses(),
-            Err(violated) => &violated.hypotheses,
-        };
-        rows.extend(asked.iter().map(|hypothesis| CheckedHypothesis {
-            loops: resonance.loops,
-            n: resonance.n,
-            parameters: units.parameters(resonance.located.orbit().oscillator().parameters()),
-            hypothesis: hypothesis.in_units(units),
-            holds: hypothesis.holds(),
-        }));
-    }
-    rows
+    let asked = |at: &AtResonance| {
+        let AtResonance { loops, n, parameters, .. } = *at;
+        let checked =
+            |hypothesis: &Hypothesis| CheckedHypothesis { loops, n, parameters, hypothesis: *hypothesis };
+        at.hypotheses.iter().map(checked).collect::<Vec<_>>()
+    };
+    unfolded.resonances.iter().flat_map(asked).collect()
 }

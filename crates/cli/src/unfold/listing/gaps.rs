@@ -119,8 +119,11 @@ mod tests {
         let failure = LocateFailure::Elsewhere { distance: 0.5, step: 0.001 };
         let diagram = Diagram {
             scope: Scope { window, loops: vec![1], start: None },
+            oscillator: description.oscillator([0.5, 0.75]),
             grazing: Vec::new(),
+            no_grazing: None,
             resonances: Vec::new(),
+            one_loop: Vec::new(),
             curves: Vec::new(),
             codimension_two: Vec::new(),
             regions: Vec::new(),

@@ -1,35 +1,34 @@
 //! Where labels and lines come to lie, read from the finished figure and not from what was meant.
 
 use grazing_drawing::Bounds;
-use resvg::tiny_skia::Rect;
-use resvg::usvg::{Node, Tree};
+use grazing_export::Drawing;
+use resvg::tiny_skia::{Rect, Transform};
+use resvg::usvg::{Group, Node, Tree};
 use ttf_parser::Face;
-
-use crate::figure::Drawing;
-use crate::tree::{around, for_each};
 
 /// A label as it is set.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Text {
+pub(crate) struct Text {
     /// Its characters.
-    pub text: String,
+    pub(crate) text: String,
     /// The size of its line, in points.
-    pub size: f64,
+    pub(crate) size: f64,
     /// The size of its smallest characters, which may be sub- or superscripts, in points.
-    pub smallest: f64,
+    pub(crate) smallest: f64,
     /// The box of each character's ink.
-    pub glyphs: Vec<Bounds>,
+    pub(crate) glyphs: Vec<Bounds>,
 }
 
 impl Text {
     /// The box of all its ink; `None` if it has none.
-    pub fn bounds(&self) -> Option<Bounds> {
+    pub(crate) fn bounds(&self) -> Option<Bounds> {
         self.glyphs.iter().copied().reduce(Bounds::joined)
     }
 
     /// True if ink of one label lies over ink of the other by more than `slack` points, character
     /// by character.
-    pub fn overlaps(&self, other: &Text, slack: f64) -> bool {
+    #[allow(dead_code)] // Where only what is exported is tested.
+    pub(crate) fn overlaps(&self, other: &Text, slack: f64) -> bool {
         let over = |own: &Bounds, foreign: &Bounds| own.grown(-slack).overlaps(foreign);
         self.glyphs.iter().any(|own| other.glyphs.iter().any(|foreign| over(own, foreign)))
     }
@@ -37,33 +36,41 @@ impl Text {
 
 /// A line or an area.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Shape {
+pub(crate) struct Shape {
     /// The box of its ink, as far as a clip path leaves it.
-    pub bounds: Bounds,
+    pub(crate) bounds: Bounds,
     /// The width of its stroke in points; `None` if it is only filled.
-    pub stroke: Option<f64>,
+    pub(crate) stroke: Option<f64>,
     /// The corners and ends of its pieces, in points of the sheet, in order.
-    pub points: Vec<(f64, f64)>,
+    #[allow(dead_code)] // Likewise.
+    pub(crate) points: Vec<(f64, f64)>,
     /// Whether an area is filled, not only a line drawn.
-    pub filled: bool,
+    pub(crate) filled: bool,
 }
 
-impl Drawing {
+/// What a reader of a figure sees.
+pub(crate) trait Reading {
     /// All labels, in the order in which they are drawn.
-    pub fn texts(&self) -> Vec<Text> {
+    fn texts(&self) -> Vec<Text>;
+
+    /// All lines and areas, in the order in which they are drawn.
+    fn shapes(&self) -> Vec<Shape>;
+}
+
+impl Reading for Drawing {
+    fn texts(&self) -> Vec<Text> {
         let mut texts = Vec::new();
-        for_each(self.tree.root(), None, &mut |node, _| {
+        for_each(self.tree().root(), None, &mut |node, _| {
             if let Node::Text(text) = node {
-                texts.push(read_text(&self.tree, text));
+                texts.push(read_text(self.tree(), text));
             }
         });
         texts
     }
 
-    /// All lines and areas, in the order in which they are drawn.
-    pub fn shapes(&self) -> Vec<Shape> {
+    fn shapes(&self) -> Vec<Shape> {
         let mut shapes = Vec::new();
-        for_each(self.tree.root(), None, &mut |node, clip| {
+        for_each(self.tree().root(), None, &mut |node, clip| {
             if let Node::Path(path) = node {
                 let transform = path.abs_transform();
                 // Our transforms are turns and even scalings, so one factor serves all directions.
@@ -104,5 +111,25 @@ fn read_text(tree: &Tree, text: &resvg::usvg::Text) -> Text {
         size: f64::from(scale * sizes().fold(0.0, f32::max)),
         smallest: f64::from(scale * sizes().fold(f32::INFINITY, f32::min)),
         glyphs,
+    }
+}
+
+/// The box around a transformed rectangle.
+fn around(rectangle: Rect, transform: Transform) -> Bounds {
+    let [left, top, right, bottom] = rectangle.transform(transform).map_or([f64::NAN; 4], |turned| {
+        [turned.left(), turned.top(), turned.right(), turned.bottom()].map(f64::from)
+    });
+    Bounds { left, top, right, bottom }
+}
+
+/// Visits what is drawn, with the box that clip paths leave of it.
+fn for_each<'a>(group: &'a Group, clip: Option<Bounds>, visit: &mut impl FnMut(&'a Node, Option<Bounds>)) {
+    let own = group.clip_path().map(|clip| around(clip.root().bounding_box(), group.abs_transform()));
+    let clip = own.map(|own| clip.map_or(own, |outer| outer.common(own))).or(clip);
+    for node in group.children() {
+        match node {
+            Node::Group(inner) => for_each(inner, clip, visit),
+            other => visit(other, clip),
+        }
     }
 }
