@@ -19,13 +19,13 @@ const UNFINISHED: &str = "unfinished";
 const HEADS: [&str; 2] = ["# The files of one run.", "# The files of one run, which was cut off."];
 
 /// The files of one run.
-struct Manifest {
+struct FileList {
     cut_off: bool,
     /// Digest and path of each.
     files: Vec<(String, String)>,
 }
 
-impl Manifest {
+impl FileList {
     fn of(files: &[OutputFile], cut_off: bool) -> Self {
         let line = |file: &OutputFile| {
             let FileDigest { path, sha256, .. } = FileDigest::of(with_slashes(&file.path), &file.content);
@@ -79,19 +79,19 @@ pub(crate) fn write_run(
     files: &[OutputFile],
     cut_off: bool,
 ) -> Result<Vec<(String, Change)>, Failure> {
-    let before = Manifest::read(folder);
-    let is_result = |file: &OutputFile| folder.join(&file.path).is_file();
-    if cut_off && before.as_ref().is_none_or(|before| !before.cut_off) && files.iter().any(is_result) {
-        let within = folder.join(UNFINISHED);
+    let within = folder.join(UNFINISHED);
+    let folder = if cut_off && holds_results(folder, files) {
         terminal::note(&format!(
             "{}: the results that are there stay; what is finished goes to {}",
             folder.display(),
             within.display()
         ));
-        return write_run(&within, files, cut_off);
-    }
+        &within
+    } else {
+        folder
+    };
     let mut left = Vec::new();
-    if let Some(before) = &before {
+    if let Some(before) = FileList::read(folder) {
         let intact = before.intact(folder);
         if intact.len() < before.files.len() {
             let (other, all) = (before.files.len() - intact.len(), before.files.len());
@@ -110,6 +110,14 @@ pub(crate) fn write_run(
         remove(&path)?;
         changes.push((path.display().to_string(), Change::Removed));
     }
-    write(folder, &[Manifest::of(files, cut_off).file()])?;
+    write(folder, &[FileList::of(files, cut_off).file()])?;
     Ok(changes)
+}
+
+/// Whether there are results in the folder that may be whole: all but those of a run that is listed
+/// as cut off.
+fn holds_results(folder: &Path, files: &[OutputFile]) -> bool {
+    let is_cut_off = |list: &FileList| list.cut_off && list.intact(folder).len() == list.files.len();
+    files.iter().any(|file| folder.join(&file.path).is_file())
+        && !FileList::read(folder).as_ref().is_some_and(is_cut_off)
 }
