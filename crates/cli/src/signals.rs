@@ -2,7 +2,8 @@
 
 /// Calls the handler, on a thread of its own, each time that somebody asks the program to end:
 /// Ctrl-C (SIGINT), whoever ends processes, as schedulers do (SIGTERM), a terminal that is closed
-/// (SIGHUP). What is ignored stays so: `nohup` and shells that work in the background want that.
+/// (SIGHUP), which may send several times and then is heard only if it is the first. What is ignored
+/// stays so: `nohup` and shells that work in the background want that.
 ///
 /// Where there can be no handler, the program ends as it always did.
 #[cfg(unix)]
@@ -12,7 +13,15 @@ pub(crate) fn handle(mut handler: impl FnMut() + Send + 'static) {
 
     let asking = [SIGINT, SIGTERM, SIGHUP].into_iter().filter(|signal| !is_ignored(*signal));
     let Ok(mut signals) = Signals::new(asking) else { return };
-    let listen = move || signals.forever().for_each(|_| handler());
+    let listen = move || {
+        let mut is_asked = false;
+        for signal in signals.forever() {
+            if !is_asked || signal != SIGHUP {
+                is_asked = true;
+                handler();
+            }
+        }
+    };
     let _ = std::thread::Builder::new().name("signals".to_owned()).spawn(listen);
 }
 

@@ -311,9 +311,13 @@ fn an_analysis_that_is_asked_to_end_ends_with_what_it_has() {
         .expect("the program starts");
     let begun = || read(folder.path(), "messages").contains("bifurcation curves: begun");
     wait_until(&mut run, "curves are begun", begun);
-    // As schedulers do; SIGINT, of Ctrl-C, comes to the same.
-    let sent = Command::new("kill").args(["-TERM", &run.id().to_string()]).status().expect("there is kill");
-    assert!(sent.success());
+    // As schedulers do, and a terminal that is closed then; SIGINT, of Ctrl-C, comes to the same.
+    for signal in ["-TERM", "-HUP"] {
+        let sent =
+            Command::new("kill").args([signal, &run.id().to_string()]).status().expect("there is kill");
+        assert!(sent.success());
+        wait_until(&mut run, "it is heard", || read(folder.path(), "messages").contains("interrupted"));
+    }
     let status = run.wait().expect("it ends");
     let told = read(folder.path(), "messages");
     assert_eq!(status.code(), Some(3), "{told}");
