@@ -3,7 +3,7 @@
 mod listing;
 
 use std::collections::BTreeSet;
-use std::{fs, io};
+use std::io;
 
 use grazing_claims::audit::{Finding, audit};
 use grazing_claims::errata;
@@ -27,6 +27,7 @@ const ERRATA: &str = "ERRATA.md";
 /// # Errors
 /// Claims do not hold, `ERRATA.md` is not what the ledger makes, or nothing could be tested.
 pub(crate) fn run(arguments: &Claims) -> Result<(), Failure> {
+    crate::limits::leave_nothing_behind();
     let ledger = Ledger::of_the_paper();
     let chosen: Vec<&Claim> = ledger.claims.iter().filter(|claim| is_chosen(claim, arguments)).collect();
     if chosen.is_empty() {
@@ -99,7 +100,7 @@ fn misprints(findings: &[Finding<'_>], write: bool) -> Result<(), Failure> {
         return Ok(());
     }
     let path = root.join(ERRATA);
-    match fs::read(&path) {
+    match folder::read(&path) {
         Ok(present) if present == content => Ok(()),
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(Failure::file(&path, &error)),
         _ => Err(Failure::check(

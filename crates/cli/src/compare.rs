@@ -19,6 +19,7 @@ const GAP: &str = "  ";
 /// # Errors
 /// A value is not met, or there is nothing to compare.
 pub(crate) fn run(file: &ParameterFile) -> Result<(), Failure> {
+    crate::limits::leave_nothing_behind();
     let parameters = project::parameters(file)?;
     let comparisons = published(&Study::new(&parameters))?;
     terminal::say_coloured(&table(&comparisons, terminal::is_coloured()));

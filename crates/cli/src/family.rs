@@ -23,9 +23,9 @@ use crate::outputs::latex;
 use crate::progress::Display;
 use crate::unfold::analysis::ended;
 use crate::unfold::reason;
-use crate::variation::{MOST_MEMBERS, Part, Variation};
+use crate::variation::{MOST_MEMBERS, Variation};
 use crate::{data_page, terminal};
-use part::{Origin, PartFile};
+use part::{Joined, Origin, PartFile};
 
 /// Computes a family, or a part of it.
 ///
@@ -41,7 +41,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let origin = Origin::new(file, arguments)?;
     let description = origin.description(&[])?;
     let plan = plan(&arguments.vary, &description)?;
-    let which = arguments.part.map_or(0..plan.count(), |Part { part, parts }| plan.part(part, parts));
+    let which = arguments.part.map_or(Ok(0..plan.count()), |part| part.of(&plan))?;
     let members = members(&origin, &plan, which)?;
     let folder = arguments.output.clone().unwrap_or_else(|| origin.folder());
     let edition = arguments.look.edition();
@@ -66,12 +66,15 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
                 let outcome = "a part is written only if it is whole: nothing is written";
                 return Err(ended(file, cause, outcome));
             };
-            let made = PartFile::new(part, origin, plan, records).made()?;
+            let made = PartFile::new(part, arguments.vary.clone(), origin, records).made()?;
             terminal::say(&summary(&folder::written(&folder, &[made])?));
             Ok(())
         }
         None => {
             let missing = found.iter().filter(|record| record.is_none()).count();
+            if missing == plan.count() {
+                return Err(ended(file, cause, "no member is finished: nothing is written"));
+            }
             finish(&Task { file, folder: &folder, edition: &edition, began }, &plan, &description, found)?;
             if missing > 0 {
                 let outcome =
@@ -89,8 +92,8 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
 /// A file is no part, or of another family, or a part is missing or there twice.
 pub(crate) fn merge(arguments: &arguments::Merge) -> Result<(), Failure> {
     let began = Instant::now();
-    let PartFile { origin, plan, records, .. } = part::joined(&arguments.parts)?;
-    let description = origin.description(&[])?;
+    limits::leave_nothing_behind();
+    let Joined { origin, description, plan, records } = part::joined(&arguments.parts)?;
     let folder = arguments.output.clone().unwrap_or_else(|| origin.folder());
     let edition = arguments.look.edition();
     folder::ensure_writable(&folder, &paths(&edition))?;
@@ -101,6 +104,13 @@ pub(crate) fn merge(arguments: &arguments::Merge) -> Result<(), Failure> {
 
 /// The constants that vary, checked.
 fn plan(vary: &[Variation], description: &Description) -> Result<Plan, Failure> {
+    const MOST: usize = grazing_results::VARIED;
+    if !(1..=MOST).contains(&vary.len()) {
+        let count = vary.len();
+        return Err(Failure::input(format!(
+            "--vary: {count} constants vary; at most {MOST} can, as the tables have {MOST} columns for them"
+        )));
+    }
     let known: Vec<&str> = description.constants().map(|(name, _)| name).collect();
     for (place, Variation(varied)) in vary.iter().enumerate() {
         let name = varied.name.as_str();
@@ -116,10 +126,6 @@ fn plan(vary: &[Variation], description: &Description) -> Result<Plan, Failure> 
                 "--vary {name}: it varies already: name every constant once"
             )));
         }
-    }
-    if vary.len() > grazing_results::VARIED {
-        let most = grazing_results::VARIED;
-        return Err(Failure::input(format!("--vary: {} constants vary; at most {most} can", vary.len())));
     }
     let plan = Plan { varied: vary.iter().map(|Variation(varied)| varied.clone()).collect() };
     let count = plan.varied.iter().try_fold(1_usize, |count, varied| count.checked_mul(varied.values.len()));
@@ -169,6 +175,7 @@ fn finish(
     description: &Description,
     records: Vec<Option<Record>>,
 ) -> Result<(), Failure> {
+    let cut_off = records.iter().any(Option::is_none);
     let of = NamedFamily {
         file: task.file.to_owned(),
         name: description.name().to_owned(),
@@ -178,7 +185,7 @@ fn finish(
     let (_, mut files, floats) = FAMILY.made(&of, task.edition)?;
     files.extend(task.edition.has(Format::Tex).then(|| latex::snippet(&floats)));
     files.push(data_page::of_an_oscillator(FAMILY.tables.iter().copied(), &of.names));
-    let written = folder::written(task.folder, &files)?;
+    let written = folder::write_run(task.folder, &files, cut_off)?;
     terminal::say(&listing::results(&of.family, &of.names, plan));
     terminal::say(&format!("\n{}", summary(&written)));
     terminal::say(&format!("{:.1} s\n", task.began.elapsed().as_secs_f64()));
@@ -195,6 +202,6 @@ fn finish(
 /// All files of a family that has one sheet.
 fn paths(edition: &Edition) -> Vec<PathBuf> {
     let mut paths = FAMILY.paths(edition);
-    paths.push(data_page::path());
+    paths.extend([data_page::path(), PathBuf::from(folder::MANIFEST)]);
     paths
 }

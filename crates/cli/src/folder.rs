@@ -1,6 +1,7 @@
 //! The output folder: writing files whole, and reporting how it differs from what the code makes.
 
 mod difference;
+mod manifest;
 mod place;
 mod temporaries;
 
@@ -12,8 +13,9 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 pub use difference::Differences;
+pub(crate) use manifest::{MANIFEST, write_run};
 pub use place::name_for;
-pub(crate) use place::{regular, to_write};
+pub(crate) use place::to_write;
 pub use temporaries::remove_own_temporaries;
 pub(crate) use temporaries::{Changes, sweep};
 
@@ -21,6 +23,8 @@ use crate::failure::Failure;
 use tempfile::NamedTempFile;
 use temporaries::{UNFINISHED, unfinished};
 
+/// No file that the program writes has more bytes, so none that it reads again.
+pub(crate) const MOST_BYTES: u64 = 1_000_000_000;
 /// The subfolder of the tables.
 pub(crate) const DATA: &str = "data";
 
@@ -42,6 +46,8 @@ pub enum Change {
     Updated,
     /// It had this content already and was left alone.
     Unchanged,
+    /// The run before made it, and this one does not.
+    Removed,
 }
 
 /// Makes sure that files can be written into the folder and its subfolder for data, and leaves no
@@ -72,6 +78,15 @@ pub(crate) fn obstacle(folder: &Path) -> Option<(PathBuf, String)> {
         .map(|path| if path.as_os_str().is_empty() { Path::new(".") } else { path })
         .find(|path| path.symlink_metadata().is_ok())
         .unwrap_or(Path::new("."));
+    // What is to be made in it: the system says of each name whether it takes it.
+    let below = folder.strip_prefix(existing).unwrap_or(folder).components();
+    let is_too_long = |name: &Path| {
+        let error = existing.join(name).symlink_metadata().err();
+        error.is_some_and(|error| error.kind() == io::ErrorKind::InvalidFilename)
+    };
+    if below.map(|name| Path::new(name.as_os_str())).any(is_too_long) {
+        return Some((folder.to_owned(), place::TOO_LONG.to_owned()));
+    }
     let reason =
         if existing.is_dir() { plain(&unfinished(existing).err()?) } else { "it is not a folder".to_owned() };
     Some((existing.to_owned(), reason))
@@ -108,6 +123,11 @@ pub(crate) fn written(folder: &Path, files: &[OutputFile]) -> Result<Vec<(String
     Ok(names.zip(write(folder, files)?).collect())
 }
 
+/// The content of a file that the program has written, or that stands in the place of one.
+pub(crate) fn read(path: &Path) -> io::Result<Vec<u8>> {
+    grazing_source::read_bytes(path, MOST_BYTES)
+}
+
 /// Removes a file if it is there.
 pub(crate) fn remove(path: &Path) -> Result<(), Failure> {
     if path.is_file() { fs::remove_file(path).map_err(|reason| Failure::file(path, &reason)) } else { Ok(()) }
@@ -117,20 +137,22 @@ pub(crate) fn remove(path: &Path) -> Result<(), Failure> {
 pub(crate) fn summary(changes: &[(String, Change)]) -> String {
     let width = changes.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
     let mut text = String::new();
-    let mut counts = [0; 3];
+    let mut counts = [0; 4];
     for (name, change) in changes {
         let (index, word) = match change {
             Change::New => (0, "new"),
             Change::Updated => (1, "updated"),
             Change::Unchanged => (2, "unchanged"),
+            Change::Removed => (3, "removed"),
         };
         counts[index] += 1;
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{name:width$}  {word}");
     }
-    let [new, updated, unchanged] = counts;
-    let _ =
-        writeln!(text, "{}: {new} new, {updated} updated, {unchanged} unchanged.", counted(changes.len()));
+    let [new, updated, unchanged, removed] = counts;
+    let removed = if removed > 0 { format!(", {removed} removed") } else { String::new() };
+    let files = counted(changes.len());
+    let _ = writeln!(text, "{files}: {new} new, {updated} updated, {unchanged} unchanged{removed}.");
     text
 }
 
@@ -159,7 +181,7 @@ pub fn compare(
 ) -> Result<(), Failure> {
     for file in files {
         let path = folder.join(&file.path);
-        let what = match regular(&path).and_then(|_| fs::read(&path)) {
+        let what = match read(&path) {
             Ok(content) if content == file.content => continue,
             Ok(content) => difference::of_content(&path, &content, &file.content),
             Err(error) if error.kind() == io::ErrorKind::NotFound => "missing".to_owned(),
@@ -211,7 +233,7 @@ fn is_foreign(name: &OsStr) -> bool {
 /// What writing will do to the file at a place, with the temporary file that holds its content if
 /// it has to be written.
 fn stage(place: &Path, content: &[u8]) -> io::Result<(Change, Option<NamedTempFile>)> {
-    let change = match fs::read(place) {
+    let change = match read(place) {
         Ok(present) if present == content => return Ok((Change::Unchanged, None)),
         Ok(_) => Change::Updated,
         Err(error) if error.kind() == io::ErrorKind::NotFound => Change::New,
@@ -220,6 +242,10 @@ fn stage(place: &Path, content: &[u8]) -> io::Result<(Change, Option<NamedTempFi
     let folder = place.parent().unwrap_or(Path::new(""));
     fs::create_dir_all(folder)?;
     let mut file = unfinished(folder)?;
+    if change == Change::Updated {
+        // Whoever may read the file, and who may not, stays as it was.
+        file.as_file().set_permissions(place.metadata()?.permissions())?;
+    }
     file.write_all(content)?;
     // The content must be on the disk before the name is, or a crash could leave an empty file
     // under it.

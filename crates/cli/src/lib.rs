@@ -21,6 +21,7 @@ mod progress;
 mod project;
 mod report;
 mod reproduce;
+mod signals;
 pub mod tables;
 mod template;
 pub mod terminal;

@@ -1,8 +1,9 @@
-//! Limits of an analysis: time, memory, steps, and whoever presses Ctrl-C.
+//! Limits of an analysis: time, memory, steps, and whoever interrupts it.
 //!
 //! A thread of its own looks at the clock and at the memory that the process holds, and asks the
-//! computation to end ([`Stop`]) when either is used up or Ctrl-C was pressed. What is finished is
-//! written then. A second Ctrl-C ends the program at once.
+//! computation to end ([`Stop`]) when either is used up or Ctrl-C was pressed, or anything that
+//! `signals` takes for it. What is finished is written then. A second Ctrl-C ends the program at
+//! once.
 
 use std::fs;
 use std::io;
@@ -15,7 +16,7 @@ use std::time::{Duration, Instant};
 use grazing_description::Limits;
 use grazing_model::smooth::Stop;
 
-use crate::{folder, terminal};
+use crate::{folder, signals, terminal};
 
 /// How often clock and memory are looked at: memory can grow by some ten megabytes in between.
 const PAUSE: Duration = Duration::from_millis(20);
@@ -45,7 +46,7 @@ impl std::fmt::Display for EndCause {
             EndCause::Time(seconds) => (format!("time limit of {seconds} s"), "time"),
             EndCause::Memory(megabytes) => (format!("memory limit of {megabytes} MB"), "memory"),
             EndCause::Steps(steps) => (format!("limit of {steps} steps of integration"), "step"),
-            EndCause::Interruption => return formatter.write_str("interrupted by Ctrl-C"),
+            EndCause::Interruption => return formatter.write_str("interrupted"),
         };
         let remedy = format!("raise it by {key}_limit in [analysis] or --{key}-limit");
         write!(formatter, "the {limit} was reached ({remedy})")
@@ -54,10 +55,9 @@ impl std::fmt::Display for EndCause {
 
 /// Lets the first Ctrl-C end analyses with what they have, and the second one the program.
 pub(crate) fn listen() {
-    // Where there can be no handler, Ctrl-C does what it always did.
-    let _ = ctrlc::set_handler(|| {
+    signals::handle(|| {
         if INTERRUPTIONS.fetch_add(1, Ordering::Relaxed) > 0 {
-            leave("error: interrupted twice by Ctrl-C: ended at once, nothing more is written");
+            leave("error: interrupted twice: ended at once, nothing more is written");
         }
         terminal::note("interrupted: writing what is finished; press Ctrl-C again to end at once");
     });
@@ -65,17 +65,17 @@ pub(crate) fn listen() {
 
 /// Lets Ctrl-C be seen by whoever asks [`is_interrupted`], and a second one end the program.
 pub(crate) fn end_when_interrupted() {
-    let _ = ctrlc::set_handler(|| {
+    signals::handle(|| {
         if INTERRUPTIONS.fetch_add(1, Ordering::Relaxed) > 0 {
-            leave("interrupted twice by Ctrl-C");
+            leave("interrupted twice");
         }
     });
 }
 
 /// Lets Ctrl-C end the program at once, without leaving unfinished files behind.
 pub(crate) fn leave_nothing_behind() {
-    let _ = ctrlc::set_handler(|| {
-        leave("error: interrupted by Ctrl-C: what was not written yet is not written");
+    signals::handle(|| {
+        leave("error: interrupted: what was not written yet is not written");
     });
 }
 
@@ -161,10 +161,15 @@ pub(crate) fn holds_more_than(megabytes: f64) -> bool {
 
 /// The memory that the process holds, in megabytes, where the system reports it as Linux does.
 fn held() -> Option<f64> {
-    let status = fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
-    let kilobytes: f64 = line.split_whitespace().next()?.parse().ok()?;
+    let kilobytes: f64 = status("VmRSS:")?.parse().ok()?;
     Some(kilobytes / 1000.0)
+}
+
+/// What the system says of this process under a name, where it does so as Linux does.
+pub(crate) fn status(name: &str) -> Option<String> {
+    let status = fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix(name))?;
+    line.split_whitespace().next().map(str::to_owned)
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ use std::io::{self, IsTerminal, Write};
 use std::sync::{Mutex, PoisonError};
 
 use grazing_results::directs;
+use grazing_source::shortened;
 
 use crate::failure::Failure;
 
@@ -37,7 +38,15 @@ pub fn output_failure() -> Option<Failure> {
 
 /// Writes a line to the error stream.
 pub(crate) fn note(line: &str) {
-    let _ = writeln!(io::stderr().lock(), "{}", shown(line));
+    let _ = writeln!(io::stderr().lock(), "{}", cut(&shown(line)));
+}
+
+/// The most characters of a word in a message: names of files and of constants may have any number.
+const LONGEST: usize = 200;
+
+/// The text with long words cut.
+fn cut(text: &str) -> String {
+    text.split_inclusive(char::is_whitespace).map(|word| shortened(word, LONGEST)).collect()
 }
 
 /// The text as a terminal can take it: control characters other than line ends and tabs, which
@@ -65,7 +74,7 @@ pub fn answer(answer: &clap::Error) -> u8 {
     let plain = answer.render().to_string();
     if !answer.use_stderr() {
         say_coloured(&if is_coloured() { answer.render().ansi().to_string() } else { plain });
-    } else if shown(&plain) == plain {
+    } else if cut(&shown(&plain)) == plain {
         // A closed error stream is ignored.
         let _ = answer.print();
     } else {

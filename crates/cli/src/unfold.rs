@@ -13,8 +13,6 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use grazing_description::Limits;
-use grazing_results::Tables;
-use grazing_results::branches::OneParameter;
 
 use crate::arguments;
 use crate::failure::Failure;
@@ -24,7 +22,7 @@ use crate::oscillator::{OscillatorFile, settings, with_loops};
 use crate::outputs::edition::{Edition, Format};
 use crate::outputs::latex;
 use crate::outputs::oscillator::{self, AnalysedOscillator};
-use crate::{data_page, tables, terminal};
+use crate::{data_page, terminal};
 use analysis::{analyse, ended};
 use keeper::Keeper;
 use page::PAGE;
@@ -51,7 +49,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     for task in &tasks {
         let mut paths: Vec<PathBuf> =
             oscillator::ALL.iter().flat_map(|output| output.paths(&edition)).collect();
-        paths.extend([PathBuf::from(PAGE), data_page::path()]);
+        paths.extend([PathBuf::from(PAGE), data_page::path(), PathBuf::from(folder::MANIFEST)]);
         folder::ensure_writable(&task.folder, &paths)?;
     }
     arguments.threads.start()?;
@@ -123,8 +121,7 @@ impl Task {
         let (unfolded, met) = analyse(&self.of, self.limits, &|table| keeper.keep(table))?;
         let analysed = AnalysedOscillator::new(file, description, unfolded);
         let (files, unfolded) = (self.files(&analysed, edition)?, &analysed.unfolded);
-        let written = folder::written(&self.folder, &files)?;
-        self.remove_other_sheets(&files, edition)?;
+        let written = folder::write_run(&self.folder, &files, met.is_some())?;
         keeper.clear()?;
         terminal::say(&listing::results(description, unfolded));
         if explain {
@@ -160,17 +157,5 @@ impl Task {
         files.push(data_page::of_an_oscillator(tables, &of.unfolded.axes.names));
         files.push(page::page(&self.of, &of.unfolded, &computed, &files));
         Ok(files)
-    }
-
-    /// Removes sheets of magnifications that an earlier run wrote of more resonances, and
-    /// one-parameter diagrams that are not asked for any more.
-    fn remove_other_sheets(&self, written: &[OutputFile], edition: &Edition) -> Result<(), Failure> {
-        let sheets =
-            oscillator::possible_files().flat_map(|file| edition.figure_paths(&file).collect::<Vec<_>>());
-        let tables = OneParameter::TABLES.iter().map(|table| tables::path(table.name));
-        for path in sheets.chain(tables).filter(|path| written.iter().all(|file| file.path != *path)) {
-            folder::remove(&self.folder.join(path))?;
-        }
-        Ok(())
     }
 }

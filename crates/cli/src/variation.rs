@@ -1,14 +1,20 @@
 //! What `--vary` and `--part` say: the values of a constant, and a part of a family.
 
+use std::fmt::{self, Display};
+use std::ops::Range;
 use std::str::FromStr;
 
-use grazing_reproduction::family::Varied;
+use grazing_reproduction::family::{Plan, Varied};
+use serde::{Deserialize, Serialize};
+
+use crate::failure::Failure;
 
 /// More members than this make tables that nobody reads and files that fill a disk.
 pub(crate) const MOST_MEMBERS: usize = 1_000_000;
 
 /// A constant with the values that it takes: `zeta=0.01:0.1:10`.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
 pub struct Variation(pub(crate) Varied);
 
 impl FromStr for Variation {
@@ -43,8 +49,24 @@ impl FromStr for Variation {
     }
 }
 
+impl TryFrom<String> for Variation {
+    type Error = String;
+
+    fn try_from(written: String) -> Result<Self, String> {
+        written.parse()
+    }
+}
+
+impl From<Variation> for String {
+    fn from(Variation(Varied { name, values }): Variation) -> Self {
+        let [from, to] = [values.first(), values.last()].map(|end| end.copied().unwrap_or(f64::NAN));
+        format!("{name}={from}:{to}:{}", values.len())
+    }
+}
+
 /// A part of a family: `7/200` is the seventh of two hundred.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
 pub struct Part {
     pub(crate) part: usize,
     pub(crate) parts: usize,
@@ -59,5 +81,41 @@ impl FromStr for Part {
         let number = |text: &str| text.trim().parse::<usize>().map_err(|_| form.to_owned());
         let (part, parts) = (number(part)?, number(parts)?);
         if (1..=parts).contains(&part) { Ok(Self { part, parts }) } else { Err(form.to_owned()) }
+    }
+}
+
+impl TryFrom<String> for Part {
+    type Error = String;
+
+    fn try_from(written: String) -> Result<Self, String> {
+        written.parse()
+    }
+}
+
+impl From<Part> for String {
+    fn from(part: Part) -> Self {
+        part.to_string()
+    }
+}
+
+impl Display for Part {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{}/{}", self.part, self.parts)
+    }
+}
+
+impl Part {
+    /// The members that are in this part of a family.
+    ///
+    /// # Errors
+    /// There are more parts than members.
+    pub(crate) fn of(self, plan: &Plan) -> Result<Range<usize>, Failure> {
+        let count = plan.count();
+        if self.parts > count {
+            return Err(Failure::input(format!(
+                "--part {self}: the family has {count} members, so at most {count} parts are possible"
+            )));
+        }
+        Ok(plan.part(self.part, self.parts))
     }
 }

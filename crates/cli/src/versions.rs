@@ -15,6 +15,11 @@ pub(crate) fn manifest() -> Manifest {
     Manifest { program, rust: rust(), libraries: libraries(), ..Manifest::default() }
 }
 
+/// The program by its version and the digest of what its numbers depend on, which `build.rs` takes.
+pub(crate) fn program() -> String {
+    concat!("grazing ", env!("CARGO_PKG_VERSION"), " of source ", env!("GRAZING_SOURCE")).to_owned()
+}
+
 /// The version of the compiler.
 fn rust() -> String {
     let file: Table = TOOLCHAIN.parse().unwrap_or_default();

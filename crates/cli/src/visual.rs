@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use grazing_export::{Drawing, comparison};
 
-use crate::folder::{Changes, OutputFile, regular};
+use crate::folder::{self, Changes, OutputFile};
 use crate::terminal;
 
 /// A figure that has another content: its file's before, and that of now.
@@ -17,8 +17,7 @@ pub(crate) fn changed<'a>(folder: &Path, files: &'a [OutputFile]) -> Vec<Changed
         files.iter().filter(|file| file.path.extension().is_some_and(|extension| extension == "svg"));
     let changed = figures.filter_map(|after| {
         // A figure that is missing or cannot be read has no picture from before.
-        let path = folder.join(&after.path);
-        let before = regular(&path).and_then(|_| fs::read(&path)).ok()?;
+        let before = folder::read(&folder.join(&after.path)).ok()?;
         (before != after.content).then_some((before, after))
     });
     changed.collect()

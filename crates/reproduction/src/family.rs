@@ -15,7 +15,6 @@ use grazing_results::{Names, Tables};
 use grazing_unfold::UnfoldError;
 use grazing_unfold::progress::Progress;
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
 
 use crate::plane::own_header;
 use crate::unfolded;
@@ -23,7 +22,7 @@ pub use assembly::assemble;
 pub use record::Record;
 
 /// A constant that varies, with its values.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Varied {
     /// Its name in the file.
     pub name: String,
@@ -32,7 +31,7 @@ pub struct Varied {
 }
 
 /// Which members a family has: all combinations of values, the first constant varying fastest.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// One to three constants.
     pub varied: Vec<Varied>,

@@ -9,6 +9,7 @@
 
 mod document;
 mod error;
+mod file;
 mod keys;
 pub mod kind;
 mod section;
@@ -18,10 +19,11 @@ mod text;
 mod words;
 
 pub use error::{Mistake, Place, SourceError};
+pub use file::{read_bytes, read_file, what_is};
 pub use keys::{Key, Requirements};
 pub use kind::Keys;
 pub use section::Section;
 pub use setting::{Setting, SettingError};
 pub use source::Source;
-pub use text::{Text, read_file};
+pub use text::Text;
 pub use words::{nearest, shortened, suggestion};

@@ -2,11 +2,15 @@
 //! for.
 
 use std::ffi::{OsStr, OsString};
-use std::fs::{FileType, Metadata};
 use std::io;
 use std::path::{Path, PathBuf};
 
+use grazing_source::what_is;
+
 use crate::failure::Failure;
+
+/// What is said of a name that the system does not take.
+pub(super) const TOO_LONG: &str = "the name is too long for the system";
 
 /// The place of a file that is to be written: its path, or through symbolic links the regular file
 /// that they name, so that the links stay.
@@ -19,7 +23,12 @@ pub(crate) fn to_write(path: &Path) -> Result<PathBuf, Failure> {
         let remedy = "is not replaced: move it away, or name another place with --output";
         Failure::unwritten(format!("{}: is {what}, not a regular file, and {remedy}", path.display()))
     };
-    let failed = |reason: io::Error| Failure::file(path, &reason);
+    let failed = |reason: io::Error| match reason.kind() {
+        io::ErrorKind::InvalidFilename => {
+            Failure::input(format!("{}: {TOO_LONG}; name a shorter one with --output", path.display()))
+        }
+        _ => Failure::file(path, &reason),
+    };
     let here = match path.symlink_metadata() {
         Ok(here) => here,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(path.to_owned()),
@@ -34,30 +43,6 @@ pub(crate) fn to_write(path: &Path) -> Result<PathBuf, Failure> {
         // A link to nothing, or one that leads to itself.
         Err(_) => Err(refuse("a symbolic link that leads to no file")),
     }
-}
-
-/// What is known of a file that is to be read; one that is no regular file might never end.
-pub(crate) fn regular(path: &Path) -> io::Result<Metadata> {
-    let data = path.metadata()?;
-    if data.is_file() {
-        return Ok(data);
-    }
-    Err(io::Error::other(format!("it is {}, not a regular file", what_is(data.file_type()))))
-}
-
-fn what_is(kind: FileType) -> &'static str {
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::FileTypeExt;
-        if kind.is_fifo() {
-            return "a named pipe";
-        } else if kind.is_socket() {
-            return "a socket";
-        } else if kind.is_block_device() || kind.is_char_device() {
-            return "a device";
-        }
-    }
-    if kind.is_dir() { "a folder" } else { "something else" }
 }
 
 /// The name of a folder for what comes of a file: its name without ending, and without dots in

@@ -184,17 +184,7 @@ pub(crate) fn of_one_parameter(description: &Description, diagram: &OneParameter
     format!("{across} from {low} to {high} at {held} = {}", brief(diagram.at, 6))
 }
 
-/// More sheets than a hundred would take some nine hundred resonances.
-const MOST_SHEETS: usize = 100;
-
 /// The file of a one-parameter diagram.
 fn one_parameter_file(number: u32) -> String {
     format!("diagram-{number}.svg")
-}
-
-/// All files that a sheet of magnifications or a one-parameter diagram can have.
-pub(crate) fn possible_files() -> impl Iterator<Item = String> {
-    let magnifications = (1..=MOST_SHEETS).map(|number| sheet_file(MAGNIFICATIONS, number, MOST_SHEETS));
-    let diagrams = (1..=Description::MOST_DIAGRAMS as u32).map(one_parameter_file);
-    std::iter::once(MAGNIFICATIONS.to_owned()).chain(magnifications).chain(diagrams)
 }

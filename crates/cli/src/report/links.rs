@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use grazing_claims::source::Sources;
+use grazing_source::read_file;
 
 use crate::folder::with_slashes;
 
@@ -20,7 +21,7 @@ pub(crate) fn sources(root: &Path) -> Sources {
             if root.join(&path).is_dir() {
                 folders.push(path);
             } else if path.extension().is_some_and(|extension| extension == "rs")
-                && let Ok(text) = fs::read_to_string(root.join(&path))
+                && let Ok(text) = read_file(&root.join(&path))
             {
                 files.push((with_slashes(&path), text));
             }
@@ -38,7 +39,7 @@ const NEWEST: &str = "blob/HEAD/";
 /// The address of the repository's files at its host, with a slash at its end, if the citation file
 /// names the host.
 pub(crate) fn files_at_host(root: &Path) -> Option<String> {
-    address(&fs::read_to_string(root.join(CITATION)).ok()?)
+    address(&read_file(&root.join(CITATION)).ok()?)
 }
 
 fn address(citation: &str) -> Option<String> {

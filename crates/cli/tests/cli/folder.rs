@@ -62,6 +62,23 @@ fn written_files_can_be_read_by_whoever_can_read_other_new_files() {
     assert_eq!(mode("a.svg"), mode("ordinary"));
 }
 
+#[cfg(unix)]
+#[test]
+fn a_file_that_is_replaced_keeps_who_may_read_it() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = empty_folder();
+    let path = folder.path().join("a.svg");
+    for kept in [0o600, 0o444, 0o664, 0o755] {
+        fs::write(&path, "old").expect("the folder is ours");
+        fs::set_permissions(&path, fs::Permissions::from_mode(kept)).expect("the folder is ours");
+        write(folder.path(), &two_files()).expect("the folder is ours");
+        let mode = path.metadata().expect("it is there").permissions().mode();
+        assert_eq!(mode & 0o777, kept);
+        assert_eq!(fs::read_to_string(&path).expect("it was written"), "<svg>\n</svg>\n");
+        fs::remove_file(&path).expect("the folder is ours");
+    }
+}
+
 #[test]
 fn if_one_file_cannot_be_written_none_is() {
     let folder = empty_folder();

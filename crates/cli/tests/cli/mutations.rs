@@ -1,5 +1,6 @@
 //! Files with mistakes, made from those that are right by a seeded generator: every run of the
-//! program ends by itself, with an exit code from 0 to 4, and says why if it is not 0.
+//! program ends by itself, with an exit code from 0 to 4, and says why if it is not 0. Parts of
+//! families that were damaged are never merged.
 //!
 //! The tests try a handful. Many are tried, and what is wrong is listed and kept, by
 //!
@@ -8,7 +9,7 @@
 //! ```
 //!
 //! where GRAZING_MUTATIONS_FROM is the number of the first (0), and GRAZING_MUTATIONS_SECONDS the
-//! time for each (60).
+//! seconds of a processor for each (60).
 #![cfg(unix)]
 
 use std::env;
@@ -18,12 +19,15 @@ use std::process::{Child, Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use crate::program::{empty_folder, repository};
+use crate::family::{VARY, behind_digest, forged};
+use crate::program::{empty_folder, grazing, narrow_duffing, repository};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 
 /// What is tried where nobody asks for more.
 const HANDFUL: u64 = 8;
+/// The same of parts, of which many are tried in seconds.
+const PARTS: u64 = 300;
 /// The address space of a run in kilobytes, and what `unfold` is told to hold of it in megabytes:
 /// stacks and pools of threads take up addresses that are never filled.
 const ADDRESSES: u32 = 1_000_000;
@@ -96,6 +100,16 @@ const OUTPUTS: [&str; 12] = [
 struct Dice(Pcg64Mcg);
 
 impl Dice {
+    /// Those of a trial.
+    fn of(number: u64) -> Self {
+        let mut dice = Pcg64Mcg::new(0x9e37_79b9_7f4a_7c15 ^ (u128::from(number) << 32));
+        // Numbers that differ by one bit begin alike.
+        for _ in 0..8 {
+            dice.next_u64();
+        }
+        Self(dice)
+    }
+
     fn below(&mut self, count: usize) -> usize {
         (self.0.next_u64() % count.max(1) as u64) as usize
     }
@@ -239,11 +253,7 @@ fn sections(text: &str, test: impl Fn(&str) -> bool) -> String {
 
 /// The arguments of a run, and the text of the file that they name.
 fn trial(number: u64) -> (Vec<String>, String) {
-    let mut dice = Dice(Pcg64Mcg::new(0x9e37_79b9_7f4a_7c15 ^ (u128::from(number) << 32)));
-    // Numbers that differ by one bit begin alike.
-    for _ in 0..8 {
-        dice.0.next_u64();
-    }
+    let mut dice = Dice::of(number);
     let read = |path: &str| fs::read_to_string(repository().join(path)).expect("it is in the repository");
     let changes = 1 + dice.below(3);
     let (mut text, arguments) = if dice.below(5) < 2 {
@@ -283,14 +293,15 @@ fn asked(variable: &str) -> Option<u64> {
     env::var(variable).ok()?.parse().ok()
 }
 
-/// Waits for the end; none comes in time from a run that is ended here.
+/// Waits for the end; none comes from a run that waits for what never comes, and is ended here
+/// after far more seconds than a busy machine takes for those of a processor that it has.
 fn code(run: &mut Child) -> Option<Option<i32>> {
     let began = Instant::now();
     loop {
         if let Some(status) = run.try_wait().expect("it is ours") {
             return Some(status.code());
         }
-        if began.elapsed().as_secs_f64() > seconds() {
+        if began.elapsed().as_secs_f64() > 20.0 * seconds() {
             run.kill().expect("it still runs");
             run.wait().expect("it ends");
             return None;
@@ -305,7 +316,7 @@ fn run(program: &Path, folder: &Path, arguments: &[String], text: &str) -> (Stri
     let messages = folder.join("messages");
     let mut run = Command::new("sh")
         .arg("-c")
-        .arg(format!("ulimit -v {ADDRESSES}; exec \"$0\" \"$@\""))
+        .arg(format!("ulimit -v {ADDRESSES}; ulimit -t {}; exec \"$0\" \"$@\"", seconds()))
         .arg(program)
         .args(arguments)
         .current_dir(folder)
@@ -318,7 +329,7 @@ fn run(program: &Path, folder: &Path, arguments: &[String], text: &str) -> (Stri
     let errors: Vec<&str> = told.lines().filter_map(|line| line.strip_prefix("error: ")).collect();
     match code {
         None => (format!("no end: {}", told.lines().last().unwrap_or_default()), false),
-        Some(None) => (format!("ended by a signal: {told}"), false),
+        Some(None) => (format!("ended by a signal, or after {} s of a processor: {told}", seconds()), false),
         _ if told.contains("panicked at") => (format!("panic: {told}"), false),
         Some(Some(0)) => ("exit code 0".to_owned(), errors.is_empty()),
         Some(Some(code)) => (
@@ -334,7 +345,7 @@ fn names_a_cause(error: &str) -> bool {
         let section = word.split('.').next().unwrap_or_default();
         word.len() > section.len() + 1 && (section == "oscillator" || OUTPUTS.contains(&section))
     };
-    error.contains("o.toml:") || error.split([' ', ',', ';']).any(key)
+    error.contains(".toml:") || error.split([' ', ',', ';']).any(key)
 }
 
 #[test]
@@ -366,6 +377,93 @@ fn every_file_leads_to_an_end_with_a_reason() {
         }
     }
     assert!(complaints.is_empty(), "{} of {count}:\n{}", complaints.len(), complaints.join("\n"));
+}
+
+/// So many parts of a family, by name; of a file without comments, which mutations would take away.
+fn parts<const COUNT: usize>(folder: &Path) -> [String; COUNT] {
+    let text = narrow_duffing();
+    let lines = text.lines().filter(|line| !line.starts_with('#'));
+    fs::write(folder.join("my.toml"), lines.collect::<Vec<_>>().join("\n")).expect("the folder is ours");
+    std::array::from_fn(|index| {
+        let part = format!("{}/{COUNT}", index + 1);
+        let made = grazing(folder, &[&["unfold", "my.toml"], &VARY[..], &["--part", &part]].concat());
+        assert_eq!(made.code, Some(0), "{}", made.messages);
+        format!("families/my/parts/{}-of-{COUNT}.toml", index + 1)
+    })
+}
+
+/// Bytes as a bad disk, a copy that broke off or an editor leaves them.
+fn damaged(part: &[u8], dice: &mut Dice) -> Vec<u8> {
+    let mut bytes = part.to_vec();
+    let place = dice.below(bytes.len());
+    let other = dice.below(bytes.len());
+    match dice.below(6) {
+        0 => bytes.truncate(place),
+        1 => bytes[place] ^= 1 << dice.below(8),
+        2 => drop(bytes.drain(place.min(other)..=place.max(other))),
+        3 => bytes.insert(place, part[other]),
+        4 => bytes[place.min(other)..=place.max(other)].fill(0),
+        // Another digit, as a hand changes a number.
+        _ => {
+            let digits: Vec<usize> =
+                (0..bytes.len()).filter(|index| bytes[*index].is_ascii_digit()).collect();
+            let place = digits[dice.below(digits.len())];
+            bytes[place] = b'0' + (bytes[place] - b'0' + 1 + dice.below(9) as u8) % 10;
+        }
+    }
+    bytes
+}
+
+#[test]
+fn no_damaged_part_is_merged() {
+    let folder = empty_folder();
+    let names = parts::<4>(folder.path());
+    let merge = [&["merge", "--output", "out"], &names.each_ref().map(String::as_str)[..]].concat();
+    let count = asked("GRAZING_MUTATIONS").unwrap_or(PARTS);
+    for number in 0..count {
+        let mut dice = Dice::of(number);
+        let path = folder.path().join(&names[dice.below(names.len())]);
+        let part = fs::read(&path).expect("it was written");
+        let damaged = damaged(&part, &mut dice);
+        if damaged == part {
+            continue;
+        }
+        fs::write(&path, damaged).expect("the folder is ours");
+        let outcome = grazing(folder.path(), &merge);
+        assert_eq!((outcome.code, outcome.output.as_str()), (Some(2), ""), "{number}: {}", outcome.messages);
+        assert!(!folder.path().join("out").exists(), "{number}");
+        fs::write(&path, part).expect("the folder is ours");
+    }
+    assert_eq!(grazing(folder.path(), &merge).code, Some(0), "those that are whole are merged");
+}
+
+/// A part whose digest is right and whose content is anything leads to an end with a reason.
+#[test]
+fn parts_that_somebody_else_wrote_lead_to_an_end_with_a_reason() {
+    let folder = empty_folder();
+    let [name] = parts(folder.path());
+    let arguments = ["merge", "--output", "out", &name].map(str::to_owned);
+    let path = folder.path().join(&name);
+    let part = fs::read_to_string(&path).expect("it was written");
+    let count = asked("GRAZING_MUTATIONS").unwrap_or(PARTS / 3);
+    let (mut complaints, mut merged) = (Vec::new(), 0);
+    for number in 0..count {
+        let mut dice = Dice::of(number);
+        let mut text = behind_digest(&part).to_owned();
+        for _ in 0..=dice.below(3) {
+            let changed = mutate(&text, &mut dice);
+            text = if changed.is_empty() { text } else { changed };
+        }
+        fs::write(&path, forged(&text)).expect("the folder is ours");
+        let program = Path::new(env!("CARGO_BIN_EXE_grazing"));
+        let (end, right) = run(program, folder.path(), &arguments, "");
+        merged += u64::from(end == "exit code 0");
+        if !right {
+            complaints.push(format!("{number}: {end}\n{text}"));
+        }
+    }
+    assert!(complaints.is_empty(), "{} of {count}:\n{}", complaints.len(), complaints.join("\n"));
+    assert!(0 < merged && merged < count, "{merged} of {count} were merged");
 }
 
 #[test]

@@ -181,3 +181,78 @@ fn a_name_with_direction_marks_is_shown_as_escapes_on_page_and_figures() {
     }
     assert!(looked > 1, "a figure and the page were written");
 }
+
+/// A name that no file system takes.
+fn too_long() -> String {
+    "long".repeat(100)
+}
+
+#[cfg(unix)]
+#[test]
+fn a_name_that_is_too_long_is_bad_input_and_is_told_in_few_words() {
+    let folder = project(DEFAULT);
+    fs::write(folder.path().join("my.toml"), narrow_duffing()).expect("the folder is ours");
+    let before = listing(folder.path());
+    let (name, below) = (too_long(), format!("new/{}/folder", too_long()));
+    let path = "a/".repeat(3000);
+    for line in [
+        vec!["unfold", &name],
+        vec!["unfold", "my.toml", "--output", &name],
+        vec!["unfold", "my.toml", "--output", &below],
+        vec!["unfold", "my.toml", "--output", &path],
+        vec!["unfold", "my.toml", "--vary", "zeta=0.1:0.2:2", "--output", &below],
+        vec!["unfold", "my.toml", "--set", &format!("{name}=1")],
+        vec!["reproduce", "--only", "fig04", "--output", &below],
+        vec!["reproduce", "--parameters", &name],
+        vec!["report", "--output", &name],
+        vec!["merge", &name],
+        vec!["explore", "--no-browser", &name],
+        vec!["new", &name],
+        vec![&name],
+    ] {
+        let outcome = grazing(folder.path(), &line);
+        assert_eq!((outcome.code, outcome.output.as_str()), (Some(2), ""), "{}", outcome.messages);
+        assert!(outcome.messages.contains("ong"), "{}", outcome.messages);
+        assert!(outcome.messages.len() < 700 && !outcome.messages.contains(&name), "{}", outcome.messages);
+        assert_eq!(listing(folder.path()), before);
+    }
+}
+
+/// The program, ended if it waits for what never comes.
+#[cfg(target_os = "linux")]
+fn ending(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
+    let mut run = Command::new("timeout");
+    run.arg("600").arg(env!("CARGO_BIN_EXE_grazing")).args(arguments).current_dir(folder);
+    let run = run.stdin(Stdio::null()).output().expect("there is `timeout`");
+    (run.status.code(), String::from_utf8_lossy(&run.stderr).into_owned())
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn pipes_and_devices_are_no_input_of_any_command() {
+    let folder = project(DEFAULT);
+    let made = Command::new("mkfifo").arg(folder.path().join("pipe")).status().expect("there is `mkfifo`");
+    assert!(made.success());
+    std::os::unix::fs::symlink("pipe", folder.path().join("link")).expect("the folder is ours");
+    for (file, what) in [("pipe", "a named pipe"), ("link", "a named pipe"), ("/dev/zero", "a device")] {
+        for before in [
+            &["unfold"] as &[&str],
+            &["unfold", "--vary", "zeta=0.1:0.2:2"],
+            &["reproduce", "--parameters"],
+            &["compare", "--parameters"],
+            &["claims", "--parameters"],
+            &["report", "--parameters"],
+            &["report", "--output", "page.html", "--oscillator"],
+            &["explore", "--no-browser"],
+            &["merge"],
+        ] {
+            let (code, told) = ending(folder.path(), &[before, &[file]].concat());
+            assert_eq!(code, Some(2), "{before:?} {file}: {told}");
+            let wanted = format!("error: {file}: cannot be read: it is {what}, not a regular file");
+            assert!(told.starts_with(&wanted), "{before:?}: {told}");
+        }
+        let (code, told) = ending(folder.path(), &["new", file]);
+        assert_eq!(code, Some(2), "{told}");
+        assert!(told.starts_with(&format!("error: {file}: is there already")), "{told}");
+    }
+}

@@ -37,7 +37,8 @@ const TABLES: [&str; 8] = [
 /// What belongs in a folder of results.
 fn results() -> Vec<String> {
     let tables = TABLES.map(|table| format!("data/{table}.csv"));
-    let others = ["data", "data/README.md", "diagram.svg", "magnifications.svg", "report.html"];
+    let others =
+        ["data", "data/README.md", "diagram.svg", "magnifications.svg", "manifest.sha256", "report.html"];
     let mut all = others.map(str::to_owned).to_vec();
     all.extend(tables);
     all.sort();
@@ -60,6 +61,11 @@ fn an_example_is_unfolded_into_the_same_files_whatever_the_number_of_threads() {
         // The page lists the pictures too, each on a line of its own.
         let again = read(&folder.path().join("again"), file);
         let again: Vec<&str> = again.lines().filter(|line| !line.contains(".png")).collect();
+        if file == "manifest.sha256" {
+            // Of the page there are two, then.
+            assert_eq!(read(&first, file).lines().count(), again.len());
+            continue;
+        }
         assert!(read(&first, file).lines().eq(again), "{file}");
     }
     let picture = fs::read(folder.path().join("again/diagram.png")).expect("PNG was asked for");
@@ -165,7 +171,7 @@ fn explained(results: &Path) {
 const PATIENCE: Duration = Duration::from_secs(600);
 
 /// Waits until a running program has done something.
-fn wait_until(run: &mut Child, what: &str, is_done: impl Fn() -> bool) {
+pub(crate) fn wait_until(run: &mut Child, what: &str, is_done: impl Fn() -> bool) {
     let start = Instant::now();
     while !is_done() {
         assert!(run.try_wait().expect("it is ours").is_none(), "it ended before: {what}");
@@ -241,6 +247,17 @@ fn what_is_finished_when_a_limit_is_met_is_written_and_the_rest_is_named() {
     assert!(!folder.path().join("none").exists());
     let whole = steps("1e10", "whole");
     assert_eq!((whole.code, whole.errors()), (Some(0), ""));
+    let of_whole = || {
+        results()
+            .into_iter()
+            .filter(|file| file != "data")
+            .map(|file| {
+                let content = read(&folder.path().join("whole"), &file);
+                (file, content)
+            })
+            .collect::<Vec<_>>()
+    };
+    let before = of_whole();
 
     // Somewhere between there are curves, and something that is missing.
     let mut limit = 10_000.0;
@@ -253,6 +270,12 @@ fn what_is_finished_when_a_limit_is_met_is_written_and_the_rest_is_named() {
         }
     };
     assert_eq!(part.code, Some(3), "{}", part.messages);
+    // In a folder that holds whole results it goes beside them.
+    let beside = steps(&format!("{limit}"), "whole");
+    assert_eq!(beside.code, Some(3), "{}", beside.messages);
+    let told = "whole: the results that are there stay; what is finished goes to whole/unfinished\n";
+    assert!(beside.messages.contains(told), "{}", beside.messages);
+    assert!(of_whole() == before && folder.path().join("whole/unfinished/diagram.svg").is_file());
     assert!(part.errors().contains("; what was not finished is named above; everything else is written\n"));
     let (_, missing) = part.output.split_once("\nNot finished\n").expect("something is missing");
     assert!(missing.lines().next().is_some_and(|line| !line.trim().is_empty()), "{missing}");
@@ -274,7 +297,7 @@ fn what_is_finished_when_a_limit_is_met_is_written_and_the_rest_is_named() {
 
 #[cfg(unix)]
 #[test]
-fn ctrl_c_ends_an_analysis_with_what_it_has() {
+fn an_analysis_that_is_asked_to_end_ends_with_what_it_has() {
     let paper = fs::read_to_string(repository().join("examples/paper.toml")).expect("it is there");
     let paper = paper + &many_diagrams([0.7, 0.9]);
     let folder = folder_with(&[("paper.toml", &paper)]);
@@ -288,8 +311,13 @@ fn ctrl_c_ends_an_analysis_with_what_it_has() {
         .expect("the program starts");
     let begun = || read(folder.path(), "messages").contains("bifurcation curves: begun");
     wait_until(&mut run, "curves are begun", begun);
-    let sent = Command::new("kill").args(["-INT", &run.id().to_string()]).status().expect("there is kill");
-    assert!(sent.success());
+    // As schedulers do, and a terminal that is closed then; SIGINT, of Ctrl-C, comes to the same.
+    for signal in ["-TERM", "-HUP"] {
+        let sent =
+            Command::new("kill").args([signal, &run.id().to_string()]).status().expect("there is kill");
+        assert!(sent.success());
+        wait_until(&mut run, "it is heard", || read(folder.path(), "messages").contains("interrupted"));
+    }
     let status = run.wait().expect("it ends");
     let told = read(folder.path(), "messages");
     assert_eq!(status.code(), Some(3), "{told}");
@@ -316,16 +344,18 @@ fn a_second_ctrl_c_ends_the_program_at_once_and_leaves_no_temporary_files() {
         .stderr(fs::File::create(folder.path().join("messages")).expect("the folder is ours"))
         .spawn()
         .expect("the program starts");
-    for awaited in ["bifurcation curves: begun", "interrupted: writing what is finished"] {
+    for (awaited, signal) in
+        [("bifurcation curves: begun", "-INT"), ("interrupted: writing what is finished", "-TERM")]
+    {
         wait_until(&mut run, awaited, || read(folder.path(), "messages").contains(awaited));
         let sent =
-            Command::new("kill").args(["-INT", &run.id().to_string()]).status().expect("there is kill");
+            Command::new("kill").args([signal, &run.id().to_string()]).status().expect("there is kill");
         assert!(sent.success());
     }
     let status = run.wait().expect("it ends");
     let told = read(folder.path(), "messages");
     assert_eq!(status.code(), Some(3), "{told}");
-    let end = "error: interrupted twice by Ctrl-C: ended at once, nothing more is written\n";
+    let end = "error: interrupted twice: ended at once, nothing more is written\n";
     assert!(told.ends_with(end), "{told}");
     let left = listing(folder.path());
     assert!(!left.iter().any(|path| path.contains(".grazing-")), "{left:?}");

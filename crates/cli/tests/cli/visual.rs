@@ -4,13 +4,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-use crate::program::{empty_folder, grazing, repository, snapshots};
+use crate::program::{digest, empty_folder, grazing, repository, snapshots};
 use crate::reading::{Reading, Text};
 use grazing_cli::outputs;
 use grazing_cli::outputs::edition::Edition;
 use grazing_drawing::Bounds;
 use grazing_export::Drawing;
-use sha2::{Digest, Sha256};
 
 /// The thinnest line that offset printing renders reliably, in points, and the smallest text that
 /// journals accept.
@@ -229,8 +228,7 @@ fn no_figure_changes_unnoticed() {
     let mut digests = String::new();
     for (_, file) in registered() {
         let svg = fs::read(repository().join("figures").join(&file)).expect("the figure is there");
-        let digest: String = Sha256::digest(&svg).iter().map(|byte| format!("{byte:02x}")).collect();
-        digests.push_str(&format!("{file} {digest}\n"));
+        digests.push_str(&format!("{file} {}\n", digest(&svg)));
     }
     snapshots().bind(|| insta::assert_snapshot!("figure_digests", digests));
 }

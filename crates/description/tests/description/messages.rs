@@ -250,7 +250,7 @@ fn a_file_that_is_no_text_of_a_reasonable_size_is_refused() {
         assert!(error.contains(wanted), "{error}");
     }
     let error = Description::from_file(folder.path()).expect_err("a folder is no file").to_string();
-    assert!(error.contains("it is not a file"), "{error}");
+    assert!(error.contains("it is a folder, not a regular file"), "{error}");
 }
 
 #[test]

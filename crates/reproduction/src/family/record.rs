@@ -116,6 +116,37 @@ impl Record {
         (!stop.is_asked()).then_some(record)
     }
 
+    /// Whether it can be the record of this member of a family with these numbers of loops, whoever
+    /// says so: constants, places in lists and numbers of loops are those of the family, and
+    /// resonances are at numbers.
+    pub fn fits(&self, plan: &Plan, index: usize, loops: &[u32]) -> bool {
+        let expected = padded(&plan.values(index));
+        let same = |a: f64, b: f64| a == b || (a.is_nan() && b.is_nan());
+        let of_member = |varied: &[f64; VARIED]| varied.iter().zip(expected).all(|(a, b)| same(*a, b));
+        let at_resonance = |row: &Resonance| {
+            let numbers = [row.primary, row.secondary, row.phase];
+            loops.contains(&row.loops) && numbers.iter().all(|number| number.is_finite())
+        };
+        let found = |row: &Resonance| at_resonance(row) && of_member(&row.varied);
+        let leads = |way: &Way| {
+            let is_there = match &way.to {
+                Destination::Next(next) => at_resonance(next),
+                Destination::Back(to) => *to < self.resonances.len(),
+                Destination::Nowhere => true,
+            };
+            let curve = way.curve.iter().map(|row| row.loops);
+            let degenerate = way.degenerate.iter().map(|row| row.loops);
+            let known = curve.chain(degenerate).all(|number| loops.contains(&number));
+            is_there && known && way.from < self.resonances.len()
+        };
+        let points = |row: &Point| loops.contains(&row.loops) && of_member(&row.varied);
+        self.index == index
+            && of_member(&self.member.varied)
+            && self.resonances.iter().all(found)
+            && self.points.iter().all(points)
+            && self.ways.iter().all(leads)
+    }
+
     /// Counts resonances and points.
     pub(super) fn count(&mut self) {
         self.member.resonances = self.resonances.len() as u32;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use insta::Settings;
+use sha2::{Digest, Sha256};
 
 /// The default parameter file.
 pub(crate) const DEFAULT: &str = include_str!("../../../../../figures/parameters.toml");
@@ -94,6 +95,11 @@ pub(crate) fn listing(folder: &Path) -> Vec<String> {
     }
     paths.sort();
     paths
+}
+
+/// The SHA-256 of a content, in hexadecimal digits.
+pub(crate) fn digest(content: &[u8]) -> String {
+    Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// Snapshots go to `expected/`, under the name that the test gives.

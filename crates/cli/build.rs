@@ -1,0 +1,47 @@
+//! The digest of everything that the numbers of a family depend on, so that parts which other
+//! programs have made are not merged.
+
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+use sha2::{Digest, Sha256};
+
+/// The sources of these crates, and the libraries and the compiler that build them.
+const CRATES: [&str; 8] =
+    ["continuation", "description", "model", "reproduction", "results", "source", "theorems", "unfold"];
+const FILES: [&str; 2] = ["Cargo.lock", "rust-toolchain.toml"];
+/// The first digits tell programs apart.
+const DIGITS: usize = 16;
+
+fn main() -> io::Result<()> {
+    let root = Path::new("../..");
+    let mut paths = FILES.map(PathBuf::from).to_vec();
+    for name in CRATES {
+        let folder = Path::new("crates").join(name).join("src");
+        // Cargo looks at everything in a folder.
+        println!("cargo::rerun-if-changed={}", root.join(&folder).display());
+        collect(root, &folder, &mut paths)?;
+    }
+    paths.sort();
+    let mut digest = Sha256::new();
+    for path in &paths {
+        let content = fs::read(root.join(path))?;
+        let name: Vec<_> = path.components().map(|part| part.as_os_str().to_string_lossy()).collect();
+        digest.update(format!("{} {}\n", name.join("/"), content.len()));
+        digest.update(content);
+    }
+    FILES.iter().for_each(|file| println!("cargo::rerun-if-changed={}", root.join(file).display()));
+    let digits: String = digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
+    println!("cargo::rustc-env=GRAZING_SOURCE={}", &digits[..DIGITS]);
+    Ok(())
+}
+
+/// Adds all files in a folder, by path from the root.
+fn collect(root: &Path, folder: &Path, paths: &mut Vec<PathBuf>) -> io::Result<()> {
+    for entry in fs::read_dir(root.join(folder))? {
+        let entry = entry?;
+        let path = folder.join(entry.file_name());
+        if entry.file_type()?.is_dir() { collect(root, &path, paths)? } else { paths.push(path) }
+    }
+    Ok(())
+}

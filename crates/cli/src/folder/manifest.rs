@@ -1,0 +1,123 @@
+//! The list of the files of one run, written after them. By it the next run knows which files are
+//! its to replace, whether they are of one run, and whether that run was cut off.
+
+use std::fmt::Write;
+use std::path::{Component, Path, PathBuf};
+
+use grazing_report::FileDigest;
+
+use super::{Change, OutputFile, read, remove, with_slashes, write};
+use crate::failure::Failure;
+use crate::terminal;
+
+/// The list, in the folder of results: lines that `sha256sum --check` reads.
+pub(crate) const MANIFEST: &str = "manifest.sha256";
+/// Where what a run has that was cut off goes if the folder holds the results of one that was not.
+const UNFINISHED: &str = "unfinished";
+
+/// What stands at the top of the list.
+const HEADS: [&str; 2] = ["# The files of one run.", "# The files of one run, which was cut off."];
+
+/// The files of one run.
+struct FileList {
+    cut_off: bool,
+    /// Digest and path of each.
+    files: Vec<(String, String)>,
+}
+
+impl FileList {
+    fn of(files: &[OutputFile], cut_off: bool) -> Self {
+        let line = |file: &OutputFile| {
+            let FileDigest { path, sha256, .. } = FileDigest::of(with_slashes(&file.path), &file.content);
+            (sha256, path)
+        };
+        Self { cut_off, files: files.iter().map(line).collect() }
+    }
+
+    /// The list in a folder, if there is one that can be read.
+    fn read(folder: &Path) -> Option<Self> {
+        let text = String::from_utf8(read(&folder.join(MANIFEST)).ok()?).ok()?;
+        let (head, lines) = text.split_once('\n')?;
+        let cut_off = HEADS.iter().position(|known| *known == head)? == 1;
+        let line = |line: &str| {
+            let (digest, path) = line.split_once("  ")?;
+            // No list leads out of its folder.
+            let is_within = Path::new(path).components().all(|part| matches!(part, Component::Normal(_)));
+            is_within.then(|| (digest.to_owned(), path.to_owned()))
+        };
+        Some(Self { cut_off, files: lines.lines().map(line).collect::<Option<_>>()? })
+    }
+
+    fn file(&self) -> OutputFile {
+        let mut text = format!("{}\n", HEADS[usize::from(self.cut_off)]);
+        for (digest, path) in &self.files {
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "{digest}  {path}");
+        }
+        OutputFile { path: PathBuf::from(MANIFEST), content: text.into_bytes() }
+    }
+
+    /// Those that are in the folder as the list has them.
+    fn intact(&self, folder: &Path) -> Vec<&str> {
+        let is_intact = |(digest, path): &&(String, String)| {
+            read(&folder.join(path)).is_ok_and(|content| FileDigest::of("", &content).sha256 == *digest)
+        };
+        self.files.iter().filter(is_intact).map(|(_, path)| path.as_str()).collect()
+    }
+}
+
+/// Writes the files of a run, takes those of the run before away that it does not make, and writes
+/// the list last; what that did to each, by its path.
+///
+/// What a run has that was cut off never takes the place of results that may be whole: it goes into
+/// a folder in theirs.
+///
+/// # Errors
+/// As [`write`].
+pub(crate) fn write_run(
+    folder: &Path,
+    files: &[OutputFile],
+    cut_off: bool,
+) -> Result<Vec<(String, Change)>, Failure> {
+    let within = folder.join(UNFINISHED);
+    let folder = if cut_off && holds_results(folder, files) {
+        terminal::note(&format!(
+            "{}: the results that are there stay; what is finished goes to {}",
+            folder.display(),
+            within.display()
+        ));
+        &within
+    } else {
+        folder
+    };
+    let mut left = Vec::new();
+    if let Some(before) = FileList::read(folder) {
+        let intact = before.intact(folder);
+        if intact.len() < before.files.len() {
+            let (other, all) = (before.files.len() - intact.len(), before.files.len());
+            terminal::note(&format!(
+                "{}: {other} of {all} files were not those that {MANIFEST} lists: they were changed, or are of another run, \
+                 which did not come to its end",
+                folder.display()
+            ));
+        }
+        let is_left = |path: &&str| files.iter().all(|file| file.path != Path::new(path));
+        left.extend(intact.into_iter().filter(is_left).map(|path| folder.join(path)));
+    }
+    let names = files.iter().map(|file| folder.join(&file.path).display().to_string());
+    let mut changes: Vec<_> = names.zip(write(folder, files)?).collect();
+    for path in left {
+        remove(&path)?;
+        changes.push((path.display().to_string(), Change::Removed));
+    }
+    write(folder, &[FileList::of(files, cut_off).file()])?;
+    Ok(changes)
+}
+
+/// Whether there are results in the folder that may be whole: all but those of a run that is listed
+/// as cut off.
+fn holds_results(folder: &Path, files: &[OutputFile]) -> bool {
+    let is_cut_off = |list: &FileList| list.cut_off && list.intact(folder).len() == list.files.len();
+    files.iter().any(|file| folder.join(&file.path).is_file())
+        && !FileList::read(folder).as_ref().is_some_and(is_cut_off)
+}

@@ -1,0 +1,52 @@
+//! Who asks a run to end, and what it ends with.
+#![cfg(target_os = "linux")]
+
+use std::fs;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+
+use crate::program::{DEFAULT, project};
+use crate::unfold::wait_until;
+
+/// Starts the program behind another one, and sends it a signal as soon as it says that it
+/// computes; with what exit code it ends, and what it said.
+fn sent(signal: &str, before: &[&str], folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
+    let messages = folder.join("messages");
+    let mut run: Child = Command::new(before[0])
+        .args(&before[1..])
+        .arg(env!("CARGO_BIN_EXE_grazing"))
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(fs::File::create(&messages).expect("the folder is ours"))
+        .spawn()
+        .expect("the program starts");
+    let told = || fs::read_to_string(&messages).expect("the folder is ours");
+    wait_until(&mut run, "it computes", || told().contains(": begun"));
+    let kill = Command::new("kill").args([signal, &run.id().to_string()]).status().expect("there is kill");
+    assert!(kill.success());
+    (run.wait().expect("it ends").code(), told())
+}
+
+/// Whoever runs the tests may have some ignored.
+const DEFAULTS: [&str; 2] = ["env", "--default-signal=INT,TERM,HUP"];
+
+#[test]
+fn whoever_ends_claims_leaves_exit_code_three() {
+    for signal in ["-INT", "-TERM", "-HUP"] {
+        let folder = project(DEFAULT);
+        let (code, told) = sent(signal, &DEFAULTS, folder.path(), &["claims"]);
+        assert_eq!(code, Some(3), "{signal}: {told}");
+        assert!(told.ends_with("error: interrupted: what was not written yet is not written\n"), "{told}");
+    }
+}
+
+#[test]
+fn a_run_that_is_to_survive_its_terminal_does() {
+    let folder = project(DEFAULT);
+    let line = ["reproduce", "--only", "fig02", "--output", "out"];
+    let (code, told) = sent("-HUP", &["nohup"], folder.path(), &line);
+    assert_eq!(code, Some(0), "{told}");
+    assert!(folder.path().join("out/fig02.svg").is_file());
+}
