@@ -278,7 +278,10 @@ mod tests {
         let oscillator = Stoppable::new(linear, stop.clone()).with_parameters([0.9, 0.8]);
         let from = State::at_rest(-1.5, 0.3);
         let before = oscillator.motion(from).first_crossing(50.0);
-        assert!(before.is_some() && before == linear.with_parameters([0.9, 0.8]).motion(from).first_crossing(50.0));
+        assert!(
+            before.is_some()
+                && before == linear.with_parameters([0.9, 0.8]).motion(from).first_crossing(50.0)
+        );
         let begun = oscillator.motion(from);
         stop.ask();
         let motion = oscillator.motion(from);
@@ -322,8 +325,7 @@ mod tests {
         }
 
         let (count, stop) = (Arc::new(AtomicU64::new(0)), Stop::default());
-        let oscillator =
-            Integrated::new(Stoppable::new(Counting(count.clone()), stop.clone()), [0.0, 1.0]);
+        let oscillator = Integrated::new(Stoppable::new(Counting(count.clone()), stop.clone()), [0.0, 1.0]);
         let from = State::at_rest(-1.0, 0.0);
         assert!(oscillator.motion(from).at(2.0).position.is_finite());
         let before = count.load(Ordering::Relaxed);
