@@ -86,7 +86,8 @@ fn open(address: &str) -> Option<NamedTempFile> {
     }
     // If it does not come up, the address is on the terminal.
     let mut page = tempfile::Builder::new().prefix("grazing-").suffix(".html").tempfile().ok()?;
-    write!(page, "<!doctype html><meta http-equiv=\"refresh\" content=\"0; url={address}\"><a href=\"{address}\">{address}</a>\n").ok()?;
+    let lead = format!("<meta http-equiv=\"refresh\" content=\"0; url={address}\">");
+    writeln!(page, "<!doctype html>{lead}<a href=\"{address}\">{address}</a>").ok()?;
     page.flush().ok()?;
     let started = Command::new(program)
         .args(first)
