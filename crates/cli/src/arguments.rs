@@ -186,7 +186,7 @@ pub struct Unfold {
     /// Print every hypothesis and every quantity of every resonance
     #[arg(long)]
     pub explain: bool,
-    /// Seconds after which a file's analysis ends with what it has [default: the file's, or 600]
+    /// CPU seconds after which an analysis ends with what it has [default: the file's, or 600]
     #[arg(long, value_name = "SECONDS", value_parser = positive)]
     pub time_limit: Option<f64>,
     /// Memory at which it ends likewise, in megabytes [default: the file's, or 2000]

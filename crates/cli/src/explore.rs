@@ -2,8 +2,10 @@
 
 use std::env;
 use std::fs;
+use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::sync::Arc;
 
 use grazing_explore::{Example, Export, Limits, Model, Server, Sheet, View};
 use grazing_model::smooth::Stop;
@@ -12,6 +14,7 @@ use grazing_reproduction::figures::fig07::Figure7;
 use grazing_reproduction::parameters::Parameters;
 use grazing_reproduction::unfolded::Unfolded;
 use grazing_source::{Setting, Text};
+use tempfile::NamedTempFile;
 
 use crate::arguments;
 use crate::failure::{Failure, computation};
@@ -42,9 +45,8 @@ pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
         "{address}\nThe address is for this machine alone, and its token keeps other pages out. Ctrl-C ends it.\n"
     ));
     limits::end_when_interrupted();
-    if !arguments.no_browser {
-        open(&address);
-    }
+    // It is there as long as the server.
+    let _redirect = if arguments.no_browser { None } else { open(&address) };
     let too_large = || limits::holds_more_than(grazing_description::Limits::USUAL.memory);
     server.run(limits::is_interrupted, too_large).map_err(|reason| Failure::unwritten(reason.to_string()))
 }
@@ -52,7 +54,8 @@ pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
 /// The oscillators in the menu: the one that was named, the paper's, and the repository's examples.
 fn examples(named: Option<&Path>) -> Result<Vec<Example>, Failure> {
     let read = |file: &Path| -> Result<Example, Failure> {
-        let OscillatorFile { text, description, .. } = OscillatorFile::read(file, &[])?;
+        let OscillatorFile { text, description, .. } =
+            OscillatorFile::read(file, &[], grazing_description::Limits::USUAL)?;
         let file = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
         Ok(Example { name: description.name().to_owned(), file, text: Some(text) })
     };
@@ -68,8 +71,9 @@ fn examples(named: Option<&Path>) -> Result<Vec<Example>, Failure> {
     Ok(all)
 }
 
-/// Opens the address in the system's browser, if there is one that can be opened.
-fn open(address: &str) {
+/// Opens the address in the system's browser, if there is one that can be opened: by a page that
+/// leads there and that this user alone can read, for what a process is started with everybody can.
+fn open(address: &str) -> Option<NamedTempFile> {
     let seen = env::consts::OS != "linux"
         || env::var_os("DISPLAY").or_else(|| env::var_os("WAYLAND_DISPLAY")).is_some();
     let (program, first): (&str, &[&str]) = match env::consts::OS {
@@ -77,15 +81,21 @@ fn open(address: &str) {
         "windows" => ("cmd", &["/C", "start", ""]),
         _ => ("xdg-open", &[]),
     };
-    if seen {
-        // If it does not come up, the address is on the terminal.
-        let _ = Command::new(program)
-            .args(first)
-            .arg(address)
-            .stdout(Stdio::null())
-            .stderr(Stdio::null())
-            .spawn();
+    if !seen {
+        return None;
     }
+    // If it does not come up, the address is on the terminal.
+    let mut page = tempfile::Builder::new().prefix("grazing-").suffix(".html").tempfile().ok()?;
+    let lead = format!("<meta http-equiv=\"refresh\" content=\"0; url={address}\">");
+    writeln!(page, "<!doctype html>{lead}<a href=\"{address}\">{address}</a>").ok()?;
+    page.flush().ok()?;
+    let started = Command::new(program)
+        .args(first)
+        .arg(page.path())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn();
+    started.ok().map(|_| page)
 }
 
 /// A file of what is seen, made as `unfold` and `reproduce` make it.
@@ -99,7 +109,7 @@ fn exported(model: &Model, view: &View, what: &str, columns: &str, stop: &Stop) 
     let formats = vec![format.map_or(Format::Svg, |(format, _)| format)];
     let edition = Edition { formats, columns: edition::width(columns), ..Edition::default() };
     let files = match model.text {
-        None => of_the_paper(model, view, &edition)?,
+        None => of_the_paper(model, view, &edition, stop)?,
         Some(_) => of_a_text(model, view, &edition, stop)?,
     };
     let wanted = |file: &OutputFile| match (format, what.strip_prefix("csv:")) {
@@ -116,7 +126,7 @@ fn exported(model: &Model, view: &View, what: &str, columns: &str, stop: &Stop) 
 
 /// The two-parameter diagram of a text and its tables.
 fn of_a_text(model: &Model, view: &View, edition: &Edition, stop: &Stop) -> Result<Vec<OutputFile>, Failure> {
-    let description = model.in_view(view).map_err(Failure::input)?;
+    let description = model.in_view(view, stop).map_err(Failure::input)?;
     let unfolded = Unfolded::described(&description, stop, stop, &|_| ())
         .map_err(|error| computation("unfold", &error))?;
     let analysed = AnalysedOscillator::new(Path::new("oscillator.toml"), &description, unfolded);
@@ -127,13 +137,18 @@ fn of_a_text(model: &Model, view: &View, edition: &Edition, stop: &Stop) -> Resu
 const PARAMETERS: &str = include_str!("../../../figures/parameters.toml");
 
 /// Figure 7 and its tables at other constants and ranges.
-fn of_the_paper(model: &Model, view: &View, edition: &Edition) -> Result<Vec<OutputFile>, Failure> {
+fn of_the_paper(
+    model: &Model,
+    view: &View,
+    edition: &Edition,
+    stop: &Stop,
+) -> Result<Vec<OutputFile>, Failure> {
     let constants = model.set.iter().map(|(name, value)| Setting::new(&format!("oscillator.{name}"), *value));
     let ranges = [("fig07.amplitude", view.primary), ("fig07.frequency", view.secondary)];
     let ranges = ranges.map(|(key, range)| Setting::new(key, range.to_vec()));
     let loops = model.loops.iter().map(|loops| Setting::new("fig07.loops", loops.clone()));
     let settings = constants.chain(ranges).chain(loops).collect::<Result<Vec<_>, _>>()?;
     let parameters = Parameters::parse(&Text::new(PARAMETERS, &settings), "parameters.toml")?;
-    let study = Study::new(&parameters);
+    let study = Study::new(&parameters).with_progress(Arc::new(stop.clone()));
     Ok(figure::<Figure7>().compute(&study, edition.columns)?.files(edition)?.0)
 }

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use grazing_description::{Description, Limits};
+use grazing_model::smooth::Stop;
 use grazing_reproduction::family::{Plan, Record, assemble, names, records};
 use grazing_results::brief;
 use grazing_source::{nearest, suggestion};
@@ -16,12 +17,11 @@ use grazing_source::{nearest, suggestion};
 use crate::arguments;
 use crate::failure::Failure;
 use crate::folder::{self, summary};
-use crate::limits::{self, Watch};
+use crate::limits::{self, Watch, ended, reading};
 use crate::outputs::edition::{Edition, Format};
 use crate::outputs::family::{FAMILY, NamedFamily};
 use crate::outputs::latex;
 use crate::progress::Display;
-use crate::unfold::analysis::ended;
 use crate::unfold::reason;
 use crate::variation::{MOST_MEMBERS, Variation};
 use crate::{data_page, terminal};
@@ -39,10 +39,15 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
         ));
     };
     let origin = Origin::new(file, arguments)?;
-    let description = origin.description(&[])?;
-    let plan = plan(&arguments.vary, &description)?;
-    let which = arguments.part.map_or(Ok(0..plan.count()), |part| part.of(&plan))?;
-    let members = members(&origin, &plan, which)?;
+    let read = |stop: &Stop| {
+        let description = origin.description(&[], stop)?;
+        let plan = plan(&arguments.vary, &description)?;
+        let which = arguments.part.map_or(Ok(0..plan.count()), |part| part.of(&plan))?;
+        let members = members(&origin, &plan, which, stop)?;
+        Ok((description, plan, members))
+    };
+    // The members have more time, but how many they are is not known yet.
+    let ((description, plan, members), taken) = reading(file, arguments.limits(Limits::USUAL), read)?;
     let folder = arguments.output.clone().unwrap_or_else(|| origin.folder());
     let edition = arguments.look.edition();
     let paths = match arguments.part {
@@ -54,7 +59,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     limits::listen();
     let began = Instant::now();
     terminal::say(&listing::plan(&description, file, &plan, arguments.part, members.len()));
-    let watch = Watch::begin(limits(&description, arguments, members.len()));
+    let watch = Watch::begin(limits(&description, arguments, members.len()), taken);
     let display = Display::counting(watch.stop());
     let tell = |description: &Description, error: &_| reason::of(error, description);
     let found = records(&plan, &members, &tell, &watch.stop(), &display);
@@ -136,11 +141,16 @@ fn plan(vary: &[Variation], description: &Description) -> Result<Plan, Failure> 
 }
 
 /// Some members, each with its number; all are read and checked before anything is computed.
-fn members(origin: &Origin, plan: &Plan, which: Range<usize>) -> Result<Vec<(usize, Description)>, Failure> {
+fn members(
+    origin: &Origin,
+    plan: &Plan,
+    which: Range<usize>,
+    stop: &Stop,
+) -> Result<Vec<(usize, Description)>, Failure> {
     let member = |index: usize| {
         let names = plan.varied.iter().map(|varied| varied.name.as_str());
         let values: Vec<(&str, f64)> = names.zip(plan.values(index)).collect();
-        match origin.description(&values) {
+        match origin.description(&values, stop) {
             Ok(description) => Ok((index, description)),
             Err(mut failure) => {
                 let set = values.iter().map(|(name, value)| format!("{name} = {}", brief(*value, 6)));

@@ -1,21 +1,26 @@
 //! Limits of an analysis: time, memory, steps, and whoever interrupts it.
 //!
-//! A thread of its own looks at the clock and at the memory that the process holds, and asks the
-//! computation to end ([`Stop`]) when either is used up or Ctrl-C was pressed, or anything that
-//! `signals` takes for it. What is finished is written then. A second Ctrl-C ends the program at
-//! once.
+//! A thread of its own looks at the CPU time that the process has taken and at the memory that it
+//! holds, and asks the computation to end ([`Stop`]) when either is used up or Ctrl-C was pressed,
+//! or anything that `signals` takes for it. What is finished is written then. A second Ctrl-C ends
+//! the program at once.
+//!
+//! It is CPU time that counts, of all threads together, so that a busy machine finishes what an
+//! idle one does. Where the system has no clock of it, the clock on the wall has to do.
 
 use std::fs;
 use std::io;
+use std::path::Path;
 use std::process;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, OnceLock};
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use grazing_description::Limits;
 use grazing_model::smooth::Stop;
 
+use crate::failure::Failure;
 use crate::{folder, signals, terminal};
 
 /// How often clock and memory are looked at: memory can grow by some ten megabytes in between.
@@ -30,7 +35,7 @@ const ENDED: i32 = 3;
 /// What ended an analysis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum EndCause {
-    /// The time is up, in seconds.
+    /// The time is used up, in seconds.
     Time(f64),
     /// The process holds more than so many megabytes.
     Memory(f64),
@@ -43,7 +48,7 @@ pub(crate) enum EndCause {
 impl std::fmt::Display for EndCause {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let (limit, key) = match self {
-            EndCause::Time(seconds) => (format!("time limit of {seconds} s"), "time"),
+            EndCause::Time(seconds) => (format!("time limit of {seconds} s {CLOCK}"), "time"),
             EndCause::Memory(megabytes) => (format!("memory limit of {megabytes} MB"), "memory"),
             EndCause::Steps(steps) => (format!("limit of {steps} steps of integration"), "step"),
             EndCause::Interruption => return formatter.write_str("interrupted"),
@@ -93,23 +98,42 @@ pub(crate) fn is_interrupted() -> bool {
     INTERRUPTIONS.load(Ordering::Relaxed) > 0
 }
 
-/// Watches over one analysis, as long as it lives.
+/// The CPU time that the process has taken.
+#[cfg(unix)]
+fn clock() -> Duration {
+    let time = rustix::time::clock_gettime(rustix::time::ClockId::ProcessCPUTime);
+    Duration::new(time.tv_sec.cast_unsigned(), u32::try_from(time.tv_nsec).unwrap_or_default())
+}
+
+/// What is counted, in messages.
+const CLOCK: &str =
+    if cfg!(unix) { "of CPU time" } else { "by the clock, as this system has none of CPU time," };
+
+/// The time since this was asked for first, where the system has no clock of CPU time.
+#[cfg(not(unix))]
+fn clock() -> Duration {
+    static FIRST: OnceLock<std::time::Instant> = OnceLock::new();
+    FIRST.get_or_init(std::time::Instant::now).elapsed()
+}
+
+/// Watches over one analysis, or over the reading of its file, as long as it lives.
 pub(crate) struct Watch(Arc<Watched>);
 
 /// What the thread looks at.
 struct Watched {
     stop: Stop,
     limits: Limits,
-    began: Instant,
+    began: Duration,
     met: OnceLock<EndCause>,
 }
 
 impl Watch {
-    /// Begins to watch.
-    pub(crate) fn begin(limits: Limits) -> Self {
+    /// Begins to watch over something for which so much time has been taken before.
+    pub(crate) fn begin(limits: Limits, taken: Duration) -> Self {
         // A count of steps is a whole number, and one beyond all counts is none.
         let stop = Stop::after(limits.steps as u64);
-        let watched = Arc::new(Watched { stop, limits, began: Instant::now(), met: OnceLock::new() });
+        let began = clock().saturating_sub(taken);
+        let watched = Arc::new(Watched { stop, limits, began, met: OnceLock::new() });
         let weak = Arc::downgrade(&watched);
         let look = move || {
             // It ends with the watch.
@@ -132,6 +156,11 @@ impl Watch {
         self.0.stop.clone()
     }
 
+    /// The time that has been taken.
+    pub(crate) fn taken(&self) -> Duration {
+        clock().saturating_sub(self.0.began)
+    }
+
     /// What has ended the analysis, if something has.
     pub(crate) fn end_cause(&self) -> Option<EndCause> {
         let Watched { stop, limits, met, .. } = &*self.0;
@@ -144,7 +173,7 @@ impl Watched {
         let Limits { time, memory, .. } = self.limits;
         if is_interrupted() {
             Some(EndCause::Interruption)
-        } else if self.began.elapsed().as_secs_f64() > time {
+        } else if clock().saturating_sub(self.began).as_secs_f64() > time {
             Some(EndCause::Time(time))
         } else if holds_more_than(memory) {
             Some(EndCause::Memory(memory))
@@ -152,6 +181,32 @@ impl Watched {
             None
         }
     }
+}
+
+/// Reads a file within limits, which it may say more exactly itself; and the time that this has
+/// taken. Steps of integration are not counted yet.
+///
+/// # Errors
+/// The file is not right, or a limit was reached.
+pub(crate) fn reading<T>(
+    file: &Path,
+    limits: Limits,
+    read: impl FnOnce(&Stop) -> Result<T, Failure>,
+) -> Result<(T, Duration), Failure> {
+    let watch = Watch::begin(Limits { steps: f64::INFINITY, ..limits }, Duration::ZERO);
+    match read(&watch.stop()) {
+        Ok(read) => Ok((read, watch.taken())),
+        Err(failure) => Err(match watch.end_cause() {
+            Some(cause) => ended(file, Some(cause), "nothing is written, for the file was still being read"),
+            None => failure,
+        }),
+    }
+}
+
+/// The failure of an analysis that was ended, by a limit or by Ctrl-C if that is known.
+pub(crate) fn ended(file: &Path, met: Option<EndCause>, outcome: &str) -> Failure {
+    let cause = met.map_or(String::new(), |met| format!("{met}; "));
+    Failure::incomplete(format!("{}: {cause}{outcome}", file.display()))
 }
 
 /// Whether the process holds more than so many megabytes; not where the system does not say.
@@ -178,30 +233,39 @@ mod tests {
 
     const AMPLE: Limits = Limits { time: 1e6, memory: 1e9, steps: 1e18 };
 
+    /// What is met, and the time that was taken for it.
     #[track_caller]
-    fn met(limits: Limits) -> EndCause {
-        let watch = Watch::begin(limits);
-        let began = Instant::now();
-        loop {
-            if watch.stop().is_asked() {
-                return watch.end_cause().expect("what is met is known before the mark is set");
-            }
-            assert!(began.elapsed() < Duration::from_secs(600), "nothing is met");
-            thread::sleep(PAUSE);
+    fn met(limits: Limits) -> (EndCause, f64) {
+        let watch = Watch::begin(limits, Duration::ZERO);
+        // Only what computes takes time.
+        while !watch.stop().is_asked() {
+            assert!(watch.taken() < Duration::from_secs(600), "nothing is met");
         }
+        (watch.end_cause().expect("what is met is known before the mark is set"), watch.taken().as_secs_f64())
     }
 
     #[test]
     fn time_and_memory_end_an_analysis_and_are_named() {
-        assert_eq!(met(Limits { time: 0.05, ..AMPLE }), EndCause::Time(0.05));
+        let (cause, taken) = met(Limits { time: 0.05, ..AMPLE });
+        assert!(cause == EndCause::Time(0.05) && taken > 0.05, "{cause:?} {taken}");
+        assert!(cause.to_string().contains("0.05 s of CPU time") || cfg!(not(unix)), "{cause}");
         if held().is_some() {
-            assert_eq!(met(Limits { memory: 0.1, ..AMPLE }), EndCause::Memory(0.1));
+            assert_eq!(met(Limits { memory: 0.1, ..AMPLE }).0, EndCause::Memory(0.1));
         }
     }
 
     #[test]
+    fn time_that_was_taken_before_counts() {
+        let watch = Watch::begin(Limits { time: 100.0, ..AMPLE }, Duration::from_secs(101));
+        while !watch.stop().is_asked() {
+            thread::sleep(PAUSE);
+        }
+        assert_eq!(watch.end_cause(), Some(EndCause::Time(100.0)));
+    }
+
+    #[test]
     fn within_all_limits_nothing_ends() {
-        let watch = Watch::begin(AMPLE);
+        let watch = Watch::begin(AMPLE, Duration::ZERO);
         thread::sleep(5 * PAUSE);
         assert_eq!(watch.end_cause(), None);
         assert!(!watch.stop().is_asked());

@@ -1,11 +1,14 @@
 //! Oscillators in text files, as they are read.
 
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
-use grazing_description::{Description, DescriptionError};
+use grazing_description::{Description, DescriptionError, Limits};
+use grazing_model::smooth::Stop;
 use grazing_source::{Setting, Text};
 
 use crate::failure::Failure;
+use crate::limits::reading;
 
 /// A file that describes an oscillator.
 pub(crate) struct OscillatorFile {
@@ -13,18 +16,21 @@ pub(crate) struct OscillatorFile {
     /// What stands in it, with what was set over it on top.
     pub(crate) text: String,
     pub(crate) description: Description,
+    /// What reading it has taken of the time.
+    pub(crate) taken: Duration,
 }
 
 impl OscillatorFile {
-    /// Reads a file, with settings that take the place of values in it.
+    /// Reads a file within limits, with settings that take the place of values in it.
     ///
     /// # Errors
-    /// It cannot be read, or something in it is not right.
-    pub(crate) fn read(file: &Path, settings: &[Setting]) -> Result<Self, Failure> {
+    /// It cannot be read, something in it is not right, or a limit was reached.
+    pub(crate) fn read(file: &Path, settings: &[Setting], limits: Limits) -> Result<Self, Failure> {
         let text = grazing_source::read_file(file).map_err(DescriptionError::from)?;
-        let named = file.display().to_string();
-        let description = Description::parse_with(&Text::new(&text, settings), &named)?;
-        Ok(Self { file: file.to_owned(), text: noted(&text, settings), description })
+        let (named, set) = (file.display().to_string(), Text::new(&text, settings));
+        let read = |stop: &Stop| Ok(Description::parse_with(&set, &named, stop)?);
+        let (description, taken) = reading(file, limits, read)?;
+        Ok(Self { file: file.to_owned(), text: noted(&text, settings), description, taken })
     }
 }
 

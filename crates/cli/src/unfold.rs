@@ -17,13 +17,13 @@ use grazing_description::Limits;
 use crate::arguments;
 use crate::failure::Failure;
 use crate::folder::{self, OutputFile, summary};
-use crate::limits;
+use crate::limits::{self, ended};
 use crate::oscillator::{OscillatorFile, settings, with_loops};
 use crate::outputs::edition::{Edition, Format};
 use crate::outputs::latex;
 use crate::outputs::oscillator::{self, AnalysedOscillator};
 use crate::{data_page, terminal};
-use analysis::{analyse, ended};
+use analysis::analyse;
 use keeper::Keeper;
 use page::PAGE;
 
@@ -89,7 +89,7 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
     let mut tasks: Vec<Task> = Vec::new();
     for file in &arguments.files {
         let settings = settings(&arguments.set);
-        let mut of = OscillatorFile::read(file, &settings)?;
+        let mut of = OscillatorFile::read(file, &settings, arguments.limits(Limits::USUAL))?;
         of.description = with_loops(of.description, arguments.loops.as_deref())?;
         let named = folder::name_for(file);
         let folder = match &arguments.output {

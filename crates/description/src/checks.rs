@@ -6,7 +6,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing_model::smooth::{SmoothOscillator, Units};
+use grazing_model::smooth::{SmoothOscillator, Stop, Units};
 
 use crate::description::{Description, Expressions};
 use crate::error::{DescriptionError, KeyPlace, rounded};
@@ -31,17 +31,23 @@ const ROUNDING: f64 = 1e-9;
 
 type Checked = Result<(), DescriptionError>;
 
-/// Checks frequency, force and reset law at samples, in the order of the file; what is allowed and
-/// may not be meant.
+/// Checks frequency, force and reset law at samples, in the order of the file, until an end is
+/// asked for; what is allowed and may not be meant.
 pub(crate) fn samples(
     description: &Description,
     places: &Expressions<KeyPlace>,
+    stop: &Stop,
 ) -> Result<Vec<String>, DescriptionError> {
     let sampler = Sampler { description, places, units: description.units() };
     let parameters = sampler.parameters();
     for check in [Sampler::frequency, Sampler::wall, Sampler::force, Sampler::restitution, Sampler::duration]
     {
-        parameters.iter().try_for_each(|&parameters| check(&sampler, parameters))?;
+        for &parameters in &parameters {
+            if stop.is_asked() {
+                return Err(DescriptionError::Ended);
+            }
+            check(&sampler, parameters)?;
+        }
     }
     Ok(parameters.iter().find_map(|&parameters| sampler.lively(parameters)).into_iter().collect())
 }
@@ -111,15 +117,18 @@ impl Sampler<'_> {
         let place = &self.places.force;
         let period = TAU / self.description.forcing_frequency(mu, eta);
         let near = NEAR * self.units.length;
+        // What depends on time alone is computed once for all positions and velocities.
+        let force_at = |t: f64| self.description.force_at::<f64, f64>(t, mu, eta);
+        let mut instants =
+            SHARES.map(|share| share * period).map(|t| (t, [force_at(t), force_at(t + period)]));
         for x in POSITIONS.map(|x| x * self.units.length) {
             for v in VELOCITIES.map(|v| v * self.units.velocity()) {
-                for t in SHARES.map(|share| share * period) {
-                    let force = |t| self.description.force(x, v, t, mu, eta);
+                for (t, forces) in &mut instants {
                     let at = || {
-                        let [x, v] = self.description.wall().outside([x, v], t, [mu, eta]);
-                        self.point([mu, eta], &[("x", x), ("v", v), ("t", t)])
+                        let [x, v] = self.description.wall().outside([x, v], *t, [mu, eta]);
+                        self.point([mu, eta], &[("x", x), ("v", v), ("t", *t)])
                     };
-                    let values = [force(t), force(t + period)];
+                    let values = forces.each_mut().map(|force| force(x, v));
                     if values[0].is_finite() || x >= -near {
                         let unit = self.units.acceleration();
                         finite_and_periodic(place, values, unit, ("t", period), at)?;

@@ -1,6 +1,6 @@
 //! The checked description and the oscillator that it is.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use grazing_model::AnyOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated, Scalar, SmoothOscillator, Stop, Stoppable, Units};
@@ -23,6 +23,8 @@ pub(crate) struct Content {
     pub(crate) start: Option<[f64; 2]>,
     pub(crate) diagrams: Vec<OneParameter>,
     pub(crate) notes: Vec<String>,
+    /// The units, once they have been looked for.
+    pub(crate) units: OnceLock<Units>,
 }
 
 /// What is computed with; the force is that seen from the wall.
@@ -185,7 +187,13 @@ impl Description {
 
     /// Units in which the motion is of the order of one in the ranges.
     pub fn units(&self) -> Units {
-        Units::of(self, [self.primary().range(), self.secondary().range()])
+        *self.0.units.get_or_init(|| self.units_until(&Stop::default()))
+    }
+
+    /// The same, which are worth nothing once an end is asked for.
+    pub(crate) fn units_until(&self, stop: &Stop) -> Units {
+        let ranges = [self.primary().range(), self.secondary().range()];
+        Units::of(&Stoppable::new(self.clone(), stop.clone()), ranges)
     }
 
     /// The numbers of loops p to analyse: at least one, each 1 or more, none twice, as ordered in

@@ -32,6 +32,9 @@ pub enum DescriptionError {
         /// What is wrong and where in the ranges, and what would be right.
         problem: String,
     },
+    /// An end was asked for before the file was read and checked.
+    #[error("it was not checked to its end")]
+    Ended,
     /// Numbers of loops that were asked for instead of the file's are not right.
     #[error("{}: {}", loops.iter().map(u32::to_string).collect::<Vec<_>>().join(","), REQUIREMENTS.of("analysis.loops"))]
     Loops {
@@ -78,7 +81,7 @@ impl DescriptionError {
             Self::Source(error) => error.mistake(),
             Self::Expression { place, problem, .. } => place.mistake(problem),
             Self::Value { place, problem } => place.mistake(problem),
-            Self::Loops { .. } => Mistake::new(self.to_string()),
+            Self::Ended | Self::Loops { .. } => Mistake::new(self.to_string()),
         }
     }
 

@@ -34,7 +34,7 @@ use std::iter;
 use std::ops::Range;
 use std::sync::Arc;
 
-use grazing_model::smooth::{Function, Scalar};
+use grazing_model::smooth::{Function, Scalar, Stop};
 use thiserror::Error;
 
 pub(crate) use function::{is_function, variable};
@@ -207,7 +207,8 @@ impl Expression {
         variables: &[&str],
         constants: &[(&str, f64)],
     ) -> Result<Expression, ExpressionError> {
-        parse::expression(text, variables, variables.len(), constants).map(|(expression, _)| expression)
+        let parsed = parse::expression(text, variables, variables.len(), constants, &Stop::default());
+        parsed.map(|(expression, _)| expression)
     }
 
     /// The names of the variables, in the order of their values.

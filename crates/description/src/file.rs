@@ -125,9 +125,9 @@ keys! {
         /// Where the search for the non-impacting motion starts.
         start: Option<[f64; 2]> = maybe(numbers()),
             "the start of the search for the non-impacting motion must be position and velocity at time zero, two finite numbers, as [-1.0, 0.0]; it may be left out";
-        /// The time limit, in seconds.
+        /// The time limit, in seconds of CPU time.
         time_limit: f64 = limit(Limits::USUAL.time),
-            "the time after which the analysis ends with what it has must be a positive number of seconds, as 600; it may be left out";
+            "the time after which the analysis ends with what it has must be a positive number of seconds of CPU time, as 600; it may be left out";
         /// The memory limit, in megabytes.
         memory_limit: f64 = limit(Limits::USUAL.memory),
             "the memory at which the analysis ends with what it has must be a positive number of megabytes, as 2000; it may be left out";
@@ -212,7 +212,7 @@ impl Side {
 /// What an analysis may use before it ends with what it has.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
-    /// Seconds.
+    /// Seconds of CPU time, of all threads together.
     pub time: f64,
     /// Megabytes that the process holds.
     pub memory: f64,

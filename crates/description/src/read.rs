@@ -1,8 +1,9 @@
 //! Descriptions from texts, and others made from these.
 
 use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
+use grazing_model::smooth::Stop;
 use grazing_source::{Source, Text};
 
 use crate::description::Description;
@@ -27,20 +28,25 @@ impl Description {
     /// # Errors
     /// [`DescriptionError`], the first thing in the text that is not right, with its line.
     pub fn parse(text: &str, file: &str) -> Result<Description, DescriptionError> {
-        Description::parse_with(&Text::new(text, &[]), file)
+        Description::parse_with(&Text::new(text, &[]), file, &Stop::default())
     }
 
-    /// As [`parse`](Self::parse), with settings that take the place of values in the text.
+    /// As [`parse`](Self::parse), with settings that take the place of values in the text, until
+    /// an end is asked for.
     ///
     /// # Errors
-    /// As [`parse`](Self::parse), and for settings of keys that mean nothing or are not there.
-    pub fn parse_with(text: &Text, file: &str) -> Result<Description, DescriptionError> {
+    /// As [`parse`](Self::parse), and for settings of keys that mean nothing or are not there;
+    /// [`DescriptionError::Ended`] once an end is asked for.
+    pub fn parse_with(text: &Text, file: &str, stop: &Stop) -> Result<Description, DescriptionError> {
         let source = Source::new(text, file, &REQUIREMENTS);
-        let (description, places) = source.whole(|file| validate::description(&file))?;
-        let notes = checks::samples(&description, &places)?;
-        let mut content = (*description.0).clone();
-        content.notes = notes;
-        Ok(Description(Arc::new(content)))
+        let (mut description, places) = source
+            .whole(|file| validate::description(&file, stop))
+            .map_err(|error| if stop.is_asked() { DescriptionError::Ended } else { error })?;
+        let content = Arc::make_mut(&mut description.0);
+        content.units = OnceLock::from(Description(Arc::new(content.clone())).units_until(stop));
+        let notes = checks::samples(&description, &places, stop)?;
+        Arc::make_mut(&mut description.0).notes = notes;
+        Ok(description)
     }
 
     /// The same oscillator with another value of a constant; a name that is no constant's changes
@@ -52,7 +58,9 @@ impl Description {
         let mut content = (*self.0).clone();
         let constants = content.file.parameters.iter_mut();
         constants.filter(|(known, _)| known == name).for_each(|(_, old)| *old = value);
-        content.formulas = validate::formulas(&content.texts, self.wall().side, &content.file)?;
+        content.formulas =
+            validate::formulas(&content.texts, self.wall().side, &content.file, &Stop::default())?;
+        content.units = OnceLock::new();
         Ok(Description(Arc::new(content)))
     }
 
@@ -69,5 +77,31 @@ impl Description {
         let mut content = (*self.0).clone();
         content.file.analysis.loops = loops.to_vec();
         Ok(Description(Arc::new(content)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_is_checked_and_no_unit_looked_for_once_an_end_is_asked_for() {
+        let text = Text::new(include_str!("../../../examples/shaking-table.toml"), &[]);
+        let stop = Stop::default();
+        let source = Source::new(&text, "shaking-table.toml", &REQUIREMENTS);
+        let (description, places) =
+            source.whole(|file| validate::description(&file, &stop)).expect("it is right");
+        assert!(checks::samples(&description, &places, &stop).is_ok());
+        let sizes = || {
+            let units = description.units_until(&stop);
+            [units.length, units.time]
+        };
+        assert_ne!(sizes(), [1.0; 2]);
+        stop.ask();
+        assert_eq!(checks::samples(&description, &places, &stop), Err(DescriptionError::Ended));
+        // They are those of an oscillator of which nothing is known.
+        assert_eq!(sizes(), [1.0; 2]);
+        let read = Description::parse_with(&text, "shaking-table.toml", &stop);
+        assert_eq!(read, Err(DescriptionError::Ended));
     }
 }

@@ -1,7 +1,8 @@
 //! From the file as written to a description that can be computed with.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
+use grazing_model::smooth::Stop;
 use grazing_source::{Keys, Section, SourceError};
 
 use crate::description::{Content, Description, Expressions, Formulas, OneParameter, Wall};
@@ -23,19 +24,19 @@ const FREQUENCY: Kind = ("motion.frequency", &[], 0);
 const RESTITUTION: Kind = ("impact.restitution", &["y", "z"], 2);
 const DURATION: Kind = ("impact.duration", &["y", "z"], 2);
 
-/// The names of the parameters, and the constants.
-struct Known<'a>([&'a str; 2], Vec<(&'a str, f64)>);
+/// The names of the parameters, and the constants; and what ends the reading.
+struct Known<'a>([&'a str; 2], Vec<(&'a str, f64)>, &'a Stop);
 
 impl<'a> Known<'a> {
-    fn new(file: &'a File) -> Self {
+    fn new(file: &'a File, stop: &'a Stop) -> Self {
         let constants = file.parameters.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-        Self([&file.primary, &file.secondary].map(Axis::name), constants)
+        Self([&file.primary, &file.secondary].map(Axis::name), constants, stop)
     }
 
     /// The expression, and the numbers of the variables in it, the last two of which are the
     /// parameters.
     fn parse(&self, text: &str, (_, own, moving): Kind) -> Result<(Expression, Vec<usize>), ExpressionError> {
-        parse_with_uses(text, &[own, &self.0].concat(), moving, &self.1)
+        parse_with_uses(text, &[own, &self.0].concat(), moving, &self.1, self.2)
     }
 }
 
@@ -44,11 +45,12 @@ pub(crate) fn formulas(
     texts: &Expressions<String>,
     side: Side,
     file: &File,
+    stop: &Stop,
 ) -> Result<Formulas, ExpressionError> {
-    let known = Known::new(file);
+    let known = Known::new(file, stop);
     let parse = |text, kind| Ok(known.parse(text, kind)?.0);
     let names = ["x", "v", "t", known.0[0], known.0[1]];
-    let [force, x, v] = from_the_wall(&texts.force, &texts.wall, side.sign(), &names, &known.1)?;
+    let [force, x, v] = from_the_wall(&texts.force, &texts.wall, side.sign(), &names, &known.1, stop)?;
     Ok(Formulas {
         force,
         wall: Wall { side, outside: [x, v] },
@@ -58,17 +60,19 @@ pub(crate) fn formulas(
     })
 }
 
-/// Checks everything that can be checked without evaluating an expression. Where there is no wall
+/// Checks everything that can be checked without evaluating an expression; once an end is asked
+/// for there is some error. Where there is no wall
 /// in the file, its expression stands where that of the force does.
 pub(crate) fn description(
     section: &Section<'_>,
+    stop: &Stop,
 ) -> Result<(Description, Expressions<KeyPlace>), DescriptionError> {
     let mut file = File::read(section)?;
     names::check(section, &file)?;
     check_number(section, &file)?;
     file.parameters.sort_by(|(a, _), (b, _)| a.cmp(b));
     let axes = [&file.primary, &file.secondary];
-    let known = Known::new(&file);
+    let known = Known::new(&file, stop);
     let mut used = [false; 2];
     let mut checked = |text: &String, kind: Kind| {
         let (_, uses) = known
@@ -92,7 +96,7 @@ pub(crate) fn description(
     };
     let (texts, places) = (checked.map(|(text, _)| text.clone()), checked.map(|(_, place)| place.clone()));
     // Each by itself is right.
-    let formulas = formulas(&texts, side, &file)
+    let formulas = formulas(&texts, side, &file, stop)
         .map_err(|error| DescriptionError::Value { place: places.wall.clone(), problem: error.problem })?;
     for ((used, key), axis) in used.into_iter().zip(["primary.name", "secondary.name"]).zip(axes) {
         if !used {
@@ -110,7 +114,8 @@ pub(crate) fn description(
         diagram(written, axes, |name, allowed| section.forbid(&format!("diagrams[{number}].{name}"), allowed))
     };
     let diagrams = file.diagrams.iter().zip(1..).map(diagram).collect::<Result<_, _>>()?;
-    let content = Content { file, formulas, texts, start, diagrams, notes: Vec::new() };
+    let (notes, units) = (Vec::new(), OnceLock::new());
+    let content = Content { file, formulas, texts, start, diagrams, notes, units };
     Ok((Description(Arc::new(content)), places))
 }
 

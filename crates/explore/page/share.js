@@ -16,7 +16,10 @@ function fileOf(example) {
   return example === examples[0] && !shipped ? example.file : `examples/${example.file}`;
 }
 
-/** The command that writes the very same figure and numbers. */
+/** What a terminal or a shell may take for more than text: control characters, marks that turn the direction of writing. */
+const TREACHEROUS = /[\p{Cc}\p{Cf}\p{Zl}\p{Zp}]/u;
+
+/** The command that writes the very same figure and numbers; null if names in the address, which anybody can write, make it unsafe. */
 export function command(value) {
   const { primary, secondary } = viewOf(value);
   const example = exampleOf(value);
@@ -30,7 +33,8 @@ export function command(value) {
   const alone = value.view && /^\s*\[\[\s*diagrams/m.test(textOf(value) ?? "") ? setting("diagrams", "[]") : "";
   const chosen = value.loops ? setting(loops, list(value.loops)) : "";
   const first = paper ? "cargo xtask reproduce --only fig07" : `cargo xtask unfold ${word(fileOf(example))}`;
-  return first + constants.join("") + ranges + alone + chosen;
+  const line = first + constants.join("") + ranges + alone + chosen;
+  return TREACHEROUS.test(line) ? null : line;
 }
 
 async function copy(text, button) {
@@ -72,7 +76,9 @@ async function take(what) {
 export function open() {
   const value = state.get();
   $("address").value = location.origin + location.pathname + state.encode(value);
-  $("command").textContent = command(value);
+  const line = command(value);
+  $("command").textContent = line ?? "There is none: a name in the address holds characters that are no text.";
+  $("copy-command").disabled = line === null;
   $("own-text").hidden = value.text === null;
   $("share-status").textContent = "";
   const told = Object.entries(value.set).map(([name, number]) => `${plain(namePieces(name))} = ${number}`);

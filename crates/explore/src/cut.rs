@@ -37,7 +37,7 @@ const HELD: f64 = 0.01;
 pub(crate) fn compute(request: &CutRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
     let CutRequest { model, fixed, at, range } = request;
     // The parameter that is held needs a range, too: a small part of the file's.
-    let own = model.description(None)?;
+    let own = model.description(None, stop)?;
     let primary_is_fixed = *fixed == Fixed::Primary;
     let axis = if primary_is_fixed { own.primary() } else { own.secondary() };
     let [low, high] = axis.range();

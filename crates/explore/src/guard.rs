@@ -39,12 +39,14 @@ impl Token {
 /// Whether a request may be answered: for this server, and from its own page if it is from one.
 pub(crate) fn is_own(headers: &HeaderMap, port: u16) -> bool {
     let own = ["127.0.0.1", "localhost", "[::1]"].map(|name| format!("{name}:{port}"));
+    // Of two of a kind nobody knows which one somebody on the way has looked at.
+    let single = |name: &str| headers.get_all(name).iter().count() <= 1;
     let text = |name: HeaderName| headers.get(name).map(|value| value.to_str().unwrap_or_default());
     let host = text(header::HOST).is_some_and(|host| own.iter().any(|own| own == host));
     let origin = text(header::ORIGIN)
         .is_none_or(|origin| own.iter().any(|own| origin.strip_prefix("http://") == Some(own)));
     let site = headers.get("sec-fetch-site").is_none_or(|site| site == "same-origin" || site == "none");
-    host && origin && site
+    host && origin && site && ["host", "origin", "sec-fetch-site"].into_iter().all(single)
 }
 
 /// What every answer says: nothing is loaded but from here, nothing is kept, nobody may show it in
@@ -107,6 +109,9 @@ mod tests {
             (&[("host", "127.0.0.1:80"), ("origin", "https://127.0.0.1:80")], false),
             (&[("host", "127.0.0.1:80"), ("origin", "null")], false),
             (&[("host", "127.0.0.1:80"), ("sec-fetch-site", "cross-site")], false),
+            (&[("host", "127.0.0.1:80"), ("host", "127.0.0.1:80")], false),
+            (&[("host", "127.0.0.1:80"), ("host", "example.org:80")], false),
+            (&[("host", "localhost:80"), ("origin", "http://localhost:80"), ("origin", "null")], false),
         ] {
             assert_eq!(is_own(&headers_of(pairs), 80), own, "{pairs:?}");
         }

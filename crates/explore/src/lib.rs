@@ -9,6 +9,7 @@
 //! |---|---|
 //! | [`server`](Server) | connections, and where requests go |
 //! | `turns` | computations: how many at once, for how long, and their end when nobody waits for them |
+//! | `patient` | connections that are given up when nobody reads |
 //! | `guard` | who may ask: token, Host, Origin; what answers say to browsers |
 //! | `model` | from a request to an oscillator |
 //! | `answer`, `stream` | one value as JSON, or events one after the other |
@@ -26,6 +27,7 @@ mod files;
 mod guard;
 mod kinds;
 mod model;
+mod patient;
 mod place;
 mod server;
 mod stream;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use grazing_continuation::curve::Window;
 use grazing_description::{Axis, Description};
-use grazing_model::smooth::Stop;
+use grazing_model::smooth::{Stop, Stoppable};
 use grazing_model::{AnyOscillator, LinearOscillator};
 use grazing_reproduction::plane::Axes;
 use grazing_reproduction::unfolded;
@@ -67,12 +67,13 @@ impl Model {
         constants.chain(ranges).collect()
     }
 
-    /// The oscillator as its file describes it, in the ranges of a view or in its own.
-    pub(crate) fn description(&self, view: Option<&View>) -> Result<Description, Mistake> {
+    /// The oscillator as its file describes it, in the ranges of a view or in its own, read until an
+    /// end is asked for.
+    pub(crate) fn description(&self, view: Option<&View>, stop: &Stop) -> Result<Description, Mistake> {
         let settings = self.settings(view).map_err(|error| Mistake::new(error.to_string()))?;
         let written = self.text.as_deref().unwrap_or(PAPER);
-        let description =
-            Description::parse_with(&Text::new(written, &settings), FILE).map_err(|error| error.mistake())?;
+        let description = Description::parse_with(&Text::new(written, &settings), FILE, stop)
+            .map_err(|error| error.mistake())?;
         match &self.loops {
             Some(loops) => {
                 description.with_loops(loops).map_err(|error| Mistake::new(format!("loops {error}")))
@@ -83,7 +84,10 @@ impl Model {
 
     /// The oscillator in the ranges of a view, or in those of its file, to be ended by a mark.
     pub(crate) fn prepared(&self, view: Option<&View>, stop: &Stop) -> Result<Prepared, Mistake> {
-        let description = self.description(view)?;
+        self.ready(self.description(view, stop)?, stop)
+    }
+
+    fn ready(&self, description: Description, stop: &Stop) -> Result<Prepared, Mistake> {
         if self.text.is_some() {
             let axes = unfolded::axes(&description);
             let (oscillator, scope) = unfolded::prepared(&description, &axes.units, stop);
@@ -101,21 +105,22 @@ impl Model {
             .map_err(|error| Mistake::new(error.to_string()))?;
         let scope = Scope { window, loops: description.loops().to_vec(), start: None };
         let axes = Axes::of_the_paper();
-        Ok(Prepared { oscillator: AnyOscillator::new(oscillator), scope, axes, description: None })
+        let oscillator = AnyOscillator::new(Stoppable::new(oscillator, stop.clone()));
+        Ok(Prepared { oscillator, scope, axes, description: None })
     }
 
     /// The oscillator in the ranges of a view, that of the paper as a text, too.
     ///
     /// # Errors
     /// What is wrong with it, in words.
-    pub fn in_view(&self, view: &View) -> Result<Description, String> {
-        self.description(Some(view)).map_err(|mistake| mistake.message)
+    pub fn in_view(&self, view: &View, stop: &Stop) -> Result<Description, String> {
+        self.description(Some(view), stop).map_err(|mistake| mistake.message)
     }
 
     /// What there is to know of the oscillator before anything is computed.
-    pub(crate) fn described(&self) -> Result<Value, Mistake> {
-        let names = self.prepared(None, &Stop::default())?.axes.names;
-        let description = self.description(None)?;
+    pub(crate) fn described(&self, stop: &Stop) -> Result<Value, Mistake> {
+        let description = self.description(None, stop)?;
+        let names = self.ready(description.clone(), stop)?.axes.names;
         let axis = |name: &str, title: &str, axis: &Axis| json!({"name": name, "title": title, "range": axis.range(), "unit": axis.unit()});
         let [primary, secondary] = names.titles();
         let constant = |(name, value): (&str, f64)| json!({"name": name, "value": value});
@@ -145,7 +150,7 @@ mod tests {
 
     #[test]
     fn mistakes_are_marked_where_they_are() {
-        let wrong = |text: String| model(text).described().unwrap_err();
+        let wrong = |text: String| model(text).described(&Stop::default()).unwrap_err();
         let marked = |text: &str, wrong: &Mistake| {
             let line = text.lines().nth(wrong.line.unwrap() - 1).unwrap();
             let [from, to] = wrong.span.unwrap();
@@ -167,7 +172,7 @@ mod tests {
         let mut model = model(example());
         model.set.insert("kappa".to_owned(), 0.3);
         let view = View { primary: [0.25, 0.5], secondary: [0.9, 1.0] };
-        let description = model.description(Some(&view)).unwrap();
+        let description = model.description(Some(&view), &Stop::default()).unwrap();
         assert_eq!(description.primary().range(), [0.25, 0.5]);
         assert!(description.constants().any(|constant| constant == ("kappa", 0.3)));
         model.set.insert("unknown".to_owned(), 1.0);

@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 
 use crate::answer::Problem;
 use crate::model::{Model, Prepared};
+use crate::turns::Weight;
 
 /// What is asked for.
 #[derive(Deserialize)]
@@ -38,7 +39,10 @@ impl NearbyMotion {
         let counted = self.attractors.iter().all(|(states, _)| (1..=MOST_STATES).contains(states));
         let solutions = self.solutions.iter().filter(|(p, ..)| loops.contains(p));
         let attractors = self.attractors.iter();
-        (few && counted).then(|| Nearby {
+        let near = |value: f64| value.abs() <= FARTHEST;
+        let moderate = self.solutions.iter().all(|(_, velocity, _)| near(velocity / units.velocity()))
+            && self.attractors.iter().all(|(_, [position, velocity, _])| near(*position) && near(*velocity));
+        (few && counted && moderate).then(|| Nearby {
             solutions: solutions
                 .map(|(p, velocity, phase)| (*p, [velocity / units.velocity(), *phase]))
                 .collect(),
@@ -54,6 +58,16 @@ impl NearbyMotion {
 
 /// More initial states take longer than anybody waits.
 const MOST_STATES: u32 = 200;
+/// Motion is of the order of one in the oscillator's units: nothing that was found is farther from
+/// rest at the wall than this, or faster.
+const FARTHEST: f64 = 1e6;
+
+impl PlaceRequest {
+    /// What is followed from a place nearby takes a moment.
+    pub(crate) fn weight(&self) -> Weight {
+        if self.nearby.is_some() { Weight::Light } else { Weight::Heavy }
+    }
+}
 
 pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Problem> {
     let of = request.model.prepared(None, stop)?;
@@ -63,6 +77,12 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
     let units = of.axes.units;
     let [primary, secondary] = request.at;
     let here = of.oscillator.with_parameters([primary / units.primary, secondary / units.secondary]);
+    let frequency = here.forcing_frequency().value / units.time;
+    if !(frequency > 0.0 && frequency.is_finite()) {
+        return Err(Problem::wrong(format!(
+            "the forcing frequency is {frequency} at this place: it must be positive"
+        )));
+    }
     let found = match &request.nearby {
         None => {
             let usual = Starts::default();
@@ -72,7 +92,7 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
         Some(motion) => {
             let nearby = motion
                 .nearby(&of.scope.loops, &units)
-                .ok_or_else(|| Problem::wrong("too much is said to be nearby"))?;
+                .ok_or_else(|| Problem::wrong("what is said to be nearby is too much or too far"))?;
             Place::followed(&here, &nearby, stop)
         }
     };

@@ -14,7 +14,7 @@ use hyper::header::CONTENT_TYPE;
 use hyper::server::conn::http1;
 use hyper::service::service_fn;
 use hyper::{Method, Request, Response, StatusCode};
-use hyper_util::rt::{TokioIo, TokioTimer};
+use hyper_util::rt::TokioTimer;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::json;
@@ -26,8 +26,10 @@ use crate::answer::{self, Body, Problem, Sheet};
 use crate::files::{self, Example};
 use crate::guard::{self, Token};
 use crate::model::{Model, View};
-use crate::turns::{self, Limits, Turns};
-use crate::{cut, diagram, place, stream, tiles};
+use crate::patient::Patient;
+use crate::place::{self, PlaceRequest};
+use crate::turns::{self, Limits, Turns, Weight};
+use crate::{cut, diagram, stream, tiles};
 
 /// Makes a file of what is seen: of a model in a view `svg`, `pdf`, `png` or `csv:TABLE` at a width
 /// (`one`, `two`, or that of the paper).
@@ -81,7 +83,7 @@ impl Server {
         // A thread for connections; computations have theirs, and within them rayon's.
         let runtime = Builder::new_multi_thread()
             .worker_threads(1)
-            .max_blocking_threads(shared.turns.limits.computations + 2)
+            .max_blocking_threads(shared.turns.limits.connections)
             .enable_all()
             .build()?;
         runtime.block_on(async {
@@ -106,7 +108,8 @@ impl Server {
                 let (Ok((stream, _)), Ok(place)) = (accepted, places.clone().try_acquire_owned()) else {
                     continue;
                 };
-                tokio::spawn(connection(TokioIo::new(stream), shared.clone(), place));
+                let stream = Patient::new(stream, shared.turns.limits.patience);
+                tokio::spawn(connection(stream, shared.clone(), place));
             }
             shared.turns.end_all();
             Ok::<_, io::Error>(())
@@ -120,11 +123,7 @@ impl Server {
 const PAUSE: Duration = Duration::from_millis(50);
 const GRACE: Duration = Duration::from_millis(500);
 
-async fn connection(
-    stream: TokioIo<tokio::net::TcpStream>,
-    shared: Arc<Shared>,
-    _place: OwnedSemaphorePermit,
-) {
+async fn connection(stream: Patient, shared: Arc<Shared>, _place: OwnedSemaphorePermit) {
     let patience = shared.turns.limits.patience;
     let service = service_fn(move |request| {
         let shared = shared.clone();
@@ -170,25 +169,29 @@ async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Res
     match rest {
         "check" => {
             let model: Model = read(shared, request).await?;
-            Ok(match model.described() {
-                Ok(described) => answer::json(&described),
-                Err(Mistake { message, line, span }) => {
-                    answer::json(&json!({"ok": false, "message": message, "line": line, "span": span}))
-                }
-            })
+            let described =
+                turns::computed(&shared.turns, Weight::Light, move |stop| match model.described(stop) {
+                    _ if stop.is_asked() => Err(Problem::ended()),
+                    Ok(described) => Ok(described),
+                    Err(Mistake { message, line, span }) => {
+                        Ok(json!({"ok": false, "message": message, "line": line, "span": span}))
+                    }
+                });
+            Ok(answer::json(&described.await?))
         }
         "diagram" => stream::events(&shared.turns, read(shared, request).await?, diagram::compute).await,
         "tiles" => stream::events(&shared.turns, read(shared, request).await?, tiles::compute).await,
         "place" => {
-            let request = read(shared, request).await?;
-            let found = turns::blocking(&shared.turns, move |stop| place::compute(&request, stop));
+            let request: PlaceRequest = read(shared, request).await?;
+            let weight = request.weight();
+            let found = turns::computed(&shared.turns, weight, move |stop| place::compute(&request, stop));
             Ok(answer::json(&found.await?))
         }
         "cut" => stream::events(&shared.turns, read(shared, request).await?, cut::compute).await,
         "export" => {
             let ExportRequest { model, view, what, columns } = read(shared, request).await?;
             let own = shared.clone();
-            let made = turns::blocking(&shared.turns, move |stop| {
+            let made = turns::computed(&shared.turns, Weight::Heavy, move |stop| {
                 (own.export)(&model, &view, &what, &columns, stop).map_err(Problem::wrong)
             });
             answer::file(made.await?)

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::convert::Infallible;
 use std::pin::Pin;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError};
 use std::task::{Context, Poll};
 use std::time::{Duration, Instant};
 
@@ -16,10 +16,9 @@ use hyper::header::{CONTENT_TYPE, HeaderValue};
 use serde::Serialize;
 use serde_json::json;
 use tokio::sync::mpsc::{Receiver, Sender, channel};
-use tokio::task::spawn_blocking;
 
 use crate::answer::{Body, Problem};
-use crate::turns::{StopOnDrop, Turns};
+use crate::turns::{self, Begun, StopOnDrop, Turns, Weight};
 
 /// Events that wait for a slow reader; the computation waits then, too.
 const WAITING: usize = 64;
@@ -96,22 +95,21 @@ impl Progress for Events {
 
 /// Computes, and sends what is found as it is found.
 pub(crate) async fn events<T: Send + Sync + 'static>(
-    turns: &Arc<Turns>,
+    turns: &Turns,
     request: T,
     compute: fn(&T, &Events, &Stop) -> Result<(), Problem>,
 ) -> Result<Response<Body>, Problem> {
-    let turn = turns.turn().await?;
-    let (stop, guard) = turns.mark();
     let (sender, receiver) = channel(WAITING);
-    spawn_blocking(move || {
+    let work = move |stop: &Stop| {
         let began = Instant::now();
         let events = Events { sender, stop: stop.clone(), stages: Mutex::default() };
-        match turn.take(|| compute(&request, &events, &stop)) {
+        match compute(&request, &events, stop) {
             _ if stop.is_asked() => events.send("error", &json!({ "message": Problem::ended().message() })),
             Ok(()) => events.send("done", &json!({ "seconds": began.elapsed().as_secs_f64() })),
             Err(problem) => events.send("error", &json!({ "message": problem.message() })),
         }
-    });
+    };
+    let Begun { guard, .. } = turns::begin(turns, Weight::Heavy, work).await?;
     let mut response = Response::new(Reading { receiver, _guard: guard }.boxed());
     response.headers_mut().insert(CONTENT_TYPE, HeaderValue::from_static("text/event-stream"));
     Ok(response)

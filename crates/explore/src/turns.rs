@@ -7,9 +7,9 @@ use std::time::Duration;
 use grazing_model::smooth::Stop;
 use hyper::StatusCode;
 use rayon::{ThreadPool, ThreadPoolBuilder};
-use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
-use tokio::task::{AbortHandle, spawn_blocking};
-use tokio::time::timeout;
+use tokio::sync::{OwnedSemaphorePermit, Semaphore, oneshot, watch};
+use tokio::task::{JoinHandle, spawn_blocking};
+use tokio::time::{sleep, timeout};
 
 use crate::answer::Problem;
 
@@ -19,15 +19,22 @@ use crate::answer::Problem;
 pub struct Limits {
     /// Connections at once; more are closed.
     pub connections: usize,
-    /// Computations at once; more wait, in the order in which they came. By default so many as one
-    /// page asks for: diagram, place, cut, simulation.
+    /// Heavy computations at once; more wait, in the order in which they came. By default so many
+    /// as one page asks for: diagram, place, cut, simulation.
     pub computations: usize,
+    /// Light ones, which do not wait for these.
+    pub light: usize,
     /// Bytes of a request's body: ten times the largest file that is no generated one.
     pub body: usize,
-    /// For the head of a request to come, and then for its body.
+    /// For the head of a request to come, and then for its body; and for whoever asked to take more
+    /// of the answer.
     pub patience: Duration,
-    /// For a computation, with the time that it waits.
+    /// For a computation, with the time that it waits. It is that of the clock on the wall, since
+    /// the process computes for several at once.
     pub time: Duration,
+    /// For a computation to notice that its end is asked for. One that does not loses its turn to
+    /// whoever comes next.
+    pub grace: Duration,
     /// Steps of integration of a computation.
     pub steps: u64,
 }
@@ -37,42 +44,85 @@ impl Default for Limits {
         Self {
             connections: 256,
             computations: 4,
+            light: 2,
             body: 200_000,
             patience: Duration::from_secs(10),
             time: Duration::from_secs(120),
+            grace: Duration::from_secs(10),
             steps: 2_000_000_000,
         }
     }
 }
 
+/// What a computation is to those that come after it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Weight {
+    /// It takes a moment for any oscillator that people write.
+    Light,
+    /// It may take long.
+    Heavy,
+}
+
 /// What all computations share.
 pub(crate) struct Turns {
     pub(crate) limits: Limits,
-    computations: Arc<Semaphore>,
-    /// Each computation has threads of its own: those of one that takes long would not look after
-    /// another before its end.
-    threads: Mutex<Vec<Arc<ThreadPool>>>,
+    light: Arc<Lane>,
+    heavy: Arc<Lane>,
     /// Changes when all computations are to end.
     ending: watch::Sender<u64>,
 }
 
-/// The right to compute, and the threads to do it with.
-pub(crate) struct Turn {
-    turns: Arc<Turns>,
-    pool: Arc<ThreadPool>,
-    _permit: OwnedSemaphorePermit,
+/// Computations of one weight.
+struct Lane {
+    turns: Arc<Semaphore>,
+    /// Each computation has threads of its own: those of one that takes long would not look after
+    /// another before its end.
+    threads: Mutex<Vec<Arc<ThreadPool>>>,
 }
 
-impl Turn {
-    /// Computes, and gives the right back.
-    pub(crate) fn take<T: Send>(self, work: impl FnOnce() -> T + Send) -> T {
-        self.pool.install(work)
+fn threads() -> io::Result<Arc<ThreadPool>> {
+    ThreadPoolBuilder::new().build().map(Arc::new).map_err(io::Error::other)
+}
+
+impl Lane {
+    fn new(turns: usize) -> io::Result<Arc<Self>> {
+        let threads = (0..turns).map(|_| threads()).collect::<io::Result<_>>()?;
+        Ok(Arc::new(Self { turns: Arc::new(Semaphore::new(turns)), threads: Mutex::new(threads) }))
     }
+
+    fn threads(&self) -> MutexGuard<'_, Vec<Arc<ThreadPool>>> {
+        self.threads.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// The right to compute, as long as nobody has taken it back.
+struct Seat {
+    lane: Arc<Lane>,
+    permit: Mutex<Option<OwnedSemaphorePermit>>,
+}
+
+impl Seat {
+    /// Gives the right back, with threads for whoever comes next; once.
+    fn vacate(&self, threads: impl FnOnce() -> io::Result<Arc<ThreadPool>>) {
+        let permit = self.permit.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let Some(permit) = permit else { return };
+        match threads() {
+            Ok(threads) => self.lane.threads().push(threads),
+            // There is one turn less.
+            Err(_) => permit.forget(),
+        }
+    }
+}
+
+/// A turn to compute, and the threads to do it with.
+struct Turn {
+    seat: Arc<Seat>,
+    pool: Arc<ThreadPool>,
 }
 
 impl Drop for Turn {
     fn drop(&mut self) {
-        self.turns.threads().push(self.pool.clone());
+        self.seat.vacate(|| Ok(self.pool.clone()));
     }
 }
 
@@ -82,13 +132,8 @@ impl Turns {
     /// # Errors
     /// There are no threads.
     pub(crate) fn new(limits: Limits) -> io::Result<Self> {
-        let pool = |_| ThreadPoolBuilder::new().build().map(Arc::new).map_err(io::Error::other);
-        Ok(Self {
-            limits,
-            computations: Arc::new(Semaphore::new(limits.computations)),
-            threads: Mutex::new((0..limits.computations).map(pool).collect::<io::Result<_>>()?),
-            ending: watch::Sender::new(0),
-        })
+        let [light, heavy] = [Lane::new(limits.light)?, Lane::new(limits.computations)?];
+        Ok(Self { limits, light, heavy, ending: watch::Sender::new(0) })
     }
 
     /// Ends all computations.
@@ -96,55 +141,82 @@ impl Turns {
         self.ending.send_modify(|endings| *endings += 1);
     }
 
-    fn threads(&self) -> MutexGuard<'_, Vec<Arc<ThreadPool>>> {
-        self.threads.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// The right to compute, once it is there; none if it takes too long.
-    pub(crate) async fn turn(self: &Arc<Self>) -> Result<Turn, Problem> {
+    /// A turn, once it is there; none if it takes too long.
+    async fn turn(&self, weight: Weight) -> Result<Turn, Problem> {
+        let lane = if weight == Weight::Light { &self.light } else { &self.heavy };
         let refused = |why| Problem::new(StatusCode::SERVICE_UNAVAILABLE, why);
-        let turn = timeout(self.limits.time, self.computations.clone().acquire_owned()).await;
+        let turn = timeout(self.limits.time, lane.turns.clone().acquire_owned()).await;
         let permit = turn.map_err(|_| refused("the server is busy"))?;
         let permit = permit.map_err(|_| refused("the server is closing"))?;
-        let pool = self.threads().pop().ok_or_else(|| refused("the server is busy"))?;
-        Ok(Turn { turns: self.clone(), pool, _permit: permit })
+        let pool = lane.threads().pop().ok_or_else(|| refused("the server is busy"))?;
+        Ok(Turn { seat: Arc::new(Seat { lane: lane.clone(), permit: Mutex::new(Some(permit)) }), pool })
     }
 
     /// A mark that ends a computation when its time or its steps are used up, when all are to end,
-    /// and when what is returned beside it is dropped.
-    pub(crate) fn mark(&self) -> (Stop, StopOnDrop) {
+    /// and when what is returned beside it is dropped. One that goes on all the same loses its turn.
+    fn mark(&self, turn: &Turn) -> (Stop, StopOnDrop) {
         let stop = Stop::after(self.limits.steps);
-        let (time, ended, mut ending) = (self.limits.time, stop.clone(), self.ending.subscribe());
-        let watch = tokio::spawn(async move {
-            let _ = timeout(time, ending.changed()).await;
-            ended.ask();
+        let Limits { time, grace, .. } = self.limits;
+        let (guarded, dropped) = oneshot::channel::<()>();
+        let (asked, mut ending, seat) = (stop.clone(), self.ending.subscribe(), Arc::downgrade(&turn.seat));
+        tokio::spawn(async move {
+            tokio::select! {
+                () = sleep(time) => {}
+                _ = ending.changed() => {}
+                _ = dropped => {}
+            }
+            asked.ask();
+            // One that has ended has no seat any more.
+            if seat.strong_count() > 0 {
+                sleep(grace).await;
+                if let Some(seat) = seat.upgrade() {
+                    seat.vacate(threads);
+                }
+            }
         });
-        (stop.clone(), StopOnDrop { stop, watch: watch.abort_handle() })
+        (stop.clone(), StopOnDrop { stop, _guarded: guarded })
     }
 }
 
 /// Asks a computation to end when it is dropped, as the answer that nobody waits for any more is.
 pub(crate) struct StopOnDrop {
     stop: Stop,
-    /// What waits for the end of its time.
-    watch: AbortHandle,
+    _guarded: oneshot::Sender<()>,
 }
 
 impl Drop for StopOnDrop {
     fn drop(&mut self) {
         self.stop.ask();
-        self.watch.abort();
     }
 }
 
-/// Computes something in a thread of its own, when it is its turn.
-pub(crate) async fn blocking<T: Send + 'static>(
-    turns: &Arc<Turns>,
+/// A computation that has begun in a thread of its own.
+pub(crate) struct Begun<T> {
+    pub(crate) result: JoinHandle<T>,
+    /// It ends when this is dropped.
+    pub(crate) guard: StopOnDrop,
+}
+
+/// Begins to compute something when it is its turn.
+pub(crate) async fn begin<T: Send + 'static>(
+    turns: &Turns,
+    weight: Weight,
+    work: impl FnOnce(&Stop) -> T + Send + 'static,
+) -> Result<Begun<T>, Problem> {
+    let turn = turns.turn(weight).await?;
+    let (stop, guard) = turns.mark(&turn);
+    let result = spawn_blocking(move || turn.pool.install(|| work(&stop)));
+    Ok(Begun { result, guard })
+}
+
+/// Computes something when it is its turn.
+pub(crate) async fn computed<T: Send + 'static>(
+    turns: &Turns,
+    weight: Weight,
     work: impl FnOnce(&Stop) -> Result<T, Problem> + Send + 'static,
 ) -> Result<T, Problem> {
-    let turn = turns.turn().await?;
-    let (stop, _guard) = turns.mark();
-    let computed = spawn_blocking(move || turn.take(|| work(&stop)));
+    let Begun { result, guard: _guard } = begin(turns, weight, work).await?;
+    let Limits { time, grace, .. } = turns.limits;
     let failed = |_| Problem::new(StatusCode::INTERNAL_SERVER_ERROR, "the computation failed");
-    computed.await.map_err(failed)?
+    timeout(time + grace, result).await.map_err(|_| Problem::ended())?.map_err(failed)?
 }

@@ -47,5 +47,5 @@ pub use crate::scalar::{Function, Scalar};
 pub use crate::taylor::Taylor;
 pub use motion::IntegratedMotion;
 pub use oscillator::{Integrated, SmoothOscillator};
-pub use stop::{Stop, Stoppable};
+pub use stop::{Stop, Stoppable, StoppableMotion};
 pub use units::{Dimensionless, Units};

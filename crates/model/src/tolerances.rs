@@ -39,6 +39,11 @@ pub(crate) const MOST_ITERATIONS: usize = 50;
 /// accelerations of order one).
 pub(crate) const CHATTER_VELOCITY: f64 = 1e-6;
 
+/// A motion in closed form has ended after so many strides: no orbit is followed for more than some
+/// thousand forcing periods, which are as many strides at a thousandth of the natural frequency, and
+/// to walk through them takes a tenth of a second.
+pub(crate) const MOST_STRIDES: usize = 10_000_000;
+
 /// A motion of so many steps has ended: a few hundred make a period of a spring sixty times as fast
 /// as its forcing, and ten thousand of one that is a thousand times as fast; a hundred thousand
 /// take fifteen megabytes and some tenths of a second.

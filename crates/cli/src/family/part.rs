@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use grazing_description::Description;
+use grazing_model::smooth::Stop;
 use grazing_report::FileDigest;
 use grazing_reproduction::family::{Plan, Record};
 use grazing_source::{Setting, Text, shortened};
@@ -41,15 +42,15 @@ impl Origin {
         Ok(Self { file: file.display().to_string(), text, set, loops: arguments.loops.clone() })
     }
 
-    /// The oscillator with other values of constants, checked.
-    pub(super) fn description(&self, values: &[(&str, f64)]) -> Result<Description, Failure> {
+    /// The oscillator with other values of constants, checked, until an end is asked for.
+    pub(super) fn description(&self, values: &[(&str, f64)], stop: &Stop) -> Result<Description, Failure> {
         let given = self.set.iter().map(|setting| Ok(setting.parse::<Setting>()?));
         let varied = values.iter().map(|(name, value)| {
             let set = Setting::new(&format!("parameters.{name}"), *value);
             set.map_err(|error| Failure::input(format!("--vary {name}: {error}")))
         });
         let settings = given.chain(varied).collect::<Result<Vec<_>, Failure>>()?;
-        let description = Description::parse_with(&Text::new(&self.text, &settings), &self.file)?;
+        let description = Description::parse_with(&Text::new(&self.text, &settings), &self.file, stop)?;
         oscillator::with_loops(description, self.loops.as_deref())
     }
 
@@ -135,7 +136,7 @@ impl PartFile {
 
     /// The family that it says to be of.
     fn family(&self) -> Result<(Description, Plan), Failure> {
-        let description = self.origin.description(&[])?;
+        let description = self.origin.description(&[], &Stop::default())?;
         let plan = plan(&self.vary, &description)?;
         Ok((description, plan))
     }

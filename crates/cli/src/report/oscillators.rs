@@ -3,14 +3,16 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use grazing_description::Limits;
 use grazing_drawing::SheetWidth;
 use grazing_report::OscillatorEntry;
 
 use crate::failure::Failure;
+use crate::limits::ended;
 use crate::oscillator::OscillatorFile;
 use crate::outputs::oscillator::AnalysedOscillator;
 use crate::project;
-use crate::unfold::analysis::{analyse, ended};
+use crate::unfold::analysis::analyse;
 use crate::unfold::page;
 
 /// The examples that the page shows anyway; any other can be asked for.
@@ -27,7 +29,7 @@ impl OscillatorFile {
         let examples = folder.iter().flat_map(|folder| EXAMPLES.map(|name| folder.join(name)));
         let mut files: Vec<PathBuf> = examples.filter(|file| file.is_file()).collect();
         files.extend_from_slice(given);
-        files.iter().map(|file| Self::read(file, &[])).collect()
+        files.iter().map(|file| Self::read(file, &[], Limits::USUAL)).collect()
     }
 
     /// Unfolds the oscillator, up to its limits; what was met, if one was. A file of the

@@ -1,7 +1,5 @@
 //! The analysis of an oscillator from a text file, up to its limits.
 
-use std::path::Path;
-
 use grazing_description::Limits;
 use grazing_reproduction::StudyError;
 use grazing_reproduction::unfolded::{Keep, Unfolded};
@@ -9,13 +7,13 @@ use grazing_unfold::UnfoldError;
 
 use super::reason;
 use crate::failure::{Failure, computation};
-use crate::limits::{EndCause, Watch};
+use crate::limits::{EndCause, Watch, ended};
 use crate::oscillator::OscillatorFile;
 use crate::progress::Display;
 
 pub(crate) use crate::outputs::oscillator::Analysis;
 
-/// Analyses an oscillator up to its limits; with what has ended the analysis, if anything is
+/// Analyses an oscillator up to its limits, to which its reading counts; with what has ended the analysis, if anything is
 /// missing in it.
 ///
 /// # Errors
@@ -25,7 +23,7 @@ pub(crate) fn analyse(
     limits: Limits,
     keep: Keep<'_>,
 ) -> Result<(Analysis, Option<EndCause>), Failure> {
-    let watch = Watch::begin(limits);
+    let watch = Watch::begin(limits, of.taken);
     let display = Display::counting(watch.stop());
     let unfolded = Unfolded::described(&of.description, &display, &watch.stop(), keep)
         .map_err(|error| failure(of, &error, watch.end_cause()))?;
@@ -47,10 +45,4 @@ fn failure(of: &OscillatorFile, error: &StudyError, met: Option<EndCause>) -> Fa
         }
         (error, _) => computation("unfold", error),
     }
-}
-
-/// The failure of an analysis that was ended, by a limit or by Ctrl-C if that is known.
-pub(crate) fn ended(file: &Path, met: Option<EndCause>, outcome: &str) -> Failure {
-    let cause = met.map_or(String::new(), |met| format!("{met}; "));
-    Failure::incomplete(format!("{}: {cause}{outcome}", file.display()))
 }

@@ -19,7 +19,7 @@ pub(crate) const PAGE: &str = "report.html";
 
 /// The oscillator as a page shows it.
 pub(crate) fn entry(of: &OscillatorFile, unfolded: &Analysis, computed: &ComputedOutput) -> OscillatorEntry {
-    let OscillatorFile { file, text, description } = of;
+    let OscillatorFile { file, text, description, .. } = of;
     OscillatorEntry {
         id: file.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
         file: file_name(file),

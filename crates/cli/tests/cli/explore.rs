@@ -73,6 +73,46 @@ fn the_address_is_printed_the_page_is_there_and_ctrl_c_ends_it() {
     assert_eq!(server.interrupted(), Some(0));
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn the_browser_is_started_with_a_page_that_leads_to_the_address_and_nobody_else_reads() {
+    use std::os::unix::fs::PermissionsExt;
+
+    let folder = empty_folder();
+    let browser = folder.path().join("xdg-open");
+    let said = folder.path().join("said");
+    // It is there as a whole, or not at all.
+    let script = format!("#!/bin/sh\nprintf %s \"$*\" > '{0}.part'\nmv '{0}.part' '{0}'\n", said.display());
+    fs::write(&browser, script).expect("the folder is ours");
+    fs::set_permissions(&browser, fs::Permissions::from_mode(0o700)).expect("it is ours");
+    let path = std::env::var("PATH").expect("there is one");
+    let mut server = Command::new(env!("CARGO_BIN_EXE_grazing"))
+        .arg("explore")
+        .current_dir(folder.path())
+        .env("PATH", format!("{}:{path}", folder.path().display()))
+        .env("DISPLAY", ":0")
+        .env("TMPDIR", folder.path())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    let mut lines = BufReader::new(server.stdout.take().expect("it is ours")).lines();
+    let address = lines.next().expect("a line").expect("it is text");
+    let server = Serving(server);
+    while !said.exists() {
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    let page = fs::read_to_string(&said).expect("it is text");
+    assert!(Path::new(&page).is_file() && !address.contains(&page), "{page}");
+    let token = address.trim_end_matches('/').rsplit('/').next().expect("it has one");
+    assert!(token.len() == 32 && !page.contains(token), "{page}");
+    let mode = fs::metadata(&page).expect("it is there").permissions().mode();
+    assert_eq!(mode & 0o777, 0o600);
+    let content = fs::read_to_string(&page).expect("it is text");
+    assert!(content.contains(&format!("content=\"0; url={address}\"")), "{content}");
+    assert_eq!(server.interrupted(), Some(0));
+    assert!(!Path::new(&page).exists());
+}
+
 /// What is taken home of the page as it is: the figure in three formats and the curves, and the
 /// files that the copied command writes.
 fn taken_home(page: &mut Browser, stem: &str, figure: &str, curves: &str) {

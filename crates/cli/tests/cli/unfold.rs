@@ -296,6 +296,32 @@ fn what_is_finished_when_a_limit_is_met_is_written_and_the_rest_is_named() {
 }
 
 #[cfg(unix)]
+/// A product of so many cosines, at which the wall stands: a page of text, and hours of work.
+fn heavy_wall(factors: u32) -> String {
+    let product: Vec<String> = (1..=factors).map(|k| format!("cos({k}*omega*t)")).collect();
+    let text = fs::read_to_string(repository().join("examples/duffing.toml")).expect("it is there");
+    text.replace("[impact]", &format!("[wall]\nposition = \"1e-3*{}\"\n[impact]", product.join("*")))
+}
+
+#[cfg(unix)]
+#[test]
+fn a_limit_of_time_binds_reading_checking_and_analysis_whatever_the_file() {
+    let folder = folder_with(&[("some.toml", &heavy_wall(300)), ("many.toml", &heavy_wall(3000))]);
+    for (file, limit) in [("some.toml", "0.5"), ("many.toml", "0.5"), ("many.toml", "4")] {
+        // The system ends what takes more CPU time: that of starting, and what either side takes to
+        // notice, is a small part of it.
+        let command = "ulimit -t 12; exec \"$0\" \"$@\"";
+        let run = Command::new("sh")
+            .args(["-c", command, env!("CARGO_BIN_EXE_grazing"), "unfold", file, "--time-limit", limit])
+            .current_dir(folder.path())
+            .output()
+            .expect("there is a shell");
+        let told = String::from_utf8_lossy(&run.stderr);
+        assert_eq!(run.status.code(), Some(3), "{file} {limit}: {told}");
+        assert!(told.contains(&format!("the time limit of {limit} s of CPU time was reached")), "{told}");
+    }
+}
+
 #[test]
 fn an_analysis_that_is_asked_to_end_ends_with_what_it_has() {
     let paper = fs::read_to_string(repository().join("examples/paper.toml")).expect("it is there");

@@ -1,6 +1,6 @@
 //! Derivatives of expressions, as parts of the same graph.
 
-use grazing_model::smooth::Function;
+use grazing_model::smooth::{Function, Stop};
 use nanoexpr::{ErrorKind, Number};
 
 use super::Operation;
@@ -13,12 +13,20 @@ impl Graph {
     /// The derivative of a term with respect to a variable.
     ///
     /// # Errors
-    /// A constant in it is too large to be computed with.
-    pub(super) fn derivative<'g>(&'g self, of: Term<'g>, variable: usize) -> Result<Term<'g>, ErrorKind> {
+    /// A constant in it is too large to be computed with, or an end is asked for.
+    pub(super) fn derivative<'g>(
+        &'g self,
+        of: Term<'g>,
+        variable: usize,
+        stop: &Stop,
+    ) -> Result<Term<'g>, ErrorKind> {
         let Term::Node(_, root) = of else { return Ok(ZERO) };
         // Operands have been made before what is made of them.
         let mut slopes: Vec<Term<'g>> = Vec::with_capacity(root + 1);
         for index in 0..=root {
+            if stop.is_asked() {
+                return Err(ErrorKind::TooLong);
+            }
             let slope = match self.node(index) {
                 Node::Variable(number) if number == variable => ONE,
                 Node::Variable(_) => ZERO,

@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::f64::consts;
 use std::ops::Range;
 
+use grazing_model::smooth::Stop;
 use grazing_source::{nearest, shortened, suggestion};
 use nanoexpr::{Context, ErrorKind, Evaluator, Number};
 
@@ -27,10 +28,15 @@ struct Names<'g, 'n> {
     variables: &'n [(&'n str, Term<'g>)],
     constants: &'n [(&'n str, f64)],
     uses: RefCell<Vec<usize>>,
+    stop: &'n Stop,
 }
 
 impl<'g> Context<Term<'g>> for Names<'g, '_> {
+    /// Once an end is asked for no name is known, so that the text is read no further.
     fn variable(&self, name: &str) -> Option<Term<'g>> {
+        if self.stop.is_asked() {
+            return None;
+        }
         if let Some(number) = self.variables.iter().position(|(known, _)| *known == name) {
             let mut uses = self.uses.borrow_mut();
             if !uses.contains(&number) {
@@ -152,15 +158,16 @@ fn is_value(character: char) -> bool {
 }
 
 /// The expression with the numbers of the variables that its text names; the first so many `moving`
-/// ones are those that [`Expression::hold`] leaves free.
+/// ones are those that [`Expression::hold`] leaves free. An error once an end is asked for.
 pub(crate) fn expression(
     text: &str,
     variables: &[&str],
     moving: usize,
     constants: &[(&str, f64)],
+    stop: &Stop,
 ) -> Result<(Expression, Vec<usize>), ExpressionError> {
     let graph = Graph::default();
-    let (term, uses) = term(text, &numbered(&graph, variables), constants)?;
+    let (term, uses) = term(text, &numbered(&graph, variables), constants, stop)?;
     Ok((assembled(term, variables, moving), uses))
 }
 
@@ -179,6 +186,7 @@ pub(super) fn term<'g>(
     text: &str,
     variables: &[(&str, Term<'g>)],
     constants: &[(&str, f64)],
+    stop: &Stop,
 ) -> Result<(Term<'g>, Vec<usize>), ExpressionError> {
     if text.len() > MOST_BYTES {
         let problem = format!(
@@ -186,7 +194,7 @@ pub(super) fn term<'g>(
         );
         return Err(ExpressionError { problem, span: 0..0 });
     }
-    let names = Names { variables, constants, uses: RefCell::default() };
+    let names = Names { variables, constants, uses: RefCell::default(), stop };
     let term: Term<'_> =
         Evaluator::<_, 4>::new(&names).max_depth(MOST_DEPTH).evaluate(text).map_err(|error| {
             let span = error.span.start..error.span.end;
@@ -203,13 +211,14 @@ pub(super) fn term<'g>(
 ///
 /// # Errors
 /// The first thing that is not right in one of the texts; if that is none by itself, the two
-/// together have numbers that are too large.
+/// together have numbers that are too large. Any, once an end is asked for.
 pub(crate) fn from_the_wall(
     force: &str,
     wall: &str,
     sign: f64,
     variables: &[&str; 5],
     constants: &[(&str, f64)],
+    stop: &Stop,
 ) -> Result<[Expression; 3], ExpressionError> {
     let too_large = |_| ExpressionError {
         problem:
@@ -220,13 +229,13 @@ pub(crate) fn from_the_wall(
     let graph = Graph::default();
     let own = numbered(&graph, variables);
     let [gap, speed] = [own[0].1, own[1].1];
-    let (position, _) = term(wall, &own[2..], constants)?;
-    let velocity = graph.derivative(position, TIME).map_err(too_large)?;
-    let acceleration = graph.derivative(velocity, TIME).map_err(too_large)?;
+    let (position, _) = term(wall, &own[2..], constants, stop)?;
+    let velocity = graph.derivative(position, TIME, stop).map_err(too_large)?;
+    let acceleration = graph.derivative(velocity, TIME, stop).map_err(too_large)?;
     let x = gap.multiply(Term::Number(sign)).and_then(|gap| gap.add(position)).map_err(too_large)?;
     let v = speed.multiply(Term::Number(sign)).and_then(|speed| speed.add(velocity)).map_err(too_large)?;
     let outside = [&[(variables[0], x), (variables[1], v)], &own[2..]].concat();
-    let (force, _) = term(force, &outside, constants)?;
+    let (force, _) = term(force, &outside, constants, stop)?;
     let seen = force
         .subtract(acceleration)
         .and_then(|force| force.multiply(Term::Number(sign)))

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use grazing_model::smooth::{Function, Scalar, Taylor};
+use grazing_model::smooth::{Function, Scalar, Stop, Taylor};
 use proptest::prelude::*;
 
 use super::graph::{Graph, Node, parts};
@@ -94,14 +94,14 @@ const NAMES: [&str; 3] = ["x", "v", "t"];
 
 /// The expression; none where the text asks for a function of a constant outside its domain.
 fn read(text: &str, moving: usize) -> Option<Expression> {
-    parse::expression(text, &NAMES, moving, &[]).ok().map(|(expression, _)| expression)
+    parse::expression(text, &NAMES, moving, &[], &Stop::default()).ok().map(|(expression, _)| expression)
 }
 
 /// The value node by node.
 fn plain<S: Scalar>(text: &str, variables: &[S]) -> S {
     let graph = Graph::default();
-    let (term, _) =
-        parse::term(text, &parse::numbered(&graph, &NAMES), &[]).expect("the expression was read");
+    let (term, _) = parse::term(text, &parse::numbered(&graph, &NAMES), &[], &Stop::default())
+        .expect("the expression was read");
     let nodes = parts(term);
     let mut values: Vec<S> = Vec::new();
     for node in &nodes {
@@ -182,9 +182,9 @@ proptest! {
     #[test]
     fn derivatives_are_those_of_automatic_differentiation(text in formula()) {
         let graph = Graph::default();
-        let Ok((term, _)) = parse::term(&text, &parse::numbered(&graph, &NAMES), &[]) else { return Ok(()) };
+        let Ok((term, _)) = parse::term(&text, &parse::numbered(&graph, &NAMES), &[], &Stop::default()) else { return Ok(()) };
         for variable in 0..3 {
-            let Ok(slope) = graph.derivative(term, variable) else { return Ok(()) };
+            let Ok(slope) = graph.derivative(term, variable, &Stop::default()) else { return Ok(()) };
             let [value, slope] = [term, slope].map(|term| parse::assembled(term, &NAMES, 3));
             let at = [0.7, 0.4, 1.9];
             let mut moving = at.map(Taylor::constant);
@@ -195,4 +195,15 @@ proptest! {
             prop_assert!(!(size + wanted).is_finite() || gap <= 1e-9 * (1.0 + size.abs() + wanted.abs()), "{}: {} {}", text, found, wanted);
         }
     }
+}
+
+#[test]
+fn neither_texts_nor_derivatives_are_gone_through_once_an_end_is_asked_for() {
+    let (graph, asked) = (Graph::default(), Stop::default());
+    let variables = parse::numbered(&graph, &NAMES);
+    let read = |stop: &Stop| parse::term("x + x*cos(t)", &variables, &[], stop);
+    let (term, _) = read(&asked).expect("it is right");
+    assert!(graph.derivative(term, 2, &asked).is_ok());
+    asked.ask();
+    assert!(read(&asked).is_err() && graph.derivative(term, 2, &asked).is_err());
 }

@@ -6,5 +6,6 @@ mod examples;
 mod literature;
 mod messages;
 mod random_texts;
+mod sizes;
 mod third_order;
 mod walls;

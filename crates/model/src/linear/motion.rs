@@ -4,6 +4,7 @@ use super::oscillator::LinearOscillator;
 use super::response::{Stride, multiply};
 use crate::motion::{BoundedMotion, Bounds, Enclosure, Kinematics, Walk};
 use crate::state::State;
+use crate::tolerances::MOST_STRIDES;
 
 /// x(t) = e^{−ζt}(p cos ω₁t + q sin ω₁t) + u cos ωt + v sin ωt − 1.
 #[derive(Clone, Copy, Debug)]
@@ -14,6 +15,8 @@ pub struct LinearMotion {
     transient: [f64; 2],
     forced: [f64; 2],
     stride: Stride,
+    /// The time after which it has ended, in either direction.
+    reach: f64,
 }
 
 /// A walk along the motion, held as the two rotating factors e^{(−ζ+iω₁)t} and e^{iωt}.
@@ -49,6 +52,10 @@ impl LinearMotion {
         let response = oscillator.response.at(from.phase);
         let position = from.position + 1.0 - oscillator.amplitude * response.value[0];
         let velocity = from.velocity - oscillator.amplitude * response.value[1];
+        let stride = oscillator.stride;
+        // Of what is no motion, or so large that nothing about it can be bounded, nothing follows.
+        let exists = (position * position + velocity * velocity).is_finite();
+        let reach = if exists { MOST_STRIDES as f64 * stride.length } else { 0.0 };
         Self {
             damping_ratio: oscillator.damping_ratio,
             natural_frequency: oscillator.natural_frequency,
@@ -58,7 +65,8 @@ impl LinearMotion {
                 (velocity + oscillator.damping_ratio * position) / oscillator.natural_frequency,
             ],
             forced: [oscillator.amplitude * response.value[0], oscillator.amplitude * response.d_phase[0]],
-            stride: oscillator.stride,
+            stride,
+            reach,
         }
     }
 
@@ -86,6 +94,7 @@ impl LinearMotion {
 impl BoundedMotion for LinearMotion {
     #[inline]
     fn kinematics_at(&self, time: f64) -> Kinematics {
+        let time = if time.abs() <= self.reach { time } else { f64::NAN };
         let decay = libm::exp(-self.damping_ratio * time);
         let (sin, cos) = libm::sincos(self.natural_frequency * time);
         let (forced_sin, forced_cos) = libm::sincos(self.frequency * time);
@@ -134,7 +143,9 @@ impl Enclosure for Amplitudes<'_> {
     }
 
     fn strides(&self) -> usize {
-        libm::floor(self.horizon / self.stride()) as usize
+        let LinearMotion { reach, .. } = *self.motion;
+        let horizon = if self.horizon > reach { reach } else { self.horizon };
+        libm::floor(horizon / self.stride()) as usize
     }
 
     #[inline]
@@ -144,5 +155,33 @@ impl Enclosure for Amplitudes<'_> {
 
     fn walk(&self) -> impl Walk {
         Rotation { motion: self.motion, transient: [1.0, 0.0], forced: [1.0, 0.0] }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::Motion;
+    use crate::oscillator::ImpactOscillator;
+
+    #[test]
+    fn no_search_for_events_goes_on_for_ever() {
+        let linear = LinearOscillator::new(0.02, 0.9, 0.3, 0.8).unwrap();
+        let from = State::at_rest(-1.0, 0.0);
+        // Without forcing to speak of, far beyond what anybody waits for, and of no motion at all.
+        for frequency in [0.0, -1.0, f64::NAN] {
+            let motion = linear.with_parameters([0.3, frequency]).motion(from);
+            let horizon = core::f64::consts::TAU / frequency;
+            assert!(motion.first_crossing(horizon).is_none_or(|crossing| crossing.time.is_finite()));
+            assert!(motion.at(f64::INFINITY).position.is_nan());
+        }
+        for velocity in [1e308, f64::INFINITY, f64::NAN] {
+            let motion = linear.motion(State { velocity, ..from });
+            assert_eq!((motion.first_crossing(1e9), motion.highest_maximum(1e9)), (None, None));
+            assert!(motion.at(1.0).position.is_nan());
+        }
+        // It ends far beyond two thousand forcing periods a hundred times as long as the oscillator's own.
+        let slow = linear.with_parameters([0.3, 0.01]);
+        assert!(slow.motion(from).at(2000.0 * slow.forcing_period()).position.is_finite());
     }
 }

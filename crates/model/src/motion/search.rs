@@ -62,7 +62,9 @@ pub(super) fn first_crossing(motion: &impl BoundedMotion, horizon: f64) -> Optio
     loop {
         let enclosure = motion.enclose(reach);
         let crossing = cells_above(motion, &enclosure, reach, 0.0).find_map(|cell| cell.crossing(motion));
-        if crossing.is_some() || reach >= horizon {
+        // It is not if the horizon is no number.
+        let more = reach < horizon;
+        if crossing.is_some() || !more {
             return crossing;
         }
         reach = (2.0 * reach).min(horizon);

@@ -1,9 +1,9 @@
 //! Ending a computation early: a mark that anybody can set, and oscillators that cease to move once
 //! it is.
 //!
-//! An analysis is loops in loops, and the innermost of all is a step of the integration. So it is
-//! the force that asks: once an end is asked for it is NaN, no step can be made, and whatever waits
-//! for a motion finds that there is none. Every loop then ends within moments by the way it has
+//! An analysis is loops in loops, and the innermost of all is a step of the integration, or a motion
+//! in closed form. So it is the force that asks, or the motion: once an end is asked for it is NaN,
+//! no step can be made, and whatever waits for a motion finds that there is none. Every loop then ends within moments by the way it has
 //! anyway for motion that does not exist, and nothing that Newton's method, the continuation or the
 //! search for events do has to know of it. What was being computed at that moment is worth nothing
 //! and is left out by whoever asks [`Stop::is_asked`] afterwards.
@@ -13,10 +13,14 @@ use core::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::Arc;
 
 use super::oscillator::SmoothOscillator;
+use crate::jet::{FlowJet, MapJet, ParameterJet};
+use crate::motion::{BoundedMotion, Enclosure, Kinematics};
+use crate::oscillator::ImpactOscillator;
 use crate::scalar::Scalar;
+use crate::state::{OnWall, State};
 
 /// A mark that asks a computation to end; clones share it. It counts the steps of integration as
-/// well.
+/// well, and motions in closed form.
 #[derive(Clone, Debug)]
 pub struct Stop(Arc<Shared>);
 
@@ -95,7 +99,8 @@ impl Stop {
     }
 }
 
-/// A [`SmoothOscillator`] whose force is NaN once an end is asked for.
+/// A [`SmoothOscillator`] whose force is NaN once an end is asked for, or an [`ImpactOscillator`]
+/// of which no motion begins any more then.
 #[derive(Clone, Debug)]
 pub struct Stoppable<M> {
     model: M,
@@ -118,8 +123,12 @@ impl<M: SmoothOscillator> SmoothOscillator for Stoppable<M> {
     #[inline]
     fn force_at<T: Scalar, S: Scalar + From<T>>(&self, t: T, mu: T, eta: T) -> impl FnMut(S, S) -> S {
         self.stop.count();
-        let mut force = self.model.force_at(t, mu, eta);
-        move |x, y| if self.stop.is_asked() { S::constant(f64::NAN) } else { force(x, y) }
+        // What is computed once for many places may be most of the work.
+        let mut force = (!self.stop.is_asked()).then(|| self.model.force_at(t, mu, eta));
+        move |x, y| match &mut force {
+            Some(force) if !self.stop.is_asked() => force(x, y),
+            _ => S::constant(f64::NAN),
+        }
     }
 
     fn forcing_frequency<S: Scalar>(&self, mu: S, eta: S) -> S {
@@ -135,12 +144,88 @@ impl<M: SmoothOscillator> SmoothOscillator for Stoppable<M> {
     }
 }
 
+impl<M: ImpactOscillator<Motion: BoundedMotion>> Stoppable<M> {
+    fn with(&self, model: M) -> Self {
+        Self { model, stop: self.stop.clone() }
+    }
+
+    /// The state in which a motion begins, if it may.
+    fn beginning(&self, from: State) -> State {
+        if self.stop.is_asked() { State { position: f64::NAN, velocity: f64::NAN, ..from } } else { from }
+    }
+}
+
+/// A motion that is NaN once an end is asked for, in the middle of a search for events as well.
+#[derive(Clone, Debug)]
+pub struct StoppableMotion<M> {
+    motion: M,
+    stop: Stop,
+}
+
+impl<M: BoundedMotion> BoundedMotion for StoppableMotion<M> {
+    #[inline]
+    fn kinematics_at(&self, time: f64) -> Kinematics {
+        self.motion.kinematics_at(if self.stop.is_asked() { f64::NAN } else { time })
+    }
+
+    #[inline]
+    fn enclose(&self, horizon: f64) -> impl Enclosure {
+        self.motion.enclose(horizon)
+    }
+
+    #[inline]
+    fn foresight(&self) -> f64 {
+        self.motion.foresight()
+    }
+}
+
+impl<M: ImpactOscillator<Motion: BoundedMotion>> ImpactOscillator for Stoppable<M> {
+    type Motion = StoppableMotion<M::Motion>;
+
+    fn parameters(&self) -> [f64; 2] {
+        self.model.parameters()
+    }
+
+    fn with_parameters(&self, parameters: [f64; 2]) -> Self {
+        self.with(self.model.with_parameters(parameters))
+    }
+
+    fn roughly(&self) -> Self {
+        self.with(self.model.roughly())
+    }
+
+    fn finely(&self) -> Option<Self> {
+        self.model.finely().map(|model| self.with(model))
+    }
+
+    fn forcing_frequency(&self) -> ParameterJet {
+        self.model.forcing_frequency()
+    }
+
+    fn acceleration(&self, state: State) -> f64 {
+        self.model.acceleration(state)
+    }
+
+    fn flow_along<const ORDER: usize>(&self, motion: &Self::Motion, from: State, duration: f64) -> FlowJet {
+        self.model.flow_along::<ORDER>(&motion.motion, self.beginning(from), duration)
+    }
+
+    fn reset<const ORDER: usize>(&self, impact: OnWall) -> MapJet<OnWall, OnWall> {
+        self.model.reset::<ORDER>(impact)
+    }
+
+    fn motion(&self, from: State) -> Self::Motion {
+        self.stop.count();
+        StoppableMotion { motion: self.model.motion(self.beginning(from)), stop: self.stop.clone() }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::LinearOscillator;
     use crate::motion::Motion;
     use crate::smooth::Integrated;
-    use crate::{ImpactOscillator, State};
 
     /// ẍ = −x − 1.
     #[derive(Clone)]
@@ -184,6 +269,70 @@ mod tests {
         assert!(position_after(&oscillator, 2.0).is_nan());
         stop.withdraw();
         assert_eq!(position_after(&oscillator, 2.0).to_bits(), before.to_bits());
+    }
+
+    #[test]
+    fn motion_in_closed_form_ends_like_that_which_is_integrated() {
+        let stop = Stop::default();
+        let linear = LinearOscillator::new(0.02, 0.9, 0.5, 0.8).unwrap();
+        let oscillator = Stoppable::new(linear, stop.clone()).with_parameters([0.9, 0.8]);
+        let from = State::at_rest(-1.5, 0.3);
+        let before = oscillator.motion(from).first_crossing(50.0);
+        assert!(
+            before.is_some()
+                && before == linear.with_parameters([0.9, 0.8]).motion(from).first_crossing(50.0)
+        );
+        let begun = oscillator.motion(from);
+        stop.ask();
+        let motion = oscillator.motion(from);
+        assert!(motion.at(0.0).position.is_nan() && oscillator.flow::<1>(from, 1.0).value[0].is_nan());
+        // However far it would have gone, nothing is walked through.
+        assert_eq!((motion.first_crossing(1e300), motion.highest_maximum(1e300)), (None, None));
+        assert_eq!((motion.local_maxima(1e300).len(), motion.first_rest(true, 1e300)), (0, None));
+        // So it is with one that began before.
+        assert!(begun.at(1.0).position.is_nan());
+        stop.withdraw();
+        assert_eq!(oscillator.motion(from).first_crossing(50.0), before);
+    }
+
+    #[test]
+    fn nothing_is_computed_of_a_force_once_an_end_is_asked_for() {
+        /// A force that counts how often it is prepared for a time.
+        #[derive(Clone)]
+        struct Counting(Arc<AtomicU64>);
+
+        impl SmoothOscillator for Counting {
+            fn force<S: Scalar>(&self, x: S, _: S, _: S, _: S, _: S) -> S {
+                -x
+            }
+
+            fn force_at<T: Scalar, S: Scalar + From<T>>(&self, _: T, _: T, _: T) -> impl FnMut(S, S) -> S {
+                self.0.fetch_add(1, Ordering::Relaxed);
+                |x: S, _| -x
+            }
+
+            fn forcing_frequency<S: Scalar>(&self, _: S, eta: S) -> S {
+                eta
+            }
+
+            fn restitution<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
+                S::constant(1.0)
+            }
+
+            fn impact_duration<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
+                S::constant(0.0)
+            }
+        }
+
+        let (count, stop) = (Arc::new(AtomicU64::new(0)), Stop::default());
+        let oscillator = Integrated::new(Stoppable::new(Counting(count.clone()), stop.clone()), [0.0, 1.0]);
+        let from = State::at_rest(-1.0, 0.0);
+        assert!(oscillator.motion(from).at(2.0).position.is_finite());
+        let before = count.load(Ordering::Relaxed);
+        assert!(before > 0);
+        stop.ask();
+        assert!(oscillator.motion(from).at(2.0).position.is_nan());
+        assert_eq!(count.load(Ordering::Relaxed), before);
     }
 
     #[test]

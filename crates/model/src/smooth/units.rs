@@ -98,23 +98,27 @@ fn power_of_four(value: f64) -> f64 {
 fn sizes<M: SmoothOscillator>(model: &M, [mu, eta]: [f64; 2]) -> Option<[f64; 4]> {
     let frequency = model.forcing_frequency(mu, eta).abs();
     let instants = move || (0..INSTANTS).map(|k| TAU * f64::from(k) / f64::from(INSTANTS));
-    let force = |x: f64, phase: f64| model.force(x, 0.0, phase / frequency, mu, eta);
-    let mean = |x: f64| instants().map(|phase| force(x, phase)).sum::<f64>() / f64::from(INSTANTS);
-    let at_wall = mean(0.0);
-    let swing = instants().map(|phase| (force(0.0, phase) - at_wall).abs()).fold(0.0, f64::max);
+    // What depends on time alone is computed once for all positions.
+    let mut forces: Vec<_> =
+        instants().map(|phase| model.force_at::<f64, f64>(phase / frequency, mu, eta)).collect();
+    let mut at = |x: f64| -> Vec<f64> { forces.iter_mut().map(|force| force(x, 0.0)).collect() };
+    let mean = |forces: &[f64]| forces.iter().sum::<f64>() / f64::from(INSTANTS);
+    let there = at(0.0);
+    let at_wall = mean(&there);
+    let swing = there.iter().map(|force| (force - at_wall).abs()).fold(0.0, f64::max);
     let load = if at_wall < -NO_LOAD * swing || swing < NO_LOAD * at_wall { at_wall.abs() } else { swing };
     if !(load > 0.0 && load.is_finite() && frequency > 0.0 && frequency.is_finite()) {
         return None;
     }
     // Where the force is NaN it holds as well.
-    let held = |length: f64| {
-        let change = (mean(-length) - at_wall).abs();
+    let mut held = |length: f64| {
+        let change = (mean(&at(-length)) - at_wall).abs();
         change.is_nan() || change >= load
     };
     let inertial = load / (frequency * frequency);
     let mut lengths = (-DOUBLINGS..0).map(|k| libm::ldexp(inertial, k));
     // Where the force is NaN next to the wall nothing is known of lengths.
-    if lengths.next().is_some_and(held) {
+    if lengths.next().is_some_and(&mut held) {
         return None;
     }
     let mut length = lengths.find(|length| held(*length)).unwrap_or(inertial);

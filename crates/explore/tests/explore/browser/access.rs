@@ -171,6 +171,63 @@ fn an_address_brings_back_everything_that_was_seen() {
 }
 
 #[test]
+fn whatever_an_address_says_is_read_as_a_state_or_refused() {
+    let server = Running::new();
+    let Some(mut page) = server.open(PHONE) else { return };
+    // Values of all kinds under every name, bytes and letters changed, all of them seeded.
+    let wrong = page.value(
+        "use('state').then(([s]) => { \
+           let seed = 1; const below = (n) => { seed = (seed * 1103515245 + 12345) % 2147483648; return Math.floor((seed / 2147483648) * n); }; \
+           const one = (list) => list[below(list.length)]; \
+           const values = [null, true, 0, -1, 1.5, 1e308, '', 'a', '\\u0000\\n;rm', '__proto__', [], {}, [1, 2], [2, 1], [1, 2, 3, 4], [1e308, 2, null, 'a'], \
+                           {zeta: 0.1}, {zeta: 'a'}, {'a\\u001b': 1}, JSON.parse('{\"__proto__\": 1}'), [[]], [1.5], [4294967296], 'primary', Array(1000).fill(1)]; \
+           const right = s.encode({...s.get(), set: {zeta: 0.1}, loops: [1, 2], view: {primary: [0, 1], secondary: [2, 3]}, place: [0.1, 0.9]}); \
+           const wrong = []; let read = 0; \
+           for (let k = 0; k < 3000; k += 1) { \
+             let address = right; \
+             if (k % 3 === 0) { const short = {}; for (const key of 'etslvpkcowx') if (below(2)) short[key] = one(values); address = '#' + btoa(unescape(encodeURIComponent(JSON.stringify(short)))); } \
+             else if (k % 3 === 1) { const at = 1 + below(right.length - 1); address = right.slice(0, at) + String.fromCharCode(below(256)) + right.slice(at + below(3)); } \
+             else address = right.slice(0, below(right.length)); \
+             try { \
+               const value = s.decode(address); if (value === null) continue; read += 1; \
+               const again = s.decode(s.encode(value)); \
+               const {set, loops, view, place} = value; const number = (x) => typeof x === 'number' && Number.isFinite(x); \
+               const fit = JSON.stringify(again) === JSON.stringify(value) && Object.values(set).every(number) && (loops === null || loops.every(Number.isInteger)) \
+                 && (view === null || [...view.primary, ...view.secondary].every(number)) && (place === null || place.every(number)) && Object.getPrototypeOf(set) === Object.prototype; \
+               if (!fit) wrong.push(address); \
+             } catch (error) { wrong.push(`${address}: ${error}`); } \
+           } \
+           return [read > 500, wrong.slice(0, 3)]; })",
+    );
+    assert_eq!(wrong, json!([true, []]));
+}
+
+#[test]
+fn no_command_is_offered_that_carries_more_than_text_into_a_shell() {
+    let server = Running::new();
+    let Some(mut page) = server.open(PHONE) else { return };
+    let of = |page: &mut Browser, name: &str| {
+        page.value(&format!(
+            "use('share', 'state').then(([h, s]) => h.command({{...s.get(), set: {{{name}: 0.5}}}}))"
+        ))
+    };
+    let plain = of(&mut page, "zeta");
+    assert!(plain.as_str().is_some_and(|line| line.contains("oscillator.zeta=0.5")), "{plain}");
+    // What a shell would read otherwise is quoted, and what no quotes hold on every terminal is refused.
+    let quoted = of(&mut page, "\"a;touch 'b\"");
+    assert!(quoted.as_str().is_some_and(|line| line.contains(r"'oscillator.a;touch '\''b=0.5'")), "{quoted}");
+    for name in [
+        "\"a\\ntouch b\\n\"",
+        "\"a\\u0015touch b\\r\"",
+        "\"a\\u001b[201~\"",
+        "\"a\\u0085b\"",
+        "\"a\\u202eb\"",
+    ] {
+        assert_eq!(of(&mut page, name), Value::Null, "{name}");
+    }
+}
+
+#[test]
 fn on_a_phone_address_and_numbers_are_taken_home() {
     let server = Running::new();
     let Some(mut page) = server.open(PHONE) else { return };

@@ -1,9 +1,11 @@
 //! The server from outside: who is answered, what is sent, and what whoever means harm gets.
 
+mod endless;
+mod mutations;
 mod running;
 
 use std::f64::consts::TAU;
-use std::io::{Read, Write};
+use std::io::Read;
 use std::net::TcpStream;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
@@ -56,6 +58,8 @@ fn only_the_page_itself_is_answered() {
     assert_eq!(with("example.org", ""), 403);
     assert_eq!(with(&own, "Origin: http://example.org\r\n"), 403);
     assert_eq!(with(&own, "Sec-Fetch-Site: cross-site\r\n"), 403);
+    assert_eq!(with(&own, &format!("Host: {own}\r\n")), 403);
+    assert_eq!(with(&own, "Host: example.org\r\n"), 403);
     let (_, head, _) = server.ask(server.head("GET", &path, "").as_bytes());
     for wanted in ["content-security-policy: default-src 'none';", "x-content-type-options: nosniff"] {
         assert!(head.contains(wanted), "{head}");
@@ -145,12 +149,9 @@ fn what_nobody_waits_for_makes_room_and_lets_the_server_end() {
     let long = json!({"model": {"text": text}, "view": {"primary": [0.0, 1.5], "secondary": [0.4, 1.1]},
                       "columns": 1000, "rows": 1000, "periods": 5000})
     .to_string();
-    let more = format!("Content-Type: application/json\r\nContent-Length: {}\r\n", long.len());
-    let request = format!("{}{long}", server.head("POST", &format!("{}tiles", server.path), &more));
     // It would take hours.
     let begun = || {
-        let mut stream = server.connect();
-        stream.write_all(request.as_bytes()).unwrap();
+        let mut stream = server.begin("tiles", &long);
         let mut first = [0; 64];
         assert!(stream.read(&mut first).unwrap() > 0);
         stream
@@ -186,7 +187,8 @@ fn the_diagram_has_the_numbers_that_unfold_writes() {
     let settings: Vec<_> = settings.iter().map(|setting| setting.parse().unwrap()).collect();
     let text = text.split("[[diagrams]]").next().unwrap();
     let text = grazing_source::Text::new(text, &settings);
-    let description = Description::parse_with(&text, "test").unwrap().with_loops(&[3]).unwrap();
+    let description =
+        Description::parse_with(&text, "test", &Stop::default()).unwrap().with_loops(&[3]).unwrap();
     let axes = unfolded::axes(&description);
     let (oscillator, scope) = unfolded::prepared(&description, &axes.units, &Stop::default());
     let diagram = Diagram::compute(&oscillator, &scope, &Silent).unwrap();

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use grazing_explore::{Example, Limits, Server, Sheet};
+use grazing_explore::{Example, Export, Limits, Server, Sheet};
 use grazing_model::smooth::Stop;
 use serde_json::Value;
 
@@ -26,9 +26,11 @@ const BACKSTOP: Duration = Duration::from_secs(600);
 pub(crate) const LIMITS: Limits = Limits {
     connections: 64,
     computations: 2,
+    light: 2,
     body: 100_000,
     patience: BACKSTOP,
     time: Duration::from_secs(3600),
+    grace: Duration::from_secs(3600),
     steps: 1_000_000_000,
 };
 
@@ -38,12 +40,20 @@ impl Running {
     }
 
     pub(crate) fn with_memory(limits: Limits, too_large: impl Fn() -> bool + Send + 'static) -> Self {
-        let example = Example { name: "Paper".to_owned(), file: String::new(), text: None };
         let export = |_: &_, _: &_, what: &str, _: &str, _: &Stop| match what {
             "csv:a" => Ok(Sheet { name: "a.csv".to_owned(), kind: "text/csv", content: b"1\n".to_vec() }),
             other => Err(format!("{other} is not made")),
         };
-        let server = Server::bind(0, limits, vec![example], Box::new(export)).unwrap();
+        Self::with(limits, Box::new(export), too_large)
+    }
+
+    pub(crate) fn with(
+        limits: Limits,
+        export: Export,
+        too_large: impl Fn() -> bool + Send + 'static,
+    ) -> Self {
+        let example = Example { name: "Paper".to_owned(), file: String::new(), text: None };
+        let server = Server::bind(0, limits, vec![example], export).unwrap();
         let address = server.address();
         let rest = address.strip_prefix("http://").unwrap();
         let (host, path) = rest.split_once('/').unwrap();
@@ -79,10 +89,21 @@ impl Running {
     }
 
     pub(crate) fn post(&self, name: &str, body: &str) -> (u16, String) {
-        let more = format!("Content-Type: application/json\r\nContent-Length: {}\r\n", body.len());
-        let request = format!("{}{body}", self.head("POST", &format!("{}{name}", self.path), &more));
-        let (status, _, body) = self.ask(request.as_bytes());
+        let (status, _, body) = self.ask(self.request(name, body).as_bytes());
         (status, body)
+    }
+
+    /// A request for something that is computed.
+    pub(crate) fn request(&self, name: &str, body: &str) -> String {
+        let more = format!("Content-Type: application/json\r\nContent-Length: {}\r\n", body.len());
+        format!("{}{body}", self.head("POST", &format!("{}{name}", self.path), &more))
+    }
+
+    /// Sends a request, and does not read the answer.
+    pub(crate) fn begin(&self, name: &str, body: &str) -> TcpStream {
+        let mut stream = self.connect();
+        stream.write_all(self.request(name, body).as_bytes()).unwrap();
+        stream
     }
 
     pub(crate) fn get(&self, path: &str) -> u16 {
