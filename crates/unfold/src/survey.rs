@@ -348,9 +348,12 @@ fn explained(net: &Net, kind: Bifurcation, event: &Event, window: Window) -> boo
 /// Follows the curve through a bifurcation that lies on none that is known.
 fn start(net: &mut Net, kind: Bifurcation, event: &Event, route: &Route<'_>) {
     let curve = SolutionCurve { equations: net.equations.clone(), condition: event.condition };
-    // Across the slice.
+    // Across the slice, but where the curve runs along it.
     let upwards = if net.equations.has_impacts() { Unknowns::w() } else { -Unknowns::w() };
-    if let Ok(curve) = curve.follow_both_ways(event.solution.unknowns, upwards, &event.times, route)
+    let follow = |direction| {
+        curve.clone().follow_both_ways(event.solution.unknowns, direction, &event.times, route).ok()
+    };
+    if let Some(curve) = follow(upwards).or_else(|| follow(Unknowns::z()))
         && (net.equations.has_impacts() || !stalls(&curve))
     {
         net.add(DiagramCurve { kind, loops: net.loops(), n: 0, curve });
