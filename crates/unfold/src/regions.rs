@@ -58,6 +58,9 @@ const LEAST_APART: f64 = 1e-7;
 /// and no more than this. Where motion is violent, as near the top of a pendulum, each shows
 /// changes that the others do not, and what they leave is undecided.
 const MOST_SLICES: usize = 200;
+/// A curve on which η changes by less than this share of its range runs along a slice, on which
+/// nothing would be seen but it.
+const ALONG: f64 = 1e-9;
 /// Shares of the range of η at which slices are laid beside a loose end.
 const BESIDE: [f64; 4] = [-0.02, -0.003, 0.003, 0.02];
 
@@ -219,7 +222,11 @@ impl Judge {
         let crossed = |[low, high]: [f64; 2]| {
             self.sights.iter().any(|sight| low < sight.secondary && sight.secondary < high)
         };
-        extents.filter(|extent| !crossed(*extent)).map(|[low, high]| 0.5 * (low + high)).collect()
+        let along = |[low, high]: [f64; 2]| high - low < ALONG * self.window.widths()[1];
+        extents
+            .filter(|extent| !crossed(*extent) && !along(*extent))
+            .map(|[low, high]| 0.5 * (low + high))
+            .collect()
     }
 
     fn judge(&self, face: Face) -> FaceVerdict {

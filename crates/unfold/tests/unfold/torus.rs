@@ -55,7 +55,7 @@ fn solutions_lose_stability_at_a_torus_bifurcation_where_areas_are_no_longer_con
         }
     }
     // Forced with 0.3 motion does not come to the wall.
-    assert!(stable(&diagram, 0, [0.3, 0.01]) && !stable(&diagram, 0, [0.3, -0.01]));
+    assert!(stable(&diagram, 0, [0.3, 1e-5]) && !stable(&diagram, 0, [0.3, -1e-5]));
     // With 0.62 it meets it.
     let neutral = neutral(1);
     assert!(stable(&diagram, 1, [0.62, neutral + 0.008]) && !stable(&diagram, 1, [0.62, neutral - 0.008]));
