@@ -141,6 +141,9 @@ fn characteristic_is_the_characteristic_polynomial_times_a_factor_without_zeros(
     }
 }
 
+/// What vanishes at a bifurcation, with its gradient.
+type Vanishing = fn(&LoopPair) -> (f64, Unknowns);
+
 #[test]
 fn gradients_of_what_vanishes_at_bifurcations_agree_with_differences() {
     const H: f64 = 1e-5;
@@ -150,7 +153,7 @@ fn gradients_of_what_vanishes_at_bifurcations_agree_with_differences() {
             // The times holds the plane of constant phase while the phase is varied.
             let mut times = times.clone();
             let pair = equations.pair::<2>(point, &mut times).unwrap();
-            let functions: [fn(&LoopPair) -> (f64, Unknowns); 3] = [
+            let functions: [Vanishing; 3] = [
                 |pair| pair.characteristic(1.0),
                 |pair| pair.characteristic(-1.0),
                 LoopPair::product_less_one,
