@@ -13,12 +13,17 @@ pub enum Bifurcation {
     PeriodDoubling,
     /// Grazing of an MPS: a maximum between two impacts touches the wall.
     Grazing,
+    /// Torus (Neimark-Sacker): a pair of complex multipliers has absolute value 1.
+    ///
+    /// Their product D is 1 there, so that there is none where motion contracts areas: for the
+    /// paper's oscillator D is ε² e^{−4πζp/ω}.
+    Torus,
 }
 
 impl Bifurcation {
     /// All of them.
-    pub const ALL: [Self; 4] =
-        [Self::NonImpactingGrazing, Self::SaddleNode, Self::PeriodDoubling, Self::Grazing];
+    pub const ALL: [Self; 5] =
+        [Self::NonImpactingGrazing, Self::SaddleNode, Self::PeriodDoubling, Self::Grazing, Self::Torus];
 
     /// Where a condition is met by solutions with p loops, 0 without impacts; none if that is no
     /// bifurcation.
@@ -36,16 +41,18 @@ impl Bifurcation {
             Self::SaddleNode => Condition::SADDLE_NODE,
             Self::PeriodDoubling => Condition::PERIOD_DOUBLING,
             Self::NonImpactingGrazing | Self::Grazing => Condition::InteriorGrazing,
+            Self::Torus => Condition::UnitProduct,
         }
     }
 
-    /// `graz`, `SN`, `PD` or `GZ`.
+    /// `graz`, `SN`, `PD`, `GZ` or `NS`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::NonImpactingGrazing => "graz",
             Self::SaddleNode => "SN",
             Self::PeriodDoubling => "PD",
             Self::Grazing => "GZ",
+            Self::Torus => "NS",
         }
     }
 }
@@ -64,20 +71,41 @@ pub enum CodimensionTwo {
     GrazingGrazing,
     /// An SN curve turns back.
     Cusp,
+    /// An NS curve ends on an SN curve: both multipliers are 1.
+    SaddleNodeTorus,
+    /// An NS curve ends on a PD curve: both multipliers are −1.
+    PeriodDoublingTorus,
+    /// An NS and a GZ curve meet.
+    TorusGrazing,
 }
 
 impl CodimensionTwo {
-    /// Where two curves meet of which one at least is a GZ curve.
+    /// All of them.
+    pub const ALL: [Self; 8] = [
+        Self::Resonance,
+        Self::SaddleNodeGrazing,
+        Self::PeriodDoublingGrazing,
+        Self::GrazingGrazing,
+        Self::Cusp,
+        Self::SaddleNodeTorus,
+        Self::PeriodDoublingTorus,
+        Self::TorusGrazing,
+    ];
+
+    /// Where two curves meet of which one at least is a GZ or an NS curve.
     pub fn of_meeting(one: Bifurcation, other: Bifurcation) -> Self {
-        use Bifurcation::{PeriodDoubling, SaddleNode};
+        use Bifurcation::{PeriodDoubling, SaddleNode, Torus};
         match (one, other) {
+            (SaddleNode, Torus) | (Torus, SaddleNode) => Self::SaddleNodeTorus,
+            (PeriodDoubling, Torus) | (Torus, PeriodDoubling) => Self::PeriodDoublingTorus,
+            (Torus, _) | (_, Torus) => Self::TorusGrazing,
             (SaddleNode, _) | (_, SaddleNode) => Self::SaddleNodeGrazing,
             (PeriodDoubling, _) | (_, PeriodDoubling) => Self::PeriodDoublingGrazing,
             _ => Self::GrazingGrazing,
         }
     }
 
-    /// `resonance`, `SN-GZ`, `PD-GZ`, `GZ-GZ` or `cusp`.
+    /// `resonance`, `SN-GZ`, `PD-GZ`, `GZ-GZ`, `cusp`, `SN-NS`, `PD-NS` or `NS-GZ`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Resonance => "resonance",
@@ -85,6 +113,9 @@ impl CodimensionTwo {
             Self::PeriodDoublingGrazing => "PD-GZ",
             Self::GrazingGrazing => "GZ-GZ",
             Self::Cusp => "cusp",
+            Self::SaddleNodeTorus => "SN-NS",
+            Self::PeriodDoublingTorus => "PD-NS",
+            Self::TorusGrazing => "NS-GZ",
         }
     }
 }

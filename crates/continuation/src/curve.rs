@@ -12,8 +12,9 @@ use crate::newton::Linearisation;
 /// The equations of a curve of periodic solutions.
 ///
 /// With [`Condition::Secondary`] it is a one-parameter branch, with [`Condition::Multiplier`] a
-/// curve of saddle-node or period-doubling bifurcations, with [`Condition::InteriorGrazing`] a
-/// curve of grazing bifurcations of the solution.
+/// curve of saddle-node or period-doubling bifurcations, with [`Condition::UnitProduct`] one of
+/// torus bifurcations, with [`Condition::InteriorGrazing`] one of grazing bifurcations of the
+/// solution.
 #[derive(Clone, Debug)]
 pub struct SolutionCurve<O = AnyOscillator> {
     /// The equations of the solution.

@@ -277,7 +277,10 @@ impl<O: ImpactOscillator> Follower<'_, O> {
         let inside = |event: &Event| self.route.window.contains(event.solution.parameters());
         for event in located.into_iter().filter(inside) {
             self.curve.events.push(event.clone());
-            if self.route.stop_at_events {
+            // Beyond it the product of real multipliers is 1, which is nothing.
+            let ends = self.followed.condition == Condition::UnitProduct
+                && event.condition != Condition::InteriorGrazing;
+            if self.route.stop_at_events || ends {
                 self.curve.points.push(CurvePoint { solution: event.solution, times: event.times.clone() });
                 return ControlFlow::Break(CurveEnd::Event(Box::new(event)));
             }

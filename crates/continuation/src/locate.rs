@@ -13,6 +13,9 @@ use crate::tolerances::{self, EVALUATIONS, FARTHEST, SAME_POINT};
 pub enum Condition {
     /// A stability multiplier equals this: 1 at a saddle-node bifurcation, −1 at a period doubling.
     Multiplier(f64),
+    /// The product of both multipliers is 1: a torus bifurcation where they are complex, which are
+    /// then e^{±iθ}.
+    UnitProduct,
     /// The interior maximum whose event time is carried along touches the wall: a grazing
     /// bifurcation of the MPS.
     InteriorGrazing,
@@ -48,6 +51,7 @@ impl Condition {
         };
         Ok(match self {
             Self::Multiplier(multiplier) => pair.characteristic(multiplier),
+            Self::UnitProduct => pair.product_less_one(),
             Self::InteriorGrazing | Self::SecondInteriorGrazing => {
                 equations.maximum_near(point, self.maximum_time(times))?
             }
@@ -76,7 +80,7 @@ impl Condition {
     }
 
     pub(crate) fn needs_second_order(self) -> bool {
-        matches!(self, Self::Multiplier(_))
+        matches!(self, Self::Multiplier(_) | Self::UnitProduct)
     }
 }
 

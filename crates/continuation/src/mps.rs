@@ -425,14 +425,20 @@ impl LoopPair {
     /// of order 2.
     pub fn characteristic(&self, multiplier: f64) -> (f64, Vector4<f64>) {
         let m = self.round_trip.derivative() - self.impact.derivative() * multiplier;
-        let determinant = m[(0, 0)] * m[(1, 1)] - m[(0, 1)] * m[(1, 0)];
-        let gradient = Vector4::from_fn(|k, _| {
-            let d = |i: usize, j: usize| {
-                self.round_trip.hessians[i][(j, k)] - multiplier * self.impact.hessians[i][(j, k)]
-            };
-            d(0, 0) * m[(1, 1)] + m[(0, 0)] * d(1, 1) - d(0, 1) * m[(1, 0)] - m[(0, 1)] * d(1, 0)
-        });
-        (determinant, gradient)
+        let change = |i: usize, j: usize, k: usize| {
+            self.round_trip.hessians[i][(j, k)] - multiplier * self.impact.hessians[i][(j, k)]
+        };
+        determinant(&m, change)
+    }
+
+    /// det(D round trip) − det(D impact) and its gradient in the unknowns.
+    ///
+    /// Zero when the product of the multipliers is 1; smooth through y = 0, as
+    /// [`characteristic`](Self::characteristic) is, and of the same order there.
+    pub fn product_less_one(&self) -> (f64, Vector4<f64>) {
+        let [round_trip, impact] = [&self.round_trip, &self.impact]
+            .map(|jet| determinant(&jet.derivative(), |i, j, k| jet.hessians[i][(j, k)]));
+        (round_trip.0 - impact.0, round_trip.1 - impact.1)
     }
 
     /// What the maps say of stability.
@@ -440,7 +446,9 @@ impl LoopPair {
         let [saddle_node, period_doubling] = [1.0, -1.0].map(|multiplier| {
             (self.round_trip.derivative() - self.impact.derivative() * multiplier).determinant()
         });
-        Stability { multipliers: self.multipliers(), saddle_node, period_doubling }
+        let [round_trip, impact] = [&self.round_trip, &self.impact].map(|jet| jet.derivative().determinant());
+        let torus = round_trip - impact;
+        Stability { multipliers: self.multipliers(), saddle_node, period_doubling, torus }
     }
 
     /// Trace and determinant of U = D(P_global^p ∘ P_disc). Paper: eq:U, eq:TD.
@@ -468,6 +476,16 @@ impl LoopPair {
             determinant: (dl * adjugate(l)).trace() / denominator,
         }
     }
+}
+
+/// The determinant of a derivative in the first two unknowns, whose entry (i, j) changes so much
+/// with the k-th unknown, and its gradient.
+fn determinant(m: &Matrix2<f64>, d: impl Fn(usize, usize, usize) -> f64) -> (f64, Vector4<f64>) {
+    let determinant = m[(0, 0)] * m[(1, 1)] - m[(0, 1)] * m[(1, 0)];
+    let gradient = Vector4::from_fn(|k, _| {
+        d(0, 0, k) * m[(1, 1)] + m[(0, 0)] * d(1, 1, k) - d(0, 1, k) * m[(1, 0)] - m[(0, 1)] * d(1, 0, k)
+    });
+    (determinant, gradient)
 }
 
 fn adjugate(m: Matrix2<f64>) -> Matrix2<f64> {

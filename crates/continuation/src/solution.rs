@@ -44,6 +44,11 @@ impl Multipliers {
         self.trace.abs() - 1.0 < self.determinant - STABILITY && self.determinant < 1.0 - STABILITY
     }
 
+    /// They are a pair of complex numbers that are not real.
+    pub fn complex(&self) -> bool {
+        self.trace * self.trace < 4.0 * self.determinant
+    }
+
     /// The larger of |T| and |D|, which says how violent the motion is.
     pub fn size(&self) -> f64 {
         self.trace.abs().max(self.determinant.abs())
@@ -57,6 +62,8 @@ pub(crate) struct Stability {
     /// The [`characteristic`](crate::mps::LoopPair::characteristic) of the multiplier 1, and of −1.
     pub(crate) saddle_node: f64,
     pub(crate) period_doubling: f64,
+    /// The [`product_less_one`](crate::mps::LoopPair::product_less_one).
+    pub(crate) torus: f64,
 }
 
 impl Stability {
@@ -65,6 +72,7 @@ impl Stability {
         multipliers: Multipliers { trace: f64::NAN, determinant: f64::NAN },
         saddle_node: f64::NAN,
         period_doubling: f64::NAN,
+        torus: f64::NAN,
     };
 
     /// Whether something has changed by more than itself, so that a correction as large as the last

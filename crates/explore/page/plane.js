@@ -89,9 +89,9 @@ function drawRegions(context, regions, ink) {
 }
 
 function drawCurves(context) {
-  const order = { graz: 0, GZ: 1, PD: 2, SN: 3 };
+  const order = { graz: 0, GZ: 1, NS: 2, PD: 3, SN: 4 };
   context.lineJoin = "round";
-  for (const { curve, points, bounds } of [...runs].sort((a, b) => (order[a.curve.kind] ?? 4) - (order[b.curve.kind] ?? 4) || (a.curve.source === "quadratic") - (b.curve.source === "quadratic"))) {
+  for (const { curve, points, bounds } of [...runs].sort((a, b) => (order[a.curve.kind] ?? 5) - (order[b.curve.kind] ?? 5) || (a.curve.source === "quadratic") - (b.curve.source === "quadratic"))) {
     const pen = penOf(curve);
     context.strokeStyle = pen.colour;
     context.setLineDash(pen.dashes);

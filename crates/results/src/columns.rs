@@ -84,11 +84,11 @@ columns! {
 
 // Two-parameter diagrams.
 columns! {
-    /// `graz`: grazing of the non-impacting solution; `SN`, `PD`, `GZ`: saddle-node, period-doubling, grazing bifurcation of the p-loop solution; SN and PD of
-    /// p = 0 are folds and period doublings of the non-impacting solution. GZ of solutions that are unstable on both sides bounds nothing, and is followed
+    /// `graz`: grazing of the non-impacting solution; `SN`, `PD`, `GZ`, `NS`: saddle-node, period-doubling, grazing, torus (Neimark-Sacker) bifurcation of
+    /// the p-loop solution; SN, PD and NS of p = 0 are those of the non-impacting solution. GZ of solutions that are unstable on both sides bounds nothing, and is followed
     /// only where another curve leads to it
     BIFURCATION = "kind", "", "1";
-    /// `resonance`, or `SN-GZ`, `PD-GZ`, `GZ-GZ`, named after the curves that meet, or `cusp`, where an SN curve turns back
+    /// `resonance`, or `SN-GZ`, `PD-GZ`, `GZ-GZ`, `NS-GZ`, `SN-NS`, `PD-NS`, named after the curves that meet, or `cusp`, where an SN curve turns back
     CODIMENSION_TWO = "kind", "", "1";
     /// `non-impacting`, where that solution is stable and admissible; `mps`, where a p-loop solution is; `both`, where these overlap; `undecided`, where
     /// that could not be decided

@@ -41,6 +41,7 @@ impl CurveLook {
         const GREEN: Colour = [0, 88, 56];
         const RED: Colour = [214, 47, 32];
         const BLUE: Colour = [25, 70, 190];
+        const PURPLE: Colour = [122, 28, 140];
         match kind {
             Bifurcation::NonImpactingGrazing => Self {
                 meaning: "grazing of the non-impacting solution",
@@ -73,6 +74,14 @@ impl CurveLook {
                 text: GREEN,
                 width: 1.15,
                 dashes: &[5.0, 1.2, 1.2, 1.2],
+            },
+            Bifurcation::Torus => Self {
+                meaning: "torus (Neimark-Sacker) bifurcation",
+                colours: [PURPLE, [214, 160, 245]],
+                approximation_on_dark: [231, 201, 250],
+                text: PURPLE,
+                width: 1.15,
+                dashes: &[1.2, 1.2],
             },
         }
     }
@@ -123,6 +132,9 @@ pub const fn point_meaning(kind: CodimensionTwo) -> &'static str {
         CodimensionTwo::PeriodDoublingGrazing => "period-doubling and grazing",
         CodimensionTwo::GrazingGrazing => "two maxima graze",
         CodimensionTwo::Cusp => "cusp of a saddle-node curve",
+        CodimensionTwo::SaddleNodeTorus => "saddle-node and torus: both multipliers are 1",
+        CodimensionTwo::PeriodDoublingTorus => "period-doubling and torus: both multipliers are -1",
+        CodimensionTwo::TorusGrazing => "torus and grazing",
     }
 }
 
@@ -147,8 +159,7 @@ pub const fn portrait_meaning(kind: PortraitKind) -> &'static str {
 /// The words by which tables call kinds of curves, points and portraits, and regions of MPSs, with
 /// what they mean.
 pub fn meanings() -> Vec<(&'static str, &'static str)> {
-    use CodimensionTwo::{Cusp, GrazingGrazing, PeriodDoublingGrazing, Resonance, SaddleNodeGrazing};
-    let points = [Resonance, SaddleNodeGrazing, PeriodDoublingGrazing, GrazingGrazing, Cusp];
+    let points = CodimensionTwo::ALL;
     let portraits = [PortraitKind::Periodic, PortraitKind::Attractor];
     let regions = [RegionKind::NonImpacting, RegionKind::Mps, RegionKind::Both, RegionKind::Undecided];
     let mut all = Vec::from(Bifurcation::ALL.map(|kind| (kind.name(), CurveLook::of(kind).meaning)));

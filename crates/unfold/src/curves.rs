@@ -130,7 +130,10 @@ impl Net {
         {
             self.grown += 1;
             let kind = Bifurcation::of(event.condition, loops);
-            let Some(kind) = kind.filter(|_| meeting != CodimensionTwo::Cusp) else { continue };
+            // Through these an SN or a PD curve goes on.
+            let passed =
+                [CodimensionTwo::Cusp, CodimensionTwo::SaddleNodeTorus, CodimensionTwo::PeriodDoublingTorus];
+            let Some(kind) = kind.filter(|_| !passed.contains(&meeting)) else { continue };
             let corner = event.solution.unknowns;
             let there = self.curves.iter().filter(|curve| {
                 curve.kind == kind && curve.ends().iter().any(|end| same_point(end, &corner))

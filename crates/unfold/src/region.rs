@@ -13,7 +13,8 @@ use crate::slices::MOST_BRANCHES;
 pub enum Doubt {
     /// Along a slice solutions gain or lose stability or admissibility where no curve runs.
     Disagreement,
-    /// Stability changes on a branch without a saddle-node, period-doubling or grazing bifurcation.
+    /// Stability changes on a branch without a saddle-node, period-doubling, torus or grazing
+    /// bifurcation.
     UnnamedChange,
     /// A branch could not be followed to its end.
     Broken(String),
@@ -32,7 +33,10 @@ impl fmt::Display for Doubt {
                 write!(f, "solutions gain or lose stability or admissibility where no curve was found")
             }
             Self::UnnamedChange => {
-                write!(f, "stability changes without a saddle-node, period-doubling or grazing bifurcation")
+                write!(
+                    f,
+                    "stability changes without a saddle-node, period-doubling, torus or grazing bifurcation"
+                )
             }
             Self::Broken(end) => write!(f, "a branch of solutions could not be followed to its end: {end}"),
             Self::ManyBranches => write!(f, "there are {MOST_BRANCHES} branches of solutions or more"),

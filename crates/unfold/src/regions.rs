@@ -17,7 +17,7 @@ use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
 use crate::search;
 use crate::sight::Sight;
-use crate::survey::Survey;
+use crate::survey::{CLEAR, Survey};
 
 pub use crate::region::{Doubt, Region};
 
@@ -58,6 +58,9 @@ const LEAST_APART: f64 = 1e-7;
 /// and no more than this. Where motion is violent, as near the top of a pendulum, each shows
 /// changes that the others do not, and what they leave is undecided.
 const MOST_SLICES: usize = 200;
+/// A curve on which η changes by less than this share of its range runs along a slice, on which
+/// nothing would be seen but it.
+const ALONG: f64 = 1e-9;
 /// Shares of the range of η at which slices are laid beside a loose end.
 const BESIDE: [f64; 4] = [-0.02, -0.003, 0.003, 0.02];
 
@@ -105,12 +108,13 @@ pub(crate) fn decided(
     progress: &dyn Progress,
 ) -> Vec<Region> {
     survey.look_at(levels, progress);
-    let mut judge = Judge { window, sights: survey.sights() };
+    let mut judge = Judge { window, sights: survey.sights(), witnesses: survey.witnesses() };
     for _ in 0..ROUNDS {
         let lines = joined(window, survey.lines());
         let faces = faces::cut(window, &lines);
         let unseen: Vec<[f64; 2]> = faces.iter().filter_map(|face| judge.unseen(face)).collect();
-        let mut wanted: Vec<f64> = faces.into_iter().flat_map(|face| judge.between_verdicts(face)).collect();
+        let mut wanted: Vec<f64> = faces.iter().flat_map(|face| judge.contradicted(face)).collect();
+        wanted.extend(faces.into_iter().flat_map(|face| judge.between_verdicts(face)));
         wanted.extend(judge.beside_loose_ends(&lines));
         wanted.extend(judge.uncrossed(&lines));
         let wanted = judge.affordable(unseen, &wanted);
@@ -119,6 +123,7 @@ pub(crate) fn decided(
         }
         survey.look_at(&wanted, progress);
         judge.sights = survey.sights();
+        judge.witnesses = survey.witnesses();
     }
     let lines = joined(window, survey.lines());
     judge.regions(&lines, survey.curves(), survey.loops())
@@ -128,6 +133,8 @@ pub(crate) fn decided(
 struct Judge {
     window: Window,
     sights: Vec<Sight>,
+    /// Where a solution is known to be stable and admissible, beside curves.
+    witnesses: Vec<Point>,
 }
 
 impl Judge {
@@ -215,7 +222,11 @@ impl Judge {
         let crossed = |[low, high]: [f64; 2]| {
             self.sights.iter().any(|sight| low < sight.secondary && sight.secondary < high)
         };
-        extents.filter(|extent| !crossed(*extent)).map(|[low, high]| 0.5 * (low + high)).collect()
+        let along = |[low, high]: [f64; 2]| high - low < ALONG * self.window.widths()[1];
+        extents
+            .filter(|extent| !crossed(*extent) && !along(*extent))
+            .map(|[low, high]| 0.5 * (low + high))
+            .collect()
     }
 
     fn judge(&self, face: Face) -> FaceVerdict {
@@ -257,12 +268,38 @@ impl Judge {
                 doubt.get_or_insert(Doubt::Disagreement);
             }
         }
+        if !majority {
+            // What is known beside a curve is not outvoted either.
+            let known = trouble.len();
+            trouble.extend(self.witnesses_in(&face));
+            if trouble.len() > known {
+                doubt.get_or_insert(Doubt::Disagreement);
+            }
+        }
         let verdict = match doubt {
             _ if votes.is_empty() => Err(Doubt::Unseen),
             Some(doubt) => Err(doubt),
             None => Ok(majority),
         };
         FaceVerdict { face, verdict, trouble }
+    }
+
+    /// The values of η of the witnesses that lie clearly inside a face.
+    fn witnesses_in(&self, face: &Face) -> impl Iterator<Item = f64> {
+        let room = CLEAR * self.window.widths()[0];
+        let inside = move |[primary, secondary]: Point| {
+            chords(face, secondary).iter().any(|[from, to]| from + room < primary && primary < to - room)
+        };
+        self.witnesses.iter().filter(move |at| inside(**at)).map(|at| at[1])
+    }
+
+    /// Values of η at which good solutions are known beside a curve in a face in which no slice
+    /// sees any.
+    fn contradicted(&self, face: &Face) -> Vec<f64> {
+        if self.judge(face.clone()).verdict == Ok(true) {
+            return Vec::new();
+        }
+        self.witnesses_in(face).collect()
     }
 
     /// Horizontal lines that part the slices at which there is trouble from the others.
@@ -383,7 +420,11 @@ mod tests {
     fn slices_keep_their_distance_and_are_no_more_than_can_be_afforded() {
         let window = Window { primary: [0.0, 1.0], secondary: [0.0, 2.0] };
         let (good, doubts) = (Vec::new(), Vec::new());
-        let judge = Judge { window, sights: vec![Sight { secondary: 1.0, good, doubts, everywhere: None }] };
+        let judge = Judge {
+            window,
+            sights: vec![Sight { secondary: 1.0, good, doubts, everywhere: None }],
+            witnesses: Vec::new(),
+        };
         let wanted: Vec<f64> = (0..=10_000).map(|k| 2.0 * f64::from(k) / 10_000.0).collect();
         let levels = judge.affordable(Vec::new(), &wanted);
         assert_eq!(levels.len(), MOST_SLICES - 1);
@@ -412,7 +453,7 @@ mod tests {
         };
         let nothing = [0.1, 0.2, 0.3].map(|secondary| sight(secondary, Vec::new()));
         let sights = nothing.into_iter().chain([sight(0.5, vec![[left, right]])]).collect();
-        let judge = Judge { window, sights };
+        let judge = Judge { window, sights, witnesses: Vec::new() };
         let judged = judge.judge(face);
         assert!(judged.verdict.is_err());
         let parts = judge.parted(judged);
@@ -421,5 +462,27 @@ mod tests {
         };
         assert_eq!(verdict([0.41, 0.5]), Some(Ok(true)));
         assert_eq!(verdict([0.5, 0.1]), Some(Ok(false)));
+    }
+
+    #[test]
+    fn what_a_curve_knows_of_a_place_beside_it_is_not_outvoted() {
+        let window = Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] };
+        let nothing =
+            |secondary: f64| Sight { secondary, good: Vec::new(), doubts: Vec::new(), everywhere: None };
+        let square: Face = vec![vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]];
+        let judge =
+            |witnesses: Vec<Point>| Judge { window, sights: [0.2, 0.5, 0.8].map(nothing).into(), witnesses };
+        assert_eq!(judge(Vec::new()).judge(square.clone()).verdict, Ok(false));
+        // As near to the border as a curve is drawn, it may belong to the other side.
+        assert_eq!(judge(vec![[1e-4, 0.3]]).judge(square.clone()).verdict, Ok(false));
+        let judge = judge(vec![[0.4, 0.3]]);
+        assert_eq!(judge.contradicted(&square), [0.3]);
+        let judged = judge.judge(square);
+        assert_eq!(judged.verdict, Err(Doubt::Disagreement));
+        let parts = judge.parted(judged);
+        let verdict =
+            |at: Point| parts.iter().find(|part| faces::holds(&part.face, at)).map(|part| &part.verdict);
+        assert!(verdict([0.4, 0.3]).is_some_and(|verdict| verdict.is_err()));
+        assert_eq!(verdict([0.4, 0.9]), Some(&Ok(false)));
     }
 }

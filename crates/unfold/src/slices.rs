@@ -11,7 +11,7 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{Curve, CurvePoint, Route, SolutionCurve, Window};
+use grazing_continuation::curve::{Curve, CurvePoint, Event, Route, SolutionCurve, Window};
 use grazing_continuation::locate::{Condition, locate, locate_within};
 use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns, parameters, unknown};
 use grazing_model::motion::Motion;
@@ -23,6 +23,7 @@ use crate::curves::DiagramCurve;
 use crate::grazing::HighestPoint;
 use crate::pace::{Pace, is_lost};
 use crate::progress::Progress;
+use crate::tolerances::BETWEEN_BIFURCATIONS;
 
 /// The branches at one η, and how far they have been worked on.
 #[derive(Clone, Debug)]
@@ -218,17 +219,19 @@ impl Slicer {
     }
 
     /// Adds the branches of a slice to which curves that cross it lead, and says whether there are
-    /// any.
+    /// any; a curve's bifurcation belongs to the branch on which it lies.
     pub(crate) fn through_curves(&self, slice: &mut Slice, curves: &[DiagramCurve]) -> bool {
         let before = slice.branches.len();
         let secondary = slice.secondary;
         let here = Condition::Secondary(secondary);
         let new = core::mem::replace(&mut slice.curves, curves.len());
         let known = curves[new..].iter().map(|curve| &curve.curve);
-        for (condition, near, mut times) in
+        for Crossing { condition, chord, place: near, mut times } in
             known.flat_map(|curve| crossings(curve, unknown::SECONDARY, secondary))
         {
-            if slice.branches.iter().any(|branch| self.passes(branch, &near)) {
+            // The curve's own point may lie on a branch that has stepped over it.
+            let on_branch = slice.branches.iter().position(|branch| self.passes(branch, &near));
+            if on_branch.is_some_and(|index| self.has(&slice.branches[index], condition, &chord)) {
                 continue;
             }
             let found = locate_within(CARRIED_OFF, &self.equations, [condition, here], near, &mut times);
@@ -236,7 +239,10 @@ impl Slicer {
                 && self.is_real(&through)
                 && self.window.contains(parameters(&through))
             {
-                self.add(slice, through, &times, true);
+                match on_branch {
+                    Some(index) => self.insert(&mut slice.branches[index], condition, &through, times),
+                    None => self.add(slice, through, &times, true),
+                }
             }
         }
         let fresh = slice.branches.len() > before;
@@ -263,6 +269,41 @@ impl Slicer {
                 dismissed.extend(slice.branches.pop());
             }
         }
+    }
+
+    /// Whether a bifurcation on a branch lies on the chord of a curve that crosses the slice.
+    fn has(&self, branch: &Curve, condition: Condition, [from, to]: &[Unknowns; 2]) -> bool {
+        let chord = self.equations.gap(from, to);
+        let of_kind = branch.events.iter().filter(|event| event.condition == condition);
+        let mut starts = of_kind.map(|event| self.equations.gap(&event.solution.unknowns, from));
+        starts.any(|start| near_chord(&start, &chord, ON_BRANCH))
+    }
+
+    /// Adds a bifurcation to a branch that has stepped over it, as over both of two that lie close
+    /// to each other.
+    fn insert(&self, branch: &mut Curve, condition: Condition, through: &Unknowns, times: EventTimes) {
+        let distance = |of: &Unknowns| self.equations.gap(of, through).norm();
+        let known = |event: &Event| {
+            event.condition == condition && distance(&event.solution.unknowns) < BETWEEN_BIFURCATIONS
+        };
+        let aside = |pair: &[CurvePoint]| {
+            let [from, to] = [0, 1].map(|k| &pair[k].solution.unknowns);
+            distance(from) + distance(to) - self.equations.gap(from, to).norm()
+        };
+        let steps = branch.points.windows(2).map(aside).enumerate();
+        let Some((before, _)) = steps.min_by(|a, b| a.1.total_cmp(&b.1)) else { return };
+        if branch.events.iter().any(known) {
+            return;
+        }
+        let index = before + 1;
+        let start = &branch.points[before].solution.unknowns;
+        let way = |of: &Unknowns| self.equations.gap(start, of).norm();
+        let later = |event: &Event| {
+            event.index > index || event.index == index && way(&event.solution.unknowns) > way(through)
+        };
+        let place = branch.events.iter().position(later).unwrap_or(branch.events.len());
+        let solution = self.equations.solution(through);
+        branch.events.insert(place, Event { condition, solution, index, times });
     }
 
     /// The solution at the place of `near` on the surface of all, if it lies in the window and
@@ -301,6 +342,8 @@ impl Slicer {
             curve.follow(through, Unknowns::x(), times.clone(), &route)
         };
         slice.branches.extend(followed);
+        // Curves that were looked at may cross the new one.
+        slice.curves = 0;
     }
 
     fn branch(
@@ -322,7 +365,9 @@ impl Slicer {
     pub(crate) fn across(&self, slices: &[Slice], primary: f64, known: &[Curve]) -> Vec<Curve> {
         let mut branches: Vec<Curve> = Vec::new();
         let sources = slices.iter().flat_map(|slice| &slice.branches);
-        for (_, near, mut times) in sources.flat_map(|branch| crossings(branch, unknown::PRIMARY, primary)) {
+        for Crossing { place: near, mut times, .. } in
+            sources.flat_map(|branch| crossings(branch, unknown::PRIMARY, primary))
+        {
             let is_known =
                 |at: &Unknowns| known.iter().chain(&branches).any(|branch| self.passes(branch, at));
             if is_known(&near) || known.len() + branches.len() >= MOST_BRANCHES {
@@ -356,18 +401,26 @@ fn size(through: &Unknowns) -> f64 {
     (through.fixed_rows::<2>(0).norm() / LARGE).max(1.0)
 }
 
-/// Where the chords of a curve take a value of one of the unknowns: the curve's condition, the
-/// point and the event times nearby.
-pub(crate) fn crossings(
-    curve: &Curve,
-    unknown: usize,
-    value: f64,
-) -> impl Iterator<Item = (Condition, Unknowns, EventTimes)> {
+/// Where a chord of a curve takes a value of one of the unknowns.
+pub(crate) struct Crossing {
+    /// The curve's condition.
+    condition: Condition,
+    /// The ends of the chord.
+    chord: [Unknowns; 2],
+    /// The point of the chord.
+    place: Unknowns,
+    /// The event times nearby.
+    times: EventTimes,
+}
+
+/// Where the chords of a curve take a value of one of the unknowns.
+pub(crate) fn crossings(curve: &Curve, unknown: usize, value: f64) -> impl Iterator<Item = Crossing> {
     curve.points.windows(2).filter_map(move |pair| {
-        let [a, b] = [0, 1].map(|k| pair[k].solution.unknowns);
-        let [from, to] = [a, b].map(|point| point[unknown] - value);
+        let chord @ [a, b] = [0, 1].map(|k| pair[k].solution.unknowns);
+        let [from, to] = chord.map(|point| point[unknown] - value);
         let crosses = from * to <= 0.0 && from != to;
-        crosses.then(|| (curve.condition, a + (b - a) * (from / (from - to)), pair[0].times.clone()))
+        let place = a + (b - a) * (from / (from - to));
+        crosses.then(|| Crossing { condition: curve.condition, chord, place, times: pair[0].times.clone() })
     })
 }
 
@@ -429,5 +482,49 @@ mod tests {
             // They are looked at once.
             assert!(!slicer.through_curves(&mut slice, &curves));
         }
+    }
+
+    #[test]
+    fn a_branch_that_has_stepped_over_the_bifurcations_of_known_curves_gets_them() {
+        let window = Window { primary: [0.0, 1.2], secondary: [0.6, 1.0] };
+        let oscillator = crate::specimens::linear(0.05, [0.5, 0.9]);
+        let scope = Scope { window, loops: vec![1], start: None };
+        let diagram = Diagram::compute(&oscillator, &scope, &Silent).expect("there is grazing");
+        let curves: Vec<DiagramCurve> =
+            diagram.curves.iter().filter(|curve| curve.loops == 1).cloned().collect();
+        let slicer = Slicer { equations: diagram.equations(1), window, control: steps(window) };
+        let mut looked_at = 0;
+        for secondary in [0.66, 0.74, 0.82, 0.9] {
+            let places = diagram.grazing.iter().flat_map(|curve| curve.all_at(secondary));
+            let places = places.map(|place| [place.phase, place.parameters[0]]);
+            let mut slice = slicer.beginning_at_grazing(secondary, places);
+            slicer.through_curves(&mut slice, &curves);
+            let places = |slice: &Slice| -> Vec<(Condition, usize, Unknowns)> {
+                let events = slice.branches.iter().flat_map(|branch| &branch.events);
+                events.map(|event| (event.condition, event.index, event.solution.unknowns)).collect()
+            };
+            let known = places(&slice);
+            let lies_on_a_curve = |event: &Event| {
+                let crossings =
+                    curves.iter().flat_map(|curve| crossings(&curve.curve, unknown::SECONDARY, secondary));
+                crossings.filter(|crossing| crossing.condition == event.condition).any(|crossing| {
+                    slicer.equations.gap(&crossing.place, &event.solution.unknowns).norm() < 1e-3
+                })
+            };
+            for branch in &mut slice.branches {
+                branch.events.retain(|event| !lies_on_a_curve(event));
+            }
+            let left = places(&slice).len();
+            slice.curves = 0;
+            slicer.through_curves(&mut slice, &curves);
+            let found = places(&slice);
+            assert_eq!(found.len(), known.len());
+            for ((condition, index, at), (other, place, known)) in found.iter().zip(&known) {
+                // Both were located to some 10⁻¹⁰.
+                assert!((condition, index) == (other, place) && (at - known).norm() < BETWEEN_BIFURCATIONS);
+            }
+            looked_at += known.len() - left;
+        }
+        assert!(looked_at >= 4, "{looked_at}");
     }
 }

@@ -7,9 +7,9 @@
 use std::borrow::Cow;
 
 use grazing_continuation::arclength::StepControl;
-use grazing_continuation::bifurcation::Bifurcation;
+use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_continuation::curve::{Curve, CurveEnd, Event, Route, SolutionCurve, Window};
-use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::locate::{Condition, locate, locate_within};
 use grazing_continuation::mps::{EventTimes, Unknowns, parameters, unknown};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
@@ -22,7 +22,7 @@ use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
 use crate::region::Doubt;
 use crate::sight::Sight;
-use crate::slices::{FREE_STEPS, Slice, Slicer, near_chord, spread, steps};
+use crate::slices::{CARRIED_OFF, FREE_STEPS, Slice, Slicer, near_chord, spread, steps};
 use crate::stretches::{Border, broken_at, stretches};
 use crate::tolerances::BETWEEN_BIFURCATIONS;
 use crate::{Scope, alongside};
@@ -56,6 +56,9 @@ const FREE_COLUMNS: u32 = 2;
 /// beside the way over a hill of the potential there is any number of such slivers, one thinner
 /// than the other. Where they are wider other slices see them.
 const SLIVER: f64 = 1e-4;
+/// Impact velocities, or positions at phase zero, by which good solutions beside a curve are looked
+/// for: from where they are next to the curve to where they may belong to another face.
+const ASIDE: [f64; 6] = [1e-3, 3e-3, 1e-2, 3e-2, -1e-3, -1e-2];
 /// A bifurcation this far from a chord between two points of a curve may be one of the curve.
 const NEAR_CURVE: f64 = 0.05;
 /// An orbit on the edge lies inside, give or take rounding.
@@ -225,19 +228,52 @@ impl<'a> Survey<'a> {
     /// What cuts the window, as polylines.
     pub(crate) fn lines(&self) -> Vec<Vec<Point>> {
         let curves = &self.net.curves;
-        if self.net.equations.has_impacts() {
+        let mut lines: Vec<Vec<Point>> = if self.net.equations.has_impacts() {
             let levels: Vec<f64> = self.slices.iter().map(|slice| slice.secondary).collect();
-            return alongside::polylines(&self.net.equations, curves, self.scope.window, &levels);
+            alongside::polylines(&self.net.equations, curves, self.scope.window, &levels)
+        } else {
+            let all = curves.iter().map(|curve| curve.curve.parameters());
+            let grazing = self.grazing.iter().map(|curve| curve.parameters().collect());
+            let covered =
+                |k: usize| curves[..k].iter().any(|earlier| covers(self.scope, earlier, &curves[k]));
+            grazing.chain(all.enumerate().filter(|(k, _)| !covered(*k)).map(|(_, line)| line)).collect()
+        };
+        let on_other = [CodimensionTwo::SaddleNodeTorus, CodimensionTwo::PeriodDoublingTorus];
+        for corner in self.net.meetings.iter().filter(|corner| on_other.contains(&corner.kind)) {
+            meet(&mut lines, parameters(&corner.unknowns()), self.scope.window);
         }
-        let all = curves.iter().map(|curve| curve.curve.parameters());
-        let grazing = self.grazing.iter().map(|curve| curve.parameters().collect());
-        let covered = |k: usize| curves[..k].iter().any(|earlier| covers(self.scope, earlier, &curves[k]));
-        grazing.chain(all.enumerate().filter(|(k, _)| !covered(*k)).map(|(_, line)| line)).collect()
+        lines
     }
 
     /// The bifurcation curves.
     pub(crate) fn curves(&self) -> &[DiagramCurve] {
         &self.net.curves
+    }
+
+    /// Places beside the middles of curves at which a solution is stable and admissible: a curve
+    /// knows of one of its sides what there is.
+    pub(crate) fn witnesses(&self) -> Vec<Point> {
+        let equations = &self.net.equations;
+        let window = self.scope.window;
+        let beside = |curve: &DiagramCurve| {
+            let points = &curve.curve.points;
+            let middle = &points[points.len() / 2];
+            let from = middle.solution.unknowns;
+            ASIDE.iter().find_map(|by| {
+                let mut near = from;
+                near[unknown::VELOCITY] += by;
+                let held = Condition::ImpactVelocity(near[unknown::VELOCITY]);
+                let conditions = [Condition::Secondary(from[unknown::SECONDARY]), held];
+                let found =
+                    locate_within(CARRIED_OFF, equations, conditions, near, &mut middle.times.clone());
+                let solution = equations.solution(&found.ok()?);
+                let [place, curve] = [&solution, &middle.solution].map(|it| window.shares(it.parameters()));
+                let apart = (place[0] - curve[0]).abs() > CLEAR;
+                (apart && solution.attracts() && window.contains(solution.parameters()))
+                    .then(|| solution.parameters())
+            })
+        };
+        self.net.curves.par_iter().filter_map(beside).collect()
     }
 
     /// What every slice shows.
@@ -312,9 +348,12 @@ fn explained(net: &Net, kind: Bifurcation, event: &Event, window: Window) -> boo
 /// Follows the curve through a bifurcation that lies on none that is known.
 fn start(net: &mut Net, kind: Bifurcation, event: &Event, route: &Route<'_>) {
     let curve = SolutionCurve { equations: net.equations.clone(), condition: event.condition };
-    // Across the slice.
+    // Across the slice, but where the curve runs along it.
     let upwards = if net.equations.has_impacts() { Unknowns::w() } else { -Unknowns::w() };
-    if let Ok(curve) = curve.follow_both_ways(event.solution.unknowns, upwards, &event.times, route)
+    let follow = |direction| {
+        curve.clone().follow_both_ways(event.solution.unknowns, direction, &event.times, route).ok()
+    };
+    if let Some(curve) = follow(upwards).or_else(|| follow(Unknowns::z()))
         && (net.equations.has_impacts() || !stalls(&curve))
     {
         net.add(DiagramCurve { kind, loops: net.loops(), n: 0, curve });
@@ -329,8 +368,27 @@ fn stalls(curve: &Curve) -> bool {
     ends.any(|end| matches!(end, CurveEnd::Stalled(_)))
 }
 
+/// Makes an end of one line that lies on another a vertex of that, too.
+fn meet(lines: &mut [Vec<Point>], end: Point, window: Window) {
+    let place = |at: Point| Vector2::from(window.shares(at)) - Vector2::from(window.shares(end));
+    let distance = |pair: &[Point]| {
+        let [start, chord] = [place(pair[0]), place(pair[1]) - place(pair[0])];
+        let along = (-start.dot(&chord) / chord.norm_squared()).clamp(0.0, 1.0);
+        (start + chord * along).norm()
+    };
+    let others =
+        lines.iter().enumerate().filter(|(_, line)| ![line.first(), line.last()].contains(&Some(&end)));
+    let chords = others.flat_map(|(k, line)| (1..).zip(line.windows(2)).map(move |(at, pair)| (k, at, pair)));
+    let nearest = chords.map(|(k, at, pair)| (distance(pair), k, at)).min_by(|a, b| a.0.total_cmp(&b.0));
+    if let Some((_, k, at)) = nearest.filter(|(distance, ..)| *distance < CLEAR) {
+        lines[k].insert(at, end);
+    }
+}
+
 /// Curves are drawn to this share of the ranges.
 const DRAWN: f64 = 1e-4;
+/// What lies farther from them in shares of the ranges is on the side on which it is drawn.
+pub(crate) const CLEAR: f64 = 3.0 * DRAWN;
 
 /// Whether one curve lies on another in the plane, as do those of motion in both wells of a
 /// symmetric force: between them there would be nothing but slivers.

@@ -19,6 +19,13 @@ pub(crate) fn of(error: &UnfoldError, description: &Description) -> String {
     let units = description.units();
     match error {
         UnfoldError::Stopped { stage } => format!("ended during this: {stage}"),
+        UnfoldError::NoGrazing { .. } | UnfoldError::Pushed { .. } if !moves(description) => format!(
+            "no grazing curve: motion without the wall does not depend on {primary}, which stands in the impact alone, so that it comes to \
+             the wall at values of {secondary} that are the same for every {primary}: let primary.name be a parameter of motion.force, \
+             motion.frequency or wall.position, and {primary} the secondary one, or a constant",
+            primary = axes[0].name(),
+            secondary = axes[1].name(),
+        ),
         UnfoldError::NoGrazing { lowest, highest, whole } => {
             let nearest = if highest.position < 0.0 { highest } else { lowest };
             if lowest.position < 0.0 && highest.position > 0.0 {
@@ -145,6 +152,28 @@ fn mean_force_at_wall(description: &Description, [mu, eta]: [f64; 2]) -> f64 {
     instants(description, [mu, eta]).map(force).sum::<f64>() / f64::from(INSTANTS)
 }
 
+/// Whether the force, or its frequency, depends on the primary parameter anywhere near the wall.
+fn moves(description: &Description) -> bool {
+    let [primary, secondary] = [description.primary(), description.secondary()].map(Axis::range);
+    let units = description.units();
+    // In the middle of the range and at irregular places of it: a force may be periodic.
+    let of_range = |[low, high]: [f64; 2], share: f64| low + share * (high - low);
+    let eta = of_range(secondary, 0.5);
+    let [mu, others @ ..] = [0.5, 0.0, 0.37, 0.83, 1.0].map(|share| [of_range(primary, share), eta]);
+    let frequency = |[mu, eta]: [f64; 2]| description.forcing_frequency(mu, eta);
+    let force = |[mu, eta]: [f64; 2], t: f64, x: f64, v: f64| {
+        description.force(x * units.length, v * units.velocity(), t, mu, eta)
+    };
+    others.into_iter().any(|other| {
+        frequency(mu) != frequency(other)
+            || instants(description, mu).any(|t| {
+                [-1.0, -0.37, 0.0]
+                    .iter()
+                    .any(|&x| [0.3, 0.0, -0.3].iter().any(|&v| force(mu, t, x, v) != force(other, t, x, v)))
+            })
+    })
+}
+
 /// Whether the force depends on the position.
 fn has_spring(description: &Description) -> bool {
     let [mu, eta] = [description.primary(), description.secondary()].map(|axis| {
@@ -244,6 +273,27 @@ fn widening(nearest: &Height, axes: [&Axis; 2]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_primary_parameter_of_the_impact_alone_is_named_as_the_reason() {
+        let file = |amplitude: &str, restitution: &str| {
+            let text = format!(
+                "primary = {{ name = \"r\", range = [0.5, 0.9] }}\n\
+                 secondary = {{ name = \"omega\", range = [0.5, 0.95] }}\n\
+                 motion = {{ force = \"-0.06*v - x - 1 + {amplitude}*cos(omega*t)\", frequency = \"omega\" }}\n\
+                 wall = {{ position = \"0\", side = \"below\" }}\n\
+                 impact = {{ restitution = \"{restitution}\", duration = \"0\" }}\n\
+                 analysis = {{ loops = [1] }}\nname = \"Test\"\n"
+            );
+            Description::parse(&text, "test.toml").unwrap()
+        };
+        let height = |position| Height { position, parameters: [0.5, 0.75], acceleration: -1.0 };
+        let error = UnfoldError::NoGrazing { lowest: height(-0.3), highest: height(3.4), whole: true };
+        let words = of(&error, &file("0.5", "r"));
+        assert!(words.contains("does not depend on r") && words.contains("let primary.name be"), "{words}");
+        let words = of(&error, &file("r", "0.9"));
+        assert!(words.contains("narrow the ranges"), "{words}");
+    }
 
     #[test]
     fn motion_that_ends_is_told_with_its_place_and_the_force() {

@@ -13,10 +13,11 @@ use crate::tolerances::{CUTS, FARTHEST_EVENT, FARTHEST_ITERATE, NO_VELOCITY, ON_
 pub(super) type CurveStation = Station<4, EventTimes>;
 
 /// What can happen to the solution along a curve.
-pub(super) const EVENTS: [Condition; 3] = [
+pub(super) const EVENTS: [Condition; 4] = [
     Bifurcation::SaddleNode.condition(),
     Bifurcation::PeriodDoubling.condition(),
     Bifurcation::Grazing.condition(),
+    Bifurcation::Torus.condition(),
 ];
 /// The place of admissibility in [`Signs`].
 pub(super) const INADMISSIBLE: usize = 2;
@@ -35,15 +36,16 @@ pub(super) fn vanishing(event: Condition, stability: &Stability) -> Option<f64> 
     match event {
         Condition::SADDLE_NODE => Some(stability.saddle_node),
         Condition::PERIOD_DOUBLING => Some(stability.period_doubling),
+        Condition::UnitProduct => Some(stability.torus),
         _ => None,
     }
 }
 
 /// On a curve of fixed multiplier the other multiplier is positive or negative throughout: only
-/// grazing can happen there.
+/// grazing can happen there. On one of fixed product both can become 1 or −1.
 pub(super) fn signs(along: Condition, stability: &Stability, solution: &PeriodicSolution) -> Signs {
     EVENTS.map(|event| match vanishing(event, stability) {
-        Some(value) => (!matches!(along, Condition::Multiplier(_))).then_some(value > 0.0),
+        Some(value) => (!matches!(along, Condition::Multiplier(_)) && event != along).then_some(value > 0.0),
         None => Some(solution.touches()),
     })
 }
@@ -73,7 +75,11 @@ impl<O: ImpactOscillator> SolutionCurve<O> {
         let clear = match self.condition {
             // Where another maximum touches the wall its sign is a toss-up.
             Condition::Multiplier(_) => at_grazing || solution.ceiling().abs() > TOUCHES_TOO,
-            _ => stability.saddle_node.abs().min(stability.period_doubling.abs()) > ON_TWO_CURVES,
+            _ => {
+                let others = EVENTS.iter().filter(|event| **event != self.condition);
+                let vanishing = others.filter_map(|event| vanishing(*event, &stability));
+                vanishing.map(f64::abs).fold(f64::INFINITY, f64::min) > ON_TWO_CURVES
+            }
         };
         clear.then(|| signs(self.condition, &stability, &solution))
     }
@@ -102,10 +108,13 @@ impl<O: ImpactOscillator> Step<'_, O> {
             let condition = EVENTS[event];
             let found = self.event(condition, beyond);
             match found.or_else(|failure| self.event_closer(event, past[event]).ok_or(failure)) {
+                // Of real multipliers a product of 1 is nothing.
+                Ok((solution, _))
+                    if condition == Condition::UnitProduct && !solution.multipliers.complex() => {}
                 Ok((solution, times)) => located.push(Event { condition, solution, index, times }),
                 // Where branches cross for the sake of a symmetry, or rest touches the wall, motion
                 // without impacts goes on.
-                Err(_) if !self.followed.equations.has_impacts() => {}
+                Err(_) if !self.followed.equations.has_impacts() || condition == Condition::UnitProduct => {}
                 Err(failure) => return Err(CurveEnd::EventNotLocated { condition, failure }),
             }
         }

@@ -5,7 +5,9 @@ use std::sync::OnceLock;
 
 use grazing_continuation::curve::CurveEnd;
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Multipliers, Unknowns, unknown};
+use grazing_continuation::mps::{
+    EventTimes, Formulation, LoopEquations, LoopPair, Multipliers, Unknowns, unknown,
+};
 use grazing_model::LinearOscillator;
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
@@ -135,11 +137,15 @@ fn characteristic_is_the_characteristic_polynomial_times_a_factor_without_zeros(
             let expected = 1.0 - sign * other.trace + other.determinant;
             assert_within(pair.characteristic(sign).0 / factor, expected, noise(&other));
         }
+        assert_within(pair.product_less_one().0 / factor, other.determinant - 1.0, noise(&other));
     }
 }
 
+/// What vanishes at a bifurcation, with its gradient.
+type Vanishing = fn(&LoopPair) -> (f64, Unknowns);
+
 #[test]
-fn gradient_of_the_characteristic_agrees_with_differences() {
+fn gradients_of_what_vanishes_at_bifurcations_agree_with_differences() {
     const H: f64 = 1e-5;
     for Specimen { equations, point, times, .. } in specimens() {
         for formulation in [Formulation::Vivid, Formulation::FixedPhase] {
@@ -147,12 +153,17 @@ fn gradient_of_the_characteristic_agrees_with_differences() {
             // The times holds the plane of constant phase while the phase is varied.
             let mut times = times.clone();
             let pair = equations.pair::<2>(point, &mut times).unwrap();
-            for multiplier in [1.0, -1.0] {
-                let (_, gradient) = pair.characteristic(multiplier);
+            let functions: [Vanishing; 3] = [
+                |pair| pair.characteristic(1.0),
+                |pair| pair.characteristic(-1.0),
+                LoopPair::product_less_one,
+            ];
+            for function in functions {
+                let (_, gradient) = function(&pair);
                 let mut value = |k: usize, h: f64| {
                     let mut moved = *point;
                     moved[k] += h;
-                    equations.pair::<1>(&moved, &mut times).unwrap().characteristic(multiplier).0
+                    function(&equations.pair::<1>(&moved, &mut times).unwrap()).0
                 };
                 for k in 0..4 {
                     let central = |value: &mut dyn FnMut(usize, f64) -> f64, h: f64| {

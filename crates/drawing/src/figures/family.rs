@@ -218,6 +218,9 @@ fn points(
             CodimensionTwo::SaddleNodeGrazing | CodimensionTwo::Cusp => Bifurcation::SaddleNode,
             CodimensionTwo::PeriodDoublingGrazing => Bifurcation::PeriodDoubling,
             CodimensionTwo::GrazingGrazing | CodimensionTwo::Resonance => Bifurcation::Grazing,
+            CodimensionTwo::SaddleNodeTorus
+            | CodimensionTwo::PeriodDoublingTorus
+            | CodimensionTwo::TorusGrazing => Bifurcation::Torus,
         };
         let spot = panel.spot((value, row.secondary));
         let paint = Paint { colour: pale(pen(kind).colour, 0.35), opacity: 1.0 };

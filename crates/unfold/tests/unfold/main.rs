@@ -13,5 +13,6 @@ mod resonances;
 mod search;
 mod slivers;
 mod specimens;
+mod torus;
 mod units;
 mod verdicts;

@@ -257,6 +257,25 @@ fn a_fold_along_a_slice_and_motion_that_no_slice_shows_bound_regions() {
     assert!(stays_off([1.4, 0.86]) && !stays_off([1.2, 0.86]));
 }
 
+/// A spring with a layer that attracts and then repels (Morse), in which motion is doubled: along
+/// one slice the tip of that region is less than a step wide, and its border is a curve that is
+/// known.
+#[test]
+fn a_slice_does_not_step_over_both_sides_of_the_tip_of_a_region() {
+    let layer = "0.3*4*(exp(4*(x + 0.25)) - exp(8*(x + 0.25)))";
+    let ranges = [[0.0, 1.2], [0.6, 1.075]];
+    let model = forced(&format!("-0.06*v - (x + 1) + {layer} + mu*cos(eta*t)"), "0", 0.7, ranges);
+    let units = model.units();
+    let own = scope(ranges[0], ranges[1], &[1]).without_dimensions(&units);
+    let oscillator = model.counted([1.2, 1.075], &units, &Stop::default());
+    let diagram = Diagram::located(&oscillator, &own, &Silent).expect("there is grazing");
+    let stays_off = |[a, b]: [f64; 2]| stays_off(&diagram, [a / units.primary, b / units.secondary]);
+    // By integration of another kind: multipliers -1.008 and -0.631 at the third place. At omega =
+    // 0.832 motion is doubled for A from 0.36886 to 0.43449.
+    assert!(stays_off([0.36, 0.832]) && stays_off([0.375, 0.85]));
+    assert!([0.375, 0.39, 0.42].into_iter().all(|a| !stays_off([a, 0.832])));
+}
+
 #[test]
 fn nothing_beside_a_pole_of_the_force_is_undecided() {
     let (oscillator, scope, _) = counted("afm.toml");
