@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use grazing_description::Limits;
+use grazing_reproduction::unfolded::ResonanceEntry;
 use grazing_results::branches::OneParameter;
 
 use crate::arguments;
@@ -135,19 +136,7 @@ impl Task {
             let outcome = "what was not finished is named above; everything else is written";
             return Err(ended(file, met, outcome));
         }
-        let (file, contradictions) = (file.display(), listing::contradictions(&unfolded.entries()));
-        if !contradictions.is_empty() {
-            let what = contradictions.join("; ");
-            return Err(Failure::check(format!(
-                "{file}: the theorem is contradicted: {what}; everything is written"
-            )));
-        }
-        match listing::incomplete(&unfolded.diagram) {
-            Some(missing) => {
-                Err(Failure::incomplete(format!("{file}: {missing}, see above; everything else is written")))
-            }
-            None => Ok(()),
-        }
+        verdict(file, &unfolded.entries(), listing::incomplete(&unfolded.diagram))
     }
 
     /// Figures, tables and the page that shows them.
@@ -171,5 +160,23 @@ impl Task {
             folder::remove(&self.folder.join(path))?;
         }
         Ok(())
+    }
+}
+
+/// The failure that results come to which are written: a contradiction of the theorem, or what is
+/// missing.
+fn verdict(file: &Path, entries: &[ResonanceEntry], missing: Option<String>) -> Result<(), Failure> {
+    let (file, contradictions) = (file.display(), listing::contradictions(entries));
+    if !contradictions.is_empty() {
+        let what = contradictions.join("; ");
+        return Err(Failure::check(format!(
+            "{file}: the theorem is contradicted: {what}; everything is written"
+        )));
+    }
+    match missing {
+        Some(missing) => {
+            Err(Failure::incomplete(format!("{file}: {missing}, see above; everything else is written")))
+        }
+        None => Ok(()),
     }
 }

@@ -359,7 +359,12 @@ mod tests {
             gone_beyond: Some(true),
         };
         let bad = resonance(1e-7, Simulated::Against(sides));
-        let words = contradictions(&[bad]);
+        let words = contradictions(std::slice::from_ref(&bad));
+        let file = std::path::Path::new("test.toml");
+        for missing in [None, Some("something is missing".to_owned())] {
+            let failure = super::super::verdict(file, std::slice::from_ref(&bad), missing);
+            assert_eq!(failure.expect_err("it is contradicted").exit_code(), 1);
+        }
         assert_eq!(
             words,
             [
@@ -371,6 +376,7 @@ mod tests {
         let doubtful =
             resonance(1.0, Simulated::Undecided(Inconclusive::TooSlow { leading: 1e-9, least: 1e-6 }));
         assert!(contradictions(std::slice::from_ref(&doubtful)).is_empty());
+        assert!(super::super::verdict(file, std::slice::from_ref(&doubtful), None).is_ok());
         let doubtful = [doubtful];
         let curve = curves(&doubtful).next().expect("the theorem applies");
         let (_, _, (coefficient, _)) = curve;
