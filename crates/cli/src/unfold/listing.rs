@@ -326,6 +326,10 @@ mod tests {
     use super::*;
     use grazing_continuation::bifurcation::Pair;
     use grazing_continuation::fit::{Estimate, Measurement};
+    use grazing_model::smooth::Stop;
+    use grazing_reproduction::unfolded::Unfolded;
+    use grazing_unfold::progress::Silent;
+    use grazing_unfold::regions::{Doubt, Region};
     use grazing_unfold::sides::{Inconclusive, Sides};
     use grazing_unfold::simulation::ReturnOutcome;
     use grazing_unfold::verdict::{Coefficient, Obstacle};
@@ -387,6 +391,30 @@ mod tests {
             "as simulated undecided: the leading",
         ] {
             assert!(words.contains(wanted), "{words}");
+        }
+    }
+
+    #[test]
+    fn undecided_regions_are_listed_with_their_place_and_their_reason() {
+        let text = "name = \"Test\"\n[parameters]\n[primary]\nname = \"A\"\nrange = [0.4, 0.8]\n\
+                    [secondary]\nname = \"omega\"\nrange = [0.6, 0.7]\n\
+                    [motion]\nforce = \"-0.1*v - x - 1 + A*cos(omega*t)\"\nfrequency = \"omega\"\n\
+                    [impact]\nrestitution = \"0.8\"\nduration = \"0\"\n[analysis]\nloops = [1]\n";
+        let description = Description::parse(text, "test.toml").expect("it is right");
+        let unfolded = Unfolded::described(&description, &Silent, &Stop::default(), &|_| ());
+        let mut unfolded = unfolded.expect("there is grazing");
+        unfolded.diagram.regions.retain(|region| region.doubt.is_none());
+        assert!(!results(&description, &unfolded).contains("Not decided"));
+        let units = unfolded.axes.units;
+        let corner = |primary: f64, secondary: f64| [primary / units.primary, secondary / units.secondary];
+        for doubt in [Doubt::Disagreement, Doubt::UnnamedChange, Doubt::ManyBranches, Doubt::Unseen] {
+            let ring = vec![corner(0.5, 0.625), corner(0.75, 0.625), corner(0.75, 0.6875)];
+            let region = Region { loops: 1, n: 3, rings: vec![ring], doubt: Some(doubt.clone()) };
+            unfolded.diagram.regions.push(region);
+            let words = results(&description, &unfolded).replace('\n', " ");
+            let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
+            let told = format!("p = 1 from A = 0.5, omega = 0.625 to A = 0.75, omega = 0.6875: {doubt}");
+            assert!(words.contains("Not decided (hatched") && words.contains(&told), "{told}: {words}");
         }
     }
 }
