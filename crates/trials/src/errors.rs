@@ -162,14 +162,9 @@ impl<'a> Copy<'a> {
             copy.restore(Path::new(file))?;
         }
         // Whatever the compiler does not accept behind a switch is put in by itself.
-        loop {
-            let checked = copy.cargo(&["check", "--message-format=short"])?;
-            if checked.status.success() {
-                break;
-            }
-            copy.unswitch(&String::from_utf8_lossy(&checked.stderr))?;
+        while let Err(error) = copy.build() {
+            copy.unswitch(&error.to_string())?;
         }
-        copy.build()?;
         Ok(copy)
     }
 
@@ -249,7 +244,7 @@ impl<'a> Copy<'a> {
 
     /// Builds the test programs.
     fn build(&mut self) -> io::Result<()> {
-        let built = self.cargo(&["test", "--no-run"])?;
+        let built = self.cargo(&["test", "--no-run", "--message-format=short"])?;
         let messages = String::from_utf8_lossy(&built.stderr);
         if !built.status.success() {
             return Err(invalid(messages.into_owned()));

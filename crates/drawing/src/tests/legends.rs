@@ -135,7 +135,9 @@ fn unstable_solutions_that_graze_are_not_drawn() {
 #[test]
 fn what_is_undecided_is_hatched_and_never_shaded() {
     let mut sample = sample(3);
-    let shaded = |sheet: &Sheet| explained(sheet, "a maximal periodic solution is stable").is_some();
+    let shaded = |sheet: &Sheet| {
+        sheet.legend.iter().any(|(words, _)| words.starts_with("a maximal periodic solution is stable"))
+    };
     let hatched = |sheet: &Sheet| explained(sheet, "stability is not decided");
     let mut mps = |kind: RegionKind| {
         let of_mps = sample.diagram.regions.iter_mut().filter(|vertex| vertex.loops > 0);
