@@ -62,39 +62,44 @@ fn used(item: &str) -> String {
     }
 }
 
-/// The names by which a type shows in the words of a function: its own, those of its aliases, and
-/// of what is declared to have or to return one of them.
-fn names_of_type(owner: &str, files: &[(String, String)]) -> BTreeSet<String> {
-    let mut types = BTreeSet::from([owner.to_owned()]);
-    let mut names = BTreeSet::new();
-    for line in files.iter().flat_map(|(_, text)| text.lines()).map(|line| line.trim().replace("pub ", "")) {
-        let Some((alias, of)) = line.strip_prefix("type ").and_then(|alias| alias.split_once(" = ")) else {
-            continue;
-        };
-        if words(of).contains(owner) {
-            types.extend(words(alias).into_iter().take(1));
-        }
-    }
+/// For each type the names by which it shows in the words of a function: its own, those of its
+/// aliases, and of what is declared to have or to return one of them.
+fn names_of_types(files: &[(String, String)]) -> BTreeMap<String, BTreeSet<String>> {
+    let mut names: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    let mut aliases: Vec<(String, String)> = Vec::new();
+    let types = |of: &str| {
+        let all = of.split(|c| !is_of_word(c)).filter(|word| word.starts_with(char::is_uppercase));
+        all.map(str::to_owned).collect::<Vec<_>>()
+    };
+    let first = |declared: &str| declared.split(|c| !is_of_word(c)).next().unwrap_or_default().to_owned();
     for (_, text) in files {
         let code: Vec<&str> = text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect();
         let code = code.join(" ");
-        // `name: Type`, and `fn name(..) -> Type {`.
+        // `name: Type`, `fn name(..) -> Type {` and `type Name = Type;`.
         for (at, _) in code.match_indices(": ") {
             let name = code[..at].rsplit(|c| !is_of_word(c)).next().unwrap_or_default();
             let of = code[at + 2..].split([',', ';', '=', '{', '(', ')']).next().unwrap_or_default();
-            if !types.is_disjoint(&words(of)) {
-                names.insert(name.to_owned());
-            }
+            types(of).into_iter().for_each(|of| {
+                names.entry(of).or_default().insert(name.to_owned());
+            });
         }
         for (at, _) in code.match_indices("fn ") {
             let signature = code[at + 3..].split(['{', ';']).next().unwrap_or_default();
             let Some((declared, of)) = signature.rsplit_once("->") else { continue };
-            if !types.is_disjoint(&words(of)) {
-                names.extend(declared.split(|c| !is_of_word(c)).next().map(str::to_owned));
-            }
+            types(of).into_iter().for_each(|of| {
+                names.entry(of).or_default().insert(first(declared));
+            });
+        }
+        for (at, _) in code.match_indices("type ") {
+            let declared = code[at + 5..].split(';').next().unwrap_or_default();
+            let Some((alias, of)) = declared.split_once(" = ") else { continue };
+            aliases.extend(types(of).into_iter().map(|of| (first(alias), of)));
         }
     }
-    names.extend(types);
+    for (alias, of) in aliases {
+        let more = names.get(&alias).cloned().unwrap_or_default();
+        names.entry(of).or_default().extend(more.into_iter().chain([alias]));
+    }
     names
 }
 
@@ -203,7 +208,12 @@ fn what_a_claim_says_that_holds_it_is_called_by_its_check() {
     let files: Vec<(String, String)> = files.iter().map(source).collect();
     let sources = Sources::new(files.clone());
     let ledger = Ledger::of_the_paper();
-    let (mut missing, mut owners) = (Vec::new(), BTreeMap::new());
+    let (mut missing, names) = (Vec::new(), names_of_types(&files));
+    // Nothing that every check has stands for any type.
+    for owner in ["Resonance", "ResonantPoint", "GrazingState", "BranchExpansion"] {
+        let common = ["oscillator", "forcing_frequency", "sampler", "deviations", "p", "x"];
+        assert!(common.iter().all(|word| !names[owner].contains(*word)), "{owner}: {:?}", names[owner]);
+    }
     for claim in &ledger.claims {
         let Some(check) = claim.check_name() else { continue };
         let [section, module, function] = check.split("::").collect::<Vec<_>>()[..] else {
@@ -221,8 +231,8 @@ fn what_a_claim_says_that_holds_it_is_called_by_its_check() {
                 missing.push(format!("{} ({check}): {item} is not called", claim.label));
             }
             let Some(owner) = owner(item) else { continue };
-            let names = owners.entry(owner.to_owned()).or_insert_with(|| names_of_type(owner, &files));
-            if names.is_disjoint(&reached) {
+            let is_there = names.get(owner).is_some_and(|names| !names.is_disjoint(&reached));
+            if !(reached.contains(owner) || is_there) {
                 missing.push(format!("{} ({check}): there is no {owner} to call {item} of", claim.label));
             }
         }
