@@ -18,11 +18,14 @@ pub(crate) fn deliberate_error(number: u32) -> bool {
 }
 "#;
 
+/// What stands in a place with an error in it, and the error's number.
+type Wrong = (usize, String);
+
 /// The text of a file with its errors behind switches, each with its number: around the body of the
 /// function in which it stands, or, outside functions, around the expression itself. And the
 /// numbers of those for which there is no room, as others stand around or in them.
 pub(super) fn armed(text: &str, errors: &[(usize, &DeliberateError)]) -> (String, Vec<usize>) {
-    let mut sites: Vec<(Range<usize>, Vec<(usize, String)>)> = Vec::new();
+    let mut sites: Vec<(Range<usize>, Vec<Wrong>)> = Vec::new();
     let mut left = Vec::new();
     for (number, error) in errors {
         let Some(at) = text.find(&error.find) else { continue };
