@@ -62,6 +62,8 @@ pub(crate) struct Law {
     pub(crate) delay: Exponential,
     /// μ is the forcing frequency ω and η the amplitude 𝒜; otherwise the other way about.
     pub(crate) frequency_first: bool,
+    /// How much μ takes off η, so that both of 𝒜 and ω change with μ.
+    pub(crate) pull: f64,
 }
 
 /// A specimen at grazing.
@@ -81,6 +83,7 @@ impl Law {
             restitution: Exponential::constant(restitution),
             delay: Exponential::constant(0.0),
             frequency_first: false,
+            pull: 0.0,
         }
     }
 
@@ -140,9 +143,16 @@ impl Law {
         self.damping_slope == 0.0 && self.stiffening == 0.0
     }
 
-    /// (𝒜, ω) of (μ, η), or back: the exchange is its own inverse.
-    fn order<T>(&self, [first, second]: [T; 2]) -> [T; 2] {
-        if self.frequency_first { [second, first] } else { [first, second] }
+    /// (𝒜, ω) of (μ, η).
+    fn forcing<S: Scalar>(&self, [mu, eta]: [S; 2]) -> [S; 2] {
+        let pulled = eta - mu.scale(self.pull);
+        if self.frequency_first { [pulled, mu] } else { [mu, pulled] }
+    }
+
+    /// (μ, η) of (𝒜, ω).
+    fn parameters(&self, [amplitude, frequency]: [f64; 2]) -> [f64; 2] {
+        let [mu, pulled] = if self.frequency_first { [frequency, amplitude] } else { [amplitude, frequency] };
+        [mu, pulled + self.pull * mu]
     }
 
     /// Laws on the way from the linear force to this one; the amplitude is the primary parameter.
@@ -154,6 +164,7 @@ impl Law {
                 damping_slope: share * self.damping_slope,
                 stiffening: share * self.stiffening,
                 frequency_first: false,
+                pull: 0.0,
                 ..self
             }
         })
@@ -168,7 +179,7 @@ impl Law {
             let orbit = GrazingOrbit::find(&Specimen::new(law, [amplitude, frequency]), phase)?;
             (amplitude, phase) = (orbit.primary(), orbit.phase());
         }
-        let specimen = Specimen::new(self, self.order([amplitude, frequency]));
+        let specimen = Specimen::new(self, self.parameters([amplitude, frequency]));
         Ok(GrazingOrbit::at(specimen, phase)?)
     }
 
@@ -176,7 +187,7 @@ impl Law {
     pub(crate) fn resonance(self, loops: u32, index: u32) -> Result<LocatedResonance<Specimen>, Failure> {
         let theory = grazing_theorems::LinearOscillator::new(self.damping, 1.0)?;
         let frequency = theory.resonance(loops, index)?.forcing_frequency();
-        let start = Self { damping_slope: 0.0, stiffening: 0.0, frequency_first: false, ..self };
+        let start = Self { damping_slope: 0.0, stiffening: 0.0, frequency_first: false, pull: 0.0, ..self };
         let mut orbit = start.grazing(frequency)?;
         let mut parameters = orbit.oscillator().parameters();
         for law in self.approach() {
@@ -184,7 +195,7 @@ impl Law {
             orbit = here.orbit().clone();
             parameters = orbit.oscillator().parameters();
         }
-        let specimen = Specimen::new(self, self.order(parameters));
+        let specimen = Specimen::new(self, self.parameters(parameters));
         Ok(LocatedResonance::find(&specimen, loops, orbit.phase())?)
     }
 }
@@ -225,7 +236,7 @@ impl SmoothOscillator for Law {
     }
 
     fn force_at<T: Scalar, S: Scalar + From<T>>(&self, t: T, mu: T, eta: T) -> impl FnMut(S, S) -> S {
-        let [amplitude, frequency] = self.order([mu, eta]);
+        let [amplitude, frequency] = self.forcing([mu, eta]);
         let forcing = S::from(amplitude * (frequency * t).apply(Function::Cos));
         let one = S::constant(1.0);
         let (damping, slope, stiffening) = (2.0 * self.damping, self.damping_slope, self.stiffening);
@@ -236,16 +247,16 @@ impl SmoothOscillator for Law {
     }
 
     fn forcing_frequency<S: Scalar>(&self, mu: S, eta: S) -> S {
-        self.order([mu, eta])[1]
+        self.forcing([mu, eta])[1]
     }
 
     fn restitution<S: Scalar>(&self, y: S, z: S, mu: S, eta: S) -> S {
-        let [amplitude, frequency] = self.order([mu, eta]);
+        let [amplitude, frequency] = self.forcing([mu, eta]);
         self.restitution.at([y, z, amplitude, frequency])
     }
 
     fn impact_duration<S: Scalar>(&self, y: S, z: S, mu: S, eta: S) -> S {
-        let [amplitude, frequency] = self.order([mu, eta]);
+        let [amplitude, frequency] = self.forcing([mu, eta]);
         self.delay.at([y, z, amplitude, frequency])
     }
 }
@@ -261,10 +272,13 @@ pub(crate) struct Specimen {
 impl Specimen {
     /// The oscillator with this law.
     pub(crate) fn new(law: Law, parameters: [f64; 2]) -> Self {
-        let [amplitude, frequency] = law.order(parameters);
+        let [amplitude, frequency] = law.forcing(parameters);
         // Its coefficient of restitution plays no part.
         let linear = LinearOscillator::new(law.damping, 1.0, amplitude, frequency).ok();
-        Self { law: Integrated::new(law, parameters), linear: linear.filter(|_| law.force_is_linear()) }
+        Self {
+            law: Integrated::new(law, parameters),
+            linear: linear.filter(|_| law.force_is_linear() && law.pull == 0.0),
+        }
     }
 
     /// The law.
@@ -287,7 +301,7 @@ impl ImpactOscillator for Specimen {
     }
 
     fn with_parameters(&self, parameters: [f64; 2]) -> Self {
-        let linear = self.linear.map(|linear| linear.with_parameters(self.law().order(parameters)));
+        let linear = self.linear.map(|linear| linear.with_parameters(self.law().forcing(parameters)));
         Self { law: self.law.with_parameters(parameters), linear }
     }
 

@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use grazing_description::Limits;
+use grazing_reproduction::unfolded::AtResonance;
 
 use crate::arguments;
 use crate::failure::Failure;
@@ -133,19 +134,7 @@ impl Task {
             let outcome = "what was not finished is named above; everything else is written";
             return Err(ended(file, met, outcome));
         }
-        let (file, contradictions) = (file.display(), listing::contradictions(&unfolded.resonances));
-        if !contradictions.is_empty() {
-            let what = contradictions.join("; ");
-            return Err(Failure::check(format!(
-                "{file}: the theorem is contradicted: {what}; everything is written"
-            )));
-        }
-        match listing::incomplete(&unfolded.diagram) {
-            Some(missing) => {
-                Err(Failure::incomplete(format!("{file}: {missing}, see above; everything else is written")))
-            }
-            None => Ok(()),
-        }
+        verdict(file, &unfolded.resonances, listing::incomplete(&unfolded.diagram))
     }
 
     /// Figures, tables and the page that shows them.
@@ -157,5 +146,23 @@ impl Task {
         files.push(data_page::of_an_oscillator(tables, &of.unfolded.axes.names));
         files.push(page::page(&self.of, &of.unfolded, &computed, &files));
         Ok(files)
+    }
+}
+
+/// The failure that results come to which are written: a contradiction of the theorem, or what is
+/// missing.
+fn verdict(file: &Path, resonances: &[AtResonance], missing: Option<String>) -> Result<(), Failure> {
+    let (file, contradictions) = (file.display(), listing::contradictions(resonances));
+    if !contradictions.is_empty() {
+        let what = contradictions.join("; ");
+        return Err(Failure::check(format!(
+            "{file}: the theorem is contradicted: {what}; everything is written"
+        )));
+    }
+    match missing {
+        Some(missing) => {
+            Err(Failure::incomplete(format!("{file}: {missing}, see above; everything else is written")))
+        }
+        None => Ok(()),
     }
 }

@@ -278,11 +278,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     ///
     /// # Errors
     /// The maximum has disappeared.
-    pub(crate) fn maximum_near(
-        &self,
-        point: &Unknowns,
-        time: &mut f64,
-    ) -> Result<(f64, Vector4<f64>), MapError> {
+    pub fn maximum_near(&self, point: &Unknowns, time: &mut f64) -> Result<(f64, Vector4<f64>), MapError> {
         let oscillator = self.oscillator_at(point);
         let jet = if self.has_impacts() {
             let reset = oscillator.reset::<1>(impact(point));

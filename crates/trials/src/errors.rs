@@ -1,15 +1,21 @@
-//! Errors put into formulas on purpose, one at a time: which claims and which tests see them.
+//! Errors put in on purpose, one at a time: which claims and which tests see them.
 //!
-//! They stand in `expected/deliberate_errors.toml`. Each is put into a copy of the project under
-//! `target/`, and the copy's file is put back before the next. The project is never touched.
+//! They stand in `expected/deliberate_errors.toml`. A copy of the project under `target/` gets all
+//! of them at once, each behind a switch that an environment variable turns ([`armed`]), so that it
+//! is built once for all; those that cannot stand behind a switch are put in by themselves. The
+//! project is never touched.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Output};
 use std::{fs, io};
 
 use serde::Deserialize;
+
+use crate::errors::armed::{SWITCH, VARIABLE, armed};
+
+mod armed;
 
 /// One error.
 #[derive(Debug, Deserialize)]
@@ -37,6 +43,8 @@ pub enum Seen {
     Claims(Vec<String>),
     /// No claim did; names of tests that failed.
     Tests(Vec<String>),
+    /// Only tests that compare with what the program wrote before; their names.
+    Frozen(Vec<String>),
     /// No test failed, but the tests did not end by themselves, or not in time.
     NotEnded,
     /// The program does not compile with it.
@@ -45,8 +53,30 @@ pub enum Seen {
     Unseen,
 }
 
-/// The crates whose tests are run where no claim sees an error: those that the errors stand in.
-const TESTED: [&str; 3] = ["grazing-theorems", "grazing-model", "grazing-continuation"];
+/// The crates that are observers: their tests are run in this order, after those of the crate that
+/// the error stands in.
+const OBSERVERS: [&str; 14] = [
+    "claims",
+    "theorems",
+    "model",
+    "continuation",
+    "source",
+    "description",
+    "results",
+    "unfold",
+    "reproduction",
+    "drawing",
+    "report",
+    "export",
+    "trials",
+    "cli",
+];
+
+/// Tests that compare with what the program wrote before, by parts of their names.
+const FROZEN: [&str; 4] = ["snapshots::", "no_figure_changes_unnoticed", "examples::", "messages::"];
+/// Tests that a copy fails with no error in it, or that say nothing of one: of the browser, of time
+/// and of files that are compared with the checkout's.
+const LEFT_OUT: [&str; 3] = ["explore::", "workflow::", "mutations::"];
 
 /// The table.
 pub const TABLE: &str = "expected/deliberate_errors.md";
@@ -54,8 +84,9 @@ pub const TABLE: &str = "expected/deliberate_errors.md";
 const HEAD: &str = "\
 # Deliberate errors
 
-Errors put into formulas on purpose, one at a time (`expected/deliberate_errors.toml`), and who saw each: the claims of the ledger that fail,
-or, where none does, the tests of the crates that they stand in. Made by `cargo run --release -p grazing-trials -- errors [NUMBER...]`.
+Errors put in on purpose, one at a time (`expected/deliberate_errors.toml`), and who saw each: the claims of the ledger that fail, or, where none
+does, the tests of the first crate whose tests do. \"Frozen\" are tests that compare with what the program wrote before and know nothing better.
+Made by `cargo run --release -p grazing-trials -- errors [NUMBER...]`.
 
 | number | error | seen by |
 |---|---|---|
@@ -81,19 +112,30 @@ pub fn list(root: &Path) -> io::Result<Vec<DeliberateError>> {
     Ok(error)
 }
 
+/// A test program: its crate, and where it is.
+struct TestProgram {
+    of: String,
+    program: PathBuf,
+}
+
 /// A copy of the project to put errors into.
-pub struct Copy {
+pub struct Copy<'a> {
     root: PathBuf,
     /// The original.
     from: PathBuf,
+    errors: &'a [DeliberateError],
+    /// Whether each of them stands behind its switch.
+    switched: Vec<bool>,
+    programs: Vec<TestProgram>,
 }
 
-impl Copy {
-    /// Brings the copy up to date; files that have not changed stay, so that little is built again.
+impl<'a> Copy<'a> {
+    /// Brings the copy up to date and builds it with these errors behind their switches; files that
+    /// have not changed stay, so that little is built again.
     ///
     /// # Errors
-    /// A file cannot be read or written, or the project is no checkout of git.
-    pub fn of(from: &Path) -> io::Result<Self> {
+    /// A file cannot be read or written, the project is no checkout of git, or does not compile.
+    pub fn of(from: &Path, errors: &'a [DeliberateError]) -> io::Result<Self> {
         let root = from.join("target/deliberate_errors");
         let listed = Command::new("git").args(["ls-files", "-z"]).current_dir(from).output()?;
         let files = String::from_utf8(listed.stdout).map_err(|error| invalid(error.to_string()))?;
@@ -101,7 +143,8 @@ impl Copy {
             return Err(invalid(String::from_utf8_lossy(&listed.stderr).into_owned()));
         }
         fs::create_dir_all(root.join("target"))?;
-        let copy = Self { root, from: from.to_owned() };
+        let switched = vec![true; errors.len()];
+        let mut copy = Self { root, from: from.to_owned(), errors, switched, programs: Vec::new() };
         // What the project has no more goes.
         let record = copy.root.join("target/files");
         let before = fs::read_to_string(&record).unwrap_or_default();
@@ -109,75 +152,197 @@ impl Copy {
         for file in before.split_terminator('\0').filter(|file| !now.contains(file)) {
             fs::remove_file(copy.root.join(file))?;
         }
+        fs::write(record, &files)?;
         for file in now {
+            let own = copy.switched_in(Path::new(file));
+            if !own.is_empty() {
+                let (_, left) = armed(&fs::read_to_string(from.join(file))?, &own);
+                left.into_iter().for_each(|number| copy.switched[number - 1] = false);
+            }
             copy.restore(Path::new(file))?;
         }
-        fs::write(record, &files)?;
+        // Whatever the compiler does not accept behind a switch is put in by itself.
+        while let Err(error) = copy.build() {
+            copy.unswitch(&error.to_string())?;
+        }
         Ok(copy)
     }
 
-    /// Puts a file back.
+    /// The file's content in the copy: with its errors behind switches, or as it is.
+    fn content(&self, file: &Path) -> io::Result<Vec<u8>> {
+        let original = fs::read(self.from.join(file))?;
+        let own = self.switched_in(file);
+        let folder = file.to_string_lossy();
+        let is_root = self.errors.iter().any(|error| {
+            let crate_of = error.file.components().take(2).collect::<PathBuf>();
+            Path::new(folder.as_ref()) == crate_of.join("src/lib.rs")
+        });
+        if own.is_empty() && !is_root {
+            return Ok(original);
+        }
+        let text = String::from_utf8(original).map_err(|error| invalid(error.to_string()))?;
+        let (mut text, _) = armed(&text, &own);
+        if is_root {
+            text.push_str(SWITCH);
+        }
+        Ok(text.into_bytes())
+    }
+
+    /// The errors of a file that are behind switches, with their numbers.
+    fn switched_in(&self, file: &Path) -> Vec<(usize, &'a DeliberateError)> {
+        let numbered = (1..).zip(self.errors);
+        numbered.filter(|(number, error)| error.file == file && self.switched[number - 1]).collect()
+    }
+
+    /// Brings a file up to date.
     fn restore(&self, file: &Path) -> io::Result<()> {
-        let (original, here) = (fs::read(self.from.join(file))?, self.root.join(file));
-        if fs::read(&here).is_ok_and(|copy| copy == original) {
+        let (content, here) = (self.content(file)?, self.root.join(file));
+        if fs::read(&here).is_ok_and(|copy| copy == content) {
             return Ok(());
         }
         if let Some(folder) = here.parent() {
             fs::create_dir_all(folder)?;
         }
-        fs::write(here, original)
+        fs::write(here, content)
     }
 
-    /// Puts the error in, runs claims and tests, and puts the file back.
+    /// Takes the errors from behind their switches that stand where the compiler found a mistake.
+    fn unswitch(&mut self, messages: &str) -> io::Result<()> {
+        let mut files = BTreeSet::new();
+        let mut changed = false;
+        for message in messages.lines().filter(|line| line.contains(": error")) {
+            let mut parts = message.splitn(4, ':');
+            let (Some(file), Some(Ok(line))) = (parts.next(), parts.next().map(str::parse::<usize>)) else {
+                continue;
+            };
+            let text = fs::read_to_string(self.root.join(file))?;
+            let end = text.match_indices('\n').nth(line - 1).map_or(text.len(), |(at, _)| at);
+            // Every switch of the function, or the nearest one before.
+            let mark = text[..end].rfind("crate::deliberate_error(").map(|at| &text[at..]);
+            let number = mark.and_then(|mark| mark.split(['(', ')']).nth(1)?.parse::<usize>().ok());
+            let Some(number) = number.filter(|number| self.switched[number - 1]) else { continue };
+            self.switched[number - 1] = false;
+            changed = true;
+            files.insert(PathBuf::from(file));
+        }
+        if !changed {
+            return Err(invalid(messages.to_owned()));
+        }
+        files.iter().try_for_each(|file| self.restore(file))
+    }
+
+    fn cargo(&self, arguments: &[&str]) -> io::Result<Output> {
+        let packages = OBSERVERS.map(|name| format!("-pgrazing-{name}"));
+        Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+            .args(arguments)
+            .arg("--locked")
+            .args(packages)
+            .current_dir(&self.root)
+            .env("CARGO_TARGET_DIR", self.root.join("target"))
+            .output()
+    }
+
+    /// Builds the test programs.
+    fn build(&mut self) -> io::Result<()> {
+        let built = self.cargo(&["test", "--no-run", "--message-format=short"])?;
+        let messages = String::from_utf8_lossy(&built.stderr);
+        if !built.status.success() {
+            return Err(invalid(messages.into_owned()));
+        }
+        // `Executable tests/claims.rs (target/debug/deps/claims-0123456789abcdef)`
+        let program = |line: &str| {
+            let (_, rest) = line.trim().strip_prefix("Executable ")?.rsplit_once('(')?;
+            Some(PathBuf::from(rest.strip_suffix(')')?))
+        };
+        let mut programs = Vec::new();
+        for program in messages.lines().filter_map(program) {
+            let of = self.crate_of(&program)?;
+            programs.push(TestProgram { of, program });
+        }
+        let place = |of: &str| OBSERVERS.iter().position(|name| *name == of);
+        programs.sort_by_key(|test| place(&test.of));
+        self.programs = programs;
+        Ok(())
+    }
+
+    /// The crate of a test program, from cargo's list of the files that it is made of.
+    fn crate_of(&self, program: &Path) -> io::Result<String> {
+        let made_of = fs::read_to_string(self.root.join(program).with_extension("d"))?;
+        let first = made_of.lines().next().and_then(|line| line.split_once(": ")?.1.split(' ').next());
+        let of = first.and_then(|file| file.split("crates/").last()?.split('/').next());
+        of.map(str::to_owned).ok_or_else(|| invalid(format!("{}: of no crate", program.display())))
+    }
+
+    /// Tries an error out, by its place in the list.
     ///
     /// # Errors
-    /// A file cannot be read or written, or cargo not be run.
-    pub fn try_out(&self, error: &DeliberateError) -> io::Result<Seen> {
+    /// A file cannot be read or written, or a program not be run.
+    pub fn try_out(&mut self, index: usize) -> io::Result<Seen> {
+        let error = &self.errors[index];
+        if self.switched[index] {
+            return self.seen(index);
+        }
         let text = fs::read_to_string(self.from.join(&error.file))?;
-        fs::write(self.root.join(&error.file), text.replacen(&error.find, &error.replace, 1))?;
-        let seen = self.seen();
+        let mut wrong = text.replacen(&error.find, &error.replace, 1);
+        let root_of_crate = error.file.ends_with("src/lib.rs");
+        if root_of_crate {
+            wrong.push_str(SWITCH);
+        }
+        fs::write(self.root.join(&error.file), wrong)?;
+        let seen = match self.build() {
+            Ok(()) => self.seen(index),
+            Err(error) if error.to_string().contains("could not compile") => Ok(Seen::DoesNotCompile),
+            Err(error) => Err(error),
+        };
         self.restore(&error.file)?;
+        self.build()?;
         seen
     }
 
-    fn seen(&self) -> io::Result<Seen> {
-        let by_claims = self.seen_in(&["-p", "grazing-claims", "--test", "claims"], Seen::Claims)?;
-        if !matches!(by_claims, Seen::Unseen | Seen::NotEnded) {
-            return Ok(by_claims);
+    /// Who sees an error that is in, or is behind its switch: the claims, then the tests of its own
+    /// crate, then those of the others, until one does that compares with nothing frozen.
+    fn seen(&self, index: usize) -> io::Result<Seen> {
+        let own = self.errors[index].file.components().nth(1).map(|part| part.as_os_str().to_owned());
+        let is_own = |test: &&TestProgram| own.as_deref() == Some(test.of.as_ref());
+        let (claims, rest): (Vec<_>, Vec<_>) =
+            self.programs.iter().partition(|test| test.program.to_string_lossy().contains("/claims-"));
+        let (first, others): (Vec<_>, Vec<_>) = rest.into_iter().partition(is_own);
+        let (mut frozen, mut not_ended) = (Vec::new(), false);
+        for test in claims.into_iter().chain(first).chain(others) {
+            let Some(failed) = self.failures(test, index)? else {
+                not_ended = true;
+                continue;
+            };
+            let is_frozen = |name: &String| FROZEN.iter().any(|part| name.contains(part));
+            let (old, failed): (Vec<_>, Vec<_>) = failed.into_iter().partition(is_frozen);
+            frozen.extend(old);
+            if !failed.is_empty() {
+                let by_claims = test.program.to_string_lossy().contains("/claims-");
+                return Ok(if by_claims { Seen::Claims(failed) } else { Seen::Tests(failed) });
+            }
         }
-        let packages: Vec<&str> = TESTED.iter().flat_map(|package| ["-p", package]).collect();
-        let by_tests = self.seen_in(&packages, Seen::Tests)?;
-        Ok(if by_tests == Seen::Unseen { by_claims } else { by_tests })
+        Ok(match (not_ended, frozen.is_empty()) {
+            (true, _) => Seen::NotEnded,
+            (_, false) => Seen::Frozen(frozen),
+            _ => Seen::Unseen,
+        })
     }
 
-    /// Who sees the error among these tests. They are built first, without a time limit.
-    fn seen_in(&self, what: &[&str], failures: fn(Vec<String>) -> Seen) -> io::Result<Seen> {
-        // `timeout` ends the tests with cargo, which by itself would leave them running.
-        let run = |limit: &str, more: &[&str]| {
-            let mut run = Command::new("timeout");
-            run.args(["--signal=KILL", limit])
-                .arg(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-            run.args(["test", "--locked", "--no-fail-fast"]).args(what).args(more).current_dir(&self.root);
-            run.env("CARGO_TARGET_DIR", self.root.join("target")).env("INSTA_UPDATE", "no").output()
-        };
-        let build = run("0", &["--no-run"])?;
-        if !build.status.success() {
-            let message = String::from_utf8_lossy(&build.stderr).into_owned();
-            let wrong = message.contains("could not compile");
-            return if wrong { Ok(Seen::DoesNotCompile) } else { Err(invalid(message)) };
-        }
-        let tests = run(LONGEST, &[])?;
-        let output = String::from_utf8_lossy(&tests.stdout);
+    /// The tests of a program that fail; nothing if it did not end by itself, or not in time.
+    fn failures(&self, test: &TestProgram, index: usize) -> io::Result<Option<Vec<String>>> {
+        let mut run = Command::new("timeout");
+        run.args(["--signal=KILL", LONGEST]).arg(self.root.join(&test.program));
+        let run = run
+            .args(LEFT_OUT.map(|part| format!("--skip={part}")))
+            .current_dir(self.root.join("crates").join(&test.of))
+            .env(VARIABLE, (index + 1).to_string())
+            .env("INSTA_UPDATE", "no")
+            .output()?;
+        let output = String::from_utf8_lossy(&run.stdout);
         let failed =
             output.lines().filter_map(|line| line.strip_prefix("test ")?.strip_suffix(" ... FAILED"));
         let failed: Vec<String> = failed.map(str::to_owned).collect();
-        Ok(if !failed.is_empty() {
-            failures(failed)
-        } else if tests.status.success() {
-            Seen::Unseen
-        } else {
-            Seen::NotEnded
-        })
+        Ok((run.status.success() || !failed.is_empty()).then_some(failed))
     }
 }
 
@@ -215,6 +380,7 @@ impl std::fmt::Display for Seen {
         match self {
             Self::Claims(labels) => list("claim", labels),
             Self::Tests(names) => list("test", names),
+            Self::Frozen(names) => list("frozen test", names),
             Self::NotEnded => write!(f, "tests that do not end by themselves, or not within {LONGEST} s"),
             Self::DoesNotCompile => f.write_str("the compiler"),
             Self::Unseen => f.write_str("**nobody**"),

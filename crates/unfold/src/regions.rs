@@ -414,6 +414,8 @@ fn joined(window: Window, mut lines: Vec<Vec<Point>>) -> Vec<Vec<Point>> {
 
 #[cfg(test)]
 mod tests {
+    use grazing_results::plane::RegionKind;
+
     use super::*;
 
     #[test]
@@ -484,5 +486,63 @@ mod tests {
             |at: Point| parts.iter().find(|part| faces::holds(&part.face, at)).map(|part| &part.verdict);
         assert!(verdict([0.4, 0.3]).is_some_and(|verdict| verdict.is_err()));
         assert_eq!(verdict([0.4, 0.9]), Some(&Ok(false)));
+    }
+
+    const UNIT: Window = Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] };
+
+    fn sight(secondary: f64, good: &[[f64; 2]], doubts: &[f64]) -> Sight {
+        let doubts = doubts.iter().map(|primary| (*primary, Doubt::ManyBranches)).collect();
+        Sight { secondary, good: good.to_vec(), doubts, everywhere: None }
+    }
+
+    /// What becomes of the whole window, cut by no curve.
+    fn whole(sights: Vec<Sight>) -> Vec<(RegionKind, Option<Doubt>)> {
+        let regions = Judge { window: UNIT, sights, witnesses: Vec::new() }.regions(&[], &[], 1);
+        regions.into_iter().map(|region| (region.kind(), region.doubt)).collect()
+    }
+
+    #[test]
+    fn a_doubt_leaves_a_face_undecided_unless_good_solutions_are_there_all_along() {
+        let (none, all): (&[[f64; 2]], &[[f64; 2]]) = (&[], &[[0.0, 1.0]]);
+        let undecided = (RegionKind::Undecided, Some(Doubt::ManyBranches));
+        assert_eq!(whole(vec![sight(0.3, none, &[]), sight(0.6, none, &[])]), []);
+        assert_eq!(whole(vec![sight(0.3, all, &[]), sight(0.6, all, &[])]), [(RegionKind::Mps, None)]);
+        assert_eq!(whole(vec![sight(0.3, all, &[0.5])]), [(RegionKind::Mps, None)]);
+        assert_eq!(whole(vec![sight(0.3, none, &[0.5])]), [undecided.clone()]);
+        // Half of a slice, where no curve runs, and a doubt about all of a slice.
+        let disagreement = (RegionKind::Undecided, Some(Doubt::Disagreement));
+        assert_eq!(whole(vec![sight(0.3, &[[0.0, 0.5]], &[])]), [disagreement]);
+        let everywhere = Sight { everywhere: Some(Doubt::ManyBranches), ..sight(0.3, none, &[]) };
+        assert_eq!(whole(vec![everywhere]), [undecided]);
+        // And without a slice.
+        assert_eq!(whole(Vec::new()), [(RegionKind::Undecided, Some(Doubt::Unseen))]);
+    }
+
+    #[test]
+    fn every_slice_of_a_face_counts() {
+        let all: &[[f64; 2]] = &[[0.0, 1.0]];
+        let face: Face = vec![vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]];
+        let levels = [0.2, 0.4, 0.6, 0.8];
+        for other in levels {
+            let good = |level: f64| if level == other { &[][..] } else { all };
+            let sights = levels.map(|level| sight(level, good(level), &[])).to_vec();
+            let judged = Judge { window: UNIT, sights, witnesses: Vec::new() }.judge(face.clone());
+            assert_eq!(judged.verdict, Err(Doubt::Disagreement), "{other}");
+            assert_eq!(judged.trouble, [other]);
+        }
+    }
+
+    #[test]
+    fn slices_are_laid_beside_loose_ends_and_through_curves_that_none_crosses() {
+        let judge = Judge { window: UNIT, sights: vec![sight(0.5, &[], &[])], witnesses: Vec::new() };
+        // From the edge to a loose end, and two curves that meet.
+        let line = |points: &[Point]| points.to_vec();
+        let loose = line(&[[0.0, 0.3], [0.4, 0.6]]);
+        let pair = [line(&[[0.0, 0.1], [0.7, 0.2]]), line(&[[0.7, 0.2], [1.0, 0.1]])];
+        assert_eq!(judge.beside_loose_ends(&pair), []);
+        let levels = judge.beside_loose_ends(&[loose.clone(), pair[0].clone(), pair[1].clone()]);
+        assert_eq!(levels, BESIDE.map(|share| 0.6 + share));
+        let [first, second] = pair;
+        assert_eq!(judge.uncrossed(&[loose, first, second]), [0.5 * (0.1 + 0.2); 2]);
     }
 }

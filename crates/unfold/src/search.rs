@@ -337,4 +337,32 @@ mod tests {
         };
         assert!(!(1..found.len()).any(known));
     }
+
+    #[test]
+    fn a_zero_in_the_last_row_is_found_once_wherever_phases_begin_and_impacts_from_behind_are_none() {
+        let oscillator = crate::specimens::linear(0.05, [0.5, 0.9]);
+        let lattice = Lattice::slow([0.5, 0.9], 2.0);
+        let all = lattice.zeros(&oscillator, &[1], 0.0);
+        let (_, zero) = *all.iter().max_by(|a, b| a.1[0].total_cmp(&b.1[0])).expect("there are some");
+        let count = |lattice: &Lattice| {
+            let found = lattice.zeros(&oscillator, &[1], 0.0);
+            found.iter().filter(|(_, other)| same(other, &zero)).count()
+        };
+        // It lies in the middle of the last row.
+        let rows = lattice.cells as f64;
+        let last = Lattice::slow([0.5, 0.9], zero[0] * rows / (rows - 0.5));
+        assert_eq!(count(&last), 1);
+        // And with the seam of the phases in the middle of its cell, and at the cell's both edges.
+        for share in [-1.0, -0.5, -0.01, 0.0, 0.01, 0.5] {
+            let mut seam = Lattice::slow([0.5, 0.9], 2.0);
+            seam.start[unknown::PHASE] = zero[unknown::PHASE] + share * seam.cell()[unknown::PHASE];
+            assert_eq!(count(&seam), 1, "{share}");
+        }
+        // Zeros with y < 0 are there, beyond grazing, and are left out.
+        let mut behind = Lattice::slow([0.5, 0.9], 4.0);
+        behind.start[unknown::VELOCITY] = -2.0;
+        let zeros = |slowest: f64| behind.zeros(&oscillator, &[1, 2, 3], slowest);
+        assert!(zeros(f64::NEG_INFINITY).iter().any(|(_, zero)| zero[0] < 0.0));
+        assert!(zeros(0.0).iter().all(|(_, zero)| zero[0] > 0.0));
+    }
 }

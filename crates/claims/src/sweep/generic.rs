@@ -88,15 +88,21 @@ impl GenericRow {
         if !(same && close) {
             return CaseVerdict::Unexplained;
         }
-        let positive = self.point.map.a.m12 * self.point.alpha() > 0.0;
+        // Other hypotheses hold in all cases: what they are refused for has no reason.
+        let map = self.point.map;
+        let positive = map.a.m12 * self.point.alpha() > 0.0;
+        let boundary = admissibility_boundary(self.case.loops, map.determinant());
+        let below = boundary.is_ok_and(|boundary| map.trace() <= boundary);
         match (self.predicted, self.simulated) {
             (Some(side), Existence::On(seen)) if side == seen && self.unstable == [true; 2] => {
                 CaseVerdict::Agreement
             }
-            (None, Existence::Nowhere) if positive => CaseVerdict::Explained(INTERIOR_LOOP),
-            (None, Existence::Nowhere) => CaseVerdict::Explained(VIRTUAL_ORBIT),
-            (None, Existence::On(_)) if positive => CaseVerdict::Explained(ORBIT_BELOW_THE_BOUNDARY),
-            (None, Existence::On(_)) => CaseVerdict::Explained(ORBIT_WITH_NEGATIVE_FACTOR),
+            (None, Existence::Nowhere) if positive && below => CaseVerdict::Explained(INTERIOR_LOOP),
+            (None, Existence::Nowhere) if !positive && self.case.loops > 1 => {
+                CaseVerdict::Explained(VIRTUAL_ORBIT)
+            }
+            (None, Existence::On(_)) if positive && below => CaseVerdict::Explained(ORBIT_BELOW_THE_BOUNDARY),
+            (None, Existence::On(_)) if below => CaseVerdict::Explained(ORBIT_WITH_NEGATIVE_FACTOR),
             _ => CaseVerdict::Unexplained,
         }
     }

@@ -312,9 +312,12 @@ mod tests {
     use grazing_continuation::bifurcation::Pair;
     use grazing_continuation::curve::Window;
     use grazing_continuation::fit::{Estimate, Measurement};
-    use grazing_reproduction::unfolded::Curves;
+    use grazing_model::smooth::Stop;
+    use grazing_reproduction::unfolded::{Curves, Unfolded};
     use grazing_theorems::LinearOscillator;
     use grazing_theorems::hypothesis::Theorem;
+    use grazing_unfold::progress::Silent;
+    use grazing_unfold::regions::{Doubt, Region};
     use grazing_unfold::sides::{Inconclusive, Sides};
     use grazing_unfold::simulation::ReturnOutcome;
     use grazing_unfold::verdict::{Coefficient, Obstacle, Verdict};
@@ -361,7 +364,12 @@ mod tests {
             gone_beyond: Some(true),
         };
         let bad = resonance(1e-7, Simulated::Against(sides));
-        let words = contradictions(&[bad]);
+        let words = contradictions(std::slice::from_ref(&bad));
+        let file = std::path::Path::new("test.toml");
+        for missing in [None, Some("something is missing".to_owned())] {
+            let failure = super::super::verdict(file, std::slice::from_ref(&bad), missing);
+            assert_eq!(failure.expect_err("it is contradicted").exit_code(), 1);
+        }
         assert_eq!(
             words,
             [
@@ -373,6 +381,7 @@ mod tests {
         let doubtful =
             resonance(1.0, Simulated::Undecided(Inconclusive::TooSlow { leading: 1e-9, least: 1e-6 }));
         assert!(contradictions(std::slice::from_ref(&doubtful)).is_empty());
+        assert!(super::super::verdict(file, std::slice::from_ref(&doubtful), None).is_ok());
         let doubtful = [doubtful];
         let curve = curves(&doubtful).next().expect("the theorem applies");
         assert!(matches!(curve.2.coefficient.verdict(), Verdict::NotMeasurable(Obstacle::Rounding { .. })));
@@ -382,6 +391,30 @@ mod tests {
             "as simulated undecided: the leading",
         ] {
             assert!(words.contains(wanted), "{words}");
+        }
+    }
+
+    #[test]
+    fn undecided_regions_are_listed_with_their_place_and_their_reason() {
+        let text = "name = \"Test\"\n[parameters]\n[primary]\nname = \"A\"\nrange = [0.4, 0.8]\n\
+                    [secondary]\nname = \"omega\"\nrange = [0.6, 0.7]\n\
+                    [motion]\nforce = \"-0.1*v - x - 1 + A*cos(omega*t)\"\nfrequency = \"omega\"\n\
+                    [impact]\nrestitution = \"0.8\"\nduration = \"0\"\n[analysis]\nloops = [1]\n";
+        let description = Description::parse(text, "test.toml").expect("it is right");
+        let unfolded = Unfolded::described(&description, &Silent, &Stop::default(), &|_| ());
+        let mut unfolded = unfolded.expect("there is grazing");
+        unfolded.diagram.regions.retain(|region| region.doubt.is_none());
+        assert!(!results(&description, &unfolded).contains("Not decided"));
+        let units = unfolded.axes.units;
+        let corner = |primary: f64, secondary: f64| [primary / units.primary, secondary / units.secondary];
+        for doubt in [Doubt::Disagreement, Doubt::UnnamedChange, Doubt::ManyBranches, Doubt::Unseen] {
+            let ring = vec![corner(0.5, 0.625), corner(0.75, 0.625), corner(0.75, 0.6875)];
+            let region = Region { loops: 1, n: 3, rings: vec![ring], doubt: Some(doubt.clone()) };
+            unfolded.diagram.regions.push(region);
+            let words = results(&description, &unfolded).replace('\n', " ");
+            let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
+            let told = format!("p = 1 from A = 0.5, omega = 0.625 to A = 0.75, omega = 0.6875: {doubt}");
+            assert!(words.contains("Not decided (hatched") && words.contains(&told), "{told}: {words}");
         }
     }
 }

@@ -5,7 +5,8 @@ use std::fs;
 use crate::program::repository;
 use clap::Parser;
 use clap::error::ErrorKind;
-use grazing_claims::ledger::Ledger;
+use grazing_claims::checks::CHECKS;
+use grazing_claims::ledger::{Claim, Ledger, Test};
 use grazing_cli::arguments::Arguments;
 use grazing_cli::outputs::{self, Output};
 use grazing_reproduction::unfolded::{AlongGrazing, AtResonances};
@@ -84,9 +85,20 @@ fn columns_name_equations_that_the_paper_has() {
 #[test]
 fn the_readme_counts_the_claims() {
     let ledger = Ledger::of_the_paper();
-    let readme = fs::read_to_string(repository().join("README.md")).expect("there is a README.md");
-    let count = format!("{} claims", ledger.claims.len());
-    assert!(readme.contains(&count), "README.md does not say `{count}`");
+    let [readme, speed] = ["README.md", "docs/speed.md"]
+        .map(|file| fs::read_to_string(repository().join(file)).expect("it is there").replace('\n', " "));
+    let count = |is: fn(&Claim) -> bool| ledger.claims.iter().filter(|claim| is(claim)).count();
+    for words in [
+        format!("{} claims.", ledger.claims.len()),
+        format!("{} are tested by a check", count(|claim| matches!(claim.test(), Test::Check(_)))),
+        format!("{} by comparison with printed", count(|claim| matches!(claim.test(), Test::Published(_)))),
+        format!("{} name the functions", count(|claim| !claim.holds.is_empty())),
+        format!("{} cannot be tested", count(|claim| matches!(claim.test(), Test::Unchecked(_)))),
+    ] {
+        assert!(readme.contains(&words), "README.md does not say `{words}`");
+    }
+    let checks = format!("`claims` with its {} checks", CHECKS.len());
+    assert!(speed.contains(&checks), "docs/speed.md does not say `{checks}`");
 }
 
 #[test]

@@ -4,9 +4,10 @@ use grazing_continuation::curve::Curve;
 use grazing_continuation::cusp::cusps;
 use grazing_continuation::fit;
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, PeriodicSolution, unknown};
+use grazing_continuation::mps::{EventTimes, PeriodicSolution, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
+use grazing_model::motion::Motion;
 use grazing_model::smooth::Integrated;
 
 use crate::specimens::{
@@ -97,4 +98,27 @@ fn a_branch_is_no_parabola_where_its_saddle_node_curve_turns_back_in_a_cusp() {
     // step, and its square.
     assert!(before * after < 0.0, "{before} {after}");
     assert_within(curvature(&cusps[0].solution) / (before - after), 0.0, 1e-3);
+}
+
+#[test]
+fn a_flight_takes_what_the_impact_leaves_of_the_periods() {
+    for (loops, start) in DUFFING {
+        let resonance = duffing(loops, start);
+        let (equations, origin) = (resonance.equations(), resonance.unknowns());
+        let (velocity, branch) = (0.05, resonance.theorem().branch());
+        let offset = Unknowns::new(velocity, branch.k_1 * velocity, branch.parameter(velocity, 0.0), 0.0);
+        let conditions =
+            [Condition::ImpactVelocity(velocity), Condition::Secondary(origin[unknown::SECONDARY])];
+        let point = locate(equations, conditions, origin + offset, &mut EventTimes::default()).unwrap();
+        let oscillator = equations.oscillator_at(&point);
+        let (departure, flight) = (equations.departure(&point), equations.flight(&point));
+        // An impact takes Ψ y, some 0.0025 rad here; the flight ends at the wall all the same.
+        let lag = departure.phase - point[unknown::PHASE];
+        assert!(lag > 1e-3);
+        let end = oscillator.motion(departure).at(flight);
+        assert!(end.position.abs() < 1e-11 && (end.velocity - velocity).abs() < 1e-11, "{end:?}");
+        let periods = f64::from(loops) * oscillator.forcing_period();
+        let taken = lag / oscillator.forcing_frequency().value;
+        assert!((flight + taken - periods).abs() < 1e-13 * periods);
+    }
 }

@@ -200,3 +200,22 @@ fn where_two_maxima_come_to_the_wall_within_a_step_the_first_is_the_grazing_bifu
     }
     assert!(met >= 20, "{met}");
 }
+
+#[test]
+fn what_happens_beyond_the_edge_of_the_window_is_not_on_the_branch() {
+    let follow = |right: f64| {
+        let window = route([0.2, right], [0.8, 0.9], false);
+        branch([ZETA, EPSILON, OMEGA], 2, Formulation::FixedPhase, 1.0, &window).1
+    };
+    let whole = follow(0.4);
+    let first = whole.events.first().expect("the period doubling of Figure 2");
+    let [amplitude, _] = first.solution.parameters();
+    // Far less than a step before it, and behind it.
+    for (edge, events) in [(amplitude - 1e-6, 0), (amplitude + 1e-6, 1)] {
+        let cut = follow(edge);
+        assert!(matches!(cut.end, CurveEnd::LeftWindow), "{:?}", cut.end);
+        assert_eq!(cut.events.len(), events);
+        let [last, _] = cut.points.last().expect("there are points").solution.parameters();
+        assert_eq!(last, edge);
+    }
+}

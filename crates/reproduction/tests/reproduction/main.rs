@@ -1,5 +1,6 @@
 //! The parameter file, the rows that are computed from it, and the same in other units.
 
+mod cells;
 mod parameters;
 mod study;
 mod units;

@@ -3,23 +3,33 @@
 use grazing_description::Description;
 use grazing_model::smooth::Stop;
 use grazing_reproduction::unfolded::Unfolded;
+use grazing_results::branches::OneParameter;
 use grazing_results::{Cell, Table, Tables};
 use grazing_unfold::progress::Silent;
 
 /// A hardening spring, a reset law in which everything varies; length and time are units that the
-/// text counts in.
-fn written(length: f64, time: f64) -> Description {
+/// text counts in. Two one-parameter diagrams, one either way, cross its resonances of p = 1 and 2.
+pub(crate) fn written(length: f64, time: f64) -> Description {
     let (force, frequency) = (length / time / time, 1.0 / time);
     let text = format!(
         "name = \"Test\"\n[parameters]\nl = {length:e}\nw = {frequency:e}\nf = {force:e}\n\
          [primary]\nname = \"A\"\nrange = [{:e}, {:e}]\n[secondary]\nname = \"omega\"\nrange = [{:e}, {:e}]\n\
-         [motion]\nforce = \"f*(-0.1*v/(l*w) - x/l - 0.1*(x/l)^3 - 1) + A*cos(omega*t)\"\nfrequency = \"omega\"\n\
+         [motion]\nforce = \"f*(-0.1*v/(l*w) - x/l - 0.1*(x/l)^3 - 1) + A*cos(1.25*omega*t)\"\nfrequency = \"1.25*omega\"\n\
          [impact]\nrestitution = \"0.9 + 0.05*sin(z) - 0.01*y/(l*w)\"\nduration = \"0.02/(l*w)\"\n\
-         [analysis]\nloops = [1, 2]\n",
+         [analysis]\nloops = [1, 2]\n\
+         [[diagrams]]\nfixed = \"omega\"\nat = {:e}\nrange = [{:e}, {:e}]\nportraits = [{:e}]\n\
+         [[diagrams]]\nfixed = \"A\"\nat = {:e}\nrange = [{:e}, {:e}]\n",
         0.25 * force,
         1.25 * force,
-        0.55 * frequency,
+        0.4375 * frequency,
         0.75 * frequency,
+        0.625 * frequency,
+        0.25 * force,
+        0.75 * force,
+        0.5 * force,
+        0.5 * force,
+        0.625 * frequency,
+        0.6875 * frequency,
     );
     Description::parse(&text, "test.toml").unwrap_or_else(|error| panic!("{error}"))
 }
@@ -27,13 +37,14 @@ fn written(length: f64, time: f64) -> Description {
 fn tables(description: &Description) -> Vec<Table> {
     let unfolded = Unfolded::described(description, &Silent, &Stop::default(), &|_| ())
         .expect("there is grazing in the window");
-    assert!(unfolded.resonances.len() == 1, "{}", unfolded.resonances.len());
+    assert!([1, 2].iter().all(|p| unfolded.resonances.iter().any(|at| at.loops == *p)));
     let (names, diagram) = (&unfolded.axes.names, unfolded.plane_diagram());
     [
         unfolded.along_grazing().tables(names),
         diagram.tables(names),
         unfolded.at_resonances().tables(names),
         unfolded.magnifications(&diagram).tables(names),
+        OneParameter::tables_of(&unfolded.diagrams, names),
     ]
     .concat()
 }
@@ -64,7 +75,7 @@ fn dimension(unit: &str) -> [i32; 2] {
 }
 
 /// The same of the value of a hypothesis.
-fn dimension_of_hypothesis(hypothesis: &Cell) -> [i32; 2] {
+pub(crate) fn dimension_of_hypothesis(hypothesis: &Cell) -> [i32; 2] {
     let Cell::Text(hypothesis) = hypothesis else { panic!("{hypothesis:?}") };
     match hypothesis.split(' ').next().unwrap() {
         "omega" => [0, -1],
@@ -110,5 +121,5 @@ fn tables_in_other_units_are_the_same_to_the_last_bit_but_for_the_units() {
             }
         }
     }
-    assert!(numbers > 1000);
+    assert!(numbers > 10_000 && plain.iter().all(|table| !table.rows.is_empty()), "{numbers}");
 }

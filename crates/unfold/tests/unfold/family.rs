@@ -5,7 +5,9 @@ use std::f64::consts::PI;
 
 use grazing_continuation::curve::Window;
 use grazing_description::Description;
-use grazing_model::ImpactOscillator;
+use grazing_model::motion::Motion;
+use grazing_model::{AnyOscillator, ImpactOscillator, State};
+use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::hypothesis::Quantity;
 use grazing_theorems::linear_oscillator::LinearOscillator;
 use grazing_unfold::family::{Arc, ArcEnd, arcs};
@@ -19,6 +21,16 @@ fn linear(frequency: &str, [low, high]: [f64; 2]) -> Description {
         "name = \"Test\"\n[parameters]\nzeta = 0.02\nepsilon = 0.9\nc = 0.76\n[primary]\nname = \"A\"\nrange = [0, 1.5]\n\
          [secondary]\nname = \"eta\"\nrange = [{low}, {high}]\n[motion]\nforce = \"-2*zeta*v - x - 1 + A*cos(({frequency})*t)\"\n\
          frequency = \"{frequency}\"\n[impact]\nrestitution = \"epsilon\"\nduration = \"0\"\n[analysis]\nloops = [1, 2, 3]\n"
+    );
+    Description::parse(&text, "test.toml").unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The same with another force and restitution, in a window about the resonance p = 1, n = 3.
+fn written(force: &str, restitution: &str) -> Description {
+    let text = format!(
+        "name = \"Test\"\n[parameters]\nc = 0\n[primary]\nname = \"A\"\nrange = [-0.3, 1.5]\n\
+         [secondary]\nname = \"eta\"\nrange = [0.55, 0.8]\n[motion]\nforce = \"{force}\"\nfrequency = \"eta\"\n\
+         [impact]\nrestitution = \"{restitution}\"\nduration = \"0\"\n[analysis]\nloops = [1]\n"
     );
     Description::parse(&text, "test.toml").unwrap_or_else(|error| panic!("{error}"))
 }
@@ -109,4 +121,44 @@ fn two_resonances_that_meet_are_one_curve_and_the_place_is_that_of_the_closed_fo
     let exact = LinearOscillator::new(0.02, 0.9).unwrap().resonance(loops, n).unwrap().forcing_frequency();
     assert!((0.76 + 0.08 * meeting.way - exact).abs() < 1e-10);
     assert!((meeting.orbit.oscillator().parameters()[1] - 0.5).abs() < 1e-8);
+}
+
+#[test]
+fn a_resonance_ends_where_another_maximum_of_its_orbit_touches_the_wall() {
+    // As the second harmonic takes over, the lower of two maxima comes to the wall where A = 0.
+    let description = written("-0.04*v - x - 1 + A*cos(eta*t) + c*cos(2*eta*t + 0.3)", "0.9");
+    let (_, arcs) = followed(&description, "c", [0.0, 1.5]);
+    let [arc] = &arcs[..] else { panic!("{} arcs", arcs.len()) };
+    assert_eq!(arc.end, ArcEnd::Inadmissible);
+    let second = |orbit: &GrazingOrbit<AnyOscillator>| {
+        // From the maximum at the wall once round, without it.
+        let motion = orbit.oscillator().motion(State::on_wall(0.0, orbit.phase()));
+        let period = orbit.oscillator().forcing_period();
+        let inner = motion.local_maxima(period).into_iter();
+        let inner = inner.filter(|maximum| (0.01 * period..0.99 * period).contains(&maximum.time));
+        inner.map(|maximum| maximum.position).fold(f64::NEG_INFINITY, f64::max)
+    };
+    let (last, before) = arc.points.split_last().expect("there are points");
+    // Located to 1e-11 of the change on a step, and no orbit before goes through the wall.
+    assert!(second(&last.orbit).abs() < 1e-9, "{}", second(&last.orbit));
+    assert!(!before.is_empty() && before.iter().all(|at| second(&at.orbit) < 1e-9));
+    assert!(0.0 < last.way && last.way < 1.0, "{}", last.way);
+}
+
+#[test]
+fn an_extremum_is_a_double_zero_only_if_it_is_zero() {
+    // c from 0 to 1: the restitution is least in the middle, and is zero there or is not.
+    for (least, zeros) in [("0", 1), ("0.001", 0)] {
+        let restitution = format!("{least} + 3*(c - 0.5)^2");
+        let description = written("-0.04*v - x - 1 + A*cos(eta*t)", &restitution);
+        let (_, arcs) = followed(&description, "c", [0.0, 1.0]);
+        let [arc] = &arcs[..] else { panic!("{} arcs", arcs.len()) };
+        assert_eq!(arc.end, ArcEnd::Across);
+        let found: Vec<_> = arc.points.iter().filter(|at| at.zero == Some(Quantity::Restitution)).collect();
+        assert_eq!(found.len(), zeros, "{least}");
+        for at in found {
+            // The square root of what a double zero is known to.
+            assert!((at.way - 0.5).abs() < 1e-4 && at.point.grazing.phi < 1e-7, "{}", at.way);
+        }
+    }
 }

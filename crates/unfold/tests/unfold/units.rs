@@ -1,9 +1,16 @@
 //! The linear oscillator in other units of length and time.
 
 use grazing_continuation::curve::Window;
+use grazing_continuation::fit::{Estimate, Measurement};
 use grazing_description::Description;
-use grazing_model::smooth::Stop;
-use grazing_unfold::Scope;
+use grazing_model::smooth::{Stop, Units};
+use grazing_unfold::escape::Escape;
+use grazing_unfold::non_impacting::Height;
+use grazing_unfold::sides::{Inconclusive, Sides, Simulated};
+use grazing_unfold::simulation::ReturnOutcome;
+use grazing_unfold::units::InUnits;
+use grazing_unfold::verdict::Coefficient;
+use grazing_unfold::{Scope, UnfoldError};
 
 use crate::specimens::{self, EPSILON, ZETA, resonances};
 
@@ -56,4 +63,68 @@ fn stretched_oscillators_have_the_resonances_of_the_closed_form() {
     assert_closed_form([1e3, 1e-3], [0.0333, 0.034], &[1]);
     assert_closed_form([1e-3, 1e3], [0.0333, 0.034], &[1]);
     assert_closed_form([1e-3, 1e-3], [0.0165, 0.0169], &[2, 3]);
+}
+
+/// No two of them, and none of their products that stand for a unit, are the same.
+const UNITS: Units = Units { length: 3.0, time: 5.0, primary: 7.0, secondary: 11.0 };
+
+#[test]
+fn what_is_reported_of_motion_is_in_the_units_of_the_file() {
+    let escape = Escape { parameters: [1.0, 1.0], time: 1.0, position: 1.0, velocity: 1.0, force: 1.0 };
+    let own =
+        Escape { parameters: [7.0, 11.0], time: 5.0, position: 3.0, velocity: 3.0 / 5.0, force: 3.0 / 25.0 };
+    assert_eq!(escape.in_units(&UNITS), own);
+    let height = Height { position: 1.0, parameters: [1.0, 1.0], acceleration: 1.0 };
+    let in_own = Height { position: 3.0, parameters: [7.0, 11.0], acceleration: 3.0 / 25.0 };
+    assert_eq!(height.in_units(&UNITS), in_own);
+    let errors = [
+        (UnfoldError::RunsAway { escape }, UnfoldError::RunsAway { escape: own }),
+        (UnfoldError::Pushed { at: height }, UnfoldError::Pushed { at: in_own }),
+        (
+            UnfoldError::NoGrazing { lowest: height, highest: height, whole: true },
+            UnfoldError::NoGrazing { lowest: in_own, highest: in_own, whole: true },
+        ),
+    ];
+    for (error, own) in errors {
+        assert_eq!(error.in_units(&UNITS).to_string(), own.to_string());
+    }
+}
+
+#[test]
+fn coefficients_and_simulations_are_in_the_units_of_the_file() {
+    let estimate = |unit: f64| Estimate { value: 2.0 * unit, error: 0.5 * unit };
+    let velocity = 3.0 / 5.0;
+    let coefficient = |unit: f64, [e1, e2]: [f64; 2], [m2, m3]: [f64; 2], velocity: f64| Coefficient {
+        stability: 1.0,
+        theorem: estimate(unit),
+        fit: Ok(Measurement { coefficient: estimate(unit), eta: [e1, e2], mu: [m2, m3], velocity }),
+    };
+    let found = coefficient(1.0, [1.0, 1.0], [1.0, 1.0], 1.0).in_units(&UNITS);
+    // μ/η², and η = e₁ y + e₂ y², μ = m₂ y² + m₃ y³.
+    let wanted = coefficient(
+        7.0 / 121.0,
+        [11.0 / velocity, 11.0 / velocity / velocity],
+        [7.0 / (velocity * velocity), 7.0 / (velocity * velocity) / velocity],
+        velocity,
+    );
+    assert_eq!(found, wanted);
+    let sides = |velocity| Sides {
+        velocity,
+        predicted: [false, true],
+        seen: [ReturnOutcome::Returns; 2],
+        attracts: [None; 2],
+        gone_beyond: None,
+    };
+    let slow = |unit| Inconclusive::TooSlow { leading: 2.0 * unit, least: 3.0 * unit };
+    let here = |unit| Inconclusive::OnlyHere { velocity: unit };
+    let convergence = |unit| Inconclusive::SlowConvergence { velocity: unit, returns: 7 };
+    for (one, own) in [
+        (Simulated::Against(sides(1.0)), Simulated::Against(sides(velocity))),
+        (Simulated::AsPredicted(sides(1.0)), Simulated::AsPredicted(sides(velocity))),
+        (Simulated::Undecided(slow(1.0)), Simulated::Undecided(slow(velocity))),
+        (Simulated::Undecided(here(1.0)), Simulated::Undecided(here(velocity))),
+        (Simulated::Undecided(convergence(1.0)), Simulated::Undecided(convergence(velocity))),
+    ] {
+        assert_eq!(one.in_units(&UNITS), own);
+    }
 }

@@ -134,7 +134,8 @@ checks! {
             deviations.see((u * (1.0 - delta) * (1.0 - delta) - expected) / size);
         }
     } => deviations.outcome(1e-14, "determinants from 0.001 to 0.999, p = 2 to 15, all j");
-    /// u⁽ʲ⁾ depends on the map through τ and δ alone, so that it may be followed in τ at fixed δ.
+    /// u⁽ʲ⁾ depends on the map through τ and δ alone, and at fixed δ it is a polynomial in τ, of degree
+    /// p + j − 3 at most, so that it may be followed in τ.
     // The balanced map divides by a₁₂, at least a tenth of r ≥ 0.03.
     invariance: sampled(11, 1000, 2..=8) |sampler, p; deviations: Deviations| {
         let (tau, delta) = sampler.trapesium();
@@ -148,7 +149,21 @@ checks! {
             deviations.see((here.x - beta * position) / (size * (1.0 + position.abs())));
             here = map.a * here + map.b * s;
         }
-    } => deviations.outcome(1e-14, "pairs of maps with the same τ and δ, p = 2 to 8");
+        // Differences of one order more vanish, at steps over the whole range of τ.
+        let order = 2 * p as usize - 3;
+        let paths: Vec<Vec<Vector2<f64>>> = (0..=order)
+            .map(|k| path(p, along((k as f64 + 0.5) / (order as f64 + 1.0), -delta - 1.0, delta + 1.0), delta))
+            .collect();
+        for j in 0..=p as usize {
+            let (mut binomial, mut difference, mut size) = (1.0, 0.0, 0.0);
+            for (k, path) in paths.iter().enumerate() {
+                difference += if k % 2 == 0 { binomial } else { -binomial } * path[j].x;
+                size += binomial * (1.0 + path[j].x.abs());
+                binomial *= (order - k) as f64 / (k as f64 + 1.0);
+            }
+            deviations.see(difference / size);
+        }
+    } => deviations.outcome(1e-14, "pairs of maps with the same τ and δ, and differences of order 2p − 3 in τ, p = 2 to 8");
     /// The path is convex for h_p < τ < δ + 1, and u⁽ʲ⁾ < 0, 0 < j < p: by search.
     ///
     /// With e = p₁ − p₀ and c = e × Ae, a vertex n − 1 after the end of the edge at i lies on the

@@ -105,6 +105,22 @@ checks! {
             }
         }
     } => deviations.outcome(1e-13, "visits of the admissible MPSs of fifteen oscillators, p = 2 to 4");
+    /// Figure 9: from the recoil back to (x⁽⁰⁾, z⁽⁰⁾) beyond the wall, two loops, the first in front of
+    /// the wall, and on to (x̂, ẑ), beyond the wall and after the impact.
+    // Positions of order one and phases up to 2π, some roundings for each map.
+    points_of_two_loops: over(admissible()?.into_iter().filter(|(_, p, _)| *p == 2)) |(grazing, p, point); deviations: Deviations| {
+        let oscillator = equations(&grazing, p).oscillator_at(&point);
+        let [impact, recoil] = impact_and_recoil(&oscillator, point[0], point[1]);
+        let [hat, start] = [impact, recoil].map(|from| virtual_map::<_, 1>(&oscillator, from, None));
+        let (hat, start) = (hat?, start?);
+        deviations.require(impact.coordinates()[0] > 0.0 && recoil.coordinates()[0] < 0.0);
+        deviations.require(hat.time > 0.0 && start.time < 0.0);
+        deviations.require(hat.jet.value[0] > 0.0 && start.jet.value[0] > 0.0);
+        let between = global_map::<_, 1>(&oscillator, start.jet.image(), None)?.jet;
+        deviations.require(between.value[0] < 0.0);
+        let end = global_map::<_, 1>(&oscillator, between.image(), None)?.jet;
+        deviations.see((end.value - hat.jet.value).amax());
+    } => deviations.outcome(1e-13, "the points of two-loop MPSs near grazing of fifteen oscillators");
     /// Zeros of V are MPSs: simulated orbits return there, and not beside them or beyond grazing.
     zeros_are_orbits: over(admissible()?) |(grazing, p, point); (votes, printed): (Votes, Votes)| {
         let equations = equations(&grazing, p);

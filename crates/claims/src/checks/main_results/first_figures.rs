@@ -21,7 +21,8 @@ fn branch(loops: u32) -> Result<(LoopEquations<Specimen>, Curve, f64), Failure> 
     Ok((equations(&grazing, loops), curve, amplitude))
 }
 
-/// Two loops gain stability at a PD, three at an SN and lose it at a GZ, left of that PD.
+/// Two loops gain stability at a PD, three at an SN and lose it at a GZ, left of that PD; between
+/// GZ and PD none of the branches p = 1, 2, 3 has a stable solution.
 pub(crate) fn stability_gained() -> CheckResult {
     let mut cases = Votes::default();
     let mut located = Vec::new();
@@ -53,7 +54,16 @@ pub(crate) fn stability_gained() -> CheckResult {
         return Err("three bifurcations were expected".into());
     };
     cases.see(sn < gz && gz < pd);
-    Ok(cases.outcome("PD of two loops, SN and GZ of three loops on the branches of Figure 2"))
+    for loops in 1..=3 {
+        let (_, curve, _) = branch(loops)?;
+        for CurvePoint { solution, .. } in &curve.points {
+            let [amplitude, _] = solution.parameters();
+            if gz < amplitude && amplitude < pd {
+                cases.see(!(solution.stable() && solution.admissible()));
+            }
+        }
+    }
+    Ok(cases.outcome("PD of two loops, SN and GZ of three loops on the branches of Figure 2, and what lies between GZ and PD"))
 }
 
 checks! {

@@ -137,29 +137,56 @@ fn swept(
 }
 
 /// Oscillators at grazing that are not linear: forces, reset laws, β of either sign, real
-/// eigenvalues; and linear ones within 0.01 of τ = h_p and of δ = 1; whether the theorem applies,
-/// if known.
-fn other_oscillators(wanted: impl Fn(u32) -> bool) -> Result<Vec<(Grazing, u32, Option<bool>)>, Failure> {
+/// eigenvalues; and linear ones within 0.01 of τ = h_p and of δ = 1.
+fn other_oscillators(wanted: impl Fn(u32) -> bool) -> Result<Vec<(Grazing, u32)>, Failure> {
     let mut found = Vec::new();
     for orbit in specimens()? {
-        found.extend((1..=4).map(|p| (orbit.clone(), p, None)));
+        found.extend((1..=4).map(|p| (orbit.clone(), p)));
     }
     for p in 3..=5 {
         for margin in [0.005, -0.005] {
-            found.push((beside_the_boundary(p, margin)?, p, Some(margin > 0.0)));
+            found.push((beside_the_boundary(p, margin)?, p));
         }
     }
     // δ = e^{−4πζ/ω}.
     let damping: f64 = 4e-4;
     let orbit = Law::varying(damping).grazing((1.0 - damping * damping).sqrt() / 1.1)?;
     // τ = 1.6 lies above h_p for these p, and a₁₂ > 0.
-    found.extend((1..=4).map(|p| (orbit.clone(), p, Some(true))));
+    found.extend((1..=4).map(|p| (orbit.clone(), p)));
     // β < 0 and a₁₂ > 0: μ = ω far above the natural frequency. h₃ < τ < g₃ and g₂ < τ.
     let law = Law { delay: Exponential::constant(0.05), ..Law::linear(0.05, 0.7) }.frequency_first();
     let orbit = law.grazing(4.5)?;
-    found.extend((1..=3).map(|p| (orbit.clone(), p, Some(true))));
-    found.retain(|(_, p, _)| wanted(*p));
+    found.extend((1..=3).map(|p| (orbit.clone(), p)));
+    // β < 0 < b₁, which only a primary parameter that moves both does; τ = 1.2 and a₁₂ > 0.
+    for (law, frequency) in [(Law::varying(0.05), 0.92), (Law::nonlinear(0.05), 1.1)] {
+        let orbit = Law { pull: 1.2, ..law }.grazing(frequency)?;
+        let map = orbit.grazing_point().map;
+        if map.transversality() >= 0.0 || map.b.x <= 0.0 {
+            return Err("b₁ and β have one sign".into());
+        }
+        found.extend((1..=3).map(|p| (orbit.clone(), p)));
+    }
+    found.retain(|(_, p)| wanted(*p));
     Ok(found)
+}
+
+/// Whether the hypotheses of Theorem 2.2 or 2.3 hold, as the paper prints them.
+fn speaks(point: &GrazingPoint, p: u32) -> Result<bool, Failure> {
+    let GrazingPoint { map: LinearisedMap { a, b }, forcing_frequency, gamma, phi, psi } = *point;
+    let alpha = 1.0 + phi - gamma * psi / forcing_frequency;
+    let (tau, delta) = (a.m11 + a.m22, a.m11 * a.m22 - a.m12 * a.m21);
+    let beta = (1.0 - a.m22) * b.x + a.m12 * b.y;
+    let settles = 0.0 < delta && delta < 1.0 && tau.abs() < delta + 1.0;
+    Ok(settles
+        && beta != 0.0
+        && match p {
+            1 => alpha > 0.0 && a.m12 != 0.0,
+            _ => {
+                a.m12 * alpha > 0.0
+                    && tau > admissibility_boundary(p, delta)?
+                    && tau != resonance_boundary(f64::from(p), delta)
+            }
+        })
 }
 
 /// An oscillator with τ this much above h_p(δ), a₁₂ > 0: 1 + 1/(2p) < ω₁/ω < 1 + 1/p.
@@ -187,14 +214,14 @@ fn generic_votes(resonances: &[(u32, u32)], wanted: impl Fn(u32) -> bool) -> Res
         count.see(exists_for_both_signs_of_the_root(p, 0.97 * omega));
     }
     swept(generic_cases()?, &wanted, &mut count, |case| Ok(GenericRow::of(case)?.verdict()))?;
-    for (orbit, p, speaks) in other_oscillators(wanted)? {
-        match GenericGrazing::check(&orbit.grazing_point(), p) {
-            Ok(theorem) => {
-                let seen = side_of_orbit(&orbit, p)?;
-                count.see(seen == Existence::On(theorem.side()) && speaks != Some(false));
+    for (orbit, p) in other_oscillators(wanted)? {
+        let point = orbit.grazing_point();
+        match (GenericGrazing::check(&point, p), speaks(&point, p)?) {
+            (Ok(theorem), true) => {
+                count.see(side_of_orbit(&orbit, p)? == Existence::On(theorem.side()));
             }
-            Err(_) if speaks == Some(true) => count.see(false),
-            Err(_) => count.silent(),
+            (Err(_), false) => count.silent(),
+            _ => count.see(false),
         }
     }
     Ok(count)

@@ -1,7 +1,7 @@
 //! Section 6: what the period doublings of Figure 7 create.
 
 use super::discussion::{ROUTE, of_figure_7};
-use super::doubled::{Doubled, DoubledEquations};
+use super::doubled::{Doubled, DoubledEquations, Grazes};
 use super::simulation::next_impact;
 use crate::*;
 use grazing_continuation::criticality::{coefficient_at_resonance, period_doubling};
@@ -70,7 +70,8 @@ checks! {
     } =>
         cases.outcome("points of the seven PD curves of Figure 7: close to the resonances with simulated orbits, for the print all along")
             .against_print(printed.measure());
-    /// Period-doubled solutions end at grazing, on curves with μ and y of first order in η.
+    /// Period-doubled solutions end at grazing, on curves with μ and y of first order in η: for p = 1
+    /// an impact loses its velocity, for p ≥ 2 a loop touches the wall before that.
     doubled_solutions_graze: over(of_figure_7()?) |place; orders: Vec<Observed>| {
         let equations = DoubledEquations::new(place.resonance.equations());
         let curve = &place.curves()[1];
@@ -82,7 +83,10 @@ checks! {
                 return Some([0.0; 2]);
             }
             let near = place.on_curve(curve, size / curve.leading.impact_velocity_slope)?;
-            let grazing = equations.grazing(&near.unknowns)?;
+            let (grazing, how) = equations.grazing(&near.unknowns)?;
+            if (how == Grazes::AtAnImpact) != (place.loops() == 1) {
+                return None;
+            }
             Some([grazing.primary() - near.orbit.primary(), grazing.impacts()[0][unknown::VELOCITY]])
         }));
         // Infinite: not found.

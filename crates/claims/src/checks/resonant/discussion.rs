@@ -4,6 +4,8 @@ use super::derivatives::differences;
 use crate::checks::main_results::returns::derivatives;
 use crate::*;
 use grazing_continuation::curve::CurvePoint;
+use grazing_model::AnyOscillator;
+use grazing_unfold::long_time::{Horizon, LongOrbit, Patience};
 
 /// n ω* is twice the damped natural frequency if p = 1 and the force is linear, and not otherwise.
 pub(crate) fn rational_multiples() -> CheckResult {
@@ -68,6 +70,34 @@ fn return_through_impact(place: &ResonantSpecimen, solution: &PeriodicSolution) 
     Some([component(0, 1.0, 0.3), component(1, 1.0, 0.3), component(0, -0.2, 1.0), component(1, -0.2, 1.0)])
 }
 
+/// Grazing often induces chaos: more than half of the orbits just beyond it, at frequencies of
+/// Figure 7, have a positive Lyapunov exponent.
+pub(crate) fn chaos() -> CheckResult {
+    let theory = grazing_theorems::LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
+    let mut chaotic = Votes::default();
+    let mut sampler = Sampler::new(231);
+    let samples = 60;
+    for _ in 0..samples {
+        let grazing = theory.grazing(sampler.between(0.4, 0.9))?;
+        let beyond = (1.0 + sampler.between(0.002, 0.02)) * grazing.amplitude();
+        let oscillator =
+            AnyOscillator::new(grazing.model()).with_parameters([beyond, grazing.forcing_frequency()]);
+        // Transients of grazing are long, and exponents of 300 periods are right to some 0.01.
+        let horizon = Horizon { transient: 500, counted: 300, patience: Patience::Drifting };
+        let orbit = LongOrbit::follow(&oscillator, sampler.state(), horizon);
+        chaotic.see(orbit.lyapunov(&oscillator) * oscillator.forcing_period() > 0.02);
+    }
+    let Measure::Agreement { agreeing, cases } = chaotic.measure() else {
+        unreachable!("votes agree or not")
+    };
+    let margin = Measure::Margin { smallest: agreeing as f64 / cases as f64 - 0.5 };
+    Ok(Outcome::new(
+        margin,
+        samples,
+        "the share of orbits with a positive exponent just beyond grazing, less a half",
+    ))
+}
+
 /// A window wide enough for the curves to end in it by themselves, at codimension-two points.
 pub(super) const ROUTE: Route = Route {
     window: Window { primary: [0.0, 3.0], secondary: [0.2, 1.2] },
@@ -94,6 +124,29 @@ checks! {
             }
         }
     } => cases.outcome("the sign of a₁₂' and the sides of SN and PD curves, n = 1 to 12");
+    /// Of the regions of Figure 7 the one at ω ≈ 0.5 is that of p = 1 and n = 4; from it alone the SN
+    /// curve leaves to higher frequencies and the PD curve to lower ones; n = 3 and 5 have the others.
+    one_loop_regions: over(of_figure_7()?) |place; cases: Votes| {
+        let omega = place.point().grazing.forcing_frequency;
+        let natural = (1.0 - printed("zeta") * printed("zeta")).sqrt();
+        let differs = (omega - 0.5).abs() < 0.005;
+        if place.loops() == 1 {
+            let n = 2.0 * natural / omega;
+            let whole = libm::round(n);
+            // Located to some roundings.
+            cases.see((n - whole).abs() < 1e-12 && [3.0, 4.0, 5.0].contains(&whole));
+            cases.see((whole == 4.0) == differs);
+        } else {
+            cases.see(!differs);
+        }
+        for (curve, upwards) in place.curves().iter().zip([differs, !differs]) {
+            for side in [1.0, -1.0] {
+                let eta = side * 1e-4 / curve.leading.impact_velocity_slope.abs();
+                let near = place.on_curve(curve, eta).ok_or("no point on a curve")?;
+                cases.see(place.solution(&near).admissible() == ((side > 0.0) == upwards));
+            }
+        }
+    } => cases.outcome("the frequencies of the seven resonances of Figure 7, and the sides to which their curves leave");
     /// Impacts elsewhere leave P_global smooth, as seen at MPSs that graze between their impacts.
     impacts_elsewhere: over(of_figure_7()?) |place; orders: Vec<Observed>| {
         for curve in place.resonance.unfold(&ROUTE)?.grazing {

@@ -26,16 +26,16 @@ use grazing_results::{Cell, Names, Row};
 use grazing_trials::closed_form::{Orbit, orbits};
 
 /// Everything that is reproduced, computed once for all tests.
-struct Made {
+pub(crate) struct Made {
     parameters: Parameters,
-    coefficients: Vec<Coefficients>,
+    pub(crate) coefficients: Vec<Coefficients>,
     fig02: OneParameter,
     fig07: PlaneDiagram,
     fig08: Magnifications,
     theorems: TheoremsInAction,
 }
 
-fn made() -> &'static Made {
+pub(crate) fn made() -> &'static Made {
     static MADE: OnceLock<Made> = OnceLock::new();
     MADE.get_or_init(|| {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../figures/parameters.toml");
@@ -53,7 +53,7 @@ fn made() -> &'static Made {
 }
 
 /// The paper's oscillator, for which the theory is.
-fn theory() -> grazing_theorems::LinearOscillator {
+pub(crate) fn theory() -> grazing_theorems::LinearOscillator {
     made().parameters.oscillator().expect("it is right")
 }
 

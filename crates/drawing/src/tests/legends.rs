@@ -1,0 +1,95 @@
+//! What the legend of a diagram says, and with which pens.
+
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_results::kinds::{Colour, CurveLook};
+use grazing_results::plane::RegionKind;
+
+use crate::ink::legend::Sample;
+use crate::ink::style::UNDECIDED;
+use crate::plot::kinds::pen;
+use crate::tests::inspection::paths;
+use crate::tests::sample_oscillator::{SampleOscillator, sample};
+use crate::{Sheet, SheetWidth, draw_diagram};
+
+const WIDTH: SheetWidth = SheetWidth::Paper;
+
+fn drawn(sample: &SampleOscillator) -> Sheet {
+    draw_diagram(&sample.diagram, &sample.heading(), WIDTH).unwrap()
+}
+
+fn hexadecimal([red, green, blue]: Colour) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+/// What the drawing of a sample looks like in the legend.
+fn explained(sheet: &Sheet, meaning: &str) -> Option<String> {
+    let (_, drawing) = sheet.legend.iter().find(|(words, _)| words == meaning)?;
+    Some(drawing.clone())
+}
+
+#[test]
+fn a_legend_shows_each_kind_with_the_pen_that_its_curves_are_drawn_with() {
+    let mut sample = sample(3);
+    let kinds = [
+        (Bifurcation::SaddleNode, "saddle-node bifurcation (SN)"),
+        (Bifurcation::PeriodDoubling, "period-doubling bifurcation (PD)"),
+        (Bifurcation::Grazing, "grazing of a maximal periodic solution (GZ)"),
+        (Bifurcation::NonImpactingGrazing, "grazing of the non-impacting solution"),
+    ];
+    let all = drawn(&sample);
+    for (kind, meaning) in kinds {
+        let colour = hexadecimal(CurveLook::of(kind).colours[0]);
+        assert_eq!(explained(&all, meaning), Some(Sample::Line(pen(kind)).element()), "{meaning}");
+        assert!(Sample::Line(pen(kind)).element().contains(&colour), "{meaning}");
+        assert!(!paths(&all.svg(), &colour).is_empty(), "{meaning}");
+    }
+    // Without its curves a kind has no ink and no entry, and no other kind loses either.
+    for (kind, meaning) in kinds {
+        let before = sample.diagram.curves.clone();
+        sample.diagram.curves.retain(|point| point.kind != kind);
+        let sheet = drawn(&sample);
+        for (other, words) in kinds {
+            let colour = hexadecimal(CurveLook::of(other).colours[0]);
+            assert_eq!(explained(&sheet, words).is_some(), other != kind, "{words} without {meaning}");
+            assert_eq!(!paths(&sheet.svg(), &colour).is_empty(), other != kind, "{words} without {meaning}");
+        }
+        sample.diagram.curves = before;
+    }
+}
+
+#[test]
+fn unstable_solutions_that_graze_are_not_drawn() {
+    let mut sample = sample(3);
+    let colour = hexadecimal(CurveLook::of(Bifurcation::Grazing).colours[0]);
+    let count = |sample: &SampleOscillator| paths(&drawn(sample).svg(), &colour).len();
+    assert_eq!(count(&sample), 3);
+    let of_grazing = |kind: Bifurcation| kind == Bifurcation::Grazing;
+    sample.diagram.curves.iter_mut().filter(|at| of_grazing(at.kind)).for_each(|at| at.stable = false);
+    assert_eq!(count(&sample), 0);
+    // Of the other kinds nothing of the sort is asked.
+    sample.diagram.curves.iter_mut().for_each(|at| at.stable = of_grazing(at.kind));
+    assert_eq!(count(&sample), 3);
+    let saddle_nodes = hexadecimal(CurveLook::of(Bifurcation::SaddleNode).colours[0]);
+    assert_eq!(paths(&drawn(&sample).svg(), &saddle_nodes).len(), 3);
+}
+
+#[test]
+fn what_is_undecided_is_hatched_and_never_shaded() {
+    let mut sample = sample(3);
+    let shaded = |sheet: &Sheet| {
+        sheet.legend.iter().any(|(words, _)| words.starts_with("a maximal periodic solution is stable"))
+    };
+    let hatched = |sheet: &Sheet| explained(sheet, "stability is not decided");
+    let mut mps = |kind: RegionKind| {
+        let of_mps = sample.diagram.regions.iter_mut().filter(|vertex| vertex.loops > 0);
+        of_mps.for_each(|vertex| vertex.kind = kind);
+        drawn(&sample)
+    };
+    let decided = mps(RegionKind::Mps);
+    assert!(shaded(&decided) && hatched(&decided).is_none());
+    let undecided = mps(RegionKind::Undecided);
+    assert_eq!(hatched(&undecided), Some(Sample::Hatching(UNDECIDED).element()));
+    assert!(!shaded(&undecided));
+    let lines = paths(&undecided.svg(), &hexadecimal(UNDECIDED.colour));
+    assert!(lines.len() > paths(&decided.svg(), &hexadecimal(UNDECIDED.colour)).len());
+}

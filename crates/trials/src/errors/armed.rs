@@ -1,0 +1,168 @@
+//! Errors behind switches: the body of a function once for each of its errors, and once as it is.
+
+use core::ops::Range;
+
+use super::DeliberateError;
+
+/// The environment variable that holds the number of the error that is in.
+pub(super) const VARIABLE: &str = "GRAZING_DELIBERATE_ERROR";
+
+/// What a crate's root gets: whether an error is in.
+pub(super) const SWITCH: &str = r#"
+/// Whether the deliberate error of this number is in.
+#[allow(dead_code)]
+pub(crate) fn deliberate_error(number: u32) -> bool {
+    static NUMBER: std::sync::OnceLock<u32> = std::sync::OnceLock::new();
+    let read = || std::env::var("GRAZING_DELIBERATE_ERROR").ok().and_then(|set| set.parse().ok()).unwrap_or(0);
+    *NUMBER.get_or_init(read) == number
+}
+"#;
+
+/// What stands in a place with an error in it, and the error's number.
+type Wrong = (usize, String);
+
+/// The text of a file with its errors behind switches, each with its number: around the body of the
+/// function in which it stands, or, outside functions, around the expression itself. And the
+/// numbers of those for which there is no room, as others stand around or in them.
+pub(super) fn armed(text: &str, errors: &[(usize, &DeliberateError)]) -> (String, Vec<usize>) {
+    let mut sites: Vec<(Range<usize>, Vec<Wrong>)> = Vec::new();
+    let mut left = Vec::new();
+    for (number, error) in errors {
+        let Some(at) = text.find(&error.find) else { continue };
+        let found = at..at + error.find.len();
+        let site = body(text, &found).unwrap_or_else(|| found.clone());
+        let [before, after] = [&text[site.start..found.start], &text[found.end..site.end]];
+        let wrong = (*number, format!("{before}{}{after}", error.replace));
+        let overlaps =
+            |range: &Range<usize>| *range != site && range.start < site.end && site.start < range.end;
+        if sites.iter().any(|(range, _)| overlaps(range)) {
+            left.push(*number);
+            continue;
+        }
+        match sites.iter_mut().find(|(range, _)| *range == site) {
+            Some((_, all)) => all.push(wrong),
+            None => sites.push((site, vec![wrong])),
+        }
+    }
+    sites.sort_by_key(|(range, _)| range.start);
+    let mut armed = String::with_capacity(2 * text.len());
+    let mut done = 0;
+    for (range, all) in sites {
+        armed.push_str(&text[done..range.start]);
+        // Braces around the body stay where they are.
+        armed.push('(');
+        for (number, wrong) in all {
+            armed.push_str(&format!("if crate::deliberate_error({number}) {{ {wrong} }} else "));
+        }
+        armed.push_str(&format!("{{ {} }})", &text[range.clone()]));
+        done = range.end;
+    }
+    armed.push_str(&text[done..]);
+    (armed, left)
+}
+
+/// What stands between the braces of the innermost function around a place.
+fn body(text: &str, place: &Range<usize>) -> Option<Range<usize>> {
+    let code = without_literals(text);
+    let starts = code[..place.start].match_indices("fn ").map(|(at, _)| at);
+    let is_word = |at: usize| code[..at].chars().next_back().is_none_or(|before| !before.is_alphanumeric());
+    for start in starts.filter(|at| is_word(*at)).collect::<Vec<_>>().into_iter().rev() {
+        let opening = start + code[start..].find(['{', ';'])?;
+        if code[opening..].starts_with(';') {
+            continue;
+        }
+        let mut depth = 0;
+        let closing = code[opening..].char_indices().find_map(|(at, character)| {
+            match character {
+                '{' => depth += 1,
+                '}' => depth -= 1,
+                _ => {}
+            }
+            (depth == 0).then_some(opening + at)
+        })?;
+        if opening < place.start && place.end <= closing {
+            return Some(opening + 1..closing);
+        }
+    }
+    None
+}
+
+/// The text with blanks for what stands in strings, characters and comments, byte for byte.
+fn without_literals(text: &str) -> String {
+    let bytes = text.as_bytes();
+    let mut plain = bytes.to_vec();
+    let mut at = 0;
+    while at < bytes.len() {
+        let end = match &bytes[at..] {
+            [b'/', b'/', ..] => bytes[at..].iter().position(|byte| *byte == b'\n').map(|length| at + length),
+            [b'"', ..] => string_end(bytes, at),
+            // A character, and not a lifetime.
+            [b'\'', b'\\', ..] => {
+                let rest = bytes[at + 2..].iter().skip(1).position(|byte| *byte == b'\'');
+                rest.map(|length| at + length + 4)
+            }
+            [b'\'', _, b'\'', ..] => Some(at + 3),
+            _ => {
+                at += 1;
+                continue;
+            }
+        };
+        let end = end.unwrap_or(bytes.len());
+        plain[at..end].fill(b' ');
+        at = end;
+    }
+    String::from_utf8(plain).unwrap_or_default()
+}
+
+/// Behind the quotation mark that closes the string that begins here, raw or not.
+fn string_end(bytes: &[u8], start: usize) -> Option<usize> {
+    let hashes = bytes[..start].iter().rev().take_while(|byte| **byte == b'#').count();
+    let raw = bytes[..start - hashes].last() == Some(&b'r');
+    let mut at = start + 1;
+    while at < bytes.len() {
+        match bytes[at] {
+            b'\\' if !raw => at += 1,
+            b'"' if !raw
+                || bytes[at + 1..].iter().take(hashes).filter(|byte| **byte == b'#').count() == hashes =>
+            {
+                return Some(at + 1);
+            }
+            _ => {}
+        }
+        at += 1;
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::PathBuf;
+
+    use super::*;
+
+    fn error(find: &str, replace: &str) -> DeliberateError {
+        let [find, replace] = [find, replace].map(str::to_owned);
+        DeliberateError { meaning: String::new(), file: PathBuf::new(), find, replace }
+    }
+
+    #[test]
+    fn a_function_has_its_body_once_for_each_error_and_once_as_it_is() {
+        let text = "fn a() {}\nfn b(x: f64) -> f64 {\n    // }\n    let brace = \"}\" ; x + 1.0\n}\nconst C: f64 = 2.0;\n";
+        let errors = [error("x + 1.0", "x - 1.0"), error("+ 1.0", "+ 2.0"), error("2.0;", "3.0;")];
+        let numbered: Vec<(usize, &DeliberateError)> = (1..).zip(&errors).collect();
+        let (armed, left) = armed(text, &numbered[..2]);
+        let body = "\n    // }\n    let brace = \"}\" ; x + 1.0\n";
+        let wanted = format!(
+            "fn a() {{}}\nfn b(x: f64) -> f64 {{(if crate::deliberate_error(1) {{ {} }} else if \
+             crate::deliberate_error(2) {{ {} }} else {{ {body} }})}}\nconst C: f64 = 2.0;\n",
+            body.replace("x + 1.0", "x - 1.0"),
+            body.replace("+ 1.0", "+ 2.0"),
+        );
+        assert_eq!((armed, left), (wanted, Vec::new()));
+        // Outside functions the expression itself.
+        let both = [(7, &error("2.0", "3.0")), (8, &error("= 2.0", "= 4.0"))];
+        let (armed, left) = super::armed("const C: f64 = 2.0;", &both);
+        assert_eq!(armed, "const C: f64 = (if crate::deliberate_error(7) { 3.0 } else { 2.0 });");
+        assert_eq!(left, [8]);
+    }
+}
