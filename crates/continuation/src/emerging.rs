@@ -27,14 +27,15 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
     }
 
     /// The curves between which MPSs of `loops` ≥ 2 loops are stable and admissible beside this
-    /// resonance, and why others are missing; none unless it is one of p = 1.
+    /// resonance, and why others are missing; none unless it is one of p = 1. A GZ curve of which
+    /// the window has next to nothing is not followed.
     pub fn unfold_iterated(&self, loops: u32, route: &Route<'_>) -> (Vec<Curve>, Vec<ResonanceError>) {
         let (mut curves, mut missing) = (Vec::new(), Vec::new());
         let Some(iterated) = self.iterated(loops) else { return (curves, missing) };
         for solutions in iterated.emerging() {
             for bound in [Some(solutions.slowest), solutions.fastest].into_iter().flatten() {
                 match self.bounding_curve(&iterated, bound, route) {
-                    Ok(curve) => curves.push(curve),
+                    Ok(curve) => curves.extend(curve),
                     Err(reason) => missing.push(reason),
                 }
             }
@@ -47,7 +48,7 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         iterated: &IteratedResonance,
         bound: VelocityBound,
         route: &Route<'_>,
-    ) -> Result<Curve, ResonanceError> {
+    ) -> Result<Option<Curve>, ResonanceError> {
         let oscillator = self.orbit().oscillator().clone();
         let equations = LoopEquations::new(oscillator, iterated.loops(), Formulation::FixedPhase);
         let condition = match bound.boundary {
@@ -60,6 +61,7 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         let along = Unknowns::new(slope, phase_slope, self.orbit().primary_slope(), 1.0).normalize();
         SolutionCurve { equations, condition }
             .follow(self.unknowns(), along * slope.signum(), EventTimes::default(), route)
+            .map(Some)
             .map_err(|stall| ResonanceError::not_started(condition, stall.to_string()))
     }
 
@@ -73,11 +75,12 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         bound: VelocityBound,
         visit: u32,
         route: &Route<'_>,
-    ) -> Result<Curve, ResonanceError> {
+    ) -> Result<Option<Curve>, ResonanceError> {
         let [_, resonance] = self.orbit().oscillator().parameters();
         let branch = iterated.point().branch_expansion();
         let condition = Condition::InteriorGrazing;
-        let mut reason = "no solution with a visit that touches the wall was found beside it".to_owned();
+        let (mut is_outside, mut reason) =
+            (false, "no solution with a visit that touches the wall was found beside it".to_owned());
         for velocity in VELOCITIES {
             let eta = velocity / bound.velocity_slope;
             let Ok(place) = self.orbit().place().moved(self.orbit().oscillator(), resonance + eta) else {
@@ -92,19 +95,20 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
             times.grazing_time = until_visit / frequency;
             match locate(&equations, [condition, Condition::Secondary(secondary)], start, &mut times) {
                 Ok(found) if !route.window.contains(parameters(&found)) => {
-                    reason = "the window ends beside it".to_owned();
+                    is_outside = true;
                 }
                 Ok(found) if (found[unknown::VELOCITY] / velocity - 1.0).abs() <= OFF => {
                     let curve = SolutionCurve { equations, condition };
                     let away = Unknowns::w() * eta.signum();
                     return curve
                         .follow_both_ways(found, away, &times, route)
+                        .map(Some)
                         .map_err(|stall| ResonanceError::not_started(condition, stall.to_string()));
                 }
                 Ok(_) => {}
                 Err(failure) => reason = failure.to_string(),
             }
         }
-        Err(ResonanceError::not_started(condition, reason))
+        if is_outside { Ok(None) } else { Err(ResonanceError::not_started(condition, reason)) }
     }
 }

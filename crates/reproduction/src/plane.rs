@@ -173,8 +173,7 @@ pub fn regions(axes: &Axes, regions: &[Region]) -> Vec<RegionVertex> {
 /// Resonances that could not be located, and those whose curves could not be followed, in words.
 pub fn lost(diagram: &Diagram) -> impl Iterator<Item = String> {
     let unlocated = diagram.unlocated.iter().map(|lost| format!("p = {}: {}", lost.loops, lost.reason));
-    let not_unfolded = diagram.not_unfolded.iter();
-    unlocated.chain(not_unfolded.map(|lost| format!("p = {}, n = {}: {}", lost.loops, lost.n, lost.reason)))
+    unlocated.chain(diagram.not_unfolded.iter().map(|lost| format!("{}: {}", lost.name(), lost.reason)))
 }
 
 /// Curves of magnifications, panel by panel from 1; their points are in the oscillator's own units.

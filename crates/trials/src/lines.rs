@@ -160,7 +160,7 @@ pub fn compare(
         .unwrap_or_else(|error| panic!("zeta {zeta}, epsilon {epsilon}: {error}"));
     let (regions, told) = match Diagram::compute(&AnyOscillator::new(oscillator), &scope, &Silent) {
         Ok(diagram) => {
-            let lost = diagram.not_unfolded.iter().map(|lost| lost.loops);
+            let lost = diagram.not_unfolded.iter().map(|lost| lost.solutions);
             (diagram.regions, lost.chain(diagram.unlocated.iter().map(|lost| lost.loops)).collect())
         }
         Err(_) => (Vec::new(), Vec::new()),

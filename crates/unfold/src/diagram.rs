@@ -22,12 +22,24 @@ use crate::{Scope, UnfoldError};
 /// A resonance one of whose curves, or all of them, could not be followed.
 #[derive(Clone, Debug)]
 pub struct NotUnfolded {
-    /// Number of loops p.
+    /// Number of loops p of the resonance.
     pub loops: u32,
-    /// The integer n.
+    /// Its integer n.
     pub n: u32,
+    /// Number of loops of the solutions; not p where they are those of more loops that leave a
+    /// one-loop resonance.
+    pub solutions: u32,
     /// What happened.
     pub reason: ResonanceError,
+}
+
+impl NotUnfolded {
+    /// What could not be followed, as `p = 1, n = 3` or `p = 1, n = 3, solutions of 2 loops`.
+    pub fn name(&self) -> String {
+        let Self { loops, n, solutions, .. } = self;
+        let of = if solutions == loops { String::new() } else { format!(", solutions of {solutions} loops") };
+        format!("p = {loops}, n = {n}{of}")
+    }
 }
 
 /// What came of following the curves from a resonance.
@@ -247,7 +259,7 @@ impl Diagram {
             self.scope.loops.iter().map(|&loops| Net::new(self.equations(loops))).collect();
         for Followed { resonance, curves, missing } in followed {
             let (loops, n) = (self.resonances[resonance].loops, self.resonances[resonance].n);
-            let failed = |reason| NotUnfolded { loops, n, reason };
+            let failed = |reason| NotUnfolded { loops, n, solutions: loops, reason };
             self.not_unfolded.extend(missing.into_iter().map(failed));
             if let Some(net) = nets.iter_mut().find(|net| net.loops() == loops) {
                 curves.into_iter().for_each(|curve| net.add(curve));
@@ -269,7 +281,7 @@ impl Diagram {
                         net.add(DiagramCurve { kind, loops, n: 0, curve });
                     }
                 }
-                let failed = |reason| NotUnfolded { loops, n: resonance.n, reason };
+                let failed = |reason| NotUnfolded { loops: 1, n: resonance.n, solutions: loops, reason };
                 self.not_unfolded.extend(missing.into_iter().map(failed));
             }
         }

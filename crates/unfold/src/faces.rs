@@ -70,6 +70,11 @@ pub(crate) fn area(face: &Face) -> f64 {
     0.5 * edges(face).map(|[a, b]| a[0] * b[1] - a[1] * b[0]).sum::<f64>().abs()
 }
 
+/// The length of all rings of a face.
+pub(crate) fn perimeter(face: &Face) -> f64 {
+    edges(face).map(|[a, b]| libm::hypot(b[0] - a[0], b[1] - a[1])).sum()
+}
+
 fn edges(face: &Face) -> impl Iterator<Item = [Point; 2]> {
     face.iter().flat_map(|ring| {
         let next = ring.iter().cycle().skip(1);

@@ -46,6 +46,9 @@ impl fmt::Display for Doubt {
     }
 }
 
+/// Regions thinner than this share of the ranges cannot be seen: curves are drawn to about as much.
+const THIN: f64 = 1e-4;
+
 /// A region, as points (μ, η).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
@@ -90,6 +93,15 @@ impl Region {
             window.contains([0, 1].map(|k| 0.5 * (from[k] + to[k])))
         };
         faces::part(&self.rings, &[across, up].concat()).into_iter().map(part).filter(inside)
+    }
+
+    /// Whether it is decided and thinner than curves are drawn: twice its area is less than this share
+    /// of the ranges times the length of its border.
+    pub fn is_thin(&self, window: Window) -> bool {
+        let shares: Vec<Vec<[f64; 2]>> =
+            self.rings.iter().map(|ring| ring.iter().map(|at| window.shares(*at)).collect()).collect();
+        let thickness = 2.0 * faces::area(&shares) / faces::perimeter(&shares);
+        self.doubt.is_none() && thickness < THIN
     }
 
     /// The least and the greatest (μ, η).

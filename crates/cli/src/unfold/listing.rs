@@ -22,7 +22,7 @@ use super::numbers::{fixed, range, significant};
 use super::reason::place;
 use crate::outputs::oscillator::of_one_parameter;
 pub(super) use gaps::incomplete;
-use gaps::{missing, odd_ends, undecided, unfinished};
+use gaps::{missing, odd_ends, thin, undecided, unfinished};
 
 /// Digits of parameters, of coefficients, and of other quantities.
 const PARAMETER: usize = 8;
@@ -81,6 +81,7 @@ pub(super) fn results(description: &Description, unfolded: &Analysis) -> String 
     text.push_str(&corners(description, unfolded));
     text.push_str(&odd_ends(description, unfolded));
     text.push_str(&undecided(description, unfolded));
+    text.push_str(&thin(description, unfolded));
     text.extend(unfolded.diagrams.iter().map(|diagram| one_parameter(description, diagram)));
     text.push_str(&window::suggested(unfolded));
     text

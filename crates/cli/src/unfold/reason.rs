@@ -200,9 +200,7 @@ pub(crate) fn lost(
         let at = place(description, units.parameters(lost.near));
         (format!("p = {}", lost.loops), format!("near {at}: {}", lost.reason))
     });
-    let not_unfolded = diagram.not_unfolded.iter();
-    let not_unfolded =
-        not_unfolded.map(|lost| (format!("p = {}, n = {}", lost.loops, lost.n), lost.reason.to_string()));
+    let not_unfolded = diagram.not_unfolded.iter().map(|lost| (lost.name(), lost.reason.to_string()));
     unlocated.chain(not_unfolded)
 }
 
@@ -224,6 +222,16 @@ pub(crate) fn undecided(description: &Description, units: &Units, region: &Regio
     let doubt = region.doubt.as_ref()?;
     let [from, to] = region.extent().map(|corner| place(description, units.parameters(corner)));
     Some(format!("from {from} to {to}: {doubt}"))
+}
+
+/// Regions that are thinner than they can be drawn, and where.
+pub(crate) fn thin(description: &Description, units: &Units, diagram: &Diagram) -> Vec<(u32, String)> {
+    let regions = diagram.regions.iter().filter(|region| region.is_thin(diagram.scope.window));
+    let line = |region: &Region| {
+        let [from, to] = region.extent().map(|corner| place(description, units.parameters(corner)));
+        (region.loops, format!("from {from} to {to}"))
+    };
+    regions.map(line).collect()
 }
 
 /// Values of both parameters, as `A = 0.5, omega = 0.8`.

@@ -57,8 +57,10 @@ impl PaperFigure for Figure7 {
         let diagram = study.diagram()?;
         let regions = diagram.regions.iter();
         let doubts: Vec<_> = regions.filter_map(|region| Some((region, region.doubt.as_ref()?))).collect();
-        let notes = doubts.chunk_by(|(a, _), (b, _)| a.loops == b.loops).map(undecided).collect();
-        let lost = diagram.not_unfolded.iter().map(|lost| not_followed(lost.loops, lost.n, &lost.reason));
+        let doubtful = doubts.chunk_by(|(a, _), (b, _)| a.loops == b.loops).map(undecided);
+        let thin = diagram.regions.iter().filter(|region| region.is_thin(diagram.scope.window)).map(thin);
+        let notes = doubtful.chain(thin).collect();
+        let lost = diagram.not_unfolded.iter().map(|lost| not_followed(&lost.name(), &lost.reason));
         Ok(Remarks { notes, gaps: study.unlocated()?.into_iter().chain(lost).collect() })
     }
 
@@ -67,12 +69,26 @@ impl PaperFigure for Figure7 {
     }
 }
 
+/// A region that nobody can see.
+fn thin(region: &Region) -> String {
+    let [from, to] = corners(region);
+    format!(
+        "p = {}: a region thinner than 1e-4 of the ranges, from {from} to {to}, is in fig07_regions.csv",
+        region.loops
+    )
+}
+
+/// The least and the greatest parameters of a region.
+fn corners(region: &Region) -> [String; 2] {
+    region.extent().map(|[amplitude, frequency]| {
+        format!("amplitude {}, frequency {}", brief(amplitude, 6), brief(frequency, 6))
+    })
+}
+
 /// Where one p is undecided.
 fn undecided(doubts: &[(&Region, &Doubt)]) -> String {
     let (first, doubt) = doubts[0];
-    let [from, to] = first.extent().map(|[amplitude, frequency]| {
-        format!("amplitude {}, frequency {}", brief(amplitude, 6), brief(frequency, 6))
-    });
+    let [from, to] = corners(first);
     let more = match doubts.len() - 1 {
         0 => String::new(),
         more => format!("; and in {more} more places, see fig07_regions.csv"),

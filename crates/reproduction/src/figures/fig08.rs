@@ -40,8 +40,12 @@ impl PaperFigure for Figure8 {
     fn compute(&self, study: &Study) -> Result<Magnifications, StudyError> {
         let (diagram, (shown, _), axes) = (study.diagram()?, self.shown(study)?, Axes::of_the_paper());
         let curves = |&Shown { resonance, point, window }: &Shown<'_>| {
-            magnify(diagram, resonance, point, window)
-                .map_err(|reason| StudyError::Failed(not_followed(resonance.loops, resonance.n, &reason)))
+            magnify(diagram, resonance, point, window).map_err(|reason| {
+                StudyError::Failed(not_followed(
+                    &format!("p = {}, n = {}", resonance.loops, resonance.n),
+                    &reason,
+                ))
+            })
         };
         let polylines: Vec<_> = shown.par_iter().map(curves).collect::<Result<_, _>>()?;
         Ok(Magnifications {

@@ -62,6 +62,13 @@ pub(super) fn undecided(description: &Description, unfolded: &Analysis) -> Strin
     headed("Not decided (hatched in the diagram)", entries)
 }
 
+/// Regions that the diagram has and nobody can see.
+pub(super) fn thin(description: &Description, unfolded: &Analysis) -> String {
+    let regions = reason::thin(description, &unfolded.axes.units, &unfolded.diagram);
+    let entries = regions.into_iter().map(|(loops, line)| (format!("  p = {loops}  "), line));
+    headed("Regions of stable solutions thinner than 1e-4 of the ranges, in regions.csv", entries)
+}
+
 /// What is missing in the diagram although there was time for it, as `1 of 3 resonances could not
 /// be unfolded`; nothing if nothing is.
 pub(in crate::unfold) fn incomplete(diagram: &Diagram) -> Option<String> {
@@ -133,6 +140,7 @@ mod tests {
                 reason: ResonanceError::NotLocated(failure),
             }],
             not_unfolded: vec![NotUnfolded {
+                solutions: 1,
                 loops: 2,
                 n: 3,
                 reason: ResonanceError::NotStarted {

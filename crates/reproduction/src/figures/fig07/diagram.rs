@@ -107,6 +107,6 @@ impl Study {
 }
 
 /// That a curve of a resonance is missing.
-pub(crate) fn not_followed(loops: u32, n: u32, reason: &ResonanceError) -> String {
-    format!("resonance p = {loops}, n = {n}: a curve is missing: {reason}")
+pub(crate) fn not_followed(resonance: &str, reason: &ResonanceError) -> String {
+    format!("resonance {resonance}: a curve is missing: {reason}")
 }
