@@ -189,9 +189,12 @@ fn refined(
                     at[place.unknown - unknown::PRIMARY] = place.value;
                     at
                 });
+            // What is bent leaves its chord by less than a quarter of its length.
+            let [from, to] = ends.map(|end| Vector2::from(window.shares(parameters(&end))));
+            let aside = ALONGSIDE.max(0.25 * (to - from).norm());
             let is_close = |at: &Point| {
                 let [here, there] = [*at, parameters(&near)].map(|at| window.shares(at));
-                [0, 1].iter().all(|&axis| (here[axis] - there[axis]).abs() < ALONGSIDE)
+                [0, 1].iter().all(|&axis| (here[axis] - there[axis]).abs() < aside)
             };
             line.extend(found.ok().filter(is_close));
         }

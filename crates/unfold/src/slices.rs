@@ -34,13 +34,14 @@ pub(crate) struct Slice {
     carried: bool,
     /// The number of branches whose bifurcations have been looked at.
     looked_at: usize,
-    /// The number of curves that have been looked at for branches.
+    /// The numbers of curves and of columns that have been looked at for branches.
     curves: usize,
+    columns: usize,
 }
 
 impl Slice {
     pub(crate) fn new(secondary: f64, branches: Vec<Curve>) -> Self {
-        Self { secondary, branches, carried: false, looked_at: 0, curves: 0 }
+        Self { secondary, branches, carried: false, looked_at: 0, curves: 0, columns: 0 }
     }
 
     /// The branches that have not been taken before.
@@ -243,6 +244,33 @@ impl Slicer {
                     Some(index) => self.insert(&mut slice.branches[index], condition, &through, times),
                     None => self.add(slice, through, &times, true),
                 }
+            }
+        }
+        let fresh = slice.branches.len() > before;
+        slice.carried &= !fresh;
+        fresh
+    }
+
+    /// Adds the branches of a slice to which stable, admissible solutions on columns lead that cross
+    /// it, and says whether there are any.
+    pub(crate) fn through_columns(&self, slice: &mut Slice, columns: &[Curve]) -> bool {
+        let before = slice.branches.len();
+        let new = core::mem::replace(&mut slice.columns, columns.len());
+        let secondary = slice.secondary;
+        for Crossing { condition, chord, place: near, mut times } in
+            columns[new..].iter().flat_map(|column| crossings(column, unknown::SECONDARY, secondary))
+        {
+            if slice.branches.iter().any(|branch| self.passes(branch, &near)) {
+                continue;
+            }
+            let conditions = [condition, Condition::Secondary(secondary)];
+            let reach = (chord[1] - chord[0]).norm();
+            let found = locate_within(reach, &self.equations, conditions, near, &mut times);
+            if let Ok(through) = found
+                && self.is_real(&through)
+                && self.equations.solution(&through).attracts()
+            {
+                self.add(slice, through, &times, true);
             }
         }
         let fresh = slice.branches.len() > before;

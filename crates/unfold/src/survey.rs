@@ -121,9 +121,14 @@ impl<'a> Survey<'a> {
                 new.flat_map(|branch| bounding(self.net, branch, self.scope.window)).collect();
             self.explain(&events, progress);
             self.follow_columns(progress);
-            let curves = &self.net.curves;
-            let fresh: Vec<bool> =
-                self.slices.par_iter_mut().map(|slice| self.slicer.through_curves(slice, curves)).collect();
+            let (curves, columns, slicer) = (&self.net.curves, &self.columns, &self.slicer);
+            let has_impacts = self.net.equations.has_impacts();
+            let through = |slice: &mut Slice| {
+                let by_curves = slicer.through_curves(slice, curves);
+                // Without impacts a column is met by the slices that it was begun on.
+                has_impacts && slicer.through_columns(slice, columns) || by_curves
+            };
+            let fresh: Vec<bool> = self.slices.par_iter_mut().map(through).collect();
             if progress.stopped() {
                 break;
             }
