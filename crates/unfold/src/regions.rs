@@ -40,6 +40,9 @@ const THIN: f64 = 5e-4;
 const PURE: f64 = 0.1;
 /// However long a chord, no more than this share of the window may differ from the rest of it.
 const STRETCH: f64 = 5e-3;
+/// What has less than this share of the window's area is what rounding leaves between curves that
+/// meet: they are located to some 10⁻¹⁰.
+const NOTHING: f64 = 1e-12;
 /// Undecided faces with less than this share of the window's area are left out: the chords of two
 /// curves that cross at a small angle leave such between them.
 const SPECK: f64 = 1e-7;
@@ -342,7 +345,9 @@ impl Judge {
         let judged: Vec<FaceVerdict> = faces.flat_map(|face| self.parted(self.judge(face))).collect();
         let faces: Vec<&Face> = judged.iter().filter(|j| j.verdict == Ok(true)).map(|j| &j.face).collect();
         let mut regions: Vec<(usize, Region)> = Vec::new();
-        for rings in faces::unite(&faces) {
+        let [width, height] = self.window.widths();
+        let is_one = |rings: &Face| faces::area(rings) > NOTHING * width * height;
+        for rings in faces::unite(&faces).into_iter().filter(is_one) {
             let place = self.bordering(&rings, curves);
             let n = place.map_or(0, |index| curves[index].n);
             regions.push((place.unwrap_or(usize::MAX), Region { loops, n, rings, doubt: None }));
