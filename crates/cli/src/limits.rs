@@ -124,6 +124,8 @@ struct Watched {
     stop: Stop,
     limits: Limits,
     began: Duration,
+    /// What was taken before.
+    taken: Duration,
     met: OnceLock<EndCause>,
 }
 
@@ -132,8 +134,7 @@ impl Watch {
     pub(crate) fn begin(limits: Limits, taken: Duration) -> Self {
         // A count of steps is a whole number, and one beyond all counts is none.
         let stop = Stop::after(limits.steps as u64);
-        let began = clock().saturating_sub(taken);
-        let watched = Arc::new(Watched { stop, limits, began, met: OnceLock::new() });
+        let watched = Arc::new(Watched { stop, limits, began: clock(), taken, met: OnceLock::new() });
         let weak = Arc::downgrade(&watched);
         let look = move || {
             // It ends with the watch.
@@ -158,7 +159,7 @@ impl Watch {
 
     /// The time that has been taken.
     pub(crate) fn taken(&self) -> Duration {
-        clock().saturating_sub(self.0.began)
+        self.0.taken()
     }
 
     /// What has ended the analysis, if something has.
@@ -169,11 +170,15 @@ impl Watch {
 }
 
 impl Watched {
+    fn taken(&self) -> Duration {
+        clock().saturating_sub(self.began) + self.taken
+    }
+
     fn look(&self) -> Option<EndCause> {
         let Limits { time, memory, .. } = self.limits;
         if is_interrupted() {
             Some(EndCause::Interruption)
-        } else if clock().saturating_sub(self.began).as_secs_f64() > time {
+        } else if self.taken().as_secs_f64() > time {
             Some(EndCause::Time(time))
         } else if holds_more_than(memory) {
             Some(EndCause::Memory(memory))

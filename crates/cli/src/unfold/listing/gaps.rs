@@ -140,7 +140,7 @@ mod tests {
                 reason: ResonanceError::NotLocated(failure),
             }],
             not_unfolded: vec![NotUnfolded {
-                solutions: 1,
+                solutions: 2,
                 loops: 2,
                 n: 3,
                 reason: ResonanceError::NotStarted {
