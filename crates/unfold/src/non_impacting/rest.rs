@@ -1,8 +1,8 @@
 //! Where an oscillator rests in front of the wall.
 //!
-//! Near its rest position motion relaxes even where attraction at the wall exceeds the spring, as
-//! that of adhesion does: from nearer to the wall than some point it falls onto the wall. How far
-//! off the rest position is then, the unit of length does not say.
+//! Where attraction at the wall exceeds the spring, as in adhesion, motion that begins near the wall
+//! falls onto it, while motion from the rest position relaxes as ever. That position may be
+//! hundreds of units of length away, since the unit is how fast the force changes at the wall.
 
 use core::f64::consts::TAU;
 
@@ -11,13 +11,13 @@ use grazing_model::{AnyOscillator, ImpactOscillator, State};
 
 /// Instants of a forcing period at which the force is looked at.
 const INSTANTS: u32 = 16;
-/// Rest positions are looked for from the wall out to the last of so many distances, ...
+/// Rest positions are looked for between the wall and so many distances from it,
 const DISTANCES: u32 = 80;
-/// ... of which the first is this one,
+/// of which this is the first,
 const FIRST: f64 = 1.0 / 256.0;
-/// and each lies this many times as far off as the one before: from a 256th to some 3500, around a
-/// unit of length that is the distance from rest or, where the force is steep at the wall, some
-/// thousandth of it.
+/// and each is this many times the one before. They end at some 3600 units of length (empirical):
+/// a unit is the distance from rest or, where the force is steep at the wall, down to a thousandth
+/// of it.
 const RATIO: f64 = 1.19;
 /// What lies farther off than this many times the nearest is left out: a pendulum has rest
 /// positions without end, which differ in its turns alone.
