@@ -5,6 +5,7 @@
 //! its grazing are found: motion is left to relax, and grazing is looked for on lattices.
 
 mod relaxation;
+mod rest;
 
 use grazing_continuation::curve::CurvePoint;
 use grazing_continuation::mps::LoopEquations;

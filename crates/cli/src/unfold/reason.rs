@@ -286,7 +286,7 @@ mod tests {
     fn a_primary_parameter_of_the_impact_alone_is_named_as_the_reason() {
         let file = |amplitude: &str, restitution: &str| {
             let text = format!(
-                "primary = {{ name = \"r\", range = [0.5, 0.9] }}\n\
+                "parameters = {{}}\nprimary = {{ name = \"r\", range = [0.5, 0.9] }}\n\
                  secondary = {{ name = \"omega\", range = [0.5, 0.95] }}\n\
                  motion = {{ force = \"-0.06*v - x - 1 + {amplitude}*cos(omega*t)\", frequency = \"omega\" }}\n\
                  wall = {{ position = \"0\", side = \"below\" }}\n\

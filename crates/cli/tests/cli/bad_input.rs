@@ -35,7 +35,7 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("[[fig02.portraits]]", "loops", "loops = 7"),
     ("[fig07]", "frequency", "frequency = [0.0, 1.1]"),
     ("[fig07]", "frequency", "frequency = [1e-9, 1.1]"),
-    ("[[fig08.panels]]", "loops", "loops = 4"),
+    ("[[fig08.panels]]", "loops", "loops = 13"),
     ("[[fig08.panels]]", "frequency", "frequency = [0.4, 4]"),
     ("[fig07]", "[[fig08.panels]]", "[[fig8.panels]]"),
     ("[fig02]", "[fig02.attractor]", "[fig2.attractor]"),

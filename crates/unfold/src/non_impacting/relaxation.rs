@@ -14,6 +14,7 @@ use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::Vector2;
 
+use super::rest;
 use crate::escape::Escape;
 use crate::slices::{FREE_STEPS, Slice, Slicer};
 use crate::tolerances::BETWEEN_GRAZING_ORBITS;
@@ -54,7 +55,8 @@ impl Height {
     }
 }
 
-/// Where the search begins: shares of the range of μ, and positions at rest.
+/// Where the search begins: shares of the range of μ, and positions at rest, besides those where
+/// the oscillator rests.
 const SHARES: [f64; 3] = [0.0, 1.0, LAST_RESORT];
 /// The share from which a search begins if there is nothing at the ends.
 const LAST_RESORT: f64 = 0.5;
@@ -70,6 +72,8 @@ const RELAXED: f64 = 1e-3;
 /// at only where there is no other: a pendulum may turn any number of times before it does, and
 /// motion about each of its rest positions is the same but for those turns.
 const CARRIED_AWAY: f64 = 10.0;
+/// Motion from a start that is itself far off is not carried away within this many times as far.
+const AS_FAR: f64 = 2.0;
 
 /// Looks for grazing of periodic motion without the wall over the whole range of μ at η =
 /// `secondary`.
@@ -97,10 +101,11 @@ pub(crate) fn motion(
             break;
         }
         let [primary, _] = scope.window.parameters([share, 0.0]);
-        let positions = POSITIONS.iter().chain(positions).map(|position| [*position, 0.0]);
+        let rests = rest::positions(&oscillator.with_parameters([primary, secondary]));
+        let positions = POSITIONS.iter().chain(positions).chain(&rests).map(|position| [*position, 0.0]);
         for start in scope.start.into_iter().chain(positions) {
             match relaxed(&slicer.equations, [primary, secondary], Vector2::from(start)) {
-                Ok(Some(orbit)) if orbit[0].abs() > CARRIED_AWAY => {
+                Ok(Some(orbit)) if orbit[0].abs() > CARRIED_AWAY.max(AS_FAR * start[0].abs()) => {
                     carried_away = carried_away.or(Some(orbit))
                 }
                 Ok(Some(orbit)) => add(&mut slice, &orbit),

@@ -5,6 +5,7 @@ use core::f64::consts::{PI, TAU};
 
 use grazing_model::maps::global_map;
 use grazing_model::motion::Motion;
+use grazing_model::smooth::Stop;
 use grazing_model::{AtRest, ImpactOscillator, State};
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::spectrum::in_trapesium;
@@ -13,8 +14,8 @@ use grazing_unfold::non_impacting::periodic_motion;
 use grazing_unfold::{Scope, UnfoldError};
 
 use crate::specimens::{
-    DAMPED, EPSILON, ZETA, assert_within, closed_form, grazing_at, grazing_curve, grazing_curves, scope,
-    written,
+    DAMPED, EPSILON, ZETA, assert_within, closed_form, described, grazing_at, grazing_curve, grazing_curves,
+    scope, written,
 };
 
 /// Integration and Newton's method leave some 10⁻¹² each.
@@ -247,6 +248,34 @@ fn grazing_on_the_upper_branch_of_a_bistable_oscillator_is_found_beyond_two_fold
     assert!(orbit.primary() < 0.6 * fold.abs());
     let map = orbit.grazing_point().map;
     assert!(in_trapesium(map.trace(), map.determinant()));
+}
+
+/// Attraction that exceeds the spring at the wall but not a little farther off, with ranges in which
+/// forcing turns motion back from the wall all the same: with a pole behind the wall, and with
+/// another rest position there that holds what falls into it.
+const ADHESIVE: [(&str, [[f64; 2]; 2]); 2] = [
+    ("25*(0.5/(0.5 - x))^2", [[5.0, 25.0], [1.7, 1.8]]),
+    ("22/(1 + ((x - 0.1)/0.1)^2)", [[1.0, 9.0], [1.2, 1.3]]),
+];
+
+#[test]
+fn motion_relaxes_about_rest_in_front_of_a_wall_that_attracts_more_than_the_spring() {
+    for (attraction, ranges) in ADHESIVE {
+        let force = format!("-2*zeta*v - x - 10 + {attraction} + mu*cos(eta*t)");
+        let description = described([&force, "eta", "0"], EPSILON, ranges);
+        let units = description.units();
+        let scope = scope(ranges[0], ranges[1], &[]).without_dimensions(&units);
+        let [primary, secondary] = scope.window.parameters([1.0, 0.5]);
+        let oscillator = description.counted([primary, secondary], &units, &Stop::default());
+        let begun = Scope { start: Some([-10.0 / units.length, 0.0]), ..scope.clone() };
+        let orbits = |scope| periodic_motion(&oscillator, scope, secondary).grazing;
+        let both = [&scope, &begun].map(orbits);
+        let [[found], [wanted]] = both.each_ref().map(Vec::as_slice) else {
+            panic!("{attraction}: {both:?}")
+        };
+        assert_within(found.primary(), wanted.primary(), EXACT);
+        assert!(grazing_curve(&oscillator, &scope).passes(found, &scope), "{attraction}");
+    }
 }
 
 #[test]

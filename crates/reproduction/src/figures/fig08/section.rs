@@ -1,11 +1,11 @@
 //! `[fig08]`: about which resonances Figure 8 magnifies Figure 7.
 
-use grazing_source::kind::{count, maybe, table, tables, unwritten, value};
+use grazing_source::kind::{count, maybe, table, tables, unwritten};
 use grazing_theorems::{LinearOscillator, Resonance};
 
 use crate::figure::prelude::*;
 use crate::figures::fig07::diagram::Figure7;
-use crate::parameters::limits::{INDEX, MOST_N, must_lie_inside, range};
+use crate::parameters::limits::{INDEX, MOST_LOOPS, MOST_N, must_lie_inside, range};
 use crate::parameters::{contains, encloses, strictly_contains};
 
 /// The most panels that fit side by side.
@@ -26,7 +26,7 @@ keys! {
     /// One magnification around a resonance.
     pub struct Panel {
         /// The loops p of the resonance.
-        loops: u32 = value(), "the number of loops must be one of fig07.loops";
+        loops: u32 = count(1..=MOST_LOOPS), "the number of loops must be a whole number from {} to {}";
         /// Its integer n (eq:resonance1 for p = 1, eq:resonancep with the plus sign for p >= 2).
         n: u32 = count(0..=MOST_N), INDEX;
         /// The forcing amplitudes across, with that of the resonance inside; none if they are to be
@@ -76,19 +76,21 @@ impl FileSection for Figure8 {
         }
         // From the last to the first, as places before one that is filled do not move.
         for (index, at, Panel { loops: p, n, .. }) in replaced.into_iter().rev() {
-            let missing = format!(
-                "{}: the resonance p = {p}, n = {n} does not lie in the window of Figure 7",
-                section.shown(&format!("{at}.n"))
-            );
+            let (key, reason) = match fig07.loops.contains(&p) {
+                true => ("n", "does not lie in the window of Figure 7"),
+                false => ("loops", "is not in Figure 7, as its p is not among fig07.loops"),
+            };
+            let key = section.shown(&format!("{at}.{key}"));
+            let missing = format!("{key}: the resonance p = {p}, n = {n} {reason}");
             match take(&mut free, p) {
                 Some(other) => {
                     let Panel { loops, n, .. } = other;
                     self.notes.push(format!("{missing}; the panel shows p = {loops}, n = {n} instead"));
                     self.panels.insert(index, other);
                 }
-                None => self
-                    .notes
-                    .push(format!("{missing}, nor does another that is not shown; there is no such panel")),
+                None => self.notes.push(format!(
+                    "{missing}; there is no such panel, as every resonance that is there is shown"
+                )),
             }
         }
         Ok(self)
@@ -105,8 +107,8 @@ fn take(free: &mut Vec<Resonance>, p: u32) -> Option<Panel> {
 
 impl Panel {
     /// Puts what fits of the window that is wished for into what is shown, and says whether the
-    /// panel can be shown: not if its resonance lies outside the window of Figure 7 and its own
-    /// window may be replaced.
+    /// panel can be shown: not if its p is not among those of Figure 7, nor if its resonance lies
+    /// outside the window of Figure 7 and its own window may be replaced.
     fn fit(
         &mut self,
         fig07: &Figure7,
@@ -115,10 +117,10 @@ impl Panel {
     ) -> Result<bool, ParameterError> {
         let Self { loops, n, .. } = *self;
         let place = |name: &str| format!("{at}.{name}");
-        if !fig07.loops.contains(&loops) {
-            return Err(section.refusal(&place("loops")).into());
-        }
         let resonance = oscillator.resonance(loops, n).map_err(|_| section.refusal(&place("n")))?;
+        if !fig07.loops.contains(&loops) {
+            return Ok(false);
+        }
         let axes = [
             ("amplitude", fig07.amplitude, resonance.grazing().amplitude()),
             ("frequency", fig07.frequency, resonance.forcing_frequency()),

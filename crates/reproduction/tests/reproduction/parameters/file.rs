@@ -156,7 +156,9 @@ fn a_file_that_is_not_there_is_named() {
 #[cfg(unix)]
 #[test]
 fn what_has_no_end_is_not_read() {
-    for (path, wanted) in [("/dev/zero", "not a file"), ("/", "not a file")] {
+    for (path, wanted) in
+        [("/dev/zero", "a device, not a regular file"), ("/", "a folder, not a regular file")]
+    {
         let error =
             Parameters::from_file(std::path::Path::new(path), &[]).expect_err("it is no file").to_string();
         assert!(error.starts_with(path) && error.contains(wanted), "{error}");

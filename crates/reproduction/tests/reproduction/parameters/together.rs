@@ -69,6 +69,32 @@ fn panels_are_about_resonances_that_the_window_holds() {
 }
 
 #[test]
+fn panels_of_loops_that_figure_7_leaves_out_show_others() {
+    let parameters = set(&["fig07.loops=[4, 7]"]).expect("it is TOML");
+    let shown = parameters.section::<Figure8>().expect("none of its panels has four or seven loops");
+    let panels: Vec<_> = shown.panels.iter().map(|panel| (panel.loops, panel.n)).collect();
+    assert_eq!(panels.len(), 3, "{panels:?}");
+    assert!(panels.iter().all(|(loops, _)| [4, 7].contains(loops)), "{panels:?}");
+    let replaced = |panel: usize, p: u32| {
+        let key = format!("fig08.panels[{panel}].loops");
+        let instead = format!("is not among fig07.loops; the panel shows p = {}", panels[panel - 1].0);
+        let told = |note: &&String| note.contains(&key) && note.contains(&format!("p = {p},"));
+        shown.notes.iter().find(told).is_some_and(|note| note.contains(&instead))
+    };
+    assert!((1..).zip([1, 2, 3]).all(|(panel, p)| replaced(panel, p)), "{:?}", shown.notes);
+    // One of them is left, and none is shown twice.
+    let parameters = set(&["fig07.loops=[2]", "fig07.frequency=[0.7, 1.02]"]).expect("it is TOML");
+    let shown = parameters.section::<Figure8>().expect("two of its panels have other loops");
+    assert_eq!(shown.panels.iter().map(|panel| (panel.loops, panel.n)).collect::<Vec<_>>(), [(2, 1)]);
+    let told = "fig07.loops; there is no such panel, as every resonance that is there is shown";
+    assert!(
+        shown.notes.len() == 2 && shown.notes.iter().all(|note| note.contains(told)),
+        "{:?}",
+        shown.notes
+    );
+}
+
+#[test]
 fn a_portrait_is_strictly_where_its_amplitude_is_and_otherwise_where_it_can_be() {
     let place = |settings: &[&str]| {
         let parameters = set(settings).expect("it is TOML");
@@ -146,7 +172,7 @@ fn figure_2_holds_its_grazing_amplitude() {
 #[test]
 fn portraits_and_panels_show_loops_that_are_computed() {
     refusal("[[fig02.portraits]]", "loops", "4", "fig02.portraits[1].loops");
-    refusal("[[fig08.panels]]", "loops", "4", "fig08.panels[1].loops");
+    refusal("[[fig08.panels]]", "loops", "13", "fig08.panels[1].loops");
     refusal("[[fig08.panels]]", "n", "0", "fig08.panels[1].n");
     refusal("[[fig08.panels]]", "n", "101", "fig08.panels[1].n");
 }

@@ -1,0 +1,86 @@
+//! Where an oscillator rests in front of the wall.
+//!
+//! Where attraction at the wall exceeds the spring, as in adhesion, motion that begins near the wall
+//! falls onto it, while motion from the rest position relaxes as ever. That position may be
+//! hundreds of units of length away, since the unit is how fast the force changes at the wall.
+
+use core::f64::consts::TAU;
+
+use grazing_continuation::regula_falsi::zero_between;
+use grazing_model::{AnyOscillator, ImpactOscillator, State};
+
+/// Instants of a forcing period at which the force is looked at.
+const INSTANTS: u32 = 16;
+/// Rest positions are looked for between the wall and so many distances from it,
+const DISTANCES: u32 = 80;
+/// of which this is the first,
+const FIRST: f64 = 1.0 / 256.0;
+/// and each is this many times the one before. They end at some 3600 units of length (empirical):
+/// a unit is the distance from rest or, where the force is steep at the wall, down to a thousandth
+/// of it.
+const RATIO: f64 = 1.19;
+/// What lies farther off than this many times the nearest is left out: a pendulum has rest
+/// positions without end, which differ in its turns alone.
+const REACH: f64 = 4.0;
+/// Motion relaxes from beside a rest position as well: where the mean force is this share of what
+/// it is around.
+const ENOUGH: f64 = 1e-3;
+
+/// The stable rest positions in front of the wall, from there on: where the force at rest, on
+/// average over a forcing period, is zero and drives back to there.
+pub(super) fn positions(oscillator: &AnyOscillator) -> Vec<f64> {
+    let mean = |position: f64| {
+        let phases = (0..INSTANTS).map(|k| TAU * f64::from(k) / f64::from(INSTANTS));
+        let forces = phases.map(|phase| oscillator.acceleration(State::at_rest(position, phase)));
+        forces.sum::<f64>() / f64::from(INSTANTS)
+    };
+    let mut found = Vec::<f64>::new();
+    let [mut near, mut at_near] = [0.0, mean(0.0)];
+    let mut far = -FIRST;
+    for _ in 0..DISTANCES {
+        if found.first().is_some_and(|nearest| far < REACH * nearest) {
+            break;
+        }
+        let at_far = mean(far);
+        if at_near < 0.0 && at_far >= 0.0 {
+            let at = |share: f64| {
+                let position = near + share * (far - near);
+                let force = mean(position);
+                Ok::<_, core::convert::Infallible>((position, force))
+            };
+            let enough = |_: &f64, force: f64| force.abs() <= ENOUGH * (at_far - at_near);
+            let Ok(position) = zero_between([at_near, at_far], at, enough);
+            found.push(position);
+        }
+        [near, at_near] = [far, at_far];
+        far *= RATIO;
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rest_positions_are_those_in_front_of_the_wall_to_which_the_force_drives_back() {
+        let cases: [(&str, &[f64]); 5] = [
+            ("-x - 1", &[-1.0]),
+            ("1 - x", &[]),
+            // Two wells with a hill between them, and a pendulum, which has one and its turns.
+            ("-(x + 1)*(x + 2)*(x + 3)", &[-1.0, -3.0]),
+            ("-sin(x + 0.4)", &[-0.4]),
+            // The attraction is twice the spring at the wall, and a millionth of it where it rests.
+            ("-x - 1000 + 2000/(1 + x^2)", &[-1000.0]),
+        ];
+        for (force, expected) in cases {
+            let found = positions(&crate::specimens::unforced(force).oscillator([0.0, 1.0]));
+            // Where the force is a thousandth of that beside it the place is wrong by no more.
+            let near = |(found, expected): (&f64, &f64)| (found / expected - 1.0).abs() < ENOUGH;
+            assert!(
+                found.len() == expected.len() && found.iter().zip(expected).all(near),
+                "{force}: {found:?}"
+            );
+        }
+    }
+}
