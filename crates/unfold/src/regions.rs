@@ -513,7 +513,7 @@ mod tests {
         assert_eq!(whole(vec![sight(0.3, none, &[]), sight(0.6, none, &[])]), []);
         assert_eq!(whole(vec![sight(0.3, all, &[]), sight(0.6, all, &[])]), [(RegionKind::Mps, None)]);
         assert_eq!(whole(vec![sight(0.3, all, &[0.5])]), [(RegionKind::Mps, None)]);
-        assert_eq!(whole(vec![sight(0.3, none, &[0.5])]), [undecided.clone()]);
+        assert_eq!(whole(vec![sight(0.3, none, &[0.5])]).as_slice(), std::slice::from_ref(&undecided));
         // Half of a slice, where no curve runs, and a doubt about all of a slice.
         let disagreement = (RegionKind::Undecided, Some(Doubt::Disagreement));
         assert_eq!(whole(vec![sight(0.3, &[[0.0, 0.5]], &[])]), [disagreement]);
