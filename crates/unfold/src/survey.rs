@@ -441,7 +441,8 @@ mod tests {
         // Two wells: inside this window nothing leads from grazing to these MPSs.
         let window = Window { primary: [0.7, 0.7616], secondary: [0.4483, 0.4917] };
         let (lines, sights) = seen(2, 1, 1, window, &[0.48, 0.4917]);
-        assert_eq!(lines, 3);
+        // The last cuts off a corner.
+        assert_eq!(lines, 4);
         // Simulation settles on a solution with one loop here.
         assert!(sights.iter().all(|sight| sight.share([0.73, 0.736]) == 1.0), "{sights:?}");
     }

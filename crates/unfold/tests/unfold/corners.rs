@@ -6,6 +6,7 @@ use grazing_continuation::locate::same_point;
 use grazing_model::motion::Motion;
 use grazing_model::{ImpactOscillator, OnWall, State};
 use grazing_unfold::Diagram;
+use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::progress::Silent;
 
 use crate::specimens::{assert_within, example, scope};
@@ -21,11 +22,15 @@ fn grazing_goes_on_with_another_maximum_where_a_second_one_touches_the_wall() {
         .filter(|corner| corner.kind == CodimensionTwo::GrazingGrazing)
         .collect();
     let [corner] = meeting.as_slice() else { panic!("{} of them", meeting.len()) };
-    // There are others, to which no resonance leads.
     let [velocity, phase, primary, secondary] = corner.unknowns().into();
 
-    let curves: Vec<_> =
-        diagram.curves.iter().filter(|curve| curve.kind == Bifurcation::Grazing && curve.n > 0).collect();
+    let meets = |curve: &&DiagramCurve| {
+        let points = &curve.curve.points;
+        let mut ends = [points.first(), points.last()].into_iter().flatten();
+        curve.kind == Bifurcation::Grazing
+            && ends.any(|end| same_point(&end.solution.unknowns, &corner.unknowns()))
+    };
+    let curves: Vec<_> = diagram.curves.iter().filter(meets).collect();
     let [before, after] = curves.as_slice() else { panic!("{} of them", curves.len()) };
     let [reached, begun] = [before.curve.points.last().unwrap(), &after.curve.points[0]];
     assert!(same_point(&reached.solution.unknowns, &corner.unknowns()));

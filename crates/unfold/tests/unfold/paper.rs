@@ -204,10 +204,11 @@ fn points_of_figure_7_are_the_committed_ones() {
     assert_eq!(committed.len(), ours.len());
     for row in committed {
         let name = row[..3].join(" ");
-        let (_, [amplitude, omega]) =
-            ours.iter().find(|(known, _)| *known == name).unwrap_or_else(|| panic!("{name} is missing"));
-        assert_within(*amplitude, row[3].parse().unwrap(), AGREEMENT);
-        assert_within(*omega, row[4].parse().unwrap(), AGREEMENT);
+        let at: [f64; 2] = [3, 4].map(|place| row[place].parse().unwrap());
+        let distance = |place: &[f64; 2]| libm::hypot(place[0] - at[0], place[1] - at[1]);
+        // Several points have one name where they belong to no resonance of their own p.
+        let named = ours.iter().filter(|(known, _)| *known == name).map(|(_, place)| distance(place));
+        assert_within(named.fold(f64::INFINITY, f64::min), 0.0, AGREEMENT);
     }
 }
 
