@@ -1,7 +1,7 @@
 //! Errors put in on purpose, one at a time: which claims and which tests see them.
 //!
 //! They stand in `expected/deliberate_errors.toml`. A copy of the project under `target/` gets all
-//! of them at once, each behind a switch that an environment variable turns ([`armed`]), so that it
+//! of them at once, each behind a switch that an environment variable turns (`armed`), so that it
 //! is built once for all; those that cannot stand behind a switch are put in by themselves. The
 //! project is never touched.
 
