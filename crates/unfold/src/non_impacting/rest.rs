@@ -1,7 +1,7 @@
 //! Where an oscillator rests in front of the wall.
 //!
 //! Where attraction at the wall exceeds the spring, as in adhesion, motion that begins near the wall
-//! falls onto it, while motion from the rest position relaxes as ever. That position may be
+//! may run away, while motion from the rest position relaxes as ever. That position may be
 //! hundreds of units of length away, since the unit is how fast the force changes at the wall.
 
 use core::f64::consts::TAU;
