@@ -5,6 +5,7 @@ use grazing_description::Description;
 use grazing_model::smooth::Stop;
 use grazing_model::smooth::Units;
 use grazing_model::{ImpactOscillator, State};
+use grazing_unfold::long_time::Horizon;
 use grazing_unfold::place::{Attractor, Nearby, Place, Solution, Starts};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -19,6 +20,8 @@ pub(crate) struct PlaceRequest {
     model: Model,
     at: [f64; 2],
     states: Option<u32>,
+    /// For how many forcing periods motion is followed that does not settle.
+    periods: Option<u32>,
     /// Whether orbits are wanted as curves, too: they are unless it says no.
     orbits: Option<bool>,
     /// What was found at a place nearby: only this is followed.
@@ -58,6 +61,8 @@ impl NearbyMotion {
 
 /// More initial states take longer than anybody waits.
 const MOST_STATES: u32 = 200;
+/// So do more forcing periods.
+const MOST_PERIODS: u32 = 1_000_000;
 /// Motion is of the order of one in the oscillator's units: nothing that was found is farther from
 /// rest at the wall than this, or faster.
 const FARTHEST: f64 = 1e6;
@@ -87,7 +92,9 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
         None => {
             let usual = Starts::default();
             let states = request.states.unwrap_or(usual.states).clamp(1, MOST_STATES);
-            Place::compute(&here, &of.scope.loops, &Starts { states, ..usual }, stop)
+            let longest = request.periods.unwrap_or(usual.horizon.longest).min(MOST_PERIODS);
+            let horizon = Horizon { longest, ..usual.horizon };
+            Place::compute(&here, &of.scope.loops, &Starts { states, horizon, ..usual }, stop)
         }
         Some(motion) => {
             let nearby = motion
@@ -115,7 +122,8 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
         })
     };
     let attractor = |attractor: &Attractor| {
-        let Attractor { states: own_states, fate, lyapunov, flights: own, strikes, state } = attractor;
+        let Attractor { states: own_states, fate, multipliers, exponent, flights: own, strikes, state } =
+            attractor;
         let strikes = strikes.iter().map(|[phase, velocity]| [*phase, velocity * units.velocity()]);
         json!({
             "share": f64::from(*own_states) / f64::from(states),
@@ -125,7 +133,10 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
             "loops": fate.loops(),
             "periods": fate.periods,
             "impacts": fate.impacts,
-            "lyapunov": lyapunov / units.time,
+            "followed": fate.followed,
+            "multipliers": multipliers.as_ref().map(eigenvalues),
+            "exponent": exponent.mean / units.time,
+            "exponent_error": exponent.error / units.time,
             "orbit": flights(own),
             "strikes": strikes.collect::<Vec<_>>(),
         })

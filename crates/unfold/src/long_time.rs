@@ -1,11 +1,13 @@
 //! What orbits come to in the long run: simulated motion after its transient.
 //!
 //! Diagrams, places of the plane and phase portraits all follow orbits by [`LongOrbit::follow`].
-//! Whether an orbit has settled is decided in one place, [`Recurrence::of`], from its impacts.
+//! Whether an orbit has settled is decided in one place: it has where Newton's method leads from it
+//! to a periodic solution beside it ([`Cycle`]) that attracts by its multipliers.
 
-mod lyapunov;
+mod cycle;
+mod derivative;
+mod exponent;
 mod orbit;
-mod recurrence;
 mod samples;
 
 use core::f64::consts::TAU;
@@ -14,8 +16,9 @@ use grazing_model::State;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
+pub use cycle::{Cycle, same_impact};
+pub use exponent::Exponent;
 pub use orbit::{Fate, Horizon, LONGEST_TRANSIENT, LongOrbit, MotionKind, Patience};
-pub use recurrence::{Recurrence, same_impact};
 pub use samples::{sampled, sampled_solution, time_of_phase};
 
 /// A random point of Π: x uniform between a lowest one and the wall, the phase uniform.

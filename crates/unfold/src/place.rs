@@ -12,8 +12,8 @@ use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 use crate::long_time::{
-    Fate, Horizon, LongOrbit, MotionKind, Patience, random_start, same_impact, sampled, sampled_solution,
-    time_of_phase,
+    Exponent, Fate, Horizon, LONGEST_TRANSIENT, LongOrbit, MotionKind, Patience, random_start, same_impact,
+    sampled, sampled_solution, time_of_phase,
 };
 use crate::progress::Progress;
 use crate::search;
@@ -41,9 +41,10 @@ pub struct Attractor {
     pub states: u32,
     /// What it is.
     pub fate: Fate,
-    /// The largest Lyapunov exponent, of the dimension of a reciprocal time; not a number where
-    /// motion rests or cannot be followed.
-    pub lyapunov: f64,
+    /// Its multipliers, if it is a cycle.
+    pub multipliers: Option<Multipliers>,
+    /// The largest Lyapunov exponent.
+    pub exponent: Exponent,
     /// Its flights, (t, x, y) along each; the phase is zero at t = 0.
     pub flights: Vec<Vec<[f64; 3]>>,
     /// Phase, in [0, 2π), and velocity of its impacts.
@@ -76,7 +77,7 @@ pub struct Starts {
 
 impl Default for Starts {
     fn default() -> Self {
-        let horizon = Horizon { transient: 400, counted: 64, patience: Patience::Drifting };
+        let horizon = Horizon { transient: 400, counted: 64, patience: Patience::Unsettled, longest: 5_000 };
         Self { states: 24, seed: 1, horizon, lowest: -2.0 }
     }
 }
@@ -98,7 +99,8 @@ const FASTEST: f64 = 2.5;
 const SLOWEST: f64 = BETWEEN_ORBITS * FASTEST;
 
 /// Motion from an attractor nearby has not far to go.
-const FOLLOWED: Horizon = Horizon { transient: 100, counted: 32, patience: Patience::Drifting };
+const FOLLOWED: Horizon =
+    Horizon { transient: 100, counted: 32, patience: Patience::Drifting, longest: LONGEST_TRANSIENT };
 
 impl Solution {
     fn of(equations: &LoopEquations, point: &Unknowns) -> Self {
@@ -115,22 +117,31 @@ impl Solution {
     }
 }
 
+/// The orbit from a state, judged where there is time.
+fn long_orbit(oscillator: &AnyOscillator, start: State, horizon: Horizon) -> LongOrbit {
+    let orbit = LongOrbit::follow(oscillator, start, horizon);
+    if horizon.patience == Patience::Unsettled { orbit.judged(oscillator) } else { orbit }
+}
+
 /// What is kept of an orbit from a state, to be compared with others.
 struct Outcome {
     start: State,
     fate: Fate,
     impacts: Vec<Vector2<f64>>,
-    /// The state at phase zero, and the highest point, of motion without impacts.
+    /// The state at phase zero of motion without impacts, and its highest point on a cycle.
     at_phase_zero: Option<State>,
     highest: f64,
 }
 
 impl Outcome {
     fn of(oscillator: &AnyOscillator, start: State, horizon: Horizon) -> Self {
-        let orbit = LongOrbit::follow(oscillator, start, horizon);
+        let orbit = long_orbit(oscillator, start, horizon);
         let at_phase_zero = orbit.at_phase_zero(oscillator);
-        let period = oscillator.forcing_period();
-        let highest = orbit.free().map_or(f64::NAN, |flight| highest(flight, period));
+        let highest = orbit.cycle.and_then(|cycle| {
+            let motion = oscillator.motion(cycle.from);
+            motion.highest_maximum(f64::from(cycle.periods) * oscillator.forcing_period())
+        });
+        let highest = highest.map_or(f64::NAN, |top| top.position);
         Self { start, fate: orbit.fate, impacts: orbit.impacts, at_phase_zero, highest }
     }
 
@@ -151,17 +162,10 @@ impl Outcome {
     }
 }
 
-/// The highest point of the last forcing period of a flight, as it is sampled.
-fn highest<M: Motion>(flight: &Flight<M>, period: f64) -> f64 {
-    let points = sampled(&flight.motion, 0.0, flight.duration, period);
-    let last = points.len().saturating_sub(200);
-    points[last..].iter().map(|point| point[1]).fold(f64::NEG_INFINITY, f64::max)
-}
-
 impl Attractor {
     /// What so many states come to, one of which this is.
     fn of(oscillator: &AnyOscillator, states: u32, start: State, horizon: Horizon) -> Self {
-        let orbit = LongOrbit::follow(oscillator, start, horizon);
+        let orbit = long_orbit(oscillator, start, horizon);
         let period = oscillator.forcing_period();
         let flights = match orbit.free_cycle(oscillator) {
             Some((from, periods)) => {
@@ -182,7 +186,8 @@ impl Attractor {
         Self {
             states,
             fate: orbit.fate,
-            lyapunov: orbit.lyapunov(oscillator),
+            multipliers: orbit.cycle.map(|cycle| cycle.multipliers),
+            exponent: orbit.exponent(oscillator),
             flights,
             strikes: orbit.impacts.iter().map(|impact| [turned(impact[1]), impact[0]]).collect(),
             state: free.or(orbit.flights.last().map(|flight| flight.from)).unwrap_or(start),

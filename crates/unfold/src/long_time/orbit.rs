@@ -1,23 +1,23 @@
 //! An orbit that is followed for a long time, and what it comes to.
 
-use grazing_model::motion::Motion;
 use grazing_model::orbit::{Flight, FlightEnd, Orbit, OrbitEnd};
 use grazing_model::phase::turned;
 use grazing_model::{AnyMotion, AnyOscillator, ImpactOscillator, State};
 use nalgebra::Vector2;
 
-use super::recurrence::Recurrence;
-use crate::tolerances::BETWEEN_ORBITS;
+use super::cycle::{Cycle, MOST_IMPACTS, MOST_PERIODS, cycle_lengths, state_at};
 
 /// What motion comes to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MotionKind {
-    /// Motion that does not reach the wall.
+    /// A periodic solution that does not reach the wall.
     NonImpacting,
-    /// Motion with impacts that comes again.
+    /// One with impacts.
     Periodic,
-    /// Motion with impacts that does not, as far as it was followed.
-    Aperiodic,
+    /// Neither, as far as it was followed.
+    Unsettled,
+    /// Neither, with a Lyapunov exponent that is positive and has converged.
+    Chaotic,
     /// It comes to rest at the wall for a while, or for good.
     Resting,
     /// It cannot be followed.
@@ -30,7 +30,8 @@ impl MotionKind {
         match self {
             Self::NonImpacting => "non-impacting",
             Self::Periodic => "periodic",
-            Self::Aperiodic => "aperiodic",
+            Self::Unsettled => "unsettled",
+            Self::Chaotic => "chaotic",
             Self::Resting => "resting",
             Self::Escaping => "escaping",
         }
@@ -46,8 +47,8 @@ pub struct Fate {
     pub periods: Option<u32>,
     /// Impacts in a forcing period, on average.
     pub impacts: f64,
-    /// How sure that is: whether its impacts have come again, or still drift.
-    pub recurrence: Recurrence,
+    /// The forcing periods for which it was followed.
+    pub followed: u32,
 }
 
 impl Fate {
@@ -67,10 +68,10 @@ impl Fate {
 /// What orbits are followed on for where they have not settled in time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Patience {
-    /// Those that drift.
+    /// Those that nearly come again.
     Drifting,
-    /// All whose impacts do not come again.
-    Aperiodic,
+    /// All.
+    Unsettled,
 }
 
 /// For how long an orbit is followed, in forcing periods.
@@ -82,21 +83,22 @@ pub struct Horizon {
     pub counted: u32,
     /// What is followed on.
     pub patience: Patience,
+    /// No motion is waited for longer than about so many.
+    pub longest: u32,
 }
 
-/// No motion is waited for longer than about so many forcing periods.
+/// For how long motion is waited for by default, in forcing periods.
 pub const LONGEST_TRANSIENT: u32 = 2_000;
-/// No orbit has more than a few impacts a period; sticking and chattering end it by themselves.
-const MOST_IMPACTS: usize = 1_000_000;
-/// Forcing periods of motion without impacts after which it is looked for again.
-pub(super) const MOST_PERIODS: u32 = 16;
 /// Flights that are shown of an orbit that does not come again.
 const SHOWN: usize = 40;
 
-/// An orbit after its transient, times being counted from the end of that.
+/// An orbit after its transient, times being counted from the end of that; on its cycle, if it has
+/// settled.
 pub struct LongOrbit {
     /// What it comes to.
     pub fate: Fate,
+    /// The cycle that it has come to.
+    pub cycle: Option<Cycle>,
     /// The flights that begin after the transient.
     pub flights: Vec<Flight<AnyMotion>>,
     /// The impacts (y, z) at which these end.
@@ -104,32 +106,54 @@ pub struct LongOrbit {
     /// The flight in which the transient ends, as long as none follows it.
     last: Option<Flight<AnyMotion>>,
     /// Its state when time is up, unless it came to rest at the wall or cannot be followed.
-    end: Option<State>,
+    pub(super) end: Option<State>,
 }
 
 impl LongOrbit {
     /// The orbit from a state, with a longer transient where it has not settled, as far as that is
     /// waited for.
     pub fn follow(oscillator: &AnyOscillator, mut from: State, horizon: Horizon) -> Self {
-        let Horizon { mut transient, counted, patience } = horizon;
-        let mut passed = 0;
+        let Horizon { mut transient, counted, patience, longest } = horizon;
+        let mut followed = 0;
         loop {
-            let orbit = Self::after_transient(oscillator, from, [transient, counted]);
-            passed += transient + counted;
-            let unsettled = !orbit.flights.is_empty()
-                && match orbit.fate.recurrence {
-                    Recurrence::Cycle(_) => false,
-                    Recurrence::Drift => true,
-                    Recurrence::None => patience == Patience::Aperiodic,
-                };
-            match orbit.end {
-                Some(end) if unsettled && passed < LONGEST_TRANSIENT => (from, transient) = (end, passed),
-                _ => return orbit,
+            let mut orbit = Self::after_transient(oscillator, from, [transient, counted]);
+            followed += transient + counted;
+            orbit.fate.followed = followed;
+            let Some(end) = orbit.end else { return orbit };
+            if let Some(cycle) = orbit.settled(oscillator) {
+                return Self::on_cycle(oscillator, cycle, [counted, followed]);
             }
+            let drifts = || orbit.impacts.is_empty() || cycle_lengths(&orbit.impacts).next().is_some();
+            if followed >= longest || patience == Patience::Drifting && !drifts() {
+                return orbit;
+            }
+            (from, transient) = (end, followed);
         }
     }
 
-    fn after_transient(oscillator: &AnyOscillator, from: State, [transient, counted]: [u32; 2]) -> Self {
+    fn settled(&self, oscillator: &AnyOscillator) -> Option<Cycle> {
+        match self.free_flight() {
+            Some(flight) => Cycle::without_impacts(oscillator, flight),
+            None => Cycle::with_impacts(oscillator, &self.flights, &self.impacts),
+        }
+    }
+
+    fn on_cycle(oscillator: &AnyOscillator, cycle: Cycle, [counted, followed]: [u32; 2]) -> Self {
+        let orbit = Self::after_transient(oscillator, cycle.from, [0, counted]);
+        let fate = Fate {
+            kind: if cycle.impacts == 0 { MotionKind::NonImpacting } else { MotionKind::Periodic },
+            periods: Some(cycle.periods),
+            impacts: cycle.impacts as f64 / f64::from(cycle.periods),
+            followed,
+        };
+        Self { fate, cycle: Some(cycle), ..orbit }
+    }
+
+    pub(super) fn after_transient(
+        oscillator: &AnyOscillator,
+        from: State,
+        [transient, counted]: [u32; 2],
+    ) -> Self {
         let period = oscillator.forcing_period();
         let transient = f64::from(transient) * period;
         let horizon = transient + f64::from(counted) * period;
@@ -141,49 +165,31 @@ impl LongOrbit {
         }
         let last = last.filter(|_| flights.is_empty());
         let impacts: Vec<Vector2<f64>> = flights.iter().filter_map(impact).collect();
-        let recurrence = Recurrence::of(&impacts);
-        let rate = impacts.len() as f64 / f64::from(counted);
-        let fate = |kind, periods, impacts| Fate { kind, periods, impacts, recurrence };
-        let (fate, end) = match orbit.end() {
-            Some(OrbitEnd::TimeIsUp(end)) if !end.position.is_finite() => {
-                (fate(MotionKind::Escaping, None, f64::NAN), None)
-            }
-            Some(OrbitEnd::TimeIsUp(end)) => {
-                let fate = match recurrence {
-                    Recurrence::Cycle(cycle) => {
-                        let time = flights[cycle].start - flights[0].start;
-                        let periods = libm::round(time / period).max(1.0);
-                        fate(MotionKind::Periodic, Some(periods as u32), cycle as f64 / periods)
-                    }
-                    _ if impacts.is_empty() => {
-                        let free = flights.last().or(last.as_ref());
-                        let periods = free.and_then(|flight| free_periods(flight, period));
-                        fate(MotionKind::NonImpacting, periods, 0.0)
-                    }
-                    _ => fate(MotionKind::Aperiodic, None, rate),
-                };
-                (fate, Some(end))
-            }
-            _ => (fate(MotionKind::Resting, None, rate), None),
+        let (kind, end) = match orbit.end() {
+            Some(OrbitEnd::TimeIsUp(end)) if end.position.is_finite() => (MotionKind::Unsettled, Some(end)),
+            Some(OrbitEnd::TimeIsUp(_)) => (MotionKind::Escaping, None),
+            _ => (MotionKind::Resting, None),
         };
-        Self { fate, flights, impacts, last, end }
+        let rate = impacts.len() as f64 / f64::from(counted);
+        let fate = Fate { kind, periods: None, impacts: rate, followed: 0 };
+        Self { fate, cycle: None, flights, impacts, last, end }
     }
 
-    /// The flight in which motion without impacts is when time is up.
-    pub fn free(&self) -> Option<&Flight<AnyMotion>> {
+    /// The flight in which motion is that has no impact after the transient.
+    pub(super) fn free_flight(&self) -> Option<&Flight<AnyMotion>> {
         let free = self.flights.last().or(self.last.as_ref());
-        free.filter(|_| self.fate.kind == MotionKind::NonImpacting)
+        free.filter(|_| self.impacts.is_empty() && self.end.is_some())
     }
 
     /// The state at the end of the transient, where no impact follows.
     pub fn free_state(&self, oscillator: &AnyOscillator) -> Option<State> {
-        let flight = self.last.as_ref().filter(|_| self.end.is_some())?;
-        Some(state_at(oscillator, flight, -flight.start))
+        let flight = self.free_flight()?;
+        Some(state_at(oscillator, flight, (-flight.start).max(0.0)))
     }
 
     /// The state of motion without impacts when it has last passed phase zero.
     pub fn at_phase_zero(&self, oscillator: &AnyOscillator) -> Option<State> {
-        let flight = self.free()?;
+        let flight = self.free_flight()?;
         let frequency = oscillator.forcing_frequency().value;
         // The last whole turn of the flight.
         let phase = flight.from.phase + frequency * flight.duration;
@@ -202,10 +208,10 @@ impl LongOrbit {
     /// The state from which motion without impacts comes again, or some periods of it, and for how
     /// many it is followed.
     pub fn free_cycle(&self, oscillator: &AnyOscillator) -> Option<(State, f64)> {
-        let flight = self.free()?;
+        let flight = self.free_flight()?;
         let periods = f64::from(self.fate.periods.unwrap_or(MOST_PERIODS));
         let period = oscillator.forcing_period();
-        Some((state_at(oscillator, flight, flight.duration - periods * period), periods))
+        Some((state_at(oscillator, flight, (flight.duration - periods * period).max(0.0)), periods))
     }
 }
 
@@ -215,24 +221,4 @@ fn impact<M>(flight: &Flight<M>) -> Option<Vector2<f64>> {
         FlightEnd::Impact(impact) => Some(Vector2::new(impact.velocity, impact.phase)),
         FlightEnd::TimeIsUp(_) => None,
     }
-}
-
-/// The state at a time from the beginning of a flight.
-pub(super) fn state_at(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>, time: f64) -> State {
-    let phase = flight.from.phase + oscillator.forcing_frequency().value * time;
-    flight.motion.at(time).state(phase)
-}
-
-/// The forcing periods after which motion without impacts comes again, after the transient.
-fn free_periods<M: Motion>(flight: &Flight<M>, period: f64) -> Option<u32> {
-    let start = (-flight.start).max(0.0);
-    let state = |time: f64| {
-        let here = flight.motion.at(time);
-        Vector2::new(here.position, here.velocity * period)
-    };
-    let first = state(start);
-    (1..=MOST_PERIODS).find(|periods| {
-        let time = start + f64::from(*periods) * period;
-        time <= flight.duration && (state(time) - first).norm() < BETWEEN_ORBITS
-    })
 }

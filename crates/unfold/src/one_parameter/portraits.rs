@@ -9,7 +9,8 @@ use rayon::prelude::*;
 
 use super::branches::Branch;
 use crate::long_time::{
-    Horizon, LongOrbit, Patience, Recurrence, random_start, same_impact, sampled, sampled_solution,
+    Horizon, LONGEST_TRANSIENT, LongOrbit, MotionKind, Patience, random_start, same_impact, sampled,
+    sampled_solution,
 };
 use crate::progress::Progress;
 use crate::tolerances::{BETWEEN_ORBITS, BETWEEN_WANDERING_ORBITS};
@@ -81,7 +82,7 @@ impl Scene<'_> {
     /// or comes to rest at the wall.
     fn of(&self, place: u128, subject: &Subject) -> Vec<Portrait> {
         let (all, patience) = match subject.loops {
-            None => (true, Patience::Aperiodic),
+            None => (true, Patience::Unsettled),
             // Any part of an orbit that wanders about shows it.
             Some(_) => (false, Patience::Drifting),
         };
@@ -127,7 +128,12 @@ impl Scene<'_> {
         let (mut aperiodic, mut free_known) = (false, !free.is_empty());
         // None of the numbers of the grid.
         let mut random = Pcg64::new(u128::from(self.seed), (place + 1) << 64);
-        let horizon = Horizon { transient: self.transient, counted: ATTRACTOR_PERIODS, patience };
+        let horizon = Horizon {
+            transient: self.transient,
+            counted: ATTRACTOR_PERIODS,
+            patience,
+            longest: LONGEST_TRANSIENT,
+        };
         for _ in 0..STARTS {
             let start = random_start(self.lowest, &mut random);
             let orbit = LongOrbit::follow(&oscillator, start, horizon);
@@ -150,7 +156,7 @@ impl Scene<'_> {
                 continue;
             }
             let known_already = seen.iter().any(|other| near(other, &impacts) && near(&impacts, other));
-            let periodic = matches!(fate.recurrence, Recurrence::Cycle(_));
+            let periodic = fate.kind == MotionKind::Periodic;
             if known_already || !periodic && core::mem::replace(&mut aperiodic, true) {
                 continue;
             }

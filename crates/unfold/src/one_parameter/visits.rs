@@ -61,7 +61,7 @@ fn long_time_visits(
     random: &mut Pcg64,
 ) -> Vec<f64> {
     let (transient, counted) = (sampling.transient, sampling.recorded);
-    let horizon = Horizon { transient, counted, patience: Patience::Drifting };
+    let horizon = Horizon { transient, counted, patience: Patience::Drifting, longest: LONGEST_TRANSIENT };
     let orbit = LongOrbit::follow(oscillator, random_start(lowest, random), horizon);
     if let Some(state) = orbit.free_state(oscillator) {
         return highest_points(oscillator, state, counted);

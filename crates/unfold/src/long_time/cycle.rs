@@ -1,0 +1,189 @@
+//! What shows that an orbit has settled: a cycle that attracts, found from it.
+
+use core::f64::consts::TAU;
+
+use grazing_continuation::mps::Multipliers;
+use grazing_model::motion::Motion;
+use grazing_model::orbit::{Flight, FlightEnd, Orbit};
+use grazing_model::{AnyMotion, AnyOscillator, ImpactOscillator, State, flow_variable};
+use nalgebra::{Matrix2, Vector2};
+
+use super::derivative::from_impact_to_impact;
+use crate::tolerances::BETWEEN_ORBITS;
+
+/// Motion that comes again to within this may be about to settle.
+const NEARLY: f64 = 0.1;
+/// No cycle is looked for that has more impacts.
+const LONGEST_CYCLE: usize = 24;
+/// No cycle without impacts is looked for that takes more forcing periods.
+pub(super) const MOST_PERIODS: u32 = 16;
+/// No orbit has more than a few impacts a period; sticking and chattering end it by themselves.
+pub(super) const MOST_IMPACTS: usize = 1_000_000;
+/// Newton's method converges within a few steps from what is about to settle.
+const STEPS: u32 = 12;
+/// What it leaves.
+const SOLVED: f64 = 1e-11;
+
+/// A periodic solution that attracts, with impacts or without.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cycle {
+    /// A state of it: on the incoming set, before an impact, if there is one.
+    pub from: State,
+    /// Its impacts; 0 for motion without.
+    pub impacts: usize,
+    /// The forcing periods that it takes.
+    pub periods: u32,
+    /// Its multipliers, over that time.
+    pub multipliers: Multipliers,
+}
+
+impl Cycle {
+    /// The cycle to which an orbit comes that ends with these flights, if its last impacts nearly
+    /// come again, and Newton's method leads from them to a cycle beside them that attracts.
+    pub(super) fn with_impacts(
+        oscillator: &AnyOscillator,
+        flights: &[Flight<AnyMotion>],
+        impacts: &[Vector2<f64>],
+    ) -> Option<Self> {
+        let longest = flights.iter().map(|flight| flight.duration).sum();
+        cycle_lengths(impacts).find_map(|count| {
+            let before = &impacts[impacts.len() - count..];
+            Self::beside(oscillator, before, longest)
+        })
+    }
+
+    /// The cycle of as many impacts beside these, once round which takes no longer than so long.
+    fn beside(oscillator: &AnyOscillator, before: &[Vector2<f64>], longest: f64) -> Option<Self> {
+        let count = before.len();
+        let round = |impact| Round::of(oscillator, impact, count, longest);
+        let (from, Round { derivative, periods, .. }) = solved(*before.last()?, 1.0, round)?;
+        // The last one is that from which a round begins, and with which it ends.
+        let on_cycle = round(from)?.impacts;
+        let beside = on_cycle.iter().zip(before).all(|(a, b)| same_impact(BETWEEN_ORBITS, a, b));
+        beside.then_some(())?;
+        let from = State::on_wall(from[0], from[1]);
+        Self { from, impacts: count, periods, multipliers: multipliers(&derivative) }.if_attracting()
+    }
+
+    /// The cycle without impacts to which a flight comes that counts from time zero on, likewise.
+    pub(super) fn without_impacts(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>) -> Option<Self> {
+        (1..=MOST_PERIODS).find_map(|periods| Self::of_free(oscillator, flight, periods))
+    }
+
+    fn of_free(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>, periods: u32) -> Option<Self> {
+        let period = oscillator.forcing_period();
+        let duration = f64::from(periods) * period;
+        // A flight that ends with the time that counts may be shorter by rounding.
+        if duration > (flight.duration + flight.start.min(0.0)) * (1.0 + f64::EPSILON * 8.0) {
+            return None;
+        }
+        let point = |time: f64| {
+            let state = state_at(oscillator, flight, time);
+            (Vector2::new(state.position, state.velocity), state.phase)
+        };
+        let ((last, phase), (before, _)) = (point(flight.duration), point(flight.duration - duration));
+        let distance = |a: &Vector2<f64>, b: &Vector2<f64>| libm::hypot(a[0] - b[0], (a[1] - b[1]) * period);
+        (distance(&last, &before) < NEARLY).then_some(())?;
+        let state = |at: Vector2<f64>| State { position: at[0], velocity: at[1], phase };
+        let round = |at: Vector2<f64>| {
+            let flow = oscillator.flow::<1>(state(at), duration);
+            let derivative = flow.jacobian.fixed_columns::<2>(flow_variable::POSITION).into_owned();
+            Some(Round { image: flow.value, derivative, periods, impacts: Vec::new() })
+        };
+        let (at, Round { derivative, .. }) = solved(last, period, round)?;
+        let clear =
+            oscillator.motion(state(at)).highest_maximum(duration).is_none_or(|top| top.position < 0.0);
+        (clear && distance(&at, &last) < BETWEEN_ORBITS).then_some(())?;
+        Self { from: state(at), impacts: 0, periods, multipliers: multipliers(&derivative) }.if_attracting()
+    }
+
+    fn if_attracting(self) -> Option<Self> {
+        self.multipliers.stable().then_some(self)
+    }
+
+    /// The mean rate at which small displacements from it grow, which is negative: the logarithm of
+    /// its larger multiplier over its time.
+    pub(super) fn exponent(&self, period: f64) -> f64 {
+        let Multipliers { trace, determinant } = self.multipliers;
+        let square = 0.25 * trace * trace - determinant;
+        let modulus = if square < 0.0 { determinant.sqrt() } else { 0.5 * trace.abs() + square.sqrt() };
+        libm::log(modulus) / (f64::from(self.periods) * period)
+    }
+}
+
+fn multipliers(derivative: &Matrix2<f64>) -> Multipliers {
+    Multipliers { trace: derivative.trace(), determinant: derivative.determinant() }
+}
+
+/// Once round what may be a cycle.
+struct Round {
+    image: Vector2<f64>,
+    derivative: Matrix2<f64>,
+    periods: u32,
+    /// The impacts on the way, the last of which is the image.
+    impacts: Vec<Vector2<f64>>,
+}
+
+impl Round {
+    /// From an impact (y, z) to the one that is so many later, its phase counted from that of the
+    /// first, within the longest time.
+    fn of(oscillator: &AnyOscillator, from: Vector2<f64>, count: usize, longest: f64) -> Option<Self> {
+        let mut impact = State::on_wall(from[0], from[1]);
+        let (mut derivative, mut time) = (Matrix2::identity(), 0.0);
+        let mut impacts = Vec::with_capacity(count);
+        for flight in Orbit::new(oscillator, impact, longest, MOST_IMPACTS).take(count) {
+            let FlightEnd::Impact(next) = flight.end else { return None };
+            derivative = from_impact_to_impact(oscillator, impact, &flight) * derivative;
+            time = flight.start + flight.duration;
+            impacts.push(Vector2::new(next.velocity, next.phase));
+            impact = next;
+        }
+        (impacts.len() == count).then_some(())?;
+        let periods = libm::round(time / oscillator.forcing_period()).max(1.0);
+        let turn = libm::remainder(impact.phase - from[1], TAU);
+        let image = Vector2::new(impact.velocity, from[1] + turn);
+        Some(Self { image, derivative, periods: periods as u32, impacts })
+    }
+}
+
+/// The fixed point of a map near a point, and the round from it; differences of the second
+/// coordinate count by a scale.
+fn solved(
+    mut at: Vector2<f64>,
+    scale: f64,
+    round: impl Fn(Vector2<f64>) -> Option<Round>,
+) -> Option<(Vector2<f64>, Round)> {
+    let begin = at;
+    for _ in 0..STEPS {
+        let there = round(at)?;
+        let step = (Matrix2::identity() - there.derivative).try_inverse()? * (there.image - at);
+        at += step;
+        let size = |by: Vector2<f64>| libm::hypot(by[0], by[1] * scale);
+        if !(size(at - begin) < NEARLY) {
+            return None;
+        }
+        if size(step) < SOLVED {
+            return Some((at, there));
+        }
+    }
+    None
+}
+
+/// The numbers of impacts after which impacts (y, z) nearly come again, the least first.
+pub(super) fn cycle_lengths(impacts: &[Vector2<f64>]) -> impl Iterator<Item = usize> {
+    let nearly =
+        |length: &usize| impacts.iter().zip(&impacts[*length..]).all(|(a, b)| same_impact(NEARLY, a, b));
+    (1..=LONGEST_CYCLE.min(impacts.len() / 2)).filter(nearly)
+}
+
+/// The state at a time from the beginning of a flight.
+pub(super) fn state_at(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>, time: f64) -> State {
+    let phase = flight.from.phase + oscillator.forcing_frequency().value * time;
+    flight.motion.at(time).state(phase)
+}
+
+/// Whether two impacts (y, z) are no farther apart than this, in y counted in y where that is above
+/// one.
+pub fn same_impact(distance: f64, a: &Vector2<f64>, b: &Vector2<f64>) -> bool {
+    (a[0] - b[0]).abs() <= distance * a[0].max(1.0) && libm::remainder(a[1] - b[1], TAU).abs() <= distance
+}
