@@ -11,6 +11,8 @@ import * as state from "./state.js";
 /** States from which the attractors are sought: fewer while a hand moves. */
 const STATES = { live: 6, rest: 24 };
 const LIVE = { pause: 30, patience: 1000 };
+/** For how many forcing periods motion is followed, while a hand moves, that does not settle. */
+const LIVE_PERIODS = 500;
 const RESTS = 180;
 /** An answer that takes more milliseconds than this makes less than 20 a second. */
 const SLOW = 45;
@@ -24,10 +26,11 @@ function speak(words) {
   speaking = setTimeout(() => ($("announce").textContent = words), SPEAKS);
 }
 
-const KINDS = { "non-impacting": "No impacts", aperiodic: "Aperiodic, perhaps chaos", resting: "Rests at the wall", escaping: "Escapes" };
+const KINDS = { "non-impacting": "No impacts", chaotic: "Chaos", resting: "Rests at the wall", escaping: "Escapes" };
 
 /** An attractor in words. */
-function nameOf({ kind, periods, impacts, loops }) {
+function nameOf({ kind, periods, impacts, loops, waited }) {
+  if (kind === "unsettled") return `Not settled after ${waited} periods`;
   if (kind === "non-impacting" && periods > 1) return `No impacts, ${count(periods, "period")}`;
   if (kind !== "periodic") return KINDS[kind] ?? kind;
   if (loops) return `MPS, ${count(loops, "loop")}`;
@@ -107,6 +110,8 @@ class Card {
   body_(live) {
     const value = state.get();
     const body = { model: modelOf(value), at: value[this.key], states: live ? STATES.live : STATES.rest, orbits: true };
+    if (live) body.periods = LIVE_PERIODS;
+    else if (this.longer?.of === JSON.stringify([body.model, body.at])) body.periods = this.longer.periods;
     // Where it takes too long to look for everything, only what is known is followed while a hand moves.
     if (live && this.answer && this.slow && this.known === knownAs(body)) {
       const solutions = this.answer.solutions.filter(({ p }) => p > 0).map(({ p, velocity, phase }) => [p, velocity, phase]);
@@ -158,8 +163,10 @@ class Card {
       share.style.width = `${100 * each.share}%`;
       share.style.background = inks[index];
       const rates = each.kind === "non-impacting" ? [] : [`${number(each.impacts, 3)} ${each.impacts === 1 ? "impact" : "impacts"} a period`];
-      const exponent = each.lyapunov === null ? [] : [rates.length ? " · " : "", make("span", { title: "Largest Lyapunov exponent, in 1/time" }, make("i", {}, "λ"), ` = ${number(each.lyapunov, 3)}`)];
-      return make("li", {}, swatch, make("span", { class: "name" }, nameOf(each)), make("b", { title: "Share of the states that end there" }, percent(each.share)), make("span", { class: "track", "aria-hidden": "true" }, share), make("span", { class: "detail" }, ...rates, ...exponent));
+      const sure = each.exponent_error > 0 ? ` ± ${number(each.exponent_error, 1)}` : "";
+      const exponent = each.exponent === null ? [] : [rates.length ? " · " : "", make("span", { title: "Largest Lyapunov exponent, in 1/time: displacements grow like exp(λt)" }, make("i", {}, "λ"), ` = ${number(each.exponent, 3)}${sure}`)];
+      const on = each.kind === "unsettled" ? [" ", make("button", { type: "button", class: "small", title: "Follow it four times as long", onclick: () => this.goOn(4 * each.waited) }, "Go on")] : [];
+      return make("li", {}, swatch, make("span", { class: "name" }, nameOf(each)), make("b", { title: "Share of the states that end there" }, percent(each.share)), make("span", { class: "track", "aria-hidden": "true" }, share), make("span", { class: "detail" }, ...rates, ...exponent, ...on));
     });
     this.attractors.replaceChildren(...(rows.length ? rows : [make("li", {}, "No attractor was found.")]));
     const mark = (yes) => make("td", { class: yes ? "good" : "muted" }, yes ? "yes" : "no");
@@ -179,6 +186,13 @@ class Card {
     this.draw();
   }
 
+  /** Follows what has not settled for longer. */
+  goOn(periods) {
+    const { model, at } = this.body_(false);
+    this.longer = { of: JSON.stringify([model, at]), periods };
+    this.request(false);
+  }
+
   toggle(key) {
     if (!this.drawn.delete(key)) this.drawn.add(key);
     this.show();
@@ -189,7 +203,7 @@ class Card {
     const { attractors, solutions, wall, period } = this.answer;
     const inks = attractorInks(attractors);
     const keys = keysOf(solutions);
-    const moving = attractors.map(({ orbit, kind, periods }, index) => ({ orbit: orbit ?? [], ink: inks[index], wide: kind === "aperiodic" ? 0.7 : 1.4, periods, repeats: Boolean(periods) }));
+    const moving = attractors.map(({ orbit, periods }, index) => ({ orbit: orbit ?? [], ink: inks[index], wide: periods ? 1.4 : 0.7, periods, repeats: Boolean(periods) }));
     const extra = solutions.filter((_, index) => this.drawn.has(keys[index])).map(({ orbit, p, stable }) => ({ orbit: orbit ?? [], ink: branchInk(p), wide: 1.4, dashed: !stable, periods: p || 1, repeats: true }));
     drawPortraits(this, { orbits: [...moving, ...extra], strikes: attractors.map((each, index) => ({ strikes: each.strikes ?? [], ink: inks[index] })), wall, period });
   }

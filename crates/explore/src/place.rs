@@ -133,7 +133,7 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
             "loops": fate.loops(),
             "periods": fate.periods,
             "impacts": fate.impacts,
-            "followed": fate.followed,
+            "waited": fate.followed,
             "multipliers": multipliers.as_ref().map(eigenvalues),
             "exponent": exponent.mean / units.time,
             "exponent_error": exponent.error / units.time,
