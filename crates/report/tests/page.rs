@@ -50,6 +50,17 @@ fn the_page_answers_to_pointer_keys_and_filters() {
 }
 
 #[test]
+fn links_lead_to_where_they_say() {
+    let mut report = sample::report();
+    // As long as that about the paper.
+    report.claims = (0..60).flat_map(|_| report.claims.clone()).collect();
+    if let Some((lost, followed)) = browser::lost(&page(&report), &[1400, 768, 390]) {
+        assert!(followed >= 6 * 8, "{followed}");
+        assert!(lost.is_empty(), "{lost:#?}");
+    }
+}
+
+#[test]
 fn the_page_can_be_printed() {
     if let Some(sheets) = sheets_of_paper(&page(&sample::report())) {
         // Each of its eight sections begins on a sheet of its own; none is long.

@@ -54,6 +54,63 @@ pub(crate) fn checked(page: &str, spots: &[Spot<'_>], formulas: &[(&str, &str)])
     Some(results.as_str().expect("it is text").lines().map(str::to_owned).collect())
 }
 
+/// Follows every link of the list of sections, and those to figures, in windows of these widths,
+/// with smooth scrolling and without, and opens the address of each; returns what did not land
+/// where it should, and the number of links; nothing where there is no browser.
+pub(crate) fn lost(page: &str, widths: &[u32]) -> Option<(Vec<String>, usize)> {
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let file = folder.path().join("page.html");
+    fs::write(&file, page).expect("the folder is ours");
+    let address = format!("file://{}", file.display());
+    let (mut lost, mut followed) = (Vec::new(), 0);
+    for (width, motion) in widths.iter().flat_map(|width| [(*width, "no-preference"), (*width, "reduce")]) {
+        let mut browser = Browser::open(&address, [width, WINDOW[1]])?;
+        browser.prefer("prefers-reduced-motion", motion);
+        browser.wait("document.readyState === 'complete' && document.fonts.status === 'loaded'");
+        let found = browser.value(&format!("({LINKS})()"));
+        let links: Vec<&str> = found.as_array()?.iter().filter_map(|link| link.as_str()).collect();
+        followed += links.len();
+        for link in links {
+            for way in if motion == "reduce" { &["click", "address"][..] } else { &["click"] } {
+                if *way == "address" {
+                    browser.go(&format!("{address}{link}"));
+                    browser.wait("document.readyState === 'complete' && document.fonts.status === 'loaded'");
+                }
+                let landed =
+                    browser.value(&format!("({LANDED})({link:?}, {:?}, {PATIENCE})", *way == "click"));
+                if landed != true {
+                    lost.push(format!("{link} by {way} at {width}, {motion}: {landed}"));
+                }
+            }
+        }
+    }
+    Some((lost, followed))
+}
+
+/// The addresses of sections and of figures, each once.
+const LINKS: &str = "() => [...new Set([...document.querySelectorAll('.bar nav a, main a[href^=\"#fig\"]')]
+    .map((link) => link.getAttribute('href')))]";
+/// Follows a link, if it is to be clicked, until its target stands where it should and stays there;
+/// otherwise how many pixels it is off.
+const LANDED: &str = "async (link, click, patience) => {
+    const target = document.querySelector(link);
+    if (click) [...document.querySelectorAll(`a[href=\"${link}\"]`)].at(-1).click();
+    const px = (element, name) => parseFloat(getComputedStyle(element)[name]) || 0;
+    const off = () => {
+        const wanted = px(document.documentElement, 'scrollPaddingTop') + px(target, 'scrollMarginTop');
+        const end = document.documentElement.scrollHeight - innerHeight;
+        const top = target.getBoundingClientRect().top;
+        return Math.max(-scrollY, Math.min(end - scrollY, top - wanted));
+    };
+    const frame = () => new Promise((done) => requestAnimationFrame(done));
+    let still = 0;
+    for (const began = performance.now(); still < 10 && performance.now() - began < patience; ) {
+        still = Math.abs(off()) < 5 ? still + 1 : 0;
+        await frame();
+    }
+    return still === 10 || off();
+}";
+
 /// How many pages the page has on paper; nothing where there is no browser.
 pub(crate) fn sheets_of_paper(page: &str) -> Option<usize> {
     let (_folder, mut browser) = open(page)?;

@@ -229,7 +229,7 @@ fn places_tell_solutions_and_what_random_states_come_to() {
     let quiet = at([0.05, 0.8]);
     let attractors = quiet["attractors"].as_array().unwrap();
     assert_eq!((attractors.len(), attractors[0]["kind"].as_str()), (1, Some("non-impacting")));
-    assert!((attractors[0]["lyapunov"].as_f64().unwrap() + 0.02).abs() < 2e-3, "{}", attractors[0]);
+    assert!((attractors[0]["exponent"].as_f64().unwrap() + 0.02).abs() < 1e-9, "{}", attractors[0]);
     // Solutions that are stable and admissible attract somebody, with their own impact.
     let busy = at([0.9, 0.8]);
     let solutions = busy["solutions"].as_array().unwrap();
