@@ -1,5 +1,5 @@
 //! The list of the files of one run, written after them. By it the next run knows which files are
-//! its to replace, whether they are of one run, and whether that run was cut off.
+//! its to replace, whether they are of one run, and whether that run is incomplete.
 
 use std::fmt::Write;
 use std::path::{Component, Path, PathBuf};
@@ -12,7 +12,7 @@ use crate::terminal;
 
 /// The list, in the folder of results: lines that `sha256sum --check` reads.
 pub(crate) const MANIFEST: &str = "manifest.sha256";
-/// Where what a run has that was cut off goes if the folder holds the results of one that was not.
+/// Where what is incomplete goes if the folder holds whole results.
 const UNFINISHED: &str = "unfinished";
 
 /// What stands at the top of the list.
