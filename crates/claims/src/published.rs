@@ -1,8 +1,11 @@
 //! The numbers that the paper prints, held against computed ones.
 //!
-//! They stand in `expected/published.toml` with the digits of the print, and only there.
+//! They stand in `expected/published.toml` with the digits of the print. No Rust file has one of
+//! more than two digits, and none but tests and benchmarks the damping ratio and the restitution,
+//! which have fewer, side by side: those are read from `figures/parameters.toml` or an example.
 
 use std::collections::BTreeMap;
+use std::fmt;
 use std::sync::LazyLock;
 
 use serde::Deserialize;
@@ -81,6 +84,59 @@ impl Comparison<'_> {
     /// Computed minus printed value.
     pub fn difference(&self) -> Option<f64> {
         Some(self.computed? - self.published.number())
+    }
+}
+
+/// How many published values are met: those that are computed, and apart from them those that the
+/// parameters give back.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// Computed ones that are met.
+    pub met: usize,
+    /// Computed ones.
+    pub computed: usize,
+    /// Parameters that are the printed ones.
+    pub inputs_met: usize,
+    /// Parameters.
+    pub inputs: usize,
+}
+
+impl Tally {
+    /// Counts what is met.
+    pub fn of(comparisons: &[Comparison<'_>]) -> Self {
+        let mut tally = Self::default();
+        for comparison in comparisons {
+            let (met, all) = if comparison.is_input() {
+                (&mut tally.inputs_met, &mut tally.inputs)
+            } else {
+                (&mut tally.met, &mut tally.computed)
+            };
+            *met += usize::from(comparison.is_met());
+            *all += 1;
+        }
+        tally
+    }
+
+    /// Whether all are met, and any is computed.
+    pub fn is_complete(&self) -> bool {
+        self.computed > 0 && (self.met, self.inputs_met) == (self.computed, self.inputs)
+    }
+}
+
+impl fmt::Display for Tally {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { met, computed, inputs_met, inputs } = self;
+        if self.is_complete() {
+            write!(
+                formatter,
+                "All {computed} computed published values are met; {inputs} more are parameters"
+            )
+        } else {
+            write!(
+                formatter,
+                "{met} of {computed} computed published values are met, and {inputs_met} of {inputs} that are parameters"
+            )
+        }
     }
 }
 

@@ -1,9 +1,11 @@
 //! A claim's `holds` names items of the crates that its check calls: found in the source of the
 //! check and of the functions that it reaches.
 //!
-//! Source is read as text. A free function is called where its name stands before `(` or `::<`, or
-//! after `::`; of a type's items the name stands after `.` or `::`, and the type's own name, or that
+//! Source is read as text, without comments and quotations. A free function is called where its name
+//! stands before `(` or `::<`, or after `::`, in a file that has no function of that name itself; of a type's items the name stands after `.` or `::`, and the type's own name, or that
 //! of something that is declared to be of the type, stands anywhere, as a type's own name does.
+
+mod files;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -12,19 +14,32 @@ use std::path::{Path, PathBuf};
 use grazing_claims::ledger::Ledger;
 use grazing_claims::source::Sources;
 
+use crate::files::rust_files;
+
 /// The functions of some files, by name: the file and the words that stand in them, also with what
 /// shows their use ([`used`]).
 type Functions = BTreeMap<String, Vec<(PathBuf, BTreeSet<String>)>>;
 
-fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(folder).expect("a folder of the project") {
-        let path = entry.expect("an entry").path();
-        if path.is_dir() {
-            rust_files(&path, found);
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
-            found.push(path);
+/// The text without comments and without what stands between quotation marks.
+fn code(text: &str) -> String {
+    let (mut code, mut rest) = (String::new(), text);
+    while let Some(at) = rest.find(['"', '/']) {
+        let (before, after) = rest.split_at(at);
+        code.push_str(before);
+        rest = &after[1..];
+        if after.starts_with("//") {
+            rest = after.find('\n').map_or("", |end| &after[end..]);
+        } else if after.starts_with('"') && !before.ends_with('\'') {
+            let mut escaped = false;
+            let end = rest.find(|c| {
+                let is_end = c == '"' && !escaped;
+                escaped = c == '\\' && !escaped;
+                is_end
+            });
+            rest = end.map_or("", |end| &rest[end + 1..]);
         }
     }
+    code + rest
 }
 
 fn is_of_word(character: char) -> bool {
@@ -73,8 +88,7 @@ fn names_of_types(files: &[(String, String)]) -> BTreeMap<String, BTreeSet<Strin
     };
     let first = |declared: &str| declared.split(|c| !is_of_word(c)).next().unwrap_or_default().to_owned();
     for (_, text) in files {
-        let code: Vec<&str> = text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect();
-        let code = code.join(" ");
+        let code = code(text).replace('\n', " ");
         // `name: Type`, `fn name(..) -> Type {` and `type Name = Type;`.
         for (at, _) in code.match_indices(": ") {
             let name = code[..at].rsplit(|c| !is_of_word(c)).next().unwrap_or_default();
@@ -147,8 +161,7 @@ fn functions(folders: &[PathBuf]) -> Functions {
     let mut functions = Functions::new();
     for file in files {
         let text = fs::read_to_string(&file).expect("a source file");
-        let code: Vec<&str> = text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect();
-        let code = code.join("\n");
+        let code = code(&text);
         for (start, _) in code.match_indices("fn ") {
             let rest = &code[start + 3..];
             let name: String = rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
@@ -171,11 +184,12 @@ fn functions(folders: &[PathBuf]) -> Functions {
     functions
 }
 
-/// All words in a function and in those of the crate that it calls.
+/// All words in a function and in those of the crate that it calls, with the files in which they
+/// stand.
 ///
 /// A name is that of a function in the same file, or of the only one elsewhere: names that several
 /// files use decide nothing.
-fn reached(functions: &Functions, file: &Path, name: &str) -> BTreeSet<String> {
+fn reached(functions: &Functions, file: &Path, name: &str) -> BTreeMap<String, BTreeSet<PathBuf>> {
     let called = |from: &Path, name: &str| {
         let all: Vec<_> = functions.get(name).into_iter().flatten().collect();
         let here: Vec<_> = all.iter().copied().filter(|(place, _)| place.ends_with(from)).collect();
@@ -191,7 +205,21 @@ fn reached(functions: &Functions, file: &Path, name: &str) -> BTreeSet<String> {
             }
         }
     }
-    seen.into_iter().map(|(_, word)| word.clone()).collect()
+    let mut places: BTreeMap<String, BTreeSet<PathBuf>> = BTreeMap::new();
+    for (place, word) in seen {
+        places.entry(word.clone()).or_default().insert(place.clone());
+    }
+    places
+}
+
+/// Whether an item is used in one of these files at least that has no function of its name itself.
+fn is_called(functions: &Functions, places: &BTreeMap<String, BTreeSet<PathBuf>>, item: &str) -> bool {
+    let used = used(item);
+    let own: Vec<&PathBuf> = used
+        .strip_suffix('(')
+        .and_then(|name| functions.get(name))
+        .map_or(Vec::new(), |own| own.iter().map(|(place, _)| place).collect());
+    places.get(&used).is_some_and(|places| places.iter().any(|place| !own.contains(&place)))
 }
 
 #[test]
@@ -227,15 +255,29 @@ fn what_a_claim_says_that_holds_it_is_called_by_its_check() {
             if !is_defined(&sources, &files, item) {
                 missing.push(format!("{}: {item} is not defined there", claim.label));
             }
-            if !reached.contains(&used(item)) {
+            if !is_called(&functions, &reached, item) {
                 missing.push(format!("{} ({check}): {item} is not called", claim.label));
             }
             let Some(owner) = owner(item) else { continue };
-            let is_there = names.get(owner).is_some_and(|names| !names.is_disjoint(&reached));
-            if !(reached.contains(owner) || is_there) {
+            let of_type = names.get(owner).into_iter().flatten();
+            if !of_type.chain([&owner.to_owned()]).any(|name| reached.contains_key(name)) {
                 missing.push(format!("{} ({check}): there is no {owner} to call {item} of", claim.label));
             }
         }
     }
     assert!(missing.is_empty(), "{} wrong:\n{}", missing.len(), missing.join("\n"));
+}
+
+#[test]
+fn what_is_only_named_or_is_of_the_file_itself_is_not_called() {
+    let text = "{ // detuning(x)\n(\"detuning(\\\"y)\", '\"', detune(x), \"\")";
+    let found = words(&code(text));
+    assert!(found.contains("detune(") && !found.contains("detuning("), "{found:?}");
+    let [own, other] = ["own.rs", "other.rs"].map(PathBuf::from);
+    let functions = Functions::from([("detuning".to_owned(), vec![(own.clone(), BTreeSet::new())])]);
+    let is_called_in = |place: &PathBuf| {
+        let places = BTreeMap::from([("detuning(".to_owned(), BTreeSet::from([place.clone()]))]);
+        is_called(&functions, &places, "grazing_theorems::auxiliary::detuning")
+    };
+    assert!(is_called_in(&other) && !is_called_in(&own));
 }

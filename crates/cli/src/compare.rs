@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use grazing_claims::published::{Comparison, Published, Rounding};
+use grazing_claims::published::{Comparison, Published, Rounding, Tally};
 use grazing_reproduction::Study;
 
 use crate::arguments::ParameterFile;
@@ -23,21 +23,12 @@ pub(crate) fn run(file: &ParameterFile) -> Result<(), Failure> {
     let parameters = project::parameters(file)?;
     let comparisons = published(&Study::new(&parameters))?;
     terminal::say_coloured(&table(&comparisons, terminal::is_coloured()));
-    let off = comparisons.iter().filter(|comparison| !comparison.is_met()).count();
-    if off > 0 {
-        return Err(Failure::check(format!("{off} of {} published values not met", comparisons.len())));
+    let tally = Tally::of(&comparisons);
+    if !tally.is_complete() {
+        return Err(Failure::check(tally.to_string()));
     }
-    terminal::say(&format!("\n{}\n", all_met(&comparisons)));
+    terminal::say(&format!("\n{tally}.\n"));
     Ok(())
-}
-
-/// A line that counts what is computed, and beside it what was read back.
-pub(crate) fn all_met(comparisons: &[Comparison<'_>]) -> String {
-    let inputs = comparisons.iter().filter(|comparison| comparison.is_input()).count();
-    format!(
-        "All {} computed published values are met; {inputs} more are parameters.",
-        comparisons.len() - inputs
-    )
 }
 
 /// What the paper prints, with what the study gives.

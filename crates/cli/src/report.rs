@@ -41,8 +41,10 @@ pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     let content = page(&report).into_bytes();
     let (missing, all) = (report.missing.len(), paper::ALL.len() + sources.len());
     let size = content.len();
-    folder::write(&folder, &[OutputFile { path: name, content }])?;
-    terminal::say(&summary(&report, &arguments.output, size));
+    let files = [OutputFile { path: name, content }];
+    let folder = folder::place_to_write(&folder, &files, missing > 0);
+    folder::write(&folder, &files)?;
+    terminal::say(&summary(&report, &folder.join(&files[0].path), size));
     terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
     report.missing.iter().for_each(|reason| terminal::note(&format!("error: {reason}")));
     if missing > 0 { Err(Failure::partial(missing, all)) } else { Ok(()) }
@@ -142,15 +144,15 @@ fn assemble<'a>(
 
 /// What the page says at its top, and where it is.
 fn summary(report: &grazing_report::Report<'_>, output: &Path, size: usize) -> String {
-    let Counts { met, passed, failed, unchecked, misprints } = report.counts();
+    let Counts { published, passed, failed, unchecked, misprints } = report.counts();
     format!(
         "{path}: {megabytes:.1} MB; open it in a browser, no network is needed.\n\
-         {met} of {published} published values met; claims: {passed} passed, {failed} failed, {unchecked} unchecked; \
+         {published}.\n\
+         Claims: {passed} passed, {failed} failed, {unchecked} unchecked; \
          misprints: {misprints}.\n\
          {figures} figures, {files} output files, {oscillators} other oscillators.\n",
         path = output.display(),
         megabytes = size as f64 / 1e6,
-        published = report.published.len(),
         figures = report.figures.len(),
         files = report.manifest.outputs.len(),
         oscillators = report.oscillators.len(),

@@ -5,10 +5,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
+use grazing_claims::published::Tally;
 use grazing_reproduction::{Coefficients, Study};
 
 use crate::arguments::{ParameterFile, Reproduce};
-use crate::compare::{all_met, published};
+use crate::compare::published;
 use crate::failure::Failure;
 use crate::folder::{self, Differences, OutputFile, counted, summary};
 use crate::outputs::edition::{Edition, Format};
@@ -19,8 +20,8 @@ use crate::{codecheck, data_page, project, terminal, visual};
 
 /// The file that says what was set over the parameter file.
 const SETTINGS: &str = "settings.txt";
-/// What belongs in the output folder although the program does not make it.
-const KNOWN: [&str; 1] = ["parameters.toml"];
+/// What belongs in the output folder beside the outputs: what they are made from, and their list.
+const KNOWN: [&str; 2] = ["parameters.toml", folder::MANIFEST];
 
 /// Computes the outputs that were asked for, and writes or checks their files.
 ///
@@ -38,7 +39,9 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     paper::refuse_malformed(chosen.iter().copied(), &study)?;
     if !arguments.check {
         let mut paths: Vec<PathBuf> = chosen.iter().flat_map(|output| output.paths(&edition)).collect();
-        paths.extend(arguments.only.is_empty().then(data_page::path));
+        if arguments.only.is_empty() {
+            paths.extend([data_page::path(), PathBuf::from(folder::MANIFEST)]);
+        }
         paths.extend(edition.has(Format::Tex).then(|| PathBuf::from(latex::SNIPPET)));
         paths.extend((!set.is_empty()).then(|| PathBuf::from(SETTINGS)));
         folder::ensure_writable(&output_folder, &paths)?;
@@ -58,24 +61,18 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     if arguments.only.is_empty() {
         files.push(data_page::of_the_paper(chosen.iter().flat_map(|output| output.tables).copied()));
     }
-    let mut places = vec![OutputFolder { folder: output_folder, files, complete: false }];
-    if edition.is_default() && arguments.only.is_empty() {
-        places[0].complete = outcome.missing.is_empty();
-        if arguments.output.is_none() && set.is_empty() {
-            let manifest = OutputFile {
-                path: PathBuf::from(codecheck::FILE),
-                content: codecheck::manifest().into_bytes(),
-            };
-            places.push(OutputFolder {
-                folder: project::root_folder()?,
-                files: vec![manifest],
-                complete: false,
-            });
-        }
+    let (is_run, incomplete) = (arguments.only.is_empty(), !outcome.missing.is_empty());
+    let complete = is_run && edition.is_default() && !incomplete;
+    let folder = folder::place_of_run(&output_folder, &files, incomplete);
+    let mut places = vec![OutputFolder { folder: output_folder, files, is_run, incomplete, complete }];
+    if is_run && edition.is_default() && arguments.output.is_none() && set.is_empty() {
+        let (path, content) = (PathBuf::from(codecheck::FILE), codecheck::manifest().into_bytes());
+        let (folder, files) = (project::root_folder()?, vec![OutputFile { path, content }]);
+        places.push(OutputFolder { folder, files, is_run: false, incomplete: false, complete: false });
     }
     if arguments.check {
         if let Err(failure) = check(&places, arguments, &edition) {
-            outcome.report_missing(&chosen, &places[0].folder)?;
+            outcome.report_missing(&chosen, &folder)?;
             return Err(failure);
         }
         let count = places.iter().map(|place| place.files.len()).sum();
@@ -87,7 +84,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
         terminal::say(&verdict(&study));
     }
     terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
-    outcome.report_missing(&chosen, &places[0].folder)?;
+    outcome.report_missing(&chosen, &folder)?;
     let listed = chosen.iter().any(|output| output.name == paper::COEFFICIENTS.name);
     // Not computed for this alone.
     if !listed {
@@ -181,17 +178,33 @@ fn settings(parameters: &ParameterFile) -> OutputFile {
 struct OutputFolder {
     folder: PathBuf,
     files: Vec<OutputFile>,
+    /// Whether they are all of a run, and so listed there.
+    is_run: bool,
+    /// Whether something failed or is incomplete.
+    incomplete: bool,
     /// Whether nothing else belongs there.
     complete: bool,
+}
+
+impl OutputFolder {
+    /// Where the files are or go.
+    fn place(&self) -> PathBuf {
+        folder::place_of_run(&self.folder, &self.files, self.incomplete)
+    }
 }
 
 /// Writes all files and draws the figures that changed; returns what there is to say.
 fn write(places: &[OutputFolder]) -> Result<String, Failure> {
     let mut changes = Vec::new();
-    for OutputFolder { folder, files, .. } in places {
-        let changed = visual::changed(folder, files);
-        changes.extend(folder::written(folder, files)?);
-        visual::show(folder, &changed);
+    for place in places {
+        let OutputFolder { folder, files, is_run, incomplete, .. } = place;
+        let changed = visual::changed(&place.place(), files);
+        changes.extend(if *is_run {
+            folder::write_run(folder, files, *incomplete)?
+        } else {
+            folder::written(&folder::place_to_write(folder, files, *incomplete), files)?
+        });
+        visual::show(&place.place(), &changed);
     }
     Ok(summary(&changes))
 }
@@ -206,18 +219,18 @@ fn verdict(study: &Study) -> String {
         // The outputs that need the same say why.
         return "Published values could not be compared.\n".to_owned();
     };
-    let met = comparisons.iter().filter(|comparison| comparison.is_met()).count();
-    if met == comparisons.len() {
-        format!("{}\n", all_met(&comparisons))
-    } else {
-        format!("Only {met} of {} published values are met: see `cargo xtask compare`.\n", comparisons.len())
-    }
+    let tally = Tally::of(&comparisons);
+    let more = if tally.is_complete() { "" } else { ": see `cargo xtask compare`" };
+    format!("{tally}{more}.\n")
 }
 
 fn check(places: &[OutputFolder], arguments: &Reproduce, edition: &Edition) -> Result<(), Failure> {
     let mut found = Differences::default();
     for place in places {
-        folder::compare(&place.folder, &place.files, &KNOWN, place.complete, &mut found)?;
+        let (folder, files) = (place.place(), &place.files);
+        folder::compare(&folder, files, &KNOWN, place.complete, &mut found)?;
+        let list = place.is_run.then(|| folder::list(files, place.incomplete));
+        folder::compare(&folder, list.as_slice(), &[], false, &mut found)?;
     }
     let Differences { differing, unexpected } = found;
     if differing.is_empty() && unexpected.is_empty() {
@@ -225,7 +238,7 @@ fn check(places: &[OutputFolder], arguments: &Reproduce, edition: &Edition) -> R
     }
     differing.iter().chain(&unexpected).for_each(|difference| terminal::note(difference));
     for place in places {
-        visual::show(&place.folder, &visual::changed(&place.folder, &place.files));
+        visual::show(&place.place(), &visual::changed(&place.place(), &place.files));
     }
     let mut remedies = Vec::new();
     if !differing.is_empty() {
@@ -235,7 +248,8 @@ fn check(places: &[OutputFolder], arguments: &Reproduce, edition: &Edition) -> R
     if !unexpected.is_empty() {
         remedies.push(format!("remove {} that it does not make", counted(unexpected.len())));
     }
-    let folder = places[0].folder.display();
+    let folder = places[0].place();
+    let folder = folder.display();
     Err(Failure::check(format!("{folder} is not what the code makes: {}", remedies.join(", "))))
 }
 

@@ -75,7 +75,7 @@ impl core::fmt::Display for Place {
     }
 }
 
-/// The branch of p-loop MPSs at ω = 0.854 from the grazing bifurcation on, for amplitudes from 0.2
+/// The branch of p-loop MPSs at ω = 0.855 from the grazing bifurcation on, for amplitudes from 0.2
 /// to 0.6.
 #[divan::bench(args = [Loops(1), Loops(2), Loops(3)])]
 fn point_of_a_one_parameter_branch(bencher: Bencher<'_, '_>, &Loops(p): &Loops) {
@@ -89,7 +89,7 @@ fn point_of_a_one_parameter_branch_at_fixed_phase(bencher: Bencher<'_, '_>, &Loo
 }
 
 fn one_parameter_branch(bencher: Bencher<'_, '_>, p: u32, formulation: Formulation) {
-    const OMEGA: f64 = 0.854;
+    const OMEGA: f64 = 0.855;
     let theory = grazing_theorems::LinearOscillator::new(ZETA, EPSILON).unwrap();
     let grazing = theory.grazing(OMEGA).unwrap();
     let start = Start {

@@ -26,9 +26,9 @@
 //! use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 //! use grazing_model::LinearOscillator;
 //!
-//! // The branch of one-loop solutions that begins where the paper's oscillator grazes at omega = 0.85.
-//! let grazing = grazing_theorems::LinearOscillator::new(0.02, 0.9)?.grazing(0.85)?;
-//! let oscillator = LinearOscillator::new(0.02, 0.9, grazing.amplitude(), 0.85)?;
+//! // The branch of one-loop solutions that begins where a linear oscillator grazes at omega = 0.85.
+//! let grazing = grazing_theorems::LinearOscillator::new(0.021, 0.9)?.grazing(0.85)?;
+//! let oscillator = LinearOscillator::new(0.021, 0.9, grazing.amplitude(), 0.85)?;
 //! let equations = LoopEquations::new(oscillator, 1, Formulation::FixedPhase);
 //! let branch = SolutionCurve { equations, condition: Condition::Secondary(0.85) };
 //! let window = Window { primary: [0.2, 1.0], secondary: [0.8, 0.9] };

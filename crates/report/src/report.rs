@@ -1,7 +1,7 @@
 //! What the page shows.
 
 use grazing_claims::audit::{ClaimVerdict, Finding};
-use grazing_claims::published::Comparison;
+use grazing_claims::published::{Comparison, Tally};
 use grazing_claims::source::Sources;
 
 use crate::html::Html;
@@ -39,7 +39,7 @@ pub struct Report<'a> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Counts {
     /// Published values that are met.
-    pub met: usize,
+    pub published: Tally,
     /// Claims that hold.
     pub passed: usize,
     /// Claims that do not, or whose check broke down.
@@ -57,7 +57,7 @@ impl Counts {
         let failed = count(|finding| finding.verdict.fails());
         let unchecked = count(|finding| matches!(finding.verdict, ClaimVerdict::Unchecked(_)));
         Self {
-            met: published.iter().filter(|comparison| comparison.is_met()).count(),
+            published: Tally::of(published),
             passed: claims.len() - failed - unchecked,
             failed,
             unchecked,

@@ -142,7 +142,8 @@ fn windows(count: u64, seed: u64) -> bool {
         let mut parameters = [random.logarithmic(0.003, 0.3), random.uniform(0.3, 1.0)];
         let mut window = Window { primary: [0.0, random.uniform(1.0, 3.0)], secondary: [0.25, 1.3] };
         if number == 1 {
-            (parameters, window) = ([0.02, 0.9], Window { primary: [0.0, 1.3], secondary: [0.35, 1.02] });
+            parameters = of_the_paper();
+            window = Window { primary: [0.0, 1.3], secondary: [0.35, 1.02] };
         }
         for part in 0..=PARTS {
             let window = if part == 0 { window } else { lines::part(window, &mut random) };
@@ -161,6 +162,15 @@ fn windows(count: u64, seed: u64) -> bool {
         }
     }
     right
+}
+
+/// Damping ratio and restitution of the paper's oscillator; not numbers if the example lacks them.
+fn of_the_paper() -> [f64; 2] {
+    let example = Description::parse(include_str!("../../../examples/paper.toml"), "examples/paper.toml");
+    ["zeta", "epsilon"].map(|wanted| {
+        let constants = example.iter().flat_map(Description::constants);
+        constants.filter(|(name, _)| *name == wanted).map(|(_, value)| value).next().unwrap_or(f64::NAN)
+    })
 }
 
 /// The examples and a number of random oscillators, against continuation and simulation.

@@ -1,55 +1,55 @@
 //! The list of the files of one run, written after them. By it the next run knows which files are
-//! its to replace, whether they are of one run, and whether that run was cut off.
+//! its to replace, whether they are of one run, and whether that run is incomplete.
 
 use std::fmt::Write;
 use std::path::{Component, Path, PathBuf};
 
 use grazing_report::FileDigest;
 
-use super::{Change, OutputFile, read, remove, with_slashes, write};
+use super::{Change, OutputFile, read, remove, with_slashes, write, written};
 use crate::failure::Failure;
 use crate::terminal;
 
 /// The list, in the folder of results: lines that `sha256sum --check` reads.
 pub(crate) const MANIFEST: &str = "manifest.sha256";
-/// Where what a run has that was cut off goes if the folder holds the results of one that was not.
+/// Where what is incomplete goes if the folder holds whole results.
 const UNFINISHED: &str = "unfinished";
 
 /// What stands at the top of the list.
-const HEADS: [&str; 2] = ["# The files of one run.", "# The files of one run, which was cut off."];
+const HEADS: [&str; 2] = ["# The files of one run.", "# The files of one run, which is incomplete."];
 
 /// The files of one run.
 struct FileList {
-    cut_off: bool,
+    incomplete: bool,
     /// Digest and path of each.
     files: Vec<(String, String)>,
 }
 
 impl FileList {
-    fn of(files: &[OutputFile], cut_off: bool) -> Self {
+    fn of(files: &[OutputFile], incomplete: bool) -> Self {
         let line = |file: &OutputFile| {
             let FileDigest { path, sha256, .. } = FileDigest::of(with_slashes(&file.path), &file.content);
             (sha256, path)
         };
-        Self { cut_off, files: files.iter().map(line).collect() }
+        Self { incomplete, files: files.iter().map(line).collect() }
     }
 
     /// The list in a folder, if there is one that can be read.
     fn read(folder: &Path) -> Option<Self> {
         let text = String::from_utf8(read(&folder.join(MANIFEST)).ok()?).ok()?;
         let (head, lines) = text.split_once('\n')?;
-        let cut_off = HEADS.iter().position(|known| *known == head)? == 1;
+        let incomplete = HEADS.iter().position(|known| *known == head)? == 1;
         let line = |line: &str| {
             let (digest, path) = line.split_once("  ")?;
             // No list leads out of its folder.
             let is_within = Path::new(path).components().all(|part| matches!(part, Component::Normal(_)));
             is_within.then(|| (digest.to_owned(), path.to_owned()))
         };
-        Some(Self { cut_off, files: lines.lines().map(line).collect::<Option<_>>()? })
+        Some(Self { incomplete, files: lines.lines().map(line).collect::<Option<_>>()? })
     }
 
     fn file(&self) -> OutputFile {
-        let mut text = format!("{}\n", HEADS[usize::from(self.cut_off)]);
+        let mut text = format!("{}\n", HEADS[usize::from(self.incomplete)]);
         for (digest, path) in &self.files {
             // Writing to a string cannot fail.
             let _ = writeln!(text, "{digest}  {path}");
@@ -69,27 +69,16 @@ impl FileList {
 /// Writes the files of a run, takes those of the run before away that it does not make, and writes
 /// the list last; what that did to each, by its path.
 ///
-/// What a run has that was cut off never takes the place of results that may be whole: it goes into
-/// a folder in theirs.
+/// What a run has that is incomplete, as one that was cut off, goes where [`place_to_write`] says.
 ///
 /// # Errors
 /// As [`write`].
 pub(crate) fn write_run(
     folder: &Path,
     files: &[OutputFile],
-    cut_off: bool,
+    incomplete: bool,
 ) -> Result<Vec<(String, Change)>, Failure> {
-    let within = folder.join(UNFINISHED);
-    let folder = if cut_off && holds_results(folder, files) {
-        terminal::note(&format!(
-            "{}: the results that are there stay; what is finished goes to {}",
-            folder.display(),
-            within.display()
-        ));
-        &within
-    } else {
-        folder
-    };
+    let folder = &place_to_write(folder, files, incomplete);
     let mut left = Vec::new();
     if let Some(before) = FileList::read(folder) {
         let intact = before.intact(folder);
@@ -104,20 +93,43 @@ pub(crate) fn write_run(
         let is_left = |path: &&str| files.iter().all(|file| file.path != Path::new(path));
         left.extend(intact.into_iter().filter(is_left).map(|path| folder.join(path)));
     }
-    let names = files.iter().map(|file| folder.join(&file.path).display().to_string());
-    let mut changes: Vec<_> = names.zip(write(folder, files)?).collect();
+    let mut changes = written(folder, files)?;
     for path in left {
         remove(&path)?;
         changes.push((path.display().to_string(), Change::Removed));
     }
-    write(folder, &[FileList::of(files, cut_off).file()])?;
+    write(folder, &[list(files, incomplete)])?;
     Ok(changes)
 }
 
-/// Whether there are results in the folder that may be whole: all but those of a run that is listed
-/// as cut off.
-fn holds_results(folder: &Path, files: &[OutputFile]) -> bool {
-    let is_cut_off = |list: &FileList| list.cut_off && list.intact(folder).len() == list.files.len();
-    files.iter().any(|file| folder.join(&file.path).is_file())
-        && !FileList::read(folder).as_ref().is_some_and(is_cut_off)
+/// The list of the files of a run.
+pub(crate) fn list(files: &[OutputFile], incomplete: bool) -> OutputFile {
+    FileList::of(files, incomplete).file()
+}
+
+/// Where the files of a run belong that were to go to a folder: incomplete ones never take the
+/// place of results that may be whole, but go into a folder in theirs.
+///
+/// Whole may be all but what a list has as the files of an incomplete run.
+pub(crate) fn place_of_run(folder: &Path, files: &[OutputFile], incomplete: bool) -> PathBuf {
+    let list = FileList::read(folder).filter(|list| list.incomplete);
+    let replaceable = list.as_ref().map_or(Vec::new(), |list| list.intact(folder));
+    let is_whole = |file: &OutputFile| {
+        let is_listed = replaceable.iter().any(|path| file.path == Path::new(path));
+        folder.join(&file.path).is_file() && !is_listed
+    };
+    if incomplete && files.iter().any(is_whole) { folder.join(UNFINISHED) } else { folder.to_owned() }
+}
+
+/// As [`place_of_run`]; if it is another folder, that is said.
+pub(crate) fn place_to_write(folder: &Path, files: &[OutputFile], incomplete: bool) -> PathBuf {
+    let place = place_of_run(folder, files, incomplete);
+    if place != folder {
+        terminal::note(&format!(
+            "{}: the results that are there stay; what is finished goes to {}",
+            if folder.as_os_str().is_empty() { Path::new(".") } else { folder }.display(),
+            place.display()
+        ));
+    }
+    place
 }

@@ -176,7 +176,7 @@ fn axes(description: &Description) -> String {
     format!("{} across, {} up.", description.primary().name(), description.secondary().name())
 }
 
-/// What a one-parameter diagram is of, as `A from 0.26 to 0.34 at omega = 0.854`.
+/// What a one-parameter diagram is of, as `A from 0.26 to 0.34 at omega = 0.855`.
 pub(crate) fn of_one_parameter(description: &Description, diagram: &OneParameter) -> String {
     let names = [description.primary().name(), description.secondary().name()];
     let [across, held] = diagram.exchanged(names);

@@ -137,7 +137,7 @@ fn what_cannot_vary_is_told_before_anything_is_computed() {
 }
 
 /// Every line of the list of files has the digest of its file.
-fn is_of_one_run(folder: &Path) -> bool {
+pub(crate) fn is_of_one_run(folder: &Path) -> bool {
     let list = fs::read_to_string(folder.join("manifest.sha256")).expect("it was written");
     let lines = list.lines().filter(|line| !line.starts_with('#'));
     let mut files = lines.map(|line| line.split_once("  ").expect("digest and path"));

@@ -15,12 +15,10 @@
 use std::env;
 use std::fs;
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
-use std::thread;
-use std::time::{Duration, Instant};
+use std::process::{Command, Stdio};
 
 use crate::family::{VARY, behind_digest, forged};
-use crate::program::{empty_folder, grazing, narrow_duffing, repository};
+use crate::program::{empty_folder, end, grazing, narrow_duffing, repository};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 
@@ -293,23 +291,6 @@ fn asked(variable: &str) -> Option<u64> {
     env::var(variable).ok()?.parse().ok()
 }
 
-/// Waits for the end; none comes from a run that waits for what never comes, and is ended here
-/// after far more seconds than a busy machine takes for those of a processor that it has.
-fn code(run: &mut Child) -> Option<Option<i32>> {
-    let began = Instant::now();
-    loop {
-        if let Some(status) = run.try_wait().expect("it is ours") {
-            return Some(status.code());
-        }
-        if began.elapsed().as_secs_f64() > 20.0 * seconds() {
-            run.kill().expect("it still runs");
-            run.wait().expect("it ends");
-            return None;
-        }
-        thread::sleep(Duration::from_millis(5));
-    }
-}
-
 /// How a run ends in words, and whether that is as it should be.
 fn run(program: &Path, folder: &Path, arguments: &[String], text: &str) -> (String, bool) {
     fs::write(folder.join("o.toml"), text).expect("the folder is ours");
@@ -324,7 +305,7 @@ fn run(program: &Path, folder: &Path, arguments: &[String], text: &str) -> (Stri
         .stderr(fs::File::create(&messages).expect("the folder is ours"))
         .spawn()
         .expect("the program starts");
-    let code = code(&mut run);
+    let code = end(&mut run);
     let told = String::from_utf8_lossy(&fs::read(&messages).expect("the folder is ours")).into_owned();
     let errors: Vec<&str> = told.lines().filter_map(|line| line.strip_prefix("error: ")).collect();
     match code {
@@ -361,14 +342,9 @@ fn every_file_leads_to_an_end_with_a_reason() {
     for number in from..from + count {
         let (arguments, text) = trial(number);
         let folder = empty_folder();
-        let began = Instant::now();
         let (end, right) = run(&program, folder.path(), &arguments, &text);
         let mark = if right { "" } else { "WRONG " };
-        let told = format!(
-            "{mark}{number} ({:.1} s): {}: {end}",
-            began.elapsed().as_secs_f64(),
-            arguments.join(" ")
-        );
+        let told = format!("{mark}{number}: {}: {end}", arguments.join(" "));
         println!("{told}");
         if !right {
             let kept = env::temp_dir().join(format!("grazing-mutation-{number}.toml"));

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use crate::program::{DEFAULT, empty_folder, grazing, listing, narrow_duffing, project};
+use crate::program::{DEFAULT, empty_folder, end, grazing, listing, narrow_duffing, project};
 
 /// Outputs that take no time.
 const QUICK: [&str; 3] = ["reproduce", "--only", "fig04"];
@@ -221,10 +221,18 @@ fn a_name_that_is_too_long_is_bad_input_and_is_told_in_few_words() {
 /// The program, ended if it waits for what never comes.
 #[cfg(target_os = "linux")]
 fn ending(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
-    let mut run = Command::new("timeout");
-    run.arg("600").arg(env!("CARGO_BIN_EXE_grazing")).args(arguments).current_dir(folder);
-    let run = run.stdin(Stdio::null()).output().expect("there is `timeout`");
-    (run.status.code(), String::from_utf8_lossy(&run.stderr).into_owned())
+    let place = empty_folder();
+    let messages = place.path().join("messages");
+    let mut run = Command::new(env!("CARGO_BIN_EXE_grazing"))
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(fs::File::create(&messages).expect("the folder is ours"))
+        .spawn()
+        .expect("the program starts");
+    let code = end(&mut run).flatten();
+    (code, fs::read_to_string(&messages).expect("the program writes UTF-8"))
 }
 
 #[cfg(target_os = "linux")]

@@ -99,6 +99,10 @@ fn the_readme_counts_the_claims() {
     }
     let checks = format!("`claims` with its {} checks", CHECKS.len());
     assert!(speed.contains(&checks), "docs/speed.md does not say `{checks}`");
+    let [trust, errors] = ["docs/trust.md", "expected/deliberate_errors.toml"]
+        .map(|file| fs::read_to_string(repository().join(file)).expect("it is there"));
+    let errors = format!("| {} errors introduced", errors.matches("\n[[error]]\n").count());
+    assert!(trust.contains(&errors), "docs/trust.md does not say `{errors}`");
 }
 
 #[test]

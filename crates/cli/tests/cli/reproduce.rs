@@ -4,6 +4,7 @@ use std::fs;
 use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
 
+use crate::family::is_of_one_run;
 use crate::program::{DEFAULT, edited, grazing, listing, project};
 use grazing_cli::outputs;
 use grazing_cli::outputs::edition::Edition;
@@ -34,13 +35,34 @@ fn the_whole_reproduction_passes_its_own_check_whatever_the_number_of_threads() 
     }
     assert_eq!(
         listing(folder.path()).len(),
-        files.len() + 5,
-        "two folders, the parameters, the page about the data and codecheck.yml, nothing else"
+        files.len() + 6,
+        "two folders, the parameters, the page about the data, the list and codecheck.yml, nothing else"
     );
+    assert!(is_of_one_run(&folder.path().join("figures")));
     assert!(made.output.contains("published values are met"), "{}", made.output);
 
     let checked = grazing(folder.path(), &["reproduce", "--check", "--jobs", "2"]);
     assert_eq!(checked.code, Some(0), "{}", checked.messages);
+
+    // What is not whole never takes the place of what is.
+    let figures = folder.path().join("figures");
+    let whole = listing(&figures);
+    let line = ["reproduce", "--output", "figures", "--set", "fig10.frequency=0.6"];
+    let made = grazing(folder.path(), &line);
+    assert_eq!(made.code, Some(3), "{}", made.messages);
+    let told = "figures: the results that are there stay; what is finished goes to figures/unfinished\n";
+    assert!(made.messages.contains(told), "{}", made.messages);
+    let unfinished = figures.join("unfinished");
+    assert!(is_of_one_run(&unfinished) && !unfinished.join("fig10.svg").exists());
+    let checked = grazing(folder.path(), &[&line[..], &["--check"]].concat());
+    assert_eq!(checked.code, Some(3), "it is what the code makes, and incomplete: {}", checked.messages);
+    fs::remove_dir_all(&unfinished).expect("the folder is ours");
+    assert_eq!(listing(&figures), whole);
+    // A list of other files is noticed.
+    fs::write(figures.join("manifest.sha256"), "# The files of one run.\n").expect("the folder is ours");
+    let checked = grazing(folder.path(), &["reproduce", "--check"]);
+    assert_eq!(checked.code, Some(1), "{}", checked.messages);
+    assert!(checked.messages.contains("figures/manifest.sha256: "), "{}", checked.messages);
 }
 
 #[test]

@@ -14,7 +14,7 @@ use proptest::test_runner::RngSeed;
 /// The parameters of the paper's figures.
 pub(crate) const ZETA: f64 = 0.02;
 pub(crate) const EPSILON: f64 = 0.9;
-pub(crate) const OMEGA: f64 = 0.854;
+pub(crate) const OMEGA: f64 = 0.855;
 
 /// The paper's oscillator, given by its force, with a spring of cubic stiffness κ besides.
 #[derive(Clone, Debug)]

@@ -174,7 +174,7 @@ mod tests {
             BranchPoint {
                 diagram: 2,
                 loops: k / 101,
-                secondary: 0.854,
+                secondary: 0.855,
                 primary: share * across,
                 x: (share * f64::from(k / 101) - 0.4) * up,
                 visit: 1,
@@ -191,7 +191,7 @@ mod tests {
                 diagram: 2,
                 portrait: 1 + k / 40,
                 loops: k / 40 % 4,
-                secondary: 0.854,
+                secondary: 0.855,
                 primary: across * (0.2 + 0.1 * f64::from(k / 80)),
                 kind: if k / 40 % 4 == 3 { PortraitKind::Attractor } else { PortraitKind::Periodic },
                 time: share,
@@ -199,7 +199,7 @@ mod tests {
                 y: (share - 0.5) * up,
             }
         };
-        let (diagram, secondary) = (2, 0.854);
+        let (diagram, secondary) = (2, 0.855);
         let (kind, loops, impact_velocity) = (Bifurcation::SaddleNode, 2, 0.1);
         OneParameter {
             diagram,
@@ -263,17 +263,17 @@ mod tests {
         let texts = |figure: &OneParameter| drawn(figure, &names, SheetWidth::Paper).texts();
         let mut figure = sample([1.0, 1.0], 1);
         assert!(texts(&figure).contains(&"long-time behaviour".to_owned()), "the dots are named");
-        assert!(texts(&figure).contains(&r"$A$  ($\omega=0.854$)".to_owned()), "{:?}", texts(&figure));
+        assert!(texts(&figure).contains(&r"$A$  ($\omega=0.855$)".to_owned()), "{:?}", texts(&figure));
         (figure.primary_is_fixed, figure.from_the_wall) = (true, true);
         figure.each_row(&mut |row| row.place(2, true));
         let found = texts(&figure);
-        for title in [r"$\omega$  ($A=0.854$)", "$x$ from the wall", "$y$"] {
+        for title in [r"$\omega$  ($A=0.855$)", "$x$ from the wall", "$y$"] {
             assert!(found.iter().any(|text| text == title), "{title}: {found:?}");
         }
         let [primary, secondary] = ["N", "rad/s"].map(|unit| Some(unit.to_owned()));
         let named = names.clone().with_units(UnitNames { primary, secondary, ..UnitNames::default() });
         let texts = drawn(&figure, &named, SheetWidth::Paper).texts();
-        assert!(texts.contains(&r"$\omega$ (rad/s)  ($A=0.854$ N)".to_owned()), "{texts:?}");
+        assert!(texts.contains(&r"$\omega$ (rad/s)  ($A=0.855$ N)".to_owned()), "{texts:?}");
     }
 
     #[test]

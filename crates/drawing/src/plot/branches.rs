@@ -131,7 +131,7 @@ mod tests {
         let point = |(primary, x, stable)| BranchPoint {
             diagram: 1,
             loops: 2,
-            secondary: 0.854,
+            secondary: 0.855,
             primary,
             x,
             visit: 1,

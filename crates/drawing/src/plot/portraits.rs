@@ -238,7 +238,7 @@ mod tests {
             diagram: 1,
             portrait: 1,
             loops: 0,
-            secondary: 0.854,
+            secondary: 0.855,
             primary: 1.0,
             kind: PortraitKind::Periodic,
             time: 0.0,

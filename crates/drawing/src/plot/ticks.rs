@@ -156,7 +156,7 @@ mod tests {
 
     #[test]
     fn coefficients_of_any_magnitude_keep_their_digits() {
-        assert_eq!(measured(-282.44, 4), "−282.4");
+        assert_eq!(measured(-271.83, 4), "−271.8");
         assert_eq!(measured(0.001_234_5, 3), "0.00123");
         assert_eq!(measured(-1.234_56e8, 4), r"−1.235\,\times\,10^{8}");
         assert_eq!(measured(9.999_96e-5, 4), r"1.000\,\times\,10^{-4}");

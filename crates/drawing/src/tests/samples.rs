@@ -13,7 +13,7 @@ pub(crate) fn empty(frame: Frame) -> OneParameter {
     OneParameter {
         diagram: 1,
         primary_is_fixed: false,
-        at: 0.854,
+        at: 0.855,
         frame,
         magnified: None,
         from_the_wall: false,

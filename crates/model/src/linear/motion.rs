@@ -166,7 +166,7 @@ mod tests {
 
     #[test]
     fn no_search_for_events_goes_on_for_ever() {
-        let linear = LinearOscillator::new(0.02, 0.9, 0.3, 0.8).unwrap();
+        let linear = LinearOscillator::new(0.03, 0.9, 0.3, 0.8).unwrap();
         let from = State::at_rest(-1.0, 0.0);
         // Without forcing to speak of, far beyond what anybody waits for, and of no motion at all.
         for frequency in [0.0, -1.0, f64::NAN] {

@@ -274,7 +274,7 @@ mod tests {
     #[test]
     fn motion_in_closed_form_ends_like_that_which_is_integrated() {
         let stop = Stop::default();
-        let linear = LinearOscillator::new(0.02, 0.9, 0.5, 0.8).unwrap();
+        let linear = LinearOscillator::new(0.03, 0.9, 0.5, 0.8).unwrap();
         let oscillator = Stoppable::new(linear, stop.clone()).with_parameters([0.9, 0.8]);
         let from = State::at_rest(-1.5, 0.3);
         let before = oscillator.motion(from).first_crossing(50.0);

@@ -8,7 +8,7 @@ use nalgebra::Vector2;
 
 const ZETA: f64 = 0.02;
 const EPSILON: f64 = 0.9;
-const OMEGA: f64 = 0.854;
+const OMEGA: f64 = 0.855;
 
 /// The oscillator at its grazing bifurcation (eq:Agraz), and the grazing phase.
 fn at_grazing(omega: f64) -> (LinearOscillator, f64) {

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 
 use crate::models::Lasting;
 
-const OMEGA: f64 = 0.854;
+const OMEGA: f64 = 0.855;
 
 fn oscillator(amplitude: f64) -> LinearOscillator {
     LinearOscillator::new(0.02, 0.9, amplitude, OMEGA).unwrap()

@@ -10,10 +10,13 @@ use grazing_unfold::Scope;
 use grazing_unfold::one_parameter::{Cut, Line, Sampling, Subject, oriented};
 use grazing_unfold::progress::Silent;
 
+use crate::paper::PARAMETERS;
 use crate::specimens::{example, file};
 
 /// That of Figure 2.
-const FREQUENCY: f64 = 0.854;
+fn frequency() -> f64 {
+    PARAMETERS["fig02"]["frequency"].as_float().expect("it is a number")
+}
 
 fn sampling(values: u32) -> Sampling {
     let (between, lowest) = (None, None);
@@ -39,7 +42,7 @@ fn on(
 /// The diagram of the paper's oscillator, integrated from its file, at the frequency of Figure 2.
 fn of_the_paper(range: [f64; 2], values: u32) -> OneParameter {
     let (oscillator, scope) = example("paper.toml");
-    on(&oscillator, &scope, line(FREQUENCY, range), values, &[])
+    on(&oscillator, &scope, line(frequency(), range), values, &[])
 }
 
 /// The points of strands of p loops at a value of the parameter across, between their neighbours.
@@ -122,11 +125,11 @@ fn a_point_is_on_the_branches_of_either_diagram_that_passes_it() {
     let across = Line { primary_is_fixed: true, ..line(amplitude, [0.84, 0.87]) };
     let other = on(&oscillator, &scope, across, 2, &[]);
     for loops in 1..=2 {
-        let [one, other] = [at(&one, loops, amplitude), at(&other, loops, FREQUENCY)];
+        let [one, other] = [at(&one, loops, amplitude), at(&other, loops, frequency())];
         assert_eq!((one.len(), other.len()), (loops as usize, loops as usize));
         for (a, b) in one.iter().zip(&other) {
             assert_eq!((a.visit, a.stable, a.admissible), (b.visit, b.stable, b.admissible));
-            assert_eq!((a.secondary, b.primary), (FREQUENCY, amplitude));
+            assert_eq!((a.secondary, b.primary), (frequency(), amplitude));
             // What is between points lies on a chord.
             let velocities = (a.impact_velocity, b.impact_velocity);
             for (a, b) in [(a.x, b.x), velocities, (a.impact_phase, b.impact_phase)] {
@@ -188,7 +191,7 @@ fn a_diagram_is_the_same_for_any_number_of_threads() {
 fn portraits_are_of_stable_solutions_and_of_what_simulation_finds_besides() {
     let (oscillator, scope) = example("paper.toml");
     let subjects = [0.266, 0.3, 0.34].map(|across| Subject { across, loops: None });
-    let diagram = on(&oscillator, &scope, line(FREQUENCY, [0.262, 0.342]), 2, &subjects);
+    let diagram = on(&oscillator, &scope, line(frequency(), [0.262, 0.342]), 2, &subjects);
     let portraits: Vec<_> = diagram.portraits.chunk_by(|a, b| a.portrait == b.portrait).collect();
     let at = |primary: f64| portraits.iter().filter(move |portrait| portrait[0].primary == primary);
     // Each flight ends in an empty row.

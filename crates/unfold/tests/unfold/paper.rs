@@ -26,11 +26,10 @@ use rayon::prelude::*;
 
 use crate::specimens::{EPSILON, ZETA, assert_within, closed_form, example, file, grazing_at};
 
-/// As the issue asks; integration and Newton's method leave far less, magnified where a curve is
-/// ill-conditioned.
+/// Integration and Newton's method leave far less, magnified where a curve is ill-conditioned.
 const AGREEMENT: f64 = 1e-8;
 
-static PARAMETERS: LazyLock<toml::Table> =
+pub(crate) static PARAMETERS: LazyLock<toml::Table> =
     LazyLock::new(|| std::fs::read_to_string(file("figures/parameters.toml")).unwrap().parse().unwrap());
 
 fn number(value: &toml::Value) -> f64 {

@@ -2,7 +2,9 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Child, Command};
+use std::thread;
+use std::time::Duration;
 
 use insta::Settings;
 use sha2::{Digest, Sha256};
@@ -37,6 +39,40 @@ pub(crate) fn grazing(folder: &Path, arguments: &[&str]) -> Outcome {
         .expect("the program starts");
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("the program writes UTF-8");
     Outcome { code: run.status.code(), output: text(run.stdout), messages: text(run.stderr) }
+}
+
+/// Whether all threads of a process sleep, where the system says so: one that computes does not,
+/// however long it has to wait for a processor or a disk.
+fn sleeps(process: u32) -> bool {
+    let is_asleep = |stat: String| stat.rsplit_once(')').is_some_and(|(_, rest)| rest.starts_with(" S"));
+    let threads = fs::read_dir(format!("/proc/{process}/task"));
+    threads.is_ok_and(|mut threads| {
+        threads.all(|thread| {
+            thread.and_then(|thread| fs::read_to_string(thread.path().join("stat"))).is_ok_and(is_asleep)
+        })
+    })
+}
+
+/// Looks at a run until something is seen. None ever is if the run sleeps at a great many looks in
+/// succession: it waits for what never comes, and is ended.
+pub(crate) fn watched<T>(run: &mut Child, mut look: impl FnMut(&mut Child) -> Option<T>) -> Option<T> {
+    const LOOKS: u32 = 2_000;
+    let mut asleep = 0;
+    while asleep < LOOKS {
+        if let Some(seen) = look(run) {
+            return Some(seen);
+        }
+        asleep = if sleeps(run.id()) { asleep + 1 } else { 0 };
+        thread::sleep(Duration::from_millis(5));
+    }
+    run.kill().expect("it still runs");
+    run.wait().expect("it ends");
+    None
+}
+
+/// The end of a run with its exit code, if it has one.
+pub(crate) fn end(run: &mut Child) -> Option<Option<i32>> {
+    watched(run, |run| run.try_wait().expect("it is ours").map(|status| status.code()))
 }
 
 /// The root of the repository.

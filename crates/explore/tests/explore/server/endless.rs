@@ -2,15 +2,19 @@
 
 use std::io::Read;
 use std::net::TcpStream;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, mpsc};
 use std::thread;
 use std::time::Duration;
 
 use grazing_explore::{Limits, Sheet};
+use grazing_model::motion::Motion;
+use grazing_model::smooth::{Stop, Stoppable};
+use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, State};
+use grazing_unfold::long_time::{Horizon, LongOrbit, Patience};
 use serde_json::{Value, json};
 
-use super::running::{LIMITS, Running};
+use super::running::{BACKSTOP, LIMITS, Running};
 use super::whole_view;
 
 /// The paper's oscillator at a place.
@@ -80,12 +84,29 @@ fn what_makes_no_oscillator_is_refused() {
 
 #[test]
 fn whoever_hangs_up_ends_motion_that_hardly_moves() {
-    let server = Running::new(LIMITS);
-    let begun: Vec<TcpStream> =
-        (0..2 * LIMITS.computations).map(|_| server.begin("place", &place([0.9, 1e-6]))).collect();
-    // They have been read by then.
-    assert_eq!(server.get(&server.path), 200);
-    drop(begun);
+    let ((begins, begun), (ends, ended)) = (mpsc::channel(), mpsc::channel());
+    let endless = move |_: &_, _: &_, _: &str, _: &str, stop: &Stop| {
+        let linear = LinearOscillator::new(0.1, 0.9, 0.9, 1e-6).unwrap();
+        let still = AnyOscillator::new(Stoppable::new(linear, stop.clone()));
+        let horizon = Horizon { transient: 1, counted: 1, patience: Patience::Drifting };
+        begins.send(()).unwrap();
+        // There is an end only once motion hears of one.
+        let from = State::at_rest(-1.0, 0.0);
+        while still.motion(from).at(0.0).position.is_finite() {
+            drop(LongOrbit::follow(&still, from, horizon));
+        }
+        ends.send(()).unwrap();
+        Err(String::new())
+    };
+    let limits = Limits { steps: u64::MAX, ..LIMITS };
+    let server = Running::with(limits, Box::new(endless), || false);
+    let body = json!({"model": {"text": null}, "view": whole_view(), "what": "csv:a"}).to_string();
+    let asked: Vec<TcpStream> = (0..limits.computations).map(|_| server.begin("export", &body)).collect();
+    asked.iter().for_each(|_| begun.recv().unwrap());
+    for stream in asked {
+        drop(stream);
+        ended.recv_timeout(BACKSTOP).unwrap();
+    }
     assert_eq!(server.post("place", &place([0.3, 0.8])).0, 200);
 }
 

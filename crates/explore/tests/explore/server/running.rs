@@ -20,7 +20,7 @@ pub(crate) struct Running {
 }
 
 /// Far beyond what anything takes on a busy machine: this ends what hangs.
-const BACKSTOP: Duration = Duration::from_secs(600);
+pub(crate) const BACKSTOP: Duration = Duration::from_secs(600);
 
 /// Small limits, so that they are met; but those of time, which a busy machine must not meet.
 pub(crate) const LIMITS: Limits = Limits {

@@ -135,10 +135,16 @@ impl FileSection for Figure2 {
         let grazing = grazing(section, &parameters.oscillator()?, self.frequency)?.amplitude();
         let factor = self.hold(grazing, section)?;
         must_lie_inside(section, "magnification.x", self.magnification.x, ("fig02.x", self.x))?;
-        for (portrait, number) in self.portraits.iter_mut().zip(1..) {
+        for (mut portrait, number) in std::mem::take(&mut self.portraits).into_iter().zip(1..) {
             let at = |name: &str| format!("portraits[{number}].{name}");
             if portrait.loops != 0 && !self.loops.contains(&portrait.loops) {
-                return Err(section.refusal(&at("loops")).into());
+                if portrait.wish.is_some_and(|wish| wish.must) {
+                    return Err(section.refusal(&at("loops")).into());
+                }
+                let key = section.shown(&at("loops"));
+                self.notes
+                    .push(format!("{key}: no such portrait, as p is none of fig02.loops: add it there"));
+                continue;
             }
             match &mut portrait.wish {
                 Some(Wish { value, must: true }) if !contains(self.across.value, *value) => {
@@ -148,6 +154,7 @@ impl FileSection for Figure2 {
                 _ => {}
             }
             portrait.key = section.shown(&at(portrait.wish.map_or("loops", |wish| wish.key())));
+            self.portraits.push(portrait);
         }
         // Orbits begin above the lower edge of the figure.
         self.attractor.lowest = Some(self.x[0].min(0.0));

@@ -171,7 +171,14 @@ fn figure_2_holds_its_grazing_amplitude() {
 
 #[test]
 fn portraits_and_panels_show_loops_that_are_computed() {
-    refusal("[[fig02.portraits]]", "loops", "4", "fig02.portraits[1].loops");
+    let parameters = set(&["fig02.loops=[1, 2]"]).expect("it is TOML");
+    let figure = parameters.section::<Figure2>().expect("it is right");
+    assert!(figure.portraits.iter().all(|portrait| portrait.loops != 3), "{:?}", figure.portraits);
+    let [note] = &figure.notes[..] else { panic!("{:?}", figure.notes) };
+    assert!(note.contains("fig02.portraits[2].loops = 3: no such portrait"), "{note}");
+    let must = set(&["fig02.loops=[1, 2]", "fig02.portraits[2].amplitude=0.27"]).expect("it is TOML");
+    let told = must.section::<Figure2>().expect_err("nothing else will do").to_string();
+    assert!(told.contains("fig02.portraits[2].loops = 3: the number of loops must be one of"), "{told}");
     refusal("[[fig08.panels]]", "loops", "13", "fig08.panels[1].loops");
     refusal("[[fig08.panels]]", "n", "0", "fig08.panels[1].n");
     refusal("[[fig08.panels]]", "n", "101", "fig08.panels[1].n");
