@@ -1,8 +1,9 @@
 //! The commands that the README shows are commands that exist.
 
 use std::fs;
+use std::process::Command;
 
-use crate::program::repository;
+use crate::program::{empty_folder, repository};
 use clap::Parser;
 use clap::error::ErrorKind;
 use grazing_claims::checks::CHECKS;
@@ -57,12 +58,56 @@ fn the_oscillator_of_the_readme_is_that_of_the_example() {
 #[test]
 fn every_command_of_the_readme_is_understood() {
     for command in commands() {
-        let words = command.split('#').next().unwrap_or_default().split_whitespace().skip(2);
+        let plain = command.replace('\'', "");
+        let words = plain.split('#').next().unwrap_or_default().split_whitespace().skip(2);
         match Arguments::try_parse_from(std::iter::once("grazing").chain(words)) {
             Ok(_) => {}
             Err(error) if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {}
             Err(error) => panic!("README.md: `{command}`: {error}"),
         }
+    }
+}
+
+/// The commands about a file that `new` writes, from a text that shows them, in its order; what
+/// begins to serve is asked for its help.
+fn about_a_new_file(text: &str) -> String {
+    let command = |line: &str| {
+        let line = line.trim().split("  ").next()?.split(" #").next()?.trim_end();
+        let own = line.starts_with("cargo xtask") && (line.contains("my.toml") || line.contains("merge"));
+        let serves = line.contains("explore") || line.contains("report");
+        own.then(|| if serves { format!("{line} --help >/dev/null") } else { line.to_owned() })
+    };
+    text.lines().filter_map(command).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn commands_work_one_after_the_other_as_they_are_shown() {
+    let read = |file: &str| fs::read_to_string(repository().join(file)).expect("it is there");
+    let begin = "cargo() { shift; \"$GRAZING\" \"$@\"; }; set -e";
+    let new = "cargo xtask new my.toml";
+    let shown = [
+        about_a_new_file(&read("README.md")),
+        about_a_new_file(
+            &read("crates/cli/help/new.txt").replace("my.toml --kind", "my-$RANDOM.toml --kind"),
+        ),
+        format!("{new}\n{}", about_a_new_file(&read("crates/cli/help/unfold.txt"))),
+        format!("{new}\n{}", about_a_new_file(&read("crates/cli/help/merge.txt"))),
+    ];
+    for (shell, commands) in
+        ["bash", "zsh"].iter().flat_map(|shell| shown.iter().map(move |text| (shell, text)))
+    {
+        let folder = empty_folder();
+        let run = Command::new(shell)
+            .args(["-c", &format!("{begin}\n{commands}")])
+            .env("GRAZING", env!("CARGO_BIN_EXE_grazing"))
+            .current_dir(folder.path())
+            .output();
+        let Ok(run) = run else {
+            assert_eq!(*shell, "zsh", "bash is wherever this is tested");
+            eprintln!("there is no zsh: nothing was run in it");
+            continue;
+        };
+        assert!(run.status.success(), "{shell}:\n{commands}\n{}", String::from_utf8_lossy(&run.stderr));
     }
 }
 

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use crate::browser::{Spot, assert_all_pass, checked, sheets_of_paper};
+use crate::browser::{Spot, assert_all_pass, checked, lost, sheets_of_paper};
 use crate::program::{DEFAULT, edited, empty_folder, grazing, listing, narrow_duffing, project, repository};
 use grazing_claims::ledger::Ledger;
 use grazing_cli::outputs;
@@ -155,6 +155,9 @@ fn the_page_of_the_whole_study_is_complete_and_answers() {
     assert!(spots.len() > 3, "{}", spots.len());
     if let Some(results) = checked(&page, &spots, &FORMULAS) {
         assert_all_pass(&results);
+    }
+    if let Some((lost, followed)) = lost(&page, &[390]) {
+        assert!(followed >= 16 && lost.is_empty(), "{followed}: {lost:#?}");
     }
     if let Some(sheets) = sheets_of_paper(&page) {
         assert!((10..MOST_SHEETS).contains(&sheets), "{sheets} pages on paper");
