@@ -22,6 +22,9 @@ const VELOCITIES: [f64; 3] = [-0.83, 0.0, 0.61];
 /// Impact velocities, likewise, at which the reset law is sampled: the theorems are about slow
 /// impacts.
 const IMPACT_VELOCITIES: [f64; 5] = [0.0, 0.01, 0.1, 0.5, 1.0];
+/// A natural frequency that so many times exceeds those of the forcing, or the other way round, is
+/// rarely meant: resonances of low order lie nearer; empirical.
+const FAR: f64 = 15.0;
 /// Phases, as shares of the period, that no symmetry relates.
 const SHARES: [f64; 5] = [0.0, 0.137, 0.361, 0.592, 0.823];
 /// The relative change over one period that rounding may cause: the phase's error, a few units in
@@ -49,7 +52,13 @@ pub(crate) fn samples(
             check(&sampler, parameters)?;
         }
     }
-    Ok(parameters.iter().find_map(|&parameters| sampler.lively(parameters)).into_iter().collect())
+    let notes = [
+        parameters.iter().find_map(|&at| sampler.lively(at)),
+        parameters.iter().find_map(|&at| sampler.undamped(at)),
+        parameters.iter().find_map(|&at| sampler.in_hertz(at)),
+        sampler.far(&parameters),
+    ];
+    Ok(notes.into_iter().flatten().collect())
 }
 
 struct Sampler<'a> {
@@ -158,6 +167,65 @@ impl Sampler<'_> {
             "{place}: the restitution is {} at {at}: above 1, so that impacts drive the oscillator; it is analysed as it stands",
             rounded(value)
         ))
+    }
+
+    /// The mean derivatives of the force at the wall in x and in v, over a period.
+    fn slopes(&self, [mu, eta]: [f64; 2]) -> [f64; 2] {
+        let period = TAU / self.description.forcing_frequency(mu, eta);
+        let [by_x, by_v] = [self.units.length, self.units.velocity()].map(|unit| NEAR * unit);
+        let mut sum = [0.0; 2];
+        for t in SHARES.map(|share| share * period) {
+            let mut force = self.description.force_at::<f64, f64>(t, mu, eta);
+            sum[0] += (force(0.0, 0.0) - force(-by_x, 0.0)) / by_x;
+            sum[1] += (force(0.0, by_v) - force(0.0, -by_v)) / (2.0 * by_v);
+        }
+        sum.map(|sum| sum / SHARES.len() as f64)
+    }
+
+    /// What is to be said of a force that grows with the velocity.
+    fn undamped(&self, parameters: [f64; 2]) -> Option<String> {
+        let slope = self.slopes(parameters)[1];
+        (slope * self.units.time > ROUNDING).then(|| {
+            format!(
+                "{}: at the wall the force grows with the velocity, by {} v at {}, so that motion is driven and not damped: is \
+                 the sign of the damping meant?",
+                self.places.force,
+                rounded(slope),
+                self.point(parameters, &[])
+            )
+        })
+    }
+
+    /// What is to be said of a frequency that is a parameter in hertz.
+    fn in_hertz(&self, [mu, eta]: [f64; 2]) -> Option<String> {
+        let frequency = self.description.forcing_frequency(mu, eta);
+        let axes = [(self.description.primary(), mu), (self.description.secondary(), eta)];
+        let (axis, _) =
+            axes.into_iter().find(|(axis, value)| axis.unit() == Some("Hz") && *value == frequency)?;
+        let (place, name) = (&self.places.frequency, axis.name());
+        Some(format!(
+            "{place}: {name} is in Hz, but frequencies here are in radians a time: 2*pi*{name} is, here and in the force"
+        ))
+    }
+
+    /// What is to be said of a natural frequency, of small motion beside the wall, that is far from
+    /// those of the forcing.
+    fn far(&self, parameters: &[[f64; 2]]) -> Option<String> {
+        let forced = parameters.iter().map(|&[mu, eta]| self.description.forcing_frequency(mu, eta));
+        let (low, high) = forced.fold((f64::INFINITY, 0.0_f64), |(low, high), w| (low.min(w), high.max(w)));
+        let natural = parameters.iter().map(|&at| (-self.slopes(at)[0]).max(0.0).sqrt());
+        let (slowest, fastest) =
+            natural.fold((f64::INFINITY, 0.0_f64), |(low, high), w| (low.min(w), high.max(w)));
+        (slowest > FAR * high || fastest * FAR < low && fastest > 0.0).then(|| {
+            format!(
+                "{}: free motion at the wall has a natural frequency of about {}, and that of the forcing is from {} to {}, in \
+                 radians a time: if that is not meant, are the units coherent (kg with N and m), and is no factor 2*pi missing?",
+                self.places.force,
+                rounded(slowest.max(fastest)),
+                rounded(low),
+                rounded(high)
+            )
+        })
     }
 
     fn duration(&self, [mu, eta]: [f64; 2]) -> Checked {

@@ -106,6 +106,9 @@ impl<'a> Source<'a> {
             None if value.starts_with(char::is_alphabetic) && !value.contains(['"', '\'']) => {
                 format!("text must be in quotation marks: write {key} = \"{shown}\"")
             }
+            None if value.replacen(',', ".", 1).parse::<f64>().is_ok() => {
+                format!("decimals are written with a point: write {key} = {}", value.replacen(',', ".", 1))
+            }
             None if value.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first)) => {
                 format!("{shown} is not a number")
             }

@@ -109,6 +109,9 @@ impl Names<'_, '_> {
             ErrorKind::UnexpectedEnd => {
                 "the expression ends too early: a number, a name, a function or ( is expected".to_owned()
             }
+            ErrorKind::UnexpectedCharacter if written == "'" => {
+                "derivatives have names: v is the velocity x'".to_owned()
+            }
             ErrorKind::UnexpectedCharacter => format!(
                 "the character {written} means nothing here: names are of the letters a to z and A to Z, digits and _, operators are \
                  + - * / ^"
@@ -121,6 +124,9 @@ impl Names<'_, '_> {
             ErrorKind::TooDeep | ErrorKind::TooLong => format!(
                 "more than {MOST_DEPTH} parentheses, functions and operators stand inside one another here: shorten it"
             ),
+            _ if written == "," && text[..span.start].ends_with(|c: char| c.is_ascii_digit()) => {
+                "decimals are written with a point, as in 0.02".to_owned()
+            }
             _ if !value_ends_before(text, span.start) => unexpected("a number, a name, a function or ("),
             _ if written == ")" => {
                 "this parenthesis closes nothing: a ( is missing before it, or the ) is one too many"

@@ -64,6 +64,7 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("[parameters]", "zeta", "zeta = {a = 1}"),
     ("[parameters]", "zeta", "zeta = [0.1]"),
     ("[parameters]", "zeta", "zeta = 0.1 N s/m"),
+    ("[parameters]", "zeta", "zeta = 0,1"),
     ("[parameters]", "zeta", "zeta ="),
     ("[parameters]", "zeta", "zeta = 0.1\nzeta = 0.2"),
     ("[primary]", "range", "range = [{from = 0.0}, 1.5]"),
@@ -110,6 +111,8 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("[motion]", "force", "force = \"-x - 1 + A*cos\""),
     ("[motion]", "force", "force = \"-x - 1 + A(cos(omega*t))\""),
     ("[motion]", "force", "force = \"-2x - 1 + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-0.1*x' - x - 1 + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-0,1*v - x - 1 + A*cos(omega*t)\""),
     ("[motion]", "force", "force = \"-(x + 1)(x + 2) + A*cos(omega*t)\""),
     ("[motion]", "force", "force = \"-x - 1 + A*cos(omega*t\""),
     ("[motion]", "force", "force = \"-x - 1) + A*cos(omega*t)\""),
@@ -273,6 +276,25 @@ fn a_restitution_above_one_is_allowed_and_said() {
     assert!(noted("restitution = \"1\"").notes().is_empty());
     let notes = noted("restitution = \"1.2\"").notes().join("");
     assert!(notes.starts_with("o.toml:15: impact.restitution: the restitution is 1.2 at A = 0, "), "{notes}");
+}
+
+#[test]
+fn what_may_not_be_meant_is_said() {
+    let noted = |changes: &[(&str, &str, &str)]| {
+        let text =
+            changes.iter().fold(edited("[parameters]", "zeta", "zeta = 0.1"), |text, (from, to, _)| {
+                assert!(text.contains(from), "{from}: {text}");
+                text.replacen(from, to, 1)
+            });
+        let notes = Description::parse(&text, "o.toml").expect("it is allowed").notes().join("\n");
+        for (_, _, told) in changes {
+            assert!(if told.is_empty() { notes.is_empty() } else { notes.contains(told) }, "{told}: {notes}");
+        }
+    };
+    noted(&[("zeta = 0.1", "zeta = 0.2", "")]);
+    noted(&[("zeta = 0.1", "zeta = -0.1", "the sign of the damping")]);
+    noted(&[("- x -", "- 1000*x -", "a natural frequency of about 31.6")]);
+    noted(&[("name = \"omega\"", "name = \"omega\"\nunit = \"Hz\"", "2*pi*omega")]);
 }
 
 #[test]
