@@ -27,7 +27,7 @@ impl<const N: usize> Linearisation<N> {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum NewtonFailure<E> {
     /// The equations are not defined at an iterate.
-    #[error("iteration {iteration}: {cause}")]
+    #[error("in step {iteration} of Newton's method, {cause}")]
     Undefined {
         /// Number of the iteration, from 1.
         iteration: usize,
@@ -35,7 +35,7 @@ pub enum NewtonFailure<E> {
         cause: E,
     },
     /// The Jacobian is singular to rounding.
-    #[error("iteration {iteration}: the Jacobian is singular, residual {residual:.1e}")]
+    #[error("Newton's method has no next step: solutions are not isolated here, and the equations are met to {residual:.1e}")]
     Singular {
         /// Number of the iteration, from 1.
         iteration: usize,
@@ -43,7 +43,7 @@ pub enum NewtonFailure<E> {
         residual: f64,
     },
     /// The iteration limit was reached.
-    #[error("no convergence by iteration {iterations}, residual {residual:.1e}")]
+    #[error("Newton's method has not converged in {iterations} steps: the equations are met to {residual:.1e}")]
     NoConvergence {
         /// The limit.
         iterations: usize,
