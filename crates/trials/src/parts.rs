@@ -100,7 +100,13 @@ fn distance(window: Window, at: Point, line: &[Point]) -> f64 {
 
 /// Curves and points of one diagram in a part of the window, without those that the other one has,
 /// and the length of what both have.
-fn lacking(whole: Window, part: Window, has: Has, one: &Diagram, other: Option<&Diagram>) -> (f64, Vec<Difference>) {
+fn lacking(
+    whole: Window,
+    part: Window,
+    has: Has,
+    one: &Diagram,
+    other: Option<&Diagram>,
+) -> (f64, Vec<Difference>) {
     let others = other.map(marks).unwrap_or_default();
     let inside = |at: &Point| part.shares(*at).iter().all(|share| (EDGE..1.0 - EDGE).contains(share));
     let (mut common, mut missing) = (0.0, Vec::new());
@@ -146,7 +152,9 @@ pub fn compare(
     let (common, missing) = lacking(all, window, Has::Whole, whole, part);
     outcome.common = common;
     outcome.differences = missing;
-    outcome.differences.extend(part.map(|part| lacking(all, window, Has::Part, part, Some(whole)).1).unwrap_or_default());
+    outcome
+        .differences
+        .extend(part.map(|part| lacking(all, window, Has::Part, part, Some(whole)).1).unwrap_or_default());
     // Where there is nothing to show, nothing is known of motion without impacts.
     let loops = whole.scope.loops.iter().copied().chain(part.map(|_| 0));
     let loops: Vec<u32> = loops.collect();

@@ -10,12 +10,8 @@ use crate::tolerances::BETWEEN_BIFURCATIONS;
 pub(crate) type Located = (Condition, Unknowns, EventTimes);
 
 /// What may happen to a stable, admissible solution,
-const LOSSES: [Condition; 4] = [
-    Condition::SADDLE_NODE,
-    Condition::PERIOD_DOUBLING,
-    Condition::UnitProduct,
-    Condition::InteriorGrazing,
-];
+const LOSSES: [Condition; 4] =
+    [Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING, Condition::UnitProduct, Condition::InteriorGrazing];
 
 /// and what vanishes there: 1 − T + D, 1 + T + D, 1 − D and the distance of the highest maximum from
 /// the wall, all positive where a solution is stable and admissible.
@@ -37,7 +33,8 @@ pub(crate) fn stepped_over(equations: &LoopEquations, branch: &Curve) -> Vec<Loc
         let lengths = [0, 1, 2].map(|k| length(equations, &four[k], &four[k + 1]));
         for (k, &condition) in LOSSES.iter().enumerate() {
             if least(values.map(|values| values[k]), lengths) < 0.0 {
-                let ends = [1, 2].map(|end| from(equations, branch.condition, condition, &four[end], lengths[1]));
+                let ends =
+                    [1, 2].map(|end| from(equations, branch.condition, condition, &four[end], lengths[1]));
                 if let [Some(first), Some(last)] = ends
                     && equations.gap(&first.1, &last.1).norm() > BETWEEN_BIFURCATIONS
                 {
