@@ -15,8 +15,8 @@ use crate::resonance::{LocatedResonance, ResonanceError};
 /// positions, of the order of their squares, is still far below (empirical: the first does nearly
 /// always).
 const VELOCITIES: [f64; 4] = [1e-2, 3e-3, 1e-3, 3e-4];
-/// A solution found there is the one that was looked for if its impact velocity is off by no more
-/// than this share.
+/// A solution found there is the one that was looked for if its impact velocity and its distance
+/// from the resonance in η are off by no more than this share.
 const OFF: f64 = 0.3;
 
 impl<O: ImpactOscillator> LocatedResonance<O> {
@@ -81,7 +81,9 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         let condition = Condition::InteriorGrazing;
         let (mut is_outside, mut reason) =
             (false, "no solution with a visit that touches the wall was found beside it".to_owned());
-        for velocity in VELOCITIES {
+        // Held at its η or, where motion hardly loses energy, at its velocity: there η differs by
+        // orders of magnitude less, and the height hardly changes with the velocity.
+        for (velocity, at_velocity) in VELOCITIES.into_iter().flat_map(|it| [(it, false), (it, true)]) {
             let eta = velocity / bound.velocity_slope;
             let Ok(place) = self.orbit().place().moved(self.orbit().oscillator(), resonance + eta) else {
                 continue;
@@ -93,15 +95,21 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
             let frequency = equations.oscillator_at(&start).forcing_frequency().value;
             let mut times = EventTimes::default();
             times.grazing_time = until_visit / frequency;
-            match locate(&equations, [condition, Condition::Secondary(secondary)], start, &mut times) {
+            let held = match at_velocity {
+                true => Condition::ImpactVelocity(velocity),
+                false => Condition::Secondary(secondary),
+            };
+            match locate(&equations, [condition, held], start, &mut times) {
                 Ok(found) if !route.window.contains(parameters(&found)) => {
                     is_outside = true;
                 }
-                Ok(found) if (found[unknown::VELOCITY] / velocity - 1.0).abs() <= OFF => {
+                Ok(found)
+                    if ((found[unknown::SECONDARY] - resonance) / eta - 1.0).abs() <= OFF
+                        && (found[unknown::VELOCITY] / velocity - 1.0).abs() <= OFF =>
+                {
                     let curve = SolutionCurve { equations, condition };
-                    let away = Unknowns::w() * eta.signum();
                     return curve
-                        .follow_both_ways(found, away, &times, route)
+                        .follow_both_ways(found, Unknowns::x(), &times, route)
                         .map(Some)
                         .map_err(|stall| ResonanceError::not_started(condition, stall.to_string()));
                 }

@@ -65,7 +65,7 @@ pub struct EventTimes {
     /// Phase of the plane of [`Formulation::FixedPhase`].
     reference_phase: Option<f64>,
     /// Time from the recoil to the interior maximum that a grazing curve holds at the wall.
-    pub(crate) grazing_time: f64,
+    pub grazing_time: f64,
     /// The same for a second interior maximum, where two touch the wall.
     pub(crate) second_grazing_time: f64,
     /// What the last evaluation along a curve said of stability,

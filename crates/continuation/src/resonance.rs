@@ -272,7 +272,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             let curve = SolutionCurve { equations: self.clone(), condition };
             let direction = Unknowns::new(sign, 0.0, 0.0, 0.0);
             match curve.follow(point.solution.unknowns, direction, point.times.clone(), route) {
-                Ok(curve) if curve.points.get(1).is_some_and(|next| onwards(&next.solution)) => {
+                Ok(curve) if self.beside_start(&curve).is_some_and(|next| onwards(&next)) => {
                     return Ok(curve);
                 }
                 Ok(_) => {}
@@ -280,6 +280,19 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             }
         }
         Err(ResonanceError::not_started(condition, reason))
+    }
+
+    /// What a curve leads to from its start: its second point, or the middle where that is an event,
+    /// at which a solution does not count as stable.
+    fn beside_start(&self, curve: &Curve) -> Option<PeriodicSolution> {
+        let (start, next) = (curve.points.first()?, &curve.points.get(1)?.solution);
+        if curve.points.len() > 2 || !matches!(curve.end, CurveEnd::Event(_)) {
+            return Some(*next);
+        }
+        let middle = (start.solution.unknowns + next.unknowns) * 0.5;
+        let conditions = [curve.condition, Condition::ImpactVelocity(middle[unknown::VELOCITY])];
+        let found = locate(self, conditions, middle, &mut start.times.clone()).ok()?;
+        Some(self.solution(&found))
     }
 }
 

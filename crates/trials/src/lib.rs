@@ -6,6 +6,7 @@ pub mod errors;
 pub mod lines;
 pub mod nonlinear;
 pub mod oscillators;
+pub mod parts;
 pub mod random;
 pub mod regions;
 pub mod simulation;

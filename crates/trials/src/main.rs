@@ -10,10 +10,11 @@ use grazing_continuation::curve::Window;
 use grazing_description::Description;
 use grazing_trials::nonlinear::{self, Disagreement};
 use grazing_trials::random::Random;
-use grazing_trials::{errors, lines, oscillators, regions};
+use grazing_trials::{errors, lines, oscillators, parts, regions};
 
 const USAGE: &str = "usage: grazing-trials regions [OSCILLATORS [SEED]]      linear ones against the closed form
        grazing-trials windows [OSCILLATORS [SEED]]      the same in parts of windows, along lines, however narrow regions are
+       grazing-trials windows FILE...                   diagrams of parts of windows against those of the whole
        grazing-trials nonlinear [OSCILLATORS [SEED]]    the examples and random ones against continuation and simulation
        grazing-trials nonlinear FILE...                 the same for those of files
        grazing-trials describe NUMBER [SEED]            a random oscillator as a file for `grazing unfold`
@@ -42,7 +43,7 @@ fn main() -> ExitCode {
         },
         Some("windows") => match (number(1, 10), number(2, 1)) {
             (Some(count), Some(seed)) if arguments.len() <= 3 => windows(count, seed),
-            _ => return usage(),
+            _ => arguments[1..].iter().all(|file| windows_of(file)),
         },
         Some("nonlinear") => match (number(1, 10), number(2, 1)) {
             (Some(count), Some(seed)) if arguments.len() <= 3 => examples_and_random(count, seed),
@@ -171,6 +172,42 @@ fn of_the_paper() -> [f64; 2] {
         let constants = example.iter().flat_map(Description::constants);
         constants.filter(|(name, _)| *name == wanted).map(|(_, value)| value).next().unwrap_or(f64::NAN)
     })
+}
+
+/// The oscillator of a file in its window and in parts of it, each diagram against the other.
+fn windows_of(file: &str) -> bool {
+    let described = Description::from_file(Path::new(file)).map_err(|error| error.to_string());
+    let whole = described.and_then(|it| nonlinear::unfolded(&it).map_err(|error| error.to_string()));
+    let whole = match whole {
+        Ok(whole) => whole,
+        Err(error) => {
+            println!("{file}: {error}");
+            return false;
+        }
+    };
+    let mut random = Random::new(1);
+    let mut right = true;
+    for _ in 0..PARTS {
+        let window = lines::part(whole.scope.window, &mut random);
+        let start = Instant::now();
+        let part = parts::part(&whole, window);
+        let outcome = parts::compare(&whole, window, part.as_ref(), POINTS, &mut random);
+        let [more, less] = outcome.hatched;
+        println!(
+            "{file} {:?} x {:?}: {} verdicts and {:.2} of curves agree, {} differences, {more:.4} more hatched, {less:.4} less, \
+             {:.1} s",
+            window.primary,
+            window.secondary,
+            outcome.agreed,
+            outcome.common,
+            outcome.differences.len(),
+            start.elapsed().as_secs_f64(),
+        );
+        outcome.differences.iter().take(8).for_each(|difference| println!("    {difference}"));
+        part.iter().flat_map(regions::doubts).for_each(|doubt| println!("    {doubt}"));
+        right &= outcome.differences.is_empty();
+    }
+    right
 }
 
 /// The examples and a number of random oscillators, against continuation and simulation.

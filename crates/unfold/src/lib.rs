@@ -68,6 +68,7 @@
 mod alongside;
 mod curves;
 pub mod diagram;
+mod dips;
 mod edges;
 mod error;
 pub mod escape;

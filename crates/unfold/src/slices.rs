@@ -20,6 +20,7 @@ use grazing_model::{ImpactOscillator, State};
 use nalgebra::SVector;
 
 use crate::curves::DiagramCurve;
+use crate::dips;
 use crate::grazing::HighestPoint;
 use crate::pace::{Pace, is_lost};
 use crate::progress::Progress;
@@ -369,7 +370,7 @@ impl Slicer {
         } else {
             curve.follow(through, Unknowns::x(), times.clone(), &route)
         };
-        slice.branches.extend(followed);
+        slice.branches.extend(followed.map(|branch| self.whole(branch)));
         // Curves that were looked at may cross the new one.
         slice.curves = 0;
     }
@@ -387,6 +388,14 @@ impl Slicer {
             control.longest *= size(through);
         }
         (curve, Route { window, control, step_limit, stop_at_events: false, pace: None })
+    }
+
+    /// A branch with the bifurcations that it has stepped over two at a time.
+    fn whole(&self, mut branch: Curve) -> Curve {
+        for (condition, through, times) in dips::stepped_over(&self.equations, &branch) {
+            self.insert(&mut branch, condition, &through, times);
+        }
+        branch
     }
 
     /// The branches at one μ to which slices of constant η lead, without those that are known.
@@ -415,12 +424,14 @@ impl Slicer {
         let window = Window { primary: [f64::NEG_INFINITY, f64::INFINITY], ..self.window };
         let (curve, route) = self.branch(Condition::Primary(through[unknown::PRIMARY]), window, through);
         if self.equations.has_impacts() {
-            return curve.follow_both_ways(*through, Unknowns::w(), times, &route).ok();
+            let followed = curve.follow_both_ways(*through, Unknowns::w(), times, &route);
+            return Some(self.whole(followed.ok()?));
         }
         let pace = Pace::new(&self.equations, window, through);
         let pace = |points: &[CurvePoint], tangent: &Unknowns| pace.longest(points, tangent, size(through));
         let route = Route { pace: Some(&pace), ..route };
-        curve.follow_both_ways(*through, Unknowns::w(), times, &route).ok()
+        let followed = curve.follow_both_ways(*through, Unknowns::w(), times, &route);
+        Some(self.whole(followed.ok()?))
     }
 }
 

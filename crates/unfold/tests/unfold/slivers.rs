@@ -78,3 +78,29 @@ fn a_window_on_a_curve_far_from_grazing_shows_the_curve_and_the_region() {
     }
     assert!(seen >= 10, "{seen}");
 }
+
+#[test]
+fn a_tongue_that_comes_in_and_goes_out_at_the_edge_within_a_step_is_found() {
+    // Of period-doubled motion; along the edge 1 + T + D is negative by 5e-5, between two points of
+    // a branch at which it is positive.
+    let window = Window {
+        primary: [0.771862183388759, 1.0540204522049585],
+        secondary: [0.6791468505514304, 1.0638965454289793],
+    };
+    let outcome = lines::compare([0.00369, 0.9931], window, &[1], 500, &mut Random::new(1));
+    assert!(outcome.wrong.is_empty(), "{:?}", outcome.wrong);
+    assert_eq!(outcome.hatched, 0.0);
+}
+
+#[test]
+fn curves_of_two_loops_are_followed_where_motion_hardly_loses_energy() {
+    // Beside n = 2, where η changes by 1e-7 while y changes by 1e-3.
+    let window = Window { primary: [0.0, 0.1], secondary: [0.95, 1.05] };
+    let oscillator = LinearOscillator::new(0.001, 1.0, 0.05, 1.0).expect("it is in the domain");
+    let scope = Scope { window, loops: vec![2], start: None };
+    let diagram = Diagram::compute(&AnyOscillator::new(oscillator), &scope, &Silent).expect("it grazes");
+    assert!(diagram.not_unfolded.is_empty(), "{:?}", diagram.not_unfolded);
+    assert!(diagram.regions.iter().all(|region| region.doubt.is_none()));
+    let curves = diagram.curves.iter().filter(|curve| curve.kind == Bifurcation::Grazing);
+    assert_eq!(curves.count(), 1);
+}
