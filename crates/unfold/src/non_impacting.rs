@@ -14,6 +14,7 @@ use rayon::prelude::*;
 
 pub use relaxation::{Height, PeriodicMotion, periodic_motion};
 pub(crate) use relaxation::{is_whole, motion};
+pub use rest::positions as rest_positions;
 
 use crate::curves::{DiagramCurve, Net};
 use crate::grazing::GrazingCurve;

@@ -3,10 +3,10 @@
 use std::f64::consts::TAU;
 
 use grazing_description::{Axis, Description};
-use grazing_model::smooth::{SmoothOscillator, Units};
+use grazing_model::smooth::{SmoothOscillator, Stop, Units};
 use grazing_results::brief;
 use grazing_unfold::escape::Escape;
-use grazing_unfold::non_impacting::Height;
+use grazing_unfold::non_impacting::{Height, rest_positions};
 use grazing_unfold::regions::Region;
 use grazing_unfold::unfinished::Unfinished;
 use grazing_unfold::{Diagram, UnfoldError};
@@ -37,7 +37,7 @@ pub(crate) fn of(error: &UnfoldError, description: &Description) -> String {
                 );
             }
             let push = mean_force_at_wall(description, nearest.parameters);
-            if lowest.position > 0.0 && push > 0.0 {
+            if lowest.position > 0.0 && push > 0.0 && !rests_in_front(description, nearest.parameters) {
                 return format!(
                     "no grazing: periodic motion without the wall passes it everywhere in {ranges}, because the oscillator's rest \
                      position lies behind the wall: at {} it is pushed into the wall, on average over a forcing period with F = {}. Motion \
@@ -150,6 +150,13 @@ fn instants(description: &Description, [mu, eta]: [f64; 2]) -> impl Iterator<Ite
 fn mean_force_at_wall(description: &Description, [mu, eta]: [f64; 2]) -> f64 {
     let force = |t| description.force(0.0, 0.0, t, mu, eta);
     instants(description, [mu, eta]).map(force).sum::<f64>() / f64::from(INSTANTS)
+}
+
+/// Whether the oscillator rests in front of the wall.
+fn rests_in_front(description: &Description, [mu, eta]: [f64; 2]) -> bool {
+    let units = description.units();
+    let place = [mu / units.primary, eta / units.secondary];
+    !rest_positions(&description.counted(place, &units, &Stop::default())).is_empty()
 }
 
 /// Whether the force, or its frequency, depends on the primary parameter anywhere near the wall.
