@@ -480,6 +480,7 @@ pub(crate) fn near_chord<const N: usize>(
 #[cfg(test)]
 mod tests {
     use grazing_continuation::mps::Formulation;
+    use grazing_model::smooth::{Stop, Units};
 
     use super::*;
     use crate::progress::Silent;
@@ -504,6 +505,27 @@ mod tests {
             middle[unknown::PHASE] += core::f64::consts::PI;
             assert!(!slicer.passes(branch, &middle));
         }
+    }
+
+    #[test]
+    fn a_branch_is_carried_to_a_neighbour_once() {
+        let window = Window { primary: [0.0, 1.2], secondary: [0.6, 1.0] };
+        let stop = Stop::default();
+        let description = crate::specimens::unforced("-0.1*v - x - 1");
+        let oscillator = description.counted([0.5, 0.8], &Units::ONE, &stop);
+        let grazing = grazing_theorems::LinearOscillator::new(0.05, 1.0).and_then(|it| it.grazing(0.8));
+        let grazing = grazing.expect("it is in the domain");
+        let equations = LoopEquations::new(oscillator, 1, Formulation::FixedPhase);
+        let slicer = Slicer { equations, window, control: steps(window) };
+        let from = slicer.beginning_at_grazing(0.8, [[grazing.phase(), grazing.amplitude()]]);
+        let mut to = Slice::new(0.82, Vec::new());
+        assert!(slicer.carry(&from, &mut to));
+        let taken = stop.steps();
+        assert!(!slicer.carry(&from, &mut to));
+        assert_eq!(stop.steps(), taken);
+        // A slice that comes between is another neighbour.
+        slicer.carry(&Slice { secondary: 0.81, ..from }, &mut to);
+        assert!(stop.steps() > taken);
     }
 
     #[test]

@@ -289,25 +289,42 @@ fn widening(nearest: &Height, axes: [&Axis; 2]) -> String {
 mod tests {
     use super::*;
 
+    /// An oscillator with this force and a wall at x = 0, in r and omega.
+    fn file(force: &str, restitution: &str) -> Description {
+        let text = format!(
+            "parameters = {{}}\nprimary = {{ name = \"r\", range = [0.5, 0.9] }}\n\
+             secondary = {{ name = \"omega\", range = [0.5, 0.95] }}\n\
+             motion = {{ force = \"-0.06*v - x + {force}*cos(omega*t)\", frequency = \"omega\" }}\n\
+             wall = {{ position = \"0\", side = \"below\" }}\n\
+             impact = {{ restitution = \"{restitution}\", duration = \"0\" }}\n\
+             analysis = {{ loops = [1] }}\nname = \"Test\"\n"
+        );
+        Description::parse(&text, "test.toml").unwrap()
+    }
+
+    fn no_grazing([lowest, highest]: [f64; 2]) -> UnfoldError {
+        let height = |position| Height { position, parameters: [0.5, 0.75], acceleration: -1.0 };
+        UnfoldError::NoGrazing { lowest: height(lowest), highest: height(highest), whole: true }
+    }
+
     #[test]
     fn a_primary_parameter_of_the_impact_alone_is_named_as_the_reason() {
-        let file = |amplitude: &str, restitution: &str| {
-            let text = format!(
-                "parameters = {{}}\nprimary = {{ name = \"r\", range = [0.5, 0.9] }}\n\
-                 secondary = {{ name = \"omega\", range = [0.5, 0.95] }}\n\
-                 motion = {{ force = \"-0.06*v - x - 1 + {amplitude}*cos(omega*t)\", frequency = \"omega\" }}\n\
-                 wall = {{ position = \"0\", side = \"below\" }}\n\
-                 impact = {{ restitution = \"{restitution}\", duration = \"0\" }}\n\
-                 analysis = {{ loops = [1] }}\nname = \"Test\"\n"
-            );
-            Description::parse(&text, "test.toml").unwrap()
-        };
-        let height = |position| Height { position, parameters: [0.5, 0.75], acceleration: -1.0 };
-        let error = UnfoldError::NoGrazing { lowest: height(-0.3), highest: height(3.4), whole: true };
-        let words = of(&error, &file("0.5", "r"));
+        let error = no_grazing([-0.3, 3.4]);
+        let words = of(&error, &file("-1 + 0.5", "r"));
         assert!(words.contains("does not depend on r") && words.contains("let primary.name be"), "{words}");
-        let words = of(&error, &file("r", "0.9"));
+        let words = of(&error, &file("-1 + r", "0.9"));
         assert!(words.contains("narrow the ranges"), "{words}");
+    }
+
+    #[test]
+    fn rest_is_said_to_lie_behind_the_wall_only_where_none_lies_in_front() {
+        let error = no_grazing([0.3, 3.4]);
+        let behind = "rest position lies behind the wall";
+        let words = of(&error, &file("1 + r", "0.9"));
+        assert!(words.contains(behind), "{words}");
+        // Attraction that exceeds the spring at the wall leaves the rest at x = -0.97 in place.
+        let words = of(&error, &file("-1 + 3/(1 + ((x - 0.1)/0.1)^2) + r", "0.9"));
+        assert!(!words.contains(behind) && words.contains("passes it everywhere"), "{words}");
     }
 
     #[test]
