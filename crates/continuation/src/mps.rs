@@ -147,7 +147,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     }
 
     /// The same equations with motion to fewer digits, where that takes less time.
-    pub(crate) fn roughly(&self) -> Self {
+    #[must_use]
+    pub fn roughly(&self) -> Self {
         Self { oscillator: self.oscillator.roughly(), ..self.clone() }
     }
 

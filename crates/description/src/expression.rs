@@ -226,8 +226,12 @@ impl Expression {
     /// # Panics
     /// With fewer values than variables.
     pub fn evaluate<S: Scalar>(&self, variables: &[S]) -> S {
-        let tape = &*self.0;
-        tape.whole.evaluate(&variables[..tape.variables.len()], iter::empty())
+        let Tape { variables: names, whole, .. } = &*self.0;
+        let variables = &variables[..names.len()];
+        with_space(whole.instructions.len(), |list| {
+            whole.run(0..whole.instructions.len(), variables, variables.len(), (list, 0));
+            *value(whole.result, variables, variables.len(), list)
+        })
     }
 
     /// The expression as a function of the variables that move, with these values of the others,
@@ -241,26 +245,21 @@ impl Expression {
     ) -> impl FnMut(&[&S]) -> S + use<'a, T, S> {
         let tape = &*self.0;
         let others = &others[..tape.variables.len() - tape.moving];
-        let (mut few, mut many) = ([T::constant(0.0); FEW], Vec::new());
-        with_space(others.len() + tape.held, |list| {
-            list[..others.len()].copy_from_slice(others);
-            tape.whole.run::<T, T>(0..tape.held, &[], tape.moving, (list, others.len()));
-            let needed = tape.needed.iter().map(|slot| list[slot - tape.moving]);
-            if tape.needed.len() <= FEW {
-                few.iter_mut().zip(needed).for_each(|(kept, value)| *kept = value);
-            } else {
-                many.extend(needed);
-            }
+        let before = tape.needed.len();
+        // One list for all values of the variables that move.
+        let mut list: Vec<S> = with_space(others.len() + tape.held, |held| {
+            held[..others.len()].copy_from_slice(others);
+            tape.whole.run::<T, T>(0..tape.held, &[], tape.moving, (held, others.len()));
+            let needed = tape.needed.iter().map(|slot| S::from(held[slot - tape.moving]));
+            needed.chain(iter::repeat_n(S::constant(0.0), tape.rest.instructions.len())).collect()
         });
         move |moving| {
-            let needed = if many.is_empty() { &few[..tape.needed.len()] } else { &many };
-            tape.rest.evaluate(&moving[..tape.moving], needed.iter().map(|value| S::from(*value)))
+            let moving = &moving[..tape.moving];
+            tape.rest.run(0..tape.rest.instructions.len(), moving, moving.len(), (&mut list, before));
+            *value(tape.rest.result, moving, moving.len(), &list)
         }
     }
 }
-
-/// So many values that instructions need are kept without allocating.
-const FEW: usize = 4;
 
 /// Gives space for a list of so many values.
 #[inline(always)]
@@ -303,21 +302,6 @@ fn add_up<'v, S: Scalar + 'v>(
 }
 
 impl Code {
-    /// The result; the list begins with values that are known.
-    #[inline]
-    fn evaluate<S: Scalar, V: Borrow<S>>(
-        &self,
-        variables: &[V],
-        known: impl ExactSizeIterator<Item = S>,
-    ) -> S {
-        let before = known.len();
-        with_space(before + self.instructions.len(), |list| {
-            list.iter_mut().zip(known).for_each(|(place, value)| *place = value);
-            self.run(0..self.instructions.len(), variables, variables.len(), (list, before));
-            *value(self.result, variables, variables.len(), list)
-        })
-    }
-
     /// Runs some of the instructions, in order; so many values stand on the list before the
     /// results.
     fn run<S: Scalar, V: Borrow<S>>(

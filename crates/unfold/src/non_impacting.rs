@@ -14,6 +14,7 @@ use rayon::prelude::*;
 
 pub use relaxation::{Height, PeriodicMotion, periodic_motion};
 pub(crate) use relaxation::{is_whole, motion};
+pub use rest::positions as rest_positions;
 
 use crate::curves::{DiagramCurve, Net};
 use crate::grazing::GrazingCurve;
@@ -29,13 +30,16 @@ use crate::{Scope, UnfoldError, search};
 #[derive(Clone, Debug)]
 pub(crate) struct NonImpacting {
     pub(crate) grazing: Vec<GrazingCurve>,
-    /// Why there is none: it stays on one side of the wall.
+    /// Why there is none: it stays on one side of the wall, or was not located where it passes.
     pub(crate) no_grazing: Option<UnfoldError>,
     pub(crate) curves: Vec<DiagramCurve>,
     pub(crate) regions: Vec<Region>,
     /// What was not finished when an end was asked for.
     pub(crate) unfinished: Vec<Unfinished>,
 }
+
+/// A deceleration below this is what rounding leaves of none.
+const TURNED: f64 = 1e-9;
 
 /// The stage of the search.
 const STAGE: &str = "motion without impacts";
@@ -102,6 +106,8 @@ fn on_slices(
         true if progress.stopped() => return Err(UnfoldError::Stopped { stage: STAGE }),
         true => match explanation(&equations, &motions) {
             reason @ UnfoldError::NoGrazing { .. } => Some(reason),
+            // It passes the wall, and nothing was located there.
+            reason @ UnfoldError::Pushed { at } if at.acceleration < -TURNED => Some(reason),
             reason => return Err(reason),
         },
         false => None,

@@ -33,6 +33,9 @@ pub(crate) struct Slice {
     pub(crate) branches: Vec<Curve>,
     /// They have been carried to both neighbours.
     carried: bool,
+    /// The η of the neighbours below and above, and how many of their branches have been carried
+    /// here.
+    taken: [(f64, usize); 2],
     /// The number of branches whose bifurcations have been looked at.
     looked_at: usize,
     /// The numbers of curves and of columns that have been looked at for branches.
@@ -42,7 +45,8 @@ pub(crate) struct Slice {
 
 impl Slice {
     pub(crate) fn new(secondary: f64, branches: Vec<Curve>) -> Self {
-        Self { secondary, branches, carried: false, looked_at: 0, curves: 0, columns: 0 }
+        let taken = [(f64::NAN, 0); 2];
+        Self { secondary, branches, carried: false, taken, looked_at: 0, curves: 0, columns: 0 }
     }
 
     /// The branches that have not been taken before.
@@ -147,7 +151,8 @@ impl Slicer {
             let start = if both {
                 self.with_highest(&HighestPoint { height: 0.0, phase, parameters: [primary, secondary] })
             } else {
-                self.at(Unknowns::new(beside, phase, primary, secondary), &mut EventTimes::default())
+                let near = Unknowns::new(beside, phase, primary, secondary);
+                self.at(&self.equations, near, &mut EventTimes::default())
             };
             if let Some(start) = start {
                 self.add(&mut slice, start, &EventTimes::default(), both);
@@ -184,6 +189,11 @@ impl Slicer {
         start || branch.points.windows(2).any(on_chord)
     }
 
+    /// Whether a solution lies on one of the branches of a slice.
+    fn knows(&self, slice: &Slice, at: &Unknowns) -> bool {
+        slice.branches.iter().any(|branch| self.passes(branch, at))
+    }
+
     /// The branches of a slice without those that are part of another, which they were begun beyond
     /// the end of.
     pub(crate) fn distinct(&self, slice: Slice) -> Vec<Curve> {
@@ -203,16 +213,29 @@ impl Slicer {
     }
 
     /// Adds the branches of a slice that a neighbouring slice leads to, and says whether there are
-    /// any.
+    /// any; a branch is carried to a neighbour once.
     pub(crate) fn carry(&self, from: &Slice, to: &mut Slice) -> bool {
         let before = to.branches.len();
-        for branch in &from.branches {
+        if before >= MOST_BRANCHES {
+            return false;
+        }
+        let taken = &mut to.taken[usize::from(from.secondary > to.secondary)];
+        let (neighbour, count) = core::mem::replace(taken, (from.secondary, from.branches.len()));
+        let known = if neighbour == from.secondary { count } else { 0 };
+        // Most solutions lead to branches that are known, which few digits show.
+        let rough = self.control.sketches().then(|| self.equations.roughly());
+        for branch in &from.branches[known..] {
             let every = (branch.points.len() / CARRIED).max(1);
             for point in branch.points.iter().skip(every / 2).step_by(every) {
                 let mut near = point.solution.unknowns;
                 near[unknown::SECONDARY] = to.secondary;
-                let mut times = point.times.clone();
-                if let Some(start) = self.at(near, &mut times) {
+                let new = |equations: &LoopEquations| {
+                    let mut times = point.times.clone();
+                    let found = self.at(equations, near, &mut times);
+                    found.filter(|start| !self.knows(to, start)).map(|start| (start, times))
+                };
+                let seen = rough.as_ref().is_none_or(|rough| new(rough).is_some());
+                if let Some((start, times)) = seen.then(|| new(&self.equations)).flatten() {
                     self.add(to, start, &times, true);
                 }
             }
@@ -261,7 +284,7 @@ impl Slicer {
         for Crossing { condition, chord, place: near, mut times } in
             columns[new..].iter().flat_map(|column| crossings(column, unknown::SECONDARY, secondary))
         {
-            if slice.branches.iter().any(|branch| self.passes(branch, &near)) {
+            if self.knows(slice, &near) {
                 continue;
             }
             let conditions = [condition, Condition::Secondary(secondary)];
@@ -337,24 +360,16 @@ impl Slicer {
 
     /// The solution at the place of `near` on the surface of all, if it lies in the window and
     /// nearby.
-    fn at(&self, near: Unknowns, times: &mut EventTimes) -> Option<Unknowns> {
-        let found = locate_within(
-            CARRIED_OFF,
-            &self.equations,
-            Condition::beside(&self.equations, &near),
-            near,
-            times,
-        )
-        .ok()?;
+    fn at(&self, equations: &LoopEquations, near: Unknowns, times: &mut EventTimes) -> Option<Unknowns> {
+        let beside = Condition::beside(equations, &near);
+        let found = locate_within(CARRIED_OFF, equations, beside, near, times).ok()?;
         (!self.equations.has_impacts() || self.window.contains(parameters(&found))).then_some(found)
     }
 
     /// Follows the branch through a solution, to greater velocities or to both sides, unless it is
     /// known.
     pub(crate) fn add(&self, slice: &mut Slice, through: Unknowns, times: &EventTimes, both: bool) {
-        if slice.branches.len() >= MOST_BRANCHES
-            || slice.branches.iter().any(|branch| self.passes(branch, &through))
-        {
+        if slice.branches.len() >= MOST_BRANCHES || self.knows(slice, &through) {
             return;
         }
         // No branch leaves its own η.
@@ -476,6 +491,7 @@ pub(crate) fn near_chord<const N: usize>(
 #[cfg(test)]
 mod tests {
     use grazing_continuation::mps::Formulation;
+    use grazing_model::smooth::{Stop, Units};
 
     use super::*;
     use crate::progress::Silent;
@@ -500,6 +516,31 @@ mod tests {
             middle[unknown::PHASE] += core::f64::consts::PI;
             assert!(!slicer.passes(branch, &middle));
         }
+    }
+
+    #[test]
+    fn a_branch_is_carried_to_a_neighbour_once() {
+        let window = Window { primary: [0.0, 1.2], secondary: [0.6, 1.0] };
+        let stop = Stop::default();
+        let description = crate::specimens::unforced("-0.1*v - x - 1");
+        let oscillator = description.counted([0.5, 0.8], &Units::ONE, &stop);
+        let grazing = grazing_theorems::LinearOscillator::new(0.05, 1.0).and_then(|it| it.grazing(0.8));
+        let grazing = grazing.expect("it is in the domain");
+        let equations = LoopEquations::new(oscillator, 1, Formulation::FixedPhase);
+        let slicer = Slicer { equations, window, control: steps(window) };
+        let from = slicer.beginning_at_grazing(0.8, [[grazing.phase(), grazing.amplitude()]]);
+        let mut to = Slice::new(0.82, Vec::new());
+        assert!(slicer.carry(&from, &mut to));
+        let taken = stop.steps();
+        // Steps are counted in lots.
+        assert!(!(0..20).any(|_| slicer.carry(&from, &mut to)));
+        assert_eq!(stop.steps(), taken);
+        // Slices that come between are other neighbours.
+        for k in 1..20 {
+            let between = Slice { secondary: 0.8 + 1e-3 * f64::from(k), ..from.clone() };
+            slicer.carry(&between, &mut to);
+        }
+        assert!(stop.steps() > taken);
     }
 
     #[test]

@@ -3,10 +3,10 @@
 use std::f64::consts::TAU;
 
 use grazing_description::{Axis, Description};
-use grazing_model::smooth::{SmoothOscillator, Units};
+use grazing_model::smooth::{SmoothOscillator, Stop, Units};
 use grazing_results::brief;
 use grazing_unfold::escape::Escape;
-use grazing_unfold::non_impacting::Height;
+use grazing_unfold::non_impacting::{Height, rest_positions};
 use grazing_unfold::regions::Region;
 use grazing_unfold::unfinished::Unfinished;
 use grazing_unfold::{Diagram, UnfoldError};
@@ -37,7 +37,7 @@ pub(crate) fn of(error: &UnfoldError, description: &Description) -> String {
                 );
             }
             let push = mean_force_at_wall(description, nearest.parameters);
-            if lowest.position > 0.0 && push > 0.0 {
+            if lowest.position > 0.0 && push > 0.0 && !rests_in_front(description, nearest.parameters) {
                 return format!(
                     "no grazing: periodic motion without the wall passes it everywhere in {ranges}, because the oscillator's rest \
                      position lies behind the wall: at {} it is pushed into the wall, on average over a forcing period with F = {}. Motion \
@@ -150,6 +150,13 @@ fn instants(description: &Description, [mu, eta]: [f64; 2]) -> impl Iterator<Ite
 fn mean_force_at_wall(description: &Description, [mu, eta]: [f64; 2]) -> f64 {
     let force = |t| description.force(0.0, 0.0, t, mu, eta);
     instants(description, [mu, eta]).map(force).sum::<f64>() / f64::from(INSTANTS)
+}
+
+/// Whether the oscillator rests in front of the wall.
+fn rests_in_front(description: &Description, [mu, eta]: [f64; 2]) -> bool {
+    let units = description.units();
+    let place = [mu / units.primary, eta / units.secondary];
+    !rest_positions(&description.counted(place, &units, &Stop::default())).is_empty()
 }
 
 /// Whether the force, or its frequency, depends on the primary parameter anywhere near the wall.
@@ -282,25 +289,42 @@ fn widening(nearest: &Height, axes: [&Axis; 2]) -> String {
 mod tests {
     use super::*;
 
+    /// An oscillator with this force and a wall at x = 0, in r and omega.
+    fn file(force: &str, restitution: &str) -> Description {
+        let text = format!(
+            "parameters = {{}}\nprimary = {{ name = \"r\", range = [0.5, 0.9] }}\n\
+             secondary = {{ name = \"omega\", range = [0.5, 0.95] }}\n\
+             motion = {{ force = \"-0.06*v - x + {force}*cos(omega*t)\", frequency = \"omega\" }}\n\
+             wall = {{ position = \"0\", side = \"below\" }}\n\
+             impact = {{ restitution = \"{restitution}\", duration = \"0\" }}\n\
+             analysis = {{ loops = [1] }}\nname = \"Test\"\n"
+        );
+        Description::parse(&text, "test.toml").unwrap()
+    }
+
+    fn no_grazing([lowest, highest]: [f64; 2]) -> UnfoldError {
+        let height = |position| Height { position, parameters: [0.5, 0.75], acceleration: -1.0 };
+        UnfoldError::NoGrazing { lowest: height(lowest), highest: height(highest), whole: true }
+    }
+
     #[test]
     fn a_primary_parameter_of_the_impact_alone_is_named_as_the_reason() {
-        let file = |amplitude: &str, restitution: &str| {
-            let text = format!(
-                "parameters = {{}}\nprimary = {{ name = \"r\", range = [0.5, 0.9] }}\n\
-                 secondary = {{ name = \"omega\", range = [0.5, 0.95] }}\n\
-                 motion = {{ force = \"-0.06*v - x - 1 + {amplitude}*cos(omega*t)\", frequency = \"omega\" }}\n\
-                 wall = {{ position = \"0\", side = \"below\" }}\n\
-                 impact = {{ restitution = \"{restitution}\", duration = \"0\" }}\n\
-                 analysis = {{ loops = [1] }}\nname = \"Test\"\n"
-            );
-            Description::parse(&text, "test.toml").unwrap()
-        };
-        let height = |position| Height { position, parameters: [0.5, 0.75], acceleration: -1.0 };
-        let error = UnfoldError::NoGrazing { lowest: height(-0.3), highest: height(3.4), whole: true };
-        let words = of(&error, &file("0.5", "r"));
+        let error = no_grazing([-0.3, 3.4]);
+        let words = of(&error, &file("-1 + 0.5", "r"));
         assert!(words.contains("does not depend on r") && words.contains("let primary.name be"), "{words}");
-        let words = of(&error, &file("r", "0.9"));
+        let words = of(&error, &file("-1 + r", "0.9"));
         assert!(words.contains("narrow the ranges"), "{words}");
+    }
+
+    #[test]
+    fn rest_is_said_to_lie_behind_the_wall_only_where_none_lies_in_front() {
+        let error = no_grazing([0.3, 3.4]);
+        let behind = "rest position lies behind the wall";
+        let words = of(&error, &file("1 + r", "0.9"));
+        assert!(words.contains(behind), "{words}");
+        // Attraction that exceeds the spring at the wall leaves the rest at x = -0.97 in place.
+        let words = of(&error, &file("-1 + 3/(1 + ((x - 0.1)/0.1)^2) + r", "0.9"));
+        assert!(!words.contains(behind) && words.contains("passes it everywhere"), "{words}");
     }
 
     #[test]

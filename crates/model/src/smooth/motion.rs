@@ -120,6 +120,9 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
 
     /// Calls `visit` with the beginning and the solution of each step up to a time since the start.
     pub(super) fn for_each_step(&self, time: f64, mut visit: impl FnMut(f64, &Step)) -> Option<()> {
+        if time == 0.0 {
+            return Some(());
+        }
         let course = &mut *self.course(time).borrow_mut();
         let k = self.node_before(course, time)?;
         for ends in course.nodes[..=k].windows(2) {

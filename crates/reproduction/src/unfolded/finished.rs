@@ -42,6 +42,8 @@ pub(super) fn follow(
 }
 
 fn hand_on(axes: &Axes, located: &Diagram, receiver: impl IntoIterator<Item = Done>, keep: Keep<'_>) {
+    let free = located.curves.iter().map(|curve| plane::bifurcation_rows(axes, located, curve));
+    let before: Vec<Vec<PlanePoint>> = plane::grazing_rows(axes, located).into_iter().chain(free).collect();
     let mut finished = BTreeMap::new();
     for (resonance, curves) in receiver {
         finished.insert(resonance, curves);
@@ -52,9 +54,8 @@ fn hand_on(axes: &Axes, located: &Diagram, receiver: impl IntoIterator<Item = Do
             }
         }
         let rows = listed.into_iter().map(|(_, rows)| rows.clone());
-        let free = located.curves.iter().map(|curve| plane::bifurcation_rows(axes, located, curve));
-        let all = plane::grazing_rows(axes, located).into_iter().chain(free).chain(rows);
-        keep(&Table::new("curves", &axes.names, &plane::numbered(all)));
+        let all = plane::numbered(before.iter().cloned().chain(rows));
+        keep(&Table::new("curves", &axes.names, &all));
     }
 }
 

@@ -55,8 +55,8 @@ impl Height {
     }
 }
 
-/// Where the search begins: shares of the range of μ, and positions at rest; then those where the
-/// oscillator rests.
+/// Where the search begins: shares of the range of μ, and positions at rest, besides those where
+/// the oscillator rests: that may be in a well in which none of these lies.
 const SHARES: [f64; 3] = [0.0, 1.0, LAST_RESORT];
 /// The share from which a search begins if there is nothing at the ends.
 const LAST_RESORT: f64 = 0.5;
@@ -96,28 +96,14 @@ pub(crate) fn motion(
     let mut slice = Slice::new(secondary, Vec::new());
     let add = |slice: &mut Slice, start: &Unknowns| slicer.add(slice, *start, &EventTimes::default(), true);
     let (mut ran_away, mut carried_away) = (None, None);
-    // Where all that begins near the wall runs away, motion about rest in front of it may not.
-    let attempts = SHARES.map(|share| (share, false)).into_iter().chain(SHARES.map(|share| (share, true)));
-    for (share, from_rest) in attempts {
-        let enough = match from_rest {
-            true => !slice.branches.is_empty() || carried_away.is_some(),
-            false => share == LAST_RESORT && !slice.branches.is_empty(),
-        };
-        if enough {
-            continue;
+    for share in SHARES {
+        if share == LAST_RESORT && !slice.branches.is_empty() {
+            break;
         }
         let [primary, _] = scope.window.parameters([share, 0.0]);
-        let starts: Vec<[f64; 2]> = match from_rest {
-            true => {
-                let rests = rest::positions(&oscillator.with_parameters([primary, secondary]));
-                rests.iter().map(|position| [*position, 0.0]).collect()
-            }
-            false => {
-                let positions = POSITIONS.iter().chain(positions).map(|position| [*position, 0.0]);
-                scope.start.into_iter().chain(positions).collect()
-            }
-        };
-        for start in starts {
+        let rests = rest::positions(&oscillator.with_parameters([primary, secondary]));
+        let positions = POSITIONS.iter().chain(positions).chain(&rests).map(|position| [*position, 0.0]);
+        for start in scope.start.into_iter().chain(positions) {
             match relaxed(&slicer.equations, [primary, secondary], Vector2::from(start)) {
                 Ok(Some(orbit)) if orbit[0].abs() > CARRIED_AWAY.max(AS_FAR * start[0].abs()) => {
                     carried_away = carried_away.or(Some(orbit))

@@ -1,8 +1,9 @@
 //! Where an oscillator rests in front of the wall.
 //!
 //! Where attraction at the wall exceeds the spring, as in adhesion, motion that begins near the wall
-//! may run away, while motion from the rest position relaxes as ever. That position may be
-//! hundreds of units of length away, since the unit is how fast the force changes at the wall.
+//! may run away, or settle in another well behind the wall, while motion from the rest position
+//! relaxes as ever. That position may be hundreds of units of length away, since the unit is how
+//! fast the force changes at the wall.
 
 use core::f64::consts::TAU;
 
@@ -28,7 +29,7 @@ const ENOUGH: f64 = 1e-3;
 
 /// The stable rest positions in front of the wall, from there on: where the force at rest, on
 /// average over a forcing period, is zero and drives back to there.
-pub(super) fn positions(oscillator: &AnyOscillator) -> Vec<f64> {
+pub fn positions(oscillator: &AnyOscillator) -> Vec<f64> {
     let mean = |position: f64| {
         let phases = (0..INSTANTS).map(|k| TAU * f64::from(k) / f64::from(INSTANTS));
         let forces = phases.map(|phase| oscillator.acceleration(State::at_rest(position, phase)));

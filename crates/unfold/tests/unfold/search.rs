@@ -250,9 +250,13 @@ fn grazing_on_the_upper_branch_of_a_bistable_oscillator_is_found_beyond_two_fold
     assert!(in_trapesium(map.trace(), map.determinant()));
 }
 
-/// Attraction that exceeds the spring at the wall but not a little farther off, with a pole behind the
-/// wall, and ranges in which forcing turns motion back from the wall all the same.
-const ADHESIVE: [(&str, [[f64; 2]; 2]); 1] = [("25*(0.5/(0.5 - x))^2", [[5.0, 25.0], [1.7, 1.8]])];
+/// Attraction that exceeds the spring at the wall but not a little farther off, with ranges in which
+/// forcing turns motion back from the wall all the same: with a pole behind the wall, and with
+/// another well there that holds what falls into it.
+const ADHESIVE: [(&str, [[f64; 2]; 2]); 2] = [
+    ("25*(0.5/(0.5 - x))^2", [[5.0, 25.0], [1.7, 1.8]]),
+    ("22/(1 + ((x - 0.1)/0.1)^2)", [[1.0, 9.0], [1.2, 1.3]]),
+];
 
 #[test]
 fn motion_relaxes_about_rest_in_front_of_a_wall_that_attracts_more_than_the_spring() {
