@@ -35,6 +35,9 @@ function bodyOf(value) {
   return { model: modelOf(value), fixed: value.cut, at: value.place[1 - at], range: viewOf(value)[axis] };
 }
 
+/** What its strands are of, whatever part of them is seen. */
+const ofBody = ({ model, fixed, at }) => JSON.stringify([model, fixed, at]);
+
 const request = rested(200, () => {
   const value = state.get();
   if (!value.cut || !value.place) return;
@@ -48,7 +51,7 @@ const request = rested(200, () => {
     const take = (told) => {
       if (signal.aborted) return;
       const last = answer?.fixed === body.fixed ? answer : { dots: [] };
-      answer = { ...last, ...told, fixed: body.fixed, at: body.at, old: !told.dots };
+      answer = { ...last, ...told, fixed: body.fixed, at: body.at, of: ofBody(body), old: !told.dots };
       say("");
       draw();
     };
@@ -93,7 +96,7 @@ function draw() {
   canvas.setAttribute("aria-valuemax", range[1]);
   canvas.setAttribute("aria-valuenow", value.place[at]);
   canvas.setAttribute("aria-valuetext", `${description[axis].name} ${coordinate(value.place[at], range[1] - range[0])}`);
-  if (own) drawFound(context, own, to, ink);
+  if (own) drawFound(context, own, to, ink, own.of === ofBody(bodyOf(value)) ? 1 : 0.25);
   else if (canvas.hasAttribute("aria-busy")) {
     context.fillStyle = ink.muted;
     write(context, [["computing …", "italic"]], frame.x + frame.w / 2, frame.y + frame.h / 2, 15, 0.5);
@@ -113,9 +116,9 @@ function draw() {
   end();
 }
 
-function drawFound(context, { strands, bifurcations, dots, old }, to, ink) {
+function drawFound(context, { strands, bifurcations, dots, old }, to, ink, strength) {
   context.fillStyle = ink.cloud;
-  context.globalAlpha = old ? 0.3 : 1;
+  context.globalAlpha = old ? 0.25 : strength;
   const size = dots.length < FEW ? 1.4 : 0.8;
   for (const dot of dots) {
     const [x, y] = to(dot);
@@ -130,7 +133,7 @@ function drawFound(context, { strands, bifurcations, dots, old }, to, ink) {
       if (same) continue;
       const [, , stable, admissible] = points[from];
       context.strokeStyle = branchInk(p);
-      context.globalAlpha = admissible ? 1 : 0.45;
+      context.globalAlpha = (admissible ? 1 : 0.45) * strength;
       context.lineWidth = stable && admissible ? 2.4 : 0.9;
       context.setLineDash(admissible ? [] : [3, 3]);
       context.beginPath();
@@ -139,7 +142,7 @@ function drawFound(context, { strands, bifurcations, dots, old }, to, ink) {
       from = at;
     }
   }
-  context.globalAlpha = 1;
+  context.globalAlpha = strength;
   context.setLineDash([]);
   const taken = [];
   for (const { kind, p, at, x } of bifurcations) {
@@ -159,13 +162,14 @@ function drawFound(context, { strands, bifurcations, dots, old }, to, ink) {
     if (!corner) continue;
     taken.push(corner);
     // Dots and strands do not cross the words, which are darker than a line may be.
-    context.globalAlpha = 0.75;
+    context.globalAlpha = 0.75 * strength;
     context.fillStyle = ink.paper;
     context.fillRect(corner[0] - 2, corner[1] - 10, wide - 10, 13);
-    context.globalAlpha = 1;
+    context.globalAlpha = strength;
     context.fillStyle = wordInk(kind) ?? ink.marker;
     write(context, words, ...corner, 12);
   }
+  context.globalAlpha = 1;
 }
 
 export function attach() {

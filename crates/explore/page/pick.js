@@ -3,15 +3,19 @@ import { count } from "./dom.js";
 import { diagram } from "./diagram.js";
 import { LOOKS } from "./kinds.js";
 
+/** How far a point is from a segment. */
+export function apart([x, y], [ax, ay], [bx, by]) {
+  const square = (bx - ax) ** 2 + (by - ay) ** 2;
+  const part = square === 0 ? 0 : Math.min(1, Math.max(0, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / square));
+  return Math.hypot(x - ax - part * (bx - ax), y - ay - part * (by - ay));
+}
+
 /** The curve within so many pixels of a point, of the runs that were drawn, or null. */
 function curveAt(runs, x, y, within = 7) {
   let best = { distance: within, curve: null };
   for (const { curve, points } of runs) {
     for (let index = 1; index < points.length; index += 1) {
-      const [[ax, ay], [bx, by]] = [points[index - 1], points[index]];
-      const square = (bx - ax) ** 2 + (by - ay) ** 2;
-      const part = square === 0 ? 0 : Math.min(1, Math.max(0, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / square));
-      const distance = Math.hypot(x - ax - part * (bx - ax), y - ay - part * (by - ay));
+      const distance = apart([x, y], points[index - 1], points[index]);
       if (distance < best.distance) best = { distance, curve };
     }
   }

@@ -66,6 +66,7 @@ class Card {
       ? make("button", { type: "button", class: "small", onclick: () => state.update({ kept: null }) }, "Remove")
       : make("button", { type: "button", class: "small", "data-command": "keep", title: "Keep this place to compare it with another (K)" }, "Keep");
     this.at = make("p", { class: "at" });
+    this.short = make("p", { class: "short" });
     this.message = make("p", { class: "message bad", hidden: true });
     this.attractors = make("ul", { class: "attractors" });
     const picture = (name, label) => (this[name] = make("canvas", { class: `picture ${name}`, role: "img", "aria-label": label }));
@@ -75,8 +76,8 @@ class Card {
     const head = make("tr", {}, ...heads.map(([word, title]) => make("th", { scope: "col", title: title || null }, word)));
     this.solutions = make("div", { class: "scroll" }, make("table", {}, make("caption", {}, "Maximal periodic solutions"), make("thead", {}, head), this.table));
     this.hint = make("p", { class: "muted", hidden: true }, "Followed from the place before; all is looked for when it rests.");
-    this.body = make("div", { class: "card-body" }, this.attractors, this.hint, this.pictures, this.solutions);
-    this.element = make("article", { class: `place ${this.key}`, "aria-label": kept ? "Kept place" : "Place", hidden: true }, make("header", {}, this.at, action), this.message, this.body);
+    this.body = make("div", { class: "card-body" }, this.pictures, this.attractors, this.hint, this.solutions);
+    this.element = make("article", { class: `place ${this.key}`, "aria-label": kept ? "Kept place" : "Place", hidden: true }, make("header", {}, make("div", {}, this.at, this.short), action), this.message, this.body);
     $("places").append(this.element);
     new ResizeObserver(() => this.draw()).observe(this.pictures);
     onTheme(() => this.answer && this.show());
@@ -93,8 +94,14 @@ class Card {
       return;
     }
     this.title(place, value);
+    this.age(value);
     if (live) this.latest.live(this.job(true));
     this.rest();
+  }
+
+  /** Fades what is of another place or oscillator. */
+  age(value) {
+    this.element.classList.toggle("stale", this.answer !== null && this.told !== JSON.stringify([modelOf(value), value[this.key]]));
   }
 
   title(place, value) {
@@ -131,7 +138,8 @@ class Card {
       if (!body.nearby) this.slow = performance.now() - began > SLOW;
       this.known = knownAs(body);
       this.asked = live ? "" : JSON.stringify(body);
-      [this.answer, this.shown] = [answer, body.at];
+      [this.answer, this.shown, this.told] = [answer, body.at, JSON.stringify([body.model, body.at])];
+      this.age(state.get());
       this.show();
       this.element.removeAttribute("aria-busy");
       if (!live && this.key === "place") this.announce(body.at);
@@ -151,6 +159,7 @@ class Card {
     this.hint.hidden = !this.answer.followed;
     const { attractors, solutions } = this.answer;
     const inks = attractorInks(attractors);
+    this.short.textContent = attractors.map((each) => `${nameOf(each)} ${percent(each.share)}`).join("; ");
     const rows = attractors.map((each, index) => {
       const swatch = make("span", { class: "swatch", "aria-hidden": "true" });
       swatch.style.background = inks[index];
@@ -216,5 +225,9 @@ export function follow(value, moved, live) {
   for (const card of cards) if (model || moved.has(card.key)) card.follow(value, live);
     else if (moved.has("view") && value[card.key]) card.title(value[card.key], value);
   $("place-hint").hidden = value.place !== null || value.kept !== null;
+  const opens = value.place !== null && !document.body.classList.contains("placed");
+  document.body.classList.toggle("placed", value.place !== null || value.kept !== null);
+  // Where the answer is a sheet over the lower part of the page, the plane is above it.
+  if (opens && getComputedStyle($("place-section")).position === "fixed") $("stage").scrollIntoView({ block: "start", behavior: "instant" });
   document.body.classList.toggle("two-places", value.place !== null && value.kept !== null);
 }

@@ -2,7 +2,7 @@
 import { begin } from "./busy.js";
 import { $, later } from "./dom.js";
 import { chart, clipped, clippedRing, font, into, trace, write } from "./axes.js";
-import { diagram } from "./diagram.js";
+import { diagram, strength } from "./diagram.js";
 import { placeLabels } from "./labels.js";
 import { axisPieces, titlePieces } from "./markup.js";
 import { description, viewOf, wholeView } from "./model.js";
@@ -74,7 +74,7 @@ function hatching(context, ink) {
 }
 
 function drawRegions(context, regions, ink) {
-  context.globalAlpha = diagram.stale ? 0.45 : 1;
+  context.globalAlpha = strength(diagram.of.regions);
   for (const kind of ["non-impacting", "mps", "undecided"]) {
     const own = regions.filter((region) => region.kind === kind);
     if (own.length === 0) continue;
@@ -96,7 +96,7 @@ function drawCurves(context) {
     context.strokeStyle = pen.colour;
     context.setLineDash(pen.dashes);
     context.lineWidth = bounds ? pen.width : Math.min(pen.width, 0.8);
-    context.globalAlpha = bounds ? 1 : 0.6;
+    context.globalAlpha = (bounds ? 1 : 0.6) * strength(curve.of);
     context.beginPath();
     trace(context, points);
     context.stroke();
@@ -109,6 +109,7 @@ function drawPoints(context, to, ink) {
   context.fillStyle = ink.marker;
   context.strokeStyle = ink.rim;
   context.lineWidth = 1;
+  context.globalAlpha = strength(diagram.of.points);
   for (const point of [...diagram.points].sort((a, b) => (a.kind === "resonance") - (b.kind === "resonance"))) {
     const [x, y] = to([point.primary, point.secondary]);
     if (!inFrame(x, y, 6)) continue;
@@ -118,6 +119,7 @@ function drawPoints(context, to, ink) {
     context.fill();
     context.stroke();
   }
+  context.globalAlpha = 1;
 }
 
 const inFrame = (x, y, margin = 0) => x >= frame.x - margin && x <= frame.x + frame.w + margin && y >= frame.y - margin && y <= frame.y + frame.h + margin;
@@ -225,17 +227,19 @@ function drawLabels(context, regions, to, view, ink) {
   const passed = performance.now() - labels.placed;
   if (labels.key !== key && passed >= SETTLES) {
     const points = diagram.points.map(({ primary, secondary }) => to([primary, secondary]));
-    const before = labels.list.map(({ key: own, at }) => ({ key: own, x: to(at)[0], y: to(at)[1] }));
-    const list = placeLabels(frame, runs, diagram.stale ? [] : regions, points, before);
+    const before = labels.list.map((each) => ({ ...each, x: to(each.at)[0], y: to(each.at)[1] }));
+    const list = placeLabels(frame, runs, regions, points, before);
     labels = { key, placed: performance.now(), list: list.map((each) => ({ ...each, at: toParameters(each.x, each.y, view) })) };
   } else if (labels.key !== key) later(SETTLES - passed, redraw);
   context.textBaseline = "alphabetic";
-  for (const { text, at, kind } of labels.list) {
+  for (const { text, at, kind, key: own } of labels.list) {
     const [x, y] = to(at);
     if (!inFrame(x, y)) continue;
+    context.globalAlpha = strength(kind === "region" ? diagram.of.regions : diagram.curves.get(own)?.of);
     context.fillStyle = kind === "region" ? ink.ink : wordInk(kind);
     write(context, text, x, y + 5, 15, 0.5);
   }
+  context.globalAlpha = 1;
   context.font = font(13);
 }
 

@@ -1,5 +1,5 @@
 // What an oscillator does at a place, in three pictures: phase portrait, time series, and impacts by phase and velocity.
-import { chart, font, ticks, trace } from "./axes.js";
+import { chart, font, trace } from "./axes.js";
 import { inks } from "./palette.js";
 
 /** Forcing periods of the time series: most, and least. */
@@ -22,21 +22,15 @@ function extent(values, room = ROOM) {
 
 /** A canvas with axes; gives what draws in it, or null. */
 function picture(canvas, x, y) {
-  // Room for the widest number.
-  const margins = (_, height, context) => {
-    context.font = font(SIZE);
-    const labels = ticks(y.range, (height - MARGIN.top - MARGIN.bottom) / 38).found;
-    const widest = Math.max(0, ...labels.map(({ label }) => (label ? context.measureText(label).width : 0)));
-    return { ...MARGIN, left: Math.max(MARGIN.left, Math.ceil(widest) + 28) };
-  };
   const ink = inks();
-  const made = chart(canvas, margins, { x, y }, ink, SIZE);
+  const made = chart(canvas, () => MARGIN, { x, y }, ink, SIZE);
   return made && { ...made, ink };
 }
 
 /** Of the numbers at the axes. */
 const SIZE = 11;
-const MARGIN = { left: 46, right: 8, top: 8, bottom: 36 };
+/** Room for the longest numbers, so that frames stay where they are. */
+const MARGIN = { left: 60, right: 8, top: 8, bottom: 36 };
 
 function line(context, points, colour, width, dashes = []) {
   context.strokeStyle = colour;

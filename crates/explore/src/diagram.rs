@@ -51,8 +51,7 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     });
     let diagram = match request.coarse {
         true => located.with_curves(followed),
-        false => (located.with(followed, events).found())
-            .map_err(|error| Problem::wrong(error.in_units(&axes.units).to_string()))?,
+        false => located.with(followed, events),
     };
     // Whatever was sent before is in these, and what begins elsewhere.
     let rows = plane::curves(&axes, &diagram);
@@ -77,6 +76,10 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     // these.
     events.send("keys", &all.iter().chain(&approximations).map(|curve| &curve["key"]).collect::<Vec<_>>());
     events.send("notes", &plane::lost(&diagram).collect::<Vec<_>>());
+    // What is stable here is shown all the same.
+    if let Some(reason) = diagram.nothing() {
+        events.send("nothing", &reason.in_units(&axes.units).to_string());
+    }
     Ok(())
 }
 
