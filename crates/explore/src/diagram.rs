@@ -3,14 +3,17 @@
 use std::collections::BTreeMap;
 
 use grazing_continuation::bifurcation::Bifurcation;
+use grazing_model::AnyOscillator;
 use grazing_model::smooth::Stop;
 use grazing_reproduction::plane::{self, Axes};
 use grazing_reproduction::unfolded::AtResonance;
-use grazing_results::plane::{PlanePoint, RegionVertex, SpecialPoint};
-use grazing_unfold::Diagram;
+use grazing_results::Names;
+use grazing_results::plane::{PlaneDiagram, PlanePoint, RegionVertex, SpecialPoint};
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::magnification::approximation;
+use grazing_unfold::progress::Progress;
 use grazing_unfold::units::InUnits;
+use grazing_unfold::{Diagram, Scope};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -28,10 +31,44 @@ pub(crate) struct DiagramRequest {
     coarse: bool,
 }
 
+/// The diagram of what is seen of the plane, as rows.
+pub struct Seen {
+    /// What the oscillator is called.
+    pub name: String,
+    /// The names of its parameters.
+    pub names: Names,
+    /// The diagram, without frames of magnifications and lines of other diagrams.
+    pub diagram: PlaneDiagram,
+}
+
+impl Seen {
+    pub(crate) fn compute(model: &Model, view: &View, stop: &Stop) -> Result<Self, Problem> {
+        let name = model.description(Some(view), stop)?.name().to_owned();
+        let Prepared { oscillator, scope, axes, .. } = model.prepared(Some(view), stop)?;
+        let located = located(&oscillator, &scope, &axes, stop)?;
+        let followed = located.follow(stop, &|_, _| ());
+        let diagram = located.with(followed, stop);
+        if stop.is_asked() {
+            return Err(Problem::ended());
+        }
+        let diagram = plane::plane_diagram(&axes, &diagram, Vec::new(), Vec::new());
+        Ok(Self { name, names: axes.names, diagram })
+    }
+}
+
+fn located(
+    oscillator: &AnyOscillator,
+    scope: &Scope,
+    axes: &Axes,
+    progress: &dyn Progress,
+) -> Result<Diagram, Problem> {
+    Diagram::located(oscillator, scope, progress)
+        .map_err(|error| Problem::wrong(error.in_units(&axes.units).to_string()))
+}
+
 pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
     let Prepared { oscillator, scope, axes, .. } = request.model.prepared(Some(&request.view), stop)?;
-    let located = Diagram::located(&oscillator, &scope, events)
-        .map_err(|error| Problem::wrong(error.in_units(&axes.units).to_string()))?;
+    let located = located(&oscillator, &scope, &axes, events)?;
     let grazing = (0..).zip(plane::grazing_rows(&axes, &located));
     events.send("curves", &grazing.map(|(k, rows)| curve(&rows, k)).collect::<Vec<_>>());
     events.send("resonances", &resonances(&axes, &located));

@@ -35,6 +35,7 @@ mod tiles;
 mod turns;
 
 pub use answer::Sheet;
+pub use diagram::Seen;
 pub use files::Example;
 pub use model::{Model, View};
 pub use server::{Export, Server};

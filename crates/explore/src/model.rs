@@ -109,14 +109,6 @@ impl Model {
         Ok(Prepared { oscillator, scope, axes, description: None })
     }
 
-    /// The oscillator in the ranges of a view, that of the paper as a text, too.
-    ///
-    /// # Errors
-    /// What is wrong with it, in words.
-    pub fn in_view(&self, view: &View, stop: &Stop) -> Result<Description, String> {
-        self.description(Some(view), stop).map_err(|mistake| mistake.message)
-    }
-
     /// What there is to know of the oscillator before anything is computed.
     pub(crate) fn described(&self, stop: &Stop) -> Result<Value, Mistake> {
         let description = self.description(None, stop)?;

@@ -238,9 +238,7 @@ impl Diagram {
                 let window = self.scope.window;
                 self.regions = wide.regions.iter().flat_map(|region| region.within(window)).collect();
                 self.curves = wide.curves.iter().flat_map(|curve| curve.within(window)).collect();
-                let inside = |point: &CodimensionTwoPoint| {
-                    window.contains(point.event.solution.parameters())
-                };
+                let inside = |point: &CodimensionTwoPoint| window.contains(point.event.solution.parameters());
                 self.codimension_two = wide.codimension_two.into_iter().filter(inside).collect();
                 self.unfinished.extend(wide.unfinished);
             }

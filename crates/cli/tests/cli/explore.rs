@@ -64,7 +64,7 @@ fn the_address_is_printed_the_page_is_there_and_ctrl_c_ends_it() {
     );
     // The numbers that are taken home are those that `reproduce` makes.
     let view = "{\"primary\": [0.0, 1.3], \"secondary\": [0.35, 1.02]}";
-    let body = format!("{{\"model\": {{\"text\": null}}, \"view\": {view}, \"what\": \"csv:fig07_points\"}}");
+    let body = format!("{{\"model\": {{\"text\": null}}, \"view\": {view}, \"what\": \"csv:points\"}}");
     let more = format!("Content-Type: application/json\r\nContent-Length: {}\r\n", body.len());
     let taken = ask(host, &format!("POST /{path}export HTTP/1.1\r\n{head}{more}\r\n{body}"));
     let committed = include_str!("../../../../figures/data/fig07_points.csv");

@@ -9,7 +9,8 @@ use crate::ink::legend::Sample;
 use crate::ink::style::{MAGNIFIED, MAGNIFIED_TEXT, SMALL_LABEL_SIZE, TRIANGLE_SIZE};
 use crate::plot::axes::Panel;
 
-/// Rectangles smaller than this (points) would hide the triangle in them, and stay undrawn.
+/// Rectangles lower or narrower than this (points) would hide the triangle in them, or be a bar
+/// over it, and stay undrawn: the triangle has the letter.
 const HIDDEN: f64 = TRIANGLE_SIZE;
 
 /// Free space from a resonance to its label, in points: the triangle and its rim, seen along the
@@ -28,7 +29,7 @@ pub(crate) fn panel_letter(number: u32) -> String {
 }
 
 fn is_hidden(outline: &Bounds) -> bool {
-    (outline.right - outline.left).max(outline.bottom - outline.top) < HIDDEN
+    (outline.right - outline.left).min(outline.bottom - outline.top) < HIDDEN
 }
 
 /// Draws a rectangle, if it is not too small; returns where it is seen, if it is.

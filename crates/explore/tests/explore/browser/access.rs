@@ -244,6 +244,6 @@ fn on_a_phone_address_and_numbers_are_taken_home() {
     let stem = page.wait("use('model').then(([m]) => m.description.name)");
     let stem = stem.as_str().unwrap().to_lowercase().replace(|c: char| !c.is_ascii_alphanumeric(), "-");
     // The server of these tests hands back what it was asked for.
-    assert_eq!(saved(home.path(), &format!("{stem}-points.csv")), b"csv:fig07_points");
+    assert_eq!(saved(home.path(), &format!("{stem}-points.csv")), b"csv:points");
     assert_eq!(page.value("document.documentElement.scrollWidth"), 360);
 }
