@@ -70,8 +70,9 @@ function regionLabels(frame, regions, map, placed) {
   });
 }
 
-/** The word beside a curve. */
-const wordOf = ({ kind }) => (kind === "graz" ? "grazing" : kind);
+/** The word beside a curve, with its number of loops as index. */
+const wordOf = ({ kind, p }) => (kind === "graz" ? [["grazing", ""]] : [[kind, ""], [String(p), "sub"]]);
+const sameWord = (text, other) => text.join() === other.join();
 
 /** A word is no farther from its curve than its own width and so many pixels. */
 const REACH = 30;
@@ -93,7 +94,7 @@ function curveLabels(frame, runs, map, placed) {
   const long = runs.map((run) => ({ ...run, length: run.points.reduce((sum, [x, y], at) => (at === 0 ? 0 : sum + Math.hypot(x - run.points[at - 1][0], y - run.points[at - 1][1])), 0) }));
   for (const { curve, points, length } of long.sort((a, b) => b.length - a.length)) {
     if (length < 100 || curve.source === "quadratic") continue;
-    const half = curve.kind === "graz" ? 26 : 11;
+    const half = curve.kind === "graz" ? 26 : 14;
     let [best, passed] = [{ score: 0 }, 0];
     if (placed.some((each) => each.key === curve.key && reaches({ points }, each))) continue;
     for (let index = 1; index < points.length; index += 1) {
@@ -106,7 +107,7 @@ function curveLabels(frame, runs, map, placed) {
         for (const side of [-1, 1]) {
           const [x, y] = [px - side * dy * off, py + side * dx * off];
           if (!clear(map, placed, x, y, half)) continue;
-          const repeats = placed.some(({ text, x: ox, y: oy }) => text[0][0] === wordOf(curve) && Math.hypot(ox - x, oy - y) < 130);
+          const repeats = placed.some(({ text, x: ox, y: oy }) => sameWord(text, wordOf(curve)) && Math.hypot(ox - x, oy - y) < 130);
           const middle = 1 - Math.abs((passed + at) / length - 0.5);
           const score = repeats ? 0 : Math.min(18, map.at(x, y)) * middle;
           if (score > best.score) best = { score, x, y };
@@ -114,7 +115,7 @@ function curveLabels(frame, runs, map, placed) {
       }
       passed += along;
     }
-    if (best.score > 0) placed.push({ text: [[wordOf(curve), ""]], x: best.x, y: best.y, half, kind: curve.kind, key: curve.key });
+    if (best.score > 0) placed.push({ text: wordOf(curve), x: best.x, y: best.y, half, kind: curve.kind, key: curve.key });
   }
 }
 

@@ -34,6 +34,32 @@ function lies([p, s], rings) {
   return inside;
 }
 
+/** A place is so many pixels from what it can be moved onto, at most. */
+const ONTO = 14;
+
+/** The point of the diagram, or else the place of a curve, next to a place, if one is near: { point } or { curve, at, start }. */
+export function nearest(place, to) {
+  const here = to(place);
+  const far = ({ primary, secondary }) => Math.hypot(...to([primary, secondary]).map((each, k) => each - here[k]));
+  const point = [...diagram.points].sort((a, b) => far(a) - far(b))[0];
+  if (point && far(point) < ONTO) return { point };
+  let best = { distance: ONTO };
+  for (const curve of diagram.curves.values()) {
+    if (!curve.starts || curve.source === "quadratic") continue;
+    const pixels = curve.points.map(to);
+    for (let index = 1; index < pixels.length; index += 1) {
+      const distance = apart(here, pixels[index - 1], pixels[index]);
+      if (distance < best.distance) best = { distance, curve, index, ends: [pixels[index - 1], pixels[index]] };
+    }
+  }
+  if (!best.curve) return null;
+  const { curve, index, ends: [a, b] } = best;
+  const square = (b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2;
+  const part = square === 0 ? 0 : Math.min(1, Math.max(0, ((here[0] - a[0]) * (b[0] - a[0]) + (here[1] - a[1]) * (b[1] - a[1])) / square));
+  const between = (list) => [0, 1].map((k) => list[index - 1][k] + part * (list[index][k] - list[index - 1][k]));
+  return { curve, at: between(curve.points), start: between(curve.starts) };
+}
+
 const loops = ({ p, n }) => (p > 0 ? `, ${count(p, "loop")}${n ? `, n = ${n}` : ""}` : "");
 
 /** What lies at a pixel that is a place, in words; empty if there is nothing to tell. */

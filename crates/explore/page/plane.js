@@ -4,7 +4,7 @@ import { $, later } from "./dom.js";
 import { chart, clipped, clippedRing, font, into, trace, write } from "./axes.js";
 import { diagram, strength } from "./diagram.js";
 import { placeLabels } from "./labels.js";
-import { axisPieces, titlePieces } from "./markup.js";
+import { axisPieces } from "./markup.js";
 import { description, viewOf, wholeView } from "./model.js";
 import { inks, penOf, wordInk } from "./palette.js";
 import * as state from "./state.js";
@@ -48,11 +48,8 @@ export function toParameters(x, y, { primary: [a, b], secondary: [c, d] } = view
   return [a + ((x - frame.x) / frame.w) * (b - a), c + ((frame.y + frame.h - y) / frame.h) * (d - c)];
 }
 
-/** The title of an axis, with its unit. */
-export function titleOf(axis) {
-  if (axis.title?.includes("$")) return titlePieces(axis.title);
-  return axis.unit ? [...axisPieces(axis), [` (${axis.unit})`, ""]] : axisPieces(axis);
-}
+/** The title of an axis, and its unit. */
+export const titleOf = (axis) => ({ title: axisPieces(axis), unit: axis.unit });
 
 /** A brush of thin slanted lines. */
 function hatching(context, ink) {
@@ -78,7 +75,7 @@ function drawRegions(context, regions, ink) {
   for (const kind of ["non-impacting", "mps", "undecided"]) {
     const own = regions.filter((region) => region.kind === kind);
     if (own.length === 0) continue;
-    context.fillStyle = kind === "mps" ? ink.loops : kind === "undecided" ? hatching(context, ink) : ink.calm;
+    context.fillStyle = kind === "mps" ? ink.stable : kind === "undecided" ? hatching(context, ink) : ink.calm;
     for (const region of own) {
       context.beginPath();
       for (const ring of region.rings) trace(context, ring, true);
@@ -191,12 +188,12 @@ function runsInView(to, magnified) {
   return found;
 }
 
-function draw() {
+export function draw() {
   if (!description) return;
   const ink = inks();
   const value = state.get();
   const view = viewOf(value);
-  const axes = { x: { range: view.primary, title: titleOf(description.primary) }, y: { range: view.secondary, title: titleOf(description.secondary) } };
+  const axes = { x: { range: view.primary, ...titleOf(description.primary) }, y: { range: view.secondary, ...titleOf(description.secondary) } };
   const made = chart($("plane"), margins, axes, ink);
   if (!made) return;
   const { context, to, end } = made;
@@ -212,7 +209,7 @@ function draw() {
   drawCut(context, value, to, ink);
   drawPoints(context, to, ink);
   if (!overlay) drawLabels(context, regions, to, view, ink);
-  if (value.kept) drawPlace(context, value.kept, to, ink.kept, true);
+  if (value.kept) drawPlace(context, value.kept, to, ink.muted, true);
   if (value.place) drawPlace(context, value.place, to, ink.place, false);
   if (shown.box) drawBox(context, shown.box, ink);
   end();

@@ -19,6 +19,7 @@ use serde_json::{Value, json};
 
 use crate::answer::Problem;
 use crate::model::{Model, Prepared, View};
+use crate::place::eigenvalues;
 use crate::stream::Events;
 
 /// What is asked for.
@@ -93,15 +94,23 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     // Whatever was sent before is in these, and what begins elsewhere.
     let rows = plane::curves(&axes, &diagram);
     let mut counts: BTreeMap<(&str, u32, u32), u32> = BTreeMap::new();
-    let all = rows.chunk_by(|a, b| a.arc == b.arc).map(|rows| {
+    let all = rows.chunk_by(|a, b| a.arc == b.arc).zip(starts(&diagram)).map(|(rows, starts)| {
         let first = &rows[0];
         let count = counts.entry((first.kind.name(), first.loops, first.n)).or_default();
         *count += 1;
-        curve(rows, *count - 1)
+        let mut found = curve(rows, *count - 1);
+        found["starts"] = json!(starts);
+        found
     });
     let all: Vec<Value> = all.collect();
     events.send("curves", &all);
-    events.send("points", &plane::points(&axes, &diagram).iter().map(point).collect::<Vec<_>>());
+    let known = diagram.unfolding().map(|_| Value::Null);
+    let known = known.chain(
+        diagram.codimension_two.iter().map(|other| json!(eigenvalues(&other.event.solution.multipliers))),
+    );
+    let rows = plane::points(&axes, &diagram);
+    let points = rows.iter().zip(known).map(|(row, multipliers)| point(row, multipliers));
+    events.send("points", &points.collect::<Vec<_>>());
     if !request.coarse {
         let rows = plane::regions(&axes, &diagram.regions);
         let regions = rows.chunk_by(|a, b| a.region == b.region).map(region);
@@ -150,9 +159,21 @@ fn named(
     json!({"key": key, "kind": kind, "p": p, "n": n, "source": source, "points": points, "bounds": bounds})
 }
 
-fn point(point: &SpecialPoint) -> Value {
+fn point(point: &SpecialPoint, multipliers: Value) -> Value {
     let SpecialPoint { kind, loops, n, secondary, primary } = point;
-    json!({"kind": kind.name(), "p": loops, "n": n, "primary": primary, "secondary": secondary})
+    json!({"kind": kind.name(), "p": loops, "n": n, "primary": primary, "secondary": secondary, "multipliers": multipliers})
+}
+
+/// The first two unknowns at the points of all curves, from which places exactly on them are found
+/// (`exact`).
+fn starts(diagram: &Diagram) -> impl Iterator<Item = Vec<[f64; 2]>> {
+    let grazing = diagram.grazing.iter();
+    let grazing = grazing.map(|curve| curve.states.iter().map(|state| [0.0, state.orbit.phase()]).collect());
+    let others = diagram.curves.iter().map(|curve| {
+        let points = curve.curve.points.iter();
+        points.map(|point| [point.solution.unknowns[0], point.solution.unknowns[1]]).collect()
+    });
+    grazing.chain(others)
 }
 
 fn region(rows: &[RegionVertex]) -> Value {

@@ -49,8 +49,6 @@ pub(crate) struct Prepared {
     pub(crate) scope: Scope,
     /// Names and units.
     pub(crate) axes: Axes,
-    /// Its file; none for the paper's oscillator.
-    pub(crate) description: Option<Description>,
 }
 
 impl Model {
@@ -91,7 +89,7 @@ impl Model {
         if self.text.is_some() {
             let axes = unfolded::axes(&description);
             let (oscillator, scope) = unfolded::prepared(&description, &axes.units, stop);
-            return Ok(Prepared { oscillator, scope, axes, description: Some(description) });
+            return Ok(Prepared { oscillator, scope, axes });
         }
         let constant = |wanted: &str| {
             let mut constants = description.constants();
@@ -106,7 +104,7 @@ impl Model {
         let scope = Scope { window, loops: description.loops().to_vec(), start: None };
         let axes = Axes::of_the_paper();
         let oscillator = AnyOscillator::new(Stoppable::new(oscillator, stop.clone()));
-        Ok(Prepared { oscillator, scope, axes, description: None })
+        Ok(Prepared { oscillator, scope, axes })
     }
 
     /// What there is to know of the oscillator before anything is computed.
@@ -115,6 +113,7 @@ impl Model {
         let names = self.ready(description.clone(), stop)?.axes.names;
         let axis = |name: &str, title: &str, axis: &Axis| json!({"name": name, "title": title, "range": axis.range(), "unit": axis.unit()});
         let [primary, secondary] = names.titles();
+        let [length, time] = description.unit_names();
         let constant = |(name, value): (&str, f64)| json!({"name": name, "value": value});
         Ok(json!({
             "ok": true,
@@ -124,6 +123,9 @@ impl Model {
             "constants": description.constants().map(constant).collect::<Vec<_>>(),
             "loops": description.loops(),
             "notes": description.notes(),
+            // x is counted from the wall, which is another one than x = 0 with the motion below it.
+            "from_the_wall": !description.wall().is_usual(),
+            "units": { "length": length, "time": time },
         }))
     }
 }

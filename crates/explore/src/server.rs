@@ -23,6 +23,7 @@ use tokio::time::{interval, timeout};
 
 use crate::answer::{self, Body, Problem, Sheet};
 use crate::diagram::Seen;
+use crate::exact::{self, ExactRequest};
 use crate::files::{self, Example};
 use crate::guard::{self, Token};
 use crate::model::{Model, View};
@@ -185,6 +186,12 @@ async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Res
             let request: PlaceRequest = read(shared, request).await?;
             let weight = request.weight();
             let found = turns::computed(&shared.turns, weight, move |stop| place::compute(&request, stop));
+            Ok(answer::json(&found.await?))
+        }
+        "exact" => {
+            let request: ExactRequest = read(shared, request).await?;
+            let found =
+                turns::computed(&shared.turns, Weight::Light, move |stop| exact::compute(&request, stop));
             Ok(answer::json(&found.await?))
         }
         "cut" => stream::events(&shared.turns, read(shared, request).await?, cut::compute).await,

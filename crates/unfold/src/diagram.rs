@@ -200,6 +200,9 @@ impl Diagram {
                 diagram.one_loop.append(&mut resonances::on_curve(curve, &one_loop, progress).0);
             }
         }
+        for found in [&mut diagram.resonances, &mut diagram.one_loop] {
+            *found = resonances::distinct(core::mem::take(found), scope.window);
+        }
         if progress.stopped() {
             diagram.unfinished.push(Unfinished::stage(resonances::STAGE));
         }

@@ -132,7 +132,7 @@ impl Placer {
         let directions = TURNS.iter().flat_map(|&(c, s)| [(c, -s), (-c, -s), (c, s), (-c, s)]);
         let directions: Vec<Spot> = directions.collect();
         let mut best: Option<(f64, LabelPlace)> = None;
-        for gap in [0.0, 2.0, 5.0, 9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 64.0] {
+        for gap in [0.0, 2.0, 5.0, 9.0, 14.0, 20.0, 28.0] {
             for &(right, down) in &directions {
                 let reach = clearance + gap;
                 let centre = (at.0 + right * (0.5 * width + reach), at.1 + down * (0.5 * height + reach));
@@ -141,11 +141,11 @@ impl Placer {
                 if self.cost(&bounds) != Some(0) {
                     continue;
                 }
-                let Some(crossed) = leader.map_or(Some(0), |leader| self.crossed(leader)) else {
+                // A leader crosses nothing: what it came from would be hard to tell.
+                if leader.is_some_and(|leader| self.crosses(leader)) {
                     continue;
-                };
-                // A curve crossed by the leader is as bad as 15 points of distance (by eye).
-                let cost = gap + 15.0 * crossed as f64 + 0.5 * self.dusty(&bounds) as f64;
+                }
+                let cost = gap + 0.5 * self.dusty(&bounds) as f64;
                 if best.is_none_or(|(cheapest, _)| cost < cheapest) {
                     best = Some((cost, LabelPlace { bounds, leader }));
                 }
@@ -154,16 +154,13 @@ impl Placer {
         self.take(best.map(|(_, place)| place))
     }
 
-    /// Number of curves a leader crosses; `None` if it runs through something blocked.
-    fn crossed(&self, (from, to): (Spot, Spot)) -> Option<usize> {
-        if self.blocked.iter().any(|b| b.meets(from, to)) {
-            return None;
-        }
+    /// Whether a leader crosses a curve or runs through something blocked.
+    fn crosses(&self, (from, to): (Spot, Spot)) -> bool {
         let side = |a: Spot, b: Spot, c: Spot| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0) > 0.0;
         let meets = |&&(a, b): &&(Spot, Spot)| {
             side(a, b, from) != side(a, b, to) && side(from, to, a) != side(from, to, b)
         };
-        Some(self.segments.iter().filter(meets).count())
+        self.blocked.iter().any(|b| b.meets(from, to)) || self.segments.iter().any(|segment| meets(&segment))
     }
 
     /// Inside a polygon, where the distance to everything else is greatest; `None` if the box fits
