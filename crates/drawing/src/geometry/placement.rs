@@ -14,6 +14,10 @@ pub struct Placer {
     dust: Vec<Spot>,
 }
 
+/// How far from its spot a label is put, in points: from 5 on with a leader, and none so far that
+/// its leader would cross the plane.
+const GAPS: [f64; 6] = [0.0, 2.0, 5.0, 9.0, 14.0, 20.0];
+
 /// A place for a label.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LabelPlace {
@@ -132,7 +136,7 @@ impl Placer {
         let directions = TURNS.iter().flat_map(|&(c, s)| [(c, -s), (-c, -s), (c, s), (-c, s)]);
         let directions: Vec<Spot> = directions.collect();
         let mut best: Option<(f64, LabelPlace)> = None;
-        for gap in [0.0, 2.0, 5.0, 9.0, 14.0, 20.0, 28.0] {
+        for gap in GAPS {
             for &(right, down) in &directions {
                 let reach = clearance + gap;
                 let centre = (at.0 + right * (0.5 * width + reach), at.1 + down * (0.5 * height + reach));
@@ -141,11 +145,11 @@ impl Placer {
                 if self.cost(&bounds) != Some(0) {
                     continue;
                 }
-                // A leader crosses nothing: what it came from would be hard to tell.
-                if leader.is_some_and(|leader| self.crosses(leader)) {
+                let Some(crossed) = leader.map_or(Some(0), |leader| self.crossed(leader)) else {
                     continue;
-                }
-                let cost = gap + 0.5 * self.dusty(&bounds) as f64;
+                };
+                // A curve crossed by the leader is as bad as 15 points of distance (by eye).
+                let cost = gap + 15.0 * crossed as f64 + 0.5 * self.dusty(&bounds) as f64;
                 if best.is_none_or(|(cheapest, _)| cost < cheapest) {
                     best = Some((cost, LabelPlace { bounds, leader }));
                 }
@@ -154,13 +158,16 @@ impl Placer {
         self.take(best.map(|(_, place)| place))
     }
 
-    /// Whether a leader crosses a curve or runs through something blocked.
-    fn crosses(&self, (from, to): (Spot, Spot)) -> bool {
+    /// Number of curves a leader crosses; `None` if it runs through something blocked.
+    fn crossed(&self, (from, to): (Spot, Spot)) -> Option<usize> {
+        if self.blocked.iter().any(|b| b.meets(from, to)) {
+            return None;
+        }
         let side = |a: Spot, b: Spot, c: Spot| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0) > 0.0;
         let meets = |&&(a, b): &&(Spot, Spot)| {
             side(a, b, from) != side(a, b, to) && side(from, to, a) != side(from, to, b)
         };
-        self.blocked.iter().any(|b| b.meets(from, to)) || self.segments.iter().any(|segment| meets(&segment))
+        Some(self.segments.iter().filter(meets).count())
     }
 
     /// Inside a polygon, where the distance to everything else is greatest; `None` if the box fits
