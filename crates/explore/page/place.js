@@ -87,7 +87,7 @@ class Card {
     this.solutions = make("div", { class: "scroll" }, make("table", {}, make("caption", {}, "Maximal periodic solutions"), make("thead", {}, head), this.table));
     this.hint = make("p", { class: "muted", hidden: true }, "Followed from the place before; all is looked for when it rests.");
     this.body = make("div", { class: "card-body" }, this.pictures, this.attractors, this.hint, this.solutions);
-    this.element = make("article", { class: `place ${this.key}`, "aria-label": kept ? "Kept place" : "Place", hidden: true }, make("header", {}, make("div", {}, this.at, this.short), action), kept ? null : this.on, this.message, this.body);
+    this.element = make("article", { class: `place ${this.key}`, "aria-label": kept ? "Kept place" : "Place", hidden: true }, make("header", {}, make("div", {}, this.at, this.short), action), this.on, this.message, this.body);
     $("places").append(this.element);
     new ResizeObserver(() => this.draw()).observe(this.pictures);
     onTheme(() => this.answer && this.show());
@@ -237,7 +237,9 @@ class Card {
     const keys = keysOf(solutions);
     const moving = attractors.map(({ orbit, kind, periods }, index) => ({ orbit: orbit ?? [], ink: inks[index], wide: kind === "aperiodic" ? 0.7 : 1.4, periods, repeats: Boolean(periods) }));
     const extra = solutions.filter((_, index) => this.drawn.has(keys[index])).map(({ orbit, p, stable }) => ({ orbit: orbit ?? [], ink: loopsInk(p), wide: 1.4, dashed: !stable, periods: p || 1, repeats: true }));
-    drawPortraits(this, { orbits: [...moving, ...extra], strikes: attractors.map((each, index) => ({ strikes: each.strikes ?? [], ink: inks[index] })), period });
+    const strikes = attractors.map((each, index) => ({ strikes: each.strikes ?? [], ink: inks[index] }));
+    // What most states come to lies on top.
+    drawPortraits(this, { orbits: [...moving.reverse(), ...extra], strikes: strikes.reverse(), period });
   }
 
   announce(at) {

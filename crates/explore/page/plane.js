@@ -20,6 +20,8 @@ export const shown = { box: null, pointer: null };
 /** The runs of curves as last drawn, for those who point at them. */
 export let runs = [];
 let labels = { key: "", placed: -1e9, list: [] };
+/** The words as last placed: [{ text, at (parameters), kind }]. */
+export const words = () => labels.list;
 let asked = null;
 
 /** Draws at the next frame. */

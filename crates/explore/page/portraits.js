@@ -120,7 +120,7 @@ export function drawPortraits(canvases, { orbits, strikes, period }) {
   const about = ([z]) => (z > Math.PI ? z - 2 * Math.PI : z);
   const turned = spread(struck.map(about)) < spread(struck.map(([z]) => z));
   const from = turned ? -Math.PI : 0;
-  const impacts = picture(canvases.strikes, { range: [from - 0.25, from + 2 * Math.PI + 0.25], title: [["phase of impact", ""]], unit: "rad" }, { range: sign > 0 ? [0, top] : [-top, 0], ...speedTitle([["velocity of impact", ""]]), at: 11 });
+  const impacts = picture(canvases.strikes, { range: [from - 0.25, from + 2 * Math.PI + 0.25], title: [["phase", ""]], unit: "rad" }, { range: sign > 0 ? [0, top] : [-top, 0], ...speedTitle([["impact velocity", ""]]), at: 11 });
   if (impacts) {
     const { context, to, ink, frame } = impacts;
     for (const { strikes: list, ink: colour } of strikes) {
