@@ -15,6 +15,8 @@ const LOOPS = 6;
 let extended = {};
 let built = "";
 let controls = [];
+/** The constant that was set last. */
+let last = "";
 
 /** A value between a half and one is most likely a fraction, as a coefficient of restitution is: it ends at one. */
 function rangeOf({ name, value }) {
@@ -37,6 +39,7 @@ function control(constant) {
     why.hidden = words === "";
   };
   const set = (value, live) => {
+    last = name;
     const next = { ...state.get().set };
     if (value === own) delete next[name];
     else next[name] = value;
@@ -96,9 +99,10 @@ export function follow(value) {
   for (const box of $("loops-list").querySelectorAll("input")) box.checked = loops.includes(Number(box.value));
 }
 
-/** Says beside the constants that a message of the program names why their values cannot be. */
+/** Says why a value cannot be, beside the constant that a message of the program names, or else the one that was set last. */
 export function refuse(message) {
-  for (const { name, refuse: tell } of controls) if (new RegExp(`\\b${name}\\b`).test(message)) tell(message);
+  const named = controls.filter(({ name }) => new RegExp(`\\b${name}\\b`).test(message));
+  for (const { refuse: tell } of named.length ? named : controls.filter(({ name }) => name === last)) tell(message);
 }
 
 function choose() {

@@ -27,7 +27,7 @@ export const onDiagram = (act) => (changed = act);
 
 const failed = (error) => {
   finish();
-  say(error.message, true);
+  say(`Not drawn. ${error.message}`, true);
 };
 const latest = new Latest({ ...COARSE, failed });
 
@@ -69,7 +69,7 @@ export function clear() {
 
 /** The words beside the progress line. */
 export function say(words, bad = false) {
-  $("progress-text").textContent = words;
+  $("progress-text").textContent = $("progress-text").title = words;
   $("progress-text").classList.toggle("bad", bad);
 }
 
@@ -157,7 +157,7 @@ const job = (body) => async (signal) => {
       if (!coarse) {
         computed = JSON.stringify(body);
         const curves = [...diagram.curves.values()].filter(({ source }) => source !== "quadratic").length;
-        summary = nothing ? `No curve crosses this view: ${nothing}.` : `${count(curves, "curve")} and ${count(diagram.points.length, "point")} in ${seconds < 0.995 ? `${Math.round(1000 * seconds)} ms` : `${number(seconds, 3)} s`}.`;
+        summary = nothing ? `No grazing and no curve of an MPS in this view: ${nothing.replace(/-?\d+\.\d{4,}(e-?\d+)?/g, (digits) => number(Number(digits)))}.` : `${count(curves, "curve")} and ${count(diagram.points.length, "point")} in ${seconds < 0.995 ? `${Math.round(1000 * seconds)} ms` : `${number(seconds, 3)} s`}.`;
         say(summary);
       }
       list();

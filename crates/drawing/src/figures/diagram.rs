@@ -274,6 +274,11 @@ mod tests {
         sample.diagram.magnified[1].frame = Frame { x: [left, left + 0.001], y: [low, low + 0.001] };
         assert_eq!(rectangles(&sample), 2);
         assert!(texts(&sample).contains(&"(b)".to_owned()));
+        // Wide, but as low as it is thick.
+        let Frame { x: [left, right], y: [low, _] } = sample.diagram.magnified[2].frame;
+        sample.diagram.magnified[2].frame = Frame { x: [left, right], y: [low, low + 0.002] };
+        assert_eq!(rectangles(&sample), 1);
+        assert!(texts(&sample).contains(&"(c)".to_owned()));
     }
 
     #[test]

@@ -207,7 +207,7 @@ fn constants_are_moved_by_keys_typed_and_taken_back() {
     page.write("2");
     page.press("Enter");
     page.wait("document.getElementById('progress-text').classList.contains('bad') && document.getElementById('progress-text').textContent");
-    page.wait(&format!("/zeta/.test({why})"));
+    page.wait(&format!("/damping ratio is 2/.test({why})"));
     for _ in 0..2 {
         page.value("document.querySelector('#constants-list .reset:not([hidden])').focus()");
         page.press("Enter");

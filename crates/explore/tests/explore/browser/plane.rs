@@ -75,7 +75,7 @@ fn views_without_grazing_show_what_is_there_and_so_do_their_addresses() {
     page.value(
         "use('state').then(([s]) => s.update({view: {primary: [0.1, 0.11], secondary: [0.6, 0.61]}}))",
     );
-    let told = page.wait(&format!("{QUIET} && /^No curve/.test(document.getElementById('progress-text').textContent) && document.getElementById('progress-text').textContent"));
+    let told = page.wait(&format!("{QUIET} && /^No grazing/.test(document.getElementById('progress-text').textContent) && document.getElementById('progress-text').textContent"));
     assert!(told.as_str().unwrap().contains("touches the wall nowhere"), "{told}");
     assert_eq!(
         page.value("use('diagram').then(([d]) => d.diagram.regions.map(({kind}) => kind))"),
