@@ -16,7 +16,7 @@ pub struct Placer {
 
 /// How far from its spot a label is put, in points: from 5 on with a leader, and none so far that
 /// its leader would cross the plane.
-const GAPS: [f64; 6] = [0.0, 2.0, 5.0, 9.0, 14.0, 20.0];
+const GAPS: [f64; 7] = [0.0, 2.0, 5.0, 9.0, 14.0, 20.0, 28.0];
 
 /// A place for a label.
 #[derive(Debug, Clone, Copy, PartialEq)]
