@@ -30,7 +30,7 @@ function paint(context, view) {
   const to = project(view);
   const [[left, bottom], [right, top]] = [to([own.primary[0], own.secondary[0]]), to([own.primary[1], own.secondary[1]])];
   context.imageSmoothingEnabled = false;
-  context.globalAlpha = 0.82;
+  context.globalAlpha = 0.82 * (diagram.wanted === null ? 0.25 : 1);
   context.drawImage(sheet, left, top, right - left, bottom - top);
   context.globalAlpha = 1;
   if (!current.wrong?.length) return;

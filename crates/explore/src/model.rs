@@ -162,6 +162,16 @@ mod tests {
     }
 
     #[test]
+    fn units_and_what_x_is_counted_from_are_told() {
+        let told = |text: &str| model(text.to_owned()).described(&Stop::default()).unwrap();
+        let rig = told(include_str!("../../../examples/rig-si.toml"));
+        assert!(rig["units"]["length"].is_string() && rig["units"]["time"].is_string(), "{rig}");
+        let plain = told(&example());
+        assert_eq!((&plain["units"]["length"], &plain["from_the_wall"]), (&Value::Null, &json!(false)));
+        assert_eq!(told(include_str!("../../../examples/afm.toml"))["from_the_wall"], true);
+    }
+
+    #[test]
     fn views_and_constants_are_put_in_the_place_of_the_files() {
         let mut model = model(example());
         model.set.insert("kappa".to_owned(), 0.3);
