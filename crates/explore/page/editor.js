@@ -35,7 +35,7 @@ export function tell(answer) {
   $("text").setAttribute("aria-invalid", "true");
   $("go-to-mistake").onclick = () => {
     const at = before.length + from;
-    $("text").focus();
+    $("text").focus({ preventScroll: true });
     $("text").setSelectionRange(at, before.length + Math.max(to, from + 1));
     $("text").scrollTop = Math.max(0, (line - 5) * lineHeight());
     $("text").scrollLeft = 0;

@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 
 use crate::answer::Problem;
 use crate::model::{Model, Prepared, View};
-use crate::place::eigenvalues;
+use crate::place::{FARTHEST, eigenvalues};
 
 /// What is asked for.
 #[derive(Deserialize)]
@@ -27,8 +27,8 @@ pub(crate) struct ExactRequest {
     at: [f64; 2],
 }
 
-/// The place may be so many times as far from where it was looked for as the view is wide.
-const FARTHEST: f64 = 0.1;
+/// The place is at most this share of the view from where it was looked for.
+const NEAR: f64 = 0.1;
 
 pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<Value, Problem> {
     let ExactRequest { model, view, kind, p, start: [first, second], at } = request;
@@ -37,10 +37,14 @@ pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<Value, Prob
     let [primary, secondary] = [at[0] / units.primary, at[1] / units.secondary];
     let unknown = || Problem::wrong(format!("{kind} is no kind of curve of {p} loops"));
     let kind = Bifurcation::ALL.into_iter().find(|known| known.name() == kind).ok_or_else(unknown)?;
+    let moderate = first.abs().max(second.abs()) <= FARTHEST;
+    if !(moderate && scope.window.contains([primary, secondary])) {
+        return Err(Problem::wrong("the place lies outside the view, or motion there is violent"));
+    }
     let lost = || Problem::wrong("no solution was found exactly there");
     let near = |found: [f64; 2]| {
         let [from, to] = [[primary, secondary], found].map(|place| scope.window.shares(place));
-        (0..2).all(|k| (from[k] - to[k]).abs() <= FARTHEST)
+        (0..2).all(|k| (from[k] - to[k]).abs() <= NEAR)
     };
     if kind == Bifurcation::NonImpactingGrazing {
         let here = oscillator.with_parameters([primary, secondary]);

@@ -59,7 +59,7 @@ impl NearbyMotion {
 const MOST_STATES: u32 = 200;
 /// Motion is of the order of one in the oscillator's units: nothing that was found is farther from
 /// rest at the wall than this, or faster.
-const FARTHEST: f64 = 1e6;
+pub(crate) const FARTHEST: f64 = 1e6;
 
 impl PlaceRequest {
     /// What is followed from a place nearby takes a moment.
