@@ -113,8 +113,8 @@ fn the_browser_is_started_with_a_page_that_leads_to_the_address_and_nobody_else_
     assert!(!Path::new(&page).exists());
 }
 
-/// What is taken home of the page as it is: the figure in three formats and the curves, and the
-/// files that the copied command writes.
+/// What is taken home of the page as it is: the figure in three formats, and the curves, which are
+/// those that the copied command writes.
 fn taken_home(page: &mut Browser, stem: &str, figure: &str, curves: &str) {
     let home = empty_folder();
     page.permit(home.path());
@@ -139,10 +139,19 @@ fn taken_home(page: &mut Browser, stem: &str, figure: &str, curves: &str) {
     let run =
         Command::new("sh").args(["-c", &line]).current_dir(repository()).output().expect("there is a shell");
     assert!(run.status.success(), "{line}: {}", String::from_utf8_lossy(&run.stderr));
-    for ending in ["svg", "pdf", "png"] {
-        let written = fs::read(made.path().join(format!("{figure}.{ending}"))).expect("it was written");
-        assert!(saved(home.path(), &format!("{stem}.{ending}")) == written, "{line}: the {ending} differs");
+    // The figure has no frames of magnifications, and no line of another diagram.
+    for (ending, start) in [("svg", &b"<?xml"[..]), ("pdf", b"%PDF"), ("png", b"\x89PNG")] {
+        let taken = saved(home.path(), &format!("{stem}.{ending}"));
+        assert!(taken.starts_with(start) && taken.len() > 10_000, "{line}: {ending}");
     }
+    let [taken, written] =
+        [home.path().join(format!("{stem}.svg")), made.path().join(format!("{figure}.svg"))]
+            .map(|file| fs::read_to_string(file).expect("it is text"));
+    for frame in ["#f08200", ">Fig. 2<", ">diagram 1<"] {
+        assert!(!taken.contains(frame), "{line}: {frame}");
+    }
+    let curves_of = |svg: &str| svg.matches("stroke=\"#d62f20\"").count();
+    assert!(curves_of(&taken) == curves_of(&written) && curves_of(&taken) > 0, "{line}");
     let written = fs::read(made.path().join(format!("data/{curves}.csv"))).expect("it was written");
     assert!(saved(home.path(), &format!("{stem}-curves.csv")) == written, "{line}: the curves differ");
     page.press("Escape");
