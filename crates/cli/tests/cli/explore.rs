@@ -150,8 +150,10 @@ fn taken_home(page: &mut Browser, stem: &str, figure: &str, curves: &str) {
     for frame in ["#f08200", ">Fig. 2<", ">diagram 1<"] {
         assert!(!taken.contains(frame), "{line}: {frame}");
     }
-    let curves_of = |svg: &str| svg.matches("stroke=\"#d62f20\"").count();
-    assert!(curves_of(&taken) == curves_of(&written) && curves_of(&taken) > 0, "{line}");
+    let inks = ["#78c86e", "#1946be", "#d62f20", "#005838"];
+    let curves_of = |svg: &str| inks.map(|ink| svg.matches(&format!("stroke=\"{ink}\"")).count());
+    assert_eq!(curves_of(&taken), curves_of(&written), "{line}");
+    assert_ne!(curves_of(&taken)[0], 0, "{line}");
     let written = fs::read(made.path().join(format!("data/{curves}.csv"))).expect("it was written");
     assert!(saved(home.path(), &format!("{stem}-curves.csv")) == written, "{line}: the curves differ");
     page.press("Escape");
