@@ -5,15 +5,10 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::sync::Arc;
 
-use grazing_explore::{Example, Export, Limits, Model, Server, Sheet, View};
-use grazing_model::smooth::Stop;
-use grazing_reproduction::Study;
-use grazing_reproduction::figures::fig07::Figure7;
-use grazing_reproduction::parameters::Parameters;
-use grazing_reproduction::unfolded::Unfolded;
-use grazing_source::{Setting, Text};
+use grazing_drawing::{Heading, SheetWidth, draw_diagram};
+use grazing_explore::{Example, Export, Limits, Seen, Server, Sheet};
+use grazing_results::Tables;
 use tempfile::NamedTempFile;
 
 use crate::arguments;
@@ -21,8 +16,8 @@ use crate::failure::{Failure, computation};
 use crate::folder::OutputFile;
 use crate::oscillator::OscillatorFile;
 use crate::outputs::edition::{self, Edition, Format};
-use crate::outputs::oscillator::{AnalysedOscillator, TWO_PARAMETERS};
-use crate::outputs::paper::figure;
+use crate::outputs::oscillator::TWO_PARAMETERS;
+use crate::outputs::{ComputedOutput, Figure};
 use crate::{limits, project, tables, terminal};
 
 /// Serves the page until Ctrl-C is pressed.
@@ -31,9 +26,8 @@ use crate::{limits, project, tables, terminal};
 /// A file cannot be read, or the port cannot be had.
 pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
     let examples = examples(arguments.file.as_deref())?;
-    let export: Export = Box::new(|model, view, what, columns, stop| {
-        exported(model, view, what, columns, stop).map_err(|failure| failure.to_string())
-    });
+    let export: Export =
+        Box::new(|seen, what, columns| exported(seen, what, columns).map_err(|failure| failure.to_string()));
     let server = Server::bind(arguments.port, Limits::default(), examples, export).map_err(|reason| {
         let port = arguments.port;
         Failure::input(format!(
@@ -98,8 +92,8 @@ fn open(address: &str) -> Option<NamedTempFile> {
     started.ok().map(|_| page)
 }
 
-/// A file of what is seen, made as `unfold` and `reproduce` make it.
-fn exported(model: &Model, view: &View, what: &str, columns: &str, stop: &Stop) -> Result<Sheet, Failure> {
+/// A file of what is seen, made as `unfold` makes it.
+fn exported(seen: &Seen, what: &str, columns: &str) -> Result<Sheet, Failure> {
     let format = match what {
         "svg" => Some((Format::Svg, "image/svg+xml")),
         "pdf" => Some((Format::Pdf, "application/pdf")),
@@ -108,10 +102,7 @@ fn exported(model: &Model, view: &View, what: &str, columns: &str, stop: &Stop) 
     };
     let formats = vec![format.map_or(Format::Svg, |(format, _)| format)];
     let edition = Edition { formats, columns: edition::width(columns), ..Edition::default() };
-    let files = match model.text {
-        None => of_the_paper(model, view, &edition, stop)?,
-        Some(_) => of_a_text(model, view, &edition, stop)?,
-    };
+    let (files, _) = drawn(seen, edition.columns)?.files(&edition)?;
     let wanted = |file: &OutputFile| match (format, what.strip_prefix("csv:")) {
         (Some((format, _)), _) => file.path.extension().is_some_and(|found| found == format.name().as_str()),
         (None, Some(table)) => file.path == tables::path(table),
@@ -124,31 +115,17 @@ fn exported(model: &Model, view: &View, what: &str, columns: &str, stop: &Stop) 
     Ok(Sheet { name, kind: format.map_or("text/csv; charset=utf-8", |(_, kind)| kind), content })
 }
 
-/// The two-parameter diagram of a text and its tables.
-fn of_a_text(model: &Model, view: &View, edition: &Edition, stop: &Stop) -> Result<Vec<OutputFile>, Failure> {
-    let description = model.in_view(view, stop).map_err(Failure::input)?;
-    let unfolded = Unfolded::described(&description, stop, stop, &|_| ())
-        .map_err(|error| computation("unfold", &error))?;
-    let analysed = AnalysedOscillator::new(Path::new("oscillator.toml"), &description, unfolded);
-    Ok(TWO_PARAMETERS.compute(&analysed, edition.columns)?.files(edition)?.0)
-}
-
-/// The parameter file of the paper's figures.
-const PARAMETERS: &str = include_str!("../../../figures/parameters.toml");
-
-/// Figure 7 and its tables at other constants and ranges.
-fn of_the_paper(
-    model: &Model,
-    view: &View,
-    edition: &Edition,
-    stop: &Stop,
-) -> Result<Vec<OutputFile>, Failure> {
-    let constants = model.set.iter().map(|(name, value)| Setting::new(&format!("oscillator.{name}"), *value));
-    let ranges = [("fig07.amplitude", view.primary), ("fig07.frequency", view.secondary)];
-    let ranges = ranges.map(|(key, range)| Setting::new(key, range.to_vec()));
-    let loops = model.loops.iter().map(|loops| Setting::new("fig07.loops", loops.clone()));
-    let settings = constants.chain(ranges).chain(loops).collect::<Result<Vec<_>, _>>()?;
-    let parameters = Parameters::parse(&Text::new(PARAMETERS, &settings), "parameters.toml")?;
-    let study = Study::new(&parameters).with_progress(Arc::new(stop.clone()));
-    Ok(figure::<Figure7>().compute(&study, edition.columns)?.files(edition)?.0)
+/// The two-parameter diagram and its tables.
+fn drawn(seen: &Seen, width: SheetWidth) -> Result<ComputedOutput, Failure> {
+    let Seen { name, names, diagram } = seen;
+    let tables = ["points", "curves"];
+    let title = format!("{name}: {}", TWO_PARAMETERS.title);
+    let description = "Grazing curve of the non-impacting solution; saddle-node, period-doubling and grazing bifurcations of maximal \
+                       periodic solutions; regions of stability in grey. Triangles: resonances; discs: other codimension-two points.";
+    let heading = Heading { name: "diagram", title: &title, description, names, tables: &tables };
+    let sheet = draw_diagram(diagram, &heading, width).map_err(|error| computation("diagram", &error))?;
+    let of = Path::new("oscillator.toml");
+    let figure =
+        Figure::new(of, TWO_PARAMETERS.figure_file(), TWO_PARAMETERS.title.to_owned(), sheet, &tables);
+    Ok(ComputedOutput::new(vec![figure], diagram.tables(names)))
 }

@@ -74,6 +74,13 @@ pub struct EventTimes {
     pub(crate) unsettled: bool,
 }
 
+impl EventTimes {
+    /// Of a solution whose interior maximum at this time from the recoil touches the wall.
+    pub fn touching(time: f64) -> Self {
+        Self { grazing_time: time, ..Self::default() }
+    }
+}
+
 /// The equations of the periodic solutions of one oscillator with one impact in p forcing periods
 /// (MPSs), or without impacts (p = 0).
 #[derive(Clone, Debug)]

@@ -5,10 +5,23 @@ export const font = (size, italic = false) => `${italic ? "italic " : ""}${size}
 /** Numbers with more decimals than this are told from an offset. */
 const LONGEST = 6;
 
+/** What is drawn on another context instead of its canvas. */
+let elsewhere = null;
+/** Draws what belongs on a canvas on another context. */
+export function drawnOn(canvas, context, draw) {
+  elsewhere = { canvas, context };
+  try {
+    draw();
+  } finally {
+    elsewhere = null;
+  }
+}
+
 /** A canvas as large as its element, in pixels of the page; null while it is not seen. */
 function prepare(canvas) {
   const { clientWidth: width, clientHeight: height } = canvas;
   if (width < 40 || height < 40) return null;
+  if (elsewhere?.canvas === canvas) return { context: elsewhere.context, width, height };
   const ratio = devicePixelRatio || 1;
   const [across, down] = [Math.round(width * ratio), Math.round(height * ratio)];
   if (canvas.width !== across || canvas.height !== down) Object.assign(canvas, { width: across, height: down });
@@ -63,16 +76,21 @@ export function write(context, pieces, x, y, size, align = 0) {
   return width;
 }
 
-/** The title of an axis with what its labels leave out. */
-function titled(title, { offset, power }) {
+/** A unit with its powers raised: m/s^2. */
+export const unitPieces = (unit) => unit.split(/\^(-?\d+)/).flatMap((part, at) => (part === "" ? [] : [[part.replace("-", "−"), at % 2 === 1 ? "sup" : ""]]));
+
+/** The title of an axis with what its labels leave out, and in what they count. */
+function titled({ title, unit }, { offset, power }) {
   const pieces = [...title];
   if (offset) pieces.push([offset.startsWith("-") ? ` + ${offset.slice(1)}` : ` − ${offset}`, ""]);
-  if (offset && power) pieces.unshift(["(", ""]);
-  if (power) pieces.push([offset ? ") / 10" : " / 10", ""], [String(power).replace("-", "−"), "sup"]);
+  if (offset && (power || unit)) pieces.splice(0, pieces.length, ["(", ""], ...pieces, [")", ""]);
+  const ten = power ? [["10", ""], [String(power).replace("-", "−"), "sup"]] : [];
+  if (unit) pieces.push([" (", ""], ...ten, [power ? " " : "", ""], ...unitPieces(unit), [")", ""]);
+  else if (power) pieces.push([" / ", ""], ...ten);
   return pieces;
 }
 
-/** Frame, ticks, numbers and titles. `axes` is { x: { range, title }, y: { ... } }, titles as pieces. */
+/** Frame, ticks, numbers and titles. `axes` is { x: { range, title, unit }, y: { ... } }, titles as pieces. */
 function drawAxes(context, frame, axes, ink, size = 13) {
   const { x, y, w, h } = frame;
   context.strokeStyle = ink.ink;
@@ -100,11 +118,11 @@ function drawAxes(context, frame, axes, ink, size = 13) {
     if (label !== null) write(context, [[label, ""]], x - 9, at + size * 0.33, size, 1);
   }
   context.stroke();
-  write(context, titled(axes.x.title, across), x + w / 2, y + h + 2.75 * size + 2, size * 1.15, 0.5);
+  write(context, titled(axes.x, across), x + w / 2, y + h + 2.75 * size + 2, size * 1.15, 0.5);
   context.save();
   context.translate(axes.y.at ?? size * 1.15, y + h / 2);
   context.rotate(-Math.PI / 2);
-  write(context, titled(axes.y.title, up), 0, 0, size * 1.15, 0.5);
+  write(context, titled(axes.y, up), 0, 0, size * 1.15, 0.5);
   context.restore();
 }
 

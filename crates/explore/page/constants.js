@@ -15,6 +15,8 @@ const LOOPS = 6;
 let extended = {};
 let built = "";
 let controls = [];
+/** The constant that was set last. */
+let last = "";
 
 /** A value between a half and one is most likely a fraction, as a coefficient of restitution is: it ends at one. */
 function rangeOf({ name, value }) {
@@ -30,7 +32,14 @@ function control(constant) {
   const field = make("input", { type: "text", inputmode: "decimal", "aria-label": `${name}, value`, autocomplete: "off", spellcheck: "false" });
   const reset = make("button", { type: "button", class: "small reset", "aria-label": `${name} as in the file`, title: `As in the file: ${number(own, 6)}` }, "↺");
   const ends = make("span", { class: "ends", id: `${id}-range` });
+  const why = make("p", { class: "why", role: "alert", hidden: true });
+  const refuse = (words) => {
+    field.classList.toggle("bad", words !== "");
+    why.textContent = words;
+    why.hidden = words === "";
+  };
   const set = (value, live) => {
+    last = name;
     const next = { ...state.get().set };
     if (value === own) delete next[name];
     else next[name] = value;
@@ -44,7 +53,7 @@ function control(constant) {
     slider.value = Math.round(((value - low) / (high - low)) * STEPS);
     slider.setAttribute("aria-valuetext", number(value, 6));
     if (!typing) field.value = String(Number(value.toPrecision(10)));
-    field.classList.remove("bad");
+    refuse("");
     reset.hidden = value === own;
     ends.textContent = `${number(low, 3)} to ${number(high, 3)}`;
   };
@@ -60,14 +69,14 @@ function control(constant) {
     typing = false;
     const value = Number(field.value.replace("−", "-").replace(",", "."));
     if (field.value.trim() !== "" && Number.isFinite(value)) set(value, false);
-    else field.classList.add("bad");
+    else refuse(`“${field.value}” is no number: ${name} is still ${number(state.get().set[name] ?? own, 6)}.`);
   });
   reset.addEventListener("click", () => {
     set(own, false);
     slider.focus();
   });
-  const row = make("div", { class: "constant" }, make("label", { for: id, title: name }, elements(namePieces(name))), make("span", { class: "slide" }, slider, ends), field, reset);
-  return { row, show };
+  const row = make("div", { class: "constant" }, make("label", { for: id, title: name }, elements(namePieces(name))), make("span", { class: "slide" }, slider, ends), field, reset, why);
+  return { name, row, show, refuse };
 }
 
 /** The controls of the oscillator, made anew where it has other constants. */
@@ -88,6 +97,12 @@ export function follow(value) {
   for (const { show } of controls) show();
   const loops = value.loops ?? description.loops;
   for (const box of $("loops-list").querySelectorAll("input")) box.checked = loops.includes(Number(box.value));
+}
+
+/** Says why a value cannot be, beside the constant that a message of the program names, or else the one that was set last. */
+export function refuse(message) {
+  const named = controls.filter(({ name }) => new RegExp(`\\b${name}\\b`).test(message));
+  for (const { refuse: tell } of named.length ? named : controls.filter(({ name }) => name === last)) tell(message);
 }
 
 function choose() {

@@ -1,15 +1,18 @@
 // The cut: what happens along a line through the place, as a one-parameter diagram under the plane. Both are linked:
 // the line is shown in the plane, and pointing here moves the place.
-import { $, coordinate, rested } from "./dom.js";
+import { $, coordinate, make, rested } from "./dom.js";
 import { chart, clipped, trace, write } from "./axes.js";
 import { Latest, stream } from "./api.js";
 import { description, modelOf, viewOf } from "./model.js";
 import { margins, redraw, shown as marks, titleOf } from "./plane.js";
-import { branchInk, curveInk, inks, onTheme, wordInk } from "./palette.js";
+import { heightTitle } from "./portraits.js";
+import { curveInk, inks, loopsInk, loopsNames, onTheme, wordInk } from "./palette.js";
 import * as state from "./state.js";
 
-/** Fewer dots than these are drawn larger. */
-const FEW = 10000;
+/** A dot's height in pixels; it is as wide as the values of the parameter are apart, so that what goes on between them is no gap. */
+const DOT = 1.4;
+/** How strong a dot is alone, and at most where many fall together. */
+const FAINTEST = 0.4;
 
 const latest = new Latest({ pause: 100, patience: 600, failed: (error) => fail(error) });
 let answer = null;
@@ -35,6 +38,9 @@ function bodyOf(value) {
   return { model: modelOf(value), fixed: value.cut, at: value.place[1 - at], range: viewOf(value)[axis] };
 }
 
+/** What its strands are of, whatever part of them is seen. */
+const ofBody = ({ model, fixed, at }) => JSON.stringify([model, fixed, at]);
+
 const request = rested(200, () => {
   const value = state.get();
   if (!value.cut || !value.place) return;
@@ -48,8 +54,9 @@ const request = rested(200, () => {
     const take = (told) => {
       if (signal.aborted) return;
       const last = answer?.fixed === body.fixed ? answer : { dots: [] };
-      answer = { ...last, ...told, fixed: body.fixed, at: body.at, old: !told.dots };
+      answer = { ...last, ...told, fixed: body.fixed, at: body.at, of: ofBody(body), old: !told.dots };
       say("");
+      legend(answer.strands);
       draw();
     };
     await stream("cut", body, { branches: take, dots: take }, signal);
@@ -76,14 +83,14 @@ export function follow(value) {
   draw();
 }
 
-function draw() {
+export function draw() {
   const value = state.get();
   if (!value.cut || !value.place || $("cut-panel").hidden) return;
   const ink = inks();
   const [axis, at] = along(value);
   const range = viewOf(value)[axis];
   const own = answer?.fixed === value.cut ? answer : null;
-  const axes = { x: { range, title: titleOf(description[axis]) }, y: { range: own?.frame ?? [-1, 1], title: [["x", "italic"]] } };
+  const axes = { x: { range, ...titleOf(description[axis]) }, y: { range: own?.frame ?? [-1, 1], ...heightTitle() } };
   const made = chart($("cut"), margins, axes, ink);
   if (!made) return;
   const { context, to, end } = made;
@@ -93,7 +100,7 @@ function draw() {
   canvas.setAttribute("aria-valuemax", range[1]);
   canvas.setAttribute("aria-valuenow", value.place[at]);
   canvas.setAttribute("aria-valuetext", `${description[axis].name} ${coordinate(value.place[at], range[1] - range[0])}`);
-  if (own) drawFound(context, own, to, ink);
+  if (own) drawFound(context, own, to, ink, own.of === ofBody(bodyOf(value)) ? 1 : 0.25);
   else if (canvas.hasAttribute("aria-busy")) {
     context.fillStyle = ink.muted;
     write(context, [["computing …", "italic"]], frame.x + frame.w / 2, frame.y + frame.h / 2, 15, 0.5);
@@ -113,14 +120,45 @@ function draw() {
   end();
 }
 
-function drawFound(context, { strands, bifurcations, dots, old }, to, ink) {
-  context.fillStyle = ink.cloud;
-  context.globalAlpha = old ? 0.3 : 1;
-  const size = dots.length < FEW ? 1.4 : 0.8;
+/** Simulated dots, stronger where several fall together. */
+function drawDots(context, dots, values, to, ink, strength) {
+  const counts = new Map();
+  const [[left], [right]] = [dots[0] ?? [0], dots.at(-1) ?? [0]].map(([p]) => to([p, 0]));
+  const wide = Math.max(DOT, Math.abs(right - left) / Math.max(1, values - 1));
   for (const dot of dots) {
     const [x, y] = to(dot);
-    if (x >= frame.x && x <= frame.x + frame.w) context.fillRect(x - size / 2, y - size / 2, size, size);
+    const key = `${x} ${Math.round(y / DOT)}`;
+    const cell = counts.get(key) ?? { x, y: Math.round(y / DOT) * DOT, count: 0 };
+    cell.count += 1;
+    counts.set(key, cell);
   }
+  context.fillStyle = ink.ink;
+  for (const { x, y, count } of counts.values()) {
+    context.globalAlpha = strength * (1 - (1 - FAINTEST) ** count);
+    context.fillRect(x - wide / 2, y - DOT / 2, wide, DOT);
+  }
+}
+
+/** What the lines and marks of the cut mean. */
+function legend(strands) {
+  const ink = inks();
+  const line = (colour, width, dashes = "none", opacity = 1) => {
+    const path = make("path", { d: "M1 5h26" });
+    Object.assign(path.style, { stroke: colour, strokeWidth: width, strokeDasharray: dashes, opacity });
+    return make("svg", { viewBox: "0 0 28 10", "aria-hidden": "true" }, path);
+  };
+  const numbers = [...new Set(strands.map(({ p }) => Math.min(p, ink.loops.length - 1)))].sort();
+  const entries = [
+    ...numbers.map((p) => [line(loopsInk(p, ink), 2.4), loopsNames()[p]]),
+    [line(ink.ink, 0.9), "unstable"],
+    [line(ink.ink, 0.9, "3 3", 0.6), "meets the wall in between"],
+    [line(ink.ink, 3, "none", FAINTEST), "simulated"],
+  ];
+  $("cut-legend").replaceChildren(...entries.map(([sample, word]) => make("li", {}, sample, word)));
+}
+
+function drawFound(context, { strands, bifurcations, dots, values, old }, to, ink, strength) {
+  drawDots(context, dots, values, to, ink, old ? 0.25 : strength);
   context.globalAlpha = 1;
   const box = [frame.x - 5, frame.y - 5, frame.x + frame.w + 5, frame.y + frame.h + 5];
   for (const { p, points } of strands) {
@@ -129,8 +167,8 @@ function drawFound(context, { strands, bifurcations, dots, old }, to, ink) {
       const same = at < points.length && points[at][2] === points[from][2] && points[at][3] === points[from][3];
       if (same) continue;
       const [, , stable, admissible] = points[from];
-      context.strokeStyle = branchInk(p);
-      context.globalAlpha = admissible ? 1 : 0.45;
+      context.strokeStyle = loopsInk(p, ink);
+      context.globalAlpha = (admissible ? 1 : 0.45) * strength;
       context.lineWidth = stable && admissible ? 2.4 : 0.9;
       context.setLineDash(admissible ? [] : [3, 3]);
       context.beginPath();
@@ -139,7 +177,7 @@ function drawFound(context, { strands, bifurcations, dots, old }, to, ink) {
       from = at;
     }
   }
-  context.globalAlpha = 1;
+  context.globalAlpha = strength;
   context.setLineDash([]);
   const taken = [];
   for (const { kind, p, at, x } of bifurcations) {
@@ -159,13 +197,14 @@ function drawFound(context, { strands, bifurcations, dots, old }, to, ink) {
     if (!corner) continue;
     taken.push(corner);
     // Dots and strands do not cross the words, which are darker than a line may be.
-    context.globalAlpha = 0.75;
+    context.globalAlpha = 0.75 * strength;
     context.fillStyle = ink.paper;
     context.fillRect(corner[0] - 2, corner[1] - 10, wide - 10, 13);
-    context.globalAlpha = 1;
+    context.globalAlpha = strength;
     context.fillStyle = wordInk(kind) ?? ink.marker;
     write(context, words, ...corner, 12);
   }
+  context.globalAlpha = 1;
 }
 
 export function attach() {
@@ -213,5 +252,8 @@ export function attach() {
     put(Math.min(high, Math.max(low, value.place[at] + way * (event.shiftKey ? 0.1 : 0.01) * (high - low))));
   });
   new ResizeObserver(draw).observe(canvas);
-  onTheme(draw);
+  onTheme(() => {
+    draw();
+    if (answer) legend(answer.strands);
+  });
 }

@@ -1,15 +1,25 @@
 // The diagram: asked for coarse while a hand moves and in full when it rests; curves come as they are found.
-import { $, count, make, number, rested } from "./dom.js";
+import { $, count, later, make, number, rested } from "./dom.js";
 import { Latest, stream } from "./api.js";
 import { isNumbered, lasting } from "./lasting.js";
 import { axisPieces, elements } from "./markup.js";
 import { description, modelOf, viewOf } from "./model.js";
 import * as state from "./state.js";
 
-/** What is known of the diagram; `stale` while regions are those of other constants. */
-export const diagram = { curves: new Map(), points: [], regions: [], resonances: [], notes: [], stale: false, version: 0 };
+/**
+ * What is known of the diagram. Each curve says of which model it is, `of` says it of points and regions, and what is
+ * not of the model that is wanted is faded.
+ */
+export const diagram = {
+  curves: new Map(), points: [], regions: [], resonances: [], notes: [], of: { points: "", regions: "" }, wanted: "", version: 0,
+  get stale() {
+    return this.of.regions !== this.wanted;
+  },
+};
 
 const RESTS = 200;
+/** While a hand moves, what is shown may be behind it for so many milliseconds. */
+const BEHIND = 300;
 /** The slowest of the examples takes 1.5 s for a coarse one. */
 const COARSE = { pause: 100, patience: 4000 };
 let changed = () => {};
@@ -17,7 +27,7 @@ export const onDiagram = (act) => (changed = act);
 
 const failed = (error) => {
   finish();
-  say(error.message, true);
+  say(`Not drawn. ${error.message}`, true);
 };
 const latest = new Latest({ ...COARSE, failed });
 
@@ -30,20 +40,36 @@ let summary = "";
 /** The curves that have but a number, as last seen: a coarse diagram has few of them. */
 let numbered = [];
 
+/** How strongly what is of a model is drawn. */
+export const strength = (of) => (of === diagram.wanted ? 1 : 0.22);
+
+const wantedOf = (value) => JSON.stringify(modelOf(value));
+
+let behind = null;
+/** From now on another model is wanted: that of the state, or one that is being typed and has no name yet. */
+export function want(of = wantedOf(state.get())) {
+  behind?.();
+  behind = null;
+  document.body.classList.toggle("typed", of === null);
+  if (of === diagram.wanted) return;
+  diagram.wanted = of;
+  changed();
+}
+
 export function clear() {
   latest.stop();
   rest.cancel();
   computed = "";
   numbered = [];
   diagram.curves.clear();
-  Object.assign(diagram, { points: [], regions: [], resonances: [], notes: [], stale: false, version: diagram.version + 1 });
+  Object.assign(diagram, { points: [], regions: [], resonances: [], notes: [], version: diagram.version + 1 });
   list();
   changed();
 }
 
 /** The words beside the progress line. */
 export function say(words, bad = false) {
-  $("progress-text").textContent = words;
+  $("progress-text").textContent = $("progress-text").title = words;
   $("progress-text").classList.toggle("bad", bad);
 }
 
@@ -66,10 +92,12 @@ function request(value, coarse) {
 
 const job = (body) => async (signal) => {
   const { coarse, view } = body;
+  const of = JSON.stringify(body.model);
   const bar = $("progress");
   const seen = new Set();
   const names = new Map();
   let latestNotes = [];
+  let nothing = "";
   if (!coarse) {
     bar.removeAttribute("value");
     bar.hidden = false;
@@ -92,7 +120,7 @@ const job = (body) => async (signal) => {
       for (const curve of list) {
         const key = names.get(curve.key) ?? curve.key;
         seen.add(key);
-        diagram.curves.set(key, { ...curve, key });
+        diagram.curves.set(key, { ...curve, key, of });
       }
     },
     keys(keys) {
@@ -101,9 +129,11 @@ const job = (body) => async (signal) => {
     },
     points(points) {
       diagram.points = points;
+      diagram.of.points = of;
     },
     regions(regions) {
-      Object.assign(diagram, { regions, stale: false });
+      diagram.regions = regions;
+      diagram.of.regions = of;
     },
     resonances(resonances) {
       diagram.resonances = resonances;
@@ -112,17 +142,22 @@ const job = (body) => async (signal) => {
     notes(notes) {
       latestNotes = notes;
     },
+    nothing(reason) {
+      nothing = reason;
+    },
     done({ seconds }) {
       drop();
       numbered = [...(coarse ? numbered.filter(({ key }) => !seen.has(key)) : []), ...[...diagram.curves.values()].filter(isNumbered)];
       diagram.notes = latestNotes;
       diagram.version += 1;
       finish();
-      if (coarse) diagram.stale = true;
-      else {
+      // A hand that has moved on meanwhile sees what it has just left, unless that is long ago.
+      if (!coarse || behind || of === wantedOf(state.get())) diagram.wanted = of;
+      if (of === wantedOf(state.get())) want(of);
+      if (!coarse) {
         computed = JSON.stringify(body);
         const curves = [...diagram.curves.values()].filter(({ source }) => source !== "quadratic").length;
-        summary = `${count(curves, "curve")} and ${count(diagram.points.length, "point")} in ${seconds < 0.995 ? `${Math.round(1000 * seconds)} ms` : `${number(seconds, 3)} s`}.`;
+        summary = nothing ? `No grazing and no curve of an MPS in this view: ${nothing.replace(/-?\d+\.\d{4,}(e-?\d+)?/g, (digits) => number(Number(digits)))}.` : `${count(curves, "curve")} and ${count(diagram.points.length, "point")} in ${seconds < 0.995 ? `${Math.round(1000 * seconds)} ms` : `${number(seconds, 3)} s`}.`;
         say(summary);
       }
       list();
@@ -156,10 +191,17 @@ const rest = rested(RESTS, () => {
   say(summary);
 });
 
+/** The diagram of the state is wanted again, after something else was typed. */
+export function resume() {
+  want();
+  rest();
+}
+
 /** Follows the state: `constants` tells whether constants are what moves. */
 export function follow(value, live, constants) {
+  if (!live) want();
   if (live && constants) {
-    diagram.stale = true;
+    behind ??= later(BEHIND, () => want());
     computed = "";
     latest.live(job(request(value, true)));
   }

@@ -1,6 +1,7 @@
 // The oscillator's file: edited in the page, mistakes marked under the character in the program's own words.
 import { $, make, rested } from "./dom.js";
 import { ask, Latest } from "./api.js";
+import * as diagram from "./diagram.js";
 import { exampleOf, examples, textOf } from "./model.js";
 import * as state from "./state.js";
 
@@ -34,7 +35,7 @@ export function tell(answer) {
   $("text").setAttribute("aria-invalid", "true");
   $("go-to-mistake").onclick = () => {
     const at = before.length + from;
-    $("text").focus();
+    $("text").focus({ preventScroll: true });
     $("text").setSelectionRange(at, before.length + Math.max(to, from + 1));
     $("text").scrollTop = Math.max(0, (line - 5) * lineHeight());
     $("text").scrollLeft = 0;
@@ -74,8 +75,9 @@ const edited = rested(RESTS, async () => {
   await latest.now(async (signal) => {
     const answer = await ask("check", { text, set: {}, loops: null }, signal);
     if (signal.aborted) return;
+    if (!answer.ok) return taken(answer);
     tell(answer);
-    if (!answer.ok || text === textOf(state.get())) return;
+    if (text === textOf(state.get())) return diagram.resume();
     // Constants that the new file does not have are forgotten.
     const names = new Set(answer.constants.map(({ name }) => name));
     const set = Object.fromEntries(Object.entries(state.get().set).filter(([name]) => names.has(name)));
@@ -93,7 +95,9 @@ export function follow(value) {
   const example = exampleOf(value);
   $("own-file").hidden = example !== null;
   menu.value = example ? example.file : "?own";
+  const opens = value.edit && $("editor").hidden;
   $("editor").hidden = !value.edit;
+  if (opens) $("editor").scrollIntoView({ block: "nearest" });
   document.body.classList.toggle("editing", value.edit);
   document.querySelector('[data-command="edit"]').setAttribute("aria-expanded", value.edit);
   if (!value.edit) return;
@@ -130,6 +134,7 @@ export function attach(choose) {
     $("gutter").textContent = Array.from({ length: lines }, (_, at) => `${at + 1}\n`).join("");
     $("marks").textContent = "";
     $("callout").hidden = true;
+    diagram.want(null);
     edited();
   });
   field.addEventListener("scroll", scroll);

@@ -8,6 +8,8 @@ import * as state from "./state.js";
 
 /** The narrowest view: so much of the whole plane's width, still far above rounding. */
 const NARROWEST = 4e-10;
+/** A pointer that moves no farther than so many pixels points; beyond it moves the plane. */
+const STILL = 4;
 let boxing = false;
 
 /** Zooms by a factor, above one inwards, about a point of the plane, that of the place or the middle. */
@@ -80,7 +82,7 @@ function tell(x, y) {
 /** Takes the pointers that come to the plane. */
 export function attach() {
   const stage = $("stage");
-  let doing = null;
+  let [doing, pressed] = [null, null];
   const point = ({ clientX, clientY }) => {
     const { left, top } = stage.getBoundingClientRect();
     return [clientX - left, clientY - top];
@@ -98,12 +100,12 @@ export function attach() {
       else if (event.shiftKey || boxing) {
         doing = "box";
         shown.box = [...clamp(point(event)), ...clamp(point(event))];
-      } else if (event.button === 1 || event.ctrlKey || event.metaKey) doing = "move";
-      else {
+      } else if (event.target.id === "handle" && event.button === 0) {
         // What is held is the ring itself, not the pointer's offset from it.
         doing = "place";
         state.update({ place: at(event) }, true);
-      }
+      } else doing = "point";
+      pressed = point(event);
       event.preventDefault();
     },
     hover: (event) => tell(...point(event)),
@@ -112,7 +114,8 @@ export function attach() {
       else if (doing === "box") {
         shown.box = [shown.box[0], shown.box[1], ...clamp(point(event))];
         redraw();
-      } else if (doing === "move") move((before.clientX - event.clientX) / frame.w, (event.clientY - before.clientY) / frame.h, true);
+      } else if (doing === "point" && Math.hypot(...point(event).map((each, k) => each - pressed[k])) > STILL) doing = "move";
+      if (doing === "move") move((before.clientX - event.clientX) / frame.w, (event.clientY - before.clientY) / frame.h, true);
     },
     pinch(by, centre, [across, down]) {
       move(-across / frame.w, down / frame.h, true);
@@ -123,11 +126,12 @@ export function attach() {
         const [ax, ay, bx, by] = shown.box;
         shown.box = null;
         if (boxing) startBox();
-        if (Math.abs(bx - ax) > 4 && Math.abs(by - ay) > 4 && event.type === "pointerup") {
+        if (Math.min(Math.abs(bx - ax), Math.abs(by - ay)) > STILL && event.type === "pointerup") {
           const [[a, c], [b, d]] = [toParameters(Math.min(ax, bx), Math.max(ay, by)), toParameters(Math.max(ax, bx), Math.min(ay, by))];
           state.update({ view: { primary: [a, b], secondary: [c, d] } });
         } else redraw();
-      } else if (doing === "place" && held === 0) state.update({});
+      } else if (doing === "point" && event.type === "pointerup") state.update({ place: at(event) });
+      else if (held === 0) state.update({});
       if (held === 0) doing = null;
     },
   });

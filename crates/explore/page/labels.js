@@ -1,4 +1,5 @@
 // Where the words in the plane go: where no curve passes, no point lies and no other word stands.
+import { apart } from "./pick.js";
 
 const CELL = 5;
 
@@ -40,18 +41,21 @@ const clear = (map, placed, x, y, half, tall = 7) => {
   return placed.every((other) => Math.abs(other.x - x) > other.half + half + 4 || Math.abs(other.y - y) > 2 * tall + 2);
 };
 
+const sheet = document.createElement("canvas").getContext("2d");
+const isInside = (path, x, y) => sheet.isPointInPath(path, x, y, "evenodd");
+function pathOf({ rings }) {
+  const path = new Path2D();
+  for (const ring of rings) ring.forEach(([x, y], index) => (index === 0 ? path.moveTo(x, y) : path.lineTo(x, y)));
+  return path;
+}
+
 /** p = ... in the regions: the place of each that is farthest from everything, outside other regions if it can be. */
 function regionLabels(frame, regions, map, placed) {
-  const sheet = document.createElement("canvas").getContext("2d");
-  const paths = regions.map(({ rings }) => {
-    const path = new Path2D();
-    for (const ring of rings) ring.forEach(([x, y], index) => (index === 0 ? path.moveTo(x, y) : path.lineTo(x, y)));
-    return path;
-  });
-  const inside = (index, x, y) => sheet.isPointInPath(paths[index], x, y, "evenodd");
+  const paths = regions.map(pathOf);
+  const inside = (index, x, y) => isInside(paths[index], x, y);
   const step = 2 * CELL;
   regions.forEach((region, index) => {
-    if (region.kind !== "mps") return;
+    if (region.kind !== "mps" || placed.some(({ kind, p, x, y }) => kind === "region" && p === region.p && inside(index, x, y))) return;
     let best = { score: 0 };
     for (let x = frame.x + 24; x < frame.x + frame.w - 24; x += step) {
       for (let y = frame.y + 10; y < frame.y + frame.h - 10; y += step) {
@@ -62,25 +66,37 @@ function regionLabels(frame, regions, map, placed) {
         if (score > best.score) best = { score, x, y };
       }
     }
-    if (best.score > 0) placed.push({ text: [["p", "italic"], [` = ${region.p}`, ""]], x: best.x, y: best.y, half: 20, kind: "region" });
+    if (best.score > 0) placed.push({ text: [["p", "italic"], [` = ${region.p}`, ""]], x: best.x, y: best.y, half: 20, kind: "region", p: region.p });
   });
 }
 
-/** The word beside a curve. */
-const wordOf = ({ kind }) => (kind === "graz" ? "grazing" : kind);
+/** The word beside a curve, with its number of loops as index. */
+const wordOf = ({ kind, p }) => (kind === "graz" ? [["grazing", ""]] : [[kind, ""], [String(p), "sub"]]);
+const sameWord = (text, other) => text.join() === other.join();
 
-/** A word that finds its curve's old one within so many pixels stays there, unless elsewhere is as many times better. */
-const NEAR = 40;
-const STAYS = 2;
+/** A word is no farther from its curve than its own width and so many pixels. */
+const REACH = 30;
+
+const reaches = ({ points }, { x, y, half }) => points.some(([px, py], at) => at > 0 && apart([x, y], points[at - 1], [px, py]) < half + REACH);
+
+/** Words that still stand well stay where they are, whatever has moved: those of a moment ago which keep clear, beside their curve or in their region. */
+function keepLabels(runs, regions, map, placed, before) {
+  const paths = regions.filter(({ kind }) => kind === "mps").map((region) => [region.p, pathOf(region)]);
+  for (const each of before) {
+    const { kind, key, p, x, y, half } = each;
+    const own = kind === "region" ? paths.some(([of, path]) => of === p && isInside(path, x, y)) : runs.some((run) => run.curve.key === key && reaches(run, each));
+    if (own && clear(map, placed, x, y, half)) placed.push(each);
+  }
+}
 
 /** A word beside each curve that is long enough, where there is room for it. */
-function curveLabels(frame, runs, map, placed, before) {
+function curveLabels(frame, runs, map, placed) {
   const long = runs.map((run) => ({ ...run, length: run.points.reduce((sum, [x, y], at) => (at === 0 ? 0 : sum + Math.hypot(x - run.points[at - 1][0], y - run.points[at - 1][1])), 0) }));
   for (const { curve, points, length } of long.sort((a, b) => b.length - a.length)) {
     if (length < 100 || curve.source === "quadratic") continue;
-    const half = curve.kind === "graz" ? 26 : 11;
+    const half = curve.kind === "graz" ? 26 : 14;
     let [best, passed] = [{ score: 0 }, 0];
-    const old = before.filter(({ key }) => key === curve.key);
+    if (placed.some((each) => each.key === curve.key && reaches({ points }, each))) continue;
     for (let index = 1; index < points.length; index += 1) {
       const [[ax, ay], [bx, by]] = [points[index - 1], points[index]];
       const along = Math.hypot(bx - ax, by - ay);
@@ -91,16 +107,15 @@ function curveLabels(frame, runs, map, placed, before) {
         for (const side of [-1, 1]) {
           const [x, y] = [px - side * dy * off, py + side * dx * off];
           if (!clear(map, placed, x, y, half)) continue;
-          const repeats = placed.some(({ text, x: ox, y: oy }) => text[0][0] === wordOf(curve) && Math.hypot(ox - x, oy - y) < 130);
+          const repeats = placed.some(({ text, x: ox, y: oy }) => sameWord(text, wordOf(curve)) && Math.hypot(ox - x, oy - y) < 130);
           const middle = 1 - Math.abs((passed + at) / length - 0.5);
-          const stays = old.some(({ x: ox, y: oy }) => Math.hypot(ox - x, oy - y) < NEAR) ? STAYS : 1;
-          const score = repeats ? 0 : stays * Math.min(18, map.at(x, y)) * middle;
+          const score = repeats ? 0 : Math.min(18, map.at(x, y)) * middle;
           if (score > best.score) best = { score, x, y };
         }
       }
       passed += along;
     }
-    if (best.score > 0) placed.push({ text: [[wordOf(curve), ""]], x: best.x, y: best.y, half, kind: curve.kind, key: curve.key });
+    if (best.score > 0) placed.push({ text: wordOf(curve), x: best.x, y: best.y, half, kind: curve.kind, key: curve.key });
   }
 }
 
@@ -108,7 +123,8 @@ function curveLabels(frame, runs, map, placed, before) {
 export function placeLabels(frame, runs, regions, points, before) {
   const map = distances(frame, runs, points);
   const placed = [];
+  keepLabels(runs, regions, map, placed, before);
   regionLabels(frame, regions, map, placed);
-  curveLabels(frame, runs, map, placed, before);
+  curveLabels(frame, runs, map, placed);
   return placed;
 }

@@ -37,6 +37,7 @@ const COMMANDS = {
   vertical: () => toggleCut("primary"),
   keep: () => state.get().place && state.update({ kept: state.get().place }),
   overlay: () => state.update({ overlay: !state.get().overlay }),
+  leave: () => state.update({ place: null, kept: null, cut: null }),
   edit: () => state.update({ edit: !state.get().edit }),
   stop: diagram.stop,
   share: share.open,
@@ -75,6 +76,7 @@ function follow(value, changed, live) {
   const has = (names) => names.some((name) => changed.has(name));
   editor.follow(value);
   if (has(OSCILLATOR)) {
+    diagram.want();
     // Nothing can be asked before the program has said what this oscillator's parameters are.
     editor.check(model.modelOf(value));
     return;
@@ -102,7 +104,8 @@ function taken(answer) {
     // A file that came with the address and is wrong is shown with its mistake.
     if (!model.description && model.textOf(state.get()) !== null && !state.get().edit) state.update({ edit: true });
     editor.tell(answer);
-    diagram.say(`${answer.line ? `Line ${answer.line}: ` : ""}${answer.message}`, true);
+    constants.refuse(answer.message);
+    diagram.say(`Not drawn. ${answer.line ? `Line ${answer.line}: ` : ""}${answer.message}`, true);
     return;
   }
   const names = ({ name, primary, secondary }) => JSON.stringify([name, primary.name, secondary.name]);

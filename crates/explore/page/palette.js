@@ -1,28 +1,14 @@
-// The inks of what no figure shows, on light and on dark. Those of curves, regions, points and branches stand in kinds.js,
-// which the program writes.
+// The inks of what has no meaning of its own. Those of curves, regions, points and motions stand in kinds.js, which the
+// program writes: a colour means one thing wherever it is.
 import { APPROXIMATION, INKS, LOOKS } from "./kinds.js";
 
-const OWN = {
-  light: {
-    paper: "#ffffff", ink: "#1e1d1b", muted: "#63615b", faint: "#d9d6ce",
-    place: "#c2185b", kept: "#00796b", wall: "#6e6e6e", cloud: "rgba(45,70,105,0.55)",
-  },
-  dark: {
-    paper: "#1b1e23", ink: "#e7e5df", muted: "#a09e97", faint: "#3a3f47",
-    place: "#ff79ad", kept: "#4fd1bd", wall: "#9a9a9a", cloud: "rgba(160,190,230,0.5)",
-  },
-};
-
-/** Tiles: p = 1, 2, ... (after Okabe and Ito); non-impacting; other periodic motion; the rest. */
-const LOOPS = ["#e69f00", "#56b4e9", "#cc79a7", "#009e73", "#f0e442"];
-const TILES = {
-  light: { loops: LOOPS, calm: "#d6d6d6", periodic: "#9a8fd0", irregular: "#4a4652" },
-  dark: { loops: ["#c98a00", "#4a9fd0", "#b86a95", "#008f68", "#d6cb3a"], calm: "#4b5058", periodic: "#7d72b8", irregular: "#0c0b10" },
+const NEUTRAL = {
+  light: { paper: "#ffffff", ink: "#1e1d1b", muted: "#63615b", faint: "#d9d6ce", wall: "#6e6e6e" },
+  dark: { paper: "#1b1e23", ink: "#e7e5df", muted: "#a09e97", faint: "#3a3f47", wall: "#9a9a9a" },
 };
 
 const theme = () => (document.documentElement.dataset.theme === "dark" ? "dark" : "light");
-export const inks = () => ({ ...OWN[theme()], ...INKS[theme()] });
-export const tileInks = () => TILES[theme()];
+export const inks = () => ({ ...NEUTRAL[theme()], ...INKS[theme()] });
 
 /** How a curve is drawn: colour, width and dashes in pixels of the page. */
 export function penOf({ kind, source }) {
@@ -32,8 +18,9 @@ export function penOf({ kind, source }) {
 
 /** Draws the samples in the legend as the plane is drawn; approximations are shown by that to SN. */
 export function drawSamples() {
-  const { calm, loops } = inks();
-  for (const [kind, ink] of [["calm", calm], ["mps", loops]]) {
+  const { calm, stable, place } = inks();
+  document.documentElement.style.setProperty("--place", place);
+  for (const [kind, ink] of [["calm", calm], ["mps", stable]]) {
     document.querySelectorAll(`.area.${kind}`).forEach((sample) => (sample.style.background = ink));
   }
   for (const sample of document.querySelectorAll(".legend path[class]:not(.fill)")) {
@@ -47,17 +34,18 @@ export function drawSamples() {
 export const curveInk = (kind) => LOOKS[kind]?.[theme()].curve;
 export const wordInk = (kind) => (kind === "graz" ? LOOKS[kind][theme()].quadratic : curveInk(kind));
 
-export const branchInk = (p) => inks().branch[p] ?? inks().branch[0];
+/** The ink of motion with so many loops, 0 without impacts; the last is that of so many or more. */
+export const loopsInk = (p, ink = inks()) => ink.loops[Math.min(p, ink.loops.length - 1)];
+/** How numbers of loops with an ink of their own are called. */
+export const loopsNames = () => inks().loops.map((_, p, { length }) => (p === 0 ? "no impacts" : `p ${p + 1 < length ? "=" : "≥"} ${p}`));
 
-/** Inks of attractors: an MPS has that of its branch, as far as it is free, and others have what is left. */
+/** The inks of attractors: what they are, as in the simulated plane. */
 export function attractorInks(attractors) {
-  const free = new Set([2, 4, 3, 1, 5, 6, 0]);
-  const wanted = ({ kind, loops }) => (kind === "non-impacting" ? 0 : (loops ?? null));
-  const inks = attractors.map((each) => (free.delete(wanted(each)) ? wanted(each) : null));
-  return inks.map((p) => {
-    const own = p ?? [...free][0] ?? 0;
-    free.delete(own);
-    return branchInk(own);
+  const ink = inks();
+  return attractors.map(({ kind, loops }) => {
+    if (kind === "non-impacting") return ink.loops[0];
+    if (loops) return loopsInk(loops, ink);
+    return kind === "periodic" ? ink.periodic : ["chaotic", "unsettled"].includes(kind) ? ink.irregular : ink.wall;
   });
 }
 

@@ -3,15 +3,19 @@ import { count } from "./dom.js";
 import { diagram } from "./diagram.js";
 import { LOOKS } from "./kinds.js";
 
+/** How far a point is from a segment. */
+export function apart([x, y], [ax, ay], [bx, by]) {
+  const square = (bx - ax) ** 2 + (by - ay) ** 2;
+  const part = square === 0 ? 0 : Math.min(1, Math.max(0, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / square));
+  return Math.hypot(x - ax - part * (bx - ax), y - ay - part * (by - ay));
+}
+
 /** The curve within so many pixels of a point, of the runs that were drawn, or null. */
 function curveAt(runs, x, y, within = 7) {
   let best = { distance: within, curve: null };
   for (const { curve, points } of runs) {
     for (let index = 1; index < points.length; index += 1) {
-      const [[ax, ay], [bx, by]] = [points[index - 1], points[index]];
-      const square = (bx - ax) ** 2 + (by - ay) ** 2;
-      const part = square === 0 ? 0 : Math.min(1, Math.max(0, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / square));
-      const distance = Math.hypot(x - ax - part * (bx - ax), y - ay - part * (by - ay));
+      const distance = apart([x, y], points[index - 1], points[index]);
       if (distance < best.distance) best = { distance, curve };
     }
   }
@@ -28,6 +32,32 @@ function lies([p, s], rings) {
     });
   }
   return inside;
+}
+
+/** A place is so many pixels from what it can be moved onto, at most. */
+const ONTO = 14;
+
+/** The point of the diagram, or else the place of a curve, next to a place, if one is near: { point } or { curve, at, start }. */
+export function nearest(place, to) {
+  const here = to(place);
+  const far = ({ primary, secondary }) => Math.hypot(...to([primary, secondary]).map((each, k) => each - here[k]));
+  const point = [...diagram.points].sort((a, b) => far(a) - far(b))[0];
+  if (point && far(point) < ONTO) return { point };
+  let best = { distance: ONTO };
+  for (const curve of diagram.curves.values()) {
+    if (!curve.starts || curve.source === "quadratic") continue;
+    const pixels = curve.points.map(to);
+    for (let index = 1; index < pixels.length; index += 1) {
+      const distance = apart(here, pixels[index - 1], pixels[index]);
+      if (distance < best.distance) best = { distance, curve, index, ends: [pixels[index - 1], pixels[index]] };
+    }
+  }
+  if (!best.curve) return null;
+  const { curve, index, ends: [a, b] } = best;
+  const square = (b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2;
+  const part = square === 0 ? 0 : Math.min(1, Math.max(0, ((here[0] - a[0]) * (b[0] - a[0]) + (here[1] - a[1]) * (b[1] - a[1])) / square));
+  const between = (list) => [0, 1].map((k) => list[index - 1][k] + part * (list[index][k] - list[index - 1][k]));
+  return { curve, at: between(curve.points), start: between(curve.starts) };
 }
 
 const loops = ({ p, n }) => (p > 0 ? `, ${count(p, "loop")}${n ? `, n = ${n}` : ""}` : "");

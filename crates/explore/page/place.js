@@ -4,8 +4,10 @@ import { $, coordinate, count, make, multipliers, number, rested } from "./dom.j
 import { ask, Latest } from "./api.js";
 import { axisPieces, elements } from "./markup.js";
 import { description, modelOf, viewOf } from "./model.js";
-import { attractorInks, branchInk, onTheme } from "./palette.js";
+import { attractorInks, loopsInk, onTheme } from "./palette.js";
 import { drawPortraits } from "./portraits.js";
+import { nearest } from "./pick.js";
+import { project } from "./plane.js";
 import * as state from "./state.js";
 
 /** States from which the attractors are sought: fewer while a hand moves. */
@@ -50,6 +52,13 @@ function keysOf(solutions) {
   });
 }
 
+/** What a place can be moved onto, in words. */
+function nameOfNear({ point, curve }) {
+  if (!point && curve.kind === "graz") return ["grazing"];
+  const { kind, p } = point ?? curve;
+  return [`${kind}, `, make("i", {}, "p"), ` = ${p}`];
+}
+
 /** One card: the place itself, or the one that was kept. */
 class Card {
   constructor(key) {
@@ -69,6 +78,8 @@ class Card {
       ? make("button", { type: "button", class: "small", onclick: () => state.update({ kept: null }) }, "Remove")
       : make("button", { type: "button", class: "small", "data-command": "keep", title: "Keep this place to compare it with another (K)" }, "Keep");
     this.at = make("p", { class: "at" });
+    this.short = make("p", { class: "short" });
+    this.on = make("p", { class: "on" });
     this.message = make("p", { class: "message bad", hidden: true });
     this.attractors = make("ul", { class: "attractors" });
     const picture = (name, label) => (this[name] = make("canvas", { class: `picture ${name}`, role: "img", "aria-label": label }));
@@ -78,8 +89,8 @@ class Card {
     const head = make("tr", {}, ...heads.map(([word, title]) => make("th", { scope: "col", title: title || null }, word)));
     this.solutions = make("div", { class: "scroll" }, make("table", {}, make("caption", {}, "Maximal periodic solutions"), make("thead", {}, head), this.table));
     this.hint = make("p", { class: "muted", hidden: true }, "Followed from the place before; all is looked for when it rests.");
-    this.body = make("div", { class: "card-body" }, this.attractors, this.hint, this.pictures, this.solutions);
-    this.element = make("article", { class: `place ${this.key}`, "aria-label": kept ? "Kept place" : "Place", hidden: true }, make("header", {}, this.at, action), this.message, this.body);
+    this.body = make("div", { class: "card-body" }, this.pictures, this.attractors, this.hint, this.solutions);
+    this.element = make("article", { class: `place ${this.key}`, "aria-label": kept ? "Kept place" : "Place", hidden: true }, make("header", {}, make("div", {}, this.at, this.short), action), this.on, this.message, this.body);
     $("places").append(this.element);
     new ResizeObserver(() => this.draw()).observe(this.pictures);
     onTheme(() => this.answer && this.show());
@@ -96,8 +107,14 @@ class Card {
       return;
     }
     this.title(place, value);
+    this.age(value);
     if (live) this.latest.live(this.job(true));
     this.rest();
+  }
+
+  /** Fades what is of another place or oscillator. */
+  age(value) {
+    this.element.classList.toggle("stale", this.answer !== null && this.told !== JSON.stringify([modelOf(value), value[this.key]]));
   }
 
   title(place, value) {
@@ -105,6 +122,33 @@ class Card {
     const widths = [view.primary, view.secondary].map(([low, high]) => high - low);
     const told = [description.primary, description.secondary].map((axis, at) => [at ? ", " : "", ...elements(axisPieces(axis)), ` = ${coordinate(place[at], widths[at])}`, axis.unit ? ` ${axis.unit}` : ""]);
     this.at.replaceChildren(...told.flat());
+    if (this.key === "place") this.offer(place, view);
+  }
+
+  /** Offers to go exactly onto what is near, or tells what is there. */
+  offer(place, view) {
+    if (JSON.stringify(this.exact?.at) === JSON.stringify(place)) {
+      this.on.replaceChildren(...this.exact.words);
+      return;
+    }
+    const near = nearest(place, project(view));
+    this.on.replaceChildren(...(near ? [make("button", { type: "button", class: "small", onclick: () => this.go(near) }, "Go exactly onto ", ...nameOfNear(near))] : []));
+  }
+
+  /** Moves the place onto a curve or a point, where its multipliers are known. */
+  async go({ point, curve, at, start }) {
+    const value = state.get();
+    try {
+      const found = point
+        ? { at: [point.primary, point.secondary], multipliers: point.multipliers }
+        : await ask("exact", { model: modelOf(value), view: viewOf(value), kind: curve.kind, p: curve.p, start, at });
+      const words = ["Exactly on ", ...nameOfNear({ point, curve })];
+      if (found.multipliers) words.push(`: multipliers ${multipliers(found.multipliers)}`);
+      this.exact = { at: found.at, words };
+      state.update({ place: found.at });
+    } catch (error) {
+      this.on.textContent = error.message;
+    }
   }
 
   body_(live) {
@@ -136,7 +180,8 @@ class Card {
       if (!body.nearby) this.slow = performance.now() - began > SLOW;
       this.known = knownAs(body);
       this.asked = live ? "" : JSON.stringify(body);
-      [this.answer, this.shown] = [answer, body.at];
+      [this.answer, this.shown, this.told] = [answer, body.at, JSON.stringify([body.model, body.at])];
+      this.age(state.get());
       this.show();
       this.element.removeAttribute("aria-busy");
       if (!live && this.key === "place") this.announce(body.at);
@@ -156,6 +201,7 @@ class Card {
     this.hint.hidden = !this.answer.followed;
     const { attractors, solutions } = this.answer;
     const inks = attractorInks(attractors);
+    this.short.textContent = attractors.map((each) => `${nameOf(each)} ${percent(each.share)}`).join("; ");
     const rows = attractors.map((each, index) => {
       const swatch = make("span", { class: "swatch", "aria-hidden": "true" });
       swatch.style.background = inks[index];
@@ -164,7 +210,7 @@ class Card {
       share.style.background = inks[index];
       const rates = each.kind === "non-impacting" ? [] : [`${number(each.impacts, 3)} ${each.impacts === 1 ? "impact" : "impacts"} a period`];
       const sure = each.exponent_error > 0 ? ` ± ${number(each.exponent_error, 1)}` : "";
-      const exponent = each.exponent === null ? [] : [rates.length ? " · " : "", make("span", { title: "Largest Lyapunov exponent, in 1/time: displacements grow like exp(λt)" }, make("i", {}, "λ"), ` = ${number(each.exponent, 3)}${sure}`)];
+      const exponent = each.exponent === null ? [] : [rates.length ? " · " : "", make("span", { title: "Displacements grow like exp(λt)" }, "largest Lyapunov exponent ", make("i", {}, "λ"), ` = ${number(each.exponent, 3)}${sure}${description.units.time ? ` / ${description.units.time}` : ""}`)];
       const on = each.kind === "unsettled" ? [" ", make("button", { type: "button", class: "small", title: "Follow it four times as long", onclick: () => this.goOn(4 * each.waited) }, "Go on")] : [];
       return make("li", {}, swatch, make("span", { class: "name" }, nameOf(each)), make("b", { title: "Share of the states that end there" }, percent(each.share)), make("span", { class: "track", "aria-hidden": "true" }, share), make("span", { class: "detail" }, ...rates, ...exponent, ...on));
     });
@@ -176,7 +222,7 @@ class Card {
       const key = keys[index];
       const pressed = this.drawn.has(key);
       const button = make("button", { type: "button", class: "small toggle", "data-key": key, "aria-pressed": pressed, "aria-label": `Draw p = ${each.p}`, onclick: () => this.toggle(key) }, String(each.p));
-      button.style.setProperty("--ink", branchInk(each.p));
+      button.style.setProperty("--ink", loopsInk(each.p));
       const velocity = each.p === 0 ? "–" : number(each.velocity, 4);
       return make("tr", {}, make("th", { scope: "row" }, button), make("td", {}, velocity), make("td", {}, multipliers(each.multipliers)), mark(each.stable), mark(each.admissible));
     });
@@ -200,12 +246,14 @@ class Card {
 
   draw() {
     if (!this.answer || this.element.hidden) return;
-    const { attractors, solutions, wall, period } = this.answer;
+    const { attractors, solutions, period } = this.answer;
     const inks = attractorInks(attractors);
     const keys = keysOf(solutions);
     const moving = attractors.map(({ orbit, periods }, index) => ({ orbit: orbit ?? [], ink: inks[index], wide: periods ? 1.4 : 0.7, periods, repeats: Boolean(periods) }));
-    const extra = solutions.filter((_, index) => this.drawn.has(keys[index])).map(({ orbit, p, stable }) => ({ orbit: orbit ?? [], ink: branchInk(p), wide: 1.4, dashed: !stable, periods: p || 1, repeats: true }));
-    drawPortraits(this, { orbits: [...moving, ...extra], strikes: attractors.map((each, index) => ({ strikes: each.strikes ?? [], ink: inks[index] })), wall, period });
+    const extra = solutions.filter((_, index) => this.drawn.has(keys[index])).map(({ orbit, p, stable }) => ({ orbit: orbit ?? [], ink: loopsInk(p), wide: 1.4, dashed: !stable, periods: p || 1, repeats: true }));
+    const strikes = attractors.map((each, index) => ({ strikes: each.strikes ?? [], ink: inks[index] }));
+    // What most states come to lies on top.
+    drawPortraits(this, { orbits: [...moving.reverse(), ...extra], strikes: strikes.reverse(), period });
   }
 
   announce(at) {
@@ -222,6 +270,10 @@ let cards = [];
 /** Of which place what is told, or null. */
 export const shown = (key) => cards.find((card) => card.key === key)?.shown ?? null;
 
+/** What is told of the place, or null, and its pictures drawn. */
+export const told = () => (state.get().place ? (cards[0]?.answer ?? null) : null);
+export const draw = () => cards[0]?.draw();
+
 export const attach = () => (cards = [new Card("place"), new Card("kept")]);
 
 /** Follows the state: `moved` has the names of what has changed. */
@@ -230,5 +282,9 @@ export function follow(value, moved, live) {
   for (const card of cards) if (model || moved.has(card.key)) card.follow(value, live);
     else if (moved.has("view") && value[card.key]) card.title(value[card.key], value);
   $("place-hint").hidden = value.place !== null || value.kept !== null;
+  const opens = value.place !== null && !document.body.classList.contains("placed");
+  document.body.classList.toggle("placed", value.place !== null || value.kept !== null);
+  // Where the answer is a sheet over the lower part of the page, the plane is above it.
+  if (opens && getComputedStyle($("place-section")).position === "fixed") $("stage").scrollIntoView({ block: "start", behavior: "instant" });
   document.body.classList.toggle("two-places", value.place !== null && value.kept !== null);
 }

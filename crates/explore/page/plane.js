@@ -2,9 +2,9 @@
 import { begin } from "./busy.js";
 import { $, later } from "./dom.js";
 import { chart, clipped, clippedRing, font, into, trace, write } from "./axes.js";
-import { diagram } from "./diagram.js";
+import { diagram, strength } from "./diagram.js";
 import { placeLabels } from "./labels.js";
-import { axisPieces, titlePieces } from "./markup.js";
+import { axisPieces } from "./markup.js";
 import { description, viewOf, wholeView } from "./model.js";
 import { inks, penOf, wordInk } from "./palette.js";
 import * as state from "./state.js";
@@ -20,6 +20,8 @@ export const shown = { box: null, pointer: null };
 /** The runs of curves as last drawn, for those who point at them. */
 export let runs = [];
 let labels = { key: "", placed: -1e9, list: [] };
+/** The words as last placed: [{ text, at (parameters), kind }]. */
+export const words = () => labels.list;
 let asked = null;
 
 /** Draws at the next frame. */
@@ -48,11 +50,8 @@ export function toParameters(x, y, { primary: [a, b], secondary: [c, d] } = view
   return [a + ((x - frame.x) / frame.w) * (b - a), c + ((frame.y + frame.h - y) / frame.h) * (d - c)];
 }
 
-/** The title of an axis, with its unit. */
-export function titleOf(axis) {
-  if (axis.title?.includes("$")) return titlePieces(axis.title);
-  return axis.unit ? [...axisPieces(axis), [` (${axis.unit})`, ""]] : axisPieces(axis);
-}
+/** The title of an axis, and its unit. */
+export const titleOf = (axis) => ({ title: axisPieces(axis), unit: axis.unit });
 
 /** A brush of thin slanted lines. */
 function hatching(context, ink) {
@@ -74,11 +73,11 @@ function hatching(context, ink) {
 }
 
 function drawRegions(context, regions, ink) {
-  context.globalAlpha = diagram.stale ? 0.45 : 1;
+  context.globalAlpha = strength(diagram.of.regions);
   for (const kind of ["non-impacting", "mps", "undecided"]) {
     const own = regions.filter((region) => region.kind === kind);
     if (own.length === 0) continue;
-    context.fillStyle = kind === "mps" ? ink.loops : kind === "undecided" ? hatching(context, ink) : ink.calm;
+    context.fillStyle = kind === "mps" ? ink.stable : kind === "undecided" ? hatching(context, ink) : ink.calm;
     for (const region of own) {
       context.beginPath();
       for (const ring of region.rings) trace(context, ring, true);
@@ -96,7 +95,7 @@ function drawCurves(context) {
     context.strokeStyle = pen.colour;
     context.setLineDash(pen.dashes);
     context.lineWidth = bounds ? pen.width : Math.min(pen.width, 0.8);
-    context.globalAlpha = bounds ? 1 : 0.6;
+    context.globalAlpha = (bounds ? 1 : 0.6) * strength(curve.of);
     context.beginPath();
     trace(context, points);
     context.stroke();
@@ -109,6 +108,7 @@ function drawPoints(context, to, ink) {
   context.fillStyle = ink.marker;
   context.strokeStyle = ink.rim;
   context.lineWidth = 1;
+  context.globalAlpha = strength(diagram.of.points);
   for (const point of [...diagram.points].sort((a, b) => (a.kind === "resonance") - (b.kind === "resonance"))) {
     const [x, y] = to([point.primary, point.secondary]);
     if (!inFrame(x, y, 6)) continue;
@@ -118,6 +118,7 @@ function drawPoints(context, to, ink) {
     context.fill();
     context.stroke();
   }
+  context.globalAlpha = 1;
 }
 
 const inFrame = (x, y, margin = 0) => x >= frame.x - margin && x <= frame.x + frame.w + margin && y >= frame.y - margin && y <= frame.y + frame.h + margin;
@@ -189,12 +190,12 @@ function runsInView(to, magnified) {
   return found;
 }
 
-function draw() {
+export function draw() {
   if (!description) return;
   const ink = inks();
   const value = state.get();
   const view = viewOf(value);
-  const axes = { x: { range: view.primary, title: titleOf(description.primary) }, y: { range: view.secondary, title: titleOf(description.secondary) } };
+  const axes = { x: { range: view.primary, ...titleOf(description.primary) }, y: { range: view.secondary, ...titleOf(description.secondary) } };
   const made = chart($("plane"), margins, axes, ink);
   if (!made) return;
   const { context, to, end } = made;
@@ -210,7 +211,7 @@ function draw() {
   drawCut(context, value, to, ink);
   drawPoints(context, to, ink);
   if (!overlay) drawLabels(context, regions, to, view, ink);
-  if (value.kept) drawPlace(context, value.kept, to, ink.kept, true);
+  if (value.kept) drawPlace(context, value.kept, to, ink.muted, true);
   if (value.place) drawPlace(context, value.place, to, ink.place, false);
   if (shown.box) drawBox(context, shown.box, ink);
   end();
@@ -225,17 +226,19 @@ function drawLabels(context, regions, to, view, ink) {
   const passed = performance.now() - labels.placed;
   if (labels.key !== key && passed >= SETTLES) {
     const points = diagram.points.map(({ primary, secondary }) => to([primary, secondary]));
-    const before = labels.list.map(({ key: own, at }) => ({ key: own, x: to(at)[0], y: to(at)[1] }));
-    const list = placeLabels(frame, runs, diagram.stale ? [] : regions, points, before);
+    const before = labels.list.map((each) => ({ ...each, x: to(each.at)[0], y: to(each.at)[1] }));
+    const list = placeLabels(frame, runs, regions, points, before);
     labels = { key, placed: performance.now(), list: list.map((each) => ({ ...each, at: toParameters(each.x, each.y, view) })) };
   } else if (labels.key !== key) later(SETTLES - passed, redraw);
   context.textBaseline = "alphabetic";
-  for (const { text, at, kind } of labels.list) {
+  for (const { text, at, kind, key: own } of labels.list) {
     const [x, y] = to(at);
     if (!inFrame(x, y)) continue;
+    context.globalAlpha = strength(kind === "region" ? diagram.of.regions : diagram.curves.get(own)?.of);
     context.fillStyle = kind === "region" ? ink.ink : wordInk(kind);
     write(context, text, x, y + 5, 15, 0.5);
   }
+  context.globalAlpha = 1;
   context.font = font(13);
 }
 

@@ -1,5 +1,7 @@
 // What an oscillator does at a place, in three pictures: phase portrait, time series, and impacts by phase and velocity.
-import { chart, font, ticks, trace } from "./axes.js";
+import { chart, font, trace } from "./axes.js";
+import { number } from "./dom.js";
+import { description } from "./model.js";
 import { inks } from "./palette.js";
 
 /** Forcing periods of the time series: most, and least. */
@@ -22,21 +24,15 @@ function extent(values, room = ROOM) {
 
 /** A canvas with axes; gives what draws in it, or null. */
 function picture(canvas, x, y) {
-  // Room for the widest number.
-  const margins = (_, height, context) => {
-    context.font = font(SIZE);
-    const labels = ticks(y.range, (height - MARGIN.top - MARGIN.bottom) / 38).found;
-    const widest = Math.max(0, ...labels.map(({ label }) => (label ? context.measureText(label).width : 0)));
-    return { ...MARGIN, left: Math.max(MARGIN.left, Math.ceil(widest) + 28) };
-  };
   const ink = inks();
-  const made = chart(canvas, margins, { x, y }, ink, SIZE);
+  const made = chart(canvas, () => MARGIN, { x, y }, ink, SIZE);
   return made && { ...made, ink };
 }
 
 /** Of the numbers at the axes. */
 const SIZE = 11;
-const MARGIN = { left: 46, right: 8, top: 8, bottom: 36 };
+/** Room for the longest numbers, so that frames stay where they are. */
+const MARGIN = { left: 60, right: 8, top: 8, bottom: 36 };
 
 function line(context, points, colour, width, dashes = []) {
   context.strokeStyle = colour;
@@ -49,13 +45,18 @@ function line(context, points, colour, width, dashes = []) {
   context.setLineDash([]);
 }
 
-/** Thin lines within the wall, on the side away from the motion. */
-function shadeWall(context, edge, away, colour) {
+/** The titles of x, as it is counted in the page, and of v: from the wall where that is not x = 0 with the motion below it. */
+export const heightTitle = () => ({ title: [["x", "italic"], [description.from_the_wall ? " from the wall" : "", ""]], unit: description.units.length });
+const speedTitle = (name) => {
+  const { length, time } = description.units;
+  return { title: name, unit: length && time ? `${length}/${time}` : null };
+};
+
+/** What is behind the wall, from one place of a picture to another. */
+function shadeWall({ context, ink }, [left, top], [right, bottom]) {
   context.globalAlpha = 0.16;
-  context.fillStyle = colour;
-  context.beginPath();
-  trace(context, [...edge, ...away], true);
-  context.fill();
+  context.fillStyle = ink.wall;
+  context.fillRect(Math.min(left, right), Math.min(top, bottom), Math.abs(right - left), Math.abs(bottom - top));
   context.globalAlpha = 1;
 }
 
@@ -66,26 +67,18 @@ const upTo = (orbit, end) => orbit.map((flight) => flight.filter(([t]) => t <= e
  * Draws the pictures. `orbits` is [{ orbit, ink, wide, dashed, periods }], with the periods after which it repeats, or null, and whether what is
  * given `repeats` at its end; `strikes` is [{ strikes, ink }]; canvases is { phase, time, strikes }.
  */
-export function drawPortraits(canvases, { orbits, strikes, wall, period }) {
+export function drawPortraits(canvases, { orbits, strikes, period }) {
   const starts = orbits.map(({ orbit }) => orbit[0]?.[0]?.[0] ?? 0);
   const all = orbits.flatMap(({ orbit }) => orbit.flat());
-  const wallX = wall.map(([, x]) => x);
-  const xs = extent([...all.map(([, x]) => x), ...wallX]);
+  const xs = extent([...all.map(([, x]) => x), 0]);
   const vs = extent(all.map(([, , v]) => v));
-  const mean = all.reduce((sum, [, x]) => sum + x, 0) / Math.max(1, all.length);
-  const above = wallX.reduce((sum, x) => sum + x, 0) / wallX.length >= mean;
-  const x = { range: xs, title: [["x", "italic"]], at: 11 };
+  const x = { range: xs, ...heightTitle(), at: 11 };
 
-  const phase = picture(canvases.phase, x, { range: vs, title: [["v", "italic"]], at: 11 });
+  const phase = picture(canvases.phase, x, { range: vs, ...speedTitle([["v", "italic"]]), at: 11 });
   if (phase) {
-    const { context, to, ink, frame } = phase;
-    const [near, far] = above ? [Math.min(...wallX), xs[1]] : [Math.max(...wallX), xs[0]];
-    const [a, b] = [to([near, 0])[0], to([far, 0])[0]];
-    // A wall that moves is lighter where it is only at times.
-    for (const edge of new Set([a, to([above ? Math.max(...wallX) : Math.min(...wallX), 0])[0]])) {
-      shadeWall(context, [[edge, frame.y], [edge, frame.y + frame.h]], [[b, frame.y + frame.h], [b, frame.y]], ink.wall);
-    }
-    line(context, [[a, frame.y], [a, frame.y + frame.h]], ink.wall, 1);
+    const { context, to, ink } = phase;
+    shadeWall(phase, to([0, vs[0]]), to([xs[1], vs[1]]));
+    line(context, [to([0, vs[0]]), to([0, vs[1]])], ink.wall, 1);
     line(context, [to([xs[0], 0]), to([xs[1], 0])], ink.faint, 1);
     orbits.forEach(({ orbit: all, ink: colour, wide, dashed, periods }, which) => {
       // Once round, if it comes again: dashes over dashes are none.
@@ -102,17 +95,14 @@ export function drawPortraits(canvases, { orbits, strikes, wall, period }) {
   const lengths = orbits.map(({ orbit }, index) => (orbit.at(-1)?.at(-1)?.[0] ?? 0) - starts[index]);
   const turns = orbits.every(({ periods }) => periods) ? Math.max(0, ...orbits.map(({ periods }) => 2 * periods)) : Math.round(Math.max(...lengths) / period);
   const most = Math.min(LONGEST, Math.max(SHORTEST, turns));
-  const time = picture(canvases.time, { range: [0, most], title: [["t", "italic"], [" / ", ""], ["T", "italic"]] }, x);
+  const time = picture(canvases.time, { range: [0, most], title: [["t", "italic"], [" / ", ""], ["T", "italic"], [`,  `, ""], ["T", "italic"], [` = ${number(period, 4)}${description.units.time ? ` ${description.units.time}` : ""}`, ""]] }, x);
   if (time) {
     const { context, to, ink } = time;
-    const edge = [];
-    for (let turn = -1; turn <= most + 1; turn += 1) for (const [t, px] of wall) edge.push(to([turn + (t - wall[0][0]) / period, px]));
-    const rim = above ? xs[1] : xs[0];
-    shadeWall(context, edge, [to([most + 1, rim]), to([-1, rim])], ink.wall);
-    line(context, edge, ink.wall, 1);
+    shadeWall(time, to([0, 0]), to([most, xs[1]]));
+    line(context, [to([0, 0]), to([most, 0])], ink.wall, 1);
     orbits.forEach(({ orbit, ink: colour, wide, dashed, repeats }, index) => {
       const turns = repeats && lengths[index] > 0 ? Math.ceil((most * period) / lengths[index] - 1e-6) : 1;
-      // In whole periods from phase zero, as the wall is drawn.
+      // In whole periods from phase zero.
       const whole = period * Math.floor(starts[index] / period);
       for (let turn = repeats ? -1 : 0; turn < Math.min(turns, LONGEST); turn += 1) {
         const shift = whole - turn * lengths[index];
@@ -130,13 +120,14 @@ export function drawPortraits(canvases, { orbits, strikes, wall, period }) {
   const about = ([z]) => (z > Math.PI ? z - 2 * Math.PI : z);
   const turned = spread(struck.map(about)) < spread(struck.map(([z]) => z));
   const from = turned ? -Math.PI : 0;
-  const impacts = picture(canvases.strikes, { range: [from - 0.25, from + 2 * Math.PI + 0.25], title: [["phase of impact", ""]] }, { range: sign > 0 ? [0, top] : [-top, 0], title: [["velocity", ""]], at: 11 });
+  const impacts = picture(canvases.strikes, { range: [from - 0.25, from + 2 * Math.PI + 0.25], title: [["phase", ""]], unit: "rad" }, { range: sign > 0 ? [0, top] : [-top, 0], ...speedTitle([["impact velocity", ""]]), at: 11 });
   if (impacts) {
     const { context, to, ink, frame } = impacts;
     for (const { strikes: list, ink: colour } of strikes) {
       context.fillStyle = colour;
-      const size = list.length > 60 ? 1.3 : 3;
-      context.globalAlpha = list.length > 60 ? 0.7 : 1;
+      // The fainter the more there are, down to what is seen alone.
+      const size = list.length > 60 ? 1.4 : 3;
+      context.globalAlpha = list.length > 60 ? Math.max(0.5, 1 - list.length / 8000) : 1;
       for (const place of list) {
         context.beginPath();
         context.arc(...to([turned ? about(place) : place[0], place[1]]), size, 0, 2 * Math.PI);

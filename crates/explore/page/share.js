@@ -1,8 +1,9 @@
 // Taking it home: the address, the command that writes the same, the figure and the numbers as files.
-import { $ } from "./dom.js";
+import { $, make } from "./dom.js";
 import { file } from "./api.js";
 import { namePieces, plain } from "./markup.js";
 import { description, exampleOf, examples, modelOf, textOf, viewOf } from "./model.js";
+import { fileOf as fileOfSeen, isSeen } from "./seen.js";
 import * as state from "./state.js";
 
 /** A word of a command line; quoted where a shell would read it otherwise. */
@@ -63,9 +64,7 @@ async function take(what) {
   const [kind, table] = what.split(":");
   $("share-status").textContent = "Drawing …";
   try {
-    const paper = modelOf(value).text === null;
-    const wanted = table && paper ? `${kind}:fig07_${table}` : what;
-    const blob = await file("export", { model: modelOf(value), view: viewOf(value), what: wanted, columns: $("columns").value });
+    const blob = await file("export", { model: modelOf(value), view: viewOf(value), what, columns: $("columns").value });
     save(blob, `${stem()}${table ? `-${table}` : ""}.${kind}`);
     $("share-status").textContent = "Saved.";
   } catch (error) {
@@ -73,8 +72,17 @@ async function take(what) {
   }
 }
 
+/** The pictures of the page by name. */
+const PICTURES = { plane: "Plane", cut: "Cut", series: "Time series", portrait: "Phase portrait", impacts: "Impacts" };
+
+async function takeSeen(name, kind) {
+  save(await fileOfSeen(name, kind), `${stem()}-${name}.${kind}`);
+  $("share-status").textContent = "Saved.";
+}
+
 export function open() {
   const value = state.get();
+  for (const row of $("seen-list").children) row.hidden = !isSeen(row.dataset.name);
   $("address").value = location.origin + location.pathname + state.encode(value);
   const line = command(value);
   $("command").textContent = line ?? "There is none: a name in the address holds characters that are no text.";
@@ -92,4 +100,6 @@ export function attach() {
   $("save-text").addEventListener("click", () => save(new Blob([state.get().text], { type: "application/toml" }), "oscillator.toml"));
   for (const button of document.querySelectorAll("dialog .close")) button.addEventListener("click", () => button.closest("dialog").close());
   for (const button of $("share").querySelectorAll("[data-take]")) button.addEventListener("click", () => take(button.dataset.take));
+  const buttons = (name) => ["svg", "png", "csv"].map((kind) => make("button", { type: "button", "data-seen": `${name}:${kind}`, onclick: () => takeSeen(name, kind) }, kind.toUpperCase()));
+  for (const [name, words] of Object.entries(PICTURES)) $("seen-list").append(make("p", { class: "row", "data-name": name }, make("span", {}, words), ...buttons(name)));
 }

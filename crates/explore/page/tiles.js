@@ -4,7 +4,7 @@ import { $, make, rested } from "./dom.js";
 import { Latest, stream } from "./api.js";
 import { diagram, isBusy } from "./diagram.js";
 import { description, modelOf, viewOf } from "./model.js";
-import { inks, onTheme, tileInks } from "./palette.js";
+import { inks, loopsInk, loopsNames, onTheme } from "./palette.js";
 import { frame, project, redraw, setOverlay } from "./plane.js";
 import * as state from "./state.js";
 
@@ -20,7 +20,7 @@ const status = (words) => ($("tiles-status").textContent = words);
 
 function colourOf([, , loops, periods], ink) {
   if (loops === 0) return ink.calm;
-  if (loops !== null) return ink.loops[Math.min(loops, ink.loops.length) - 1];
+  if (loops !== null) return loopsInk(loops, ink);
   return periods === null ? ink.irregular : ink.periodic;
 }
 
@@ -30,7 +30,7 @@ function paint(context, view) {
   const to = project(view);
   const [[left, bottom], [right, top]] = [to([own.primary[0], own.secondary[0]]), to([own.primary[1], own.secondary[1]])];
   context.imageSmoothingEnabled = false;
-  context.globalAlpha = 0.82;
+  context.globalAlpha = 0.82 * (diagram.wanted === null ? 0.25 : 1);
   context.drawImage(sheet, left, top, right - left, bottom - top);
   context.globalAlpha = 1;
   if (!current.wrong?.length) return;
@@ -146,7 +146,7 @@ function run(own, body) {
     const on = {
       tiles({ step, cells }) {
         if (signal.aborted) return;
-        const ink = tileInks();
+        const ink = inks();
         for (const cell of cells) {
           const [column, row] = cell;
           cell.step = step;
@@ -195,14 +195,15 @@ export const cells = () => current?.cells ?? [];
 export const seen = () => cells().length;
 export const sizes = () => [...kept.values()].map(({ cells }) => cells.length);
 export const view = () => current?.view ?? null;
+export const simulated = () => current;
 
 /** The diagram has new regions. */
 export const shaded = () => state.get().overlay && judgeSoon();
 
 /** The legend; sheets that are done are painted anew when the theme changes. */
 function colours() {
-  const ink = tileInks();
-  const loops = ink.loops.map((colour, index) => [colour, `p ${index + 1 < ink.loops.length ? "=" : "≥"} ${index + 1}`]);
+  const ink = inks();
+  const loops = loopsNames().map((word, p) => [loopsInk(p, ink), word]).slice(1);
   const entries = [[ink.calm, "no impacts"], ...loops, [ink.periodic, "other periodic motion"], [ink.irregular, "longer periods, or chaos"]];
   const entry = ([colour, word]) => {
     const swatch = make("span", { class: "tile", "aria-hidden": "true" });

@@ -46,14 +46,17 @@ pub(crate) fn compute(request: &CutRequest, events: &Events, stop: &Stop) -> Res
     let view = View { primary, secondary };
     let line = Line { diagram: 1, primary_is_fixed, at: *at, range: *range };
     let of = model.prepared(Some(&view), stop)?;
-    // As in the diagrams that a file asks for, but fewer values: it is to be looked at at once.
-    let sampling = Sampling { values: 160, recorded: 16, ..SAMPLING };
+    // As in the diagrams that a file asks for, but fewer dots: it is to be looked at at once.
+    let sampling = Sampling { recorded: 16, ..SAMPLING };
     let line = line.without_dimensions(&of.axes.units);
     let cut = Cut::follow(&of.oscillator, &of.scope, &[], line, events).ok_or_else(Problem::ended)?;
     events.send("branches", &event(&cut.diagram().in_units(&of.axes.units)));
     let found = cut.simulated(&sampling, &[], events).in_units(&of.axes.units);
     let dots: Vec<[f64; 2]> = found.attractor.iter().map(|dot| [found.across(dot), dot.x]).collect();
-    events.send("dots", &json!({"frame": found.frame.y, "dots": dots, "resting": found.resting}));
+    events.send(
+        "dots",
+        &json!({"frame": found.frame.y, "dots": dots, "values": sampling.values, "resting": found.resting}),
+    );
     Ok(())
 }
 

@@ -3,19 +3,23 @@
 use std::collections::BTreeMap;
 
 use grazing_continuation::bifurcation::Bifurcation;
+use grazing_model::AnyOscillator;
 use grazing_model::smooth::Stop;
 use grazing_reproduction::plane::{self, Axes};
 use grazing_reproduction::unfolded::AtResonance;
-use grazing_results::plane::{PlanePoint, RegionVertex, SpecialPoint};
-use grazing_unfold::Diagram;
+use grazing_results::Names;
+use grazing_results::plane::{PlaneDiagram, PlanePoint, RegionVertex, SpecialPoint};
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::magnification::approximation;
+use grazing_unfold::progress::Progress;
 use grazing_unfold::units::InUnits;
+use grazing_unfold::{Diagram, Scope};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
 use crate::model::{Model, Prepared, View};
+use crate::place::eigenvalues;
 use crate::stream::Events;
 
 /// What is asked for.
@@ -28,10 +32,44 @@ pub(crate) struct DiagramRequest {
     coarse: bool,
 }
 
+/// The diagram of what is seen of the plane, as rows.
+pub struct Seen {
+    /// What the oscillator is called.
+    pub name: String,
+    /// The names of its parameters.
+    pub names: Names,
+    /// The diagram, without frames of magnifications and lines of other diagrams.
+    pub diagram: PlaneDiagram,
+}
+
+impl Seen {
+    pub(crate) fn compute(model: &Model, view: &View, stop: &Stop) -> Result<Self, Problem> {
+        let name = model.description(Some(view), stop)?.name().to_owned();
+        let Prepared { oscillator, scope, axes, .. } = model.prepared(Some(view), stop)?;
+        let located = located(&oscillator, &scope, &axes, stop)?;
+        let followed = located.follow(stop, &|_, _| ());
+        let diagram = located.with(followed, stop);
+        if stop.is_asked() {
+            return Err(Problem::ended());
+        }
+        let diagram = plane::plane_diagram(&axes, &diagram, Vec::new(), Vec::new());
+        Ok(Self { name, names: axes.names, diagram })
+    }
+}
+
+fn located(
+    oscillator: &AnyOscillator,
+    scope: &Scope,
+    axes: &Axes,
+    progress: &dyn Progress,
+) -> Result<Diagram, Problem> {
+    Diagram::located(oscillator, scope, progress)
+        .map_err(|error| Problem::wrong(error.in_units(&axes.units).to_string()))
+}
+
 pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
     let Prepared { oscillator, scope, axes, .. } = request.model.prepared(Some(&request.view), stop)?;
-    let located = Diagram::located(&oscillator, &scope, events)
-        .map_err(|error| Problem::wrong(error.in_units(&axes.units).to_string()))?;
+    let located = located(&oscillator, &scope, &axes, events)?;
     let grazing = (0..).zip(plane::grazing_rows(&axes, &located));
     events.send("curves", &grazing.map(|(k, rows)| curve(&rows, k)).collect::<Vec<_>>());
     events.send("resonances", &resonances(&axes, &located));
@@ -51,21 +89,28 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     });
     let diagram = match request.coarse {
         true => located.with_curves(followed),
-        false => (located.with(followed, events).found())
-            .map_err(|error| Problem::wrong(error.in_units(&axes.units).to_string()))?,
+        false => located.with(followed, events),
     };
     // Whatever was sent before is in these, and what begins elsewhere.
     let rows = plane::curves(&axes, &diagram);
     let mut counts: BTreeMap<(&str, u32, u32), u32> = BTreeMap::new();
-    let all = rows.chunk_by(|a, b| a.arc == b.arc).map(|rows| {
+    let all = rows.chunk_by(|a, b| a.arc == b.arc).zip(starts(&diagram)).map(|(rows, starts)| {
         let first = &rows[0];
         let count = counts.entry((first.kind.name(), first.loops, first.n)).or_default();
         *count += 1;
-        curve(rows, *count - 1)
+        let mut found = curve(rows, *count - 1);
+        found["starts"] = json!(starts);
+        found
     });
     let all: Vec<Value> = all.collect();
     events.send("curves", &all);
-    events.send("points", &plane::points(&axes, &diagram).iter().map(point).collect::<Vec<_>>());
+    let known = diagram.unfolding().map(|_| Value::Null);
+    let known = known.chain(
+        diagram.codimension_two.iter().map(|other| json!(eigenvalues(&other.event.solution.multipliers))),
+    );
+    let rows = plane::points(&axes, &diagram);
+    let points = rows.iter().zip(known).map(|(row, multipliers)| point(row, multipliers));
+    events.send("points", &points.collect::<Vec<_>>());
     if !request.coarse {
         let rows = plane::regions(&axes, &diagram.regions);
         let regions = rows.chunk_by(|a, b| a.region == b.region).map(region);
@@ -77,6 +122,10 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     // these.
     events.send("keys", &all.iter().chain(&approximations).map(|curve| &curve["key"]).collect::<Vec<_>>());
     events.send("notes", &plane::lost(&diagram).collect::<Vec<_>>());
+    // What is stable here is shown all the same.
+    if let Some(reason) = diagram.nothing() {
+        events.send("nothing", &reason.in_units(&axes.units).to_string());
+    }
     Ok(())
 }
 
@@ -110,9 +159,21 @@ fn named(
     json!({"key": key, "kind": kind, "p": p, "n": n, "source": source, "points": points, "bounds": bounds})
 }
 
-fn point(point: &SpecialPoint) -> Value {
+fn point(point: &SpecialPoint, multipliers: Value) -> Value {
     let SpecialPoint { kind, loops, n, secondary, primary } = point;
-    json!({"kind": kind.name(), "p": loops, "n": n, "primary": primary, "secondary": secondary})
+    json!({"kind": kind.name(), "p": loops, "n": n, "primary": primary, "secondary": secondary, "multipliers": multipliers})
+}
+
+/// The first two unknowns at the points of all curves, from which places exactly on them are found
+/// (`exact`).
+fn starts(diagram: &Diagram) -> impl Iterator<Item = Vec<[f64; 2]>> {
+    let grazing = diagram.grazing.iter();
+    let grazing = grazing.map(|curve| curve.states.iter().map(|state| [0.0, state.orbit.phase()]).collect());
+    let others = diagram.curves.iter().map(|curve| {
+        let points = curve.curve.points.iter();
+        points.map(|point| [point.solution.unknowns[0], point.solution.unknowns[1]]).collect()
+    });
+    grazing.chain(others)
 }
 
 fn region(rows: &[RegionVertex]) -> Value {

@@ -36,7 +36,7 @@ files! {
     PAGE in "../page/":
     "api.js" "axes.js" "busy.js" "constants.js" "cut.js" "diagram.js" "dom.js" "editor.js" "explore.css"
     "hand.js" "index.html" "labels.js" "lasting.js" "main.js" "markup.js" "model.js" "palette.js" "panels.css"
-    "pick.js" "place.js" "plane.js" "portraits.js" "share.js" "state.js" "tiles.js"
+    "pick.js" "place.js" "plane.js" "portraits.js" "seen.js" "share.js" "state.js" "svg.js" "tiles.js"
 }
 
 /// Media types by the endings of names.

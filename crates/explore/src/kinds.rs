@@ -2,7 +2,9 @@
 //! script.
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_results::kinds::{BRANCHES, Colour, CurveLook, MARKER, MARKER_RIM, region_inks};
+use grazing_results::kinds::{
+    Colour, CurveLook, IRREGULAR, LOOPS, MARKER, MARKER_RIM, PERIODIC, PLACE, region_inks,
+};
 use grazing_results::plane::RegionKind;
 use serde_json::{Map, Value, json};
 
@@ -22,7 +24,7 @@ fn width(width: f64) -> f64 {
     pixels(&[width])[0]
 }
 
-/// The inks of regions, points and branches on light (0) or on dark ground (1).
+/// The inks of regions, points and motions on light (0) or on dark ground (1).
 fn inks(ground: usize) -> Value {
     let region = |kind| {
         let ([red, green, blue], opacity) = region_inks(kind)[ground];
@@ -30,11 +32,14 @@ fn inks(ground: usize) -> Value {
     };
     json!({
         "calm": region(RegionKind::NonImpacting),
-        "loops": region(RegionKind::Mps),
+        "stable": region(RegionKind::Mps),
         "hatching": region(RegionKind::Undecided),
         "marker": hex(MARKER[ground]),
         "rim": hex(MARKER_RIM[ground]),
-        "branch": BRANCHES.map(|colours| hex(colours[ground])),
+        "loops": LOOPS.map(|colours| hex(colours[ground])),
+        "periodic": hex(PERIODIC[ground]),
+        "irregular": hex(IRREGULAR[ground]),
+        "place": hex(PLACE[ground]),
     })
 }
 

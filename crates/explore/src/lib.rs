@@ -13,7 +13,7 @@
 //! | `guard` | who may ask: token, Host, Origin; what answers say to browsers |
 //! | `model` | from a request to an oscillator |
 //! | `answer`, `stream` | one value as JSON, or events one after the other |
-//! | `diagram`, `place`, `cut`, `tiles` | what is asked for |
+//! | `diagram`, `place`, `exact`, `cut`, `tiles` | what is asked for |
 //! | `kinds` | how kinds of curves look, for the page |
 //!
 //! HTTP is hyper's: it is what most Rust servers rest on, well kept, and small without a framework
@@ -23,6 +23,7 @@
 mod answer;
 mod cut;
 mod diagram;
+mod exact;
 mod files;
 mod guard;
 mod kinds;
@@ -35,6 +36,7 @@ mod tiles;
 mod turns;
 
 pub use answer::Sheet;
+pub use diagram::Seen;
 pub use files::Example;
 pub use model::{Model, View};
 pub use server::{Export, Server};

@@ -49,8 +49,6 @@ pub(crate) struct Prepared {
     pub(crate) scope: Scope,
     /// Names and units.
     pub(crate) axes: Axes,
-    /// Its file; none for the paper's oscillator.
-    pub(crate) description: Option<Description>,
 }
 
 impl Model {
@@ -91,7 +89,7 @@ impl Model {
         if self.text.is_some() {
             let axes = unfolded::axes(&description);
             let (oscillator, scope) = unfolded::prepared(&description, &axes.units, stop);
-            return Ok(Prepared { oscillator, scope, axes, description: Some(description) });
+            return Ok(Prepared { oscillator, scope, axes });
         }
         let constant = |wanted: &str| {
             let mut constants = description.constants();
@@ -106,15 +104,7 @@ impl Model {
         let scope = Scope { window, loops: description.loops().to_vec(), start: None };
         let axes = Axes::of_the_paper();
         let oscillator = AnyOscillator::new(Stoppable::new(oscillator, stop.clone()));
-        Ok(Prepared { oscillator, scope, axes, description: None })
-    }
-
-    /// The oscillator in the ranges of a view, that of the paper as a text, too.
-    ///
-    /// # Errors
-    /// What is wrong with it, in words.
-    pub fn in_view(&self, view: &View, stop: &Stop) -> Result<Description, String> {
-        self.description(Some(view), stop).map_err(|mistake| mistake.message)
+        Ok(Prepared { oscillator, scope, axes })
     }
 
     /// What there is to know of the oscillator before anything is computed.
@@ -123,6 +113,7 @@ impl Model {
         let names = self.ready(description.clone(), stop)?.axes.names;
         let axis = |name: &str, title: &str, axis: &Axis| json!({"name": name, "title": title, "range": axis.range(), "unit": axis.unit()});
         let [primary, secondary] = names.titles();
+        let [length, time] = description.unit_names();
         let constant = |(name, value): (&str, f64)| json!({"name": name, "value": value});
         Ok(json!({
             "ok": true,
@@ -132,6 +123,9 @@ impl Model {
             "constants": description.constants().map(constant).collect::<Vec<_>>(),
             "loops": description.loops(),
             "notes": description.notes(),
+            // x is counted from the wall, which is another one than x = 0 with the motion below it.
+            "from_the_wall": !description.wall().is_usual(),
+            "units": { "length": length, "time": time },
         }))
     }
 }
@@ -165,6 +159,16 @@ mod tests {
         assert!(found.line.is_some() && found.span.is_some(), "{found:?}");
         let found = wrong(example().replace("zeta = 0.02", "zeta = \"a\""));
         assert!(found.line.is_some() && found.span.is_none() && found.message.starts_with("parameters.zeta"));
+    }
+
+    #[test]
+    fn units_and_what_x_is_counted_from_are_told() {
+        let told = |text: &str| model(text.to_owned()).described(&Stop::default()).unwrap();
+        let rig = told(include_str!("../../../examples/rig-si.toml"));
+        assert!(rig["units"]["length"].is_string() && rig["units"]["time"].is_string(), "{rig}");
+        let plain = told(&example());
+        assert_eq!((&plain["units"]["length"], &plain["from_the_wall"]), (&Value::Null, &json!(false)));
+        assert_eq!(told(include_str!("../../../examples/afm.toml"))["from_the_wall"], true);
     }
 
     #[test]

@@ -1,7 +1,6 @@
 //! What the oscillator does at one place of the plane.
 
 use grazing_continuation::mps::Multipliers;
-use grazing_description::Description;
 use grazing_model::smooth::Stop;
 use grazing_model::smooth::Units;
 use grazing_model::{ImpactOscillator, State};
@@ -11,7 +10,7 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
-use crate::model::{Model, Prepared};
+use crate::model::Model;
 use crate::turns::Weight;
 
 /// What is asked for.
@@ -65,7 +64,7 @@ const MOST_STATES: u32 = 200;
 const MOST_PERIODS: u32 = 1_000_000;
 /// Motion is of the order of one in the oscillator's units: nothing that was found is farther from
 /// rest at the wall than this, or faster.
-const FARTHEST: f64 = 1e6;
+pub(crate) const FARTHEST: f64 = 1e6;
 
 impl PlaceRequest {
     /// What is followed from a place nearby takes a moment.
@@ -106,7 +105,7 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
     let found = found.ok_or_else(Problem::ended)?;
     let states: u32 = found.attractors.iter().map(|attractor| attractor.states).sum();
     let flights = |flights: &[Vec<[f64; 3]>]| match request.orbits.unwrap_or(true) {
-        true => flights.iter().map(|flight| outside(flight, &of, request.at)).collect(),
+        true => flights.iter().map(|flight| in_units(flight, &units)).collect(),
         false => Vec::new(),
     };
     let solution = |solution: &Solution| {
@@ -145,34 +144,17 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
         "solutions": found.solutions.iter().map(solution).collect::<Vec<_>>(),
         "attractors": found.attractors.iter().map(attractor).collect::<Vec<_>>(),
         "period": found.period * units.time,
-        "wall": wall(&of, request.at, found.period * units.time),
         "followed": request.nearby.is_some(),
     }))
 }
 
-/// The wall over a forcing period, in the file's coordinates; at rest it is a point.
-fn wall(of: &Prepared, at: [f64; 2], period: f64) -> Value {
-    const INSTANTS: u32 = 64;
-    let Some(description) = &of.description else { return json!([[0.0, 0.0]]) };
-    let position = |time: f64| Description::wall(description).outside([0.0, 0.0], time, at)[0];
-    let times = (0..=INSTANTS).map(|k| period * f64::from(k) / f64::from(INSTANTS));
-    json!(times.map(|time| [time, position(time)]).collect::<Vec<_>>())
-}
-
-/// A flight in the file's units and coordinates; it was found as it is seen from the wall.
-fn outside(flight: &[[f64; 3]], of: &Prepared, at: [f64; 2]) -> Vec<[f64; 3]> {
-    let units = &of.axes.units;
-    let point = |[t, u, velocity]: &[f64; 3]| {
-        let [t, u, velocity] = [t * units.time, u * units.length, velocity * units.velocity()];
-        let Some(description) = &of.description else { return [t, u, velocity] };
-        let [x, v] = Description::wall(description).outside([u, velocity], t, at);
-        [t, x, v]
-    };
-    flight.iter().map(point).collect()
+/// A flight in the file's units, as it is seen from the wall.
+fn in_units(flight: &[[f64; 3]], units: &Units) -> Vec<[f64; 3]> {
+    flight.iter().map(|[t, x, v]| [t * units.time, x * units.length, v * units.velocity()]).collect()
 }
 
 /// The multipliers themselves, real and imaginary parts.
-fn eigenvalues(multipliers: &Multipliers) -> [[f64; 2]; 2] {
+pub(crate) fn eigenvalues(multipliers: &Multipliers) -> [[f64; 2]; 2] {
     let Multipliers { trace, determinant } = *multipliers;
     let (middle, square) = (0.5 * trace, 0.25 * trace * trace - determinant);
     let root = square.abs().sqrt();

@@ -6,7 +6,6 @@ use std::net::{Ipv4Addr, TcpListener};
 use std::sync::Arc;
 use std::time::Duration;
 
-use grazing_model::smooth::Stop;
 use grazing_source::Mistake;
 use http_body_util::{BodyExt, Limited};
 use hyper::body::Incoming;
@@ -23,6 +22,8 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::time::{interval, timeout};
 
 use crate::answer::{self, Body, Problem, Sheet};
+use crate::diagram::Seen;
+use crate::exact::{self, ExactRequest};
 use crate::files::{self, Example};
 use crate::guard::{self, Token};
 use crate::model::{Model, View};
@@ -31,9 +32,9 @@ use crate::place::{self, PlaceRequest};
 use crate::turns::{self, Limits, Turns, Weight};
 use crate::{cut, diagram, stream, tiles};
 
-/// Makes a file of what is seen: of a model in a view `svg`, `pdf`, `png` or `csv:TABLE` at a width
-/// (`one`, `two`, or that of the paper).
-pub type Export = Box<dyn Fn(&Model, &View, &str, &str, &Stop) -> Result<Sheet, String> + Send + Sync>;
+/// Makes a file of a diagram: `svg`, `pdf`, `png` or `csv:TABLE` at a width (`one`, `two`, or that of
+/// the paper).
+pub type Export = Box<dyn Fn(&Seen, &str, &str) -> Result<Sheet, String> + Send + Sync>;
 
 /// A server that is bound to its port, and not running yet.
 pub struct Server {
@@ -187,12 +188,19 @@ async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Res
             let found = turns::computed(&shared.turns, weight, move |stop| place::compute(&request, stop));
             Ok(answer::json(&found.await?))
         }
+        "exact" => {
+            let request: ExactRequest = read(shared, request).await?;
+            let found =
+                turns::computed(&shared.turns, Weight::Light, move |stop| exact::compute(&request, stop));
+            Ok(answer::json(&found.await?))
+        }
         "cut" => stream::events(&shared.turns, read(shared, request).await?, cut::compute).await,
         "export" => {
             let ExportRequest { model, view, what, columns } = read(shared, request).await?;
             let own = shared.clone();
             let made = turns::computed(&shared.turns, Weight::Heavy, move |stop| {
-                (own.export)(&model, &view, &what, &columns, stop).map_err(Problem::wrong)
+                let seen = Seen::compute(&model, &view, stop)?;
+                (own.export)(&seen, &what, &columns).map_err(Problem::wrong)
             });
             answer::file(made.await?)
         }

@@ -45,40 +45,40 @@ impl CurveLook {
         match kind {
             Bifurcation::NonImpactingGrazing => Self {
                 meaning: "grazing of the non-impacting solution",
-                colours: [[120, 200, 110], [111, 191, 102]],
-                approximation_on_dark: [169, 224, 162],
+                colours: [[120, 200, 110], [68, 157, 31]],
+                approximation_on_dark: [152, 201, 132],
                 text: [40, 120, 40],
                 width: 2.2,
                 dashes: &[],
             },
             Bifurcation::SaddleNode => Self {
                 meaning: "saddle-node bifurcation",
-                colours: [BLUE, [140, 171, 255]],
-                approximation_on_dark: [195, 211, 255],
+                colours: [BLUE, [109, 123, 252]],
+                approximation_on_dark: [175, 183, 253],
                 text: BLUE,
                 width: 1.15,
                 dashes: &[],
             },
             Bifurcation::PeriodDoubling => Self {
                 meaning: "period-doubling bifurcation",
-                colours: [RED, [255, 125, 110]],
-                approximation_on_dark: [255, 185, 176],
+                colours: [RED, [223, 109, 108]],
+                approximation_on_dark: [237, 175, 174],
                 text: RED,
                 width: 1.15,
                 dashes: &[],
             },
             Bifurcation::Grazing => Self {
                 meaning: "grazing of a maximal periodic solution",
-                colours: [GREEN, [87, 207, 159]],
-                approximation_on_dark: [165, 236, 208],
+                colours: [GREEN, [109, 255, 170]],
+                approximation_on_dark: [175, 255, 208],
                 text: GREEN,
                 width: 1.15,
                 dashes: &[5.0, 1.2, 1.2, 1.2],
             },
             Bifurcation::Torus => Self {
                 meaning: "torus (Neimark-Sacker) bifurcation",
-                colours: [PURPLE, [214, 160, 245]],
-                approximation_on_dark: [231, 201, 250],
+                colours: [PURPLE, [195, 161, 227]],
+                approximation_on_dark: [222, 203, 240],
                 text: PURPLE,
                 width: 1.15,
                 dashes: &[1.2, 1.2],
@@ -112,17 +112,29 @@ pub const MARKER: [Colour; 2] = [[0, 0, 0], [242, 240, 234]];
 /// See [`MARKER`].
 pub const MARKER_RIM: [Colour; 2] = [[255, 255, 255], [27, 30, 35]];
 
-/// A branch of solutions by its number of loops, on light and on dark ground: first motion without
-/// impacts, as which more loops than are here look, too.
-pub const BRANCHES: [[Colour; 2]; 7] = [
+/// Solutions by their number of loops, on light and on dark ground: first motion without impacts;
+/// the last are those of so many loops or more.
+pub const LOOPS: [[Colour; 2]; 5] = [
     [[0, 0, 0], [242, 240, 234]],
-    [[190, 95, 0], [240, 160, 75]],
-    [[25, 70, 190], [140, 171, 255]],
-    [[150, 30, 110], [228, 138, 198]],
-    [[0, 120, 105], [79, 209, 189]],
-    [[175, 60, 35], [255, 156, 130]],
-    [[95, 95, 0], [208, 207, 106]],
+    [[236, 139, 2], [255, 168, 101]],
+    [[220, 103, 219], [173, 52, 173]],
+    [[106, 106, 20], [233, 214, 0]],
+    [[83, 27, 8], [137, 50, 29]],
 ];
+
+/// The colours of solutions with p loops.
+pub const fn loops_colours(p: u32) -> [Colour; 2] {
+    let last = LOOPS.len() - 1;
+    LOOPS[if (p as usize) < last { p as usize } else { last }]
+}
+
+/// Periodic motion that is no MPS, and motion that is not periodic or not soon, on light and on
+/// dark ground.
+pub const PERIODIC: [Colour; 2] = [[162, 162, 138], [96, 96, 108]];
+/// See [`PERIODIC`].
+pub const IRREGULAR: [Colour; 2] = [[60, 48, 72], [168, 192, 204]];
+/// A place that is pointed at, on light and on dark ground.
+pub const PLACE: [Colour; 2] = [[220, 44, 144], [244, 33, 146]];
 
 /// What a point of a kind is.
 pub const fn point_meaning(kind: CodimensionTwo) -> &'static str {
@@ -167,4 +179,62 @@ pub fn meanings() -> Vec<(&'static str, &'static str)> {
     all.extend(portraits.map(|kind| (kind.name(), portrait_meaning(kind))));
     all.extend(regions.map(|kind| (kind.name(), region_meaning(kind))));
     all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What colours become to eyes without one kind of cones, for linear red, green and blue:
+    /// Machado, Oliveira and Fernandes (2009), at full severity; first to eyes with all.
+    const EYES: [[[f64; 3]; 3]; 4] = [
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
+        [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.01182, 0.04294, 0.968881]],
+        [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.3039]],
+    ];
+
+    /// A colour in CIE L*a*b*, as eyes of a kind see it.
+    fn seen(colour: Colour, eyes: &[[f64; 3]; 3]) -> [f64; 3] {
+        let linear = colour.map(|channel| {
+            let share = f64::from(channel) / 255.0;
+            if share <= 0.04045 { share / 12.92 } else { libm::pow((share + 0.055) / 1.055, 2.4) }
+        });
+        let product = |row: &[f64; 3], vector: [f64; 3]| -> f64 { (0..3).map(|k| row[k] * vector[k]).sum() };
+        let [r, g, b] = [0, 1, 2].map(|k| product(&eyes[k], linear).clamp(0.0, 1.0));
+        let white = [0.9505, 1.0, 1.089];
+        let rows = [[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]];
+        let [x, y, z] = [0, 1, 2].map(|k| {
+            let share = product(&rows[k], [r, g, b]) / white[k];
+            if share > 0.008856 { libm::cbrt(share) } else { 7.787 * share + 16.0 / 116.0 }
+        });
+        [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
+    }
+
+    /// Differences below some 2 are hardly seen side by side; thin lines need more.
+    const APART: f64 = 14.0;
+
+    #[test]
+    fn no_two_meanings_look_alike_to_eyes_of_any_kind() {
+        let curves = Bifurcation::ALL.map(|kind| (kind.name(), CurveLook::of(kind).colours));
+        let loops = ["no impacts", "p = 1", "p = 2", "p = 3", "p = 4 and more"].into_iter().zip(LOOPS);
+        let others = [("other periodic", PERIODIC), ("irregular", IRREGULAR), ("place", PLACE)];
+        let all: Vec<_> = curves.into_iter().chain(loops).chain(others).collect();
+        for (ground, eyes) in
+            [0, 1].into_iter().flat_map(|ground| EYES.iter().map(move |eyes| (ground, eyes)))
+        {
+            for (k, (one, colours)) in all.iter().enumerate() {
+                let here = seen(colours[ground], eyes);
+                for (other, theirs) in &all[..k] {
+                    let there = seen(theirs[ground], eyes);
+                    let square: f64 = (0..3).map(|k| (here[k] - there[k]) * (here[k] - there[k])).sum();
+                    assert!(
+                        square.sqrt() >= APART,
+                        "{one} and {other} on ground {ground}: {}",
+                        square.sqrt()
+                    );
+                }
+            }
+        }
+    }
 }

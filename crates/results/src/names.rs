@@ -177,6 +177,13 @@ impl Names {
         [&self.units.primary, &self.units.secondary].map(|unit| unit.as_deref().map(raised))
     }
 
+    /// The names of the units of positions and velocities, likewise.
+    pub fn motion_units(&self) -> [Option<String>; 2] {
+        let UnitNames { length, time, .. } = &self.units;
+        let velocity = length.as_ref().zip(time.as_ref()).map(|_| raised(&self.unit("length/time")));
+        [length.as_deref().map(raised), velocity]
+    }
+
     /// A unit as columns declare it with the names of units in it, as far as they are known: those
     /// of the parameters are the parameters' own names otherwise.
     pub fn unit(&self, declared: &str) -> String {

@@ -38,11 +38,50 @@ impl DiagramCurve {
         self.kind == other.kind && self.loops == other.loops && (same(&start, &end) || same(&end, &start))
     }
 
+    /// The pieces of it that cross a window, each with its first point outside at either end.
+    pub(crate) fn within(&self, window: Window) -> Vec<Self> {
+        let places = self.curve.parameters();
+        let chords = places.windows(2).map(|pair| crosses(window, [pair[0], pair[1]]));
+        let mut pieces: Vec<[usize; 2]> = Vec::new();
+        for (k, _) in chords.enumerate().filter(|(_, crosses)| *crosses) {
+            match pieces.last_mut() {
+                Some([_, last]) if *last == k => *last = k + 1,
+                _ => pieces.push([k, k + 1]),
+            }
+        }
+        let Curve { points, end, beginning, .. } = &self.curve;
+        let left = || CurveEnd::LeftWindow;
+        let piece = |[first, last]: [usize; 2]| Curve {
+            condition: self.curve.condition,
+            points: points[first..=last].to_vec(),
+            events: Vec::new(),
+            end: if last + 1 == points.len() { end.clone() } else { left() },
+            beginning: if first == 0 { beginning.clone() } else { Some(left()) },
+        };
+        pieces.into_iter().map(|ends| Self { curve: piece(ends), ..*self }).collect()
+    }
+
     /// First and last point.
     pub(crate) fn ends(&self) -> [Unknowns; 2] {
         let points = &self.curve.points;
         [points[0].solution.unknowns, points[points.len() - 1].solution.unknowns]
     }
+}
+
+/// Whether a chord between two points (μ, η) has a part in a window.
+fn crosses(window: Window, ends: [[f64; 2]; 2]) -> bool {
+    let [from, to] = ends.map(|end| window.shares(end));
+    let mut part = [0.0, 1.0];
+    for k in 0..2 {
+        // Where it enters and leaves; of a chord that runs along an edge nothing is asked.
+        let at = [0.0, 1.0].map(|edge| (edge - from[k]) / (to[k] - from[k]));
+        if to[k] != from[k] {
+            part = [f64::max(part[0], at[0].min(at[1])), f64::min(part[1], at[0].max(at[1]))];
+        } else if !(0.0..=1.0).contains(&from[k]) {
+            return false;
+        }
+    }
+    part[0] <= part[1]
 }
 
 /// A codimension-two point other than a resonance.

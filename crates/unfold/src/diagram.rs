@@ -86,8 +86,8 @@ pub struct Diagram {
 /// The stage in which curves are followed from the resonances.
 const CURVES: &str = "bifurcation curves";
 
-/// Regions of a window that is narrower than this are parts of those of one that is not: curves
-/// that touch at a resonance are too close to each other there for slices to be distinguished from
+/// Regions and curves of a window that is narrower than this are parts of those of one that is not:
+/// curves that touch at a resonance are too close to each other there for slices to be distinguished from
 /// rounding, as branches begin at impact velocities of the order of the root of its width.
 const UNDECIDABLE_WIDTH: f64 = 1e-7;
 
@@ -107,7 +107,7 @@ const LONG_WINDOW: f64 = 2.0;
 /// Steps are at least so many times as long as the shortest.
 const LEAST_STEPS: f64 = 10.0;
 
-/// The window about a narrow one in which regions are decided.
+/// The window about a narrow one in which curves are found and regions decided.
 fn widened(window: Window) -> Option<Window> {
     let about = |[low, high]: [f64; 2]| {
         let room = (0.5 * (UNDECIDABLE_WIDTH - (high - low))).max(0.0);
@@ -142,14 +142,19 @@ impl Diagram {
     /// none is, as beside a piece of one of their curves in a small window.
     ///
     /// # Errors
-    /// Periodic motion stays on one side of the wall, and there is no curve of MPSs and no region.
+    /// Why there is no grazing, if there is no curve of MPSs and no region either.
     pub fn found(self) -> Result<Self, UnfoldError> {
+        match self.nothing() {
+            Some(reason) => Err(reason.clone()),
+            None => Ok(self),
+        }
+    }
+
+    /// Why there is no grazing, if there is no curve of MPSs and no region either.
+    pub fn nothing(&self) -> Option<&UnfoldError> {
         let is_empty = self.curves.iter().all(|curve| curve.loops == 0)
             && self.regions.iter().all(|region| region.loops == 0 || region.doubt.is_some());
-        match self.no_grazing {
-            Some(reason) if is_empty => Err(reason),
-            _ => Ok(self),
-        }
+        self.no_grazing.as_ref().filter(|_| is_empty)
     }
 
     /// The diagram, if there is a grazing curve.
@@ -164,7 +169,7 @@ impl Diagram {
     /// curve yet. Where the ranges hold no grazing the curves of MPSs may cross them still.
     ///
     /// # Errors
-    /// There is no periodic motion without impacts in the ranges, or none that the wall turns back.
+    /// An end was asked for before anything was found.
     pub fn located(
         oscillator: &AnyOscillator,
         scope: &Scope,
@@ -194,6 +199,9 @@ impl Diagram {
                 let one_loop = Scope { loops: vec![1], ..scope.clone() };
                 diagram.one_loop.append(&mut resonances::on_curve(curve, &one_loop, progress).0);
             }
+        }
+        for found in [&mut diagram.resonances, &mut diagram.one_loop] {
+            *found = resonances::distinct(core::mem::take(found), scope.window);
         }
         if progress.stopped() {
             diagram.unfinished.push(Unfinished::stage(resonances::STAGE));
@@ -229,8 +237,12 @@ impl Diagram {
             if let Ok(wide) = Self::located(&self.oscillator, &scope, progress) {
                 let followed = wide.follow(progress, &|_, _| ());
                 let wide = wide.with(followed, progress);
-                self.regions =
-                    wide.regions.iter().flat_map(|region| region.within(self.scope.window)).collect();
+                // So are curves, to which no resonance in the window need lead.
+                let window = self.scope.window;
+                self.regions = wide.regions.iter().flat_map(|region| region.within(window)).collect();
+                self.curves = wide.curves.iter().flat_map(|curve| curve.within(window)).collect();
+                let inside = |point: &CodimensionTwoPoint| window.contains(point.event.solution.parameters());
+                self.codimension_two = wide.codimension_two.into_iter().filter(inside).collect();
                 self.unfinished.extend(wide.unfinished);
             }
         }

@@ -30,7 +30,7 @@ use crate::{Scope, UnfoldError, search};
 #[derive(Clone, Debug)]
 pub(crate) struct NonImpacting {
     pub(crate) grazing: Vec<GrazingCurve>,
-    /// Why there is none: it stays on one side of the wall, or was not located where it passes.
+    /// Why there is none, if there is none.
     pub(crate) no_grazing: Option<UnfoldError>,
     pub(crate) curves: Vec<DiagramCurve>,
     pub(crate) regions: Vec<Region>,
@@ -38,17 +38,13 @@ pub(crate) struct NonImpacting {
     pub(crate) unfinished: Vec<Unfinished>,
 }
 
-/// A deceleration below this is what rounding leaves of none.
-const TURNED: f64 = 1e-9;
-
 /// The stage of the search.
 const STAGE: &str = "motion without impacts";
 
 /// Looks for grazing of the non-impacting solutions and for their regions.
 ///
 /// # Errors
-/// There is no motion without impacts in the ranges that is periodic, or none that the wall turns
-/// back, with what was seen instead.
+/// An end was asked for before any was found.
 pub(crate) fn find(
     oscillator: &AnyOscillator,
     scope: &Scope,
@@ -104,12 +100,7 @@ fn on_slices(
     }
     let no_grazing = match survey.grazing.is_empty() {
         true if progress.stopped() => return Err(UnfoldError::Stopped { stage: STAGE }),
-        true => match explanation(&equations, &motions) {
-            reason @ UnfoldError::NoGrazing { .. } => Some(reason),
-            // It passes the wall, and nothing was located there.
-            reason @ UnfoldError::Pushed { at } if at.acceleration < -TURNED => Some(reason),
-            reason => return Err(reason),
-        },
+        true => Some(explanation(&equations, &motions)),
         false => None,
     };
     let regions = decided(scope.window, &mut survey, between, progress);

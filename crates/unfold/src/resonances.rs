@@ -1,6 +1,9 @@
 //! Resonances on a grazing curve: found, located, numbered, and held against the hypotheses of
 //! Theorems 2.4 and 2.5.
 
+use core::f64::consts::TAU;
+
+use grazing_continuation::curve::Window;
 use grazing_continuation::resonance::{LocatedResonance, ResonanceError, ResonantGrazingPoint};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::HypothesesViolated;
@@ -9,6 +12,7 @@ use grazing_theorems::spectrum::Eigenvalues;
 use crate::Scope;
 use crate::grazing::{GrazingCurve, GrazingState};
 use crate::progress::Progress;
+use crate::tolerances::BETWEEN_RESONANCES;
 use crate::winding;
 
 /// A resonant grazing bifurcation of the non-impacting solution.
@@ -81,6 +85,35 @@ pub fn on_curve(
     progress.end(STAGE);
     (found, lost)
 }
+
+/// The same without those that were found more than once, as on two grazing curves that touch, or
+/// on both sides of a point of one.
+pub(crate) fn distinct(found: Vec<Resonance>, window: Window) -> Vec<Resonance> {
+    let mut all: Vec<Resonance> = Vec::new();
+    for new in found {
+        if !all.iter().any(|old| old.is_same(&new, window)) {
+            all.push(new);
+        }
+    }
+    all
+}
+
+impl Resonance {
+    fn is_same(&self, other: &Self, window: Window) -> bool {
+        let orbits = [self, other].map(|resonance| resonance.located.orbit());
+        let [here, there] = orbits.map(|orbit| orbit.oscillator().parameters());
+        let widths = window.widths();
+        // In a narrow window rounding is much of its width.
+        let near = |k: usize| {
+            (here[k] - there[k]).abs() <= BETWEEN_RESONANCES * widths[k].max(LEAST * here[k].abs())
+        };
+        let turned = libm::remainder(orbits[0].phase() - orbits[1].phase(), TAU).abs();
+        (self.loops, self.n) == (other.loops, other.n) && near(0) && near(1) && turned <= BETWEEN_RESONANCES
+    }
+}
+
+/// A window is taken to be as wide as this part of its parameters at least.
+const LEAST: f64 = 1e-2;
 
 fn numbered(located: LocatedResonance) -> Resonance {
     let loops = located.loops();
@@ -181,7 +214,6 @@ impl<'a> Stretch<'a> {
 
 #[cfg(test)]
 mod tests {
-    use grazing_continuation::curve::Window;
     use grazing_theorems::from_map::GrazingOrbit;
     use nalgebra::Vector3;
 
@@ -194,6 +226,30 @@ mod tests {
             let orbit = GrazingOrbit::find(&near, phase).expect("it grazes");
             GrazingState { orbit, tangent: Vector3::y(), stable: true, admissible: true }
         })
+    }
+
+    #[test]
+    fn a_resonance_that_is_found_twice_is_one_in_any_window() {
+        let oscillator = crate::specimens::linear(0.02, [0.3, 0.8]);
+        let window = Window { primary: [0.0, 1.2], secondary: [0.55, 1.1] };
+        let scope = Scope { window, loops: vec![1, 2], start: None };
+        let near = oscillator.with_parameters([0.36, 0.8]);
+        let orbit = GrazingOrbit::find(&near, states()[0].orbit.phase()).expect("it grazes");
+        let curve = GrazingCurve::through(&orbit, &scope).expect("it is one");
+        let found = on_curve(&curve, &scope, &crate::progress::Silent).0;
+        assert!(found.len() >= 2, "{}", found.len());
+        let one = &found[0];
+        let orbit = one.located.orbit();
+        // Newton's method begins elsewhere, and ends elsewhere by rounding.
+        let [primary, secondary] = orbit.oscillator().parameters();
+        let beside = orbit.oscillator().with_parameters([primary + 1e-6, secondary - 1e-6]);
+        let again = LocatedResonance::find(&beside, one.loops, orbit.phase() + 1e-6).map(numbered);
+        let twice: Vec<Resonance> = found.iter().cloned().chain([again.expect("it is there")]).collect();
+        let about = |value: f64| [value - 1e-9, value + 1e-9];
+        let narrow = Window { primary: about(primary), secondary: about(secondary) };
+        for window in [window, narrow] {
+            assert_eq!(distinct(twice.clone(), window).len(), found.len());
+        }
     }
 
     /// The zeros found of (w − a)(w − b) c, or of (w − a) c without b.

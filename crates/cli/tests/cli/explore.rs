@@ -64,7 +64,7 @@ fn the_address_is_printed_the_page_is_there_and_ctrl_c_ends_it() {
     );
     // The numbers that are taken home are those that `reproduce` makes.
     let view = "{\"primary\": [0.0, 1.3], \"secondary\": [0.35, 1.02]}";
-    let body = format!("{{\"model\": {{\"text\": null}}, \"view\": {view}, \"what\": \"csv:fig07_points\"}}");
+    let body = format!("{{\"model\": {{\"text\": null}}, \"view\": {view}, \"what\": \"csv:points\"}}");
     let more = format!("Content-Type: application/json\r\nContent-Length: {}\r\n", body.len());
     let taken = ask(host, &format!("POST /{path}export HTTP/1.1\r\n{head}{more}\r\n{body}"));
     let committed = include_str!("../../../../figures/data/fig07_points.csv");
@@ -113,8 +113,8 @@ fn the_browser_is_started_with_a_page_that_leads_to_the_address_and_nobody_else_
     assert!(!Path::new(&page).exists());
 }
 
-/// What is taken home of the page as it is: the figure in three formats and the curves, and the
-/// files that the copied command writes.
+/// What is taken home of the page as it is: the figure in three formats, and the curves, which are
+/// those that the copied command writes.
 fn taken_home(page: &mut Browser, stem: &str, figure: &str, curves: &str) {
     let home = empty_folder();
     page.permit(home.path());
@@ -139,10 +139,21 @@ fn taken_home(page: &mut Browser, stem: &str, figure: &str, curves: &str) {
     let run =
         Command::new("sh").args(["-c", &line]).current_dir(repository()).output().expect("there is a shell");
     assert!(run.status.success(), "{line}: {}", String::from_utf8_lossy(&run.stderr));
-    for ending in ["svg", "pdf", "png"] {
-        let written = fs::read(made.path().join(format!("{figure}.{ending}"))).expect("it was written");
-        assert!(saved(home.path(), &format!("{stem}.{ending}")) == written, "{line}: the {ending} differs");
+    // The figure has no frames of magnifications, and no line of another diagram.
+    for (ending, start) in [("svg", &b"<?xml"[..]), ("pdf", b"%PDF"), ("png", b"\x89PNG")] {
+        let taken = saved(home.path(), &format!("{stem}.{ending}"));
+        assert!(taken.starts_with(start) && taken.len() > 10_000, "{line}: {ending}");
     }
+    let [taken, written] =
+        [home.path().join(format!("{stem}.svg")), made.path().join(format!("{figure}.svg"))]
+            .map(|file| fs::read_to_string(file).expect("it is text"));
+    for frame in ["#f08200", ">Fig. 2<", ">diagram 1<"] {
+        assert!(!taken.contains(frame), "{line}: {frame}");
+    }
+    let inks = ["#78c86e", "#1946be", "#d62f20", "#005838"];
+    let curves_of = |svg: &str| inks.map(|ink| svg.matches(&format!("stroke=\"{ink}\"")).count());
+    assert_eq!(curves_of(&taken), curves_of(&written), "{line}");
+    assert_ne!(curves_of(&taken)[0], 0, "{line}");
     let written = fs::read(made.path().join(format!("data/{curves}.csv"))).expect("it was written");
     assert!(saved(home.path(), &format!("{stem}-curves.csv")) == written, "{line}: the curves differ");
     page.press("Escape");

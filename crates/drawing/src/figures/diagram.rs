@@ -26,6 +26,8 @@ const MOST_HEIGHT_MM: f64 = 118.0;
 const LEAST_HEIGHT_MM: f64 = 78.0;
 /// Room around the panel for the common numbers and titles, in points; longer ones get more.
 const MARGINS: Bounds = Bounds { left: 35.0, top: 5.0, right: 8.0, bottom: 30.0 };
+/// No leader is longer than this, in points, so that none crosses the plane.
+const LONGEST_LEADER: f64 = 28.0;
 /// Curves shorter than this on the sheet (points) stay without a label.
 const LABELLED_LENGTH: f64 = 42.0;
 
@@ -53,6 +55,7 @@ pub fn draw_diagram(
     let bounds = bounds(&canvas, &frame, up)?;
     let panel = Panel { tables: heading.tables, names: Some(names), ..Panel::new(&canvas, frame, bounds) };
     let mut labels = Labels::new(&canvas, bounds);
+    labels.placer.farthest = LONGEST_LEADER;
 
     let mut shapes: Vec<(u32, Vec<Spot>)> = Vec::new();
     for region in Area::all(&diagram.regions) {
@@ -274,6 +277,11 @@ mod tests {
         sample.diagram.magnified[1].frame = Frame { x: [left, left + 0.001], y: [low, low + 0.001] };
         assert_eq!(rectangles(&sample), 2);
         assert!(texts(&sample).contains(&"(b)".to_owned()));
+        // Wide, but as low as it is thick.
+        let Frame { x: [left, right], y: [low, _] } = sample.diagram.magnified[2].frame;
+        sample.diagram.magnified[2].frame = Frame { x: [left, right], y: [low, low + 0.002] };
+        assert_eq!(rectangles(&sample), 1);
+        assert!(texts(&sample).contains(&"(c)".to_owned()));
     }
 
     #[test]

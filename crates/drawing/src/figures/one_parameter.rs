@@ -74,6 +74,10 @@ pub fn draw_one_parameter(
     let [column, _] = figure.exchanged([&names.primary, &names.secondary]);
     let own = Names::new(column, "x");
     let x = if figure.from_the_wall { "$x$ from the wall" } else { "$x$" };
+    let motion = [x, "$y$"].into_iter().zip(names.motion_units());
+    let motion = motion.map(|(name, unit)| unit.map_or(name.to_owned(), |unit| format!("{name} ({unit})")));
+    let titles: Vec<String> = motion.collect();
+    let (x, y) = (titles[0].as_str(), titles[1].as_str());
 
     let width = width.mm(WIDTH_MM);
     let narrow = width < WIDE_MM;
@@ -87,7 +91,7 @@ pub fn draw_one_parameter(
     };
     let canvas = Canvas::new(width, (portraits_end + height) / POINTS_PER_MM)?;
     if rows > 0 {
-        let caption = Caption { across: &across, titles: [x, "$y$"], table: portrait_tables };
+        let caption = Caption { across: &across, titles: [x, y], table: portrait_tables };
         draw_portraits(&canvas, figure, &portraits, &caption, rows)?;
     }
     let top = portraits_end + if rows > 0 { LETTERS } else { ABOVE };
@@ -271,8 +275,12 @@ mod tests {
             assert!(found.iter().any(|text| text == title), "{title}: {found:?}");
         }
         let [primary, secondary] = ["N", "rad/s"].map(|unit| Some(unit.to_owned()));
-        let named = names.clone().with_units(UnitNames { primary, secondary, ..UnitNames::default() });
+        let [length, time] = ["mm", "s"].map(|unit| Some(unit.to_owned()));
+        let named = names.clone().with_units(UnitNames { length, time, primary, secondary });
         let texts = drawn(&figure, &named, SheetWidth::Paper).texts();
+        for title in ["$x$ from the wall (mm)", "$y$ (mm/s)"] {
+            assert!(texts.iter().any(|text| text == title), "{title}: {texts:?}");
+        }
         assert!(texts.contains(&r"$\omega$ (rad/s)  ($A=0.855$ N)".to_owned()), "{texts:?}");
     }
 

@@ -12,7 +12,12 @@ pub struct Placer {
     /// Segments of curves that never get a label of their own.
     nameless: Vec<(Spot, Spot)>,
     dust: Vec<Spot>,
+    /// Labels are put no farther than this from their spots, in points.
+    pub(crate) farthest: f64,
 }
+
+/// How far from its spot a label is put, in points; from 5 on with a leader.
+const GAPS: [f64; 10] = [0.0, 2.0, 5.0, 9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 64.0];
 
 /// A place for a label.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,7 +29,9 @@ pub(crate) struct LabelPlace {
 
 impl Placer {
     pub(crate) fn new(panel: Bounds) -> Self {
-        Placer { panel, blocked: Vec::new(), segments: Vec::new(), nameless: Vec::new(), dust: Vec::new() }
+        let farthest = f64::INFINITY;
+        let (blocked, dust) = (Vec::new(), Vec::new());
+        Placer { panel, blocked, segments: Vec::new(), nameless: Vec::new(), dust, farthest }
     }
 
     /// Keeps labels off a box.
@@ -132,7 +139,7 @@ impl Placer {
         let directions = TURNS.iter().flat_map(|&(c, s)| [(c, -s), (-c, -s), (c, s), (-c, s)]);
         let directions: Vec<Spot> = directions.collect();
         let mut best: Option<(f64, LabelPlace)> = None;
-        for gap in [0.0, 2.0, 5.0, 9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 64.0] {
+        for gap in GAPS.into_iter().filter(|gap| *gap <= self.farthest) {
             for &(right, down) in &directions {
                 let reach = clearance + gap;
                 let centre = (at.0 + right * (0.5 * width + reach), at.1 + down * (0.5 * height + reach));

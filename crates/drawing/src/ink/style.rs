@@ -127,8 +127,7 @@ pub(crate) const STAR_RADIUS: f64 = 3.8;
 
 /// A branch of the one-parameter diagram by its number of loops, 0 for the non-impacting solution.
 pub const fn branch_pen(p: u32, width: f64) -> Pen {
-    let place = if (p as usize) < kinds::BRANCHES.len() { p as usize } else { 0 };
-    Pen::solid(kinds::BRANCHES[place][0], width)
+    Pen::solid(kinds::loops_colours(p)[0], width)
 }
 
 pub(crate) const STABLE_WIDTH: f64 = 1.7;

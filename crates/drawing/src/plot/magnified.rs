@@ -9,8 +9,11 @@ use crate::ink::legend::Sample;
 use crate::ink::style::{MAGNIFIED, MAGNIFIED_TEXT, SMALL_LABEL_SIZE, TRIANGLE_SIZE};
 use crate::plot::axes::Panel;
 
-/// Rectangles smaller than this (points) would hide the triangle in them, and stay undrawn.
+/// Rectangles smaller than this (points) would hide the triangle in them, and stay undrawn: the
+/// triangle has the letter.
 const HIDDEN: f64 = TRIANGLE_SIZE;
+/// So do those lower or narrower than this, which would be bars over what they frame.
+const BAR: f64 = 3.0 * MAGNIFIED.width;
 
 /// Free space from a resonance to its label, in points: the triangle and its rim, seen along the
 /// diagonal.
@@ -28,7 +31,8 @@ pub(crate) fn panel_letter(number: u32) -> String {
 }
 
 fn is_hidden(outline: &Bounds) -> bool {
-    (outline.right - outline.left).max(outline.bottom - outline.top) < HIDDEN
+    let [wide, high] = [outline.right - outline.left, outline.bottom - outline.top];
+    wide.max(high) < HIDDEN || wide.min(high) < BAR
 }
 
 /// Draws a rectangle, if it is not too small; returns where it is seen, if it is.

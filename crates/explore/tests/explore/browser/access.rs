@@ -104,11 +104,63 @@ fn light_and_dark_follow_the_system_and_the_button() {
     let contrast = "use('palette').then(([q]) => { const l = (hex) => { const c = /#(..)(..)(..)/.exec(hex).slice(1).map((x) => parseInt(x, 16) / 255)\
                     .map((v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)); return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }; \
                     const ink = q.inks(), on = l(ink.paper); const ratio = (hex) => { const a = l(hex); return (Math.max(a, on) + 0.05) / (Math.min(a, on) + 0.05); }; \
-                    return [ink.ink, ink.muted, ...['SN', 'PD', 'GZ'].map(q.curveInk), ink.place, ink.kept].map(ratio); })";
+                    return [ink.ink, ink.muted, ...['SN', 'PD', 'GZ'].map(q.curveInk), ink.place].map(ratio); })";
     assert!(numbers(&page.value(contrast)).iter().all(|ratio| *ratio > 4.0), "{}", page.value(contrast));
     page.click("#theme", [0.0, 0.0]);
     page.wait(&format!("document.documentElement.dataset.theme === 'light' && {brightness} > 150"));
     assert!(numbers(&page.value(contrast)).iter().all(|ratio| *ratio > 4.0), "{}", page.value(contrast));
+}
+
+#[test]
+fn all_that_is_seen_is_taken_home_as_picture_and_numbers() {
+    let server = Running::new();
+    let Some(mut page) = server.open(DESK) else { return };
+    let at = super::spot(&mut page, [0.9, 0.8]);
+    page.click_at(at);
+    page.wait(PLACE);
+    plane_key(&mut page, "h");
+    page.wait(CUT);
+    let home = tempfile::tempdir().unwrap();
+    page.permit(home.path());
+    page.click("[data-command=share]", [0.0, 0.0]);
+    let stem = page.value("use('model').then(([m]) => m.description.name)");
+    let stem = stem.as_str().unwrap().to_lowercase().replace(|c: char| !c.is_ascii_alphanumeric(), "-");
+    for (name, header) in [
+        ("plane", "curve,p,n,"),
+        ("cut", "what,branch,p,"),
+        ("series", "attractor,what,t"),
+        ("portrait", "attractor,what,t"),
+        ("impacts", "attractor,what,phase"),
+    ] {
+        let mut taken = |kind: &str| {
+            page.click(&format!("[data-seen='{name}:{kind}']"), [0.0, 0.0]);
+            saved(home.path(), &format!("{stem}-{name}.{kind}"))
+        };
+        let [svg, png, csv] = ["svg", "png", "csv"].map(&mut taken);
+        assert!(png.starts_with(b"\x89PNG") && png.len() > 5000, "{name}");
+        let csv = String::from_utf8(csv).unwrap();
+        assert!(csv.starts_with(header) && csv.lines().count() > 1, "{name}: {}", &csv[..80]);
+        let columns = |line: &str| line.split(',').count();
+        assert!(csv.lines().all(|line| columns(line) == columns(csv.lines().next().unwrap())), "{name}");
+        let svg = String::from_utf8(svg).unwrap();
+        let parsed = format!(
+            "(() => {{ const d = new DOMParser().parseFromString({svg:?}, 'image/svg+xml'); return d.querySelector('parsererror') ? 0 : d.querySelectorAll('path, text').length; }})()"
+        );
+        assert!(page.value(&parsed).as_u64() > Some(10), "{name}: {}", &svg[..200]);
+        assert!(!svg.contains("NaN") && !svg.contains("undefined"), "{name}");
+    }
+}
+
+#[test]
+fn on_a_phones_side_plane_and_answer_stand_side_by_side() {
+    let server = Running::new();
+    let Some(mut page) = server.open([844, 390]) else { return };
+    page.value("use('state').then(([s]) => s.update({place: [0.9, 0.8]}))");
+    page.wait(PLACE);
+    let boxes = page.value("['stage', 'place-section'].map((id) => document.getElementById(id).getBoundingClientRect()).map(({left, right, height}) => [left, right, height])");
+    assert!(boxes[0][1].as_f64() <= boxes[1][0].as_f64().map(|left| left + 20.0), "{boxes}");
+    assert!(boxes[0][2].as_f64() > Some(200.0), "{boxes}");
+    assert_eq!(page.value("document.documentElement.scrollWidth"), 844);
 }
 
 #[test]
@@ -244,6 +296,6 @@ fn on_a_phone_address_and_numbers_are_taken_home() {
     let stem = page.wait("use('model').then(([m]) => m.description.name)");
     let stem = stem.as_str().unwrap().to_lowercase().replace(|c: char| !c.is_ascii_alphanumeric(), "-");
     // The server of these tests hands back what it was asked for.
-    assert_eq!(saved(home.path(), &format!("{stem}-points.csv")), b"csv:fig07_points");
+    assert_eq!(saved(home.path(), &format!("{stem}-points.csv")), b"csv:points");
     assert_eq!(page.value("document.documentElement.scrollWidth"), 360);
 }

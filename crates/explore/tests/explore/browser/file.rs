@@ -5,6 +5,9 @@ use grazing_description::Description;
 use super::chromium::{Browser, CONTROL};
 use super::{DESK, PHONE, Running, WHOLE, choose_duffing, plane_key, state};
 
+/// Curves, points and regions are all faded.
+const FADED: &str = "use('diagram').then(([d]) => [d.diagram.of.points, d.diagram.of.regions, ...[...d.diagram.curves.values()].map(({of}) => of)]\
+                     .every((of) => d.strength(of) < 0.5))";
 const VERDICT: &str = "document.getElementById('verdict').textContent";
 
 /// Puts the cursor behind a text of the file, and types.
@@ -43,11 +46,15 @@ fn mistakes_are_marked_under_the_character_in_the_words_of_the_command_line() {
                    const style = getComputedStyle(t), b = t.getBoundingClientRect(); \
                    return Math.abs(b.top + parseFloat(style.paddingTop) + line * parseFloat(style.lineHeight) - t.scrollTop - m.top); })()";
     assert!(page.value(covered).as_f64().unwrap() < 6.0);
-    // The diagram of the last file that was right stays; a button leads to the mistake.
+    // The diagram of the last file that was right stays, faded, and why no other is drawn is said; a
+    // button leads to the mistake.
+    assert_eq!(page.value(FADED), true);
+    page.wait("/^Not drawn\\. Line \\d+: /.test(document.getElementById('progress-text').textContent)");
     page.click("#go-to-mistake", [0.0, 0.0]);
     assert_eq!(page.value("(() => { const t = document.getElementById('text'); return t.value.slice(t.selectionStart, t.selectionEnd); })()"), "kazppa");
     page.write("kappa");
     page.wait(&format!("{VERDICT} === 'The file is right.'"));
+    page.wait(&format!("{FADED}.then((faded) => !faded)"));
     // Another value of a constant is another diagram, of one's own file.
     page.value("(() => { const t = document.getElementById('text'); const at = t.value.indexOf('kappa = 0.1') + 8; t.setSelectionRange(at, at + 3); })()");
     page.write("0.2");
@@ -86,6 +93,9 @@ fn on_a_phone_the_file_is_edited_as_well() {
     type_behind(&mut page, "zeta = 0.02", "q");
     page.wait(&format!("/^Line \\d+: /.test({VERDICT}) && !document.getElementById('callout').hidden"));
     assert_eq!(page.value("document.documentElement.scrollWidth"), 360);
+    let seen = "['#plane', '#code'].every((s) => { const b = document.querySelector(s).getBoundingClientRect(); return b.top >= 0 && b.bottom <= innerHeight; })";
+    page.value("document.getElementById('stage').scrollIntoView({block: 'start', behavior: 'instant'})");
+    assert_eq!(page.value(seen), true);
     let within = "(() => { const b = document.getElementById('callout').getBoundingClientRect(); return b.left >= 0 && b.right <= 360; })()";
     assert_eq!(page.value(within), true);
 }

@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use super::chromium::Browser;
-use super::{DESK, PHONE, PLACE, Running, WHOLE, numbers, plane_key, spot, state};
+use super::{DESK, PHONE, PLACE, QUIET, Running, WHOLE, numbers, plane_key, spot, state};
 
 /// The canvas has something drawn on it besides one colour.
 fn is_drawn(page: &mut Browser, selector: &str) {
@@ -47,6 +47,76 @@ fn a_place_tells_what_motion_comes_to_and_follows_the_pointer() {
 }
 
 #[test]
+fn nothing_moves_but_what_changes() {
+    let server = Running::new();
+    let Some(mut page) = server.open(DESK) else { return };
+    // Long after the last step words have found their places.
+    let placed = "use('plane').then(([p]) => p.words().map(({text, at}) => [text.map(([word]) => word).join(''), ...at]))";
+    let settled = format!("{QUIET} && {placed}");
+    let words = page.wait(&settled);
+    let at = spot(&mut page, [0.9, 0.8]);
+    page.click_at(at);
+    page.wait(PLACE);
+    let boxes = "['#stage', '.status', '.legends', '.place .time', '.place .phase', '.place .strikes'].map((s) => document.querySelector(s).getBoundingClientRect())\
+                 .map(({left, top, width, height}) => [left, top, width, height])";
+    let before = page.value(boxes);
+    // To chaos, to several attractors, onto a curve.
+    for place in [[0.43, 0.72], [0.7, 0.93], [0.51, 0.7451]] {
+        page.value(&format!(
+            "use('state').then(([s]) => s.update({{place: [{}, {}]}}, true))",
+            place[0], place[1]
+        ));
+        page.wait(PLACE);
+        assert_eq!(page.value(boxes), before, "{place:?}");
+    }
+    assert_eq!(page.wait(&settled), words, "words move with the place");
+    // A step of a slider leaves most words where they are.
+    page.value("document.getElementById('constant-zeta').focus()");
+    page.press("ArrowRight");
+    page.wait(WHOLE);
+    let after = page.wait(&settled);
+    let words = words.as_array().unwrap();
+    let stay = words.iter().filter(|word| after.as_array().unwrap().contains(word)).count();
+    assert!(5 * stay >= 4 * words.len() && words.len() > 8, "{stay} of {}: {after}", words.len());
+    assert_eq!(page.value(boxes), before);
+}
+
+#[test]
+fn a_place_goes_exactly_onto_a_curve_and_a_point_where_its_multipliers_are_told() {
+    let server = Running::new();
+    let Some(mut page) = server.open(DESK) else { return };
+    let told = "document.querySelector('.on').textContent";
+    for (kind, multiplier) in [("PD", "−1"), ("SN", "1"), ("GZ", ""), ("graz", "")] {
+        let beside = page.point(&format!(
+            "use('diagram', 'plane', 'model', 'state').then(([d, p, m, s]) => {{ const {{points}} = [...d.diagram.curves.values()].find((c) => c.kind === '{kind}' && c.points.length > 20); \
+             const to = p.project(m.viewOf(s.get())), [x, y] = to(points[points.length >> 1]), b = document.getElementById('plane').getBoundingClientRect(); return [b.left + x + 2, b.top + y + 2]; }})"
+        ));
+        page.click_at(beside);
+        page.wait(PLACE);
+        page.wait(&format!("/^Go exactly onto/.test({told})"));
+        page.click(".on button", [0.0, 0.0]);
+        let words = page.wait(&format!("/^Exactly on/.test({told}) && {told}"));
+        let words = words.as_str().unwrap().to_owned();
+        assert_eq!(words.contains("multipliers"), kind != "graz", "{words}");
+        let first = words.split("multipliers ").nth(1).unwrap_or_default().replace(',', " ");
+        assert!(
+            multiplier.is_empty() || first.split(' ').any(|number| number == multiplier),
+            "{kind}: {words}"
+        );
+        page.wait(PLACE);
+    }
+    // A point is known to its last digit.
+    let point =
+        page.value("use('diagram').then(([d]) => d.diagram.points.find(({kind}) => kind === 'PD-GZ'))");
+    let [x, y] = spot(&mut page, ["primary", "secondary"].map(|axis| point[axis].as_f64().unwrap()));
+    page.click_at([x + 2.0, y]);
+    page.wait(&format!("/^Go exactly onto PD-GZ/.test({told})"));
+    page.click(".on button", [0.0, 0.0]);
+    page.wait(&format!("/^Exactly on PD-GZ.*: multipliers .*−1\\b/.test({told})"));
+    assert_eq!(state(&mut page, "place"), serde_json::json!([point["primary"], point["secondary"]]));
+}
+
+#[test]
 fn two_places_stand_side_by_side_by_keys_alone() {
     let server = Running::new();
     let Some(mut page) = server.open(DESK) else { return };
@@ -78,6 +148,14 @@ fn on_a_phone_a_finger_points_and_drags_the_ring() {
     let at = spot(&mut page, [0.5, 0.8]);
     page.touch([at, at], 0);
     page.wait(PLACE);
+    // The answer is beside the finger, on the same screen.
+    let within = |page: &mut Browser, selector: &str| {
+        let inside = "(({top, bottom}, height) => top >= 0 && bottom <= height)";
+        page.value(&format!(
+            "{inside}(document.querySelector('{selector}').getBoundingClientRect(), innerHeight)"
+        ))
+    };
+    assert_eq!((within(&mut page, "#stage"), within(&mut page, ".place .time")), (true.into(), true.into()));
     let first = numbers(&state(&mut page, "place"));
     let [x, y] = page.middle("#handle");
     page.touch([[x, y], [x + 60.0, y - 20.0]], 4);

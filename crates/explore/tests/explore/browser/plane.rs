@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::chromium::{Browser, CONTROL, SHIFT};
+use super::chromium::{Browser, SHIFT};
 use super::{
     CURVES, DESK, HOLD, PHONE, QUIET, Running, WHOLE, choose_duffing, keys, numbers, plane_key, spot, state,
 };
@@ -36,6 +36,54 @@ fn curves_come_before_the_end_and_the_end_can_be_had_by_button_and_key() {
     page.wait(STOPPED);
 }
 
+/// The parameters at a spot of the screen.
+fn under(page: &mut Browser, [x, y]: [f64; 2]) -> [f64; 2] {
+    page.point(&format!(
+        "use('plane').then(([p]) => {{ const b = document.getElementById('plane').getBoundingClientRect(); return p.toParameters({x} - b.left, {y} - b.top); }})"
+    ))
+}
+
+#[test]
+fn views_without_grazing_show_what_is_there_and_so_do_their_addresses() {
+    let server = Running::new();
+    let Some(mut page) = server.open(DESK) else { return };
+    // About the middle of the first PD and of the first GZ curve.
+    let middles = page.value(
+        "use('diagram').then(([d]) => ['PD', 'GZ'].map((kind) => { const {points} = [...d.diagram.curves.values()]\
+         .find((curve) => curve.kind === kind && curve.n > 0 && curve.source === 'continuation'); return points[points.length >> 1]; }))",
+    );
+    for (kind, middle) in ["PD", "GZ"].into_iter().zip(middles.as_array().unwrap()) {
+        for width in [1e-3, 1e-9] {
+            let [primary, secondary] = [0, 1].map(|k| {
+                let middle = middle[k].as_f64().unwrap();
+                [middle - width, middle + width]
+            });
+            let view = serde_json::json!({"primary": primary, "secondary": secondary});
+            page.value(&format!("use('state').then(([s]) => s.update({{view: {view}}}))"));
+            let seen = format!(
+                "use('plane').then(([p]) => p.runs.some(({{curve}}) => curve.kind === '{kind}')).then((there) => there && {WHOLE})"
+            );
+            page.wait(&seen);
+            let address =
+                page.wait("use('state').then(([s]) => s.encode(s.get()) === location.hash && location.href)");
+            let Some(mut other) = Browser::open(address.as_str().unwrap(), DESK) else { return };
+            other.wait(&seen);
+            assert!(other.value("use('diagram').then(([d]) => d.diagram.regions.length)").as_u64() > Some(0));
+        }
+    }
+    // Where no curve is at all, what is stable is shown, and it is said that nothing crosses.
+    page.value(
+        "use('state').then(([s]) => s.update({view: {primary: [0.1, 0.11], secondary: [0.6, 0.61]}}))",
+    );
+    let told = page.wait(&format!("{QUIET} && /^No grazing/.test(document.getElementById('progress-text').textContent) && document.getElementById('progress-text').textContent"));
+    assert!(told.as_str().unwrap().contains("touches the wall nowhere"), "{told}");
+    assert_eq!(
+        page.value("use('diagram').then(([d]) => d.diagram.regions.map(({kind}) => kind))"),
+        serde_json::json!(["non-impacting"])
+    );
+    assert_eq!(page.value("document.getElementById('progress-text').classList.contains('bad')"), false);
+}
+
 #[test]
 fn zooming_by_wheel_box_and_drag_computes_anew_and_going_back_undoes_each() {
     let server = Running::new();
@@ -58,9 +106,14 @@ fn zooming_by_wheel_box_and_drag_computes_anew_and_going_back_undoes_each() {
         assert!((edge - wanted).abs() < 0.01, "{boxed:?}");
     }
     page.wait(step);
-    page.drag([middle, [middle[0] + 80.0, middle[1]]], 3, CONTROL, |_| ());
+    // As on a map: what lies under the pointer goes with it, and no place is pointed at.
+    let under = under(&mut page, middle);
+    page.drag([middle, [middle[0] + 80.0, middle[1]]], 4, 0, |_| ());
     let moved = view(&mut page);
-    assert!(moved[0] < boxed[0] && moved[2] == boxed[2], "{moved:?}");
+    assert!(moved[0] < boxed[0] && (moved[2] - boxed[2]).abs() < 1e-9, "{moved:?}");
+    let here = self::under(&mut page, [middle[0] + 80.0, middle[1]]);
+    assert!((0..2).all(|k| (under[k] - here[k]).abs() < 0.01), "{under:?} {here:?}");
+    assert_eq!(state(&mut page, "place"), Value::Null);
     page.wait(step);
     page.click("[data-command=back]", [0.0, 0.0]);
     page.wait(&format!("use('state').then(([s]) => s.get().view.primary[0] === {:?})", boxed[0]));
@@ -77,7 +130,10 @@ fn zooming_by_wheel_box_and_drag_computes_anew_and_going_back_undoes_each() {
 fn zooming_goes_down_to_a_billionth_about_a_resonance() {
     let server = Running::new();
     let Some(mut page) = server.open(DESK) else { return };
+    let stage = "(({left, top, width, height}) => [left, top, width, height])(document.getElementById('stage').getBoundingClientRect())";
+    let before = page.value(stage);
     page.click("#resonances summary", [0.0, 0.0]);
+    assert_eq!(page.value(stage), before, "the list squeezes the plane");
     page.click("#resonances tbody button", [0.0, 0.0]);
     page.wait(&format!("location.hash !== '' && {WHOLE}"));
     // A part of the plane has the approximations beside the curves that they approximate, in
@@ -124,7 +180,7 @@ fn on_a_phone_the_plane_is_pinched_and_nothing_is_wider_than_the_screen() {
     let Some(mut page) = server.open(PHONE) else { return };
     assert_eq!(page.value("document.documentElement.scrollWidth"), 360);
     let small = "[...document.querySelectorAll('button')].filter(b => b.offsetParent && Math.min(b.offsetWidth, \
-                 b.offsetHeight) < 24).length";
+                 b.offsetHeight) < 40).length";
     assert_eq!(page.value(small), 0);
     let [x, y] = page.middle("#plane");
     let fingers = |apart: f64| [[x - apart, y], [x + apart, y]];

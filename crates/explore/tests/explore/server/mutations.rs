@@ -65,7 +65,9 @@ fn right(dice: &mut Dice) -> (&'static str, Value) {
     };
     let view = json!({"primary": [0.2, 0.3], "secondary": [0.95, 0.97]});
     let nearby = json!({"solutions": [[1, 0.2, 0.1]], "attractors": [[1, [-1.0, 0.0, 0.0]]]});
-    match dice.below(6) {
+    let exact = json!({"model": model, "view": view, "kind": "graz", "p": 0, "start": [0.0, 0.1], "at": [0.25, 0.96]});
+    match dice.below(7) {
+        5 => ("exact", exact),
         0 => ("check", model),
         1 => ("place", json!({"model": model, "at": [0.3, 0.8], "states": 1})),
         2 => ("place", json!({"model": model, "at": [0.3, 0.8], "orbits": false, "nearby": nearby})),

@@ -1,0 +1,77 @@
+//! A place exactly on a curve of the diagram, and the solution there.
+
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
+use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Stop;
+use grazing_theorems::from_map::GrazingPlace;
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use crate::answer::Problem;
+use crate::model::{Model, Prepared, View};
+use crate::place::{FARTHEST, eigenvalues};
+
+/// What is asked for.
+#[derive(Deserialize)]
+pub(crate) struct ExactRequest {
+    model: Model,
+    view: View,
+    /// The name of the curve's kind, and its number of loops.
+    kind: String,
+    p: u32,
+    /// About the first two unknowns there, without dimensions.
+    start: [f64; 2],
+    /// About the place, in the oscillator's units.
+    at: [f64; 2],
+}
+
+/// The place is at most this share of the view from where it was looked for.
+const NEAR: f64 = 0.1;
+
+pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<Value, Problem> {
+    let ExactRequest { model, view, kind, p, start: [first, second], at } = request;
+    let Prepared { oscillator, scope, axes, .. } = model.prepared(Some(view), stop)?;
+    let units = axes.units;
+    let [primary, secondary] = [at[0] / units.primary, at[1] / units.secondary];
+    let unknown = || Problem::wrong(format!("{kind} is no kind of curve of {p} loops"));
+    let kind = Bifurcation::ALL.into_iter().find(|known| known.name() == kind).ok_or_else(unknown)?;
+    let moderate = first.abs().max(second.abs()) <= FARTHEST;
+    if !(moderate && scope.window.contains([primary, secondary])) {
+        return Err(Problem::wrong("the place lies outside the view, or motion there is violent"));
+    }
+    let lost = || Problem::wrong("no solution was found exactly there");
+    let near = |found: [f64; 2]| {
+        let [from, to] = [[primary, secondary], found].map(|place| scope.window.shares(place));
+        (0..2).all(|k| (from[k] - to[k]).abs() <= NEAR)
+    };
+    if kind == Bifurcation::NonImpactingGrazing {
+        let here = oscillator.with_parameters([primary, secondary]);
+        let found = GrazingPlace::find(&here, *second).map_err(|_| lost())?;
+        let found = found.parameters;
+        return near(found).then(|| json!({"at": units.parameters(found)})).ok_or_else(lost);
+    }
+    let equations = match p {
+        0 => LoopEquations::without_impacts(oscillator, scope.window.widths()),
+        _ if scope.loops.contains(p) => LoopEquations::new(oscillator, *p, Formulation::FixedPhase),
+        _ => return Err(unknown()),
+    };
+    let start = Unknowns::new(*first, *second, primary, secondary);
+    let time = equations.solution(&start).highest_interior_maximum.map_or(0.0, |maximum| maximum.time);
+    // Where the curve runs along a line, another one crosses it.
+    let held = [Condition::Secondary(secondary), Condition::Primary(primary)];
+    let mut found = held.into_iter().filter_map(|held| {
+        let mut times = EventTimes::touching(time);
+        let point = locate(&equations, [kind.condition(), held], start, &mut times).ok()?;
+        Some(equations.solution(&point)).filter(|solution| near(solution.parameters()))
+    });
+    let solution = found.next().ok_or_else(lost)?;
+    let [velocity, phase] = equations.impact(&solution);
+    Ok(json!({
+        "at": units.parameters(solution.parameters()),
+        "multipliers": eigenvalues(&solution.multipliers),
+        "velocity": velocity * units.velocity(),
+        "phase": phase,
+    }))
+}
