@@ -166,8 +166,11 @@ mod tests {
              p = 2, n = 3 the saddle-node curve cannot be started: it ends at once"
         );
         assert_eq!(incomplete(&diagram).as_deref(), Some("2 of 1 resonances could not be unfolded"));
-        let endless =
-            GrazingCurve { states: Vec::new(), ends: [GrazingEnd::LeftWindow, GrazingEnd::StepLimit] };
+        let endless = GrazingCurve {
+            states: Vec::new(),
+            ends: [GrazingEnd::LeftWindow, GrazingEnd::StepLimit],
+            periods: 1,
+        };
         let endless =
             Diagram { unlocated: Vec::new(), not_unfolded: Vec::new(), grazing: vec![endless], ..diagram };
         assert_eq!(missing(&description, &Units::ONE, &endless), "");
