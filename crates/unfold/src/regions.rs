@@ -557,6 +557,9 @@ mod tests {
         assert_eq!(judge.beside_loose_ends(&pair), []);
         let levels = judge.beside_loose_ends(&[loose.clone(), pair[0].clone(), pair[1].clone()]);
         assert_eq!(levels, BESIDE.map(|share| 0.6 + share));
+        // What leads from there to another loose end lies between.
+        let levels = judge.beside_loose_ends(&[loose.clone(), line(&[[0.0, 0.8], [0.4, 0.7]])]);
+        assert!(levels.contains(&(0.5 * (0.6 + 0.7))), "{levels:?}");
         let [first, second] = pair;
         assert_eq!(judge.uncrossed(&[loose, first, second], 1), [0.5 * (0.1 + 0.2); 2]);
     }
