@@ -128,6 +128,7 @@ mod tests {
             scope: Scope { window, loops: vec![1], start: None },
             oscillator: description.oscillator([0.5, 0.75]),
             grazing: Vec::new(),
+            doubled: Vec::new(),
             no_grazing: None,
             resonances: Vec::new(),
             one_loop: Vec::new(),
