@@ -121,7 +121,7 @@ pub(crate) fn decided(
         let unseen: Vec<[f64; 2]> = faces.iter().filter_map(|face| judge.unseen(face)).collect();
         let mut wanted: Vec<f64> = faces.iter().flat_map(|face| judge.contradicted(face)).collect();
         wanted.extend(faces.into_iter().flat_map(|face| judge.between_verdicts(face)));
-        wanted.extend(judge.beside_loose_ends(&lines));
+        wanted.extend(judge.beside_loose_ends(&lines, survey.loops() > 0));
         wanted.extend(judge.uncrossed(&lines, 1));
         wanted.extend(judge.uncrossed(&survey.beginnings(), ABOUT_BEGINNINGS));
         let wanted = judge.affordable(unseen, &wanted);
@@ -204,9 +204,9 @@ impl Judge {
         pairs.map(|pair| 0.5 * (pair[0] + pair[1])).collect()
     }
 
-    /// Values of η beside ends of curves inside the window at which no other curve ends, and half the
-    /// way from one to the next: a curve is missing there, which may lead to the next.
-    fn beside_loose_ends(&self, lines: &[Vec<Point>]) -> Vec<f64> {
+    /// Values of η beside ends of curves inside the window at which no other curve ends, and for
+    /// solutions with impacts half the way from one to the next: a curve is missing there, which may lead to the next.
+    fn beside_loose_ends(&self, lines: &[Vec<Point>], to_next: bool) -> Vec<f64> {
         let ends: Vec<Point> =
             lines.iter().filter_map(|line| Some([*line.first()?, *line.last()?])).flatten().collect();
         let inside = |[primary, secondary]: Point| {
@@ -219,7 +219,7 @@ impl Judge {
         loose.sort_by(f64::total_cmp);
         let height = self.window.widths()[1];
         let beside = loose.iter().flat_map(|end| BESIDE.map(|share| end + share * height));
-        let between = loose.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+        let between = loose.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).filter(|_| to_next);
         beside
             .chain(between)
             .filter(|level| self.window.secondary[0] < *level && *level < self.window.secondary[1])
@@ -554,11 +554,11 @@ mod tests {
         let line = |points: &[Point]| points.to_vec();
         let loose = line(&[[0.0, 0.3], [0.4, 0.6]]);
         let pair = [line(&[[0.0, 0.1], [0.7, 0.2]]), line(&[[0.7, 0.2], [1.0, 0.1]])];
-        assert_eq!(judge.beside_loose_ends(&pair), []);
-        let levels = judge.beside_loose_ends(&[loose.clone(), pair[0].clone(), pair[1].clone()]);
+        assert_eq!(judge.beside_loose_ends(&pair, true), []);
+        let levels = judge.beside_loose_ends(&[loose.clone(), pair[0].clone(), pair[1].clone()], true);
         assert_eq!(levels, BESIDE.map(|share| 0.6 + share));
         // What leads from there to another loose end lies between.
-        let levels = judge.beside_loose_ends(&[loose.clone(), line(&[[0.0, 0.8], [0.4, 0.7]])]);
+        let levels = judge.beside_loose_ends(&[loose.clone(), line(&[[0.0, 0.8], [0.4, 0.7]])], true);
         assert!(levels.contains(&(0.5 * (0.6 + 0.7))), "{levels:?}");
         let [first, second] = pair;
         assert_eq!(judge.uncrossed(&[loose, first, second], 1), [0.5 * (0.1 + 0.2); 2]);

@@ -137,8 +137,9 @@ impl<'a> Survey<'a> {
         loop {
             spread(&mut self.slices, progress, |from, to| self.slicer.carry(from, to));
             let new = self.slices.iter_mut().flat_map(Slice::take_new);
-            let events: Vec<Event> =
-                new.flat_map(|branch| bounding(self.net, branch, self.scope.window)).collect();
+            let events: Vec<Event> = new
+                .flat_map(|branch| bounding(self.net, branch, self.scope.window, self.periods > 1))
+                .collect();
             self.explain(&events, progress);
             self.follow_columns(progress);
             let (curves, columns, slicer) = (&self.net.curves, &self.columns, &self.slicer);
@@ -211,7 +212,7 @@ impl<'a> Survey<'a> {
     }
 
     fn add_column(&mut self, column: Curve, progress: &dyn Progress) {
-        let events = bounding(self.net, &column, self.scope.window);
+        let events = bounding(self.net, &column, self.scope.window, self.periods > 1);
         self.columns.push(column);
         self.explain(&events, progress);
     }
@@ -280,10 +281,10 @@ impl<'a> Survey<'a> {
         doublings.map(|curve| curve.curve.parameters())
     }
 
-    /// Curves at which branches begin.
+    /// Curves at which branches begin, but for grazing of motion over one forcing period.
     pub(crate) fn beginnings(&self) -> Vec<Vec<Point>> {
-        let grazing = self.grazing.iter().map(|curve| curve.parameters().collect());
-        grazing.chain(self.doublings()).collect()
+        let grazing = self.grazing.iter().filter(|curve| curve.periods > 1);
+        grazing.map(|curve| curve.parameters().collect()).chain(self.doublings()).collect()
     }
 
     /// The bifurcation curves.
@@ -347,13 +348,12 @@ fn is_wide(border: &Border<'_>, window: Window) -> bool {
     border.reach.is_none_or(|reach| [0, 1].iter().any(|&k| reach[k] > SLIVER * widths[k]))
 }
 
-/// The bifurcations on a branch that bound good solutions; and all grazing of solutions without
+/// The bifurcations on a branch that bound good solutions; and all grazing of doubled motion without
 /// impacts, at which branches begin.
-fn bounding(net: &Net, branch: &Curve, window: Window) -> Vec<Event> {
+fn bounding(net: &Net, branch: &Curve, window: Window, doubled: bool) -> Vec<Event> {
     let (_, borders) = stretches(&net.equations, branch);
     let wide = borders.into_iter().filter(|border| is_wide(border, window));
-    let grazing =
-        |event: &&Event| !net.equations.has_impacts() && event.condition == Condition::InteriorGrazing;
+    let grazing = |event: &&Event| doubled && event.condition == Condition::InteriorGrazing;
     let bounds = wide.filter_map(|border| border.event);
     bounds.chain(branch.events.iter().filter(grazing)).cloned().collect()
 }
