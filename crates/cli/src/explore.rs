@@ -26,8 +26,9 @@ use crate::{limits, project, tables, terminal};
 /// A file cannot be read, or the port cannot be had.
 pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
     let examples = examples(arguments.file.as_deref())?;
-    let export: Export =
-        Box::new(|seen, what, columns| exported(seen, what, columns).map_err(|failure| failure.to_string()));
+    let export: Export = Box::new(|seen, what, columns, _| {
+        exported(seen, what, columns).map_err(|failure| failure.to_string())
+    });
     let server = Server::bind(arguments.port, Limits::default(), examples, export).map_err(|reason| {
         let port = arguments.port;
         Failure::input(format!(

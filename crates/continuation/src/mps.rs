@@ -435,6 +435,14 @@ impl LoopPair {
         determinant(&m, change)
     }
 
+    /// The unit vector that the round trip stretches by a multiplier.
+    pub fn direction(&self, multiplier: f64) -> Option<Vector2<f64>> {
+        let m = self.round_trip.derivative() - self.impact.derivative() * multiplier;
+        let across = [m.row(0), m.row(1)].map(|row| Vector2::new(-row[1], row[0]));
+        let longest = across.into_iter().max_by(|a, b| a.norm().total_cmp(&b.norm()))?;
+        longest.try_normalize(0.0)
+    }
+
     /// det(D round trip) − det(D impact) and its gradient in the unknowns.
     ///
     /// Zero when the product of the multipliers is 1; smooth through y = 0, as

@@ -35,7 +35,9 @@ pub enum NewtonFailure<E> {
         cause: E,
     },
     /// The Jacobian is singular to rounding.
-    #[error("Newton's method has no next step: solutions are not isolated here, and the equations are met to {residual:.1e}")]
+    #[error(
+        "Newton's method has no next step: solutions are not isolated here, and the equations are met to {residual:.1e}"
+    )]
     Singular {
         /// Number of the iteration, from 1.
         iteration: usize,
@@ -43,7 +45,9 @@ pub enum NewtonFailure<E> {
         residual: f64,
     },
     /// The iteration limit was reached.
-    #[error("Newton's method has not converged in {iterations} steps: the equations are met to {residual:.1e}")]
+    #[error(
+        "Newton's method has not converged in {iterations} steps: the equations are met to {residual:.1e}"
+    )]
     NoConvergence {
         /// The limit.
         iterations: usize,

@@ -6,6 +6,7 @@ use std::net::{Ipv4Addr, TcpListener};
 use std::sync::Arc;
 use std::time::Duration;
 
+use grazing_model::smooth::Stop;
 use grazing_source::Mistake;
 use http_body_util::{BodyExt, Limited};
 use hyper::body::Incoming;
@@ -33,8 +34,8 @@ use crate::turns::{self, Limits, Turns, Weight};
 use crate::{cut, diagram, stream, tiles};
 
 /// Makes a file of a diagram: `svg`, `pdf`, `png` or `csv:TABLE` at a width (`one`, `two`, or that of
-/// the paper).
-pub type Export = Box<dyn Fn(&Seen, &str, &str) -> Result<Sheet, String> + Send + Sync>;
+/// the paper), unless an end is asked for.
+pub type Export = Box<dyn Fn(&Seen, &str, &str, &Stop) -> Result<Sheet, String> + Send + Sync>;
 
 /// A server that is bound to its port, and not running yet.
 pub struct Server {
@@ -200,7 +201,7 @@ async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Res
             let own = shared.clone();
             let made = turns::computed(&shared.turns, Weight::Heavy, move |stop| {
                 let seen = Seen::compute(&model, &view, stop)?;
-                (own.export)(&seen, &what, &columns).map_err(Problem::wrong)
+                (own.export)(&seen, &what, &columns, stop).map_err(Problem::wrong)
             });
             answer::file(made.await?)
         }

@@ -62,6 +62,9 @@ pub struct Diagram {
     pub oscillator: AnyOscillator,
     /// The pieces of the curve of grazing bifurcations of the non-impacting solution.
     pub grazing: Vec<GrazingCurve>,
+    /// The same of motion without impacts over two forcing periods, four, and so on, as far as
+    /// solutions with impacts begin there.
+    pub doubled: Vec<GrazingCurve>,
     /// Why there are none, if there are none.
     pub no_grazing: Option<UnfoldError>,
     /// All resonances on it, by p and along the curve.
@@ -175,12 +178,13 @@ impl Diagram {
         scope: &Scope,
         progress: &dyn Progress,
     ) -> Result<Self, UnfoldError> {
-        let NonImpacting { grazing, no_grazing, curves, regions, unfinished } =
+        let NonImpacting { grazing, doubled, no_grazing, curves, regions, unfinished } =
             non_impacting::find(oscillator, scope, progress)?;
         let mut diagram = Self {
             scope: scope.clone(),
             oscillator: oscillator.clone(),
             grazing,
+            doubled,
             no_grazing,
             resonances: Vec::new(),
             one_loop: Vec::new(),
@@ -220,7 +224,8 @@ impl Diagram {
         let followed: Vec<usize> = nets.iter().map(|net| net.curves.len()).collect();
         self.follow_iterated(&mut nets);
         self.grow(&mut nets);
-        let of_mps = regions::of_mps(&self.oscillator, &self.scope, &self.grazing, &mut nets, progress);
+        let grazing = [self.grazing.as_slice(), &self.doubled].concat();
+        let of_mps = regions::of_mps(&self.oscillator, &self.scope, &grazing, &mut nets, progress);
         if of_mps.contains(&None) {
             self.unfinished.push(Unfinished::stage(regions::STAGE));
         }

@@ -43,6 +43,8 @@ pub struct GrazingCurve {
     pub states: Vec<GrazingState>,
     /// How it ends before the first point and after the last.
     pub ends: [GrazingEnd; 2],
+    /// The number of forcing periods after which the motion recurs; phases are divided by it.
+    pub periods: u32,
 }
 
 /// Steps in z (radians) and the shares of both ranges.
@@ -57,11 +59,12 @@ const TURN: f64 = 0.5;
 const HALVINGS: u32 = 12;
 
 impl GrazingCurve {
-    /// The curve through a grazing orbit, followed to both sides until it leaves the ranges.
+    /// The curve through a grazing orbit, followed to both sides until it leaves the ranges; the
+    /// orbit's oscillator counts so many forcing periods as one.
     ///
     /// # Errors
     /// The curve has no unique tangent at the orbit.
-    pub fn through(orbit: &GrazingOrbit, scope: &Scope) -> Result<Self, Stall<MapError>> {
+    pub fn through(orbit: &GrazingOrbit, scope: &Scope, periods: u32) -> Result<Self, Stall<MapError>> {
         let equations = GrazingEquations { oscillator: orbit.oscillator(), scope, height: 0.0 };
         let start = scope.place(orbit);
         let walk = Walk { equations: &equations, control: STEPS, step_limit: STEP_LIMIT, angle: Some(0) };
@@ -77,7 +80,7 @@ impl GrazingCurve {
             points.iter_mut().for_each(|(_, tangent)| *tangent = -*tangent);
             ends.reverse();
         }
-        Ok(Self { states: equations.states(&points), ends })
+        Ok(Self { states: equations.states(&points), ends, periods })
     }
 
     /// The parameters (μ, η) along the curve.
@@ -106,8 +109,8 @@ impl GrazingCurve {
         self.states.windows(2).any(|pair| {
             let [mut gap, next] = [0, 1].map(|k| scope.place(&pair[k].orbit) - target);
             let chord = next - gap;
-            // Phases may be whole turns apart.
-            gap[0] = libm::remainder(gap[0], TAU);
+            // Phases may be whole turns of the forcing apart.
+            gap[0] = libm::remainder(gap[0], TAU / f64::from(self.periods));
             let along = -gap.dot(&chord) / chord.norm_squared();
             (-ENDS..=1.0 + ENDS).contains(&along) && (gap + chord * along).norm() < CHORD
         })

@@ -94,6 +94,7 @@ mod slices;
 #[cfg(test)]
 mod specimens;
 mod stretches;
+mod subharmonic;
 mod suggestion;
 mod survey;
 mod tolerances;

@@ -7,6 +7,7 @@
 mod relaxation;
 mod rest;
 
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::CurvePoint;
 use grazing_continuation::mps::LoopEquations;
 use grazing_model::AnyOscillator;
@@ -21,6 +22,7 @@ use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
 use crate::regions::{self, Region, decided};
 use crate::slices::Slice;
+use crate::subharmonic::over_periods;
 use crate::survey::Survey;
 use crate::tolerances::BETWEEN_HEIGHTS;
 use crate::unfinished::Unfinished;
@@ -30,6 +32,8 @@ use crate::{Scope, UnfoldError, search};
 #[derive(Clone, Debug)]
 pub(crate) struct NonImpacting {
     pub(crate) grazing: Vec<GrazingCurve>,
+    /// Grazing of motion over two forcing periods, four, and so on.
+    pub(crate) doubled: Vec<GrazingCurve>,
     /// Why there is none, if there is none.
     pub(crate) no_grazing: Option<UnfoldError>,
     pub(crate) curves: Vec<DiagramCurve>,
@@ -104,12 +108,37 @@ fn on_slices(
         false => None,
     };
     let regions = decided(scope.window, &mut survey, between, progress);
-    let grazing = survey.grazing.into_owned();
+    let grazing = survey.grazing;
+    let doubled = doubled(oscillator, scope, net.clone(), progress);
     let (regions, unfinished) = match progress.stopped() {
         true => (vec![Region::not_finished(scope.window, 0)], vec![Unfinished::stage(STAGE)]),
         false => (regions, Vec::new()),
     };
-    Ok(NonImpacting { grazing, no_grazing, curves: net.curves, regions, unfinished })
+    Ok(NonImpacting { grazing, doubled, no_grazing, curves: net.curves, regions, unfinished })
+}
+
+/// Grazing of the motion over two forcing periods that leaves the period doublings of motion over
+/// one, and so on, as long as solutions with an impact of some p asked for may begin there.
+fn doubled(
+    oscillator: &AnyOscillator,
+    scope: &Scope,
+    mut net: Net,
+    progress: &dyn Progress,
+) -> Vec<GrazingCurve> {
+    let (mut grazing, mut periods) = (Vec::new(), 2);
+    while scope.loops.iter().any(|loops| loops.is_multiple_of(periods))
+        && net.curves.iter().any(|curve| curve.kind == Bifurcation::PeriodDoubling)
+        && !progress.stopped()
+    {
+        let slow = over_periods(oscillator, periods);
+        let mut next = Net::new(LoopEquations::without_impacts(slow, scope.window.widths()));
+        let mut survey = Survey::of_doubled(&mut next, scope, periods, &net);
+        decided(scope.window, &mut survey, &regions::levels(scope.window), progress);
+        grazing.append(&mut survey.grazing);
+        net = next;
+        periods *= 2;
+    }
+    grazing
 }
 
 /// Why no survey has seen grazing.

@@ -99,7 +99,7 @@ impl Cut {
         let share = (line.range[1] - line.range[0]) / scope.window.widths()[0];
         let control = StepControl { longest: (STEP * share).max(LEAST_STEP), ..FREE_STEPS };
         let equations = LoopEquations::without_impacts(oscillator.clone(), scope.window.widths());
-        let slicer = Slicer { equations, window: scope.window, control };
+        let slicer = Slicer::new(equations, scope.window, control);
         let motion = non_impacting::motion(&oscillator, &scope, &slicer, line.at, &POSITIONS, &HEIGHTS);
         progress.step(BRANCHES);
         let grazing: Vec<[f64; 2]> =
@@ -237,11 +237,8 @@ fn mps_branches(
     grazing: &[[f64; 2]],
     progress: &dyn Progress,
 ) -> Vec<Branch> {
-    let slicer = |equations: &LoopEquations| Slicer {
-        equations: equations.clone(),
-        window: scope.window,
-        control: StepControl::DRAWING,
-    };
+    let slicer =
+        |equations: &LoopEquations| Slicer::new(equations.clone(), scope.window, StepControl::DRAWING);
     let begun = |&loops: &u32| {
         let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase);
         let slicer = slicer(&equations);

@@ -64,6 +64,9 @@ const MOST_SLICES: usize = 200;
 /// A curve on which η changes by less than this share of its range runs along a slice, on which
 /// nothing would be seen but it.
 const ALONG: f64 = 1e-9;
+/// So many slices cross a curve at which branches begin: what begins there and comes to an end on
+/// both sides is as high as a share of the curve.
+const ABOUT_BEGINNINGS: u32 = 5;
 /// Shares of the range of η at which slices are laid beside a loose end.
 const BESIDE: [f64; 4] = [-0.02, -0.003, 0.003, 0.02];
 
@@ -118,8 +121,9 @@ pub(crate) fn decided(
         let unseen: Vec<[f64; 2]> = faces.iter().filter_map(|face| judge.unseen(face)).collect();
         let mut wanted: Vec<f64> = faces.iter().flat_map(|face| judge.contradicted(face)).collect();
         wanted.extend(faces.into_iter().flat_map(|face| judge.between_verdicts(face)));
-        wanted.extend(judge.beside_loose_ends(&lines));
-        wanted.extend(judge.uncrossed(&lines));
+        wanted.extend(judge.beside_loose_ends(&lines, survey.loops() > 0));
+        wanted.extend(judge.uncrossed(&lines, 1));
+        wanted.extend(judge.uncrossed(&survey.beginnings(), ABOUT_BEGINNINGS));
         let wanted = judge.affordable(unseen, &wanted);
         if wanted.is_empty() || progress.stopped() {
             break;
@@ -200,9 +204,9 @@ impl Judge {
         pairs.map(|pair| 0.5 * (pair[0] + pair[1])).collect()
     }
 
-    /// Values of η beside ends of curves inside the window at which no other curve ends: one is
-    /// missing there.
-    fn beside_loose_ends(&self, lines: &[Vec<Point>]) -> Vec<f64> {
+    /// Values of η beside ends of curves inside the window at which no other curve ends, and for
+    /// solutions with impacts half the way from one to the next: a curve is missing there, which may lead to the next.
+    fn beside_loose_ends(&self, lines: &[Vec<Point>], to_next: bool) -> Vec<f64> {
         let ends: Vec<Point> =
             lines.iter().filter_map(|line| Some([*line.first()?, *line.last()?])).flatten().collect();
         let inside = |[primary, secondary]: Point| {
@@ -211,24 +215,30 @@ impl Judge {
         };
         let loose =
             ends.iter().filter(|end| inside(**end) && ends.iter().filter(|other| other == end).count() == 1);
+        let mut loose: Vec<f64> = loose.map(|end| end[1]).collect();
+        loose.sort_by(f64::total_cmp);
         let height = self.window.widths()[1];
-        let levels = loose.flat_map(|end| BESIDE.map(|share| end[1] + share * height));
-        levels
+        let beside = loose.iter().flat_map(|end| BESIDE.map(|share| end + share * height));
+        let between = loose.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).filter(|_| to_next);
+        beside
+            .chain(between)
             .filter(|level| self.window.secondary[0] < *level && *level < self.window.secondary[1])
             .collect()
     }
 
-    /// Values of η half the way along curves that no slice crosses: what else begins beside them
-    /// has not been seen.
-    fn uncrossed(&self, lines: &[Vec<Point>]) -> Vec<f64> {
+    /// Values of η along curves that fewer slices cross than so many, half the way where that is
+    /// one: what else begins beside them has not been seen.
+    fn uncrossed(&self, lines: &[Vec<Point>], slices: u32) -> Vec<f64> {
         let extents = lines.iter().map(|line| extent(core::slice::from_ref(line)));
-        let crossed = |[low, high]: [f64; 2]| {
-            self.sights.iter().any(|sight| low < sight.secondary && sight.secondary < high)
+        let crossed = |[low, high]: &[f64; 2]| {
+            let inside = self.sights.iter().filter(|it| *low < it.secondary && it.secondary < *high);
+            inside.count() >= slices as usize
         };
-        let along = |[low, high]: [f64; 2]| high - low < ALONG * self.window.widths()[1];
+        let along = |[low, high]: &[f64; 2]| high - low < ALONG * self.window.widths()[1];
+        let share = |k: u32| f64::from(k) / f64::from(slices + 1);
         extents
-            .filter(|extent| !crossed(*extent) && !along(*extent))
-            .map(|[low, high]| 0.5 * (low + high))
+            .filter(|extent| !crossed(extent) && !along(extent))
+            .flat_map(|[low, high]| (1..=slices).map(move |k| low + share(k) * (high - low)))
             .collect()
     }
 
@@ -544,10 +554,13 @@ mod tests {
         let line = |points: &[Point]| points.to_vec();
         let loose = line(&[[0.0, 0.3], [0.4, 0.6]]);
         let pair = [line(&[[0.0, 0.1], [0.7, 0.2]]), line(&[[0.7, 0.2], [1.0, 0.1]])];
-        assert_eq!(judge.beside_loose_ends(&pair), []);
-        let levels = judge.beside_loose_ends(&[loose.clone(), pair[0].clone(), pair[1].clone()]);
+        assert_eq!(judge.beside_loose_ends(&pair, true), []);
+        let levels = judge.beside_loose_ends(&[loose.clone(), pair[0].clone(), pair[1].clone()], true);
         assert_eq!(levels, BESIDE.map(|share| 0.6 + share));
+        // What leads from there to another loose end lies between.
+        let levels = judge.beside_loose_ends(&[loose.clone(), line(&[[0.0, 0.8], [0.4, 0.7]])], true);
+        assert!(levels.contains(&(0.5 * (0.6 + 0.7))), "{levels:?}");
         let [first, second] = pair;
-        assert_eq!(judge.uncrossed(&[loose, first, second]), [0.5 * (0.1 + 0.2); 2]);
+        assert_eq!(judge.uncrossed(&[loose, first, second], 1), [0.5 * (0.1 + 0.2); 2]);
     }
 }

@@ -235,7 +235,7 @@ mod tests {
         let scope = Scope { window, loops: vec![1, 2], start: None };
         let near = oscillator.with_parameters([0.36, 0.8]);
         let orbit = GrazingOrbit::find(&near, states()[0].orbit.phase()).expect("it grazes");
-        let curve = GrazingCurve::through(&orbit, &scope).expect("it is one");
+        let curve = GrazingCurve::through(&orbit, &scope, 1).expect("it is one");
         let found = on_curve(&curve, &scope, &crate::progress::Silent).0;
         assert!(found.len() >= 2, "{}", found.len());
         let one = &found[0];

@@ -3,9 +3,8 @@
 //!
 //! Slices know branches of p-loop MPSs that begin at grazing, on a neighbouring slice or on a known
 //! curve. A sheet of MPSs may be joined to none of these inside the window, as one between two
-//! points of its edge, or one that begins where motion of twice the forcing's period grazes. Motion
-//! without impacts may have branches that are closed, and on which nothing relaxes that begins at
-//! rest.
+//! points of its edge. Motion without impacts may have branches that are closed, and on which
+//! nothing relaxes that begins at rest.
 
 use core::f64::consts::TAU;
 

@@ -11,6 +11,7 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::StepControl;
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, CurvePoint, Event, Route, SolutionCurve, Window};
 use grazing_continuation::locate::{Condition, locate, locate_within};
 use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns, parameters, unknown};
@@ -114,6 +115,11 @@ const LARGE: f64 = 16.0;
 /// than that at this share of the root of its width.
 const BESIDE_GRAZING: f64 = 1e-4;
 const BESIDE_SHARE: f64 = 0.01;
+/// Branches of twice the period begin so far in (x, y) from where the period doubles, whose square
+/// is the distance in μ,
+const BESIDE_DOUBLING: f64 = 1e-3;
+/// and solutions have half the period that come back in it nearer than this.
+const RECURS: f64 = 1e-5;
 /// An MPS this close to the chord between two points of a branch, as a share of its length, lies on
 /// the branch: that leaves the chord by an eighth of the angle by which it turns, which is three
 /// times that of the step control at most.
@@ -135,9 +141,15 @@ pub(crate) struct Slicer {
     pub(crate) window: Window,
     /// Steps along branches.
     pub(crate) control: StepControl,
+    /// The equations of solutions of half the period, from whose period doublings branches begin.
+    pub(crate) halved: Option<LoopEquations>,
 }
 
 impl Slicer {
+    pub(crate) fn new(equations: LoopEquations, window: Window, control: StepControl) -> Self {
+        Self { equations, window, control, halved: None }
+    }
+
     /// The branches at some η that begin on the grazing curve, or pass it, at points (z, μ) of it.
     pub(crate) fn beginning_at_grazing(
         &self,
@@ -161,6 +173,29 @@ impl Slicer {
         slice
     }
 
+    /// Adds the branches of solutions of twice the period that begin where curves of period
+    /// doublings cross the slice.
+    pub(crate) fn beginning_at_doublings(&self, slice: &mut Slice, curves: &[DiagramCurve]) {
+        let here = Condition::Secondary(slice.secondary);
+        let doublings = curves.iter().filter(|curve| curve.kind == Bifurcation::PeriodDoubling);
+        let crossings =
+            doublings.flat_map(|curve| crossings(&curve.curve, unknown::SECONDARY, slice.secondary));
+        for Crossing { condition, place, mut times, .. } in crossings.collect::<Vec<_>>() {
+            let start = self.halved.as_ref().and_then(|halved| {
+                let at = locate_within(CARRIED_OFF, halved, [condition, here], place, &mut times).ok()?;
+                let mut near = at;
+                let direction = halved.pair::<1>(&at, &mut times).ok()?.direction(-1.0)?;
+                near.fixed_rows_mut::<2>(0).axpy(BESIDE_DOUBLING, &direction, 1.0);
+                let held = Condition::ImpactVelocity(near[unknown::VELOCITY]);
+                let times = &mut EventTimes::default();
+                locate_within(CARRIED_OFF, &self.equations, [held, here], near, times).ok()
+            });
+            if let Some(start) = start {
+                self.add(slice, start, &EventTimes::default(), true);
+            }
+        }
+    }
+
     /// The solution without impacts that has a highest point.
     pub(crate) fn with_highest(&self, highest: &HighestPoint) -> Option<Unknowns> {
         let [primary, secondary] = highest.parameters;
@@ -173,9 +208,16 @@ impl Slicer {
             .ok()
     }
 
-    /// Whether a point in or near the window is a solution with an impact, or one without.
+    /// Whether a point in or near the window is a solution with an impact, or one without that does
+    /// not recur after half its period.
     fn is_real(&self, point: &Unknowns) -> bool {
-        !self.equations.has_impacts() || point[unknown::VELOCITY] > 0.0
+        if self.equations.has_impacts() {
+            return point[unknown::VELOCITY] > 0.0;
+        }
+        self.halved.as_ref().is_none_or(|halved| {
+            let half_way = halved.pair::<1>(point, &mut EventTimes::default());
+            half_way.is_ok_and(|pair| pair.difference().0.norm() > RECURS)
+        })
     }
 
     /// Whether a solution lies on a branch.
@@ -369,7 +411,7 @@ impl Slicer {
     /// Follows the branch through a solution, to greater velocities or to both sides, unless it is
     /// known.
     pub(crate) fn add(&self, slice: &mut Slice, through: Unknowns, times: &EventTimes, both: bool) {
-        if slice.branches.len() >= MOST_BRANCHES || self.knows(slice, &through) {
+        if slice.branches.len() >= MOST_BRANCHES || !self.is_real(&through) || self.knows(slice, &through) {
             return;
         }
         // No branch leaves its own η.
@@ -377,7 +419,10 @@ impl Slicer {
         let (curve, route) = self.branch(Condition::Secondary(slice.secondary), window, &through);
         let followed = if !self.equations.has_impacts() {
             // In the order of μ.
-            let pace = |points: &[CurvePoint], _: &Unknowns| (!is_lost(points)).then_some(f64::INFINITY);
+            let pace = |points: &[CurvePoint], _: &Unknowns| {
+                let goes_on = !is_lost(points) && self.is_real(&points[points.len() - 1].solution.unknowns);
+                goes_on.then_some(f64::INFINITY)
+            };
             let route = Route { pace: Some(&pace), ..route };
             curve.follow_both_ways(through, -Unknowns::z(), times, &route)
         } else if both {
@@ -505,7 +550,7 @@ mod tests {
         let grazing = grazing.expect("it is in the domain");
         let place = [grazing.phase(), grazing.amplitude()];
         let equations = LoopEquations::new(oscillator, 1, Formulation::FixedPhase);
-        let slicer = Slicer { equations, window, control: steps(window) };
+        let slicer = Slicer::new(equations, window, steps(window));
         let slice = slicer.beginning_at_grazing(0.8, [place]);
         let branch = slice.branches.first().expect("it begins there");
         assert!(branch.points.len() > 5);
@@ -527,7 +572,7 @@ mod tests {
         let grazing = grazing_theorems::LinearOscillator::new(0.05, 1.0).and_then(|it| it.grazing(0.8));
         let grazing = grazing.expect("it is in the domain");
         let equations = LoopEquations::new(oscillator, 1, Formulation::FixedPhase);
-        let slicer = Slicer { equations, window, control: steps(window) };
+        let slicer = Slicer::new(equations, window, steps(window));
         let from = slicer.beginning_at_grazing(0.8, [[grazing.phase(), grazing.amplitude()]]);
         let mut to = Slice::new(0.82, Vec::new());
         assert!(slicer.carry(&from, &mut to));
@@ -551,7 +596,7 @@ mod tests {
         let diagram = Diagram::compute(&oscillator, &scope, &Silent).expect("there is grazing");
         let curves: Vec<DiagramCurve> =
             diagram.curves.iter().filter(|curve| curve.loops == 2).cloned().collect();
-        let slicer = Slicer { equations: diagram.equations(2), window, control: steps(window) };
+        let slicer = Slicer::new(diagram.equations(2), window, steps(window));
         let middle =
             |curve: &DiagramCurve| curve.curve.points[curve.curve.points.len() / 2].solution.unknowns;
         assert!(curves.len() > 2, "{}", curves.len());
@@ -572,7 +617,7 @@ mod tests {
         let diagram = Diagram::compute(&oscillator, &scope, &Silent).expect("there is grazing");
         let curves: Vec<DiagramCurve> =
             diagram.curves.iter().filter(|curve| curve.loops == 1).cloned().collect();
-        let slicer = Slicer { equations: diagram.equations(1), window, control: steps(window) };
+        let slicer = Slicer::new(diagram.equations(1), window, steps(window));
         let mut looked_at = 0;
         for secondary in [0.66, 0.74, 0.82, 0.9] {
             let places = diagram.grazing.iter().flat_map(|curve| curve.all_at(secondary));

@@ -4,8 +4,6 @@
 //! One that does not starts a new curve, until none is left unexplained. Solutions without impacts,
 //! p = 0, are surveyed like all others; their grazing is the grazing curve.
 
-use std::borrow::Cow;
-
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_continuation::curve::{Curve, CurveEnd, Event, Route, SolutionCurve, Window};
@@ -33,8 +31,13 @@ pub(crate) struct Survey<'a> {
     pub(crate) slicer: Slicer,
     scope: &'a Scope,
     route: Route<'static>,
-    /// The grazing curves; without impacts those that are found on the way are added.
-    pub(crate) grazing: Cow<'a, [GrazingCurve]>,
+    /// The grazing curves at which branches begin; without impacts those that are found on the way
+    /// are added.
+    pub(crate) grazing: Vec<GrazingCurve>,
+    /// The number of forcing periods after which motion without impacts recurs.
+    periods: u32,
+    /// The curves of solutions of half the period, at whose period doublings branches begin.
+    halved: &'a [DiagramCurve],
     slices: Vec<Slice>,
     /// Branches at constant μ, through the range of η.
     columns: Vec<Curve>,
@@ -68,26 +71,38 @@ impl<'a> Survey<'a> {
     pub(crate) fn new(
         net: &'a mut Net,
         scope: &'a Scope,
-        grazing: &'a [GrazingCurve],
+        grazing: &[GrazingCurve],
         found: Vec<Unknowns>,
     ) -> Self {
         let has_impacts = net.equations.has_impacts();
         let control = if has_impacts { steps(scope.window) } else { FREE_STEPS };
         // Without impacts curves go on beyond the wall.
         let route = Route { stop_at_events: has_impacts, ..route(scope.window, StepControl::DRAWING) };
-        let slicer = Slicer { equations: net.equations.clone(), window: scope.window, control };
-        let grazing = Cow::Borrowed(grazing);
+        let slicer = Slicer::new(net.equations.clone(), scope.window, control);
+        let loops = net.loops();
+        let grazing = grazing.iter().filter(|curve| loops.is_multiple_of(curve.periods)).cloned().collect();
         Self {
             net,
             slicer,
             scope,
             route,
             grazing,
+            periods: 1,
+            halved: &[],
             slices: Vec::new(),
             columns: Vec::new(),
             crossed: false,
             found,
         }
+    }
+
+    /// A survey of motion without impacts over so many forcing periods, twice as many as of another.
+    pub(crate) fn of_doubled(net: &'a mut Net, scope: &'a Scope, periods: u32, halved: &'a Net) -> Self {
+        let mut survey = Self::new(net, scope, &[], Vec::new());
+        survey.periods = periods;
+        survey.slicer.halved = Some(halved.equations.clone());
+        survey.halved = &halved.curves;
+        survey
     }
 
     /// The number of loops p; 0 without impacts.
@@ -103,9 +118,14 @@ impl<'a> Survey<'a> {
     /// Adds slices at more values of η, and all curves that these show to be missing.
     pub(crate) fn look_at(&mut self, levels: &[f64], progress: &dyn Progress) {
         let begun = |level: &f64| {
-            let places = self.grazing.iter().flat_map(|curve| curve.all_at(*level));
-            let places = places.map(|place| [place.phase, place.parameters[0]]);
-            self.slicer.beginning_at_grazing(*level, places)
+            let places = self.grazing.iter().flat_map(|curve| {
+                // Impacts count phases in turns of the forcing.
+                let turns = if self.loops() > 0 { f64::from(curve.periods) } else { 1.0 };
+                curve.all_at(*level).map(move |place| [turns * place.phase, place.parameters[0]])
+            });
+            let mut slice = self.slicer.beginning_at_grazing(*level, places);
+            self.slicer.beginning_at_doublings(&mut slice, self.halved);
+            slice
         };
         let begun: Vec<Slice> = levels.par_iter().map(begun).collect();
         self.slices.extend(begun);
@@ -117,8 +137,9 @@ impl<'a> Survey<'a> {
         loop {
             spread(&mut self.slices, progress, |from, to| self.slicer.carry(from, to));
             let new = self.slices.iter_mut().flat_map(Slice::take_new);
-            let events: Vec<Event> =
-                new.flat_map(|branch| bounding(self.net, branch, self.scope.window)).collect();
+            let events: Vec<Event> = new
+                .flat_map(|branch| bounding(self.net, branch, self.scope.window, self.periods > 1))
+                .collect();
             self.explain(&events, progress);
             self.follow_columns(progress);
             let (curves, columns, slicer) = (&self.net.curves, &self.columns, &self.slicer);
@@ -191,7 +212,7 @@ impl<'a> Survey<'a> {
     }
 
     fn add_column(&mut self, column: Curve, progress: &dyn Progress) {
-        let events = bounding(self.net, &column, self.scope.window);
+        let events = bounding(self.net, &column, self.scope.window, self.periods > 1);
         self.columns.push(column);
         self.explain(&events, progress);
     }
@@ -221,10 +242,10 @@ impl<'a> Survey<'a> {
         let shares = self.scope.window.shares(orbit.oscillator().parameters());
         if shares.iter().all(|share| (-ON_THE_EDGE..=1.0 + ON_THE_EDGE).contains(share))
             && !self.grazing.iter().any(|curve| curve.passes(orbit, self.scope))
-            && let Ok(curve) = GrazingCurve::through(orbit, self.scope)
+            && let Ok(curve) = GrazingCurve::through(orbit, self.scope, self.periods)
             && !curve.states.is_empty()
         {
-            self.grazing.to_mut().push(curve);
+            self.grazing.push(curve);
             return true;
         }
         false
@@ -238,16 +259,32 @@ impl<'a> Survey<'a> {
             alongside::polylines(&self.net.equations, curves, self.scope.window, &levels)
         } else {
             let all = curves.iter().map(|curve| curve.curve.parameters());
+            let halved = self.doublings();
             let grazing = self.grazing.iter().map(|curve| curve.parameters().collect());
             let covered =
                 |k: usize| curves[..k].iter().any(|earlier| covers(self.scope, earlier, &curves[k]));
-            grazing.chain(all.enumerate().filter(|(k, _)| !covered(*k)).map(|(_, line)| line)).collect()
+            grazing
+                .chain(halved)
+                .chain(all.enumerate().filter(|(k, _)| !covered(*k)).map(|(_, line)| line))
+                .collect()
         };
         let on_other = [CodimensionTwo::SaddleNodeTorus, CodimensionTwo::PeriodDoublingTorus];
         for corner in self.net.meetings.iter().filter(|corner| on_other.contains(&corner.kind)) {
             meet(&mut lines, parameters(&corner.unknowns()), self.scope.window);
         }
         lines
+    }
+
+    /// Where period doublings are at which branches begin.
+    fn doublings(&self) -> impl Iterator<Item = Vec<Point>> {
+        let doublings = self.halved.iter().filter(|curve| curve.kind == Bifurcation::PeriodDoubling);
+        doublings.map(|curve| curve.curve.parameters())
+    }
+
+    /// Curves at which branches begin, but for grazing of motion over one forcing period.
+    pub(crate) fn beginnings(&self) -> Vec<Vec<Point>> {
+        let grazing = self.grazing.iter().filter(|curve| curve.periods > 1);
+        grazing.map(|curve| curve.parameters().collect()).chain(self.doublings()).collect()
     }
 
     /// The bifurcation curves.
@@ -311,11 +348,14 @@ fn is_wide(border: &Border<'_>, window: Window) -> bool {
     border.reach.is_none_or(|reach| [0, 1].iter().any(|&k| reach[k] > SLIVER * widths[k]))
 }
 
-/// The bifurcations on a branch that bound good solutions.
-fn bounding(net: &Net, branch: &Curve, window: Window) -> Vec<Event> {
+/// The bifurcations on a branch that bound good solutions; and all grazing of doubled motion without
+/// impacts, at which branches begin.
+fn bounding(net: &Net, branch: &Curve, window: Window, doubled: bool) -> Vec<Event> {
     let (_, borders) = stretches(&net.equations, branch);
     let wide = borders.into_iter().filter(|border| is_wide(border, window));
-    wide.filter_map(|border| border.event.cloned()).collect()
+    let grazing = |event: &&Event| doubled && event.condition == Condition::InteriorGrazing;
+    let bounds = wide.filter_map(|border| border.event);
+    bounds.chain(branch.events.iter().filter(grazing)).cloned().collect()
 }
 
 /// Whether a bifurcation on a slice or a column lies on a known curve.
@@ -416,10 +456,13 @@ fn covers(scope: &Scope, known: &DiagramCurve, other: &DiagramCurve) -> bool {
 mod tests {
     use grazing_continuation::mps::{Formulation, LoopEquations};
     use grazing_description::Description;
+    use grazing_model::AnyOscillator;
 
     use super::*;
+    use crate::non_impacting::periodic_motion;
     use crate::progress::Silent;
     use crate::search;
+    use crate::subharmonic::over_periods;
 
     /// What is seen of p-loop MPSs on slices through a random oscillator to which nothing leads
     /// from grazing, and the number of curves.
@@ -445,6 +488,37 @@ mod tests {
         assert_eq!(lines, 4);
         // Simulation settles on a solution with one loop here.
         assert!(sights.iter().all(|sight| sight.share([0.73, 0.736]) == 1.0), "{sights:?}");
+    }
+
+    #[test]
+    fn solutions_of_two_loops_are_found_that_begin_where_motion_over_two_periods_grazes() {
+        let window = Window { primary: [0.9, 1.2], secondary: [0.38, 0.46] };
+        let scope = Scope { window, loops: vec![2], start: None };
+        // An attraction that gives way to repulsion on the way to the wall.
+        let force = "-0.06*v - (x + 1) + 1.2*(exp(4*x + 1) - exp(8*x + 2))";
+        let oscillator = crate::specimens::forced(force, 0.7).oscillator([1.0, 0.4]);
+        let free = |oscillator: &AnyOscillator| {
+            Net::new(LoopEquations::without_impacts(oscillator.clone(), window.widths()))
+        };
+        let mut once = free(&oscillator);
+        let mut survey = Survey::new(&mut once, &scope, &[], Vec::new());
+        let motion = periodic_motion(&oscillator, &scope, 0.418);
+        survey.add_slice(Slice::new(0.418, motion.branches));
+        survey.complete(&Silent);
+        let mut twice = free(&over_periods(&oscillator, 2));
+        let mut survey = Survey::of_doubled(&mut twice, &scope, 2, &once);
+        survey.look_at(&[0.418], &Silent);
+        let grazing = survey.grazing;
+        // Half a turn on the same curve is met again.
+        assert_eq!(grazing.len(), 1);
+        let seen = |grazing: &[GrazingCurve]| {
+            let mut net = Net::new(LoopEquations::new(oscillator.clone(), 2, Formulation::FixedPhase));
+            let mut survey = Survey::new(&mut net, &scope, grazing, Vec::new());
+            survey.look_at(&[0.418_093], &Silent);
+            // Simulation settles on a solution with two loops here.
+            survey.sights()[0].share([1.079, 1.08])
+        };
+        assert_eq!([seen(&[]), seen(&grazing)], [0.0, 1.0]);
     }
 
     #[test]

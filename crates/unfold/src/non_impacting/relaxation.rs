@@ -79,7 +79,7 @@ const AS_FAR: f64 = 2.0;
 /// `secondary`.
 pub fn periodic_motion(oscillator: &AnyOscillator, scope: &Scope, secondary: f64) -> PeriodicMotion {
     let equations = LoopEquations::without_impacts(oscillator.clone(), scope.window.widths());
-    let slicer = Slicer { equations, window: scope.window, control: FREE_STEPS };
+    let slicer = Slicer::new(equations, scope.window, FREE_STEPS);
     motion(oscillator, scope, &slicer, secondary, &[], &[0.0])
 }
 

@@ -128,6 +128,7 @@ mod tests {
             scope: Scope { window, loops: vec![1], start: None },
             oscillator: description.oscillator([0.5, 0.75]),
             grazing: Vec::new(),
+            doubled: Vec::new(),
             no_grazing: None,
             resonances: Vec::new(),
             one_loop: Vec::new(),
@@ -166,8 +167,11 @@ mod tests {
              p = 2, n = 3 the saddle-node curve cannot be started: it ends at once"
         );
         assert_eq!(incomplete(&diagram).as_deref(), Some("2 of 1 resonances could not be unfolded"));
-        let endless =
-            GrazingCurve { states: Vec::new(), ends: [GrazingEnd::LeftWindow, GrazingEnd::StepLimit] };
+        let endless = GrazingCurve {
+            states: Vec::new(),
+            ends: [GrazingEnd::LeftWindow, GrazingEnd::StepLimit],
+            periods: 1,
+        };
         let endless =
             Diagram { unlocated: Vec::new(), not_unfolded: Vec::new(), grazing: vec![endless], ..diagram };
         assert_eq!(missing(&description, &Units::ONE, &endless), "");

@@ -45,7 +45,7 @@ impl Running {
             Example { name: "Paper".to_owned(), file: String::new(), text: None },
             Example { name: "Duffing".to_owned(), file: "duffing.toml".to_owned(), text: Some(text) },
         ];
-        let export = |_: &_, what: &str, _: &str| {
+        let export = |_: &_, what: &str, _: &str, _: &_| {
             Ok(Sheet { name: "taken".to_owned(), kind: "text/csv", content: what.as_bytes().to_vec() })
         };
         let server = Server::bind(0, limits, examples, Box::new(export)).unwrap();

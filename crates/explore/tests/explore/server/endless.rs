@@ -85,10 +85,10 @@ fn what_makes_no_oscillator_is_refused() {
 #[test]
 fn whoever_hangs_up_ends_motion_that_hardly_moves() {
     let ((begins, begun), (ends, ended)) = (mpsc::channel(), mpsc::channel());
-    let endless = move |_: &_, _: &_, _: &str, _: &str, stop: &Stop| {
+    let endless = move |_: &_, _: &str, _: &str, stop: &Stop| {
         let linear = LinearOscillator::new(0.1, 0.9, 0.9, 1e-6).unwrap();
         let still = AnyOscillator::new(Stoppable::new(linear, stop.clone()));
-        let horizon = Horizon { transient: 1, counted: 1, patience: Patience::Drifting };
+        let horizon = Horizon { transient: 1, counted: 1, patience: Patience::Drifting, longest: 0 };
         begins.send(()).unwrap();
         // There is an end only once motion hears of one.
         let from = State::at_rest(-1.0, 0.0);
@@ -147,7 +147,7 @@ fn who_never_reads_loses_turn_and_connection() {
     let floods: Vec<TcpStream> = (0..limits.computations).map(|_| server.begin("tiles", &flood())).collect();
     assert!(served(&server, "place", &place([0.3, 0.8])));
     // Nor do answers of one piece hold connections for ever.
-    let large = |_: &_, _: &str, _: &str| {
+    let large = |_: &_, _: &str, _: &str, _: &_| {
         Ok(Sheet { name: "a.csv".to_owned(), kind: "text/csv", content: vec![b' '; 50_000_000] })
     };
     let server = Running::with(limits, Box::new(large), || false);
@@ -165,7 +165,7 @@ fn who_never_reads_loses_turn_and_connection() {
 fn a_computation_that_does_not_hear_loses_its_turn() {
     let released = Arc::new(AtomicBool::new(false));
     let until = released.clone();
-    let deaf = move |_: &_, _: &str, _: &str| -> Result<Sheet, String> {
+    let deaf = move |_: &_, _: &str, _: &str, _: &_| -> Result<Sheet, String> {
         while !until.load(Ordering::Relaxed) {
             thread::sleep(Duration::from_millis(10));
         }

@@ -8,6 +8,7 @@ use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 use grazing_explore::{Example, Export, Limits, Server, Sheet};
+use grazing_model::smooth::Stop;
 use serde_json::Value;
 
 /// A server that runs until it is dropped.
@@ -39,7 +40,7 @@ impl Running {
     }
 
     pub(crate) fn with_memory(limits: Limits, too_large: impl Fn() -> bool + Send + 'static) -> Self {
-        let export = |_: &_, what: &str, _: &str| match what {
+        let export = |_: &_, what: &str, _: &str, _: &Stop| match what {
             "csv:a" => Ok(Sheet { name: "a.csv".to_owned(), kind: "text/csv", content: b"1\n".to_vec() }),
             other => Err(format!("{other} is not made")),
         };
