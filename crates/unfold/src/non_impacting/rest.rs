@@ -23,6 +23,9 @@ const RATIO: f64 = 1.19;
 /// What lies farther off than this many times the nearest is left out: a pendulum has rest
 /// positions without end, which differ in its turns alone.
 const REACH: f64 = 4.0;
+/// Rest positions are known to [`ENOUGH`] only, and forces of the order of one that are the same to
+/// a little more.
+const SAME_FORCE: f64 = 0.02;
 /// Motion relaxes from beside a rest position as well: where the mean force is this share of what
 /// it is around.
 const ENOUGH: f64 = 1e-3;
@@ -56,7 +59,27 @@ pub fn positions(oscillator: &AnyOscillator) -> Vec<f64> {
         [near, at_near] = [far, at_far];
         far *= RATIO;
     }
+    if let [first, second, ..] = found[..] {
+        let turn = first - second;
+        if is_period(oscillator, second, turn) {
+            found.retain(|position| position.abs() <= 0.5 * turn);
+        }
+    }
     found
+}
+
+/// Whether the force is the same a turn further on: motion about rest positions that differ by
+/// turns is the same, and only that next to the wall matters, on whichever side.
+fn is_period(oscillator: &AnyOscillator, from: f64, turn: f64) -> bool {
+    const SHARES: [f64; 5] = [0.0, 0.137, 0.361, 0.592, 0.823];
+    SHARES.iter().zip(SHARES.iter().rev()).all(|(place, phase)| {
+        let force = |position: f64| {
+            let velocity = turn * (place - 0.5) * oscillator.forcing_frequency().value;
+            oscillator.acceleration(State { position, velocity, phase: TAU * phase })
+        };
+        let here = [force(from + place * turn), force(from + (place + 1.0) * turn)];
+        (here[0] - here[1]).abs() <= SAME_FORCE * (here[0].abs() + here[1].abs() + 1.0)
+    })
 }
 
 #[cfg(test)]
