@@ -87,9 +87,12 @@ fn a_place_goes_exactly_onto_a_curve_and_a_point_where_its_multipliers_are_told(
     let Some(mut page) = server.open(DESK) else { return };
     let told = "document.querySelector('.on').textContent";
     for (kind, multiplier) in [("PD", "−1"), ("SN", "1"), ("GZ", ""), ("graz", "")] {
+        // Far from points, which come before curves.
         let beside = page.point(&format!(
-            "use('diagram', 'plane', 'model', 'state').then(([d, p, m, s]) => {{ const {{points}} = [...d.diagram.curves.values()].find((c) => c.kind === '{kind}' && c.points.length > 20); \
-             const to = p.project(m.viewOf(s.get())), [x, y] = to(points[points.length >> 1]), b = document.getElementById('plane').getBoundingClientRect(); return [b.left + x + 2, b.top + y + 2]; }})"
+            "use('diagram', 'plane', 'model', 'state').then(([d, p, m, s]) => {{ const to = p.project(m.viewOf(s.get())), marks = d.diagram.points.map((q) => to([q.primary, q.secondary])); \
+             const clear = ([x, y]) => p.frame.x < x && x < p.frame.x + p.frame.w && p.frame.y < y && y < p.frame.y + p.frame.h && marks.every(([a, b]) => Math.hypot(a - x, b - y) > 25); \
+             const free = [...d.diagram.curves.values()].filter((c) => c.kind === '{kind}' && c.starts).flatMap(({{points}}) => points.map(to).filter(clear)); \
+             const [x, y] = free[free.length >> 1], b = document.getElementById('plane').getBoundingClientRect(); return [b.left + x + 2, b.top + y + 2]; }})"
         ));
         page.click_at(beside);
         page.wait(PLACE);
