@@ -116,10 +116,10 @@ pub const MARKER_RIM: [Colour; 2] = [[255, 255, 255], [27, 30, 35]];
 /// the last are those of so many loops or more.
 pub const LOOPS: [[Colour; 2]; 5] = [
     [[0, 0, 0], [242, 240, 234]],
-    [[236, 139, 2], [255, 168, 101]],
-    [[220, 103, 219], [173, 52, 173]],
-    [[106, 106, 20], [233, 214, 0]],
-    [[83, 27, 8], [137, 50, 29]],
+    [[222, 132, 14], [255, 168, 101]],
+    [[1, 151, 176], [173, 52, 173]],
+    [[152, 27, 102], [233, 214, 0]],
+    [[105, 53, 19], [137, 50, 29]],
 ];
 
 /// The colours of solutions with p loops.
@@ -130,9 +130,9 @@ pub const fn loops_colours(p: u32) -> [Colour; 2] {
 
 /// Periodic motion that is no MPS, and motion that is not periodic or not soon, on light and on
 /// dark ground.
-pub const PERIODIC: [Colour; 2] = [[162, 162, 138], [96, 96, 108]];
+pub const PERIODIC: [Colour; 2] = [[169, 167, 147], [96, 96, 108]];
 /// See [`PERIODIC`].
-pub const IRREGULAR: [Colour; 2] = [[60, 48, 72], [168, 192, 204]];
+pub const IRREGULAR: [Colour; 2] = [[58, 53, 64], [168, 192, 204]];
 /// A place that is pointed at, on light and on dark ground.
 pub const PLACE: [Colour; 2] = [[220, 44, 144], [244, 33, 146]];
 

@@ -1,5 +1,7 @@
 //! A one-parameter bifurcation diagram: branches, attractor and bifurcations on one panel.
 
+use core::cmp::Reverse;
+
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::Names;
 use grazing_results::branches::{BranchPoint, OneParameter};
@@ -33,12 +35,13 @@ pub(crate) fn diagram(
     draw_cloud(panel, &cloud);
     let mut longest: Vec<(u32, Vec<Spot>)> = Vec::new();
     let mut pieces = Vec::new();
-    for strand in figure.branches.chunk_by(|a, b| (a.loops, a.branch) == (b.loops, b.branch)) {
+    let strands = figure.branches.chunk_by(|a, b| (a.loops, a.branch) == (b.loops, b.branch));
+    let mut strands: Vec<_> = strands.collect();
+    // Where branches lie on each other, that with the least p is seen: others have more strands.
+    strands.sort_by_key(|strand| Reverse(strand[0].loops));
+    for strand in strands {
         let p = strand[0].loops;
         for piece in strand_pieces(panel, figure, strand) {
-            if p > 0 {
-                panel.canvas.explain(&format!("$p={p}$"), Sample::Line(branch_pen(p, STABLE_WIDTH)));
-            }
             labels.placer.keep_off(&piece);
             pieces.push(piece.clone());
             match longest.iter_mut().find(|(known, _)| *known == p) {
@@ -47,6 +50,10 @@ pub(crate) fn diagram(
                 None => longest.push((p, piece)),
             }
         }
+    }
+    longest.reverse();
+    for (p, _) in longest.iter().filter(|(p, _)| *p > 0) {
+        panel.canvas.explain(&format!("$p={p}$"), Sample::Line(branch_pen(*p, STABLE_WIDTH)));
     }
     let dots: Vec<Spot> =
         cloud.iter().filter(|&&p| panel.frame.contains(p)).map(|&p| panel.spot(p)).collect();
