@@ -217,7 +217,7 @@ fn a_corrector_that_does_not_converge_stalls_with_its_residual() {
     };
     assert!(residual >= 1.0);
     let message = stall.to_string();
-    assert!(message.contains("residual") && message.contains("step"), "{message}");
+    assert!(message.contains("equations are met to 1") && message.contains("step length"), "{message}");
 }
 
 #[test]

@@ -54,39 +54,37 @@ pub(crate) fn checked(page: &str, spots: &[Spot<'_>], formulas: &[(&str, &str)])
     Some(results.as_str().expect("it is text").lines().map(str::to_owned).collect())
 }
 
-/// Follows every link of the list of sections, and those to figures, in windows of these widths,
-/// with smooth scrolling and without, and opens the address of each; returns what did not land
-/// where it should, and the number of links; nothing where there is no browser.
+/// Follows every link of the list of sections, and those to figures, in windows of these widths, and
+/// opens the address of each; returns what did not land where it should, and the number of links;
+/// nothing where there is no browser.
 pub(crate) fn lost(page: &str, widths: &[u32]) -> Option<(Vec<String>, usize)> {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let file = folder.path().join("page.html");
     fs::write(&file, page).expect("the folder is ours");
     let address = format!("file://{}", file.display());
     let (mut lost, mut followed) = (Vec::new(), 0);
-    for (width, motion) in widths.iter().flat_map(|width| [(*width, "no-preference"), (*width, "reduce")]) {
-        let mut browser = Browser::open(&address, [width, WINDOW[1]])?;
-        browser.prefer("prefers-reduced-motion", motion);
-        browser.wait("document.readyState === 'complete' && document.fonts.status === 'loaded'");
+    for width in widths {
+        let mut browser = Browser::open(&address, [*width, WINDOW[1]])?;
+        browser.wait(LOADED);
         let found = browser.value(&format!("({LINKS})()"));
         let links: Vec<&str> = found.as_array()?.iter().filter_map(|link| link.as_str()).collect();
         followed += links.len();
-        for link in links {
-            for way in if motion == "reduce" { &["click", "address"][..] } else { &["click"] } {
-                if *way == "address" {
-                    browser.go(&format!("{address}{link}"));
-                    browser.wait("document.readyState === 'complete' && document.fonts.status === 'loaded'");
-                }
-                let landed =
-                    browser.value(&format!("({LANDED})({link:?}, {:?}, {PATIENCE})", *way == "click"));
-                if landed != true {
-                    lost.push(format!("{link} by {way} at {width}, {motion}: {landed}"));
-                }
+        let ways = links.iter().map(|link| (*link, true)).chain(links.iter().map(|link| (*link, false)));
+        for (link, click) in ways {
+            if !click {
+                browser.go(&format!("{address}{link}"));
+                browser.wait(LOADED);
+            }
+            let landed = browser.value(&format!("({LANDED})({link:?}, {click}, {PATIENCE})"));
+            if landed != true {
+                lost.push(format!("{link} at {width}, clicked: {click}: {landed}"));
             }
         }
     }
     Some((lost, followed))
 }
 
+const LOADED: &str = "document.readyState === 'complete' && document.fonts.status === 'loaded'";
 /// The addresses of sections and of figures, each once.
 const LINKS: &str = "() => [...new Set([...document.querySelectorAll('.bar nav a, main a[href^=\"#fig\"]')]
     .map((link) => link.getAttribute('href')))]";
@@ -114,7 +112,7 @@ const LANDED: &str = "async (link, click, patience) => {
 /// How many pages the page has on paper; nothing where there is no browser.
 pub(crate) fn sheets_of_paper(page: &str) -> Option<usize> {
     let (_folder, mut browser) = open(page)?;
-    browser.wait("document.readyState === 'complete' && document.fonts.status === 'loaded'");
+    browser.wait(LOADED);
     let pdf = browser.printed();
     // The object of a page begins with its type on a line of its own.
     Some(pdf.split(|byte| *byte == b'\n').filter(|line| line.ends_with(b"/Type /Page")).count())

@@ -31,9 +31,9 @@ fn motion_is_named_when_it_has_settled_and_each_attractor_once() {
     let usual = Starts::default().horizon;
     for (at, kind, impacts, periods) in [
         // Transients of over a thousand periods.
-        ([0.265, 0.854], MotionKind::NonImpacting, 0, 1),
+        ([0.265, 0.8541], MotionKind::NonImpacting, 0, 1),
         // Motion that comes so slowly to its cycle that it looks like one of twice the length.
-        ([0.3, 0.854], MotionKind::Periodic, 3, 6),
+        ([0.3, 0.8541], MotionKind::Periodic, 3, 6),
         ([0.25, 0.87], MotionKind::Periodic, 2, 6),
     ] {
         assert_eq!(attractors(at, usual), [(kind, impacts, periods)], "{at:?}");
@@ -55,7 +55,7 @@ fn motion_is_named_when_it_has_settled_and_each_attractor_once() {
 #[test]
 fn what_has_not_settled_is_not_named_but_chaos_is() {
     let short = Horizon { transient: 5, counted: 6, patience: Patience::Drifting, longest: 0 };
-    let [(MotionKind::Unsettled, ..), ..] = attractors([0.265, 0.854], short)[..] else {
+    let [(MotionKind::Unsettled, ..), ..] = attractors([0.265, 0.8541], short)[..] else {
         panic!("it takes longer than that to settle");
     };
     let found = attractors([0.5, 0.6], Starts::default().horizon);

@@ -61,7 +61,7 @@ fn nothing_moves_but_what_changes() {
                  .map(({left, top, width, height}) => [left, top, width, height])";
     let before = page.value(boxes);
     // To chaos, to several attractors, onto a curve.
-    for place in [[0.43, 0.72], [0.7, 0.93], [0.51, 0.7451]] {
+    for place in [[0.43, 0.72], [0.7, 0.93], [0.51, 0.7461]] {
         page.value(&format!(
             "use('state').then(([s]) => s.update({{place: [{}, {}]}}, true))",
             place[0], place[1]
