@@ -103,8 +103,7 @@ fn commands_work_one_after_the_other_as_they_are_shown() {
             .current_dir(folder.path())
             .output();
         let Ok(run) = run else {
-            assert_eq!(*shell, "zsh", "bash is wherever this is tested");
-            eprintln!("there is no zsh: nothing was run in it");
+            assert_eq!(*shell, "zsh", "bash is wherever this is tested; zsh need not be");
             continue;
         };
         assert!(run.status.success(), "{shell}:\n{commands}\n{}", String::from_utf8_lossy(&run.stderr));

@@ -159,9 +159,8 @@ fn solved(
         let step = (Matrix2::identity() - there.derivative).try_inverse()? * (there.image - at);
         at += step;
         let size = |by: Vector2<f64>| libm::hypot(by[0], by[1] * scale);
-        if !(size(at - begin) < NEARLY) {
-            return None;
-        }
+        // Not if it is no number, either.
+        (size(at - begin) < NEARLY).then_some(())?;
         if size(step) < SOLVED {
             return Some((at, there));
         }
