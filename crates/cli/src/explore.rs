@@ -6,9 +6,7 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use grazing_drawing::{Heading, SheetWidth, draw_diagram};
 use grazing_explore::{Example, Export, Limits, Seen, Server, Sheet};
-use grazing_results::Tables;
 use tempfile::NamedTempFile;
 
 use crate::arguments;
@@ -16,8 +14,7 @@ use crate::failure::{Failure, computation};
 use crate::folder::OutputFile;
 use crate::oscillator::OscillatorFile;
 use crate::outputs::edition::{self, Edition, Format};
-use crate::outputs::oscillator::TWO_PARAMETERS;
-use crate::outputs::{ComputedOutput, Figure};
+use crate::outputs::oscillator::{TWO_PARAMETERS, plane};
 use crate::{limits, project, tables, terminal};
 
 /// Serves the page until Ctrl-C is pressed.
@@ -103,7 +100,10 @@ fn exported(seen: &Seen, what: &str, columns: &str) -> Result<Sheet, Failure> {
     };
     let formats = vec![format.map_or(Format::Svg, |(format, _)| format)];
     let edition = Edition { formats, columns: edition::width(columns), ..Edition::default() };
-    let (files, _) = drawn(seen, edition.columns)?.files(&edition)?;
+    let Seen { name, names, diagram } = seen;
+    let called = (TWO_PARAMETERS.figure_file(), TWO_PARAMETERS.title);
+    let output = plane(Path::new("oscillator.toml"), name, names, diagram, called, edition.columns);
+    let (files, _) = output.map_err(|error| computation("diagram", &*error))?.files(&edition)?;
     let wanted = |file: &OutputFile| match (format, what.strip_prefix("csv:")) {
         (Some((format, _)), _) => file.path.extension().is_some_and(|found| found == format.name().as_str()),
         (None, Some(table)) => file.path == tables::path(table),
@@ -114,19 +114,4 @@ fn exported(seen: &Seen, what: &str, columns: &str) -> Result<Sheet, Failure> {
     };
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     Ok(Sheet { name, kind: format.map_or("text/csv; charset=utf-8", |(_, kind)| kind), content })
-}
-
-/// The two-parameter diagram and its tables.
-fn drawn(seen: &Seen, width: SheetWidth) -> Result<ComputedOutput, Failure> {
-    let Seen { name, names, diagram } = seen;
-    let tables = ["points", "curves"];
-    let title = format!("{name}: {}", TWO_PARAMETERS.title);
-    let description = "Grazing curve of the non-impacting solution; saddle-node, period-doubling and grazing bifurcations of maximal \
-                       periodic solutions; regions of stability in grey. Triangles: resonances; discs: other codimension-two points.";
-    let heading = Heading { name: "diagram", title: &title, description, names, tables: &tables };
-    let sheet = draw_diagram(diagram, &heading, width).map_err(|error| computation("diagram", &error))?;
-    let of = Path::new("oscillator.toml");
-    let figure =
-        Figure::new(of, TWO_PARAMETERS.figure_file(), TWO_PARAMETERS.title.to_owned(), sheet, &tables);
-    Ok(ComputedOutput::new(vec![figure], diagram.tables(names)))
 }

@@ -93,8 +93,7 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
             let start = Unknowns::new(velocity, phase, grazing + branch.parameter(velocity, eta), secondary);
             let until_visit = place.phase + TAU * f64::from(visit) - equations.departure(&start).phase;
             let frequency = equations.oscillator_at(&start).forcing_frequency().value;
-            let mut times = EventTimes::default();
-            times.grazing_time = until_visit / frequency;
+            let mut times = EventTimes::default().touching(until_visit / frequency);
             let held = match at_velocity {
                 true => Condition::ImpactVelocity(velocity),
                 false => Condition::Secondary(secondary),

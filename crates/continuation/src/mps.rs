@@ -65,7 +65,7 @@ pub struct EventTimes {
     /// Phase of the plane of [`Formulation::FixedPhase`].
     reference_phase: Option<f64>,
     /// Time from the recoil to the interior maximum that a grazing curve holds at the wall.
-    pub grazing_time: f64,
+    pub(crate) grazing_time: f64,
     /// The same for a second interior maximum, where two touch the wall.
     pub(crate) second_grazing_time: f64,
     /// What the last evaluation along a curve said of stability,
@@ -75,9 +75,10 @@ pub struct EventTimes {
 }
 
 impl EventTimes {
-    /// Of a solution whose interior maximum at this time from the recoil touches the wall.
-    pub fn touching(time: f64) -> Self {
-        Self { grazing_time: time, ..Self::default() }
+    /// The same with the time from the recoil to the interior maximum that is held at the wall.
+    #[must_use]
+    pub fn touching(self, time: f64) -> Self {
+        Self { grazing_time: time, ..self }
     }
 }
 

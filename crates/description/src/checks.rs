@@ -52,12 +52,16 @@ pub(crate) fn samples(
             check(&sampler, parameters)?;
         }
     }
+    let going = || parameters.iter().take_while(|_| !stop.is_asked());
     let notes = [
-        parameters.iter().find_map(|&at| sampler.lively(at)),
-        parameters.iter().find_map(|&at| sampler.undamped(at)),
-        parameters.iter().find_map(|&at| sampler.in_hertz(at)),
-        sampler.far(&parameters),
+        going().find_map(|&at| sampler.lively(at)),
+        going().find_map(|&at| sampler.undamped(at)),
+        going().find_map(|&at| sampler.in_hertz(at)),
+        sampler.far(going()),
     ];
+    if stop.is_asked() {
+        return Err(DescriptionError::Ended);
+    }
     Ok(notes.into_iter().flatten().collect())
 }
 
@@ -210,12 +214,14 @@ impl Sampler<'_> {
 
     /// What is to be said of a natural frequency, of small motion beside the wall, that is far from
     /// those of the forcing.
-    fn far(&self, parameters: &[[f64; 2]]) -> Option<String> {
-        let forced = parameters.iter().map(|&[mu, eta]| self.description.forcing_frequency(mu, eta));
-        let (low, high) = forced.fold((f64::INFINITY, 0.0_f64), |(low, high), w| (low.min(w), high.max(w)));
-        let natural = parameters.iter().map(|&at| (-self.slopes(at)[0]).max(0.0).sqrt());
-        let (slowest, fastest) =
-            natural.fold((f64::INFINITY, 0.0_f64), |(low, high), w| (low.min(w), high.max(w)));
+    fn far<'p>(&self, parameters: impl Iterator<Item = &'p [f64; 2]>) -> Option<String> {
+        let ([mut low, mut slowest], [mut high, mut fastest]) = ([f64::INFINITY; 2], [0.0_f64; 2]);
+        for &[mu, eta] in parameters {
+            let forced = self.description.forcing_frequency(mu, eta);
+            let natural = (-self.slopes([mu, eta])[0]).max(0.0).sqrt();
+            (low, high) = (low.min(forced), high.max(forced));
+            (slowest, fastest) = (slowest.min(natural), fastest.max(natural));
+        }
         (slowest > FAR * high || fastest * FAR < low && fastest > 0.0).then(|| {
             format!(
                 "{}: free motion at the wall has a natural frequency of about {}, and that of the forcing is from {} to {}, in \

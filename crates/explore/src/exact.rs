@@ -62,7 +62,7 @@ pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<Value, Prob
     // Where the curve runs along a line, another one crosses it.
     let held = [Condition::Secondary(secondary), Condition::Primary(primary)];
     let mut found = held.into_iter().filter_map(|held| {
-        let mut times = EventTimes::touching(time);
+        let mut times = EventTimes::default().touching(time);
         let point = locate(&equations, [kind.condition(), held], start, &mut times).ok()?;
         Some(equations.solution(&point)).filter(|solution| near(solution.parameters()))
     });

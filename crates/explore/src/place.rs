@@ -121,8 +121,7 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
         })
     };
     let attractor = |attractor: &Attractor| {
-        let Attractor { states: own_states, fate, multipliers, exponent, flights: own, strikes, state } =
-            attractor;
+        let Attractor { states: own_states, fate, exponent, flights: own, strikes, state } = attractor;
         let strikes = strikes.iter().map(|[phase, velocity]| [*phase, velocity * units.velocity()]);
         json!({
             "share": f64::from(*own_states) / f64::from(states),
@@ -133,7 +132,6 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
             "periods": fate.periods,
             "impacts": fate.impacts,
             "waited": fate.followed,
-            "multipliers": multipliers.as_ref().map(eigenvalues),
             "exponent": exponent.mean / units.time,
             "exponent_error": exponent.error / units.time,
             "orbit": flights(own),

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
-use grazing_unfold::long_time::{Horizon, LONGEST_TRANSIENT, LongOrbit, Patience, random_start};
+use grazing_unfold::long_time::{Horizon, LongOrbit, random_start};
 use grazing_unfold::progress::Progress;
 use rayon::prelude::*;
 use serde::Deserialize;
@@ -52,12 +52,7 @@ pub(crate) fn compute(request: &TilesRequest, events: &Events, stop: &Stop) -> R
     let Prepared { oscillator, scope, .. } = request.model.prepared(Some(&request.view), stop)?;
     let mut known = request.known;
     let counted = periods / COUNTED;
-    let horizon = Horizon {
-        transient: periods - counted,
-        counted,
-        patience: Patience::Drifting,
-        longest: LONGEST_TRANSIENT,
-    };
+    let horizon = Horizon::drifting(periods - counted, counted);
     let (mut step, mut lot) = (COARSEST, LOT);
     loop {
         let places = (0..rows)

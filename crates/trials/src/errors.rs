@@ -347,7 +347,8 @@ impl<'a> Copy<'a> {
     }
 }
 
-/// In seconds of CPU: tests take a minute; with an error in a formula a search may go on without end.
+/// In seconds of CPU: tests take a minute; with an error in a formula a search may go on without
+/// end.
 const LONGEST: &str = "180";
 
 /// The table with new rows in it, in the list's order; other rows stay if still listed.

@@ -90,8 +90,8 @@ pub struct Diagram {
 const CURVES: &str = "bifurcation curves";
 
 /// Regions and curves of a window that is narrower than this are parts of those of one that is not:
-/// curves that touch at a resonance are too close to each other there for slices to be distinguished from
-/// rounding, as branches begin at impact velocities of the order of the root of its width.
+/// curves that touch at a resonance are too close to each other there for slices to be
+/// distinguished from rounding, as branches begin at impact velocities of the order of the root of its width.
 const UNDECIDABLE_WIDTH: f64 = 1e-7;
 
 /// The route of curves that are drawn: in a small window steps are small, too, down to where curves

@@ -13,8 +13,8 @@ pub(crate) type Located = (Condition, Unknowns, EventTimes);
 const LOSSES: [Condition; 4] =
     [Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING, Condition::UnitProduct, Condition::InteriorGrazing];
 
-/// and what vanishes there: 1 − T + D, 1 + T + D, 1 − D and the distance of the highest maximum from
-/// the wall, all positive where a solution is stable and admissible.
+/// and what vanishes there: 1 − T + D, 1 + T + D, 1 − D and the distance of the highest maximum
+/// from the wall, all positive where a solution is stable and admissible.
 fn margins(point: &CurvePoint) -> [f64; LOSSES.len()] {
     let Multipliers { trace, determinant } = point.solution.multipliers;
     [1.0 - trace + determinant, 1.0 + trace + determinant, 1.0 - determinant, -point.solution.ceiling()]
@@ -67,10 +67,8 @@ fn from(
     end: &CurvePoint,
     step: f64,
 ) -> Option<Located> {
-    let mut times = end.times.clone();
-    if let Some(maximum) = end.solution.highest_interior_maximum {
-        times.grazing_time = maximum.time;
-    }
+    let highest = end.solution.highest_interior_maximum.map_or(0.0, |maximum| maximum.time);
+    let mut times = end.times.clone().touching(highest);
     let start = end.solution.unknowns;
     let found = locate_within(step, equations, [along, condition], start, &mut times).ok()?;
     Some((condition, found, times))

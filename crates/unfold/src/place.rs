@@ -12,8 +12,8 @@ use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 use crate::long_time::{
-    Exponent, Fate, Horizon, LONGEST_TRANSIENT, LongOrbit, MotionKind, Patience, random_start, same_impact,
-    sampled, sampled_solution, time_of_phase,
+    Exponent, Fate, Horizon, LongOrbit, MotionKind, Patience, random_start, same_impact, sampled,
+    sampled_solution, time_of_phase,
 };
 use crate::progress::Progress;
 use crate::search;
@@ -41,8 +41,6 @@ pub struct Attractor {
     pub states: u32,
     /// What it is.
     pub fate: Fate,
-    /// Its multipliers, if it is a cycle.
-    pub multipliers: Option<Multipliers>,
     /// The largest Lyapunov exponent.
     pub exponent: Exponent,
     /// Its flights, (t, x, y) along each; the phase is zero at t = 0.
@@ -99,8 +97,7 @@ const FASTEST: f64 = 2.5;
 const SLOWEST: f64 = BETWEEN_ORBITS * FASTEST;
 
 /// Motion from an attractor nearby has not far to go.
-const FOLLOWED: Horizon =
-    Horizon { transient: 100, counted: 32, patience: Patience::Drifting, longest: LONGEST_TRANSIENT };
+const FOLLOWED: Horizon = Horizon::drifting(100, 32);
 
 impl Solution {
     fn of(equations: &LoopEquations, point: &Unknowns) -> Self {
@@ -186,7 +183,6 @@ impl Attractor {
         Self {
             states,
             fate: orbit.fate,
-            multipliers: orbit.cycle.map(|cycle| cycle.multipliers),
             exponent: orbit.exponent(oscillator),
             flights,
             strikes: orbit.impacts.iter().map(|impact| [turned(impact[1]), impact[0]]).collect(),

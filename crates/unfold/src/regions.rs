@@ -204,8 +204,8 @@ impl Judge {
         pairs.map(|pair| 0.5 * (pair[0] + pair[1])).collect()
     }
 
-    /// Values of η beside ends of curves inside the window at which no other curve ends, and for
-    /// solutions with impacts half the way from one to the next: a curve is missing there, which may lead to the next.
+    /// Values of η beside ends of curves inside the window at which no other curve ends and, if so
+    /// asked, half the way from one to the next: a curve is missing there, which may lead to that.
     fn beside_loose_ends(&self, lines: &[Vec<Point>], to_next: bool) -> Vec<f64> {
         let ends: Vec<Point> =
             lines.iter().filter_map(|line| Some([*line.first()?, *line.last()?])).flatten().collect();

@@ -101,19 +101,33 @@ fn two_parameters(
     of: &AnalysedOscillator,
     width: SheetWidth,
 ) -> Computed {
+    let file = output.figure_file();
+    plane(&of.file, of.description.name(), of.names(), &of.diagram, (file, output.title), width)
+}
+
+/// The two-parameter diagram of what a file calls so, and its tables.
+pub(crate) fn plane(
+    of: &Path,
+    name: &str,
+    names: &Names,
+    diagram: &PlaneDiagram,
+    (file, shown): (String, &str),
+    width: SheetWidth,
+) -> Computed {
     let tables = ["points", "curves"];
-    let title = format!("{}: {}", of.description.name(), output.title);
+    let title = format!("{name}: {shown}");
+    let frames = if diagram.magnified.is_empty() { "" } else { "; rectangles: magnifications" };
     let description = format!(
-        "{} Grazing curve of the non-impacting solution; saddle-node, period-doubling and grazing bifurcations of \
-         maximal periodic solutions; regions of stability in grey. Triangles: resonances; discs: other codimension-two \
-         points; rectangles: magnifications.",
-        axes(&of.description)
+        "{} across, {} up. Grazing curve of the non-impacting solution; saddle-node, period-doubling and grazing \
+         bifurcations of maximal periodic solutions; regions of stability in grey. Triangles: resonances; discs: other \
+         codimension-two points{frames}.",
+        names.primary, names.secondary
     );
-    let (title, description) = (title.as_str(), description.as_str());
-    let heading = Heading { name: "diagram", title, description, names: of.names(), tables: &tables };
-    let sheet = draw_diagram(&of.diagram, &heading, width)?;
-    let figure = Figure::new(&of.file, output.figure_file(), output.title.to_owned(), sheet, &tables);
-    Ok(ComputedOutput::new(vec![figure], of.diagram.tables(of.names())))
+    let heading =
+        Heading { name: "diagram", title: &title, description: &description, names, tables: &tables };
+    let sheet = draw_diagram(diagram, &heading, width)?;
+    let figure = Figure::new(of, file, shown.to_owned(), sheet, &tables);
+    Ok(ComputedOutput::new(vec![figure], diagram.tables(names)))
 }
 
 fn magnifications(

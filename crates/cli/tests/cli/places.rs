@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use crate::program::{DEFAULT, empty_folder, end, grazing, listing, narrow_duffing, project};
+use crate::program::{DEFAULT, empty_folder, end, grazing, listing, narrow_duffing, project, started};
 
 /// Outputs that take no time.
 const QUICK: [&str; 3] = ["reproduce", "--only", "fig04"];
@@ -223,14 +223,8 @@ fn a_name_that_is_too_long_is_bad_input_and_is_told_in_few_words() {
 fn ending(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
     let place = empty_folder();
     let messages = place.path().join("messages");
-    let mut run = Command::new(env!("CARGO_BIN_EXE_grazing"))
-        .args(arguments)
-        .current_dir(folder)
-        .stdin(Stdio::null())
-        .stdout(Stdio::null())
-        .stderr(fs::File::create(&messages).expect("the folder is ours"))
-        .spawn()
-        .expect("the program starts");
+    let mut program = Command::new(env!("CARGO_BIN_EXE_grazing"));
+    let mut run = started(program.args(arguments), folder, &messages);
     let code = end(&mut run).flatten();
     (code, fs::read_to_string(&messages).expect("the program writes UTF-8"))
 }

@@ -3,25 +3,18 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::process::Command;
 
-use crate::program::{DEFAULT, project};
+use crate::program::{DEFAULT, project, started};
 use crate::unfold::wait_until;
 
 /// Starts the program behind another one, and sends it a signal as soon as it says that it
 /// computes; with what exit code it ends, and what it said.
 fn sent(signal: &str, before: &[&str], folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
     let messages = folder.join("messages");
-    let mut run: Child = Command::new(before[0])
-        .args(&before[1..])
-        .arg(env!("CARGO_BIN_EXE_grazing"))
-        .args(arguments)
-        .current_dir(folder)
-        .stdin(Stdio::null())
-        .stdout(Stdio::null())
-        .stderr(fs::File::create(&messages).expect("the folder is ours"))
-        .spawn()
-        .expect("the program starts");
+    let mut program = Command::new(before[0]);
+    program.args(&before[1..]).arg(env!("CARGO_BIN_EXE_grazing")).args(arguments);
+    let mut run = started(&mut program, folder, &messages);
     let told = || fs::read_to_string(&messages).expect("the folder is ours");
     wait_until(&mut run, "it computes", || told().contains(": begun"));
     let kill = Command::new("kill").args([signal, &run.id().to_string()]).status().expect("there is kill");

@@ -33,6 +33,7 @@ fn every_example_loads_and_is_evaluated_without_allocation() {
         let text = fs::read_to_string(&path).expect("an example is text");
         assert!(text.starts_with("# "), "{}: says where it comes from", path.display());
         let description = Description::from_file(&path).unwrap_or_else(|error| panic!("{error}"));
+        assert!(description.notes().is_empty(), "{}: {:?}", path.display(), description.notes());
         for expression in description.formulas() {
             assert!(
                 expression.instructions() <= MOST_VALUES_ON_STACK,

@@ -64,7 +64,8 @@ impl LongOrbit {
             (libm::log(size), duration)
         };
         let grown: Vec<(f64, f64)> = match self.free_flight() {
-            Some(flight) => (1..=MOST_PERIODS)
+            // As many whole periods as it lasts, up to some.
+            Some(flight) => (1..=MOST_PERIODS.min((flight.duration / period) as u32))
                 .rev()
                 .map(|left| {
                     let from = state_at(oscillator, flight, flight.duration - f64::from(left) * period);

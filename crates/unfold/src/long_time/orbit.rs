@@ -87,6 +87,13 @@ pub struct Horizon {
     pub longest: u32,
 }
 
+impl Horizon {
+    /// Motion that drifts is waited for, up to the usual length.
+    pub const fn drifting(transient: u32, counted: u32) -> Self {
+        Self { transient, counted, patience: Patience::Drifting, longest: LONGEST_TRANSIENT }
+    }
+}
+
 /// For how long motion is waited for by default, in forcing periods.
 pub const LONGEST_TRANSIENT: u32 = 2_000;
 /// Flights that are shown of an orbit that does not come again.

@@ -9,8 +9,7 @@ use rayon::prelude::*;
 
 use super::branches::Branch;
 use crate::long_time::{
-    Horizon, LONGEST_TRANSIENT, LongOrbit, MotionKind, Patience, random_start, same_impact, sampled,
-    sampled_solution,
+    Horizon, LongOrbit, MotionKind, Patience, random_start, same_impact, sampled, sampled_solution,
 };
 use crate::progress::Progress;
 use crate::tolerances::{BETWEEN_ORBITS, BETWEEN_WANDERING_ORBITS};
@@ -128,12 +127,7 @@ impl Scene<'_> {
         let (mut aperiodic, mut free_known) = (false, !free.is_empty());
         // None of the numbers of the grid.
         let mut random = Pcg64::new(u128::from(self.seed), (place + 1) << 64);
-        let horizon = Horizon {
-            transient: self.transient,
-            counted: ATTRACTOR_PERIODS,
-            patience,
-            longest: LONGEST_TRANSIENT,
-        };
+        let horizon = Horizon { patience, ..Horizon::drifting(self.transient, ATTRACTOR_PERIODS) };
         for _ in 0..STARTS {
             let start = random_start(self.lowest, &mut random);
             let orbit = LongOrbit::follow(&oscillator, start, horizon);

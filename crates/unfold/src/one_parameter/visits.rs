@@ -8,7 +8,7 @@ use grazing_model::{AnyMotion, AnyOscillator, AtRest, ImpactOscillator, OnWall, 
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
-use crate::long_time::{Horizon, LONGEST_TRANSIENT, LongOrbit, Patience, random_start};
+use crate::long_time::{Horizon, LONGEST_TRANSIENT, LongOrbit, random_start};
 use crate::progress::Progress;
 
 /// How long-time behaviour is sampled.
@@ -61,7 +61,7 @@ fn long_time_visits(
     random: &mut Pcg64,
 ) -> Vec<f64> {
     let (transient, counted) = (sampling.transient, sampling.recorded);
-    let horizon = Horizon { transient, counted, patience: Patience::Drifting, longest: LONGEST_TRANSIENT };
+    let horizon = Horizon::drifting(transient, counted);
     let orbit = LongOrbit::follow(oscillator, random_start(lowest, random), horizon);
     if let Some(state) = orbit.free_state(oscillator) {
         return highest_points(oscillator, state, counted);

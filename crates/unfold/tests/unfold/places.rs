@@ -16,10 +16,10 @@ fn oscillator([amplitude, frequency]: [f64; 2]) -> AnyOscillator {
 fn attractors(at: [f64; 2], horizon: Horizon) -> Vec<(MotionKind, u32, u32)> {
     let starts = Starts { states: 40, horizon, ..Starts::default() };
     let place = Place::compute(&oscillator(at), &[1], &starts, &Silent).unwrap();
-    let named = place.attractors.into_iter().map(|Attractor { fate, exponent, multipliers, .. }| {
+    let named = place.attractors.into_iter().map(|Attractor { fate, exponent, .. }| {
         assert_eq!(exponent.is_positive(), fate.kind == MotionKind::Chaotic);
-        assert_eq!(multipliers.is_some(), fate.periods.is_some());
-        assert!(multipliers.is_none_or(|multipliers| multipliers.stable()));
+        // A cycle has an exact one, and attracts.
+        assert_eq!(exponent.mean < 0.0 && exponent.error == 0.0, fate.periods.is_some());
         let periods = fate.periods.unwrap_or(0);
         (fate.kind, libm::round(fate.impacts * f64::from(periods)) as u32, periods)
     });

@@ -5,7 +5,7 @@ use crate::checks::main_results::returns::derivatives;
 use crate::*;
 use grazing_continuation::curve::CurvePoint;
 use grazing_model::AnyOscillator;
-use grazing_unfold::long_time::{Horizon, LONGEST_TRANSIENT, LongOrbit, Patience};
+use grazing_unfold::long_time::{Horizon, LongOrbit};
 
 /// n ω* is twice the damped natural frequency if p = 1 and the force is linear, and not otherwise.
 pub(crate) fn rational_multiples() -> CheckResult {
@@ -83,13 +83,7 @@ pub(crate) fn chaos() -> CheckResult {
         let oscillator =
             AnyOscillator::new(grazing.model()).with_parameters([beyond, grazing.forcing_frequency()]);
         // Transients of grazing are long, and exponents of 300 periods are right to some 0.01.
-        let horizon = Horizon {
-            transient: 500,
-            counted: 300,
-            patience: Patience::Drifting,
-            longest: LONGEST_TRANSIENT,
-        };
-        let orbit = LongOrbit::follow(&oscillator, sampler.state(), horizon);
+        let orbit = LongOrbit::follow(&oscillator, sampler.state(), Horizon::drifting(500, 300));
         chaotic.see(orbit.exponent(&oscillator).mean * oscillator.forcing_period() > 0.02);
     }
     let Measure::Agreement { agreeing, cases } = chaotic.measure() else {

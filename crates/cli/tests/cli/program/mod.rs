@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command};
+use std::process::{Child, Command, Stdio};
 use std::thread;
 use std::time::Duration;
 
@@ -39,6 +39,14 @@ pub(crate) fn grazing(folder: &Path, arguments: &[&str]) -> Outcome {
         .expect("the program starts");
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("the program writes UTF-8");
     Outcome { code: run.status.code(), output: text(run.stdout), messages: text(run.stderr) }
+}
+
+/// Starts a command in the folder, with what it says going into a file.
+#[cfg(unix)]
+pub(crate) fn started(command: &mut Command, folder: &Path, messages: &Path) -> Child {
+    let messages = fs::File::create(messages).expect("the folder is ours");
+    let silent = command.current_dir(folder).stdin(Stdio::null()).stdout(Stdio::null());
+    silent.stderr(messages).spawn().expect("the program starts")
 }
 
 /// Whether all threads of a process sleep, where the system says so: one that computes does not,
