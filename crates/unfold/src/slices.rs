@@ -32,8 +32,6 @@ use crate::tolerances::BETWEEN_BIFURCATIONS;
 pub(crate) struct Slice {
     pub(crate) secondary: f64,
     pub(crate) branches: Vec<Curve>,
-    /// They have been carried to both neighbours.
-    carried: bool,
     /// The η of the neighbours below and above, and how many of their branches have been carried
     /// here.
     taken: [(f64, usize); 2],
@@ -47,7 +45,7 @@ pub(crate) struct Slice {
 impl Slice {
     pub(crate) fn new(secondary: f64, branches: Vec<Curve>) -> Self {
         let taken = [(f64::NAN, 0); 2];
-        Self { secondary, branches, carried: false, taken, looked_at: 0, curves: 0, columns: 0 }
+        Self { secondary, branches, taken, looked_at: 0, curves: 0, columns: 0 }
     }
 
     /// The branches that have not been taken before.
@@ -67,16 +65,13 @@ pub(crate) fn spread(
     carry: impl Fn(&Slice, &mut Slice) -> bool,
 ) {
     slices.sort_by(|a, b| a.secondary.total_cmp(&b.secondary));
-    while slices.iter().any(|slice| !slice.carried) && !progress.stopped() {
-        let fresh: Vec<bool> =
-            slices.iter_mut().map(|slice| !core::mem::replace(&mut slice.carried, true)).collect();
-        let upwards = (1..slices.len()).map(|k| [k - 1, k]);
-        let both = upwards.clone().chain(upwards.rev().map(|[low, high]| [high, low]));
-        for pair in both.filter(|[from, to]| fresh[*from] || fresh[*to]) {
-            if let Ok([from, to]) = slices.get_disjoint_mut(pair)
-                && carry(from, to)
-            {
-                to.carried = false;
+    let upwards = (1..slices.len()).map(|k| [k - 1, k]);
+    let both = upwards.clone().chain(upwards.rev().map(|[low, high]| [high, low]));
+    let mut fresh = true;
+    while core::mem::take(&mut fresh) && !progress.stopped() {
+        for pair in both.clone() {
+            if let Ok([from, to]) = slices.get_disjoint_mut(pair) {
+                fresh |= carry(from, to);
             }
         }
     }
@@ -312,9 +307,7 @@ impl Slicer {
                 }
             }
         }
-        let fresh = slice.branches.len() > before;
-        slice.carried &= !fresh;
-        fresh
+        slice.branches.len() > before
     }
 
     /// Adds the branches of a slice to which stable, admissible solutions on columns lead that cross
@@ -339,9 +332,7 @@ impl Slicer {
                 self.add(slice, through, &times, true);
             }
         }
-        let fresh = slice.branches.len() > before;
-        slice.carried &= !fresh;
-        fresh
+        slice.branches.len() > before
     }
 
     /// Adds the branches through MPSs on a slice that are not known; but none on which no MPS is
@@ -357,9 +348,7 @@ impl Slicer {
             let Some(new) = slice.branches.get(before) else { continue };
             let start = self.equations.solution(&solution);
             let stable = |point: &CurvePoint| point.solution.stable();
-            if start.stable() || start.admissible() || new.points.iter().any(stable) {
-                slice.carried = false;
-            } else {
+            if !start.stable() && !start.admissible() && !new.points.iter().any(stable) {
                 dismissed.extend(slice.branches.pop());
             }
         }
