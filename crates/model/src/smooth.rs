@@ -28,6 +28,7 @@
 //! A solution that ceases to exist is NaN from there on, and no event is found beyond.
 
 mod enclosure;
+mod factors;
 mod flow;
 mod integrated;
 mod integrator;

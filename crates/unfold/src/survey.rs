@@ -4,16 +4,19 @@
 //! One that does not starts a new curve, until none is left unexplained. Solutions without impacts,
 //! p = 0, are surveyed like all others; their grazing is the grazing curve.
 
+mod explain;
+
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
-use grazing_continuation::curve::{Curve, CurveEnd, Event, Route, SolutionCurve, Window};
-use grazing_continuation::locate::{Condition, locate, locate_within};
+use grazing_continuation::curve::{Curve, Event, Route, Window};
+use grazing_continuation::locate::{Condition, locate_within};
 use grazing_continuation::mps::{EventTimes, Unknowns, parameters, unknown};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::Vector2;
 use rayon::prelude::*;
 
+use self::explain::{bounding, explained, is_wide, start};
 use crate::curves::{DiagramCurve, Net, route};
 use crate::faces::Point;
 use crate::grazing::GrazingCurve;
@@ -21,8 +24,7 @@ use crate::progress::Progress;
 use crate::region::Doubt;
 use crate::sight::Sight;
 use crate::slices::{CARRIED_OFF, FREE_STEPS, Slice, Slicer, near_chord, spread, steps};
-use crate::stretches::{Border, broken_at, stretches};
-use crate::tolerances::BETWEEN_BIFURCATIONS;
+use crate::stretches::{broken_at, stretches};
 use crate::{Scope, alongside};
 
 /// The slices through the surface of solutions with p loops, in the order of η.
@@ -54,16 +56,9 @@ const COLUMNS: u32 = 8;
 /// longer. They find what lies between slices, such resonances and folds to which no slice comes
 /// near.
 const FREE_COLUMNS: u32 = 2;
-/// Where good solutions extend no farther than this share of the ranges, which is how well curves
-/// are drawn, nothing is looked for that bounds them, and nothing is left undecided for want of it:
-/// beside the way over a hill of the potential there is any number of such slivers, one thinner
-/// than the other. Where they are wider other slices see them.
-const SLIVER: f64 = 1e-4;
 /// Impact velocities, or positions at phase zero, by which good solutions beside a curve are looked
 /// for: from where they are next to the curve to where they may belong to another face.
 const ASIDE: [f64; 6] = [1e-3, 3e-3, 1e-2, 3e-2, -1e-3, -1e-2];
-/// A bifurcation this far from a chord between two points of a curve may be one of the curve.
-const NEAR_CURVE: f64 = 0.05;
 /// An orbit on the edge lies inside, give or take rounding.
 const ON_THE_EDGE: f64 = 1e-9;
 
@@ -339,78 +334,6 @@ impl<'a> Survey<'a> {
         };
         self.slices.iter().map(sight).collect()
     }
-}
-
-/// Whether the good solutions beside a border extend farther than can be drawn, or grazing bounds
-/// them.
-fn is_wide(border: &Border<'_>, window: Window) -> bool {
-    let widths = window.widths();
-    border.reach.is_none_or(|reach| [0, 1].iter().any(|&k| reach[k] > SLIVER * widths[k]))
-}
-
-/// The bifurcations on a branch that bound good solutions; and all grazing of doubled motion without
-/// impacts, at which branches begin.
-fn bounding(net: &Net, branch: &Curve, window: Window, doubled: bool) -> Vec<Event> {
-    let (_, borders) = stretches(&net.equations, branch);
-    let wide = borders.into_iter().filter(|border| is_wide(border, window));
-    let grazing = |event: &&Event| doubled && event.condition == Condition::InteriorGrazing;
-    let bounds = wide.filter_map(|border| border.event);
-    bounds.chain(branch.events.iter().filter(grazing)).cloned().collect()
-}
-
-/// Whether a bifurcation on a slice or a column lies on a known curve.
-fn explained(net: &Net, kind: Bifurcation, event: &Event, window: Window) -> bool {
-    let here = event.solution.unknowns;
-    let secondary = here[unknown::SECONDARY];
-    let distance = |point: &Unknowns| {
-        let mut gap = net.equations.gap(&here, point);
-        gap[unknown::PRIMARY] = (point[unknown::PRIMARY] - here[unknown::PRIMARY]) / window.widths()[0];
-        gap[unknown::SECONDARY] = 0.0;
-        gap.norm()
-    };
-    net.curves.iter().filter(|curve| curve.kind == kind).any(|curve| {
-        curve.curve.points.windows(2).any(|pair| {
-            let [a, b] = [pair[0].solution.unknowns, pair[1].solution.unknowns];
-            let [from, to] = [a[unknown::SECONDARY] - secondary, b[unknown::SECONDARY] - secondary];
-            if from * to > 0.0 {
-                return false;
-            }
-            let way = if from == to { 0.0 } else { from / (from - to) };
-            let mut near = a + (b - a) * way;
-            near[unknown::SECONDARY] = secondary;
-            if distance(&near) > NEAR_CURVE {
-                return false;
-            }
-            let mut times = pair[0].times.clone();
-            let conditions = [event.condition, Condition::Secondary(secondary)];
-            let found = locate(&net.equations, conditions, near, &mut times);
-            found.is_ok_and(|found| distance(&found) < BETWEEN_BIFURCATIONS)
-                || distance(&near) < BETWEEN_BIFURCATIONS
-        })
-    })
-}
-
-/// Follows the curve through a bifurcation that lies on none that is known.
-fn start(net: &mut Net, kind: Bifurcation, event: &Event, route: &Route<'_>) {
-    let curve = SolutionCurve { equations: net.equations.clone(), condition: event.condition };
-    // Across the slice, but where the curve runs along it.
-    let upwards = if net.equations.has_impacts() { Unknowns::w() } else { -Unknowns::w() };
-    let follow = |direction| {
-        curve.clone().follow_both_ways(event.solution.unknowns, direction, &event.times, route).ok()
-    };
-    if let Some(curve) = follow(upwards).or_else(|| follow(Unknowns::z()))
-        && (net.equations.has_impacts() || !stalls(&curve))
-    {
-        net.add(DiagramCurve { kind, loops: net.loops(), n: 0, curve });
-        net.grow(route);
-    }
-}
-
-/// A curve that goes on to nowhere begins at no fold: two branches meet there, as for the sake of a
-/// symmetry.
-fn stalls(curve: &Curve) -> bool {
-    let mut ends = [curve.beginning.as_ref(), Some(&curve.end)].into_iter().flatten();
-    ends.any(|end| matches!(end, CurveEnd::Stalled(_)))
 }
 
 /// Makes an end of one line that lies on another a vertex of that, too.

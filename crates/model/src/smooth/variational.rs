@@ -12,7 +12,8 @@
 //! where x and y at a stage depend on all k linearly. So F is evaluated once at the stages, with
 //! its derivatives in position, velocity and parameters, and all else is arithmetic.
 
-use super::integrator::{Factors, Pair, Step};
+use super::factors::Factors;
+use super::integrator::{Pair, Step};
 use super::jet::variable::{POSITION, PRIMARY, VELOCITY};
 use super::jet::{FIRST, Jet, PAIRS, SECOND, VARIABLES};
 use super::oscillator::{Integrated, SmoothOscillator};

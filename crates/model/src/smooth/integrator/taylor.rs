@@ -1,7 +1,8 @@
 //! Steps of the collocation whose start, time and length move along a curve.
 
-use super::{Factors, Pair, Step};
+use super::{Pair, Step};
 use crate::scalar::Scalar;
+use crate::smooth::factors::Factors;
 use crate::smooth::oscillator::{Integrated, SmoothOscillator};
 use crate::smooth::stages::{Lanes, Matrix, STAGES, Stages};
 use crate::smooth::tableau::{MATRIX, NODES, POSITION_WEIGHTS, SQUARE, WEIGHTS};

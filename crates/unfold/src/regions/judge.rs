@@ -1,0 +1,110 @@
+//! What decides a face: the slices that cross it.
+
+use grazing_continuation::curve::Window;
+
+use crate::faces::{Face, Point, chords, extent};
+use crate::region::Doubt;
+use crate::sight::Sight;
+use crate::survey::CLEAR;
+
+/// Along chords shorter than this share of the window a face may seem mixed: curves are drawn by
+/// chords of their own.
+const SHORT: f64 = 2e-3;
+/// A face all of whose chords are shorter than this is thinner than curves are drawn: the majority
+/// of its slices decides.
+const THIN: f64 = 5e-4;
+/// Along a chord of a face there are good solutions on none or all of it, give or take what the
+/// curves' chords leave.
+const PURE: f64 = 0.1;
+/// However long a chord, no more than this share of the window may differ from the rest of it.
+const STRETCH: f64 = 5e-3;
+
+/// A face and what was found in it.
+pub(super) struct FaceVerdict {
+    pub(super) face: Face,
+    pub(super) verdict: Result<bool, Doubt>,
+    /// Values of η at which slices do not agree with the rest.
+    pub(super) trouble: Vec<f64>,
+}
+
+/// What decides faces.
+pub(super) struct Judge {
+    pub(super) window: Window,
+    pub(super) sights: Vec<Sight>,
+    /// Where a solution is known to be stable and admissible, beside curves.
+    pub(super) witnesses: Vec<Point>,
+}
+
+impl Judge {
+    pub(super) fn length(&self, [from, to]: [f64; 2]) -> f64 {
+        (to - from) / self.window.widths()[0]
+    }
+
+    pub(super) fn longest(&self, face: &Face, secondary: f64) -> f64 {
+        chords(face, secondary).into_iter().map(|chord| self.length(chord)).fold(0.0, f64::max)
+    }
+
+    pub(super) fn judge(&self, face: Face) -> FaceVerdict {
+        let [low, high] = extent(&face);
+        let mut votes: Vec<(f64, f64, f64)> = Vec::new();
+        let (mut doubt, mut trouble) = (None, Vec::new());
+        for sight in self.sights.iter().filter(|sight| low <= sight.secondary && sight.secondary <= high) {
+            for chord in chords(&face, sight.secondary) {
+                let (length, share) = (self.length(chord), sight.share(chord));
+                votes.push((sight.secondary, length, share));
+                let within = |primary: f64| chord[0] < primary && primary < chord[1];
+                let known = sight.doubts.iter().find(|(primary, _)| within(*primary)).map(|(_, doubt)| doubt);
+                let known = known.or(sight.everywhere.as_ref());
+                let lesser = share.min(1.0 - share);
+                let mixed = lesser > PURE && length > SHORT || lesser * length > STRETCH;
+                // Where there are good solutions all along, nothing that is unknown of others
+                // matters.
+                let known = known.filter(|_| share < 1.0 - PURE);
+                if let Some(reason) = known {
+                    doubt.get_or_insert(reason.clone());
+                    trouble.push(sight.secondary);
+                } else if mixed {
+                    doubt.get_or_insert(Doubt::Disagreement);
+                    trouble.push(sight.secondary);
+                }
+            }
+        }
+        let total: f64 = votes.iter().map(|(_, length, _)| length).sum();
+        let yes: f64 = votes.iter().filter(|(_, _, share)| *share >= 0.5).map(|(_, length, _)| length).sum();
+        let majority = yes > 0.5 * total;
+        let minority = if majority { total - yes } else { yes };
+        let thin = votes.iter().all(|(_, length, _)| *length < THIN);
+        let outvoted = minority <= PURE * total;
+        if !thin {
+            let against = votes.iter().filter(|(_, _, share)| (*share >= 0.5) != majority);
+            let against = against.filter(|(_, length, _)| !outvoted || *length > STRETCH);
+            trouble.extend(against.map(|(secondary, ..)| *secondary));
+            if !trouble.is_empty() {
+                doubt.get_or_insert(Doubt::Disagreement);
+            }
+        }
+        if !majority {
+            // What is known beside a curve is not outvoted either.
+            let known = trouble.len();
+            trouble.extend(self.witnesses_in(&face));
+            if trouble.len() > known {
+                doubt.get_or_insert(Doubt::Disagreement);
+            }
+        }
+        let verdict = match doubt {
+            _ if votes.is_empty() => Err(Doubt::Unseen),
+            Some(doubt) => Err(doubt),
+            None => Ok(majority),
+        };
+        FaceVerdict { face, verdict, trouble }
+    }
+
+    /// The values of η of the witnesses that lie clearly inside a face.
+    pub(super) fn witnesses_in(&self, face: &Face) -> impl Iterator<Item = f64> {
+        let room = CLEAR * self.window.widths()[0];
+        let inside = move |[primary, secondary]: Point| {
+            chords(face, secondary).iter().any(|[from, to]| from + room < primary && primary < to - room)
+        };
+        self.witnesses.iter().filter(move |at| inside(**at)).map(|at| at[1])
+    }
+}

@@ -1,0 +1,299 @@
+//! What leads to the branches of a slice: where they begin, slices beside, curves and columns that
+//! cross it, and solutions.
+
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_continuation::curve::{Curve, CurvePoint};
+use grazing_continuation::locate::{Condition, locate_within};
+use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns, parameters, unknown};
+
+use super::{CARRIED_OFF, Crossing, MOST_BRANCHES, Slice, Slicer, crossings};
+use crate::curves::DiagramCurve;
+use crate::grazing::HighestPoint;
+
+/// Branches from the grazing curve begin at this impact velocity, beside the singular point
+/// (empirical; what lies between is narrower than y² in μ), and in a window that is not much wider
+/// than that at this share of the root of its width.
+const BESIDE_GRAZING: f64 = 1e-4;
+const BESIDE_SHARE: f64 = 0.01;
+/// Branches of twice the period begin so far in (x, y) from where the period doubles, whose square
+/// is the distance in μ,
+const BESIDE_DOUBLING: f64 = 1e-3;
+/// Solutions of a branch that are carried to a neighbouring slice.
+const CARRIED: usize = 8;
+
+impl Slicer {
+    /// The branches at some η that begin on the grazing curve, or pass it, at points (z, μ) of it.
+    pub(crate) fn beginning_at_grazing(
+        &self,
+        secondary: f64,
+        grazing: impl IntoIterator<Item = [f64; 2]>,
+    ) -> Slice {
+        let mut slice = Slice::new(secondary, Vec::new());
+        let beside = BESIDE_GRAZING.min(BESIDE_SHARE * self.window.widths()[0].sqrt());
+        for [phase, primary] in grazing {
+            let both = !self.equations.has_impacts();
+            let start = if both {
+                self.with_highest(&HighestPoint { height: 0.0, phase, parameters: [primary, secondary] })
+            } else {
+                let near = Unknowns::new(beside, phase, primary, secondary);
+                self.at(&self.equations, near, &mut EventTimes::default())
+            };
+            if let Some(start) = start {
+                self.add(&mut slice, start, &EventTimes::default(), both);
+            }
+        }
+        slice
+    }
+
+    /// Adds the branches of solutions of twice the period that begin where curves of period
+    /// doublings cross the slice.
+    pub(crate) fn beginning_at_doublings(&self, slice: &mut Slice, curves: &[DiagramCurve]) {
+        let here = Condition::Secondary(slice.secondary);
+        let doublings = curves.iter().filter(|curve| curve.kind == Bifurcation::PeriodDoubling);
+        let crossings =
+            doublings.flat_map(|curve| crossings(&curve.curve, unknown::SECONDARY, slice.secondary));
+        for Crossing { condition, place, mut times, .. } in crossings.collect::<Vec<_>>() {
+            let start = self.halved.as_ref().and_then(|halved| {
+                let at = locate_within(CARRIED_OFF, halved, [condition, here], place, &mut times).ok()?;
+                let mut near = at;
+                let direction = halved.pair::<1>(&at, &mut times).ok()?.direction(-1.0)?;
+                near.fixed_rows_mut::<2>(0).axpy(BESIDE_DOUBLING, &direction, 1.0);
+                let held = Condition::ImpactVelocity(near[unknown::VELOCITY]);
+                let times = &mut EventTimes::default();
+                locate_within(CARRIED_OFF, &self.equations, [held, here], near, times).ok()
+            });
+            if let Some(start) = start {
+                self.add(slice, start, &EventTimes::default(), true);
+            }
+        }
+    }
+
+    /// Adds the branches of a slice that a neighbouring slice leads to, and says whether there are
+    /// any; a branch is carried to a neighbour once.
+    pub(crate) fn carry(&self, from: &Slice, to: &mut Slice) -> bool {
+        let before = to.branches.len();
+        if before >= MOST_BRANCHES {
+            return false;
+        }
+        let taken = &mut to.taken[usize::from(from.secondary > to.secondary)];
+        let (neighbour, count) = core::mem::replace(taken, (from.secondary, from.branches.len()));
+        let known = if neighbour == from.secondary { count } else { 0 };
+        // Most solutions lead to branches that are known, which few digits show.
+        let rough = self.control.sketches().then(|| self.equations.roughly());
+        for branch in &from.branches[known..] {
+            let every = (branch.points.len() / CARRIED).max(1);
+            for point in branch.points.iter().skip(every / 2).step_by(every) {
+                let mut near = point.solution.unknowns;
+                near[unknown::SECONDARY] = to.secondary;
+                let new = |equations: &LoopEquations| {
+                    let mut times = point.times.clone();
+                    let found = self.at(equations, near, &mut times);
+                    found.filter(|start| !self.knows(to, start)).map(|start| (start, times))
+                };
+                let seen = rough.as_ref().is_none_or(|rough| new(rough).is_some());
+                if let Some((start, times)) = seen.then(|| new(&self.equations)).flatten() {
+                    self.add(to, start, &times, true);
+                }
+            }
+        }
+        to.branches.len() > before
+    }
+
+    /// Adds the branches of a slice to which curves that cross it lead, and says whether there are
+    /// any; a curve's bifurcation belongs to the branch on which it lies.
+    pub(crate) fn through_curves(&self, slice: &mut Slice, curves: &[DiagramCurve]) -> bool {
+        let before = slice.branches.len();
+        let secondary = slice.secondary;
+        let here = Condition::Secondary(secondary);
+        let new = core::mem::replace(&mut slice.curves, curves.len());
+        let known = curves[new..].iter().map(|curve| &curve.curve);
+        for Crossing { condition, chord, place: near, mut times } in
+            known.flat_map(|curve| crossings(curve, unknown::SECONDARY, secondary))
+        {
+            // The curve's own point may lie on a branch that has stepped over it.
+            let on_branch = slice.branches.iter().position(|branch| self.passes(branch, &near));
+            if on_branch.is_some_and(|index| self.has(&slice.branches[index], condition, &chord)) {
+                continue;
+            }
+            let found = locate_within(CARRIED_OFF, &self.equations, [condition, here], near, &mut times);
+            if let Ok(through) = found
+                && self.is_real(&through)
+                && self.window.contains(parameters(&through))
+            {
+                match on_branch {
+                    Some(index) => self.insert(&mut slice.branches[index], condition, &through, times),
+                    None => self.add(slice, through, &times, true),
+                }
+            }
+        }
+        slice.branches.len() > before
+    }
+
+    /// Adds the branches of a slice to which stable, admissible solutions on columns lead that cross
+    /// it, and says whether there are any.
+    pub(crate) fn through_columns(&self, slice: &mut Slice, columns: &[Curve]) -> bool {
+        let before = slice.branches.len();
+        let new = core::mem::replace(&mut slice.columns, columns.len());
+        let secondary = slice.secondary;
+        for Crossing { condition, chord, place: near, mut times } in
+            columns[new..].iter().flat_map(|column| crossings(column, unknown::SECONDARY, secondary))
+        {
+            if self.knows(slice, &near) {
+                continue;
+            }
+            let conditions = [condition, Condition::Secondary(secondary)];
+            let reach = (chord[1] - chord[0]).norm();
+            let found = locate_within(reach, &self.equations, conditions, near, &mut times);
+            if let Ok(through) = found
+                && self.is_real(&through)
+                && self.equations.solution(&through).attracts()
+            {
+                self.add(slice, through, &times, true);
+            }
+        }
+        slice.branches.len() > before
+    }
+
+    /// Adds the branches through MPSs on a slice that are not known; but none on which no MPS is
+    /// stable, if the one that it was found by is not admissible.
+    pub(crate) fn through(&self, slice: &mut Slice, solutions: impl Iterator<Item = Unknowns>) {
+        let mut dismissed: Vec<Curve> = Vec::new();
+        for solution in solutions {
+            if dismissed.iter().any(|branch| self.passes(branch, &solution)) {
+                continue;
+            }
+            let before = slice.branches.len();
+            self.add(slice, solution, &EventTimes::default(), true);
+            let Some(new) = slice.branches.get(before) else { continue };
+            let start = self.equations.solution(&solution);
+            let stable = |point: &CurvePoint| point.solution.stable();
+            if !start.stable() && !start.admissible() && !new.points.iter().any(stable) {
+                dismissed.extend(slice.branches.pop());
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use grazing_continuation::curve::{Event, Window};
+    use grazing_continuation::mps::Formulation;
+    use grazing_model::smooth::{Stop, Units};
+
+    use super::super::steps;
+    use super::*;
+    use crate::progress::Silent;
+    use crate::tolerances::BETWEEN_BIFURCATIONS;
+    use crate::{Diagram, Scope};
+
+    #[test]
+    fn a_branch_is_carried_to_a_neighbour_once() {
+        let window = Window { primary: [0.0, 1.2], secondary: [0.6, 1.0] };
+        let stop = Stop::default();
+        let description = crate::specimens::unforced("-0.1*v - x - 1");
+        let oscillator = description.counted([0.5, 0.8], &Units::ONE, &stop);
+        let grazing = grazing_theorems::LinearOscillator::new(0.05, 1.0).and_then(|it| it.grazing(0.8));
+        let grazing = grazing.expect("it is in the domain");
+        let equations = LoopEquations::new(oscillator, 1, Formulation::FixedPhase);
+        let slicer = Slicer::new(equations, window, steps(window));
+        let from = slicer.beginning_at_grazing(0.8, [[grazing.phase(), grazing.amplitude()]]);
+        let mut to = Slice::new(0.82, Vec::new());
+        assert!(slicer.carry(&from, &mut to));
+        let taken = stop.steps();
+        // Steps are counted in lots.
+        assert!(!(0..20).any(|_| slicer.carry(&from, &mut to)));
+        assert_eq!(stop.steps(), taken);
+        // Slices that come between are other neighbours.
+        for k in 1..20 {
+            let between = Slice { secondary: 0.8 + 1e-3 * f64::from(k), ..from.clone() };
+            slicer.carry(&between, &mut to);
+        }
+        assert!(stop.steps() > taken);
+    }
+
+    #[test]
+    fn a_slice_that_knows_no_branch_gets_those_through_the_curves_that_cross_it() {
+        let window = Window { primary: [0.0, 1.2], secondary: [0.6, 1.0] };
+        let oscillator = crate::specimens::linear(0.05, [0.5, 0.9]);
+        let scope = Scope { window, loops: vec![2], start: None };
+        let diagram = Diagram::compute(&oscillator, &scope, &Silent).expect("there is grazing");
+        let curves: Vec<DiagramCurve> =
+            diagram.curves.iter().filter(|curve| curve.loops == 2).cloned().collect();
+        let slicer = Slicer::new(diagram.equations(2), window, steps(window));
+        let middle =
+            |curve: &DiagramCurve| curve.curve.points[curve.curve.points.len() / 2].solution.unknowns;
+        assert!(curves.len() > 2, "{}", curves.len());
+        for crossing in curves.iter().map(middle) {
+            let mut slice = Slice::new(crossing[unknown::SECONDARY], Vec::new());
+            assert!(slicer.through_curves(&mut slice, &curves));
+            assert!(slice.branches.iter().any(|branch| slicer.passes(branch, &crossing)), "{crossing}");
+            // They are looked at once.
+            assert!(!slicer.through_curves(&mut slice, &curves));
+        }
+    }
+
+    #[test]
+    fn a_branch_that_has_stepped_over_the_bifurcations_of_known_curves_gets_them() {
+        let window = Window { primary: [0.0, 1.2], secondary: [0.6, 1.0] };
+        let oscillator = crate::specimens::linear(0.05, [0.5, 0.9]);
+        let scope = Scope { window, loops: vec![1], start: None };
+        let diagram = Diagram::compute(&oscillator, &scope, &Silent).expect("there is grazing");
+        let curves: Vec<DiagramCurve> =
+            diagram.curves.iter().filter(|curve| curve.loops == 1).cloned().collect();
+        let slicer = Slicer::new(diagram.equations(1), window, steps(window));
+        let mut looked_at = 0;
+        for secondary in [0.66, 0.74, 0.82, 0.9] {
+            let places = diagram.grazing.iter().flat_map(|curve| curve.all_at(secondary));
+            let places = places.map(|place| [place.phase, place.parameters[0]]);
+            let mut slice = slicer.beginning_at_grazing(secondary, places);
+            slicer.through_curves(&mut slice, &curves);
+            let places = |slice: &Slice| -> Vec<(Condition, usize, Unknowns)> {
+                let events = slice.branches.iter().flat_map(|branch| &branch.events);
+                events.map(|event| (event.condition, event.index, event.solution.unknowns)).collect()
+            };
+            let known = places(&slice);
+            let lies_on_a_curve = |event: &Event| {
+                let crossings =
+                    curves.iter().flat_map(|curve| crossings(&curve.curve, unknown::SECONDARY, secondary));
+                crossings.filter(|crossing| crossing.condition == event.condition).any(|crossing| {
+                    slicer.equations.gap(&crossing.place, &event.solution.unknowns).norm() < 1e-3
+                })
+            };
+            for branch in &mut slice.branches {
+                branch.events.retain(|event| !lies_on_a_curve(event));
+            }
+            let left = places(&slice).len();
+            slice.curves = 0;
+            slicer.through_curves(&mut slice, &curves);
+            let found = places(&slice);
+            assert_eq!(found.len(), known.len());
+            for ((condition, index, at), (other, place, known)) in found.iter().zip(&known) {
+                // Both were located to some 10⁻¹⁰.
+                assert!((condition, index) == (other, place) && (at - known).norm() < BETWEEN_BIFURCATIONS);
+            }
+            looked_at += known.len() - left;
+        }
+        assert!(looked_at >= 4, "{looked_at}");
+    }
+
+    #[test]
+    fn a_solution_half_a_turn_from_a_branch_is_not_on_it() {
+        let window = Window { primary: [0.0, 1.2], secondary: [0.6, 1.0] };
+        let oscillator = crate::specimens::linear(0.05, [0.5, 0.9]);
+        let grazing = grazing_theorems::LinearOscillator::new(0.05, 0.9).and_then(|it| it.grazing(0.8));
+        let grazing = grazing.expect("it is in the domain");
+        let place = [grazing.phase(), grazing.amplitude()];
+        let equations = LoopEquations::new(oscillator, 1, Formulation::FixedPhase);
+        let slicer = Slicer::new(equations, window, steps(window));
+        let slice = slicer.beginning_at_grazing(0.8, [place]);
+        let branch = slice.branches.first().expect("it begins there");
+        assert!(branch.points.len() > 5);
+        for pair in branch.points.windows(2) {
+            let [a, b] = [0, 1].map(|k| pair[k].solution.unknowns);
+            let mut middle = (a + b) * 0.5;
+            assert!(slicer.passes(branch, &middle));
+            middle[unknown::PHASE] += core::f64::consts::PI;
+            assert!(!slicer.passes(branch, &middle));
+        }
+    }
+}
