@@ -83,7 +83,7 @@ pub(crate) fn diagram(
     for (p, piece) in &longest {
         let text = if *p == 0 { "non-impacting".to_owned() } else { format!("$p={p}$") };
         let colour = branch_pen(*p, 1.0).colour;
-        if every_loop {
+        if every_loop || *p > 0 {
             labels.name_curve(&text, SMALL_LABEL_SIZE, colour, piece)?;
         } else {
             labels.add(&text, SMALL_LABEL_SIZE, colour, &Site::Beside(piece))?;
