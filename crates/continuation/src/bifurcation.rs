@@ -18,12 +18,21 @@ pub enum Bifurcation {
     /// Their product D is 1 there, so that there is none where motion contracts areas: for the
     /// paper's oscillator D is ε² e^{−4πζp/ω}.
     Torus,
+    /// Pitchfork of symmetric motion without impacts: a multiplier is 1 without a fold, and two
+    /// motions begin that are each other's images.
+    Pitchfork,
 }
 
 impl Bifurcation {
     /// All of them.
-    pub const ALL: [Self; 5] =
-        [Self::NonImpactingGrazing, Self::SaddleNode, Self::PeriodDoubling, Self::Grazing, Self::Torus];
+    pub const ALL: [Self; 6] = [
+        Self::NonImpactingGrazing,
+        Self::SaddleNode,
+        Self::PeriodDoubling,
+        Self::Grazing,
+        Self::Torus,
+        Self::Pitchfork,
+    ];
 
     /// Where a condition is met by solutions with p loops, 0 without impacts; none if that is no
     /// bifurcation.
@@ -42,10 +51,11 @@ impl Bifurcation {
             Self::PeriodDoubling => Condition::PERIOD_DOUBLING,
             Self::NonImpactingGrazing | Self::Grazing => Condition::InteriorGrazing,
             Self::Torus => Condition::UnitProduct,
+            Self::Pitchfork => Condition::SymmetryBreaking,
         }
     }
 
-    /// `graz`, `SN`, `PD`, `GZ` or `NS`.
+    /// `graz`, `SN`, `PD`, `GZ`, `NS` or `PF`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::NonImpactingGrazing => "graz",
@@ -53,6 +63,7 @@ impl Bifurcation {
             Self::PeriodDoubling => "PD",
             Self::Grazing => "GZ",
             Self::Torus => "NS",
+            Self::Pitchfork => "PF",
         }
     }
 }
@@ -75,13 +86,15 @@ pub enum CodimensionTwo {
     SaddleNodeTorus,
     /// An NS curve ends on a PD curve: both multipliers are −1.
     PeriodDoublingTorus,
+    /// An NS curve ends on a PF curve: both multipliers are 1, over half a period −1.
+    PitchforkTorus,
     /// An NS and a GZ curve meet.
     TorusGrazing,
 }
 
 impl CodimensionTwo {
     /// All of them.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Resonance,
         Self::SaddleNodeGrazing,
         Self::PeriodDoublingGrazing,
@@ -89,15 +102,17 @@ impl CodimensionTwo {
         Self::Cusp,
         Self::SaddleNodeTorus,
         Self::PeriodDoublingTorus,
+        Self::PitchforkTorus,
         Self::TorusGrazing,
     ];
 
     /// Where two curves meet of which one at least is a GZ or an NS curve.
     pub fn of_meeting(one: Bifurcation, other: Bifurcation) -> Self {
-        use Bifurcation::{PeriodDoubling, SaddleNode, Torus};
+        use Bifurcation::{PeriodDoubling, Pitchfork, SaddleNode, Torus};
         match (one, other) {
             (SaddleNode, Torus) | (Torus, SaddleNode) => Self::SaddleNodeTorus,
             (PeriodDoubling, Torus) | (Torus, PeriodDoubling) => Self::PeriodDoublingTorus,
+            (Pitchfork, Torus) | (Torus, Pitchfork) => Self::PitchforkTorus,
             (Torus, _) | (_, Torus) => Self::TorusGrazing,
             (SaddleNode, _) | (_, SaddleNode) => Self::SaddleNodeGrazing,
             (PeriodDoubling, _) | (_, PeriodDoubling) => Self::PeriodDoublingGrazing,
@@ -105,7 +120,7 @@ impl CodimensionTwo {
         }
     }
 
-    /// `resonance`, `SN-GZ`, `PD-GZ`, `GZ-GZ`, `cusp`, `SN-NS`, `PD-NS` or `NS-GZ`.
+    /// `resonance`, `SN-GZ`, `PD-GZ`, `GZ-GZ`, `cusp`, `SN-NS`, `PD-NS`, `PF-NS` or `NS-GZ`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Resonance => "resonance",
@@ -115,6 +130,7 @@ impl CodimensionTwo {
             Self::Cusp => "cusp",
             Self::SaddleNodeTorus => "SN-NS",
             Self::PeriodDoublingTorus => "PD-NS",
+            Self::PitchforkTorus => "PF-NS",
             Self::TorusGrazing => "NS-GZ",
         }
     }

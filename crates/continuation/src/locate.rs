@@ -13,6 +13,9 @@ use crate::tolerances::{self, EVALUATIONS, FARTHEST, SAME_POINT};
 pub enum Condition {
     /// A stability multiplier equals this: 1 at a saddle-node bifurcation, −1 at a period doubling.
     Multiplier(f64),
+    /// Of symmetric motion without impacts a multiplier over half a period is −1: a pitchfork. Motion
+    /// that is not symmetric does not meet it.
+    SymmetryBreaking,
     /// The product of both multipliers is 1: a torus bifurcation where they are complex, which are
     /// then e^{±iθ}.
     UnitProduct,
@@ -51,6 +54,8 @@ impl Condition {
         };
         Ok(match self {
             Self::Multiplier(multiplier) => pair.characteristic(multiplier),
+            // The pair is that of half a period.
+            Self::SymmetryBreaking => pair.characteristic(-1.0),
             Self::UnitProduct => pair.product_less_one(),
             Self::InteriorGrazing | Self::SecondInteriorGrazing => {
                 equations.maximum_near(point, self.maximum_time(times))?
@@ -80,7 +85,12 @@ impl Condition {
     }
 
     pub(crate) fn needs_second_order(self) -> bool {
-        matches!(self, Self::Multiplier(_) | Self::UnitProduct)
+        matches!(self, Self::Multiplier(_) | Self::SymmetryBreaking | Self::UnitProduct)
+    }
+
+    /// One multiplier is the same all along the curve.
+    pub(crate) fn fixes_a_multiplier(self) -> bool {
+        matches!(self, Self::Multiplier(_) | Self::SymmetryBreaking)
     }
 }
 
@@ -108,6 +118,8 @@ pub(crate) fn conditioned<O: ImpactOscillator>(
     point: &Unknowns,
     times: &mut EventTimes,
 ) -> Result<(Linearisation<4>, LoopPair), MapError> {
+    let halved = equations.halved().filter(|_| condition == Condition::SymmetryBreaking);
+    let equations = halved.as_ref().unwrap_or(equations);
     let pair = if second_order || condition.needs_second_order() {
         equations.pair::<2>(point, times)?
     } else {
@@ -149,6 +161,11 @@ pub fn locate_within<O: ImpactOscillator>(
     start: Unknowns,
     times: &mut EventTimes,
 ) -> Result<Unknowns, LocateFailure> {
+    // What asks for symmetry comes first, as it is a matter of the equations, too.
+    let mut conditions = conditions;
+    if conditions[1] == Condition::SymmetryBreaking {
+        conditions.swap(0, 1);
+    }
     let second_order = conditions[1].needs_second_order();
     let mut farthest = 0.0;
     let solution = newton::solve(start, EVALUATIONS, |point| {

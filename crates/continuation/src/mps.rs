@@ -12,8 +12,9 @@
 //! multipliers from the two ways, a highest maximum.
 
 mod pair;
+mod symmetry;
 
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 
 use grazing_model::maps::{self, MapError};
 use grazing_model::motion::{Maximum, Motion};
@@ -23,11 +24,12 @@ use nalgebra::{SMatrix, Vector2, Vector4};
 use smallvec::SmallVec;
 
 pub use pair::LoopPair;
+pub use symmetry::Symmetry;
 
 use crate::newton::Linearisation;
 pub(crate) use crate::solution::Stability;
 pub use crate::solution::{Multipliers, PeriodicSolution, Unknowns, parameters, unknown};
-use crate::tolerances::{FAR, REST, UNSURE_HEIGHT};
+use crate::tolerances::{FAR, RECURS, REST, UNSURE_HEIGHT};
 
 /// The impact of a point.
 fn impact(point: &Unknowns) -> OnWall {
@@ -95,19 +97,35 @@ pub struct LoopEquations<O = AnyOscillator> {
     formulation: Formulation,
     /// What μ and η are counted in where lengths are taken.
     units: [f64; 2],
+    /// The symmetry of motion without impacts.
+    symmetry: Option<Symmetry>,
+    /// The equations are those of symmetric motion over half a period.
+    halved: bool,
 }
 
 impl<O: ImpactOscillator> LoopEquations<O> {
     /// The equations of MPSs with `loops` = p ≥ 1 loops, or, whatever the formulation, of periodic
     /// solutions without impacts (p = 0); the oscillator's own parameters do not matter.
     pub fn new(oscillator: O, loops: u32, formulation: Formulation) -> Self {
-        Self { oscillator, loops, formulation, units: [1.0; 2] }
+        Self { oscillator, loops, formulation, units: [1.0; 2], symmetry: None, halved: false }
     }
 
     /// The equations of periodic solutions without impacts; in lengths of steps μ and η are counted
     /// in these units.
     pub fn without_impacts(oscillator: O, units: [f64; 2]) -> Self {
         Self { units, ..Self::new(oscillator, 0, Formulation::FixedPhase) }
+    }
+
+    /// The same equations where motion without impacts has this symmetry, if any.
+    #[must_use]
+    pub fn with_symmetry(self, symmetry: Option<Symmetry>) -> Self {
+        Self { symmetry, ..self }
+    }
+
+    /// The equations of symmetric motion: a half of the forcing period, mirrored, leads back. None
+    /// where there is no symmetry.
+    pub fn halved(&self) -> Option<Self> {
+        self.symmetry.map(|_| Self { halved: true, ..self.clone() })
     }
 
     /// The number of loops p; 0 without impacts.
@@ -213,8 +231,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     }
 
     /// The two maps to the plane of constant phase `plane`, the motion of the flight being at hand.
-    /// Without impacts they are the flow over a forcing period and the identity, and there are none
-    /// where motion goes far away.
+    /// Without impacts they are the flow over a forcing period, or the mirrored flow over half of it,
+    /// and the identity, and there are none where motion goes far away.
     fn pair_along<const ORDER: usize>(
         &self,
         point: &Unknowns,
@@ -225,7 +243,11 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             return Ok(self.fixed_phase_pair::<ORDER>(point, plane, motion));
         }
         let (oscillator, from) = (self.oscillator_at(point), at_phase_zero(point));
-        let around = maps::to_phase::<O, ORDER, _>(&oscillator, motion, from.at_phase_zero(), TAU);
+        let to = |phase| maps::to_phase::<O, ORDER, _>(&oscillator, motion, from.at_phase_zero(), phase);
+        let around = match self.symmetry.filter(|_| self.halved) {
+            Some(symmetry) => symmetry.mirrored(to(PI), point),
+            None => to(TAU),
+        };
         let size = around.value.norm();
         // NaN is far as well.
         if size.is_nan() || size > FAR {
@@ -307,9 +329,18 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// The same with what its multipliers were read off.
     pub(crate) fn solution_and_stability(&self, point: &Unknowns) -> (PeriodicSolution, Stability) {
         let motion = self.motion(point);
-        let pair = self.pair_along::<1>(point, point[unknown::PHASE], &motion);
-        let stability = pair.map_or(Stability::UNKNOWN, |pair| pair.stability());
+        let stability = self.symmetric_stability(point, &motion).unwrap_or_else(|| {
+            let pair = self.pair_along::<1>(point, point[unknown::PHASE], &motion);
+            pair.map_or(Stability::UNKNOWN, |pair| pair.stability())
+        });
         (self.orbit(point, &motion, stability.multipliers), stability)
+    }
+
+    /// The stability of symmetric motion over the whole period, from the map over half of it.
+    fn symmetric_stability(&self, point: &Unknowns, motion: &O::Motion) -> Option<Stability> {
+        let halved = self.halved()?;
+        let pair = halved.pair_along::<1>(point, point[unknown::PHASE], motion).ok()?;
+        (pair.difference().0.norm() < RECURS).then(|| pair.stability().of_the_square())
     }
 
     /// The same at a point with y = 0 that is approached along a curve with the given tangent,

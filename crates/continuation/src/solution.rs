@@ -62,6 +62,9 @@ pub(crate) struct Stability {
     /// The [`characteristic`](crate::mps::LoopPair::characteristic) of the multiplier 1, and of −1.
     pub(crate) saddle_node: f64,
     pub(crate) period_doubling: f64,
+    /// Of symmetric motion, the characteristic of −1 over half a period; the other ones are those of
+    /// half a period as well, as far as they may vanish.
+    pub(crate) pitchfork: Option<f64>,
     /// The [`product_less_one`](crate::mps::LoopPair::product_less_one).
     pub(crate) torus: f64,
 }
@@ -72,8 +75,19 @@ impl Stability {
         multipliers: Multipliers { trace: f64::NAN, determinant: f64::NAN },
         saddle_node: f64::NAN,
         period_doubling: f64::NAN,
+        pitchfork: None,
         torus: f64::NAN,
     };
+
+    /// From that of half a period that of a whole one, whose multipliers are squares.
+    pub(crate) fn of_the_square(self) -> Self {
+        let Multipliers { trace, determinant } = self.multipliers;
+        let multipliers =
+            Multipliers { trace: trace * trace - 2.0 * determinant, determinant: determinant * determinant };
+        // A sum of squares: T² + (1 − D)² over half a period.
+        let period_doubling = 1.0 + multipliers.trace + multipliers.determinant;
+        Self { multipliers, period_doubling, pitchfork: Some(self.period_doubling), ..self }
+    }
 
     /// Whether something has changed by more than itself, so that a correction as large as the last
     /// one may change its sign.

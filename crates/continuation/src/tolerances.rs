@@ -53,6 +53,10 @@ pub const TOUCH: f64 = 1e-11;
 /// bifurcations are located to better than that.
 pub(crate) const STABILITY: f64 = 1e-9;
 
+/// Motion that half a period, mirrored or not, brings back nearer than this recurs after it: points
+/// of curves are off by less, but by more than rounding where two branches cross.
+pub const RECURS: f64 = 1e-5;
+
 /// Impact velocities at or below this count as zero (empirical: y = 0 is approached transversally).
 pub(crate) const NO_VELOCITY: f64 = 1e-9;
 

@@ -53,7 +53,7 @@ pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<Value, Prob
         return near(found).then(|| json!({"at": units.parameters(found)})).ok_or_else(lost);
     }
     let equations = match p {
-        0 => LoopEquations::without_impacts(oscillator, scope.window.widths()),
+        0 => grazing_unfold::non_impacting::equations(&oscillator, scope.window),
         _ if scope.loops.contains(p) => LoopEquations::new(oscillator, *p, Formulation::FixedPhase),
         _ => return Err(unknown()),
     };

@@ -42,6 +42,7 @@ impl CurveLook {
         const RED: Colour = [214, 47, 32];
         const BLUE: Colour = [25, 70, 190];
         const PURPLE: Colour = [122, 28, 140];
+        const VIOLET: Colour = [99, 15, 254];
         match kind {
             Bifurcation::NonImpactingGrazing => Self {
                 meaning: "grazing of the non-impacting solution",
@@ -82,6 +83,14 @@ impl CurveLook {
                 text: PURPLE,
                 width: 1.15,
                 dashes: &[1.2, 1.2],
+            },
+            Bifurcation::Pitchfork => Self {
+                meaning: "pitchfork bifurcation of symmetric motion",
+                colours: [VIOLET, [151, 29, 254]],
+                approximation_on_dark: [203, 145, 254],
+                text: VIOLET,
+                width: 1.15,
+                dashes: &[5.0, 1.2],
             },
         }
     }
@@ -146,6 +155,7 @@ pub const fn point_meaning(kind: CodimensionTwo) -> &'static str {
         CodimensionTwo::Cusp => "cusp of a saddle-node curve",
         CodimensionTwo::SaddleNodeTorus => "saddle-node and torus: both multipliers are 1",
         CodimensionTwo::PeriodDoublingTorus => "period-doubling and torus: both multipliers are -1",
+        CodimensionTwo::PitchforkTorus => "pitchfork and torus: both multipliers are 1",
         CodimensionTwo::TorusGrazing => "torus and grazing",
     }
 }

@@ -169,9 +169,13 @@ impl Net {
         {
             self.grown += 1;
             let kind = Bifurcation::of(event.condition, loops);
-            // Through these an SN or a PD curve goes on.
-            let passed =
-                [CodimensionTwo::Cusp, CodimensionTwo::SaddleNodeTorus, CodimensionTwo::PeriodDoublingTorus];
+            // Through these the other curve goes on.
+            let passed = [
+                CodimensionTwo::Cusp,
+                CodimensionTwo::SaddleNodeTorus,
+                CodimensionTwo::PeriodDoublingTorus,
+                CodimensionTwo::PitchforkTorus,
+            ];
             let Some(kind) = kind.filter(|_| !passed.contains(&meeting)) else { continue };
             let corner = event.solution.unknowns;
             let there = self.curves.iter().filter(|curve| {

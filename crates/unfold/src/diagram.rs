@@ -324,10 +324,9 @@ impl Diagram {
 
     /// The equations of the p-loop MPSs; of solutions without impacts for p = 0.
     pub fn equations(&self, loops: u32) -> LoopEquations {
-        let oscillator = self.oscillator.clone();
         match loops {
-            0 => LoopEquations::without_impacts(oscillator, self.scope.window.widths()),
-            _ => LoopEquations::new(oscillator, loops, Formulation::FixedPhase),
+            0 => non_impacting::equations(&self.oscillator, self.scope.window),
+            _ => LoopEquations::new(self.oscillator.clone(), loops, Formulation::FixedPhase),
         }
     }
 

@@ -6,6 +6,7 @@
 
 mod relaxation;
 mod rest;
+mod symmetry;
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::CurvePoint;
@@ -16,6 +17,7 @@ use rayon::prelude::*;
 pub use relaxation::{Height, PeriodicMotion, periodic_motion};
 pub(crate) use relaxation::{is_whole, motion};
 pub use rest::positions as rest_positions;
+pub use symmetry::equations;
 
 use crate::curves::{DiagramCurve, Net};
 use crate::grazing::GrazingCurve;
@@ -79,7 +81,7 @@ fn on_slices(
             motion
         })
         .collect();
-    let equations = LoopEquations::without_impacts(oscillator.clone(), scope.window.widths());
+    let equations = equations(oscillator, scope.window);
     let mut net = Net::new(equations.clone());
     let mut survey = Survey::new(&mut net, scope, &[], Vec::new());
     for (secondary, motion) in relaxed.iter().zip(&motions) {

@@ -98,15 +98,20 @@ impl Cut {
         progress.begin(BRANCHES, scope.loops.len() as u64 + 1);
         let share = (line.range[1] - line.range[0]) / scope.window.widths()[0];
         let control = StepControl { longest: (STEP * share).max(LEAST_STEP), ..FREE_STEPS };
-        let equations = LoopEquations::without_impacts(oscillator.clone(), scope.window.widths());
+        let equations = non_impacting::equations(&oscillator, scope.window);
         let slicer = Slicer::new(equations, scope.window, control);
         let motion = non_impacting::motion(&oscillator, &scope, &slicer, line.at, &POSITIONS, &HEIGHTS);
         progress.step(BRANCHES);
         let grazing: Vec<[f64; 2]> =
             motion.grazing.iter().map(|orbit| [orbit.phase(), orbit.primary()]).collect();
-        let free = motion.branches.into_iter();
-        let mut branches: Vec<_> =
-            free.map(|curve| Branch { equations: slicer.equations.clone(), curve }).collect();
+        let mut free = Slice::new(line.at, motion.branches);
+        let of_free: Vec<DiagramCurve> = curves.iter().filter(|curve| curve.loops == 0).cloned().collect();
+        slicer.through_curves(&mut free, &of_free);
+        let mut branches: Vec<_> = slicer
+            .distinct(free)
+            .into_iter()
+            .map(|curve| Branch { equations: slicer.equations.clone(), curve })
+            .collect();
         branches.extend(mps_branches(&oscillator, &scope, &curves, line.at, &grazing, progress));
         progress.end(BRANCHES);
         let found = Self { oscillator, scope, line, branches };

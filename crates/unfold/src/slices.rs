@@ -16,6 +16,7 @@ use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, CurvePoint, Event, Route, SolutionCurve, Window};
 use grazing_continuation::locate::{Condition, locate, locate_within};
 use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns, parameters, unknown};
+use grazing_continuation::tolerances::RECURS;
 use grazing_model::motion::Motion;
 use grazing_model::phase::turned;
 use grazing_model::{ImpactOscillator, State};
@@ -105,8 +106,6 @@ const MOST_POINTS: usize = 25_000;
 /// From free motion larger than this steps are as much longer: fast forcing makes the unit of
 /// length small beside the wall's distance from rest.
 const LARGE: f64 = 16.0;
-/// and solutions have half the period that come back in it nearer than this.
-const RECURS: f64 = 1e-5;
 /// An MPS this close to the chord between two points of a branch, as a share of its length, lies on
 /// the branch: that leaves the chord by an eighth of the angle by which it turns, which is three
 /// times that of the step control at most.

@@ -263,7 +263,11 @@ impl<'a> Survey<'a> {
                 .chain(all.enumerate().filter(|(k, _)| !covered(*k)).map(|(_, line)| line))
                 .collect()
         };
-        let on_other = [CodimensionTwo::SaddleNodeTorus, CodimensionTwo::PeriodDoublingTorus];
+        let on_other = [
+            CodimensionTwo::SaddleNodeTorus,
+            CodimensionTwo::PeriodDoublingTorus,
+            CodimensionTwo::PitchforkTorus,
+        ];
         for corner in self.net.meetings.iter().filter(|corner| on_other.contains(&corner.kind)) {
             meet(&mut lines, parameters(&corner.unknowns()), self.scope.window);
         }

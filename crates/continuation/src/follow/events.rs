@@ -13,11 +13,12 @@ use crate::tolerances::{CUTS, FARTHEST_EVENT, FARTHEST_ITERATE, NO_VELOCITY, ON_
 pub(super) type CurveStation = Station<4, EventTimes>;
 
 /// What can happen to the solution along a curve.
-pub(super) const EVENTS: [Condition; 4] = [
+pub(super) const EVENTS: [Condition; 5] = [
     Bifurcation::SaddleNode.condition(),
     Bifurcation::PeriodDoubling.condition(),
     Bifurcation::Grazing.condition(),
     Bifurcation::Torus.condition(),
+    Bifurcation::Pitchfork.condition(),
 ];
 /// The place of admissibility in [`Signs`].
 pub(super) const INADMISSIBLE: usize = 2;
@@ -37,6 +38,7 @@ pub(super) fn vanishing(event: Condition, stability: &Stability) -> Option<f64> 
         Condition::SADDLE_NODE => Some(stability.saddle_node),
         Condition::PERIOD_DOUBLING => Some(stability.period_doubling),
         Condition::UnitProduct => Some(stability.torus),
+        Condition::SymmetryBreaking => stability.pitchfork,
         _ => None,
     }
 }
@@ -44,9 +46,10 @@ pub(super) fn vanishing(event: Condition, stability: &Stability) -> Option<f64> 
 /// On a curve of fixed multiplier the other multiplier is positive or negative throughout: only
 /// grazing can happen there. On one of fixed product both can become 1 or −1.
 pub(super) fn signs(along: Condition, stability: &Stability, solution: &PeriodicSolution) -> Signs {
-    EVENTS.map(|event| match vanishing(event, stability) {
-        Some(value) => (!matches!(along, Condition::Multiplier(_)) && event != along).then_some(value > 0.0),
-        None => Some(solution.touches()),
+    EVENTS.map(|event| match event {
+        Condition::InteriorGrazing => Some(solution.touches()),
+        _ if along.fixes_a_multiplier() || event == along => None,
+        _ => vanishing(event, stability).map(|value| value > 0.0),
     })
 }
 
@@ -74,7 +77,7 @@ impl<O: ImpactOscillator> SolutionCurve<O> {
         }
         let clear = match self.condition {
             // Where another maximum touches the wall its sign is a toss-up.
-            Condition::Multiplier(_) => at_grazing || solution.ceiling().abs() > TOUCHES_TOO,
+            along if along.fixes_a_multiplier() => at_grazing || solution.ceiling().abs() > TOUCHES_TOO,
             _ => {
                 let others = EVENTS.iter().filter(|event| **event != self.condition);
                 let vanishing = others.filter_map(|event| vanishing(*event, &stability));

@@ -65,7 +65,8 @@ impl LoopPair {
         });
         let [round_trip, impact] = [&self.round_trip, &self.impact].map(|jet| jet.derivative().determinant());
         let torus = round_trip - impact;
-        Stability { multipliers: self.multipliers(), saddle_node, period_doubling, torus }
+        let multipliers = self.multipliers();
+        Stability { multipliers, saddle_node, period_doubling, pitchfork: None, torus }
     }
 
     /// Trace and determinant of U = D(P_global^p ∘ P_disc). Paper: eq:U, eq:TD.

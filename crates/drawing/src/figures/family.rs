@@ -220,6 +220,7 @@ fn points(
             CodimensionTwo::GrazingGrazing | CodimensionTwo::Resonance => Bifurcation::Grazing,
             CodimensionTwo::SaddleNodeTorus
             | CodimensionTwo::PeriodDoublingTorus
+            | CodimensionTwo::PitchforkTorus
             | CodimensionTwo::TorusGrazing => Bifurcation::Torus,
         };
         let spot = panel.spot((value, row.secondary));

@@ -78,7 +78,7 @@ const AS_FAR: f64 = 2.0;
 /// Looks for grazing of periodic motion without the wall over the whole range of μ at η =
 /// `secondary`.
 pub fn periodic_motion(oscillator: &AnyOscillator, scope: &Scope, secondary: f64) -> PeriodicMotion {
-    let equations = LoopEquations::without_impacts(oscillator.clone(), scope.window.widths());
+    let equations = super::equations(oscillator, scope.window);
     let slicer = Slicer::new(equations, scope.window, FREE_STEPS);
     motion(oscillator, scope, &slicer, secondary, &[], &[0.0])
 }

@@ -33,37 +33,52 @@ const ENOUGH: f64 = 1e-3;
 /// The stable rest positions in front of the wall, from there on: where the force at rest, on
 /// average over a forcing period, is zero and drives back to there.
 pub fn positions(oscillator: &AnyOscillator) -> Vec<f64> {
-    let mean = |position: f64| {
-        let phases = (0..INSTANTS).map(|k| TAU * f64::from(k) / f64::from(INSTANTS));
-        let forces = phases.map(|phase| oscillator.acceleration(State::at_rest(position, phase)));
-        forces.sum::<f64>() / f64::from(INSTANTS)
-    };
-    let mut found = Vec::<f64>::new();
-    let [mut near, mut at_near] = [0.0, mean(0.0)];
-    let mut far = -FIRST;
-    for _ in 0..DISTANCES {
-        if found.first().is_some_and(|nearest| far < REACH * nearest) {
-            break;
-        }
-        let at_far = mean(far);
-        if at_near < 0.0 && at_far >= 0.0 {
-            let at = |share: f64| {
-                let position = near + share * (far - near);
-                let force = mean(position);
-                Ok::<_, core::convert::Infallible>((position, force))
-            };
-            let enough = |_: &f64, force: f64| force.abs() <= ENOUGH * (at_far - at_near);
-            let Ok(position) = zero_between([at_near, at_far], at, enough);
-            found.push(position);
-        }
-        [near, at_near] = [far, at_far];
-        far *= RATIO;
-    }
+    let stable = zeros(oscillator).into_iter().filter_map(|(position, stable)| stable.then_some(position));
+    let mut found: Vec<f64> = stable.collect();
     if let [first, second, ..] = found[..] {
         let turn = first - second;
         if is_period(oscillator, second, turn) {
             found.retain(|position| position.abs() <= 0.5 * turn);
         }
+    }
+    found
+}
+
+/// All rest positions in front of the wall, the stable ones first.
+pub(super) fn all_positions(oscillator: &AnyOscillator) -> Vec<f64> {
+    let mut found = zeros(oscillator);
+    found.sort_by_key(|(_, stable)| !stable);
+    found.into_iter().map(|(position, _)| position).collect()
+}
+
+/// The rest positions in front of the wall, from there on, and whether the force drives back to them.
+fn zeros(oscillator: &AnyOscillator) -> Vec<(f64, bool)> {
+    let mean = |position: f64| {
+        let phases = (0..INSTANTS).map(|k| TAU * f64::from(k) / f64::from(INSTANTS));
+        let forces = phases.map(|phase| oscillator.acceleration(State::at_rest(position, phase)));
+        forces.sum::<f64>() / f64::from(INSTANTS)
+    };
+    let mut found = Vec::new();
+    let [mut near, mut at_near] = [0.0, mean(0.0)];
+    let mut far = -FIRST;
+    for _ in 0..DISTANCES {
+        let nearest = found.iter().find_map(|(position, stable): &(f64, bool)| stable.then_some(*position));
+        if nearest.is_some_and(|nearest| far < REACH * nearest) {
+            break;
+        }
+        let at_far = mean(far);
+        if (at_near < 0.0) != (at_far < 0.0) {
+            let at = |share: f64| {
+                let position = near + share * (far - near);
+                let force = mean(position);
+                Ok::<_, core::convert::Infallible>((position, force))
+            };
+            let enough = |_: &f64, force: f64| force.abs() <= ENOUGH * (at_far - at_near).abs();
+            let Ok(position) = zero_between([at_near, at_far], at, enough);
+            found.push((position, at_near < 0.0));
+        }
+        [near, at_near] = [far, at_far];
+        far *= RATIO;
     }
     found
 }

@@ -15,9 +15,10 @@ use crate::grazing::HighestPoint;
 /// than that at this share of the root of its width.
 const BESIDE_GRAZING: f64 = 1e-4;
 const BESIDE_SHARE: f64 = 0.01;
-/// Branches of twice the period begin so far in (x, y) from where the period doubles, whose square
-/// is the distance in μ,
-const BESIDE_DOUBLING: f64 = 1e-3;
+/// Branches of twice the period begin so far in (x, y) from where the period doubles; the square is
+/// the distance in μ. Those of twice the half of one are farther from the branch of symmetric motion
+/// than what counts as on it.
+const BESIDE_DOUBLING: [f64; 3] = [1e-3, 1e-2, 5e-2];
 /// Solutions of a branch that are carried to a neighbouring slice.
 const CARRIED: usize = 8;
 
@@ -48,21 +49,33 @@ impl Slicer {
     /// Adds the branches of solutions of twice the period that begin where curves of period
     /// doublings cross the slice.
     pub(crate) fn beginning_at_doublings(&self, slice: &mut Slice, curves: &[DiagramCurve]) {
-        let here = Condition::Secondary(slice.secondary);
+        let Some(halved) = &self.halved else { return };
         let doublings = curves.iter().filter(|curve| curve.kind == Bifurcation::PeriodDoubling);
         let crossings =
             doublings.flat_map(|curve| crossings(&curve.curve, unknown::SECONDARY, slice.secondary));
+        let here = Condition::Secondary(slice.secondary);
         for Crossing { condition, place, mut times, .. } in crossings.collect::<Vec<_>>() {
-            let start = self.halved.as_ref().and_then(|halved| {
-                let at = locate_within(CARRIED_OFF, halved, [condition, here], place, &mut times).ok()?;
-                let mut near = at;
-                let direction = halved.pair::<1>(&at, &mut times).ok()?.direction(-1.0)?;
-                near.fixed_rows_mut::<2>(0).axpy(BESIDE_DOUBLING, &direction, 1.0);
-                let held = Condition::ImpactVelocity(near[unknown::VELOCITY]);
-                let times = &mut EventTimes::default();
-                locate_within(CARRIED_OFF, &self.equations, [held, here], near, times).ok()
-            });
-            if let Some(start) = start {
+            if let Ok(at) = locate_within(CARRIED_OFF, halved, [condition, here], place, &mut times) {
+                self.beginning_beside(slice, halved, at);
+            }
+        }
+    }
+
+    /// Adds the branch of solutions of twice the period that begins at one with the multiplier −1.
+    fn beginning_beside(&self, slice: &mut Slice, halved: &LoopEquations, at: Unknowns) {
+        let pair = halved.pair::<1>(&at, &mut EventTimes::default());
+        let Some(direction) = pair.ok().and_then(|pair| pair.direction(-1.0)) else { return };
+        let before = slice.branches.len();
+        for distance in BESIDE_DOUBLING {
+            if slice.branches.len() > before {
+                break;
+            }
+            let mut near = at;
+            near.fixed_rows_mut::<2>(0).axpy(distance, &direction, 1.0);
+            let held = Condition::ImpactVelocity(near[unknown::VELOCITY]);
+            let conditions = [held, Condition::Secondary(slice.secondary)];
+            let times = &mut EventTimes::default();
+            if let Ok(start) = locate_within(CARRIED_OFF, &self.equations, conditions, near, times) {
                 self.add(slice, start, &EventTimes::default(), true);
             }
         }
@@ -110,9 +123,15 @@ impl Slicer {
         for Crossing { condition, chord, place: near, mut times } in
             known.flat_map(|curve| crossings(curve, unknown::SECONDARY, secondary))
         {
-            // The curve's own point may lie on a branch that has stepped over it.
-            let on_branch = slice.branches.iter().position(|branch| self.passes(branch, &near));
-            if on_branch.is_some_and(|index| self.has(&slice.branches[index], condition, &chord)) {
+            // The curve's own point may lie on a branch that has stepped over it; at a pitchfork, on two.
+            let passing = |slice: &Slice| -> Vec<usize> {
+                let all = slice.branches.iter().enumerate();
+                let passing = all.filter(|(_, branch)| self.passes(branch, &near)).map(|(index, _)| index);
+                passing.take(if condition == Condition::SymmetryBreaking { usize::MAX } else { 1 }).collect()
+            };
+            let known = passing(slice);
+            let has = |index: &usize| self.has(&slice.branches[*index], condition, &chord);
+            if !known.is_empty() && known.iter().all(has) {
                 continue;
             }
             let found = locate_within(CARRIED_OFF, &self.equations, [condition, here], near, &mut times);
@@ -120,9 +139,16 @@ impl Slicer {
                 && self.is_real(&through)
                 && self.window.contains(parameters(&through))
             {
-                match on_branch {
-                    Some(index) => self.insert(&mut slice.branches[index], condition, &through, times),
-                    None => self.add(slice, through, &times, true),
+                if known.is_empty() {
+                    self.add(slice, through, &times, true);
+                }
+                if condition == Condition::SymmetryBreaking
+                    && let Some(halved) = self.equations.halved()
+                {
+                    self.beginning_beside(slice, &halved, through);
+                }
+                for index in passing(slice) {
+                    self.insert(&mut slice.branches[index], condition, &through, times.clone());
                 }
             }
         }

@@ -8,6 +8,7 @@ mod examples;
 mod family;
 mod one_parameter;
 mod paper;
+mod pitchforks;
 mod places;
 mod regions;
 mod resonances;

@@ -1,0 +1,88 @@
+//! Pitchforks of symmetric motion without impacts, against motion that has settled.
+
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_model::motion::Motion;
+use grazing_model::{AnyOscillator, ImpactOscillator, State};
+use grazing_unfold::one_parameter::{Cut, Line};
+use grazing_unfold::progress::Silent;
+use grazing_unfold::{Diagram, Scope};
+
+use crate::specimens::{described, scope};
+
+/// A driven pendulum that hangs at x = −3, and a particle between two wells with the hill at −1.8.
+fn specimens() -> [(AnyOscillator, Scope, f64); 2] {
+    let pendulum = ("-0.5*v - sin(x + 3) + mu*cos(eta*t)", [[0.8, 1.2], [0.6, 0.75]], -3.0);
+    let wells =
+        ("-0.028*v + 0.36*((x + 1.8) - (x + 1.8)^3) + mu*cos(eta*t)", [[0.3, 0.6], [0.6, 0.75]], -1.8);
+    [pendulum, wells].map(|(force, ranges, centre)| {
+        let model = described([force, "eta", "0"], 0.7, ranges);
+        (model.oscillator([ranges[0][0], ranges[1][0]]), scope(ranges[0], ranges[1], &[1]), centre)
+    })
+}
+
+/// Pitchforks in the plane.
+fn pitchforks(diagram: &Diagram) -> Vec<[f64; 2]> {
+    let curves = diagram.curves.iter().filter(|curve| curve.kind == Bifurcation::Pitchfork);
+    curves.flat_map(|curve| curve.curve.parameters()).collect()
+}
+
+/// How far motion that has settled, the wall ignored, is from its own mirror image after half a
+/// period.
+fn asymmetry(oscillator: &AnyOscillator, at: [f64; 2], from: [f64; 2], centre: f64) -> f64 {
+    let oscillator = oscillator.with_parameters(at);
+    let period = oscillator.forcing_period();
+    let after = |state: State, time: f64| {
+        let there = oscillator.motion(state).at(time);
+        let phase = core::f64::consts::TAU * time / period;
+        State { position: there.position, velocity: there.velocity, phase: state.phase + phase }
+    };
+    let mut state = State { position: from[0], velocity: from[1], phase: 0.0 };
+    for _ in 0..600 {
+        state = State { phase: 0.0, ..after(state, period) };
+    }
+    let half = after(state, 0.5 * period);
+    (state.position + half.position - 2.0 * centre).abs() + (state.velocity + half.velocity).abs()
+}
+
+#[test]
+fn motion_is_symmetric_on_one_side_of_a_pitchfork_and_not_on_the_other() {
+    let [(oscillator, scope, centre), _] = specimens();
+    let diagram = Diagram::located(&oscillator, &scope, &Silent).expect("it grazes");
+    let places = pitchforks(&diagram);
+    assert!(places.len() > 20, "{}", places.len());
+    for [primary, secondary] in places.into_iter().step_by(20) {
+        let settled =
+            |shift: f64| asymmetry(&oscillator, [primary + shift, secondary], [centre, 0.0], centre);
+        // Beyond it asymmetry grows like the root of the distance.
+        assert!(settled(-2e-3) < 1e-4, "at {primary}, {secondary}: {}", settled(-2e-3));
+        assert!(settled(2e-3) > 1e-2, "at {primary}, {secondary}: {}", settled(2e-3));
+    }
+}
+
+#[test]
+fn what_is_stable_beside_a_pitchfork_is_decided_on_both_sides() {
+    for (oscillator, scope, _) in specimens() {
+        let diagram = Diagram::located(&oscillator, &scope, &Silent).expect("it grazes");
+        assert!(!pitchforks(&diagram).is_empty());
+        assert!(
+            diagram.regions.iter().all(|region| region.doubt.is_none()),
+            "{:?}",
+            diagram.regions.iter().filter_map(|region| region.doubt.as_ref()).collect::<Vec<_>>()
+        );
+    }
+}
+
+#[test]
+fn a_one_parameter_diagram_shows_a_pitchfork_where_the_curve_crosses_it() {
+    for (oscillator, scope, _) in specimens() {
+        let diagram = Diagram::located(&oscillator, &scope, &Silent).expect("it grazes");
+        let curve = pitchforks(&diagram);
+        let middle = curve[curve.len() / 2];
+        let line = Line { diagram: 1, primary_is_fixed: false, at: middle[1], range: scope.window.primary };
+        let cut = Cut::follow(&oscillator, &scope, &diagram.curves, line, &Silent).expect("nobody stops it");
+        let found = cut.diagram().bifurcations;
+        let mut found = found.iter().filter(|found| found.kind == Bifurcation::Pitchfork);
+        // Both are located to some 10⁻¹⁰.
+        assert!(found.any(|found| (found.primary - middle[0]).abs() < 1e-8), "{middle:?}");
+    }
+}
