@@ -88,7 +88,7 @@ function drawRegions(context, regions, ink) {
 }
 
 function drawCurves(context) {
-  const order = { graz: 0, GZ: 1, NS: 2, PD: 3, SN: 4 };
+  const order = { graz: 0, GZ: 1, NS: 2, PF: 3, PD: 4, SN: 5 };
   context.lineJoin = "round";
   for (const { curve, points, bounds } of [...runs].sort((a, b) => (order[a.curve.kind] ?? 5) - (order[b.curve.kind] ?? 5) || (a.curve.source === "quadratic") - (b.curve.source === "quadratic"))) {
     const pen = penOf(curve);

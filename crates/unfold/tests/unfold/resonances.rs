@@ -1,15 +1,17 @@
 //! Resonances on the grazing curve of the linear oscillator, of which all are known.
 
+use grazing_continuation::arclength::StepControl;
 use grazing_continuation::resonance::ResonanceError;
 use grazing_model::ImpactOscillator;
 use grazing_theorems::LinearOscillator as Theory;
 use grazing_unfold::Diagram;
+use grazing_unfold::diagram::route;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::verdict::{Verdict, coefficients};
 
 use crate::specimens::{
-    DAMPED, EPSILON, ZETA, assert_closed_form, assert_within, closed_form, example, linear, resonances,
-    scope, written,
+    DAMPED, EPSILON, ZETA, assert_closed_form, assert_within, closed_form, described, example, linear,
+    resonances, scope, written,
 };
 
 /// Forcing frequency and n of all resonances of a p in a range, and whether a theorem holds there:
@@ -146,4 +148,25 @@ fn resonances_are_found_where_motion_is_almost_forgotten_within_p_periods() {
         let [_, frequency] = here.located.orbit().oscillator().parameters();
         assert_within(frequency, wanted.forcing_frequency(), 1e-9);
     }
+}
+
+#[test]
+fn the_highest_maximum_at_a_resonance_is_at_the_wall_where_motion_has_lower_ones_as_well() {
+    // Two maxima in a period, of which one grazes.
+    let ranges = [[0.1, 3.0], [0.3, 0.45]];
+    let model =
+        described(["-0.04*v - x - 1 + mu*(cos(eta*t) + 2*cos(3*eta*t + 1))", "eta", "0"], EPSILON, ranges);
+    let scope = scope(ranges[0], ranges[1], &[2, 3]);
+    let diagram = Diagram::located(&model.oscillator([0.5, 0.4]), &scope, &Silent).expect("it grazes");
+    let mut seen = 0;
+    for (resonance, located) in diagram.unfolding() {
+        let unfolded = located.unfold(&route(scope.window, StepControl::DRAWING)).expect("its curves begin");
+        for curve in unfolded.curves() {
+            let first = &curve.points[0].solution;
+            // Event times are exact to rounding.
+            assert!(first.ceiling().abs() < 1e-8, "p = {}: {}", resonance.loops, first.ceiling());
+            seen += 1;
+        }
+    }
+    assert!(seen >= 2, "{seen}");
 }
