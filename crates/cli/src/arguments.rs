@@ -11,7 +11,7 @@ use grazing_drawing::SheetWidth;
 use grazing_source::Setting;
 
 use crate::failure::Failure;
-use crate::outputs::edition::{Edition, Format, WIDTHS};
+use crate::outputs::edition::{Edition, Format, TextForm, WIDTHS};
 use crate::outputs::{self, edition};
 use crate::variation::{Part, Variation};
 
@@ -94,12 +94,15 @@ pub struct Look {
     /// Dots per inch of PNG
     #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u16).range(50..=1200))]
     pub dpi: u16,
+    /// Labels as text in embedded fonts, or as paths for systems that ignore these
+    #[arg(long, value_name = "FORM", value_enum, default_value_t)]
+    pub text: TextForm,
 }
 
 impl Look {
     /// Formats and width as an edition.
     pub fn edition(&self) -> Edition {
-        Edition::new(self.format.clone(), self.columns, self.dpi)
+        Edition::new(self.format.clone(), self.columns, self.dpi, self.text)
     }
 }
 

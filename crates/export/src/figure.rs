@@ -4,12 +4,15 @@ use std::sync::{Arc, OnceLock};
 
 use grazing_drawing::FONT_FILES;
 use resvg::usvg::fontdb::Database;
-use resvg::usvg::{Group, Node, Options, Text, Tree};
+use resvg::usvg::{Group, Node, Options, Text, Tree, WriteOptions};
 
 use crate::error::ExportError;
 
 /// User units to an inch: with 72 of them a unit is a point, as in the figures' view boxes.
 const UNITS_PER_INCH: f32 = 72.0;
+
+/// Decimals of coordinates in outlines: thousandths of a point.
+const DECIMALS: u8 = 3;
 
 /// A figure that was read.
 pub struct Drawing {
@@ -31,6 +34,11 @@ impl Drawing {
     /// What is drawn, element by element.
     pub fn tree(&self) -> &Tree {
         &self.tree
+    }
+
+    /// The same as SVG without text: every glyph is a path, for systems that ignore embedded fonts.
+    pub fn outlines(&self) -> String {
+        self.tree.to_string(&WriteOptions { coordinates_precision: DECIMALS, ..WriteOptions::default() })
     }
 
     /// Width and height of the sheet, in points.

@@ -209,3 +209,14 @@ fn what_cannot_be_drawn_is_refused() {
     assert!(told(Drawing::read(&snow).err()).starts_with("label `雪` needs"));
     assert!(told(sample().png(1e-3).err()).starts_with("a picture of 0 by"));
 }
+
+#[test]
+fn outlines_look_as_text_does() {
+    let outlines = Drawing::read(&sample().outlines()).expect("what is written can be read");
+    assert!(outlines.texts().is_empty() && !sample().texts().is_empty());
+    let [text, paths] = [Picture::of(&sample()), Picture::of(&outlines)];
+    assert_eq!((text.width, text.height), (paths.width, paths.height));
+    // Coordinates are rounded to thousandths of a point, and with them shades at edges.
+    let differ = text.colours.iter().zip(&paths.colours).filter(|(one, other)| one.abs_diff(**other) > 32);
+    assert_eq!(differ.count(), 0);
+}

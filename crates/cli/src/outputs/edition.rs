@@ -28,6 +28,16 @@ impl Format {
     }
 }
 
+/// What labels are made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum TextForm {
+    /// Text, which can be searched and changed, in embedded fonts.
+    #[default]
+    Fonts,
+    /// Paths, which look alike where embedded fonts are ignored.
+    Outlines,
+}
+
 /// How wide figures are made: the words on the command line, and what they mean.
 pub(crate) const WIDTHS: [(&str, SheetWidth, &str); 3] = [
     ("paper", SheetWidth::Paper, "As in the paper"),
@@ -46,30 +56,31 @@ pub struct Edition {
     pub(crate) formats: Vec<Format>,
     pub(crate) columns: SheetWidth,
     pub(crate) dpi: u16,
+    pub(crate) text: TextForm,
 }
 
 impl Default for Edition {
     /// SVG as wide as in the paper, which is what `figures/` holds.
     fn default() -> Edition {
-        Edition { formats: vec![Format::Svg], columns: SheetWidth::Paper, dpi: 300 }
+        Edition { formats: vec![Format::Svg], columns: SheetWidth::Paper, dpi: 300, text: TextForm::Fonts }
     }
 }
 
 impl Edition {
     /// What the command line asks for.
-    pub fn new(mut formats: Vec<Format>, columns: SheetWidth, dpi: u16) -> Edition {
+    pub fn new(mut formats: Vec<Format>, columns: SheetWidth, dpi: u16, text: TextForm) -> Edition {
         if formats.contains(&Format::Tex) {
             // The snippet includes the figures as PDF.
             formats.push(Format::Pdf);
         }
         formats.sort_unstable();
         formats.dedup();
-        Edition { formats, columns, dpi }
+        Edition { formats, columns, dpi, text }
     }
 
     /// True if it is what `figures/` holds.
     pub fn is_default(&self) -> bool {
-        self.formats == [Format::Svg] && self.columns == SheetWidth::Paper
+        Edition { dpi: Edition::default().dpi, ..self.clone() } == Edition::default()
     }
 
     /// True if it has the format.
@@ -91,6 +102,9 @@ impl Edition {
         if self.has(Format::Png) && self.dpi != Edition::default().dpi {
             options.push_str(&format!(" --dpi {}", self.dpi));
         }
+        if self.text == TextForm::Outlines {
+            options.push_str(" --text outlines");
+        }
         options
     }
 
@@ -102,7 +116,11 @@ impl Edition {
 
     /// A figure in all formats but LaTeX, which has none.
     pub(crate) fn figure_files(&self, file: &str, sheet: &Sheet) -> Result<Vec<OutputFile>, ExportError> {
-        let (mut files, svg) = (Vec::new(), sheet.svg());
+        let mut svg = sheet.svg();
+        if self.text == TextForm::Outlines {
+            svg = sheet.svg_around(&Drawing::read(&svg)?.outlines());
+        }
+        let mut files = Vec::new();
         for (format, path) in self.formats.iter().zip(self.figure_paths(file)) {
             let content = match format {
                 Format::Svg => svg.clone().into_bytes(),

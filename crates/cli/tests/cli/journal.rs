@@ -57,6 +57,26 @@ fn an_edition_for_a_journal_goes_to_its_own_folder_and_latex_includes_all_of_it(
     assert!(checked.errors().contains(mend), "{}", checked.messages);
 }
 
+#[test]
+fn outlines_have_no_text_and_no_fonts() {
+    let folder = project(&quick_parameters());
+    let made = |place: &str, more: &[&str]| {
+        let only = ["reproduce", "--only", "fig01", "--format", "svg,pdf", "--output", place];
+        let made = grazing(folder.path(), &[&only[..], more].concat());
+        assert_eq!(made.code, Some(0), "{}", made.messages);
+        ["fig01.svg", "fig01.pdf"].map(|file| {
+            let content = fs::read(folder.path().join(place).join(file)).expect("it was made");
+            String::from_utf8_lossy(&content).into_owned()
+        })
+    };
+    let [fonts, text] = made("fonts", &[]);
+    let [outlines, paths] = made("outlines", &["--text", "outlines"]);
+    assert!(fonts.contains("<text") && fonts.contains("@font-face") && text.contains("/FontFile"));
+    assert!(!outlines.contains("<text") && !outlines.contains("@font-face") && !paths.contains("/FontFile"));
+    let head = |svg: &str| svg[..svg.find("</title>").expect("it has a title")].to_owned();
+    assert_eq!(head(&outlines), head(&fonts), "size and title");
+}
+
 /// What LaTeX says of a document of class article, with one column or two, that has everything of a
 /// folder in it; nothing where there is no pdflatex.
 fn compiled(journal: &Path, options: &str) -> Option<String> {

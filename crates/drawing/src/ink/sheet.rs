@@ -65,35 +65,40 @@ pub struct PanelMark {
 }
 
 impl Sheet {
-    /// What everything that is drawn inherits: attributes of the element around it. White space is
-    /// preserved because some viewers drop it at the ends of a tspan otherwise.
-    pub const INHERITED: &str = "font-family=\"'STIX Two Text','STIXGeneral','Times New Roman',Times,serif\" \
+    /// What everything that is drawn inherits: attributes of the element around it. Where the
+    /// embedded font is ignored, others of about its widths come before any other with serifs. White
+    /// space is preserved because some viewers drop it at the ends of a tspan otherwise.
+    pub const INHERITED: &str = "font-family=\"'STIX Two Text','STIXGeneral','Times New Roman','Liberation Serif',\
+                                 'Nimbus Roman','TeX Gyre Termes',Times,serif\" \
                                  xml:space=\"preserve\" stroke-linejoin=\"round\" fill=\"none\"";
 
     /// The text of an SVG file, which embeds its fonts.
     pub fn svg(&self) -> String {
+        let mut content = format!("<style>\n{}</style>\n{}", style_sheet(), self.body(path_data));
+        if !self.legend.is_empty() {
+            let entry = |(meaning, sample): &(String, String)| {
+                format!("<g aria-label=\"{}\">{sample}</g>", escape(meaning))
+            };
+            let entries: String = self.legend.iter().map(entry).collect();
+            content.push_str(&format!("<defs class=\"legend\">{entries}</defs>\n"));
+        }
+        self.svg_around(&content)
+    }
+
+    /// The text of an SVG file of its size and with its title around anything.
+    pub fn svg_around(&self, content: &str) -> String {
         let Self { title, description, size: (width, height), .. } = self;
-        let mut svg = format!(
+        format!(
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
              <svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"{}\" {} role=\"img\">\n\
-             <title>{}</title>\n<desc>{}</desc>\n<style>\n{}</style>\n{}",
+             <title>{}</title>\n<desc>{}</desc>\n{content}</svg>\n",
             points(width / POINTS_PER_MM),
             points(height / POINTS_PER_MM),
             self.view_box(),
             Self::INHERITED,
             escape(title),
             escape(description),
-            style_sheet(),
-            self.body(path_data),
-        );
-        if !self.legend.is_empty() {
-            let entry = |(meaning, sample): &(String, String)| {
-                format!("<g aria-label=\"{}\">{sample}</g>", escape(meaning))
-            };
-            let entries: String = self.legend.iter().map(entry).collect();
-            svg.push_str(&format!("<defs class=\"legend\">{entries}</defs>\n"));
-        }
-        svg + "</svg>\n"
+        )
     }
 
     /// The view box of its SVG.
