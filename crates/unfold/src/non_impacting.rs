@@ -22,7 +22,7 @@ pub use symmetry::equations;
 use crate::curves::{DiagramCurve, Net};
 use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
-use crate::regions::{self, Region, decided};
+use crate::regions::{self, Region, crossed, decided};
 use crate::slices::Slice;
 use crate::subharmonic::over_periods;
 use crate::survey::Survey;
@@ -135,7 +135,7 @@ fn doubled(
         let slow = over_periods(oscillator, periods);
         let mut next = Net::new(LoopEquations::without_impacts(slow, scope.window.widths()));
         let mut survey = Survey::of_doubled(&mut next, scope, periods, &net);
-        decided(scope.window, &mut survey, &regions::levels(scope.window), progress);
+        crossed(scope.window, &mut survey, &regions::levels(scope.window), progress);
         grazing.append(&mut survey.grazing);
         net = next;
         periods *= 2;

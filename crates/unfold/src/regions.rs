@@ -81,18 +81,43 @@ pub(crate) fn decided(
     levels: &[f64],
     progress: &dyn Progress,
 ) -> Vec<Region> {
-    survey.look_at(levels, progress);
-    let mut judge = Judge { window, sights: survey.sights(), witnesses: survey.witnesses() };
-    for _ in 0..ROUNDS {
-        let lines = joined(window, survey.lines());
-        let faces = faces::cut(window, &lines);
+    let judge = refined(window, survey, levels, progress, |judge, survey, lines| {
+        let faces = faces::cut(window, lines);
         let unseen: Vec<[f64; 2]> = faces.iter().filter_map(|face| judge.unseen(face)).collect();
         let mut wanted: Vec<f64> = faces.iter().flat_map(|face| judge.contradicted(face)).collect();
         wanted.extend(faces.into_iter().flat_map(|face| judge.between_verdicts(face)));
-        wanted.extend(judge.beside_loose_ends(&lines, survey.loops() > 0));
-        wanted.extend(judge.uncrossed(&lines, 1));
-        wanted.extend(judge.uncrossed(&survey.beginnings(), ABOUT_BEGINNINGS));
-        let wanted = judge.affordable(unseen, &wanted);
+        wanted.extend(judge.beside_loose_ends(lines, survey.loops() > 0));
+        wanted.extend(across_curves(judge, survey, lines));
+        judge.affordable(unseen, &wanted)
+    });
+    let lines = joined(window, survey.lines());
+    judge.regions(&lines, survey.curves(), survey.loops())
+}
+
+/// Takes a survey of which no regions are wanted across all its curves, and across those at which its
+/// branches begin.
+pub(crate) fn crossed(window: Window, survey: &mut Survey<'_>, levels: &[f64], progress: &dyn Progress) {
+    refined(window, survey, levels, progress, |judge, survey, lines| {
+        judge.affordable(Vec::new(), &across_curves(judge, survey, lines))
+    });
+}
+
+fn across_curves(judge: &Judge, survey: &Survey<'_>, lines: &[Vec<Point>]) -> Vec<f64> {
+    [judge.uncrossed(lines, 1), judge.uncrossed(&survey.beginnings(), ABOUT_BEGINNINGS)].concat()
+}
+
+/// Lays slices at some values of η, and at those that are wanted once these are known, and so on.
+fn refined(
+    window: Window,
+    survey: &mut Survey<'_>,
+    levels: &[f64],
+    progress: &dyn Progress,
+    wanted: impl Fn(&Judge, &Survey<'_>, &[Vec<Point>]) -> Vec<f64>,
+) -> Judge {
+    survey.look_at(levels, progress);
+    let mut judge = Judge { window, sights: survey.sights(), witnesses: survey.witnesses() };
+    for _ in 0..ROUNDS {
+        let wanted = wanted(&judge, survey, &joined(window, survey.lines()));
         if wanted.is_empty() || progress.stopped() {
             break;
         }
@@ -100,8 +125,7 @@ pub(crate) fn decided(
         judge.sights = survey.sights();
         judge.witnesses = survey.witnesses();
     }
-    let lines = joined(window, survey.lines());
-    judge.regions(&lines, survey.curves(), survey.loops())
+    judge
 }
 
 impl Judge {
