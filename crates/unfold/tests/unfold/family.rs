@@ -162,3 +162,23 @@ fn an_extremum_is_a_double_zero_only_if_it_is_zero() {
         }
     }
 }
+
+#[test]
+fn a_resonance_leaves_the_window_at_either_edge_before_the_other_member() {
+    let resonance = LinearOscillator::new(0.02, 0.9).unwrap().resonance(1, 3).unwrap();
+    let at = resonance.forcing_frequency();
+    for (frequency, edge) in [("eta + 0.76 - c", 0.8), ("eta - 0.76 + c", 0.6)] {
+        let description = linear(frequency, [0.6, 0.8]);
+        let (diagram, arcs) = followed(&description, "c", [0.76, 1.06]);
+        let is_it = |arc: &&Arc| {
+            let found = &diagram.resonances[arc.resonance];
+            (found.loops, found.n) == (1, 3)
+        };
+        let arc = arcs.iter().find(is_it).expect("it is in the window");
+        assert_eq!(arc.end, ArcEnd::LeftWindow, "{frequency}");
+        let last = arc.points.last().expect("it has points");
+        assert!((last.orbit.oscillator().parameters()[1] - edge).abs() < 1e-9);
+        // The frequency there is what it was, and c has moved by the way to the edge.
+        assert!((0.3 * last.way - (edge - at).abs()).abs() < 1e-9, "{frequency}: {}", last.way);
+    }
+}
