@@ -16,8 +16,9 @@ struct Serving(Child);
 impl Serving {
     /// Starts it, and reads its address.
     fn new(folder: &Path) -> (Self, String) {
-        let mut server = Command::new(env!("CARGO_BIN_EXE_grazing"))
-            .args(["explore", "--no-browser"])
+        // Whoever runs the tests may have Ctrl-C ignored.
+        let mut server = Command::new("env")
+            .args(["--default-signal=INT", env!("CARGO_BIN_EXE_grazing"), "explore", "--no-browser"])
             .current_dir(folder)
             .stdout(Stdio::piped())
             .spawn()

@@ -99,7 +99,7 @@ pub(crate) fn curve_rows(curves: Vec<SampleCurve>) -> Vec<PlanePoint> {
 fn point_rows(curves: &[SampleCurve]) -> Vec<SpecialPoint> {
     let ends = curves.iter().filter_map(|(kind, loops, n, _, points)| {
         let (kind, (primary, secondary)) = match kind {
-            Bifurcation::NonImpactingGrazing | Bifurcation::Torus => return None,
+            Bifurcation::NonImpactingGrazing | Bifurcation::Torus | Bifurcation::Pitchfork => return None,
             Bifurcation::SaddleNode => (CodimensionTwo::Resonance, points[0]),
             Bifurcation::PeriodDoubling => (CodimensionTwo::PeriodDoublingGrazing, points[100]),
             Bifurcation::Grazing => (CodimensionTwo::SaddleNodeGrazing, points[0]),
