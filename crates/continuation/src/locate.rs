@@ -118,7 +118,10 @@ pub(crate) fn conditioned<O: ImpactOscillator>(
     point: &Unknowns,
     times: &mut EventTimes,
 ) -> Result<(Linearisation<4>, LoopPair), MapError> {
-    let halved = equations.halved().filter(|_| condition == Condition::SymmetryBreaking);
+    let halved = match condition {
+        Condition::SymmetryBreaking => Some(equations.halved().ok_or(MapError::NotSymmetric)?),
+        _ => None,
+    };
     let equations = halved.as_ref().unwrap_or(equations);
     let pair = if second_order || condition.needs_second_order() {
         equations.pair::<2>(point, times)?

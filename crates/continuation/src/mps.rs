@@ -225,26 +225,28 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             }
             _ => {
                 let plane = *times.reference_phase.get_or_insert(point[unknown::PHASE]);
-                self.pair_along::<ORDER>(point, plane, &self.motion(point))
+                let mirror = self.symmetry.filter(|_| self.halved);
+                self.pair_along::<ORDER>(point, plane, &self.motion(point), mirror)
             }
         }
     }
 
     /// The two maps to the plane of constant phase `plane`, the motion of the flight being at hand.
-    /// Without impacts they are the flow over a forcing period, or the mirrored flow over half of it,
-    /// and the identity, and there are none where motion goes far away.
+    /// Without impacts they are the flow over a forcing period, or with a mirror over half of it, and
+    /// the identity, and there are none where motion goes far away.
     fn pair_along<const ORDER: usize>(
         &self,
         point: &Unknowns,
         plane: f64,
         motion: &O::Motion,
+        mirror: Option<Symmetry>,
     ) -> Result<LoopPair, MapError> {
         if self.has_impacts() {
             return Ok(self.fixed_phase_pair::<ORDER>(point, plane, motion));
         }
         let (oscillator, from) = (self.oscillator_at(point), at_phase_zero(point));
         let to = |phase| maps::to_phase::<O, ORDER, _>(&oscillator, motion, from.at_phase_zero(), phase);
-        let around = match self.symmetry.filter(|_| self.halved) {
+        let around = match mirror {
             Some(symmetry) => symmetry.mirrored(to(PI), point),
             None => to(TAU),
         };
@@ -330,7 +332,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     pub(crate) fn solution_and_stability(&self, point: &Unknowns) -> (PeriodicSolution, Stability) {
         let motion = self.motion(point);
         let stability = self.symmetric_stability(point, &motion).unwrap_or_else(|| {
-            let pair = self.pair_along::<1>(point, point[unknown::PHASE], &motion);
+            let pair = self.pair_along::<1>(point, point[unknown::PHASE], &motion, None);
             pair.map_or(Stability::UNKNOWN, |pair| pair.stability())
         });
         (self.orbit(point, &motion, stability.multipliers), stability)
@@ -338,8 +340,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
 
     /// The stability of symmetric motion over the whole period, from the map over half of it.
     fn symmetric_stability(&self, point: &Unknowns, motion: &O::Motion) -> Option<Stability> {
-        let halved = self.halved()?;
-        let pair = halved.pair_along::<1>(point, point[unknown::PHASE], motion).ok()?;
+        let mirror = Some(self.symmetry?);
+        let pair = self.pair_along::<1>(point, point[unknown::PHASE], motion, mirror).ok()?;
         (pair.difference().0.norm() < RECURS).then(|| pair.stability().of_the_square())
     }
 

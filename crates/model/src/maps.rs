@@ -42,6 +42,9 @@ pub enum MapError {
         /// The time after which it comes.
         time: f64,
     },
+    /// Symmetric motion was asked for of an oscillator without symmetry, or with impacts.
+    #[error("motion of this kind has no symmetry")]
+    NotSymmetric,
     /// P_virt⁻¹ was asked for at x < 0, or did not reach the wall.
     #[error("no orbit from the wall comes to rest at x = {position}")]
     BelowTheWall {

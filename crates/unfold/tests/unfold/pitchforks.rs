@@ -1,6 +1,10 @@
 //! Pitchforks of symmetric motion without impacts, against motion that has settled.
 
 use grazing_continuation::bifurcation::Bifurcation;
+use grazing_continuation::locate::{Condition, LocateFailure, locate};
+use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns};
+use grazing_continuation::newton::NewtonFailure;
+use grazing_model::maps::MapError;
 use grazing_model::motion::Motion;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use grazing_unfold::one_parameter::{Cut, Line};
@@ -53,7 +57,8 @@ fn motion_is_symmetric_on_one_side_of_a_pitchfork_and_not_on_the_other() {
     for [primary, secondary] in places.into_iter().step_by(20) {
         let settled =
             |shift: f64| asymmetry(&oscillator, [primary + shift, secondary], [centre, 0.0], centre);
-        // Beyond it asymmetry grows like the root of the distance.
+        // So near to it asymmetry takes hundreds of periods to die out; beyond, it grows like the root
+        // of the distance.
         assert!(settled(-2e-3) < 1e-4, "at {primary}, {secondary}: {}", settled(-2e-3));
         assert!(settled(2e-3) > 1e-2, "at {primary}, {secondary}: {}", settled(2e-3));
     }
@@ -70,6 +75,17 @@ fn what_is_stable_beside_a_pitchfork_is_decided_on_both_sides() {
             diagram.regions.iter().filter_map(|region| region.doubt.as_ref()).collect::<Vec<_>>()
         );
     }
+}
+
+#[test]
+fn an_oscillator_without_symmetry_has_no_pitchfork_to_locate() {
+    let [(oscillator, scope, centre), _] = specimens();
+    let equations = LoopEquations::without_impacts(oscillator, scope.window.widths());
+    let conditions = [Condition::SymmetryBreaking, Condition::Secondary(0.7)];
+    let near = Unknowns::new(centre, 0.0, 1.0, 0.7);
+    let found = locate(&equations, conditions, near, &mut EventTimes::default());
+    let undefined = NewtonFailure::Undefined { iteration: 1, cause: MapError::NotSymmetric };
+    assert_eq!(found, Err(LocateFailure::Newton(undefined)));
 }
 
 #[test]
