@@ -45,12 +45,15 @@ export const strength = (of) => (of === diagram.wanted ? 1 : 0.22);
 
 const wantedOf = (value) => JSON.stringify(modelOf(value));
 
+/** The model that is wanted while a file is being typed: one that has no name yet. */
+export const TYPED = null;
+
 let behind = null;
-/** From now on another model is wanted: that of the state, or one that is being typed and has no name yet. */
+/** From now on another model is wanted: that of the state, or one that is being typed. */
 export function want(of = wantedOf(state.get())) {
   behind?.();
   behind = null;
-  document.body.classList.toggle("typed", of === null);
+  document.body.classList.toggle("typed", of === TYPED);
   if (of === diagram.wanted) return;
   diagram.wanted = of;
   changed();
@@ -98,11 +101,13 @@ const job = (body) => async (signal) => {
   const names = new Map();
   let latestNotes = [];
   let nothing = "";
+  // While something else is being typed, what is said is said of that.
+  const tell = (words) => diagram.wanted === TYPED || say(words);
   if (!coarse) {
     bar.removeAttribute("value");
     bar.hidden = false;
     $("stop").hidden = false;
-    say("Computing …");
+    tell("Computing …");
   }
   const drop = () => {
     for (const key of diagram.curves.keys()) if (!seen.has(key)) diagram.curves.delete(key);
@@ -112,7 +117,7 @@ const job = (body) => async (signal) => {
       if (coarse) return;
       if (all > 0) Object.assign(bar, { max: all, value: done });
       const words = stage.charAt(0).toUpperCase() + stage.slice(1);
-      say(all > 0 ? `${words}, ${done} of ${all}` : words);
+      tell(all > 0 ? `${words}, ${done} of ${all}` : words);
     },
     curves(list) {
       computed = "";
@@ -151,14 +156,17 @@ const job = (body) => async (signal) => {
       diagram.notes = latestNotes;
       diagram.version += 1;
       finish();
-      // A hand that has moved on meanwhile sees what it has just left, unless that is long ago.
-      if (!coarse || behind || of === wantedOf(state.get())) diagram.wanted = of;
-      if (of === wantedOf(state.get())) want(of);
+      // A hand that has moved on meanwhile sees what it has just left, unless that is long ago; what is of a file that
+      // has been changed since stays faded.
+      if (diagram.wanted !== TYPED) {
+        if (!coarse || behind || of === wantedOf(state.get())) diagram.wanted = of;
+        if (of === wantedOf(state.get())) want(of);
+      }
       if (!coarse) {
         computed = JSON.stringify(body);
         const curves = [...diagram.curves.values()].filter(({ source }) => source !== "quadratic").length;
         summary = nothing ? `No grazing and no curve of an MPS in this view: ${nothing.replace(/-?\d+\.\d{4,}(e-?\d+)?/g, (digits) => number(Number(digits)))}.` : `${count(curves, "curve")} and ${count(diagram.points.length, "point")} in ${seconds < 0.995 ? `${Math.round(1000 * seconds)} ms` : `${number(seconds, 3)} s`}.`;
-        say(summary);
+        tell(summary);
       }
       list();
     },

@@ -134,7 +134,7 @@ export function attach(choose) {
     $("gutter").textContent = Array.from({ length: lines }, (_, at) => `${at + 1}\n`).join("");
     $("marks").textContent = "";
     $("callout").hidden = true;
-    diagram.want(null);
+    diagram.want(diagram.TYPED);
     edited();
   });
   field.addEventListener("scroll", scroll);

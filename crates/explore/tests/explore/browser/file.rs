@@ -8,6 +8,8 @@ use super::{DESK, PHONE, Running, WHOLE, choose_duffing, plane_key, state};
 /// Curves, points and regions are all faded.
 const FADED: &str = "use('diagram').then(([d]) => [d.diagram.of.points, d.diagram.of.regions, ...[...d.diagram.curves.values()].map(({of}) => of)]\
                      .every((of) => d.strength(of) < 0.5))";
+const NOT_DRAWN: &str =
+    "/^Not drawn\\. Line \\d+: /.test(document.getElementById('progress-text').textContent)";
 const VERDICT: &str = "document.getElementById('verdict').textContent";
 
 /// Puts the cursor behind a text of the file, and types.
@@ -46,10 +48,13 @@ fn mistakes_are_marked_under_the_character_in_the_words_of_the_command_line() {
                    const style = getComputedStyle(t), b = t.getBoundingClientRect(); \
                    return Math.abs(b.top + parseFloat(style.paddingTop) + line * parseFloat(style.lineHeight) - t.scrollTop - m.top); })()";
     assert!(page.value(covered).as_f64().unwrap() < 6.0);
-    // The diagram of the last file that was right stays, faded, and why no other is drawn is said; a
-    // button leads to the mistake.
+    // The diagram of the last file that was right stays, faded, and why no other is drawn is said, also
+    // once all of it has come; a button leads to the mistake.
     assert_eq!(page.value(FADED), true);
-    page.wait("/^Not drawn\\. Line \\d+: /.test(document.getElementById('progress-text').textContent)");
+    page.wait(NOT_DRAWN);
+    page.wait("!document.documentElement.hasAttribute('data-busy')");
+    assert_eq!(page.value(FADED), true);
+    assert_eq!(page.value(NOT_DRAWN), true);
     page.click("#go-to-mistake", [0.0, 0.0]);
     assert_eq!(page.value("(() => { const t = document.getElementById('text'); return t.value.slice(t.selectionStart, t.selectionEnd); })()"), "kazppa");
     page.write("kappa");
