@@ -13,6 +13,7 @@
 //! ([`Walk`]).
 
 use core::f64::consts::TAU;
+use core::fmt;
 
 use nalgebra::{Const, DimMin, LU, SVector};
 
@@ -296,6 +297,17 @@ pub enum WalkEnd<E> {
     Stalled(Stall<E>),
     /// The limit of points was reached.
     StepLimit,
+}
+
+impl<E: fmt::Display> WalkEnd<E> {
+    /// Why the curve was followed no further; nothing where that is as it should be.
+    pub fn lost(&self) -> Option<String> {
+        match self {
+            Self::LeftWindow | Self::Closed => None,
+            Self::Stalled(stall) => Some(format!("no further point was found: {stall}")),
+            Self::StepLimit => Some("after very many points there was no end".to_owned()),
+        }
+    }
 }
 
 /// A point of a curve and the unit tangent there.

@@ -171,4 +171,27 @@ impl Curve {
     pub fn parameters(&self) -> Vec<[f64; 2]> {
         self.points.iter().map(|point| point.solution.parameters()).collect()
     }
+
+    /// Why it was followed no further than its first point, and than its last; nothing where that is
+    /// as it should be: at the edge of the window, at a point of codimension two, or where the curve
+    /// was begun.
+    pub fn lost(&self) -> [Option<String>; 2] {
+        [self.beginning.as_ref(), Some(&self.end)].map(|end| end.and_then(|end| self.why_lost(end)))
+    }
+
+    fn why_lost(&self, end: &CurveEnd) -> Option<String> {
+        match end {
+            CurveEnd::LeftWindow | CurveEnd::Grazing | CurveEnd::Closed | CurveEnd::Event(_) => None,
+            CurveEnd::EventNotLocated { condition, failure } => {
+                let what = match (condition, self.condition) {
+                    (Condition::InteriorGrazing, _) => "a maximum between impacts that touches the wall",
+                    (_, Condition::Primary(_) | Condition::Secondary(_)) => "a bifurcation",
+                    _ => "a point where both bifurcations meet",
+                };
+                Some(format!("{what} was seen and not located: {failure}"))
+            }
+            CurveEnd::Stalled(stall) => Some(format!("no further point was found: {stall}")),
+            CurveEnd::StepLimit => Some(format!("after {} points there was no end", self.points.len())),
+        }
+    }
 }

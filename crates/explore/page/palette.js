@@ -1,6 +1,6 @@
 // The inks of what has no meaning of its own. Those of curves, regions, points and motions stand in kinds.js, which the
 // program writes: a colour means one thing wherever it is.
-import { APPROXIMATION, INKS, LOOKS } from "./kinds.js";
+import { APPROXIMATION, DOTTED, INKS, LOOKS } from "./kinds.js";
 
 const NEUTRAL = {
   light: { paper: "#ffffff", ink: "#1e1d1b", muted: "#63615b", faint: "#d9d6ce", wall: "#6e6e6e" },
@@ -10,9 +10,10 @@ const NEUTRAL = {
 const theme = () => (document.documentElement.dataset.theme === "dark" ? "dark" : "light");
 export const inks = () => ({ ...NEUTRAL[theme()], ...INKS[theme()] });
 
-/** How a curve is drawn: colour, width and dashes in pixels of the page. */
-export function penOf({ kind, source }) {
+/** How a curve is drawn, dotted where it bounds no region: colour, width and dashes in pixels of the page. */
+export function penOf({ kind, source }, bounds = true) {
   const look = LOOKS[kind];
+  if (!bounds || source === "dotted") return { ...DOTTED, colour: look[theme()].curve };
   return source === "quadratic" ? { ...APPROXIMATION, colour: look[theme()].quadratic } : { ...look, colour: look[theme()].curve };
 }
 

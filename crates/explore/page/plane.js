@@ -91,11 +91,11 @@ function drawCurves(context) {
   const order = { graz: 0, GZ: 1, NS: 2, PF: 3, PD: 4, SN: 5 };
   context.lineJoin = "round";
   for (const { curve, points, bounds } of [...runs].sort((a, b) => (order[a.curve.kind] ?? 5) - (order[b.curve.kind] ?? 5) || (a.curve.source === "quadratic") - (b.curve.source === "quadratic"))) {
-    const pen = penOf(curve);
+    const pen = penOf(curve, bounds);
     context.strokeStyle = pen.colour;
     context.setLineDash(pen.dashes);
-    context.lineWidth = bounds ? pen.width : Math.min(pen.width, 0.8);
-    context.globalAlpha = (bounds ? 1 : 0.6) * strength(curve.of);
+    context.lineWidth = pen.width;
+    context.globalAlpha = strength(curve.of);
     context.beginPath();
     trace(context, points);
     context.stroke();

@@ -143,7 +143,9 @@ fn ranks(diagram: &Diagram) -> Vec<u32> {
 
 fn curve(rows: &[PlanePoint], rank: u32) -> Value {
     let Some(first) = rows.first() else { return Value::Null };
-    let points = rows.iter().map(|row| ([row.primary, row.secondary], row.admissible)).unzip();
+    let bounds = |index: usize| rows[index].admissible && PlanePoint::bounds(rows, index);
+    let points =
+        rows.iter().enumerate().map(|(index, row)| ([row.primary, row.secondary], bounds(index))).unzip();
     named(first.kind.name(), [first.loops, first.n, rank], "continuation", points)
 }
 

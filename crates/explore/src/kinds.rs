@@ -45,7 +45,7 @@ fn inks(ground: usize) -> Value {
 
 /// A module of JavaScript with `LOOKS`: for each kind of curve its meaning, the colours on light
 /// and on dark ground of the curve and of its approximation, width and dashes; and with
-/// `APPROXIMATION`, width and dashes of approximations.
+/// `APPROXIMATION` and `DOTTED`, width and dashes of approximations and of what bounds no region.
 pub(crate) fn script() -> String {
     let look = |kind: Bifurcation| {
         let look = CurveLook::of(kind);
@@ -65,9 +65,10 @@ pub(crate) fn script() -> String {
         "width": width(CurveLook::APPROXIMATION_WIDTH),
         "dashes": pixels(CurveLook::APPROXIMATION_DASHES),
     });
+    let dotted = json!({"width": width(CurveLook::DOT), "dashes": pixels(CurveLook::DOTS)});
     let inks = json!({"light": inks(0), "dark": inks(1)});
     format!(
-        "export const LOOKS = {};\nexport const APPROXIMATION = {approximation};\nexport const INKS = {inks};\n",
+        "export const LOOKS = {};\nexport const APPROXIMATION = {approximation};\nexport const DOTTED = {dotted};\nexport const INKS = {inks};\n",
         Value::Object(looks)
     )
 }

@@ -10,7 +10,7 @@ use grazing_results::plane::{
 };
 use grazing_results::{Names, TablePlan};
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
-use grazing_unfold::grazing::GrazingCurve;
+use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::magnification::Polyline;
 use grazing_unfold::regions::{Doubt, Region};
 use grazing_unfold::units::InUnits;
@@ -93,9 +93,10 @@ pub fn grazing_rows(axes: &Axes, diagram: &Diagram) -> Vec<Vec<PlanePoint>> {
                 stable: state.stable,
                 admissible: state.admissible,
                 arc: 0,
+                lost: String::new(),
             }
         });
-        points.collect()
+        with_ends(points, curve.ends.each_ref().map(GrazingEnd::lost))
     };
     diagram.grazing.iter().map(rows).collect()
 }
@@ -123,9 +124,25 @@ pub fn bifurcation_rows(axes: &Axes, diagram: &Diagram, curve: &DiagramCurve) ->
             stable: solution.stable(),
             admissible: solution.ceiling() <= PeriodicSolution::TOUCH,
             arc: 0,
+            lost: String::new(),
         }
     });
-    points.collect()
+    with_ends(points, curve.curve.lost())
+}
+
+/// The points of a curve, the first and the last with the reason why it was followed no further.
+fn with_ends(
+    points: impl Iterator<Item = PlanePoint>,
+    [first, last]: [Option<String>; 2],
+) -> Vec<PlanePoint> {
+    let mut points: Vec<PlanePoint> = points.collect();
+    if let (Some(point), Some(reason)) = (points.first_mut(), first) {
+        point.lost = reason;
+    }
+    if let (Some(point), Some(reason)) = (points.last_mut(), last) {
+        point.lost = reason;
+    }
+    points
 }
 
 /// Resonances at which a theorem holds, and other codimension-two points.

@@ -74,6 +74,8 @@ columns! {
     RESONANCE_INDEX = "n", "n", "1", "eq:resonance1, eq:resonancep";
     /// rows with the same number, in order, are one polyline; in tables about one oscillator a number is the same piece of the grazing curve
     ARC = "arc", "", "1";
+    /// why the curve was followed no further than this point within the ranges; empty elsewhere
+    LOST = "lost", "", "1";
     /// both multipliers lie inside the unit circle
     STABLE = "stable", "", "1";
     /// no maximum of x between two impacts lies above the wall (it may touch)

@@ -36,6 +36,11 @@ impl CurveLook {
     /// Its dashes. Plain dashes are left to approximations.
     pub const APPROXIMATION_DASHES: &'static [f64] = &[3.2, 2.0];
 
+    /// The width of dots along a grazing curve on which what grazes is unstable, in points.
+    pub const DOT: f64 = 1.1;
+    /// Lengths of dots and of the gaps between them.
+    pub const DOTS: &'static [f64] = &[1.1, 2.2];
+
     /// The look of a kind of curve.
     pub const fn of(kind: Bifurcation) -> Self {
         const GREEN: Colour = [0, 88, 56];

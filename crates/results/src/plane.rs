@@ -41,6 +41,7 @@ rows! {
         stable: bool = STABLE,
         admissible: bool = ADMISSIBLE,
         arc: u32 = ARC,
+        lost: String = LOST,
     }
 
     /// A resonance at which a theorem holds, or another codimension-two point.
@@ -74,6 +75,20 @@ rows! {
         arc: u32 = ARC,
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,
+    }
+}
+
+impl PlanePoint {
+    /// Whether a region may end at a point of a curve: it may not where a grazing curve is that of
+    /// an unstable solution. At an end of a GZ curve, a codimension-two point, stability is marginal
+    /// and its flag a toss-up.
+    pub fn bounds(curve: &[Self], index: usize) -> bool {
+        let ends = index == 0 || index + 1 == curve.len();
+        match curve[index].kind {
+            Bifurcation::NonImpactingGrazing => curve[index].stable,
+            Bifurcation::Grazing => curve[index].stable || ends,
+            _ => true,
+        }
     }
 }
 

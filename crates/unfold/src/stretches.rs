@@ -1,7 +1,7 @@
 //! Stretches of branches: where solutions are stable and admissible, what lies between, and where a
 //! branch breaks off.
 
-use grazing_continuation::curve::{Curve, CurveEnd, Event};
+use grazing_continuation::curve::{Curve, Event};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, LoopEquations, PeriodicSolution};
 
@@ -116,19 +116,11 @@ const BROKEN_BY_VIOLENCE: f64 = 1e3;
 /// The primary parameters at which a branch could not be followed to its end, with what happened;
 /// beyond the wall motion without impacts matters no more.
 pub(crate) fn broken_at(branch: &Curve) -> impl Iterator<Item = (f64, String)> {
-    let ends =
-        [(branch.points.first(), branch.beginning.as_ref()), (branch.points.last(), Some(&branch.end))];
-    ends.into_iter().filter_map(|(point, end)| {
-        let reason = match end? {
-            CurveEnd::LeftWindow | CurveEnd::Grazing | CurveEnd::Closed | CurveEnd::Event(_) => return None,
-            CurveEnd::EventNotLocated { failure, .. } => {
-                format!("a bifurcation was seen and not located: {failure}")
-            }
-            CurveEnd::Stalled(stall) => format!("no further point was found: {stall}"),
-            CurveEnd::StepLimit => format!("after {} points there was no end", branch.points.len()),
-        };
+    let ends = [branch.points.first(), branch.points.last()].into_iter().zip(branch.lost());
+    ends.filter_map(|(point, reason)| {
         let last = &point?.solution;
         let matters = last.has_impacts() || last.admissible();
-        (matters && last.multipliers.size() <= BROKEN_BY_VIOLENCE).then(|| (last.parameters()[0], reason))
+        let violent = last.multipliers.size() > BROKEN_BY_VIOLENCE;
+        reason.filter(|_| matters && !violent).map(|reason| (last.parameters()[0], reason))
     })
 }

@@ -113,8 +113,9 @@ fn ends(ends: &[GrazingEnd; 2]) -> String {
     let words = |end: &GrazingEnd| match end {
         GrazingEnd::LeftWindow => "leaves the ranges".to_owned(),
         GrazingEnd::Closed => "is closed".to_owned(),
-        GrazingEnd::Stalled(stall) => format!("is lost ({stall})"),
-        GrazingEnd::StepLimit => "was followed no further after very many points".to_owned(),
+        end @ (GrazingEnd::Stalled(_) | GrazingEnd::StepLimit) => {
+            format!("is lost ({})", end.lost().unwrap_or_default())
+        }
     };
     let [first, last] = ends.each_ref().map(words);
     match ends {

@@ -13,7 +13,7 @@ use crate::ink::legend::Sample;
 use crate::ink::sheet::Sheet;
 use crate::ink::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, SheetWidth, THIN_SECTION};
 use crate::plot::axes::{Heading, Panel, overhang, room_beside};
-use crate::plot::kinds::{Area, Trace, draw_curves, draw_points};
+use crate::plot::kinds::{Area, Trace, TraceOf, draw_curves, draw_ends, draw_points};
 use crate::plot::magnified::{OFF_TRIANGLE, letter, rectangle};
 
 /// Width in the paper.
@@ -33,8 +33,8 @@ const LABELLED_LENGTH: f64 = 42.0;
 
 /// Draws a two-parameter bifurcation diagram.
 ///
-/// Points that are inadmissible are not drawn, nor are unstable ones of GZ. Resonances of a p
-/// without a region have p written beside them.
+/// Points that are inadmissible are not drawn, and grazing curves are dotted where what grazes is
+/// unstable. Resonances of a p without a region have p written beside them.
 ///
 /// # Errors
 /// [`DrawingError`] if a frame is empty.
@@ -85,6 +85,8 @@ pub fn draw_diagram(
             unnamed.push((p, taken.centre()));
         }
     }
+    let lost = diagram.curves.iter().filter(|point| !point.lost.is_empty());
+    draw_ends(&panel, &mut labels, lost.map(|point| (point.primary, point.secondary)));
     let mut boxes = Vec::new();
     for magnified in &diagram.magnified {
         let outline = rectangle(&panel, &magnified.frame, &mut labels);
@@ -136,18 +138,26 @@ fn by_area(shapes: &[(u32, Vec<Spot>)]) -> Vec<(u32, &[Spot])> {
 
 fn shown_curves(points: &[PlanePoint]) -> Vec<Trace> {
     let place = |point: &PlanePoint| (point.kind, point.loops, point.n, point.arc);
-    let curve = |points: &[PlanePoint]| {
-        let last = points.len() - 1;
-        let spots = points.iter().enumerate().map(|(index, point)| {
-            // At an end of a GZ curve, a codimension-two point, stability is marginal and its flag
-            // a toss-up.
-            let stable = point.stable || index == 0 || index == last;
-            let shown = point.admissible && (point.kind != Bifurcation::Grazing || stable);
-            if shown { (point.primary, point.secondary) } else { (f64::NAN, f64::NAN) }
-        });
-        Trace { kind: points[0].kind, approximate: false, points: spots.collect() }
+    points.chunk_by(|a, b| place(a) == place(b)).flat_map(traces).collect()
+}
+
+/// A curve, and those parts of it that are grazing of what is unstable.
+fn traces(points: &[PlanePoint]) -> impl Iterator<Item = Trace> {
+    let kind = points[0].kind;
+    let last = points.len() - 1;
+    let bounds = |index: usize| PlanePoint::bounds(points, index);
+    // What is dotted reaches to the points at which the line begins.
+    let dotted = |index: usize| (index.saturating_sub(1)..=last.min(index + 1)).any(|index| !bounds(index));
+    let shown = |of, drawn: &dyn Fn(usize) -> bool| {
+        let spot = |(index, point): (usize, &PlanePoint)| match point.admissible && drawn(index) {
+            true => (point.primary, point.secondary),
+            false => (f64::NAN, f64::NAN),
+        };
+        Trace { kind, of, points: points.iter().enumerate().map(spot).collect() }
     };
-    points.chunk_by(|a, b| place(a) == place(b)).map(curve).collect()
+    let unstable = (0..=last).any(|index| !bounds(index));
+    let grazing = unstable.then(|| shown(TraceOf::UnstableGrazing, &dotted));
+    [shown(TraceOf::Bifurcation, &bounds)].into_iter().chain(grazing)
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ use crate::ink::labels::Labels;
 use crate::ink::sheet::Sheet;
 use crate::ink::style::{LABEL_SIZE, SheetWidth, TICK_SIZE};
 use crate::plot::axes::{Heading, Panel};
-use crate::plot::kinds::{Area, Trace, draw_curves, draw_points};
+use crate::plot::kinds::{Area, Trace, TraceOf, draw_curves, draw_points};
 use crate::plot::magnified::panel_letter;
 use crate::plot::panel_grid::{GridPanel, draw_panels};
 use crate::plot::ticks::measured;
@@ -76,7 +76,10 @@ fn curves(points: &[MagnifiedPoint], panel: u32) -> Vec<Trace> {
     let place = |point: &MagnifiedPoint| (point.panel, point.kind, point.source, point.arc);
     let curve = |points: &[MagnifiedPoint]| Trace {
         kind: points[0].kind,
-        approximate: points[0].source == CurveSource::Quadratic,
+        of: match points[0].source {
+            CurveSource::Quadratic => TraceOf::Approximation,
+            CurveSource::Continuation => TraceOf::Bifurcation,
+        },
         points: points.iter().map(|point| (point.primary, point.secondary)).collect(),
     };
     let all = points.chunk_by(|a, b| place(a) == place(b));

@@ -3,7 +3,7 @@
 
 use crate::geometry::shapes::triangle;
 use crate::geometry::sheet::in_hundredths;
-use crate::ink::style::{DISC_RADIUS, MARKER, Paint, Pen, TRIANGLE_SIZE};
+use crate::ink::style::{DISC_RADIUS, HOLLOW, HOLLOW_RIM, MARKER, Paint, Pen, TRIANGLE_SIZE};
 use crate::ink::svg::{fill, path_data, points, stroke};
 
 /// A sample of what is drawn.
@@ -23,6 +23,8 @@ pub enum Sample {
     Triangle,
     /// The marker of another point.
     Disc,
+    /// The marker of a curve's end.
+    Ring,
 }
 
 impl Sample {
@@ -45,6 +47,10 @@ impl Sample {
             Sample::Triangle => {
                 let corners = triangle((12.0, 5.5), TRIANGLE_SIZE).map(in_hundredths);
                 format!("<path d=\"{}\"{}/>", path_data(&corners, true), fill(MARKER))
+            }
+            Sample::Ring => {
+                let (r, fill, rim) = (points(DISC_RADIUS), fill(HOLLOW), stroke(Some(HOLLOW_RIM)));
+                format!("<circle cx=\"12\" cy=\"5\" r=\"{r}\"{fill}{rim}/>")
             }
             Sample::Disc => {
                 format!("<circle cx=\"12\" cy=\"5\" r=\"{}\"{}/>", points(DISC_RADIUS), fill(MARKER))

@@ -119,6 +119,10 @@ pub(crate) const SECTION: Pen = Pen { round: true, ..Pen::solid(BLACK, 1.5) };
 pub(crate) const THIN_SECTION: Pen = Pen::dashed(BLACK, 0.5, &[4.0, 1.6]);
 
 pub(crate) const MARKER: Paint = Paint::opaque(kinds::MARKER[0]);
+/// Rings, inside and out.
+pub(crate) const HOLLOW: Paint = Paint::opaque(kinds::MARKER_RIM[0]);
+/// See [`HOLLOW`].
+pub(crate) const HOLLOW_RIM: Pen = Pen::solid(kinds::MARKER[0], 0.8);
 pub(crate) const MARKER_RIM: Pen = Pen::solid(kinds::MARKER_RIM[0], 0.5);
 pub(crate) const TRIANGLE_SIZE: f64 = 6.4;
 /// A disc that marks a point, in points.

@@ -16,8 +16,8 @@ use crate::ink::font::Fonts;
 use crate::ink::markup::Label;
 use crate::ink::sheet::{Element, PanelMark};
 use crate::ink::style::{
-    BLACK, DISC_RADIUS, FRAME, HATCHING, MARKER, MARKER_RIM, MINOR_TICK_LENGTH, Paint, Pen, STAR_RADIUS,
-    TICK, TICK_LENGTH, TICK_SIZE, TITLE_SIZE, TRIANGLE_SIZE,
+    BLACK, DISC_RADIUS, FRAME, HATCHING, HOLLOW, HOLLOW_RIM, MARKER, MARKER_RIM, MINOR_TICK_LENGTH, Paint,
+    Pen, STAR_RADIUS, TICK, TICK_LENGTH, TICK_SIZE, TITLE_SIZE, TRIANGLE_SIZE,
 };
 use crate::plot::numbers::{Direction, Numbers};
 
@@ -65,6 +65,8 @@ pub enum Marker {
     Disc,
     /// A point of another figure.
     Star,
+    /// Where a curve was followed no further.
+    Ring,
 }
 
 /// Room that the largest tick labels and the gaps around them take, in points.
@@ -157,6 +159,10 @@ impl<'c> Panel<'c> {
             }
             Marker::Disc => {
                 canvas.disc(centre, DISC_RADIUS, MARKER, Some(MARKER_RIM));
+                2.0 * DISC_RADIUS
+            }
+            Marker::Ring => {
+                canvas.disc(centre, DISC_RADIUS, HOLLOW, Some(HOLLOW_RIM));
                 2.0 * DISC_RADIUS
             }
             Marker::Star => {

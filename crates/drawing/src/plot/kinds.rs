@@ -25,6 +25,12 @@ fn approximation(bifurcation: Bifurcation) -> Pen {
     Pen::dashed(on_light, CurveLook::APPROXIMATION_WIDTH, CurveLook::APPROXIMATION_DASHES)
 }
 
+/// The pen of a grazing curve where what grazes is unstable.
+fn dotted(bifurcation: Bifurcation) -> Pen {
+    let [colour, _] = CurveLook::of(bifurcation).colours;
+    Pen::dashed(colour, CurveLook::DOT, CurveLook::DOTS)
+}
+
 /// The colour of the label of a curve.
 pub fn text_colour(bifurcation: Bifurcation) -> Colour {
     CurveLook::of(bifurcation).text
@@ -48,12 +54,23 @@ pub fn label(bifurcation: Bifurcation, grazing: &str) -> &str {
     }
 }
 
+/// What a line of the parameter plane is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum TraceOf {
+    /// A bifurcation.
+    Bifurcation,
+    /// A part of a grazing curve along which what grazes is unstable: no region ends there.
+    UnstableGrazing,
+    /// Not the curve itself, but its quadratic approximation.
+    Approximation,
+}
+
 /// A curve of the parameter plane; points are (across, up).
 pub struct Trace {
-    /// What it is of.
+    /// What happens along it.
     pub kind: Bifurcation,
-    /// Not the curve itself, but its quadratic approximation.
-    pub approximate: bool,
+    /// What the line is of that.
+    pub of: TraceOf,
     /// Its points; one that is NaN breaks it.
     pub points: Vec<(f64, f64)>,
 }
@@ -65,17 +82,21 @@ pub fn draw_curves(
     labels: &mut Labels<'_>,
     mut curves: Vec<Trace>,
 ) -> Vec<(Bifurcation, Vec<Spot>)> {
-    curves.sort_by_key(|curve| (curve.kind != Bifurcation::NonImpactingGrazing, curve.approximate));
+    curves.sort_by_key(|curve| (curve.kind != Bifurcation::NonImpactingGrazing, curve.of));
     let mut drawn = Vec::new();
-    for Trace { kind, approximate, points } in &curves {
-        let pen = if *approximate { approximation(*kind) } else { pen(*kind) };
+    for Trace { kind, of, points } in &curves {
+        let (pen, meaning) = match of {
+            TraceOf::Bifurcation => (pen(*kind), meaning(*kind)),
+            TraceOf::UnstableGrazing => {
+                (dotted(*kind), format!("{}, where that is unstable", CurveLook::of(*kind).meaning))
+            }
+            TraceOf::Approximation => {
+                (approximation(*kind), format!("quadratic approximation to {}", kind.name()))
+            }
+        };
         for piece in panel.line(points, pen) {
-            let meaning = match approximate {
-                true => format!("quadratic approximation to {}", kind.name()),
-                false => meaning(*kind),
-            };
             panel.canvas.explain(&meaning, Sample::Line(pen));
-            if *approximate {
+            if *of == TraceOf::Approximation {
                 labels.placer.keep_off_nameless(&piece);
             } else {
                 labels.placer.keep_off(&piece);
@@ -84,6 +105,16 @@ pub fn draw_curves(
         }
     }
     drawn
+}
+
+/// Marks places where curves were followed no further.
+pub(crate) fn draw_ends(panel: &Panel<'_>, labels: &mut Labels<'_>, ends: impl Iterator<Item = (f64, f64)>) {
+    for end in ends {
+        if let Some(taken) = panel.marker(end, Marker::Ring) {
+            panel.canvas.explain("a curve was followed no further, for a reason in its table", Sample::Ring);
+            labels.placer.block(taken.grown(0.5));
+        }
+    }
 }
 
 impl Labels<'_> {

@@ -2,7 +2,7 @@
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::kinds::{Colour, CurveLook};
-use grazing_results::plane::RegionKind;
+use grazing_results::plane::{PlanePoint, RegionKind};
 
 use crate::ink::legend::Sample;
 use crate::ink::style::UNDECIDED;
@@ -58,22 +58,6 @@ fn a_legend_shows_each_kind_with_the_pen_that_its_curves_are_drawn_with() {
 }
 
 #[test]
-fn unstable_solutions_that_graze_are_not_drawn() {
-    let mut sample = sample(3);
-    let colour = hexadecimal(CurveLook::of(Bifurcation::Grazing).colours[0]);
-    let count = |sample: &SampleOscillator| paths(&drawn(sample).svg(), &colour).len();
-    assert_eq!(count(&sample), 3);
-    let of_grazing = |kind: Bifurcation| kind == Bifurcation::Grazing;
-    sample.diagram.curves.iter_mut().filter(|at| of_grazing(at.kind)).for_each(|at| at.stable = false);
-    assert_eq!(count(&sample), 0);
-    // Of the other kinds nothing of the sort is asked.
-    sample.diagram.curves.iter_mut().for_each(|at| at.stable = of_grazing(at.kind));
-    assert_eq!(count(&sample), 3);
-    let saddle_nodes = hexadecimal(CurveLook::of(Bifurcation::SaddleNode).colours[0]);
-    assert_eq!(paths(&drawn(&sample).svg(), &saddle_nodes).len(), 3);
-}
-
-#[test]
 fn what_is_undecided_is_hatched_and_never_shaded() {
     let mut sample = sample(3);
     let shaded = |sheet: &Sheet| {
@@ -92,4 +76,46 @@ fn what_is_undecided_is_hatched_and_never_shaded() {
     assert!(!shaded(&undecided));
     let lines = paths(&undecided.svg(), &hexadecimal(UNDECIDED.colour));
     assert!(lines.len() > paths(&decided.svg(), &hexadecimal(UNDECIDED.colour)).len());
+}
+
+#[test]
+fn grazing_of_what_is_unstable_is_dotted_and_lost_ends_have_rings() {
+    let mut sample = sample(3);
+    let grazing = CurveLook::of(Bifurcation::Grazing);
+    let unstable = format!("{}, where that is unstable", grazing.meaning);
+    let lines = |sample: &SampleOscillator| {
+        let svg = drawn(sample).svg();
+        let dots = format!("stroke-dasharray=\"{} {}\"", CurveLook::DOTS[0], CurveLook::DOTS[1]);
+        svg.matches(&dots).count()
+    };
+    let ring = "a curve was followed no further, for a reason in its table";
+    assert_eq!([explained(&drawn(&sample), &unstable), explained(&drawn(&sample), ring)], [None, None]);
+    // The ends of GZ curves are marginal.
+    let own = |point: &PlanePoint| (point.kind == Bifurcation::Grazing).then_some(point.arc);
+    let arc = sample.diagram.curves.iter().find_map(own).unwrap();
+    let indices: Vec<usize> = (0..)
+        .zip(&sample.diagram.curves)
+        .filter(|(_, point)| own(point) == Some(arc))
+        .map(|(index, _)| index)
+        .collect();
+    let (first, last) = (indices[0], indices[indices.len() - 1]);
+    for index in [first, last] {
+        sample.diagram.curves[index].stable = false;
+    }
+    assert_eq!(lines(&sample), 0);
+    for index in &indices[20..60] {
+        sample.diagram.curves[*index].stable = false;
+    }
+    let sheet = drawn(&sample);
+    assert!(explained(&sheet, &unstable).unwrap().contains(&hexadecimal(grazing.colours[0])));
+    // In the figure and in its legend.
+    assert_eq!(lines(&sample), 2);
+    sample.diagram.curves[last].lost = "no further point was found".to_owned();
+    assert_eq!(explained(&drawn(&sample), ring), Some(Sample::Ring.element()));
+    // Of other kinds of curves that is not asked.
+    let before = lines(&sample);
+    let others =
+        |at: &&mut PlanePoint| matches!(at.kind, Bifurcation::SaddleNode | Bifurcation::PeriodDoubling);
+    sample.diagram.curves.iter_mut().filter(others).for_each(|at| at.stable = false);
+    assert_eq!(lines(&sample), before);
 }

@@ -90,6 +90,7 @@ pub(crate) fn curve_rows(curves: Vec<SampleCurve>) -> Vec<PlanePoint> {
             stable: true,
             admissible: true,
             arc,
+            lost: String::new(),
         })
     };
     curves.into_iter().flat_map(rows).collect()

@@ -3,7 +3,6 @@
 use std::mem::discriminant;
 
 use grazing_continuation::curve::CurveEnd;
-use grazing_continuation::locate::Condition;
 use grazing_description::Description;
 use grazing_model::smooth::Units;
 use grazing_unfold::Diagram;
@@ -28,14 +27,15 @@ pub(super) fn unfinished(description: &Description, units: &Units, diagram: &Dia
 
 /// Curves that end neither at the edge of the ranges nor at a point of codimension two.
 pub(super) fn odd_ends(description: &Description, unfolded: &Analysis) -> String {
-    let line = |DiagramCurve { kind, loops, n, curve }: &DiagramCurve| {
-        let end = odd_end(&curve.end)?;
-        let at = curve.points.last().map_or(String::new(), |last| {
-            place(description, unfolded.axes.units.parameters(last.solution.parameters()))
-        });
-        Some((format!("  {} of p = {loops}, n = {n}  ", kind.name()), format!("at {at}: {end}")))
-    };
-    headed("Curves that end unexpectedly", unfolded.diagram.curves.iter().filter_map(line))
+    let lines = unfolded.diagram.curves.iter().flat_map(|DiagramCurve { kind, loops, n, curve }| {
+        let ends = [curve.points.first(), curve.points.last()].into_iter().zip(curve.lost());
+        ends.filter_map(move |(point, reason)| {
+            let parameters = point?.solution.parameters();
+            let at = place(description, unfolded.axes.units.parameters(parameters));
+            Some((format!("  {} of p = {loops}, n = {n}  ", kind.name()), format!("at {at}: {}", reason?)))
+        })
+    });
+    headed("Curves that end unexpectedly", lines)
 }
 
 /// As many undecided regions of one p and one kind of reason are listed one by one.
@@ -88,21 +88,6 @@ pub(in crate::unfold) fn incomplete(diagram: &Diagram) -> Option<String> {
         parts.push(format!("{ends} not reached within very many points"));
     }
     (!parts.is_empty()).then(|| parts.join(" and "))
-}
-
-fn odd_end(end: &CurveEnd) -> Option<String> {
-    match end {
-        CurveEnd::LeftWindow | CurveEnd::Grazing | CurveEnd::Closed | CurveEnd::Event(_) => None,
-        CurveEnd::EventNotLocated { condition, failure } => {
-            let what = match condition {
-                Condition::InteriorGrazing => "a point where a maximum between impacts touches the wall",
-                _ => "a point where both bifurcations meet",
-            };
-            Some(format!("{what} was seen and not located: {failure}"))
-        }
-        CurveEnd::Stalled(stall) => Some(format!("no further point was found: {stall}")),
-        CurveEnd::StepLimit => Some("it was followed no further after very many points".to_owned()),
-    }
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use grazing_drawing::ink::labels::{Labels, Site};
 use grazing_drawing::ink::legend::Sample;
 use grazing_drawing::ink::style::{BLACK, LABEL_SIZE, SMALL_LABEL_SIZE, TICK_SIZE};
 use grazing_drawing::plot::axes::{Marker, Panel};
-use grazing_drawing::plot::kinds::{Trace, draw_curves, label, shade, text_colour};
+use grazing_drawing::plot::kinds::{Trace, TraceOf, draw_curves, label, shade, text_colour};
 use grazing_results::plane::RegionKind;
 
 use super::{UnfoldingPoint, UnfoldingSketch};
@@ -31,7 +31,7 @@ pub(super) fn draw(figure: &UnfoldingSketch, width: SheetWidth) -> Result<Sheet,
     let frame = checked(figure.frame, "fig05")?;
     let curve = |points: &[UnfoldingPoint]| Trace {
         kind: points[0].kind,
-        approximate: false,
+        of: TraceOf::Bifurcation,
         points: points.iter().map(|point| (point.mu, point.eta)).collect(),
     };
     let curves = figure.curves.chunk_by(|a, b| a.kind == b.kind).map(curve).collect();
