@@ -30,6 +30,7 @@ pub use figures::magnifications::draw_magnifications;
 pub use figures::one_parameter::draw_one_parameter;
 pub use geometry::sheet::Bounds;
 pub use ink::font::{FONT_FILES, style_sheet};
+pub use ink::markup::unmarked;
 pub use ink::sheet::{Element, PanelMark, Path, Sheet};
 pub use ink::style::SheetWidth;
 pub use ink::svg::POINTS_PER_MM;

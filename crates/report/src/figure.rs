@@ -2,7 +2,7 @@
 
 use askama::Template;
 use askama::filters::Safe;
-use grazing_drawing::{POINTS_PER_MM, Sheet, style_sheet};
+use grazing_drawing::{POINTS_PER_MM, Sheet, style_sheet, unmarked};
 
 use crate::formula::prose;
 use crate::html::{Html, capitalised, csv_path, escape, rendered};
@@ -64,7 +64,7 @@ pub(crate) fn of_the_paper(report: &Report<'_>, figure: &FigureEntry) -> Html {
 pub(crate) fn of_oscillator(report: &Report<'_>, oscillator: &OscillatorEntry, figure: &FigureEntry) -> Html {
     let id = format!("{}-{}", oscillator.anchor(), figure.name);
     rendered(&FigureSection {
-        label: &format!("{}: {}", oscillator.description.name(), figure.title),
+        label: &format!("{}: {}", oscillator.description.name(), unmarked(&figure.title)),
         heading: Safe(format!("<h4>{}</h4>", prose(&capitalised(&figure.title)))),
         sheet: &figure.sheet,
         links: [("Files", report.links(&own_files(figure), true)), ("", Vec::new())],

@@ -77,6 +77,16 @@ pub(crate) fn named(text: &str) -> Html {
     words(&signs(text))
 }
 
+/// The same with formulas between dollars.
+pub(crate) fn described(text: &str) -> Html {
+    let pieces = text.split('$').enumerate();
+    Safe(
+        pieces
+            .map(|(index, piece)| if index % 2 == 0 { named(piece).0 } else { shown(piece, false).0 })
+            .collect(),
+    )
+}
+
 /// The same without markup.
 pub(crate) fn signs(text: &str) -> String {
     let low = |digit: char| {

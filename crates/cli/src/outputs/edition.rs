@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
-use grazing_drawing::{Sheet, SheetWidth};
+use grazing_drawing::{Sheet, SheetWidth, unmarked};
 use grazing_export::{Drawing, ExportError};
 
 use crate::folder::OutputFile;
@@ -124,7 +124,7 @@ impl Edition {
         for (format, path) in self.formats.iter().zip(self.figure_paths(file)) {
             let content = match format {
                 Format::Svg => svg.clone().into_bytes(),
-                Format::Pdf => Drawing::read(&svg)?.pdf(&sheet.title)?,
+                Format::Pdf => Drawing::read(&svg)?.pdf(&unmarked(&sheet.title))?,
                 Format::Png => Drawing::read(&svg)?.png(f64::from(self.dpi))?,
                 Format::Tex => continue,
             };

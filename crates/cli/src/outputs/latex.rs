@@ -196,8 +196,17 @@ fn sentence(title: &str) -> (Option<String>, String) {
     (number, format!("{}.", prose(&format!("{first}{}", letters.as_str()))))
 }
 
-/// Text for LaTeX, with names of quantities as symbols: x, tau, g_p.
+/// Text for LaTeX, with names of quantities as symbols: x, tau, g_p. Formulas between dollars stay.
 fn prose(text: &str) -> String {
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let piece = |(index, piece): (usize, &str)| match index % 2 {
+        0 => with_symbols(piece),
+        _ => format!("${piece}$"),
+    };
+    text.split('$').enumerate().map(piece).collect()
+}
+
+fn with_symbols(text: &str) -> String {
     let is_name = |name: &str| {
         let letter = |part: &str| part.len() == 1 || GREEK.iter().any(|(greek, _)| *greek == part);
         match name.split_once('_') {
@@ -207,8 +216,7 @@ fn prose(text: &str) -> String {
         }
     };
     let part_of_name = |character: char| character.is_ascii_alphanumeric() || character == '_';
-    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    let (mut set, mut rest) = (String::new(), text.as_str());
+    let (mut set, mut rest) = (String::new(), text);
     while let Some(first) = rest.chars().next() {
         let end = rest.find(|character| !part_of_name(character)).unwrap_or(rest.len());
         let (word, after) = rest.split_at(end.max(if end == 0 { first.len_utf8() } else { 0 }));

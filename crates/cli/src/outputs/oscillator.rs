@@ -67,7 +67,7 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
     Output {
         printed: Some(COEFFICIENT_COLUMNS),
         ..Output::new("resonances", "resonances", AtResonances::TABLES, |_, of: &AnalysedOscillator, _| {
-            let title = format!("Coefficients of {}", of.description.name());
+            let title = format!("Coefficients of {}", of.description.name().replace('$', ""));
             let label = Caption::label("tab", &of.file, COEFFICIENT_COLUMNS.0);
             Ok(ComputedOutput {
                 tables: of.unfolded.at_resonances().tables(of.names()),
@@ -118,10 +118,10 @@ pub(crate) fn plane(
     let title = format!("{name}: {shown}");
     let frames = if diagram.magnified.is_empty() { "" } else { "; rectangles: magnifications" };
     let description = format!(
-        "{} across, {} up. Grazing curve of the non-impacting solution; saddle-node, period-doubling and grazing \
+        "{} Grazing curve of the non-impacting solution; saddle-node, period-doubling and grazing \
          bifurcations of maximal periodic solutions; regions of stability in grey. Triangles: resonances; discs: other \
          codimension-two points{frames}.",
-        names.primary, names.secondary
+        axes(names)
     );
     let heading =
         Heading { name: "diagram", title: &title, description: &description, names, tables: &tables };
@@ -139,7 +139,7 @@ fn magnifications(
     let title = format!("{}: magnifications about resonant grazing bifurcations", of.description.name());
     let description = format!(
         "{} Dashed: the quadratic approximations to the saddle-node and period-doubling curves.",
-        axes(&of.description)
+        axes(of.names())
     );
     let magnifications = of.unfolded.magnifications(&of.diagram);
     let (title, description) = (title.as_str(), description.as_str());
@@ -165,13 +165,17 @@ fn one_parameter(
     width: SheetWidth,
 ) -> Computed {
     let figure = |diagram: &OneParameter| {
-        let shown = format!("{}, {}", output.title, of_one_parameter(&of.description, diagram));
+        let shown = format!("{}, {}", output.title, of_one_parameter(of.names().shown(), diagram));
         let title = format!("{}: {shown}", of.description.name());
+        let [across, _] = diagram.exchanged(of.names().titles());
+        let description = format!(
+            "Below: {across} across, x-value of the return map up; thick curves are stable, thin ones unstable; dots are \
+             long-term forward orbits. Above: phase portraits with the wall."
+        );
         let heading = Heading {
             name: "diagram",
             title: &title,
-            description: "Below: the parameter across, x-value of the return map up; thick curves are stable, thin ones unstable; dots are \
-                          long-term forward orbits. Above: phase portraits with the wall.",
+            description: &description,
             names: of.names(),
             tables: &["diagram_bifurcations", "diagram_branches", "diagram_attractor", "diagram_portraits"],
         };
@@ -186,13 +190,14 @@ fn one_parameter(
 }
 
 /// What stands on the axes of the plane, as a sentence.
-fn axes(description: &Description) -> String {
-    format!("{} across, {} up.", description.primary().name(), description.secondary().name())
+fn axes(names: &Names) -> String {
+    let [across, up] = names.titles();
+    format!("{across} across, {up} up.")
 }
 
-/// What a one-parameter diagram is of, as `A from 0.26 to 0.34 at omega = 0.855`.
-pub(crate) fn of_one_parameter(description: &Description, diagram: &OneParameter) -> String {
-    let names = [description.primary().name(), description.secondary().name()];
+/// What a one-parameter diagram is of, as `A from 0.26 to 0.34 at omega = 0.855` if those are the
+/// names of the parameters.
+pub(crate) fn of_one_parameter<T: std::fmt::Display>(names: [T; 2], diagram: &OneParameter) -> String {
     let [across, held] = diagram.exchanged(names);
     let [low, high] = diagram.frame.x.map(|end| brief(end, 6));
     format!("{across} from {low} to {high} at {held} = {}", brief(diagram.at, 6))

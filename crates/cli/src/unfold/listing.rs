@@ -279,8 +279,9 @@ fn corners(description: &Description, unfolded: &Analysis) -> String {
 
 /// A one-parameter diagram: the bifurcations on it, and what simulation leaves out.
 fn one_parameter(description: &Description, diagram: &OneParameter) -> String {
-    let [across, _] = diagram.exchanged([description.primary().name(), description.secondary().name()]);
-    let of = of_one_parameter(description, diagram);
+    let names = [description.primary().name(), description.secondary().name()];
+    let [across, _] = diagram.exchanged(names);
+    let of = of_one_parameter(names, diagram);
     let mut text = format!("\nOne-parameter diagram {}: {of}\n", diagram.diagram);
     let rows = diagram.bifurcations.iter().map(|found| {
         let mut row = vec![found.kind.name().to_owned(), found.loops.to_string()];

@@ -1,6 +1,6 @@
 //! A two-parameter bifurcation diagram, like Figure 7.
 
-use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
+use grazing_continuation::bifurcation::CodimensionTwo;
 use grazing_results::Frame;
 use grazing_results::plane::{PlaneDiagram, PlanePoint, RegionKind};
 
@@ -162,6 +162,7 @@ fn traces(points: &[PlanePoint]) -> impl Iterator<Item = Trace> {
 
 #[cfg(test)]
 mod tests {
+    use grazing_continuation::bifurcation::Bifurcation;
     use grazing_results::plane::Section;
 
     use super::*;

@@ -199,7 +199,7 @@ fn strands(
 }
 
 /// Codimension-two points that are no resonances, by the colour of the curve that ends on the GZ
-/// curve there; the first of each kind is named.
+/// curve there; one of each kind is named, the nearest to the middle of the panel.
 fn points(
     panel: &Panel<'_>,
     labels: &mut Labels<'_>,
@@ -207,8 +207,9 @@ fn points(
     loops: u32,
     count: usize,
 ) -> Result<(), DrawingError> {
-    let mut named: Vec<CodimensionTwo> = Vec::new();
-    let mut wanted = Vec::new();
+    let middle = f64::midpoint(panel.bounds.left, panel.bounds.right);
+    let off = |spot: &Spot| (spot.0 - middle).abs();
+    let mut named: Vec<(CodimensionTwo, Bifurcation, Spot)> = Vec::new();
     for row in family.points.iter().filter(|row| row.loops == loops) {
         let (value, _) = across(row.varied, count);
         if !panel.frame.contains((value, row.secondary)) {
@@ -227,12 +228,13 @@ fn points(
         let paint = Paint { colour: pale(pen(kind).colour, 0.35), opacity: 1.0 };
         panel.canvas.disc(spot, 0.7 * POINT_RADIUS, paint, Some(POINT_RIM));
         labels.placer.avoid([spot].into_iter());
-        if !named.contains(&row.kind) {
-            named.push(row.kind);
-            wanted.push((row.kind, kind, spot));
+        match named.iter_mut().find(|(name, ..)| *name == row.kind) {
+            Some((_, _, nearest)) if off(&spot) < off(nearest) => *nearest = spot,
+            Some(_) => {}
+            None => named.push((row.kind, kind, spot)),
         }
     }
-    for (name, kind, spot) in wanted {
+    for (name, kind, spot) in named {
         let around = Site::Around(spot, POINT_RADIUS);
         labels.add(name.name(), SMALL_LABEL_SIZE, text_colour(kind), &around)?;
     }

@@ -88,6 +88,12 @@ struct Parser<'a> {
     runs: Vec<Run>,
 }
 
+/// The text of a label as where nothing is markup: of the symbols their letters.
+pub fn unmarked(source: &str) -> String {
+    let letters = |label: Label| label.runs.iter().map(|run| run.text.as_str()).collect();
+    Label::parse(source).map_or_else(|_| source.to_owned(), letters)
+}
+
 impl Label {
     /// Upright text as it stands, in which nothing is markup.
     pub(crate) fn plain(text: &str) -> Self {

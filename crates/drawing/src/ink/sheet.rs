@@ -6,6 +6,7 @@ use grazing_results::Frame;
 
 use crate::geometry::sheet::{Bounds, Hundredths};
 use crate::ink::font::style_sheet;
+use crate::ink::markup::unmarked;
 use crate::ink::svg::{POINTS_PER_MM, escape, hundredths, path_data, points};
 
 /// A drawn figure.
@@ -96,8 +97,8 @@ impl Sheet {
             points(height / POINTS_PER_MM),
             self.view_box(),
             Self::INHERITED,
-            escape(title),
-            escape(description),
+            escape(&unmarked(title)),
+            escape(&unmarked(description)),
         )
     }
 

@@ -72,7 +72,7 @@ pub enum Marker {
 /// Room that the largest tick labels and the gaps around them take, in points.
 const TICK_GAP: f64 = 2.5;
 /// Titles of vertical axes that are wider than this (points) are turned to read upwards.
-const WIDEST_LEVEL_TITLE: f64 = 24.0;
+const WIDEST_LEVEL_TITLE: f64 = 18.0;
 /// Free space between a title and what is left of it, in points.
 const SHEET_GAP: f64 = 3.0;
 /// Titles too long for their axis are set smaller, down to this size (points).
