@@ -6,7 +6,7 @@ use grazing_model::AnyOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated, Scalar, SmoothOscillator, Stop, Stoppable, Units};
 
 use crate::expression::Expression;
-use crate::file::{Analysis, Axis, File, Limits, MOST_DIAGRAMS, Side};
+use crate::file::{Analysis, Axis, FigureStyle, File, Limits, MOST_DIAGRAMS, Side};
 
 /// An oscillator with a wall, as a file describes it; a clone shares everything with the original.
 ///
@@ -200,6 +200,11 @@ impl Description {
     /// the file.
     pub fn loops(&self) -> &[u32] {
         &self.0.file.analysis.loops
+    }
+
+    /// How its two-parameter diagram and magnifications are to be drawn.
+    pub fn figure(&self) -> &FigureStyle {
+        &self.0.file.figure
     }
 
     /// The one-parameter diagrams that are asked for.

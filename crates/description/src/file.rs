@@ -52,6 +52,9 @@ keys! {
         /// What is computed.
         analysis: Analysis = table(),
             "the table [analysis] holds loops and may hold start, time_limit, memory_limit and step_limit";
+        /// How the two-parameter diagram and its magnifications are drawn.
+        figure: FigureStyle = or(table(), FigureStyle::usual()),
+            "the table [figure] may hold swap, shading, names, width, height and colours, and may be left out";
         /// One-parameter diagrams.
         diagrams: Vec<WrittenDiagram> = tables(0..=MOST_DIAGRAMS),
             "each [[diagrams]] is a one-parameter diagram and holds fixed and at, and may hold range, portraits and seed; there are at most 8";
@@ -138,6 +141,30 @@ keys! {
 }
 
 keys! {
+    /// How the two-parameter diagram and its magnifications are drawn.
+    pub struct FigureStyle {
+        /// The secondary parameter is across and the primary one up.
+        swap: bool = or(value(), false),
+            "swap must be true, for the secondary parameter across and the primary one up, or false; it may be left out and is false then";
+        /// Regions of stability are grey.
+        shading: bool = or(value(), true),
+            "shading must be true, for regions of stability in grey, or false; it may be left out and is true then";
+        /// What has its name written beside it.
+        names: Vec<Named> = or(value().map(named), Named::ALL.to_vec()),
+            "names must be a list of what has its name in the figure, of \"curves\", \"regions\", \"magnifications\" and \"diagrams\", as [\"curves\"]; it may be left out, and all have theirs then";
+        /// The width of the diagram, in millimetres.
+        width: Option<f64> = maybe(number(60.0..=400.0)),
+            "the width of the diagram must be from 60 to 400, in millimetres; it may be left out and is 120 then";
+        /// The height of the diagram, in millimetres.
+        height: Option<f64> = maybe(number(40.0..=400.0)),
+            "the height of the diagram must be from 40 to 400, in millimetres; it may be left out and follows from the width then";
+        /// The colours of kinds of curves.
+        colours: Vec<(String, [u8; 3])> = or(any_names(value().map(colour), COLOUR), Vec::new()),
+            "the table [figure.colours] holds colours of curves by their kinds, graz, SN, PD, GZ, NS or PF, as SN = \"#1946be\"; it may be left out";
+    }
+}
+
+keys! {
     /// A one-parameter diagram.
     pub(crate) struct WrittenDiagram {
         /// The name of the parameter that is held.
@@ -155,6 +182,32 @@ keys! {
         seed: u64 = or(value(), 1),
             "the seed of the random initial states must be a whole number from 0 on; it may be left out and is 1 then";
     }
+}
+
+impl FigureStyle {
+    /// That of a file that says nothing of it: the paper's.
+    fn usual() -> Self {
+        let (names, colours) = (Named::ALL.to_vec(), Vec::new());
+        Self { swap: false, shading: true, names, width: None, height: None, colours }
+    }
+}
+
+/// What may have its name in a figure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Named {
+    /// Curves, by their kinds.
+    Curves,
+    /// Regions, by their numbers of loops.
+    Regions,
+    /// Magnifications, by letters.
+    Magnifications,
+    /// The lines along which one-parameter diagrams run.
+    Diagrams,
+}
+
+impl Named {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Curves, Self::Regions, Self::Magnifications, Self::Diagrams];
 }
 
 /// One of the two parameters with its range.
@@ -226,6 +279,9 @@ impl Limits {
     pub const USUAL: Self = Self { time: 600.0, memory: 2000.0, steps: 1e10 };
 }
 
+/// The kinds of curves that have colours.
+pub(crate) const COLOURED: [&str; 6] = ["graz", "SN", "PD", "GZ", "NS", "PF"];
+const COLOUR: &str = "a colour of curves stands under their kind, graz, SN, PD, GZ, NS or PF, and is # with six hexadecimal digits in quotation marks, as SN = \"#1946be\"";
 const NAME: &str = "a name is made of the letters a to z and A to Z, digits and _, and does not begin with a digit, as \"omega\"";
 const UNIT: &str = "the name of a unit must be up to 20 Latin or Greek letters, digits, blanks or / ^ * - . ( ) %, in quotation marks, as \"rad/s\"; it may be left out and changes no number";
 
@@ -266,6 +322,28 @@ fn portraits(mut values: Vec<f64>, section: &Section<'_>, name: &str) -> Result<
     let twice = values.windows(2).any(|pair| pair[0] == pair[1]);
     let right = values.len() <= MOST_PORTRAITS && !twice && values.iter().all(|value| value.is_finite());
     if right { Ok(values) } else { Err(section.refusal(name)) }
+}
+
+/// What has its name in a figure, by the words for it.
+fn named(words: Vec<String>, section: &Section<'_>, key: &str) -> Result<Vec<Named>, SourceError> {
+    let word = |named: Named| match named {
+        Named::Curves => "curves",
+        Named::Regions => "regions",
+        Named::Magnifications => "magnifications",
+        Named::Diagrams => "diagrams",
+    };
+    let meant = |written: &String| Named::ALL.into_iter().find(|named| word(*named) == written);
+    words.iter().map(meant).collect::<Option<_>>().ok_or_else(|| section.refusal(key))
+}
+
+/// A colour as `#1946be`: red, green and blue by two hexadecimal digits each.
+fn colour(written: String, section: &Section<'_>, kind: &str) -> Result<[u8; 3], SourceError> {
+    let digits = written.strip_prefix('#').filter(|digits| digits.len() == 6 && digits.is_ascii());
+    let channel = |place: usize| u8::from_str_radix(digits?.get(place..place + 2)?, 16).ok();
+    match [channel(0), channel(2), channel(4)] {
+        [Some(red), Some(green), Some(blue)] if COLOURED.contains(&kind) => Ok([red, green, blue]),
+        _ => Err(section.refusal(kind)),
+    }
 }
 
 /// The name of a unit, if there is one.

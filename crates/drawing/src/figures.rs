@@ -2,5 +2,6 @@
 
 pub(crate) mod diagram;
 pub(crate) mod family;
+pub(crate) mod look;
 pub(crate) mod magnifications;
 pub(crate) mod one_parameter;

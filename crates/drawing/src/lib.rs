@@ -26,6 +26,7 @@ mod tests;
 pub use error::DrawingError;
 pub use figures::diagram::draw_diagram;
 pub use figures::family::draw_family;
+pub use figures::look::Look;
 pub use figures::magnifications::draw_magnifications;
 pub use figures::one_parameter::draw_one_parameter;
 pub use geometry::sheet::Bounds;

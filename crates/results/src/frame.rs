@@ -18,6 +18,12 @@ impl Frame {
         [(left, low), (right, low), (right, high), (left, high), (left, low)]
     }
 
+    /// The frame with its axes exchanged.
+    #[must_use]
+    pub fn swapped(self) -> Self {
+        Self { x: self.y, y: self.x }
+    }
+
     /// True if the point is inside or on the edge; false for NaN.
     pub fn contains(&self, (x, y): (f64, f64)) -> bool {
         self.x[0] <= x && x <= self.x[1] && self.y[0] <= y && y <= self.y[1]

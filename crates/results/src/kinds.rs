@@ -103,12 +103,16 @@ impl CurveLook {
     /// The colours of its quadratic approximation, on light ground darker than the curve, so that
     /// it shows on top of that.
     pub const fn approximation(&self) -> [Colour; 2] {
-        const fn darker(channel: u8) -> u8 {
-            (channel as u16 * 11 / 20) as u8
-        }
-        let [red, green, blue] = self.colours[0];
-        [[darker(red), darker(green), darker(blue)], self.approximation_on_dark]
+        [darker(self.colours[0]), self.approximation_on_dark]
     }
+}
+
+/// The colour of an approximation on light ground to a curve of a colour.
+pub const fn darker([red, green, blue]: Colour) -> Colour {
+    const fn channel(channel: u8) -> u8 {
+        (channel as u16 * 11 / 20) as u8
+    }
+    [channel(red), channel(green), channel(blue)]
 }
 
 /// How a region of a kind is filled or hatched, on light and on dark ground: colour and opacity.

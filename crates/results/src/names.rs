@@ -135,6 +135,14 @@ impl Names {
         Self { varied, ..self }
     }
 
+    /// The names where the parameters have changed places: that of the first is still what grazes.
+    #[must_use]
+    pub fn swapped(self) -> Self {
+        let Self { primary, secondary, symbols: [first, at_grazing, second], units, varied } = self;
+        let units = UnitNames { primary: units.secondary, secondary: units.primary, ..units };
+        Self { primary: secondary, secondary: primary, symbols: [second, at_grazing, first], units, varied }
+    }
+
     /// The constants that vary, in markup of labels.
     pub fn varied_titles(&self) -> Vec<String> {
         let title = |[name, symbol]: &[String; 2]| match symbol.as_str() {

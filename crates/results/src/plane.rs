@@ -1,5 +1,7 @@
 //! Two-parameter diagrams, and magnifications of them.
 
+use std::mem::swap;
+
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 
 use crate::{Frame, rows, tables, words};
@@ -89,6 +91,32 @@ impl PlanePoint {
             Bifurcation::Grazing => curve[index].stable || ends,
             _ => true,
         }
+    }
+}
+
+impl PlaneDiagram {
+    /// The diagram with its axes exchanged: the secondary parameter stands for the primary one.
+    #[must_use]
+    pub fn swapped(mut self) -> Self {
+        self.curves.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
+        self.points.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
+        self.regions.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
+        self.magnified.iter_mut().for_each(|panel| panel.frame = panel.frame.swapped());
+        self.sections.iter_mut().for_each(|section| section.ends = section.ends.map(|(a, b)| (b, a)));
+        self.frame = self.frame.swapped();
+        self
+    }
+}
+
+impl Magnifications {
+    /// The same with the axes exchanged.
+    #[must_use]
+    pub fn swapped(mut self) -> Self {
+        self.curves.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
+        self.points.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
+        self.regions.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
+        self.panels.iter_mut().for_each(|panel| panel.frame = panel.frame.swapped());
+        self
     }
 }
 

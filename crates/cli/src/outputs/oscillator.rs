@@ -3,9 +3,10 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use grazing_description::Description;
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_description::{Description, FigureStyle, Named};
 use grazing_drawing::{
-    DrawingError, Heading, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
+    DrawingError, Heading, Look, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
 };
 use grazing_reproduction::unfolded::{AlongGrazing, AtResonances, Unfolded};
 use grazing_results::branches::OneParameter;
@@ -102,7 +103,28 @@ fn two_parameters(
     width: SheetWidth,
 ) -> Computed {
     let file = output.figure_file();
-    plane(&of.file, of.description.name(), of.names(), &of.diagram, (file, output.title), width)
+    let look = look(of.description.figure(), width);
+    plane(&of.file, of.description.name(), of.names(), &of.diagram, (file, output.title), look)
+}
+
+/// How a file wants its figures to be drawn.
+fn look(style: &FigureStyle, columns: SheetWidth) -> Look {
+    let coloured = |(name, colour): &(String, [u8; 3])| {
+        let kind = Bifurcation::ALL.into_iter().find(|kind| kind.name() == name)?;
+        Some((kind, *colour))
+    };
+    let named = |what| style.names.contains(&what);
+    Look {
+        columns,
+        size_mm: [style.width, style.height],
+        swapped: style.swap,
+        shaded: style.shading,
+        curves_named: named(Named::Curves),
+        regions_named: named(Named::Regions),
+        magnified: named(Named::Magnifications),
+        sections: named(Named::Diagrams),
+        colours: style.colours.iter().filter_map(coloured).collect(),
+    }
 }
 
 /// The two-parameter diagram of what a file calls so, and its tables.
@@ -112,20 +134,21 @@ pub(crate) fn plane(
     names: &Names,
     diagram: &PlaneDiagram,
     (file, shown): (String, &str),
-    width: SheetWidth,
+    look: impl Into<Look>,
 ) -> Computed {
-    let tables = ["points", "curves"];
+    let (look, tables) = (look.into(), ["points", "curves"]);
     let title = format!("{name}: {shown}");
-    let frames = if diagram.magnified.is_empty() { "" } else { "; rectangles: magnifications" };
+    let frames =
+        if diagram.magnified.is_empty() || !look.magnified { "" } else { "; rectangles: magnifications" };
     let description = format!(
         "{} Grazing curve of the non-impacting solution; saddle-node, period-doubling and grazing \
          bifurcations of maximal periodic solutions; regions of stability in grey. Triangles: resonances; discs: other \
          codimension-two points{frames}.",
-        axes(names)
+        axes(names, look.swapped)
     );
     let heading =
         Heading { name: "diagram", title: &title, description: &description, names, tables: &tables };
-    let sheet = draw_diagram(diagram, &heading, width)?;
+    let sheet = draw_diagram(diagram, &heading, look)?;
     let figure = Figure::new(of, file, shown.to_owned(), sheet, &tables);
     Ok(ComputedOutput::new(vec![figure], diagram.tables(names)))
 }
@@ -135,16 +158,16 @@ fn magnifications(
     of: &AnalysedOscillator,
     width: SheetWidth,
 ) -> Computed {
-    let tables = ["magnifications"];
+    let (look, tables) = (look(of.description.figure(), width), ["magnifications"]);
     let title = format!("{}: magnifications about resonant grazing bifurcations", of.description.name());
     let description = format!(
         "{} Dashed: the quadratic approximations to the saddle-node and period-doubling curves.",
-        axes(of.names())
+        axes(of.names(), look.swapped)
     );
     let magnifications = of.unfolded.magnifications(&of.diagram);
     let (title, description) = (title.as_str(), description.as_str());
     let heading = Heading { name: "magnifications", title, description, names: of.names(), tables: &tables };
-    let sheets = draw_magnifications(&magnifications, &heading, width)?;
+    let sheets = draw_magnifications(&magnifications, &heading, look)?;
     let count = sheets.len();
     let figures = sheets.into_iter().zip(1..).map(|(sheet, number)| {
         let title = match count {
@@ -190,8 +213,9 @@ fn one_parameter(
 }
 
 /// What stands on the axes of the plane, as a sentence.
-fn axes(names: &Names) -> String {
-    let [across, up] = names.titles();
+fn axes(names: &Names, swapped: bool) -> String {
+    let [primary, secondary] = names.titles();
+    let [across, up] = if swapped { [secondary, primary] } else { [primary, secondary] };
     format!("{across} across, {up} up.")
 }
 

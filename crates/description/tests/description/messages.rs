@@ -152,6 +152,12 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("[impact]", "restitution", "restitution = \"y^-0.2\""),
     ("[impact]", "duration", "duration = \"0.1*z\""),
     ("[impact]", "duration", "duration = \"0.1/y\""),
+    // Figures.
+    ("[analysis]", "loops", "loops = [1]\n[figure]\nswap = \"yes\""),
+    ("[analysis]", "loops", "loops = [1]\n[figure]\nnames = [\"curve\"]"),
+    ("[analysis]", "loops", "loops = [1]\n[figure]\nheight = 10"),
+    ("[analysis]", "loops", "loops = [1]\n[figure.colours]\nSN = \"blue\""),
+    ("[analysis]", "loops", "loops = [1]\n[figure.colours]\nsn = \"#1946be\""),
 ];
 
 /// The right description with one line changed.

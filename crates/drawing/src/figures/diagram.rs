@@ -5,13 +5,14 @@ use grazing_results::Frame;
 use grazing_results::plane::{PlaneDiagram, PlanePoint, RegionKind};
 
 use crate::error::DrawingError;
+use crate::figures::look::Look;
 use crate::geometry::clip::checked;
 use crate::geometry::sheet::{Bounds, Spot, area};
 use crate::ink::canvas::Canvas;
 use crate::ink::labels::{Labels, Site};
 use crate::ink::legend::Sample;
 use crate::ink::sheet::Sheet;
-use crate::ink::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, SheetWidth, THIN_SECTION};
+use crate::ink::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, THIN_SECTION};
 use crate::plot::axes::{Heading, Panel, overhang, room_beside};
 use crate::plot::kinds::{Area, Trace, TraceOf, draw_curves, draw_ends, draw_points};
 use crate::plot::magnified::{OFF_TRIANGLE, letter, rectangle};
@@ -41,8 +42,15 @@ const LABELLED_LENGTH: f64 = 42.0;
 pub fn draw_diagram(
     diagram: &PlaneDiagram,
     heading: &Heading<'_>,
-    width: SheetWidth,
+    look: impl Into<Look>,
 ) -> Result<Sheet, DrawingError> {
+    let look = &look.into();
+    if look.swapped {
+        let names = heading.names.clone().swapped();
+        let (heading, look) =
+            (Heading { names: &names, ..*heading }, Look { swapped: false, ..look.clone() });
+        return draw_diagram(&diagram.clone().swapped(), &heading, look);
+    }
     let frame = checked(diagram.frame, heading.name)?;
     for magnified in &diagram.magnified {
         checked(magnified.frame, &format!("a rectangle of {}", heading.name))?;
@@ -50,15 +58,16 @@ pub fn draw_diagram(
     let names = heading.names;
     let [across, up] = &names.titles();
 
-    let width = width.mm(WIDTH_MM);
-    let canvas = Canvas::new(width, (HEIGHT_SHARE * width).clamp(LEAST_HEIGHT_MM, MOST_HEIGHT_MM))?;
+    let width = look.width_mm(WIDTH_MM);
+    let usual = (HEIGHT_SHARE * width).clamp(LEAST_HEIGHT_MM, MOST_HEIGHT_MM);
+    let canvas = Canvas::new(width, look.size_mm[1].unwrap_or(usual))?;
     let bounds = bounds(&canvas, &frame, up)?;
     let panel = Panel { tables: heading.tables, names: Some(names), ..Panel::new(&canvas, frame, bounds) };
     let mut labels = Labels::new(&canvas, bounds);
     labels.placer.farthest = LONGEST_LEADER;
 
     let mut shapes: Vec<(u32, Vec<Spot>)> = Vec::new();
-    for region in Area::all(&diagram.regions) {
+    for region in Area::all(&diagram.regions).into_iter().filter(|region| look.shows(region.kind)) {
         let shape = region.draw(&panel);
         if region.kind == RegionKind::Mps && !shape.is_empty() {
             shapes.push((region.p, shape));
@@ -66,7 +75,7 @@ pub fn draw_diagram(
     }
     let drawn = draw_curves(&panel, &mut labels, shown_curves(&diagram.curves));
     let mut sections = Vec::new();
-    for section in &diagram.sections {
+    for section in diagram.sections.iter().filter(|_| look.sections) {
         let pen = if section.thin { THIN_SECTION } else { SECTION };
         for piece in panel.line(&section.ends, pen) {
             canvas.explain("where a one-parameter diagram runs", Sample::Line(pen));
@@ -88,7 +97,7 @@ pub fn draw_diagram(
     let lost = diagram.curves.iter().filter(|point| !point.lost.is_empty());
     draw_ends(&panel, &mut labels, lost.map(|point| (point.primary, point.secondary)));
     let mut boxes = Vec::new();
-    for magnified in &diagram.magnified {
+    for magnified in diagram.magnified.iter().filter(|_| look.magnified) {
         let outline = rectangle(&panel, &magnified.frame, &mut labels);
         boxes.extend(outline.map(|outline| (magnified.panel, outline)));
     }
@@ -104,7 +113,8 @@ pub fn draw_diagram(
             labels.add(&section.name, SMALL_LABEL_SIZE, BLACK, &Site::Around(end, 2.5))?;
         }
     }
-    for (p, shape) in by_area(&shapes) {
+    let named = look.regions_named;
+    for (p, shape) in by_area(&shapes).into_iter().filter(|_| named) {
         let text = format!("$p={p}$");
         let inside = labels.add(&text, LABEL_SIZE, BLACK, &Site::Within(shape))?
             || labels.add(&text, SMALL_LABEL_SIZE, BLACK, &Site::Within(shape))?;
@@ -112,12 +122,14 @@ pub fn draw_diagram(
             labels.add(&text, SMALL_LABEL_SIZE, BLACK, &Site::Around(spot, 1.0))?;
         }
     }
-    for (p, spot) in &unnamed {
+    for (p, spot) in unnamed.iter().filter(|_| named) {
         labels.add(&format!("$p={p}$"), SMALL_LABEL_SIZE, BLACK, &Site::Around(*spot, OFF_TRIANGLE))?;
     }
-    labels.name_curves(drawn, LABELLED_LENGTH, &names.grazing_title())?;
+    if look.curves_named {
+        labels.name_curves(drawn, LABELLED_LENGTH, &names.grazing_title())?;
+    }
     labels.draw()?;
-    canvas.finish(heading.name, heading.title, heading.description)
+    Ok(look.coloured(canvas.finish(heading.name, heading.title, heading.description)?))
 }
 
 /// Where the panel is: within the margins, wider ones if the numbers or the title need them.
@@ -166,6 +178,7 @@ mod tests {
     use grazing_results::plane::Section;
 
     use super::*;
+    use crate::SheetWidth;
     use crate::tests::sample_oscillator::{SampleOscillator, UNIT, oscillators, sample};
     use crate::tests::samples::WIDTHS;
 

@@ -4,10 +4,11 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::plane::{CurveSource, Magnifications, MagnifiedPanel, MagnifiedPoint};
 
 use crate::error::DrawingError;
+use crate::figures::look::Look;
 use crate::geometry::clip::checked;
 use crate::ink::labels::Labels;
 use crate::ink::sheet::Sheet;
-use crate::ink::style::{LABEL_SIZE, SheetWidth, TICK_SIZE};
+use crate::ink::style::{LABEL_SIZE, TICK_SIZE};
 use crate::plot::axes::{Heading, Panel};
 use crate::plot::kinds::{Area, Trace, TraceOf, draw_curves, draw_points};
 use crate::plot::magnified::panel_letter;
@@ -30,8 +31,15 @@ const DIGITS: usize = 4;
 pub fn draw_magnifications(
     figure: &Magnifications,
     heading: &Heading<'_>,
-    width: SheetWidth,
+    look: impl Into<Look>,
 ) -> Result<Vec<Sheet>, DrawingError> {
+    let look = &look.into();
+    if look.swapped {
+        let names = heading.names.clone().swapped();
+        let (heading, look) =
+            (Heading { names: &names, ..*heading }, Look { swapped: false, ..look.clone() });
+        return draw_magnifications(&figure.clone().swapped(), &heading, look);
+    }
     let [across, up] = &heading.names.titles();
     let panel = |panel: &MagnifiedPanel| {
         let MagnifiedPanel { panel: number, loops, n, coefficients, frame, .. } = panel;
@@ -50,9 +58,10 @@ pub fn draw_magnifications(
         })
     };
     let panels: Vec<_> = figure.panels.iter().map(panel).collect::<Result<_, DrawingError>>()?;
-    draw_panels(heading, width, across, &panels, |panel, place| {
-        draw_panel(panel, figure, heading, figure.panels[place].panel)
-    })
+    let sheets = draw_panels(heading, look.columns, across, &panels, |panel, place| {
+        draw_panel(panel, figure, heading, figure.panels[place].panel, look)
+    })?;
+    Ok(sheets.into_iter().map(|sheet| look.coloured(sheet)).collect())
 }
 
 fn draw_panel(
@@ -60,14 +69,17 @@ fn draw_panel(
     figure: &Magnifications,
     heading: &Heading<'_>,
     number: u32,
+    look: &Look,
 ) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
-    for region in Area::all(&figure.regions) {
+    for region in Area::all(&figure.regions).into_iter().filter(|region| look.shows(region.kind)) {
         region.draw(panel);
     }
     let drawn = draw_curves(panel, &mut labels, curves(&figure.curves, number));
     draw_points(panel, &mut labels, &figure.points);
-    labels.name_curves(drawn, LABELLED_LENGTH, &heading.names.grazing_title())?;
+    if look.curves_named {
+        labels.name_curves(drawn, LABELLED_LENGTH, &heading.names.grazing_title())?;
+    }
     labels.draw()
 }
 
@@ -91,6 +103,7 @@ mod tests {
     use grazing_continuation::bifurcation::Pair;
 
     use super::*;
+    use crate::SheetWidth;
     use crate::tests::sample_oscillator::{Affine, SampleOscillator, UNIT, oscillators, sample};
     use crate::tests::samples::WIDTHS;
 

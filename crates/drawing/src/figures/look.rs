@@ -1,0 +1,191 @@
+//! How the figures of an oscillator differ from the paper's, if they do.
+
+use std::borrow::Cow;
+
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_results::kinds::{Colour, CurveLook, darker};
+use grazing_results::plane::RegionKind;
+
+use crate::ink::sheet::{Element, Sheet};
+use crate::ink::style::SheetWidth;
+use crate::ink::svg::hex;
+
+/// What is drawn of two-parameter diagrams and magnifications, and how.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Look {
+    /// The width of the sheets.
+    pub columns: SheetWidth,
+    /// Width and height of the diagram in millimetres, where they are given. The width counts where
+    /// sheets are not as wide as columns of a journal.
+    pub size_mm: [Option<f64>; 2],
+    /// The secondary parameter is across and the primary one up.
+    pub swapped: bool,
+    /// Regions are shaded.
+    pub shaded: bool,
+    /// Curves are named.
+    pub curves_named: bool,
+    /// Regions are named by their p.
+    pub regions_named: bool,
+    /// Rectangles of magnifications are drawn, with their letters.
+    pub magnified: bool,
+    /// Where one-parameter diagrams run is drawn, with their names.
+    pub sections: bool,
+    /// The colours of kinds of curves in place of the usual ones.
+    pub colours: Vec<(Bifurcation, Colour)>,
+}
+
+impl From<SheetWidth> for Look {
+    /// As the paper has it.
+    fn from(columns: SheetWidth) -> Self {
+        Self {
+            columns,
+            size_mm: [None; 2],
+            swapped: false,
+            shaded: true,
+            curves_named: true,
+            regions_named: true,
+            magnified: true,
+            sections: true,
+            colours: Vec::new(),
+        }
+    }
+}
+
+impl Look {
+    /// The width of a diagram that is `paper` millimetres wide in the paper.
+    pub(crate) fn width_mm(&self, paper: f64) -> f64 {
+        self.columns.mm(self.size_mm[0].unwrap_or(paper))
+    }
+
+    /// Whether regions of a kind are shown: what is undecided always is.
+    pub(crate) fn shows(&self, kind: RegionKind) -> bool {
+        self.shaded || kind == RegionKind::Undecided
+    }
+
+    /// The sheet with its own colours: those of curves, of their labels and of approximations to
+    /// them.
+    pub(crate) fn coloured(&self, mut sheet: Sheet) -> Sheet {
+        let exchanged = |&(kind, colour): &(Bifurcation, Colour)| {
+            let look = CurveLook::of(kind);
+            let [approximation, _] = look.approximation();
+            [(look.colours[0], colour), (look.text, colour), (approximation, darker(colour))]
+        };
+        let exchanged: Vec<_> = self.colours.iter().flat_map(exchanged).collect();
+        let exchanged: Vec<_> = exchanged.into_iter().map(|(from, to)| (hex(from), hex(to))).collect();
+        let coloured = |text: &mut String| {
+            if let Cow::Owned(changed) = with_colours(text, &exchanged) {
+                *text = changed;
+            }
+        };
+        for element in &mut sheet.elements {
+            match element {
+                Element::Markup(text) => coloured(text),
+                Element::Path(path) => coloured(&mut path.attributes),
+                Element::Panel(_) => {}
+            }
+        }
+        sheet.legend.iter_mut().for_each(|(_, sample)| coloured(sample));
+        sheet
+    }
+}
+
+/// The text with colours exchanged, each once, so that two may change places.
+fn with_colours<'a>(text: &'a str, exchanged: &[(String, String)]) -> Cow<'a, str> {
+    let mut changed = Cow::Borrowed(text);
+    for (place, _) in text.match_indices('#') {
+        let known = exchanged.iter().find(|(from, _)| text[place..].starts_with(from.as_str()));
+        if let Some((from, to)) = known {
+            changed.to_mut().replace_range(place..place + from.len(), to);
+        }
+    }
+    changed
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tests::inspection::paths;
+    use crate::tests::sample_oscillator::{SampleOscillator, UNIT, oscillators, sample};
+    use crate::{draw_diagram, draw_magnifications};
+
+    const USUAL: SheetWidth = SheetWidth::Paper;
+
+    fn drawn(sample: &SampleOscillator, look: Look) -> Sheet {
+        draw_diagram(&sample.diagram, &sample.heading(), look).unwrap()
+    }
+
+    #[test]
+    fn axes_change_places_with_all_that_is_drawn() {
+        for sample in oscillators() {
+            let swapped = drawn(&sample, Look { swapped: true, ..Look::from(USUAL) });
+            swapped.assert_well_placed(&sample.names);
+            let usual = drawn(&sample, USUAL.into());
+            let panel = |sheet: &Sheet| sheet.panels().next().unwrap().clone();
+            let (swapped, usual) = (panel(&swapped), panel(&usual));
+            assert_eq!(swapped.frame, usual.frame.swapped());
+            let [across, up] = usual.titles;
+            assert_eq!(swapped.titles, [up, across]);
+        }
+        // What runs upwards runs across.
+        let sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 3);
+        let grazing = |swapped: bool| {
+            let svg = drawn(&sample, Look { swapped, ..Look::from(USUAL) }).svg();
+            paths(&svg, &hex(CurveLook::of(Bifurcation::NonImpactingGrazing).colours[0])).swap_remove(0)
+        };
+        let spread = |curve: &[(f64, f64)]| {
+            let (first, last) = (curve[0], curve[curve.len() - 1]);
+            [(last.0 - first.0).abs(), (last.1 - first.1).abs()]
+        };
+        let ([across, up], [across_after, up_after]) = (spread(&grazing(false)), spread(&grazing(true)));
+        assert!((across > up) != (across_after > up_after), "{across} {up} {across_after} {up_after}");
+        let magnified = |swapped: bool| {
+            let look = Look { swapped, ..Look::from(USUAL) };
+            let sheets = draw_magnifications(&sample.magnifications, &sample.magnified(), look).unwrap();
+            sheets[0].panels().next().unwrap().frame
+        };
+        assert_eq!(magnified(true), magnified(false).swapped());
+    }
+
+    #[test]
+    fn colours_names_shading_and_size_are_those_asked_for() {
+        let sample = sample(3);
+        let [blue, red] =
+            [Bifurcation::SaddleNode, Bifurcation::PeriodDoubling].map(|kind| CurveLook::of(kind).colours[0]);
+        // Two that change places, in figure and legend.
+        let colours = vec![(Bifurcation::SaddleNode, red), (Bifurcation::PeriodDoubling, blue)];
+        let (usual, changed) =
+            (drawn(&sample, USUAL.into()), drawn(&sample, Look { colours, ..Look::from(USUAL) }));
+        assert_eq!(paths(&changed.svg(), &hex(red)), paths(&usual.svg(), &hex(blue)));
+        assert_eq!(paths(&changed.svg(), &hex(blue)), paths(&usual.svg(), &hex(red)));
+        let sample_of = |sheet: &Sheet| {
+            let (_, drawing) =
+                sheet.legend.iter().find(|(words, _)| words.starts_with("saddle-node")).unwrap();
+            drawing.contains(&hex(red))
+        };
+        assert_eq!([&usual, &changed].map(sample_of), [false, true]);
+
+        let texts = |look: Look| drawn(&sample, look).texts();
+        let has = |texts: &[String], start: &str| texts.iter().any(|text| text.starts_with(start));
+        let all = texts(USUAL.into());
+        assert!(["PD", "$p=", "(a)"].iter().all(|start| has(&all, start)), "{all:?}");
+        for (look, gone) in [
+            (Look { curves_named: false, ..Look::from(USUAL) }, "PD"),
+            (Look { regions_named: false, ..Look::from(USUAL) }, "$p="),
+            (Look { magnified: false, ..Look::from(USUAL) }, "(a)"),
+        ] {
+            let left = texts(look);
+            assert!(
+                ["PD", "$p=", "(a)"].iter().all(|start| has(&left, start) == (*start != gone)),
+                "{left:?}"
+            );
+        }
+
+        let white = drawn(&sample, Look { shaded: false, ..Look::from(USUAL) });
+        assert!(!white.svg().contains("fill-opacity") && usual.svg().contains("fill-opacity"));
+        let [width, height] = [150.0, 60.0];
+        let sized = drawn(&sample, Look { size_mm: [Some(width), Some(height)], ..Look::from(USUAL) });
+        assert!(sized.svg().contains("width=\"150mm\" height=\"60mm\""));
+        let column = Look { size_mm: [Some(width), None], ..Look::from(SheetWidth::OneColumn) };
+        assert!(drawn(&sample, column).svg().contains("width=\"86mm\""));
+    }
+}
