@@ -21,6 +21,7 @@ pub(crate) struct Content {
     pub(crate) formulas: Formulas,
     pub(crate) texts: Expressions<String>,
     pub(crate) start: Option<[f64; 2]>,
+    pub(crate) curves: Vec<OwnCurve>,
     pub(crate) diagrams: Vec<OneParameter>,
     pub(crate) notes: Vec<String>,
     /// The units, once they have been looked for.
@@ -43,6 +44,33 @@ pub struct OneParameter {
     pub portraits: Vec<f64>,
     /// The seed of random initial states.
     pub seed: u64,
+}
+
+/// A curve that the file asks for, on which MPSs have a property.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OwnCurve {
+    /// What it is called.
+    pub name: String,
+    /// The numbers of loops p, among those of the analysis.
+    pub loops: Vec<u32>,
+    /// What holds along it.
+    pub property: Property,
+}
+
+/// What holds along a curve; all numbers are positive, in the units of the file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Property {
+    /// The impact velocity.
+    ImpactVelocity(f64),
+    /// The larger modulus of the two multipliers.
+    Modulus(f64),
+    /// The distance from the wall at a phase.
+    Distance {
+        /// The distance.
+        distance: f64,
+        /// The phase of the forcing, in periods, from 0 to less than 1.
+        phase: f64,
+    },
 }
 
 /// The wall, and how its coordinates, in which the oscillator is one of the paper, lead to those of
@@ -200,6 +228,11 @@ impl Description {
     /// the file.
     pub fn loops(&self) -> &[u32] {
         &self.0.file.analysis.loops
+    }
+
+    /// The own curves that are asked for.
+    pub fn curves(&self) -> &[OwnCurve] {
+        &self.0.curves
     }
 
     /// The one-parameter diagrams that are asked for.

@@ -14,6 +14,12 @@ pub(crate) const MOST_LOOPS: u32 = 12;
 /// More one-parameter diagrams nobody looks at.
 pub(crate) const MOST_DIAGRAMS: usize = 8;
 
+/// More own curves nobody tells apart.
+const MOST_CURVES: usize = 8;
+
+/// The most characters of the name of a curve: it stands beside the curve.
+const LONGEST_NAME: usize = 24;
+
 /// More portraits in one diagram nobody looks at.
 const MOST_PORTRAITS: usize = 6;
 
@@ -52,6 +58,9 @@ keys! {
         /// What is computed.
         analysis: Analysis = table(),
             "the table [analysis] holds loops and may hold start, time_limit, memory_limit and step_limit";
+        /// Own curves in the two-parameter diagram.
+        curves: Vec<WrittenCurve> = tables(0..=MOST_CURVES),
+            "each [[curves]] is a curve on which maximal periodic solutions have a property, and holds name and one of impact_velocity, modulus, and distance with phase; it may hold loops; there are at most 8";
         /// One-parameter diagrams.
         diagrams: Vec<WrittenDiagram> = tables(0..=MOST_DIAGRAMS),
             "each [[diagrams]] is a one-parameter diagram and holds fixed and at, and may hold range, portraits and seed; there are at most 8";
@@ -134,6 +143,27 @@ keys! {
         /// The limit of steps of integration.
         step_limit: f64 = limit(Limits::USUAL.steps),
             "the number of steps of integration after which the analysis ends with what it has must be positive, as 1e10; it may be left out";
+    }
+}
+
+keys! {
+    /// A curve on which MPSs have a property.
+    pub(crate) struct WrittenCurve {
+        /// What the curve is called in figures and tables.
+        name: String = value().such(curve_name),
+            "the name of a curve must be up to 24 letters, digits, blanks or = . , - + ( ) /, in quotation marks, as \"hard hits\"";
+        /// The impact velocity along it.
+        impact_velocity: Option<f64> = maybe(positive()), POSITIVE;
+        /// The larger modulus of the two stability multipliers along it.
+        modulus: Option<f64> = maybe(positive()), POSITIVE;
+        /// The distance from the wall along it, where the forcing is at the phase.
+        distance: Option<f64> = maybe(positive()), POSITIVE;
+        /// That phase, in forcing periods.
+        phase: Option<f64> = maybe(number(0.0..1.0)),
+            "the phase, in forcing periods, must be from 0 to less than 1; it stands beside distance";
+        /// The numbers of loops p of the solutions.
+        loops: Option<Vec<u32>> = maybe(counts(1..=MOST_LOOPS)),
+            "the numbers of loops must be a list of different whole numbers of analysis.loops, as [1, 2]; without it all of those count";
     }
 }
 
@@ -226,6 +256,8 @@ impl Limits {
     pub const USUAL: Self = Self { time: 600.0, memory: 2000.0, steps: 1e10 };
 }
 
+const POSITIVE: &str =
+    "a curve has one of impact_velocity, modulus and distance: a positive number, in the units of the file";
 const NAME: &str = "a name is made of the letters a to z and A to Z, digits and _, and does not begin with a digit, as \"omega\"";
 const UNIT: &str = "the name of a unit must be up to 20 Latin or Greek letters, digits, blanks or / ^ * - . ( ) %, in quotation marks, as \"rad/s\"; it may be left out and changes no number";
 
@@ -235,12 +267,22 @@ fn name(written: String, section: &Section<'_>, key: &str) -> Result<String, Sou
     if name.is_empty() { Err(section.refusal(key)) } else { Ok(name.to_owned()) }
 }
 
+/// What can stand in a figure beside a curve.
+fn curve_name(name: &String) -> bool {
+    let shown = |character: char| character.is_ascii_alphanumeric() || " =.,-+()/".contains(character);
+    !name.trim().is_empty() && name.chars().count() <= LONGEST_NAME && name.chars().all(shown)
+}
+
+fn positive() -> Kind<f64> {
+    number(0.0..).such(|number| *number > 0.0)
+}
+
 fn axis() -> Kind<Axis> {
     table().map(|WrittenAxis { name, range, unit }, _, _| Ok(Axis { name, range, unit }))
 }
 
 fn limit(usual: f64) -> Kind<f64> {
-    or(number(0.0..).such(|limit| *limit > 0.0), usual)
+    or(positive(), usual)
 }
 
 fn range() -> Kind<[f64; 2]> {
@@ -288,6 +330,8 @@ mod tests {
     #[test]
     fn limits_are_said_as_they_are_checked() {
         assert!(REQUIREMENTS.of("diagrams").ends_with(&format!(" at most {MOST_DIAGRAMS}")));
+        assert!(REQUIREMENTS.of("curves").ends_with(&format!(" at most {MOST_CURVES}")));
+        assert!(REQUIREMENTS.of("curves.name").contains(&format!(" up to {LONGEST_NAME} ")));
         assert!(REQUIREMENTS.of("diagrams.portraits").contains(&format!(" at most {MOST_PORTRAITS} ")));
         assert!(REQUIREMENTS.of("primary.unit").contains(&format!(" up to {LONGEST_UNIT} ")));
     }

@@ -47,7 +47,7 @@ mod names;
 mod read;
 mod validate;
 
-pub use description::{Description, Expressions, OneParameter, Wall};
+pub use description::{Description, Expressions, OneParameter, OwnCurve, Property, Wall};
 pub use error::DescriptionError;
 pub use expression::{Expression, ExpressionError, MOST_VALUES_ON_STACK};
 pub use file::{Axis, Limits, Side};

@@ -5,10 +5,12 @@ use std::sync::{Arc, OnceLock};
 use grazing_model::smooth::Stop;
 use grazing_source::{Keys, Section, SourceError};
 
-use crate::description::{Content, Description, Expressions, Formulas, OneParameter, Wall};
+use crate::description::{
+    Content, Description, Expressions, Formulas, OneParameter, OwnCurve, Property, Wall,
+};
 use crate::error::{DescriptionError, KeyPlace};
 use crate::expression::{Expression, ExpressionError, from_the_wall, parse_with_uses};
-use crate::file::{Axis, File, Side, WrittenDiagram, WrittenWall};
+use crate::file::{Axis, File, Side, WrittenCurve, WrittenDiagram, WrittenWall};
 use crate::names;
 
 /// More constants than this nobody names; every name in an expression is looked for among them.
@@ -114,8 +116,16 @@ pub(crate) fn description(
         diagram(written, axes, |name, allowed| section.forbid(&format!("diagrams[{number}].{name}"), allowed))
     };
     let diagrams = file.diagrams.iter().zip(1..).map(diagram).collect::<Result<_, _>>()?;
+    let curve = |(written, number): (&WrittenCurve, usize)| {
+        let forbid = |name: &str, allowed| section.forbid(&format!("curves[{number}].{name}"), allowed);
+        if file.curves[..number - 1].iter().any(|other| other.name == written.name) {
+            return Err(forbid("name", "another curve is called so: give each its own name".to_owned()));
+        }
+        own_curve(written, &file.analysis.loops, forbid)
+    };
+    let curves = file.curves.iter().zip(1..).map(curve).collect::<Result<_, _>>()?;
     let (notes, units) = (Vec::new(), OnceLock::new());
-    let content = Content { file, formulas, texts, start, diagrams, notes, units };
+    let content = Content { file, formulas, texts, start, curves, diagrams, notes, units };
     Ok((Description(Arc::new(content)), places))
 }
 
@@ -129,6 +139,37 @@ fn check_number(section: &Section<'_>, file: &File) -> Result<(), SourceError> {
         }
         _ => Ok(()),
     }
+}
+
+fn own_curve(
+    written: &WrittenCurve,
+    analysed: &[u32],
+    forbid: impl Fn(&str, String) -> SourceError,
+) -> Result<OwnCurve, SourceError> {
+    let WrittenCurve { name, impact_velocity, modulus, distance, phase, loops } = written.clone();
+    let property = match (impact_velocity, modulus, distance, phase) {
+        (Some(velocity), None, None, None) => Property::ImpactVelocity(velocity),
+        (None, Some(modulus), None, None) => Property::Modulus(modulus),
+        (None, None, Some(distance), Some(phase)) => Property::Distance { distance, phase },
+        (None, None, Some(_), None) => {
+            return Err(forbid(
+                "distance",
+                "write the phase beside it, in forcing periods, as phase = 0.25".to_owned(),
+            ));
+        }
+        (.., Some(_)) => return Err(forbid("phase", "it stands beside distance alone".to_owned())),
+        _ => {
+            let allowed =
+                "write one of impact_velocity, modulus, and distance with phase, no more and no less";
+            return Err(forbid("name", allowed.to_owned()));
+        }
+    };
+    let loops = loops.unwrap_or_else(|| analysed.to_vec());
+    if let Some(other) = loops.iter().find(|loops| !analysed.contains(loops)) {
+        let allowed = format!("{other} is none of analysis.loops: add it there, or leave it out here");
+        return Err(forbid("loops", allowed));
+    }
+    Ok(OwnCurve { name: name.trim().to_owned(), loops, property })
 }
 
 fn diagram(

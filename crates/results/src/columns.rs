@@ -114,6 +114,14 @@ columns! {
     SOURCE = "source", "", "1";
 }
 
+// Own curves.
+columns! {
+    /// the name that the file gives the curve
+    CURVE_NAME = "name", "", "1";
+    /// what the solutions along it have in common
+    PROPERTY = "property", "", "1";
+}
+
 // Families: what varies from member to member. A family with fewer constants has no columns for the
 // first ones.
 columns! {

@@ -43,6 +43,23 @@ rows! {
         arc: u32 = ARC,
     }
 
+    /// A point of a curve that the file asks for.
+    OwnPoint {
+        name: String = CURVE_NAME,
+        property: String = PROPERTY,
+        loops: u32 = LOOPS,
+        secondary: f64 = SECONDARY,
+        primary: f64 = PRIMARY,
+        impact_velocity: f64 = IMPACT_VELOCITY,
+        impact_phase: f64 = IMPACT_PHASE,
+        trace: f64 = TRACE,
+        determinant: f64 = DETERMINANT,
+        max_interior_x: f64 = MAX_INTERIOR_X,
+        stable: bool = STABLE,
+        admissible: bool = ADMISSIBLE,
+        arc: u32 = ARC,
+    }
+
     /// A resonance at which a theorem holds, or another codimension-two point.
     SpecialPoint {
         kind: CodimensionTwo = CODIMENSION_TWO,
@@ -119,6 +136,13 @@ tables! {
         magnified: Vec<MagnifiedPanel>,
         /// Where one-parameter diagrams run.
         sections: Vec<Section>,
+        /// The curves that the file asks for.
+        own: Vec<OwnPoint>,
+    }
+
+    /// The curves that a file asks for.
+    OwnCurves {
+        own: OwnPoint = "own_curves", "a point of a curve of `[[curves]]`",
     }
 
     /// What magnifications of a two-parameter diagram show; Figure 8 is one sheet of them.

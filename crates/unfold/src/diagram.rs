@@ -9,8 +9,8 @@ use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, Unfo
 use grazing_model::AnyOscillator;
 use rayon::prelude::*;
 
-use crate::curves::{Net, within};
 pub use crate::curves::{CodimensionTwoPoint, DiagramCurve, route};
+use crate::curves::{Net, within};
 use crate::grazing::GrazingCurve;
 use crate::levels::{Level, LevelCurve, Levels};
 use crate::non_impacting::{self, NonImpacting};
@@ -238,7 +238,8 @@ impl Diagram {
         self.follow_iterated(&mut nets);
         self.grow(&mut nets);
         let grazing = [self.grazing.as_slice(), &self.doubled].concat();
-        let of_mps = regions::of_mps(&self.oscillator, (&self.scope, &self.asked), &grazing, &mut nets, progress);
+        let of_mps =
+            regions::of_mps(&self.oscillator, (&self.scope, &self.asked), &grazing, &mut nets, progress);
         if of_mps.iter().any(Option::is_none) {
             self.unfinished.push(Unfinished::stage(regions::STAGE));
         }

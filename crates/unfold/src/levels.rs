@@ -6,13 +6,12 @@
 //! regions, and go on where solutions are unstable or inadmissible.
 
 use core::f64::consts::TAU;
+use core::fmt;
 use core::mem::discriminant;
 
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, Route, SolutionCurve};
 use grazing_continuation::locate::{Condition, LocateFailure, locate_within};
-use grazing_continuation::mps::{
-    EventTimes, LoopEquations, PeriodicSolution, Unknowns, parameters, unknown,
-};
+use grazing_continuation::mps::{EventTimes, LoopEquations, PeriodicSolution, Unknowns, parameters, unknown};
 use rayon::prelude::*;
 
 use crate::progress::Progress;
@@ -23,7 +22,7 @@ const BESIDE_GRAZING: f64 = 1e-4;
 
 /// What is asked of an MPS.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Quantity {
+pub enum Property {
     /// The impact velocity y > 0.
     ImpactVelocity(f64),
     /// The larger modulus of its two multipliers: by this factor motion beside it changes in p
@@ -42,10 +41,12 @@ pub enum Quantity {
 /// Curves that are asked for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Level {
+    /// What they are called.
+    pub name: String,
     /// Of MPSs with these numbers of loops p.
     pub loops: Vec<u32>,
     /// What holds along them.
-    pub quantity: Quantity,
+    pub property: Property,
 }
 
 /// A curve that was asked for.
@@ -90,7 +91,20 @@ struct Crossing<'a> {
     times: &'a EventTimes,
 }
 
-impl Quantity {
+/// As `impact velocity = 0.1`.
+impl fmt::Display for Property {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ImpactVelocity(velocity) => write!(f, "impact velocity = {velocity}"),
+            Self::Modulus(modulus) => write!(f, "larger modulus of the multipliers = {modulus}"),
+            Self::Distance { phase, distance } => {
+                write!(f, "distance from the wall = {distance} at {} of the forcing period", phase / TAU)
+            }
+        }
+    }
+}
+
+impl Property {
     /// Under these conditions solutions about this one may have the property.
     fn conditions(self, equations: &LoopEquations, about: &PeriodicSolution) -> Vec<Condition> {
         match self {
@@ -167,9 +181,9 @@ pub(crate) fn find(
     (number, level): (usize, &Level),
     progress: &dyn Progress,
 ) -> Levels {
-    let (equations, quantity) = (&slicer.equations, level.quantity);
+    let (equations, property) = (&slicer.equations, level.property);
     let crossings: Vec<Vec<Crossing<'_>>> =
-        sources.par_iter().map(|source| crossed(equations, source, quantity)).collect();
+        sources.par_iter().map(|source| crossed(equations, source, property)).collect();
     let mut found = Levels::default();
     let loops = equations.loops();
     for Crossing { along, condition, near, length, times } in crossings.into_iter().flatten() {
@@ -181,10 +195,14 @@ pub(crate) fn find(
         }
         let mut times = times.clone();
         match locate_within(length, equations, [condition, along], near, &mut times) {
-            Ok(start) if quantity.margin(condition, &equations.solution(&start)) >= 0.0 => {
+            Ok(start) if property.margin(condition, &equations.solution(&start)) >= 0.0 => {
                 let begun = (condition, start, times);
-                let curves = followed(slicer, route, quantity, begun, &found.curves);
-                found.curves.extend(curves.into_iter().map(|curve| LevelCurve { level: number, loops, curve }));
+                let curves = followed(slicer, route, property, begun, &found.curves);
+                found.curves.extend(curves.into_iter().map(|curve| LevelCurve {
+                    level: number,
+                    loops,
+                    curve,
+                }));
             }
             Ok(_) => {}
             Err(reason) => {
@@ -209,7 +227,7 @@ fn is_known(known: &[LevelCurve], slicer: &Slicer, condition: Condition, at: &Un
 fn followed(
     slicer: &Slicer,
     route: &Route<'_>,
-    quantity: Quantity,
+    property: Property,
     begun: (Condition, Unknowns, EventTimes),
     known: &[LevelCurve],
 ) -> Vec<Curve> {
@@ -223,7 +241,7 @@ fn followed(
         let curve = SolutionCurve { equations: equations.clone(), condition };
         let follow = |way| curve.clone().follow_both_ways(start, way, &times, route).ok();
         let whole = follow(Unknowns::w()).or_else(|| follow(Unknowns::z()));
-        for part in whole.into_iter().flat_map(|whole| parts(equations, quantity, whole)) {
+        for part in whole.into_iter().flat_map(|whole| parts(equations, property, with_events(whole))) {
             for end in [part.beginning.as_ref(), Some(&part.end)] {
                 if let Some(CurveEnd::Event(corner)) = end {
                     begun.push((corner.condition, corner.solution.unknowns, corner.times.clone()));
@@ -236,12 +254,13 @@ fn followed(
 }
 
 /// Where a curve has a property between two of its points.
-fn crossed<'a>(equations: &LoopEquations, source: &'a Curve, quantity: Quantity) -> Vec<Crossing<'a>> {
+fn crossed<'a>(equations: &LoopEquations, source: &'a Curve, property: Property) -> Vec<Crossing<'a>> {
     let mut crossings = Vec::new();
     for pair in source.points.windows(2) {
-        let ends = [[0, 1], [1, 0]].map(|[k, other]| off_grazing(equations, source, [&pair[k], &pair[other]]));
+        let ends =
+            [[0, 1], [1, 0]].map(|[k, other]| off_grazing(equations, source, [&pair[k], &pair[other]]));
         let [Some(from), Some(to)] = &ends else { continue };
-        for condition in quantity.conditions(equations, from) {
+        for condition in property.conditions(equations, from) {
             let [before, after] = [from, to].map(|solution| excess(equations, condition, solution));
             if before * after > 0.0 || !(before - after).is_normal() {
                 continue;
@@ -276,10 +295,18 @@ fn off_grazing(
     beside.ok().map(|beside| equations.solution(&beside))
 }
 
+/// The curve with what happens along it among its points.
+fn with_events(mut curve: Curve) -> Curve {
+    for Event { solution, index, times, .. } in curve.events.drain(..).rev() {
+        curve.points.insert(index.min(curve.points.len()), CurvePoint { solution, times });
+    }
+    curve
+}
+
 /// The parts of a curve on which its solutions have the property, each to where it ends.
-fn parts(equations: &LoopEquations, quantity: Quantity, whole: Curve) -> Vec<Curve> {
+fn parts(equations: &LoopEquations, property: Property, whole: Curve) -> Vec<Curve> {
     let condition = whole.condition;
-    let inside = |point: &CurvePoint| quantity.margin(condition, &point.solution) >= 0.0;
+    let inside = |point: &CurvePoint| property.margin(condition, &point.solution) >= 0.0;
     let Curve { points, end, beginning, .. } = whole;
     let begin = |beginning| Curve {
         condition,
@@ -292,7 +319,8 @@ fn parts(equations: &LoopEquations, quantity: Quantity, whole: Curve) -> Vec<Cur
     let mut part: Option<Curve> = None;
     for (k, point) in points.iter().enumerate() {
         let corner = points[..k].last().filter(|before| inside(before) != inside(point));
-        let corner = corner.and_then(|before| corner_between(equations, quantity, condition, [before, point]));
+        let corner =
+            corner.and_then(|before| corner_between(equations, property, condition, [before, point]));
         if inside(point) {
             let part = part.get_or_insert_with(|| begin(if k == 0 { beginning.clone() } else { None }));
             if let Some((place, end)) = corner {
@@ -317,12 +345,12 @@ fn parts(equations: &LoopEquations, quantity: Quantity, whole: Curve) -> Vec<Cur
 /// none where it was not located.
 fn corner_between(
     equations: &LoopEquations,
-    quantity: Quantity,
+    property: Property,
     condition: Condition,
     [before, after]: [&CurvePoint; 2],
 ) -> Option<(Option<CurvePoint>, CurveEnd)> {
-    let other = quantity.corner(condition, &before.solution)?;
-    let [from, to] = [before, after].map(|point| quantity.margin(condition, &point.solution));
+    let other = property.corner(condition, &before.solution)?;
+    let [from, to] = [before, after].map(|point| property.margin(condition, &point.solution));
     let chord = after.solution.unknowns - before.solution.unknowns;
     let near = before.solution.unknowns + chord * (from / (from - to));
     let mut times = before.times.clone();

@@ -9,7 +9,7 @@ use grazing_drawing::{
 };
 use grazing_reproduction::unfolded::{AlongGrazing, AtResonances, Unfolded};
 use grazing_results::branches::OneParameter;
-use grazing_results::plane::{Magnifications, PlaneDiagram};
+use grazing_results::plane::{Magnifications, OwnCurves, PlaneDiagram};
 use grazing_results::{Names, Tables, brief, columns};
 
 use super::latex::Caption;
@@ -34,10 +34,14 @@ impl AnalysedOscillator {
         Self { file: file.to_owned(), description: description.clone(), unfolded, diagram }
     }
 
-    /// What there is to write: files that ask for no one-parameter diagram have no tables of them.
-    pub(crate) fn outputs(&self) -> &'static [Output<Self>] {
-        let (_, without_diagrams) = ALL.split_last().unwrap_or((&ALL[0], &[]));
-        if self.unfolded.diagrams.is_empty() { without_diagrams } else { ALL }
+    /// What there is to write: files that ask for no one-parameter diagram have no tables of them,
+    /// nor of own curves.
+    pub(crate) fn outputs(&self) -> impl Iterator<Item = &'static Output<Self>> {
+        let missing = [
+            self.unfolded.diagrams.is_empty().then_some(DIAGRAMS),
+            self.unfolded.diagram.asked.is_empty().then_some(OWN),
+        ];
+        ALL.iter().filter(move |output| !missing.contains(&Some(output.name)))
     }
 
     /// All that there is to write.
@@ -45,7 +49,7 @@ impl AnalysedOscillator {
     /// # Errors
     /// Something cannot be drawn.
     pub(crate) fn computed(&self, width: SheetWidth) -> Result<ComputedOutput, Failure> {
-        let outputs = self.outputs().iter().map(|output| output.compute(self, width));
+        let outputs = self.outputs().map(|output| output.compute(self, width));
         Ok(ComputedOutput::joined(outputs.collect::<Result<Vec<_>, _>>()?))
     }
 
@@ -57,6 +61,10 @@ impl AnalysedOscillator {
 /// The file of the magnifications, if all find room on one sheet.
 const MAGNIFICATIONS: &str = "magnifications.svg";
 
+/// The names of outputs that not every file asks for.
+const OWN: &str = "own-curves";
+const DIAGRAMS: &str = "diagrams";
+
 /// All outputs: their tables in the order of the page that explains these, and one-parameter
 /// diagrams last.
 pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
@@ -64,6 +72,10 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
         Ok(ComputedOutput::new(Vec::new(), of.unfolded.along_grazing().tables(of.names())))
     }),
     TWO_PARAMETERS,
+    Output::new(OWN, "own curves", OwnCurves::TABLES, |_, of, _| {
+        let own = OwnCurves { own: of.diagram.own.clone() };
+        Ok(ComputedOutput::new(Vec::new(), own.tables(of.names())))
+    }),
     Output {
         printed: Some(COEFFICIENT_COLUMNS),
         ..Output::new("resonances", "resonances", AtResonances::TABLES, |_, of: &AnalysedOscillator, _| {
@@ -85,7 +97,7 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
             magnifications,
         )
     },
-    Output::new("diagrams", "one-parameter bifurcation diagram", OneParameter::TABLES, one_parameter),
+    Output::new(DIAGRAMS, "one-parameter bifurcation diagram", OneParameter::TABLES, one_parameter),
 ];
 
 /// The two-parameter diagram.

@@ -112,8 +112,7 @@ impl<O: ImpactOscillator> Step<'_, O> {
             let found = self.event(condition, beyond);
             match found.or_else(|failure| self.event_closer(event, past[event]).ok_or(failure)) {
                 // Of real multipliers a product of 1 is nothing.
-                Ok((solution, _))
-                    if condition == Condition::TORUS && !solution.multipliers.complex() => {}
+                Ok((solution, _)) if condition == Condition::TORUS && !solution.multipliers.complex() => {}
                 Ok((solution, times)) => located.push(Event { condition, solution, index, times }),
                 // Where branches cross for the sake of a symmetry, or rest touches the wall, motion
                 // without impacts goes on.

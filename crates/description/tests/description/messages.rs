@@ -85,6 +85,21 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("[analysis]", "loops", "loops = [1]\n[[diagrams]]\nfixed = \"A\"\nat = 0.5\nportraits = [0.5, 0.5]"),
     ("[analysis]", "loops", "loops = [1]\n[[diagrams]]\nfixed = \"A\"\nat = 0.5\nseed = -1"),
     ("[analysis]", "loops", "loops = [1]\n[[diagrams]]\nfixed = \"A\"\nat = 0.5\nportrait = [0.5]"),
+    // Own curves.
+    ("[analysis]", "loops", "loops = [1]\n[[curves]]\nmodulus = 0.9"),
+    ("[analysis]", "loops", "loops = [1]\n[[curves]]\nname = \"fast\""),
+    ("[analysis]", "loops", "loops = [1]\n[[curves]]\nname = \"fast\"\nmodulus = 0.9\nimpact_velocity = 0.1"),
+    ("[analysis]", "loops", "loops = [1]\n[[curves]]\nname = \"fast\"\nimpact_velocity = -0.1"),
+    ("[analysis]", "loops", "loops = [1]\n[[curves]]\nname = \"far\"\ndistance = 0.1"),
+    ("[analysis]", "loops", "loops = [1]\n[[curves]]\nname = \"far\"\nmodulus = 0.1\nphase = 0.5"),
+    ("[analysis]", "loops", "loops = [1]\n[[curves]]\nname = \"far\"\ndistance = 0.1\nphase = 90"),
+    ("[analysis]", "loops", "loops = [1]\n[[curves]]\nname = \"$far$\"\nmodulus = 0.9"),
+    ("[analysis]", "loops", "loops = [1]\n[[curves]]\nname = \"far\"\nmodulus = 0.9\nloops = [2]"),
+    (
+        "[analysis]",
+        "loops",
+        "loops = [1]\n[[curves]]\nname = \"a\"\nmodulus = 0.9\n[[curves]]\nname = \"a\"\nmodulus = 0.8",
+    ),
     // Names.
     ("[parameters]", "zeta", "zeta = 0.1\nx = 1"),
     ("[parameters]", "zeta", "zeta = 0.1\nt = 1"),

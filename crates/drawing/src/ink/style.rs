@@ -110,6 +110,12 @@ pub(crate) const MPS_AREA: Paint = Paint::of_region(RegionKind::Mps);
 pub(crate) const UNDECIDED: Pen = Pen::solid(Paint::of_region(RegionKind::Undecided).colour, 0.45);
 pub(crate) const HATCHING: f64 = 3.6;
 
+/// A curve that the file asks for where solutions are stable, and where they are not.
+pub(crate) const OWN: [Pen; 2] =
+    [Pen::solid(kinds::OWN[0], kinds::OWN_WIDTHS[0]), Pen::solid(kinds::OWN[0], kinds::OWN_WIDTHS[1])];
+/// Their labels: darker, to be readable.
+pub(crate) const OWN_TEXT: Colour = [112, 62, 160];
+
 /// Rectangles that another figure magnifies.
 pub(crate) const MAGNIFIED: Pen = Pen::solid(ORANGE, 1.0);
 /// Labels of those rectangles: darker than the rectangle, to be readable.

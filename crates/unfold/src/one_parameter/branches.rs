@@ -88,8 +88,7 @@ impl Branch {
         let loops = self.equations.loops();
         // With a multiplier on the unit circle a solution is taken for what it is beyond the
         // bifurcation.
-        let critical =
-            |event: &Event| matches!(event.condition, Condition::Multiplier(_) | Condition::TORUS);
+        let critical = |event: &Event| matches!(event.condition, Condition::Multiplier(_) | Condition::TORUS);
         let own = |k: usize| match places[k].event {
             Some(event) if critical(event) => None,
             _ => Some(places[k].solution.stable()),

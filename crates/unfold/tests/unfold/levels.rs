@@ -7,7 +7,7 @@ use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{PeriodicSolution, unknown};
 use grazing_model::motion::Motion;
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, OnWall};
-use grazing_unfold::levels::{Level, LevelCurve, Quantity};
+use grazing_unfold::levels::{Level, LevelCurve, Property};
 use grazing_unfold::one_parameter::{Cut, Line};
 use grazing_unfold::progress::Silent;
 use grazing_unfold::simulation::{ReturnOutcome, Suspect};
@@ -23,8 +23,8 @@ fn oscillator() -> AnyOscillator {
     AnyOscillator::new(LinearOscillator::new(ZETA, EPSILON, 0.5, 0.8).expect("it is in the domain"))
 }
 
-fn diagram(oscillator: &AnyOscillator, scope: &Scope, quantity: Quantity) -> Diagram {
-    let asked = vec![Level { loops: scope.loops.clone(), quantity }];
+fn diagram(oscillator: &AnyOscillator, scope: &Scope, property: Property) -> Diagram {
+    let asked = vec![Level { name: String::new(), loops: scope.loops.clone(), property }];
     let located = Diagram::located(oscillator, scope, &Silent).expect("nobody stops it").asking_for(asked);
     let followed = located.follow(&Silent, &|_, _| ());
     let diagram = located.with(followed, &Silent);
@@ -48,7 +48,7 @@ fn solutions<'a>(
 #[test]
 fn along_curves_of_an_impact_velocity_simulated_orbits_hit_the_wall_at_it() {
     for (oscillator, scope) in [(oscillator(), scope(&[1, 2])), example("duffing.toml")] {
-        let diagram = diagram(&oscillator, &scope, Quantity::ImpactVelocity(0.1));
+        let diagram = diagram(&oscillator, &scope, Property::ImpactVelocity(0.1));
         let mut followed = 0;
         for (oscillator, solution) in solutions(&diagram, &diagram.levels.curves) {
             assert_eq!(solution.impact_velocity(), 0.1);
@@ -67,7 +67,7 @@ fn curves_of_an_impact_velocity_cross_a_line_where_branches_have_it() {
     // Between the slices to begin with.
     let at = 0.7113;
     let velocity = 0.3;
-    let diagram = diagram(&oscillator(), &scope(&[1, 2]), Quantity::ImpactVelocity(velocity));
+    let diagram = diagram(&oscillator(), &scope(&[1, 2]), Property::ImpactVelocity(velocity));
     let line = Line { diagram: 1, primary_is_fixed: false, at, range: WINDOW.primary };
     let cut = Cut::follow(&oscillator(), &diagram.scope, &[], line, &Silent).expect("nobody stops it");
     let crossings = |points: Vec<[f64; 2]>, value: f64| -> Vec<f64> {
@@ -104,7 +104,7 @@ fn curves_of_an_impact_velocity_cross_a_line_where_branches_have_it() {
 fn where_multipliers_are_complex_a_modulus_is_that_of_the_closed_form() {
     // Between two impacts areas shrink by exp(−2ζ 2πp/ω), by an impact by ε².
     let modulus = 0.75;
-    let diagram = diagram(&oscillator(), &scope(&[1, 2]), Quantity::Modulus(modulus));
+    let diagram = diagram(&oscillator(), &scope(&[1, 2]), Property::Modulus(modulus));
     let mut seen = [0; 2];
     for LevelCurve { loops, curve, .. } in &diagram.levels.curves {
         let Condition::Product(product) = curve.condition else { continue };
@@ -112,7 +112,10 @@ fn where_multipliers_are_complex_a_modulus_is_that_of_the_closed_form() {
         let omega = 4.0 * PI * ZETA * f64::from(*loops) / libm::log(EPSILON * EPSILON / product);
         for point in &curve.points {
             let multipliers = point.solution.multipliers;
-            assert!(multipliers.complex() || multipliers.trace.abs() < 2.0 * modulus + 1e-9, "{multipliers:?}");
+            assert!(
+                multipliers.complex() || multipliers.trace.abs() < 2.0 * modulus + 1e-9,
+                "{multipliers:?}"
+            );
             assert!((point.solution.unknowns[unknown::SECONDARY] - omega).abs() < 1e-9);
             seen[*loops as usize - 1] += 1;
         }
@@ -123,7 +126,7 @@ fn where_multipliers_are_complex_a_modulus_is_that_of_the_closed_form() {
 #[test]
 fn along_curves_of_a_modulus_simulated_perturbations_decay_by_it() {
     let modulus = 0.9;
-    let diagram = diagram(&oscillator(), &scope(&[1]), Quantity::Modulus(modulus));
+    let diagram = diagram(&oscillator(), &scope(&[1]), Property::Modulus(modulus));
     let mut pieces = [0, 0];
     for LevelCurve { curve, .. } in &diagram.levels.curves {
         let middle = curve.points[curve.points.len() / 2].solution;
@@ -147,7 +150,7 @@ fn along_curves_of_a_modulus_simulated_perturbations_decay_by_it() {
 
 #[test]
 fn pieces_of_a_modulus_meet_where_both_multipliers_are_equal() {
-    let diagram = diagram(&oscillator(), &scope(&[1]), Quantity::Modulus(0.75));
+    let diagram = diagram(&oscillator(), &scope(&[1]), Property::Modulus(0.75));
     let curves = diagram.levels.curves.iter();
     let ends = curves.flat_map(|found| {
         let Curve { points, beginning, end, .. } = &found.curve;
@@ -169,7 +172,7 @@ fn pieces_of_a_modulus_meet_where_both_multipliers_are_equal() {
 #[test]
 fn along_curves_of_a_distance_motion_is_that_far_from_the_wall_at_the_phase() {
     let (phase, distance) = (2.0, 0.4);
-    let diagram = diagram(&oscillator(), &scope(&[1, 2]), Quantity::Distance { phase, distance });
+    let diagram = diagram(&oscillator(), &scope(&[1, 2]), Property::Distance { phase, distance });
     let mut seen = [0; 2];
     for (oscillator, solution) in solutions(&diagram, &diagram.levels.curves) {
         let [velocity, impact] = [unknown::VELOCITY, unknown::PHASE].map(|k| solution.unknowns[k]);

@@ -2,13 +2,14 @@
 
 use std::mem::discriminant;
 
-use grazing_continuation::curve::CurveEnd;
+use grazing_continuation::curve::{Curve, CurveEnd};
 use grazing_continuation::locate::Condition;
 use grazing_description::Description;
 use grazing_model::smooth::Units;
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::grazing::GrazingEnd;
+use grazing_unfold::levels::LevelCurve;
 
 use crate::unfold::analysis::Analysis;
 use crate::unfold::layout::headed;
@@ -28,14 +29,21 @@ pub(super) fn unfinished(description: &Description, units: &Units, diagram: &Dia
 
 /// Curves that end neither at the edge of the ranges nor at a point of codimension two.
 pub(super) fn odd_ends(description: &Description, unfolded: &Analysis) -> String {
-    let line = |DiagramCurve { kind, loops, n, curve }: &DiagramCurve| {
+    let line = |of: String, curve: &Curve| {
         let end = odd_end(&curve.end)?;
         let at = curve.points.last().map_or(String::new(), |last| {
             place(description, unfolded.axes.units.parameters(last.solution.parameters()))
         });
-        Some((format!("  {} of p = {loops}, n = {n}  ", kind.name()), format!("at {at}: {end}")))
+        Some((format!("  {of}  "), format!("at {at}: {end}")))
     };
-    headed("Curves that end unexpectedly", unfolded.diagram.curves.iter().filter_map(line))
+    let diagram = &unfolded.diagram;
+    let bifurcations = diagram.curves.iter().filter_map(|DiagramCurve { kind, loops, n, curve }| {
+        line(format!("{} of p = {loops}, n = {n}", kind.name()), curve)
+    });
+    let own = diagram.levels.curves.iter().filter_map(|LevelCurve { level, loops, curve }| {
+        line(format!("{} of p = {loops}", diagram.asked[*level].name), curve)
+    });
+    headed("Curves that end unexpectedly", bifurcations.chain(own))
 }
 
 /// As many undecided regions of one p and one kind of reason are listed one by one.
@@ -114,6 +122,7 @@ mod tests {
     use grazing_unfold::Scope;
     use grazing_unfold::diagram::NotUnfolded;
     use grazing_unfold::grazing::GrazingCurve;
+    use grazing_unfold::levels::Levels;
     use grazing_unfold::resonances::Unlocated;
     use grazing_unfold::unfinished::Unfinished;
 
@@ -135,6 +144,8 @@ mod tests {
             curves: Vec::new(),
             codimension_two: Vec::new(),
             regions: Vec::new(),
+            asked: Vec::new(),
+            levels: Levels::default(),
             unlocated: vec![Unlocated {
                 loops: 1,
                 near: [0.25, 0.5],
