@@ -131,7 +131,7 @@ pub fn bifurcation_rows(axes: &Axes, diagram: &Diagram, curve: &DiagramCurve) ->
 }
 
 /// The curves that are asked for, point by point.
-fn own_curves(axes: &Axes, diagram: &Diagram) -> Vec<OwnPoint> {
+pub fn own_curves(axes: &Axes, diagram: &Diagram) -> Vec<OwnPoint> {
     let mut rows = Vec::new();
     for (arc, LevelCurve { level, loops, curve }) in (0..).zip(&diagram.levels.curves) {
         let Level { name, property, .. } = &diagram.asked[*level];

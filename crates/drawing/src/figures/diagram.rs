@@ -115,8 +115,8 @@ pub fn draw_diagram(
     for (p, spot) in &unnamed {
         labels.add(&format!("$p={p}$"), SMALL_LABEL_SIZE, BLACK, &Site::Around(*spot, OFF_TRIANGLE))?;
     }
-    labels.name_curves(drawn, LABELLED_LENGTH, &names.grazing_title())?;
     name_own(&mut labels, &own)?;
+    labels.name_curves(drawn, LABELLED_LENGTH, &names.grazing_title())?;
     labels.draw()?;
     canvas.finish(heading.name, heading.title, heading.description)
 }

@@ -110,9 +110,12 @@ pub(crate) const MPS_AREA: Paint = Paint::of_region(RegionKind::Mps);
 pub(crate) const UNDECIDED: Pen = Pen::solid(Paint::of_region(RegionKind::Undecided).colour, 0.45);
 pub(crate) const HATCHING: f64 = 3.6;
 
-/// A curve that the file asks for where solutions are stable, and where they are not.
-pub(crate) const OWN: [Pen; 2] =
-    [Pen::solid(kinds::OWN[0], kinds::OWN_WIDTHS[0]), Pen::solid(kinds::OWN[0], kinds::OWN_WIDTHS[1])];
+/// The curves of a name that the file asks for where solutions are stable, and where they are not;
+/// names come again in the order of the file.
+pub(crate) fn own_pens(number: usize) -> [Pen; 2] {
+    const DASHES: [&[f64]; 4] = [&[], &[7.0, 1.5], &[7.0, 1.2, 1.2, 1.2, 1.2, 1.2], &[3.0, 1.2]];
+    kinds::OWN_WIDTHS.map(|width| Pen::dashed(kinds::OWN[0], width, DASHES[number % DASHES.len()]))
+}
 /// Their labels: darker, to be readable.
 pub(crate) const OWN_TEXT: Colour = [112, 62, 160];
 

@@ -6,21 +6,28 @@ use crate::error::DrawingError;
 use crate::geometry::sheet::{Spot, length};
 use crate::ink::labels::Labels;
 use crate::ink::legend::Sample;
-use crate::ink::style::{OWN, OWN_TEXT, SMALL_LABEL_SIZE};
+use crate::ink::style::{OWN_TEXT, SMALL_LABEL_SIZE, own_pens};
 use crate::plot::axes::Panel;
 
 /// Draws the curves as far as their solutions are admissible, thin where these are not stable;
-/// returns the longest piece of each name and number of loops, with its label.
+/// returns the longest piece of each name and number of loops, of a stable one if there is any, with
+/// its label.
 pub(crate) fn draw_own(
     panel: &Panel<'_>,
     labels: &mut Labels<'_>,
     rows: &[OwnPoint],
 ) -> Vec<(String, Vec<Spot>)> {
-    let mut drawn: Vec<(String, Vec<Spot>)> = Vec::new();
+    let mut drawn: Vec<(String, bool, Vec<Spot>)> = Vec::new();
+    let mut names: Vec<&str> = Vec::new();
     for curve in rows.chunk_by(|a, b| a.arc == b.arc) {
         let (name, loops) = (&curve[0].name, curve[0].loops);
         let alone = rows.iter().all(|row| row.name != *name || row.loops == loops);
         let label = if alone { name.clone() } else { format!("{name}, $p={loops}$") };
+        let number = names.iter().position(|known| known == name).unwrap_or(names.len());
+        if number == names.len() {
+            names.push(name);
+        }
+        let pens = own_pens(number);
         // Between a bifurcation and the solutions beside it the chord is theirs.
         let look = |pair: &[OwnPoint]| {
             let admissible = pair.iter().all(|point| point.admissible);
@@ -32,21 +39,67 @@ pub(crate) fn draw_own(
             let places = curve[from..=from + run.len()].iter().map(|point| (point.primary, point.secondary));
             from += run.len();
             let Some(unstable) = run[0] else { continue };
-            for piece in panel.line(&places.collect::<Vec<_>>(), OWN[unstable]) {
-                panel.canvas.explain(&format!("{name}: {}", curve[0].property), Sample::Line(OWN[0]));
+            for piece in panel.line(&places.collect::<Vec<_>>(), pens[unstable]) {
+                panel.canvas.explain(&format!("{name}: {}", curve[0].property), Sample::Line(pens[0]));
                 labels.placer.keep_off(&piece);
-                match drawn.iter_mut().find(|(known, _)| *known == label) {
-                    Some((_, longest)) if length(longest) < length(&piece) => *longest = piece,
+                let stable = unstable == 0;
+                match drawn.iter_mut().find(|(known, ..)| *known == label) {
+                    Some((_, best, longest)) if (*best, length(longest)) < (stable, length(&piece)) => {
+                        (*best, *longest) = (stable, piece);
+                    }
                     Some(_) => {}
-                    None => drawn.push((label.clone(), piece)),
+                    None => drawn.push((label.clone(), stable, piece)),
                 }
             }
         }
     }
-    drawn
+    drawn.into_iter().map(|(label, _, piece)| (label, piece)).collect()
 }
 
 /// Writes their labels beside them.
 pub(crate) fn name_own(labels: &mut Labels<'_>, drawn: &[(String, Vec<Spot>)]) -> Result<(), DrawingError> {
     drawn.iter().try_for_each(|(label, piece)| labels.name_curve(label, SMALL_LABEL_SIZE, OWN_TEXT, piece))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::SheetWidth;
+    use crate::figures::diagram::draw_diagram;
+    use crate::tests::inspection::paths;
+    use crate::tests::sample_oscillator::sample;
+
+    #[test]
+    fn own_curves_are_drawn_where_solutions_are_admissible_and_have_their_names() {
+        let mut sample = sample(2);
+        let row = |k: u32| OwnPoint {
+            name: "hard hits".to_owned(),
+            property: "impact velocity = 0.3".to_owned(),
+            loops: 1,
+            secondary: 0.4 + 0.005 * f64::from(k),
+            primary: 0.9,
+            impact_velocity: 0.3,
+            impact_phase: 0.0,
+            trace: 0.0,
+            determinant: 0.0,
+            max_interior_x: f64::NAN,
+            stable: k < 60,
+            admissible: k < 80,
+            arc: 0,
+        };
+        sample.diagram.own = (0..100).map(row).collect();
+        let sheet = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
+        sheet.assert_well_placed(&"own curves");
+        assert!(sheet.texts().contains(&"hard hits".to_owned()), "{:?}", sheet.texts());
+        let drawn = paths(&sheet.svg(), "#a26cd8");
+        // A stable and an unstable part, which meet, and nothing beyond.
+        assert_eq!(drawn.len(), 2);
+        assert_eq!(drawn[0].last(), drawn[1].first());
+        let up = |spot: &(f64, f64)| spot.1;
+        let [low, high] = [drawn[0].first(), drawn[1].last()].map(|spot| up(spot.unwrap()));
+        let whole = 0.005 * 79.0 / (sample.diagram.frame.y[1] - sample.diagram.frame.y[0]);
+        let stable = 0.005 * 60.0 / (sample.diagram.frame.y[1] - sample.diagram.frame.y[0]);
+        let share = (low - up(drawn[0].last().unwrap())) / (low - high);
+        assert!((share - stable / whole).abs() < 0.02, "{share}");
+    }
 }
