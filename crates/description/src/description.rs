@@ -6,7 +6,7 @@ use grazing_model::AnyOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated, Scalar, SmoothOscillator, Stop, Stoppable, Units};
 
 use crate::expression::Expression;
-use crate::file::{Analysis, Axis, File, Limits, MOST_DIAGRAMS, Side};
+use crate::file::{Analysis, Axis, File, Limits, MOST_DIAGRAMS, Ordinate, Side};
 
 /// An oscillator with a wall, as a file describes it; a clone shares everything with the original.
 ///
@@ -21,6 +21,7 @@ pub(crate) struct Content {
     pub(crate) formulas: Formulas,
     pub(crate) texts: Expressions<String>,
     pub(crate) start: Option<[f64; 2]>,
+    pub(crate) mass: Option<Expression>,
     pub(crate) curves: Vec<OwnCurve>,
     pub(crate) diagrams: Vec<OneParameter>,
     pub(crate) notes: Vec<String>,
@@ -44,6 +45,10 @@ pub struct OneParameter {
     pub portraits: Vec<f64>,
     /// The seed of random initial states.
     pub seed: u64,
+    /// What stands on the vertical axis.
+    pub ordinate: Ordinate,
+    /// Motion is followed as the parameter goes up and down.
+    pub sweeps: bool,
 }
 
 /// A curve that the file asks for, on which MPSs have a property.
@@ -228,6 +233,19 @@ impl Description {
     /// the file.
     pub fn loops(&self) -> &[u32] {
         &self.0.file.analysis.loops
+    }
+
+    /// Whether the file gives the mass that hits the wall.
+    pub fn has_mass(&self) -> bool {
+        self.0.mass.is_some()
+    }
+
+    /// The impulse m (1 + Φ) y of an impact and the energy m/2 (1 − Φ²) y² that it dissipates; NaN
+    /// where the file gives no mass.
+    pub fn impulse_and_loss(&self, [y, z]: [f64; 2], [mu, eta]: [f64; 2]) -> [f64; 2] {
+        let mass = self.0.mass.as_ref().map_or(f64::NAN, |mass| mass.evaluate(&[mu, eta]));
+        let restitution = self.restitution(y, z, mu, eta);
+        [mass * (1.0 + restitution) * y, 0.5 * mass * (1.0 - restitution * restitution) * y * y]
     }
 
     /// The own curves that are asked for.

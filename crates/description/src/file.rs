@@ -54,7 +54,7 @@ keys! {
         wall: Option<WrittenWall> = maybe(table()),
             "the table [wall] holds the position of the wall and the side on which the motion is; without it the wall is at x = 0";
         /// What an impact does.
-        impact: Impact = table(), "the table [impact] holds restitution and duration";
+        impact: Impact = table(), "the table [impact] holds restitution and duration, and may hold mass";
         /// What is computed.
         analysis: Analysis = table(),
             "the table [analysis] holds loops and may hold start, time_limit, memory_limit and step_limit";
@@ -63,7 +63,7 @@ keys! {
             "each [[curves]] is a curve on which maximal periodic solutions have a property, and holds name and one of impact_velocity, modulus, and distance with phase; it may hold loops; there are at most 8";
         /// One-parameter diagrams.
         diagrams: Vec<WrittenDiagram> = tables(0..=MOST_DIAGRAMS),
-            "each [[diagrams]] is a one-parameter diagram and holds fixed and at, and may hold range, portraits and seed; there are at most 8";
+            "each [[diagrams]] is a one-parameter diagram and holds fixed and at, and may hold range, portraits, seed, ordinate and sweeps; there are at most 8";
     }
 }
 
@@ -122,6 +122,9 @@ keys! {
         /// The impact duration Ψ.
         duration: String = value(),
             "the impact duration must be an expression in y, z and the parameters, written in quotation marks, \"0\" for impacts that take no time";
+        /// The mass that hits the wall, for impulse, force and power.
+        mass: Option<String> = maybe(value()),
+            "the mass must be an expression in the parameters, positive and written in quotation marks, as \"0.5\" or \"m\"; it may be left out";
     }
 }
 
@@ -184,8 +187,47 @@ keys! {
         /// The seed of the random initial states.
         seed: u64 = or(value(), 1),
             "the seed of the random initial states must be a whole number from 0 on; it may be left out and is 1 then";
+        /// What stands on the vertical axis.
+        ordinate: Ordinate = or(choice(&ORDINATES), Ordinate::X),
+            "the ordinate must be \"x\", \"impact velocity\", \"peak to peak\", \"impulse\", \"mean force\" or \"power\", the last three of which need impact.mass; it may be left out and is \"x\" then";
+        /// Motion is followed as the parameter goes up and down.
+        sweeps: bool = or(value(), false),
+            "sweeps must be true or false; it may be left out and is false then";
     }
 }
+
+/// What stands on the vertical axis of a one-parameter diagram.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ordinate {
+    /// x on the Poincaré section.
+    X,
+    /// The impact velocity.
+    ImpactVelocity,
+    /// The difference of the highest and the lowest position.
+    PeakToPeak,
+    /// The impulse of an impact.
+    Impulse,
+    /// The mean force on the wall.
+    Force,
+    /// The power that impacts dissipate.
+    Power,
+}
+
+impl Ordinate {
+    /// It asks for the mass.
+    pub const fn needs_mass(self) -> bool {
+        matches!(self, Self::Impulse | Self::Force | Self::Power)
+    }
+}
+
+static ORDINATES: [(&str, Ordinate); 6] = [
+    ("x", Ordinate::X),
+    ("impact velocity", Ordinate::ImpactVelocity),
+    ("peak to peak", Ordinate::PeakToPeak),
+    ("impulse", Ordinate::Impulse),
+    ("mean force", Ordinate::Force),
+    ("power", Ordinate::Power),
+];
 
 /// One of the two parameters with its range.
 #[derive(Debug, Clone, PartialEq)]

@@ -50,7 +50,7 @@ mod validate;
 pub use description::{Description, Expressions, OneParameter, OwnCurve, Property, Wall};
 pub use error::DescriptionError;
 pub use expression::{Expression, ExpressionError, MOST_VALUES_ON_STACK};
-pub use file::{Axis, Limits, Side};
+pub use file::{Axis, Limits, Ordinate, Side};
 
 /// Every key that a file can have, with what it means and what it must hold.
 pub fn keys() -> &'static [grazing_source::Key] {

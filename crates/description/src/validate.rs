@@ -24,6 +24,7 @@ const FORCE: Kind = ("motion.force", &["x", "v", "t"], 2);
 const POSITION: Kind = ("wall.position", &["t"], 0);
 const FREQUENCY: Kind = ("motion.frequency", &[], 0);
 const RESTITUTION: Kind = ("impact.restitution", &["y", "z"], 2);
+const MASS: Kind = ("impact.mass", &[], 0);
 const DURATION: Kind = ("impact.duration", &["y", "z"], 2);
 
 /// The names of the parameters, and the constants; and what ends the reading.
@@ -60,6 +61,12 @@ pub(crate) fn formulas(
         restitution: parse(&texts.restitution, RESTITUTION)?,
         duration: parse(&texts.duration, DURATION)?,
     })
+}
+
+/// The mass that hits the wall, if the file has one.
+pub(crate) fn mass(file: &File, stop: &Stop) -> Result<Option<Expression>, ExpressionError> {
+    let known = Known::new(file, stop);
+    file.impact.mass.as_ref().map(|text| Ok(known.parse(text, MASS)?.0)).transpose()
 }
 
 /// Checks everything that can be checked without evaluating an expression; once an end is asked
@@ -116,6 +123,21 @@ pub(crate) fn description(
         diagram(written, axes, |name, allowed| section.forbid(&format!("diagrams[{number}].{name}"), allowed))
     };
     let diagrams = file.diagrams.iter().zip(1..).map(diagram).collect::<Result<_, _>>()?;
+    let text = file.impact.mass.as_deref().unwrap_or_default();
+    let mass =
+        mass(&file, stop).map_err(|error| DescriptionError::in_expression(section, MASS.0, text, &error))?;
+    if let Some(mass) = &mass {
+        let positive = |mu: f64| axes[1].range.iter().all(|eta| mass.evaluate(&[mu, *eta]) > 0.0);
+        if !axes[0].range.iter().all(|mu| positive(*mu)) {
+            return Err(section.forbid(MASS.0, "it must be positive over the ranges".to_owned()).into());
+        }
+    }
+    let without_mass =
+        |(written, _): &(&WrittenDiagram, u32)| written.ordinate.needs_mass() && mass.is_none();
+    if let Some((_, number)) = file.diagrams.iter().zip(1..).find(without_mass) {
+        let allowed = "it needs the mass that hits the wall: write impact.mass, as mass = \"0.5\"".to_owned();
+        return Err(section.forbid(&format!("diagrams[{number}].ordinate"), allowed).into());
+    }
     let curve = |(written, number): (&WrittenCurve, usize)| {
         let forbid = |name: &str, allowed| section.forbid(&format!("curves[{number}].{name}"), allowed);
         if file.curves[..number - 1].iter().any(|other| other.name == written.name) {
@@ -125,7 +147,7 @@ pub(crate) fn description(
     };
     let curves = file.curves.iter().zip(1..).map(curve).collect::<Result<_, _>>()?;
     let (notes, units) = (Vec::new(), OnceLock::new());
-    let content = Content { file, formulas, texts, start, curves, diagrams, notes, units };
+    let content = Content { file, formulas, texts, start, mass, curves, diagrams, notes, units };
     Ok((Description(Arc::new(content)), places))
 }
 
@@ -177,7 +199,7 @@ fn diagram(
     [primary, secondary]: [&Axis; 2],
     forbid: impl Fn(&str, String) -> SourceError,
 ) -> Result<OneParameter, SourceError> {
-    let WrittenDiagram { fixed, at, range, portraits, seed } = written.clone();
+    let WrittenDiagram { fixed, at, range, portraits, seed, ordinate, sweeps } = written.clone();
     let primary_is_fixed = fixed == primary.name;
     let (held, other) = if primary_is_fixed { (primary, secondary) } else { (secondary, primary) };
     if fixed != held.name {
@@ -197,5 +219,5 @@ fn diagram(
             return Err(forbid(name, allowed));
         }
     }
-    Ok(OneParameter { primary_is_fixed, at, range, portraits, seed })
+    Ok(OneParameter { primary_is_fixed, at, range, portraits, seed, ordinate, sweeps })
 }

@@ -12,7 +12,7 @@ use grazing_description::Description;
 use grazing_model::smooth::Stop;
 use grazing_model::smooth::Units;
 use grazing_model::{AnyOscillator, ImpactOscillator};
-use grazing_results::branches::OneParameter;
+use grazing_results::branches::{OneParameter, Readings};
 use grazing_results::family::Family;
 use grazing_results::plane::{Magnifications, MagnifiedPanel, OwnCurves, PlaneDiagram, Section};
 use grazing_results::{Names, Tables, UnitNames, brief, tables};
@@ -149,6 +149,7 @@ pub fn axes(description: &Description) -> Axes {
         AtResonances::TABLES,
         Magnifications::TABLES,
         OneParameter::TABLES,
+        Readings::TABLES,
         Family::TABLES,
     ];
     let parameters = [description.primary(), description.secondary()];

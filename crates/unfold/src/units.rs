@@ -198,6 +198,15 @@ impl InUnits for OneParameter {
             bifurcation.impact_velocity *= units.velocity();
         }
         own.attractor.iter_mut().for_each(|visit| visit.x *= length);
+        for reading in &mut own.readings {
+            reading.impact_velocity *= units.velocity();
+            reading.peak_to_peak *= length;
+        }
+        for reading in &mut own.motion {
+            reading.x *= length;
+            reading.impact_velocity *= units.velocity();
+            reading.peak_to_peak *= length;
+        }
         for point in &mut own.portraits {
             point.time *= time;
             point.x *= length;

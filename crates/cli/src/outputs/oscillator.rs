@@ -8,8 +8,9 @@ use grazing_drawing::{
     DrawingError, Heading, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
 };
 use grazing_reproduction::unfolded::{AlongGrazing, AtResonances, Unfolded};
-use grazing_results::branches::OneParameter;
+use grazing_results::branches::{OneParameter, Readings};
 use grazing_results::plane::{Magnifications, OwnCurves, PlaneDiagram};
+use grazing_results::readings::{Ordinate, Sweep};
 use grazing_results::{Names, Tables, brief, columns};
 
 use super::latex::Caption;
@@ -39,6 +40,7 @@ impl AnalysedOscillator {
     pub(crate) fn outputs(&self) -> impl Iterator<Item = &'static Output<Self>> {
         let missing = [
             self.unfolded.diagrams.is_empty().then_some(DIAGRAMS),
+            self.unfolded.diagrams.iter().all(|diagram| diagram.readings.is_empty()).then_some(READINGS),
             self.unfolded.diagram.asked.is_empty().then_some(OWN),
         ];
         ALL.iter().filter(move |output| !missing.contains(&Some(output.name)))
@@ -64,6 +66,7 @@ const MAGNIFICATIONS: &str = "magnifications.svg";
 /// The names of outputs that not every file asks for.
 const OWN: &str = "own-curves";
 const DIAGRAMS: &str = "diagrams";
+const READINGS: &str = "readings";
 
 /// All outputs: their tables in the order of the page that explains these, and one-parameter
 /// diagrams last.
@@ -97,6 +100,17 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
             magnifications,
         )
     },
+    Output::new(READINGS, "what is read off one-parameter diagrams", Readings::TABLES, |_, of, _| {
+        let readings =
+            |of: &OneParameter| Readings { readings: of.readings.clone(), motion: of.motion.clone() };
+        let all = of.unfolded.diagrams.iter().map(readings);
+        let all = all.reduce(|mut all, mut one| {
+            all.readings.append(&mut one.readings);
+            all.motion.append(&mut one.motion);
+            all
+        });
+        Ok(ComputedOutput::new(Vec::new(), all.map_or(Vec::new(), |all| all.tables(of.names()))))
+    }),
     Output::new(DIAGRAMS, "one-parameter bifurcation diagram", OneParameter::TABLES, one_parameter),
 ];
 
@@ -182,10 +196,26 @@ fn one_parameter(
         let heading = Heading {
             name: "diagram",
             title: &title,
-            description: "Below: the parameter across, x-value of the return map up; thick curves are stable, thin ones unstable; dots are \
-                          long-term forward orbits. Above: phase portraits with the wall.",
+            description: &format!(
+                "Below: the parameter across, {} up; thick curves are stable, thin ones unstable; dots are \
+                          long-term forward orbits{}. Above: phase portraits with the wall.",
+                match diagram.ordinate {
+                    Ordinate::X => "x-value of the return map",
+                    other => other.name(),
+                },
+                if diagram.swept(Sweep::Up).next().is_some() {
+                    "; heads of arrows up and down: motion as the parameter goes up and down"
+                } else {
+                    ""
+                }
+            ),
             names: of.names(),
-            tables: &["diagram_bifurcations", "diagram_branches", "diagram_attractor", "diagram_portraits"],
+            tables: match diagram.ordinate {
+                Ordinate::X => {
+                    &["diagram_bifurcations", "diagram_branches", "diagram_attractor", "diagram_portraits"]
+                }
+                _ => &["diagram_readings", "diagram_portraits"],
+            },
         };
         let sheet = draw_one_parameter(diagram, &heading, true, width)?;
         let file = one_parameter_file(diagram.diagram);

@@ -85,6 +85,10 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("[analysis]", "loops", "loops = [1]\n[[diagrams]]\nfixed = \"A\"\nat = 0.5\nportraits = [0.5, 0.5]"),
     ("[analysis]", "loops", "loops = [1]\n[[diagrams]]\nfixed = \"A\"\nat = 0.5\nseed = -1"),
     ("[analysis]", "loops", "loops = [1]\n[[diagrams]]\nfixed = \"A\"\nat = 0.5\nportrait = [0.5]"),
+    ("[analysis]", "loops", "loops = [1]\n[[diagrams]]\nfixed = \"A\"\nat = 0.5\nordinate = \"speed\""),
+    ("[analysis]", "loops", "loops = [1]\n[[diagrams]]\nfixed = \"A\"\nat = 0.5\nordinate = \"power\""),
+    ("[impact]", "duration", "duration = \"0\"\nmass = \"A - 1\""),
+    ("[impact]", "duration", "duration = \"0\"\nmass = \"x\""),
     // Own curves.
     ("[analysis]", "loops", "loops = [1]\n[[curves]]\nmodulus = 0.9"),
     ("[analysis]", "loops", "loops = [1]\n[[curves]]\nname = \"fast\""),

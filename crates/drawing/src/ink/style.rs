@@ -151,6 +151,11 @@ const CLOUD_COLOUR: Colour = [45, 70, 105];
 /// Side of a bin of the attractor, in points.
 pub(crate) const CLOUD_BIN: f64 = 0.36;
 
+/// What motion comes to as the parameter goes up, and down: heads of arrows, so large.
+pub(crate) const SWEEP_UP: Pen = Pen::solid(BLACK, 0.4);
+pub(crate) const SWEEP_DOWN: Pen = Pen::solid(GREY, 0.4);
+pub(crate) const SWEEP_SIZE: f64 = 1.6;
+
 pub(crate) const PERIODIC_ORBIT: Pen = Pen::solid(BLACK, 0.9);
 pub(crate) const ATTRACTOR_ORBIT: Pen = Pen::solid([70, 95, 130], 0.25);
 pub(crate) const IMPACT: Pen = Pen::dashed(BLACK, 0.55, &[1.6, 1.2]);

@@ -4,20 +4,20 @@ use grazing_results::plane::OwnPoint;
 
 use crate::error::DrawingError;
 use crate::geometry::sheet::{Spot, length};
-use crate::ink::labels::Labels;
+use crate::ink::labels::{Labels, Site};
 use crate::ink::legend::Sample;
 use crate::ink::style::{OWN_TEXT, SMALL_LABEL_SIZE, own_pens};
 use crate::plot::axes::Panel;
 
 /// Draws the curves as far as their solutions are admissible, thin where these are not stable;
-/// returns the longest piece of each name and number of loops, of a stable one if there is any, with
-/// its label.
+/// returns the pieces of each name and number of loops with their label, the best to write beside
+/// first: stable ones, and long ones.
 pub(crate) fn draw_own(
     panel: &Panel<'_>,
     labels: &mut Labels<'_>,
     rows: &[OwnPoint],
-) -> Vec<(String, Vec<Spot>)> {
-    let mut drawn: Vec<(String, bool, Vec<Spot>)> = Vec::new();
+) -> Vec<(String, Vec<Vec<Spot>>)> {
+    let mut drawn: Vec<(String, Vec<(bool, Vec<Spot>)>)> = Vec::new();
     let mut names: Vec<&str> = Vec::new();
     for curve in rows.chunk_by(|a, b| a.arc == b.arc) {
         let (name, loops) = (&curve[0].name, curve[0].loops);
@@ -43,22 +43,36 @@ pub(crate) fn draw_own(
                 panel.canvas.explain(&format!("{name}: {}", curve[0].property), Sample::Line(pens[0]));
                 labels.placer.keep_off(&piece);
                 let stable = unstable == 0;
-                match drawn.iter_mut().find(|(known, ..)| *known == label) {
-                    Some((_, best, longest)) if (*best, length(longest)) < (stable, length(&piece)) => {
-                        (*best, *longest) = (stable, piece);
-                    }
-                    Some(_) => {}
-                    None => drawn.push((label.clone(), stable, piece)),
+                match drawn.iter_mut().find(|(known, _)| *known == label) {
+                    Some((_, pieces)) => pieces.push((stable, piece)),
+                    None => drawn.push((label.clone(), vec![(stable, piece)])),
                 }
             }
         }
     }
-    drawn.into_iter().map(|(label, _, piece)| (label, piece)).collect()
+    let sorted = |(label, mut pieces): (String, Vec<(bool, Vec<Spot>)>)| {
+        pieces.sort_by(|(a, one), (b, other)| b.cmp(a).then(length(other).total_cmp(&length(one))));
+        (label, pieces.into_iter().map(|(_, piece)| piece).collect())
+    };
+    drawn.into_iter().map(sorted).collect()
 }
 
-/// Writes their labels beside them.
-pub(crate) fn name_own(labels: &mut Labels<'_>, drawn: &[(String, Vec<Spot>)]) -> Result<(), DrawingError> {
-    drawn.iter().try_for_each(|(label, piece)| labels.name_curve(label, SMALL_LABEL_SIZE, OWN_TEXT, piece))
+/// Writes their labels beside them where there is room, or else with a line to the first piece.
+pub(crate) fn name_own(
+    labels: &mut Labels<'_>,
+    drawn: &[(String, Vec<Vec<Spot>>)],
+) -> Result<(), DrawingError> {
+    'labels: for (label, pieces) in drawn {
+        for piece in pieces {
+            if labels.add(label, SMALL_LABEL_SIZE, OWN_TEXT, &Site::Beside(piece))? {
+                continue 'labels;
+            }
+        }
+        if let Some(piece) = pieces.first() {
+            labels.name_curve(label, SMALL_LABEL_SIZE, OWN_TEXT, piece)?;
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]

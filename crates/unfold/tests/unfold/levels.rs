@@ -52,7 +52,8 @@ fn along_curves_of_an_impact_velocity_simulated_orbits_hit_the_wall_at_it() {
         let mut followed = 0;
         for (oscillator, solution) in solutions(&diagram, &diagram.levels.curves) {
             assert_eq!(solution.impact_velocity(), 0.1);
-            if solution.admissible() {
+            // Where the solution grazes simulation meets the wall.
+            if solution.admissible() && solution.ceiling() < -1e-9 {
                 let suspect = Suspect::of(&oscillator, solution.loops, &solution.unknowns);
                 assert_eq!(suspect.follow(), ReturnOutcome::Returns, "{solution:?}");
                 followed += 1;
