@@ -153,7 +153,7 @@ keys! {
     /// A curve on which MPSs have a property.
     pub(crate) struct WrittenCurve {
         /// What the curve is called in figures and tables.
-        name: String = value().such(curve_name),
+        name: String = value().such(|name: &String| curve_name(name)),
             "the name of a curve must be up to 24 letters, digits, blanks or = . , - + ( ) /, in quotation marks, as \"hard hits\"";
         /// The impact velocity along it.
         impact_velocity: Option<f64> = maybe(positive()), POSITIVE;
@@ -310,7 +310,7 @@ fn name(written: String, section: &Section<'_>, key: &str) -> Result<String, Sou
 }
 
 /// What can stand in a figure beside a curve.
-fn curve_name(name: &String) -> bool {
+fn curve_name(name: &str) -> bool {
     let shown = |character: char| character.is_ascii_alphanumeric() || " =.,-+()/".contains(character);
     !name.trim().is_empty() && name.chars().count() <= LONGEST_NAME && name.chars().all(shown)
 }

@@ -9,15 +9,18 @@ use crate::ink::legend::Sample;
 use crate::ink::style::{OWN_TEXT, SMALL_LABEL_SIZE, own_pens};
 use crate::plot::axes::Panel;
 
+/// The pieces of the curves of a name and a number of loops.
+pub(crate) struct OwnCurve {
+    label: String,
+    /// Each with whether its solutions are stable.
+    pieces: Vec<(bool, Vec<Spot>)>,
+}
+
 /// Draws the curves as far as their solutions are admissible, thin where these are not stable;
 /// returns the pieces of each name and number of loops with their label, the best to write beside
 /// first: stable ones, and long ones.
-pub(crate) fn draw_own(
-    panel: &Panel<'_>,
-    labels: &mut Labels<'_>,
-    rows: &[OwnPoint],
-) -> Vec<(String, Vec<Vec<Spot>>)> {
-    let mut drawn: Vec<(String, Vec<(bool, Vec<Spot>)>)> = Vec::new();
+pub(crate) fn draw_own(panel: &Panel<'_>, labels: &mut Labels<'_>, rows: &[OwnPoint]) -> Vec<OwnCurve> {
+    let mut drawn: Vec<OwnCurve> = Vec::new();
     let mut names: Vec<&str> = Vec::new();
     for curve in rows.chunk_by(|a, b| a.arc == b.arc) {
         let (name, loops) = (&curve[0].name, curve[0].loops);
@@ -43,32 +46,28 @@ pub(crate) fn draw_own(
                 panel.canvas.explain(&format!("{name}: {}", curve[0].property), Sample::Line(pens[0]));
                 labels.placer.keep_off(&piece);
                 let stable = unstable == 0;
-                match drawn.iter_mut().find(|(known, _)| *known == label) {
-                    Some((_, pieces)) => pieces.push((stable, piece)),
-                    None => drawn.push((label.clone(), vec![(stable, piece)])),
+                match drawn.iter_mut().find(|known| known.label == label) {
+                    Some(known) => known.pieces.push((stable, piece)),
+                    None => drawn.push(OwnCurve { label: label.clone(), pieces: vec![(stable, piece)] }),
                 }
             }
         }
     }
-    let sorted = |(label, mut pieces): (String, Vec<(bool, Vec<Spot>)>)| {
+    for OwnCurve { pieces, .. } in &mut drawn {
         pieces.sort_by(|(a, one), (b, other)| b.cmp(a).then(length(other).total_cmp(&length(one))));
-        (label, pieces.into_iter().map(|(_, piece)| piece).collect())
-    };
-    drawn.into_iter().map(sorted).collect()
+    }
+    drawn
 }
 
 /// Writes their labels beside them where there is room, or else with a line to the first piece.
-pub(crate) fn name_own(
-    labels: &mut Labels<'_>,
-    drawn: &[(String, Vec<Vec<Spot>>)],
-) -> Result<(), DrawingError> {
-    'labels: for (label, pieces) in drawn {
-        for piece in pieces {
+pub(crate) fn name_own(labels: &mut Labels<'_>, drawn: &[OwnCurve]) -> Result<(), DrawingError> {
+    'labels: for OwnCurve { label, pieces } in drawn {
+        for (_, piece) in pieces {
             if labels.add(label, SMALL_LABEL_SIZE, OWN_TEXT, &Site::Beside(piece))? {
                 continue 'labels;
             }
         }
-        if let Some(piece) = pieces.first() {
+        if let Some((_, piece)) = pieces.first() {
             labels.name_curve(label, SMALL_LABEL_SIZE, OWN_TEXT, piece)?;
         }
     }
