@@ -142,7 +142,7 @@ impl Task {
         let computed = of.computed(edition.columns)?;
         let (mut files, floats) = computed.files(edition)?;
         files.extend(edition.has(Format::Tex).then(|| latex::snippet(&floats)));
-        let tables = of.outputs().iter().flat_map(|output| output.tables).copied();
+        let tables = of.outputs().flat_map(|output| output.tables).copied();
         files.push(data_page::of_an_oscillator(tables, &of.unfolded.axes.names));
         files.push(page::page(&self.of, &of.unfolded, &computed, &files));
         Ok(files)

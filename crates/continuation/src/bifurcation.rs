@@ -50,7 +50,7 @@ impl Bifurcation {
             Self::SaddleNode => Condition::SADDLE_NODE,
             Self::PeriodDoubling => Condition::PERIOD_DOUBLING,
             Self::NonImpactingGrazing | Self::Grazing => Condition::InteriorGrazing,
-            Self::Torus => Condition::UnitProduct,
+            Self::Torus => Condition::TORUS,
             Self::Pitchfork => Condition::SymmetryBreaking,
         }
     }

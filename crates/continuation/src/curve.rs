@@ -12,7 +12,7 @@ use crate::newton::Linearisation;
 /// The equations of a curve of periodic solutions.
 ///
 /// With [`Condition::Secondary`] it is a one-parameter branch, with [`Condition::Multiplier`] a
-/// curve of saddle-node or period-doubling bifurcations, with [`Condition::UnitProduct`] one of
+/// curve of saddle-node or period-doubling bifurcations, with [`Condition::TORUS`] one of
 /// torus bifurcations, with [`Condition::InteriorGrazing`] one of grazing bifurcations of the
 /// solution.
 #[derive(Clone, Debug)]

@@ -278,8 +278,8 @@ impl<O: ImpactOscillator> Follower<'_, O> {
         for event in located.into_iter().filter(inside) {
             self.curve.events.push(event.clone());
             // Beyond it the product of real multipliers is 1, which is nothing.
-            let ends = self.followed.condition == Condition::UnitProduct
-                && event.condition != Condition::InteriorGrazing;
+            let ends =
+                self.followed.condition == Condition::TORUS && event.condition != Condition::InteriorGrazing;
             if self.route.stop_at_events || ends {
                 self.curve.points.push(CurvePoint { solution: event.solution, times: event.times.clone() });
                 return ControlFlow::Break(CurveEnd::Event(Box::new(event)));

@@ -16,9 +16,9 @@ pub enum Condition {
     /// Of symmetric motion without impacts a multiplier over half a period is −1: a pitchfork. Motion
     /// that is not symmetric does not meet it.
     SymmetryBreaking,
-    /// The product of both multipliers is 1: a torus bifurcation where they are complex, which are
-    /// then e^{±iθ}.
-    UnitProduct,
+    /// The product of both multipliers equals this: 1 at a torus bifurcation, where they are complex
+    /// and so e^{±iθ}.
+    Product(f64),
     /// The interior maximum whose event time is carried along touches the wall: a grazing
     /// bifurcation of the MPS.
     InteriorGrazing,
@@ -26,6 +26,14 @@ pub enum Condition {
     SecondInteriorGrazing,
     /// The impact velocity has this value; 0 is where the MPS meets the non-impacting solution.
     ImpactVelocity(f64),
+    /// Where the forcing is at this phase, counted on from that of the recoil, the MPS is at this
+    /// position.
+    Position {
+        /// The phase of the forcing, in radians.
+        phase: f64,
+        /// The position x.
+        position: f64,
+    },
     /// The primary parameter has this value.
     Primary(f64),
     /// The secondary parameter has this value: a one-parameter branch.
@@ -37,6 +45,8 @@ impl Condition {
     pub const SADDLE_NODE: Self = Self::Multiplier(1.0);
     /// Period-doubling bifurcation (PD).
     pub const PERIOD_DOUBLING: Self = Self::Multiplier(-1.0);
+    /// Torus bifurcation (NS), where the multipliers are complex.
+    pub const TORUS: Self = Self::Product(1.0);
 
     /// Residual and gradient in the unknowns; `pair` is of order 2 where
     /// [`needs_second_order`](Self::needs_second_order).
@@ -56,11 +66,15 @@ impl Condition {
             Self::Multiplier(multiplier) => pair.characteristic(multiplier),
             // The pair is that of half a period.
             Self::SymmetryBreaking => pair.characteristic(-1.0),
-            Self::UnitProduct => pair.product_less_one(),
+            Self::Product(product) => pair.product_less(product),
             Self::InteriorGrazing | Self::SecondInteriorGrazing => {
                 equations.maximum_near(point, self.maximum_time(times))?
             }
             Self::ImpactVelocity(value) => coordinate(unknown::VELOCITY, value),
+            Self::Position { phase, position } => {
+                let (there, gradient) = equations.position_at(point, phase);
+                (there - position, gradient)
+            }
             Self::Primary(value) => coordinate(unknown::PRIMARY, value),
             Self::Secondary(value) => coordinate(unknown::SECONDARY, value),
         })
@@ -85,12 +99,12 @@ impl Condition {
     }
 
     pub(crate) fn needs_second_order(self) -> bool {
-        matches!(self, Self::Multiplier(_) | Self::SymmetryBreaking | Self::UnitProduct)
+        matches!(self, Self::Multiplier(_) | Self::SymmetryBreaking | Self::Product(_))
     }
 
-    /// One multiplier is the same all along the curve.
+    /// One multiplier is 1 or −1 all along the curve.
     pub(crate) fn fixes_a_multiplier(self) -> bool {
-        matches!(self, Self::Multiplier(_) | Self::SymmetryBreaking)
+        matches!(self, Self::SADDLE_NODE | Self::PERIOD_DOUBLING | Self::SymmetryBreaking)
     }
 }
 

@@ -321,6 +321,18 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         Ok((jet.value[0], jet.jacobian.row(0).transpose()))
     }
 
+    /// The position x of the flight where the forcing is at a phase, counted on from that of the
+    /// recoil, with its first derivatives in the unknowns.
+    pub fn position_at(&self, point: &Unknowns, phase: f64) -> (f64, Vector4<f64>) {
+        let oscillator = self.oscillator_at(point);
+        let reset = oscillator.reset::<1>(impact(point));
+        let recoil: State = reset.image().into();
+        let motion = oscillator.motion(recoil);
+        let there = maps::to_phase::<O, 1, OnWall>(&oscillator, &motion, recoil, phase);
+        let jet = there.after::<1, _>(&reset).plain();
+        (jet.value[0], jet.jacobian.row(0).transpose())
+    }
+
     /// The orbit that a zero of the equations is: multipliers, maxima, stability, admissibility.
     ///
     /// Needs no virtual points, whatever the formulation.

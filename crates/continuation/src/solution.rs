@@ -65,7 +65,7 @@ pub(crate) struct Stability {
     /// Of symmetric motion, the characteristic of −1 over half a period; the other ones are those of
     /// half a period as well, as far as they may vanish.
     pub(crate) pitchfork: Option<f64>,
-    /// The [`product_less_one`](crate::mps::LoopPair::product_less_one).
+    /// The [`product_less`](crate::mps::LoopPair::product_less).
     pub(crate) torus: f64,
 }
 

@@ -6,7 +6,7 @@ use grazing_model::AnyOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated, Scalar, SmoothOscillator, Stop, Stoppable, Units};
 
 use crate::expression::Expression;
-use crate::file::{Analysis, Axis, FigureStyle, File, Limits, MOST_DIAGRAMS, Side};
+use crate::file::{Analysis, Axis, FigureStyle, File, Limits, MOST_DIAGRAMS, Ordinate, Side};
 
 /// An oscillator with a wall, as a file describes it; a clone shares everything with the original.
 ///
@@ -21,6 +21,8 @@ pub(crate) struct Content {
     pub(crate) formulas: Formulas,
     pub(crate) texts: Expressions<String>,
     pub(crate) start: Option<[f64; 2]>,
+    pub(crate) mass: Option<Expression>,
+    pub(crate) curves: Vec<OwnCurve>,
     pub(crate) diagrams: Vec<OneParameter>,
     pub(crate) notes: Vec<String>,
     /// The units, once they have been looked for.
@@ -43,6 +45,37 @@ pub struct OneParameter {
     pub portraits: Vec<f64>,
     /// The seed of random initial states.
     pub seed: u64,
+    /// What stands on the vertical axis.
+    pub ordinate: Ordinate,
+    /// Motion is followed as the parameter goes up and down.
+    pub sweeps: bool,
+}
+
+/// A curve that the file asks for, on which MPSs have a property.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OwnCurve {
+    /// What it is called.
+    pub name: String,
+    /// The numbers of loops p, among those of the analysis.
+    pub loops: Vec<u32>,
+    /// What holds along it.
+    pub property: Property,
+}
+
+/// What holds along a curve; all numbers are positive, in the units of the file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Property {
+    /// The impact velocity.
+    ImpactVelocity(f64),
+    /// The larger modulus of the two multipliers.
+    Modulus(f64),
+    /// The distance from the wall at a phase.
+    Distance {
+        /// The distance.
+        distance: f64,
+        /// The phase of the forcing, in periods, from 0 to less than 1.
+        phase: f64,
+    },
 }
 
 /// The wall, and how its coordinates, in which the oscillator is one of the paper, lead to those of
@@ -205,6 +238,24 @@ impl Description {
     /// How its two-parameter diagram and magnifications are to be drawn.
     pub fn figure(&self) -> &FigureStyle {
         &self.0.file.figure
+    }
+
+    /// Whether the file gives the mass that hits the wall.
+    pub fn has_mass(&self) -> bool {
+        self.0.mass.is_some()
+    }
+
+    /// The impulse m (1 + Φ) y of an impact and the energy m/2 (1 − Φ²) y² that it dissipates; NaN
+    /// where the file gives no mass.
+    pub fn impulse_and_loss(&self, [y, z]: [f64; 2], [mu, eta]: [f64; 2]) -> [f64; 2] {
+        let mass = self.0.mass.as_ref().map_or(f64::NAN, |mass| mass.evaluate(&[mu, eta]));
+        let restitution = self.restitution(y, z, mu, eta);
+        [mass * (1.0 + restitution) * y, 0.5 * mass * (1.0 - restitution * restitution) * y * y]
+    }
+
+    /// The own curves that are asked for.
+    pub fn curves(&self) -> &[OwnCurve] {
+        &self.0.curves
     }
 
     /// The one-parameter diagrams that are asked for.

@@ -14,6 +14,12 @@ pub(crate) const MOST_LOOPS: u32 = 12;
 /// More one-parameter diagrams nobody looks at.
 pub(crate) const MOST_DIAGRAMS: usize = 8;
 
+/// More own curves nobody tells apart.
+const MOST_CURVES: usize = 8;
+
+/// The most characters of the name of a curve: it stands beside the curve.
+const LONGEST_NAME: usize = 24;
+
 /// More portraits in one diagram nobody looks at.
 const MOST_PORTRAITS: usize = 6;
 
@@ -48,16 +54,19 @@ keys! {
         wall: Option<WrittenWall> = maybe(table()),
             "the table [wall] holds the position of the wall and the side on which the motion is; without it the wall is at x = 0";
         /// What an impact does.
-        impact: Impact = table(), "the table [impact] holds restitution and duration";
+        impact: Impact = table(), "the table [impact] holds restitution and duration, and may hold mass";
         /// What is computed.
         analysis: Analysis = table(),
             "the table [analysis] holds loops and may hold start, time_limit, memory_limit and step_limit";
         /// How the two-parameter diagram and its magnifications are drawn.
         figure: FigureStyle = or(table(), FigureStyle::usual()),
             "the table [figure] may hold swap, shading, names, width, height and colours, and may be left out";
+        /// Own curves in the two-parameter diagram.
+        curves: Vec<WrittenCurve> = tables(0..=MOST_CURVES),
+            "each [[curves]] is a curve on which maximal periodic solutions have a property, and holds name and one of impact_velocity, modulus, and distance with phase; it may hold loops; there are at most 8";
         /// One-parameter diagrams.
         diagrams: Vec<WrittenDiagram> = tables(0..=MOST_DIAGRAMS),
-            "each [[diagrams]] is a one-parameter diagram and holds fixed and at, and may hold range, portraits and seed; there are at most 8";
+            "each [[diagrams]] is a one-parameter diagram and holds fixed and at, and may hold range, portraits, seed, ordinate and sweeps; there are at most 8";
     }
 }
 
@@ -116,6 +125,9 @@ keys! {
         /// The impact duration Ψ.
         duration: String = value(),
             "the impact duration must be an expression in y, z and the parameters, written in quotation marks, \"0\" for impacts that take no time";
+        /// The mass that hits the wall, for impulse, force and power.
+        mass: Option<String> = maybe(value()),
+            "the mass must be an expression in the parameters, positive and written in quotation marks, as \"0.5\" or \"m\"; it may be left out";
     }
 }
 
@@ -165,6 +177,27 @@ keys! {
 }
 
 keys! {
+    /// A curve on which MPSs have a property.
+    pub(crate) struct WrittenCurve {
+        /// What the curve is called in figures and tables.
+        name: String = value().such(|name: &String| curve_name(name)),
+            "the name of a curve must be up to 24 letters, digits, blanks or = . , - + ( ) /, in quotation marks, as \"hard hits\"";
+        /// The impact velocity along it.
+        impact_velocity: Option<f64> = maybe(positive()), POSITIVE;
+        /// The larger modulus of the two stability multipliers along it.
+        modulus: Option<f64> = maybe(positive()), POSITIVE;
+        /// The distance from the wall along it, where the forcing is at the phase.
+        distance: Option<f64> = maybe(positive()), POSITIVE;
+        /// That phase, in forcing periods.
+        phase: Option<f64> = maybe(number(0.0..1.0)),
+            "the phase, in forcing periods, must be from 0 to less than 1; it stands beside distance";
+        /// The numbers of loops p of the solutions.
+        loops: Option<Vec<u32>> = maybe(counts(1..=MOST_LOOPS)),
+            "the numbers of loops must be a list of different whole numbers of analysis.loops, as [1, 2]; without it all of those count";
+    }
+}
+
+keys! {
     /// A one-parameter diagram.
     pub(crate) struct WrittenDiagram {
         /// The name of the parameter that is held.
@@ -181,6 +214,12 @@ keys! {
         /// The seed of the random initial states.
         seed: u64 = or(value(), 1),
             "the seed of the random initial states must be a whole number from 0 on; it may be left out and is 1 then";
+        /// What stands on the vertical axis.
+        ordinate: Ordinate = or(choice(&ORDINATES), Ordinate::X),
+            "the ordinate must be \"x\", \"impact velocity\", \"peak to peak\", \"impulse\", \"mean force\" or \"power\", the last three of which need impact.mass; it may be left out and is \"x\" then";
+        /// Motion is followed as the parameter goes up and down.
+        sweeps: bool = or(value(), false),
+            "sweeps must be true or false; it may be left out and is false then";
     }
 }
 
@@ -209,6 +248,39 @@ impl Named {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Curves, Self::Regions, Self::Magnifications, Self::Diagrams];
 }
+
+/// What stands on the vertical axis of a one-parameter diagram.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ordinate {
+    /// x on the Poincaré section.
+    X,
+    /// The impact velocity.
+    ImpactVelocity,
+    /// The difference of the highest and the lowest position.
+    PeakToPeak,
+    /// The impulse of an impact.
+    Impulse,
+    /// The mean force on the wall.
+    Force,
+    /// The power that impacts dissipate.
+    Power,
+}
+
+impl Ordinate {
+    /// It asks for the mass.
+    pub const fn needs_mass(self) -> bool {
+        matches!(self, Self::Impulse | Self::Force | Self::Power)
+    }
+}
+
+static ORDINATES: [(&str, Ordinate); 6] = [
+    ("x", Ordinate::X),
+    ("impact velocity", Ordinate::ImpactVelocity),
+    ("peak to peak", Ordinate::PeakToPeak),
+    ("impulse", Ordinate::Impulse),
+    ("mean force", Ordinate::Force),
+    ("power", Ordinate::Power),
+];
 
 /// One of the two parameters with its range.
 #[derive(Debug, Clone, PartialEq)]
@@ -282,6 +354,8 @@ impl Limits {
 /// The kinds of curves that have colours.
 pub(crate) const COLOURED: [&str; 6] = ["graz", "SN", "PD", "GZ", "NS", "PF"];
 const COLOUR: &str = "a colour of curves stands under their kind, graz, SN, PD, GZ, NS or PF, and is # with six hexadecimal digits in quotation marks, as SN = \"#1946be\"";
+const POSITIVE: &str =
+    "a curve has one of impact_velocity, modulus and distance: a positive number, in the units of the file";
 const NAME: &str = "a name is made of the letters a to z and A to Z, digits and _, and does not begin with a digit, as \"omega\"";
 const UNIT: &str = "the name of a unit must be up to 20 Latin or Greek letters, digits, blanks or / ^ * - . ( ) %, in quotation marks, as \"rad/s\"; it may be left out and changes no number";
 
@@ -291,12 +365,22 @@ fn name(written: String, section: &Section<'_>, key: &str) -> Result<String, Sou
     if name.is_empty() { Err(section.refusal(key)) } else { Ok(name.to_owned()) }
 }
 
+/// What can stand in a figure beside a curve.
+fn curve_name(name: &str) -> bool {
+    let shown = |character: char| character.is_ascii_alphanumeric() || " =.,-+()/".contains(character);
+    !name.trim().is_empty() && name.chars().count() <= LONGEST_NAME && name.chars().all(shown)
+}
+
+fn positive() -> Kind<f64> {
+    number(0.0..).such(|number| *number > 0.0)
+}
+
 fn axis() -> Kind<Axis> {
     table().map(|WrittenAxis { name, range, unit }, _, _| Ok(Axis { name, range, unit }))
 }
 
 fn limit(usual: f64) -> Kind<f64> {
-    or(number(0.0..).such(|limit| *limit > 0.0), usual)
+    or(positive(), usual)
 }
 
 fn range() -> Kind<[f64; 2]> {
@@ -366,6 +450,8 @@ mod tests {
     #[test]
     fn limits_are_said_as_they_are_checked() {
         assert!(REQUIREMENTS.of("diagrams").ends_with(&format!(" at most {MOST_DIAGRAMS}")));
+        assert!(REQUIREMENTS.of("curves").ends_with(&format!(" at most {MOST_CURVES}")));
+        assert!(REQUIREMENTS.of("curves.name").contains(&format!(" up to {LONGEST_NAME} ")));
         assert!(REQUIREMENTS.of("diagrams.portraits").contains(&format!(" at most {MOST_PORTRAITS} ")));
         assert!(REQUIREMENTS.of("primary.unit").contains(&format!(" up to {LONGEST_UNIT} ")));
     }

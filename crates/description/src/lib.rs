@@ -47,10 +47,10 @@ mod names;
 mod read;
 mod validate;
 
-pub use description::{Description, Expressions, OneParameter, Wall};
+pub use description::{Description, Expressions, OneParameter, OwnCurve, Property, Wall};
 pub use error::DescriptionError;
 pub use expression::{Expression, ExpressionError, MOST_VALUES_ON_STACK};
-pub use file::{Axis, FigureStyle, Limits, Named, Side};
+pub use file::{Axis, FigureStyle, Limits, Named, Ordinate, Side};
 
 /// Every key that a file can have, with what it means and what it must hold.
 pub fn keys() -> &'static [grazing_source::Key] {

@@ -60,6 +60,7 @@ impl Description {
         constants.filter(|(known, _)| known == name).for_each(|(_, old)| *old = value);
         content.formulas =
             validate::formulas(&content.texts, self.wall().side, &content.file, &Stop::default())?;
+        content.mass = validate::mass(&content.file, &Stop::default())?;
         content.units = OnceLock::new();
         Ok(Description(Arc::new(content)))
     }

@@ -5,10 +5,12 @@ use std::sync::{Arc, OnceLock};
 use grazing_model::smooth::Stop;
 use grazing_source::{Keys, Section, SourceError};
 
-use crate::description::{Content, Description, Expressions, Formulas, OneParameter, Wall};
+use crate::description::{
+    Content, Description, Expressions, Formulas, OneParameter, OwnCurve, Property, Wall,
+};
 use crate::error::{DescriptionError, KeyPlace};
 use crate::expression::{Expression, ExpressionError, from_the_wall, parse_with_uses};
-use crate::file::{Axis, File, Side, WrittenDiagram, WrittenWall};
+use crate::file::{Axis, File, Side, WrittenCurve, WrittenDiagram, WrittenWall};
 use crate::names;
 
 /// More constants than this nobody names; every name in an expression is looked for among them.
@@ -22,6 +24,7 @@ const FORCE: Kind = ("motion.force", &["x", "v", "t"], 2);
 const POSITION: Kind = ("wall.position", &["t"], 0);
 const FREQUENCY: Kind = ("motion.frequency", &[], 0);
 const RESTITUTION: Kind = ("impact.restitution", &["y", "z"], 2);
+const MASS: Kind = ("impact.mass", &[], 0);
 const DURATION: Kind = ("impact.duration", &["y", "z"], 2);
 
 /// The names of the parameters, and the constants; and what ends the reading.
@@ -58,6 +61,12 @@ pub(crate) fn formulas(
         restitution: parse(&texts.restitution, RESTITUTION)?,
         duration: parse(&texts.duration, DURATION)?,
     })
+}
+
+/// The mass that hits the wall, if the file has one.
+pub(crate) fn mass(file: &File, stop: &Stop) -> Result<Option<Expression>, ExpressionError> {
+    let known = Known::new(file, stop);
+    file.impact.mass.as_ref().map(|text| Ok(known.parse(text, MASS)?.0)).transpose()
 }
 
 /// Checks everything that can be checked without evaluating an expression; once an end is asked
@@ -114,8 +123,31 @@ pub(crate) fn description(
         diagram(written, axes, |name, allowed| section.forbid(&format!("diagrams[{number}].{name}"), allowed))
     };
     let diagrams = file.diagrams.iter().zip(1..).map(diagram).collect::<Result<_, _>>()?;
+    let text = file.impact.mass.as_deref().unwrap_or_default();
+    let mass =
+        mass(&file, stop).map_err(|error| DescriptionError::in_expression(section, MASS.0, text, &error))?;
+    if let Some(mass) = &mass {
+        let positive = |mu: f64| axes[1].range.iter().all(|eta| mass.evaluate(&[mu, *eta]) > 0.0);
+        if !axes[0].range.iter().all(|mu| positive(*mu)) {
+            return Err(section.forbid(MASS.0, "it must be positive over the ranges".to_owned()).into());
+        }
+    }
+    let without_mass =
+        |(written, _): &(&WrittenDiagram, u32)| written.ordinate.needs_mass() && mass.is_none();
+    if let Some((_, number)) = file.diagrams.iter().zip(1..).find(without_mass) {
+        let allowed = "it needs the mass that hits the wall: write impact.mass, as mass = \"0.5\"".to_owned();
+        return Err(section.forbid(&format!("diagrams[{number}].ordinate"), allowed).into());
+    }
+    let curve = |(written, number): (&WrittenCurve, usize)| {
+        let forbid = |name: &str, allowed| section.forbid(&format!("curves[{number}].{name}"), allowed);
+        if file.curves[..number - 1].iter().any(|other| other.name == written.name) {
+            return Err(forbid("name", "another curve is called so: give each its own name".to_owned()));
+        }
+        own_curve(written, &file.analysis.loops, forbid)
+    };
+    let curves = file.curves.iter().zip(1..).map(curve).collect::<Result<_, _>>()?;
     let (notes, units) = (Vec::new(), OnceLock::new());
-    let content = Content { file, formulas, texts, start, diagrams, notes, units };
+    let content = Content { file, formulas, texts, start, mass, curves, diagrams, notes, units };
     Ok((Description(Arc::new(content)), places))
 }
 
@@ -131,12 +163,43 @@ fn check_number(section: &Section<'_>, file: &File) -> Result<(), SourceError> {
     }
 }
 
+fn own_curve(
+    written: &WrittenCurve,
+    analysed: &[u32],
+    forbid: impl Fn(&str, String) -> SourceError,
+) -> Result<OwnCurve, SourceError> {
+    let WrittenCurve { name, impact_velocity, modulus, distance, phase, loops } = written.clone();
+    let property = match (impact_velocity, modulus, distance, phase) {
+        (Some(velocity), None, None, None) => Property::ImpactVelocity(velocity),
+        (None, Some(modulus), None, None) => Property::Modulus(modulus),
+        (None, None, Some(distance), Some(phase)) => Property::Distance { distance, phase },
+        (None, None, Some(_), None) => {
+            return Err(forbid(
+                "distance",
+                "write the phase beside it, in forcing periods, as phase = 0.25".to_owned(),
+            ));
+        }
+        (.., Some(_)) => return Err(forbid("phase", "it stands beside distance alone".to_owned())),
+        _ => {
+            let allowed =
+                "write one of impact_velocity, modulus, and distance with phase, no more and no less";
+            return Err(forbid("name", allowed.to_owned()));
+        }
+    };
+    let loops = loops.unwrap_or_else(|| analysed.to_vec());
+    if let Some(other) = loops.iter().find(|loops| !analysed.contains(loops)) {
+        let allowed = format!("{other} is none of analysis.loops: add it there, or leave it out here");
+        return Err(forbid("loops", allowed));
+    }
+    Ok(OwnCurve { name: name.trim().to_owned(), loops, property })
+}
+
 fn diagram(
     written: &WrittenDiagram,
     [primary, secondary]: [&Axis; 2],
     forbid: impl Fn(&str, String) -> SourceError,
 ) -> Result<OneParameter, SourceError> {
-    let WrittenDiagram { fixed, at, range, portraits, seed } = written.clone();
+    let WrittenDiagram { fixed, at, range, portraits, seed, ordinate, sweeps } = written.clone();
     let primary_is_fixed = fixed == primary.name;
     let (held, other) = if primary_is_fixed { (primary, secondary) } else { (secondary, primary) };
     if fixed != held.name {
@@ -156,5 +219,5 @@ fn diagram(
             return Err(forbid(name, allowed));
         }
     }
-    Ok(OneParameter { primary_is_fixed, at, range, portraits, seed })
+    Ok(OneParameter { primary_is_fixed, at, range, portraits, seed, ordinate, sweeps })
 }

@@ -7,6 +7,7 @@ pub(crate) mod cloud;
 pub mod kinds;
 pub(crate) mod magnified;
 pub(crate) mod numbers;
+pub(crate) mod own;
 pub(crate) mod panel_grid;
 pub(crate) mod portraits;
 pub mod scene;

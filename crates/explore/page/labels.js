@@ -71,7 +71,7 @@ function regionLabels(frame, regions, map, placed) {
 }
 
 /** The word beside a curve, with its number of loops as index. */
-const wordOf = ({ kind, p }) => (kind === "graz" ? [["grazing", ""]] : [[kind, ""], [String(p), "sub"]]);
+const wordOf = ({ kind, p, name }) => (kind === "graz" ? [["grazing", ""]] : [[name ?? kind, ""], [String(p), "sub"]]);
 const sameWord = (text, other) => text.join() === other.join();
 
 /** A word is no farther from its curve than its own width and so many pixels. */
@@ -94,7 +94,7 @@ function curveLabels(frame, runs, map, placed) {
   const long = runs.map((run) => ({ ...run, length: run.points.reduce((sum, [x, y], at) => (at === 0 ? 0 : sum + Math.hypot(x - run.points[at - 1][0], y - run.points[at - 1][1])), 0) }));
   for (const { curve, points, length } of long.sort((a, b) => b.length - a.length)) {
     if (length < 100 || curve.source === "quadratic") continue;
-    const half = curve.kind === "graz" ? 26 : 14;
+    const half = curve.name ? 8 + 3.5 * curve.name.length : curve.kind === "graz" ? 26 : 14;
     let [best, passed] = [{ score: 0 }, 0];
     if (placed.some((each) => each.key === curve.key && reaches({ points }, each))) continue;
     for (let index = 1; index < points.length; index += 1) {

@@ -70,7 +70,7 @@ export function tellOf(runs, [x, y], place, to) {
   });
   if (near) return (near.kind === "resonance" ? "resonance" : `${near.kind} point`) + loops(near);
   const curve = curveAt(runs, x, y);
-  if (curve) return `${curve.source === "quadratic" ? `quadratic ${curve.kind}` : LOOKS[curve.kind].meaning}${loops(curve)}`;
+  if (curve) return `${curve.source === "quadratic" ? `quadratic ${curve.kind}` : curve.name ? `${curve.name}, ${curve.property}` : LOOKS[curve.kind].meaning}${loops(curve)}`;
   const undecided = diagram.regions.find(({ kind, rings }) => kind === "undecided" && lies(place, rings));
   return undecided ? `undecided${undecided.reason ? `: ${undecided.reason}` : ""}` : "";
 }

@@ -8,7 +8,7 @@ use grazing_model::smooth::Stop;
 use grazing_reproduction::plane::{self, Axes};
 use grazing_reproduction::unfolded::AtResonance;
 use grazing_results::Names;
-use grazing_results::plane::{PlaneDiagram, PlanePoint, RegionVertex, SpecialPoint};
+use grazing_results::plane::{OwnPoint, PlaneDiagram, PlanePoint, RegionVertex, SpecialPoint};
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::magnification::approximation;
 use grazing_unfold::progress::Progress;
@@ -18,6 +18,7 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
+use crate::kinds::OWN_CURVE;
 use crate::model::{Model, Prepared, View};
 use crate::place::eigenvalues;
 use crate::stream::Events;
@@ -45,8 +46,8 @@ pub struct Seen {
 impl Seen {
     pub(crate) fn compute(model: &Model, view: &View, stop: &Stop) -> Result<Self, Problem> {
         let name = model.description(Some(view), stop)?.name().to_owned();
-        let Prepared { oscillator, scope, axes, .. } = model.prepared(Some(view), stop)?;
-        let located = located(&oscillator, &scope, &axes, stop)?;
+        let Prepared { oscillator, scope, asked, axes } = model.prepared(Some(view), stop)?;
+        let located = located(&oscillator, &scope, &axes, stop)?.asking_for(asked);
         let followed = located.follow(stop, &|_, _| ());
         let diagram = located.with(followed, stop);
         if stop.is_asked() {
@@ -68,8 +69,8 @@ fn located(
 }
 
 pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
-    let Prepared { oscillator, scope, axes, .. } = request.model.prepared(Some(&request.view), stop)?;
-    let located = located(&oscillator, &scope, &axes, events)?;
+    let Prepared { oscillator, scope, asked, axes } = request.model.prepared(Some(&request.view), stop)?;
+    let located = located(&oscillator, &scope, &axes, events)?.asking_for(asked);
     let grazing = (0..).zip(plane::grazing_rows(&axes, &located));
     events.send("curves", &grazing.map(|(k, rows)| curve(&rows, k)).collect::<Vec<_>>());
     events.send("resonances", &resonances(&axes, &located));
@@ -102,7 +103,8 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
         found["starts"] = json!(starts);
         found
     });
-    let all: Vec<Value> = all.collect();
+    let mut all: Vec<Value> = all.collect();
+    all.extend(plane::own_curves(&axes, &diagram).chunk_by(|a, b| a.arc == b.arc).map(own));
     events.send("curves", &all);
     let known = diagram.unfolding().map(|_| Value::Null);
     let known = known.chain(
@@ -159,6 +161,16 @@ fn named(
     let key = format!("{kind} {p} {n} #{rank}");
     let key = if source == "quadratic" { format!("{key} {source}") } else { key };
     json!({"key": key, "kind": kind, "p": p, "n": n, "source": source, "points": points, "bounds": bounds})
+}
+
+/// A curve that the file asks for, which is bold where solutions are stable and admissible.
+fn own(rows: &[OwnPoint]) -> Value {
+    let first = &rows[0];
+    let points = rows.iter().map(|row| ([row.primary, row.secondary], row.stable && row.admissible)).unzip();
+    let mut found = named(OWN_CURVE, [first.loops, 0, first.arc], "continuation", points);
+    found["name"] = json!(first.name);
+    found["property"] = json!(first.property);
+    found
 }
 
 fn point(point: &SpecialPoint, multipliers: Value) -> Value {

@@ -3,10 +3,13 @@
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::kinds::{
-    Colour, CurveLook, IRREGULAR, LOOPS, MARKER, MARKER_RIM, PERIODIC, PLACE, region_inks,
+    Colour, CurveLook, IRREGULAR, LOOPS, MARKER, MARKER_RIM, OWN, OWN_WIDTHS, PERIODIC, PLACE, region_inks,
 };
 use grazing_results::plane::RegionKind;
 use serde_json::{Map, Value, json};
+
+/// The kind of curves that a file asks for.
+pub(crate) const OWN_CURVE: &str = "own";
 
 /// Pixels of the page to a point of a figure.
 const SCALE: f64 = 1.5;
@@ -60,7 +63,11 @@ pub(crate) fn script() -> String {
         });
         (kind.name().to_owned(), value)
     };
-    let looks: Map<String, Value> = Bifurcation::ALL.into_iter().map(look).collect();
+    let mut looks: Map<String, Value> = Bifurcation::ALL.into_iter().map(look).collect();
+    let [light, dark] = OWN.map(|colour| json!({ "curve": hex(colour) }));
+    let own =
+        json!({ "meaning": "", "light": light, "dark": dark, "width": width(OWN_WIDTHS[0]), "dashes": [] });
+    looks.insert(OWN_CURVE.to_owned(), own);
     let approximation = json!({
         "width": width(CurveLook::APPROXIMATION_WIDTH),
         "dashes": pixels(CurveLook::APPROXIMATION_DASHES),

@@ -10,6 +10,7 @@ use grazing_reproduction::plane::Axes;
 use grazing_reproduction::unfolded;
 use grazing_source::{Mistake, Setting, SettingError, Text};
 use grazing_unfold::Scope;
+use grazing_unfold::levels::Level;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
@@ -47,6 +48,8 @@ pub(crate) struct Prepared {
     /// It ends when an end is asked for.
     pub(crate) oscillator: AnyOscillator,
     pub(crate) scope: Scope,
+    /// The curves that the file asks for.
+    pub(crate) asked: Vec<Level>,
     /// Names and units.
     pub(crate) axes: Axes,
 }
@@ -89,7 +92,8 @@ impl Model {
         if self.text.is_some() {
             let axes = unfolded::axes(&description);
             let (oscillator, scope) = unfolded::prepared(&description, &axes.units, stop);
-            return Ok(Prepared { oscillator, scope, axes });
+            let asked = unfolded::levels(&description, &axes.units);
+            return Ok(Prepared { oscillator, scope, asked, axes });
         }
         let constant = |wanted: &str| {
             let mut constants = description.constants();
@@ -104,7 +108,8 @@ impl Model {
         let scope = Scope { window, loops: description.loops().to_vec(), start: None };
         let axes = Axes::of_the_paper();
         let oscillator = AnyOscillator::new(Stoppable::new(oscillator, stop.clone()));
-        Ok(Prepared { oscillator, scope, axes })
+        let asked = unfolded::levels(&description, &axes.units);
+        Ok(Prepared { oscillator, scope, asked, axes })
     }
 
     /// What there is to know of the oscillator before anything is computed.

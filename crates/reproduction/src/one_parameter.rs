@@ -1,8 +1,11 @@
 //! One-parameter diagrams of an oscillator from a text file.
 
-use grazing_description::Description;
-use grazing_model::smooth::Stop;
+use core::f64::consts::TAU;
+
+use grazing_description::{Description, Ordinate as Written};
+use grazing_model::smooth::{SmoothOscillator, Stop};
 use grazing_results::branches::OneParameter;
+use grazing_results::readings::{MotionReading, Ordinate};
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::one_parameter::{Cut, Line, Sampling, Subject};
 use grazing_unfold::progress::Progress;
@@ -13,8 +16,57 @@ use crate::described::prepared;
 
 /// How long-time behaviour is sampled: at as many values as columns of dots can be told apart in a
 /// figure, after a transient that is longer where damping is weak.
-pub const SAMPLING: Sampling =
-    Sampling { values: 240, between: None, orbits: 2, transient: 150, recorded: 24, lowest: None, seed: 1 };
+pub const SAMPLING: Sampling = Sampling {
+    values: 240,
+    between: None,
+    orbits: 2,
+    transient: 150,
+    recorded: 24,
+    lowest: None,
+    seed: 1,
+    readings: false,
+};
+
+/// What a file calls an ordinate.
+fn ordinate(written: Written) -> Ordinate {
+    match written {
+        Written::X => Ordinate::X,
+        Written::ImpactVelocity => Ordinate::ImpactVelocity,
+        Written::PeakToPeak => Ordinate::PeakToPeak,
+        Written::Impulse => Ordinate::Impulse,
+        Written::Force => Ordinate::Force,
+        Written::Power => Ordinate::Power,
+    }
+}
+
+/// Fills in what the mass gives, in the oscillator's own units.
+fn weigh(found: &mut OneParameter, description: &Description) {
+    let impact = |velocity: f64, phase: f64, parameters| {
+        // Without an impact there is no phase, and it does not matter.
+        description.impulse_and_loss([velocity, if phase.is_nan() { 0.0 } else { phase }], parameters)
+    };
+    let period = |[mu, eta]: [f64; 2]| TAU / description.forcing_frequency(mu, eta);
+    for row in &mut found.readings {
+        let parameters = [row.primary, row.secondary];
+        let [impulse, loss] = impact(row.impact_velocity, row.impact_phase, parameters);
+        let time = f64::from(row.loops.max(1)) * period(parameters);
+        (row.impulse, row.force, row.power) = (impulse, impulse / time, loss / time);
+    }
+    let same = |a: &MotionReading, b: &MotionReading| {
+        (a.sweep, a.orbit, a.primary, a.secondary) == (b.sweep, b.orbit, b.primary, b.secondary)
+    };
+    for orbit in found.motion.chunk_by_mut(same) {
+        let (parameters, impacts) = ([orbit[0].primary, orbit[0].secondary], orbit[0].impacts);
+        let rate = impacts / period(parameters) / orbit.len() as f64;
+        let mut sum = [0.0; 2];
+        for row in orbit.iter_mut() {
+            let [impulse, loss] = impact(row.impact_velocity, row.impact_phase, parameters);
+            row.impulse = impulse;
+            sum = [sum[0] + impulse, sum[1] + loss];
+        }
+        orbit.iter_mut().for_each(|row| (row.force, row.power) = (sum[0] * rate, sum[1] * rate));
+    }
+}
 
 /// The one-parameter diagrams that a file asks for, in the oscillator's own units, and what is
 /// missing.
@@ -28,14 +80,32 @@ pub(crate) fn diagrams(
     let units = description.units();
     let (oscillator, scope) = prepared(description, &units, stop);
     for (diagram, setting) in (1..).zip(description.diagrams()) {
-        let &grazing_description::OneParameter { primary_is_fixed, at, range, seed, .. } = setting;
+        let &grazing_description::OneParameter { primary_is_fixed, at, range, seed, sweeps, .. } = setting;
+        let ordinate = ordinate(setting.ordinate);
         let line = Line { diagram, primary_is_fixed, at, range }.without_dimensions(&units);
         let unit = if primary_is_fixed { units.secondary } else { units.primary };
         let subject = |across: &f64| Subject { across: across / unit, loops: None };
         let subjects: Vec<Subject> = setting.portraits.iter().map(subject).collect();
-        let sampling = Sampling { seed, ..SAMPLING };
+        let readings = sweeps || ordinate != Ordinate::X;
+        let sampling = Sampling { seed, readings, ..SAMPLING };
         let cut = Cut::follow(&oscillator, &scope, curves, line, progress);
-        let found = cut.map(|cut| cut.simulated(&sampling, &subjects, progress).in_units(&units));
+        let found = cut.map(|cut| {
+            let mut found = cut.simulated(&sampling, &subjects, progress);
+            if readings {
+                found.readings = cut.readings();
+            }
+            if sweeps {
+                found.motion.extend(cut.sweeps(&sampling, progress));
+            }
+            if progress.stopped() {
+                found = cut.diagram();
+            }
+            // What was cut off is shown as far as it got, which is x.
+            let ordinate = if found.readings.is_empty() { Ordinate::X } else { ordinate };
+            let mut found = OneParameter { ordinate, ..found }.in_units(&units);
+            weigh(&mut found, description);
+            found
+        });
         let missing = match &found {
             None => Some(format!("one-parameter diagram {diagram}")),
             Some(found) if found.resting.is_none() => {

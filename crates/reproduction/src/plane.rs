@@ -6,11 +6,12 @@ use grazing_model::ImpactOscillator;
 use grazing_model::phase::centred;
 use grazing_model::smooth::Units;
 use grazing_results::plane::{
-    MagnifiedPanel, MagnifiedPoint, PlaneDiagram, PlanePoint, RegionVertex, Section, SpecialPoint,
+    MagnifiedPanel, MagnifiedPoint, OwnPoint, PlaneDiagram, PlanePoint, RegionVertex, Section, SpecialPoint,
 };
 use grazing_results::{Names, TablePlan};
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
+use grazing_unfold::levels::{Level, LevelCurve};
 use grazing_unfold::magnification::Polyline;
 use grazing_unfold::regions::{Doubt, Region};
 use grazing_unfold::units::InUnits;
@@ -56,6 +57,7 @@ pub fn plane_diagram(
         frame: diagram.scope.window.in_units(&axes.units).into(),
         magnified,
         sections,
+        own: own_curves(axes, diagram),
     }
 }
 
@@ -143,6 +145,33 @@ fn with_ends(
         point.lost = reason;
     }
     points
+}
+
+/// The curves that are asked for, point by point.
+pub fn own_curves(axes: &Axes, diagram: &Diagram) -> Vec<OwnPoint> {
+    let mut rows = Vec::new();
+    for (arc, LevelCurve { level, loops, curve }) in (0..).zip(&diagram.levels.curves) {
+        let Level { name, property, .. } = &diagram.asked[*level];
+        let property = property.in_units(&axes.units).to_string();
+        // Its kind does not matter.
+        let curve = DiagramCurve { kind: Bifurcation::SaddleNode, loops: *loops, n: 0, curve: curve.clone() };
+        rows.extend(bifurcation_rows(axes, diagram, &curve).into_iter().map(|point| OwnPoint {
+            name: name.clone(),
+            property: property.clone(),
+            loops: point.loops,
+            secondary: point.secondary,
+            primary: point.primary,
+            impact_velocity: point.impact_velocity,
+            impact_phase: point.impact_phase,
+            trace: point.trace,
+            determinant: point.determinant,
+            max_interior_x: point.max_interior_x,
+            stable: point.stable,
+            admissible: point.admissible,
+            arc,
+        }));
+    }
+    rows
 }
 
 /// Resonances at which a theorem holds, and other codimension-two points.

@@ -12,12 +12,13 @@ use grazing_description::Description;
 use grazing_model::smooth::Stop;
 use grazing_model::smooth::Units;
 use grazing_model::{AnyOscillator, ImpactOscillator};
-use grazing_results::branches::OneParameter;
+use grazing_results::branches::{OneParameter, Readings};
 use grazing_results::family::Family;
-use grazing_results::plane::{Magnifications, MagnifiedPanel, PlaneDiagram, Section};
+use grazing_results::plane::{Magnifications, MagnifiedPanel, OwnCurves, PlaneDiagram, Section};
 use grazing_results::{Names, Tables, UnitNames, brief, tables};
 use grazing_theorems::ResonantPoint;
 use grazing_theorems::hypothesis::{Hypothesis, Theorem};
+use grazing_unfold::levels::Level;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::resonances::Resonance;
@@ -28,7 +29,7 @@ use grazing_unfold::verdict::{Coefficient, coefficients};
 use grazing_unfold::{Diagram, Scope};
 use rayon::prelude::*;
 
-pub use crate::described::prepared;
+pub use crate::described::{levels, prepared};
 use crate::plane::{self, Axes, own_header};
 use crate::{StudyError, one_parameter};
 pub use finished::Keep;
@@ -144,9 +145,11 @@ pub fn axes(description: &Description) -> Axes {
     let tables = [
         AlongGrazing::TABLES,
         PlaneDiagram::TABLES,
+        OwnCurves::TABLES,
         AtResonances::TABLES,
         Magnifications::TABLES,
         OneParameter::TABLES,
+        Readings::TABLES,
         Family::TABLES,
     ];
     let parameters = [description.primary(), description.secondary()];
@@ -173,11 +176,12 @@ impl Unfolded {
         let axes = axes(description);
         let units = axes.units;
         let (oscillator, scope) = prepared(description, &units, stop);
-        let mut unfolded =
-            Self::compute(&oscillator, &scope, axes, progress, keep).map_err(|error| match error {
-                StudyError::Unfold(error) => StudyError::Unfold(error.in_units(&units)),
-                other => other,
-            });
+        let asked = levels(description, &units);
+        let unfolded = Self::compute(&oscillator, (&scope, asked), axes, progress, keep);
+        let mut unfolded = unfolded.map_err(|error| match error {
+            StudyError::Unfold(error) => StudyError::Unfold(error.in_units(&units)),
+            other => other,
+        });
         if let Ok(Self { diagram, diagrams, .. }) = &mut unfolded {
             let (found, unfinished) = one_parameter::diagrams(description, &diagram.curves, stop, progress);
             *diagrams = found;
@@ -190,19 +194,19 @@ impl Unfolded {
 }
 
 impl Unfolded {
-    /// The analysis of any oscillator, counted with its scope in the units of `axes`; its own
-    /// parameters do not matter.
+    /// The analysis of any oscillator, counted with its scope and the curves that are asked for in
+    /// the units of `axes`; its own parameters do not matter.
     ///
     /// # Errors
     /// There is no grazing in the ranges.
     pub fn compute(
         oscillator: &AnyOscillator,
-        scope: &Scope,
+        (scope, asked): (&Scope, Vec<Level>),
         axes: Axes,
         progress: &dyn Progress,
         keep: Keep<'_>,
     ) -> Result<Self, StudyError> {
-        let located = Diagram::located(oscillator, scope, progress)?;
+        let located = Diagram::located(oscillator, scope, progress)?.asking_for(asked);
         let followed = finished::follow(&axes, &located, progress, keep);
         let mut diagram = located.with(followed, progress).found()?;
         let units = axes.units;

@@ -2,6 +2,7 @@
 
 use grazing_continuation::bifurcation::Bifurcation;
 
+use crate::readings::{MotionReading, Ordinate, Reading};
 use crate::{Frame, Names, Table, Tables, rows, tables, words};
 
 words! {
@@ -96,7 +97,7 @@ macro_rules! diagram_rows {
     )+};
 }
 
-diagram_rows!(BranchPoint, BranchBifurcation, AttractorPoint, PortraitPoint);
+diagram_rows!(BranchPoint, BranchBifurcation, AttractorPoint, PortraitPoint, Reading, MotionReading);
 
 tables! {
     /// A one-parameter diagram of an oscillator; Figure 2 is one.
@@ -125,6 +126,12 @@ tables! {
         magnified: Option<Frame>,
         /// x is counted from the wall, which is another one than x = 0 with the motion below it.
         from_the_wall: bool,
+        /// What is on its vertical axis,
+        ordinate: Ordinate,
+        /// and what can be, along branches and of simulated motion, where that is asked for.
+        readings: Vec<Reading>,
+        /// Rows with equal sweep, parameters and orbit are one orbit.
+        motion: Vec<MotionReading>,
         /// The number of simulated orbits that left no point, as they came to rest or could not be
         /// followed, and of all; none if simulation was not finished.
         resting: Option<[u32; 2]>,
@@ -133,6 +140,15 @@ tables! {
         broken: Vec<(u32, f64, String)>,
         /// What is shown elsewhere than asked for, or not at all, in sentences.
         notes: Vec<String>,
+    }
+}
+
+tables! {
+    /// What else is read off one-parameter diagrams.
+    Readings {
+        readings: Reading = "diagram_readings", "a solution on a branch of a one-parameter diagram, with what is read off it",
+        motion: MotionReading = "diagram_motion",
+            "an impact of simulated motion that has settled, or motion without impacts, with what is read off it",
     }
 }
 
@@ -170,6 +186,8 @@ impl OneParameter {
         self.bifurcations.iter_mut().for_each(|row| change(row));
         self.attractor.iter_mut().for_each(|row| change(row));
         self.portraits.iter_mut().for_each(|row| change(row));
+        self.readings.iter_mut().for_each(|row| change(row));
+        self.motion.iter_mut().for_each(|row| change(row));
     }
 
     /// The same with a frame that is as high as what it shows needs; lengths have no dimension.

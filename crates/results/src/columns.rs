@@ -116,6 +116,38 @@ columns! {
     SOURCE = "source", "", "1";
 }
 
+// What is read off motion.
+columns! {
+    /// highest less lowest position from impact to impact, of simulated motion of all that is recorded; the wall is the highest where there are impacts
+    PEAK_TO_PEAK = "peak_to_peak", "", "length";
+    /// m (1 + Φ) y, what the wall takes of momentum at the impact; empty where the file gives no mass
+    IMPULSE = "impulse", "", "mass*length/time";
+    /// the impulses of a time by that time, the mean force on the wall; likewise
+    MEAN_FORCE = "mean_force", "", "mass*length/time^2";
+    /// m/2 (1 − Φ²) y² of the impacts of a time by that time, what they dissipate; likewise
+    POWER = "power", "", "mass*length^2/time^3";
+    /// `random`: from a random state; `up`, `down`: from what motion came to at the value of the parameter below, above
+    SWEEP = "sweep", "", "1";
+    /// number of the orbit among those of the same value of the parameter
+    ORBIT = "orbit", "", "1";
+    /// what motion comes to: `non-impacting`, `periodic`, or `unsettled`, where it has not come to periodic motion as far as it was followed
+    MOTION = "motion", "", "1";
+    /// forcing periods after which it comes again; empty if it does not
+    PERIODS = "periods", "", "1";
+    /// impacts in a forcing period, on average
+    IMPACTS_PER_PERIOD = "impacts", "", "1";
+    /// virtual x on Π of the impact; without impacts the highest point
+    X_OF_IMPACT = "x", "x", "length";
+}
+
+// Own curves.
+columns! {
+    /// the name that the file gives the curve
+    CURVE_NAME = "name", "", "1";
+    /// what the solutions along it have in common
+    PROPERTY = "property", "", "1";
+}
+
 // Families: what varies from member to member. A family with fewer constants has no columns for the
 // first ones.
 columns! {

@@ -115,6 +115,11 @@ pub const fn darker([red, green, blue]: Colour) -> Colour {
     [channel(red), channel(green), channel(blue)]
 }
 
+/// Curves that a file asks for, on light and on dark ground.
+pub const OWN: [Colour; 2] = [[162, 108, 216], [117, 207, 162]];
+/// The width of one in points, and where solutions are not stable.
+pub const OWN_WIDTHS: [f64; 2] = [1.15, 0.5];
+
 /// How a region of a kind is filled or hatched, on light and on dark ground: colour and opacity.
 /// Regions that overlap come out darker.
 pub const fn region_inks(kind: RegionKind) -> [(Colour, f64); 2] {
@@ -237,7 +242,7 @@ mod tests {
     fn no_two_meanings_look_alike_to_eyes_of_any_kind() {
         let curves = Bifurcation::ALL.map(|kind| (kind.name(), CurveLook::of(kind).colours));
         let loops = ["no impacts", "p = 1", "p = 2", "p = 3", "p = 4 and more"].into_iter().zip(LOOPS);
-        let others = [("other periodic", PERIODIC), ("irregular", IRREGULAR), ("place", PLACE)];
+        let others = [("other periodic", PERIODIC), ("irregular", IRREGULAR), ("place", PLACE), ("own", OWN)];
         let all: Vec<_> = curves.into_iter().chain(loops).chain(others).collect();
         for (ground, eyes) in
             [0, 1].into_iter().flat_map(|ground| EYES.iter().map(move |eyes| (ground, eyes)))

@@ -31,6 +31,7 @@ mod frame;
 pub mod kinds;
 mod names;
 pub mod plane;
+pub mod readings;
 pub mod space;
 mod table;
 

@@ -46,6 +46,23 @@ rows! {
         lost: String = LOST,
     }
 
+    /// A point of a curve that the file asks for.
+    OwnPoint {
+        name: String = CURVE_NAME,
+        property: String = PROPERTY,
+        loops: u32 = LOOPS,
+        secondary: f64 = SECONDARY,
+        primary: f64 = PRIMARY,
+        impact_velocity: f64 = IMPACT_VELOCITY,
+        impact_phase: f64 = IMPACT_PHASE,
+        trace: f64 = TRACE,
+        determinant: f64 = DETERMINANT,
+        max_interior_x: f64 = MAX_INTERIOR_X,
+        stable: bool = STABLE,
+        admissible: bool = ADMISSIBLE,
+        arc: u32 = ARC,
+    }
+
     /// A resonance at which a theorem holds, or another codimension-two point.
     SpecialPoint {
         kind: CodimensionTwo = CODIMENSION_TWO,
@@ -101,6 +118,7 @@ impl PlaneDiagram {
         self.curves.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
         self.points.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
         self.regions.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
+        self.own.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
         self.magnified.iter_mut().for_each(|panel| panel.frame = panel.frame.swapped());
         self.sections.iter_mut().for_each(|section| section.ends = section.ends.map(|(a, b)| (b, a)));
         self.frame = self.frame.swapped();
@@ -162,6 +180,13 @@ tables! {
         magnified: Vec<MagnifiedPanel>,
         /// Where one-parameter diagrams run.
         sections: Vec<Section>,
+        /// The curves that the file asks for.
+        own: Vec<OwnPoint>,
+    }
+
+    /// The curves that a file asks for.
+    OwnCurves {
+        own: OwnPoint = "own_curves", "a point of a curve of `[[curves]]`",
     }
 
     /// What magnifications of a two-parameter diagram show; Figure 8 is one sheet of them.

@@ -40,25 +40,7 @@ impl DiagramCurve {
 
     /// The pieces of it that cross a window, each with its first point outside at either end.
     pub(crate) fn within(&self, window: Window) -> Vec<Self> {
-        let places = self.curve.parameters();
-        let chords = places.windows(2).map(|pair| crosses(window, [pair[0], pair[1]]));
-        let mut pieces: Vec<[usize; 2]> = Vec::new();
-        for (k, _) in chords.enumerate().filter(|(_, crosses)| *crosses) {
-            match pieces.last_mut() {
-                Some([_, last]) if *last == k => *last = k + 1,
-                _ => pieces.push([k, k + 1]),
-            }
-        }
-        let Curve { points, end, beginning, .. } = &self.curve;
-        let left = || CurveEnd::LeftWindow;
-        let piece = |[first, last]: [usize; 2]| Curve {
-            condition: self.curve.condition,
-            points: points[first..=last].to_vec(),
-            events: Vec::new(),
-            end: if last + 1 == points.len() { end.clone() } else { left() },
-            beginning: if first == 0 { beginning.clone() } else { Some(left()) },
-        };
-        pieces.into_iter().map(|ends| Self { curve: piece(ends), ..*self }).collect()
+        within(&self.curve, window).into_iter().map(|curve| Self { curve, ..*self }).collect()
     }
 
     /// First and last point.
@@ -66,6 +48,29 @@ impl DiagramCurve {
         let points = &self.curve.points;
         [points[0].solution.unknowns, points[points.len() - 1].solution.unknowns]
     }
+}
+
+/// The pieces of a curve that cross a window, each with its first point outside at either end.
+pub(crate) fn within(curve: &Curve, window: Window) -> Vec<Curve> {
+    let places = curve.parameters();
+    let chords = places.windows(2).map(|pair| crosses(window, [pair[0], pair[1]]));
+    let mut pieces: Vec<[usize; 2]> = Vec::new();
+    for (k, _) in chords.enumerate().filter(|(_, crosses)| *crosses) {
+        match pieces.last_mut() {
+            Some([_, last]) if *last == k => *last = k + 1,
+            _ => pieces.push([k, k + 1]),
+        }
+    }
+    let Curve { points, end, beginning, .. } = curve;
+    let left = || CurveEnd::LeftWindow;
+    let piece = |[first, last]: [usize; 2]| Curve {
+        condition: curve.condition,
+        points: points[first..=last].to_vec(),
+        events: Vec::new(),
+        end: if last + 1 == points.len() { end.clone() } else { left() },
+        beginning: if first == 0 { beginning.clone() } else { Some(left()) },
+    };
+    pieces.into_iter().map(piece).collect()
 }
 
 /// Whether a chord between two points (μ, η) has a part in a window.

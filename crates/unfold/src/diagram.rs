@@ -9,9 +9,10 @@ use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, Unfo
 use grazing_model::AnyOscillator;
 use rayon::prelude::*;
 
-use crate::curves::Net;
 pub use crate::curves::{CodimensionTwoPoint, DiagramCurve, route};
+use crate::curves::{Net, within};
 use crate::grazing::GrazingCurve;
+use crate::levels::{Level, LevelCurve, Levels};
 use crate::non_impacting::{self, NonImpacting};
 use crate::progress::Progress;
 use crate::regions::{self, Region};
@@ -78,6 +79,10 @@ pub struct Diagram {
     pub codimension_two: Vec<CodimensionTwoPoint>,
     /// Where solutions are stable, and where that is not decided.
     pub regions: Vec<Region>,
+    /// Curves that are asked for,
+    pub asked: Vec<Level>,
+    /// and what was found of them.
+    pub levels: Levels,
     /// Resonances that were seen and could not be located.
     pub unlocated: Vec<Unlocated>,
     /// Resonances whose curves could not be followed.
@@ -191,6 +196,8 @@ impl Diagram {
             curves,
             codimension_two: Vec::new(),
             regions,
+            asked: Vec::new(),
+            levels: Levels::default(),
             unlocated: Vec::new(),
             not_unfolded: Vec::new(),
             unfinished,
@@ -215,6 +222,12 @@ impl Diagram {
         Ok(diagram)
     }
 
+    /// The diagram for which these curves are asked, too.
+    #[must_use]
+    pub fn asking_for(self, levels: Vec<Level>) -> Self {
+        Self { asked: levels, ..self }
+    }
+
     /// The diagram with what came of following the curves from its resonances, in the order of
     /// their list, and all that follows from these: the curves that begin where they end, those to
     /// which no resonance leads, and the regions.
@@ -225,21 +238,26 @@ impl Diagram {
         self.follow_iterated(&mut nets);
         self.grow(&mut nets);
         let grazing = [self.grazing.as_slice(), &self.doubled].concat();
-        let of_mps = regions::of_mps(&self.oscillator, &self.scope, &grazing, &mut nets, progress);
-        if of_mps.contains(&None) {
+        let of_mps =
+            regions::of_mps(&self.oscillator, (&self.scope, &self.asked), &grazing, &mut nets, progress);
+        if of_mps.iter().any(Option::is_none) {
             self.unfinished.push(Unfinished::stage(regions::STAGE));
         }
-        for ((net, known), regions) in nets.iter_mut().zip(known).zip(of_mps) {
-            self.regions.extend(regions.unwrap_or_else(|| {
+        for ((net, known), found) in nets.iter_mut().zip(known).zip(of_mps) {
+            let (regions, levels) = found.unwrap_or_else(|| {
                 // What was under way when the end was asked for is worth nothing.
                 *net = known;
-                vec![Region::not_finished(self.scope.window, net.loops())]
-            }));
+                (vec![Region::not_finished(self.scope.window, net.loops())], Levels::default())
+            });
+            self.regions.extend(regions);
+            self.levels.curves.extend(levels.curves);
+            self.levels.lost.extend(levels.lost);
         }
         self.take(nets, &followed);
         if let Some(window) = widened(self.scope.window) {
             let scope = Scope { window, ..self.scope.clone() };
             if let Ok(wide) = Self::located(&self.oscillator, &scope, progress) {
+                let wide = wide.asking_for(self.asked.clone());
                 let followed = wide.follow(progress, &|_, _| ());
                 let wide = wide.with(followed, progress);
                 // So are curves, to which no resonance in the window need lead.
@@ -247,6 +265,12 @@ impl Diagram {
                 self.regions = wide.regions.iter().flat_map(|region| region.within(window)).collect();
                 self.curves = wide.curves.iter().flat_map(|curve| curve.within(window)).collect();
                 let inside = |point: &CodimensionTwoPoint| window.contains(point.event.solution.parameters());
+                let levels = wide.levels.curves.iter();
+                let level = |found: &LevelCurve| {
+                    let pieces = within(&found.curve, window);
+                    pieces.into_iter().map(|curve| LevelCurve { curve, ..*found }).collect::<Vec<_>>()
+                };
+                self.levels = Levels { curves: levels.flat_map(level).collect(), lost: wide.levels.lost };
                 self.codimension_two = wide.codimension_two.into_iter().filter(inside).collect();
                 self.unfinished.extend(wide.unfinished);
             }

@@ -11,7 +11,7 @@ pub(crate) type Located = (Condition, Unknowns, EventTimes);
 
 /// What may happen to a stable, admissible solution,
 const LOSSES: [Condition; 4] =
-    [Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING, Condition::UnitProduct, Condition::InteriorGrazing];
+    [Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING, Condition::TORUS, Condition::InteriorGrazing];
 
 /// and what vanishes there: 1 − T + D, 1 + T + D, 1 − D and the distance of the highest maximum
 /// from the wall, all positive where a solution is stable and admissible.

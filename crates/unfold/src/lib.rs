@@ -75,6 +75,7 @@ pub mod escape;
 mod faces;
 pub mod family;
 pub mod grazing;
+pub mod levels;
 pub mod long_time;
 pub mod magnification;
 pub mod non_impacting;

@@ -9,6 +9,7 @@
 mod branches;
 mod oriented;
 mod portraits;
+mod readings;
 mod visits;
 
 use grazing_continuation::arclength::StepControl;
@@ -16,7 +17,8 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::{Formulation, LoopEquations};
 use grazing_model::AnyOscillator;
 use grazing_results::Frame;
-use grazing_results::branches::{AttractorPoint, BranchBifurcation, OneParameter};
+use grazing_results::branches::{AttractorPoint, BranchBifurcation, DiagramRow, OneParameter};
+use grazing_results::readings::Ordinate;
 use rayon::prelude::*;
 
 pub use branches::Branch;
@@ -32,7 +34,7 @@ use crate::tolerances::BETWEEN_EVENTS_ON_A_CUT;
 use crate::{Scope, non_impacting, search};
 use branches::{Strand, same_bifurcation, within};
 use portraits::Scene;
-use visits::long_time_behaviour;
+use visits::{Sampled, long_time_behaviour};
 
 /// A line of the parameter plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -145,7 +147,7 @@ impl Cut {
             strands.extend(own_strands);
             bifurcations.extend(own_bifurcations);
         }
-        let strands = strands.iter().flat_map(|strand| within(strand, range));
+        let strands = strands.iter().flat_map(|strand| within(strand, |point| point.primary, range));
         let mut branches = Vec::new();
         for (number, mut strand) in (1..).zip(strands) {
             strand.iter_mut().for_each(|point| point.branch = number);
@@ -176,10 +178,27 @@ impl Cut {
             bifurcations,
             attractor: Vec::new(),
             portraits: Vec::new(),
+            ordinate: Ordinate::X,
+            readings: Vec::new(),
+            motion: Vec::new(),
             resting: None,
             broken: ends.filter(|(_, primary, _)| inside(*primary)).collect(),
             notes: Vec::new(),
         }
+    }
+
+    /// Rows in the roles of the line.
+    fn in_place<R: DiagramRow>(&self, mut rows: Vec<R>) -> Vec<R> {
+        let Line { diagram, primary_is_fixed, .. } = self.line;
+        rows.iter_mut().for_each(|row| row.place(diagram, primary_is_fixed));
+        rows
+    }
+
+    /// The sampling with a transient in which motion without impacts settles.
+    fn long_enough(&self, sampling: &Sampling) -> Sampling {
+        let free = self.branches.iter().filter(|branch| !branch.equations.has_impacts());
+        let points = free.flat_map(|branch| &branch.curve.points);
+        sampling.as_long_as_it_takes(points.map(|point| point.solution.multipliers.determinant))
     }
 
     /// The diagram with long-time behaviour and phase portraits, too; without them if an end was
@@ -192,10 +211,7 @@ impl Cut {
     ) -> OneParameter {
         let mut found = self.oriented();
         let at = self.line.at;
-        let free = self.branches.iter().filter(|branch| !branch.equations.has_impacts());
-        let points = free.flat_map(|branch| &branch.curve.points);
-        let products = points.map(|point| point.solution.multipliers.determinant);
-        let sampling = &sampling.as_long_as_it_takes(products);
+        let sampling = &self.long_enough(sampling);
         let shown = found.branches.iter().filter(|point| point.admissible);
         let lowest = shown.map(|point| point.x).fold(-LEAST_DEPTH, f64::min);
         let lowest = sampling.lowest.unwrap_or(lowest);
@@ -209,7 +225,7 @@ impl Cut {
         };
         let sampled =
             range.map(|range| long_time_behaviour(&self.oscillator, at, range, (sampling, lowest), progress));
-        let (visits, resting) = sampled.unwrap_or_default();
+        let Sampled { visits, readings, resting } = sampled.unwrap_or_default();
         let scene = Scene {
             oscillator: &self.oscillator,
             branches: &self.branches,
@@ -226,6 +242,7 @@ impl Cut {
                 portrait.iter_mut().for_each(|point| point.portrait = number);
                 found.portraits.extend(portrait);
             }
+            found.motion = readings;
             found.resting = Some(resting);
         }
         self.placed(found)

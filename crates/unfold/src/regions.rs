@@ -17,6 +17,7 @@ use crate::Scope;
 use crate::curves::{DiagramCurve, Net};
 use crate::faces::{self, Face, Point};
 use crate::grazing::GrazingCurve;
+use crate::levels::{Level, Levels};
 use crate::progress::Progress;
 use crate::search;
 use crate::survey::Survey;
@@ -46,15 +47,15 @@ pub(crate) fn levels(window: Window) -> Vec<f64> {
 /// The stage in which regions of MPSs are decided.
 pub(crate) const STAGE: &str = "regions";
 
-/// The regions of the MPSs of each p, none where an end was asked for meanwhile; curves that are
-/// found to be missing on the way are added.
+/// The regions of the MPSs of each p with the curves of levels, none where an end was asked for
+/// meanwhile; bifurcation curves that are found to be missing on the way are added.
 pub(crate) fn of_mps(
     oscillator: &AnyOscillator,
-    scope: &Scope,
+    (scope, asked): (&Scope, &[Level]),
     grazing: &[GrazingCurve],
     nets: &mut [Net],
     progress: &dyn Progress,
-) -> Vec<Option<Vec<Region>>> {
+) -> Vec<Option<(Vec<Region>, Levels)>> {
     let window = scope.window;
     let levels = levels(window);
     let fastest = search::fastest(nets.iter().flat_map(|net| &net.curves).map(|curve| &curve.curve));
@@ -65,8 +66,9 @@ pub(crate) fn of_mps(
         let found = found.iter().filter(|(p, _)| *p == loops).map(|(_, solution)| *solution).collect();
         let mut survey = Survey::new(net, scope, grazing, found);
         let regions = decided(window, &mut survey, &levels, progress);
+        let levels = survey.levels(asked, progress);
         progress.step(STAGE);
-        (!progress.stopped()).then_some(regions)
+        (!progress.stopped()).then_some((regions, levels))
     });
     let regions = regions.collect();
     progress.end(STAGE);

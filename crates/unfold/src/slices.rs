@@ -148,7 +148,7 @@ impl Slicer {
 
     /// Whether a point in or near the window is a solution with an impact, or one without that does
     /// not recur after half its period.
-    fn is_real(&self, point: &Unknowns) -> bool {
+    pub(crate) fn is_real(&self, point: &Unknowns) -> bool {
         if self.equations.has_impacts() {
             return point[unknown::VELOCITY] > 0.0;
         }

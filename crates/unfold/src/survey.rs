@@ -20,6 +20,7 @@ use self::explain::{bounding, explained, is_wide, start};
 use crate::curves::{DiagramCurve, Net, route};
 use crate::faces::Point;
 use crate::grazing::GrazingCurve;
+use crate::levels::{self, Level, Levels};
 use crate::progress::Progress;
 use crate::region::Doubt;
 use crate::sight::Sight;
@@ -289,6 +290,21 @@ impl<'a> Survey<'a> {
     /// The bifurcation curves.
     pub(crate) fn curves(&self) -> &[DiagramCurve] {
         &self.net.curves
+    }
+
+    /// The curves of levels: along them the solutions have a property that is asked for.
+    pub(crate) fn levels(&self, asked: &[Level], progress: &dyn Progress) -> Levels {
+        let branches = self.slices.iter().flat_map(|slice| &slice.branches).chain(&self.columns);
+        let sources: Vec<&Curve> = branches.chain(self.net.curves.iter().map(|curve| &curve.curve)).collect();
+        let route = Route { stop_at_events: false, ..self.route };
+        let mut all = Levels::default();
+        let own = asked.iter().enumerate().filter(|(_, level)| level.loops.contains(&self.loops()));
+        for level in own {
+            let Levels { curves, lost } = levels::find(&self.slicer, &sources, &route, level, progress);
+            all.curves.extend(curves);
+            all.lost.extend(lost);
+        }
+        all
     }
 
     /// Places beside the middles of curves at which a solution is stable and admissible: a curve

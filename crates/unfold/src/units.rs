@@ -9,6 +9,7 @@ use grazing_theorems::hypothesis::{Hypothesis, Quantity};
 use grazing_theorems::{GrazingPoint, ResonantPoint};
 
 use crate::escape::Escape;
+use crate::levels::Property;
 use crate::non_impacting::Height;
 use crate::one_parameter::Line;
 use crate::sides::{Inconclusive, Simulated};
@@ -65,6 +66,16 @@ impl InUnits for GrazingPoint {
         own.gamma *= units.acceleration();
         own.psi /= units.velocity();
         own
+    }
+}
+
+impl InUnits for Property {
+    fn in_units(&self, units: &Units) -> Self {
+        match *self {
+            Self::ImpactVelocity(velocity) => Self::ImpactVelocity(velocity * units.velocity()),
+            Self::Modulus(modulus) => Self::Modulus(modulus),
+            Self::Distance { phase, distance } => Self::Distance { phase, distance: distance * units.length },
+        }
     }
 }
 
@@ -187,6 +198,15 @@ impl InUnits for OneParameter {
             bifurcation.impact_velocity *= units.velocity();
         }
         own.attractor.iter_mut().for_each(|visit| visit.x *= length);
+        for reading in &mut own.readings {
+            reading.impact_velocity *= units.velocity();
+            reading.peak_to_peak *= length;
+        }
+        for reading in &mut own.motion {
+            reading.x *= length;
+            reading.impact_velocity *= units.velocity();
+            reading.peak_to_peak *= length;
+        }
         for point in &mut own.portraits {
             point.time *= time;
             point.x *= length;

@@ -9,8 +9,9 @@ use grazing_drawing::{
     DrawingError, Heading, Look, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
 };
 use grazing_reproduction::unfolded::{AlongGrazing, AtResonances, Unfolded};
-use grazing_results::branches::OneParameter;
-use grazing_results::plane::{Magnifications, PlaneDiagram};
+use grazing_results::branches::{OneParameter, Readings};
+use grazing_results::plane::{Magnifications, OwnCurves, PlaneDiagram};
+use grazing_results::readings::{Ordinate, Sweep};
 use grazing_results::{Names, Tables, brief, columns};
 
 use super::latex::Caption;
@@ -35,10 +36,15 @@ impl AnalysedOscillator {
         Self { file: file.to_owned(), description: description.clone(), unfolded, diagram }
     }
 
-    /// What there is to write: files that ask for no one-parameter diagram have no tables of them.
-    pub(crate) fn outputs(&self) -> &'static [Output<Self>] {
-        let (_, without_diagrams) = ALL.split_last().unwrap_or((&ALL[0], &[]));
-        if self.unfolded.diagrams.is_empty() { without_diagrams } else { ALL }
+    /// What there is to write: files that ask for no one-parameter diagram have no tables of them,
+    /// nor of own curves.
+    pub(crate) fn outputs(&self) -> impl Iterator<Item = &'static Output<Self>> {
+        let missing = [
+            self.unfolded.diagrams.is_empty().then_some(DIAGRAMS),
+            self.unfolded.diagrams.iter().all(|diagram| diagram.readings.is_empty()).then_some(READINGS),
+            self.unfolded.diagram.asked.is_empty().then_some(OWN),
+        ];
+        ALL.iter().filter(move |output| !missing.contains(&Some(output.name)))
     }
 
     /// All that there is to write.
@@ -46,7 +52,7 @@ impl AnalysedOscillator {
     /// # Errors
     /// Something cannot be drawn.
     pub(crate) fn computed(&self, width: SheetWidth) -> Result<ComputedOutput, Failure> {
-        let outputs = self.outputs().iter().map(|output| output.compute(self, width));
+        let outputs = self.outputs().map(|output| output.compute(self, width));
         Ok(ComputedOutput::joined(outputs.collect::<Result<Vec<_>, _>>()?))
     }
 
@@ -58,6 +64,11 @@ impl AnalysedOscillator {
 /// The file of the magnifications, if all find room on one sheet.
 const MAGNIFICATIONS: &str = "magnifications.svg";
 
+/// The names of outputs that not every file asks for.
+const OWN: &str = "own-curves";
+const DIAGRAMS: &str = "diagrams";
+const READINGS: &str = "readings";
+
 /// All outputs: their tables in the order of the page that explains these, and one-parameter
 /// diagrams last.
 pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
@@ -65,6 +76,10 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
         Ok(ComputedOutput::new(Vec::new(), of.unfolded.along_grazing().tables(of.names())))
     }),
     TWO_PARAMETERS,
+    Output::new(OWN, "own curves", OwnCurves::TABLES, |_, of, _| {
+        let own = OwnCurves { own: of.diagram.own.clone() };
+        Ok(ComputedOutput::new(Vec::new(), own.tables(of.names())))
+    }),
     Output {
         printed: Some(COEFFICIENT_COLUMNS),
         ..Output::new("resonances", "resonances", AtResonances::TABLES, |_, of: &AnalysedOscillator, _| {
@@ -86,7 +101,18 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
             magnifications,
         )
     },
-    Output::new("diagrams", "one-parameter bifurcation diagram", OneParameter::TABLES, one_parameter),
+    Output::new(READINGS, "what is read off one-parameter diagrams", Readings::TABLES, |_, of, _| {
+        let readings =
+            |of: &OneParameter| Readings { readings: of.readings.clone(), motion: of.motion.clone() };
+        let all = of.unfolded.diagrams.iter().map(readings);
+        let all = all.reduce(|mut all, mut one| {
+            all.readings.append(&mut one.readings);
+            all.motion.append(&mut one.motion);
+            all
+        });
+        Ok(ComputedOutput::new(Vec::new(), all.map_or(Vec::new(), |all| all.tables(of.names()))))
+    }),
+    Output::new(DIAGRAMS, "one-parameter bifurcation diagram", OneParameter::TABLES, one_parameter),
 ];
 
 /// The two-parameter diagram.
@@ -191,16 +217,29 @@ fn one_parameter(
         let shown = format!("{}, {}", output.title, of_one_parameter(of.names().shown(), diagram));
         let title = format!("{}: {shown}", of.description.name());
         let [across, _] = diagram.exchanged(of.names().titles());
+        let up = match diagram.ordinate {
+            Ordinate::X => "x-value of the return map",
+            other => other.name(),
+        };
+        let sweeps = match diagram.swept(Sweep::Up).next() {
+            Some(_) => "; heads of arrows up and down: motion as the parameter goes up and down",
+            None => "",
+        };
         let description = format!(
-            "Below: {across} across, x-value of the return map up; thick curves are stable, thin ones unstable; dots are \
-             long-term forward orbits. Above: phase portraits with the wall."
+            "Below: {across} across, {up} up; thick curves are stable, thin ones unstable; dots are long-term forward \
+             orbits{sweeps}. Above: phase portraits with the wall."
         );
         let heading = Heading {
             name: "diagram",
             title: &title,
             description: &description,
             names: of.names(),
-            tables: &["diagram_bifurcations", "diagram_branches", "diagram_attractor", "diagram_portraits"],
+            tables: match diagram.ordinate {
+                Ordinate::X => {
+                    &["diagram_bifurcations", "diagram_branches", "diagram_attractor", "diagram_portraits"]
+                }
+                _ => &["diagram_readings", "diagram_portraits"],
+            },
         };
         let sheet = draw_one_parameter(diagram, &heading, true, width)?;
         let file = one_parameter_file(diagram.diagram);

@@ -6,6 +6,7 @@ mod window;
 use std::path::Path;
 
 use grazing_continuation::bifurcation::Bifurcation;
+use grazing_continuation::mps::PeriodicSolution;
 use grazing_description::{Axis, Description};
 use grazing_model::smooth::Units;
 use grazing_reproduction::unfolded::{AtResonance, CurveFinding, curves};
@@ -14,6 +15,7 @@ use grazing_results::brief;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::resonances;
 use grazing_unfold::sides::Simulated;
+use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::Verdict;
 
 use super::analysis::Analysis;
@@ -79,6 +81,7 @@ pub(super) fn results(description: &Description, unfolded: &Analysis) -> String 
     text.push_str(&missing(description, &unfolded.axes.units, &unfolded.diagram));
     text.push_str(&unfinished(description, &unfolded.axes.units, &unfolded.diagram));
     text.push_str(&corners(description, unfolded));
+    text.push_str(&own_curves(description, unfolded));
     text.push_str(&odd_ends(description, unfolded));
     text.push_str(&undecided(description, unfolded));
     text.push_str(&thin(description, unfolded));
@@ -275,6 +278,50 @@ fn corners(description: &Description, unfolded: &Analysis) -> String {
     let (primary, secondary) = (description.primary().name(), description.secondary().name());
     let table = aligned(&["kind", "p", "n", secondary, primary, "impact velocity"], rows);
     format!("\nCodimension-two points on these curves\n{table}")
+}
+
+/// The curves that the file asks for, each with how far it goes, or that there is none.
+fn own_curves(description: &Description, unfolded: &Analysis) -> String {
+    let (units, diagram) = (&unfolded.axes.units, &unfolded.diagram);
+    let names = [description.primary().name(), description.secondary().name()];
+    let levels = diagram.asked.iter().enumerate();
+    let each =
+        levels.flat_map(|(number, level)| level.loops.iter().map(move |&loops| (number, level, loops)));
+    let entries = each.map(|(number, level, loops)| {
+        let own = diagram.levels.curves.iter().filter(|found| found.level == number && found.loops == loops);
+        let points = own.clone().flat_map(|found| &found.curve.points).map(|point| &point.solution);
+        let extent = |shown: &dyn Fn(&PeriodicSolution) -> bool| {
+            let places = points.clone().filter(|solution| shown(solution));
+            let places: Vec<[f64; 2]> =
+                places.map(|solution| units.parameters(solution.parameters())).collect();
+            let along = |axis: usize| {
+                let values = places.iter().map(|place| place[axis]);
+                range([
+                    values.clone().fold(f64::INFINITY, f64::min),
+                    values.fold(f64::NEG_INFINITY, f64::max),
+                ])
+            };
+            (!places.is_empty())
+                .then(|| format!("{} from {}, {} from {}", names[1], along(1), names[0], along(0)))
+        };
+        let stable = extent(&PeriodicSolution::attracts)
+            .map_or("stable nowhere".to_owned(), |extent| format!("stable for {extent}"));
+        let content = match extent(&PeriodicSolution::admissible) {
+            None => "nowhere in the ranges".to_owned(),
+            Some(extent) => format!("{extent}; {stable}"),
+        };
+        (format!("  {}, p = {loops}  ", level.name), format!("{}: {content}", level.property.in_units(units)))
+    });
+    let entries: Vec<_> = entries.collect();
+    let lost = diagram.levels.lost.iter().map(|lost| {
+        let name = &diagram.asked[lost.level].name;
+        let at = place(description, units.parameters(lost.near));
+        (
+            format!("  {name}, p = {}  ", lost.loops),
+            format!("it must pass {at} and was not located there: {}", lost.reason),
+        )
+    });
+    headed("Own curves", entries.into_iter().chain(lost))
 }
 
 /// A one-parameter diagram: the bifurcations on it, and what simulation leaves out.

@@ -37,7 +37,7 @@ pub(super) fn vanishing(event: Condition, stability: &Stability) -> Option<f64> 
     match event {
         Condition::SADDLE_NODE => Some(stability.saddle_node),
         Condition::PERIOD_DOUBLING => Some(stability.period_doubling),
-        Condition::UnitProduct => Some(stability.torus),
+        Condition::TORUS => Some(stability.torus),
         Condition::SymmetryBreaking => stability.pitchfork,
         _ => None,
     }
@@ -112,12 +112,11 @@ impl<O: ImpactOscillator> Step<'_, O> {
             let found = self.event(condition, beyond);
             match found.or_else(|failure| self.event_closer(event, past[event]).ok_or(failure)) {
                 // Of real multipliers a product of 1 is nothing.
-                Ok((solution, _))
-                    if condition == Condition::UnitProduct && !solution.multipliers.complex() => {}
+                Ok((solution, _)) if condition == Condition::TORUS && !solution.multipliers.complex() => {}
                 Ok((solution, times)) => located.push(Event { condition, solution, index, times }),
                 // Where branches cross for the sake of a symmetry, or rest touches the wall, motion
                 // without impacts goes on.
-                Err(_) if !self.followed.equations.has_impacts() || condition == Condition::UnitProduct => {}
+                Err(_) if !self.followed.equations.has_impacts() || condition == Condition::TORUS => {}
                 Err(failure) => return Err(CurveEnd::EventNotLocated { condition, failure }),
             }
         }

@@ -48,14 +48,14 @@ impl LoopPair {
         longest.try_normalize(0.0)
     }
 
-    /// det(D round trip) − det(D impact) and its gradient in the unknowns.
+    /// det(D round trip) − d det(D impact) and its gradient in the unknowns.
     ///
-    /// Zero when the product of the multipliers is 1; smooth through y = 0, as
+    /// Zero when the product of the multipliers is d; smooth through y = 0, as
     /// [`characteristic`](Self::characteristic) is, and of the same order there.
-    pub fn product_less_one(&self) -> (f64, Vector4<f64>) {
+    pub fn product_less(&self, product: f64) -> (f64, Vector4<f64>) {
         let [round_trip, impact] = [&self.round_trip, &self.impact]
             .map(|jet| determinant(&jet.derivative(), |i, j, k| jet.hessians[i][(j, k)]));
-        (round_trip.0 - impact.0, round_trip.1 - impact.1)
+        (round_trip.0 - product * impact.0, round_trip.1 - impact.1 * product)
     }
 
     /// What the maps say of stability.

@@ -137,7 +137,7 @@ fn characteristic_is_the_characteristic_polynomial_times_a_factor_without_zeros(
             let expected = 1.0 - sign * other.trace + other.determinant;
             assert_within(pair.characteristic(sign).0 / factor, expected, noise(&other));
         }
-        assert_within(pair.product_less_one().0 / factor, other.determinant - 1.0, noise(&other));
+        assert_within(pair.product_less(1.0).0 / factor, other.determinant - 1.0, noise(&other));
     }
 }
 
@@ -153,10 +153,11 @@ fn gradients_of_what_vanishes_at_bifurcations_agree_with_differences() {
             // The times holds the plane of constant phase while the phase is varied.
             let mut times = times.clone();
             let pair = equations.pair::<2>(point, &mut times).unwrap();
-            let functions: [Vanishing; 3] = [
+            let functions: [Vanishing; 4] = [
                 |pair| pair.characteristic(1.0),
                 |pair| pair.characteristic(-1.0),
-                LoopPair::product_less_one,
+                |pair| pair.product_less(1.0),
+                |pair| pair.product_less(0.3),
             ];
             for function in functions {
                 let (_, gradient) = function(&pair);

@@ -16,6 +16,7 @@ use crate::ink::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, THIN_SECTI
 use crate::plot::axes::{Heading, Panel, overhang, room_beside};
 use crate::plot::kinds::{Area, Trace, TraceOf, draw_curves, draw_ends, draw_points};
 use crate::plot::magnified::{OFF_TRIANGLE, letter, rectangle};
+use crate::plot::own::{draw_own, name_own};
 
 /// Width in the paper.
 const WIDTH_MM: f64 = 120.0;
@@ -74,6 +75,7 @@ pub fn draw_diagram(
         }
     }
     let drawn = draw_curves(&panel, &mut labels, shown_curves(&diagram.curves));
+    let own = draw_own(&panel, &mut labels, &diagram.own);
     let mut sections = Vec::new();
     for section in diagram.sections.iter().filter(|_| look.sections) {
         let pen = if section.thin { THIN_SECTION } else { SECTION };
@@ -126,6 +128,7 @@ pub fn draw_diagram(
         labels.add(&format!("$p={p}$"), SMALL_LABEL_SIZE, BLACK, &Site::Around(*spot, OFF_TRIANGLE))?;
     }
     if look.curves_named {
+        name_own(&mut labels, &own)?;
         labels.name_curves(drawn, LABELLED_LENGTH, &names.grazing_title())?;
     }
     labels.draw()?;

@@ -2,7 +2,8 @@
 //! a magnification.
 
 use grazing_results::branches::OneParameter;
-use grazing_results::{Frame, Names};
+use grazing_results::readings::Ordinate;
+use grazing_results::{Frame, Names, raised};
 
 use crate::error::DrawingError;
 use crate::geometry::clip::checked;
@@ -55,7 +56,8 @@ fn plain(value: f64) -> String {
 
 /// Draws a one-parameter diagram and its portraits, of whose tables those of the heading are
 /// bifurcations, branches, attractor and portraits; the title of its axis says where the other
-/// parameter is held, if it is to.
+/// parameter is held, if it is to. Where another ordinate than x is asked for, the tables are that of
+/// readings and that of portraits.
 ///
 /// # Errors
 /// [`DrawingError`] if a frame is empty.
@@ -65,19 +67,30 @@ pub fn draw_one_parameter(
     says_where: bool,
     width: SheetWidth,
 ) -> Result<Sheet, DrawingError> {
-    let (names, (tables, portrait_tables)) = (heading.names, heading.tables.split_at(3));
+    let figure = &figure.seen();
+    let (names, (tables, portrait_tables)) =
+        (heading.names, heading.tables.split_at(heading.tables.len().saturating_sub(1)));
     let frame = checked(figure.frame, "a one-parameter diagram")?;
     let magnified = figure.magnified.map(|part| checked(part, "its magnification")).transpose()?;
     let portraits = portraits(figure);
     let ([across, held], [axis, _]) = (figure.exchanged(names.shown()), figure.exchanged(names.titles()));
     let [_, unit] = figure.exchanged(names.parameter_units()).map(Option::unwrap_or_default);
     let [column, _] = figure.exchanged([&names.primary, &names.secondary]);
-    let own = Names::new(column, "x");
+    let (header, unit_of_ordinate) = figure.ordinate.column();
+    let own = Names::new(column, header);
     let x = if figure.from_the_wall { "$x$ from the wall" } else { "$x$" };
     let motion = [x, "$y$"].into_iter().zip(names.motion_units());
     let motion = motion.map(|(name, unit)| unit.map_or(name.to_owned(), |unit| format!("{name} ({unit})")));
     let titles: Vec<String> = motion.collect();
     let (x, y) = (titles[0].as_str(), titles[1].as_str());
+    let up = match figure.ordinate {
+        Ordinate::X => x.to_owned(),
+        // The unit of mass has no name.
+        other if names.have_units() && !unit_of_ordinate.contains("mass") => {
+            format!("{} ({})", other.name(), raised(&names.unit(unit_of_ordinate)))
+        }
+        other => other.name().to_owned(),
+    };
 
     let width = width.mm(WIDTH_MM);
     let narrow = width < WIDE_MM;
@@ -101,7 +114,7 @@ pub fn draw_one_parameter(
         names: Some(&own),
         ..Panel::new(&canvas, frame, bounds)
     };
-    let panels: Vec<Panel<'_>> = bounds(&canvas, frame, magnified, [top, portraits_end], x)?
+    let panels: Vec<Panel<'_>> = bounds(&canvas, frame, magnified, [top, portraits_end], &up)?
         .into_iter()
         .map(|(frame, bounds)| panel(frame, bounds))
         .collect();
@@ -128,7 +141,7 @@ pub fn draw_one_parameter(
         }
         diagram(panel, labels, figure, grazing, last)?;
         let beside = number > 0 && !narrow;
-        panel.axes(if says_where { &place } else { &axis }, if beside { "" } else { x })?;
+        panel.axes(if says_where { &place } else { &axis }, if beside { "" } else { &up })?;
     }
     canvas.finish(heading.name, heading.title, heading.description)
 }

@@ -110,6 +110,15 @@ pub(crate) const MPS_AREA: Paint = Paint::of_region(RegionKind::Mps);
 pub(crate) const UNDECIDED: Pen = Pen::solid(Paint::of_region(RegionKind::Undecided).colour, 0.45);
 pub(crate) const HATCHING: f64 = 3.6;
 
+/// The curves of a name that the file asks for where solutions are stable, and where they are not;
+/// names come again in the order of the file.
+pub(crate) fn own_pens(number: usize) -> [Pen; 2] {
+    const DASHES: [&[f64]; 4] = [&[], &[7.0, 1.5], &[7.0, 1.2, 1.2, 1.2, 1.2, 1.2], &[3.0, 1.2]];
+    kinds::OWN_WIDTHS.map(|width| Pen::dashed(kinds::OWN[0], width, DASHES[number % DASHES.len()]))
+}
+/// Their labels: darker, to be readable.
+pub(crate) const OWN_TEXT: Colour = [112, 62, 160];
+
 /// Rectangles that another figure magnifies.
 pub(crate) const MAGNIFIED: Pen = Pen::solid(ORANGE, 1.0);
 /// Labels of those rectangles: darker than the rectangle, to be readable.
@@ -145,6 +154,11 @@ pub(crate) const CLOUD: [Paint; 3] = [
 const CLOUD_COLOUR: Colour = [45, 70, 105];
 /// Side of a bin of the attractor, in points.
 pub(crate) const CLOUD_BIN: f64 = 0.36;
+
+/// What motion comes to as the parameter goes up, and down: heads of arrows, so large.
+pub(crate) const SWEEP_UP: Pen = Pen::solid(BLACK, 0.4);
+pub(crate) const SWEEP_DOWN: Pen = Pen::solid(GREY, 0.4);
+pub(crate) const SWEEP_SIZE: f64 = 1.6;
 
 pub(crate) const PERIODIC_ORBIT: Pen = Pen::solid(BLACK, 0.9);
 pub(crate) const ATTRACTOR_ORBIT: Pen = Pen::solid([70, 95, 130], 0.25);

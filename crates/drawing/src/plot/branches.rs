@@ -5,14 +5,15 @@ use core::cmp::Reverse;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::Names;
 use grazing_results::branches::{BranchPoint, OneParameter};
+use grazing_results::readings::Sweep;
 
 use crate::error::DrawingError;
 use crate::geometry::sheet::{Bounds, Spot, length, near};
 use crate::ink::labels::{Labels, Site};
 use crate::ink::legend::Sample;
 use crate::ink::style::{
-    CLOUD, LABEL_SIZE, POINT_RADIUS, POINT_RIM, Paint, SMALL_LABEL_SIZE, STABLE_WIDTH, THRESHOLD,
-    UNSTABLE_WIDTH, branch_pen,
+    CLOUD, LABEL_SIZE, POINT_RADIUS, POINT_RIM, Paint, SMALL_LABEL_SIZE, STABLE_WIDTH, SWEEP_DOWN,
+    SWEEP_SIZE, SWEEP_UP, THRESHOLD, UNSTABLE_WIDTH, branch_pen,
 };
 use crate::plot::axes::Panel;
 use crate::plot::cloud::{LONG_TIME, draw_cloud};
@@ -33,6 +34,14 @@ pub(crate) fn diagram(
     let cloud: Vec<(f64, f64)> =
         figure.attractor.iter().map(|point| (figure.across(point), point.x)).collect();
     draw_cloud(panel, &cloud);
+    for (sweep, pen, reach) in [(Sweep::Up, SWEEP_UP, -SWEEP_SIZE), (Sweep::Down, SWEEP_DOWN, SWEEP_SIZE)] {
+        for point in figure.swept(sweep).filter(|point| panel.frame.contains(*point)) {
+            let (x, y) = panel.spot(point);
+            // An arrow's head that points up or down.
+            panel.canvas.line(&[(x - SWEEP_SIZE, y), (x, y + reach), (x + SWEEP_SIZE, y)], pen);
+            panel.canvas.explain(&format!("as the parameter goes {}", sweep.name()), Sample::Line(pen));
+        }
+    }
     let mut longest: Vec<(u32, Vec<Spot>)> = Vec::new();
     let mut pieces = Vec::new();
     let strands = figure.branches.chunk_by(|a, b| (a.loops, a.branch) == (b.loops, b.branch));

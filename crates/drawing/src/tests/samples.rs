@@ -2,6 +2,7 @@
 
 use grazing_results::Frame;
 use grazing_results::branches::OneParameter;
+use grazing_results::readings::Ordinate;
 
 use crate::ink::style::SheetWidth;
 
@@ -21,6 +22,9 @@ pub(crate) fn empty(frame: Frame) -> OneParameter {
         bifurcations: Vec::new(),
         attractor: Vec::new(),
         portraits: Vec::new(),
+        ordinate: Ordinate::X,
+        readings: Vec::new(),
+        motion: Vec::new(),
         resting: None,
         broken: Vec::new(),
         notes: Vec::new(),

@@ -79,8 +79,9 @@ mod tests {
         let scope = Scope { window, loops: vec![2, 3], start: None };
         let kept = Mutex::new(Vec::new());
         let keep = |finished: &Table| kept.lock().expect("nobody panics").push(finished.clone());
-        let unfolded = Unfolded::compute(&oscillator, &scope, Axes::of_the_paper(), &Silent, &keep)
-            .expect("there is grazing in the window");
+        let unfolded =
+            Unfolded::compute(&oscillator, (&scope, Vec::new()), Axes::of_the_paper(), &Silent, &keep)
+                .expect("there is grazing in the window");
         let tables = kept.into_inner().expect("nobody panicked");
         assert!(tables.iter().all(|table| table.name == "curves"));
         assert_eq!(tables.len(), unfolded.resonances.len(), "one table a resonance");

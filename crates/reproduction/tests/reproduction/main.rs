@@ -2,5 +2,6 @@
 
 mod cells;
 mod parameters;
+mod readings;
 mod study;
 mod units;

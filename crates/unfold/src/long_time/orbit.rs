@@ -194,6 +194,13 @@ impl LongOrbit {
         Some(state_at(oscillator, flight, (-flight.start).max(0.0)))
     }
 
+    /// A state of what it has come to, from which it can be followed elsewhere; none if it has come
+    /// to rest or cannot be followed.
+    pub fn state(&self, oscillator: &AnyOscillator) -> Option<State> {
+        self.end?;
+        self.at_phase_zero(oscillator).or(self.flights.last().map(|flight| flight.from))
+    }
+
     /// The state of motion without impacts when it has last passed phase zero.
     pub fn at_phase_zero(&self, oscillator: &AnyOscillator) -> Option<State> {
         let flight = self.free_flight()?;

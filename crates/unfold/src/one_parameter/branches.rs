@@ -86,16 +86,7 @@ impl Branch {
         let places = vertices(&self.curve);
         let visits = self.visits(&places);
         let loops = self.equations.loops();
-        // With a multiplier on the unit circle a solution is taken for what it is beyond the
-        // bifurcation.
-        let critical =
-            |event: &Event| matches!(event.condition, Condition::Multiplier(_) | Condition::UnitProduct);
-        let own = |k: usize| match places[k].event {
-            Some(event) if critical(event) => None,
-            _ => Some(places[k].solution.stable()),
-        };
-        let stable: Vec<bool> =
-            (0..places.len()).map(|k| (k..places.len()).find_map(own).unwrap_or(false)).collect();
+        let stable = self.stable(&places);
         let mut strands = Vec::new();
         let turn = if self.equations.has_impacts() { LARGEST_TURN } else { f64::INFINITY };
         for visit in 0..loops.max(1) {
@@ -122,7 +113,7 @@ impl Branch {
                     visit: visit + 1,
                     impact_velocity: velocity,
                     impact_phase: centred(phase),
-                    stable: (!at.solution.has_impacts() || velocity > 0.0) && stable[k],
+                    stable: stable[k],
                     admissible: at.solution.ceiling() <= PeriodicSolution::TOUCH,
                     branch: 0,
                 });
@@ -144,6 +135,20 @@ impl Branch {
         });
         let bifurcations = bifurcations.collect();
         (strands, bifurcations)
+    }
+
+    /// Whether the solutions are stable; at y = 0 they are not.
+    pub(super) fn stable(&self, places: &[Vertex<'_>]) -> Vec<bool> {
+        // With a multiplier on the unit circle a solution is taken for what it is beyond the
+        // bifurcation.
+        let critical = |event: &Event| matches!(event.condition, Condition::Multiplier(_) | Condition::TORUS);
+        let own = |k: usize| match places[k].event {
+            Some(event) if critical(event) => None,
+            _ => Some(places[k].solution.stable()),
+        };
+        let hits = |at: &Vertex<'_>| !at.solution.has_impacts() || at.solution.impact_velocity() > 0.0;
+        let stable = |k: usize| hits(&places[k]) && (k..places.len()).find_map(own).unwrap_or(false);
+        (0..places.len()).map(stable).collect()
     }
 
     /// The ranges of μ in which the MPSs are stable and admissible.
@@ -187,9 +192,13 @@ impl Branch {
 }
 
 /// The parts of a strand in a range of μ, each with the points next to it outside.
-pub(super) fn within(strand: &[BranchPoint], [low, high]: [f64; 2]) -> Vec<Strand> {
+pub(super) fn within<T: Clone>(
+    strand: &[T],
+    primary: impl Fn(&T) -> f64,
+    [low, high]: [f64; 2],
+) -> Vec<Vec<T>> {
     let near = |k: usize| {
-        let inside = |point: &BranchPoint| low <= point.primary && point.primary <= high;
+        let inside = |point: &T| (low..=high).contains(&primary(point));
         let [first, last] = [k.saturating_sub(1), (k + 1).min(strand.len() - 1)];
         strand[first..=last].iter().any(inside)
     };

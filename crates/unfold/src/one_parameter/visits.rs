@@ -5,9 +5,11 @@ use grazing_model::maps::{next_visit, virtual_map};
 use grazing_model::motion::Motion;
 use grazing_model::orbit::{Flight, FlightEnd};
 use grazing_model::{AnyMotion, AnyOscillator, AtRest, ImpactOscillator, OnWall, State};
+use grazing_results::readings::{MotionReading, Sweep};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
+use super::readings::readings_of;
 use crate::long_time::{Horizon, LONGEST_TRANSIENT, LongOrbit, random_start};
 use crate::progress::Progress;
 
@@ -29,6 +31,8 @@ pub struct Sampling {
     pub lowest: Option<f64>,
     /// The seed of the random states.
     pub seed: u64,
+    /// More than x is read off motion.
+    pub readings: bool,
 }
 
 /// Motion without impacts has settled when what it began with is this small a part of what it was:
@@ -39,6 +43,11 @@ const SETTLED: f64 = 1e-5;
 const LONG_TIME: &str = "long-time behaviour";
 
 impl Sampling {
+    /// For how long an orbit is followed.
+    pub(super) const fn horizon(&self) -> Horizon {
+        Horizon::drifting(self.transient, self.recorded)
+    }
+
     /// The same with a transient in which motion beside orbits without impacts settles, of whose
     /// multipliers these are the products δ.
     ///
@@ -52,23 +61,26 @@ impl Sampling {
     }
 }
 
-/// x on Π at the visits of an orbit from a random state after its transient; none if it has come to
-/// rest at the wall by then.
-fn long_time_visits(
-    oscillator: &AnyOscillator,
-    sampling: &Sampling,
-    lowest: f64,
-    random: &mut Pcg64,
-) -> Vec<f64> {
-    let (transient, counted) = (sampling.transient, sampling.recorded);
-    let horizon = Horizon::drifting(transient, counted);
-    let orbit = LongOrbit::follow(oscillator, random_start(lowest, random), horizon);
+/// x on Π at the visits of an orbit after its transient; none if it has come to rest at the wall by
+/// then.
+fn long_time_visits(oscillator: &AnyOscillator, orbit: &LongOrbit, counted: u32) -> Vec<f64> {
     if let Some(state) = orbit.free_state(oscillator) {
         return highest_points(oscillator, state, counted);
     }
     let mut visits = Vec::new();
     orbit.flights.iter().for_each(|flight| visits_of(oscillator, flight, &mut visits));
     visits
+}
+
+/// What random states come to.
+#[derive(Default)]
+pub(super) struct Sampled {
+    /// (μ, x) at the visits.
+    pub(super) visits: Vec<[f64; 2]>,
+    /// What else is read off, if that is asked for.
+    pub(super) readings: Vec<MotionReading>,
+    /// How many orbits left no visit, and how many there are.
+    pub(super) resting: [u32; 2],
 }
 
 /// The highest point of every forcing period of motion that does not reach the wall.
@@ -85,37 +97,44 @@ fn highest_points(oscillator: &AnyOscillator, from: State, periods: u32) -> Vec<
     core::iter::once(first).chain(points).map(|maximum| maximum.position).collect()
 }
 
-/// (μ, x) at the visits of settled orbits over a range of μ; and how many of them left no visit,
-/// and how many there are.
+/// What settled orbits show over a range of μ.
 pub(super) fn long_time_behaviour(
     oscillator: &AnyOscillator,
     secondary: f64,
     [low, high]: [f64; 2],
     (sampling, lowest): (&Sampling, f64),
     progress: &dyn Progress,
-) -> (Vec<[f64; 2]>, [u32; 2]) {
+) -> Sampled {
     let sample = |k: u32| {
         let primary = low + (high - low) * f64::from(k) / f64::from(sampling.values - 1);
         let oscillator = oscillator.with_parameters([primary, secondary]);
         let mut random = Pcg64::new(u128::from(sampling.seed), u128::from(k));
-        let (mut visits, mut resting) = (Vec::new(), 0);
-        for _ in 0..sampling.orbits {
+        let mut sampled = Sampled::default();
+        for number in 0..sampling.orbits {
             if progress.stopped() {
                 break;
             }
-            let found = long_time_visits(&oscillator, sampling, lowest, &mut random);
-            resting += u32::from(found.is_empty());
-            visits.extend(found.into_iter().map(|x| [primary, x]));
+            let orbit = LongOrbit::follow(&oscillator, random_start(lowest, &mut random), sampling.horizon());
+            let found = long_time_visits(&oscillator, &orbit, sampling.recorded);
+            sampled.resting[0] += u32::from(found.is_empty());
+            sampled.visits.extend(found.into_iter().filter(|x| x.is_finite()).map(|x| [primary, x]));
+            if sampling.readings {
+                sampled.readings.extend(readings_of(&oscillator, &orbit, (Sweep::Random, number)));
+            }
         }
         progress.step(LONG_TIME);
-        (visits, resting)
+        sampled
     };
     let samples: Vec<_> = progress.during(LONG_TIME, sampling.values.into(), || {
         (0..sampling.values).into_par_iter().map(sample).collect()
     });
-    let resting = samples.iter().map(|(_, resting)| resting).sum();
-    let visits = samples.into_iter().flat_map(|(visits, _)| visits);
-    (visits.filter(|visit| visit[1].is_finite()).collect(), [resting, sampling.values * sampling.orbits])
+    let mut all = Sampled { resting: [0, sampling.values * sampling.orbits], ..Sampled::default() };
+    for Sampled { visits, readings, resting } in samples {
+        all.visits.extend(visits);
+        all.readings.extend(readings);
+        all.resting[0] += resting[0];
+    }
+    all
 }
 
 /// The x-values at which a flight meets Π: the iterates of P_global from the virtual point of its
@@ -150,8 +169,16 @@ mod tests {
     #[test]
     fn a_transient_is_as_long_as_weak_damping_needs_and_no_longer() {
         let (between, lowest) = (None, None);
-        let sampling =
-            Sampling { values: 2, between, orbits: 1, transient: 150, recorded: 1, lowest, seed: 1 };
+        let sampling = Sampling {
+            values: 2,
+            between,
+            orbits: 1,
+            transient: 150,
+            recorded: 1,
+            lowest,
+            seed: 1,
+            readings: false,
+        };
         let transient = |products: &[f64]| sampling.as_long_as_it_takes(products.iter().copied()).transient;
         assert_eq!((transient(&[]), transient(&[f64::NAN]), transient(&[0.5])), (150, 150, 150));
         for product in [0.9, 0.97, 0.985] {

@@ -6,6 +6,7 @@ mod cookbook;
 mod corners;
 mod examples;
 mod family;
+mod levels;
 mod one_parameter;
 mod paper;
 mod pitchforks;

@@ -2,10 +2,12 @@
 
 use std::fs;
 
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
 use grazing_description::Description;
 use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
 use grazing_results::branches::{BranchPoint, OneParameter, PortraitKind, PortraitPoint};
+use grazing_results::readings::{MotionReading, Sweep};
 use grazing_unfold::Scope;
 use grazing_unfold::one_parameter::{Cut, Line, Sampling, Subject, oriented};
 use grazing_unfold::progress::Silent;
@@ -20,7 +22,7 @@ fn frequency() -> f64 {
 
 fn sampling(values: u32) -> Sampling {
     let (between, lowest) = (None, None);
-    Sampling { values, between, orbits: 3, transient: 300, recorded: 10, lowest, seed: 1 }
+    Sampling { values, between, orbits: 3, transient: 300, recorded: 10, lowest, seed: 1, readings: false }
 }
 
 fn line(at: f64, range: [f64; 2]) -> Line {
@@ -248,5 +250,42 @@ fn motion_in_the_other_well_is_on_a_branch() {
         let here = at(&found, 0, primary);
         let there = |point: &&BranchPoint| point.stable && (point.x - x).abs() < 1e-3;
         assert!(here.iter().any(|point| there(&point)), "{primary}, {x}: {here:?}");
+    }
+}
+
+#[test]
+fn sweeps_leave_motion_without_impacts_at_grazing_and_come_back_to_it_elsewhere() {
+    let (oscillator, scope) = example("paper.toml");
+    let line = line(frequency(), [0.262, 0.342]);
+    let cut = Cut::follow(&oscillator, &scope, &[], line, &Silent).expect("nobody stops it");
+    let values = 81;
+    let step = (line.range[1] - line.range[0]) / f64::from(values - 1);
+    let found = cut.sweeps(&sampling(values), &Silent);
+    let grazing = grazing_theorems::LinearOscillator::new(0.02, 0.9)
+        .and_then(|it| it.grazing(frequency()))
+        .expect("it is in the domain");
+    let free = |sweep: Sweep| {
+        let rows = found.iter().filter(move |row| row.sweep == sweep && row.motion == "non-impacting");
+        rows.map(|row| row.primary).fold(f64::NEG_INFINITY, f64::max)
+    };
+    // Upwards it goes on to grazing.
+    let last = free(Sweep::Up);
+    assert!(last <= grazing.amplitude() && grazing.amplitude() - last <= step, "{last}");
+    // Downwards it is met again where the solution of three loops ends that motion had come to.
+    let folds = cut.diagram().bifurcations.into_iter();
+    let fold = folds.filter(|found| found.kind == Bifurcation::SaddleNode && found.loops == 3);
+    let fold = fold.map(|found| found.primary).next().expect("Figure 2 has one");
+    let down = found.iter().filter(|row| row.sweep == Sweep::Down);
+    let periodic = down.filter(|row| row.motion == "periodic").map(|row| row.primary);
+    let last = periodic.fold(f64::INFINITY, f64::min);
+    assert!(last >= fold && last - fold <= step, "{last} {fold}");
+    // Next to the fold motion takes long to leave what is left of the solution.
+    let back = free(Sweep::Down);
+    assert!(back < fold && fold - back <= 2.0 * step, "{back} {fold}");
+    let between = |row: &&MotionReading| (fold..grazing.amplitude()).contains(&row.primary);
+    for row in found.iter().filter(between) {
+        let (motion, periods) =
+            if row.sweep == Sweep::Up { ("non-impacting", 1.0) } else { ("periodic", 3.0) };
+        assert_eq!((row.motion, row.periods), (motion, periods), "{row:?}");
     }
 }

@@ -2,12 +2,13 @@
 
 use std::mem::discriminant;
 
-use grazing_continuation::curve::CurveEnd;
+use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint};
 use grazing_description::Description;
 use grazing_model::smooth::Units;
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::grazing::GrazingEnd;
+use grazing_unfold::levels::LevelCurve;
 
 use crate::unfold::analysis::Analysis;
 use crate::unfold::layout::headed;
@@ -27,15 +28,22 @@ pub(super) fn unfinished(description: &Description, units: &Units, diagram: &Dia
 
 /// Curves that end neither at the edge of the ranges nor at a point of codimension two.
 pub(super) fn odd_ends(description: &Description, unfolded: &Analysis) -> String {
-    let lines = unfolded.diagram.curves.iter().flat_map(|DiagramCurve { kind, loops, n, curve }| {
+    let lines = |of: String, curve: &Curve| {
         let ends = [curve.points.first(), curve.points.last()].into_iter().zip(curve.lost());
-        ends.filter_map(move |(point, reason)| {
-            let parameters = point?.solution.parameters();
-            let at = place(description, unfolded.axes.units.parameters(parameters));
-            Some((format!("  {} of p = {loops}, n = {n}  ", kind.name()), format!("at {at}: {}", reason?)))
-        })
+        let line = |(point, reason): (Option<&CurvePoint>, Option<String>)| {
+            let parameters = unfolded.axes.units.parameters(point?.solution.parameters());
+            Some((format!("  {of}  "), format!("at {}: {}", place(description, parameters), reason?)))
+        };
+        ends.filter_map(line).collect::<Vec<_>>()
+    };
+    let diagram = &unfolded.diagram;
+    let bifurcations = diagram.curves.iter().flat_map(|DiagramCurve { kind, loops, n, curve }| {
+        lines(format!("{} of p = {loops}, n = {n}", kind.name()), curve)
     });
-    headed("Curves that end unexpectedly", lines)
+    let own = diagram.levels.curves.iter().flat_map(|LevelCurve { level, loops, curve }| {
+        lines(format!("{} of p = {loops}", diagram.asked[*level].name), curve)
+    });
+    headed("Curves that end unexpectedly", bifurcations.chain(own))
 }
 
 /// As many undecided regions of one p and one kind of reason are listed one by one.
@@ -99,6 +107,7 @@ mod tests {
     use grazing_unfold::Scope;
     use grazing_unfold::diagram::NotUnfolded;
     use grazing_unfold::grazing::GrazingCurve;
+    use grazing_unfold::levels::Levels;
     use grazing_unfold::resonances::Unlocated;
     use grazing_unfold::unfinished::Unfinished;
 
@@ -120,6 +129,8 @@ mod tests {
             curves: Vec::new(),
             codimension_two: Vec::new(),
             regions: Vec::new(),
+            asked: Vec::new(),
+            levels: Levels::default(),
             unlocated: vec![Unlocated {
                 loops: 1,
                 near: [0.25, 0.5],

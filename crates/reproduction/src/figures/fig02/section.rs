@@ -222,5 +222,5 @@ fn sampling(written: Attractor, section: &Section<'_>, name: &str) -> Result<Sam
         return Err(section.forbid(&format!("{name}.transient"), allowed));
     }
     let between = Some([Bifurcation::Grazing, Bifurcation::PeriodDoubling]);
-    Ok(Sampling { values, between, orbits, transient, recorded, lowest: None, seed })
+    Ok(Sampling { values, between, orbits, transient, recorded, lowest: None, seed, readings: false })
 }

@@ -1,0 +1,118 @@
+//! Curves that a file asks for, in a parameter plane.
+
+use grazing_results::plane::OwnPoint;
+
+use crate::error::DrawingError;
+use crate::geometry::sheet::{Spot, length};
+use crate::ink::labels::{Labels, Site};
+use crate::ink::legend::Sample;
+use crate::ink::style::{OWN_TEXT, SMALL_LABEL_SIZE, own_pens};
+use crate::plot::axes::Panel;
+
+/// The pieces of the curves of a name and a number of loops.
+pub(crate) struct OwnCurve {
+    label: String,
+    /// Each with whether its solutions are stable.
+    pieces: Vec<(bool, Vec<Spot>)>,
+}
+
+/// Draws the curves as far as their solutions are admissible, thin where these are not stable;
+/// returns the pieces of each name and number of loops with their label, the best to write beside
+/// first: stable ones, and long ones.
+pub(crate) fn draw_own(panel: &Panel<'_>, labels: &mut Labels<'_>, rows: &[OwnPoint]) -> Vec<OwnCurve> {
+    let mut drawn: Vec<OwnCurve> = Vec::new();
+    let mut names: Vec<&str> = Vec::new();
+    for curve in rows.chunk_by(|a, b| a.arc == b.arc) {
+        let (name, loops) = (&curve[0].name, curve[0].loops);
+        let alone = rows.iter().all(|row| row.name != *name || row.loops == loops);
+        let label = if alone { name.clone() } else { format!("{name}, $p={loops}$") };
+        let number = names.iter().position(|known| known == name).unwrap_or(names.len());
+        if number == names.len() {
+            names.push(name);
+        }
+        let pens = own_pens(number);
+        // Between a bifurcation and the solutions beside it the chord is theirs.
+        let look = |pair: &[OwnPoint]| {
+            let admissible = pair.iter().all(|point| point.admissible);
+            admissible.then(|| usize::from(pair.iter().all(|point| !point.stable)))
+        };
+        let looks: Vec<Option<usize>> = curve.windows(2).map(look).collect();
+        let mut from = 0;
+        for run in looks.chunk_by(|a, b| a == b) {
+            let places = curve[from..=from + run.len()].iter().map(|point| (point.primary, point.secondary));
+            from += run.len();
+            let Some(unstable) = run[0] else { continue };
+            for piece in panel.line(&places.collect::<Vec<_>>(), pens[unstable]) {
+                panel.canvas.explain(&format!("{name}: {}", curve[0].property), Sample::Line(pens[0]));
+                labels.placer.keep_off(&piece);
+                let stable = unstable == 0;
+                match drawn.iter_mut().find(|known| known.label == label) {
+                    Some(known) => known.pieces.push((stable, piece)),
+                    None => drawn.push(OwnCurve { label: label.clone(), pieces: vec![(stable, piece)] }),
+                }
+            }
+        }
+    }
+    for OwnCurve { pieces, .. } in &mut drawn {
+        pieces.sort_by(|(a, one), (b, other)| b.cmp(a).then(length(other).total_cmp(&length(one))));
+    }
+    drawn
+}
+
+/// Writes their labels beside them where there is room, or else with a line to the first piece.
+pub(crate) fn name_own(labels: &mut Labels<'_>, drawn: &[OwnCurve]) -> Result<(), DrawingError> {
+    'labels: for OwnCurve { label, pieces } in drawn {
+        for (_, piece) in pieces {
+            if labels.add(label, SMALL_LABEL_SIZE, OWN_TEXT, &Site::Beside(piece))? {
+                continue 'labels;
+            }
+        }
+        if let Some((_, piece)) = pieces.first() {
+            labels.name_curve(label, SMALL_LABEL_SIZE, OWN_TEXT, piece)?;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::SheetWidth;
+    use crate::figures::diagram::draw_diagram;
+    use crate::tests::inspection::paths;
+    use crate::tests::sample_oscillator::sample;
+
+    #[test]
+    fn own_curves_are_drawn_where_solutions_are_admissible_and_have_their_names() {
+        let mut sample = sample(2);
+        let row = |k: u32| OwnPoint {
+            name: "hard hits".to_owned(),
+            property: "impact velocity = 0.3".to_owned(),
+            loops: 1,
+            secondary: 0.4 + 0.005 * f64::from(k),
+            primary: 0.9,
+            impact_velocity: 0.3,
+            impact_phase: 0.0,
+            trace: 0.0,
+            determinant: 0.0,
+            max_interior_x: f64::NAN,
+            stable: k < 60,
+            admissible: k < 80,
+            arc: 0,
+        };
+        sample.diagram.own = (0..100).map(row).collect();
+        let sheet = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
+        sheet.assert_well_placed(&"own curves");
+        assert!(sheet.texts().contains(&"hard hits".to_owned()), "{:?}", sheet.texts());
+        let drawn = paths(&sheet.svg(), "#a26cd8");
+        // A stable and an unstable part, which meet, and nothing beyond.
+        assert_eq!(drawn.len(), 2);
+        assert_eq!(drawn[0].last(), drawn[1].first());
+        let up = |spot: &(f64, f64)| spot.1;
+        let [low, high] = [drawn[0].first(), drawn[1].last()].map(|spot| up(spot.unwrap()));
+        let whole = 0.005 * 79.0 / (sample.diagram.frame.y[1] - sample.diagram.frame.y[0]);
+        let stable = 0.005 * 60.0 / (sample.diagram.frame.y[1] - sample.diagram.frame.y[0]);
+        let share = (low - up(drawn[0].last().unwrap())) / (low - high);
+        assert!((share - stable / whole).abs() < 0.02, "{share}");
+    }
+}

@@ -1,0 +1,376 @@
+//! Curves of the diagram on which MPSs have a property that is asked for: an impact velocity, a
+//! modulus of the multipliers, a distance from the wall at a phase of the forcing.
+//!
+//! They are followed as bifurcation curves are. Each begins where a branch of a slice or of a
+//! column, or a bifurcation curve, has the property between two of its points. They bound no
+//! regions, and go on where solutions are unstable or inadmissible.
+
+use core::f64::consts::TAU;
+use core::fmt;
+use core::mem::discriminant;
+
+use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, Route, SolutionCurve};
+use grazing_continuation::locate::{Condition, LocateFailure, locate_within};
+use grazing_continuation::mps::{EventTimes, LoopEquations, PeriodicSolution, Unknowns, parameters, unknown};
+use rayon::prelude::*;
+
+use crate::progress::Progress;
+use crate::slices::{CARRIED_OFF, Slicer};
+
+/// At slower impacts nothing is looked for (empirical: multipliers grow like 1/y towards grazing).
+const BESIDE_GRAZING: f64 = 1e-4;
+
+/// What is asked of an MPS.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Property {
+    /// The impact velocity y > 0.
+    ImpactVelocity(f64),
+    /// The larger modulus of its two multipliers: by this factor motion beside it changes in p
+    /// forcing periods. The curve consists of pieces on which one multiplier is this, or minus this,
+    /// or both are complex with the square of this as their product.
+    Modulus(f64),
+    /// The distance from the wall, in one of its p periods, where the forcing is at a phase.
+    Distance {
+        /// The phase, in radians.
+        phase: f64,
+        /// The distance, positive.
+        distance: f64,
+    },
+}
+
+/// Curves that are asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Level {
+    /// What they are called.
+    pub name: String,
+    /// Of MPSs with these numbers of loops p.
+    pub loops: Vec<u32>,
+    /// What holds along them.
+    pub property: Property,
+}
+
+/// A curve that was asked for.
+#[derive(Clone, Debug)]
+pub struct LevelCurve {
+    /// The place of the level in the list.
+    pub level: usize,
+    /// Number of loops p.
+    pub loops: u32,
+    /// The curve.
+    pub curve: Curve,
+}
+
+/// A place that a curve must pass that was not located.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LostLevel {
+    /// The place of the level in the list.
+    pub level: usize,
+    /// Number of loops p.
+    pub loops: u32,
+    /// About the parameters (μ, η).
+    pub near: [f64; 2],
+    /// Why.
+    pub reason: LocateFailure,
+}
+
+/// What was found of the curves that are asked for.
+#[derive(Clone, Debug, Default)]
+pub struct Levels {
+    /// The curves.
+    pub curves: Vec<LevelCurve>,
+    /// What is missing.
+    pub lost: Vec<LostLevel>,
+}
+
+/// Between two points of a curve it has the property.
+struct Crossing<'a> {
+    along: Condition,
+    condition: Condition,
+    near: Unknowns,
+    length: f64,
+    times: &'a EventTimes,
+}
+
+/// As `impact velocity = 0.1`.
+impl fmt::Display for Property {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ImpactVelocity(velocity) => write!(f, "impact velocity = {velocity}"),
+            Self::Modulus(modulus) => write!(f, "larger modulus of the multipliers = {modulus}"),
+            Self::Distance { phase, distance } => {
+                write!(f, "distance from the wall = {distance} at {} of the forcing period", phase / TAU)
+            }
+        }
+    }
+}
+
+impl Property {
+    /// Under these conditions solutions about this one may have the property.
+    fn conditions(self, equations: &LoopEquations, about: &PeriodicSolution) -> Vec<Condition> {
+        match self {
+            Self::ImpactVelocity(velocity) => vec![Condition::ImpactVelocity(velocity)],
+            Self::Modulus(modulus) => vec![
+                Condition::Multiplier(modulus),
+                Condition::Multiplier(-modulus),
+                Condition::Product(modulus * modulus),
+            ],
+            Self::Distance { phase, distance } => {
+                let recoil = equations.departure(&about.unknowns).phase;
+                let before = phase + TAU * libm::floor((recoil - phase) / TAU);
+                let turns = (0..=equations.loops() + 1).map(|turn| before + TAU * f64::from(turn));
+                turns.map(|phase| Condition::Position { phase, position: -distance }).collect()
+            }
+        }
+    }
+
+    /// By how much more than nothing a solution has the property that it has under a condition:
+    /// negative where another multiplier is larger, or multipliers are real.
+    fn margin(self, condition: Condition, solution: &PeriodicSolution) -> f64 {
+        let multipliers = &solution.multipliers;
+        match (self, condition) {
+            (Self::Modulus(modulus), Condition::Product(_)) => 2.0 * modulus - multipliers.trace.abs(),
+            (Self::Modulus(modulus), _) => modulus * modulus - multipliers.determinant.abs(),
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// The condition that holds as well where the margin vanishes.
+    fn corner(self, condition: Condition, solution: &PeriodicSolution) -> Option<Condition> {
+        let Self::Modulus(modulus) = self else { return None };
+        let multipliers = &solution.multipliers;
+        Some(match condition {
+            Condition::Product(_) => Condition::Multiplier(modulus.copysign(multipliers.trace)),
+            _ => Condition::Product((modulus * modulus).copysign(multipliers.determinant)),
+        })
+    }
+}
+
+/// What vanishes where a condition holds.
+fn excess(equations: &LoopEquations, condition: Condition, solution: &PeriodicSolution) -> f64 {
+    let (point, multipliers) = (&solution.unknowns, &solution.multipliers);
+    match condition {
+        Condition::ImpactVelocity(velocity) => point[unknown::VELOCITY] - velocity,
+        Condition::Multiplier(multiplier) => {
+            multiplier * (multiplier - multipliers.trace) + multipliers.determinant
+        }
+        Condition::Product(product) => multipliers.determinant - product,
+        Condition::Position { phase, position } => {
+            let recoil = equations.departure(point).phase;
+            let impact = point[unknown::PHASE] + TAU * f64::from(equations.loops());
+            // Where the flight begins and ends it is at the wall.
+            let flies = (recoil..impact).contains(&phase);
+            if flies { equations.position_at(point, phase).0 - position } else { -position }
+        }
+        _ => f64::NAN,
+    }
+}
+
+/// Both are pieces of one kind.
+fn alike(one: Condition, other: Condition) -> bool {
+    match (one, other) {
+        (Condition::Multiplier(one), Condition::Multiplier(other)) => one == other,
+        _ => discriminant(&one) == discriminant(&other),
+    }
+}
+
+/// The curves of a level among the solutions of a slicer, which the sources cross.
+pub(crate) fn find(
+    slicer: &Slicer,
+    sources: &[&Curve],
+    route: &Route<'_>,
+    (number, level): (usize, &Level),
+    progress: &dyn Progress,
+) -> Levels {
+    let (equations, property) = (&slicer.equations, level.property);
+    let crossings: Vec<Vec<Crossing<'_>>> =
+        sources.par_iter().map(|source| crossed(equations, source, property)).collect();
+    let mut found = Levels::default();
+    let loops = equations.loops();
+    for Crossing { along, condition, near, length, times } in crossings.into_iter().flatten() {
+        if progress.stopped() {
+            break;
+        }
+        if is_known(&found.curves, slicer, condition, &near) {
+            continue;
+        }
+        let mut times = times.clone();
+        match locate_within(length, equations, [condition, along], near, &mut times) {
+            Ok(start) if property.margin(condition, &equations.solution(&start)) >= 0.0 => {
+                let begun = (condition, start, times);
+                let curves = followed(slicer, route, property, begun, &found.curves);
+                found.curves.extend(curves.into_iter().map(|curve| LevelCurve {
+                    level: number,
+                    loops,
+                    curve,
+                }));
+            }
+            Ok(_) => {}
+            Err(reason) => {
+                found.lost.push(LostLevel { level: number, loops, near: parameters(&near), reason });
+            }
+        }
+    }
+    // What another crossing has led to is not missing.
+    let Levels { curves, lost } = &mut found;
+    lost.retain(|lost| !curves.iter().any(|known| passes_near(&known.curve, lost.near, slicer)));
+    found
+}
+
+/// A solution lies on a piece that is known.
+fn is_known(known: &[LevelCurve], slicer: &Slicer, condition: Condition, at: &Unknowns) -> bool {
+    let mut same = known.iter().filter(|known| alike(known.curve.condition, condition));
+    same.any(|known| slicer.passes(&known.curve, at))
+}
+
+/// The curve through a solution, and the pieces that begin where it ends, without those that are
+/// known.
+fn followed(
+    slicer: &Slicer,
+    route: &Route<'_>,
+    property: Property,
+    begun: (Condition, Unknowns, EventTimes),
+    known: &[LevelCurve],
+) -> Vec<Curve> {
+    let equations = &slicer.equations;
+    let (mut begun, mut all) = (vec![begun], Vec::<Curve>::new());
+    while let Some((condition, start, times)) = begun.pop() {
+        let mut new = all.iter().filter(|curve| alike(curve.condition, condition));
+        if new.any(|curve| slicer.passes(curve, &start)) || is_known(known, slicer, condition, &start) {
+            continue;
+        }
+        let curve = SolutionCurve { equations: equations.clone(), condition };
+        let follow = |way| curve.clone().follow_both_ways(start, way, &times, route).ok();
+        let whole = follow(Unknowns::w()).or_else(|| follow(Unknowns::z()));
+        for part in whole.into_iter().flat_map(|whole| parts(equations, property, with_events(whole))) {
+            for end in [part.beginning.as_ref(), Some(&part.end)] {
+                if let Some(CurveEnd::Event(corner)) = end {
+                    begun.push((corner.condition, corner.solution.unknowns, corner.times.clone()));
+                }
+            }
+            all.push(part);
+        }
+    }
+    all
+}
+
+/// Where a curve has a property between two of its points.
+fn crossed<'a>(equations: &LoopEquations, source: &'a Curve, property: Property) -> Vec<Crossing<'a>> {
+    let mut crossings = Vec::new();
+    for pair in source.points.windows(2) {
+        let ends =
+            [[0, 1], [1, 0]].map(|[k, other]| off_grazing(equations, source, [&pair[k], &pair[other]]));
+        let [Some(from), Some(to)] = &ends else { continue };
+        for condition in property.conditions(equations, from) {
+            let [before, after] = [from, to].map(|solution| excess(equations, condition, solution));
+            if before * after > 0.0 || !(before - after).is_normal() {
+                continue;
+            }
+            let chord = to.unknowns - from.unknowns;
+            crossings.push(Crossing {
+                along: source.condition,
+                condition,
+                near: from.unknowns + chord * (before / (before - after)),
+                length: chord.norm(),
+                times: &pair[0].times,
+            });
+        }
+    }
+    crossings
+}
+
+/// The solution at a point of a curve, or, if that has no impact velocity and so no multipliers, one
+/// close to it on the way to the next.
+fn off_grazing(
+    equations: &LoopEquations,
+    along: &Curve,
+    [at, next]: [&CurvePoint; 2],
+) -> Option<PeriodicSolution> {
+    if at.solution.impact_velocity() > 0.0 {
+        return Some(at.solution);
+    }
+    let chord = next.solution.unknowns - at.solution.unknowns;
+    let near = at.solution.unknowns + chord * (BESIDE_GRAZING / chord[unknown::VELOCITY]);
+    let conditions = [along.condition, Condition::ImpactVelocity(BESIDE_GRAZING)];
+    let beside = locate_within(chord.norm(), equations, conditions, near, &mut next.times.clone());
+    beside.ok().map(|beside| equations.solution(&beside))
+}
+
+/// The curve with what happens along it among its points.
+fn with_events(mut curve: Curve) -> Curve {
+    for Event { solution, index, times, .. } in curve.events.drain(..).rev() {
+        curve.points.insert(index.min(curve.points.len()), CurvePoint { solution, times });
+    }
+    curve
+}
+
+/// The parts of a curve on which its solutions have the property, each to where it ends.
+fn parts(equations: &LoopEquations, property: Property, whole: Curve) -> Vec<Curve> {
+    let condition = whole.condition;
+    let inside = |point: &CurvePoint| property.margin(condition, &point.solution) >= 0.0;
+    let Curve { points, end, beginning, .. } = whole;
+    let begin = |beginning| Curve {
+        condition,
+        points: Vec::new(),
+        events: Vec::new(),
+        end: CurveEnd::StepLimit,
+        beginning,
+    };
+    let mut parts: Vec<Curve> = Vec::new();
+    let mut part: Option<Curve> = None;
+    for (k, point) in points.iter().enumerate() {
+        let corner = points[..k].last().filter(|before| inside(before) != inside(point));
+        let corner =
+            corner.and_then(|before| corner_between(equations, property, condition, [before, point]));
+        if inside(point) {
+            let part = part.get_or_insert_with(|| begin(if k == 0 { beginning.clone() } else { None }));
+            if let Some((place, end)) = corner {
+                part.points.extend(place);
+                part.beginning = Some(end);
+            }
+            part.points.push(point.clone());
+        } else if let Some(mut part) = part.take() {
+            if let Some((place, end)) = corner {
+                part.points.extend(place);
+                part.end = end;
+            }
+            parts.push(part);
+        }
+    }
+    parts.extend(part.map(|part| Curve { end, ..part }));
+    parts.retain(|part| part.points.len() > 1);
+    parts
+}
+
+/// The corner between two points of a curve of which one has the property, and what happens there;
+/// none where it was not located.
+fn corner_between(
+    equations: &LoopEquations,
+    property: Property,
+    condition: Condition,
+    [before, after]: [&CurvePoint; 2],
+) -> Option<(Option<CurvePoint>, CurveEnd)> {
+    let other = property.corner(condition, &before.solution)?;
+    let [from, to] = [before, after].map(|point| property.margin(condition, &point.solution));
+    let chord = after.solution.unknowns - before.solution.unknowns;
+    let near = before.solution.unknowns + chord * (from / (from - to));
+    let mut times = before.times.clone();
+    Some(match locate_within(CARRIED_OFF, equations, [condition, other], near, &mut times) {
+        Ok(corner) => {
+            let solution = equations.solution(&corner);
+            let event = Event { condition: other, solution, index: 0, times: times.clone() };
+            (Some(CurvePoint { solution, times }), CurveEnd::Event(Box::new(event)))
+        }
+        Err(failure) => (None, CurveEnd::EventNotLocated { condition: other, failure }),
+    })
+}
+
+/// A curve passes a place as near as it can be drawn.
+fn passes_near(curve: &Curve, place: [f64; 2], slicer: &Slicer) -> bool {
+    /// In shares of the ranges.
+    const NEAR: f64 = 1e-2;
+    let [x, y] = slicer.window.shares(place);
+    curve.parameters().iter().any(|at| {
+        let [to_x, to_y] = slicer.window.shares(*at);
+        libm::hypot(to_x - x, to_y - y) < NEAR
+    })
+}

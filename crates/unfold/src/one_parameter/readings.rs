@@ -1,0 +1,187 @@
+//! What is read off solutions and simulated motion besides x on Π.
+
+use grazing_continuation::mps::{PeriodicSolution, flight_time};
+use grazing_model::maps::virtual_map;
+use grazing_model::motion::Motion;
+use grazing_model::phase::{centred, turned};
+use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
+use grazing_results::readings::{MotionReading, Reading, Sweep};
+use rayon::prelude::*;
+
+use super::branches::{Branch, within};
+use super::{Cut, Sampling};
+use crate::long_time::LongOrbit;
+use crate::progress::Progress;
+use crate::stretches::{Vertex, vertices};
+
+/// Between so many instants of a forcing period turning points are bracketed: of those that lie
+/// closer together x differs by nothing that could be read.
+const INSTANTS: f64 = 64.0;
+/// A turning point is halved down to rounding of its position.
+const HALVINGS: u32 = 30;
+
+/// The stage.
+const SWEEPS: &str = "sweeps of a one-parameter diagram";
+
+/// Lowest and highest position of a motion until a time.
+fn extent(motion: &impl Motion, until: f64, period: f64) -> [f64; 2] {
+    let steps = libm::ceil(INSTANTS * until / period).max(1.0);
+    let mut extent = [f64::INFINITY, f64::NEG_INFINITY];
+    let mut see = |position: f64| extent = [extent[0].min(position), extent[1].max(position)];
+    let mut before = motion.at(0.0);
+    see(before.position);
+    for step in 1..=steps as u32 {
+        let [mut from, mut to] = [step - 1, step].map(|k| until * f64::from(k) / steps);
+        let here = motion.at(to);
+        see(here.position);
+        if before.velocity * here.velocity < 0.0 {
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (from + to);
+                let turns = motion.at(middle).velocity * before.velocity > 0.0;
+                if turns { from = middle } else { to = middle }
+            }
+            see(motion.at(from).position);
+        }
+        before = here;
+    }
+    extent
+}
+
+impl Branch {
+    /// The difference between the highest and the lowest position of a solution, from impact to
+    /// impact or over a period.
+    fn peak_to_peak(&self, solution: &PeriodicSolution) -> f64 {
+        let oscillator = self.equations.oscillator_at(&solution.unknowns);
+        let departure = self.equations.departure(&solution.unknowns);
+        let period = oscillator.forcing_period();
+        let flight = match self.equations.has_impacts() {
+            true => {
+                let [_, phase] = self.equations.impact(solution);
+                flight_time(&oscillator, self.equations.loops(), phase, departure.phase)
+            }
+            false => period,
+        };
+        let [low, high] = extent(&oscillator.motion(departure), flight, period);
+        high - low
+    }
+
+    fn readings(&self) -> Vec<Reading> {
+        let places = vertices(&self.curve);
+        let stable = self.stable(&places);
+        let reading = |(at, stable): (&Vertex<'_>, bool)| {
+            let [primary, secondary] = at.solution.parameters();
+            let [velocity, phase] = match self.equations.has_impacts() {
+                true => self.equations.impact(at.solution),
+                false => [0.0, f64::NAN],
+            };
+            Reading {
+                diagram: 0,
+                loops: self.equations.loops(),
+                secondary,
+                primary,
+                impact_velocity: velocity,
+                impact_phase: centred(phase),
+                peak_to_peak: self.peak_to_peak(at.solution),
+                impulse: f64::NAN,
+                force: f64::NAN,
+                power: f64::NAN,
+                stable,
+                admissible: at.solution.ceiling() <= PeriodicSolution::TOUCH,
+                branch: 0,
+            }
+        };
+        places.iter().zip(stable).map(reading).collect()
+    }
+}
+
+impl Cut {
+    /// What is read off the solutions on its branches.
+    pub fn readings(&self) -> Vec<Reading> {
+        let found: Vec<Vec<Reading>> = self.branches.par_iter().map(Branch::readings).collect();
+        let strands = found.iter().flat_map(|branch| within(branch, |row| row.primary, self.line.range));
+        let mut rows = Vec::new();
+        for (number, mut strand) in (1..).zip(strands) {
+            strand.iter_mut().for_each(|row| row.branch = number);
+            rows.extend(strand);
+        }
+        self.in_place(rows)
+    }
+
+    /// What is read off motion as the parameter across goes up and down, each time from what it has
+    /// come to at the value before.
+    ///
+    /// A sweep begins at rest, a unit of length from the wall. Where motion comes to rest at the
+    /// wall, or cannot be followed, it goes on from the last state before that.
+    pub fn sweeps(&self, sampling: &Sampling, progress: &dyn Progress) -> Vec<MotionReading> {
+        let sampling = &self.long_enough(sampling);
+        let [low, high] = self.line.range;
+        let at = |k: u32| {
+            let primary = low + (high - low) * f64::from(k) / f64::from(sampling.values - 1);
+            self.oscillator.with_parameters([primary, self.line.at])
+        };
+        let sweep = |sweep: Sweep| {
+            let (mut state, mut rows) = (State::at_rest(-1.0, 0.0), Vec::new());
+            for k in 0..sampling.values {
+                if progress.stopped() {
+                    break;
+                }
+                let oscillator = at(if sweep == Sweep::Up { k } else { sampling.values - 1 - k });
+                let orbit = LongOrbit::follow(&oscillator, state, sampling.horizon());
+                state = orbit.state(&oscillator).unwrap_or(state);
+                rows.extend(readings_of(&oscillator, &orbit, (sweep, 0)));
+                progress.step(SWEEPS);
+            }
+            rows
+        };
+        let ways = [Sweep::Up, Sweep::Down];
+        let steps = u64::from(sampling.values) * ways.len() as u64;
+        let swept: Vec<_> = progress.during(SWEEPS, steps, || ways.into_par_iter().map(sweep).collect());
+        self.in_place(swept.concat())
+    }
+}
+
+/// The impacts of an orbit on its cycle, or of all that is recorded of it, or one row of motion without impacts; none of motion
+/// that has come to rest.
+pub(super) fn readings_of(
+    oscillator: &AnyOscillator,
+    orbit: &LongOrbit,
+    (sweep, number): (Sweep, u32),
+) -> Vec<MotionReading> {
+    let [primary, secondary] = oscillator.parameters();
+    let period = oscillator.forcing_period();
+    let row = |x, [velocity, phase]: [f64; 2], peak_to_peak| MotionReading {
+        diagram: 0,
+        sweep,
+        orbit: number,
+        secondary,
+        primary,
+        motion: orbit.fate.kind.name(),
+        periods: orbit.fate.periods.map_or(f64::NAN, f64::from),
+        impacts: orbit.fate.impacts,
+        x,
+        impact_velocity: velocity,
+        impact_phase: centred(phase),
+        peak_to_peak,
+        impulse: f64::NAN,
+        force: f64::NAN,
+        power: f64::NAN,
+    };
+    if let Some((from, periods)) = orbit.free_cycle(oscillator) {
+        let [low, high] = extent(&oscillator.motion(from), periods * period, period);
+        return vec![row(high, [0.0, f64::NAN], high - low)];
+    }
+    if orbit.state(oscillator).is_none() {
+        return Vec::new();
+    }
+    let extents = orbit.flights.iter().map(|flight| extent(&flight.motion, flight.duration, period));
+    let [low, high] = extents.fold([f64::INFINITY, 0.0], |all, one| [all[0].min(one[0]), all[1].max(one[1])]);
+    // Those of one cycle, if there is one.
+    let cycle =
+        orbit.fate.periods.map(|periods| libm::round(orbit.fate.impacts * f64::from(periods)) as usize);
+    let rows = orbit.impacts.iter().take(cycle.unwrap_or(usize::MAX)).map(|impact| {
+        let [velocity, phase] = [impact[0], turned(impact[1])];
+        let top = virtual_map::<_, 1>(oscillator, OnWall::new(velocity, phase), None);
+        row(top.map_or(f64::NAN, |top| top.jet.value[0]), [velocity, phase], high - low)
+    });
+    rows.collect()
+}
