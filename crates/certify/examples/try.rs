@@ -1,0 +1,26 @@
+use grazing_certify::{ball::Ball, orbit::Oscillator, row::*, search::*};
+fn main() {
+    let r = |a: i64, b: i64| Ball::from(a) * Ball::from(b).inverse();
+    let o = Oscillator::new(r(1, 50), r(9, 10)).unwrap();
+    println!("{:?} {:?}", o.omega_1, Ball::PI);
+    let goal = Goal { width: 1e-6, amplitude: 1.3, finest: std::env::var("FINEST").map_or(36, |x| x.parse().unwrap()) };
+    let a: Vec<i64> = std::env::args().skip(1).map(|x| x.parse().unwrap()).collect();
+    for p in a[0]..=a[1] {
+        let t = std::time::Instant::now();
+        let mut n = std::collections::BTreeMap::new();
+        for left in a[2]..a[3] {
+            for row in rows(&o, Interval { p, left, level: 6 }, goal) {
+                let w = libm::scalbn(1.0, -(row.interval.level as i32));
+                let e = n.entry(row.verdict.name()).or_insert((0, 0.0));
+                e.0 += 1; e.1 += w;
+                let om = o.omega_1.to_f64() / row.interval.middle().to_f64();
+                match row.verdict {
+                    Verdict::Undecided(why) => println!("undecided p {p} omega {om:.12} level {} {why}", row.interval.level),
+                    Verdict::Crossing{..} => println!("crossing p {p} omega {om:.12} level {}", row.interval.level),
+                    _ => {}
+                }
+            }
+        }
+        println!("{p} {n:?} {:?}", t.elapsed());
+    }
+}

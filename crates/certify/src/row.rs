@@ -1,0 +1,103 @@
+//! What is stated of one interval of ν, with the witnesses by which it can be checked: a row of the
+//! certificate.
+
+use crate::ball::Ball;
+
+/// Witnesses are integers in units of 2⁻⁶⁴.
+pub const WITNESS_BITS: u32 = 64;
+
+/// A polynomial in `u = ν − m`, m the middle of the interval, by its coefficients.
+pub type Witness<const N: usize> = [i128; N];
+
+/// The interval `left/2^level ≤ ν ≤ (left + 1)/2^level`, for motion with one impact in `p` periods.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Interval {
+    pub p: i64,
+    pub left: i64,
+    pub level: u32,
+}
+
+impl Interval {
+    /// Its middle.
+    pub fn middle(self) -> Ball {
+        Ball::dyadic(i128::from(2 * self.left + 1), self.level + 1)
+    }
+
+    /// Half its width.
+    pub fn half_width(self) -> Ball {
+        Ball::dyadic(1, self.level + 1)
+    }
+
+    /// All of it.
+    pub fn all(self) -> Ball {
+        self.middle() + self.half_width().size()
+    }
+
+    /// Its two halves.
+    pub fn halves(self) -> [Self; 2] {
+        [0, 1].map(|half| Self { left: 2 * self.left + half, level: self.level + 1, ..self })
+    }
+}
+
+/// Cells of time, in all of which the distance from the wall has a positive second derivative.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Block {
+    pub first: i64,
+    pub last: i64,
+    /// A time, in turns, near which the distance is least.
+    pub nearest: Witness<2>,
+}
+
+/// How it is shown that the motion with some velocity at impact stays off the wall between impacts:
+/// the time of p periods is cut into `p · cells` cells.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Clearance {
+    /// Cells in a period.
+    pub cells: i64,
+    /// In the cells before this one the distance increases.
+    pub start: i64,
+    /// From this one on it decreases.
+    pub end: i64,
+    /// In the others it is positive: by its minimum in these blocks, cell by cell elsewhere.
+    pub blocks: Vec<Block>,
+}
+
+/// What holds for every ν of an interval. `v_GZ` is the velocity up to which the motion is
+/// admissible, `v_min` that above which it is stable.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Verdict {
+    /// `lower < v_GZ < upper`, and the motion is stable at `lower`.
+    Tube { lower: Witness<3>, upper: Witness<3>, touch: Witness<2>, clearance: Clearance },
+    /// `lower < v_GZ`, the motion is stable at `lower`, and its amplitude is beyond the window.
+    Edge { lower: Witness<3>, clearance: Clearance },
+    /// `v_GZ < upper < v_min`: no motion is both.
+    Empty { upper: Witness<3>, touch: Witness<2> },
+    /// The motion is beyond the wall at whole turn `turn` whatever its velocity: `v_GZ = 0`.
+    Blocked { turn: i64 },
+    /// `v_GZ − v_min` changes its sign at most once: a codimension-two point. The one block is where
+    /// the motion touches the wall.
+    Crossing { clearance: Clearance },
+    /// Nothing is stated, for this reason.
+    Undecided(&'static str),
+}
+
+impl Verdict {
+    /// The word for it in the certificate.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Tube { .. } => "tube",
+            Self::Edge { .. } => "edge",
+            Self::Empty { .. } => "empty",
+            Self::Blocked { .. } => "blocked",
+            Self::Crossing { .. } => "crossing",
+            Self::Undecided(_) => "undecided",
+        }
+    }
+}
+
+/// An interval and what holds in it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Row {
+    pub interval: Interval,
+    pub verdict: Verdict,
+}
