@@ -9,15 +9,15 @@ fn main() {
         let t = std::time::Instant::now();
         let mut n = std::collections::BTreeMap::new();
         for left in a[2]..a[3] {
-            for row in rows(&o, Interval { p, left, level: 6 }, goal) {
+            for row in rows(&o, Interval { p, left, level: 6, base: Base::Middle }, goal) {
                 let w = libm::scalbn(1.0, -(row.interval.level as i32));
                 let e = n.entry(row.verdict.name()).or_insert((0, 0.0));
                 e.0 += 1; e.1 += w;
-                let om = o.omega_1.to_f64() / row.interval.middle().to_f64();
+                let om = o.omega_1.to_f64() / row.interval.all().to_f64();
                 match row.verdict {
                     Verdict::Undecided(why) => println!("undecided p {p} omega {om:.12} level {} {why}", row.interval.level),
                     Verdict::Crossing{..} => println!("crossing p {p} omega {om:.12} level {}", row.interval.level),
-                    _ => {}
+                    _ => if row.interval.base != Base::Middle { println!("resonance {} {om:.12} {:?}", row.verdict.name(), row.interval.base) }
                 }
             }
         }

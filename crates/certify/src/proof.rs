@@ -3,14 +3,14 @@
 
 use crate::ball::Ball;
 use crate::orbit::{Family, Motion, Oscillator};
-use crate::row::{Block, Clearance, Interval, WITNESS_BITS, Witness};
+use crate::row::{Base, Block, Clearance, Interval, WITNESS_BITS, Witness};
 use crate::series::{Number, Series, TERMS};
 
 /// The motions with one impact over an interval of ν.
 pub struct Model<'a> {
     oscillator: &'a Oscillator,
     interval: Interval,
-    at_middle: At,
+    at_origin: At,
     over_all: At,
 }
 
@@ -64,18 +64,30 @@ impl<'a> Model<'a> {
     pub fn new(oscillator: &'a Oscillator, interval: Interval) -> Self {
         let at = |nu: Ball| At {
             family: oscillator.family(interval.p, Series::variable(nu)),
-            offset: Series::variable(nu - interval.middle()),
+            offset: Series::variable(nu - interval.origin()),
         };
-        Self { oscillator, interval, at_middle: at(interval.middle()), over_all: at(interval.all()) }
+        Self { oscillator, interval, at_origin: at(interval.origin()), over_all: at(interval.all()) }
     }
 
-    /// What functions of ν may be anywhere in the interval.
-    pub fn range<const N: usize>(&self, functions: impl Fn(&At) -> [Series; N]) -> [Ball; N] {
-        let (middle, all) = (functions(&self.at_middle), functions(&self.over_all));
-        let offset = self.interval.half_width().size();
+    /// What functions of ν may be anywhere in the interval. Each comes with its order: how often it
+    /// vanishes at a resonance of one loop. There it is divided by that power of `|u|`.
+    pub fn range<const N: usize>(&self, functions: impl Fn(&At) -> [(Series, usize); N]) -> [Ball; N] {
+        let (origin, all) = (functions(&self.at_origin), functions(&self.over_all));
+        let offset = self.interval.all() - self.interval.origin();
+        let (resonance, flip) = match self.interval.base {
+            Base::Left => (true, false),
+            Base::Middle => (false, false),
+            Base::Right => (true, true),
+        };
         core::array::from_fn(|i| {
-            let [first, second, third, _] = middle[i].0;
-            first + offset * (second + offset * (third + offset * all[i].0[TERMS - 1]))
+            let order = if resonance { origin[i].1 } else { 0 };
+            let (vanishing, rest) = origin[i].0.0[..TERMS - 1].split_at(order);
+            if vanishing.iter().any(|&coefficient| coefficient != Ball::ZERO) {
+                return Ball::ANY;
+            }
+            let last = all[i].0.0[TERMS - 1];
+            let sum = rest.iter().rev().fold(last, |sum, &coefficient| coefficient + offset * sum);
+            if flip && order % 2 == 1 { -sum } else { sum }
         })
     }
 
@@ -83,7 +95,7 @@ impl<'a> Model<'a> {
     pub fn stable(&self, velocity: &Velocity) -> bool {
         let conditions = self.range(|at| {
             let (v, family) = (at.velocity(velocity), &at.family);
-            [v, family.big_p * v - family.b, family.big_q * v + family.b]
+            [(v, 1), (family.big_p * v - family.b, 1), (family.big_q * v + family.b, 1)]
         });
         conditions.into_iter().all(Ball::is_positive)
     }
@@ -93,7 +105,8 @@ impl<'a> Model<'a> {
     pub fn unstable(&self, velocity: &Velocity) -> bool {
         let [v, b, below, above] = self.range(|at| {
             let (v, family) = (at.velocity(velocity), &at.family);
-            [v, family.b, family.big_p * v - family.b, family.big_q * v + family.b]
+            let below = (family.big_p * v - family.b, 1);
+            [(v, 1), (family.b, 1), below, (family.big_q * v + family.b, 1)]
         });
         let saddle_node = b.is_positive() && below.is_negative();
         let period_doubling = b.is_negative() && above.is_negative();
@@ -103,9 +116,13 @@ impl<'a> Model<'a> {
     /// Whether the motion with this velocity is beyond the wall at the time `touch`, which lies
     /// between its impacts. So are then all motions with greater velocities.
     pub fn beyond(&self, velocity: &Velocity, touch: Witness<2>) -> bool {
+        self.beyond_at_order(velocity, touch, 2)
+    }
+
+    fn beyond_at_order(&self, velocity: &Velocity, touch: Witness<2>, order: usize) -> bool {
         let [distance, time] = self.range(|at| {
             let time = at.witness(touch);
-            [self.oscillator.distance(&at.motion(velocity), time)[0], time]
+            [(self.oscillator.distance(&at.motion(velocity), time)[0], order), (time, 0)]
         });
         distance.is_negative() && time.is_positive() && (time - Ball::from(self.interval.p)).is_negative()
     }
@@ -114,14 +131,14 @@ impl<'a> Model<'a> {
     /// distance there is proportional to v.
     pub fn blocked(&self, turn: i64) -> bool {
         let one = Velocity::Witness([1 << WITNESS_BITS, 0, 0]);
-        (1..self.interval.p).contains(&turn) && self.beyond(&one, [i128::from(turn) << WITNESS_BITS, 0])
+        (1..self.interval.p).contains(&turn) && self.beyond_at_order(&one, [i128::from(turn) << WITNESS_BITS, 0], 1)
     }
 
     /// Whether the amplitude at this velocity is greater than `amplitude`.
     pub fn amplitude_beyond(&self, velocity: &Velocity, amplitude: Ball) -> bool {
         let square = Series::from(amplitude * amplitude);
         let [excess] =
-            self.range(|at| [self.oscillator.amplitude_square(&at.motion(velocity)) - square]);
+            self.range(|at| [(self.oscillator.amplitude_square(&at.motion(velocity)) - square, 0)]);
         excess.is_positive()
     }
 
@@ -130,7 +147,7 @@ impl<'a> Model<'a> {
     pub fn amplitude_slope(&self) -> f64 {
         let [square] = self.range(|at| {
             let Family { nu, c, w, .. } = at.family;
-            [self.oscillator.grazing_square(nu) * (c * c + w * w)]
+            [(self.oscillator.grazing_square(nu) * (c * c + w * w), 0)]
         });
         square.top().sqrt().top().to_f64()
     }
@@ -139,7 +156,7 @@ impl<'a> Model<'a> {
     fn motion_over_all(&self, velocity: &Velocity) -> Motion<Ball> {
         let [c, e, w] = self.range(|at| {
             let Motion { c, e, w, .. } = at.motion(velocity);
-            [c, e, w]
+            [(c, 0), (e, 0), (w, 0)]
         });
         Motion { nu: self.interval.all(), c, e, w }
     }
@@ -203,7 +220,7 @@ impl<'a> Model<'a> {
         let [distance, slope, time] = self.range(|at| {
             let time = at.witness(block.nearest);
             let [distance, slope, ..] = self.oscillator.distance(&at.motion(velocity), time);
-            [distance, slope, time]
+            [(distance, 2), (slope, 1), (time, 0)]
         });
         let turns = time * Ball::from(cells);
         let within = !(turns - Ball::from(block.first)).is_negative()

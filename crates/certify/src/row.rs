@@ -6,8 +6,18 @@ use crate::ball::Ball;
 /// Witnesses are integers in units of 2⁻⁶⁴.
 pub const WITNESS_BITS: u32 = 64;
 
-/// A polynomial in `u = ν − m`, m the middle of the interval, by its coefficients.
+/// A polynomial in `u = ν − m`, m the base of the interval, by its coefficients.
 pub type Witness<const N: usize> = [i128; N];
+
+/// Where the base of an interval lies: in its middle, or, if a resonance of one loop is there, at an
+/// end. There stability and contact begin at velocity zero; everything is divided by powers of
+/// `|u|`, and the resonance itself is not part of the interval.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Base {
+    Left,
+    Middle,
+    Right,
+}
 
 /// The interval `left/2^level ≤ ν ≤ (left + 1)/2^level`, for motion with one impact in `p` periods.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,22 +25,34 @@ pub struct Interval {
     pub p: i64,
     pub left: i64,
     pub level: u32,
+    pub base: Base,
 }
 
 impl Interval {
-    /// Its middle.
-    pub fn middle(self) -> Ball {
-        Ball::dyadic(i128::from(2 * self.left + 1), self.level + 1)
+    /// Its ends.
+    pub fn ends(self) -> [Ball; 2] {
+        [0, 1].map(|end| Ball::dyadic((self.left + end).into(), self.level))
     }
 
-    /// Half its width.
-    pub fn half_width(self) -> Ball {
-        Ball::dyadic(1, self.level + 1)
+    /// Its base.
+    pub fn origin(self) -> Ball {
+        Ball::dyadic(i128::from(2 * self.left + self.base as i64), self.level + 1)
     }
 
     /// All of it.
     pub fn all(self) -> Ball {
-        self.middle() + self.half_width().size()
+        let [left, right] = self.ends();
+        Ball::between(left, right)
+    }
+
+    /// The end, if any, at which there is a resonance of one loop: 2ν is an integer.
+    pub fn resonance(self) -> Option<Base> {
+        let whole = |n: i64| (2 * n) & ((1 << self.level) - 1) == 0;
+        if whole(self.left) {
+            Some(Base::Left)
+        } else {
+            whole(self.left + 1).then_some(Base::Right)
+        }
     }
 
     /// Its two halves.

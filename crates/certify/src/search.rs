@@ -3,7 +3,7 @@
 use crate::ball::Ball;
 use crate::orbit::{Family, Motion, Oscillator};
 use crate::proof::{Model, Velocity};
-use crate::row::{Clearance, Interval, Row, Verdict, WITNESS_BITS, Witness};
+use crate::row::{Base, Clearance, Interval, Row, Verdict, WITNESS_BITS, Witness};
 use crate::series::Number;
 
 /// What is asked for.
@@ -104,31 +104,48 @@ fn witness(x: f64) -> i128 {
 struct Attempt<'a> {
     oscillator: &'a Oscillator,
     model: Model<'a>,
+    interval: Interval,
     goal: Goal,
     sights: [Sight; 3],
 }
 
 impl<'a> Attempt<'a> {
     fn new(oscillator: &'a Oscillator, interval: Interval, goal: Goal) -> Self {
-        let (middle, half) = (interval.middle().to_f64(), interval.half_width().to_f64());
+        let [left, right] = interval.ends().map(Ball::to_f64);
+        let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
         // Three Chebyshev nodes.
         let sights = [-0.75f64.sqrt(), 0.0, 0.75f64.sqrt()]
             .map(|node| Sight::new(oscillator, interval.p, middle + node * half));
-        Self { oscillator, model: Model::new(oscillator, interval), goal, sights }
+        Self { oscillator, model: Model::new(oscillator, interval), interval, goal, sights }
     }
 
-    /// The quadratic through values at the three nodes.
+    /// The quadratic through values at the three nodes; at a resonance, where they vanish, the line.
     fn quadratic(&self, values: [f64; 3]) -> Witness<3> {
+        if self.interval.base != Base::Middle {
+            return [0, witness(values[1] / self.offset()), 0];
+        }
         let step = self.sights[2].nu - self.sights[1].nu;
         let slope = (values[2] - values[0]) / (2.0 * step);
         let bend = (values[2] - 2.0 * values[1] + values[0]) / (2.0 * step * step);
-        [values[1], slope, bend].map(witness)
+        [values[1], slope, if self.interval.level >= FINE { 0.0 } else { bend }].map(witness)
     }
 
-    /// The line through values at the outer nodes and near that in the middle.
+    /// The line through values at the nodes; at a resonance, from an integer to that in the middle;
+    /// the value in the middle where contact jumps from one time to another.
     fn line(&self, values: [f64; 3]) -> Witness<2> {
-        let [_, slope, _] = self.quadratic(values);
-        [witness(values[1]), slope]
+        if self.interval.base != Base::Middle {
+            let whole = libm::rint(values[1]);
+            return [whole, (values[1] - whole) / self.offset()].map(witness);
+        }
+        let step = self.sights[2].nu - self.sights[1].nu;
+        let jumps = self.interval.level >= FINE && (values[2] - values[0]).abs() > 0.01;
+        let slope = if jumps { 0.0 } else { (values[2] - values[0]) / (2.0 * step) };
+        [values[1], slope].map(witness)
+    }
+
+    /// From the base to the middle.
+    fn offset(&self) -> f64 {
+        self.sights[1].nu - self.interval.origin().to_f64()
     }
 
     /// When motion with these velocities is nearest to the wall, between two times.
@@ -161,7 +178,7 @@ impl<'a> Attempt<'a> {
     }
 
     /// The verdict, if one can be proved at this width.
-    fn verdict(&self, interval: Interval) -> Option<Verdict> {
+    fn verdict(&self) -> Option<Verdict> {
         let turn = self.sights[1].touch as i64;
         if self.all(|sight| sight.graze == 0.0) && self.model.blocked(turn) {
             return Some(Verdict::Blocked { turn });
@@ -170,12 +187,10 @@ impl<'a> Attempt<'a> {
             self.empty()
         } else if self.all(|sight| sight.graze > sight.limit) {
             self.edge().or_else(|| self.tube())
-        } else if interval.level >= FINE {
-            self.crossing()
         } else {
             None
         }
-        .or_else(|| if interval.level >= FINE { self.crossing() } else { None })
+        .or_else(|| if self.interval.level >= FINE { self.crossing() } else { None })
     }
 
     fn empty(&self) -> Option<Verdict> {
@@ -218,12 +233,8 @@ impl<'a> Attempt<'a> {
         let room = smallest(&|sight| 0.1 * (sight.graze - sight.limit).min(sight.graze));
         let half_width = width.min(room);
         let values = self.at_sights(|sight| sight.graze);
-        let middle = self.quadratic(values);
-        let [lower, upper] = [-half_width, half_width].map(|offset| {
-            let mut shifted = middle;
-            shifted[0] += witness(offset);
-            shifted
-        });
+        let [lower, upper] =
+            [-half_width, half_width].map(|offset| self.quadratic(values.map(|value| value + offset)));
         let touch = self.line(self.at_sights(|sight| sight.touch));
         let proved = self.model.stable(&Velocity::Witness(lower))
             && self.model.beyond(&Velocity::Witness(upper), touch);
@@ -256,16 +267,20 @@ impl<'a> Attempt<'a> {
 
 /// The rows that tile an interval.
 pub fn rows(oscillator: &Oscillator, interval: Interval, goal: Goal) -> Vec<Row> {
-    let attempt = Attempt::new(oscillator, interval, goal);
-    match attempt.verdict(interval) {
-        None if interval.level >= goal.finest && std::env::var("DBG2").is_ok() => {
-            for s in &attempt.sights { eprintln!("{} {} {} {}", s.nu, s.limit, s.graze, s.touch); }
-            vec![]
-        }
-        Some(verdict) => vec![Row { interval, verdict }],
-        None if interval.level >= goal.finest => {
-            vec![Row { interval, verdict: Verdict::Undecided(attempt.reason()) }]
-        }
-        None => interval.halves().into_iter().flat_map(|half| rows(oscillator, half, goal)).collect(),
+    let proved = |interval: Interval| {
+        let verdict = Attempt::new(oscillator, interval, goal).verdict()?;
+        Some(vec![Row { interval, verdict }])
+    };
+    let at_resonance = || {
+        let base = interval.resonance().filter(|_| interval.p > 1 && interval.level >= FINE)?;
+        proved(Interval { base, ..interval })
+    };
+    if let Some(rows) = proved(interval).or_else(at_resonance) {
+        return rows;
     }
+    if interval.level < goal.finest {
+        return interval.halves().into_iter().flat_map(|half| rows(oscillator, half, goal)).collect();
+    }
+    let reason = Attempt::new(oscillator, interval, goal).reason();
+    vec![Row { interval, verdict: Verdict::Undecided(reason) }]
 }
