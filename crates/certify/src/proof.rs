@@ -238,13 +238,15 @@ impl<'a> Model<'a> {
     /// every time of a block.
     pub fn crosses_once(&self, limit: &Velocity, clearance: &Clearance) -> bool {
         let [block] = clearance.blocks.as_slice() else { return false };
+        let [velocity] = self.range(|at| [(at.velocity(limit), 1)]);
         let motion = self.over_all.motion(limit);
         let derivative = |index: i64| {
             let over = |n| Ball::from(n) * Ball::from(clearance.cells).inverse();
             let time = Ball::between(over(index), over(index + 1));
             self.oscillator.distance(&motion, time.into())[0].0[1]
         };
-        (block.first..=block.last).all(|index| derivative(index).is_positive())
-            || (block.first..=block.last).all(|index| derivative(index).is_negative())
+        velocity.is_positive()
+            && ((block.first..=block.last).all(|index| derivative(index).is_positive())
+                || (block.first..=block.last).all(|index| derivative(index).is_negative()))
     }
 }

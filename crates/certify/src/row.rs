@@ -39,10 +39,11 @@ impl Interval {
         Ball::dyadic(i128::from(2 * self.left + self.base as i64), self.level + 1)
     }
 
-    /// All of it.
+    /// All of it, and a sixteenth beyond either end: room for whoever checks with coarser bounds.
     pub fn all(self) -> Ball {
+        let room = Ball::dyadic(1, self.level + 4);
         let [left, right] = self.ends();
-        Ball::between(left, right)
+        Ball::between(left - room, right + room)
     }
 
     /// The end, if any, at which there is a resonance of one loop: 2ν is an integer.
