@@ -78,6 +78,16 @@ impl Ball {
         }
     }
 
+    /// `n / d`, for a positive d, to within one unit.
+    pub fn ratio(n: i64, d: i64) -> Self {
+        let (n, d) = (i128::from(n), i128::from(d));
+        let rest = n.rem_euclid(d) << 64;
+        let last = (rest % d) << (BITS - 64);
+        let fraction = ((rest / d) << (BITS - 64)) + last / d;
+        let exact = Self::dyadic(n.div_euclid(d), 0) + Self { middle: fraction, radius: 0 };
+        exact.widened(Some(u128::from(last % d != 0)))
+    }
+
     /// All numbers from `lower` to `upper`.
     pub fn between(lower: Self, upper: Self) -> Self {
         let (lower, upper) = (lower.lower(), upper.upper());
@@ -217,7 +227,8 @@ impl Ball {
         }
         let quarters = (self.middle + (ONE / 8) as i128) >> (BITS - 2);
         let rest = Self { middle: self.middle - (quarters << (BITS - 2)), radius: 0 };
-        let (sine, cosine) = if rest == Self::ZERO { (Self::ZERO, Self::ONE) } else { rest.within_an_eighth() };
+        let (sine, cosine) =
+            if rest == Self::ZERO { (Self::ZERO, Self::ONE) } else { rest.within_an_eighth() };
         let (sine, cosine) = match quarters & 3 {
             0 => (sine, cosine),
             1 => (cosine, -sine),
@@ -303,5 +314,35 @@ impl Mul for Ball {
             Some((middle as i128 * sign, radius + u128::from(inexact)))
         };
         multiplied().map_or(Self::ANY, |(middle, radius)| Self::new(Some(middle), Some(radius)))
+    }
+}
+
+/// All its decimal digits that are certain, twenty significant ones at most.
+impl core::fmt::Display for Ball {
+    fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let Some((lower, upper)) = self.lower().zip(self.upper()) else { return formatter.write_str("?") };
+        if (lower < 0) != (upper < 0) {
+            return formatter.write_str("?");
+        }
+        let digits = |end: i128| {
+            let (whole, mut rest) =
+                ((end.unsigned_abs() >> BITS).to_string(), end.unsigned_abs() & (ONE - 1));
+            let mut text = format!("{whole}.");
+            for _ in 0..26 {
+                rest *= 10;
+                text.push(char::from(b'0' + (rest >> BITS) as u8));
+                rest &= ONE - 1;
+            }
+            text
+        };
+        let (lower_digits, upper_digits) = (digits(lower), digits(upper));
+        if lower_digits.find('.') != upper_digits.find('.') {
+            return formatter.write_str("?");
+        }
+        let same = lower_digits.bytes().zip(upper_digits.bytes()).take_while(|(a, b)| a == b).count();
+        let leading = lower_digits.bytes().take_while(|byte| matches!(byte, b'0' | b'.')).count();
+        let point = usize::from(leading == 0);
+        let shown = lower_digits.get(..same.min(leading + 20 + point)).unwrap_or_default();
+        write!(formatter, "{}{shown}", if lower < 0 { "-" } else { "" })
     }
 }

@@ -3,7 +3,10 @@
 
 use core::fmt::Write;
 
+use crate::WIDTH_PLACES;
+use crate::resonance::Resonance;
 use crate::row::{Clearance, Row, Verdict};
+use crate::statement::Statement;
 
 /// The columns of `rows.csv`.
 pub const COLUMNS: &str = "p,left,level,base,verdict,turn,lower_0,lower_1,lower_2,upper_0,upper_1,upper_2,\
@@ -63,4 +66,31 @@ pub fn rows(rows: &[Row]) -> String {
 pub fn checksum(text: &str) -> u64 {
     let prime = (1_u128 << 61) - 1;
     text.bytes().fold(0, |sum, byte| (sum * 257 + u128::from(byte)) % prime) as u64
+}
+
+/// `statement.csv`: constants and window, and the checksum of `rows.csv`.
+pub fn statement(statement: &Statement, rows: &str) -> String {
+    let Statement { zeta, epsilon, frequency: [lowest, highest], amplitude, loops } = statement;
+    let loops: Vec<String> = loops.iter().map(u32::to_string).collect();
+    format!(
+        "name,value\nzeta,{zeta}\nepsilon,{epsilon}\nomega_lowest,{lowest}\nomega_highest,{highest}\n\
+         amplitude,{amplitude}\nwidth,1e-{WIDTH_PLACES}\nloops,{}\nchecksum,{}\n",
+        loops.join(" "),
+        checksum(rows),
+    )
+}
+
+/// `resonances.csv`: the digits of each number that are certain, and no more than twenty.
+pub fn resonances(resonances: &[Resonance]) -> String {
+    let mut text = "p,n,omega_star,amplitude_graz,s_plus,s_minus,c_sn,c_pd,not_shown\n".to_owned();
+    for resonance in resonances {
+        let Resonance { p, n, omega, amplitude, s_plus, s_minus, saddle_node, period_doubling, missing } =
+            resonance;
+        let missing = missing.join("; ");
+        let _ = writeln!(
+            text,
+            "{p},{n},{omega},{amplitude},{s_plus},{s_minus},{saddle_node},{period_doubling},{missing}"
+        );
+    }
+    text
 }

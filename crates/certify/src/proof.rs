@@ -131,7 +131,8 @@ impl<'a> Model<'a> {
     /// distance there is proportional to v.
     pub fn blocked(&self, turn: i64) -> bool {
         let one = Velocity::Witness([1 << WITNESS_BITS, 0, 0]);
-        (1..self.interval.p).contains(&turn) && self.beyond_at_order(&one, [i128::from(turn) << WITNESS_BITS, 0], 1)
+        (1..self.interval.p).contains(&turn)
+            && self.beyond_at_order(&one, [i128::from(turn) << WITNESS_BITS, 0], 1)
     }
 
     /// Whether the amplitude at this velocity is greater than `amplitude`.
@@ -162,13 +163,12 @@ impl<'a> Model<'a> {
     }
 
     fn cell(&self, motion: &Motion<Ball>, index: i64, cells: i64) -> Cell {
-        let over = |n: i64, cells: i64| Ball::from(n) * Ball::from(cells).inverse();
-        let middle = over(2 * index + 1, 2 * cells);
-        let all = middle + over(1, 2 * cells).size();
+        let middle = Ball::ratio(2 * index + 1, 2 * cells);
+        let all = middle + Ball::ratio(1, 2 * cells).size();
         let [distance, slope, curvature, _] = self.oscillator.distance(motion, middle);
         let [.., third] = self.oscillator.distance(motion, all);
-        let offset = (Ball::PI * over(1, cells)).size();
-        let [half, one_third] = [over(1, 2), over(1, 3)];
+        let offset = (Ball::PI * Ball::ratio(1, cells)).size();
+        let [half, one_third] = [2, 3].map(|n| Ball::ratio(1, n));
         Cell {
             distance: distance + offset * (slope + offset * half * (curvature + offset * one_third * third)),
             slope: slope + offset * (curvature + offset * half * third),
@@ -192,12 +192,14 @@ impl<'a> Model<'a> {
         let clear = |cell: &Cell| cell.distance.is_positive();
         let start = bounds.iter().position(clear)?;
         let end = bounds.iter().rposition(clear)? + 1;
-        let leaves = bounds[..start].iter().enumerate().all(|(index, cell)| {
-            cell.slope.is_positive() || (index == 0 && cell.curvature.is_positive())
-        });
-        let returns = bounds[end..].iter().rev().enumerate().all(|(index, cell)| {
-            cell.slope.is_negative() || (index == 0 && cell.curvature.is_positive())
-        });
+        let leaves = bounds[..start]
+            .iter()
+            .enumerate()
+            .all(|(index, cell)| cell.slope.is_positive() || (index == 0 && cell.curvature.is_positive()));
+        let returns =
+            bounds[end..].iter().rev().enumerate().all(|(index, cell)| {
+                cell.slope.is_negative() || (index == 0 && cell.curvature.is_positive())
+            });
         let mut blocks = Vec::new();
         let mut index = start;
         while index < end {
@@ -241,8 +243,8 @@ impl<'a> Model<'a> {
         let [velocity] = self.range(|at| [(at.velocity(limit), 1)]);
         let motion = self.over_all.motion(limit);
         let derivative = |index: i64| {
-            let over = |n| Ball::from(n) * Ball::from(clearance.cells).inverse();
-            let time = Ball::between(over(index), over(index + 1));
+            let [begin, end] = [index, index + 1].map(|index| Ball::ratio(index, clearance.cells));
+            let time = Ball::between(begin, end);
             self.oscillator.distance(&motion, time.into())[0].0[1]
         };
         velocity.is_positive()

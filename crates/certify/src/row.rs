@@ -49,11 +49,7 @@ impl Interval {
     /// The end, if any, at which there is a resonance of one loop: 2ν is an integer.
     pub fn resonance(self) -> Option<Base> {
         let whole = |n: i64| (2 * n) & ((1 << self.level) - 1) == 0;
-        if whole(self.left) {
-            Some(Base::Left)
-        } else {
-            whole(self.left + 1).then_some(Base::Right)
-        }
+        if whole(self.left) { Some(Base::Left) } else { whole(self.left + 1).then_some(Base::Right) }
     }
 
     /// Its two halves.

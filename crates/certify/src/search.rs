@@ -12,7 +12,7 @@ pub struct Goal {
     /// Greatest width of a tube, in amplitude.
     pub width: f64,
     /// The greatest amplitude of the window.
-    pub amplitude: f64,
+    pub amplitude: Ball,
     /// Intervals are halved down to width `2^-level`.
     pub finest: u32,
 }
@@ -80,9 +80,8 @@ fn grazing(oscillator: &Oscillator, p: i64, family: &Family<f64>) -> (f64, f64) 
         let touch = 0.5 * (low + high);
         (ratio(touch), touch)
     };
-    let peaks = (1..times.len() - 1)
-        .filter(|&i| ratios[i] >= ratios[i - 1] && ratios[i] >= ratios[i + 1])
-        .map(peak);
+    let peaks =
+        (1..times.len() - 1).filter(|&i| ratios[i] >= ratios[i - 1] && ratios[i] >= ratios[i + 1]).map(peak);
     let (greatest, touch) = peaks.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, 0.5));
     (if greatest > 0.0 { 1.0 / greatest } else { f64::INFINITY }, touch)
 }
@@ -165,7 +164,13 @@ impl<'a> Attempt<'a> {
     }
 
     /// Clearance at a velocity, whose values at the sights are given also.
-    fn clearance(&self, velocity: &Velocity, values: [f64; 3], cells: i64, crossing: bool) -> Option<Clearance> {
+    fn clearance(
+        &self,
+        velocity: &Velocity,
+        values: [f64; 3],
+        cells: i64,
+        crossing: bool,
+    ) -> Option<Clearance> {
         let guess = |first: i64, last: i64| {
             self.nearest(values, [first, last + 1].map(|cell| cell as f64 / cells as f64))
         };
@@ -208,7 +213,7 @@ impl<'a> Attempt<'a> {
     }
 
     fn edge(&self) -> Option<Verdict> {
-        let amplitude = self.goal.amplitude;
+        let amplitude = self.goal.amplitude.to_f64();
         let values = self.at_sights(|sight| {
             let Family { nu, c, w, .. } = sight.family;
             let grazing = self.oscillator.grazing_square(nu).sqrt();
@@ -220,15 +225,14 @@ impl<'a> Attempt<'a> {
         let lower = self.quadratic(values);
         let velocity = Velocity::Witness(lower);
         let proved =
-            self.model.stable(&velocity) && self.model.amplitude_beyond(&velocity, Ball::from(amplitude));
+            self.model.stable(&velocity) && self.model.amplitude_beyond(&velocity, self.goal.amplitude);
         let clearance = proved.then(|| self.cleared(lower, values))??;
         Some(Verdict::Edge { lower, clearance })
     }
 
     fn tube(&self) -> Option<Verdict> {
-        let smallest = |value: &dyn Fn(&Sight) -> f64| {
-            self.at_sights(value).into_iter().fold(f64::INFINITY, f64::min)
-        };
+        let smallest =
+            |value: &dyn Fn(&Sight) -> f64| self.at_sights(value).into_iter().fold(f64::INFINITY, f64::min);
         let width = 0.49 * self.goal.width / self.model.amplitude_slope();
         let room = smallest(&|sight| 0.1 * (sight.graze - sight.limit).min(sight.graze));
         let half_width = width.min(room);
@@ -265,22 +269,34 @@ impl<'a> Attempt<'a> {
     }
 }
 
+/// How many intervals within one of the coarsest are tried at most. Figure 7 needs 400.
+const MOST_ATTEMPTS: usize = 4_000;
+
 /// The rows that tile an interval.
 pub fn rows(oscillator: &Oscillator, interval: Interval, goal: Goal) -> Vec<Row> {
-    let proved = |interval: Interval| {
-        let verdict = Attempt::new(oscillator, interval, goal).verdict()?;
-        Some(vec![Row { interval, verdict }])
-    };
-    let at_resonance = || {
-        let base = interval.resonance().filter(|_| interval.p > 1 && interval.level >= FINE)?;
-        proved(Interval { base, ..interval })
-    };
-    if let Some(rows) = proved(interval).or_else(at_resonance) {
-        return rows;
+    let (mut rows, mut left) = (Vec::new(), MOST_ATTEMPTS);
+    tile(oscillator, interval, goal, &mut rows, &mut left);
+    rows
+}
+
+fn tile(oscillator: &Oscillator, interval: Interval, goal: Goal, rows: &mut Vec<Row>, left: &mut usize) {
+    let mut undecided = |reason| rows.push(Row { interval, verdict: Verdict::Undecided(reason) });
+    if *left == 0 {
+        return undecided("too many intervals were tried beside it");
     }
-    if interval.level < goal.finest {
-        return interval.halves().into_iter().flat_map(|half| rows(oscillator, half, goal)).collect();
+    *left -= 1;
+    let attempt = Attempt::new(oscillator, interval, goal);
+    if let Some(verdict) = attempt.verdict() {
+        return rows.push(Row { interval, verdict });
     }
-    let reason = Attempt::new(oscillator, interval, goal).reason();
-    vec![Row { interval, verdict: Verdict::Undecided(reason) }]
+    if let Some(base) = interval.resonance().filter(|_| interval.p > 1 && interval.level >= FINE) {
+        let interval = Interval { base, ..interval };
+        if let Some(verdict) = Attempt::new(oscillator, interval, goal).verdict() {
+            return rows.push(Row { interval, verdict });
+        }
+    }
+    if interval.level >= goal.finest {
+        return undecided(attempt.reason());
+    }
+    interval.halves().into_iter().for_each(|half| tile(oscillator, half, goal, rows, left));
 }

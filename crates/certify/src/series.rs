@@ -84,7 +84,7 @@ impl Series {
     ) -> [Self; M] {
         let slope = self.scaled_derivative();
         for n in 1..TERMS {
-            let over_n = Ball::from(n as i64).inverse();
+            let over_n = Ball::ratio(1, n as i64);
             for which in 0..M {
                 solution[which].0[n] = over_n * slope.convolution(&right(&solution, which), n, 1);
             }
