@@ -249,6 +249,11 @@ def check(folder):
         require(exact(mine[0].left) <= oscillator.omega_1 / exact(statement["omega_highest"]), "window")
         require(exact(mine[-1].right) >= oscillator.omega_1 / exact(statement["omega_lowest"]), "window")
         require(all(a.right == b.left for a, b in zip(mine, mine[1:])), "a gap")
+        kinds = {"tube": "some", "edge": "some", "empty": "none", "blocked": "none"}
+        for before, line, after in zip(mine, mine[1:], mine[2:]):
+            if line.row["verdict"] == "crossing":
+                beside = {kinds.get(other.row["verdict"]) for other in (before, after)}
+                require(beside == {"some", "none"}, "a crossing has motion on one side and none on the other")
         for line in mine:
             try:
                 line.check(exact(statement["width"]), exact(statement["amplitude"]))

@@ -1,4 +1,4 @@
-//! Intervals of real numbers as integers: a midpoint and a radius, in units of 2⁻⁸⁸.
+//! Intervals of real numbers as integers: a midpoint and a radius, in units of 2⁻⁹⁶.
 //!
 //! Every operation returns a ball that contains the results for all numbers of its arguments. There
 //! is no rounding mode and no floating point in what is proved. A result that does not fit is the
@@ -7,7 +7,7 @@
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// Binary digits after the point.
-const BITS: u32 = 88;
+const BITS: u32 = 96;
 const ONE: u128 = 1 << BITS;
 const LOW: u128 = u64::MAX as u128;
 /// Midpoints and radii stay below this.
@@ -20,7 +20,7 @@ pub struct Ball {
     radius: u128,
 }
 
-/// `⌊a b / 2⁸⁸⌋`, and whether that is not exact; nothing if it does not fit.
+/// `⌊a b / 2⁹⁶⌋`, and whether that is not exact; nothing if it does not fit.
 fn product(a: u128, b: u128) -> Option<(u128, bool)> {
     let (a1, a0, b1, b0) = (a >> 64, a & LOW, b >> 64, b & LOW);
     let (bottom, first, second) = (a0 * b0, a1 * b0, a0 * b1);
@@ -31,7 +31,7 @@ fn product(a: u128, b: u128) -> Option<(u128, bool)> {
     fits.then(|| ((high << (128 - BITS)) | (low >> BITS), low & (ONE - 1) != 0))
 }
 
-/// `⌈a b / 2⁸⁸⌉`.
+/// `⌈a b / 2⁹⁶⌉`.
 fn product_up(a: u128, b: u128) -> Option<u128> {
     product(a, b).map(|(product, inexact)| product + u128::from(inexact))
 }
@@ -69,7 +69,7 @@ impl Ball {
         }
     }
 
-    /// `n / 2^level`: exactly that if `level` is at most 88.
+    /// `n / 2^level`: exactly that if `level` is at most 96.
     pub fn dyadic(n: i128, level: u32) -> Self {
         match BITS.checked_sub(level) {
             Some(shift) if n.unsigned_abs() < LIMIT >> shift => Self { middle: n << shift, radius: 0 },

@@ -25,12 +25,17 @@ pub struct Oscillator {
 /// `x(θ) = −1 + (1 − c v) cos θ − w v sin θ + v e^(−kνθ) (c cos νθ + e sin νθ)`.
 #[derive(Debug, Clone, Copy)]
 pub struct Family<N> {
+    /// `ω₁/ω`.
     pub nu: N,
+    /// The free part's cosine, for `v = 1`.
     pub c: N,
+    /// Its sine.
     pub e: N,
+    /// `ε` and the free part's slope at the impact.
     pub w: N,
     /// The trace is `1 + D − P + b/v`: it is below `1 + D` where `P v − b > 0`.
     pub b: N,
+    /// `P = (c² + w²) Δ`.
     pub big_p: N,
     /// It is above `−(1 + D)` where `Q v + b > 0`.
     pub big_q: N,
@@ -39,9 +44,13 @@ pub struct Family<N> {
 /// One of these motions: `c v`, `e v` and `w v`.
 #[derive(Debug, Clone, Copy)]
 pub struct Motion<N> {
+    /// `ω₁/ω`.
     pub nu: N,
+    /// `c v`.
     pub c: N,
+    /// `e v`.
     pub e: N,
+    /// `w v`.
     pub w: N,
 }
 

@@ -61,6 +61,7 @@ struct Cell {
 }
 
 impl<'a> Model<'a> {
+    /// Over this interval.
     pub fn new(oscillator: &'a Oscillator, interval: Interval) -> Self {
         let at = |nu: Ball| At {
             family: oscillator.family(interval.p, Series::variable(nu)),

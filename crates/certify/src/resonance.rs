@@ -6,13 +6,21 @@ use crate::orbit::Oscillator;
 /// A resonance, with what is proved of it.
 #[derive(Debug, Clone)]
 pub struct Resonance {
+    /// Its number of loops.
     pub p: u32,
+    /// Its index.
     pub n: u32,
+    /// Its frequency.
     pub omega: Ball,
+    /// The grazing amplitude there.
     pub amplitude: Ball,
+    /// `s_p^+`: its sign says on which side of the SN curve motion is stable.
     pub s_plus: Ball,
+    /// `s_p^-`, likewise for the PD curve.
     pub s_minus: Ball,
+    /// `c_SN,p`.
     pub saddle_node: Ball,
+    /// `c_PD,p`.
     pub period_doubling: Ball,
     /// The hypotheses of Theorem 2.4 or 2.5 that could not be shown: none if all hold.
     pub missing: Vec<&'static str>,

@@ -14,17 +14,24 @@ pub type Witness<const N: usize> = [i128; N];
 /// `|u|`, and the resonance itself is not part of the interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Base {
+    /// At the left end.
     Left,
+    /// In the middle.
     Middle,
+    /// At the right end.
     Right,
 }
 
 /// The interval `left/2^level ≤ ν ≤ (left + 1)/2^level`, for motion with one impact in `p` periods.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Interval {
+    /// Periods between impacts.
     pub p: i64,
+    /// Its left end, in units of its width.
     pub left: i64,
+    /// Its width is `2^-level`.
     pub level: u32,
+    /// Where witnesses have their origin.
     pub base: Base,
 }
 
@@ -61,7 +68,9 @@ impl Interval {
 /// Cells of time, in all of which the distance from the wall has a positive second derivative.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Block {
+    /// The first of the cells.
     pub first: i64,
+    /// The last of them.
     pub last: i64,
     /// A time, in turns, near which the distance is least.
     pub nearest: Witness<2>,
@@ -86,16 +95,41 @@ pub struct Clearance {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Verdict {
     /// `lower < v_GZ < upper`, and the motion is stable at `lower`.
-    Tube { lower: Witness<3>, upper: Witness<3>, touch: Witness<2>, clearance: Clearance },
+    Tube {
+        /// A velocity below `v_GZ`.
+        lower: Witness<3>,
+        /// A velocity above it.
+        upper: Witness<3>,
+        /// When motion is beyond the wall at `upper`.
+        touch: Witness<2>,
+        /// Why it is not at `lower`.
+        clearance: Clearance,
+    },
     /// `lower < v_GZ`, the motion is stable at `lower`, and its amplitude is beyond the window.
-    Edge { lower: Witness<3>, clearance: Clearance },
+    Edge {
+        /// A velocity below `v_GZ`.
+        lower: Witness<3>,
+        /// Why motion is not beyond the wall at it.
+        clearance: Clearance,
+    },
     /// `v_GZ < upper < v_min`: no motion is both.
-    Empty { upper: Witness<3>, touch: Witness<2> },
+    Empty {
+        /// A velocity between the two.
+        upper: Witness<3>,
+        /// When motion is beyond the wall at it.
+        touch: Witness<2>,
+    },
     /// The motion is beyond the wall at whole turn `turn` whatever its velocity: `v_GZ = 0`.
-    Blocked { turn: i64 },
+    Blocked {
+        /// Which whole turn.
+        turn: i64,
+    },
     /// `v_GZ − v_min` changes its sign at most once: a codimension-two point. The one block is where
     /// the motion touches the wall.
-    Crossing { clearance: Clearance },
+    Crossing {
+        /// That the wall is touched in one block only.
+        clearance: Clearance,
+    },
     /// Nothing is stated, for this reason.
     Undecided(&'static str),
 }
@@ -117,6 +151,8 @@ impl Verdict {
 /// An interval and what holds in it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Row {
+    /// The interval.
     pub interval: Interval,
+    /// What holds in it.
     pub verdict: Verdict,
 }

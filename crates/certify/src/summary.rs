@@ -43,19 +43,26 @@ pub fn regions(oscillator: &Oscillator, rows: &[Row]) -> Vec<String> {
             _ => groups.push((kind(&row.verdict), row, row)),
         }
     }
-    for (kind, first, last) in groups {
+    // A crossing is a point if what is proved beside it is different.
+    let is_point = |index: usize| {
+        let beside = [index.checked_sub(1), Some(index + 1)].map(|i| groups.get(i?).map(|group| group.0));
+        matches!(beside, [Some(Kind::Stable), Some(Kind::None)] | [Some(Kind::None), Some(Kind::Stable)])
+    };
+    for (index, &(kind, first, last)) in groups.iter().enumerate() {
         let p = first.interval.p;
         let outwards = matches!(kind, Kind::Point | Kind::Undecided(_));
         let [low, high] = frequencies(oscillator, first, last, outwards);
         sentences.push(match kind {
             Kind::Stable => format!(
-                "{low:.9} <= omega <= {high:.9}: one stable admissible {p}-loop MPS at each A between the SN or PD curve and the GZ curve, none at other A of the window"
+                "{low:.9} <= omega <= {high:.9}: one stable admissible {p}-loop MPS at each A between its SN or PD curve and its GZ curve or the window's edge, none at other A of the window"
             ),
             Kind::None => format!("{low:.9} <= omega <= {high:.9}: no stable admissible {p}-loop MPS at any A"),
             Kind::Point => {
                 let middle = oscillator.family(p, 0.5 * first.interval.ends().map(Ball::to_f64).iter().sum::<f64>());
                 let name = if middle.b > 0.0 { "SN-GZ" } else { "PD-GZ" };
-                format!("{low:.9} <= omega <= {high:.9}: exactly one codimension-two point, {name}, p = {p}")
+                format!("{low:.9} <= omega <= {high:.9}: {} one codimension-two point, {name}, p = {p}",
+                    if is_point(index) { "exactly" } else { "at most" },
+                )
             }
             Kind::Undecided(reason) => format!("{low:.9} <= omega <= {high:.9}: UNDECIDED, {p}-loop MPSs: {reason}"),
         });
@@ -68,7 +75,7 @@ pub fn undecided_share(rows: &[Row]) -> f64 {
     let width = |row: &Row| libm::scalbn(1.0, -(row.interval.level as i32));
     let all: f64 = rows.iter().map(width).sum();
     let left = rows.iter().filter(|row| matches!(row.verdict, Verdict::Undecided(_)));
-    left.map(width).sum::<f64>() / all
+    left.map(width).fold(0.0, |sum, width| sum + width) / all
 }
 
 /// What is proved of a resonance.
