@@ -203,6 +203,10 @@ class Line:
 
     def check(self, width, amplitude):
         verdict = self.row["verdict"]
+        if self.base != 1:
+            h, g = self.o.motion(self.p, self.origin, arb(1))
+            motion = h, g / self.origin + self.o.k * h, self.o.e + g
+            require(self.o.distance(self.origin, motion, arb(1))[1] != 0, "at the resonance motion may stay off the wall")
         lower, upper, touch = (lambda: self.witness("lower", 3)), (lambda: self.witness("upper", 3)), (lambda: self.witness("touch", 2))
         if verdict in ("tube", "edge"):
             self.stable(lower())

@@ -136,6 +136,14 @@ impl<'a> Model<'a> {
             && self.beyond_at_order(&one, [i128::from(turn) << WITNESS_BITS, 0], 1)
     }
 
+    /// At a resonance of one loop the wall is reached at the first whole turn whatever the velocity:
+    /// whether all motions cross it there.
+    pub fn crosses_at_resonance(&self) -> bool {
+        let family = self.oscillator.family(self.interval.p, self.interval.origin());
+        let slope = self.oscillator.distance(&family.motion(Ball::ONE), Ball::ONE)[1];
+        slope.is_positive() || slope.is_negative()
+    }
+
     /// Whether the amplitude at this velocity is greater than `amplitude`.
     pub fn amplitude_beyond(&self, velocity: &Velocity, amplitude: Ball) -> bool {
         let square = Series::from(amplitude * amplitude);

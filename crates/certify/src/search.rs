@@ -184,6 +184,9 @@ impl<'a> Attempt<'a> {
 
     /// The verdict, if one can be proved at this width.
     fn verdict(&self) -> Option<Verdict> {
+        if self.interval.base != Base::Middle && !self.model.crosses_at_resonance() {
+            return None;
+        }
         let turn = self.sights[1].touch as i64;
         if self.all(|sight| sight.graze == 0.0) && self.model.blocked(turn) {
             return Some(Verdict::Blocked { turn });
