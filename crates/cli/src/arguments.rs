@@ -45,6 +45,9 @@ pub enum Command {
     /// Test what the paper states, label by label, and print what each check measures
     #[command(next_line_help = true, after_help = help!("claims", "exit_codes"))]
     Claims(Claims),
+    /// Prove what Figure 7 shows, and write a certificate that another program checks
+    #[command(next_line_help = true, after_help = help!("certify", "exit_codes"))]
+    Certify(Certify),
     /// Write one page with figures, tables, claims and a manifest, to be read in a browser
     #[command(next_line_help = true, after_help = help!("report", "exit_codes"))]
     Report(Report),
@@ -144,6 +147,21 @@ pub struct Claims {
     pub write_errata: bool,
     #[command(flatten)]
     pub(crate) parameters: ParameterFile,
+}
+
+/// The arguments of `grazing certify`.
+#[derive(Debug, Args)]
+pub struct Certify {
+    /// Write nothing; fail if the certificate is not what the code makes
+    #[arg(long)]
+    pub check: bool,
+    /// Folder for the certificate [default: certificate, or varied/certificate with --set]
+    #[arg(long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) parameters: ParameterFile,
+    #[command(flatten)]
+    pub(crate) threads: Threads,
 }
 
 /// The arguments of `grazing report`.

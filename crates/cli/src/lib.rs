@@ -5,6 +5,7 @@
 //! definition.
 
 pub mod arguments;
+mod certify;
 mod claims;
 pub mod codecheck;
 pub mod compare;
@@ -42,6 +43,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Compare(arguments) => compare::run(arguments),
         Command::Claims(arguments) => claims::run(arguments),
+        Command::Certify(arguments) => certify::run(arguments),
         Command::Report(arguments) => report::run(arguments),
         Command::Unfold(arguments) if !arguments.vary.is_empty() => family::run(arguments),
         Command::Unfold(arguments) => unfold::run(arguments),

@@ -1,0 +1,280 @@
+#!/usr/bin/env python3
+"""Checks the certificate of Figure 7 without searching: every line is a few inequalities between balls of python-flint.
+
+    pip install python-flint && python3 check.py [FOLDER]
+
+../docs/proof.md says what each verdict states and why these inequalities prove it. Nothing here is taken from the program that
+writes the certificate: motion is written with the matrix of the free oscillation, its stability with the saltation matrix.
+"""
+import csv, pathlib, sys
+from fractions import Fraction
+from flint import arb, arb_series, ctx
+
+ctx.prec, ctx.cap = 140, 4
+TURNS_TO_ANGLE = 2 * arb.pi()
+
+
+class Refused(Exception):
+    pass
+
+
+def require(condition, what):
+    if not condition:
+        raise Refused(what)
+
+
+def exact(text):
+    value = Fraction(text)
+    return arb(value.numerator) / value.denominator
+
+
+def about_zero(radius):
+    return arb(0, radius)
+
+
+def both(x, y):
+    """The ball of all numbers of x and y."""
+    return x.union(y)
+
+
+class Oscillator:
+    def __init__(self, zeta, epsilon):
+        require(0 < zeta < 1 and epsilon > 0, "constants")
+        self.zeta, self.e = zeta, epsilon
+        self.omega_1 = (1 - zeta**2).sqrt()
+        self.k = zeta / self.omega_1
+
+    def free(self, nu, turns):
+        """What the free oscillation does to (h, dh/dθ) in this many turns of the forcing."""
+        decay = (-TURNS_TO_ANGLE * self.k * nu * turns).exp()
+        sine, cosine = (2 * nu * turns).sin_cos_pi()
+        skew = self.k * sine
+        return (decay * (cosine + skew), decay * sine / nu,
+                -decay * sine * nu * (1 + self.k**2), decay * (cosine - skew))
+
+    def motion(self, p, nu, v):
+        """The free part of motion with impact velocity v, by its jump at the impact: h(0), h'(0)."""
+        m11, m12, m21, m22 = self.free(nu, arb(p))
+        kick = -(1 + self.e) * v / ((1 - m11) * (1 - m22) - m12 * m21)
+        return kick * m12, kick * (1 - m11)
+
+    def conditions(self, p, nu, v):
+        """v (1 + D - T) and v (1 + D + T): trace T and determinant D of the derivative."""
+        m11, m12, m21, m22 = self.free(nu, arb(p))
+        h, g = self.motion(p, nu, v)
+        acceleration = h - 1 - 2 * self.k * nu * g - nu * nu * (1 + self.k**2) * h
+        force = acceleration - 2 * self.k * nu * self.e * v
+        trace = (1 + self.e) * m12 * force - self.e * v * (m11 + m22)
+        whole = v + v * self.e**2 * (m11 * m22 - m12 * m21)
+        return whole - trace, whole + trace
+
+    def distance(self, nu, motion, turns):
+        """-x, and its first three derivatives in θ; motion: h(0), h'(0)/ν + k h(0) and ε v + h'(0)."""
+        h0, e0, swing = motion
+        decay = (-TURNS_TO_ANGLE * self.k * nu * turns).exp()
+        free_sine, free_cosine = (2 * nu * turns).sin_cos_pi()
+        sine_half, cosine_half = turns.sin_cos_pi()
+        sine, cosine = 2 * sine_half * cosine_half, 1 - 2 * sine_half * sine_half
+        h = decay * (h0 * free_cosine + e0 * free_sine)
+        free = [h, nu * (decay * (e0 * free_cosine - h0 * free_sine) - self.k * h)]
+        for _ in range(2):
+            free.append(-2 * self.k * nu * free[-1] - nu * nu * (1 + self.k**2) * free[-2])
+        return (2 * sine_half * sine_half + h0 * cosine + swing * sine - free[0], (1 - h0) * sine + swing * cosine - free[1],
+                (1 - h0) * cosine - swing * sine - free[2], -(1 - h0) * sine - swing * cosine - free[3])
+
+    def grazing_square(self, nu):
+        omega = self.omega_1 / nu
+        return (1 - omega * omega) * (1 - omega * omega) + 4 * self.zeta**2 * omega * omega
+
+    def amplitude_square(self, nu, motion):
+        h0, _, swing = motion
+        return self.grazing_square(nu) * ((1 - h0) * (1 - h0) + swing * swing)
+
+
+class Line:
+    """A line of the certificate; its functions of u = ν - base hold on the whole interval by Taylor's theorem."""
+
+    def __init__(self, oscillator, row):
+        self.o, self.row, self.p, self.base = oscillator, row, int(row["p"]), int(row["base"])
+        left, level = int(row["left"]), int(row["level"])
+        require(self.base in (0, 1, 2) and (self.base == 1 or self.p > 1), "base")
+        self.left, self.right = Fraction(left, 2**level), Fraction(left + 1, 2**level)
+        origin = Fraction(2 * left + self.base, 2 ** (level + 1))
+        require(self.base == 1 or (2 * origin).denominator == 1, "only at a resonance of one loop the base is an end")
+        self.origin, self.half = exact(origin), exact(Fraction(1, 2 ** (level + 1)))
+        middle = exact(Fraction(2 * left + 1, 2 ** (level + 1)))
+        self.all = middle + about_zero(self.half)
+        self.offset = self.all - self.origin
+        self.series = [(arb_series([at, 1]), arb_series([at - self.origin, 1])) for at in (self.origin, self.all)]
+
+    def number(self, name):
+        return int(self.row[name])
+
+    def witness(self, name, terms, less=None):
+        """A polynomial in u, or the difference of two."""
+        numbers = [self.number(f"{name}_{i}") - (self.number(f"{less}_{i}") if less else 0) for i in range(terms)]
+        return lambda nu, u: sum((arb(n) * arb(2)**-64 * u**i for i, n in enumerate(numbers)), 0 * u)
+
+    def range(self, functions, orders):
+        """Over the interval; at a resonance divided by |u| to the power of each order, as often as it vanishes there."""
+        at_origin, over_all = (functions(nu, u) for nu, u in self.series)
+        ranges = []
+        for near, far, order in zip(at_origin, over_all, orders):
+            near, far = (list(x.coeffs()) + [arb(0)] * 4 for x in (near, far))
+            order = 0 if self.base == 1 else order
+            require(all(c == 0 and c.is_exact() for c in near[:order]), "does not vanish at the resonance")
+            total = far[3]
+            for c in reversed(near[order:3]):
+                total = c + self.offset * total
+            ranges.append(-total if self.base == 2 and order % 2 else total)
+        return ranges
+
+    def motion(self, velocity):
+        def at(nu, u):
+            v = velocity(nu, u)
+            h, g = self.o.motion(self.p, nu, v)
+            return h, g / nu + self.o.k * h, self.o.e * v + g
+        return at
+
+    def stable(self, velocity):
+        low, high, v = self.range(lambda nu, u: (*self.o.conditions(self.p, nu, velocity(nu, u)), velocity(nu, u)), (1, 1, 1))
+        require(low > 0 and high > 0 and v > 0, "not stable")
+
+    def unstable(self, velocity):
+        ends = lambda nu, u: (*self.o.conditions(self.p, nu, velocity(nu, u)),
+                              *self.o.conditions(self.p, nu, 0 * u), velocity(nu, u))
+        low, high, low_0, high_0, v = self.range(ends, (1,) * 5)
+        require(v > 0 and (low < 0 and low_0 < 0 or high < 0 and high_0 < 0), "perhaps stable")
+
+    def beyond(self, velocity, time, order=2):
+        motion = self.motion(velocity)
+        at = lambda nu, u: (self.o.distance(nu, motion(nu, u), time(nu, u))[0], time(nu, u))
+        distance, time = self.range(at, (order, 0))
+        require(distance < 0 and 0 < time < self.p, "not beyond the wall")
+
+    def clear(self, velocity, block_is_clear):
+        n, start, end = (self.number(x) for x in ("cells", "start", "end"))
+        blocks = [tuple(map(int, b.split(":"))) for b in self.row["blocks"].split(";") if b]
+        require(0 < start < end < self.p * n, "cells")
+        in_block = {cell for first, last, *_ in blocks for cell in range(first, last + 1)}
+        motion = self.range(self.motion(velocity), (0, 0, 0))
+        curvatures = {}
+        for cell in range(self.p * n):
+            middle = exact(Fraction(2 * cell + 1, 2 * n))
+            value, slope, bend, _ = self.o.distance(self.all, motion, middle)
+            third = self.o.distance(self.all, motion, middle + about_zero(arb(1) / (2 * n)))[3]
+            r = about_zero(arb.pi() / n)
+            curvature = bend + r * third
+            if cell < start:
+                require(slope + r * (bend + r * third / 2) > 0 or (cell == 0 and curvature > 0), "leaves")
+            elif cell >= end:
+                require(slope + r * (bend + r * third / 2) < 0 or (cell == self.p * n - 1 and curvature > 0), "returns")
+            elif cell in in_block:
+                curvatures[cell] = curvature
+            else:
+                require(value + r * (slope + r / 2 * (bend + r / 3 * third)) > 0, "cell")
+        for block in blocks:
+            require(start <= block[0] <= block[1] < end, "block")
+            block_is_clear(velocity, block, [curvatures[cell] for cell in range(block[0], block[1] + 1)], n)
+        return len(blocks)
+
+    def minimum_is_clear(self, velocity, block, curvatures, n):
+        first, last, *nearest = block
+        motion, (t0, t1) = self.motion(velocity), (arb(x) * arb(2)**-64 for x in nearest)
+        at = lambda nu, u: (*self.o.distance(nu, motion(nu, u), t0 + t1 * u)[:2], t0 + t1 * u)
+        value, slope, time = self.range(at, (2, 1, 0))
+        require(first <= time * n <= last + 1, "time of a block")
+        for curvature in curvatures:
+            require(curvature > 0 and 2 * value.lower() * curvature.lower() > slope.abs_upper() ** 2, "minimum")
+
+    def changes_once(self, velocity, block, curvatures, n):
+        motion = self.motion(velocity)(*self.series[1])
+        changes = []
+        for cell in range(block[0], block[1] + 1):
+            time = exact(Fraction(2 * cell + 1, 2 * n)) + about_zero(arb(1) / (2 * n))
+            changes.append((list(self.o.distance(self.series[1][0], motion, arb_series([time]))[0].coeffs()) + [arb(0)] * 2)[1])
+        require(all(c > 0 for c in changes) or all(c < 0 for c in changes), "crosses perhaps more than once")
+
+    def limit(self, nu, u):
+        """The velocity at which a multiplier is 1, or -1 if that one is positive: where a condition, linear in v, is zero."""
+        which = 0 if self.o.free(self.all, arb(self.p))[1] < 0 else 1
+        at_0, at_1 = (self.o.conditions(self.p, nu, v + 0 * u)[which] for v in (0, 1))
+        return at_0 / (at_0 - at_1)
+
+    def check(self, width, amplitude):
+        verdict = self.row["verdict"]
+        if self.base != 1:
+            h, g = self.o.motion(self.p, self.origin, arb(1))
+            motion = h, g / self.origin + self.o.k * h, self.o.e + g
+            require(self.o.distance(self.origin, motion, arb(1))[1] != 0, "at the resonance motion may stay off the wall")
+        lower, upper, touch = (lambda: self.witness("lower", 3)), (lambda: self.witness("upper", 3)), (lambda: self.witness("touch", 2))
+        if verdict in ("tube", "edge"):
+            self.stable(lower())
+            self.clear(lower(), self.minimum_is_clear)
+        if verdict == "tube":
+            self.beyond(upper(), touch())
+            # dA/dv is at most A_graz |(h(0), ε v + h'(0))/v|, since A = A_graz |(1 - h(0), ε v + h'(0))|.
+            speed = lambda nu, u: self.motion(lambda *_: 1 + 0 * u)(nu, u)[::2]
+            between = self.witness("upper", 3, "lower")
+            wide = lambda nu, u: (self.o.grazing_square(nu) * sum(x * x for x in speed(nu, u)) * between(nu, u) ** 2,)
+            require(self.range(wide, (0,))[0] < width**2, "the tube is wider than stated")
+        elif verdict == "edge":
+            square = lambda nu, u: (self.o.amplitude_square(nu, self.motion(lower())(nu, u)),)
+            require(self.range(square, (0,))[0] > amplitude**2, "not beyond the window")
+        elif verdict == "empty":
+            self.unstable(upper())
+            self.beyond(upper(), touch())
+        elif verdict == "blocked":
+            require(0 < self.number("turn") < self.p, "turn")
+            self.beyond(lambda nu, u: 1 + 0 * u, lambda nu, u: self.number("turn") + 0 * u, 1)
+        elif verdict == "crossing":
+            require(self.range(lambda nu, u: (self.limit(nu, u),), (0,))[0] > 0, "no limit")
+            require(self.clear(self.limit, self.changes_once) == 1, "one block")
+        else:
+            require(verdict == "undecided" and self.row["reason"], "verdict")
+
+
+def checksum(text):
+    total = 0
+    for byte in text.encode():
+        total = (total * 257 + byte) % (2**61 - 1)
+    return total
+
+
+def check(folder):
+    statement = dict(row for row in csv.reader(open(folder / "statement.csv")))
+    text = (folder / "rows.csv").read_text()
+    require(checksum(text) == int(statement["checksum"]), "rows.csv is not the file that statement.csv was written with")
+    oscillator = Oscillator(exact(statement["zeta"]), exact(statement["epsilon"]))
+    lines = [Line(oscillator, row) for row in csv.DictReader(text.splitlines())]
+    shares, passed = {}, 0
+    for p in map(int, statement["loops"].split()):
+        mine = [line for line in lines if line.p == p]
+        require(exact(mine[0].left) <= oscillator.omega_1 / exact(statement["omega_highest"]), "window")
+        require(exact(mine[-1].right) >= oscillator.omega_1 / exact(statement["omega_lowest"]), "window")
+        require(all(a.right == b.left for a, b in zip(mine, mine[1:])), "a gap")
+        kinds = {"tube": "some", "edge": "some", "empty": "none", "blocked": "none"}
+        for before, line, after in zip(mine, mine[1:], mine[2:]):
+            if line.row["verdict"] == "crossing":
+                beside = {kinds.get(other.row["verdict"]) for other in (before, after)}
+                require(beside == {"some", "none"}, "a crossing has motion on one side and none on the other")
+        for line in mine:
+            try:
+                line.check(exact(statement["width"]), exact(statement["amplitude"]))
+            except Refused as why:
+                raise Refused(f"p = {p}, nu = {float(line.left)}: {line.row['verdict']}: {why}")
+            verdict = line.row["verdict"]
+            shares[p, verdict] = shares.get((p, verdict), 0) + (line.right - line.left)
+            passed += 1
+    require(passed == len(lines), "lines of other p")
+    return passed, shares
+
+
+if __name__ == "__main__":
+    try:
+        passed, shares = check(pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent))
+    except (Refused, KeyError, ValueError, IndexError, ZeroDivisionError) as why:
+        sys.exit(f"refused: {why}")
+    for (p, verdict), share in sorted(shares.items()):
+        print(f"p = {p}: {verdict:9} {float(share):.9f} of nu")
+    print(f"{passed} lines hold")

@@ -1,0 +1,64 @@
+//! Proofs, in ball arithmetic over integers, of what Figure 7 shows of the paper's oscillator.
+//!
+//! For motion with one impact in p periods everything but one number is in closed form; that one,
+//! the velocity up to which motion stays off the wall between impacts, is enclosed. [`prove`] cuts
+//! the window into intervals of `nu = omega_1/omega` and finds for each what holds in all of it, with
+//! witnesses; `certificate/check.py` checks them with formulas of its own. `docs/proof.md` has
+//! theorem, lemma, and what is trusted.
+
+pub mod ball;
+pub mod certificate;
+pub mod orbit;
+pub mod proof;
+pub mod resonance;
+pub mod row;
+pub mod search;
+pub mod series;
+pub mod statement;
+pub mod summary;
+
+use rayon::prelude::*;
+
+use orbit::Oscillator;
+use row::{Base, Interval, Row};
+use search::{Goal, rows};
+use statement::Statement;
+
+/// Greatest width of the tubes around grazing curves, in amplitude: 10^-`WIDTH_PLACES`.
+pub const WIDTH_PLACES: u32 = 6;
+/// Intervals of nu have width `2^-COARSEST` at first, and are halved down to `2^-FINEST`.
+const COARSEST: u32 = 6;
+const FINEST: u32 = 32;
+
+/// The intervals that cover the window, in order, with what is proved of each. `step` is called when
+/// one of so many parts is done; `begin` is told before how many there are.
+pub fn prove(
+    statement: &Statement,
+    oscillator: &Oscillator,
+    begin: impl Fn(u64),
+    step: impl Fn() + Sync,
+) -> Vec<Row> {
+    let [lowest, highest] =
+        statement.frequency.map(|frequency| oscillator.omega_1 * frequency.ball().inverse());
+    let parts = libm::scalbn(1.0, COARSEST as i32);
+    let first = libm::floor(highest.bottom().to_f64() * parts) as i64;
+    let end = libm::ceil(lowest.top().to_f64() * parts) as i64;
+    // One part more at either end costs little, and no rounding can leave a gap.
+    let intervals: Vec<Interval> = statement
+        .loops
+        .iter()
+        .flat_map(|&p| (first.max(2) - 1..=end).map(move |left| (p, left)))
+        .map(|(p, left)| Interval { p: p.into(), left, level: COARSEST, base: Base::Middle })
+        .collect();
+    let width = (0..WIDTH_PLACES).fold(1.0, |width, _| width / 10.0);
+    let goal = Goal { width, amplitude: statement.amplitude.ball(), finest: FINEST };
+    begin(intervals.len() as u64);
+    intervals
+        .into_par_iter()
+        .flat_map_iter(|interval| {
+            let rows = rows(oscillator, interval, goal);
+            step();
+            rows
+        })
+        .collect()
+}

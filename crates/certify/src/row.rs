@@ -1,0 +1,158 @@
+//! What is stated of one interval of ν, with the witnesses by which it can be checked: a row of the
+//! certificate.
+
+use crate::ball::Ball;
+
+/// Witnesses are integers in units of 2⁻⁶⁴.
+pub const WITNESS_BITS: u32 = 64;
+
+/// A polynomial in `u = ν − m`, m the base of the interval, by its coefficients.
+pub type Witness<const N: usize> = [i128; N];
+
+/// Where the base of an interval lies: in its middle, or, if a resonance of one loop is there, at an
+/// end. There stability and contact begin at velocity zero; everything is divided by powers of
+/// `|u|`, and the resonance itself is not part of the interval.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Base {
+    /// At the left end.
+    Left,
+    /// In the middle.
+    Middle,
+    /// At the right end.
+    Right,
+}
+
+/// The interval `left/2^level ≤ ν ≤ (left + 1)/2^level`, for motion with one impact in `p` periods.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Interval {
+    /// Periods between impacts.
+    pub p: i64,
+    /// Its left end, in units of its width.
+    pub left: i64,
+    /// Its width is `2^-level`.
+    pub level: u32,
+    /// Where witnesses have their origin.
+    pub base: Base,
+}
+
+impl Interval {
+    /// Its ends.
+    pub fn ends(self) -> [Ball; 2] {
+        [0, 1].map(|end| Ball::dyadic((self.left + end).into(), self.level))
+    }
+
+    /// Its base.
+    pub fn origin(self) -> Ball {
+        Ball::dyadic(i128::from(2 * self.left + self.base as i64), self.level + 1)
+    }
+
+    /// All of it, and a sixteenth beyond either end: room for whoever checks with coarser bounds.
+    pub fn all(self) -> Ball {
+        let room = Ball::dyadic(1, self.level + 4);
+        let [left, right] = self.ends();
+        Ball::between(left - room, right + room)
+    }
+
+    /// The end, if any, at which there is a resonance of one loop: 2ν is an integer.
+    pub fn resonance(self) -> Option<Base> {
+        let whole = |n: i64| (2 * n) & ((1 << self.level) - 1) == 0;
+        if whole(self.left) { Some(Base::Left) } else { whole(self.left + 1).then_some(Base::Right) }
+    }
+
+    /// Its two halves.
+    pub fn halves(self) -> [Self; 2] {
+        [0, 1].map(|half| Self { left: 2 * self.left + half, level: self.level + 1, ..self })
+    }
+}
+
+/// Cells of time, in all of which the distance from the wall has a positive second derivative.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Block {
+    /// The first of the cells.
+    pub first: i64,
+    /// The last of them.
+    pub last: i64,
+    /// A time, in turns, near which the distance is least.
+    pub nearest: Witness<2>,
+}
+
+/// How it is shown that the motion with some velocity at impact stays off the wall between impacts:
+/// the time of p periods is cut into `p · cells` cells.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Clearance {
+    /// Cells in a period.
+    pub cells: i64,
+    /// In the cells before this one the distance increases.
+    pub start: i64,
+    /// From this one on it decreases.
+    pub end: i64,
+    /// In the others it is positive: by its minimum in these blocks, cell by cell elsewhere.
+    pub blocks: Vec<Block>,
+}
+
+/// What holds for every ν of an interval. `v_GZ` is the velocity up to which the motion is
+/// admissible, `v_min` that above which it is stable.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Verdict {
+    /// `lower < v_GZ < upper`, and the motion is stable at `lower`.
+    Tube {
+        /// A velocity below `v_GZ`.
+        lower: Witness<3>,
+        /// A velocity above it.
+        upper: Witness<3>,
+        /// When motion is beyond the wall at `upper`.
+        touch: Witness<2>,
+        /// Why it is not at `lower`.
+        clearance: Clearance,
+    },
+    /// `lower < v_GZ`, the motion is stable at `lower`, and its amplitude is beyond the window.
+    Edge {
+        /// A velocity below `v_GZ`.
+        lower: Witness<3>,
+        /// Why motion is not beyond the wall at it.
+        clearance: Clearance,
+    },
+    /// `v_GZ < upper < v_min`: no motion is both.
+    Empty {
+        /// A velocity between the two.
+        upper: Witness<3>,
+        /// When motion is beyond the wall at it.
+        touch: Witness<2>,
+    },
+    /// The motion is beyond the wall at whole turn `turn` whatever its velocity: `v_GZ = 0`.
+    Blocked {
+        /// Which whole turn.
+        turn: i64,
+    },
+    /// `v_GZ − v_min` changes its sign at most once: a codimension-two point. The one block is where
+    /// the motion touches the wall.
+    Crossing {
+        /// That the wall is touched in one block only.
+        clearance: Clearance,
+    },
+    /// Nothing is stated, for this reason.
+    Undecided(&'static str),
+}
+
+impl Verdict {
+    /// The word for it in the certificate.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Tube { .. } => "tube",
+            Self::Edge { .. } => "edge",
+            Self::Empty { .. } => "empty",
+            Self::Blocked { .. } => "blocked",
+            Self::Crossing { .. } => "crossing",
+            Self::Undecided(_) => "undecided",
+        }
+    }
+}
+
+/// An interval and what holds in it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Row {
+    /// The interval.
+    pub interval: Interval,
+    /// What holds in it.
+    pub verdict: Verdict,
+}

@@ -1,0 +1,143 @@
+//! `grazing certify`: proves what Figure 7 shows of the paper's oscillator, and writes the
+//! certificate.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use grazing_certify::ball::Ball;
+use grazing_certify::resonance::Resonance;
+use grazing_certify::statement::{Decimal, Statement};
+use grazing_certify::{certificate, prove, summary};
+use grazing_claims::published::Published;
+use grazing_reproduction::figures::fig07::Figure7;
+use grazing_reproduction::parameters::Parameters;
+use grazing_unfold::progress::Progress as _;
+
+use crate::arguments::Certify;
+use crate::failure::Failure;
+use crate::folder::{self, OutputFile};
+use crate::progress::Display;
+use crate::{project, terminal};
+
+/// The default folder, from the root of the repository.
+const CERTIFICATE: &str = "certificate";
+/// That of proofs with settings over the parameter file.
+const VARIED: &str = "varied/certificate";
+
+/// Proves, prints what is proved, and writes or checks the certificate.
+///
+/// # Errors
+/// Something is undecided, the files are not what the code makes, or cannot be written.
+pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
+    crate::limits::leave_nothing_behind();
+    let statement = statement(&project::parameters(&arguments.parameters)?)?;
+    let folder = match &arguments.output {
+        Some(folder) => folder.clone(),
+        None if arguments.parameters.set.is_empty() => project::root_folder()?.join(CERTIFICATE),
+        None => project::root_folder()?.join(VARIED),
+    };
+    let names = ["statement.csv", "resonances.csv", "rows.csv"].map(PathBuf::from);
+    if !arguments.check {
+        folder::ensure_writable(&folder, &names)?;
+    }
+    arguments.threads.start()?;
+    let oscillator = statement.oscillator().ok_or_else(|| {
+        Failure::input(
+            "oscillator.zeta: must be large enough for integers of 128 bits, and below 1; set it with --set",
+        )
+    })?;
+
+    let frequency = statement.frequency.map(Decimal::ball);
+    let resonances = Resonance::in_window(&oscillator, &statement.loops, frequency);
+    let (display, what) = (Display::new(), "proofs over the window");
+    let rows = prove(&statement, &oscillator, |parts| display.begin(what, parts), || display.step(what));
+    display.end(what);
+
+    let published = Published::printed();
+    for resonance in &resonances {
+        terminal::say(&(summary::resonance(resonance).join("\n") + "\n"));
+        printed(&statement, &published, resonance).iter().for_each(|line| terminal::say(line));
+    }
+    for &p in &statement.loops {
+        let rows: Vec<_> = rows.iter().filter(|row| row.interval.p == i64::from(p)).cloned().collect();
+        terminal::say(&format!("\np = {p}\n"));
+        summary::regions(&oscillator, &rows).iter().for_each(|line| terminal::say(&format!("  {line}\n")));
+    }
+    let share = summary::undecided_share(&rows);
+    terminal::say(&format!(
+        "\n{} intervals; tubes around GZ curves are at most 1e-{} of A wide; {share:.1e} of nu is undecided.\n",
+        rows.len(),
+        grazing_certify::WIDTH_PLACES,
+    ));
+
+    let rows = certificate::rows(&rows);
+    let contents = [certificate::statement(&statement, &rows), certificate::resonances(&resonances), rows];
+    let files: Vec<OutputFile> = names
+        .into_iter()
+        .zip(contents)
+        .map(|(path, content)| OutputFile { path, content: content.into_bytes() })
+        .collect();
+    if arguments.check {
+        files.iter().try_for_each(|file| same(&folder, file))?;
+    } else {
+        folder::write(&folder, &files)?;
+        terminal::say(&format!("{}: the certificate is written; check.py checks it\n", folder.display()));
+    }
+    let unshown = resonances.iter().filter(|resonance| !resonance.missing.is_empty()).count();
+    match (share > 0.0, unshown) {
+        (false, 0) => Ok(()),
+        _ => Err(Failure::incomplete("not all could be proved, see above; the rest is in the certificate")),
+    }
+}
+
+/// What the parameter file says of Figure 7, as decimal numbers.
+fn statement(parameters: &Parameters) -> Result<Statement, Failure> {
+    let (figure, oscillator) = (parameters.section::<Figure7>()?, parameters.oscillator()?);
+    let decimal = |key: &str, x: f64| {
+        Decimal::new(x).ok_or_else(|| Failure::input(format!("{key} = {x}: a proof needs at most 18 digits")))
+    };
+    Ok(Statement {
+        zeta: decimal("oscillator.zeta", oscillator.damping_ratio())?,
+        epsilon: decimal("oscillator.epsilon", oscillator.coefficient_of_restitution())?,
+        frequency: [
+            decimal("fig07.frequency", figure.frequency[0])?,
+            decimal("fig07.frequency", figure.frequency[1])?,
+        ],
+        amplitude: decimal("fig07.amplitude", figure.amplitude[1])?,
+        loops: figure.loops,
+    })
+}
+
+/// Whether what the paper prints of a resonance, of an oscillator with its constants, is within half
+/// a unit of its last digit from what is proved.
+fn printed(statement: &Statement, published: &Published, resonance: &Resonance) -> Vec<String> {
+    let find = |id: &str| published.values.iter().find(|value| value.id == id);
+    let is = |id: &str, ours: Decimal| find(id).is_some_and(|value| value.printed == ours.to_string());
+    if !(is("zeta", statement.zeta) && is("epsilon", statement.epsilon)) {
+        return Vec::new();
+    }
+    let Resonance { p, n, omega, saddle_node, period_doubling, .. } = resonance;
+    let quantities = [("omega", omega), ("c_sn", saddle_node), ("c_pd", period_doubling)];
+    let line = |(name, proved): (&str, &Ball)| {
+        let value = find(&format!("{name}_p{p}_n{n}"))?;
+        let print = Decimal::new(value.printed.parse().ok()?)?.ball();
+        let half_a_unit = Ball::ratio(5, 10_i64.pow(value.decimals() as u32 + 1)).size();
+        let verdict = if half_a_unit.contains(*proved - print) { "as proved" } else { "NOT AS PROVED" };
+        Some(format!(
+            "  {} = {} as printed: {verdict} to the printed digits\n",
+            value.quantity, value.printed
+        ))
+    };
+    quantities.into_iter().filter_map(line).collect()
+}
+
+/// That a file is there with this content.
+fn same(folder: &Path, file: &OutputFile) -> Result<(), Failure> {
+    let path = folder.join(&file.path);
+    let found = fs::read(&path).map_err(|error| Failure::file(&path, &error))?;
+    if found == file.content {
+        return Ok(());
+    }
+    let path = path.display();
+    Err(Failure::check(format!("{path}: not what the code makes: `cargo xtask certify` writes it")))
+}
