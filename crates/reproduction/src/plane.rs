@@ -56,6 +56,7 @@ pub fn plane_diagram(
         frame: diagram.scope.window.in_units(&axes.units).into(),
         magnified,
         sections,
+        measured: Vec::new(),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 
+use crate::measured::MeasuredPoint;
 use crate::{Frame, rows, tables, words};
 
 words! {
@@ -119,6 +120,8 @@ tables! {
         magnified: Vec<MagnifiedPanel>,
         /// Where one-parameter diagrams run.
         sections: Vec<Section>,
+        /// What was measured in it.
+        measured: Vec<MeasuredPoint>,
     }
 
     /// What magnifications of a two-parameter diagram show; Figure 8 is one sheet of them.

@@ -14,6 +14,7 @@ use crate::ink::sheet::Sheet;
 use crate::ink::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, SheetWidth, THIN_SECTION};
 use crate::plot::axes::{Heading, Panel, overhang, room_beside};
 use crate::plot::kinds::{Area, Trace, draw_curves, draw_points};
+use crate::plot::measured::draw_measured;
 use crate::plot::magnified::{OFF_TRIANGLE, letter, rectangle};
 
 /// Width in the paper.
@@ -90,6 +91,7 @@ pub fn draw_diagram(
         let outline = rectangle(&panel, &magnified.frame, &mut labels);
         boxes.extend(outline.map(|outline| (magnified.panel, outline)));
     }
+    draw_measured(&panel, &mut labels, &diagram.measured);
     panel.axes(across, up)?;
 
     for (number, outline) in &boxes {

@@ -3,6 +3,7 @@
 
 use crate::geometry::shapes::triangle;
 use crate::geometry::sheet::in_hundredths;
+use crate::ink::measured::MeasuredMark;
 use crate::ink::style::{DISC_RADIUS, MARKER, Paint, Pen, TRIANGLE_SIZE};
 use crate::ink::svg::{fill, path_data, points, stroke};
 
@@ -23,6 +24,8 @@ pub enum Sample {
     Triangle,
     /// The marker of another point.
     Disc,
+    /// The mark of a measurement.
+    Measured(MeasuredMark),
 }
 
 impl Sample {
@@ -49,6 +52,7 @@ impl Sample {
             Sample::Disc => {
                 format!("<circle cx=\"12\" cy=\"5\" r=\"{}\"{}/>", points(DISC_RADIUS), fill(MARKER))
             }
+            Sample::Measured(mark) => mark.element(),
         }
     }
 }

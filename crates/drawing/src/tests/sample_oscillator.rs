@@ -193,6 +193,7 @@ impl SampleOscillator {
             frame: Frame { x: across.range([0.0, 1.2]), y: up.range([0.3, 1.0]) },
             magnified: panels,
             sections: Vec::new(),
+            measured: Vec::new(),
         };
         SampleOscillator { names: Names::new(names[0], names[1]), diagram, magnifications }
     }
