@@ -9,6 +9,7 @@ use grazing_drawing::{
 };
 use grazing_reproduction::unfolded::{AlongGrazing, AtResonances, Unfolded};
 use grazing_results::branches::OneParameter;
+use grazing_results::measured::Comparison;
 use grazing_results::plane::{Magnifications, PlaneDiagram};
 use grazing_results::{Names, Tables, brief, columns};
 
@@ -25,19 +26,32 @@ pub(crate) struct AnalysedOscillator {
     description: Description,
     pub(crate) unfolded: Analysis,
     diagram: PlaneDiagram,
+    /// What a rig did, beside it.
+    pub(crate) compared: Option<Comparison>,
 }
 
 impl AnalysedOscillator {
     /// The analysis of the oscillator that the file describes.
     pub(crate) fn new(file: &Path, description: &Description, unfolded: Analysis) -> Self {
         let diagram = unfolded.plane_diagram();
-        Self { file: file.to_owned(), description: description.clone(), unfolded, diagram }
+        Self { file: file.to_owned(), description: description.clone(), unfolded, diagram, compared: None }
     }
 
-    /// What there is to write: files that ask for no one-parameter diagram have no tables of them.
-    pub(crate) fn outputs(&self) -> &'static [Output<Self>] {
-        let (_, without_diagrams) = ALL.split_last().unwrap_or((&ALL[0], &[]));
-        if self.unfolded.diagrams.is_empty() { without_diagrams } else { ALL }
+    /// The same with what a rig did.
+    pub(crate) fn measured(mut self, compared: Option<Comparison>) -> Self {
+        self.diagram.measured = compared.iter().flat_map(|compared| compared.points.clone()).collect();
+        self.compared = compared;
+        self
+    }
+
+    /// What there is to write: files that ask for no one-parameter diagram have no tables of them,
+    /// and without measurements there is no comparison.
+    pub(crate) fn outputs(&self) -> impl Iterator<Item = &'static Output<Self>> {
+        ALL.iter().filter(|output| match output.name {
+            DIAGRAMS => !self.unfolded.diagrams.is_empty(),
+            MEASURED => self.compared.is_some(),
+            _ => true,
+        })
     }
 
     /// All that there is to write.
@@ -45,7 +59,7 @@ impl AnalysedOscillator {
     /// # Errors
     /// Something cannot be drawn.
     pub(crate) fn computed(&self, width: SheetWidth) -> Result<ComputedOutput, Failure> {
-        let outputs = self.outputs().iter().map(|output| output.compute(self, width));
+        let outputs = self.outputs().map(|output| output.compute(self, width));
         Ok(ComputedOutput::joined(outputs.collect::<Result<Vec<_>, _>>()?))
     }
 
@@ -85,8 +99,15 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
             magnifications,
         )
     },
-    Output::new("diagrams", "one-parameter bifurcation diagram", OneParameter::TABLES, one_parameter),
+    Output::new(DIAGRAMS, "one-parameter bifurcation diagram", OneParameter::TABLES, one_parameter),
+    Output::new(MEASURED, "measurements beside the diagram", Comparison::TABLES, |_, of, _| {
+        let tables = of.compared.as_ref().map(|compared| compared.tables(of.names()));
+        Ok(ComputedOutput::new(Vec::new(), tables.unwrap_or_default()))
+    }),
 ];
+
+const DIAGRAMS: &str = "diagrams";
+const MEASURED: &str = "measured";
 
 /// The two-parameter diagram.
 pub(crate) const TWO_PARAMETERS: Output<AnalysedOscillator> = Output {
