@@ -36,16 +36,22 @@ pub(crate) fn run(arguments: &arguments::Identify) -> Result<(), Failure> {
     let mut of = OscillatorFile::read(file, &settings(&arguments.set), Limits::USUAL)?;
     of.description = with_loops(of.description, arguments.loops.as_deref())?;
     let names = parameter_names(&of.description);
-    let read_file = |path: &PathBuf| read::points(path, names).map_err(|error| Failure::input(error.to_string()));
+    let read_file =
+        |path: &PathBuf| read::points(path, names).map_err(|error| Failure::input(error.to_string()));
     let points = data.as_ref().map(read_file).transpose()?.unwrap_or_default();
-    let read_record = |path: &PathBuf| read::record(path, names).map_err(|error| Failure::input(error.to_string()));
+    let read_record =
+        |path: &PathBuf| read::record(path, names).map_err(|error| Failure::input(error.to_string()));
     let record = record.as_ref().map(read_record).transpose()?.unwrap_or_default();
     let start = starts(free, &of.description)?;
     let measured = Measurements { points, record };
-    let bifurcations = measured.points.iter().filter(|point| matches!(point.seen, Seen::Bifurcation { .. })).count();
+    let bifurcations =
+        measured.points.iter().filter(|point| matches!(point.seen, Seen::Bifurcation { .. })).count();
     if bifurcations == 0 && measured.record.is_empty() {
         let remedy = "what was merely seen at a place tells no constant: measure where something changes (seen = graz, SN, PD, ...), or give a --record of impacts";
-        return Err(Failure::input(format!("{}: there is no bifurcation among the measurements: {remedy}", file.display())));
+        return Err(Failure::input(format!(
+            "{}: there is no bifurcation among the measurements: {remedy}",
+            file.display()
+        )));
     }
     let folder = match &arguments.output {
         Some(folder) => folder.clone(),
@@ -94,7 +100,9 @@ fn starts(free: &[String], description: &Description) -> Result<Vec<f64>, Failur
             )));
         };
         if free[..place].contains(name) {
-            return Err(Failure::input(format!("--free {name}: it is free already: name every constant once")));
+            return Err(Failure::input(format!(
+                "--free {name}: it is free already: name every constant once"
+            )));
         }
         values.push(*value);
     }
@@ -132,16 +140,31 @@ const UNLIKELY: f64 = 3.0;
 fn listing(file: &Path, names: &Names, fit: &Fit, found: &Identified, unused: usize) -> String {
     let mut text = String::from("identified, with standard errors\n");
     let row = |row: &grazing_results::measured::IdentifiedConstant| {
-        vec![row.constant.clone(), significant(row.value, VALUE), brief(row.error, DIGITS), brief(row.start, VALUE)]
+        vec![
+            row.constant.clone(),
+            significant(row.value, VALUE),
+            brief(row.error, DIGITS),
+            brief(row.start, VALUE),
+        ]
     };
     text.push_str(&aligned(&["constant", "value", "error", "in the file"], found.constants.iter().map(row)));
     for row in &found.correlations {
-        text.push_str(&format!("  correlation of {} and {}: {}\n", row.constant, row.other, brief(row.correlation, DIGITS)));
+        text.push_str(&format!(
+            "  correlation of {} and {}: {}\n",
+            row.constant,
+            row.other,
+            brief(row.correlation, DIGITS)
+        ));
     }
     let (freedom, squares) = (fit.freedom as f64, fit.chi_squared);
     let numbers = found.residuals.len();
     if fit.scattered {
-        text.push_str(&wrapped("\n  ", &format!("No errors are stated: those of the constants come from the scatter of {numbers} numbers.")));
+        text.push_str(&wrapped(
+            "\n  ",
+            &format!(
+                "No errors are stated: those of the constants come from the scatter of {numbers} numbers."
+            ),
+        ));
     } else {
         text.push_str(&format!(
             "\n  chi^2 = {} for {} degrees of freedom, {numbers} measured numbers\n",

@@ -131,9 +131,10 @@ impl Task {
         let keeper = Keeper::new(&self.folder);
         let (unfolded, met) = analyse(&self.of, self.limits, &|table| keeper.keep(table))?;
         let watch = Watch::begin(self.limits, Duration::ZERO);
-        let compared = self.measured.as_ref().map(|measured| {
-            compare(measured, &unfolded.axes, &unfolded.diagram, &watch.stop())
-        });
+        let compared = self
+            .measured
+            .as_ref()
+            .map(|measured| compare(measured, &unfolded.axes, &unfolded.diagram, &watch.stop()));
         let analysed = AnalysedOscillator::new(file, description, unfolded).measured(compared);
         let (files, unfolded) = (self.files(&analysed, edition)?, &analysed.unfolded);
         let written = folder::write_run(&self.folder, &files, met.is_some())?;

@@ -84,7 +84,8 @@ impl Beside<'_> {
             return vec![(0, kind.name().to_owned(), loops.unwrap_or(0))];
         }
         let at = self.without_dimensions(one.at);
-        let named = |(number, region): (u32, &Region)| (number, region.kind().name().to_owned(), region.loops);
+        let named =
+            |(number, region): (u32, &Region)| (number, region.kind().name().to_owned(), region.loops);
         let held: Vec<_> = self.regions(at).map(named).collect();
         if held.is_empty() { vec![(0, "none".to_owned(), 0)] } else { held }
     }
@@ -102,7 +103,8 @@ impl Beside<'_> {
             }
             _ => self.simulated(one.seen, at),
         };
-        let stable: Vec<String> = self.regions(at).filter(|(_, region)| region.doubt.is_none()).map(stable).collect();
+        let stable: Vec<String> =
+            self.regions(at).filter(|(_, region)| region.doubt.is_none()).map(stable).collect();
         let theory = match stable.as_slice() {
             _ if !inside => String::new(),
             [] => "no solution of these p".to_owned(),
@@ -137,10 +139,13 @@ impl Beside<'_> {
         }
         match undecided {
             Some(doubt) => (Agreement::Undecided, doubt),
-            None if loops == 0 => {
-                (Agreement::Disagrees, "motion without impacts is not stable there, or reaches the wall".to_owned())
+            None if loops == 0 => (
+                Agreement::Disagrees,
+                "motion without impacts is not stable there, or reaches the wall".to_owned(),
+            ),
+            None => {
+                (Agreement::Disagrees, format!("no solution of p = {loops} is stable and admissible there"))
             }
-            None => (Agreement::Disagrees, format!("no solution of p = {loops} is stable and admissible there")),
         }
     }
 
@@ -150,7 +155,8 @@ impl Beside<'_> {
         if here.0 == Agreement::Agrees || errors == [0.0; 2] {
             return here;
         }
-        let around = AROUND.into_iter().flat_map(|way| SHARES.map(|share| way.map(|part| WITHIN * share * part)));
+        let around =
+            AROUND.into_iter().flat_map(|way| SHARES.map(|share| way.map(|part| WITHIN * share * part)));
         let places = around.map(|step| [0, 1].map(|k| at[k] + step[k] * errors[k]));
         let near = places.filter(|place| self.diagram.scope.window.contains(*place));
         match near.map(|place| self.at(place, loops)).find(|(there, _)| *there == Agreement::Agrees) {
@@ -172,7 +178,10 @@ impl Beside<'_> {
         let place = [near.unknowns[unknown::PRIMARY], near.unknowns[unknown::SECONDARY]];
         let [primary, secondary] = self.axes.units.parameters(place).map(|value| brief(value, 6));
         let names = &self.axes.names;
-        let where_ = format!("the curve is nearest at {} = {primary}, {} = {secondary}", names.primary, names.secondary);
+        let where_ = format!(
+            "the curve is nearest at {} = {primary}, {} = {secondary}",
+            names.primary, names.secondary
+        );
         if !metric.stated {
             return (Agreement::Undecided, format!("no error is stated; {where_}"));
         }
@@ -195,7 +204,10 @@ impl Beside<'_> {
                 let kinds: Vec<String> =
                     found.attractors.iter().map(|attractor| words(&attractor.fate)).collect();
                 let all = kinds.join("; ");
-                (Agreement::Undecided, format!("regions do not tell; {total} simulated states come to: {all}"))
+                (
+                    Agreement::Undecided,
+                    format!("regions do not tell; {total} simulated states come to: {all}"),
+                )
             }
             states => (Agreement::Agrees, format!("by simulation: {states} of {total} states come to it")),
         }
@@ -215,9 +227,8 @@ fn impacts(fate: &Fate) -> Option<(u32, f64)> {
 /// Whether what an orbit comes to is what was seen.
 fn is_seen(fate: &Fate, seen: Seen) -> bool {
     match seen {
-        Seen::Periodic { periods, impacts: count } => {
-            impacts(fate).is_some_and(|(own, impacts)| own == periods && (impacts - f64::from(count)).abs() < 0.5)
-        }
+        Seen::Periodic { periods, impacts: count } => impacts(fate)
+            .is_some_and(|(own, impacts)| own == periods && (impacts - f64::from(count)).abs() < 0.5),
         Seen::Irregular => fate.kind == MotionKind::Chaotic,
         Seen::Bifurcation { .. } => false,
     }

@@ -88,7 +88,9 @@ pub enum FitError {
         datum: usize,
     },
     /// There are fewer numbers than are looked for.
-    #[error("{numbers} measured numbers cannot determine {unknowns} unknowns: measure more, or free fewer constants")]
+    #[error(
+        "{numbers} measured numbers cannot determine {unknowns} unknowns: measure more, or free fewer constants"
+    )]
     TooFew {
         /// The measured numbers.
         numbers: usize,
@@ -96,7 +98,9 @@ pub enum FitError {
         unknowns: usize,
     },
     /// The measurements do not tell a constant, or not apart from others.
-    #[error("the measurements do not determine the constant number {0} of those that are free: leave it out of --free")]
+    #[error(
+        "the measurements do not determine the constant number {0} of those that are free: leave it out of --free"
+    )]
     Undetermined(usize),
     /// The method does not come to an end.
     #[error("no least sum of squares was found: begin nearer to it by --set")]
@@ -169,7 +173,9 @@ impl Datum {
     fn count(&self) -> usize {
         match self {
             Self::Bifurcation(_) => 1,
-            Self::Impacts(segment) => segment.impacts.iter().flatten().filter(|value| !value.is_nan()).count(),
+            Self::Impacts(segment) => {
+                segment.impacts.iter().flatten().filter(|value| !value.is_nan()).count()
+            }
         }
     }
 
@@ -385,8 +391,8 @@ impl MPFitter for Problem<'_> {
         let oscillator = (self.rig)(&all[..self.constants]).ok_or(MPError::Eval)?;
         for (index, datum) in self.data.iter().enumerate() {
             let [first, from] = self.begins[index];
-            for place in from..from + datum.own().len() {
-                let Some(column) = &mut columns[place] else { continue };
+            let own = columns.iter_mut().enumerate().skip(from).take(datum.own().len());
+            for (place, column) in own.filter_map(|(place, column)| Some((place, column.as_mut()?))) {
                 let side = |by: f64| {
                     let moved = moved(place, by);
                     let found = datum.residuals(&oscillator, self.window, self.own(&moved, index));
@@ -408,7 +414,13 @@ impl MPFitter for Problem<'_> {
 ///
 /// # Errors
 /// [`FitError`].
-pub fn fit(rig: Rig<'_>, start: &[f64], window: Window, data: Vec<Datum>, weight: Weight) -> Result<Fit, FitError> {
+pub fn fit(
+    rig: Rig<'_>,
+    start: &[f64],
+    window: Window,
+    data: Vec<Datum>,
+    weight: Weight,
+) -> Result<Fit, FitError> {
     let constants = start.len();
     let (mut begins, mut numbers, mut all) = (Vec::new(), 0, start.to_vec());
     for datum in &data {
@@ -419,13 +431,17 @@ pub fn fit(rig: Rig<'_>, start: &[f64], window: Window, data: Vec<Datum>, weight
     if numbers < all.len() || data.is_empty() {
         return Err(FitError::TooFew { numbers, unknowns: all.len() });
     }
-    let metrics = data.iter().filter_map(|datum| match datum {
-        Datum::Bifurcation(located) => Some(located.metric.stated),
-        Datum::Impacts(_) => Some(true),
+    let scattered = data.iter().all(|datum| match datum {
+        Datum::Bifurcation(located) => !located.metric.stated,
+        Datum::Impacts(_) => false,
     });
-    let scattered = !metrics.into_iter().any(|stated| stated);
-    let config =
-        MPConfig { max_iter: MOST_STEPS, ftol: TOLERANCE, xtol: TOLERANCE, gtol: TOLERANCE, ..MPConfig::new() };
+    let config = MPConfig {
+        max_iter: MOST_STEPS,
+        ftol: TOLERANCE,
+        xtol: TOLERANCE,
+        gtol: TOLERANCE,
+        ..MPConfig::new()
+    };
     let free = || MPPar { side: MPSide::User, ..MPPar::new() };
     let parameters = all.iter().map(|_| free()).collect();
     let mut problem = Problem { rig, window, data, weight, constants, begins, numbers, parameters, config };
@@ -434,8 +450,10 @@ pub fn fit(rig: Rig<'_>, start: &[f64], window: Window, data: Vec<Datum>, weight
     if status.success == MPSuccess::MaxIter {
         return Err(FitError::NoConvergence);
     }
-    if let Some(place) = status.xerror[..constants].iter().position(|error| !(error.is_finite() && *error > 0.0)) {
-        return Err(FitError::Undetermined(place + 1));
+    if let Some(place) =
+        status.xerror[..constants].iter().position(|error| !(error.is_finite() && *error > 0.0))
+    {
+        return Err(FitError::Undetermined(place));
     }
     let found = problem.residuals(&all).map_err(|_| FitError::NoConvergence)?;
     let squares = found.iter().flat_map(|(numbers, _)| numbers).map(|number| number * number);
@@ -450,7 +468,9 @@ pub fn fit(rig: Rig<'_>, start: &[f64], window: Window, data: Vec<Datum>, weight
     let entry = |row: usize, column: usize| scale * status.covar[row * status.n_par + column];
     Ok(Fit {
         values: all[..constants].to_vec(),
-        covariance: (0..constants).map(|row| (0..constants).map(|column| entry(row, column)).collect()).collect(),
+        covariance: (0..constants)
+            .map(|row| (0..constants).map(|column| entry(row, column)).collect())
+            .collect(),
         chi_squared,
         freedom,
         scattered,

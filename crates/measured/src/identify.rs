@@ -1,13 +1,13 @@
 //! Constants of an oscillator, identified: the search from diagram to diagram, and what is known of
 //! the resonances then.
 
+use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_results::measured::{Correlation, Identified, IdentifiedConstant, IdentifiedResonance, Residual};
 use grazing_unfold::family::{ArcEnd, arcs};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::resonances::Resonance;
 use grazing_unfold::{Diagram, Scope, UnfoldError};
-use grazing_model::ImpactOscillator;
 use thiserror::Error;
 
 use crate::associate::associate;
@@ -43,6 +43,9 @@ pub enum IdentifyError {
     /// There is no fit.
     #[error(transparent)]
     Fit(#[from] FitError),
+    /// The measurements do not tell a constant, or not apart from others.
+    #[error("the measurements do not determine {0}, or not apart from others: leave it out of --free")]
+    Undetermined(String),
     /// There is no oscillator, or no diagram, on the way.
     #[error("with {constants} there is nothing to compare with: {reason}")]
     Diagram {
@@ -55,7 +58,9 @@ pub enum IdentifyError {
     #[error("with {0} the file has no oscillator")]
     NoOscillator(String),
     /// A measured bifurcation has no curve.
-    #[error("line {line}: the diagram has no curve of {words}: begin with other constants by --set, or add its p to --loops")]
+    #[error(
+        "line {line}: the diagram has no curve of {words}: begin with other constants by --set, or add its p to --loops"
+    )]
     NoCurve {
         /// Its line.
         line: u32,
@@ -97,7 +102,9 @@ pub fn identify(
             let diagram = task.diagram(&at, progress)?;
             for point in &measured.points {
                 match associate(std::slice::from_ref(point), &diagram, &task.units) {
-                    Ok(located) => data.extend(located.into_iter().map(|one| Datum::Bifurcation(Box::new(one)))),
+                    Ok(located) => {
+                        data.extend(located.into_iter().map(|one| Datum::Bifurcation(Box::new(one))))
+                    }
                     Err((line, words)) => lost = Some(IdentifyError::NoCurve { line, words }),
                 }
             }
@@ -118,7 +125,10 @@ pub fn identify(
         if progress.stopped() {
             return Err(IdentifyError::Stopped);
         }
-        let found = found?;
+        let found = found.map_err(|error| match error {
+            FitError::Undetermined(place) => IdentifyError::Undetermined(task.names[place].clone()),
+            error => error.into(),
+        })?;
         let errors = found.errors();
         let settled = (0..at.len()).all(|k| (found.values[k] - at[k]).abs() <= SETTLED * errors[k]);
         at.clone_from(&found.values);
@@ -172,7 +182,12 @@ impl Task<'_> {
         pieces.collect()
     }
 
-    fn identified(&self, found: &Fit, data: &[Datum], progress: &dyn Progress) -> Result<Identified, IdentifyError> {
+    fn identified(
+        &self,
+        found: &Fit,
+        data: &[Datum],
+        progress: &dyn Progress,
+    ) -> Result<Identified, IdentifyError> {
         let (errors, count) = (found.errors(), self.names.len());
         let constants = (0..count).map(|k| IdentifiedConstant {
             constant: self.names[k].clone(),
@@ -186,15 +201,13 @@ impl Task<'_> {
             other: self.names[other].clone(),
             correlation: found.correlation(one, other),
         });
-        let residuals = data.iter().zip(&found.residuals).flat_map(|(datum, numbers)| {
-            let source = if matches!(datum, Datum::Impacts(_)) { "record" } else { "points" };
-            datum.quantities().into_iter().zip(numbers).map(move |((line, quantity), residual)| Residual {
-                source: source.to_owned(),
-                line,
-                quantity,
-                residual: *residual,
-            })
-        });
+        let residuals =
+            data.iter().zip(&found.residuals).flat_map(|(datum, numbers)| {
+                let source = if matches!(datum, Datum::Impacts(_)) { "record" } else { "points" };
+                datum.quantities().into_iter().zip(numbers).map(move |((line, quantity), residual)| {
+                    Residual { source: source.to_owned(), line, quantity, residual: *residual }
+                })
+            });
         Ok(Identified {
             constants: constants.collect(),
             correlations: correlations.collect(),
@@ -207,7 +220,11 @@ impl Task<'_> {
     ///
     /// A resonance is followed in every constant by one standard error to both sides; half the
     /// difference is the change of first order, and covariances are those of these changes.
-    fn resonances(&self, found: &Fit, progress: &dyn Progress) -> Result<Vec<IdentifiedResonance>, IdentifyError> {
+    fn resonances(
+        &self,
+        found: &Fit,
+        progress: &dyn Progress,
+    ) -> Result<Vec<IdentifiedResonance>, IdentifyError> {
         let diagram = self.located(&found.values, progress)?;
         let (errors, count) = (found.errors(), found.values.len());
         let mut changes = vec![vec![[f64::NAN; 2]; count]; diagram.resonances.len()];
@@ -237,13 +254,15 @@ impl Task<'_> {
                 let pairs = (0..count).flat_map(|one| (0..count).map(move |other| (one, other)));
                 pairs.map(|(a, b)| changes[a][axis] * changes[b][axis] * found.correlation(a, b)).sum()
             };
-            let [primary, secondary] = self.units.parameters(resonance.located.orbit().oscillator().parameters());
+            let [primary, secondary] =
+                self.units.parameters(resonance.located.orbit().oscillator().parameters());
             let deviations = [0, 1].map(|axis| variance(axis).max(0.0).sqrt());
             // A root of NaN stays one: max() would turn it into a certainty.
             let known = changes.iter().flatten().all(|change| change.is_finite());
             let [primary_error, secondary_error] =
                 if known { self.units.parameters(deviations) } else { [f64::NAN; 2] };
-            let lost = "within a standard error of a constant it leaves the ranges, ends, or meets another one";
+            let lost =
+                "within a standard error of a constant it leaves the ranges, ends, or meets another one";
             let reason = if known { String::new() } else { lost.to_owned() };
             let (loops, n) = (resonance.loops, resonance.n);
             IdentifiedResonance { loops, n, secondary, secondary_error, primary, primary_error, reason }

@@ -89,7 +89,10 @@ pub const POINTS: Columns = &[
     ("{secondary}", "the secondary parameter, likewise"),
     ("{primary}_error", "its standard error; empty, or left out, where none is known"),
     ("{secondary}_error", "its standard error; likewise"),
-    ("seen", "`none` (no impacts), `periodic`, `irregular`, or a bifurcation: `graz`, `SN`, `PD`, `GZ`, `NS` or `PF`"),
+    (
+        "seen",
+        "`none` (no impacts), `periodic`, `irregular`, or a bifurcation: `graz`, `SN`, `PD`, `GZ`, `NS` or `PF`",
+    ),
     ("periods", "forcing periods after which periodic motion comes again; of `none` 1 where it is empty"),
     ("impacts", "impacts in this time"),
     ("p", "of a bifurcation, the number of loops; empty where it is not known"),
@@ -263,7 +266,10 @@ impl<'t> Table<'t> {
             if !list.contains(name) {
                 let near = suggestion(nearest(name, &list));
                 let name = shortened(name, SHOWN);
-                return Err(at(line, format!("unknown column {name}{near} The columns are {}", list.join(", "))));
+                return Err(at(
+                    line,
+                    format!("unknown column {name}{near} The columns are {}", list.join(", ")),
+                ));
             }
             if header[..place].contains(name) {
                 return Err(at(line, format!("the column {name} is there twice: remove one of them")));
@@ -277,7 +283,8 @@ impl<'t> Table<'t> {
         let rows: Vec<Row<'_>> = lines.map(|(line, text)| Row { line, cells: cells(text) }).collect();
         if let Some(row) = rows.iter().find(|row| row.cells.len() != header.len()) {
             let counts = format!("{} cells, and there are {} columns", row.cells.len(), header.len());
-            let remedy = "separate cells by commas, write decimals with a point, and leave empty what is not known";
+            let remedy =
+                "separate cells by commas, write decimals with a point, and leave empty what is not known";
             return Err(at(row.line, format!("this line has {counts}: {remedy}")));
         }
         match rows.len() {
@@ -318,13 +325,23 @@ impl<'t> Table<'t> {
     }
 
     /// A whole number from `least` on, or what stands for none.
-    fn count(&self, row: &Row<'_>, column: &str, least: u32, none: Option<u32>) -> Result<Option<u32>, MeasurementError> {
+    fn count(
+        &self,
+        row: &Row<'_>,
+        column: &str,
+        least: u32,
+        none: Option<u32>,
+    ) -> Result<Option<u32>, MeasurementError> {
         match row.cell(self.position(column)) {
             "" if none.is_some() => Ok(none),
             "" => Ok(None),
             cell => match cell.parse() {
                 Ok(count) if (least..=MOST_PERIODS).contains(&count) => Ok(Some(count)),
-                _ => Err(self.refusal(row, column, &format!("write a whole number from {least} to {MOST_PERIODS}"))),
+                _ => Err(self.refusal(
+                    row,
+                    column,
+                    &format!("write a whole number from {least} to {MOST_PERIODS}"),
+                )),
             },
         }
     }
@@ -356,7 +373,9 @@ impl<'t> Table<'t> {
                     Some(_) => Err(self.refusal(row, "impacts", "`none` was seen, which has no impacts")),
                 }
             }
-            "periodic" => Ok(Seen::Periodic { periods: needed("periods", 1)?, impacts: needed("impacts", 1)? }),
+            "periodic" => {
+                Ok(Seen::Periodic { periods: needed("periods", 1)?, impacts: needed("impacts", 1)? })
+            }
             "irregular" => Ok(Seen::Irregular),
             word => match Bifurcation::ALL.into_iter().find(|kind| kind.name() == word) {
                 Some(kind) => Ok(Seen::Bifurcation { kind, loops: self.count(row, "p", 0, None)? }),
@@ -418,7 +437,8 @@ mod tests {
     fn impacts_fall_into_series_in_the_order_of_time() {
         let head = "A,omega,series,time,velocity_before,velocity_after,time_error,velocity_error\n";
         let read = |rows: &str| record_of(&format!("{head}{rows}"), "rig.csv", NAMES);
-        let series = read("1,2,a,0,0.5,0.4,1e-3,1e-2\n1,2,a,3,0.6,,1e-3,1e-2\n1,2,b,1,0.5,,1e-3,1e-2\n").unwrap();
+        let series =
+            read("1,2,a,0,0.5,0.4,1e-3,1e-2\n1,2,a,3,0.6,,1e-3,1e-2\n1,2,b,1,0.5,,1e-3,1e-2\n").unwrap();
         assert_eq!(series.iter().map(|one| one.impacts.len()).collect::<Vec<_>>(), [2, 1]);
         assert!(series[0].impacts[1].values[2].is_nan());
         let error = read("1,2,a,3,0.5,,1e-3,1e-2\n1,2,a,0,0.6,,1e-3,1e-2\n").unwrap_err().to_string();

@@ -5,7 +5,9 @@ use core::f64::consts::TAU;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
 use grazing_measured::read::Impact;
-use grazing_measured::{Datum, Fit, Measurements, Observation, Seen, Segment, Series, Task, Weight, associate, fit, identify};
+use grazing_measured::{
+    Datum, Fit, Measurements, Observation, Seen, Segment, Series, Task, Weight, associate, fit, identify,
+};
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::smooth::Units;
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, OnWall, State};
@@ -60,7 +62,12 @@ fn places(truth: &Diagram) -> Vec<(Seen, [f64; 2])> {
         let seen = Seen::Bifurcation { kind: curve.kind, loops: Some(curve.loops) };
         let bends = matches!(curve.kind, Bifurcation::SaddleNode | Bifurcation::PeriodDoubling);
         let points = curve.curve.parameters();
-        all.extend([1, 2].into_iter().filter(|_| bends && points.len() > 9).map(|k| (seen, points[k * points.len() / 3])));
+        all.extend(
+            [1, 2]
+                .into_iter()
+                .filter(|_| bends && points.len() > 9)
+                .map(|k| (seen, points[k * points.len() / 3])),
+        );
     }
     all
 }
@@ -103,12 +110,13 @@ fn noisy(impacts: &[[f64; 3]], noise: &mut Noise) -> Vec<[f64; 3]> {
 fn assert_errors_are_true(fits: &[Fit]) {
     let count = fits.len() as f64;
     let deviation = (count * 0.95 * 0.05).sqrt();
-    for k in 0..TRUTH.len() {
-        let inside = fits.iter().filter(|fit| (fit.values[k] - TRUTH[k]).abs() <= 1.96 * fit.errors()[k]).count();
+    for (k, truth) in TRUTH.into_iter().enumerate() {
+        let inside =
+            fits.iter().filter(|fit| (fit.values[k] - truth).abs() <= 1.96 * fit.errors()[k]).count();
         assert!((inside as f64 - 0.95 * count).abs() <= 3.0 * deviation, "constant {k}: {inside} of {count}");
         // Nor are they merely small: they are the scatter of the values, to the 5 % that so many tell
         // (three standard deviations are 15 %).
-        let squares: f64 = fits.iter().map(|fit| (fit.values[k] - TRUTH[k]) * (fit.values[k] - TRUTH[k])).sum();
+        let squares: f64 = fits.iter().map(|fit| (fit.values[k] - truth) * (fit.values[k] - truth)).sum();
         let mean: f64 = fits.iter().map(|fit| fit.errors()[k]).sum::<f64>() / count;
         assert!(((squares / count).sqrt() / mean - 1.0).abs() < 0.15, "constant {k}: {mean}");
     }
@@ -151,8 +159,7 @@ fn errors_of_constants_from_impacts_are_true() {
 #[test]
 fn constants_are_found_from_afar_and_tell_the_resonances() {
     let names = ["zeta", "epsilon"].map(str::to_owned);
-    let task =
-        Task { rig: &rig, names: &names, start: &[0.03, 0.8], scope: &scope(), units: Units::ONE };
+    let task = Task { rig: &rig, names: &names, start: &[0.03, 0.8], scope: &scope(), units: Units::ONE };
     let at = [0.4, 0.8];
     let mut noise = Noise::of(1);
     let impacts = noisy(&impacts(at, [0.3, 0.9], 20), &mut noise);

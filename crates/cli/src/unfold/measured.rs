@@ -15,13 +15,23 @@ pub(super) fn listing(compared: &Comparison) -> String {
     let row = |count: &MeasuredCount| {
         let region = if count.region == 0 { "-".to_owned() } else { count.region.to_string() };
         let loops = if count.kind == "none" { "-".to_owned() } else { count.loops.to_string() };
-        let numbers = [count.points, count.agree, count.within_error, count.disagree, count.undecided, count.silent];
+        let numbers =
+            [count.points, count.agree, count.within_error, count.disagree, count.undecided, count.silent];
         let mut cells = vec![region, count.kind.clone(), loops];
         cells.extend(numbers.map(|number| number.to_string()));
         cells
     };
-    let heads =
-        ["region", "kind", "p", "measured", "agree", "within error", "disagree", "undecided", "nothing computed"];
+    let heads = [
+        "region",
+        "kind",
+        "p",
+        "measured",
+        "agree",
+        "within error",
+        "disagree",
+        "undecided",
+        "nothing computed",
+    ];
     let counts = aligned(&heads, compared.counts.iter().map(row));
     let against: Vec<&MeasuredPoint> =
         compared.points.iter().filter(|point| point.agreement == Agreement::Disagrees).collect();

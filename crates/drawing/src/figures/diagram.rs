@@ -14,8 +14,8 @@ use crate::ink::sheet::Sheet;
 use crate::ink::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, SheetWidth, THIN_SECTION};
 use crate::plot::axes::{Heading, Panel, overhang, room_beside};
 use crate::plot::kinds::{Area, Trace, draw_curves, draw_points};
-use crate::plot::measured::draw_measured;
 use crate::plot::magnified::{OFF_TRIANGLE, letter, rectangle};
+use crate::plot::measured::draw_measured;
 
 /// Width in the paper.
 const WIDTH_MM: f64 = 120.0;

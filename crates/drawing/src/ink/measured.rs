@@ -47,7 +47,8 @@ impl MeasuredMark {
             let ((x, y), reach) = (centre, 0.85 * MEASURED_SIZE);
             let falling = [(x - reach, y - reach), (x + reach, y + reach)];
             let rising = [(x - reach, y + reach), (x + reach, y - reach)];
-            let both = |pen: Pen| [falling, rising].map(|ends| (all_in_hundredths(&ends), false, stroke(Some(pen))));
+            let both =
+                |pen: Pen| [falling, rising].map(|ends| (all_in_hundredths(&ends), false, stroke(Some(pen))));
             all.extend(both(DISAGREES_RIM).into_iter().chain(both(DISAGREES)));
         }
         all
