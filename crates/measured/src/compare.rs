@@ -18,6 +18,9 @@ use crate::read::{Observation, Seen};
 
 /// Standard errors within which measurements agree: 95 of 100 lie there.
 const WITHIN: f64 = 2.0;
+/// Random states from which motion is simulated that regions do not speak of. It takes long where it does
+/// not settle.
+const STATES: u32 = 8;
 /// Directions in which places within error are looked at, and at which shares of that distance.
 const AROUND: [[f64; 2]; 8] = {
     const DIAGONAL: f64 = core::f64::consts::FRAC_1_SQRT_2;
@@ -192,9 +195,9 @@ impl Beside<'_> {
 
     /// What simulation says of motion on which regions are silent.
     fn simulated(&self, seen: Seen, at: [f64; 2]) -> Verdict {
-        let starts = Starts::default();
+        let starts = Starts { states: STATES, ..Starts::default() };
         let here = self.diagram.oscillator.with_parameters(at);
-        let Some(found) = Place::compute(&here, &self.diagram.scope.loops, &starts, self.stop) else {
+        let Some(found) = Place::compute(&here, &[], &starts, self.stop) else {
             return (Agreement::Undecided, "not finished".to_owned());
         };
         let total: u32 = found.attractors.iter().map(|attractor| attractor.states).sum();

@@ -20,14 +20,19 @@ fn column(text: &str, header: &str) -> Vec<String> {
 #[test]
 fn what_a_rig_did_is_compared_counted_and_drawn() {
     let folder = empty_folder();
-    let (file, data) = (example("leaf-spring.toml"), example("leaf-spring-seen.csv"));
+    let (file, all) = (example("leaf-spring.toml"), example("leaf-spring-seen.csv"));
+    let all = fs::read_to_string(all).expect("it is there");
+    // Chaos takes long to be told from motion that settles.
+    let long = ["irregular", "periodic,10,", "periodic,4,6"];
+    let seen: Vec<&str> = all.lines().filter(|line| !long.iter().any(|word| line.contains(word))).collect();
+    let data = "seen.csv".to_owned();
+    fs::write(folder.path().join(&data), seen.join("\n")).expect("it can be written");
     let run = grazing(folder.path(), &["unfold", &file, "--data", &data, "--output", "out"]);
     assert_eq!((run.code, run.errors()), (Some(0), ""), "{}", run.messages);
     assert!(run.output.contains("\nmeasured, and what is computed there\n"), "{}", run.output);
     let read = |name: &str| fs::read_to_string(folder.path().join("out").join(name)).expect("it is written");
     let (measured, counts) = (read("data/measured.csv"), read("data/agreement.csv"));
-    let seen = fs::read_to_string(&data).expect("it is there");
-    let written = seen.lines().filter(|line| !line.starts_with(['#', 'a'])).count();
+    let written = seen.iter().filter(|line| !line.starts_with(['#', 'a'])).count();
     let verdicts = column(&measured, "agreement");
     assert_eq!(verdicts.len(), written);
     // Nothing is counted of bifurcations but what the places say, and places in several regions count in each.
