@@ -57,6 +57,9 @@ pub enum Command {
     /// Explore the diagram in a browser: move constants, point at places, zoom
     #[command(next_line_help = true, after_help = help!("explore", "exit_codes"))]
     Explore(Explore),
+    /// Identify constants of an oscillator from what a rig did
+    #[command(next_line_help = true, after_help = help!("identify", "exit_codes"))]
+    Identify(Identify),
     /// Join the parts of a family that `unfold --part` computed
     #[command(next_line_help = true, after_help = help!("merge", "exit_codes"))]
     Merge(Merge),
@@ -202,6 +205,9 @@ pub struct Unfold {
     /// Compute only this part of the family, to be joined with the others by `merge`
     #[arg(long, value_name = "K/N", requires = "vary")]
     pub part: Option<Part>,
+    /// CSV of what a rig did, to be compared and drawn
+    #[arg(long, value_name = "CSV", conflicts_with = "vary")]
+    pub data: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) threads: Threads,
     /// Print every hypothesis and every quantity of every resonance
@@ -241,6 +247,34 @@ pub struct Explore {
     /// Do not open a browser
     #[arg(long)]
     pub no_browser: bool,
+}
+
+/// The arguments of `grazing identify`.
+#[derive(Debug, Args)]
+pub struct Identify {
+    /// Description of an oscillator, as examples/leaf-spring.toml
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// CSV of places where bifurcations were seen
+    #[arg(long, value_name = "CSV", required_unless_present = "record")]
+    pub data: Option<PathBuf>,
+    /// CSV of impacts: times, velocities before and after
+    #[arg(long, value_name = "CSV")]
+    pub record: Option<PathBuf>,
+    /// Constants to be identified, separated by commas; the others stay as they are in the file
+    #[arg(long, value_name = "LIST", value_delimiter = ',', required = true)]
+    pub free: Vec<String>,
+    /// Numbers of loops p, separated by commas [default: those of the file]
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub loops: Option<Vec<u32>>,
+    /// Value for a key of the file, in its place; the search begins with those of the constants
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<Setting>,
+    /// Folder for the results [default: identified/NAME]
+    #[arg(long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) threads: Threads,
 }
 
 /// The arguments of `grazing merge`.

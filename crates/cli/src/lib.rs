@@ -14,6 +14,7 @@ mod explore;
 pub mod failure;
 pub mod family;
 pub mod folder;
+mod identify;
 mod limits;
 mod new;
 mod oscillator;
@@ -48,6 +49,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Command::Unfold(arguments) if !arguments.vary.is_empty() => family::run(arguments),
         Command::Unfold(arguments) => unfold::run(arguments),
         Command::Explore(arguments) => explore::run(arguments),
+        Command::Identify(arguments) => identify::run(arguments),
         Command::Merge(arguments) => family::merge(arguments),
         Command::New(arguments) => new::run(arguments),
     }

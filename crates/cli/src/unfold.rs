@@ -5,20 +5,23 @@ mod explanation;
 mod keeper;
 pub(crate) mod layout;
 mod listing;
+mod measured;
 pub(crate) mod numbers;
 pub(crate) mod page;
 pub(crate) mod reason;
 
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use grazing_description::Limits;
+use grazing_measured::{Observation, compare, read};
 use grazing_reproduction::unfolded::AtResonance;
 
 use crate::arguments;
 use crate::failure::Failure;
 use crate::folder::{self, OutputFile, summary};
-use crate::limits::{self, ended};
+use crate::identify::parameter_names;
+use crate::limits::{self, Watch, ended};
 use crate::oscillator::{OscillatorFile, settings, with_loops};
 use crate::outputs::edition::{Edition, Format};
 use crate::outputs::latex;
@@ -34,6 +37,7 @@ const RESULTS: &str = "unfolded";
 /// A file that is to be unfolded.
 struct Task {
     of: OscillatorFile,
+    measured: Option<Vec<Observation>>,
     folder: PathBuf,
     limits: Limits,
 }
@@ -46,6 +50,9 @@ struct Task {
 /// several.
 pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let edition = arguments.look.edition();
+    if arguments.data.is_some() && arguments.files.len() > 1 {
+        return Err(Failure::input("--data is of one rig: name one file, and run it again for the next"));
+    }
     let tasks = tasks(arguments)?;
     for task in &tasks {
         let mut paths: Vec<PathBuf> =
@@ -107,7 +114,10 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
             )));
         }
         let limits = arguments.limits(of.description.limits());
-        tasks.push(Task { of, folder, limits });
+        let names = parameter_names(&of.description);
+        let measured = arguments.data.as_ref().map(|data| read::points(data, names)).transpose();
+        let measured = measured.map_err(|error| Failure::input(error.to_string()))?;
+        tasks.push(Task { of, measured, folder, limits });
     }
     Ok(tasks)
 }
@@ -120,11 +130,19 @@ impl Task {
         terminal::say(&listing::oscillator(description, file));
         let keeper = Keeper::new(&self.folder);
         let (unfolded, met) = analyse(&self.of, self.limits, &|table| keeper.keep(table))?;
-        let analysed = AnalysedOscillator::new(file, description, unfolded);
+        let watch = Watch::begin(self.limits, Duration::ZERO);
+        let compared = self
+            .measured
+            .as_ref()
+            .map(|measured| compare(measured, &unfolded.axes, &unfolded.diagram, &watch.stop()));
+        let analysed = AnalysedOscillator::new(file, description, unfolded).measured(compared);
         let (files, unfolded) = (self.files(&analysed, edition)?, &analysed.unfolded);
         let written = folder::write_run(&self.folder, &files, met.is_some())?;
         keeper.clear()?;
         terminal::say(&listing::results(description, unfolded));
+        if let Some(compared) = &analysed.compared {
+            terminal::say(&measured::listing(compared));
+        }
         if explain {
             terminal::say(&explanation::all(description, unfolded));
         }

@@ -6,6 +6,7 @@ pub mod font;
 pub mod labels;
 pub mod legend;
 pub mod markup;
+pub(crate) mod measured;
 pub(crate) mod sheet;
 pub mod style;
 pub mod svg;

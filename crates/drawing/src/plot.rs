@@ -6,6 +6,7 @@ pub(crate) mod branches;
 pub(crate) mod cloud;
 pub mod kinds;
 pub(crate) mod magnified;
+pub(crate) mod measured;
 pub(crate) mod numbers;
 pub(crate) mod own;
 pub(crate) mod panel_grid;

@@ -58,6 +58,7 @@ pub fn plane_diagram(
         magnified,
         sections,
         own: own_curves(axes, diagram),
+        measured: Vec::new(),
     }
 }
 

@@ -14,6 +14,7 @@ use grazing_model::smooth::Units;
 use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_results::branches::{OneParameter, Readings};
 use grazing_results::family::Family;
+use grazing_results::measured::{Comparison, Identified};
 use grazing_results::plane::{Magnifications, MagnifiedPanel, OwnCurves, PlaneDiagram, Section};
 use grazing_results::{Names, Tables, UnitNames, brief, tables};
 use grazing_theorems::ResonantPoint;
@@ -151,6 +152,8 @@ pub fn axes(description: &Description) -> Axes {
         OneParameter::TABLES,
         Readings::TABLES,
         Family::TABLES,
+        Comparison::TABLES,
+        Identified::TABLES,
     ];
     let parameters = [description.primary(), description.secondary()];
     let [primary, secondary] = parameters.map(|axis| own_header(axis.name(), tables.into_iter().flatten()));

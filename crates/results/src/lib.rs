@@ -14,6 +14,7 @@
 //! | [`plane`] | two-parameter diagrams and magnifications: Figures 7 and 8, and those of any oscillator |
 //! | [`branches`] | Figure 2 |
 //! | [`family`] | resonances as constants of an oscillator vary |
+//! | [`measured`] | measurements beside a diagram, and what is identified from them |
 //! | [`space`] | Figures 1, 3 and 9 |
 //!
 //! Rows of one figure alone stand with that figure.
@@ -29,6 +30,7 @@ pub mod columns;
 pub mod family;
 mod frame;
 pub mod kinds;
+pub mod measured;
 mod names;
 pub mod plane;
 pub mod readings;

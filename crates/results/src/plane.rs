@@ -4,6 +4,7 @@ use std::mem::swap;
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 
+use crate::measured::MeasuredPoint;
 use crate::{Frame, rows, tables, words};
 
 words! {
@@ -119,6 +120,10 @@ impl PlaneDiagram {
         self.points.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
         self.regions.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
         self.own.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
+        for row in &mut self.measured {
+            swap(&mut row.primary, &mut row.secondary);
+            swap(&mut row.primary_error, &mut row.secondary_error);
+        }
         self.magnified.iter_mut().for_each(|panel| panel.frame = panel.frame.swapped());
         self.sections.iter_mut().for_each(|section| section.ends = section.ends.map(|(a, b)| (b, a)));
         self.frame = self.frame.swapped();
@@ -182,6 +187,8 @@ tables! {
         sections: Vec<Section>,
         /// The curves that the file asks for.
         own: Vec<OwnPoint>,
+        /// What was measured in it.
+        measured: Vec<MeasuredPoint>,
     }
 
     /// The curves that a file asks for.

@@ -10,6 +10,7 @@ use grazing_drawing::{
 };
 use grazing_reproduction::unfolded::{AlongGrazing, AtResonances, Unfolded};
 use grazing_results::branches::{OneParameter, Readings};
+use grazing_results::measured::Comparison;
 use grazing_results::plane::{Magnifications, OwnCurves, PlaneDiagram};
 use grazing_results::readings::{Ordinate, Sweep};
 use grazing_results::{Names, Tables, brief, columns};
@@ -27,22 +28,32 @@ pub(crate) struct AnalysedOscillator {
     description: Description,
     pub(crate) unfolded: Analysis,
     diagram: PlaneDiagram,
+    /// What a rig did, beside it.
+    pub(crate) compared: Option<Comparison>,
 }
 
 impl AnalysedOscillator {
     /// The analysis of the oscillator that the file describes.
     pub(crate) fn new(file: &Path, description: &Description, unfolded: Analysis) -> Self {
         let diagram = unfolded.plane_diagram();
-        Self { file: file.to_owned(), description: description.clone(), unfolded, diagram }
+        Self { file: file.to_owned(), description: description.clone(), unfolded, diagram, compared: None }
+    }
+
+    /// The same with what a rig did.
+    pub(crate) fn measured(mut self, compared: Option<Comparison>) -> Self {
+        self.diagram.measured = compared.iter().flat_map(|compared| compared.points.clone()).collect();
+        self.compared = compared;
+        self
     }
 
     /// What there is to write: files that ask for no one-parameter diagram have no tables of them,
-    /// nor of own curves.
+    /// nor of own curves, and without measurements there is no comparison.
     pub(crate) fn outputs(&self) -> impl Iterator<Item = &'static Output<Self>> {
         let missing = [
             self.unfolded.diagrams.is_empty().then_some(DIAGRAMS),
             self.unfolded.diagrams.iter().all(|diagram| diagram.readings.is_empty()).then_some(READINGS),
             self.unfolded.diagram.asked.is_empty().then_some(OWN),
+            self.compared.is_none().then_some(MEASURED),
         ];
         ALL.iter().filter(move |output| !missing.contains(&Some(output.name)))
     }
@@ -113,7 +124,13 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
         Ok(ComputedOutput::new(Vec::new(), all.map_or(Vec::new(), |all| all.tables(of.names()))))
     }),
     Output::new(DIAGRAMS, "one-parameter bifurcation diagram", OneParameter::TABLES, one_parameter),
+    Output::new(MEASURED, "measurements beside the diagram", Comparison::TABLES, |_, of, _| {
+        let tables = of.compared.as_ref().map(|compared| compared.tables(of.names()));
+        Ok(ComputedOutput::new(Vec::new(), tables.unwrap_or_default()))
+    }),
 ];
+
+const MEASURED: &str = "measured";
 
 /// The two-parameter diagram.
 pub(crate) const TWO_PARAMETERS: Output<AnalysedOscillator> = Output {

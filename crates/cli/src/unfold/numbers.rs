@@ -3,7 +3,7 @@
 use grazing_results::brief;
 
 /// The value with just this many significant digits, for a column.
-pub(super) fn significant(value: f64, digits: usize) -> String {
+pub(crate) fn significant(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return "-".to_owned();
     }

@@ -13,7 +13,7 @@ use crate::outputs::ComputedOutput;
 use crate::versions;
 
 /// The tables that are shown as such.
-const SHOWN: [&str; 3] = ["coefficients", "hypotheses", "points"];
+const SHOWN: [&str; 5] = ["agreement", "measured", "coefficients", "hypotheses", "points"];
 /// The name of the page about an oscillator, in the folder of its results.
 pub(crate) const PAGE: &str = "report.html";
 

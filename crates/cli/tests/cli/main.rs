@@ -17,6 +17,7 @@ mod family;
 mod folder;
 mod help;
 mod journal;
+mod measured;
 mod mutations;
 mod new;
 mod places;

@@ -31,6 +31,7 @@ fn the_readme_shows_all_commands() {
         "cargo xtask compare",
         "cargo xtask report",
         "cargo xtask unfold",
+        "cargo xtask identify",
         "cargo xtask new",
         "cargo xtask explore",
     ] {

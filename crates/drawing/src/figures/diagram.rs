@@ -16,6 +16,7 @@ use crate::ink::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, THIN_SECTI
 use crate::plot::axes::{Heading, Panel, overhang, room_beside};
 use crate::plot::kinds::{Area, Trace, TraceOf, draw_curves, draw_ends, draw_points};
 use crate::plot::magnified::{OFF_TRIANGLE, letter, rectangle};
+use crate::plot::measured::draw_measured;
 use crate::plot::own::{draw_own, name_own};
 
 /// Width in the paper.
@@ -103,6 +104,7 @@ pub fn draw_diagram(
         let outline = rectangle(&panel, &magnified.frame, &mut labels);
         boxes.extend(outline.map(|outline| (magnified.panel, outline)));
     }
+    draw_measured(&panel, &mut labels, &diagram.measured);
     panel.axes(across, up)?;
 
     for (number, outline) in &boxes {

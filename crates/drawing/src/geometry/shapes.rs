@@ -33,3 +33,40 @@ pub(crate) fn triangle((x, y): Spot, side: f64) -> [Spot; 3] {
     let [up, down, half] = [0.577_35, 0.288_68, 0.5].map(|share| (100.0 * share * side).round() / 100.0);
     [(x, y - up), (x + half, y + down), (x - half, y + down)]
 }
+
+/// A regular octagon about a spot, which at the size of a mark is round.
+pub(crate) fn octagon((x, y): Spot, radius: f64) -> Vec<Spot> {
+    // Cosine and sine of 22.5 degrees.
+    let (long, short) = (0.923_88 * radius, 0.382_68 * radius);
+    let right = [(long, -short), (long, short), (short, long), (-short, long)];
+    let left = right.map(|(across, down)| (-across, -down));
+    right.into_iter().chain(left).map(|(across, down)| (x + across, y + down)).collect()
+}
+
+/// An upright square about a spot.
+pub(crate) fn square((x, y): Spot, side: f64) -> Vec<Spot> {
+    let half = 0.5 * side;
+    vec![(x - half, y - half), (x + half, y - half), (x + half, y + half), (x - half, y + half)]
+}
+
+/// A square on its corner about a spot.
+pub(crate) fn diamond((x, y): Spot, diagonal: f64) -> Vec<Spot> {
+    let half = 0.5 * diagonal;
+    vec![(x, y - half), (x + half, y), (x, y + half), (x - half, y)]
+}
+
+/// A plus about a spot, its arms a third as wide as it is.
+pub(crate) fn plus((x, y): Spot, width: f64) -> Vec<Spot> {
+    let (half, sixth) = (0.5 * width, width / 6.0);
+    // Corner by corner, a quarter at a time.
+    let quarter = [(half, -sixth), (half, sixth), (sixth, sixth)];
+    let turned = |turns: usize| {
+        quarter.map(|(right, down)| match turns {
+            0 => (right, down),
+            1 => (-down, right),
+            2 => (-right, -down),
+            _ => (down, -right),
+        })
+    };
+    (0..4).flat_map(turned).map(|(right, down)| (x + right, y + down)).collect()
+}

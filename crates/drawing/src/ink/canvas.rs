@@ -66,7 +66,7 @@ impl Canvas {
     }
 
     /// Adds a path; spots that fall together in the file are written once.
-    fn path(&self, pieces: impl IntoIterator<Item = (Vec<Hundredths>, bool)>, attributes: String) {
+    pub(crate) fn path(&self, pieces: impl IntoIterator<Item = (Vec<Hundredths>, bool)>, attributes: String) {
         let distinct = |(mut spots, closed): (Vec<Hundredths>, bool)| {
             spots.dedup();
             (spots, closed)
@@ -236,7 +236,7 @@ impl Canvas {
     }
 }
 
-fn all_in_hundredths(spots: &[Spot]) -> Vec<Hundredths> {
+pub(crate) fn all_in_hundredths(spots: &[Spot]) -> Vec<Hundredths> {
     spots.iter().map(|&spot| in_hundredths(spot)).collect()
 }
 

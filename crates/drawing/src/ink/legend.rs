@@ -3,6 +3,7 @@
 
 use crate::geometry::shapes::triangle;
 use crate::geometry::sheet::in_hundredths;
+use crate::ink::measured::MeasuredMark;
 use crate::ink::style::{DISC_RADIUS, HOLLOW, HOLLOW_RIM, MARKER, Paint, Pen, TRIANGLE_SIZE};
 use crate::ink::svg::{fill, path_data, points, stroke};
 
@@ -25,6 +26,8 @@ pub enum Sample {
     Disc,
     /// The marker of a curve's end.
     Ring,
+    /// The mark of a measurement.
+    Measured(MeasuredMark),
 }
 
 impl Sample {
@@ -55,6 +58,7 @@ impl Sample {
             Sample::Disc => {
                 format!("<circle cx=\"12\" cy=\"5\" r=\"{}\"{}/>", points(DISC_RADIUS), fill(MARKER))
             }
+            Sample::Measured(mark) => mark.element(),
         }
     }
 }

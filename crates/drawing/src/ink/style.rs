@@ -136,6 +136,14 @@ pub(crate) const MARKER_RIM: Pen = Pen::solid(kinds::MARKER_RIM[0], 0.5);
 pub(crate) const TRIANGLE_SIZE: f64 = 6.4;
 /// A disc that marks a point, in points.
 pub const DISC_RADIUS: f64 = 2.1;
+/// The size of the mark of a measurement, in points; what fills one that does not agree, and the rim.
+pub(crate) const MEASURED_SIZE: f64 = 4.4;
+pub(crate) const MEASURED_OPEN: Paint = Paint::opaque(WHITE);
+pub(crate) const MEASURED_RIM: Pen = Pen::solid(BLACK, 0.7);
+/// The cross over what disagrees, and the rim about its strokes.
+pub(crate) const DISAGREES: Pen = Pen { round: true, ..Pen::solid(BLACK, 1.1) };
+pub(crate) const DISAGREES_RIM: Pen = Pen { round: true, ..Pen::solid(WHITE, 2.3) };
+pub(crate) const ERROR_BAR: Pen = Pen::solid(GREY, 0.5);
 pub(crate) const STAR_RADIUS: f64 = 3.8;
 
 /// A branch of the one-parameter diagram by its number of loops, 0 for the non-impacting solution.

@@ -2,6 +2,7 @@
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::kinds::{Colour, CurveLook};
+use grazing_results::measured::{Agreement, MeasuredPoint, SeenKind};
 use grazing_results::plane::{PlanePoint, RegionKind};
 
 use crate::ink::legend::Sample;
@@ -118,4 +119,53 @@ fn grazing_of_what_is_unstable_is_dotted_and_lost_ends_have_rings() {
         |at: &&mut PlanePoint| matches!(at.kind, Bifurcation::SaddleNode | Bifurcation::PeriodDoubling);
     sample.diagram.curves.iter_mut().filter(others).for_each(|at| at.stable = false);
     assert_eq!(lines(&sample), before);
+}
+
+#[test]
+fn marks_of_measurements_tell_what_was_seen_and_whether_it_agrees_without_colour() {
+    let mut sample = sample(3);
+    let frame = sample.diagram.frame;
+    let kinds = [SeenKind::NonImpacting, SeenKind::Loops, SeenKind::Other, SeenKind::Bifurcation];
+    let verdicts = [Agreement::Agrees, Agreement::Disagrees, Agreement::Silent];
+    let all = kinds.iter().flat_map(|kind| verdicts.map(|agreement| (*kind, agreement)));
+    let at = |[low, high]: [f64; 2], share: f64| low + (high - low) * share;
+    let point = |(index, (kind, agreement)): (u32, (SeenKind, Agreement))| MeasuredPoint {
+        line: index,
+        secondary: at(frame.y, 0.9),
+        secondary_error: f64::NAN,
+        primary: at(frame.x, 0.1 + 0.05 * f64::from(index)),
+        primary_error: 0.01 * (frame.x[1] - frame.x[0]),
+        kind,
+        seen: String::new(),
+        agreement,
+        theory: String::new(),
+        regions: String::new(),
+        distance: f64::NAN,
+        reason: String::new(),
+    };
+    let before = drawn(&sample).svg().matches("<path").count();
+    sample.diagram.measured = (0..).zip(all).map(point).collect();
+    let sheet = drawn(&sample);
+    sheet.assert_well_placed(&"measured");
+    let meanings: Vec<&str> = sheet
+        .legend
+        .iter()
+        .map(|(words, _)| words.as_str())
+        .filter(|words| words.starts_with("measured"))
+        .collect();
+    let mut marks: Vec<&str> = sheet
+        .legend
+        .iter()
+        .filter(|(words, _)| words.starts_with("measured"))
+        .map(|(_, drawing)| drawing.as_str())
+        .collect();
+    assert_eq!(marks.len(), 12, "{meanings:?}");
+    marks.sort_unstable();
+    marks.dedup();
+    assert_eq!(marks.len(), 12, "two look alike");
+    // Each has an outline and an error bar, and those that disagree four strokes more.
+    assert!(sheet.svg().matches("<path").count() >= before + 2 * 12 + 4 * 4);
+    // What lies outside is not drawn.
+    sample.diagram.measured.iter_mut().for_each(|point| point.primary = frame.x[1] + 1.0);
+    assert_eq!(drawn(&sample).svg().matches("<path").count(), before);
 }

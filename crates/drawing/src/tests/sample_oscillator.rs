@@ -195,6 +195,7 @@ impl SampleOscillator {
             magnified: panels,
             sections: Vec::new(),
             own: Vec::new(),
+            measured: Vec::new(),
         };
         SampleOscillator { names: Names::new(names[0], names[1]), diagram, magnifications }
     }

@@ -183,6 +183,21 @@ fn theory_holds_at_the_resonances_with_two_harmonics() {
 }
 
 #[test]
+fn theory_holds_at_the_resonances_of_the_leaf_spring() {
+    assert_unfolds("example_leaf-spring");
+}
+
+#[test]
+fn theory_holds_at_the_resonances_of_the_door() {
+    assert_unfolds("example_door");
+}
+
+#[test]
+fn theory_holds_at_the_resonances_of_the_relay() {
+    assert_unfolds("example_relay");
+}
+
+#[test]
 fn every_example_has_its_test() {
     let mut names: Vec<String> = std::fs::read_dir(file("examples"))
         .unwrap()
@@ -195,13 +210,16 @@ fn every_example_has_its_test() {
         "afm",
         "base-excitation",
         "clearance",
+        "door",
         "drill",
         "duffing",
         "harvester",
+        "leaf-spring",
         "paper",
         "parametric",
         "pendulum",
         "quadratic-damping",
+        "relay",
         "rig-si",
         "shaking-table",
         "two-harmonics",

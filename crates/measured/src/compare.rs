@@ -1,0 +1,246 @@
+//! Measurements against the regions and curves of a diagram.
+
+use std::collections::BTreeMap;
+
+use grazing_continuation::mps::unknown;
+use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Stop;
+use grazing_reproduction::plane::Axes;
+use grazing_results::brief;
+use grazing_results::measured::{Agreement, Comparison, MeasuredCount, MeasuredPoint};
+use grazing_unfold::Diagram;
+use grazing_unfold::long_time::{Fate, MotionKind};
+use grazing_unfold::place::{Place, Starts};
+use grazing_unfold::regions::Region;
+
+use crate::associate::{Metric, nearest};
+use crate::read::{Observation, Seen};
+
+/// Standard errors within which measurements agree: 95 of 100 lie there.
+const WITHIN: f64 = 2.0;
+/// Random states from which motion is simulated that regions do not speak of. It takes long where it does
+/// not settle.
+const STATES: u32 = 8;
+/// Directions in which places within error are looked at, and at which shares of that distance.
+const AROUND: [[f64; 2]; 8] = {
+    const DIAGONAL: f64 = core::f64::consts::FRAC_1_SQRT_2;
+    [
+        [1.0, 0.0],
+        [-1.0, 0.0],
+        [0.0, 1.0],
+        [0.0, -1.0],
+        [DIAGONAL, DIAGONAL],
+        [-DIAGONAL, DIAGONAL],
+        [DIAGONAL, -DIAGONAL],
+        [-DIAGONAL, -DIAGONAL],
+    ]
+};
+const SHARES: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
+
+/// What a measurement comes to, and why.
+type Verdict = (Agreement, String);
+
+/// All measurements beside a diagram; `stop` ends simulation, and what is left then is undecided.
+pub fn compare(observations: &[Observation], axes: &Axes, diagram: &Diagram, stop: &Stop) -> Comparison {
+    let beside = Beside { axes, diagram, stop };
+    let points: Vec<MeasuredPoint> = observations.iter().map(|one| beside.point(one)).collect();
+    let mut counts: BTreeMap<(u32, String, u32), MeasuredCount> = BTreeMap::new();
+    for (row, one) in points.iter().zip(observations) {
+        for key in beside.counted_in(one) {
+            let (region, kind, loops) = key.clone();
+            let none = MeasuredCount {
+                region,
+                kind,
+                loops,
+                points: 0,
+                agree: 0,
+                within_error: 0,
+                disagree: 0,
+                undecided: 0,
+                silent: 0,
+            };
+            counts.entry(key).or_insert(none).count(row.agreement);
+        }
+    }
+    Comparison { points, counts: counts.into_values().collect() }
+}
+
+struct Beside<'a> {
+    axes: &'a Axes,
+    diagram: &'a Diagram,
+    stop: &'a Stop,
+}
+
+impl Beside<'_> {
+    fn without_dimensions(&self, [primary, secondary]: [f64; 2]) -> [f64; 2] {
+        [primary / self.axes.units.primary, secondary / self.axes.units.secondary]
+    }
+
+    /// The regions that hold a place, with their numbers.
+    fn regions(&self, at: [f64; 2]) -> impl Iterator<Item = (u32, &Region)> {
+        (1..).zip(&self.diagram.regions).filter(move |(_, region)| region.contains(at))
+    }
+
+    /// Where a measurement is counted: region, kind and number of loops.
+    fn counted_in(&self, one: &Observation) -> Vec<(u32, String, u32)> {
+        if let Seen::Bifurcation { kind, loops } = one.seen {
+            return vec![(0, kind.name().to_owned(), loops.unwrap_or(0))];
+        }
+        let at = self.without_dimensions(one.at);
+        let named =
+            |(number, region): (u32, &Region)| (number, region.kind().name().to_owned(), region.loops);
+        let held: Vec<_> = self.regions(at).map(named).collect();
+        if held.is_empty() { vec![(0, "none".to_owned(), 0)] } else { held }
+    }
+
+    fn point(&self, one: &Observation) -> MeasuredPoint {
+        let at = self.without_dimensions(one.at);
+        let inside = self.diagram.scope.window.contains(at);
+        let mut distance = f64::NAN;
+        let (agreement, reason) = match one.seen {
+            _ if !inside => (Agreement::Silent, "it lies outside the ranges".to_owned()),
+            Seen::Bifurcation { .. } => self.bifurcation(one, at, &mut distance),
+            Seen::Periodic { periods: 1, impacts: 0 } => self.motion(one, at, 0),
+            Seen::Periodic { periods, impacts: 1 } if self.diagram.scope.loops.contains(&periods) => {
+                self.motion(one, at, periods)
+            }
+            _ => self.simulated(one.seen, at),
+        };
+        let stable: Vec<String> =
+            self.regions(at).filter(|(_, region)| region.doubt.is_none()).map(stable).collect();
+        let theory = match stable.as_slice() {
+            _ if !inside => String::new(),
+            [] => "no solution of these p".to_owned(),
+            stable => stable.join("; "),
+        };
+        let regions = self.regions(at).map(|(number, _)| number.to_string()).collect::<Vec<_>>().join(" ");
+        let stated = |error: f64| if error > 0.0 { error } else { f64::NAN };
+        MeasuredPoint {
+            line: one.line,
+            secondary: one.at[1],
+            secondary_error: stated(one.errors[1]),
+            primary: one.at[0],
+            primary_error: stated(one.errors[0]),
+            kind: one.seen.kind(),
+            seen: one.seen.words(),
+            agreement,
+            theory,
+            regions,
+            distance,
+            reason,
+        }
+    }
+
+    /// What the regions say of motion with p loops at a place.
+    fn at(&self, at: [f64; 2], loops: u32) -> Verdict {
+        let mut undecided = None;
+        for (_, region) in self.regions(at).filter(|(_, region)| region.loops == loops) {
+            match &region.doubt {
+                None => return (Agreement::Agrees, String::new()),
+                Some(doubt) => undecided = Some(doubt.to_string()),
+            }
+        }
+        match undecided {
+            Some(doubt) => (Agreement::Undecided, doubt),
+            None if loops == 0 => (
+                Agreement::Disagrees,
+                "motion without impacts is not stable there, or reaches the wall".to_owned(),
+            ),
+            None => {
+                (Agreement::Disagrees, format!("no solution of p = {loops} is stable and admissible there"))
+            }
+        }
+    }
+
+    fn motion(&self, one: &Observation, at: [f64; 2], loops: u32) -> Verdict {
+        let here = self.at(at, loops);
+        let errors = self.without_dimensions(one.errors);
+        if here.0 == Agreement::Agrees || errors == [0.0; 2] {
+            return here;
+        }
+        let around =
+            AROUND.into_iter().flat_map(|way| SHARES.map(|share| way.map(|part| WITHIN * share * part)));
+        let places = around.map(|step| [0, 1].map(|k| at[k] + step[k] * errors[k]));
+        let near = places.filter(|place| self.diagram.scope.window.contains(*place));
+        match near.map(|place| self.at(place, loops)).find(|(there, _)| *there == Agreement::Agrees) {
+            Some(_) => (Agreement::WithinError, here.1),
+            None => here,
+        }
+    }
+
+    fn bifurcation(&self, one: &Observation, at: [f64; 2], distance: &mut f64) -> Verdict {
+        let Seen::Bifurcation { kind, loops } = one.seen else {
+            return (Agreement::Silent, String::new());
+        };
+        let metric = Metric::new(self.without_dimensions(one.errors), &self.diagram.scope.window);
+        let Some(near) = nearest(self.diagram, (kind, loops), at, &metric) else {
+            let asked = loops.is_none_or(|loops| loops == 0 || self.diagram.scope.loops.contains(&loops));
+            let verdict = if asked { Agreement::Disagrees } else { Agreement::Silent };
+            return (verdict, format!("there is no curve of {}", one.seen.words()));
+        };
+        let place = [near.unknowns[unknown::PRIMARY], near.unknowns[unknown::SECONDARY]];
+        let [primary, secondary] = self.axes.units.parameters(place).map(|value| brief(value, 6));
+        let names = &self.axes.names;
+        let where_ = format!(
+            "the curve is nearest at {} = {primary}, {} = {secondary}",
+            names.primary, names.secondary
+        );
+        if !metric.stated {
+            return (Agreement::Undecided, format!("no error is stated; {where_}"));
+        }
+        *distance = near.distance;
+        let agrees = near.distance <= WITHIN;
+        (if agrees { Agreement::Agrees } else { Agreement::Disagrees }, where_)
+    }
+
+    /// What simulation says of motion on which regions are silent.
+    fn simulated(&self, seen: Seen, at: [f64; 2]) -> Verdict {
+        let starts = Starts { states: STATES, ..Starts::default() };
+        let here = self.diagram.oscillator.with_parameters(at);
+        let Some(found) = Place::compute(&here, &[], &starts, self.stop) else {
+            return (Agreement::Undecided, "not finished".to_owned());
+        };
+        let total: u32 = found.attractors.iter().map(|attractor| attractor.states).sum();
+        let like = found.attractors.iter().filter(|attractor| is_seen(&attractor.fate, seen));
+        match like.map(|attractor| attractor.states).sum::<u32>() {
+            0 => {
+                let kinds: Vec<String> =
+                    found.attractors.iter().map(|attractor| words(&attractor.fate)).collect();
+                let all = kinds.join("; ");
+                (
+                    Agreement::Undecided,
+                    format!("regions do not tell; {total} simulated states come to: {all}"),
+                )
+            }
+            states => (Agreement::Agrees, format!("by simulation: {states} of {total} states come to it")),
+        }
+    }
+}
+
+/// What is stable in a region.
+fn stable((_, region): (u32, &Region)) -> String {
+    if region.loops == 0 { "no impacts".to_owned() } else { format!("p = {}", region.loops) }
+}
+
+/// Impacts in the period of what an orbit comes to.
+fn impacts(fate: &Fate) -> Option<(u32, f64)> {
+    fate.periods.map(|periods| (periods, fate.impacts * f64::from(periods)))
+}
+
+/// Whether what an orbit comes to is what was seen.
+fn is_seen(fate: &Fate, seen: Seen) -> bool {
+    match seen {
+        Seen::Periodic { periods, impacts: count } => impacts(fate)
+            .is_some_and(|(own, impacts)| own == periods && (impacts - f64::from(count)).abs() < 0.5),
+        Seen::Irregular => fate.kind == MotionKind::Chaotic,
+        Seen::Bifurcation { .. } => false,
+    }
+}
+
+/// What an orbit comes to, in words.
+fn words(fate: &Fate) -> String {
+    match impacts(fate) {
+        Some((periods, impacts)) => format!("{impacts:.0} impacts in {periods} periods"),
+        None => fate.kind.name().to_owned(),
+    }
+}

@@ -1,0 +1,272 @@
+//! Constants of an oscillator, identified: the search from diagram to diagram, and what is known of
+//! the resonances then.
+
+use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Units;
+use grazing_results::measured::{Correlation, Identified, IdentifiedConstant, IdentifiedResonance, Residual};
+use grazing_unfold::family::{ArcEnd, arcs};
+use grazing_unfold::progress::Progress;
+use grazing_unfold::resonances::Resonance;
+use grazing_unfold::{Diagram, Scope, UnfoldError};
+use thiserror::Error;
+
+use crate::associate::associate;
+use crate::fit::{Datum, Fit, FitError, Rig, Segment, Weight, fit};
+use crate::read::{Observation, Seen, Series};
+
+/// What was measured.
+#[derive(Clone, Debug, Default)]
+pub struct Measurements {
+    /// Places of the plane; bifurcations among them count.
+    pub points: Vec<Observation>,
+    /// Impacts.
+    pub record: Vec<Series>,
+}
+
+/// What is looked for.
+pub struct Task<'a> {
+    /// The oscillator for values of the constants that are free.
+    pub rig: Rig<'a>,
+    /// Their names.
+    pub names: &'a [String],
+    /// Their values to begin with.
+    pub start: &'a [f64],
+    /// Ranges and numbers of loops, without dimensions.
+    pub scope: &'a Scope,
+    /// The units of the rig.
+    pub units: Units,
+}
+
+/// Nothing was identified.
+#[derive(Clone, Debug, Error)]
+pub enum IdentifyError {
+    /// There is no fit.
+    #[error(transparent)]
+    Fit(#[from] FitError),
+    /// The measurements do not tell a constant, or not apart from others.
+    #[error("the measurements do not determine {0}, or not apart from others: leave it out of --free")]
+    Undetermined(String),
+    /// There is no oscillator, or no diagram, on the way.
+    #[error("with {constants} there is nothing to compare with: {reason}")]
+    Diagram {
+        /// The values of the constants.
+        constants: String,
+        /// Why there is none.
+        reason: UnfoldError,
+    },
+    /// There is no oscillator on the way.
+    #[error("with {0} the file has no oscillator")]
+    NoOscillator(String),
+    /// A measured bifurcation has no curve.
+    #[error(
+        "line {line}: the diagram has no curve of {words}: begin with other constants by --set, or add its p to --loops"
+    )]
+    NoCurve {
+        /// Its line.
+        line: u32,
+        /// What it is.
+        words: String,
+    },
+    /// An end was asked for.
+    #[error("not finished")]
+    Stopped,
+}
+
+/// Impacts in a piece of a record. First single flights, whose ends depend on constants without folds,
+/// so that a far start does; then longer pieces, that know more. They end there, as errors grow along
+/// motion that is not stable.
+const FIRST: usize = 2;
+const LONGEST: usize = 12;
+/// Curves are looked for again with the constants that were found, until these stay within this
+/// share of their errors, or so often.
+const SETTLED: f64 = 1e-2;
+const MOST_ROUNDS: usize = 8;
+/// In so many of these large residuals weigh less.
+const TAMED: usize = 2;
+
+/// Constants with the least sum of squares, with all that follows.
+///
+/// # Errors
+/// [`IdentifyError`].
+pub fn identify(
+    task: &Task<'_>,
+    measured: &Measurements,
+    progress: &dyn Progress,
+) -> Result<(Fit, Identified), IdentifyError> {
+    let mut at = task.start.to_vec();
+    let mut last = Err(IdentifyError::Stopped);
+    let needs_curves = measured.points.iter().any(|point| matches!(point.seen, Seen::Bifurcation { .. }));
+    for round in 0..MOST_ROUNDS {
+        let (mut data, mut lost) = (Vec::new(), None);
+        if needs_curves {
+            let diagram = task.diagram(&at, progress)?;
+            for point in &measured.points {
+                match associate(std::slice::from_ref(point), &diagram, &task.units) {
+                    Ok(located) => {
+                        data.extend(located.into_iter().map(|one| Datum::Bifurcation(Box::new(one))))
+                    }
+                    Err((line, words)) => lost = Some(IdentifyError::NoCurve { line, words }),
+                }
+            }
+        }
+        let longest = if round == 0 { FIRST } else { LONGEST };
+        let weight = if round < TAMED { Weight::Tame } else { Weight::Full };
+        data.extend(task.segments(&measured.record, longest).into_iter().map(Datum::Impacts));
+        // What cannot be compared with anything for these constants may be for better ones.
+        let found = loop {
+            match fit(task.rig, &at, task.scope.window, data.clone(), weight) {
+                Err(error @ FitError::Start { datum, .. }) if data.len() > 1 => {
+                    data.remove(datum);
+                    lost = Some(error.into());
+                }
+                found => break found,
+            }
+        };
+        if progress.stopped() {
+            return Err(IdentifyError::Stopped);
+        }
+        let found = found.map_err(|error| match error {
+            FitError::Undetermined(place) => IdentifyError::Undetermined(task.names[place].clone()),
+            error => error.into(),
+        })?;
+        let errors = found.errors();
+        let settled = (0..at.len()).all(|k| (found.values[k] - at[k]).abs() <= SETTLED * errors[k]);
+        at.clone_from(&found.values);
+        match lost {
+            Some(lost) => last = Err(lost),
+            None => last = Ok((found, data)),
+        }
+        if settled && round >= TAMED {
+            break;
+        }
+    }
+    let (found, data) = last?;
+    let identified = task.identified(&found, &data, progress)?;
+    if progress.stopped() { Err(IdentifyError::Stopped) } else { Ok((found, identified)) }
+}
+
+impl Task<'_> {
+    fn constants(&self, values: &[f64]) -> String {
+        let named = self.names.iter().zip(values).map(|(name, value)| format!("{name} = {value}"));
+        named.collect::<Vec<_>>().join(", ")
+    }
+
+    fn located(&self, at: &[f64], progress: &dyn Progress) -> Result<Diagram, IdentifyError> {
+        let oscillator = (self.rig)(at).ok_or_else(|| IdentifyError::NoOscillator(self.constants(at)))?;
+        Diagram::located(&oscillator, self.scope, progress).map_err(|reason| match reason {
+            UnfoldError::Stopped { .. } => IdentifyError::Stopped,
+            reason => IdentifyError::Diagram { constants: self.constants(at), reason },
+        })
+    }
+
+    /// The curves for values of the constants.
+    fn diagram(&self, at: &[f64], progress: &dyn Progress) -> Result<Diagram, IdentifyError> {
+        let located = self.located(at, progress)?;
+        let followed = located.follow(progress, &|_, _| ());
+        Ok(located.with_curves(followed))
+    }
+
+    /// The record without dimensions, in pieces.
+    fn segments(&self, record: &[Series], longest: usize) -> Vec<Segment> {
+        let Units { time, primary, secondary, .. } = self.units;
+        let scales = [time, self.units.velocity(), self.units.velocity()];
+        let without = |values: [f64; 3]| [0, 1, 2].map(|k| values[k] / scales[k]);
+        let pieces = record.iter().flat_map(|series| {
+            series.impacts.chunks(longest).map(|impacts| Segment {
+                at: [series.at[0] / primary, series.at[1] / secondary],
+                lines: impacts.iter().map(|impact| impact.line).collect(),
+                impacts: impacts.iter().map(|impact| without(impact.values)).collect(),
+                errors: impacts.iter().map(|impact| without(impact.errors)).collect(),
+            })
+        });
+        pieces.collect()
+    }
+
+    fn identified(
+        &self,
+        found: &Fit,
+        data: &[Datum],
+        progress: &dyn Progress,
+    ) -> Result<Identified, IdentifyError> {
+        let (errors, count) = (found.errors(), self.names.len());
+        let constants = (0..count).map(|k| IdentifiedConstant {
+            constant: self.names[k].clone(),
+            value: found.values[k],
+            error: errors[k],
+            start: self.start[k],
+        });
+        let pairs = (0..count).flat_map(|one| (one + 1..count).map(move |other| (one, other)));
+        let correlations = pairs.map(|(one, other)| Correlation {
+            constant: self.names[one].clone(),
+            other: self.names[other].clone(),
+            correlation: found.correlation(one, other),
+        });
+        let residuals =
+            data.iter().zip(&found.residuals).flat_map(|(datum, numbers)| {
+                let source = if matches!(datum, Datum::Impacts(_)) { "record" } else { "points" };
+                datum.quantities().into_iter().zip(numbers).map(move |((line, quantity), residual)| {
+                    Residual { source: source.to_owned(), line, quantity, residual: *residual }
+                })
+            });
+        Ok(Identified {
+            constants: constants.collect(),
+            correlations: correlations.collect(),
+            residuals: residuals.collect(),
+            resonances: self.resonances(found, progress)?,
+        })
+    }
+
+    /// The resonances, each with the errors that those of the constants make.
+    ///
+    /// A resonance is followed in every constant by one standard error to both sides; half the
+    /// difference is the change of first order, and covariances are those of these changes.
+    fn resonances(
+        &self,
+        found: &Fit,
+        progress: &dyn Progress,
+    ) -> Result<Vec<IdentifiedResonance>, IdentifyError> {
+        let diagram = self.located(&found.values, progress)?;
+        let (errors, count) = (found.errors(), found.values.len());
+        let mut changes = vec![vec![[f64::NAN; 2]; count]; diagram.resonances.len()];
+        for k in 0..count {
+            let [above, below] = [1.0, -1.0].map(|side| {
+                let between = |way: f64| {
+                    let mut at = found.values.clone();
+                    at[k] += side * way * errors[k];
+                    (self.rig)(&at)
+                };
+                let mut ends = vec![None; diagram.resonances.len()];
+                for arc in arcs(&diagram, &between) {
+                    if let (ArcEnd::Across, Some(last)) = (&arc.end, arc.points.last()) {
+                        ends[arc.resonance] = Some(last.orbit.oscillator().parameters());
+                    }
+                }
+                ends
+            });
+            for (place, change) in changes.iter_mut().enumerate() {
+                if let (Some(above), Some(below)) = (above[place], below[place]) {
+                    change[k] = [0, 1].map(|axis| 0.5 * (above[axis] - below[axis]));
+                }
+            }
+        }
+        let one = |(resonance, changes): (&Resonance, Vec<[f64; 2]>)| {
+            let variance = |axis: usize| -> f64 {
+                let pairs = (0..count).flat_map(|one| (0..count).map(move |other| (one, other)));
+                pairs.map(|(a, b)| changes[a][axis] * changes[b][axis] * found.correlation(a, b)).sum()
+            };
+            let [primary, secondary] =
+                self.units.parameters(resonance.located.orbit().oscillator().parameters());
+            let deviations = [0, 1].map(|axis| variance(axis).max(0.0).sqrt());
+            // A root of NaN stays one: max() would turn it into a certainty.
+            let known = changes.iter().flatten().all(|change| change.is_finite());
+            let [primary_error, secondary_error] =
+                if known { self.units.parameters(deviations) } else { [f64::NAN; 2] };
+            let lost =
+                "within a standard error of a constant it leaves the ranges, ends, or meets another one";
+            let reason = if known { String::new() } else { lost.to_owned() };
+            let (loops, n) = (resonance.loops, resonance.n);
+            IdentifiedResonance { loops, n, secondary, secondary_error, primary, primary_error, reason }
+        };
+        Ok(diagram.resonances.iter().zip(changes).map(one).collect())
+    }
+}

@@ -1,0 +1,449 @@
+//! CSV files of measurements: the way back from a mistake to file, line, column, value and what
+//! would be right.
+
+use std::path::Path;
+
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_results::measured::SeenKind;
+use grazing_source::{SourceError, nearest, read_file, shortened, suggestion};
+use thiserror::Error;
+
+/// What is wrong with a file of measurements.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum MeasurementError {
+    /// It cannot be read.
+    #[error(transparent)]
+    Unreadable(#[from] SourceError),
+    /// Something in it is not right.
+    #[error("{place}: {reason}")]
+    Wrong {
+        /// The file, with the line where there is one.
+        place: String,
+        /// What is wrong, and what would be right.
+        reason: String,
+    },
+}
+
+/// What was seen at a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Seen {
+    /// Motion that comes again after so many forcing periods, with so many impacts.
+    Periodic {
+        /// The forcing periods.
+        periods: u32,
+        /// The impacts in them; none for motion that does not reach the wall.
+        impacts: u32,
+    },
+    /// Motion that does not come again.
+    Irregular,
+    /// The place lies on a curve of bifurcations.
+    Bifurcation {
+        /// Of which kind.
+        kind: Bifurcation,
+        /// The number of loops of the solution, if that is known.
+        loops: Option<u32>,
+    },
+}
+
+/// A measurement at a place of the plane, in the oscillator's own units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Observation {
+    /// The line of the file.
+    pub line: u32,
+    /// Primary and secondary parameter.
+    pub at: [f64; 2],
+    /// Their standard errors; zero where none is stated.
+    pub errors: [f64; 2],
+    /// What was seen.
+    pub seen: Seen,
+}
+
+/// An impact of a record.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impact {
+    /// The line of the file.
+    pub line: u32,
+    /// Time, speed before and speed after; the last is not a number where it was not measured.
+    pub values: [f64; 3],
+    /// The standard errors of these.
+    pub errors: [f64; 3],
+}
+
+/// Impacts that follow each other without a gap at one place of the plane, in the oscillator's own
+/// units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    /// Primary and secondary parameter.
+    pub at: [f64; 2],
+    /// The impacts in their order.
+    pub impacts: Vec<Impact>,
+}
+
+/// Columns, where `{primary}` and `{secondary}` stand for the parameters' names in the file of the
+/// oscillator, and what they hold.
+pub type Columns = &'static [(&'static str, &'static str)];
+
+/// The columns of places.
+pub const POINTS: Columns = &[
+    ("{primary}", "the primary parameter, by its name in the file of the oscillator"),
+    ("{secondary}", "the secondary parameter, likewise"),
+    ("{primary}_error", "its standard error; empty, or left out, where none is known"),
+    ("{secondary}_error", "its standard error; likewise"),
+    (
+        "seen",
+        "`none` (no impacts), `periodic`, `irregular`, or a bifurcation: `graz`, `SN`, `PD`, `GZ`, `NS` or `PF`",
+    ),
+    ("periods", "forcing periods after which periodic motion comes again; of `none` 1 where it is empty"),
+    ("impacts", "impacts in this time"),
+    ("p", "of a bifurcation, the number of loops; empty where it is not known"),
+];
+
+/// The columns of a record of impacts.
+pub const RECORD: Columns = &[
+    ("{primary}", "the primary parameter, by its name in the file of the oscillator"),
+    ("{secondary}", "the secondary parameter, likewise"),
+    ("series", "a name for impacts that follow each other without a gap; it may be left out if all do"),
+    ("time", "time of the impact, counted as t in the file of the oscillator"),
+    ("velocity_before", "speed before the impact, relative to the wall"),
+    ("velocity_after", "speed after it, relative to the wall; empty, or left out, where it was not measured"),
+    ("time_error", "standard error of the time"),
+    ("velocity_error", "standard error of the speeds"),
+];
+
+/// More rows than this nobody measured by hand, and curves have not so many points.
+const MOST_ROWS: usize = 10_000;
+/// The most characters of a value that a message repeats.
+const SHOWN: usize = 60;
+/// As many forcing periods, or impacts in them, nobody counts.
+const MOST_PERIODS: u32 = 1_000;
+
+/// The measurements in a file, with the names of both parameters.
+///
+/// # Errors
+/// It cannot be read, or the first thing in it that is not right.
+pub fn points(path: &Path, names: [&str; 2]) -> Result<Vec<Observation>, MeasurementError> {
+    points_of(&read_file(path)?, &path.display().to_string(), names)
+}
+
+/// The record of impacts in a file, with the names of both parameters.
+///
+/// # Errors
+/// As [`points`].
+pub fn record(path: &Path, names: [&str; 2]) -> Result<Vec<Series>, MeasurementError> {
+    record_of(&read_file(path)?, &path.display().to_string(), names)
+}
+
+/// The measurements in a text; `file` is the name that messages use.
+///
+/// # Errors
+/// The first thing that is not right.
+pub fn points_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<Observation>, MeasurementError> {
+    let table = Table::read(text, file, names, POINTS, &["{primary}", "{secondary}", "seen"])?;
+    table.rows.iter().map(|row| table.observation(row)).collect()
+}
+
+/// The record of impacts in a text; `file` is the name that messages use.
+///
+/// # Errors
+/// The first thing that is not right.
+pub fn record_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<Series>, MeasurementError> {
+    let needed = ["{primary}", "{secondary}", "time", "velocity_before", "time_error", "velocity_error"];
+    let table = Table::read(text, file, names, RECORD, &needed)?;
+    let mut all: Vec<(&str, Series)> = Vec::new();
+    for row in &table.rows {
+        let (at, series) = (table.place(row)?, row.cell(table.position("series")));
+        let positive = |column| table.number(row, column, |value| value > 0.0, "a positive number");
+        let (time_error, speed_error) = (positive("time_error")?, positive("velocity_error")?);
+        let time = table.number(row, "time", |_| true, "a number")?;
+        let before = positive("velocity_before")?;
+        let after = match row.cell(table.position("velocity_after")) {
+            "" => f64::NAN,
+            _ => positive("velocity_after")?,
+        };
+        let errors = [time_error, speed_error, speed_error];
+        let impact = Impact { line: row.line, values: [time, before, after], errors };
+        match all.last_mut() {
+            Some((name, last)) if *name == series && last.at == at => {
+                if last.impacts.last().is_some_and(|before| before.values[0] >= time) {
+                    let is = "impacts of a series stand in the order of time; give others another name in the column series";
+                    return Err(table.refusal(row, "time", is));
+                }
+                last.impacts.push(impact);
+            }
+            _ => all.push((series, Series { at, impacts: vec![impact] })),
+        }
+    }
+    Ok(all.into_iter().map(|(_, series)| series).collect())
+}
+
+impl Seen {
+    /// What it is, as marks tell it.
+    pub fn kind(&self) -> SeenKind {
+        match self {
+            Self::Periodic { periods: 1, impacts: 0 } => SeenKind::NonImpacting,
+            Self::Periodic { impacts: 1, .. } => SeenKind::Loops,
+            Self::Periodic { .. } | Self::Irregular => SeenKind::Other,
+            Self::Bifurcation { .. } => SeenKind::Bifurcation,
+        }
+    }
+
+    /// In words.
+    pub fn words(&self) -> String {
+        let several = |count: u32, what: &str| {
+            if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") }
+        };
+        match self {
+            Self::Periodic { periods: 1, impacts: 0 } => "no impacts".to_owned(),
+            Self::Periodic { periods, impacts: 0 } => format!("no impacts, {periods} periods"),
+            Self::Periodic { periods, impacts } => {
+                format!("{} in {}", several(*impacts, "impact"), several(*periods, "period"))
+            }
+            Self::Irregular => "irregular".to_owned(),
+            Self::Bifurcation { kind, loops: Some(p) } if *kind != Bifurcation::NonImpactingGrazing => {
+                format!("{} of p = {p}", kind.name())
+            }
+            Self::Bifurcation { kind, .. } => kind.name().to_owned(),
+        }
+    }
+}
+
+/// A row, with its line.
+struct Row<'t> {
+    line: u32,
+    cells: Vec<&'t str>,
+}
+
+impl<'t> Row<'t> {
+    /// What stands in a column; nothing where there is none.
+    fn cell(&self, position: Option<usize>) -> &'t str {
+        position.and_then(|place| self.cells.get(place)).copied().unwrap_or_default()
+    }
+}
+
+/// A file, cell by cell.
+struct Table<'t> {
+    file: &'t str,
+    names: [&'t str; 2],
+    header: Vec<&'t str>,
+    rows: Vec<Row<'t>>,
+}
+
+/// A name with those of the parameters put in.
+fn named(column: &str, [primary, secondary]: [&str; 2]) -> String {
+    column.replace("{primary}", primary).replace("{secondary}", secondary)
+}
+
+/// The cells of a line, without blanks and quotation marks about them.
+fn cells(line: &str) -> Vec<&str> {
+    line.split(',').map(|cell| cell.trim().trim_matches('"').trim()).collect()
+}
+
+impl<'t> Table<'t> {
+    fn read(
+        text: &'t str,
+        file: &'t str,
+        names: [&'t str; 2],
+        columns: Columns,
+        needed: &[&str],
+    ) -> Result<Self, MeasurementError> {
+        let at = |line: u32, reason: String| {
+            let place = if line == 0 { file.to_owned() } else { format!("{file}:{line}") };
+            MeasurementError::Wrong { place, reason }
+        };
+        let known: Vec<String> = columns.iter().map(|(column, _)| named(column, names)).collect();
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let lines = (1..).zip(text.lines());
+        let mut lines = lines.filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
+        let first = "the first line names the columns";
+        let (line, header) = lines.next().ok_or_else(|| at(0, format!("it is empty: {first}")))?;
+        if !header.contains(',') && header.contains([';', '\t']) {
+            let is = "cells are separated by commas here, and decimals are written with a point";
+            return Err(at(line, is.to_owned()));
+        }
+        let header = cells(header);
+        for (place, name) in header.iter().enumerate() {
+            let list: Vec<&str> = known.iter().map(String::as_str).collect();
+            if !list.contains(name) {
+                let near = suggestion(nearest(name, &list));
+                let name = shortened(name, SHOWN);
+                return Err(at(
+                    line,
+                    format!("unknown column {name}{near} The columns are {}", list.join(", ")),
+                ));
+            }
+            if header[..place].contains(name) {
+                return Err(at(line, format!("the column {name} is there twice: remove one of them")));
+            }
+        }
+        for name in needed.iter().map(|name| named(name, names)) {
+            if !header.contains(&name.as_str()) {
+                return Err(at(line, format!("the column {name} is missing; {first}")));
+            }
+        }
+        let rows: Vec<Row<'_>> = lines.map(|(line, text)| Row { line, cells: cells(text) }).collect();
+        if let Some(row) = rows.iter().find(|row| row.cells.len() != header.len()) {
+            let counts = format!("{} cells, and there are {} columns", row.cells.len(), header.len());
+            let remedy =
+                "separate cells by commas, write decimals with a point, and leave empty what is not known";
+            return Err(at(row.line, format!("this line has {counts}: {remedy}")));
+        }
+        match rows.len() {
+            0 => Err(at(0, "there is no measurement in it, only the names of columns".to_owned())),
+            count if count > MOST_ROWS => {
+                Err(at(0, format!("it has {count} measurements: at most {MOST_ROWS} are compared at a time")))
+            }
+            _ => Ok(Self { file, names, header, rows }),
+        }
+    }
+
+    fn position(&self, column: &str) -> Option<usize> {
+        let name = named(column, self.names);
+        self.header.iter().position(|known| *known == name)
+    }
+
+    /// The refusal of a cell, with what would be right.
+    fn refusal(&self, row: &Row<'_>, column: &str, right: &str) -> MeasurementError {
+        let (value, name) = (shortened(row.cell(self.position(column)), SHOWN), named(column, self.names));
+        let value = if value.is_empty() { "nothing".to_owned() } else { format!("`{value}`") };
+        MeasurementError::Wrong {
+            place: format!("{}:{}", self.file, row.line),
+            reason: format!("column {name}: {value} stands there: {right}"),
+        }
+    }
+
+    /// A finite number that is right.
+    fn number(
+        &self,
+        row: &Row<'_>,
+        column: &str,
+        right: impl Fn(f64) -> bool,
+        what: &str,
+    ) -> Result<f64, MeasurementError> {
+        let cell = row.cell(self.position(column));
+        let number = cell.parse().ok().filter(|value: &f64| value.is_finite() && right(*value));
+        number.ok_or_else(|| self.refusal(row, column, &format!("write {what}, as 0.25 or 2.5e-3")))
+    }
+
+    /// A whole number from `least` on, or what stands for none.
+    fn count(
+        &self,
+        row: &Row<'_>,
+        column: &str,
+        least: u32,
+        none: Option<u32>,
+    ) -> Result<Option<u32>, MeasurementError> {
+        match row.cell(self.position(column)) {
+            "" if none.is_some() => Ok(none),
+            "" => Ok(None),
+            cell => match cell.parse() {
+                Ok(count) if (least..=MOST_PERIODS).contains(&count) => Ok(Some(count)),
+                _ => Err(self.refusal(
+                    row,
+                    column,
+                    &format!("write a whole number from {least} to {MOST_PERIODS}"),
+                )),
+            },
+        }
+    }
+
+    fn place(&self, row: &Row<'_>) -> Result<[f64; 2], MeasurementError> {
+        let number = |column| self.number(row, column, |_| true, "a number");
+        Ok([number("{primary}")?, number("{secondary}")?])
+    }
+
+    fn observation(&self, row: &Row<'_>) -> Result<Observation, MeasurementError> {
+        let error = |column| match row.cell(self.position(column)) {
+            "" => Ok(0.0),
+            _ => self.number(row, column, |value| value >= 0.0, "the standard error, which is not negative,"),
+        };
+        let errors = [error("{primary}_error")?, error("{secondary}_error")?];
+        Ok(Observation { line: row.line, at: self.place(row)?, errors, seen: self.seen(row)? })
+    }
+
+    fn seen(&self, row: &Row<'_>) -> Result<Seen, MeasurementError> {
+        let needed = |column, least| {
+            let count = self.count(row, column, least, None)?;
+            count.ok_or_else(|| self.refusal(row, column, "periodic motion needs periods and impacts"))
+        };
+        match row.cell(self.position("seen")) {
+            "none" => {
+                let periods = self.count(row, "periods", 1, Some(1))?.unwrap_or(1);
+                match self.count(row, "impacts", 0, Some(0))? {
+                    Some(0) | None => Ok(Seen::Periodic { periods, impacts: 0 }),
+                    Some(_) => Err(self.refusal(row, "impacts", "`none` was seen, which has no impacts")),
+                }
+            }
+            "periodic" => {
+                Ok(Seen::Periodic { periods: needed("periods", 1)?, impacts: needed("impacts", 1)? })
+            }
+            "irregular" => Ok(Seen::Irregular),
+            word => match Bifurcation::ALL.into_iter().find(|kind| kind.name() == word) {
+                Some(kind) => Ok(Seen::Bifurcation { kind, loops: self.count(row, "p", 0, None)? }),
+                None => Err(self.refusal(
+                    row,
+                    "seen",
+                    "write none, periodic, irregular, or a bifurcation: graz, SN, PD, GZ, NS or PF",
+                )),
+            },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NAMES: [&str; 2] = ["A", "omega"];
+
+    fn refused(text: &str) -> String {
+        points_of(text, "rig.csv", NAMES).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn places_are_read_as_they_are_written() {
+        let text = "\u{feff}# a rig\nomega, A ,A_error,seen,periods,impacts,p\n0.8,0.25,0.01,none,,,\n\n\
+                    0.8,\"0.3\",,periodic,6,3,\n0.8,0.4,0,SN,,,2\r\n0.8,0.5,,irregular,,,\n";
+        let read = points_of(text, "rig.csv", NAMES).unwrap();
+        let seen: Vec<String> = read.iter().map(|one| format!("{} {}", one.line, one.seen.words())).collect();
+        assert_eq!(seen, ["3 no impacts", "5 3 impacts in 6 periods", "6 SN of p = 2", "7 irregular"]);
+        assert_eq!((read[0].at, read[0].errors), ([0.25, 0.8], [0.01, 0.0]));
+    }
+
+    #[test]
+    fn mistakes_are_named_with_file_line_column_value_and_remedy() {
+        for (text, parts) in [
+            ("", vec!["rig.csv: it is empty"]),
+            ("A,omega,seen\n", vec!["no measurement"]),
+            ("A;omega;seen\n1;2;none\n", vec!["rig.csv:1", "separated by commas"]),
+            ("A,omga,seen\n", vec!["rig.csv:1", "unknown column omga", "omega"]),
+            ("A,omega,A,seen\n", vec!["A is there twice"]),
+            ("A,seen\n1,none\n", vec!["rig.csv:1", "omega is missing"]),
+            ("A,omega,seen\n1,2,none\n0,5,2,none\n", vec!["rig.csv:3", "4 cells", "3 columns", "point"]),
+            ("A,omega,seen\n1,inf,none\n", vec!["rig.csv:2", "column omega", "`inf`", "as 0.25"]),
+            ("A,omega,seen,A_error\n1,2,none,-1\n", vec!["A_error", "`-1`", "not negative"]),
+            ("A,omega,seen\n1,2,chaos\n", vec!["column seen", "`chaos`", "irregular"]),
+            ("A,omega,seen,periods\n1,2,periodic,2\n", vec!["column impacts", "nothing"]),
+            ("A,omega,seen,periods\n1,2,none,0.5\n", vec!["column periods", "`0.5`", "whole number"]),
+            ("A,omega,seen,impacts\n1,2,none,3\n", vec!["column impacts", "`3`"]),
+        ] {
+            let told = refused(text);
+            parts.iter().for_each(|part| assert!(told.contains(part), "{part}: {told}"));
+        }
+        let many = format!("A,omega,seen\n{}", "1,2,none\n".repeat(MOST_ROWS + 1));
+        assert!(refused(&many).contains("at most 10000"));
+    }
+
+    #[test]
+    fn impacts_fall_into_series_in_the_order_of_time() {
+        let head = "A,omega,series,time,velocity_before,velocity_after,time_error,velocity_error\n";
+        let read = |rows: &str| record_of(&format!("{head}{rows}"), "rig.csv", NAMES);
+        let series =
+            read("1,2,a,0,0.5,0.4,1e-3,1e-2\n1,2,a,3,0.6,,1e-3,1e-2\n1,2,b,1,0.5,,1e-3,1e-2\n").unwrap();
+        assert_eq!(series.iter().map(|one| one.impacts.len()).collect::<Vec<_>>(), [2, 1]);
+        assert!(series[0].impacts[1].values[2].is_nan());
+        let error = read("1,2,a,3,0.5,,1e-3,1e-2\n1,2,a,0,0.6,,1e-3,1e-2\n").unwrap_err().to_string();
+        assert!(error.contains("rig.csv:3: column time: `0`"), "{error}");
+        let error = read("1,2,a,3,-0.5,,1e-3,1e-2\n").unwrap_err().to_string();
+        assert!(error.contains("velocity_before: `-0.5`") && error.contains("positive"), "{error}");
+    }
+}
