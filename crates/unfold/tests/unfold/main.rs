@@ -15,6 +15,7 @@ mod resonances;
 mod search;
 mod slivers;
 mod specimens;
+mod straightened;
 mod torus;
 mod units;
 mod verdicts;
