@@ -1,16 +1,21 @@
-//! Magnifications about resonances, one panel each, like Figure 8.
+//! Magnifications about resonances, one panel each, like Figure 8; and the same in straightened
+//! coordinates, in which curves that are tangent to each other lie apart at any scale.
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_results::plane::{CurveSource, Magnifications, MagnifiedPanel, MagnifiedPoint};
+use grazing_results::plane::{
+    CurveSource, Magnifications, MagnifiedPanel, MagnifiedPoint, StraightenedCurves, StraightenedPoint,
+};
 
 use crate::error::DrawingError;
 use crate::geometry::clip::checked;
-use crate::ink::labels::Labels;
+use crate::geometry::sheet::length;
+use crate::ink::labels::{Labels, Site};
 use crate::ink::sheet::Sheet;
-use crate::ink::style::{LABEL_SIZE, SheetWidth, TICK_SIZE};
+use crate::ink::style::{LABEL_SIZE, SMALL_LABEL_SIZE, SheetWidth, TICK_SIZE};
 use crate::plot::axes::{Heading, Panel};
-use crate::plot::kinds::{Area, Trace, draw_curves, draw_points};
+use crate::plot::kinds::{Area, Trace, draw_curves, draw_points, text_colour};
 use crate::plot::magnified::panel_letter;
+use crate::plot::numbers::Decades;
 use crate::plot::panel_grid::{GridPanel, draw_panels};
 use crate::plot::ticks::measured;
 
@@ -33,25 +38,82 @@ pub fn draw_magnifications(
     width: SheetWidth,
 ) -> Result<Vec<Sheet>, DrawingError> {
     let [across, up] = &heading.names.titles();
-    let panel = |panel: &MagnifiedPanel| {
-        let MagnifiedPanel { panel: number, loops, n, coefficients, frame, .. } = panel;
-        let n = n.map_or_else(String::new, |n| format!(", $n={n}$"));
-        let known = coefficients.named().into_iter().filter(|(_, value)| value.is_finite());
-        let written = |(kind, value): (Bifurcation, f64)| {
-            format!(r"$c_{{\mathrm{{{},}}{loops}}}={}$", kind.name(), measured(value, DIGITS))
-        };
-        Ok(GridPanel {
-            frame: checked(*frame, &format!("a panel of {}", heading.name))?,
-            up,
-            names: Some(heading.names),
-            only: Some(("panel", *number)),
-            first: (format!("{}  $p={loops}${n}", panel_letter(*number)), LABEL_SIZE),
-            parts: (known.map(written).collect(), TICK_SIZE),
-        })
-    };
+    let panel = |panel: &MagnifiedPanel| grid_panel(panel, heading, up, None);
     let panels: Vec<_> = figure.panels.iter().map(panel).collect::<Result<_, DrawingError>>()?;
     draw_panels(heading, width, across, &panels, |panel, place| {
         draw_panel(panel, figure, heading, figure.panels[place].panel)
+    })
+}
+
+/// The panel of a resonance, with p, n and coefficients over it; on an axis of decades with the
+/// places of its range there.
+fn grid_panel<'a>(
+    panel: &MagnifiedPanel,
+    heading: &Heading<'a>,
+    up: &'a str,
+    decades: Option<Decades>,
+) -> Result<GridPanel<'a>, DrawingError> {
+    let MagnifiedPanel { panel: number, loops, n, coefficients, frame, .. } = panel;
+    let n = n.map_or_else(String::new, |n| format!(", $n={n}$"));
+    let known = coefficients.named().into_iter().filter(|(_, value)| value.is_finite());
+    let written = |(kind, value): (Bifurcation, f64)| {
+        format!(r"$c_{{\mathrm{{{},}}{loops}}}={}$", kind.name(), measured(value, DIGITS))
+    };
+    let mut frame = checked(*frame, &format!("a panel of {}", heading.name))?;
+    if let Some(decades) = decades {
+        frame.y = frame.y.map(|end| decades.at(end));
+    }
+    Ok(GridPanel {
+        frame,
+        up,
+        decades,
+        names: decades.is_none().then_some(heading.names),
+        only: Some(("panel", *number)),
+        first: (format!("{}  $p={loops}${n}", panel_letter(*number)), LABEL_SIZE),
+        parts: (known.map(written).collect(), TICK_SIZE),
+    })
+}
+
+/// Draws curves that leave resonances in straightened coordinates: μ/η² across and η up by its
+/// decades, μ being the distance from the grazing curve and η that from the resonance. Dashed: where
+/// the curves go by theory.
+///
+/// # Errors
+/// As [`draw_magnifications`].
+pub fn draw_straightened(
+    figure: &StraightenedCurves,
+    heading: &Heading<'_>,
+    width: SheetWidth,
+) -> Result<Vec<Sheet>, DrawingError> {
+    let least = figure.curves.iter().map(|row| row.eta.abs()).fold(f64::INFINITY, f64::min);
+    let decades = Decades { least: libm::round(libm::log10(least)) as i32 };
+    let panel = |panel: &MagnifiedPanel| grid_panel(panel, heading, r"$\eta$", Some(decades));
+    let panels: Vec<_> = figure.panels.iter().map(panel).collect::<Result<_, DrawingError>>()?;
+    let heading = Heading { tables: &[], ..*heading };
+    draw_panels(&heading, width, r"$\mu/\eta^{2}$", &panels, |panel, place| {
+        let MagnifiedPanel { panel: number, loops, .. } = figure.panels[place];
+        let mut labels = Labels::new(panel.canvas, panel.bounds);
+        let grazing = vec![(0.0, panel.frame.y[0]), (0.0, panel.frame.y[1])];
+        let grazing = Trace { kind: Bifurcation::NonImpactingGrazing, approximate: false, points: grazing };
+        let drawn = draw_curves(panel, &mut labels, vec![grazing]);
+        labels.name_curves(drawn, LABELLED_LENGTH, &heading.names.grazing_title())?;
+        let curve = |a: &StraightenedPoint, b: &StraightenedPoint| (a.panel, a.arc) == (b.panel, b.arc);
+        for rows in figure.curves.chunk_by(curve).filter(|rows| rows[0].panel == number) {
+            let (kind, own) = (rows[0].kind, rows[0].loops == loops);
+            let place = |row: &StraightenedPoint| (row.distance, decades.at(row.eta));
+            let points: Vec<_> = rows.iter().map(place).collect();
+            let limit = [0.0, decades.at(rows[rows.len() - 1].eta)].map(|up| (rows[0].limit, up));
+            let traces = [(false, points), (true, limit.to_vec())];
+            let traces = traces.map(|(approximate, points)| Trace { kind, approximate, points });
+            let drawn = draw_curves(panel, &mut labels, traces.into());
+            let longest = drawn.iter().max_by(|a, b| length(&a.1).total_cmp(&length(&b.1)));
+            if let Some((_, piece)) = longest.filter(|(_, piece)| length(piece) >= LABELLED_LENGTH) {
+                let of = if own { String::new() } else { format!(", $p={}$", rows[0].loops) };
+                let label = format!("{}{of}", kind.name());
+                labels.add(&label, SMALL_LABEL_SIZE, text_colour(kind), &Site::Beside(piece))?;
+            }
+        }
+        labels.draw()
     })
 }
 
