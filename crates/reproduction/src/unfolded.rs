@@ -14,9 +14,7 @@ use grazing_model::smooth::Units;
 use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_results::branches::OneParameter;
 use grazing_results::family::Family;
-use grazing_results::plane::{
-    Magnifications, MagnifiedPanel, PlaneDiagram, Section, StraightenedCurves,
-};
+use grazing_results::plane::{Magnifications, MagnifiedPanel, PlaneDiagram, Section, StraightenedCurves};
 use grazing_results::{Names, Tables, UnitNames, brief, tables};
 use grazing_theorems::ResonantPoint;
 use grazing_theorems::hypothesis::{Hypothesis, Theorem};
@@ -277,9 +275,11 @@ impl Unfolded {
 
     /// The curves in straightened coordinates; panels have the numbers of the magnifications.
     pub fn straightened(&self) -> StraightenedCurves {
-        plane::straightened((1..).zip(self.unfolding()).map(|(panel, (at, curves))| {
-            (panel_of(panel, at, curves), curves.straightened.as_slice())
-        }))
+        plane::straightened(
+            (1..)
+                .zip(self.unfolding())
+                .map(|(panel, (at, curves))| (panel_of(panel, at, curves), curves.straightened.as_slice())),
+        )
     }
 
     /// The rows of what is known along the grazing curve.

@@ -94,8 +94,8 @@ pub mod simulation;
 mod slices;
 #[cfg(test)]
 mod specimens;
-mod stretches;
 pub mod straightened;
+mod stretches;
 mod subharmonic;
 mod suggestion;
 mod survey;

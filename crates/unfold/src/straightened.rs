@@ -117,12 +117,12 @@ fn rounding(curve: &LeavingCurve<'_>, eta: f64) -> f64 {
 /// The points of the diagram's curve from the resonance to where it ends or turns back in η.
 fn outwards<'a>(diagram: &'a Diagram, curve: &LeavingCurve<'_>) -> Option<Vec<&'a CurvePoint>> {
     let (start, side) = (curve.resonance.unknowns(), curve.leading.eta_side.signum());
-    let away = |point: &CurvePoint| {
-        side * (point.solution.unknowns[unknown::SECONDARY] - start[unknown::SECONDARY])
-    };
-    let candidates = diagram.curves.iter().filter(|other| {
-        other.loops == curve.equations.loops() && other.curve.condition == curve.condition
-    });
+    let away =
+        |point: &CurvePoint| side * (point.solution.unknowns[unknown::SECONDARY] - start[unknown::SECONDARY]);
+    let candidates = diagram
+        .curves
+        .iter()
+        .filter(|other| other.loops == curve.equations.loops() && other.curve.condition == curve.condition);
     candidates.into_iter().find_map(|other| {
         let points = &other.curve.points;
         let begins = |point: Option<&CurvePoint>| {

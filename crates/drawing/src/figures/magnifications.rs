@@ -168,6 +168,34 @@ mod tests {
     }
 
     #[test]
+    fn straightened_curves_keep_their_labels_apart_at_any_width() {
+        for sample in oscillators() {
+            for width in WIDTHS {
+                for sheet in draw_straightened(&sample.straightened, &sample.magnified(), width).unwrap() {
+                    sheet.assert_well_placed(&(&sample.names, width));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn decades_of_either_sign_stand_in_order_and_are_named() {
+        let decades = Decades { least: -9 };
+        let places = [-0.1, -1e-5, -1e-9, -1e-12, 0.0, 1e-12, 1e-9, 2e-9, 1e-2].map(|eta| decades.at(eta));
+        assert!(places.is_sorted() && places[3] == 0.0 && places[4] == 0.0, "{places:?}");
+        assert_eq!(places[7] - places[6], libm::log10(2e-9) - libm::log10(1e-9));
+        let sample = sample(3);
+        let sheet =
+            &draw_straightened(&sample.straightened, &sample.magnified(), SheetWidth::TwoColumns).unwrap()[0];
+        let texts = sheet.texts();
+        for text in ["$10^{-9}$", "$−10^{-9}$", "SN", "PD", "GZ, $p=2$"] {
+            assert!(texts.iter().any(|found| found == text), "{text} in {texts:?}");
+        }
+        // Three curves in each of three panels, and where they go.
+        assert_eq!(sheet.short_body().matches("stroke-dasharray=\"3.2 2\"").count(), 9);
+    }
+
+    #[test]
     fn every_resonance_has_its_panel_on_one_of_the_sheets() {
         for (count, sheets) in [(0, 0), (1, 1), (5, 1), (9, 1), (20, 3), (30, 4)] {
             let sample = sample(count);

@@ -71,7 +71,9 @@ impl Decades {
                 }
             }
         }
-        ticks.push(Tick { value: 0.0, label: "0".to_owned() });
+        if Self::MIDDLE / (high - low) * room >= TICK_SIZE + NUMBER_GAP - 4.0 {
+            ticks.push(Tick { value: 0.0, label: "0".to_owned() });
+        }
         Ok(Numbers { ticks, minor, width, scale: Scale::none(Step::ONE) })
     }
 }

@@ -5,7 +5,7 @@ mod double;
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::fit::Estimate;
-use grazing_unfold::straightened::{StraightCurve, straighten};
+use grazing_unfold::straightened::{StraightCurve, StraightPoint, straighten};
 use grazing_unfold::verdict::near;
 use grazing_unfold::{Diagram, Scope, progress::Silent};
 
@@ -58,10 +58,7 @@ fn wanted(kind: Bifurcation, [loops, n]: [u32; 2], eta: f64) -> f64 {
     let kick = [epsilon * q, one + epsilon * m22];
     let x = ((one - m22) * kick[0] + q * kick[1]) / determinant;
     let v = ((one - m11) * kick[1] - q * kick[0]) / determinant;
-    let (a, b) = (
-        [stiffness, loss],
-        [stiffness * x + loss * v / omega, loss * x - stiffness * v / omega],
-    );
+    let (a, b) = ([stiffness, loss], [stiffness * x + loss * v / omega, loss * x - stiffness * v / omega]);
     let product = a[0] * b[0] + a[1] * b[1];
     let norm = b[0] * b[0] + b[1] * b[1];
     let velocity = match kind {
@@ -108,9 +105,6 @@ fn distances_of_the_linear_oscillators_curves_have_ten_digits_from_1e_minus_9_to
             let (_, steps) = points.split_last().unwrap();
             assert_eq!(points[0].eta.abs(), 1e-9);
             for point in steps {
-                println!("{resonance:?} {kind:?} {:+.0e} {} {:.1e} {:.1e}", point.eta, point.distance.value, point.distance.error / point.distance.value.abs(), point.distance.value / wanted(kind, resonance, point.eta) - 1.0);
-            }
-            for point in steps {
                 let at = (resonance, kind, point.eta);
                 assert_known(point.distance, wanted(kind, resonance, point.eta), 1e-10, &at);
                 compared += 1;
@@ -121,13 +115,58 @@ fn distances_of_the_linear_oscillators_curves_have_ten_digits_from_1e_minus_9_to
 }
 
 #[test]
-fn zz_duffing() {
+fn curves_of_a_nonlinear_oscillator_go_to_theorys_constants_with_as_many_digits_at_any_scale() {
     let (oscillator, scope) = example("duffing.toml");
-    for (resonance, curves) in straightened(&oscillator, &scope) {
-        for StraightCurve { kind, loops, coefficient, points } in curves {
-            for p in points {
-                println!("{resonance:?} {kind:?} {loops} {:+.1e} {:.12} {:.1e} {:.1e}", p.eta, p.distance.value, p.distance.error / p.distance.value.abs(), p.distance.value / coefficient - 1.0);
-            }
+    let all = straightened(&oscillator, &scope);
+    let (mut own, mut grazing) = (0, 0);
+    for (resonance, StraightCurve { kind, loops, coefficient, points }) in all
+        .into_iter()
+        .flat_map(|(resonance, curves)| curves.into_iter().map(move |curve| (resonance, curve)))
+    {
+        let place = (resonance, kind, loops);
+        own += usize::from(loops == resonance[0]);
+        // Of two loops at a resonance of one.
+        grazing += usize::from(kind == Bifurcation::Grazing);
+        let nearest = &points[..points.len().min(10)];
+        assert_eq!(nearest[0].eta.abs(), 1e-9, "{place:?}");
+        let departure = |point: &StraightPoint| point.distance.value / coefficient - 1.0;
+        let slope = departure(&nearest[9]) / nearest[9].eta;
+        for point in nearest {
+            // What is left beyond the constant is linear in η, to the error at every η.
+            let error = 2.0 * point.distance.error / coefficient.abs();
+            let bent = 2e-3 * (slope * point.eta).abs();
+            let rest = (departure(point) - slope * point.eta).abs();
+            assert!(rest <= error + bent + 1e-9, "{place:?} {point:?}: {rest:e}, {error:e}");
+            assert!(error < 1e-7, "{place:?} {point:?}");
+        }
+        // No jump where differences of places take over from interpolants.
+        let [_, inner @ ..] = &points[..] else { panic!("{place:?}") };
+        for three in inner.windows(3).take_while(|three| three[2].eta.abs() < 1e-3) {
+            let [a, b, c] = [0, 1, 2].map(|k| three[k].distance.value);
+            let between = (three[1].eta - three[0].eta) / (three[2].eta - three[0].eta);
+            let chord = a + (c - a) * between;
+            assert!((b - chord).abs() <= 0.5 * (c - a).abs() + 4.0 * three[1].distance.error, "{place:?}");
         }
     }
+    assert!(own >= 12 && grazing >= 3, "{own} {grazing}");
+}
+
+#[test]
+fn curves_of_two_loops_leave_a_one_loop_resonance_as_theory_has_it_from_1e_minus_9_on() {
+    let mut compared = 0;
+    for (resonance, curves) in straightened(&closed_form(), &scope([0.3, 0.8], [0.6, 0.75], &[1, 2])) {
+        for StraightCurve { kind, coefficient, points, .. } in
+            curves.into_iter().filter(|curve| curve.loops > resonance[0])
+        {
+            compared += 1;
+            assert!((points[0].distance.value / coefficient - 1.0).abs() < 1e-6, "{resonance:?} {kind:?}");
+            // Linear in η: a tenth at a tenth of it.
+            let [near, far] = [1e-7, 1e-6].map(|eta: f64| {
+                let point = points.iter().find(|point| point.eta.abs() == eta).unwrap();
+                point.distance.value / coefficient - 1.0
+            });
+            assert!((far / near - 10.0).abs() < 0.05, "{resonance:?} {kind:?}: {near:e} {far:e}");
+        }
+    }
+    assert!(compared >= 2, "{compared}");
 }
