@@ -8,7 +8,7 @@ use grazing_results::plane::{
 
 use crate::error::DrawingError;
 use crate::geometry::clip::checked;
-use crate::geometry::sheet::length;
+use crate::geometry::sheet::{Spot, length};
 use crate::ink::labels::{Labels, Site};
 use crate::ink::sheet::Sheet;
 use crate::ink::style::{LABEL_SIZE, SMALL_LABEL_SIZE, SheetWidth, TICK_SIZE};
@@ -95,8 +95,8 @@ pub fn draw_straightened(
         let mut labels = Labels::new(panel.canvas, panel.bounds);
         let grazing = vec![(0.0, panel.frame.y[0]), (0.0, panel.frame.y[1])];
         let grazing = Trace { kind: Bifurcation::NonImpactingGrazing, approximate: false, points: grazing };
-        let drawn = draw_curves(panel, &mut labels, vec![grazing]);
-        labels.name_curves(drawn, LABELLED_LENGTH, &heading.names.grazing_title())?;
+        let at_grazing = draw_curves(panel, &mut labels, vec![grazing]);
+        let mut named: Vec<(Bifurcation, String, Vec<Spot>)> = Vec::new();
         let curve = |a: &StraightenedPoint, b: &StraightenedPoint| (a.panel, a.arc) == (b.panel, b.arc);
         for rows in figure.curves.chunk_by(curve).filter(|rows| rows[0].panel == number) {
             let (kind, own) = (rows[0].kind, rows[0].loops == loops);
@@ -106,13 +106,16 @@ pub fn draw_straightened(
             let traces = [(false, points), (true, limit.to_vec())];
             let traces = traces.map(|(approximate, points)| Trace { kind, approximate, points });
             let drawn = draw_curves(panel, &mut labels, traces.into());
-            let longest = drawn.iter().max_by(|a, b| length(&a.1).total_cmp(&length(&b.1)));
-            if let Some((_, piece)) = longest.filter(|(_, piece)| length(piece) >= LABELLED_LENGTH) {
-                let of = if own { String::new() } else { format!(", $p={}$", rows[0].loops) };
-                let label = format!("{}{of}", kind.name());
-                labels.add(&label, SMALL_LABEL_SIZE, text_colour(kind), &Site::Beside(piece))?;
-            }
+            let longest = drawn.into_iter().max_by(|a, b| length(&a.1).total_cmp(&length(&b.1)));
+            let of = if own { String::new() } else { format!(", $p={}$", rows[0].loops) };
+            let label = format!("{}{of}", kind.name());
+            named.extend(longest.map(|(_, piece)| (kind, label, piece)));
         }
+        // All is drawn that labels have to keep off.
+        for (kind, label, piece) in named.iter().filter(|named| length(&named.2) >= LABELLED_LENGTH) {
+            labels.add(label, SMALL_LABEL_SIZE, text_colour(*kind), &Site::Beside(piece))?;
+        }
+        labels.name_curves(at_grazing, LABELLED_LENGTH, &heading.names.grazing_title())?;
         labels.draw()
     })
 }

@@ -71,7 +71,7 @@ impl Decades {
                 }
             }
         }
-        if Self::MIDDLE / (high - low) * room >= TICK_SIZE + NUMBER_GAP - 4.0 {
+        if Self::MIDDLE / (high - low) * room >= TICK_SIZE + 1.0 {
             ticks.push(Tick { value: 0.0, label: "0".to_owned() });
         }
         Ok(Numbers { ticks, minor, width, scale: Scale::none(Step::ONE) })
