@@ -3,9 +3,12 @@
 use core::f64::consts::TAU;
 
 use grazing_model::ImpactOscillator;
+use grazing_theorems::generic_theorem::Side;
 use grazing_theorems::iterated::{Boundary, IteratedResonance, VelocityBound};
+use grazing_theorems::resonant_theorem::BifurcationCurve;
 
 use crate::curve::{Curve, Route, SolutionCurve};
+use crate::fit::LeavingCurve;
 use crate::locate::{Condition, locate};
 use crate::mps::{EventTimes, Formulation, LoopEquations, Unknowns, parameters, unknown};
 use crate::resonance::{LocatedResonance, ResonanceError};
@@ -27,42 +30,45 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
     }
 
     /// The curves between which MPSs of `loops` ≥ 2 loops are stable and admissible beside this
-    /// resonance, and why others are missing; none unless it is one of p = 1. A GZ curve of which
-    /// the window has next to nothing is not followed.
+    /// resonance, by theory; none unless it is one of p = 1.
+    pub fn leaving_iterated(&self, loops: u32) -> Vec<LeavingCurve<'_, O>> {
+        let Some(iterated) = self.iterated(loops) else { return Vec::new() };
+        let oscillator = self.orbit().oscillator().clone();
+        let equations = LoopEquations::new(oscillator, loops, Formulation::FixedPhase);
+        let branch = iterated.point().branch_expansion();
+        let curve = |VelocityBound { boundary, velocity_slope: slope }| {
+            let (condition, visit) = match boundary {
+                Boundary::SaddleNode => (Condition::SADDLE_NODE, None),
+                Boundary::PeriodDoubling => (Condition::PERIOD_DOUBLING, None),
+                Boundary::Visit(visit) => (Condition::InteriorGrazing, Some(visit)),
+            };
+            let leading = BifurcationCurve {
+                coefficient: branch.parameter(slope, 1.0),
+                eta_side: Side::of(slope),
+                impact_velocity_slope: slope,
+                impact_phase_slope: branch.k_1 * slope,
+            };
+            LeavingCurve { resonance: self, equations: equations.clone(), condition, leading, visit }
+        };
+        let bounds = iterated.emerging().into_iter().flat_map(|found| [Some(found.slowest), found.fastest]);
+        bounds.flatten().map(curve).collect()
+    }
+
+    /// These curves, and why others are missing. A GZ curve of which the window has next to nothing
+    /// is not followed.
     pub fn unfold_iterated(&self, loops: u32, route: &Route<'_>) -> (Vec<Curve>, Vec<ResonanceError>) {
         let (mut curves, mut missing) = (Vec::new(), Vec::new());
-        let Some(iterated) = self.iterated(loops) else { return (curves, missing) };
-        for solutions in iterated.emerging() {
-            for bound in [Some(solutions.slowest), solutions.fastest].into_iter().flatten() {
-                match self.bounding_curve(&iterated, bound, route) {
-                    Ok(curve) => curves.extend(curve),
-                    Err(reason) => missing.push(reason),
-                }
+        for leaving in self.leaving_iterated(loops) {
+            let followed = match leaving.visit {
+                Some(visit) => self.visit_curve(&leaving, visit, route),
+                None => leaving.follow(route).map(Some),
+            };
+            match followed {
+                Ok(curve) => curves.extend(curve),
+                Err(reason) => missing.push(reason),
             }
         }
         (curves, missing)
-    }
-
-    fn bounding_curve(
-        &self,
-        iterated: &IteratedResonance,
-        bound: VelocityBound,
-        route: &Route<'_>,
-    ) -> Result<Option<Curve>, ResonanceError> {
-        let oscillator = self.orbit().oscillator().clone();
-        let equations = LoopEquations::new(oscillator, iterated.loops(), Formulation::FixedPhase);
-        let condition = match bound.boundary {
-            Boundary::SaddleNode => Condition::SADDLE_NODE,
-            Boundary::PeriodDoubling => Condition::PERIOD_DOUBLING,
-            Boundary::Visit(visit) => return self.visit_curve(equations, iterated, bound, visit, route),
-        };
-        let slope = bound.velocity_slope;
-        let phase_slope = self.orbit().phase_slope() + iterated.point().branch_expansion().k_1 * slope;
-        let along = Unknowns::new(slope, phase_slope, self.orbit().primary_slope(), 1.0).normalize();
-        SolutionCurve { equations, condition }
-            .follow(self.unknowns(), along * slope.signum(), EventTimes::default(), route)
-            .map(Some)
-            .map_err(|stall| ResonanceError::not_started(condition, stall.to_string()))
     }
 
     /// The GZ curve along which a visit touches the wall. At the resonance its equations are
@@ -70,35 +76,31 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
     /// little beside, and followed to both sides.
     fn visit_curve(
         &self,
-        equations: LoopEquations<O>,
-        iterated: &IteratedResonance,
-        bound: VelocityBound,
+        leaving: &LeavingCurve<'_, O>,
         visit: u32,
         route: &Route<'_>,
     ) -> Result<Option<Curve>, ResonanceError> {
         let [_, resonance] = self.orbit().oscillator().parameters();
-        let branch = iterated.point().branch_expansion();
-        let condition = Condition::InteriorGrazing;
+        let &LeavingCurve { ref equations, condition, leading, .. } = leaving;
         let (mut is_outside, mut reason) =
             (false, "no solution with a visit that touches the wall was found beside it".to_owned());
         // Held at its η or, where motion hardly loses energy, at its velocity: there η differs by
         // orders of magnitude less, and the height hardly changes with the velocity.
         for (velocity, at_velocity) in VELOCITIES.into_iter().flat_map(|it| [(it, false), (it, true)]) {
-            let eta = velocity / bound.velocity_slope;
+            let eta = velocity / leading.impact_velocity_slope;
             let Ok(place) = self.orbit().place().moved(self.orbit().oscillator(), resonance + eta) else {
                 continue;
             };
             let [grazing, secondary] = place.parameters;
-            let phase = place.phase + branch.k_1 * velocity;
-            let start = Unknowns::new(velocity, phase, grazing + branch.parameter(velocity, eta), secondary);
-            let until_visit = place.phase + TAU * f64::from(visit) - equations.departure(&start).phase;
-            let frequency = equations.oscillator_at(&start).forcing_frequency().value;
-            let mut times = EventTimes::default().touching(until_visit / frequency);
+            let phase = place.phase + leading.impact_phase_slope * eta;
+            let primary = grazing + leading.coefficient * eta * eta;
+            let start = Unknowns::new(velocity, phase, primary, secondary);
+            let mut times = equations.touching_at_visit(&start, place.phase, visit);
             let held = match at_velocity {
                 true => Condition::ImpactVelocity(velocity),
                 false => Condition::Secondary(secondary),
             };
-            match locate(&equations, [condition, held], start, &mut times) {
+            match locate(equations, [condition, held], start, &mut times) {
                 Ok(found) if !route.window.contains(parameters(&found)) => {
                     is_outside = true;
                 }
@@ -106,7 +108,7 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
                     if ((found[unknown::SECONDARY] - resonance) / eta - 1.0).abs() <= OFF
                         && (found[unknown::VELOCITY] / velocity - 1.0).abs() <= OFF =>
                 {
-                    let curve = SolutionCurve { equations, condition };
+                    let curve = SolutionCurve { equations: equations.clone(), condition };
                     return curve
                         .follow_both_ways(found, Unknowns::x(), &times, route)
                         .map(Some)
@@ -117,5 +119,14 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
             }
         }
         if is_outside { Ok(None) } else { Err(ResonanceError::not_started(condition, reason)) }
+    }
+}
+
+impl<O: ImpactOscillator> LoopEquations<O> {
+    /// The times of an MPS near the grazing orbit whose visit of this number, near its phase, is to
+    /// touch the wall.
+    pub(crate) fn touching_at_visit(&self, near: &Unknowns, grazing_phase: f64, visit: u32) -> EventTimes {
+        let until_visit = grazing_phase + TAU * f64::from(visit) - self.departure(near).phase;
+        EventTimes::default().touching(until_visit / self.oscillator_at(near).forcing_frequency().value)
     }
 }

@@ -1,4 +1,5 @@
-//! Quadratic coefficients measured on the continued curves.
+//! Curves that leave a resonance in straightened coordinates, and their quadratic coefficients
+//! measured.
 //!
 //! An SN or PD curve is smooth in the impact velocity y, and so through y = 0 and the resonance:
 //! with η(y) and μ(y) = primary − primary_graz(η), measured from the resonance,
@@ -11,15 +12,29 @@
 //! of the interpolants lose least to rounding. The expansions converge however small e₁ is, as
 //! where s_p^± is nearly zero and the ratio μ/η² itself changes at once. Neither η* nor μ_graz at
 //! the resonance enters, so that errors of these, the same at all nodes, drop out.
+//!
+//! As differences of solutions η and μ lose all digits towards the resonance, μ as η². The
+//! interpolants do not: divided by y and by y², which takes no difference
+//! ([`Interpolant::quotients`]), they are E and M in
+//!
+//! ```text
+//! η = y E(y),   μ = y² M(y),   μ/η² = M/E²,
+//! ```
+//!
+//! whose relative error is the same at all scales ([`Straightened::at`]). That holds for any
+//! oscillator, integrated or not, since it takes nothing but solutions at moderate y. GZ curves that
+//! leave a resonance are such curves, too.
 
-use core::f64::consts::{FRAC_PI_2, PI};
+use core::f64::consts::PI;
 
-use grazing_model::ImpactOscillator;
+use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_theorems::from_map::{GrazingOrbitError, GrazingPlace};
+use grazing_theorems::resonant_theorem::BifurcationCurve;
 
+use crate::curve::{Curve, Route, SolutionCurve};
 use crate::locate::{Condition, LocateFailure, locate};
-use crate::mps::{EventTimes, LoopEquations, unknown};
-use crate::resonance::ResonantGrazingPoint;
+use crate::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
+use crate::resonance::{LocatedResonance, ResonanceError, ResonantGrazingPoint};
 
 /// A coefficient could not be measured.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -49,6 +64,21 @@ pub struct Estimate {
     pub error: f64,
 }
 
+/// A curve of MPSs that leaves a resonance, by theory.
+#[derive(Clone, Debug)]
+pub struct LeavingCurve<'a, O = AnyOscillator> {
+    /// The resonance.
+    pub resonance: &'a LocatedResonance<O>,
+    /// The equations of the MPSs, which may have more loops than those of the resonance.
+    pub equations: LoopEquations<O>,
+    /// What holds along it.
+    pub condition: Condition,
+    /// Its leading terms, by theory.
+    pub leading: BifurcationCurve,
+    /// The number of the visit to Π that touches the wall, on a GZ curve.
+    pub visit: Option<u32>,
+}
+
 /// What was measured on a curve at its resonance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measurement {
@@ -74,7 +104,7 @@ pub fn quadratic_coefficient<O: ImpactOscillator>(
 }
 
 /// Nodes of an interpolant, an even number so that none is y = 0.
-const NODES: usize = 12;
+const NODES: usize = 20;
 /// Coefficients at the end of an interpolant that are taken for its error: what is in them is
 /// truncation and rounding.
 const TAIL: usize = 4;
@@ -97,74 +127,195 @@ const SAFETY: f64 = 3.0;
 
 /// The coefficient of the quadratic term and those next to it.
 ///
-/// From level to level the nodes come nearer to y = 0, as far as the terms beyond the interpolant
-/// ask for, until these vanish in rounding. The level with the least error is kept.
-///
 /// # Errors
 /// A point of the curve or its grazing orbit was not found, even close to the resonance.
 pub fn measure<O: ImpactOscillator>(
     resonance: &ResonantGrazingPoint<O>,
     condition: Condition,
 ) -> Result<Measurement, FitError> {
-    let equations = resonance.equations();
-    let mut reach = FIRST * scale(resonance, condition);
-    let deepest = DEEPEST * reach;
-    let [primary, secondary] = resonance.orbit().oscillator().parameters();
-    let rounding = [secondary, primary].map(|parameter| f64::EPSILON * parameter.abs());
-    let mut levels: Vec<Level> = Vec::new();
-    let (mut best, mut failure) = (0, None);
-    while reach > deepest {
-        let level = match Level::of(resonance, equations, condition, reach) {
-            Ok(level) => level,
-            Err(error) => {
-                failure = Some(error);
-                reach *= 0.5;
-                continue;
+    resonance.leaving(condition).straightened().map(|curve| curve.measurement)
+}
+
+impl<O: ImpactOscillator> LeavingCurve<'_, O> {
+    /// Follows the curve from the resonance. A GZ curve cannot be: its equations are singular there.
+    ///
+    /// # Errors
+    /// The curve cannot be started.
+    pub fn follow(&self, route: &Route<'_>) -> Result<Curve, ResonanceError> {
+        let (start, condition) = (self.resonance.unknowns(), self.condition);
+        let equations = self.equations.with_formulation(Formulation::FixedPhase);
+        SolutionCurve { equations, condition }
+            .follow(start, self.direction(), EventTimes::default(), route)
+            .map_err(|stall| ResonanceError::not_started(condition, stall.to_string()))
+    }
+
+    /// The direction in which theory lets it leave with y > 0.
+    ///
+    /// (y, z, primary, η) grow like (Υ', z_graz' + k₁Υ', primary_graz', 1) η, with the sign of η
+    /// that makes y positive. Paper: eq:Upsilon1, eq:Upsilonp, eq:ZM.
+    pub fn direction(&self) -> Unknowns {
+        let (orbit, leading) = (self.resonance.orbit(), &self.leading);
+        let [by_velocity, by_phase] = [leading.impact_velocity_slope, leading.impact_phase_slope];
+        Unknowns::new(by_velocity, orbit.phase_slope() + by_phase, orbit.primary_slope(), 1.0).normalize()
+            * leading.eta_side.signum()
+    }
+
+    /// The curve with η and μ as interpolants in y.
+    ///
+    /// From level to level the nodes come nearer to y = 0, as far as the terms beyond the
+    /// interpolant ask for, until these vanish in rounding. The level with the least error is kept.
+    ///
+    /// # Errors
+    /// A point of the curve or its grazing orbit was not found, even close to the resonance.
+    pub fn straightened(&self) -> Result<Straightened, FitError> {
+        let mut reach = FIRST * self.scale();
+        let deepest = DEEPEST * reach;
+        let [primary, secondary] = self.resonance.orbit().oscillator().parameters();
+        let rounding = [secondary, primary].map(|parameter| f64::EPSILON * parameter.abs());
+        let mut levels: Vec<Level> = Vec::new();
+        let (mut best, mut failure) = (0, None);
+        while reach > deepest {
+            let level = match self.level(&self.equations, reach) {
+                Ok(level) => level,
+                Err(error) => {
+                    failure = Some(error);
+                    reach *= 0.5;
+                    continue;
+                }
+            };
+            reach *= level.remedy(rounding);
+            let settled = levels.last().is_some_and(|last| level.settles(last));
+            levels.push(level);
+            let error = |index: usize| levels[index].measured(levels[index].tails).coefficient.error;
+            if error(levels.len() - 1) < error(best) {
+                best = levels.len() - 1;
             }
-        };
-        reach *= level.remedy(rounding);
-        let settled = levels.last().is_some_and(|last| level.settles(last));
-        levels.push(level);
-        let error = |index: usize| levels[index].measured(levels[index].tails).coefficient.error;
-        if error(levels.len() - 1) < error(best) {
-            best = levels.len() - 1;
+            if settled || levels.len() > best + GROWING {
+                break;
+            }
         }
-        if settled || levels.len() > best + GROWING {
-            break;
+        match (levels.get(best), failure) {
+            (Some(level), _) => {
+                // Rounding is the same nearer to y = 0: where the tail is small by chance here, it
+                // is not there as well.
+                let nearer = levels.get(best + 1).unwrap_or(level);
+                let tails = [0, 1].map(|k| level.tails[k].max(nearer.tails[k]));
+                // Differences without any scatter are all zero: far below rounding.
+                let tails = [0, 1].map(|k| if tails[k] > 0.0 { tails[k] } else { rounding[k] });
+                let mut level = Level { tails, ..level.clone() };
+                let mut measurement = level.measured(tails);
+                let mut integration = 0.0;
+                // The error of integration may vary with y as smoothly as the curve does, and no
+                // tail shows it.
+                if let Some(finer) = self.equations.finely() {
+                    level = Level { tails, ..self.level(&finer, level.reach)? };
+                    let usual = core::mem::replace(&mut measurement, level.measured(tails)).coefficient;
+                    let fine = &mut measurement.coefficient;
+                    integration = (fine.value - usual.value).abs();
+                    fine.error += integration;
+                    integration /= fine.value.abs();
+                }
+                Ok(Straightened { measurement, level, integration })
+            }
+            (None, Some(failure)) => Err(failure),
+            (None, None) => unreachable!("a level without points has a failure"),
         }
     }
-    match (levels.get(best), failure) {
-        (Some(level), _) => {
-            // Rounding is the same nearer to y = 0: where the tail is small by chance here, it is
-            // not there as well.
-            let nearer = levels.get(best + 1).unwrap_or(level);
-            let tails = [0, 1].map(|k| level.tails[k].max(nearer.tails[k]));
-            // Differences without any scatter are all zero: far below rounding.
-            let tails = [0, 1].map(|k| if tails[k] > 0.0 { tails[k] } else { rounding[k] });
-            let measured = level.measured(tails);
-            // The error of integration may vary with y as smoothly as the curve does, and no tail
-            // shows it.
-            let Some(finer) = equations.finely() else { return Ok(measured) };
-            let mut fine = Level::of(resonance, &finer, condition, level.reach)?.measured(tails);
-            fine.coefficient.error += (fine.coefficient.value - measured.coefficient.value).abs();
-            Ok(fine)
+
+    /// The velocity up to which a curve may stay near its tangent: γ/ω, the scale of the motion at
+    /// the wall, and no further than to where, at the tangent's η, the map P_global has become
+    /// another one.
+    fn scale(&self) -> f64 {
+        let grazing = &self.resonance.resonant_point().grazing;
+        let turn = grazing.map.a.norm() / self.resonance.orbit().derivative_of_map().norm();
+        (grazing.gamma / grazing.forcing_frequency).min(self.leading.impact_velocity_slope.abs() * turn)
+    }
+
+    /// Event times at a point near the resonance.
+    fn times(&self, equations: &LoopEquations<O>, near: &Unknowns) -> EventTimes {
+        match self.visit {
+            Some(visit) => {
+                let orbit = self.resonance.orbit();
+                let eta = near[unknown::SECONDARY] - self.resonance.unknowns()[unknown::SECONDARY];
+                let phase = orbit.phase() + orbit.phase_slope() * eta;
+                equations.touching_at_visit(near, phase, visit)
+            }
+            None => EventTimes::default(),
         }
-        (None, Some(failure)) => Err(failure),
-        (None, None) => unreachable!("a level without points has a failure"),
+    }
+
+    /// The interpolants through nodes up to `reach`, by solutions of these equations.
+    fn level(&self, equations: &LoopEquations<O>, reach: f64) -> Result<Level, FitError> {
+        let (origin, orbit) = (self.resonance.unknowns(), self.resonance.orbit());
+        let direction = self.direction();
+        let tangent = direction / direction[unknown::VELOCITY];
+        let (mut eta, mut mu) = ([0.0; NODES], [0.0; NODES]);
+        // To either side outwards, along the line through the last two points.
+        for outwards in [NODES / 2..NODES, 0..NODES / 2] {
+            let mut indices: Vec<usize> = outwards.collect();
+            indices.sort_by(|a, b| node(*a).abs().total_cmp(&node(*b).abs()));
+            let (mut last, mut along) = (origin, tangent);
+            let mut times = None;
+            for index in indices {
+                let velocity = reach * node(index);
+                let near = last + along * (velocity - last[unknown::VELOCITY]);
+                let times = times.get_or_insert_with(|| self.times(equations, &near));
+                let conditions = [self.condition, Condition::ImpactVelocity(velocity)];
+                let no_point = |failure| FitError::NoPoint { velocity, failure };
+                let mut point = locate(equations, conditions, near, times).map_err(no_point)?;
+                // Newton's method ends when a step is small; one more is exact to rounding.
+                point = locate(equations, conditions, point, times).map_err(no_point)?;
+                eta[index] = point[unknown::SECONDARY] - origin[unknown::SECONDARY];
+                let phase = orbit.phase() + orbit.phase_slope() * eta[index];
+                let place = GrazingPlace::find(&equations.oscillator_at(&point), phase)?;
+                mu[index] = point[unknown::PRIMARY] - place.parameters[0];
+                along = (point - last) / (velocity - last[unknown::VELOCITY]);
+                last = point;
+            }
+        }
+        let (eta, mu) = (Interpolant::through(&eta), Interpolant::through(&mu));
+        Ok(Level { reach, tails: [eta.tail(), mu.tail()], eta, mu })
     }
 }
 
-/// The velocity up to which a curve may stay near its tangent: γ/ω, the scale of the motion at the
-/// wall, and no further than to where, at the tangent's η, the map P_global has become another one.
-fn scale<O: ImpactOscillator>(resonance: &ResonantGrazingPoint<O>, condition: Condition) -> f64 {
-    let grazing = &resonance.resonant_point().grazing;
-    let direction = resonance.direction(condition);
-    let slope = (direction[unknown::VELOCITY] / direction[unknown::SECONDARY]).abs();
-    let turn = grazing.map.a.norm() / resonance.orbit().derivative_of_map().norm();
-    (grazing.gamma / grazing.forcing_frequency).min(slope * turn)
+/// A curve near its resonance, with as many digits at any scale.
+#[derive(Clone, Debug)]
+pub struct Straightened {
+    /// What is measured at the resonance.
+    pub measurement: Measurement,
+    level: Level,
+    /// The relative error of integration.
+    integration: f64,
 }
+
+impl Straightened {
+    /// μ/η² at this η, measured from the resonance; none where the curve, with y > 0, is not there or
+    /// leaves the nodes.
+    pub fn at(&self, eta: f64) -> Option<Estimate> {
+        let mut share = 0.0;
+        // η = s E(s) with s = y/`reach`; at the resonance a straight line.
+        for _ in 0..ITERATIONS {
+            let [_, slope, _, _] = self.level.quotients(share)[0];
+            let next = eta / slope;
+            if !(next > 0.0 && next <= 1.0) {
+                return None;
+            }
+            if (next - share).abs() <= 4.0 * f64::EPSILON * next {
+                let mut distance = self.level.distance(next);
+                distance.error += self.integration * distance.value.abs();
+                return Some(distance);
+            }
+            share = next;
+        }
+        None
+    }
+}
+
+/// Fixed-point iterations for y: where more are needed the curve turns within the nodes.
+const ITERATIONS: u32 = 200;
 
 /// η and μ as functions of y/`reach`.
+#[derive(Clone, Debug)]
 struct Level {
     reach: f64,
     eta: Interpolant,
@@ -174,42 +325,6 @@ struct Level {
 }
 
 impl Level {
-    fn of<O: ImpactOscillator>(
-        resonance: &ResonantGrazingPoint<O>,
-        equations: &LoopEquations<O>,
-        condition: Condition,
-        reach: f64,
-    ) -> Result<Self, FitError> {
-        let origin = resonance.unknowns();
-        let direction = resonance.direction(condition);
-        let tangent = direction / direction[unknown::VELOCITY];
-        let (mut eta, mut mu) = ([0.0; NODES], [0.0; NODES]);
-        // To either side outwards, along the line through the last two points.
-        for outwards in [NODES / 2..NODES, 0..NODES / 2] {
-            let mut indices: Vec<usize> = outwards.collect();
-            indices.sort_by(|a, b| node(*a).abs().total_cmp(&node(*b).abs()));
-            let (mut last, mut along) = (origin, tangent);
-            let mut times = EventTimes::default();
-            for index in indices {
-                let velocity = reach * node(index);
-                let near = last + along * (velocity - last[unknown::VELOCITY]);
-                let conditions = [condition, Condition::ImpactVelocity(velocity)];
-                let no_point = |failure| FitError::NoPoint { velocity, failure };
-                let mut point = locate(equations, conditions, near, &mut times).map_err(no_point)?;
-                // Newton's method ends when a step is small; one more is exact to rounding.
-                point = locate(equations, conditions, point, &mut times).map_err(no_point)?;
-                eta[index] = point[unknown::SECONDARY] - origin[unknown::SECONDARY];
-                let phase = resonance.orbit().phase() + resonance.orbit().phase_slope() * eta[index];
-                let place = GrazingPlace::find(&equations.oscillator_at(&point), phase)?;
-                mu[index] = point[unknown::PRIMARY] - place.parameters[0];
-                along = (point - last) / (velocity - last[unknown::VELOCITY]);
-                last = point;
-            }
-        }
-        let (eta, mu) = (Interpolant::through(&eta), Interpolant::through(&mu));
-        Ok(Self { reach, tails: [eta.tail(), mu.tail()], eta, mu })
-    }
-
     /// The factor by which the nodes have to come nearer for the tails to come down to rounding: a
     /// half at most.
     fn remedy(&self, rounding: [f64; 2]) -> f64 {
@@ -225,25 +340,37 @@ impl Level {
         stays(0) && stays(1) && self.tails[0] < 1e-3 * self.eta.size()
     }
 
+    /// Values, slopes and so on of η and of μ at a share of the reach.
+    fn quotients(&self, share: f64) -> [[f64; 4]; 2] {
+        let [of_eta, of_mu] = self.degrees(self.tails);
+        [self.eta.quotients(of_eta, share), self.mu.quotients(of_mu, share)]
+    }
+
+    fn degrees(&self, tails: [f64; 2]) -> [usize; 2] {
+        [self.eta.degree(tails[0]).max(1), self.mu.degree(tails[1]).max(2)]
+    }
+
+    /// μ/η² at a share of the reach.
+    fn distance(&self, share: f64) -> Estimate {
+        let [[_, slope, ..], [_, _, curvature, _]] = self.quotients(share);
+        // The weights in E and in M of the first coefficient that is left out, larger than those
+        // that are not: at the resonance, and by the polynomial's size elsewhere.
+        let [of_eta, of_mu] = self.degrees(self.tails).map(|degree| (degree + 1) as f64);
+        let of_slope = of_eta.min(2.0 / share) * self.tails[0];
+        let of_curvature = (0.5 * of_mu * of_mu).min((2.0 + of_mu * share) / (share * share)) * self.tails[1];
+        let (value, square) = (curvature / (slope * slope), slope * slope);
+        Estimate { value, error: SAFETY * (2.0 * of_slope * (value / slope).abs() + of_curvature / square) }
+    }
+
     fn measured(&self, tails: [f64; 2]) -> Measurement {
-        let Self { reach, eta, mu, .. } = self;
-        let degrees = [eta.degree(tails[0]).max(1), mu.degree(tails[1]).max(2)];
-        let [_, e1, e2, _] = eta.taylor(degrees[0]);
-        let [_, _, m2, m3] = mu.taylor(degrees[1]);
-        let value = m2 / (e1 * e1);
-        // The weights in e₁ and in m₂ of the first coefficient that is left out, larger than those
-        // that are not.
-        let next = degrees.map(|degree| (degree + 1) as f64);
-        let [of_e1, of_m2] = [next[0] * tails[0], 0.5 * next[1] * next[1] * tails[1]];
-        let square = reach * reach;
+        let level = Self { tails, ..self.clone() };
+        let [[_, e1, e2, _], [_, _, m2, m3]] = level.quotients(0.0);
+        let (reach, square) = (self.reach, self.reach * self.reach);
         Measurement {
-            coefficient: Estimate {
-                value,
-                error: SAFETY * (2.0 * of_e1 * (value / e1).abs() + of_m2 / (e1 * e1)),
-            },
+            coefficient: level.distance(0.0),
             eta: [e1 / reach, e2 / square],
             mu: [m2 / square, m3 / (square * reach)],
-            velocity: *reach,
+            velocity: reach,
         }
     }
 }
@@ -254,6 +381,7 @@ fn node(index: usize) -> f64 {
 }
 
 /// Coefficients of Chebyshev's polynomials.
+#[derive(Clone, Debug)]
 struct Interpolant([f64; NODES]);
 
 impl Interpolant {
@@ -272,20 +400,28 @@ impl Interpolant {
         self.0.iter().rposition(|coefficient| coefficient.abs() > tail).unwrap_or(0)
     }
 
-    /// The terms of the expansion about zero up to the third order, from the coefficients up to a
-    /// degree.
-    fn taylor(&self, degree: usize) -> [f64; 4] {
-        let mut terms = [0.0; 4];
-        for (degree, coefficient) in self.0[..=degree].iter().enumerate() {
-            let n = degree as f64;
-            let (sine, cosine) = (libm::sin(FRAC_PI_2 * n), libm::cos(FRAC_PI_2 * n));
-            // Derivatives of cos(n arccos x) at x = 0.
-            let derivatives = [cosine, n * sine, -n * n * cosine / 2.0, n * (1.0 - n * n) * sine / 6.0];
-            for (term, derivative) in terms.iter_mut().zip(derivatives) {
-                *term += coefficient * derivative;
+    /// The value f(x), and what is left of it divided by x, once, twice and three times: (f(x) −
+    /// f(0))/x is the first, and the others follow from the one before in the same way. At zero
+    /// these are the terms of the expansion about zero.
+    ///
+    /// No difference is taken: from T_(k+1) = 2x T_k − T_(k−1) follows the same recurrence for the
+    /// quotients, with those before in place of x T_k.
+    fn quotients(&self, degree: usize, x: f64) -> [f64; 4] {
+        let (mut before, mut here) = ([0.0; 4], [1.0, 0.0, 0.0, 0.0]);
+        let mut sum = [0.0; 4];
+        for (k, coefficient) in self.0[..=degree].iter().enumerate() {
+            for order in 0..4 {
+                sum[order] += coefficient * here[order];
             }
+            // T_1 is x alone.
+            let twice = if k == 0 { 1.0 } else { 2.0 };
+            let next = core::array::from_fn(|order| match order {
+                0 => twice * x * here[0] - before[0],
+                _ => twice * here[order - 1] - before[order],
+            });
+            (before, here) = (here, next);
         }
-        terms
+        sum
     }
 
     /// The largest coefficient.
@@ -295,7 +431,7 @@ impl Interpolant {
 
     /// The largest of the last coefficients, and the value at zero, where the resonance is.
     fn tail(&self) -> f64 {
-        let [at_zero, ..] = self.taylor(NODES - 1);
+        let [at_zero, ..] = self.quotients(NODES - 1, 0.0);
         self.0[NODES - TAIL..].iter().fold(at_zero.abs(), |largest, entry| largest.max(entry.abs()))
     }
 }

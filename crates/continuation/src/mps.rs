@@ -174,7 +174,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     }
 
     /// The same equations with motion integrated in shorter steps, where it is integrated.
-    pub(crate) fn finely(&self) -> Option<Self> {
+    pub fn finely(&self) -> Option<Self> {
         Some(Self { oscillator: self.oscillator.finely()?, ..self.clone() })
     }
 

@@ -11,6 +11,7 @@ use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint};
 
 use crate::bifurcation::Pair;
 use crate::curve::{Curve, CurveEnd, Event, Route, SolutionCurve};
+use crate::fit::LeavingCurve;
 use crate::locate::{Condition, LocateFailure, locate, same_point};
 use crate::mps::{EventTimes, Formulation, LoopEquations, PeriodicSolution, Unknowns, unknown};
 use crate::tolerances::{AT_RESONANCE, OFF_RESONANCE};
@@ -189,36 +190,25 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
         Pair { saddle_node: theorem.saddle_node(), period_doubling: theorem.period_doubling() }
     }
 
-    /// The direction in which theory lets the SN (`multiplier` 1) or PD (−1) curve leave with
-    /// y > 0.
-    ///
-    /// (y, z, primary, η) grow like (Υ', z_graz' + k₁Υ', primary_graz', 1) η, with the sign of η
-    /// that makes y positive. Paper: eq:Upsilon1, eq:Upsilonp, eq:ZM.
-    pub fn direction(&self, condition: Condition) -> Unknowns {
-        let curve = match condition {
+    /// The SN (`multiplier` 1) or PD (−1) curve that leaves the resonance, with what theory knows of
+    /// it.
+    pub fn leaving(&self, condition: Condition) -> LeavingCurve<'_, O> {
+        let leading = match condition {
             Condition::Multiplier(multiplier) if multiplier < 0.0 => self.theorem.period_doubling(),
             _ => self.theorem.saddle_node(),
         };
-        Unknowns::new(
-            curve.impact_velocity_slope,
-            self.orbit.phase_slope() + curve.impact_phase_slope,
-            self.orbit.primary_slope(),
-            1.0,
-        )
-        .normalize()
-            * curve.eta_side.signum()
+        let (resonance, equations) = (&self.located, self.equations.clone());
+        LeavingCurve { resonance, equations, condition, leading, visit: None }
+    }
+
+    /// The direction in which theory lets the SN or PD curve leave with y > 0.
+    pub fn direction(&self, condition: Condition) -> Unknowns {
+        self.leaving(condition).direction()
     }
 
     /// The SN or PD curve that leaves the resonance.
     pub fn curve(&self, condition: Condition) -> SolutionCurve<O> {
         SolutionCurve { equations: self.equations.with_formulation(Formulation::FixedPhase), condition }
-    }
-
-    /// Follows the SN or PD curve from the resonance.
-    fn leave(&self, condition: Condition, route: &Route<'_>) -> Result<Curve, ResonanceError> {
-        self.curve(condition)
-            .follow(self.unknowns(), self.direction(condition), EventTimes::default(), route)
-            .map_err(|stall| ResonanceError::not_started(condition, stall.to_string()))
     }
 
     /// All curves that bound the stable region of the MPS at this resonance: SN and PD from the
@@ -227,8 +217,8 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
     /// # Errors
     /// The SN or the PD curve cannot be started.
     pub fn unfold(&self, route: &Route<'_>) -> Result<UnfoldedResonance, ResonanceError> {
-        let saddle_node = self.leave(Condition::SADDLE_NODE, route)?;
-        let period_doubling = self.leave(Condition::PERIOD_DOUBLING, route)?;
+        let saddle_node = self.leaving(Condition::SADDLE_NODE).follow(route)?;
+        let period_doubling = self.leaving(Condition::PERIOD_DOUBLING).follow(route)?;
         let (mut grazing, mut missing): (Vec<Curve>, Vec<ResonanceError>) = (Vec::new(), Vec::new());
         for curve in [&saddle_node, &period_doubling] {
             let CurveEnd::Event(event) = &curve.end else {

@@ -23,7 +23,7 @@ use crate::parameters::{ParameterError, Parameters, declaration, requirements};
 /// other elements may come first and last.
 #[macro_export]
 macro_rules! paper_figures {
-    ($make:ident $(, first $first:expr)? $(, last $last:expr)?) => {
+    ($make:ident $(, first $first:expr)? $(, last $($last:expr),+)?) => {
         [
             $($first,)?
             $make::<$crate::figures::fig01::Figure1>(),
@@ -36,7 +36,7 @@ macro_rules! paper_figures {
             $make::<$crate::figures::fig08::Figure8>(),
             $make::<$crate::figures::fig09::Figure9>(),
             $make::<$crate::figures::fig10::Figure10>(),
-            $($last,)?
+            $($($last,)+)?
         ]
     };
 }

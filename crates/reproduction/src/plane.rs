@@ -7,13 +7,15 @@ use grazing_model::phase::centred;
 use grazing_model::smooth::Units;
 use grazing_results::plane::{
     MagnifiedPanel, MagnifiedPoint, OwnPoint, PlaneDiagram, PlanePoint, RegionVertex, Section, SpecialPoint,
+    StraightenedCurves, StraightenedPoint,
 };
-use grazing_results::{Names, TablePlan};
+use grazing_results::{Frame, Names, TablePlan};
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::levels::{Level, LevelCurve};
 use grazing_unfold::magnification::Polyline;
 use grazing_unfold::regions::{Doubt, Region};
+use grazing_unfold::straightened::StraightCurve;
 use grazing_unfold::units::InUnits;
 
 /// The names of the two parameters, which head their columns, and the units in which the tables
@@ -241,4 +243,59 @@ pub fn magnified_curves<'a>(panels: impl IntoIterator<Item = &'a Vec<Polyline>>)
         }
     }
     rows
+}
+
+/// The |η| at which curves are straightened, per decade.
+const PER_DECADE: [f64; 5] = [1.0, 1.6, 2.5, 4.0, 6.3];
+/// The decades.
+const DECADES: i32 = 8;
+
+/// Values of |η| over eight decades and more, the greatest being the largest power of ten in a range
+/// of the secondary parameter: all in its own unit, in which they are round.
+pub fn straightened_etas([low, high]: [f64; 2]) -> Vec<f64> {
+    let top = libm::floor(libm::log10(high - low)) as i32;
+    let decade = |power: i32| PER_DECADE.map(|digits| round(digits, power));
+    (top - DECADES..top).flat_map(decade).chain([round(1.0, top)]).collect()
+}
+
+/// The number with these digits, correctly rounded.
+fn round(digits: f64, power: i32) -> f64 {
+    format!("{digits}e{power}").parse().unwrap_or(f64::NAN)
+}
+
+/// Part of the extent of the limits by which a panel reaches beyond them.
+const STRAIGHTENED_MARGIN: f64 = 0.25;
+
+/// Curves in straightened coordinates, with a panel for each resonance that has some, whose frame is
+/// chosen here; all in the oscillator's own units.
+pub fn straightened<'a>(
+    panels: impl IntoIterator<Item = (MagnifiedPanel, &'a [StraightCurve])>,
+) -> StraightenedCurves {
+    let (mut rows, mut shown) = (Vec::new(), Vec::new());
+    for (panel, curves) in panels {
+        let n = panel.n.unwrap_or_default();
+        for (arc, curve) in (1..).zip(curves) {
+            rows.extend(curve.points.iter().map(|point| StraightenedPoint {
+                panel: panel.panel,
+                loops: curve.loops,
+                n,
+                kind: curve.kind,
+                arc,
+                eta: point.eta,
+                distance: point.distance.value,
+                error: point.distance.error / point.distance.value.abs(),
+                limit: curve.coefficient,
+            }));
+        }
+        let limits = || curves.iter().map(|curve| curve.coefficient);
+        let [low, high] = [limits().fold(0.0, f64::min), limits().fold(0.0, f64::max)];
+        let margin = STRAIGHTENED_MARGIN * (high - low);
+        let etas = curves.iter().flat_map(|curve| &curve.points).map(|point| point.eta.abs());
+        let farthest = etas.fold(0.0, f64::max);
+        if farthest > 0.0 && margin > 0.0 {
+            let frame = Frame { x: [low - margin, high + margin], y: [-farthest, farthest] };
+            shown.push(MagnifiedPanel { frame, ..panel });
+        }
+    }
+    StraightenedCurves { curves: rows, panels: shown }
 }

@@ -3,12 +3,16 @@
 
 use std::collections::BTreeMap;
 
+use grazing_continuation::resonance::ResonantGrazingPoint;
+use grazing_results::plane::{MagnifiedPanel, StraightenedCurves};
+use grazing_unfold::resonances::Resonance;
+use grazing_unfold::straightened::straighten;
 use grazing_unfold::verdict;
 use rayon::prelude::*;
 
 use crate::coefficients::{CoefficientTable, Coefficients, closed_form_coefficients};
 use crate::figures::fig02;
-use crate::{Study, StudyError};
+use crate::{Study, StudyError, plane};
 
 impl Study {
     /// The coefficients at all resonances of Figure 7.
@@ -34,6 +38,28 @@ impl Study {
             Ok(CoefficientTable { rows: rows.collect::<Result<_, StudyError>>()? })
         };
         self.coefficients.get_or_init(compute).as_ref().map_err(Clone::clone)
+    }
+
+    /// The curves that leave all resonances of Figure 7 in straightened coordinates, by closed form
+    /// beside them.
+    ///
+    /// # Errors
+    /// There is no grazing in the window.
+    pub fn straightened(&self) -> Result<StraightenedCurves, StudyError> {
+        let (theory, diagram) = (self.parameters.oscillator()?, self.diagram()?);
+        let etas = plane::straightened_etas(diagram.scope.window.secondary);
+        let resonances: Vec<_> = diagram.unfolding().collect();
+        let curves = |&(found, point): &(&Resonance, &ResonantGrazingPoint)| {
+            let coefficients = closed_form_coefficients(&theory.resonance(found.loops, found.n)?);
+            Ok((coefficients, straighten(diagram, point, &verdict::near(point), &etas)))
+        };
+        let all: Vec<_> = resonances.par_iter().map(curves).collect::<Result<_, StudyError>>()?;
+        let panels = (1..).zip(resonances.iter().zip(&all)).map(|(panel, ((found, _), (known, curves)))| {
+            let (frame, loops, n) = (diagram.scope.window.into(), found.loops, Some(found.n));
+            let coefficients = *known;
+            (MagnifiedPanel { panel, frame, loops, n, coefficients }, curves.as_slice())
+        });
+        Ok(plane::straightened(panels))
     }
 
     /// The computed values of what the paper prints, under the names of `expected/published.toml`.

@@ -15,7 +15,9 @@ use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_results::branches::{OneParameter, Readings};
 use grazing_results::family::Family;
 use grazing_results::measured::{Comparison, Identified};
-use grazing_results::plane::{Magnifications, MagnifiedPanel, OwnCurves, PlaneDiagram, Section};
+use grazing_results::plane::{
+    Magnifications, MagnifiedPanel, OwnCurves, PlaneDiagram, Section, StraightenedCurves,
+};
 use grazing_results::{Names, Tables, UnitNames, brief, tables};
 use grazing_theorems::ResonantPoint;
 use grazing_theorems::hypothesis::{Hypothesis, Theorem};
@@ -24,9 +26,10 @@ use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::resonances::Resonance;
 use grazing_unfold::sides::{Simulated, simulate};
+use grazing_unfold::straightened::{StraightCurve, straighten};
 use grazing_unfold::unfinished::Unfinished;
 use grazing_unfold::units::InUnits;
-use grazing_unfold::verdict::{Coefficient, coefficients};
+use grazing_unfold::verdict::{Coefficient, coefficients_on, near};
 use grazing_unfold::{Diagram, Scope};
 use rayon::prelude::*;
 
@@ -110,6 +113,8 @@ pub struct Curves {
     pub window: Window,
     /// What is drawn in it; nothing where the curves could not be followed.
     pub magnified: Vec<Polyline>,
+    /// The curves in straightened coordinates.
+    pub straightened: Vec<StraightCurve>,
 }
 
 /// What is known of an SN or PD curve.
@@ -149,6 +154,7 @@ pub fn axes(description: &Description) -> Axes {
         OwnCurves::TABLES,
         AtResonances::TABLES,
         Magnifications::TABLES,
+        StraightenedCurves::TABLES,
         OneParameter::TABLES,
         Readings::TABLES,
         Family::TABLES,
@@ -254,11 +260,9 @@ impl Unfolded {
     pub fn plane_diagram(&self) -> PlaneDiagram {
         let is_range = |[low, high]: [f64; 2]| low.is_finite() && high.is_finite() && low < high;
         let panels = (1..).zip(self.unfolding()).filter_map(|(panel, (at, curves))| {
-            let Curves { findings, window, magnified } = curves;
+            let Curves { window, magnified, .. } = curves;
             let shown = !magnified.is_empty() && is_range(window.primary) && is_range(window.secondary);
-            let coefficients = findings.map(|known| known.coefficient.theorem.value);
-            let (frame, n) = ((*window).into(), Some(at.n));
-            shown.then_some(MagnifiedPanel { panel, frame, loops: at.loops, n, coefficients })
+            shown.then(|| panel_of(panel, at, curves))
         });
         let sections = self.diagrams.iter().map(|diagram| Section {
             ends: diagram.frame.x.map(|across| diagram.exchanged([across, diagram.at]).into()),
@@ -276,6 +280,15 @@ impl Unfolded {
             regions: diagram.regions.clone(),
             panels: diagram.magnified.clone(),
         }
+    }
+
+    /// The curves in straightened coordinates; panels have the numbers of the magnifications.
+    pub fn straightened(&self) -> StraightenedCurves {
+        plane::straightened(
+            (1..)
+                .zip(self.unfolding())
+                .map(|(panel, (at, curves))| (panel_of(panel, at, curves), curves.straightened.as_slice())),
+        )
     }
 
     /// The rows of what is known along the grazing curve.
@@ -306,6 +319,12 @@ tables! {
     }
 }
 
+/// The panel that magnifies a resonance.
+fn panel_of(panel: u32, at: &AtResonance, curves: &Curves) -> MagnifiedPanel {
+    let coefficients = curves.findings.map(|known| known.coefficient.theorem.value);
+    MagnifiedPanel { panel, frame: curves.window.into(), loops: at.loops, n: Some(at.n), coefficients }
+}
+
 /// What there is to know of the curves that leave a resonance.
 fn curves_from(
     diagram: &Diagram,
@@ -313,7 +332,8 @@ fn curves_from(
     point: &ResonantGrazingPoint,
     units: &Units,
 ) -> Curves {
-    let coefficients = coefficients(point);
+    let near = near(point);
+    let coefficients = coefficients_on(point, &near);
     let finding = |(kind, coefficient): (Bifurcation, &Coefficient)| CurveFinding {
         coefficient: coefficient.in_units(units),
         simulated: simulate(point, kind, &coefficients).in_units(units),
@@ -324,7 +344,11 @@ fn curves_from(
         *place = units.parameters(*place);
     }
     let findings = Pair::BIFURCATIONS.zip(coefficients.as_ref()).map(finding);
-    Curves { findings, window: window.in_units(units), magnified }
+    let etas = plane::straightened_etas(diagram.scope.window.in_units(units).secondary);
+    let etas: Vec<f64> = etas.iter().map(|eta| eta / units.secondary).collect();
+    let straightened = straighten(diagram, point, &near, &etas);
+    let straightened = straightened.iter().map(|curve| curve.in_units(units)).collect();
+    Curves { findings, window: window.in_units(units), magnified, straightened }
 }
 
 /// The stage in which quantities along the grazing curves are computed.

@@ -114,6 +114,14 @@ columns! {
     PANEL = "panel", "", "1";
     /// `continuation`, or `quadratic` for μ = μ_graz(η) + c (η − η*)²
     SOURCE = "source", "", "1";
+    /// η: the secondary parameter less that of the resonance
+    FROM_RESONANCE = "from_resonance", r"\eta", "{secondary}";
+    /// (μ − μ_graz(η))/η², as long as the curve is there; the last row of a curve is where it ends or turns back
+    SCALED_DISTANCE = "scaled_distance", r"({primary}-{primary_graz})/\eta^2", "{primary}/{secondary}^2";
+    /// estimated relative error of that
+    RELATIVE_ERROR = "relative_error", "", "1";
+    /// what it tends to by theory: c_SN,p or c_PD,p; likewise on curves of solutions with more loops that leave a resonance of p = 1
+    SCALED_LIMIT = "scaled_limit", r"\lim_{\eta\to0}", "{primary}/{secondary}^2", "eq:coeffs1, eq:coeffsp";
 }
 
 // What is read off motion.

@@ -143,6 +143,21 @@ impl Magnifications {
     }
 }
 
+rows! {
+    /// A point of a curve in straightened coordinates.
+    StraightenedPoint {
+        panel: u32 = PANEL,
+        loops: u32 = LOOPS,
+        n: u32 = RESONANCE_INDEX,
+        kind: Bifurcation = BIFURCATION,
+        arc: u32 = ARC,
+        eta: f64 = FROM_RESONANCE,
+        distance: f64 = SCALED_DISTANCE,
+        error: f64 = RELATIVE_ERROR,
+        limit: f64 = SCALED_LIMIT,
+    }
+}
+
 /// A panel of a magnification.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MagnifiedPanel {
@@ -207,6 +222,18 @@ tables! {
         /// Its regions.
         regions: Vec<RegionVertex>,
         /// The panels in the order in which they are drawn, row by row.
+        panels: Vec<MagnifiedPanel>,
+    }
+
+    /// The curves that leave resonances in straightened coordinates: the distance from the grazing
+    /// curve over η² across, and η up.
+    StraightenedCurves {
+        /// Points that follow each other with equal panel, kind, p and arc are one curve.
+        curves: StraightenedPoint = "straightened",
+            "a point of a curve that leaves a resonance, in straightened coordinates",
+        ;
+        /// The panels in the order in which they are drawn, with what they show in these
+        /// coordinates.
         panels: Vec<MagnifiedPanel>,
     }
 }

@@ -8,6 +8,7 @@
 //!             └─ diagram   SN, PD and GZ curves from every resonance, codimension-two points
 //!                  ├─ regions         where solutions are stable, as polygons
 //!                  ├─ magnification   the same curves close to one resonance, with the quadratic approximations
+//!                  ├─ straightened    their distance from the grazing curve, with its digits at any scale
 //!                  ├─ verdict         whether the theorem's coefficients are those of the curves
 //!                  ├─ sides           whether the hybrid system, simulated (simulation), does what is predicted
 //!                  └─ one_parameter   branches on a line of the plane, with simulation (long_time) and phase portraits
@@ -94,6 +95,7 @@ pub mod simulation;
 mod slices;
 #[cfg(test)]
 mod specimens;
+pub mod straightened;
 mod stretches;
 mod subharmonic;
 mod suggestion;

@@ -13,6 +13,7 @@ use crate::levels::Property;
 use crate::non_impacting::Height;
 use crate::one_parameter::Line;
 use crate::sides::{Inconclusive, Simulated};
+use crate::straightened::StraightCurve;
 use crate::verdict::Coefficient;
 use crate::{Scope, UnfoldError};
 
@@ -139,6 +140,19 @@ impl InUnits for Coefficient {
             }
             Err(FitError::NoPoint { velocity, .. }) => *velocity *= unit_of_velocity,
             Err(FitError::GrazingOrbit(_) | FitError::NotFinished) => {}
+        }
+        own
+    }
+}
+
+impl InUnits for StraightCurve {
+    fn in_units(&self, units: &Units) -> Self {
+        let unit = units.primary / (units.secondary * units.secondary);
+        let mut own = Self { coefficient: self.coefficient * unit, ..self.clone() };
+        for point in &mut own.points {
+            point.eta *= units.secondary;
+            point.distance.value *= unit;
+            point.distance.error *= unit;
         }
         own
     }

@@ -2,7 +2,7 @@
 //! is unknown.
 
 use grazing_continuation::bifurcation::Pair;
-use grazing_continuation::fit::{Estimate, FitError, Measurement, measure};
+use grazing_continuation::fit::{Estimate, FitError, Measurement, Straightened};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::maps::global_iterate;
 use grazing_model::{AtRest, ImpactOscillator};
@@ -132,13 +132,26 @@ impl Coefficient {
 
 /// c_SN and c_PD at a resonance.
 pub fn coefficients(point: &ResonantGrazingPoint) -> Pair<Coefficient> {
+    coefficients_on(point, &near(point))
+}
+
+/// The SN and the PD curve near a resonance.
+pub fn near(point: &ResonantGrazingPoint) -> Pair<Result<Straightened, FitError>> {
+    Pair::CONDITIONS.map(|condition| point.leaving(condition).straightened())
+}
+
+/// c_SN and c_PD at a resonance near which the curves are known.
+pub fn coefficients_on(
+    point: &ResonantGrazingPoint,
+    near: &Pair<Result<Straightened, FitError>>,
+) -> Pair<Coefficient> {
     let stability = point.resonant_point().stability_coefficients();
     let stability = Pair { saddle_node: stability.plus, period_doubling: stability.minus };
-    let known = point.leading().zip(stability).zip(theorem_errors(point)).zip(Pair::CONDITIONS);
-    known.map(|(((curve, stability), error), condition)| Coefficient {
+    let known = point.leading().zip(stability).zip(theorem_errors(point)).zip(near.as_ref());
+    known.map(|(((curve, stability), error), near)| Coefficient {
         stability,
         theorem: Estimate { value: curve.coefficient, error },
-        fit: measure(point, condition),
+        fit: near.as_ref().map(|near| near.measurement).map_err(|error| *error),
     })
 }
 

@@ -11,12 +11,14 @@ use grazing_drawing::{
 use grazing_reproduction::unfolded::{AlongGrazing, AtResonances, Unfolded};
 use grazing_results::branches::{OneParameter, Readings};
 use grazing_results::measured::Comparison;
-use grazing_results::plane::{Magnifications, OwnCurves, PlaneDiagram};
+use grazing_results::plane::{Magnifications, OwnCurves, PlaneDiagram, StraightenedCurves};
 use grazing_results::readings::{Ordinate, Sweep};
 use grazing_results::{Names, Tables, brief, columns};
 
 use super::latex::Caption;
-use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output, sheet_file};
+use super::{
+    COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output, STRAIGHTENED_FILE, sheet_file, straightened,
+};
 use crate::failure::Failure;
 
 /// What the analysis of an oscillator from a text file comes to.
@@ -110,6 +112,20 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
             "magnifications about the resonances",
             Magnifications::TABLES,
             magnifications,
+        )
+    },
+    Output {
+        is_figure: true,
+        ..Output::new(
+            STRAIGHTENED_FILE,
+            "curves that leave resonances in straightened coordinates",
+            StraightenedCurves::TABLES,
+            |output, of: &AnalysedOscillator, width| {
+                let (curves, name) = (of.unfolded.straightened(), of.description.name());
+                Ok(straightened(&curves, name, of.names(), width, |file, sheet| {
+                    Figure::new(&of.file, file, output.title.to_owned(), sheet, &output.table_names())
+                })?)
+            },
         )
     },
     Output::new(READINGS, "what is read off one-parameter diagrams", Readings::TABLES, |_, of, _| {

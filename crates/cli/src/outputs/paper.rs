@@ -5,14 +5,15 @@ use grazing_reproduction::parameters::ParameterError;
 use grazing_reproduction::{
     CoefficientTable, Coefficients, PaperFigure, Remarks, Study, StudyError, TheoremsInAction, paper_figures,
 };
+use grazing_results::plane::StraightenedCurves;
 use grazing_results::{Names, Tables};
 
 use super::latex::Caption;
-use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output};
+use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output, STRAIGHTENED_FILE, straightened};
 use crate::failure::Failure;
 
 /// All outputs, in the order in which they are computed.
-pub const ALL: &[Output<Study>] = &paper_figures!(figure, first COEFFICIENTS, last THEOREMS);
+pub const ALL: &[Output<Study>] = &paper_figures!(figure, first COEFFICIENTS, last STRAIGHTENED, THEOREMS);
 
 /// A figure of the paper.
 pub(crate) const fn figure<F: PaperFigure>() -> Output<Study> {
@@ -60,6 +61,28 @@ pub(crate) const COEFFICIENTS: Output<Study> = Output {
                 printed: vec![(COEFFICIENT_COLUMNS, output.caption())],
                 ..ComputedOutput::default()
             })
+        },
+    )
+};
+
+const STRAIGHTENED: Output<Study> = Output {
+    label: "fig:straightened",
+    is_figure: true,
+    check: |study| study.parameters.section::<Figure7>().map(drop),
+    keys: Figure7::REMEDY,
+    ..Output::new(
+        STRAIGHTENED_FILE,
+        "The curves of Figure 7 in straightened coordinates, and where they go by theory",
+        StraightenedCurves::TABLES,
+        |output, study: &Study, width| {
+            let (curves, names) = (study.straightened()?, Names::of_the_paper());
+            Ok(straightened(&curves, "Curves that leave resonances", &names, width, |file, sheet| Figure {
+                file,
+                sheet,
+                caption: output.caption(),
+                tables: output.table_names(),
+                only: None,
+            })?)
         },
     )
 };

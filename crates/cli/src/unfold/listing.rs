@@ -400,7 +400,7 @@ mod tests {
             point: point.expect("they are in the domain").resonant_point(),
             theorem: Theorem::ResonantMultiLoop,
             hypotheses: Vec::new(),
-            curves: Some(Curves { findings, window, magnified: Vec::new() }),
+            curves: Some(Curves { findings, window, magnified: Vec::new(), straightened: Vec::new() }),
         }
     }
 

@@ -79,7 +79,7 @@ const LOOPS: [&str; 6] =
 /// Control characters, marks that turn the direction of writing, other scripts.
 const CHARACTERS: [&str; 12] =
     ["\0", "\u{1b}[2J", "\u{7f}", "\r", "\u{feff}", "\u{202e}", "\u{2066}", "ω", "−", "´", "\"", "#"];
-const OUTPUTS: [&str; 12] = [
+const OUTPUTS: [&str; 13] = [
     "coefficients",
     "fig01",
     "fig02",
@@ -91,6 +91,7 @@ const OUTPUTS: [&str; 12] = [
     "fig08",
     "fig09",
     "fig10",
+    "straightened",
     "theorems",
 ];
 
@@ -261,7 +262,8 @@ fn trial(number: u64) -> (Vec<String>, String) {
         match dice.one_of(&OUTPUTS) {
             _ if dice.below(3) == 0 => (whole, arguments.to_owned()),
             name => {
-                let also = if matches!(name, "coefficients" | "fig08") { "fig07" } else { name };
+                let also =
+                    if matches!(name, "coefficients" | "fig08" | "straightened") { "fig07" } else { name };
                 let needed = sections(&whole, |section| ["oscillator", name, also].contains(&section));
                 (needed, format!("{arguments} --only {name}"))
             }

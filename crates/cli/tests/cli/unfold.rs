@@ -21,7 +21,7 @@ fn read(folder: &Path, name: &str) -> String {
     fs::read_to_string(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
-const TABLES: [&str; 8] = [
+const TABLES: [&str; 9] = [
     "coefficients",
     "curves",
     "grazing",
@@ -30,13 +30,21 @@ const TABLES: [&str; 8] = [
     "magnifications",
     "points",
     "regions",
+    "straightened",
 ];
 
 /// What belongs in a folder of results.
 fn results() -> Vec<String> {
     let tables = TABLES.map(|table| format!("data/{table}.csv"));
-    let others =
-        ["data", "data/README.md", "diagram.svg", "magnifications.svg", "manifest.sha256", "report.html"];
+    let others = [
+        "data",
+        "data/README.md",
+        "diagram.svg",
+        "magnifications.svg",
+        "manifest.sha256",
+        "report.html",
+        "straightened.svg",
+    ];
     let mut all = others.map(str::to_owned).to_vec();
     all.extend(tables);
     all.sort();

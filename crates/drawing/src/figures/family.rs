@@ -56,7 +56,8 @@ pub fn draw_family(
             false => ((String::new(), LABEL_SIZE), letter),
         };
         let frame = checked(*frame, "a panel of a family")?;
-        Ok(GridPanel { frame, up: &up[place], names: None, only: None, first, parts: (vec![second], size) })
+        let (up, parts) = (up[place].as_str(), (vec![second], size));
+        Ok(GridPanel { frame, up, decades: None, names: None, only: None, first, parts })
     };
     let panels = family.panels.iter().enumerate().map(panel);
     let panels: Vec<_> = panels.collect::<Result<_, DrawingError>>()?;

@@ -1,17 +1,22 @@
-//! Magnifications about resonances, one panel each, like Figure 8.
+//! Magnifications about resonances, one panel each, like Figure 8; and the same in straightened
+//! coordinates, in which curves that are tangent to each other lie apart at any scale.
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_results::plane::{CurveSource, Magnifications, MagnifiedPanel, MagnifiedPoint};
+use grazing_results::plane::{
+    CurveSource, Magnifications, MagnifiedPanel, MagnifiedPoint, StraightenedCurves, StraightenedPoint,
+};
 
 use crate::error::DrawingError;
 use crate::figures::look::Look;
 use crate::geometry::clip::checked;
-use crate::ink::labels::Labels;
+use crate::geometry::sheet::{Spot, length};
+use crate::ink::labels::{Labels, Site};
 use crate::ink::sheet::Sheet;
-use crate::ink::style::{LABEL_SIZE, TICK_SIZE};
+use crate::ink::style::{LABEL_SIZE, SMALL_LABEL_SIZE, SheetWidth, TICK_SIZE};
 use crate::plot::axes::{Heading, Panel};
-use crate::plot::kinds::{Area, Trace, TraceOf, draw_curves, draw_points};
+use crate::plot::kinds::{Area, Trace, TraceOf, draw_curves, draw_points, text_colour};
 use crate::plot::magnified::panel_letter;
+use crate::plot::numbers::Decades;
 use crate::plot::panel_grid::{GridPanel, draw_panels};
 use crate::plot::ticks::measured;
 
@@ -41,27 +46,88 @@ pub fn draw_magnifications(
         return draw_magnifications(&figure.clone().swapped(), &heading, look);
     }
     let [across, up] = &heading.names.titles();
-    let panel = |panel: &MagnifiedPanel| {
-        let MagnifiedPanel { panel: number, loops, n, coefficients, frame, .. } = panel;
-        let n = n.map_or_else(String::new, |n| format!(", $n={n}$"));
-        let known = coefficients.named().into_iter().filter(|(_, value)| value.is_finite());
-        let written = |(kind, value): (Bifurcation, f64)| {
-            format!(r"$c_{{\mathrm{{{},}}{loops}}}={}$", kind.name(), measured(value, DIGITS))
-        };
-        Ok(GridPanel {
-            frame: checked(*frame, &format!("a panel of {}", heading.name))?,
-            up,
-            names: Some(heading.names),
-            only: Some(("panel", *number)),
-            first: (format!("{}  $p={loops}${n}", panel_letter(*number)), LABEL_SIZE),
-            parts: (known.map(written).collect(), TICK_SIZE),
-        })
-    };
+    let panel = |panel: &MagnifiedPanel| grid_panel(panel, heading, up, None);
     let panels: Vec<_> = figure.panels.iter().map(panel).collect::<Result<_, DrawingError>>()?;
     let sheets = draw_panels(heading, look.columns, across, &panels, |panel, place| {
         draw_panel(panel, figure, heading, figure.panels[place].panel, look)
     })?;
     Ok(sheets.into_iter().map(|sheet| look.coloured(sheet)).collect())
+}
+
+/// The panel of a resonance, with p, n and coefficients over it; on an axis of decades with the
+/// places of its range there.
+fn grid_panel<'a>(
+    panel: &MagnifiedPanel,
+    heading: &Heading<'a>,
+    up: &'a str,
+    decades: Option<Decades>,
+) -> Result<GridPanel<'a>, DrawingError> {
+    let MagnifiedPanel { panel: number, loops, n, coefficients, frame, .. } = panel;
+    let n = n.map_or_else(String::new, |n| format!(", $n={n}$"));
+    let known = coefficients.named().into_iter().filter(|(_, value)| value.is_finite());
+    let written = |(kind, value): (Bifurcation, f64)| {
+        format!(r"$c_{{\mathrm{{{},}}{loops}}}={}$", kind.name(), measured(value, DIGITS))
+    };
+    let mut frame = checked(*frame, &format!("a panel of {}", heading.name))?;
+    if let Some(decades) = decades {
+        frame.y = frame.y.map(|end| decades.at(end));
+    }
+    Ok(GridPanel {
+        frame,
+        up,
+        decades,
+        names: decades.is_none().then_some(heading.names),
+        only: Some(("panel", *number)),
+        first: (format!("{}  $p={loops}${n}", panel_letter(*number)), LABEL_SIZE),
+        parts: (known.map(written).collect(), TICK_SIZE),
+    })
+}
+
+/// Draws curves that leave resonances in straightened coordinates: μ/η² across and η up by its
+/// decades, μ being the distance from the grazing curve and η that from the resonance. Dashed: where
+/// the curves go by theory.
+///
+/// # Errors
+/// As [`draw_magnifications`].
+pub fn draw_straightened(
+    figure: &StraightenedCurves,
+    heading: &Heading<'_>,
+    width: SheetWidth,
+) -> Result<Vec<Sheet>, DrawingError> {
+    let least = figure.curves.iter().map(|row| row.eta.abs()).fold(f64::INFINITY, f64::min);
+    let decades = Decades { least: libm::round(libm::log10(least)) as i32 };
+    let panel = |panel: &MagnifiedPanel| grid_panel(panel, heading, r"$\eta$", Some(decades));
+    let panels: Vec<_> = figure.panels.iter().map(panel).collect::<Result<_, DrawingError>>()?;
+    let heading = Heading { tables: &[], ..*heading };
+    draw_panels(&heading, width, r"$\mu/\eta^{2}$", &panels, |panel, place| {
+        let MagnifiedPanel { panel: number, loops, .. } = figure.panels[place];
+        let mut labels = Labels::new(panel.canvas, panel.bounds);
+        let grazing = vec![(0.0, panel.frame.y[0]), (0.0, panel.frame.y[1])];
+        let grazing =
+            Trace { kind: Bifurcation::NonImpactingGrazing, of: TraceOf::Bifurcation, points: grazing };
+        let at_grazing = draw_curves(panel, &mut labels, vec![grazing]);
+        let mut named: Vec<(Bifurcation, String, Vec<Spot>)> = Vec::new();
+        let curve = |a: &StraightenedPoint, b: &StraightenedPoint| (a.panel, a.arc) == (b.panel, b.arc);
+        for rows in figure.curves.chunk_by(curve).filter(|rows| rows[0].panel == number) {
+            let (kind, own) = (rows[0].kind, rows[0].loops == loops);
+            let place = |row: &StraightenedPoint| (row.distance, decades.at(row.eta));
+            let points: Vec<_> = rows.iter().map(place).collect();
+            let limit = [0.0, decades.at(rows[rows.len() - 1].eta)].map(|up| (rows[0].limit, up));
+            let traces = [(TraceOf::Bifurcation, points), (TraceOf::Approximation, limit.to_vec())];
+            let traces = traces.map(|(of, points)| Trace { kind, of, points });
+            let drawn = draw_curves(panel, &mut labels, traces.into());
+            let longest = drawn.into_iter().max_by(|a, b| length(&a.1).total_cmp(&length(&b.1)));
+            let of = if own { String::new() } else { format!(", $p={}$", rows[0].loops) };
+            let label = format!("{}{of}", kind.name());
+            named.extend(longest.map(|(_, piece)| (kind, label, piece)));
+        }
+        // All is drawn that labels have to keep off.
+        for (kind, label, piece) in named.iter().filter(|named| length(&named.2) >= LABELLED_LENGTH) {
+            labels.add(label, SMALL_LABEL_SIZE, text_colour(*kind), &Site::Beside(piece))?;
+        }
+        labels.name_curves(at_grazing, LABELLED_LENGTH, &heading.names.grazing_title())?;
+        labels.draw()
+    })
 }
 
 fn draw_panel(
@@ -119,6 +185,34 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn straightened_curves_keep_their_labels_apart_at_any_width() {
+        for sample in oscillators() {
+            for width in WIDTHS {
+                for sheet in draw_straightened(&sample.straightened, &sample.magnified(), width).unwrap() {
+                    sheet.assert_well_placed(&(&sample.names, width));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn decades_of_either_sign_stand_in_order_and_are_named() {
+        let decades = Decades { least: -9 };
+        let places = [-0.1, -1e-5, -1e-9, -1e-12, 0.0, 1e-12, 1e-9, 2e-9, 1e-2].map(|eta| decades.at(eta));
+        assert!(places.is_sorted() && places[3] == 0.0 && places[4] == 0.0, "{places:?}");
+        assert_eq!(places[7] - places[6], libm::log10(2e-9) - libm::log10(1e-9));
+        let sample = sample(3);
+        let sheet =
+            &draw_straightened(&sample.straightened, &sample.magnified(), SheetWidth::TwoColumns).unwrap()[0];
+        let texts = sheet.texts();
+        for text in ["$10^{-9}$", "$−10^{-9}$", "SN", "PD", "GZ, $p=2$"] {
+            assert!(texts.iter().any(|found| found == text), "{text} in {texts:?}");
+        }
+        // Three curves in each of three panels, and where they go.
+        assert_eq!(sheet.short_body().matches("stroke-dasharray=\"3.2 2\"").count(), 9);
     }
 
     #[test]

@@ -19,7 +19,7 @@ use crate::ink::style::{
     BLACK, DISC_RADIUS, FRAME, HATCHING, HOLLOW, HOLLOW_RIM, MARKER, MARKER_RIM, MINOR_TICK_LENGTH, Paint,
     Pen, STAR_RADIUS, TICK, TICK_LENGTH, TICK_SIZE, TITLE_SIZE, TRIANGLE_SIZE,
 };
-use crate::plot::numbers::{Direction, Numbers};
+use crate::plot::numbers::{Decades, Direction, Numbers};
 
 /// What a figure of panels says of itself.
 #[derive(Debug, Clone, Copy)]
@@ -54,6 +54,8 @@ pub struct Panel<'c> {
     pub names: Option<&'c Names>,
     /// Whether there are numbers beside it.
     pub numbers_beside: bool,
+    /// What stands up is the place of a number on such an axis.
+    pub(crate) decades: Option<Decades>,
 }
 
 /// Which of the paper's markers.
@@ -81,7 +83,8 @@ const LEAST_TITLE_SIZE: f64 = 6.5;
 impl<'c> Panel<'c> {
     /// A panel that does not say what it shows.
     pub fn new(canvas: &'c Canvas, frame: Frame, bounds: Bounds) -> Self {
-        Panel { canvas, frame, bounds, tables: &[], only: None, names: None, numbers_beside: true }
+        let (tables, only, names): (&[_], _, _) = (&[], None, None);
+        Panel { canvas, frame, bounds, tables, only, names, numbers_beside: true, decades: None }
     }
 
     /// Where a data point lies on the sheet, in whole hundredths of a point: the rest of the way
@@ -192,7 +195,7 @@ impl<'c> Panel<'c> {
             FRAME,
         );
         let x_numbers = Numbers::along(&canvas.fonts, self.frame.x, right - left, Direction::Across)?;
-        let y_numbers = Numbers::along(&canvas.fonts, self.frame.y, bottom - top, Direction::Up)?;
+        let y_numbers = Numbers::up(&canvas.fonts, self.frame.y, bottom - top, self.decades)?;
         let baseline = bottom + TICK_LENGTH + TICK_GAP + 0.66 * TICK_SIZE;
         let x_tick = |value: f64, length: f64| {
             let (x, _) = self.spot((value, self.frame.y[0]));
@@ -258,7 +261,11 @@ pub(crate) fn room_beside(
     height: f64,
     title: &str,
 ) -> Result<f64, DrawingError> {
-    let numbers = Numbers::along(fonts, range, height, Direction::Up)?;
+    room_for(fonts, &Numbers::along(fonts, range, height, Direction::Up)?, title)
+}
+
+/// The same for given numbers.
+pub(crate) fn room_for(fonts: &Fonts, numbers: &Numbers, title: &str) -> Result<f64, DrawingError> {
     let beside_title = TICK_LENGTH + 2.0 * TICK_GAP + numbers.width + 1.0;
     let extent = fonts.measure(&Label::parse(&numbers.title(title))?, TITLE_SIZE)?;
     let level = extent.width <= WIDEST_LEVEL_TITLE;

@@ -36,6 +36,48 @@ struct Scale {
     power: i32,
 }
 
+/// An axis for numbers of either sign over many decades: outside of the least decade they stand at
+/// the logarithm of their absolute values, and zero is in the middle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Decades {
+    /// The exponent of the least decade.
+    pub(crate) least: i32,
+}
+
+impl Decades {
+    /// From zero to the least decade, in decades.
+    const MIDDLE: f64 = 2.0;
+
+    /// Where a number stands.
+    pub(crate) fn at(self, value: f64) -> f64 {
+        let away = libm::log10(value.abs()) - f64::from(self.least) + Self::MIDDLE;
+        libm::copysign(away.max(0.0), value)
+    }
+
+    /// The numbers along such an axis that runs up, between two places: every decade has a tick, and
+    /// as many have numbers as keep their distance.
+    fn numbers(self, fonts: &Fonts, [low, high]: [f64; 2], room: f64) -> Result<Numbers, DrawingError> {
+        let decades = (high - Self::MIDDLE).floor().max(0.0) as i32;
+        let written = (1..).find(|each| f64::from(*each) / (high - low) * room >= TICK_SIZE + NUMBER_GAP);
+        let (mut ticks, mut minor, mut width) = (Vec::new(), Vec::new(), 0.0_f64);
+        for (sign, print) in [(1.0, ""), (-1.0, "−")] {
+            for decade in 0..=decades {
+                let value = sign * (f64::from(decade) + Self::MIDDLE);
+                minor.push(value);
+                if decade % written.unwrap_or(1) == 0 {
+                    let label = format!("${print}10^{{{}}}$", self.least + decade);
+                    width = width.max(fonts.measure(&Label::parse(&label)?, TICK_SIZE)?.width);
+                    ticks.push(Tick { value, label });
+                }
+            }
+        }
+        if Self::MIDDLE / (high - low) * room >= TICK_SIZE + 1.0 {
+            ticks.push(Tick { value: 0.0, label: "0".to_owned() });
+        }
+        Ok(Numbers { ticks, minor, width, scale: Scale::none(Step::ONE) })
+    }
+}
+
 /// A tick and the number at it.
 pub(crate) struct Tick {
     pub(crate) value: f64,
@@ -108,6 +150,22 @@ impl Numbers {
         }
         let fit = |step| Scale::fit(step, range);
         Ok(Self::choose(fonts, range, room, direction, fit)?.0)
+    }
+
+    /// The same along an axis that runs up, perhaps one of decades.
+    ///
+    /// # Errors
+    /// As [`along`](Self::along).
+    pub(crate) fn up(
+        fonts: &Fonts,
+        range: [f64; 2],
+        room: f64,
+        decades: Option<Decades>,
+    ) -> Result<Self, DrawingError> {
+        match decades {
+            Some(decades) => decades.numbers(fonts, range, room),
+            None => Self::along(fonts, range, room, Direction::Up),
+        }
     }
 
     /// The finest round step whose numbers keep their distance, or else the coarsest that has two;

@@ -12,8 +12,8 @@ use crate::ink::markup::Label;
 use crate::ink::sheet::Sheet;
 use crate::ink::style::{BLACK, SheetWidth};
 use crate::ink::svg::POINTS_PER_MM;
-use crate::plot::axes::{Heading, Panel, overhang, room_beside};
-use crate::plot::numbers::{Direction, Numbers};
+use crate::plot::axes::{Heading, Panel, overhang, room_for};
+use crate::plot::numbers::{Decades, Numbers};
 
 /// Width in the paper.
 const WIDTH_MM: f64 = 156.0;
@@ -44,8 +44,10 @@ const SUBHEADING_LEADING: f64 = 9.5;
 /// A panel on one of the sheets.
 pub(crate) struct GridPanel<'a> {
     pub(crate) frame: Frame,
-    /// The title of its vertical axis.
+    /// The title of its vertical axis,
     pub(crate) up: &'a str,
+    /// which may be one of decades.
+    pub(crate) decades: Option<Decades>,
     /// The names of the parameters, and what distinguishes its rows, as in [`Panel`].
     pub(crate) names: Option<&'a Names>,
     pub(crate) only: Option<(&'static str, u32)>,
@@ -60,6 +62,11 @@ impl GridPanel<'_> {
     /// The parts of the second line on one.
     fn joined(&self) -> String {
         self.parts.0.join(",  ")
+    }
+
+    /// The numbers along its vertical axis.
+    fn numbers_up(&self, fonts: &Fonts, height: f64) -> Result<Numbers, DrawingError> {
+        Numbers::up(fonts, self.frame.y, height, self.decades)
     }
 
     /// Whether they fit on one line of so many points.
@@ -110,9 +117,10 @@ pub(crate) fn draw_panels(
         }
         let canvas = Canvas::new(grid.width_mm, grid.height_mm())?;
         for (place, shown) in shown.iter().enumerate() {
-            let GridPanel { frame, only, names, .. } = *shown;
+            let GridPanel { frame, only, names, decades, .. } = *shown;
             let bounds = grid.bounds(place);
-            let panel = Panel { tables: heading.tables, only, names, ..Panel::new(&canvas, frame, bounds) };
+            let tables = heading.tables;
+            let panel = Panel { tables, only, names, decades, ..Panel::new(&canvas, frame, bounds) };
             draw(&panel, start + place)?;
             panel.axes(across, if grid.is_titled(place) { shown.up } else { "" })?;
             shown.write_heading(&canvas, (bounds.left, bounds.top - grid.heading_rise()), split)?;
@@ -171,16 +179,16 @@ impl Grid {
         let (columns, row_mm) = row(width_mm, panels);
         let height = row_mm * POINTS_PER_MM - ROOM_ABOVE - ROOM_BELOW;
         let mut all_titled = shown.windows(2).any(|pair| pair[0].up != pair[1].up);
-        for GridPanel { frame, .. } in shown {
-            all_titled |= !Numbers::along(fonts, frame.y, height, Direction::Up)?.are_plain();
+        for panel in shown {
+            all_titled |= !panel.numbers_up(fonts, height)?.are_plain();
         }
         let mut rooms: Vec<f64> = vec![ROOM_LEFT; columns];
         rooms[0] = ROOM_LEFT_OF_FIRST;
-        for (place, GridPanel { frame, up, .. }) in shown.iter().enumerate() {
+        for (place, panel) in shown.iter().enumerate() {
             let column = place % columns;
-            let title = if column == 0 || all_titled { up } else { "" };
-            let needed =
-                room_beside(fonts, frame.y, height, title)? + if column == 0 { 0.0 } else { PANEL_GAP };
+            let title = if column == 0 || all_titled { panel.up } else { "" };
+            let numbers = panel.numbers_up(fonts, height)?;
+            let needed = room_for(fonts, &numbers, title)? + if column == 0 { 0.0 } else { PANEL_GAP };
             rooms[column] = rooms[column].max(needed);
         }
         let beside: f64 = rooms.iter().sum();
@@ -268,6 +276,7 @@ mod tests {
                 let panel = |_| GridPanel {
                     frame,
                     up: "amplitude",
+                    decades: None,
                     names: None,
                     only: None,
                     first: (String::new(), 9.0),

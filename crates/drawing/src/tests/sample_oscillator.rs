@@ -4,7 +4,7 @@
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 use grazing_results::plane::{
     CurveSource, Magnifications, MagnifiedPanel, MagnifiedPoint, PlaneDiagram, PlanePoint, RegionKind,
-    RegionVertex, SpecialPoint,
+    RegionVertex, SpecialPoint, StraightenedCurves, StraightenedPoint,
 };
 use grazing_results::{Frame, Names};
 
@@ -28,6 +28,7 @@ pub(crate) struct SampleOscillator {
     pub(crate) names: Names,
     pub(crate) diagram: PlaneDiagram,
     pub(crate) magnifications: Magnifications,
+    pub(crate) straightened: StraightenedCurves,
 }
 
 /// The frequency at which the made-up grazing curve has the amplitude.
@@ -153,6 +154,34 @@ fn magnified_rows(curves: &[SampleCurve]) -> Vec<MagnifiedPoint> {
     rows
 }
 
+/// Curves that leave the constants of the panels' resonances, an SN curve for negative η and a PD and
+/// a GZ curve for positive ones.
+fn straightened(panels: &[MagnifiedPanel], up: Affine) -> StraightenedCurves {
+    let mut curves = Vec::new();
+    let mut shown = Vec::new();
+    for panel in panels {
+        let Pair { saddle_node, period_doubling } = panel.coefficients;
+        let limits = [saddle_node, if period_doubling.is_nan() { -saddle_node } else { period_doubling }];
+        let all = [
+            (Bifurcation::SaddleNode, panel.loops, -1.0, limits[0]),
+            (Bifurcation::PeriodDoubling, panel.loops, 1.0, limits[1]),
+            (Bifurcation::Grazing, panel.loops + 1, 1.0, 0.5 * limits[0]),
+        ];
+        for (arc, (kind, loops, side, limit)) in (1..).zip(all) {
+            curves.extend((0..=80).map(|step| {
+                let eta = side * libm::pow(10.0, 0.1 * f64::from(step) - 9.0);
+                let distance = limit * (1.0 - 4.0 * eta.abs());
+                let (panel, n, eta) = (panel.panel, panel.n.unwrap_or(0), eta * up.0);
+                StraightenedPoint { panel, loops, n, kind, arc, eta, distance, error: 1e-11, limit }
+            }));
+        }
+        let size = limits[0].abs().max(limits[1].abs());
+        let frame = Frame { x: [-1.4 * size, 1.4 * size], y: [-0.1 * up.0, 0.1 * up.0] };
+        shown.push(MagnifiedPanel { frame, ..*panel });
+    }
+    StraightenedCurves { curves, panels: shown }
+}
+
 /// So many resonances along the grazing curve, with p of 1 to 12 that recur.
 fn resonances(count: u32) -> Vec<Resonance> {
     let share = |i: u32| (f64::from(i) + 0.5) / f64::from(count);
@@ -197,7 +226,8 @@ impl SampleOscillator {
             own: Vec::new(),
             measured: Vec::new(),
         };
-        SampleOscillator { names: Names::new(names[0], names[1]), diagram, magnifications }
+        let straightened = straightened(&diagram.magnified, up);
+        SampleOscillator { names: Names::new(names[0], names[1]), diagram, magnifications, straightened }
     }
 
     /// What the diagram says of itself.

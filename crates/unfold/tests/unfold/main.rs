@@ -16,6 +16,7 @@ mod resonances;
 mod search;
 mod slivers;
 mod specimens;
+mod straightened;
 mod torus;
 mod units;
 mod verdicts;

@@ -1,0 +1,167 @@
+//! The curves that leave a resonance in straightened coordinates: their distance from the grazing
+//! curve over η², for η over many orders of magnitude.
+//!
+//! All these curves are tangent to the grazing curve, so that nothing can be seen of them near the
+//! resonance, nor computed as a difference of places. In the coordinates (μ − μ_graz(η))/η² against η
+//! each goes to a constant of its own, which theory gives. Near the resonance the distance comes from
+//! interpolants in the impact velocity ([`Straightened`]), which keep their digits at any scale;
+//! farther out it is a difference of solutions. Both come with an estimate of their error; the
+//! smaller decides, and where they differ by more than both the difference is the error.
+
+use grazing_continuation::bifurcation::{Bifurcation, Pair};
+use grazing_continuation::curve::CurvePoint;
+use grazing_continuation::fit::{Estimate, FitError, LeavingCurve, Straightened};
+use grazing_continuation::locate::{Condition, locate, same_point};
+use grazing_continuation::mps::{Formulation, LoopEquations, unknown};
+use grazing_continuation::resonance::ResonantGrazingPoint;
+use grazing_model::ImpactOscillator;
+use grazing_theorems::from_map::GrazingPlace;
+
+use crate::diagram::Diagram;
+
+/// A point of a curve in straightened coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StraightPoint {
+    /// η, measured from the resonance.
+    pub eta: f64,
+    /// (μ − μ_graz)/η².
+    pub distance: Estimate,
+}
+
+/// A curve that leaves a resonance.
+#[derive(Clone, Debug)]
+pub struct StraightCurve {
+    /// What happens along it,
+    pub kind: Bifurcation,
+    /// to solutions with so many loops p.
+    pub loops: u32,
+    /// The limit of (μ − μ_graz)/η², by theory.
+    pub coefficient: f64,
+    /// Its points from the resonance on.
+    pub points: Vec<StraightPoint>,
+}
+
+/// Roundings in the difference of two places, each found by Newton's method.
+const ROUNDINGS: f64 = 16.0;
+
+/// The curves that bound the stable MPSs beside a resonance and leave it, each at those of the given
+/// |η|, in increasing order, that it reaches before it ends or turns back, and where it does.
+///
+/// These are the SN and PD curves of its own p, whose interpolants are given, and at a resonance of
+/// p = 1 the SN, PD and GZ curves of solutions with more loops
+/// ([`leaving_iterated`](grazing_continuation::resonance::LocatedResonance::leaving_iterated)). A
+/// curve that is not in the diagram is left out.
+pub fn straighten(
+    diagram: &Diagram,
+    point: &ResonantGrazingPoint,
+    own: &Pair<Result<Straightened, FitError>>,
+    etas: &[f64],
+) -> Vec<StraightCurve> {
+    let leaving = Pair::CONDITIONS.map(|condition| point.leaving(condition));
+    let own = leaving.zip(own.clone()).into_array().into_iter();
+    let more = diagram.scope.loops.iter().filter(|&&loops| loops > 1);
+    let iterated = more.flat_map(|&loops| point.leaving_iterated(loops)).map(|curve| {
+        let near = curve.straightened();
+        (curve, near)
+    });
+    own.chain(iterated).filter_map(|(curve, near)| along(diagram, &curve, near.ok().as_ref(), etas)).collect()
+}
+
+fn along(
+    diagram: &Diagram,
+    curve: &LeavingCurve<'_>,
+    near: Option<&Straightened>,
+    etas: &[f64],
+) -> Option<StraightCurve> {
+    let loops = curve.equations.loops();
+    let side = curve.leading.eta_side.signum();
+    let [_, origin] = curve.resonance.orbit().oscillator().parameters();
+    let outwards = outwards(diagram, curve)?;
+    let eta = |point: &CurvePoint| point.solution.parameters()[1] - origin;
+    let last = eta(outwards[outwards.len() - 1]).abs();
+    let (mut points, mut place) = (Vec::new(), curve.resonance.orbit().place());
+    for eta in etas.iter().filter(|eta| **eta < last).map(|eta| eta * side).chain([last * side]) {
+        let known = near.and_then(|near| near.at(eta));
+        let least = known.map_or(f64::INFINITY, |known| known.error);
+        let found = match rounding(curve, eta) < least {
+            true => far(curve, &outwards, eta, &mut place),
+            false => None,
+        };
+        let distance = match (known, found) {
+            (Some(known), Some(found)) => {
+                let [mut best, other] =
+                    if found.error < known.error { [found, known] } else { [known, found] };
+                let difference = (best.value - other.value).abs();
+                if difference > best.error + other.error {
+                    best.error = difference;
+                }
+                Some(best)
+            }
+            (known, found) => known.or(found),
+        };
+        points.extend(distance.map(|distance| StraightPoint { eta, distance }));
+    }
+    let kind = Bifurcation::of(curve.condition, loops)?;
+    Some(StraightCurve { kind, loops, coefficient: curve.leading.coefficient, points })
+}
+
+/// What rounding of places leaves of a difference of them over η², and that of η* of η.
+fn rounding(curve: &LeavingCurve<'_>, eta: f64) -> f64 {
+    let orbit = curve.resonance.orbit();
+    let [primary, secondary] = orbit.oscillator().parameters();
+    let place = primary.abs() + (orbit.primary_slope() * secondary).abs();
+    let origin = 2.0 * (curve.leading.coefficient * eta * secondary).abs();
+    ROUNDINGS * f64::EPSILON * (place + origin) / (eta * eta)
+}
+
+/// The points of the diagram's curve from the resonance to where it ends or turns back in η.
+fn outwards<'a>(diagram: &'a Diagram, curve: &LeavingCurve<'_>) -> Option<Vec<&'a CurvePoint>> {
+    let (start, side) = (curve.resonance.unknowns(), curve.leading.eta_side.signum());
+    let away =
+        |point: &CurvePoint| side * (point.solution.unknowns[unknown::SECONDARY] - start[unknown::SECONDARY]);
+    let candidates = diagram
+        .curves
+        .iter()
+        .filter(|other| other.loops == curve.equations.loops() && other.curve.condition == curve.condition);
+    candidates.into_iter().find_map(|other| {
+        let points = &other.curve.points;
+        let begins = |point: Option<&CurvePoint>| {
+            point.is_some_and(|point| same_point(&point.solution.unknowns, &start))
+        };
+        let ordered: Vec<&CurvePoint> = match (begins(points.first()), begins(points.last())) {
+            (true, _) => points.iter().collect(),
+            (false, true) => points.iter().rev().collect(),
+            (false, false) => return None,
+        };
+        let monotone = 1 + ordered.windows(2).take_while(|pair| away(pair[1]) > away(pair[0])).count();
+        (monotone > 1).then(|| ordered[..monotone].to_vec())
+    })
+}
+
+/// The distance as a difference of places, with rounding and what integration in shorter steps
+/// changes for its error; `near` is a place on the grazing curve, and becomes that at η.
+fn far(
+    curve: &LeavingCurve<'_>,
+    outwards: &[&CurvePoint],
+    eta: f64,
+    near: &mut GrazingPlace,
+) -> Option<Estimate> {
+    let secondary = curve.resonance.orbit().oscillator().parameters()[1] + eta;
+    let beyond = |point: &CurvePoint| point.solution.parameters()[1] - secondary;
+    let pair = outwards.windows(2).find(|pair| beyond(pair[0]) * beyond(pair[1]) <= 0.0)?;
+    let way = beyond(pair[0]) / (beyond(pair[0]) - beyond(pair[1]));
+    let [from, to] = [pair[0], pair[1]].map(|point| point.solution.unknowns);
+    let conditions = [curve.condition, Condition::Secondary(secondary)];
+    let mut distance = |equations: &LoopEquations| {
+        // What touches the wall has no time at the resonance, but at the next point.
+        let mut times = pair[1].times.clone();
+        let found = locate(equations, conditions, from + (to - from) * way, &mut times).ok()?;
+        *near = near.moved(&equations.oscillator_at(&found), secondary).ok()?;
+        Some((found[unknown::PRIMARY] - near.parameters[0]) / (eta * eta))
+    };
+    let equations = curve.equations.with_formulation(Formulation::FixedPhase);
+    let finer = equations.finely().map(|finer| distance(&finer));
+    let value = distance(&equations)?;
+    let integration = finer.map_or(Some(0.0), |fine| Some((fine? - value).abs()))?;
+    Some(Estimate { value, error: rounding(curve, eta) + integration })
+}
