@@ -210,6 +210,7 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
             period_doubling: finding(NOT_MEASURED, Simulated::Undecided(Inconclusive::NotMeasured)),
         },
         window: Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] },
+        straightened: Vec::new(),
         magnified: Vec::new(),
     };
     OscillatorEntry {
