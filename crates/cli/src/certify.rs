@@ -56,7 +56,7 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
     let published = Published::printed();
     for resonance in &resonances {
         terminal::say(&(summary::resonance(resonance).join("\n") + "\n"));
-        printed(&statement, &published, resonance).iter().for_each(|line| terminal::say(line));
+        printed(&statement, published, resonance).iter().for_each(|line| terminal::say(line));
     }
     for &p in &statement.loops {
         let rows: Vec<_> = rows.iter().filter(|row| row.interval.p == i64::from(p)).cloned().collect();

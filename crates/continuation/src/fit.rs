@@ -15,7 +15,7 @@
 //!
 //! As differences of solutions η and μ lose all digits towards the resonance, μ as η². The
 //! interpolants do not: divided by y and by y², which takes no difference
-//! ([`Interpolant::quotients`]), they are E and M in
+//! (`Interpolant::quotients`), they are E and M in
 //!
 //! ```text
 //! η = y E(y),   μ = y² M(y),   μ/η² = M/E²,
