@@ -28,7 +28,7 @@ fn product(a: u128, b: u128) -> Option<(u128, bool)> {
     let low = (middle << 64) | (bottom & LOW);
     let high = a1 * b1 + (first >> 64) + (second >> 64) + (middle >> 64);
     let fits = high >> (BITS - 2) == 0;
-    fits.then(|| ((high << (128 - BITS)) | (low >> BITS), low & (ONE - 1) != 0))
+    fits.then_some(((high << (128 - BITS)) | (low >> BITS), low & (ONE - 1) != 0))
 }
 
 /// `⌈a b / 2⁹⁶⌉`.
