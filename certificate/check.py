@@ -6,7 +6,7 @@
 ../docs/proof.md says what each verdict states and why these inequalities prove it. Nothing here is taken from the program that
 writes the certificate: motion is written with the matrix of the free oscillation, its stability with the saltation matrix.
 """
-import csv, pathlib, sys
+import csv, itertools, pathlib, sys
 from fractions import Fraction
 from flint import arb, arb_series, ctx
 
@@ -254,10 +254,12 @@ def check(folder):
         require(exact(mine[-1].right) >= oscillator.omega_1 / exact(statement["omega_lowest"]), "window")
         require(all(a.right == b.left for a, b in zip(mine, mine[1:])), "a gap")
         kinds = {"tube": "some", "edge": "some", "empty": "none", "blocked": "none"}
-        for before, line, after in zip(mine, mine[1:], mine[2:]):
-            if line.row["verdict"] == "crossing":
-                beside = {kinds.get(other.row["verdict"]) for other in (before, after)}
-                require(beside == {"some", "none"}, "a crossing has motion on one side and none on the other")
+        # Of one or two crossings side by side, each with at most one change of sign, exactly one is a point.
+        groups = [(crossing, list(group)) for crossing, group in
+                  itertools.groupby(mine, lambda line: line.row["verdict"] == "crossing")]
+        for (_, before), (crossing, group), (_, after) in zip(groups, groups[1:], groups[2:]):
+            beside = {kinds.get(line.row["verdict"]) for line in (before[-1], after[0])}
+            require(not crossing or len(group) <= 2 and beside == {"some", "none"}, "a crossing with the same on both sides")
         for line in mine:
             try:
                 line.check(exact(statement["width"]), exact(statement["amplitude"]))

@@ -43,10 +43,16 @@ pub fn regions(oscillator: &Oscillator, rows: &[Row]) -> Vec<String> {
             _ => groups.push((kind(&row.verdict), row, row)),
         }
     }
-    // A crossing is a point if what is proved beside it is different.
+    // Of one or two crossings side by side, each with at most one change of sign, exactly one is a
+    // point if what is proved on either side is different.
     let is_point = |index: usize| {
+        let (_, first, last) = groups[index];
+        let few = first == last || first.interval.ends()[1] == last.interval.ends()[0];
         let beside = [index.checked_sub(1), Some(index + 1)].map(|i| groups.get(i?).map(|group| group.0));
-        matches!(beside, [Some(Kind::Stable), Some(Kind::None)] | [Some(Kind::None), Some(Kind::Stable)])
+        few && matches!(
+            beside,
+            [Some(Kind::Stable), Some(Kind::None)] | [Some(Kind::None), Some(Kind::Stable)]
+        )
     };
     for (index, &(kind, first, last)) in groups.iter().enumerate() {
         let p = first.interval.p;
