@@ -14,15 +14,14 @@ pub mod paper;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use grazing_drawing::{DrawingError, Heading, Sheet, SheetWidth, draw_straightened};
+use grazing_drawing::{Sheet, SheetWidth};
 use grazing_report::FigureEntry;
 use grazing_reproduction::StudyError;
 use grazing_reproduction::parameters::ParameterError;
 use grazing_results::columns::{
-    C_PD, C_SN, LOOPS, PANEL, PRIMARY_AT_GRAZING, RESONANCE_INDEX, S_MINUS, S_PLUS, SECONDARY_AT_RESONANCE,
+    C_PD, C_SN, LOOPS, PRIMARY_AT_GRAZING, RESONANCE_INDEX, S_MINUS, S_PLUS, SECONDARY_AT_RESONANCE,
 };
-use grazing_results::plane::StraightenedCurves;
-use grazing_results::{Cell, Column, Names, Table, TablePlan, Tables};
+use grazing_results::{Cell, Column, Table, TablePlan};
 
 use crate::failure::{Failure, computation};
 use crate::folder::OutputFile;
@@ -259,35 +258,6 @@ fn with_only(mut table: Table, only: Option<&(Column, Vec<u32>)>) -> Table {
         table.rows.retain(|row| matches!(&row[place], Cell::Integer(number) if numbers.contains(number)));
     }
     table
-}
-
-/// The name of the output of curves in straightened coordinates.
-pub(crate) const STRAIGHTENED_FILE: &str = "straightened";
-
-/// Curves in straightened coordinates: their figures, each made from its file and sheet, and table.
-pub(crate) fn straightened(
-    curves: &StraightenedCurves,
-    title: &str,
-    names: &Names,
-    width: SheetWidth,
-    figure: impl Fn(String, Sheet) -> Figure,
-) -> Result<ComputedOutput, DrawingError> {
-    let description = format!(
-        "Across mu/eta^2, mu being {} less its value at grazing; up eta, which is {} less its value at the resonance, by its \
-         decades. Solid: curves that bound where maximal periodic solutions are stable. Dashed: where they go by theory.",
-        names.primary, names.secondary
-    );
-    let title = format!("{title}, in straightened coordinates");
-    let (title, description) = (title.as_str(), description.as_str());
-    let heading = Heading { name: STRAIGHTENED_FILE, title, description, names, tables: &[] };
-    let sheets = draw_straightened(curves, &heading, width)?;
-    let count = sheets.len();
-    let figures = sheets.into_iter().zip(1..).map(|(sheet, number)| {
-        let panels = sheet.panels().filter_map(|panel| Some(panel.only?.1)).collect();
-        let file = sheet_file(&format!("{STRAIGHTENED_FILE}.svg"), number, count);
-        Figure { only: Some((PANEL, panels)), ..figure(file, sheet) }
-    });
-    Ok(ComputedOutput::new(figures.collect(), curves.tables(names)))
 }
 
 /// The file of a sheet of a figure, of several numbered from 1: `family.svg` or `family-2.svg`.

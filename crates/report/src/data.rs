@@ -230,7 +230,7 @@ mod tests {
         let drawn = |x: [f64; 2], tables: &[&'static str]| {
             let bounds = Bounds { left: 0.0, top: 0.0, right: 10.0, bottom: 10.0 };
             let (titles, tables, frame) = (Default::default(), tables.to_vec(), Frame { x, y: [0.0, 1.0] });
-            let mark = PanelMark { bounds, frame, titles, tables, only: None, columns: None };
+            let mark = PanelMark { bounds, frame, titles, tables, only: None, columns: None, linear: true };
             Sheet { elements: vec![Element::Panel(mark)], ..Sheet::default() }
         };
         for (range, expected) in

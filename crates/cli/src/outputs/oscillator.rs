@@ -7,6 +7,7 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_description::{Description, FigureStyle, Named};
 use grazing_drawing::{
     DrawingError, Heading, Look, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
+    draw_straightened,
 };
 use grazing_reproduction::unfolded::{AlongGrazing, AtResonances, Unfolded};
 use grazing_results::branches::{OneParameter, Readings};
@@ -16,9 +17,7 @@ use grazing_results::readings::{Ordinate, Sweep};
 use grazing_results::{Names, Tables, brief, columns};
 
 use super::latex::Caption;
-use super::{
-    COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output, STRAIGHTENED_FILE, sheet_file, straightened,
-};
+use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output, sheet_file};
 use crate::failure::Failure;
 
 /// What the analysis of an oscillator from a text file comes to.
@@ -80,6 +79,7 @@ const MAGNIFICATIONS: &str = "magnifications.svg";
 /// The names of outputs that not every file asks for.
 const OWN: &str = "own-curves";
 const DIAGRAMS: &str = "diagrams";
+const STRAIGHTENED: &str = "straightened";
 const READINGS: &str = "readings";
 
 /// All outputs: their tables in the order of the page that explains these, and one-parameter
@@ -117,15 +117,10 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
     Output {
         is_figure: true,
         ..Output::new(
-            STRAIGHTENED_FILE,
+            STRAIGHTENED,
             "curves that leave resonances in straightened coordinates",
             StraightenedCurves::TABLES,
-            |output, of: &AnalysedOscillator, width| {
-                let (curves, name) = (of.unfolded.straightened(), of.description.name());
-                Ok(straightened(&curves, name, of.names(), width, |file, sheet| {
-                    Figure::new(&of.file, file, output.title.to_owned(), sheet, &output.table_names())
-                })?)
-            },
+            straightened,
         )
     },
     Output::new(READINGS, "what is read off one-parameter diagrams", Readings::TABLES, |_, of, _| {
@@ -239,6 +234,29 @@ fn magnifications(
         Figure { only: Some((columns::PANEL, panels)), ..figure }
     });
     Ok(ComputedOutput::new(figures.collect(), magnifications.tables(of.names())))
+}
+
+/// Curves in straightened coordinates.
+fn straightened(output: &Output<AnalysedOscillator>, of: &AnalysedOscillator, width: SheetWidth) -> Computed {
+    let (curves, names) = (of.unfolded.straightened(), of.names());
+    let [primary, secondary] = names.shown();
+    let description = format!(
+        "Across $\\mu/\\eta^{{2}}$, $\\mu$ being {primary} less its value at grazing; up $\\eta$, which is {secondary} less its value \
+         at the resonance, by its decades. Solid: curves that bound where maximal periodic solutions are stable. Dashed: where \
+         they go by theory."
+    );
+    let title = format!("{}: {}", of.description.name(), output.title);
+    let (title, description) = (title.as_str(), description.as_str());
+    let heading = Heading { name: STRAIGHTENED, title, description, names, tables: &[] };
+    let sheets = draw_straightened(&curves, &heading, width)?;
+    let count = sheets.len();
+    let figures = sheets.into_iter().zip(1..).map(|(sheet, number)| {
+        let panels = sheet.panels().filter_map(|panel| Some(panel.only?.1)).collect();
+        let file = sheet_file(&output.figure_file(), number, count);
+        let figure = Figure::new(&of.file, file, output.title.to_owned(), sheet, &output.table_names());
+        Figure { only: Some((columns::PANEL, panels)), ..figure }
+    });
+    Ok(ComputedOutput::new(figures.collect(), curves.tables(names)))
 }
 
 fn one_parameter(

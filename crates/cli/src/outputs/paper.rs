@@ -9,7 +9,7 @@ use grazing_results::plane::StraightenedCurves;
 use grazing_results::{Names, Tables};
 
 use super::latex::Caption;
-use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output, STRAIGHTENED_FILE, straightened};
+use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output};
 use crate::failure::Failure;
 
 /// All outputs, in the order in which they are computed.
@@ -66,23 +66,15 @@ pub(crate) const COEFFICIENTS: Output<Study> = Output {
 };
 
 const STRAIGHTENED: Output<Study> = Output {
-    label: "fig:straightened",
-    is_figure: true,
+    label: "tab:straightened",
     check: |study| study.parameters.section::<Figure7>().map(drop),
     keys: Figure7::REMEDY,
     ..Output::new(
-        STRAIGHTENED_FILE,
-        "The curves of Figure 7 in straightened coordinates, and where they go by theory",
+        "straightened",
+        "Curves of Figure 7 in straightened coordinates",
         StraightenedCurves::TABLES,
-        |output, study: &Study, width| {
-            let (curves, names) = (study.straightened()?, Names::of_the_paper());
-            Ok(straightened(&curves, "Curves that leave resonances", &names, width, |file, sheet| Figure {
-                file,
-                sheet,
-                caption: output.caption(),
-                tables: output.table_names(),
-                only: None,
-            })?)
+        |_, study: &Study, _| {
+            Ok(ComputedOutput::new(Vec::new(), study.straightened()?.tables(&Names::of_the_paper())))
         },
     )
 };

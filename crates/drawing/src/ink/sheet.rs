@@ -63,6 +63,9 @@ pub struct PanelMark {
     pub only: Option<(&'static str, u32)>,
     /// The columns that hold the values across and up, where the titles do not say it.
     pub columns: Option<[String; 2]>,
+    /// Equal lengths are equal differences of the values, so that these can be read off; the SVG
+    /// says nothing of a panel in which that is not so.
+    pub linear: bool,
 }
 
 impl Sheet {
@@ -118,7 +121,9 @@ impl Sheet {
         let (width, height) = self.size;
         let background =
             format!("<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>\n", points(width), points(height));
-        self.elements.iter().fold(background, |body, element| body + &element.svg(data) + "\n")
+        let told =
+            self.elements.iter().filter(|element| !matches!(element, Element::Panel(mark) if !mark.linear));
+        told.fold(background, |body, element| body + &element.svg(data) + "\n")
     }
 
     /// The panels, in the order of drawing.
@@ -168,7 +173,7 @@ impl PanelMark {
     /// `data-x` and `data-y` are the values at its left and right, bottom and top edges;
     /// `data-columns` the columns that hold them, where the titles do not say it.
     fn svg(&self) -> String {
-        let Self { bounds, frame: Frame { x, y }, titles, tables, only, columns } = self;
+        let Self { bounds, frame: Frame { x, y }, titles, tables, only, columns, .. } = self;
         let mut attributes = String::new();
         // Writing to a String cannot fail.
         if !tables.is_empty() {

@@ -183,7 +183,8 @@ impl<'c> Panel<'c> {
         let columns = self.names.map(|names| [names.primary.clone(), names.secondary.clone()]);
         let columns = columns.filter(|[x, y]| !said(titles[0], x) || !said(titles[1], y));
         let (tables, titles) = (self.tables.to_vec(), titles.map(str::to_owned));
-        self.canvas.add(Element::Panel(PanelMark { bounds, frame, titles, tables, only, columns }));
+        let linear = self.decades.is_none();
+        self.canvas.add(Element::Panel(PanelMark { bounds, frame, titles, tables, only, columns, linear }));
     }
 
     /// Border, outward ticks, numbers and axis titles; an empty title is left out.

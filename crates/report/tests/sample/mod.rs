@@ -89,6 +89,7 @@ fn figure(name: &str, title: &str) -> FigureEntry {
         titles: [r"$\mathcal{A}$", r"$\omega$"].map(str::to_owned),
         tables: Vec::new(),
         only: None,
+        linear: true,
         columns: None,
     };
     let sheet = Sheet {

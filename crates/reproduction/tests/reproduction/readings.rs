@@ -22,7 +22,7 @@ static DESCRIBED: LazyLock<(Description, OneParameter)> = LazyLock::new(|| {
     let narrow = about.iter().fold(paper.to_owned(), |text, (old, new)| text.replacen(old, new, 1));
     let head = narrow.replacen("[impact]", "[impact]\nmass = \"2\"", 1);
     let diagram =
-        "fixed = \"omega\"\nat = 0.854\nrange = [0.26, 0.36]\nordinate = \"mean force\"\nsweeps = true";
+        "fixed = \"omega\"\nat = 0.855\nrange = [0.26, 0.36]\nordinate = \"mean force\"\nsweeps = true";
     let description = Description::parse(&format!("{head}\n[[diagrams]]\n{diagram}\n"), "weighed.toml");
     let description = description.unwrap_or_else(|error| panic!("{error}"));
     let unfolded = Unfolded::described(&description, &Silent, &Stop::default(), &|_| ());
