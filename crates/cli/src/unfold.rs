@@ -11,10 +11,10 @@ pub(crate) mod page;
 pub(crate) mod reason;
 
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use grazing_description::Limits;
-use grazing_measured::{Observation, compare, read};
+use grazing_measured::{NOT_FINISHED, Observation, compare, read};
 use grazing_reproduction::unfolded::AtResonance;
 
 use crate::arguments;
@@ -129,12 +129,16 @@ impl Task {
         let OscillatorFile { file, description, .. } = &self.of;
         terminal::say(&listing::oscillator(description, file));
         let keeper = Keeper::new(&self.folder);
+        // What the analysis takes is not there for the comparison.
+        let watch = Watch::begin(self.limits, self.of.taken);
         let (unfolded, met) = analyse(&self.of, self.limits, &|table| keeper.keep(table))?;
-        let watch = Watch::begin(self.limits, Duration::ZERO);
         let compared = self
             .measured
             .as_ref()
             .map(|measured| compare(measured, &unfolded.axes, &unfolded.diagram, &watch.stop()));
+        let mut unfinished = compared.iter().flat_map(|compared| &compared.points);
+        let unfinished = unfinished.any(|point| point.reason == NOT_FINISHED);
+        let met = met.or_else(|| watch.end_cause().filter(|_| unfinished));
         let analysed = AnalysedOscillator::new(file, description, unfolded).measured(compared);
         let (files, unfolded) = (self.files(&analysed, edition)?, &analysed.unfolded);
         let written = folder::write_run(&self.folder, &files, met.is_some())?;

@@ -37,6 +37,9 @@ const AROUND: [[f64; 2]; 8] = {
 };
 const SHARES: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
 
+/// The reason where simulation was ended.
+pub const NOT_FINISHED: &str = "not finished";
+
 /// What a measurement comes to, and why.
 type Verdict = (Agreement, String);
 
@@ -198,7 +201,7 @@ impl Beside<'_> {
         let starts = Starts { states: STATES, ..Starts::default() };
         let here = self.diagram.oscillator.with_parameters(at);
         let Some(found) = Place::compute(&here, &[], &starts, self.stop) else {
-            return (Agreement::Undecided, "not finished".to_owned());
+            return (Agreement::Undecided, NOT_FINISHED.to_owned());
         };
         let total: u32 = found.attractors.iter().map(|attractor| attractor.states).sum();
         let like = found.attractors.iter().filter(|attractor| is_seen(&attractor.fate, seen));

@@ -12,7 +12,7 @@ mod identify;
 pub mod read;
 
 pub use associate::{Located, associate};
-pub use compare::compare;
+pub use compare::{NOT_FINISHED, compare};
 pub use fit::{Datum, Fit, FitError, Rig, Segment, Weight, fit};
 pub use identify::{IdentifyError, Measurements, Task, identify};
 pub use read::{MeasurementError, Observation, Seen, Series};
