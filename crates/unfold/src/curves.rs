@@ -8,6 +8,8 @@ use grazing_continuation::cusp::cusps;
 use grazing_continuation::locate::same_point;
 use grazing_continuation::mps::{LoopEquations, Unknowns};
 
+use crate::beyond;
+
 /// A curve of this many points has lost its way.
 const STEP_LIMIT: usize = 20_000;
 
@@ -187,13 +189,30 @@ impl Net {
                 curve.kind == kind && curve.ends().iter().any(|end| same_point(end, &corner))
             });
             let known = there.count() >= if meeting == CodimensionTwo::GrazingGrazing { 2 } else { 1 };
-            if known {
-                continue;
-            }
             // A curve that bounds no region of stable solutions there is not part of the diagram.
-            if let Ok(curve) = self.equations.branch_off(&event, route) {
+            if !known && let Ok(curve) = self.equations.branch_off(&event, route) {
                 self.add(DiagramCurve { kind, loops, n, curve });
             }
+            if self.equations.has_impacts() {
+                self.grow_beyond(&corner, route);
+            }
         }
+    }
+
+    /// Adds what lies farther on of the SN and PD curves that end at a point of a GZ curve.
+    fn grow_beyond(&mut self, corner: &Unknowns, route: &Route<'_>) {
+        let mut farther = Vec::new();
+        for ended in &self.curves {
+            let points = &ended.curve.points;
+            let [.., before, last] = points.as_slice() else { continue };
+            let ways = [[&points[1], &points[0]], [before, last]];
+            for way in ways.into_iter().filter(|[_, end]| same_point(&end.solution.unknowns, corner)) {
+                if ended.kind != Bifurcation::Grazing {
+                    let again = beyond::admissible_again(&self.equations, ended.kind.condition(), way, route);
+                    farther.extend(again.into_iter().map(|curve| DiagramCurve { curve, ..*ended }));
+                }
+            }
+        }
+        farther.into_iter().for_each(|curve| self.add(curve));
     }
 }

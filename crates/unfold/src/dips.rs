@@ -1,8 +1,8 @@
-//! Pairs of bifurcations that a branch has stepped over: signs at both ends of a step are the same.
+//! Pairs of bifurcations that a curve has stepped over: signs at both ends of a step are the same.
 
 use grazing_continuation::curve::{Curve, CurvePoint};
-use grazing_continuation::locate::{Condition, locate_within};
-use grazing_continuation::mps::{EventTimes, LoopEquations, Multipliers, Unknowns};
+use grazing_continuation::locate::{Condition, locate, locate_within};
+use grazing_continuation::mps::{EventTimes, LoopEquations, Multipliers, Unknowns, unknown};
 
 use crate::tolerances::BETWEEN_BIFURCATIONS;
 
@@ -29,25 +29,51 @@ pub(crate) fn stepped_over(equations: &LoopEquations, branch: &Curve) -> Vec<Loc
         if ![1, 2].iter().all(|&end| four[end].solution.attracts()) {
             continue;
         }
-        let values = [0, 1, 2, 3].map(|k| margins(&four[k]));
-        let lengths = [0, 1, 2].map(|k| length(equations, &four[k], &four[k + 1]));
         for (k, &condition) in LOSSES.iter().enumerate() {
-            if least(values.map(|values| values[k]), lengths) < 0.0 {
-                let ends =
-                    [1, 2].map(|end| from(equations, branch.condition, condition, &four[end], lengths[1]));
-                if let [Some(first), Some(last)] = ends
-                    && equations.gap(&first.1, &last.1).norm() > BETWEEN_BIFURCATIONS
-                {
-                    all.extend([first, last]);
-                }
-            }
+            all.extend(
+                pair(equations, branch.condition, condition, four, |point| margins(point)[k])
+                    .into_iter()
+                    .flatten(),
+            );
         }
     }
     all
 }
 
-fn length(equations: &LoopEquations, from: &CurvePoint, to: &CurvePoint) -> f64 {
-    equations.gap(&from.solution.unknowns, &to.solution.unknowns).norm()
+/// Solutions along a bifurcation curve that are admissible, within a step with inadmissible ones at
+/// both ends.
+pub(crate) fn come_up(equations: &LoopEquations, curve: &Curve) -> Vec<(Unknowns, EventTimes)> {
+    let within = |four: &[CurvePoint]| {
+        if [1, 2].iter().any(|&end| four[end].solution.admissible()) {
+            return None;
+        }
+        let ceiling = |point: &CurvePoint| point.solution.ceiling();
+        let [first, last] = pair(equations, curve.condition, Condition::InteriorGrazing, four, ceiling)?;
+        let middle = (first.1 + last.1) * 0.5;
+        let held = Condition::ImpactVelocity(middle[unknown::VELOCITY]);
+        let mut times = first.2;
+        let found = locate(equations, [curve.condition, held], middle, &mut times).ok()?;
+        equations.solution(&found).admissible().then_some((found, times))
+    };
+    curve.points.windows(4).filter_map(within).collect()
+}
+
+/// The two zeros of a margin on the step between the second and the third of four points.
+fn pair(
+    equations: &LoopEquations,
+    along: Condition,
+    condition: Condition,
+    four: &[CurvePoint],
+    margin: impl Fn(&CurvePoint) -> f64,
+) -> Option<[Located; 2]> {
+    let length = |k: usize| equations.gap(&four[k].solution.unknowns, &four[k + 1].solution.unknowns).norm();
+    let lengths = [0, 1, 2].map(length);
+    if least([0, 1, 2, 3].map(|k| margin(&four[k])), lengths) >= 0.0 {
+        return None;
+    }
+    let first = from(equations, along, condition, &four[1], lengths[1])?;
+    let last = from(equations, along, condition, &four[2], lengths[1])?;
+    (equations.gap(&first.1, &last.1).norm() > BETWEEN_BIFURCATIONS).then_some([first, last])
 }
 
 /// The value at which the line through the first two of four points meets that through the last two,
@@ -76,7 +102,45 @@ fn from(
 
 #[cfg(test)]
 mod tests {
+    use grazing_continuation::arclength::StepControl;
+    use grazing_continuation::bifurcation::Bifurcation;
+    use grazing_continuation::curve::{Route, SolutionCurve, Window};
+    use grazing_continuation::mps::Formulation;
+    use grazing_model::{AnyOscillator, LinearOscillator};
+
     use super::*;
+    use crate::curves::{DiagramCurve, route};
+    use crate::progress::Silent;
+    use crate::{Diagram, Scope};
+
+    #[test]
+    fn a_step_over_all_that_is_admissible_beyond_grazing_is_seen() {
+        let window = Window { primary: [0.77, 1.2], secondary: [0.44, 0.5] };
+        let linear = LinearOscillator::new(0.00767, 0.5847, 1.0, 0.47).expect("it is in the domain");
+        let oscillator = AnyOscillator::new(linear);
+        let scope = Scope { window, loops: vec![2], start: None };
+        let diagram = Diagram::compute(&oscillator, &scope, &Silent).expect("it grazes");
+        let doubling = |curve: &&DiagramCurve| curve.kind == Bifurcation::PeriodDoubling && curve.n > 0;
+        let curve = &diagram.curves.iter().find(doubling).expect("from the resonance").curve;
+        let [.., before, end] = curve.points.as_slice() else { panic!("a point") };
+        let equations = LoopEquations::new(oscillator, 2, Formulation::FixedPhase);
+        let beyond = SolutionCurve { equations: equations.clone(), condition: curve.condition };
+        let start = end.solution.unknowns;
+        let route = Route { stop_at_events: false, ..route(window, StepControl::DRAWING) };
+        let onwards = start - before.solution.unknowns;
+        let mut beyond = beyond.follow(start, onwards, end.times.clone(), &route).expect("it goes on");
+        let on_island = |point: &CurvePoint| {
+            point.solution.admissible() && (0.495..0.497).contains(&point.solution.parameters()[1])
+        };
+        let before = beyond.points.len();
+        beyond.points.retain(|point| !on_island(point));
+        assert!(beyond.points.len() < before);
+        let found = come_up(&equations, &beyond);
+        let [(found, _)] = found.as_slice() else { panic!("{found:?}") };
+        let solution = equations.solution(found);
+        // Not only just.
+        assert!(solution.ceiling() < -1e-5 && (0.496..0.4965).contains(&solution.parameters()[1]));
+    }
 
     #[test]
     fn lines_through_the_points_beside_a_step_lie_below_what_is_convex() {

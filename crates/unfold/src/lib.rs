@@ -67,6 +67,7 @@
 //! ```
 
 mod alongside;
+mod beyond;
 mod curves;
 pub mod diagram;
 mod dips;

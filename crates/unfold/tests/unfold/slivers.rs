@@ -93,6 +93,26 @@ fn a_tongue_that_comes_in_and_goes_out_at_the_edge_within_a_step_is_found() {
 }
 
 #[test]
+fn an_island_beyond_the_end_of_a_curve_is_found_where_no_slice_crosses_it() {
+    // Along the PD curve motion of two loops hits the wall in between from omega = 0.4946 to 0.4980, but for this island, which is
+    // bounded by the curve and by grazing.
+    let window = Window { primary: [0.77, 1.2], secondary: [0.325, 0.51] };
+    let oscillator = LinearOscillator::new(0.00767, 0.5847, 1.0, 0.4).expect("it is in the domain");
+    let scope = Scope { window, loops: vec![2], start: None };
+    let diagram = Diagram::compute(&AnyOscillator::new(oscillator), &scope, &Silent).expect("it grazes");
+    for omega in [0.4961, 0.4962, 0.4963] {
+        let exact = lines::exact(0.00767, 0.5847, window.primary, omega, 2).expect("the island");
+        let [shaded, _] = lines::shown(&diagram.regions, 2, omega);
+        let [[from, to]] = shaded.as_slice() else { panic!("{omega}: {shaded:?}, {exact:?}") };
+        assert!((from - exact[0]).abs().max((to - exact[1]).abs()) < 3e-5, "{omega}: {shaded:?}, {exact:?}");
+    }
+    for omega in [0.495, 0.497] {
+        assert_eq!(lines::exact(0.00767, 0.5847, window.primary, omega, 2), None);
+        assert!(lines::shown(&diagram.regions, 2, omega).iter().all(Vec::is_empty));
+    }
+}
+
+#[test]
 fn curves_of_two_loops_are_followed_where_motion_hardly_loses_energy() {
     // Beside n = 2, where η changes by 1e-7 while y changes by 1e-3.
     let window = Window { primary: [0.0, 0.1], secondary: [0.95, 1.05] };
