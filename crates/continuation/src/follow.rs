@@ -281,7 +281,12 @@ impl<O: ImpactOscillator> Follower<'_, O> {
             let ends =
                 self.followed.condition == Condition::TORUS && event.condition != Condition::InteriorGrazing;
             if self.route.stop_at_events || ends {
-                self.curve.points.push(CurvePoint { solution: event.solution, times: event.times.clone() });
+                let mut times = event.times.clone();
+                if self.followed.condition == event.condition {
+                    // Those of the event are the other curve's, on which another maximum touches the wall.
+                    core::mem::swap(&mut times.grazing_time, &mut times.second_grazing_time);
+                }
+                self.curve.points.push(CurvePoint { solution: event.solution, times });
                 return ControlFlow::Break(CurveEnd::Event(Box::new(event)));
             }
         }

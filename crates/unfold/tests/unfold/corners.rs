@@ -2,7 +2,8 @@
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_continuation::curve::CurveEnd;
-use grazing_continuation::locate::same_point;
+use grazing_continuation::locate::{Condition, locate, same_point};
+use grazing_continuation::mps::{Formulation, LoopEquations, unknown};
 use grazing_model::motion::Motion;
 use grazing_model::{ImpactOscillator, OnWall, State};
 use grazing_unfold::Diagram;
@@ -50,6 +51,16 @@ fn grazing_goes_on_with_another_maximum_where_a_second_one_touches_the_wall() {
         })
     });
     assert!((times[0] - times[1]).abs() > 1.0);
+    // Each curve holds its own maximum at the wall up to the corner.
+    let equations = LoopEquations::new(oscillator.clone(), 2, Formulation::FixedPhase);
+    for (end, beside) in [reached, begun].into_iter().zip(points) {
+        let near = (end.solution.unknowns + beside.solution.unknowns) * 0.5;
+        let conditions = [Condition::InteriorGrazing, Condition::Secondary(near[unknown::SECONDARY])];
+        let found = [end, beside].map(|point| {
+            locate(&equations, conditions, near, &mut point.times.clone()).expect("a point of the curve")
+        });
+        assert!((found[0] - found[1]).norm() < 1e-9, "{found:?}");
+    }
     for time in times {
         // Located to the tolerance of Newton's method.
         assert_within(motion.at(time).position, 0.0, 1e-11);

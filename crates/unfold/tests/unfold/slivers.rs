@@ -113,6 +113,21 @@ fn an_island_beyond_the_end_of_a_curve_is_found_where_no_slice_crosses_it() {
 }
 
 #[test]
+fn a_sliver_between_two_grazing_curves_is_one_region_up_to_their_corner() {
+    // It is bounded by a PD curve and by GZ curves of two maxima, which meet at an angle of less than 1e-3.
+    let window = Window { primary: [0.0, 2.0], secondary: [0.25, 1.3] };
+    let oscillator = LinearOscillator::new(0.0069, 0.8293, 1.0, 0.4).expect("it is in the domain");
+    let scope = Scope { window, loops: vec![2], start: None };
+    let diagram = Diagram::compute(&AnyOscillator::new(oscillator), &scope, &Silent).expect("it grazes");
+    assert!(diagram.regions.iter().all(|region| region.doubt.is_none()));
+    let omega = 0.499_848_11;
+    let exact = lines::exact(0.0069, 0.8293, window.primary, omega, 2).expect("the sliver");
+    let [shaded, _] = lines::shown(&diagram.regions, 2, omega);
+    let length = |intervals: &[[f64; 2]]| intervals.iter().map(|[from, to]| to - from).sum::<f64>();
+    assert!((length(&shaded) - length(&[exact])).abs() < 1e-3, "{shaded:?} {exact:?}");
+}
+
+#[test]
 fn curves_of_two_loops_are_followed_where_motion_hardly_loses_energy() {
     // Beside n = 2, where η changes by 1e-7 while y changes by 1e-3.
     let window = Window { primary: [0.0, 0.1], secondary: [0.95, 1.05] };
