@@ -174,7 +174,7 @@ impl Canvas {
         anchor: Anchor,
         colour: Colour,
     ) -> Result<(), DrawingError> {
-        let Extent { width, ascent, descent } = self.fonts.measure(label, size)?;
+        let extent @ Extent { width, ascent, descent } = self.fonts.measure(label, size)?;
         if label.runs.is_empty() {
             return Ok(());
         }
@@ -192,7 +192,13 @@ impl Canvas {
             Anchor::Upwards => (x + below, y - (start + along)),
             _ => (x + (start + along), y + below),
         };
-        let (a, b) = (place(0.0, -ascent), place(width, descent));
+        let spare = extent.room() - width;
+        let before = match anchor {
+            Anchor::Start => 0.0,
+            Anchor::Middle | Anchor::Upwards => 0.5 * spare,
+            Anchor::End => spare,
+        };
+        let (a, b) = (place(-before, -ascent), place(width + spare - before, descent));
         let taken =
             Bounds { left: a.0.min(b.0), top: a.1.min(b.1), right: a.0.max(b.0), bottom: a.1.max(b.1) };
         self.texts.borrow_mut().push((label.source.clone(), taken));

@@ -46,7 +46,16 @@ pub struct Extent {
     pub descent: f64,
 }
 
+/// Where embedded fonts are ignored another one takes the place of ours, and labels may be wider by this factor: in DejaVu Serif they
+/// are, in the likes of Times they are not.
+const FALLBACK: f64 = 1.2;
+
 impl Extent {
+    /// The width that is kept free for the label.
+    pub(crate) fn room(&self) -> f64 {
+        FALLBACK * self.width
+    }
+
     pub(crate) fn height(&self) -> f64 {
         self.ascent + self.descent
     }

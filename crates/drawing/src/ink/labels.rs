@@ -67,22 +67,24 @@ impl<'c> Labels<'c> {
         site: &Site<'_>,
     ) -> Result<bool, DrawingError> {
         let mut lines = Vec::new();
-        let (mut width, mut ascent, mut descent) = (0.0_f64, 0.0_f64, 0.0_f64);
+        let (mut widths, mut ascent, mut descent) = ([0.0_f64; 2], 0.0_f64, 0.0_f64);
         for source in sources {
             let label = Label::parse(source)?;
             let extent = self.canvas.fonts.measure(&label, size)?;
-            width = width.max(extent.width);
+            widths = [widths[0].max(extent.room()), widths[1].max(extent.width)];
             ascent = ascent.max(extent.ascent);
             descent = descent.max(extent.descent);
             lines.push(label);
         }
         let further = LEADING * size * lines.len().saturating_sub(1) as f64;
-        let (width, height) = (width + 2.0 * PADDING, ascent + further + descent + 2.0 * PADDING);
-        let place = match site {
-            Site::Beside(curve) => self.placer.beside_curve(curve, width, height),
-            Site::Around(spot, clearance) => self.placer.around(*spot, *clearance, width, height),
-            Site::Within(polygon) => self.placer.within(polygon, width, height),
-        };
+        let height = ascent + further + descent + 2.0 * PADDING;
+        let placer = &mut self.placer;
+        // Rather as wide as in our font than nowhere.
+        let place = widths.map(|width| width + 2.0 * PADDING).into_iter().find_map(|width| match site {
+            Site::Beside(curve) => placer.beside_curve(curve, width, height),
+            Site::Around(spot, clearance) => placer.around(*spot, *clearance, width, height),
+            Site::Within(polygon) => placer.within(polygon, width, height),
+        });
         if let Some(place) = place {
             self.placed.push(Placed { lines, reach: (ascent, descent), size, colour, place });
         }

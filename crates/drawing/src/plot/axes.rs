@@ -277,7 +277,7 @@ pub(crate) fn room_for(fonts: &Fonts, numbers: &Numbers, title: &str) -> Result<
 pub(crate) fn overhang(fonts: &Fonts, [low, high]: [f64; 2], width: f64) -> Result<f64, DrawingError> {
     let mut reach = 0.0_f64;
     for tick in Numbers::along(fonts, [low, high], width, Direction::Across)?.ticks {
-        let half = 0.5 * fonts.measure(&Label::plain(&tick.label), TICK_SIZE)?.width;
+        let half = 0.5 * fonts.measure(&Label::plain(&tick.label), TICK_SIZE)?.room();
         reach = reach.max(half - (high - tick.value) / (high - low) * width);
     }
     Ok(reach)

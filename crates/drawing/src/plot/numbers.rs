@@ -66,7 +66,7 @@ impl Decades {
                 minor.push(value);
                 if decade % written.unwrap_or(1) == 0 {
                     let label = format!("${print}10^{{{}}}$", self.least + decade);
-                    width = width.max(fonts.measure(&Label::parse(&label)?, TICK_SIZE)?.width);
+                    width = width.max(fonts.measure(&Label::parse(&label)?, TICK_SIZE)?.room());
                     ticks.push(Tick { value, label });
                 }
             }
@@ -192,7 +192,7 @@ impl Numbers {
             let (mut width, mut height) = (0.0_f64, 0.0_f64);
             for tick in &ticks {
                 let extent = fonts.measure(&Label::plain(&tick.label), TICK_SIZE)?;
-                (width, height) = (width.max(extent.width), height.max(extent.height()));
+                (width, height) = (width.max(extent.room()), height.max(extent.height()));
             }
             let least = match direction {
                 Direction::Across => width + NUMBER_GAP + 4.0,

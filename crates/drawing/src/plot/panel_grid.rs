@@ -72,7 +72,7 @@ impl GridPanel<'_> {
     /// Whether they fit on one line of so many points.
     fn fits(&self, fonts: &Fonts, room: f64) -> Result<bool, DrawingError> {
         let one = self.parts.0.len() < 2;
-        Ok(one || fonts.measure(&Label::parse(&self.joined())?, self.parts.1)?.width <= room)
+        Ok(one || fonts.measure(&Label::parse(&self.joined())?, self.parts.1)?.room() <= room)
     }
 
     /// Writes what stands over it from a spot on.

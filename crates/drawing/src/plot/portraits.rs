@@ -82,7 +82,7 @@ pub(crate) fn draw_portraits(
         wall(&panel);
         let (pen, what) = match (kind, loops) {
             (PortraitKind::Attractor, _) => (ATTRACTOR_ORBIT, "attractor".to_owned()),
-            (PortraitKind::Periodic, 0) => (branch_pen(0, PERIODIC_ORBIT.width), "non-impacting".to_owned()),
+            (PortraitKind::Periodic, 0) => (branch_pen(0, PERIODIC_ORBIT.width), "no impacts".to_owned()),
             (PortraitKind::Periodic, p) => (branch_pen(p, PERIODIC_ORBIT.width), format!("$p={p}$")),
         };
         panel.line(&without_jumps(&orbit, at_wall(frame)), pen);
@@ -136,7 +136,7 @@ pub(crate) fn letters(
     let mut guides = Vec::new();
     for (x, text) in &marks {
         let label = Label::plain(text);
-        let half = 0.5 * panel.canvas.fonts.measure(&label, SMALL_LABEL_SIZE)?.width;
+        let half = 0.5 * panel.canvas.fonts.measure(&label, SMALL_LABEL_SIZE)?.room();
         let middle = x.max(free_from + half);
         free_from = middle + half + 2.0;
         let (top, bottom) = (panel.bounds.top, panel.bounds.bottom);
