@@ -99,6 +99,7 @@ mod tests {
             stable: k < 60,
             admissible: k < 80,
             arc: 0,
+            lost: String::new(),
         };
         sample.diagram.own = (0..100).map(row).collect();
         let sheet = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
