@@ -36,7 +36,7 @@ pub(crate) fn compute(request: &FollowRequest, stop: &Stop) -> Result<Value, Pro
     let units = axes.units;
     let near = Unknowns::new(velocity / units.velocity(), phase, primary, secondary);
     let known = scope.loops.contains(&p) && scope.window.contains([primary, secondary]);
-    if !known || near.iter().any(|number| !(number.abs() <= FARTHEST)) {
+    if !(known && near.iter().all(|number| number.abs() <= FARTHEST)) {
         return Err(Problem::wrong("there is no such solution in the view"));
     }
     let equations = LoopEquations::new(oscillator, p, Formulation::FixedPhase);
