@@ -201,3 +201,82 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
     panel.axes("phase at the start", &start)?;
     canvas.finish(heading.name, heading.title, heading.description)
 }
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::TAU;
+
+    use grazing_results::place::{BasinState, PlaceImpact};
+    use grazing_results::{Names, UnitNames};
+
+    use super::*;
+    use crate::tests::samples::WIDTHS;
+
+    /// A place with an MPS of two loops and motion that does not come again, lengths in units of so many.
+    fn sample(length: f64) -> AtPlace {
+        let attractor = |attractor, motion, periods: f64, impacts| PlaceAttractor {
+            place: 1,
+            secondary: 0.8,
+            primary: 0.9,
+            attractor,
+            share: 0.5,
+            motion,
+            periods,
+            impacts,
+            exponent: 0.01,
+            exponent_error: 0.0,
+        };
+        let point = |k: u32| {
+            let time = f64::from(k % 100) / 50.0;
+            let x = -length * (1.0 - (PI * time).cos().abs());
+            PlaceMotion { place: 1, attractor: 1 + k / 100, flight: 1, time, x, y: length * (time - 1.0) }
+        };
+        let impact = |attractor| PlaceImpact {
+            place: 1,
+            attractor,
+            impact_phase: f64::from(attractor),
+            impact_velocity: length,
+        };
+        let lattice = [6, 4];
+        let state = |k: u32| BasinState {
+            place: 1,
+            start_phase: TAU * (f64::from(k / 4) + 0.5) / 6.0,
+            start_x: -2.0 * length * (f64::from(k % 4) + 0.5) / 4.0,
+            attractor: 1 + k % 2,
+        };
+        AtPlace {
+            attractors: vec![attractor(1, "periodic", 2.0, 0.5), attractor(2, "chaotic", f64::NAN, 0.7)],
+            solutions: Vec::new(),
+            motion: (0..200).map(point).collect(),
+            impacts: vec![impact(1), impact(2)],
+            basins: (0..24).map(state).collect(),
+            place: 1,
+            period: 1.0,
+            from_the_wall: true,
+            lattice,
+        }
+    }
+
+    #[test]
+    fn labels_keep_apart_at_any_width_and_basins_fill_their_panel() {
+        let [length, time] = ["mm", "s"].map(|unit| Some(unit.to_owned()));
+        let names = Names::new("A", "omega").with_units(UnitNames { length, time, ..UnitNames::default() });
+        let tables = ["place_motion", "place_impacts", "place_basins"];
+        let heading = Heading { name: "places", title: "", description: "", names: &names, tables: &tables };
+        for (scale, width) in
+            [1e-6, 1.0, 4e3].into_iter().flat_map(|scale| WIDTHS.map(|width| (scale, width)))
+        {
+            let sheet = draw_place(&sample(scale), &heading, width).unwrap();
+            sheet.assert_well_placed(&(scale, width));
+            let texts = sheet.texts();
+            for text in ["MPS, $p=2$: 50 %", "chaotic: 50 %", "$y$ (mm/s)", "phase at the start"] {
+                assert!(texts.iter().any(|found| found.contains(text)), "{text}: {texts:?}");
+            }
+            // Half of 24 cells for each.
+            let areas = sheet.short_body();
+            let cells =
+                areas.lines().filter(|line| line.contains("evenodd")).map(|line| line.matches('Z').count());
+            assert_eq!(cells.collect::<Vec<_>>(), [12, 12]);
+        }
+    }
+}
