@@ -228,7 +228,7 @@ mod tests {
         };
         let point = |k: u32| {
             let time = f64::from(k % 100) / 50.0;
-            let x = -length * (1.0 - (PI * time).cos().abs());
+            let x = -length * (1.0 - libm::cos(PI * time).abs());
             PlaceMotion { place: 1, attractor: 1 + k / 100, flight: 1, time, x, y: length * (time - 1.0) }
         };
         let impact = |attractor| PlaceImpact {
