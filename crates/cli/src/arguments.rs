@@ -208,6 +208,9 @@ pub struct Unfold {
     /// CSV of what a rig did, to be compared and drawn
     #[arg(long, value_name = "CSV", conflicts_with = "vary")]
     pub data: Option<PathBuf>,
+    /// Motion and basins of attraction at these parameters; may be given several times
+    #[arg(long, value_name = "PRIMARY,SECONDARY", conflicts_with = "vary", value_parser = place, allow_hyphen_values = true)]
+    pub at: Vec<[f64; 2]>,
     #[command(flatten)]
     pub(crate) threads: Threads,
     /// Print every hypothesis and every quantity of every resonance
@@ -321,6 +324,14 @@ pub struct ParameterFile {
     /// Value for a key of the parameter file, in its place; may be given several times
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<Setting>,
+}
+
+/// Two parameters.
+fn place(text: &str) -> Result<[f64; 2], String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse()).collect();
+    let numbers = numbers.ok().and_then(|numbers| <[f64; 2]>::try_from(numbers).ok());
+    let finite = numbers.filter(|numbers| numbers.iter().all(|number| number.is_finite()));
+    finite.ok_or_else(|| "it must be two numbers with a comma between them, as 0.9,0.8".to_owned())
 }
 
 /// A limit.

@@ -1,20 +1,27 @@
 //! `grazing explore`: the diagram in a browser.
 
 use std::env;
-use std::fs;
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::slice;
 
-use grazing_explore::{Example, Export, Limits, Seen, Server, Sheet};
+use grazing_description::Description;
+use grazing_explore::{Example, Export, Figure, Limits, Seen, Server, Sheet};
+use grazing_results::Tables;
+use grazing_results::branches::OneParameter;
 use tempfile::NamedTempFile;
 
 use crate::arguments;
 use crate::failure::{Failure, computation};
 use crate::folder::OutputFile;
 use crate::oscillator::OscillatorFile;
+use crate::outputs::ComputedOutput;
 use crate::outputs::edition::{self, Edition, Format};
-use crate::outputs::oscillator::{TWO_PARAMETERS, plane};
+use crate::outputs::oscillator::{
+    ONE_PARAMETER, PLACES, STRAIGHTENED_CURVES, TWO_PARAMETERS, one_parameter_figure, places, plane,
+    straightened_about,
+};
 use crate::{limits, project, tables, terminal};
 
 /// Serves the page until Ctrl-C is pressed.
@@ -45,21 +52,18 @@ pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
 
 /// The oscillators in the menu: the one that was named, the paper's, and the repository's examples.
 fn examples(named: Option<&Path>) -> Result<Vec<Example>, Failure> {
-    let read = |file: &Path| -> Result<Example, Failure> {
+    let mut all = Vec::new();
+    if let Some(named) = named {
         let OscillatorFile { text, description, .. } =
-            OscillatorFile::read(file, &[], grazing_description::Limits::USUAL)?;
-        let file = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        Ok(Example { name: description.name().to_owned(), file, text: Some(text) })
-    };
-    let mut all: Vec<Example> = named.map(read).transpose()?.into_iter().collect();
+            OscillatorFile::read(named, &[], grazing_description::Limits::USUAL)?;
+        let file = named.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        all.push(Example { name: description.name().to_owned(), file, text: Some(text) });
+    }
     all.push(Example { name: "The paper's oscillator".to_owned(), file: String::new(), text: None });
-    let folder = project::root().map(|root| root.join(project::EXAMPLES));
-    let entries = folder.and_then(|folder| fs::read_dir(folder).ok());
-    let mut files: Vec<_> = entries.into_iter().flatten().flatten().map(|entry| entry.path()).collect();
-    files.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
-    files.sort();
-    // An example that is not right any more is its owner's trouble, and no reason not to begin.
-    all.extend(files.iter().filter_map(|file| read(file).ok()));
+    all.extend(project::EXAMPLE_FILES.iter().filter_map(|(file, text)| {
+        let name = Description::parse(text, file).ok()?.name().to_owned();
+        Some(Example { name, file: (*file).to_owned(), text: Some((*text).to_owned()) })
+    }));
     Ok(all)
 }
 
@@ -100,10 +104,32 @@ fn exported(seen: &Seen, what: &str, columns: &str) -> Result<Sheet, Failure> {
     };
     let formats = vec![format.map_or(Format::Svg, |(format, _)| format)];
     let edition = Edition { formats, columns: edition::width(columns), ..Edition::default() };
-    let Seen { name, names, diagram } = seen;
-    let called = (TWO_PARAMETERS.figure_file(), TWO_PARAMETERS.title);
-    let output = plane(Path::new("oscillator.toml"), name, names, diagram, called, edition.columns);
-    let (files, _) = output.map_err(|error| computation("diagram", &*error))?.files(&edition)?;
+    let Seen { name, names, figure } = seen;
+    let (of, width) = (Path::new("oscillator.toml"), edition.columns);
+    let output = match figure {
+        Figure::Plane(diagram, compared) => {
+            let called = (TWO_PARAMETERS.figure_file(), TWO_PARAMETERS.title);
+            plane(of, name, names, diagram, called, width).map(|mut made| {
+                made.tables.extend(compared.iter().flat_map(|compared| compared.tables(names)));
+                made
+            })
+        }
+        Figure::OneParameter(diagram) => {
+            one_parameter_figure(&ONE_PARAMETER, of, (name, names), diagram, width)
+                .map(|figure| {
+                    ComputedOutput::new(
+                        vec![figure],
+                        OneParameter::tables_of(slice::from_ref(diagram), names),
+                    )
+                })
+                .map_err(Into::into)
+        }
+        Figure::Place(place) => places(&PLACES, of, (name, names), slice::from_ref(place), width),
+        Figure::Straightened(curves) => {
+            straightened_about(&STRAIGHTENED_CURVES, of, (name, names), curves, width)
+        }
+    };
+    let (files, _) = output.map_err(|error| computation("figure", &*error))?.files(&edition)?;
     let wanted = |file: &OutputFile| match (format, what.strip_prefix("csv:")) {
         (Some((format, _)), _) => file.path.extension().is_some_and(|found| found == format.name().as_str()),
         (None, Some(table)) => file.path == tables::path(table),

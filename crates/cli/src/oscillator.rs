@@ -54,7 +54,7 @@ pub(crate) fn with_loops(description: Description, loops: Option<&[u32]>) -> Res
 /// What was set: `kappa` alone is a constant, `parameters.kappa`.
 pub(crate) fn settings(set: &[Setting]) -> Vec<Setting> {
     let full = |setting: &Setting| {
-        let named = setting.key().contains('.') || ["name", "diagrams"].contains(&setting.key());
+        let named = setting.key().contains('.') || ["name", "diagrams", "curves"].contains(&setting.key());
         if named { setting.clone() } else { setting.within("parameters") }
     };
     set.iter().map(full).collect()

@@ -8,6 +8,7 @@ mod listing;
 mod measured;
 pub(crate) mod numbers;
 pub(crate) mod page;
+mod places;
 pub(crate) mod reason;
 
 use std::path::{Path, PathBuf};
@@ -15,7 +16,10 @@ use std::time::Instant;
 
 use grazing_description::Limits;
 use grazing_measured::{NOT_FINISHED, Observation, compare, read};
+use grazing_model::smooth::SmoothOscillator;
+use grazing_reproduction::place::at_place;
 use grazing_reproduction::unfolded::AtResonance;
+use grazing_results::place::AtPlace;
 
 use crate::arguments;
 use crate::failure::Failure;
@@ -26,6 +30,7 @@ use crate::oscillator::{OscillatorFile, settings, with_loops};
 use crate::outputs::edition::{Edition, Format};
 use crate::outputs::latex;
 use crate::outputs::oscillator::{self, AnalysedOscillator};
+use crate::progress::Display;
 use crate::{data_page, terminal};
 use analysis::analyse;
 use keeper::Keeper;
@@ -38,6 +43,8 @@ const RESULTS: &str = "unfolded";
 struct Task {
     of: OscillatorFile,
     measured: Option<Vec<Observation>>,
+    /// Places at which motion is looked at.
+    at: Vec<[f64; 2]>,
     folder: PathBuf,
     limits: Limits,
 }
@@ -117,7 +124,16 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
         let names = parameter_names(&of.description);
         let measured = arguments.data.as_ref().map(|data| read::points(data, names)).transpose();
         let measured = measured.map_err(|error| Failure::input(error.to_string()))?;
-        tasks.push(Task { of, measured, folder, limits });
+        for &[mu, eta] in &arguments.at {
+            let frequency = of.description.forcing_frequency(mu, eta);
+            if !(frequency > 0.0 && frequency.is_finite()) {
+                let is = format!(
+                    "--at {mu},{eta}: the forcing frequency is {frequency} there, and must be positive"
+                );
+                return Err(Failure::input(format!("{}: {is}", file.display())));
+            }
+        }
+        tasks.push(Task { of, measured, at: arguments.at.clone(), folder, limits });
     }
     Ok(tasks)
 }
@@ -138,8 +154,16 @@ impl Task {
             .map(|measured| compare(measured, &unfolded.axes, &unfolded.diagram, &watch.stop()));
         let mut unfinished = compared.iter().flat_map(|compared| &compared.points);
         let unfinished = unfinished.any(|point| point.reason == NOT_FINISHED);
+        let progress = Display::counting(watch.stop());
+        let (diagram, units) = (&unfolded.diagram, &unfolded.axes.units);
+        let place = |(number, at): (u32, &[f64; 2])| {
+            let found = at_place(&diagram.oscillator, &diagram.scope.loops, units, (number, *at), &progress)?;
+            Some(AtPlace { from_the_wall: !description.wall().is_usual(), ..found })
+        };
+        let found: Vec<AtPlace> = (1..).zip(&self.at).map_while(place).collect();
+        let unfinished = unfinished || found.len() < self.at.len();
         let met = met.or_else(|| watch.end_cause().filter(|_| unfinished));
-        let analysed = AnalysedOscillator::new(file, description, unfolded).measured(compared);
+        let analysed = AnalysedOscillator::new(file, description, unfolded).measured(compared).at(found);
         let (files, unfolded) = (self.files(&analysed, edition)?, &analysed.unfolded);
         let written = folder::write_run(&self.folder, &files, met.is_some())?;
         keeper.clear()?;
@@ -147,6 +171,7 @@ impl Task {
         if let Some(compared) = &analysed.compared {
             terminal::say(&measured::listing(compared));
         }
+        terminal::say(&places::listing(&analysed.places, &unfolded.axes.names));
         if explain {
             terminal::say(&explanation::all(description, unfolded));
         }

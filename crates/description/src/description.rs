@@ -178,10 +178,10 @@ impl Description {
         &self.0.file.secondary
     }
 
-    /// The names of the units of length and time, as far as the file has them.
-    pub fn unit_names(&self) -> [Option<&str>; 2] {
-        let units = self.0.file.units.as_ref();
-        [units.and_then(|units| units.length.as_deref()), units.and_then(|units| units.time.as_deref())]
+    /// The names of the units of length, time and mass, as far as the file has them.
+    pub fn unit_names(&self) -> [Option<&str>; 3] {
+        let Some(units) = &self.0.file.units else { return [None; 3] };
+        [&units.length, &units.time, &units.mass].map(Option::as_deref)
     }
 
     /// The wall.

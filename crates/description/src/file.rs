@@ -47,7 +47,7 @@ keys! {
             "the table [secondary] holds name and range of the parameter along the grazing curve";
         /// What the file counts in.
         units: Option<WrittenUnits> = maybe(table()),
-            "the table [units] holds the names of the units of length and time, as length = \"mm\"; it may be left out";
+            "the table [units] holds the names of the units of length, time and mass, as length = \"mm\"; it may be left out";
         /// What moves the oscillator.
         motion: Motion = table(), "the table [motion] holds force and frequency";
         /// The wall.
@@ -89,6 +89,8 @@ keys! {
         length: Option<String> = unit(), UNIT;
         /// The unit of time.
         time: Option<String> = unit(), UNIT;
+        /// The unit of mass, in which impact.mass counts.
+        mass: Option<String> = unit(), UNIT;
     }
 }
 

@@ -5,3 +5,4 @@ pub(crate) mod family;
 pub(crate) mod look;
 pub(crate) mod magnifications;
 pub(crate) mod one_parameter;
+pub(crate) mod place;

@@ -1,7 +1,7 @@
 //! What figures are made of: rows in, SVG out.
 //!
-//! [`draw_diagram`], [`draw_magnifications`], [`draw_straightened`], [`draw_one_parameter`] and
-//! [`draw_family`] take what a figure of any oscillator shows ([`grazing_results`]) and return a [`Sheet`]: what is drawn,
+//! [`draw_diagram`], [`draw_magnifications`], [`draw_straightened`], [`draw_one_parameter`], [`draw_place`]
+//! and [`draw_family`] take what a figure of any oscillator shows ([`grazing_results`]) and return a [`Sheet`]: what is drawn,
 //! and what the figure says of itself. The figures of the paper are put together from the same and
 //! from the parts below, each beside its rows. This crate knows rows, frames and ink; it computes
 //! nothing about impacts, and equal input gives equal bytes.
@@ -29,6 +29,7 @@ pub use figures::family::draw_family;
 pub use figures::look::Look;
 pub use figures::magnifications::{draw_magnifications, draw_straightened};
 pub use figures::one_parameter::draw_one_parameter;
+pub use figures::place::draw_place;
 pub use geometry::sheet::Bounds;
 pub use ink::font::{FONT_FILES, style_sheet};
 pub use ink::markup::unmarked;

@@ -5,6 +5,7 @@ import { chart, clipped, trace, write } from "./axes.js";
 import { Latest, stream } from "./api.js";
 import { description, modelOf, viewOf } from "./model.js";
 import { margins, redraw, shown as marks, titleOf } from "./plane.js";
+import { told } from "./place.js";
 import { heightTitle } from "./portraits.js";
 import { curveInk, inks, loopsInk, loopsNames, onTheme, wordInk } from "./palette.js";
 import * as state from "./state.js";
@@ -35,16 +36,36 @@ const along = (value) => (value.cut === "secondary" ? ["primary", 0] : ["seconda
 
 function bodyOf(value) {
   const [axis, at] = along(value);
-  return { model: modelOf(value), fixed: value.cut, at: value.place[1 - at], range: viewOf(value)[axis] };
+  return { model: modelOf(value), fixed: value.cut, at: value.place[1 - at], range: viewOf(value)[axis], ordinate: ordinateOf(value).name };
+}
+
+/** What is up: { name, unit }; x, where the oscillator has no such thing. */
+const ordinateOf = (value) => description.ordinates.find(({ name }) => name === value.ordinate) ?? description.ordinates[0];
+const upTitle = (ordinate) => (ordinate.name === "x" ? heightTitle() : { title: [[ordinate.name, ""]], unit: ordinate.unit });
+
+/** The line through the place, to be asked for; null without one. */
+export function wanted() {
+  const value = state.get();
+  if (!value.cut || !value.place) return null;
+  const { fixed, at, range, ordinate } = bodyOf(value);
+  return { cut: { fixed, at, range, ordinate } };
+}
+
+/** The menu of what can be up. */
+function offer(value) {
+  const names = description.ordinates.map(({ name }) => name);
+  if (names.join() !== [...$("ordinate").options].map((option) => option.value).join()) $("ordinate").replaceChildren(...names.map((name) => make("option", { value: name }, name)));
+  $("ordinate").value = ordinateOf(value).name;
 }
 
 /** What its strands are of, whatever part of them is seen. */
-const ofBody = ({ model, fixed, at }) => JSON.stringify([model, fixed, at]);
+const ofBody = ({ model, fixed, at, ordinate }) => JSON.stringify([model, fixed, at, ordinate]);
 
 const request = rested(200, () => {
   const value = state.get();
   if (!value.cut || !value.place) return;
   const body = bodyOf(value);
+  const ordinate = ordinateOf(value);
   const key = JSON.stringify(body);
   if (key === asked) return;
   $("cut").setAttribute("aria-busy", "true");
@@ -53,8 +74,8 @@ const request = rested(200, () => {
     // Branches first; the dots of the last cut stay below them until those of this one are there.
     const take = (told) => {
       if (signal.aborted) return;
-      const last = answer?.fixed === body.fixed ? answer : { dots: [] };
-      answer = { ...last, ...told, fixed: body.fixed, at: body.at, of: ofBody(body), old: !told.dots };
+      const last = answer?.fixed === body.fixed && answer.ordinate.name === body.ordinate ? answer : { dots: [] };
+      answer = { ...last, ...told, fixed: body.fixed, ordinate, at: body.at, of: ofBody(body), old: !told.dots };
       say("");
       legend(answer.strands);
       draw();
@@ -79,6 +100,7 @@ export function follow(value) {
     request.cancel();
     return;
   }
+  offer(value);
   request();
   draw();
 }
@@ -89,8 +111,9 @@ export function draw() {
   const ink = inks();
   const [axis, at] = along(value);
   const range = viewOf(value)[axis];
-  const own = answer?.fixed === value.cut ? answer : null;
-  const axes = { x: { range, ...titleOf(description[axis]) }, y: { range: own?.frame ?? [-1, 1], ...heightTitle() } };
+  const ordinate = ordinateOf(value);
+  const own = answer?.fixed === value.cut && answer.ordinate.name === ordinate.name ? answer : null;
+  const axes = { x: { range, ...titleOf(description[axis]) }, y: { range: own?.frame ?? [-1, 1], ...upTitle(ordinate) } };
   const made = chart($("cut"), margins, axes, ink);
   if (!made) return;
   const { context, to, end } = made;
@@ -116,8 +139,20 @@ export function draw() {
     context.setLineDash([]);
   };
   line(value.place[at], ink.place, []);
+  // The solutions at the place, where their velocities are up.
+  if (ordinate.name === "impact velocity") {
+    for (const { p, velocity } of told()?.solutions ?? []) ring(context, to([value.place[at], p ? velocity : 0]), loopsInk(p, ink));
+  }
   if (marks.pointer !== null) line(marks.pointer, ink.muted, [3, 3]);
   end();
+}
+
+function ring(context, [x, y], colour) {
+  context.strokeStyle = colour;
+  context.lineWidth = 1.6;
+  context.beginPath();
+  context.arc(x, y, 4.5, 0, 2 * Math.PI);
+  context.stroke();
 }
 
 /** Simulated dots, stronger where several fall together. */
@@ -251,6 +286,7 @@ export function attach() {
     const [low, high] = viewOf(value)[axis];
     put(Math.min(high, Math.max(low, value.place[at] + way * (event.shiftKey ? 0.1 : 0.01) * (high - low))));
   });
+  $("ordinate").addEventListener("change", ({ target }) => state.update({ ordinate: target.value === "x" ? null : target.value }));
   new ResizeObserver(draw).observe(canvas);
   onTheme(() => {
     draw();

@@ -4,6 +4,7 @@ import { Latest, stream } from "./api.js";
 import { isNumbered, lasting } from "./lasting.js";
 import { axisPieces, elements } from "./markup.js";
 import { description, modelOf, viewOf } from "./model.js";
+import { drawSamples } from "./palette.js";
 import * as state from "./state.js";
 
 /**
@@ -11,7 +12,7 @@ import * as state from "./state.js";
  * not of the model that is wanted is faded.
  */
 export const diagram = {
-  curves: new Map(), points: [], regions: [], resonances: [], notes: [], of: { points: "", regions: "" }, wanted: "", version: 0,
+  curves: new Map(), points: [], regions: [], resonances: [], notes: [], measured: null, of: { points: "", regions: "" }, wanted: "", version: 0,
   get stale() {
     return this.of.regions !== this.wanted;
   },
@@ -65,7 +66,7 @@ export function clear() {
   computed = "";
   numbered = [];
   diagram.curves.clear();
-  Object.assign(diagram, { points: [], regions: [], resonances: [], notes: [], version: diagram.version + 1 });
+  Object.assign(diagram, { points: [], regions: [], resonances: [], notes: [], measured: null, version: diagram.version + 1 });
   list();
   changed();
 }
@@ -90,7 +91,7 @@ export function stop() {
 }
 
 function request(value, coarse) {
-  return { model: modelOf(value), view: viewOf(value), coarse };
+  return { model: modelOf(value), view: viewOf(value), coarse, measured: coarse ? null : value.data };
 }
 
 const job = (body) => async (signal) => {
@@ -100,6 +101,7 @@ const job = (body) => async (signal) => {
   const seen = new Set();
   const names = new Map();
   let latestNotes = [];
+  let measured = null;
   let nothing = "";
   // While something else is being typed, what is said is said of that.
   const tell = (words) => diagram.wanted === TYPED || say(words);
@@ -147,6 +149,9 @@ const job = (body) => async (signal) => {
     notes(notes) {
       latestNotes = notes;
     },
+    measured(told) {
+      measured = told;
+    },
     nothing(reason) {
       nothing = reason;
     },
@@ -163,6 +168,7 @@ const job = (body) => async (signal) => {
         if (of === wantedOf(state.get())) want(of);
       }
       if (!coarse) {
+        diagram.measured = measured;
         computed = JSON.stringify(body);
         const curves = [...diagram.curves.values()].filter(({ source }) => source !== "quadratic").length;
         summary = nothing ? `No grazing and no curve of an MPS in this view: ${nothing.replace(/-?\d+\.\d{4,}(e-?\d+)?/g, (digits) => number(Number(digits)))}.` : `${count(curves, "curve")} and ${count(diagram.points.length, "point")} in ${seconds < 0.995 ? `${Math.round(1000 * seconds)} ms` : `${number(seconds, 3)} s`}.`;
@@ -216,9 +222,22 @@ export function follow(value, live, constants) {
   rest();
 }
 
+/** The legend of what the file asks for, and of ends. */
+function legend() {
+  const all = [...diagram.curves.values()];
+  const own = new Map(all.filter(({ name }) => name).map(({ name, property }) => [name, property]));
+  const line = () => make("svg", { viewBox: "0 0 28 10", "aria-hidden": "true" }, make("path", { class: "own", d: "M1 5h26" }));
+  const ring = () => make("svg", { class: "mark", viewBox: "0 0 14 12", "aria-hidden": "true" }, make("circle", { class: "ring", cx: 7, cy: 6, r: 3.4 }));
+  const entries = [...own].map(([name, property]) => make("li", { title: property }, line(), name));
+  if (all.some(({ lost }) => lost?.some(Boolean))) entries.push(make("li", {}, ring(), "followed no further"));
+  $("own-legend").replaceChildren(...entries);
+  drawSamples();
+}
+
 /** The tables under the plane: resonances, and what is missing. */
 function list() {
   const { resonances, notes } = diagram;
+  legend();
   $("notes-count").textContent = notes.length;
   $("notes").hidden = notes.length === 0;
   $("notes-list").replaceChildren(...notes.map((note) => make("li", {}, note)));

@@ -3,7 +3,7 @@ import { $, coordinate } from "./dom.js";
 import { axisPieces, plain } from "./markup.js";
 import { description, viewOf, wholeView } from "./model.js";
 import { tellOf } from "./pick.js";
-import { frame, project, redraw, runs, shown, toParameters } from "./plane.js";
+import { ends, frame, project, redraw, runs, shown, toParameters } from "./plane.js";
 import * as state from "./state.js";
 
 /** The narrowest view: so much of the whole plane's width, still far above rounding. */
@@ -75,7 +75,7 @@ function tell(x, y) {
   const at = toParameters(x, y, view);
   const names = [description.primary, description.secondary].map((axis) => plain(axisPieces(axis)));
   const widths = [view.primary, view.secondary].map(([low, high]) => high - low);
-  const told = tellOf(runs, [x, y], at, project(view));
+  const told = tellOf(runs, ends(), [x, y], at, project(view));
   $("pointer").textContent = `${at.map((value, index) => `${names[index]} = ${coordinate(value, widths[index])}`).join(", ")}${told && ` · ${told}`}`;
 }
 

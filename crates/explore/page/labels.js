@@ -71,7 +71,7 @@ function regionLabels(frame, regions, map, placed) {
 }
 
 /** The word beside a curve, with its number of loops as index. */
-const wordOf = ({ kind, p, name }) => (kind === "graz" ? [["grazing", ""]] : [[name ?? kind, ""], [String(p), "sub"]]);
+const wordOf = ({ kind, p, name, followed }) => (kind === "graz" ? [["grazing", ""]] : [[name ?? kind, ""], ...(followed ? [] : [[String(p), "sub"]])]);
 const sameWord = (text, other) => text.join() === other.join();
 
 /** A word is no farther from its curve than its own width and so many pixels. */

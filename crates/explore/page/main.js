@@ -6,13 +6,16 @@ import * as constants from "./constants.js";
 import * as cut from "./cut.js";
 import * as diagram from "./diagram.js";
 import * as editor from "./editor.js";
+import * as following from "./follow.js";
 import * as hand from "./hand.js";
+import * as measured from "./measured.js";
 import * as model from "./model.js";
 import * as place from "./place.js";
 import { redraw } from "./plane.js";
 import { drawSamples, onTheme } from "./palette.js";
 import * as share from "./share.js";
 import * as state from "./state.js";
+import * as straightened from "./straightened.js";
 import * as tiles from "./tiles.js";
 
 const OSCILLATOR = ["example", "text"];
@@ -37,6 +40,9 @@ const COMMANDS = {
   vertical: () => toggleCut("primary"),
   keep: () => state.get().place && state.update({ kept: state.get().place }),
   overlay: () => state.update({ overlay: !state.get().overlay }),
+  straighten: straightened.toggle,
+  measured: measured.choose,
+  unmeasured: measured.remove,
   leave: () => state.update({ place: null, kept: null, cut: null }),
   edit: () => state.update({ edit: !state.get().edit }),
   stop: diagram.stop,
@@ -45,7 +51,7 @@ const COMMANDS = {
 };
 
 /** Keys of the plane; a question mark asks for help anywhere. */
-const KEYS = { "+": "in", "=": "in", "-": "out", 0: "whole", "[": "back", "]": "forward", b: "box", h: "horizontal", v: "vertical", k: "keep", o: "overlay", e: "edit", s: "share", Escape: "stop" };
+const KEYS = { "+": "in", "=": "in", "-": "out", 0: "whole", "[": "back", "]": "forward", b: "box", h: "horizontal", v: "vertical", k: "keep", o: "overlay", t: "straighten", m: "measured", e: "edit", s: "share", Escape: "stop" };
 
 function keys() {
   $("plane").addEventListener("keydown", (event) => {
@@ -88,10 +94,13 @@ function follow(value, changed, live) {
 
 function showAll(value, changed, live) {
   constants.follow(value);
-  if (["set", "loops", "view", ...OSCILLATOR].some((name) => changed.has(name))) diagram.follow(value, live, changed.has("set"));
+  if (["set", "loops", "view", "data", ...OSCILLATOR].some((name) => changed.has(name))) diagram.follow(value, live, changed.has("set"));
   place.follow(value, changed, live);
   cut.follow(value);
+  following.follow(value, live);
   tiles.follow(value, changed);
+  straightened.follow();
+  measured.list();
   // While a constant moves, the plane changes with what comes of it.
   if (!live || !changed.has("set")) redraw();
 }
@@ -117,7 +126,7 @@ function taken(answer) {
   const key = JSON.stringify([model.textOf(value)]);
   const all = key !== described;
   described = key;
-  if (all) showAll(value, new Set(["example", "text", "set", "loops", "view", "place", "kept", "cut", "overlay"]), false);
+  if (all) showAll(value, new Set(["example", "text", "set", "loops", "view", "place", "kept", "cut", "ordinate", "follow", "overlay", "data"]), false);
   else {
     constants.follow(value);
     redraw();
@@ -137,11 +146,15 @@ async function start() {
   hand.attach();
   cut.attach();
   tiles.attach();
+  measured.attach();
   share.attach();
   keys();
+  following.onFollowed(redraw);
   diagram.onDiagram(() => {
     redraw();
     tiles.shaded();
+    straightened.follow();
+    measured.list();
   });
   onTheme(redraw);
   onTheme(drawSamples);

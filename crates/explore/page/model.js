@@ -23,4 +23,4 @@ export const viewOf = (value) => value.view ?? wholeView();
 
 /** Goes to another oscillator: nothing of the old one's plane means anything there. */
 export const choose = (file) =>
-  state.update({ example: file === examples[0].file ? null : file, text: null, set: {}, loops: null, view: null, place: null, kept: null });
+  state.update({ example: file === examples[0].file ? null : file, text: null, set: {}, loops: null, view: null, place: null, kept: null, follow: null });

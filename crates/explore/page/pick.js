@@ -1,7 +1,8 @@
 // What of the diagram lies under a pointer.
-import { count } from "./dom.js";
+import { count, multipliers } from "./dom.js";
 import { diagram } from "./diagram.js";
 import { LOOKS } from "./kinds.js";
+import { tellMeasured } from "./measured.js";
 
 /** How far a point is from a segment. */
 export function apart([x, y], [ax, ay], [bx, by]) {
@@ -62,15 +63,26 @@ export function nearest(place, to) {
 
 const loops = ({ p, n }) => (p > 0 ? `, ${count(p, "loop")}${n ? `, n = ${n}` : ""}` : "");
 
-/** What lies at a pixel that is a place, in words; empty if there is nothing to tell. */
-export function tellOf(runs, [x, y], place, to) {
+/** The multipliers at the point of a curve that is nearest to a pixel. */
+function along(curve, [x, y], to) {
+  if (!curve.multipliers) return "";
+  const far = curve.points.map(to).map(([px, py]) => Math.hypot(px - x, py - y));
+  return `, multipliers ${multipliers(curve.multipliers[far.indexOf(Math.min(...far))])}`;
+}
+
+/** What lies at a pixel that is a place, in words; empty if there is nothing to tell. `ends` are those of curves that were followed no further. */
+export function tellOf(runs, ends, [x, y], place, to) {
   const near = diagram.points.find(({ primary, secondary }) => {
     const [px, py] = to([primary, secondary]);
     return Math.hypot(px - x, py - y) < 9;
   });
+  const measured = tellMeasured([x, y], to);
+  if (measured) return measured;
   if (near) return (near.kind === "resonance" ? "resonance" : `${near.kind} point`) + loops(near);
+  const end = ends.find(({ at }) => Math.hypot(to(at)[0] - x, to(at)[1] - y) < 6);
+  if (end) return `followed no further: ${end.why}`;
   const curve = curveAt(runs, x, y);
-  if (curve) return `${curve.source === "quadratic" ? `quadratic ${curve.kind}` : curve.name ? `${curve.name}, ${curve.property}` : LOOKS[curve.kind].meaning}${loops(curve)}`;
+  if (curve) return `${curve.source === "quadratic" ? `quadratic ${curve.kind}` : curve.name ? `${curve.name}, ${curve.property}` : LOOKS[curve.kind].meaning}${loops(curve)}${along(curve, [x, y], to)}`;
   const undecided = diagram.regions.find(({ kind, rings }) => kind === "undecided" && lies(place, rings));
   return undecided ? `undecided${undecided.reason ? `: ${undecided.reason}` : ""}` : "";
 }

@@ -6,6 +6,7 @@ import { axisPieces, elements } from "./markup.js";
 import { description, modelOf, viewOf } from "./model.js";
 import { attractorInks, loopsInk, onTheme } from "./palette.js";
 import { drawPortraits } from "./portraits.js";
+import { isFollowed } from "./follow.js";
 import { nearest } from "./pick.js";
 import { project } from "./plane.js";
 import * as state from "./state.js";
@@ -88,8 +89,9 @@ class Card {
     const heads = [[make("i", {}, "p"), "Loops; press to draw"], ["velocity", "Velocity of the impact"], ["multipliers", "Floquet multipliers"], ["stable", ""], ["admissible", "Whether the orbit keeps clear of the wall between impacts"]];
     const head = make("tr", {}, ...heads.map(([word, title]) => make("th", { scope: "col", title: title || null }, word)));
     this.solutions = make("div", { class: "scroll" }, make("table", {}, make("caption", {}, "Maximal periodic solutions"), make("thead", {}, head), this.table));
+    this.follows = make("p", { class: "row", hidden: true });
     this.hint = make("p", { class: "muted", hidden: true }, "Followed from the place before; all is looked for when it rests.");
-    this.body = make("div", { class: "card-body" }, this.pictures, this.attractors, this.hint, this.solutions);
+    this.body = make("div", { class: "card-body" }, this.pictures, this.attractors, this.hint, this.solutions, this.follows);
     this.element = make("article", { class: `place ${this.key}`, "aria-label": kept ? "Kept place" : "Place", hidden: true }, make("header", {}, make("div", {}, this.at, this.short), action), this.on, this.message, this.body);
     $("places").append(this.element);
     new ResizeObserver(() => this.draw()).observe(this.pictures);
@@ -229,6 +231,7 @@ class Card {
     this.table.replaceChildren(...lines);
     if (focused !== null) this.table.querySelector(`[data-key="${focused}"]`)?.focus();
     this.solutions.hidden = solutions.length === 0;
+    this.offerToFollow();
     this.draw();
   }
 
@@ -237,6 +240,22 @@ class Card {
     const { model, at } = this.body_(false);
     this.longer = { of: JSON.stringify([model, at]), periods };
     this.request(false);
+  }
+
+  /** Offers to follow the MPS whose button was pressed last: along a parameter, in the cut, or in the plane at its velocity. */
+  offerToFollow() {
+    const { solutions } = this.answer;
+    const [at, key] = [this.shown, [...this.drawn].at(-1)];
+    const found = solutions[keysOf(solutions).indexOf(key)];
+    this.follows.hidden = this.key === "kept" || !(found?.p > 0);
+    if (this.follows.hidden) return;
+    const { p, velocity, phase } = found;
+    const button = (patch, ...words) => make("button", { type: "button", class: "small", onclick: () => state.update(patch) }, ...words);
+    const along = (axis, cut) => button({ cut, ordinate: "impact velocity" }, "along ", ...elements(axisPieces(axis)));
+    const on = isFollowed(found, at);
+    const held = button({ follow: on ? null : { at, p, velocity, phase } }, "at this velocity");
+    held.setAttribute("aria-pressed", on);
+    this.follows.replaceChildren("Follow ", make("i", {}, "p"), ` = ${p}: `, along(description.primary, "secondary"), along(description.secondary, "primary"), held);
   }
 
   toggle(key) {
@@ -280,6 +299,7 @@ export const attach = () => (cards = [new Card("place"), new Card("kept")]);
 export function follow(value, moved, live) {
   const model = ["set", "text", "example", "loops"].some((name) => moved.has(name));
   for (const card of cards) if (model || moved.has(card.key)) card.follow(value, live);
+    else if (moved.has("follow") && card.answer) card.offerToFollow();
     else if (moved.has("view") && value[card.key]) card.title(value[card.key], value);
   $("place-hint").hidden = value.place !== null || value.kept !== null;
   const opens = value.place !== null && !document.body.classList.contains("placed");

@@ -3,8 +3,10 @@ import { begin } from "./busy.js";
 import { $, later } from "./dom.js";
 import { chart, clipped, clippedRing, font, into, trace, write } from "./axes.js";
 import { diagram, strength } from "./diagram.js";
+import { followed } from "./follow.js";
 import { placeLabels } from "./labels.js";
 import { axisPieces } from "./markup.js";
+import { drawMeasured } from "./measured.js";
 import { description, viewOf, wholeView } from "./model.js";
 import { inks, penOf, wordInk } from "./palette.js";
 import * as state from "./state.js";
@@ -121,6 +123,22 @@ function drawPoints(context, to, ink) {
   context.globalAlpha = 1;
 }
 
+/** Where curves were followed no further: [{ at, why }]. */
+export const ends = () =>
+  [...diagram.curves.values(), ...followed()].flatMap(({ points, lost }) => [0, points.length - 1].flatMap((index, end) => (lost?.[end] ? [{ at: points[index], why: lost[end] }] : [])));
+
+function drawEnds(context, to, ink) {
+  context.fillStyle = ink.rim;
+  context.strokeStyle = ink.marker;
+  context.lineWidth = 1.2;
+  for (const { at } of ends()) {
+    context.beginPath();
+    context.arc(...to(at), 3.4, 0, 2 * Math.PI);
+    context.fill();
+    context.stroke();
+  }
+}
+
 const inFrame = (x, y, margin = 0) => x >= frame.x - margin && x <= frame.x + frame.w + margin && y >= frame.y - margin && y <= frame.y + frame.h + margin;
 
 /** A cross through the place with a ring; the kept one has a square. */
@@ -176,7 +194,7 @@ function isMagnified(view) {
 function runsInView(to, magnified) {
   const box = [frame.x - 6, frame.y - 6, frame.x + frame.w + 6, frame.y + frame.h + 6];
   const found = [];
-  for (const curve of diagram.curves.values()) {
+  for (const curve of [...diagram.curves.values(), ...followed()]) {
     if (curve.source === "quadratic" && !magnified) continue;
     const pixels = curve.points.map(to);
     let from = 0;
@@ -210,6 +228,8 @@ export function draw() {
   drawCurves(context);
   drawCut(context, value, to, ink);
   drawPoints(context, to, ink);
+  drawEnds(context, to, ink);
+  drawMeasured(context, to, ink);
   if (!overlay) drawLabels(context, regions, to, view, ink);
   if (value.kept) drawPlace(context, value.kept, to, ink.muted, true);
   if (value.place) drawPlace(context, value.place, to, ink.place, false);
@@ -222,10 +242,10 @@ export function draw() {
 const SETTLES = 200;
 
 function drawLabels(context, regions, to, view, ink) {
-  const key = `${diagram.version} ${frame.w} ${frame.h} ${JSON.stringify(view)}`;
+  const key = `${diagram.version} ${followed().length && followed()[0].name} ${frame.w} ${frame.h} ${JSON.stringify(view)}`;
   const passed = performance.now() - labels.placed;
   if (labels.key !== key && passed >= SETTLES) {
-    const points = diagram.points.map(({ primary, secondary }) => to([primary, secondary]));
+    const points = [...diagram.points.map(({ primary, secondary }) => [primary, secondary]), ...(diagram.measured?.points ?? []).map(({ at }) => at)].map(to);
     const before = labels.list.map((each) => ({ ...each, x: to(each.at)[0], y: to(each.at)[1] }));
     const list = placeLabels(frame, runs, regions, points, before);
     labels = { key, placed: performance.now(), list: list.map((each) => ({ ...each, at: toParameters(each.x, each.y, view) })) };
@@ -234,7 +254,7 @@ function drawLabels(context, regions, to, view, ink) {
   for (const { text, at, kind, key: own } of labels.list) {
     const [x, y] = to(at);
     if (!inFrame(x, y)) continue;
-    context.globalAlpha = strength(kind === "region" ? diagram.of.regions : diagram.curves.get(own)?.of);
+    context.globalAlpha = strength(kind === "region" ? diagram.of.regions : (diagram.curves.get(own) ?? followed()[0])?.of);
     context.fillStyle = kind === "region" ? ink.ink : wordInk(kind);
     write(context, text, x, y + 5, 15, 0.5);
   }

@@ -4,7 +4,9 @@ import { file } from "./api.js";
 import { namePieces, plain } from "./markup.js";
 import { description, exampleOf, examples, modelOf, textOf, viewOf } from "./model.js";
 import { fileOf as fileOfSeen, isSeen } from "./seen.js";
+import * as cut from "./cut.js";
 import * as state from "./state.js";
+import * as straightened from "./straightened.js";
 
 /** A word of a command line; quoted where a shell would read it otherwise. */
 const word = (text) => (/^[\w@%+=:,./-]+$/.test(text) ? text : `'${text.replace(/'/g, "'\\''")}'`);
@@ -34,7 +36,8 @@ export function command(value) {
   const alone = value.view && /^\s*\[\[\s*diagrams/m.test(textOf(value) ?? "") ? setting("diagrams", "[]") : "";
   const chosen = value.loops ? setting(loops, list(value.loops)) : "";
   const first = paper ? "cargo xtask reproduce --only fig07" : `cargo xtask unfold ${word(fileOf(example))}`;
-  const line = first + constants.join("") + ranges + alone + chosen;
+  const measured = value.data ? ` --data ${word(value.data.name)}` : "";
+  const line = first + constants.join("") + ranges + alone + chosen + (paper ? "" : measured);
   return TREACHEROUS.test(line) ? null : line;
 }
 
@@ -59,18 +62,27 @@ function save(blob, name) {
 
 const stem = () => (description?.name ?? "oscillator").toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "");
 
-async function take(what) {
+async function take(what, of = "plane") {
   const value = state.get();
   const [kind, table] = what.split(":");
   $("share-status").textContent = "Drawing …";
   try {
-    const blob = await file("export", { model: modelOf(value), view: viewOf(value), what, columns: $("columns").value });
-    save(blob, `${stem()}${table ? `-${table}` : ""}.${kind}`);
+    const blob = await file("export", { model: modelOf(value), view: viewOf(value), what, columns: $("columns").value, measured: value.data, of: FIGURES[of].wanted() });
+    const name = table ?? (of === "plane" ? null : of);
+    save(blob, `${stem()}${name ? `-${name}` : ""}.${kind}`);
     $("share-status").textContent = "Saved.";
   } catch (error) {
     $("share-status").textContent = error.message;
   }
 }
+
+/** Figures that the program draws: what they are called, what is asked for, nothing while there is none, and their tables. */
+const FIGURES = {
+  plane: { words: "Diagram", wanted: () => "plane" },
+  cut: { words: "Cut", wanted: cut.wanted },
+  place: { words: "Place", wanted: () => state.get().place && { place: state.get().place }, tables: ["place_basins"] },
+  straightened: { words: "Straightened", wanted: straightened.wanted, tables: ["straightened"] },
+};
 
 /** The pictures of the page by name. */
 const PICTURES = { plane: "Plane", cut: "Cut", series: "Time series", portrait: "Phase portrait", impacts: "Impacts" };
@@ -83,11 +95,13 @@ async function takeSeen(name, kind) {
 export function open() {
   const value = state.get();
   for (const row of $("seen-list").children) row.hidden = !isSeen(row.dataset.name);
+  for (const row of $("print-list").children) row.hidden = !FIGURES[row.dataset.name].wanted();
   $("address").value = location.origin + location.pathname + state.encode(value);
   const line = command(value);
   $("command").textContent = line ?? "There is none: a name in the address holds characters that are no text.";
   $("copy-command").disabled = line === null;
-  $("own-text").hidden = value.text === null;
+  $("own-text").hidden = textOf(value) === null;
+  $("save-text").textContent = `Save ${exampleOf(value)?.file ?? "oscillator.toml"}`;
   $("share-status").textContent = "";
   const told = Object.entries(value.set).map(([name, number]) => `${plain(namePieces(name))} = ${number}`);
   $("share-what").textContent = [description.name, ...told].join(", ");
@@ -97,9 +111,14 @@ export function open() {
 export function attach() {
   $("copy-address").addEventListener("click", (event) => copy($("address").value, event.currentTarget));
   $("copy-command").addEventListener("click", (event) => copy($("command").textContent, event.currentTarget));
-  $("save-text").addEventListener("click", () => save(new Blob([state.get().text], { type: "application/toml" }), "oscillator.toml"));
+  $("save-text").addEventListener("click", () => save(new Blob([textOf(state.get())], { type: "application/toml" }), exampleOf(state.get())?.file ?? "oscillator.toml"));
   for (const button of document.querySelectorAll("dialog .close")) button.addEventListener("click", () => button.closest("dialog").close());
-  for (const button of $("share").querySelectorAll("[data-take]")) button.addEventListener("click", () => take(button.dataset.take));
+  for (const [name, { words, tables = [] }] of Object.entries(FIGURES)) {
+    const kinds = ["svg", "pdf", "png", ...tables.map((table) => `csv:${table}`)];
+    const buttons = kinds.map((kind) => make("button", { type: "button", "data-take": kind, "data-of": name }, kind.slice(0, 3).toUpperCase()));
+    $("print-list").append(make("p", { class: "row", "data-name": name }, make("span", {}, words), ...buttons));
+  }
+  for (const button of $("share").querySelectorAll("[data-take]")) button.addEventListener("click", () => take(button.dataset.take, button.dataset.of));
   const buttons = (name) => ["svg", "png", "csv"].map((kind) => make("button", { type: "button", "data-seen": `${name}:${kind}`, onclick: () => takeSeen(name, kind) }, kind.toUpperCase()));
   for (const [name, words] of Object.entries(PICTURES)) $("seen-list").append(make("p", { class: "row", "data-name": name }, make("span", {}, words), ...buttons(name)));
 }

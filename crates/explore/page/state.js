@@ -8,13 +8,17 @@
 //   view     { primary: [a, b], secondary: [c, d] }, or null for the ranges of the file
 //   place    [primary, secondary] or null; kept: another place, or null
 //   cut      the name of the axis that the cut holds fixed, "primary" or "secondary", or null
+//   ordinate what is up in the cut, or null: x
+//   follow   { at, p, velocity, phase } of the solution whose curve is drawn, or null
 //   overlay  whether simulation is laid over the plane
+//   data     the file of what a rig did, { name, text }, or null
+//   straight whether curves are shown in straightened coordinates, or null: where they lie on one line
 //   edit     whether the editor is open
 import { rested } from "./dom.js";
 
-const EMPTY = { example: null, text: null, set: {}, loops: null, view: null, place: null, kept: null, cut: null, overlay: false, edit: false };
+const EMPTY = { example: null, text: null, set: {}, loops: null, view: null, place: null, kept: null, cut: null, ordinate: null, follow: null, overlay: false, straight: null, data: null, edit: false };
 /** The short names of the address. */
-const SHORT = { example: "e", text: "t", set: "s", loops: "l", view: "v", place: "p", kept: "k", cut: "c", overlay: "o", edit: "w" };
+const SHORT = { example: "e", text: "t", set: "s", loops: "l", view: "v", place: "p", kept: "k", cut: "c", ordinate: "u", follow: "f", overlay: "o", straight: "h", data: "d", edit: "w" };
 const SETTLES = 350;
 
 let state = { ...EMPTY };
@@ -77,7 +81,12 @@ export function decode(hash) {
   if (finite(short.p, 2)) value.place = short.p;
   if (finite(short.k, 2)) value.kept = short.k;
   if (short.c === "primary" || short.c === "secondary") value.cut = short.c;
+  if (typeof short.u === "string") value.ordinate = short.u;
+  const { at, p, velocity, phase } = short.f ?? {};
+  if (finite(at, 2) && finite([p, velocity, phase], 3)) value.follow = { at, p, velocity, phase };
   value.overlay = short.o === true;
+  if (typeof short.d?.name === "string" && typeof short.d?.text === "string") value.data = { name: short.d.name, text: short.d.text };
+  if (typeof short.h === "boolean") value.straight = short.h;
   value.edit = short.w === true;
   return value;
 }

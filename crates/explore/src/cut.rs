@@ -1,11 +1,13 @@
 //! The one-parameter diagram along a line of the plane: its branches first, then what simulation
 //! comes to.
 
+use grazing_description::Description;
 use grazing_model::smooth::Stop;
-use grazing_reproduction::one_parameter::SAMPLING;
+use grazing_reproduction::one_parameter::{SAMPLING, in_own_units};
 use grazing_results::branches::{BranchPoint, OneParameter};
+use grazing_results::readings::{Ordinate, Reading};
 use grazing_unfold::one_parameter::{Cut, Line, Sampling};
-use grazing_unfold::units::InUnits;
+use grazing_unfold::progress::Progress;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -17,9 +19,18 @@ use crate::stream::Events;
 #[derive(Deserialize)]
 pub(crate) struct CutRequest {
     model: Model,
+    #[serde(flatten)]
+    line: CutLine,
+}
+
+/// Where the diagram is wanted, and of what.
+#[derive(Deserialize)]
+pub(crate) struct CutLine {
     fixed: Fixed,
     at: f64,
     range: [f64; 2],
+    /// What is on its vertical axis: x, if nothing is said.
+    ordinate: Option<String>,
 }
 
 /// The parameter that is held.
@@ -34,28 +45,64 @@ enum Fixed {
 /// at.
 const HELD: f64 = 0.01;
 
+impl CutLine {
+    /// What was asked for, ready to be simulated.
+    fn follow(&self, model: &Model, progress: &dyn Progress, stop: &Stop) -> Result<Followed, Problem> {
+        let &Self { fixed, at, range, .. } = self;
+        // The parameter that is held needs a range, too: a small part of the file's.
+        let description = model.description(None, stop)?;
+        let primary_is_fixed = fixed == Fixed::Primary;
+        let axis = if primary_is_fixed { description.primary() } else { description.secondary() };
+        let [low, high] = axis.range();
+        let held = [at, at + HELD * (high - low)];
+        let [primary, secondary] = if primary_is_fixed { [held, range] } else { [range, held] };
+        let of = model.prepared(Some(&View { primary, secondary }), stop)?;
+        let line = Line { diagram: 1, primary_is_fixed, at, range };
+        let line = line.without_dimensions(&of.axes.units);
+        let cut = Cut::follow(&of.oscillator, &of.scope, &[], line, progress).ok_or_else(Problem::ended)?;
+        let wanted = |ordinate: &&Ordinate| Some(ordinate.name()) == self.ordinate.as_deref();
+        let ordinate = Ordinate::ALL.iter().find(wanted).copied().unwrap_or(Ordinate::X);
+        let readings = if ordinate == Ordinate::X { Vec::new() } else { cut.readings() };
+        Ok(Followed { description, cut, ordinate, readings })
+    }
+
+    /// The whole diagram.
+    pub(crate) fn diagram(&self, model: &Model, stop: &Stop) -> Result<OneParameter, Problem> {
+        let followed = self.follow(model, stop, stop)?;
+        Ok(followed.simulated(SAMPLING, stop))
+    }
+}
+
+/// The branches of a diagram with what is read off them.
+struct Followed {
+    description: Description,
+    cut: Cut,
+    ordinate: Ordinate,
+    readings: Vec<Reading>,
+}
+
+impl Followed {
+    fn simulated(&self, sampling: Sampling, progress: &dyn Progress) -> OneParameter {
+        let sampling = Sampling { readings: self.ordinate != Ordinate::X, ..sampling };
+        self.read(self.cut.simulated(&sampling, &[], progress))
+    }
+
+    /// A diagram as it is to be shown.
+    fn read(&self, found: OneParameter) -> OneParameter {
+        let found = OneParameter { readings: self.readings.clone(), ..found };
+        in_own_units(found, self.ordinate, &self.description)
+    }
+}
+
 pub(crate) fn compute(request: &CutRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
-    let CutRequest { model, fixed, at, range } = request;
-    // The parameter that is held needs a range, too: a small part of the file's.
-    let own = model.description(None, stop)?;
-    let primary_is_fixed = *fixed == Fixed::Primary;
-    let axis = if primary_is_fixed { own.primary() } else { own.secondary() };
-    let [low, high] = axis.range();
-    let held = [*at, *at + HELD * (high - low)];
-    let [primary, secondary] = if primary_is_fixed { [held, *range] } else { [*range, held] };
-    let view = View { primary, secondary };
-    let line = Line { diagram: 1, primary_is_fixed, at: *at, range: *range };
-    let of = model.prepared(Some(&view), stop)?;
+    let followed = request.line.follow(&request.model, events, stop)?;
+    events.send("branches", &event(&followed.read(followed.cut.diagram()).seen()));
     // As in the diagrams that a file asks for, but fewer dots: it is to be looked at at once.
-    let sampling = Sampling { recorded: 16, ..SAMPLING };
-    let line = line.without_dimensions(&of.axes.units);
-    let cut = Cut::follow(&of.oscillator, &of.scope, &[], line, events).ok_or_else(Problem::ended)?;
-    events.send("branches", &event(&cut.diagram().in_units(&of.axes.units)));
-    let found = cut.simulated(&sampling, &[], events).in_units(&of.axes.units);
+    let found = followed.simulated(Sampling { recorded: 16, ..SAMPLING }, events).seen();
     let dots: Vec<[f64; 2]> = found.attractor.iter().map(|dot| [found.across(dot), dot.x]).collect();
     events.send(
         "dots",
-        &json!({"frame": found.frame.y, "dots": dots, "values": sampling.values, "resting": found.resting}),
+        &json!({"frame": found.frame.y, "dots": dots, "values": SAMPLING.values, "resting": found.resting}),
     );
     Ok(())
 }

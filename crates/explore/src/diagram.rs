@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 
 use grazing_continuation::bifurcation::Bifurcation;
+use grazing_continuation::mps::Multipliers;
 use grazing_model::AnyOscillator;
 use grazing_model::smooth::Stop;
 use grazing_reproduction::plane::{self, Axes};
 use grazing_reproduction::unfolded::AtResonance;
-use grazing_results::Names;
-use grazing_results::plane::{OwnPoint, PlaneDiagram, PlanePoint, RegionVertex, SpecialPoint};
+use grazing_results::plane::{OwnPoint, PlanePoint, RegionVertex, SpecialPoint};
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::magnification::approximation;
 use grazing_unfold::progress::Progress;
@@ -19,8 +19,9 @@ use serde_json::{Value, json};
 
 use crate::answer::Problem;
 use crate::kinds::OWN_CURVE;
+use crate::measured::{self, Measured};
 use crate::model::{Model, Prepared, View};
-use crate::place::eigenvalues;
+use crate::place;
 use crate::stream::Events;
 
 /// What is asked for.
@@ -31,34 +32,11 @@ pub(crate) struct DiagramRequest {
     /// Grazing curves, resonances and what leaves them, but no regions.
     #[serde(default)]
     coarse: bool,
+    /// What a rig did, to be compared with regions and curves.
+    measured: Option<Measured>,
 }
 
-/// The diagram of what is seen of the plane, as rows.
-pub struct Seen {
-    /// What the oscillator is called.
-    pub name: String,
-    /// The names of its parameters.
-    pub names: Names,
-    /// The diagram, without frames of magnifications and lines of other diagrams.
-    pub diagram: PlaneDiagram,
-}
-
-impl Seen {
-    pub(crate) fn compute(model: &Model, view: &View, stop: &Stop) -> Result<Self, Problem> {
-        let name = model.description(Some(view), stop)?.name().to_owned();
-        let Prepared { oscillator, scope, asked, axes } = model.prepared(Some(view), stop)?;
-        let located = located(&oscillator, &scope, &axes, stop)?.asking_for(asked);
-        let followed = located.follow(stop, &|_, _| ());
-        let diagram = located.with(followed, stop);
-        if stop.is_asked() {
-            return Err(Problem::ended());
-        }
-        let diagram = plane::plane_diagram(&axes, &diagram, Vec::new(), Vec::new());
-        Ok(Self { name, names: axes.names, diagram })
-    }
-}
-
-fn located(
+pub(crate) fn located(
     oscillator: &AnyOscillator,
     scope: &Scope,
     axes: &Axes,
@@ -101,6 +79,9 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
         *count += 1;
         let mut found = curve(rows, *count - 1);
         found["starts"] = json!(starts);
+        if !request.coarse {
+            along(&mut found, rows.iter().map(|row| ([row.trace, row.determinant], &*row.lost)));
+        }
         found
     });
     let mut all: Vec<Value> = all.collect();
@@ -108,7 +89,10 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     events.send("curves", &all);
     let known = diagram.unfolding().map(|_| Value::Null);
     let known = known.chain(
-        diagram.codimension_two.iter().map(|other| json!(eigenvalues(&other.event.solution.multipliers))),
+        diagram
+            .codimension_two
+            .iter()
+            .map(|other| json!(place::eigenvalues(&other.event.solution.multipliers))),
     );
     let rows = plane::points(&axes, &diagram);
     let points = rows.iter().zip(known).map(|(row, multipliers)| point(row, multipliers));
@@ -117,6 +101,13 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
         let rows = plane::regions(&axes, &diagram.regions);
         let regions = rows.chunk_by(|a, b| a.region == b.region).map(region);
         events.send("regions", &regions.collect::<Vec<_>>());
+    }
+    if let Some(measured) = request.measured.as_ref().filter(|_| !request.coarse) {
+        let told = match measured.beside(&request.model, &axes, &diagram, stop) {
+            Ok(compared) => measured::told(&compared),
+            Err(problem) => json!({ "message": problem.message() }),
+        };
+        events.send("measured", &told);
     }
     let approximations = approximations(&axes, &diagram);
     events.send("curves", &approximations);
@@ -151,8 +142,17 @@ fn curve(rows: &[PlanePoint], rank: u32) -> Value {
     named(first.kind.name(), [first.loops, first.n, rank], "continuation", points)
 }
 
+/// What is told along a curve: the multipliers at its points, and why it was followed no further at
+/// either end.
+fn along<'a>(curve: &mut Value, rows: impl DoubleEndedIterator<Item = ([f64; 2], &'a str)> + Clone) {
+    let why = |row: Option<([f64; 2], &'a str)>| row.map_or("", |(_, lost)| lost);
+    curve["lost"] = json!([why(rows.clone().next()), why(rows.clone().next_back())]);
+    let multipliers = rows.map(|([trace, determinant], _)| eigenvalues(&Multipliers { trace, determinant }));
+    curve["multipliers"] = multipliers.collect();
+}
+
 /// A curve, under a name that stays the same while constants move.
-fn named(
+pub(crate) fn named(
     kind: &str,
     [p, n, rank]: [u32; 3],
     source: &str,
@@ -170,8 +170,17 @@ fn own(rows: &[OwnPoint]) -> Value {
     let mut found = named(OWN_CURVE, [first.loops, 0, first.arc], "continuation", points);
     found["name"] = json!(first.name);
     found["property"] = json!(first.property);
+    along(&mut found, rows.iter().map(|row| ([row.trace, row.determinant], &*row.lost)));
     found
 }
+
+/// The multipliers themselves, real and imaginary parts, to as many digits as are shown.
+pub(crate) fn eigenvalues(multipliers: &Multipliers) -> Value {
+    let rounded = |part: f64| (part * ROUNDED).round() / ROUNDED;
+    json!(place::eigenvalues(multipliers).map(|one| one.map(rounded)))
+}
+
+const ROUNDED: f64 = 1e4;
 
 fn point(point: &SpecialPoint, multipliers: Value) -> Value {
     let SpecialPoint { kind, loops, n, secondary, primary } = point;

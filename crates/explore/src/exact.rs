@@ -32,9 +32,10 @@ const NEAR: f64 = 0.1;
 
 pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<Value, Problem> {
     let ExactRequest { model, view, kind, p, start: [first, second], at } = request;
-    let Prepared { oscillator, scope, axes, .. } = model.prepared(Some(view), stop)?;
+    let of = model.prepared(Some(view), stop)?;
+    let [primary, secondary] = of.without_dimensions(*at);
+    let Prepared { oscillator, scope, axes, .. } = of;
     let units = axes.units;
-    let [primary, secondary] = [at[0] / units.primary, at[1] / units.secondary];
     let unknown = || Problem::wrong(format!("{kind} is no kind of curve of {p} loops"));
     let kind = Bifurcation::ALL.into_iter().find(|known| known.name() == kind).ok_or_else(unknown)?;
     let moderate = first.abs().max(second.abs()) <= FARTHEST;

@@ -35,8 +35,8 @@ files! {
 files! {
     PAGE in "../page/":
     "api.js" "axes.js" "busy.js" "constants.js" "cut.js" "diagram.js" "dom.js" "editor.js" "explore.css"
-    "hand.js" "index.html" "labels.js" "lasting.js" "main.js" "markup.js" "model.js" "palette.js" "panels.css"
-    "pick.js" "place.js" "plane.js" "portraits.js" "seen.js" "share.js" "state.js" "svg.js" "tiles.js"
+    "follow.js" "hand.js" "index.html" "labels.js" "lasting.js" "main.js" "markup.js" "measured.js" "model.js" "palette.js" "panels.css"
+    "pick.js" "place.js" "plane.js" "portraits.js" "seen.js" "share.js" "state.js" "straightened.js" "svg.js" "tiles.js"
 }
 
 /// Media types by the endings of names.

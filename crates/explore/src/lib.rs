@@ -14,6 +14,9 @@
 //! | `model` | from a request to an oscillator |
 //! | `answer`, `stream` | one value as JSON, or events one after the other |
 //! | `diagram`, `place`, `exact`, `cut`, `tiles` | what is asked for |
+//! | `follow` | the curve through a solution |
+//! | `measured` | what a rig did, beside the diagram |
+//! | `figure` | what is exported |
 //! | `kinds` | how kinds of curves look, for the page |
 //!
 //! HTTP is hyper's: it is what most Rust servers rest on, well kept, and small without a framework
@@ -24,9 +27,12 @@ mod answer;
 mod cut;
 mod diagram;
 mod exact;
+mod figure;
 mod files;
+mod follow;
 mod guard;
 mod kinds;
+mod measured;
 mod model;
 mod patient;
 mod place;
@@ -36,7 +42,7 @@ mod tiles;
 mod turns;
 
 pub use answer::Sheet;
-pub use diagram::Seen;
+pub use figure::{Figure, Seen};
 pub use files::Example;
 pub use model::{Model, View};
 pub use server::{Export, Server};

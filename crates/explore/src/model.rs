@@ -8,6 +8,7 @@ use grazing_model::smooth::{Stop, Stoppable};
 use grazing_model::{AnyOscillator, LinearOscillator};
 use grazing_reproduction::plane::Axes;
 use grazing_reproduction::unfolded;
+use grazing_results::readings::Ordinate;
 use grazing_source::{Mistake, Setting, SettingError, Text};
 use grazing_unfold::Scope;
 use grazing_unfold::levels::Level;
@@ -52,6 +53,13 @@ pub(crate) struct Prepared {
     pub(crate) asked: Vec<Level>,
     /// Names and units.
     pub(crate) axes: Axes,
+}
+
+impl Prepared {
+    /// A place that is counted in the oscillator's own units.
+    pub(crate) fn without_dimensions(&self, [primary, secondary]: [f64; 2]) -> [f64; 2] {
+        [primary / self.axes.units.primary, secondary / self.axes.units.secondary]
+    }
 }
 
 impl Model {
@@ -118,7 +126,14 @@ impl Model {
         let names = self.ready(description.clone(), stop)?.axes.names;
         let axis = |name: &str, title: &str, axis: &Axis| json!({"name": name, "title": title, "range": axis.range(), "unit": axis.unit()});
         let [primary, secondary] = names.titles();
-        let [length, time] = description.unit_names();
+        let [length, time, _] = description.unit_names();
+        let units = unfolded::axes(&description).names;
+        let ordinate = |ordinate: &Ordinate| {
+            let (_, unit) = ordinate.column();
+            let weighs = unit.contains("mass");
+            (description.has_mass() || !weighs)
+                .then(|| json!({"name": ordinate.name(), "unit": units.named_unit(unit)}))
+        };
         let constant = |(name, value): (&str, f64)| json!({"name": name, "value": value});
         Ok(json!({
             "ok": true,
@@ -130,6 +145,7 @@ impl Model {
             "notes": description.notes(),
             // x is counted from the wall, which is another one than x = 0 with the motion below it.
             "from_the_wall": !description.wall().is_usual(),
+            "ordinates": Ordinate::ALL.iter().filter_map(ordinate).collect::<Vec<_>>(),
             "units": { "length": length, "time": time },
         }))
     }

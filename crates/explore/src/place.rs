@@ -3,14 +3,14 @@
 use grazing_continuation::mps::Multipliers;
 use grazing_model::smooth::Stop;
 use grazing_model::smooth::Units;
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use grazing_unfold::long_time::Horizon;
 use grazing_unfold::place::{Attractor, Nearby, Place, Solution, Starts};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
-use crate::model::Model;
+use crate::model::{Model, Prepared};
 use crate::turns::Weight;
 
 /// What is asked for.
@@ -73,20 +73,28 @@ impl PlaceRequest {
     }
 }
 
-pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Problem> {
-    let of = request.model.prepared(None, stop)?;
-    if !request.at.iter().all(|value| value.is_finite()) {
+/// The oscillator at a place.
+///
+/// # Errors
+/// There is no motion there.
+pub(crate) fn check(of: &Prepared, at: [f64; 2]) -> Result<AnyOscillator, Problem> {
+    if !at.iter().all(|value| value.is_finite()) {
         return Err(Problem::wrong("the place must be two numbers"));
     }
-    let units = of.axes.units;
-    let [primary, secondary] = request.at;
-    let here = of.oscillator.with_parameters([primary / units.primary, secondary / units.secondary]);
-    let frequency = here.forcing_frequency().value / units.time;
+    let here = of.oscillator.with_parameters(of.without_dimensions(at));
+    let frequency = here.forcing_frequency().value / of.axes.units.time;
     if !(frequency > 0.0 && frequency.is_finite()) {
         return Err(Problem::wrong(format!(
             "the forcing frequency is {frequency} at this place: it must be positive"
         )));
     }
+    Ok(here)
+}
+
+pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Problem> {
+    let of = request.model.prepared(None, stop)?;
+    let here = check(&of, request.at)?;
+    let units = of.axes.units;
     let found = match &request.nearby {
         None => {
             let usual = Starts::default();

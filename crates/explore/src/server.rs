@@ -15,7 +15,6 @@ use hyper::server::conn::http1;
 use hyper::service::service_fn;
 use hyper::{Method, Request, Response, StatusCode};
 use hyper_util::rt::TokioTimer;
-use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::json;
 use tokio::runtime::Builder;
@@ -23,17 +22,18 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::time::{interval, timeout};
 
 use crate::answer::{self, Body, Problem, Sheet};
-use crate::diagram::Seen;
 use crate::exact::{self, ExactRequest};
+use crate::figure::{ExportRequest, Seen};
 use crate::files::{self, Example};
+use crate::follow::{self, FollowRequest};
 use crate::guard::{self, Token};
-use crate::model::{Model, View};
+use crate::model::Model;
 use crate::patient::Patient;
 use crate::place::{self, PlaceRequest};
 use crate::turns::{self, Limits, Turns, Weight};
 use crate::{cut, diagram, stream, tiles};
 
-/// Makes a file of a diagram: `svg`, `pdf`, `png` or `csv:TABLE` at a width (`one`, `two`, or that of
+/// Makes a file of a figure: `svg`, `pdf`, `png` or `csv:TABLE` at a width (`one`, `two`, or that of
 /// the paper), unless an end is asked for.
 pub type Export = Box<dyn Fn(&Seen, &str, &str, &Stop) -> Result<Sheet, String> + Send + Sync>;
 
@@ -195,28 +195,24 @@ async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Res
                 turns::computed(&shared.turns, Weight::Light, move |stop| exact::compute(&request, stop));
             Ok(answer::json(&found.await?))
         }
+        "follow" => {
+            let request: FollowRequest = read(shared, request).await?;
+            let found =
+                turns::computed(&shared.turns, Weight::Light, move |stop| follow::compute(&request, stop));
+            Ok(answer::json(&found.await?))
+        }
         "cut" => stream::events(&shared.turns, read(shared, request).await?, cut::compute).await,
         "export" => {
-            let ExportRequest { model, view, what, columns } = read(shared, request).await?;
+            let request: ExportRequest = read(shared, request).await?;
             let own = shared.clone();
             let made = turns::computed(&shared.turns, Weight::Heavy, move |stop| {
-                let seen = Seen::compute(&model, &view, stop)?;
-                (own.export)(&seen, &what, &columns, stop).map_err(Problem::wrong)
+                let seen = Seen::compute(&request, stop)?;
+                (own.export)(&seen, &request.what, &request.columns, stop).map_err(Problem::wrong)
             });
             answer::file(made.await?)
         }
         _ => Err(nothing()),
     }
-}
-
-/// What is to be exported.
-#[derive(Deserialize)]
-struct ExportRequest {
-    model: Model,
-    view: View,
-    what: String,
-    #[serde(default)]
-    columns: String,
 }
 
 /// The body of a request.

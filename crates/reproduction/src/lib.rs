@@ -12,6 +12,7 @@ mod figure;
 pub mod figures;
 pub mod one_parameter;
 pub mod parameters;
+pub mod place;
 pub mod plane;
 mod published;
 mod space;

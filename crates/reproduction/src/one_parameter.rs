@@ -68,6 +68,16 @@ fn weigh(found: &mut OneParameter, description: &Description) {
     }
 }
 
+/// A diagram in the oscillator's own units with this on its vertical axis, and with what the mass
+/// gives; where nothing is read off it, that is x.
+pub fn in_own_units(found: OneParameter, ordinate: Ordinate, description: &Description) -> OneParameter {
+    let ordinate = if found.readings.is_empty() { Ordinate::X } else { ordinate };
+    let from_the_wall = !description.wall().is_usual();
+    let mut found = OneParameter { ordinate, from_the_wall, ..found }.in_units(&description.units());
+    weigh(&mut found, description);
+    found
+}
+
 /// The one-parameter diagrams that a file asks for, in the oscillator's own units, and what is
 /// missing.
 pub(crate) fn diagrams(
@@ -97,14 +107,7 @@ pub(crate) fn diagrams(
             if sweeps {
                 found.motion.extend(cut.sweeps(&sampling, progress));
             }
-            if progress.stopped() {
-                found = cut.diagram();
-            }
-            // What was cut off is shown as far as it got, which is x.
-            let ordinate = if found.readings.is_empty() { Ordinate::X } else { ordinate };
-            let mut found = OneParameter { ordinate, ..found }.in_units(&units);
-            weigh(&mut found, description);
-            found
+            in_own_units(if progress.stopped() { cut.diagram() } else { found }, ordinate, description)
         });
         let missing = match &found {
             None => Some(format!("one-parameter diagram {diagram}")),
@@ -114,8 +117,7 @@ pub(crate) fn diagrams(
             Some(_) => None,
         };
         unfinished.extend(missing.map(Unfinished::stage));
-        let from_the_wall = !description.wall().is_usual();
-        diagrams.extend(found.map(|found| OneParameter { from_the_wall, ..found }));
+        diagrams.extend(found);
     }
     (diagrams, unfinished)
 }

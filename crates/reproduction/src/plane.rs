@@ -172,6 +172,7 @@ pub fn own_curves(axes: &Axes, diagram: &Diagram) -> Vec<OwnPoint> {
             stable: point.stable,
             admissible: point.admissible,
             arc,
+            lost: point.lost,
         }));
     }
     rows

@@ -6,7 +6,7 @@ mod tables;
 
 use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::curve::Window;
-use grazing_continuation::fit::FitError;
+use grazing_continuation::fit::{FitError, Straightened};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_description::Description;
 use grazing_model::smooth::Stop;
@@ -164,9 +164,9 @@ pub fn axes(description: &Description) -> Axes {
     let parameters = [description.primary(), description.secondary()];
     let [primary, secondary] = parameters.map(|axis| own_header(axis.name(), tables.into_iter().flatten()));
     let owned = |unit: Option<&str>| unit.map(str::to_owned);
-    let [length, time] = description.unit_names().map(owned);
+    let [length, time, mass] = description.unit_names().map(owned);
     let [of_primary, of_secondary] = parameters.map(|axis| owned(axis.unit()));
-    let units = UnitNames { length, time, primary: of_primary, secondary: of_secondary };
+    let units = UnitNames { length, time, mass, primary: of_primary, secondary: of_secondary };
     Axes { names: Names::new(&primary, &secondary).with_units(units), units: description.units() }
 }
 
@@ -344,11 +344,36 @@ fn curves_from(
         *place = units.parameters(*place);
     }
     let findings = Pair::BIFURCATIONS.zip(coefficients.as_ref()).map(finding);
+    let straightened = straightened(diagram, point, &near, units);
+    Curves { findings, window: window.in_units(units), magnified, straightened }
+}
+
+/// The curves that leave a resonance in straightened coordinates, in the oscillator's own units.
+fn straightened(
+    diagram: &Diagram,
+    point: &ResonantGrazingPoint,
+    near: &Pair<Result<Straightened, FitError>>,
+    units: &Units,
+) -> Vec<StraightCurve> {
     let etas = plane::straightened_etas(diagram.scope.window.in_units(units).secondary);
     let etas: Vec<f64> = etas.iter().map(|eta| eta / units.secondary).collect();
-    let straightened = straighten(diagram, point, &near, &etas);
-    let straightened = straightened.iter().map(|curve| curve.in_units(units)).collect();
-    Curves { findings, window: window.in_units(units), magnified, straightened }
+    straighten(diagram, point, near, &etas).iter().map(|curve| curve.in_units(units)).collect()
+}
+
+/// The curves that leave one of the resonances of a diagram in straightened coordinates. The diagram
+/// needs no regions.
+pub fn straightened_at(
+    axes: &Axes,
+    diagram: &Diagram,
+    (resonance, point): (&Resonance, &ResonantGrazingPoint),
+) -> StraightenedCurves {
+    let near = near(point);
+    let coefficients = coefficients_on(point, &near).map(|known| known.in_units(&axes.units).theorem.value);
+    let curves = straightened(diagram, point, &near, &axes.units);
+    let frame = diagram.scope.window.in_units(&axes.units).into();
+    let panel =
+        MagnifiedPanel { panel: 1, frame, loops: resonance.loops, n: Some(resonance.n), coefficients };
+    plane::straightened([(panel, curves.as_slice())])
 }
 
 /// The stage in which quantities along the grazing curves are computed.

@@ -58,6 +58,9 @@ macro_rules! words {
         pub enum $name { $(#[doc = concat!("`", $word, "`")] $(#[$about])* $variant,)+ }
 
         impl $name {
+            /// All of them.
+            pub const ALL: &'static [Self] = &[$(Self::$variant,)+];
+
             /// The word in tables.
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$variant => $word,)+ }

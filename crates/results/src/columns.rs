@@ -139,6 +139,24 @@ columns! {
     POWER = "power", "", "mass*length^2/time^3";
     /// `random`: from a random state; `up`, `down`: from what motion came to at the value of the parameter below, above
     SWEEP = "sweep", "", "1";
+    /// number of the place, in the order of the command line
+    PLACE = "place", "", "1";
+    /// number of the attractor, the one that most random states come to first
+    ATTRACTOR = "attractor", "", "1";
+    /// share of the random states that come to it
+    SHARE = "share", "", "1";
+    /// largest Lyapunov exponent: displacements grow like exp(λt)
+    LYAPUNOV = "lyapunov_exponent", r"\lambda", "1/time";
+    /// its estimated error
+    LYAPUNOV_ERROR = "lyapunov_error", "", "1/time";
+    /// time; the phase of the forcing is zero at time zero
+    TIME_AT_PLACE = "time", "t", "time";
+    /// number of the flight from impact to impact; motion without impacts is one
+    FLIGHT = "flight", "", "1";
+    /// phase of the forcing at which motion begins at rest
+    PHASE_OF_START = "start_phase", "", "rad";
+    /// where it begins
+    X_OF_START = "start_x", "x", "length";
     /// number of the orbit among those of the same value of the parameter
     ORBIT = "orbit", "", "1";
     /// what motion comes to: `non-impacting`, `periodic`, or `unsettled`, where it has not come to periodic motion as far as it was followed

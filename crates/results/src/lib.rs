@@ -15,6 +15,7 @@
 //! | [`branches`] | Figure 2 |
 //! | [`family`] | resonances as constants of an oscillator vary |
 //! | [`measured`] | measurements beside a diagram, and what is identified from them |
+//! | [`place`] | what an oscillator does at one place of the parameter plane |
 //! | [`space`] | Figures 1, 3 and 9 |
 //!
 //! Rows of one figure alone stand with that figure.
@@ -32,6 +33,7 @@ mod frame;
 pub mod kinds;
 pub mod measured;
 mod names;
+pub mod place;
 pub mod plane;
 pub mod readings;
 pub mod space;

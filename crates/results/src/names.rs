@@ -77,6 +77,8 @@ pub struct UnitNames {
     pub length: Option<String>,
     /// The unit of times.
     pub time: Option<String>,
+    /// The unit of masses.
+    pub mass: Option<String>,
     /// The unit of the primary parameter.
     pub primary: Option<String>,
     /// The unit of the secondary parameter.
@@ -195,7 +197,7 @@ impl Names {
     /// A unit as columns declare it with the names of units in it, as far as they are known: those
     /// of the parameters are the parameters' own names otherwise.
     pub fn unit(&self, declared: &str) -> String {
-        let UnitNames { length, time, primary, secondary } = &self.units;
+        let UnitNames { length, time, mass, primary, secondary } = &self.units;
         let known = |unit: &Option<String>, otherwise: &str| match unit {
             // A product or quotient in a denominator is one unit.
             Some(unit) if unit.contains(['/', '*', '·', ' ']) => format!("({unit})"),
@@ -207,8 +209,17 @@ impl Names {
             return unit.clone();
         }
         let text = declared.replace("length", &known(length, "length")).replace("time", &known(time, "time"));
-        text.replace("{primary}", &known(primary, &self.primary))
+        text.replace("mass", &known(mass, "mass"))
+            .replace("{primary}", &known(primary, &self.primary))
             .replace("{secondary}", &known(secondary, &self.secondary))
+    }
+
+    /// A unit of motion as columns declare it, if all that it is made of has a name.
+    pub fn named_unit(&self, declared: &str) -> Option<String> {
+        let UnitNames { length, time, mass, .. } = &self.units;
+        let mut parts = [("length", length), ("time", time), ("mass", mass)].into_iter();
+        let named = parts.all(|(part, name)| name.is_some() || !declared.contains(part));
+        named.then(|| self.unit(declared))
     }
 
     /// The name of the grazing curve in markup of labels: the symbol of the primary parameter at
@@ -359,8 +370,17 @@ mod tests {
         let names = Names::new("F_0", "omega");
         assert_eq!(names.unit("length/{primary}"), "length/F_0");
         let some = |unit: &str| Some(unit.to_owned());
-        let units =
-            UnitNames { length: some("mm"), time: some("s"), primary: some("N"), secondary: some("rad/s") };
+        let units = UnitNames {
+            length: some("mm"),
+            time: some("s"),
+            mass: None,
+            primary: some("N"),
+            secondary: some("rad/s"),
+        };
+        let force = "mass*length/time^2";
+        assert_eq!(names.clone().with_units(units.clone()).named_unit(force), None);
+        let weighed = UnitNames { mass: some("kg"), ..units.clone() };
+        assert_eq!(names.clone().with_units(weighed).named_unit(force), some("kg*mm/s^2"));
         let named = names.with_units(units);
         let shown = ["length/time^2", "{primary}/{secondary}^2", "{secondary}", "rad time/length", "1"];
         let wanted = ["mm/s^2", "N/(rad/s)^2", "rad/s", "rad s/mm", "1"];

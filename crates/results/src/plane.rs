@@ -62,6 +62,7 @@ rows! {
         stable: bool = STABLE,
         admissible: bool = ADMISSIBLE,
         arc: u32 = ARC,
+        lost: String = LOST,
     }
 
     /// A resonance at which a theorem holds, or another codimension-two point.

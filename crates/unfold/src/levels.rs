@@ -9,11 +9,13 @@ use core::f64::consts::TAU;
 use core::fmt;
 use core::mem::discriminant;
 
-use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, Route, SolutionCurve};
+use grazing_continuation::arclength::StepControl;
+use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, Route, SolutionCurve, Window};
 use grazing_continuation::locate::{Condition, LocateFailure, locate_within};
 use grazing_continuation::mps::{EventTimes, LoopEquations, PeriodicSolution, Unknowns, parameters, unknown};
 use rayon::prelude::*;
 
+use crate::curves::route;
 use crate::progress::Progress;
 use crate::slices::{CARRIED_OFF, Slicer};
 
@@ -214,6 +216,21 @@ pub(crate) fn find(
     let Levels { curves, lost } = &mut found;
     lost.retain(|lost| !curves.iter().any(|known| passes_near(&known.curve, lost.near, slicer)));
     found
+}
+
+/// The curve in a window through a solution of these equations, on which the property is what it is
+/// there, in pieces.
+pub fn through(
+    equations: &LoopEquations,
+    window: Window,
+    (start, times): (Unknowns, EventTimes),
+    property: Property,
+) -> Vec<Curve> {
+    let slicer = Slicer::new(equations.clone(), window, StepControl::DRAWING);
+    let route = Route { stop_at_events: false, ..route(window, StepControl::DRAWING) };
+    let conditions = property.conditions(equations, &equations.solution(&start));
+    let begun = conditions.into_iter().map(|condition| (condition, start, times.clone()));
+    begun.flat_map(|begun| followed(&slicer, &route, property, begun, &[])).collect()
 }
 
 /// A solution lies on a piece that is known.

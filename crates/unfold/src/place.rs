@@ -71,12 +71,30 @@ pub struct Starts {
     pub horizon: Horizon,
     /// They lie between the wall and this x.
     pub lowest: f64,
+    /// So many phases and so many positions of further states, on a lattice, of which it is told what
+    /// each comes to.
+    pub lattice: [u32; 2],
+}
+
+impl Starts {
+    /// The states of the lattice, phase by phase, each in the middle of its cell.
+    fn on_lattice(&self) -> impl Iterator<Item = State> + use<> {
+        let &Self { lowest, lattice: [phases, positions], .. } = self;
+        let middle = |k: u32, count: u32| (f64::from(k) + 0.5) / f64::from(count);
+        let at = move |phase| {
+            let position = move |k| {
+                State::at_rest(lowest * middle(k, positions), core::f64::consts::TAU * middle(phase, phases))
+            };
+            (0..positions).map(position)
+        };
+        (0..phases).flat_map(at)
+    }
 }
 
 impl Default for Starts {
     fn default() -> Self {
         let horizon = Horizon { transient: 400, counted: 64, patience: Patience::Unsettled, longest: 5_000 };
-        Self { states: 24, seed: 1, horizon, lowest: -2.0 }
+        Self { states: 24, seed: 1, horizon, lowest: -2.0, lattice: [0, 0] }
     }
 }
 
@@ -89,7 +107,12 @@ pub struct Place {
     pub attractors: Vec<Attractor>,
     /// The forcing period.
     pub period: f64,
+    /// The states of the lattice, and which of the attractors each comes to.
+    pub basins: Vec<(State, usize)>,
 }
+
+/// The stage.
+const BASINS: &str = "basins of attraction";
 
 /// MPSs are looked for up to this impact velocity: motion is of the order of one.
 const FASTEST: f64 = 2.5;
@@ -203,7 +226,9 @@ impl Place {
             let mut random = Pcg64::new(u128::from(starts.seed), u128::from(state));
             (1, random_start(starts.lowest, &mut random))
         };
-        let states: Vec<(u32, State)> = (0..starts.states).map(start).collect();
+        // Those of the lattice stand for nothing: shares are those of random states.
+        let states = (0..starts.states).map(start).chain(starts.on_lattice().map(|state| (0, state)));
+        let states: Vec<(u32, State)> = states.collect();
         let found = || search::at(oscillator, loops, [SLOWEST, FASTEST]);
         Self::of(oscillator, &states, starts.horizon, progress, found)
     }
@@ -234,10 +259,24 @@ impl Place {
         found: impl FnOnce() -> Vec<(u32, Unknowns)>,
     ) -> Option<Self> {
         let period = oscillator.forcing_period();
+        // Of the lattice most have soon come to what others come to as well.
         let outcomes = starts.par_iter().map(|&(states, from)| {
-            (!progress.stopped()).then(|| (states, Outcome::of(oscillator, from, horizon)))
+            let horizon = if states == 0 { FOLLOWED } else { horizon };
+            let outcome = (!progress.stopped()).then(|| (states, Outcome::of(oscillator, from, horizon)));
+            progress.step(BASINS);
+            outcome
         });
-        let outcomes: Vec<(u32, Outcome)> = outcomes.collect::<Option<_>>()?;
+        let outcomes =
+            progress.during(BASINS, starts.len() as u64, || outcomes.collect::<Option<Vec<_>>>())?;
+        let (mut outcomes, mut lattice): (Vec<_>, Vec<_>) =
+            outcomes.into_iter().partition(|(states, _)| *states > 0);
+        let unlike = |one: &Outcome| !outcomes.iter().any(|(_, known)| known.is_like(one));
+        lattice.par_iter_mut().filter(|(_, one)| unlike(one)).for_each(|(_, one)| {
+            if !progress.stopped() {
+                *one = Outcome::of(oscillator, one.start, horizon);
+            }
+        });
+        outcomes.append(&mut lattice);
         let free = non_impacting(oscillator, outcomes.iter().map(|(_, outcome)| outcome));
         let mut found: Vec<(u32, Unknowns)> =
             free.into_iter().map(|point| (0, point)).chain(found()).collect();
@@ -259,11 +298,17 @@ impl Place {
                 None => different.push((*states, one)),
             }
         }
-        let shown = different.into_iter();
-        let shown = shown.map(|(states, one)| Attractor::of(oscillator, states, one.start, horizon));
-        let mut attractors: Vec<Attractor> = shown.collect();
-        attractors.sort_by_key(|attractor| core::cmp::Reverse(attractor.states));
-        (!progress.stopped()).then_some(Self { solutions, attractors, period })
+        different.sort_by_key(|(states, _)| core::cmp::Reverse(*states));
+        let shown = different.iter();
+        let shown = shown.map(|(states, one)| Attractor::of(oscillator, *states, one.start, horizon));
+        let attractors: Vec<Attractor> = shown.collect();
+        let lattice = outcomes.iter().filter(|(states, _)| *states == 0);
+        let basin = |(_, one): &(u32, Outcome)| {
+            let index = different.iter().position(|(_, known)| known.is_like(one))?;
+            Some((one.start, index))
+        };
+        let basins = lattice.filter_map(basin).collect();
+        (!progress.stopped()).then_some(Self { solutions, attractors, period, basins })
     }
 }
 

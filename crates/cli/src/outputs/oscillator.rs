@@ -7,11 +7,12 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_description::{Description, FigureStyle, Named};
 use grazing_drawing::{
     DrawingError, Heading, Look, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
-    draw_straightened,
+    draw_place, draw_straightened,
 };
 use grazing_reproduction::unfolded::{AlongGrazing, AtResonances, Unfolded};
 use grazing_results::branches::{OneParameter, Readings};
 use grazing_results::measured::Comparison;
+use grazing_results::place::AtPlace;
 use grazing_results::plane::{Magnifications, OwnCurves, PlaneDiagram, StraightenedCurves};
 use grazing_results::readings::{Ordinate, Sweep};
 use grazing_results::{Names, Tables, brief, columns};
@@ -31,13 +32,16 @@ pub(crate) struct AnalysedOscillator {
     diagram: PlaneDiagram,
     /// What a rig did, beside it.
     pub(crate) compared: Option<Comparison>,
+    /// What it does at places that were asked for.
+    pub(crate) places: Vec<AtPlace>,
 }
 
 impl AnalysedOscillator {
     /// The analysis of the oscillator that the file describes.
     pub(crate) fn new(file: &Path, description: &Description, unfolded: Analysis) -> Self {
         let diagram = unfolded.plane_diagram();
-        Self { file: file.to_owned(), description: description.clone(), unfolded, diagram, compared: None }
+        let (file, description) = (file.to_owned(), description.clone());
+        Self { file, description, unfolded, diagram, compared: None, places: Vec::new() }
     }
 
     /// The same with what a rig did.
@@ -45,6 +49,11 @@ impl AnalysedOscillator {
         self.diagram.measured = compared.iter().flat_map(|compared| compared.points.clone()).collect();
         self.compared = compared;
         self
+    }
+
+    /// The same with what it does at places.
+    pub(crate) fn at(self, places: Vec<AtPlace>) -> Self {
+        Self { places, ..self }
     }
 
     /// What there is to write: files that ask for no one-parameter diagram have no tables of them,
@@ -55,6 +64,7 @@ impl AnalysedOscillator {
             self.unfolded.diagrams.iter().all(|diagram| diagram.readings.is_empty()).then_some(READINGS),
             self.unfolded.diagram.asked.is_empty().then_some(OWN),
             self.compared.is_none().then_some(MEASURED),
+            self.places.is_empty().then_some(PLACES.name),
         ];
         ALL.iter().filter(move |output| !missing.contains(&Some(output.name)))
     }
@@ -114,15 +124,7 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
             magnifications,
         )
     },
-    Output {
-        is_figure: true,
-        ..Output::new(
-            STRAIGHTENED,
-            "curves that leave resonances in straightened coordinates",
-            StraightenedCurves::TABLES,
-            straightened,
-        )
-    },
+    STRAIGHTENED_CURVES,
     Output::new(READINGS, "what is read off one-parameter diagrams", Readings::TABLES, |_, of, _| {
         let readings =
             |of: &OneParameter| Readings { readings: of.readings.clone(), motion: of.motion.clone() };
@@ -134,14 +136,53 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
         });
         Ok(ComputedOutput::new(Vec::new(), all.map_or(Vec::new(), |all| all.tables(of.names()))))
     }),
-    Output::new(DIAGRAMS, "one-parameter bifurcation diagram", OneParameter::TABLES, one_parameter),
+    ONE_PARAMETER,
     Output::new(MEASURED, "measurements beside the diagram", Comparison::TABLES, |_, of, _| {
         let tables = of.compared.as_ref().map(|compared| compared.tables(of.names()));
         Ok(ComputedOutput::new(Vec::new(), tables.unwrap_or_default()))
     }),
+    PLACES,
 ];
 
 const MEASURED: &str = "measured";
+
+/// What there is at places that are asked for.
+pub(crate) const PLACES: Output<AnalysedOscillator> =
+    Output::new("places", "motion at a place", AtPlace::TABLES, |output, of, width| {
+        places(output, &of.file, (of.description.name(), of.names()), &of.places, width)
+    });
+
+/// What there is at places of the parameter plane of what a file calls so.
+pub(crate) fn places(
+    output: &Output<AnalysedOscillator>,
+    of: &Path,
+    (name, names): (&str, &Names),
+    places: &[AtPlace],
+    width: SheetWidth,
+) -> Computed {
+    let figure = |place: &AtPlace| {
+        let [primary, secondary] = names.shown();
+        let at = place.attractors.first().map_or(String::new(), |one| {
+            let [mu, eta] = [one.primary, one.secondary].map(|value| brief(value, 6));
+            format!(" {primary} = {mu}, {secondary} = {eta}")
+        });
+        let shown = format!("motion at{at}");
+        let title = format!("{name}: {shown}");
+        let description =
+            "Above: time series. Below: phase portrait, impacts by phase and velocity, and to which of the \
+                           attractors motion comes that begins at rest."
+                .to_owned();
+        let tables = ["place_motion", "place_impacts", "place_basins"];
+        let heading =
+            Heading { name: PLACES.name, title: &title, description: &description, names, tables: &tables };
+        let sheet = draw_place(place, &heading, width)?;
+        let figure =
+            Figure::new(of, format!("place-{}.svg", place.place), shown, sheet, &output.table_names());
+        Ok(Figure { only: Some((columns::PLACE, vec![place.place])), ..figure })
+    };
+    let figures = places.iter().map(figure).collect::<Result<_, DrawingError>>()?;
+    Ok(ComputedOutput::new(figures, AtPlace::tables_of(places, names)))
+}
 
 /// The two-parameter diagram.
 pub(crate) const TWO_PARAMETERS: Output<AnalysedOscillator> = Output {
@@ -149,7 +190,22 @@ pub(crate) const TWO_PARAMETERS: Output<AnalysedOscillator> = Output {
     ..Output::new("diagram", "two-parameter bifurcation diagram", PlaneDiagram::TABLES, two_parameters)
 };
 
-type Computed = Result<ComputedOutput, Box<dyn Error>>;
+/// One-parameter diagrams.
+pub(crate) const ONE_PARAMETER: Output<AnalysedOscillator> =
+    Output::new(DIAGRAMS, "one-parameter bifurcation diagram", OneParameter::TABLES, one_parameter);
+
+/// Curves in straightened coordinates.
+pub(crate) const STRAIGHTENED_CURVES: Output<AnalysedOscillator> = Output {
+    is_figure: true,
+    ..Output::new(
+        STRAIGHTENED,
+        "curves that leave resonances in straightened coordinates",
+        StraightenedCurves::TABLES,
+        straightened,
+    )
+};
+
+pub(crate) type Computed = Result<ComputedOutput, Box<dyn Error>>;
 
 fn two_parameters(
     output: &Output<AnalysedOscillator>,
@@ -236,24 +292,39 @@ fn magnifications(
     Ok(ComputedOutput::new(figures.collect(), magnifications.tables(of.names())))
 }
 
-/// Curves in straightened coordinates.
 fn straightened(output: &Output<AnalysedOscillator>, of: &AnalysedOscillator, width: SheetWidth) -> Computed {
-    let (curves, names) = (of.unfolded.straightened(), of.names());
+    straightened_about(
+        output,
+        &of.file,
+        (of.description.name(), of.names()),
+        &of.unfolded.straightened(),
+        width,
+    )
+}
+
+/// Curves in straightened coordinates of what a file calls so.
+pub(crate) fn straightened_about(
+    output: &Output<AnalysedOscillator>,
+    of: &Path,
+    (name, names): (&str, &Names),
+    curves: &StraightenedCurves,
+    width: SheetWidth,
+) -> Computed {
     let [primary, secondary] = names.shown();
     let description = format!(
         "Across $\\mu/\\eta^{{2}}$, $\\mu$ being {primary} less its value at grazing; up $\\eta$, which is {secondary} less its value \
          at the resonance, by its decades. Solid: curves that bound where maximal periodic solutions are stable. Dashed: where \
          they go by theory."
     );
-    let title = format!("{}: {}", of.description.name(), output.title);
+    let title = format!("{name}: {}", output.title);
     let (title, description) = (title.as_str(), description.as_str());
     let heading = Heading { name: STRAIGHTENED, title, description, names, tables: &[] };
-    let sheets = draw_straightened(&curves, &heading, width)?;
+    let sheets = draw_straightened(curves, &heading, width)?;
     let count = sheets.len();
     let figures = sheets.into_iter().zip(1..).map(|(sheet, number)| {
         let panels = sheet.panels().filter_map(|panel| Some(panel.only?.1)).collect();
         let file = sheet_file(&output.figure_file(), number, count);
-        let figure = Figure::new(&of.file, file, output.title.to_owned(), sheet, &output.table_names());
+        let figure = Figure::new(of, file, output.title.to_owned(), sheet, &output.table_names());
         Figure { only: Some((columns::PANEL, panels)), ..figure }
     });
     Ok(ComputedOutput::new(figures.collect(), curves.tables(names)))
@@ -264,42 +335,52 @@ fn one_parameter(
     of: &AnalysedOscillator,
     width: SheetWidth,
 ) -> Computed {
-    let figure = |diagram: &OneParameter| {
-        let shown = format!("{}, {}", output.title, of_one_parameter(of.names().shown(), diagram));
-        let title = format!("{}: {shown}", of.description.name());
-        let [across, _] = diagram.exchanged(of.names().titles());
-        let up = match diagram.ordinate {
-            Ordinate::X => "x-value of the return map",
-            other => other.name(),
-        };
-        let sweeps = match diagram.swept(Sweep::Up).next() {
-            Some(_) => "; heads of arrows up and down: motion as the parameter goes up and down",
-            None => "",
-        };
-        let description = format!(
-            "Below: {across} across, {up} up; thick curves are stable, thin ones unstable; dots are long-term forward \
-             orbits{sweeps}. Above: phase portraits with the wall."
-        );
-        let heading = Heading {
-            name: "diagram",
-            title: &title,
-            description: &description,
-            names: of.names(),
-            tables: match diagram.ordinate {
-                Ordinate::X => {
-                    &["diagram_bifurcations", "diagram_branches", "diagram_attractor", "diagram_portraits"]
-                }
-                _ => &["diagram_readings", "diagram_portraits"],
-            },
-        };
-        let sheet = draw_one_parameter(diagram, &heading, true, width)?;
-        let file = one_parameter_file(diagram.diagram);
-        let figure = Figure::new(&of.file, file, shown, sheet, &output.table_names());
-        Ok(Figure { only: Some((columns::DIAGRAM, vec![diagram.diagram])), ..figure })
-    };
+    let called = (of.description.name(), of.names());
+    let figure = |diagram: &OneParameter| one_parameter_figure(output, &of.file, called, diagram, width);
     let diagrams = &of.unfolded.diagrams;
     let figures = diagrams.iter().map(figure).collect::<Result<_, DrawingError>>()?;
     Ok(ComputedOutput::new(figures, OneParameter::tables_of(diagrams, of.names())))
+}
+
+/// A one-parameter diagram of what a file calls so.
+pub(crate) fn one_parameter_figure(
+    output: &Output<AnalysedOscillator>,
+    of: &Path,
+    (name, names): (&str, &Names),
+    diagram: &OneParameter,
+    width: SheetWidth,
+) -> Result<Figure, DrawingError> {
+    let shown = format!("{}, {}", output.title, of_one_parameter(names.shown(), diagram));
+    let title = format!("{name}: {shown}");
+    let [across, _] = diagram.exchanged(names.titles());
+    let up = match diagram.ordinate {
+        Ordinate::X => "x-value of the return map",
+        other => other.name(),
+    };
+    let sweeps = match diagram.swept(Sweep::Up).next() {
+        Some(_) => "; heads of arrows up and down: motion as the parameter goes up and down",
+        None => "",
+    };
+    let description = format!(
+        "Below: {across} across, {up} up; thick curves are stable, thin ones unstable; dots are long-term forward \
+             orbits{sweeps}. Above: phase portraits with the wall."
+    );
+    let heading = Heading {
+        name: "diagram",
+        title: &title,
+        description: &description,
+        names,
+        tables: match diagram.ordinate {
+            Ordinate::X => {
+                &["diagram_bifurcations", "diagram_branches", "diagram_attractor", "diagram_portraits"]
+            }
+            _ => &["diagram_readings", "diagram_portraits"],
+        },
+    };
+    let sheet = draw_one_parameter(diagram, &heading, true, width)?;
+    let file = one_parameter_file(diagram.diagram);
+    let figure = Figure::new(of, file, shown, sheet, &output.table_names());
+    Ok(Figure { only: Some((columns::DIAGRAM, vec![diagram.diagram])), ..figure })
 }
 
 /// What stands on the axes of the plane, as a sentence.

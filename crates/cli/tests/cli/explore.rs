@@ -63,6 +63,9 @@ fn the_address_is_printed_the_page_is_there_and_ctrl_c_ends_it() {
         page.starts_with("HTTP/1.1 200 ") && page.contains("<script type=\"module\" src=\"main.js\">"),
         "{page}"
     );
+    // The examples are there outside the repository as well.
+    let menu = ask(host, &format!("GET /{path}examples HTTP/1.1\r\n{head}\r\n"));
+    assert!(menu.contains("\"duffing.toml\"") && menu.contains("\"leaf-spring.toml\""), "{menu}");
     // The numbers that are taken home are those that `reproduce` makes.
     let view = "{\"primary\": [0.0, 1.3], \"secondary\": [0.35, 1.02]}";
     let body = format!("{{\"model\": {{\"text\": null}}, \"view\": {view}, \"what\": \"csv:points\"}}");

@@ -18,6 +18,7 @@ mod folder;
 mod help;
 mod journal;
 mod measured;
+mod motion;
 mod mutations;
 mod new;
 mod places;

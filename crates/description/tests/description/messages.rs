@@ -59,7 +59,7 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("[primary]", "range", "range = [0.0, 1.5]\nunit = 1"),
     ("[primary]", "range", "range = [0.0, 1.5]\nunit = \"\""),
     ("", "[impact]", "[units]\nlength = \"<b>mm</b>\"\n[impact]"),
-    ("", "[impact]", "[units]\nmass = \"kg\"\n[impact]"),
+    ("", "[impact]", "[units]\ncharge = \"C\"\n[impact]"),
     // What people write.
     ("[parameters]", "zeta", "zeta = {a = 1}"),
     ("[parameters]", "zeta", "zeta = [0.1]"),

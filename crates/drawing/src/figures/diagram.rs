@@ -98,7 +98,9 @@ pub fn draw_diagram(
         }
     }
     let lost = diagram.curves.iter().filter(|point| !point.lost.is_empty());
-    draw_ends(&panel, &mut labels, lost.map(|point| (point.primary, point.secondary)));
+    let lost_own = diagram.own.iter().filter(|point| !point.lost.is_empty());
+    let lost = lost.map(|point| (point.primary, point.secondary));
+    draw_ends(&panel, &mut labels, lost.chain(lost_own.map(|point| (point.primary, point.secondary))));
     let mut boxes = Vec::new();
     for magnified in diagram.magnified.iter().filter(|_| look.magnified) {
         let outline = rectangle(&panel, &magnified.frame, &mut labels);

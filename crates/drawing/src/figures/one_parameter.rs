@@ -85,11 +85,10 @@ pub fn draw_one_parameter(
     let (x, y) = (titles[0].as_str(), titles[1].as_str());
     let up = match figure.ordinate {
         Ordinate::X => x.to_owned(),
-        // The unit of mass has no name.
-        other if names.have_units() && !unit_of_ordinate.contains("mass") => {
-            format!("{} ({})", other.name(), raised(&names.unit(unit_of_ordinate)))
-        }
-        other => other.name().to_owned(),
+        other => match names.named_unit(unit_of_ordinate) {
+            Some(unit) => format!("{} ({})", other.name(), raised(&unit)),
+            None => other.name().to_owned(),
+        },
     };
 
     let width = width.mm(WIDTH_MM);
@@ -289,7 +288,7 @@ mod tests {
         }
         let [primary, secondary] = ["N", "rad/s"].map(|unit| Some(unit.to_owned()));
         let [length, time] = ["mm", "s"].map(|unit| Some(unit.to_owned()));
-        let named = names.clone().with_units(UnitNames { length, time, primary, secondary });
+        let named = names.clone().with_units(UnitNames { length, time, mass: None, primary, secondary });
         let texts = drawn(&figure, &named, SheetWidth::Paper).texts();
         for title in ["$x$ from the wall (mm)", "$y$ (mm/s)"] {
             assert!(texts.iter().any(|text| text == title), "{title}: {texts:?}");

@@ -99,12 +99,18 @@ mod tests {
             stable: k < 60,
             admissible: k < 80,
             arc: 0,
+            lost: if k == 99 { "no further point was found".to_owned() } else { String::new() },
         };
         sample.diagram.own = (0..100).map(row).collect();
         let sheet = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
         sheet.assert_well_placed(&"own curves");
         assert!(sheet.texts().contains(&"hard hits".to_owned()), "{:?}", sheet.texts());
         let drawn = paths(&sheet.svg(), "#a26cd8");
+        // A ring where the curve was followed no further.
+        sample.diagram.own[99].lost.clear();
+        let whole = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
+        let discs = |sheet: &crate::Sheet| sheet.svg().matches("<circle").count();
+        assert!(discs(&sheet) > discs(&whole));
         // A stable and an unstable part, which meet, and nothing beyond.
         assert_eq!(drawn.len(), 2);
         assert_eq!(drawn[0].last(), drawn[1].first());

@@ -2,6 +2,7 @@
 //! screen.
 
 mod access;
+mod beside;
 mod chromium;
 mod constants;
 mod crowd;

@@ -1,5 +1,6 @@
 //! The server from outside: who is answered, what is sent, and what whoever means harm gets.
 
+mod beside;
 mod endless;
 mod mutations;
 mod running;

@@ -1,0 +1,30 @@
+//! What motion comes to at places that were asked for, as lines on the terminal.
+
+use grazing_results::place::{AtPlace, PlaceAttractor};
+use grazing_results::{Names, brief};
+
+use super::layout::aligned;
+
+/// Digits of parameters, and of exponents.
+const DIGITS: usize = 6;
+const EXPONENT: usize = 3;
+
+/// The attractors of all places; nothing without places.
+pub(super) fn listing(places: &[AtPlace], names: &Names) -> String {
+    if places.is_empty() {
+        return String::new();
+    }
+    let row = |one: &PlaceAttractor| {
+        let exponent = if one.exponent.is_nan() { "-".to_owned() } else { brief(one.exponent, EXPONENT) };
+        vec![
+            brief(one.primary, DIGITS),
+            brief(one.secondary, DIGITS),
+            one.words().replace('$', ""),
+            format!("{:.0} %", 100.0 * one.share),
+            exponent,
+        ]
+    };
+    let heads = [&*names.primary, &*names.secondary, "motion", "of random states", "Lyapunov exponent"];
+    let rows = places.iter().flat_map(|place| &place.attractors).map(row);
+    format!("\nattractors\n{}", aligned(&heads, rows))
+}

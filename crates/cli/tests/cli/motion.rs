@@ -1,0 +1,49 @@
+//! Motion and basins of attraction at a place.
+
+use std::fs;
+
+use crate::program::{empty_folder, grazing, narrow_duffing};
+
+#[test]
+fn motion_at_a_place_is_drawn_tabulated_and_listed_beside_an_own_curve() {
+    let folder = empty_folder();
+    fs::write(folder.path().join("my.toml"), narrow_duffing()).expect("the folder is ours");
+    let curve = "curves=[{name=\"hard\",impact_velocity=0.1}]";
+    let run =
+        grazing(folder.path(), &["unfold", "my.toml", "--at", "0.1,0.97", "--set", curve, "--output", "out"]);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let words: Vec<&str> = run.output.split_whitespace().collect();
+    let listed = words.join(" ");
+    assert!(listed.contains("0.1 0.97 no impacts 100 % -0.02"), "{}", run.output);
+    let read = |name: &str| fs::read_to_string(folder.path().join("out").join(name)).expect("it is written");
+    let basins = read("data/place_basins.csv");
+    // Far below grazing all comes to the one attractor, from every state of the lattice.
+    assert!(
+        basins.lines().count() > 1000 && basins.lines().skip(1).all(|line| line.ends_with(",1")),
+        "{basins}"
+    );
+    assert_eq!(read("data/place_impacts.csv").lines().count(), 1);
+    // A period of motion that keeps clear of the wall, without a jump where it begins again.
+    let motion = read("data/place_motion.csv");
+    let rows: Vec<Vec<f64>> = motion
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').map(|cell| cell.parse().expect("a number")).collect())
+        .collect();
+    assert!(rows.len() > 100 && rows.iter().all(|row| row[4] < 0.0), "{motion}");
+    let [first, last] = [&rows[0], &rows[rows.len() - 1]];
+    assert!((first[4] - last[4]).abs() < 1e-6 && (first[5] - last[5]).abs() < 1e-6, "{first:?} {last:?}");
+    assert!(read("place-1.svg").contains("no impacts: 100 %") && read("report.html").contains("place-1"));
+    assert!(read("data/README.md").contains("place_basins") && read("diagram.svg").contains(">hard<"));
+}
+
+#[test]
+fn a_place_that_is_none_is_refused_before_anything_is_computed() {
+    let folder = empty_folder();
+    fs::write(folder.path().join("my.toml"), narrow_duffing()).expect("the folder is ours");
+    for (place, told) in [("0.1", "two numbers"), ("0.1,x", "two numbers"), ("0.1,-1", "must be positive")] {
+        let run = grazing(folder.path(), &["unfold", "my.toml", "--at", place]);
+        assert_eq!((run.code, run.output.as_str()), (Some(2), ""), "{place}");
+        assert!(run.messages.contains(told), "{place}: {}", run.messages);
+    }
+}

@@ -1,0 +1,282 @@
+//! What an oscillator does at one place: time series, phase portrait, impacts, and basins of attraction.
+
+use core::f64::consts::PI;
+
+use grazing_results::Frame;
+use grazing_results::kinds::{IRREGULAR, PERIODIC};
+use grazing_results::place::{AtPlace, BasinState, PlaceAttractor, PlaceMotion};
+
+use crate::error::DrawingError;
+use crate::geometry::clip::checked;
+use crate::geometry::sheet::Bounds;
+use crate::ink::canvas::{Anchor, Canvas};
+use crate::ink::legend::Sample;
+use crate::ink::markup::Label;
+use crate::ink::sheet::Sheet;
+use crate::ink::style::{BLACK, GREY, Paint, Pen, SMALL_LABEL_SIZE, SheetWidth, WALL, branch_pen};
+use crate::ink::svg::POINTS_PER_MM;
+use crate::plot::axes::{Heading, Panel, room_beside};
+
+/// Width in the paper; on sheets narrower than the other all panels stand one above the other.
+const WIDTH_MM: f64 = 156.0;
+const WIDE_MM: f64 = 120.0;
+/// A row of panels, with room above for a line of words, below for numbers and titles, and beside, in
+/// points.
+const ROW: f64 = 150.0;
+const LINE: f64 = 11.0;
+const BELOW: f64 = 32.0;
+const ABOVE: f64 = 5.0;
+const LEFT: f64 = 38.0;
+const RIGHT: f64 = 8.0;
+const SWATCH: f64 = 16.0;
+/// Forcing periods of the time series: least and most.
+const SHORTEST: f64 = 4.0;
+const LONGEST: f64 = 12.0;
+/// Room about what is drawn, as a part of it.
+const ROOM: f64 = 0.06;
+const ORBIT: f64 = 0.8;
+/// Many flights are drawn with thinner lines.
+const CROWDED: f64 = 0.3;
+const MANY: usize = 5_000;
+/// An impact on the sheet.
+const IMPACT_RADIUS: f64 = 1.3;
+
+/// The pen of an attractor: by the number of loops where it has one.
+fn pen(attractor: &PlaceAttractor, width: f64) -> Pen {
+    match attractor.loops() {
+        Some(p) => branch_pen(p, width),
+        None if attractor.periods > 0.0 => Pen::solid(PERIODIC[0], width),
+        None if attractor.exponent.is_finite() => Pen::solid(IRREGULAR[0], width),
+        None => Pen::solid(GREY, width),
+    }
+}
+
+/// The least interval that holds all, with some room.
+fn extent(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    let [low, high] = values
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)]);
+    let room = if high > low { ROOM * (high - low) } else { 1.0 };
+    if low <= high { [low - room, high + room] } else { [-1.0, 1.0] }
+}
+
+/// Draws what there is at a place, of whose tables those of the heading are motion, impacts and basins.
+///
+/// # Errors
+/// [`DrawingError`] if a frame is empty.
+pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) -> Result<Sheet, DrawingError> {
+    let width = width.mm(WIDTH_MM);
+    let narrow = width < WIDE_MM;
+    let names = heading.names;
+    let with_unit =
+        |name: &str, unit: Option<&String>| unit.map_or(name.to_owned(), |unit| format!("{name} ({unit})"));
+    let [of_x, of_y] = names.motion_units();
+    let x = with_unit(if figure.from_the_wall { "$x$ from the wall" } else { "$x$" }, of_x.as_ref());
+    let y = with_unit("$y$", of_y.as_ref());
+    let velocity = with_unit("impact velocity", of_y.as_ref());
+    let words: Vec<String> =
+        figure.attractors.iter().map(|one| format!("{}: {:.0} %", one.words(), 100.0 * one.share)).collect();
+    let rows = if narrow { 4.0 } else { 2.0 };
+    let legend = LINE * words.len() as f64 + ABOVE;
+    let canvas = Canvas::new(width, (legend + rows * ROW) / POINTS_PER_MM)?;
+    for (k, (one, words)) in figure.attractors.iter().zip(&words).enumerate() {
+        let baseline = LINE * (k as f64 + 1.0);
+        let (middle, pen) = (baseline - 0.3 * SMALL_LABEL_SIZE, pen(one, 2.0));
+        canvas.line(&[(LEFT, middle), (LEFT + SWATCH, middle)], pen);
+        canvas.label(
+            (LEFT + SWATCH + 5.0, baseline),
+            &Label::parse(words)?,
+            SMALL_LABEL_SIZE,
+            Anchor::Start,
+            BLACK,
+        )?;
+        canvas.explain(&one.words(), Sample::Line(pen));
+    }
+    // The place of a panel: its row and, of so many in the row, its number.
+    let place = |row: f64, [number, count]: [f64; 2], frame: Frame, up: &str| {
+        let top = legend + ROW * row + ABOVE;
+        let bottom = top + ROW - ABOVE - BELOW;
+        let whole = canvas.width / count;
+        let left = whole * number + room_beside(&canvas.fonts, frame.y, bottom - top, up)?.max(LEFT);
+        Ok::<_, DrawingError>(Bounds { left, top, right: whole * (number + 1.0) - RIGHT, bottom })
+    };
+    let beside = |number: f64| if narrow { (number + 1.0, [0.0, 1.0]) } else { (1.0, [number, 3.0]) };
+    let [xs, ys] = [|point: &PlaceMotion| point.x, |point: &PlaceMotion| point.y]
+        .map(|of| extent(figure.motion.iter().map(of).chain([0.0])));
+    let flights = || figure.motion.chunk_by(|a, b| (a.attractor, a.flight) == (b.attractor, b.flight));
+    let thin = |number: u32| {
+        let count = figure.motion.iter().filter(|point| point.attractor == number).count();
+        if count > MANY { CROWDED } else { ORBIT }
+    };
+    // Time series, from the period in which each begins.
+    let turns = figure.attractors.iter().map(|one| 2.0 * one.periods);
+    let turns = turns.fold(SHORTEST, f64::max).min(LONGEST);
+    let frame = checked(Frame { x: [0.0, turns], y: xs }, "a time series")?;
+    let bounds = place(0.0, [0.0, 1.0], frame, &x)?;
+    let panel = Panel::new(&canvas, frame, bounds);
+    panel.line(&[(0.0, 0.0), (turns, 0.0)], WALL);
+    for one in &figure.attractors {
+        let own = || flights().filter(|points| points[0].attractor == one.attractor);
+        let [mut from, mut to] = [f64::NAN; 2];
+        for point in own().flatten() {
+            (from, to) = (from.min(point.time), to.max(point.time));
+        }
+        let whole = libm::floor(from / figure.period) * figure.period;
+        // What comes again is shown again.
+        let repeats =
+            if one.periods > 0.0 { libm::ceil(turns * figure.period / (to - from)) + 1.0 } else { 1.0 };
+        for turn in -1..repeats.min(2.0 * LONGEST) as i32 {
+            if turn < 0 && repeats < 2.0 {
+                continue;
+            }
+            for points in own() {
+                let shifted = |point: &PlaceMotion| {
+                    ((point.time - whole + f64::from(turn) * (to - from)) / figure.period, point.x)
+                };
+                panel.line(&points.iter().map(shifted).collect::<Vec<_>>(), pen(one, thin(one.attractor)));
+            }
+        }
+    }
+    panel.axes("$t/T$", &x)?;
+    // The phase portrait.
+    let frame = checked(Frame { x: xs, y: ys }, "a phase portrait")?;
+    let (row, columns) = beside(0.0);
+    let only = Some(("place", figure.place));
+    let panel = Panel {
+        tables: &heading.tables[..1],
+        only,
+        ..Panel::new(&canvas, frame, place(row, columns, frame, &y)?)
+    };
+    panel.line(&[(0.0, ys[0]), (0.0, ys[1])], WALL);
+    for points in flights() {
+        let number = points[0].attractor;
+        let pen = pen(&figure.attractors[number as usize - 1], thin(number));
+        panel.line(&points.iter().map(|point| (point.x, point.y)).collect::<Vec<_>>(), pen);
+    }
+    panel.axes(&x, &y)?;
+    // Impacts.
+    let fastest = figure.impacts.iter().map(|impact| impact.impact_velocity.abs()).fold(0.0, f64::max);
+    let top = if fastest > 0.0 { (1.0 + ROOM) * fastest } else { 1.0 };
+    let frame = checked(Frame { x: [-PI, PI], y: [0.0, top] }, "the impacts")?;
+    let (row, columns) = beside(1.0);
+    let panel = Panel {
+        tables: &heading.tables[1..2],
+        only,
+        ..Panel::new(&canvas, frame, place(row, columns, frame, &velocity)?)
+    };
+    for impact in &figure.impacts {
+        let one = &figure.attractors[impact.attractor as usize - 1];
+        let paint = Paint { colour: pen(one, 1.0).colour, opacity: 1.0 };
+        panel.canvas.disc(
+            panel.spot((impact.impact_phase, impact.impact_velocity.abs())),
+            IMPACT_RADIUS,
+            paint,
+            None,
+        );
+    }
+    panel.axes("phase", &velocity)?;
+    // Basins.
+    let [phases, positions] = figure.lattice.map(f64::from);
+    let deepest = figure.basins.iter().map(|state| state.start_x).fold(0.0, f64::min);
+    let deepest = deepest / (1.0 - 0.5 / positions.max(1.0));
+    let frame = Frame { x: [0.0, 2.0 * PI], y: [if deepest < 0.0 { deepest } else { -1.0 }, 0.0] };
+    let frame = checked(frame, "the basins")?;
+    let (row, columns) = beside(2.0);
+    let start = format!("start, at rest, {x}");
+    let panel = Panel {
+        tables: &heading.tables[2..],
+        only,
+        ..Panel::new(&canvas, frame, place(row, columns, frame, &start)?)
+    };
+    let half = [PI / phases, 0.5 * deepest.abs() / positions];
+    for one in &figure.attractors {
+        let cells = figure.basins.iter().filter(|state| state.attractor == one.attractor);
+        let ring = |state: &BasinState| {
+            let (z, x) = (state.start_phase, state.start_x);
+            let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+            corners.map(|[across, up]| (z + across * half[0], x + up * half[1])).to_vec()
+        };
+        panel
+            .area(&cells.map(ring).collect::<Vec<_>>(), Paint { colour: pen(one, 1.0).colour, opacity: 0.8 });
+    }
+    panel.axes("phase at the start", &start)?;
+    canvas.finish(heading.name, heading.title, heading.description)
+}
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::TAU;
+
+    use grazing_results::place::{BasinState, PlaceImpact};
+    use grazing_results::{Names, UnitNames};
+
+    use super::*;
+    use crate::tests::samples::WIDTHS;
+
+    /// A place with an MPS of two loops and motion that does not come again, lengths in units of so many.
+    fn sample(length: f64) -> AtPlace {
+        let attractor = |attractor, motion, periods: f64, impacts| PlaceAttractor {
+            place: 1,
+            secondary: 0.8,
+            primary: 0.9,
+            attractor,
+            share: 0.5,
+            motion,
+            periods,
+            impacts,
+            exponent: 0.01,
+            exponent_error: 0.0,
+        };
+        let point = |k: u32| {
+            let time = f64::from(k % 100) / 50.0;
+            let x = -length * (1.0 - libm::cos(PI * time).abs());
+            PlaceMotion { place: 1, attractor: 1 + k / 100, flight: 1, time, x, y: length * (time - 1.0) }
+        };
+        let impact = |attractor| PlaceImpact {
+            place: 1,
+            attractor,
+            impact_phase: f64::from(attractor),
+            impact_velocity: length,
+        };
+        let lattice = [6, 4];
+        let state = |k: u32| BasinState {
+            place: 1,
+            start_phase: TAU * (f64::from(k / 4) + 0.5) / 6.0,
+            start_x: -2.0 * length * (f64::from(k % 4) + 0.5) / 4.0,
+            attractor: 1 + k % 2,
+        };
+        AtPlace {
+            attractors: vec![attractor(1, "periodic", 2.0, 0.5), attractor(2, "chaotic", f64::NAN, 0.7)],
+            solutions: Vec::new(),
+            motion: (0..200).map(point).collect(),
+            impacts: vec![impact(1), impact(2)],
+            basins: (0..24).map(state).collect(),
+            place: 1,
+            period: 1.0,
+            from_the_wall: true,
+            lattice,
+        }
+    }
+
+    #[test]
+    fn labels_keep_apart_at_any_width_and_basins_fill_their_panel() {
+        let [length, time] = ["mm", "s"].map(|unit| Some(unit.to_owned()));
+        let names = Names::new("A", "omega").with_units(UnitNames { length, time, ..UnitNames::default() });
+        let tables = ["place_motion", "place_impacts", "place_basins"];
+        let heading = Heading { name: "places", title: "", description: "", names: &names, tables: &tables };
+        for (scale, width) in
+            [1e-6, 1.0, 4e3].into_iter().flat_map(|scale| WIDTHS.map(|width| (scale, width)))
+        {
+            let sheet = draw_place(&sample(scale), &heading, width).unwrap();
+            sheet.assert_well_placed(&(scale, width));
+            let texts = sheet.texts();
+            for text in ["MPS, $p=2$: 50 %", "chaotic: 50 %", "$y$ (mm/s)", "phase at the start"] {
+                assert!(texts.iter().any(|found| found.contains(text)), "{text}: {texts:?}");
+            }
+            // Half of 24 cells for each.
+            let areas = sheet.short_body();
+            let cells =
+                areas.lines().filter(|line| line.contains("evenodd")).map(|line| line.matches('Z').count());
+            assert_eq!(cells.collect::<Vec<_>>(), [12, 12]);
+        }
+    }
+}

@@ -1,0 +1,41 @@
+// The curve through a solution at the place along which its impact velocity stays what it is.
+import { number } from "./dom.js";
+import { ask, Latest } from "./api.js";
+import { say } from "./diagram.js";
+import { modelOf, viewOf } from "./model.js";
+import * as state from "./state.js";
+
+const latest = new Latest({ failed: ({ message }) => say(`Not followed: ${message}`, true) });
+let [curves, asked] = [[], ""];
+let changed = () => {};
+export const onFollowed = (act) => (changed = act);
+
+/** The pieces of the curve, as curves of the diagram. */
+export const followed = () => curves;
+
+export function follow(value, live) {
+  if (live) return;
+  if (!value.follow) {
+    latest.stop();
+    if (curves.length > 0) changed();
+    [curves, asked] = [[], ""];
+    return;
+  }
+  const body = { model: modelOf(value), view: viewOf(value), ...value.follow };
+  const of = JSON.stringify(body.model);
+  if (JSON.stringify(body) === asked) return;
+  asked = JSON.stringify(body);
+  latest.now(async (signal) => {
+    const found = await ask("follow", body, signal);
+    if (signal.aborted) return;
+    const name = `velocity ${number(body.velocity, 3)}`;
+    curves = found.map((curve, at) => ({ ...curve, key: `followed ${at}`, followed: true, name, property: `impact velocity = ${number(body.velocity, 6)}`, of }));
+    changed();
+  });
+}
+
+/** Whether a solution is the one that is followed. */
+export const isFollowed = (solution, at) => {
+  const { follow: own } = state.get();
+  return own !== null && own.p === solution.p && own.velocity === solution.velocity && own.at.join() === at.join();
+};

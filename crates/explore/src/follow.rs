@@ -1,0 +1,65 @@
+//! The curve through a solution along which its impact velocity stays what it is.
+
+use grazing_continuation::curve::Curve;
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::{
+    EventTimes, Formulation, LoopEquations, PeriodicSolution, Unknowns, unknown,
+};
+use grazing_model::smooth::Stop;
+use grazing_unfold::levels::{Property, through};
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use crate::answer::Problem;
+use crate::diagram::{eigenvalues, named};
+use crate::kinds::OWN_CURVE;
+use crate::model::{Model, Prepared, View};
+use crate::place::FARTHEST;
+
+/// What is asked for.
+#[derive(Deserialize)]
+pub(crate) struct FollowRequest {
+    model: Model,
+    view: View,
+    /// The place of an MPS of p loops, with velocity and phase of its impact.
+    at: [f64; 2],
+    p: u32,
+    velocity: f64,
+    phase: f64,
+}
+
+pub(crate) fn compute(request: &FollowRequest, stop: &Stop) -> Result<Value, Problem> {
+    let &FollowRequest { ref model, ref view, at, p, velocity, phase } = request;
+    let of = model.prepared(Some(view), stop)?;
+    let [primary, secondary] = of.without_dimensions(at);
+    let Prepared { oscillator, scope, axes, .. } = of;
+    let units = axes.units;
+    let near = Unknowns::new(velocity / units.velocity(), phase, primary, secondary);
+    let known = scope.loops.contains(&p) && scope.window.contains([primary, secondary]);
+    if !(known && near.iter().all(|number| number.abs() <= FARTHEST)) {
+        return Err(Problem::wrong("there is no such solution in the view"));
+    }
+    let equations = LoopEquations::new(oscillator, p, Formulation::FixedPhase);
+    let (here, mut times) =
+        ([Condition::Primary(primary), Condition::Secondary(secondary)], EventTimes::default());
+    let start = locate(&equations, here, near, &mut times)
+        .map_err(|_| Problem::wrong("the solution was not found again"))?;
+    let property = Property::ImpactVelocity(start[unknown::VELOCITY]);
+    let found = through(&equations, scope.window, (start, times), property);
+    if stop.is_asked() {
+        return Err(Problem::ended());
+    }
+    let one = |(rank, curve): (u32, &Curve)| {
+        let bold =
+            |solution: &PeriodicSolution| solution.stable() && solution.ceiling() <= PeriodicSolution::TOUCH;
+        let points = curve.points.iter();
+        let points =
+            points.map(|point| (units.parameters(point.solution.parameters()), bold(&point.solution)));
+        let mut told = named(OWN_CURVE, [p, 0, rank], "continuation", points.unzip());
+        let multipliers = curve.points.iter().map(|point| eigenvalues(&point.solution.multipliers));
+        told["multipliers"] = multipliers.collect();
+        told["lost"] = json!(curve.lost());
+        told
+    };
+    Ok(json!((0..).zip(&found).map(one).collect::<Vec<_>>()))
+}

@@ -1,0 +1,119 @@
+//! What an oscillator does at one place of the parameter plane.
+
+use crate::{Names, Table, Tables, rows, tables};
+
+rows! {
+    /// What some of the initial states come to.
+    PlaceAttractor {
+        place: u32 = PLACE,
+        secondary: f64 = SECONDARY,
+        primary: f64 = PRIMARY,
+        attractor: u32 = ATTRACTOR,
+        share: f64 = SHARE,
+        motion: &'static str = MOTION,
+        periods: f64 = PERIODS,
+        impacts: f64 = IMPACTS_PER_PERIOD,
+        exponent: f64 = LYAPUNOV,
+        exponent_error: f64 = LYAPUNOV_ERROR,
+    }
+
+    /// A periodic solution; p = 0 without impacts.
+    PlaceSolution {
+        place: u32 = PLACE,
+        loops: u32 = LOOPS,
+        impact_velocity: f64 = IMPACT_VELOCITY,
+        impact_phase: f64 = PHASE_OF_IMPACT,
+        trace: f64 = TRACE,
+        determinant: f64 = DETERMINANT,
+        stable: bool = STABLE,
+        admissible: bool = ADMISSIBLE,
+    }
+
+    /// A point of the motion on an attractor.
+    PlaceMotion {
+        place: u32 = PLACE,
+        attractor: u32 = ATTRACTOR,
+        flight: u32 = FLIGHT,
+        time: f64 = TIME_AT_PLACE,
+        x: f64 = X,
+        y: f64 = Y,
+    }
+
+    /// An impact on an attractor.
+    PlaceImpact {
+        place: u32 = PLACE,
+        attractor: u32 = ATTRACTOR,
+        impact_phase: f64 = PHASE_OF_IMPACT,
+        impact_velocity: f64 = IMPACT_VELOCITY,
+    }
+
+    /// An initial state at rest on a lattice, with what it comes to.
+    BasinState {
+        place: u32 = PLACE,
+        start_phase: f64 = PHASE_OF_START,
+        start_x: f64 = X_OF_START,
+        attractor: u32 = ATTRACTOR,
+    }
+}
+
+tables! {
+    /// A place, or several of them.
+    AtPlace {
+        attractors: PlaceAttractor = "place_attractors", "what some of the random initial states come to at a place",
+        solutions: PlaceSolution = "place_solutions", "a periodic solution at a place, stable or not",
+        motion: PlaceMotion = "place_motion", "a point of the motion on an attractor",
+        impacts: PlaceImpact = "place_impacts", "an impact on an attractor",
+        basins: BasinState = "place_basins", "an initial state at rest, with what it comes to",
+        ;
+        /// Its number, from 1.
+        place: u32,
+        /// The forcing period.
+        period: f64,
+        /// Positions are counted from the wall, which is another one than x = 0 with the motion below it.
+        from_the_wall: bool,
+        /// How many initial states there are across the basins, and up.
+        lattice: [u32; 2],
+    }
+}
+
+impl AtPlace {
+    /// The tables of several places, with these names of the parameters.
+    pub fn tables_of(places: &[Self], names: &Names) -> Vec<Table> {
+        let [attractors, solutions, motion, impacts, basins] = [0, 1, 2, 3, 4].map(|k| Self::TABLES[k].name);
+        vec![
+            Table::new(attractors, names, places.iter().flat_map(|place| &place.attractors)),
+            Table::new(solutions, names, places.iter().flat_map(|place| &place.solutions)),
+            Table::new(motion, names, places.iter().flat_map(|place| &place.motion)),
+            Table::new(impacts, names, places.iter().flat_map(|place| &place.impacts)),
+            Table::new(basins, names, places.iter().flat_map(|place| &place.basins)),
+        ]
+    }
+}
+
+impl PlaceAttractor {
+    /// The number of loops p of an MPS, 0 for motion without impacts in one period.
+    pub fn loops(&self) -> Option<u32> {
+        let struck = self.periods * self.impacts;
+        match () {
+            () if self.impacts == 0.0 && self.periods == 1.0 => Some(0),
+            () if (struck - 1.0).abs() < 0.5 => Some(self.periods as u32),
+            () => None,
+        }
+    }
+
+    /// What it is, in words.
+    pub fn words(&self) -> String {
+        let several =
+            |count: f64, what: &str| format!("{count:.0} {what}{}", if count > 1.5 { "s" } else { "" });
+        match self.loops() {
+            Some(0) => "no impacts".to_owned(),
+            Some(p) => format!("MPS, $p={p}$"),
+            None if self.periods.is_nan() => self.motion.to_owned(),
+            None if self.impacts == 0.0 => format!("no impacts, {}", several(self.periods, "period")),
+            None => {
+                let struck = self.periods * self.impacts;
+                format!("{} in {}", several(struck, "impact"), several(self.periods, "period"))
+            }
+        }
+    }
+}
