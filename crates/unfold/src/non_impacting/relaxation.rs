@@ -195,7 +195,7 @@ impl PeriodicMotion {
 
 #[cfg(test)]
 mod tests {
-    use grazing_continuation::curve::Window;
+    use grazing_continuation::curve::{CurvePoint, Window};
 
     use super::*;
 
@@ -204,8 +204,13 @@ mod tests {
         let pendulum = crate::specimens::forced("-0.04*v - 4*sin(x/4 + 0.4)", 0.8).oscillator([1.45, 0.87]);
         let window = Window { primary: [1.43, 1.49], secondary: [0.8, 0.95] };
         let scope = Scope { window, loops: vec![1], start: None };
-        assert_eq!(periodic_motion(&pendulum, &scope, 0.87).branches.len(), 0);
+        let points = |scope: &Scope| -> Vec<CurvePoint> {
+            let branches = periodic_motion(&pendulum, scope, 0.87).branches;
+            branches.into_iter().flat_map(|branch| branch.points).collect()
+        };
+        let settles = |point: &CurvePoint| point.solution.attracts();
+        assert!(!points(&scope).iter().any(settles));
         let wide = Scope { window: Window { primary: [0.1, 1.49], ..window }, ..scope };
-        assert!(!periodic_motion(&pendulum, &wide, 0.87).branches.is_empty());
+        assert!(points(&wide).iter().any(settles));
     }
 }
