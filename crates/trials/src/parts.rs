@@ -15,6 +15,9 @@ type Point = [f64; 2];
 
 /// Less of a curve is not missed, in shares of the part: where curves end or leave the part.
 const LEAST_LENGTH: f64 = 0.02;
+/// Strips of stable solutions between curves thinner than this share of the whole window's ranges are not looked
+/// for in any window, and are known where they go on to where they are wider.
+const SLIVER: f64 = 1e-4;
 /// Points this near to an edge of the part, in shares of it, may lie outside.
 const EDGE: f64 = 0.01;
 
@@ -61,21 +64,24 @@ pub struct Outcome {
     pub differences: Vec<Difference>,
 }
 
-/// What bounds and marks regions: curves, and points as curves of one point.
-fn marks(diagram: &Diagram) -> Vec<(String, Vec<Point>)> {
+/// What bounds and marks regions, each with its p: curves, and points as curves of one point.
+fn marks(diagram: &Diagram) -> Vec<(u32, String, Vec<Point>)> {
     let curve = |curve: &grazing_unfold::diagram::DiagramCurve| {
-        (format!("{:?} curve, p = {}", curve.kind, curve.loops), curve.curve.parameters())
+        let name = format!("{:?} curve, p = {}", curve.kind, curve.loops);
+        (curve.loops, name, curve.curve.parameters())
     };
     let grazing = |curve: &grazing_unfold::grazing::GrazingCurve| {
-        ("grazing curve".to_owned(), curve.parameters().collect())
+        (0, "grazing curve".to_owned(), curve.parameters().collect())
     };
     let resonance = |resonance: &grazing_unfold::resonances::Resonance| {
         let [.., primary, secondary]: [f64; 4] = resonance.located.unknowns().into();
-        (format!("resonance, p = {}, n = {}", resonance.loops, resonance.n), vec![[primary, secondary]])
+        let name = format!("resonance, p = {}, n = {}", resonance.loops, resonance.n);
+        (resonance.loops, name, vec![[primary, secondary]])
     };
     let point = |point: &grazing_unfold::diagram::CodimensionTwoPoint| {
         let [.., primary, secondary]: [f64; 4] = point.unknowns().into();
-        (format!("{:?} point, p = {}", point.kind, point.loops), vec![[primary, secondary]])
+        let name = format!("{:?} point, p = {}", point.kind, point.loops);
+        (point.loops, name, vec![[primary, secondary]])
     };
     let curves = diagram.curves.iter().map(curve).chain(diagram.grazing.iter().map(grazing));
     let points = diagram.resonances.iter().map(resonance).chain(diagram.codimension_two.iter().map(point));
@@ -110,10 +116,15 @@ fn lacking(
     let others = other.map(marks).unwrap_or_default();
     let inside = |at: &Point| part.shares(*at).iter().all(|share| (EDGE..1.0 - EDGE).contains(share));
     let (mut common, mut missing) = (0.0, Vec::new());
-    for (name, line) in marks(one) {
+    let own = marks(one);
+    for (loops, name, line) in &own {
         let same: Vec<&Vec<Point>> =
-            others.iter().filter(|(other, _)| *other == name).map(|(_, line)| line).collect();
+            others.iter().filter(|(_, other, _)| other == name).map(|(.., line)| line).collect();
         let is_known = |at: Point| same.iter().any(|line| distance(whole, at, line) < CHORD);
+        let on_a_sliver = |at: Point| {
+            let beside = own.iter().filter(|(p, other, line)| p == loops && other != name && line.len() > 1);
+            beside.into_iter().any(|(.., line)| distance(whole, at, line) < SLIVER)
+        };
         let (mut length, mut first) = (0.0, None);
         for pair in line.windows(2).filter(|pair| pair.iter().all(inside)) {
             let [a, b] = [part.shares(pair[0]), part.shares(pair[1])];
@@ -121,14 +132,14 @@ fn lacking(
             let step = libm::hypot(b[0] - a[0], b[1] - a[1]);
             if is_known(middle) {
                 common += step;
-            } else {
+            } else if !on_a_sliver(middle) {
                 length += step;
                 first.get_or_insert(middle);
             }
         }
         let point = line.first().filter(|at| line.len() == 1 && inside(at) && !is_known(**at));
         if let Some(at) = first.filter(|_| length > LEAST_LENGTH).or(point.copied()) {
-            missing.push(Difference::Missing(has, name, at, length));
+            missing.push(Difference::Missing(has, name.clone(), at, length));
         }
     }
     (common, missing)

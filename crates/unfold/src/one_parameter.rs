@@ -271,9 +271,7 @@ fn mps_branches(
         (equations, slice)
     };
     let begun: Vec<_> = scope.loops.par_iter().map(begun).collect();
-    let fastest = search::fastest(begun.iter().flat_map(|(_, slice)| &slice.branches));
-    let found =
-        search::on_slice(oscillator, &scope.loops, scope.window, (secondary, PLACES), fastest, progress);
+    let found = search::on_slice(oscillator, &scope.loops, scope.window, (secondary, PLACES), progress);
     let completed = |(equations, slice): (LoopEquations, Slice)| {
         let mut slice = Slice::new(secondary, slice.branches);
         let own = found.iter().filter(|(loops, _)| *loops == equations.loops());

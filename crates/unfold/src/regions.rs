@@ -58,9 +58,8 @@ pub(crate) fn of_mps(
 ) -> Vec<Option<(Vec<Region>, Levels)>> {
     let window = scope.window;
     let levels = levels(window);
-    let fastest = search::fastest(nets.iter().flat_map(|net| &net.curves).map(|curve| &curve.curve));
     progress.begin(STAGE, nets.len() as u64);
-    let found = search::on_slices(oscillator, &scope.loops, window, &levels, fastest, progress);
+    let found = search::on_slices(oscillator, &scope.loops, window, &levels, progress);
     let regions = nets.par_iter_mut().map(|net| {
         let loops = net.loops();
         let found = found.iter().filter(|(p, _)| *p == loops).map(|(_, solution)| *solution).collect();

@@ -8,7 +8,7 @@
 
 use core::f64::consts::TAU;
 
-use grazing_continuation::curve::{Curve, Window};
+use grazing_continuation::curve::Window;
 use grazing_continuation::locate::{Condition, locate_within};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, flight_time, unknown};
 use grazing_model::motion::Motion;
@@ -17,6 +17,7 @@ use nalgebra::Vector2;
 use rayon::prelude::*;
 
 use crate::Scope;
+use crate::faces::range;
 use crate::grazing::HighestPoint;
 use crate::progress::Progress;
 use crate::tolerances::BETWEEN_ZEROS;
@@ -27,55 +28,46 @@ const CELLS: [usize; 2] = [20, 30];
 const FAST_CELLS: usize = 10;
 /// Newton's method does not leave the neighbouring cells, counted in diagonals of a cell.
 const REACH: f64 = 1.5;
-/// How often velocities up to twice as great are looked at, as long as there are solutions,
-const DOUBLINGS: usize = 2;
+/// A cell is parted so often at most,
+const PARTINGS: u32 = 3;
+/// where a function leaves the straight course from corner to corner by more than this share of its
+/// range there (empirical), so that it may vanish twice in between.
+const STRAIGHT: f64 = 0.25;
+/// A function with a greater slope is not looked at more closely, whatever the window (empirical):
+/// stable solutions are the fewer, and the dearer to look for, the more sensitive motion is.
+const VIOLENT: f64 = 100.0;
+/// How often velocities up to twice as great are looked at, at least, and as long as there are
+/// solutions; the same in every window, whatever is known there,
+const DOUBLINGS: usize = 3;
 /// and where there are none at all: a small window may hold nothing but fast ones.
 const MOST_DOUBLINGS: usize = 6;
 /// The parts into which the ranges are cut by the lines along which grazing is looked for.
 const PARTS: u32 = 8;
 /// The golden ratio: its multiples are spread evenly, whole numbers left out.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
-/// The share of the largest impact velocity at which MPSs are looked for on the whole of a slice:
+/// The share of the usual impact velocities at which MPSs are looked for on the whole of a slice:
 /// what begins at grazing, of motion of whatever period, has such velocities not far from there.
 const SLOW: f64 = 0.05;
 
-/// MPSs are looked for up to this impact velocity at least: motion is of order one where the wall's
+/// MPSs are looked for up to this impact velocity first: motion is of order one where the wall's
 /// distance from rest is.
 const USUAL_VELOCITY: f64 = 2.0;
 
-/// The impact velocity up to which MPSs are to be looked for beside curves of them that are known.
-pub(crate) fn fastest<'a>(known: impl Iterator<Item = &'a Curve>) -> f64 {
-    let points = known.flat_map(|curve| &curve.points);
-    points.map(|point| point.solution.impact_velocity()).fold(USUAL_VELOCITY, f64::max)
-}
-
-/// MPSs of some numbers of loops p, with impact velocities up to some value and twice and four
-/// times as much, each with its p: on every slice at both ends, at one μ between and at one small
-/// impact velocity.
+/// MPSs of some numbers of loops p, each with its p: on every slice at both ends, at one μ between and
+/// at one small impact velocity.
 pub(crate) fn on_slices(
     oscillator: &AnyOscillator,
     loops: &[u32],
     window: Window,
     slices: &[f64],
-    fastest: f64,
     progress: &dyn Progress,
 ) -> Vec<(u32, Unknowns)> {
-    let slices = || slices.iter().copied().enumerate();
-    let place = |share: f64, secondary: f64| [window.parameters([share, 0.0])[0], secondary];
-    let share = |k: usize| {
+    let places = slices.iter().enumerate().flat_map(|(k, secondary)| {
         let turns = GOLDEN * (k as f64 + 1.0);
-        turns - libm::floor(turns)
-    };
-    let slow = slices().flat_map(|(k, secondary)| {
         // What an edge cuts off may be met by no slice but there.
-        let standing = [0.0, 1.0, share(k)].map(|share| Lattice::slow(place(share, secondary), fastest));
-        standing.into_iter().chain([Lattice::lying(window, secondary, SLOW * fastest)])
+        [0.0, 1.0, turns - libm::floor(turns)].map(|share| [window.parameters([share, 0.0])[0], *secondary])
     });
-    let fast = |doubling: usize, from: f64| {
-        let some = slices().filter(|(k, _)| k % (doubling + 1) == 0);
-        some.map(|(k, secondary)| Lattice::fast(place(share(k), secondary), from)).collect()
-    };
-    on_lattices(oscillator, loops, slow.collect(), fast, fastest, progress)
+    on_lattices(oscillator, loops, window, (&places.collect::<Vec<_>>(), slices), progress)
 }
 
 /// The same on one slice, at so many values of μ from end to end and at one small impact velocity.
@@ -84,25 +76,20 @@ pub(crate) fn on_slice(
     loops: &[u32],
     window: Window,
     (secondary, places): (f64, u32),
-    fastest: f64,
     progress: &dyn Progress,
 ) -> Vec<(u32, Unknowns)> {
     let share = |k: u32| f64::from(k) / f64::from(places - 1);
-    let along = || (0..places).map(|k| [window.parameters([share(k), 0.0])[0], secondary]);
-    let slow = along().map(|place| Lattice::slow(place, fastest));
-    let slow = slow.chain([Lattice::lying(window, secondary, SLOW * fastest)]);
-    let fast = |_, from| along().map(|place| Lattice::fast(place, from)).collect();
-    on_lattices(oscillator, loops, slow.collect(), fast, fastest, progress)
+    let places = (0..places).map(|k| [window.parameters([share(k), 0.0])[0], secondary]);
+    on_lattices(oscillator, loops, window, (&places.collect::<Vec<_>>(), &[secondary]), progress)
 }
 
-/// The MPSs on lattices with impact velocities up to `fastest`, and on those for greater ones as
-/// long as there are any; `fast` gives those from some velocity to twice as much.
+/// The MPSs at some places, of greater and greater impact velocities, and on some slices at one small
+/// impact velocity.
 fn on_lattices(
     oscillator: &AnyOscillator,
     loops: &[u32],
-    slow: Vec<Lattice>,
-    fast: impl Fn(usize, f64) -> Vec<Lattice>,
-    fastest: f64,
+    window: Window,
+    (places, slices): (&[[f64; 2]], &[f64]),
     progress: &dyn Progress,
 ) -> Vec<(u32, Unknowns)> {
     let on = |lattices: Vec<Lattice>| -> Vec<(u32, Unknowns)> {
@@ -113,12 +100,13 @@ fn on_lattices(
         });
         found.collect::<Vec<_>>().concat()
     };
-    let mut found = on(slow);
-    let mut from = fastest;
+    let slow = places.iter().map(|place| Lattice::slow(*place, USUAL_VELOCITY));
+    let lying = slices.iter().map(|secondary| Lattice::lying(window, *secondary, SLOW * USUAL_VELOCITY));
+    let mut found = on(slow.chain(lying).collect());
+    let mut from = USUAL_VELOCITY;
     for doubling in 0..MOST_DOUBLINGS {
-        let more = on(fast(doubling.min(DOUBLINGS - 1), from));
-        if !found.is_empty() && (more.is_empty() || doubling + 1 == DOUBLINGS) {
-            found.extend(more);
+        let more = on(places.iter().map(|place| Lattice::fast(*place, from)).collect());
+        if !found.is_empty() && more.is_empty() && doubling + 1 >= DOUBLINGS {
             break;
         }
         found.extend(more);
@@ -203,33 +191,40 @@ impl Lattice {
         cell
     }
 
-    /// The first corners of cells with a zero inside, as far as the lattice shows, of each of
-    /// several functions.
+    /// Cells with a zero inside, as far as the lattice shows, of each of several functions: the first
+    /// corner and the sides of each.
     ///
-    /// There both components change sign between the corners.
+    /// There both components change sign between the corners. A cell is parted into four where a
+    /// function may change sign twice between them.
     fn cells(
         &self,
         functions: usize,
         values: impl Fn(&Unknowns) -> Vec<Vector2<f64>>,
-    ) -> Vec<(usize, Unknowns)> {
-        let cell = self.cell();
-        let corner = |i: usize, k: usize| {
-            let mut corner = self.start;
-            corner[self.side] += cell[self.side] * i as f64;
-            corner[unknown::PHASE] = cell[unknown::PHASE] * k as f64;
-            corner
-        };
-        let values: Vec<Vec<Vec<Vector2<f64>>>> =
+    ) -> Vec<(usize, [Unknowns; 2])> {
+        let sides = self.cell();
+        let [across, up] = [self.side, unknown::PHASE].map(|side| {
+            let mut along = Unknowns::zeros();
+            along[side] = sides[side];
+            along
+        });
+        let corner = |i: usize, k: usize| self.start + across * i as f64 + up * (k as f64);
+        let rows: Vec<Vec<Vec<Vector2<f64>>>> =
             (0..=self.cells).map(|i| (0..=CELLS[1]).map(|k| values(&corner(i, k))).collect()).collect();
-        let places = (0..functions)
-            .flat_map(|index| (0..self.cells).flat_map(move |i| (0..CELLS[1]).map(move |k| (index, i, k))));
-        let changes = |index: usize, i: usize, k: usize, component: usize| {
-            let corners = [(i, k), (i, k + 1), (i + 1, k), (i + 1, k + 1)];
-            let positive = corners.iter().filter(|(i, k)| values[*i][*k][index][component] > 0.0).count();
-            0 < positive && positive < corners.len()
-        };
-        let both = places.filter(|&(index, i, k)| changes(index, i, k, 0) && changes(index, i, k, 1));
-        both.map(|(index, i, k)| (index, corner(i, k))).collect()
+        let mut found = Vec::new();
+        for (i, k) in (0..self.cells).flat_map(|i| (0..CELLS[1]).map(move |k| (i, k))) {
+            let corners = [[i, k], [i, k + 1], [i + 1, k], [i + 1, k + 1]].map(|[i, k]| rows[i][k].clone());
+            parted(
+                corner(i, k),
+                [across, up],
+                &corners,
+                &(0..functions).collect::<Vec<_>>(),
+                &values,
+                PARTINGS,
+                &mut found,
+            );
+        }
+        found.sort_by_key(|(index, _)| *index);
+        found
     }
 
     /// The MPSs that are faster than `slowest`, as far as the lattice separates them: zeros of how
@@ -242,11 +237,10 @@ impl Lattice {
             _ => Condition::ImpactVelocity(start[unknown::VELOCITY]),
         };
         let here = [held, Condition::Secondary(start[unknown::SECONDARY])];
-        let cell = self.cell();
         // Only their signs are asked for.
         let rough = oscillator.roughly();
         let mut found: Vec<(u32, Unknowns)> = Vec::new();
-        for (index, first) in self.cells(loops.len(), |impact| misses(&rough, loops, impact)) {
+        for (index, [first, cell]) in self.cells(loops.len(), |impact| misses(&rough, loops, impact)) {
             let loops = loops[index];
             let inside = |zero: &Unknowns| {
                 [side, unknown::PHASE]
@@ -279,12 +273,67 @@ impl Lattice {
             let end = oscillator.motion(State::at_rest(height, phase)).at(oscillator.forcing_period());
             vec![Vector2::new(end.position - height, end.velocity)]
         };
-        let cells = self.cells(1, missed).into_iter().filter_map(|(_, first)| {
-            let [_, phase, primary, secondary] = (first + self.cell() * 0.5).into();
+        let cells = self.cells(1, missed).into_iter().filter_map(|(_, [first, cell])| {
+            let [_, phase, primary, secondary] = (first + cell * 0.5).into();
             let near = HighestPoint { height, phase, parameters: [primary, secondary] };
             near.located(oscillator, scope, held).filter(|found| scope.window.contains(found.parameters))
         });
         cells.collect()
+    }
+}
+
+/// Adds the cells with zeros of some of the functions inside a cell with these values at its corners.
+fn parted(
+    first: Unknowns,
+    [across, up]: [Unknowns; 2],
+    corners: &[Vec<Vector2<f64>>; 4],
+    functions: &[usize],
+    values: &impl Fn(&Unknowns) -> Vec<Vector2<f64>>,
+    partings: u32,
+    found: &mut Vec<(usize, [Unknowns; 2])>,
+) {
+    let ranges =
+        |index: usize| [0, 1].map(|component| range(corners.iter().map(|values| values[index][component])));
+    let changes = |[least, greatest]: [f64; 2], bend: f64| least <= bend && -greatest < bend;
+    // Functions that may vanish in the cell, were they to go on as they do along it.
+    let near = |index: &usize| ranges(*index).into_iter().all(|range| changes(range, range[1] - range[0]));
+    let functions: Vec<usize> = functions.iter().copied().filter(near).collect();
+    if functions.is_empty() {
+        return;
+    }
+    let middle = values(&(first + (across + up) * 0.5));
+    let steepest = VIOLENT * across.norm().max(up.norm());
+    let (mut bent, mut straight) = (Vec::new(), Vec::new());
+    for index in functions {
+        let ranges = ranges(index);
+        let mean = corners.iter().map(|values| values[index]).sum::<Vector2<f64>>() / 4.0;
+        let bends: [f64; 2] = (middle[index] - mean).abs().into();
+        let each = || ranges.into_iter().zip(bends);
+        let is_straight = each().all(|([least, greatest], bend)| bend <= STRAIGHT * (greatest - least));
+        let violent = ranges.iter().any(|[least, greatest]| greatest - least > steepest);
+        if partings == 0 || is_straight || violent {
+            straight.push((index, ranges));
+        } else if each().all(|(range, bend)| changes(range, bend)) {
+            bent.push(index);
+        }
+    }
+    let zeros = straight.into_iter().filter(|(_, ranges)| ranges.iter().all(|range| changes(*range, 0.0)));
+    found.extend(zeros.map(|(index, _)| (index, [first, across + up])));
+    if bent.is_empty() {
+        return;
+    }
+    let [across, up] = [across * 0.5, up * 0.5];
+    let at = |i: f64, k: f64| values(&(first + across * i + up * k));
+    let [left, right, below, above] = [at(0.0, 1.0), at(2.0, 1.0), at(1.0, 0.0), at(1.0, 2.0)];
+    let [a, b, c, d] = corners;
+    let quarters = [
+        (first, [a, &left, &below, &middle]),
+        (first + up, [&left, b, &middle, &above]),
+        (first + across, [&below, &middle, c, &right]),
+        (first + across + up, [&middle, &above, &right, d]),
+    ];
+    for (first, corners) in quarters {
+        parted(first, [across, up], &corners.map(Clone::clone), &bent, values, partings - 1, found);
     }
 }
 
@@ -320,7 +369,7 @@ mod tests {
         let oscillator = crate::specimens::linear(0.05, [0.5, 0.9]);
         let window = Window { primary: [0.3, 1.2], secondary: [0.6, 1.0] };
         let slices = [0.65, 0.75, 0.85, 0.95];
-        let found = on_slices(&oscillator, &[1, 2], window, &slices, 2.0, &Silent);
+        let found = on_slices(&oscillator, &[1, 2], window, &slices, &Silent);
         for (loops, zero) in &found {
             let here = oscillator.with_parameters([zero[2], zero[3]]);
             let suspect = Suspect::of(&here, *loops, zero);
@@ -335,6 +384,19 @@ mod tests {
             })
         };
         assert!(!(1..found.len()).any(known));
+    }
+
+    #[test]
+    fn a_sheet_of_fast_solutions_beside_the_hill_of_a_pendulum_is_found_in_windows_of_several_sizes() {
+        let pendulum = crate::specimens::forced("-0.04*v - 4*sin(x/4 + 0.4)", 0.8).oscillator([1.2, 0.9]);
+        for width in [0.002, 0.01, 0.05, 0.3] {
+            // Right of a saddle-node at 1.19 there are two, and each leads to the other.
+            let window = Window { primary: [1.2 - width, 1.2 + width], secondary: [0.9, 0.95] };
+            let found = on_slices(&pendulum, &[1], window, &[0.9], &Silent);
+            let fast = found.iter().filter(|(_, zero)| (7.5..9.0).contains(&zero[unknown::VELOCITY]));
+            let fast: Vec<Unknowns> = fast.map(|(_, zero)| *zero).collect();
+            assert!(!fast.is_empty(), "{width}");
+        }
     }
 
     #[test]

@@ -413,7 +413,7 @@ mod tests {
         let text = grazing_trials::oscillators::description(seed, number);
         let model = Description::parse(&text, "two wells").expect("what is made at random is right");
         let oscillator = model.oscillator([window.primary[0], window.secondary[0]]);
-        let found = search::on_slices(&oscillator, &[loops], window, levels, 2.0, &Silent);
+        let found = search::on_slices(&oscillator, &[loops], window, levels, &Silent);
         let found = found.into_iter().map(|(_, solution)| solution).collect();
         let mut net = Net::new(LoopEquations::new(oscillator, loops, Formulation::FixedPhase));
         let scope = Scope { window, loops: vec![loops], start: None };

@@ -68,9 +68,9 @@ const LONGEST_RELAXATION: usize = 200;
 /// Newton's method takes over when a period changes the state by less than this.
 const RELAXED: f64 = 1e-3;
 
-/// Motion that relaxes this far from the wall, whose distance from rest is of order one, is looked
-/// at only where there is no other: a pendulum may turn any number of times before it does, and
-/// motion about each of its rest positions is the same but for those turns.
+/// Motion that relaxes this far from the wall, whose distance from rest is of order one, is not looked
+/// at, whether there is other motion or not: a pendulum may turn any number of times before it does,
+/// and motion about each of its rest positions is the same but for those turns.
 const CARRIED_AWAY: f64 = 10.0;
 /// Motion from a start that is itself far off is not carried away within this many times as far.
 const AS_FAR: f64 = 2.0;
@@ -95,7 +95,7 @@ pub(crate) fn motion(
 ) -> PeriodicMotion {
     let mut slice = Slice::new(secondary, Vec::new());
     let add = |slice: &mut Slice, start: &Unknowns| slicer.add(slice, *start, &EventTimes::default(), true);
-    let (mut ran_away, mut carried_away) = (None, None);
+    let mut ran_away = None;
     for share in SHARES {
         if share == LAST_RESORT && !slice.branches.is_empty() {
             break;
@@ -105,19 +105,15 @@ pub(crate) fn motion(
         let positions = POSITIONS.iter().chain(positions).chain(&rests).map(|position| [*position, 0.0]);
         for start in scope.start.into_iter().chain(positions) {
             match relaxed(&slicer.equations, [primary, secondary], Vector2::from(start)) {
-                Ok(Some(orbit)) if orbit[0].abs() > CARRIED_AWAY.max(AS_FAR * start[0].abs()) => {
-                    carried_away = carried_away.or(Some(orbit))
+                Ok(Some(orbit)) if orbit[0].abs() <= CARRIED_AWAY.max(AS_FAR * start[0].abs()) => {
+                    add(&mut slice, &orbit)
                 }
-                Ok(Some(orbit)) => add(&mut slice, &orbit),
-                Ok(None) => {}
+                Ok(_) => {}
                 Err(escape) => {
                     ran_away.get_or_insert(escape);
                 }
             }
         }
-    }
-    if let Some(orbit) = carried_away.filter(|_| slice.branches.is_empty()) {
-        add(&mut slice, &orbit);
     }
     for height in heights {
         let found = search::highest_at(oscillator, scope, secondary, *height);
@@ -194,5 +190,27 @@ impl PeriodicMotion {
                 }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use grazing_continuation::curve::{CurvePoint, Window};
+
+    use super::*;
+
+    #[test]
+    fn motion_that_has_gone_over_the_top_is_not_looked_at_even_where_there_is_no_other() {
+        let pendulum = crate::specimens::forced("-0.04*v - 4*sin(x/4 + 0.4)", 0.8).oscillator([1.45, 0.87]);
+        let window = Window { primary: [1.43, 1.49], secondary: [0.8, 0.95] };
+        let scope = Scope { window, loops: vec![1], start: None };
+        let points = |scope: &Scope| -> Vec<CurvePoint> {
+            let branches = periodic_motion(&pendulum, scope, 0.87).branches;
+            branches.into_iter().flat_map(|branch| branch.points).collect()
+        };
+        let settles = |point: &CurvePoint| point.solution.attracts();
+        assert!(!points(&scope).iter().any(settles));
+        let wide = Scope { window: Window { primary: [0.1, 1.49], ..window }, ..scope };
+        assert!(points(&wide).iter().any(settles));
     }
 }
