@@ -19,14 +19,12 @@
 //!
 //! **Domain.** y ≠ 0: towards a resonance the pair of maps stays smooth, but DL becomes singular
 //! and all of U is compressed into
-//! |s| of the order of y, so that y² c tends to a limit. Digits of c are then lost in proportion to 1/y. The formulas
+//! |s| of the order of y, so that y² c tends to a limit, the limit map's
+//! [`criticality`](grazing_theorems::LimitMap::criticality). Digits of c are then lost in proportion to 1/y. The formulas
 //! know of no impact but those of the MPS; where an orbit meets the wall in between, as near a
 //! grazing bifurcation of the MPS, they hold for the smaller s.
 
-mod at_resonance;
 mod normal_form;
-
-pub use at_resonance::coefficient_at_resonance;
 
 use grazing_model::ThirdOrder;
 use nalgebra::Vector2;

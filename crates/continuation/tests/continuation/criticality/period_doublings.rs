@@ -1,24 +1,27 @@
 //! Period doublings against the doubled orbits, and towards resonances.
 
 use grazing_continuation::criticality::period_doubling;
+use grazing_continuation::doubled::DoubledEquations;
 use grazing_continuation::mps::{LoopEquations, Unknowns, unknown};
 use grazing_model::ThirdOrder;
 
-use super::doubled::doubled;
 use super::specimens::{BY_EXTRAPOLATION, curves, extrapolated, spread};
 use crate::specimens::{DUFFING, EPSILON, ZETA, assert_within, duffing, located, resonances};
 
 /// c from the stability of the doubled orbits.
 ///
-/// The impacts of a doubled orbit are X(±s), 2qs apart but for terms of third order. With −s = λs +
+/// The impacts of a doubled orbit are X(±s), 2qs apart but for terms of third order, so that their
+/// velocities are 2 q_y s apart. With −s = λs +
 /// c s³ the derivative of g∘g there, (λ + 3cs²)² = 1 − 4cs² + …, makes c from 1 − T + D, in which
 /// the other multiplier is the square of the MPS's. Returns y² times the difference.
 fn difference_from_doubled_orbits<O: ThirdOrder>(equations: &LoopEquations<O>, flip: &Unknowns) -> f64 {
     let normal_form = period_doubling(equations, flip).unwrap();
     let determinant = equations.solution(flip).multipliers.determinant;
+    let doubled = DoubledEquations::new(equations);
     let measured = [32.0, 64.0].map(|part| {
         let s = flip[unknown::VELOCITY] / part;
-        let multipliers = doubled(equations, flip, normal_form.direction, s).unwrap();
+        let orbit = doubled.near(flip, 2.0 * s * normal_form.direction[0]).unwrap();
+        let multipliers = doubled.multipliers(&orbit).unwrap();
         let product = 1.0 - multipliers.trace + multipliers.determinant;
         0.25 * product / (1.0 - determinant * determinant) / (s * s)
     });
