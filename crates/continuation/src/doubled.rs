@@ -134,7 +134,12 @@ impl<O: ImpactOscillator> DoubledEquations<O> {
         let direction = pair.direction(-1.0)?;
         let apart = direction * (0.5 * difference / direction[0]);
         let apart = Unknowns::new(apart[0], apart[1], 0.0, 0.0);
-        self.solve(Doubled::of(flip + apart, flip - apart), Pick::Difference(difference))
+        self.solved(Doubled::of(flip + apart, flip - apart))
+    }
+
+    /// The orbit near a guess, with the guess's difference of velocities.
+    pub fn solved(&self, guess: Doubled) -> Option<Doubled> {
+        self.solve(guess, Pick::Difference(guess.point[0] - guess.point[2]))
     }
 
     /// The highest maximum of x between impacts, with the impact after which it comes.

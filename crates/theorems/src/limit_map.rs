@@ -132,11 +132,11 @@ impl<T: Number> LimitMap<T> {
         T: PartialOrd,
     {
         let (zero, one) = (T::zero(), T::one());
-        let apart = |x: T, y: T| x < y || x > y;
         let map = Self { loops, r, k, d };
         let turns = -one < d && d < one && (loops == 1 || (loops > 1 && d < zero));
-        let simple = map.stability().into_iter().all(|s| apart(s, zero)) && apart(square(r * d), one);
-        if turns && simple { Ok(map) } else { Err(TheoryError::NoLimitMap) }
+        // False of what is not a number.
+        let simple = map.stability().into_iter().all(|s| square(s) > zero);
+        if turns && simple && square(r * d) != one { Ok(map) } else { Err(TheoryError::NoLimitMap) }
     }
 
     /// The limit map of a linear oscillator with p loops: r = σε², k = −σ(1 − σ)(1 + ε)², d = σ.
@@ -148,11 +148,9 @@ impl<T: Number> LimitMap<T> {
         T: PartialOrd,
     {
         let one = T::one();
-        if !(epsilon > T::zero()) {
-            return Err(TheoryError::NoLimitMap);
-        }
         let k = -sigma * (one - sigma) * square(one + epsilon);
-        Self::new(loops, [sigma * square(epsilon), k, sigma])
+        let map = Self::new(loops, [sigma * square(epsilon), k, sigma])?;
+        if epsilon > T::zero() { Ok(map) } else { Err(TheoryError::NoLimitMap) }
     }
 
     /// r, k and d.
@@ -272,16 +270,17 @@ impl LimitMap {
     /// # Errors
     /// Why the map does not hold for this flight; `from` has to be on the side.
     pub fn step(&self, side: Side, parameter: f64, from: LimitImpact) -> Result<LimitImpact, Departure> {
-        // NaN has departed as well.
-        if self.loops > 1 && !(from.phase * side.signum() < 0.0) {
-            return Err(Departure::EarlyVisit);
-        }
+        // What is not a number has departed as well.
+        let before_the_wall = self.loops == 1 || from.phase * side.signum() < 0.0;
         let next = self.next_square(parameter, from);
-        if !(next > 0.0) {
-            return Err(Departure::Missed);
+        match (before_the_wall, next > 0.0) {
+            (false, _) => Err(Departure::EarlyVisit),
+            (true, false) => Err(Departure::Missed),
+            (true, true) => {
+                let velocity = side.signum() * next.sqrt();
+                Ok(LimitImpact { velocity, phase: self.next_phase(from, velocity) })
+            }
         }
-        let velocity = side.signum() * next.sqrt();
-        Ok(LimitImpact { velocity, phase: self.next_phase(from, velocity) })
     }
 }
 

@@ -58,7 +58,8 @@ fn deviation<O: ImpactOscillator>(
 
 fn assert_orbits_tend_to_the_map_s<O: ImpactOscillator>(resonance: &LocatedResonance<O>) {
     let (plus, minus) = (Side::Positive, Side::Negative);
-    for start in [(plus, 1.3, 1.003), (minus, 1.5, 1.003), (plus, 2.0, 0.9), (plus, 0.7, 1.2), (minus, 1.5, -0.3)]
+    for start in
+        [(plus, 1.3, 1.003), (minus, 1.5, 1.003), (plus, 2.0, 0.9), (plus, 0.7, 1.2), (minus, 1.5, -0.3)]
     {
         // Impacts are of first order, and what is left of second; times are located with an error of 1/y
         // roundings.
@@ -84,9 +85,27 @@ fn grazing_coefficient<O: ImpactOscillator>(resonance: &LocatedResonance<O>, siz
 fn assert_doubled_orbits_graze_at_the_map_s<O: ImpactOscillator>(resonance: &LocatedResonance<O>) {
     let expected = resonance.resonant_point().doubled_grazing_coefficient();
     let error = |size| Some(grazing_coefficient(resonance, size)? / expected - 1.0);
-    eprintln!("GZ p {} omega {:.4} visit {} c {expected:.5} c_PD {:.5} errors {:?}", resonance.loops(), resonance.resonant_point().grazing.forcing_frequency, resonance.resonant_point().touching_visit(), resonance.resonant_point().period_doubling_coefficient(), [1e-2, 1e-3, 1e-4].map(error));
     assert_vanishes(3.0, 1e-14, |size| Some(size * size * error(size)?));
     assert!(error(1e-4).expect("it grazes").abs() < 0.1);
+}
+
+/// The traces of the derivative over both impacts of orbits that are solved for.
+fn assert_doubled_orbits_are_as_stable_as_the_map_s<O: ImpactOscillator>(resonance: &LocatedResonance<O>) {
+    let point = resonance.resonant_point();
+    let (map, scale) = (point.limit_map(), point.limit_scale());
+    let equations = DoubledEquations::new(resonance.equations());
+    for part in [0.2, 0.7] {
+        let gap = part * map.grazing_gap();
+        let trace = |size: f64| {
+            let eta = size / (scale.velocity * map.period_doubling()[0]);
+            let guess = Doubled::near_resonance(resonance, eta, gap).unwrap();
+            Some(equations.multipliers(&equations.solved(guess)?)?.trace)
+        };
+        let expected = map.doubled_trace(gap);
+        // Digits are lost in proportion to 1/y².
+        assert_vanishes(3.0, 1e-13, |size| Some(size * size * (trace(size)? - expected)));
+        assert!((trace(1e-4).expect("it is there") - expected).abs() < 0.1 * (1.0 + expected.abs()));
+    }
 }
 
 /// y² c of the normal form, from third derivatives of the flow, less that of the map.
@@ -115,7 +134,38 @@ fn near_resonances_of_the_linear_oscillator_all_is_as_in_the_limit_map() {
         let resonance = located(closed_form);
         assert_orbits_tend_to_the_map_s(&resonance);
         assert_doubled_orbits_graze_at_the_map_s(&resonance);
+        assert_doubled_orbits_are_as_stable_as_the_map_s(&resonance);
         assert_criticality_tends_to_the_map_s(&resonance);
+    }
+}
+
+/// On either side of the line E (3 + 3ε − Eε) = 1 two-impact orbits begin stable or unstable; for p = 1 and
+/// even n they are unstable.
+#[test]
+fn two_impact_orbits_begin_stable_beyond_a_line() {
+    let epsilon: f64 = 0.7;
+    let root = (3.0 + 3.0 * epsilon) / (2.0 * epsilon);
+    let line = root - (root * root - 1.0 / epsilon).sqrt();
+    let places = [(1, 1, 0.5), (1, 2, 1.0), (1, 3, 1.5), (2, 1, 1.25), (3, 1, 7.0 / 6.0), (4, 2, 2.125)];
+    for (loops, index, ratio) in places {
+        for part in [0.9, 1.1] {
+            // E = exp(−2πpζ/ω) with ω₁/ω = ratio.
+            let skew = -libm::log(part * line) / (TAU * f64::from(loops) * ratio);
+            let zeta = skew / (1.0 + skew * skew).sqrt();
+            let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon).unwrap();
+            let resonance = located(&theory.resonance(loops, index).unwrap());
+            let (map, scale) =
+                (resonance.resonant_point().limit_map(), resonance.resonant_point().limit_scale());
+            let eta = 1e-3 / (scale.velocity * map.period_doubling()[0]);
+            let guess = Doubled::near_resonance(&resonance, eta, 0.3 * map.grazing_gap()).unwrap();
+            let equations = DoubledEquations::new(resonance.equations());
+            let multipliers = equations.multipliers(&equations.solved(guess).unwrap()).unwrap();
+            // One multiplier passes 1 where the other is below it.
+            let stable = 1.0 - multipliers.trace + multipliers.determinant > 0.0;
+            let supercritical = part > 1.0 && !(loops == 1 && index == 2);
+            assert_eq!(stable, supercritical, "p = {loops}, n = {index}, {part}");
+            assert_eq!(map.criticality() > 0.0, supercritical);
+        }
     }
 }
 
@@ -125,6 +175,7 @@ fn near_resonances_of_a_duffing_oscillator_all_is_as_in_the_limit_map() {
         let resonance = duffing(loops, place);
         assert_orbits_tend_to_the_map_s(&resonance);
         assert_doubled_orbits_graze_at_the_map_s(&resonance);
+        assert_doubled_orbits_are_as_stable_as_the_map_s(&resonance);
         assert_criticality_tends_to_the_map_s(&resonance);
     }
 }

@@ -84,12 +84,20 @@ proptest! {
 
     #[test]
     fn doubled_orbits_graze_at_a_velocity_of_one_loop_and_a_phase_of_more(map in maps()) {
+        let ([r, k, d], [_, minus], one, gap) = (map.numbers(), map.stability(), whole(1), map.grazing_gap());
+        let scaled = map.doubled_parameter(gap * gap) * minus * minus / whole(4);
+        let turn = (one - d) * (one - d);
         let [_, second] = map.doubled_impacts(-map.grazing_gap());
         let [first, _] = map.doubled_impacts(map.grazing_gap());
-        let [_, _, d] = map.numbers();
         // Of one loop d > 0 here.
         prop_assert_eq!(if d > whole(0) { first.velocity } else { first.phase }, whole(0));
         prop_assert_eq!(if d > whole(0) { second.velocity } else { second.phase }, whole(0));
+        let expected = if d > whole(0) {
+            (one + r * d) / (one - d) + k * d / (turn * (one + d) * (one + d))
+        } else {
+            (one - r * d * d) / turn
+        };
+        prop_assert_eq!(scaled, expected);
     }
 
     #[test]
@@ -223,7 +231,9 @@ fn motion_departs_where_it_is_not_admissible() {
     let mirrored = LimitImpact { velocity: -1.0, phase: 0.1 };
     let next = more.step(Side::Negative, 1.0, mirrored).unwrap();
     assert!(next.velocity < 0.0);
-    for (loops, sigma, epsilon) in [(0, -0.5, 0.5), (2, 0.5, 0.5), (1, 1.0, 0.5), (1, 0.5, 0.0), (1, 0.5, 2.0)] {
+    for (loops, sigma, epsilon) in
+        [(0, -0.5, 0.5), (2, 0.5, 0.5), (1, 1.0, 0.5), (1, 0.5, 0.0), (1, 0.5, 2.0)]
+    {
         assert!(LimitMap::of_linear_oscillator(loops, sigma, epsilon).is_err());
     }
     assert!(LimitMap::of_linear_oscillator(1, f64::NAN, 0.5).is_err());

@@ -1,8 +1,9 @@
 //! Period doublings against the doubled orbits, and towards resonances.
 
-use grazing_continuation::criticality::period_doubling;
+use grazing_continuation::criticality::{changes, period_doubling};
 use grazing_continuation::doubled::DoubledEquations;
-use grazing_continuation::mps::{LoopEquations, Unknowns, unknown};
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_model::ThirdOrder;
 
 use super::specimens::{BY_EXTRAPOLATION, curves, extrapolated, spread};
@@ -51,4 +52,34 @@ fn coefficient_is_that_of_the_doubled_orbits_of_a_duffing_oscillator_with_a_vary
             assert_within(difference, 0.0, BY_EXTRAPOLATION);
         }
     }
+}
+
+#[test]
+fn doubled_orbits_are_stable_to_one_side_of_a_change_of_criticality() {
+    let mut found = 0;
+    for closed_form in resonances(ZETA, EPSILON, &[1, 2, 3], [0.35, 1.02]) {
+        let resonance = located(&closed_form);
+        let [_, flips] = curves(&resonance);
+        let equations = resonance.equations().with_formulation(Formulation::FixedPhase);
+        let doubled = DoubledEquations::new(&equations);
+        for change in changes(resonance.equations(), &flips) {
+            found += 1;
+            let beside = |offset: f64| {
+                let conditions = [
+                    Condition::PERIOD_DOUBLING,
+                    Condition::Secondary(change.unknowns[unknown::SECONDARY] + offset),
+                ];
+                let start = change.unknowns + Unknowns::new(0.0, 0.0, 0.0, offset);
+                let flip = locate(&equations, conditions, start, &mut EventTimes::default()).unwrap();
+                let orbit = doubled.near(&flip, 0.01 * flip[unknown::VELOCITY]).unwrap();
+                let multipliers = doubled.multipliers(&orbit).unwrap();
+                let stable = 1.0 - multipliers.trace + multipliers.determinant > 0.0;
+                assert_eq!(period_doubling(&equations, &flip).unwrap().supercritical(), stable);
+                stable
+            };
+            let way = change.unknowns[unknown::SECONDARY] - resonance.unknowns()[unknown::SECONDARY];
+            assert_ne!(beside(0.02 * way), beside(-0.02 * way));
+        }
+    }
+    assert!(found > 0);
 }
