@@ -30,8 +30,9 @@
 //! **Admissibility**, to leading order. The map holds as long as Y'² > 0, or else the wall is not
 //! reached after p loops; and for p ≥ 2 as long as the visits in between stay before the wall: x⁽ʲ⁾ =
 //! a₁₂ S_j w + O(η²) by `eq:admp9`, with S_j > 0, so all do as long as m V < 0, as a₁₂α > 0. For p =
-//! 1 there are no visits in between; motion that misses the wall goes on by lines 2 to 4 with x in
-//! the place of x⁽⁰⁾, and may come back.
+//! 1 there are no visits in between; motion that misses the wall goes on by line 2 with x⁽¹⁾ in the place
+//! of x⁽⁰⁾ and may come back: with x = h²/(2γ) X at visits, X' = aX₀ + kV² + 2V + M, where X₀ = X and V
+//! goes on to dV as long as X < 0, and X₀ = φ²X and V is less by Y = m√X where X > 0.
 //!
 //! **The linear oscillator** has a = d = σ, σ = −E_p but for p = 1 and even n, where σ = E₁; γ = ω²,
 //! α = 1 + ε, ξ_p = σ² − σ by `eq:xi1proof2` and `eq:xipproof2`. So it has two numbers, σ and ε: r =
@@ -48,17 +49,26 @@
 //! `eq:Upsilon1`, `eq:Upsilonp`. M is of second degree in Y with the coefficient −s⁺/(1 − d), so that
 //! **saddle-nodes never degenerate** where s⁺ ≠ 0.
 //!
-//! *Two impacts.* With phases v ± g/2 the difference of the two relations, divided by g, is v =
-//! −1/((1 − d)s⁻): the middle stays at the period doubling's. Half their sum is
+//! *Two impacts*, with phases V₁, V₂ = v ± g/2 and velocities Y₁ = dV₂ − V₁, Y₂ = dV₁ − V₂, so that Y₁ + Y₂ =
+//! −2(1 − d)v and Y₁ − Y₂ = −(1 + d)g:
+//!
+//! ```text
+//! Y₂² = r Y₁² + k V₁² + 2 V₁ + M,     Y₁² = r Y₂² + k V₂² + 2 V₂ + M.
+//! ```
+//!
+//! Their difference is −2(1 + r)(1 − d²)vg = 2kvg + 2g, so that v = −1/(k + (1 + r)(1 − d²)) = −1/((1 − d)s⁻):
+//! the middle stays at the period doubling's. Their sum, with Y₁² + Y₂² = 2(1 − d)²v² + ½(1 + d)²g² and V₁² +
+//! V₂² = 2v² + ½g², is that of the period doubling and a multiple of g²:
 //!
 //! ```text
 //! M = M_PD + ¼ C g²,     C = (1 − r)(1 + d)² − k.
 //! ```
 //!
-//! The determinant of the derivative over both impacts is (rd)², its trace T has
-//! (1 − T + r²d²) Y₁Y₂ = −¼ (1 − d)s⁻ C g². So **the period doubling is supercritical just if C s⁻ <
-//! 0**, all two-impact orbits are stable as they begin, or none, and none has a saddle-node. For the
-//! linear oscillator, with q = σε,
+//! The derivative of one step is (rY/Y', G/Y'; −rY/Y', d − G/Y') with G = kV + 1 and the determinant
+//! rdY/Y'. So over both impacts the determinant is (rd)², and the trace T times Y₁Y₂ is linear in g²:
+//! (1 − T + r²d²) Y₁Y₂ = −¼ (1 − d)s⁻ C g², which has to be 0 at g = 0. So **the period doubling is
+//! supercritical just if C s⁻ < 0**; all two-impact orbits begin stable, or none, and none has a
+//! saddle-node. For the linear oscillator, with q = σε,
 //!
 //! ```text
 //! s⁺ = −(1 + q)²,  s⁻ = (1 − q)²,  C = (1 − q)(1 + 3σ + 3q + σq).

@@ -154,7 +154,9 @@ fn assert_gives_the_coefficients(point: &ResonantPoint) {
     assert_close(scale.velocity * saddle_node, point.saddle_node_velocity_slope(), DIGITS);
     assert_close(scale.velocity * period_doubling, point.period_doubling_velocity_slope(), DIGITS);
     // The impact phase.
-    let [_, phase] = scale.impact(1.0, map.fixed_point(period_doubling).0);
+    let (fixed, _) = map.fixed_point(period_doubling);
+    let [velocity, phase] = scale.impact(1.0, fixed);
+    assert_close(scale.limit(1.0, [velocity, phase]).phase, fixed.phase, DIGITS);
     let expected = point.branch_expansion().k_1 * point.period_doubling_velocity_slope();
     assert_close(phase, expected, DIGITS);
 }

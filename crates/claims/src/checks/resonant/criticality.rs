@@ -78,8 +78,8 @@ checks! {
         let equations = DoubledEquations::new(place.resonance.equations());
         let (gap, [velocity, _]) = (map.grazing_gap(), map.period_doubling());
         let [_, fastest] = map.doubled_impacts(gap);
-        // Located amplitudes and velocities, the latter lost in proportion to 1/y.
-        Ok(together([(1e-14, 3.0), (1e-11, 2.0)], |size| {
+        // Located amplitudes and velocities, digits of which are lost in proportion to 1/y.
+        Ok(together([(1e-14, 3.0), (1e-14, 3.0)], |size| {
             let eta = size / (scale.velocity * velocity);
             let guess = Doubled::near_resonance(&place.resonance, eta, gap).ok()?;
             let (grazing, visit) = equations.grazing(guess)?;
@@ -88,7 +88,7 @@ checks! {
             }
             Some([
                 grazing.primary() - place.grazing(eta)?.primary() - point.doubled_grazing_coefficient() * eta * eta,
-                grazing.impacts()[0][unknown::VELOCITY] - scale.velocity * eta * fastest.velocity,
+                size * (grazing.impacts()[0][unknown::VELOCITY] - scale.velocity * eta * fastest.velocity),
             ])
         }))
     });
