@@ -78,14 +78,23 @@
 //!
 //! *Grazing of two-impact orbits.* For p = 1 one of the impacts loses its velocity: g = 2/((1 + d)s⁻).
 //! For p ≥ 2 velocities are dV₂ − V₁ with d < 0, so that a phase reaches 0 first: g = 2/((1 − d)s⁻). There
-//! all visits of a loop are at the wall to first order in η; the terms of second order, (Aʲ)₁₁ x⁽⁰⁾ +
-//! b₁ⱼ μ, say which touches it ([`ResonantPoint::touching_visit`]).
+//! all visits of a loop are at the wall to first order in η, and those of second decide: x⁽ʲ⁾ = S_j (a₁₂ w + …) +
+//! (Aʲ)₁₁ x⁽⁰⁾ + b₁ⱼ μ is positive at j = 0 and p. Its differences in j are those of a spiral over half a
+//! turn at most, whose sign changes once, so that it falls and then rises: the first to touch is j = 1 or
+//! p − 1. With Aʲ and b₁ⱼ of `eq:Ap`, `eq:b1pb2p`, E = δ^{p/2}, x⁽ᵖ⁾ = y²/(2γ) and x⁽⁰⁾ = φ²E²x⁽ᵖ⁾ it is p − 1 just if
+//!
+//! ```text
+//! (δ/E − (δ − τ + 1)/(1 + E)) (1 + φ²E³) > τφ²E².
+//! ```
+//!
+//! For φ ≤ 1 that holds: as (1 + E)(1 − E + E²) = 1 + E³ and 1 − E + E² ≥ E, it suffices that δ/E − 1 + τ(1 − E) > 0, and
+//! E ≤ δ, τ ≥ 0, one of which is strict for p ≥ 3. **The last visit touches the wall first, if φ ≤ 1.**
 
 use core::ops::Neg;
 
 use num_traits::Num;
 
-use crate::auxiliary::{lucas_partial_sum, lucas_sequence, modulus_power};
+use crate::auxiliary::{lucas_partial_sum, modulus_power};
 use crate::error::TheoryError;
 use crate::generic_theorem::Side;
 use crate::grazing::GrazingPoint;
@@ -375,24 +384,5 @@ impl ResonantPoint {
         let map = self.limit_map();
         let gap = map.grazing_gap();
         self.limit_scale().parameter * map.doubled_parameter(gap * gap)
-    }
-
-    /// The visit x⁽ʲ⁾ at which a two-impact orbit grazes, 0 < j < p, by the terms of second order in η;
-    /// 0 for p = 1, where it is the impact.
-    pub fn touching_visit(&self) -> u32 {
-        let GrazingPoint { map, gamma, phi, .. } = self.grazing;
-        let (limit, scale) = (self.limit_map(), self.limit_scale());
-        let gap = limit.grazing_gap();
-        // Both per η².
-        let velocity = scale.velocity * limit.doubled_impacts(gap)[0].velocity;
-        let start = 0.5 * phi * phi * velocity * velocity / gamma;
-        let parameter = scale.parameter * limit.doubled_parameter(gap * gap);
-        // a₁₂ S_j w has to make up for what w = 0 leaves: the visit that asks for most is first.
-        let height = |j: &u32| {
-            let iterate = map.iterate(*j);
-            let rise = iterate.a.m11 * start + iterate.b.x * parameter;
-            rise / lucas_sequence(*j, map.trace(), map.determinant())
-        };
-        (1..self.loops()).max_by(|i, j| height(i).total_cmp(&height(j))).unwrap_or(0)
     }
 }

@@ -71,7 +71,7 @@ checks! {
         cases.outcome("points of the seven PD curves of Figure 7: close to the resonances with simulated orbits, for the print all along")
             .against_print(printed.measure());
     /// Period-doubled solutions graze at μ = c_2GZ η² + O(η³): for p = 1 an impact loses its velocity, for
-    /// p ≥ 2 a loop touches the wall before that.
+    /// p ≥ 2 the last loop before an impact touches the wall before that.
     doubled_solutions_graze: orders(ANY, "μ and y where orbits with two impacts graze, towards resonances with p up to 5", |place| {
         let point = place.point();
         let (map, scale) = (point.limit_map(), point.limit_scale());
@@ -83,7 +83,8 @@ checks! {
             let eta = size / (scale.velocity * velocity);
             let guess = Doubled::near_resonance(&place.resonance, eta, gap).ok()?;
             let (grazing, visit) = equations.grazing(guess)?;
-            if visit != point.touching_visit() {
+            // The last one before an impact; for one loop the impact itself.
+            if visit != place.loops() - 1 {
                 return None;
             }
             Some([
