@@ -56,14 +56,14 @@ fn coefficient_is_that_of_the_doubled_orbits_of_a_duffing_oscillator_with_a_vary
 
 #[test]
 fn doubled_orbits_are_stable_to_one_side_of_a_change_of_criticality() {
-    let mut found = 0;
+    let mut found = Vec::new();
     for closed_form in resonances(ZETA, EPSILON, &[1, 2, 3], [0.35, 1.02]) {
         let resonance = located(&closed_form);
         let [_, flips] = curves(&resonance);
         let equations = resonance.equations().with_formulation(Formulation::FixedPhase);
         let doubled = DoubledEquations::new(&equations);
         for change in changes(resonance.equations(), &flips) {
-            found += 1;
+            found.push([closed_form.loops(), closed_form.index()]);
             let beside = |offset: f64| {
                 let conditions = [
                     Condition::PERIOD_DOUBLING,
@@ -81,5 +81,7 @@ fn doubled_orbits_are_stable_to_one_side_of_a_change_of_criticality() {
             assert_ne!(beside(0.02 * way), beside(-0.02 * way));
         }
     }
-    assert!(found > 0);
+    // One curve joins the resonances n = 2 and n = 3 of one loop.
+    found.sort_unstable();
+    assert_eq!(found, [[1, 2], [1, 3], [1, 4], [2, 1]]);
 }
