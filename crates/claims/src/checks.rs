@@ -90,7 +90,6 @@ pub(crate) mod resonant {
     pub(crate) mod curves;
     pub(crate) mod derivatives;
     pub(crate) mod discussion;
-    pub(crate) mod doubled;
     pub(crate) mod simulation;
     pub(crate) mod stability;
     pub(crate) mod visits;

@@ -18,6 +18,7 @@ use core::fmt;
 use nalgebra::{Const, DimMin, LU, SVector};
 
 use crate::newton::{self, Linearisation, NewtonFailure};
+use crate::regula_falsi::zero_between;
 use crate::tolerances::{self, CORRECTIONS, EVALUATIONS, FARTHEST_CORRECTION};
 
 /// N − 1 smooth equations in N unknowns.
@@ -284,6 +285,28 @@ where
         Ok::<_, C::Failure>(system.bordered(direction.dot(&(point - through)), direction))
     });
     found.ok()
+}
+
+/// What is found on a curve between two of its points where a number that `measure` finds along with it
+/// vanishes; none if it has one sign at both, or is not found.
+pub(crate) fn zero_on<const N: usize, T, C: CurveEquations<N, Carried: Default>>(
+    equations: &C,
+    [a, b]: [SVector<f64, N>; 2],
+    measure: impl Fn(newton::Solution<N>) -> Option<(T, f64)>,
+    enough: f64,
+) -> Option<T>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    let at = |share: f64| {
+        let start = a + (b - a) * share;
+        measure(across(equations, start, &(b - a).normalize(), &start)?)
+    };
+    let values = [at(0.0)?.1, at(1.0)?.1];
+    if values[0] * values[1] >= 0.0 {
+        return None;
+    }
+    zero_between(values, |share| at(share).ok_or(()), |_, value| value.abs() <= enough).ok()
 }
 
 /// How a curve ends that is followed through a window.

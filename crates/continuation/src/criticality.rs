@@ -19,19 +19,21 @@
 //!
 //! **Domain.** y ≠ 0: towards a resonance the pair of maps stays smooth, but DL becomes singular
 //! and all of U is compressed into
-//! |s| of the order of y, so that y² c tends to a limit. Digits of c are then lost in proportion to 1/y. The formulas
+//! |s| of the order of y, so that y² c tends to a limit, the limit map's
+//! [`criticality`](grazing_theorems::LimitMap::criticality). Digits of c are then lost in proportion to 1/y. The formulas
 //! know of no impact but those of the MPS; where an orbit meets the wall in between, as near a
 //! grazing bifurcation of the MPS, they hold for the smaller s.
 
-mod at_resonance;
 mod normal_form;
-
-pub use at_resonance::coefficient_at_resonance;
 
 use grazing_model::ThirdOrder;
 use nalgebra::Vector2;
 
-use crate::mps::{LoopEquations, LoopPair, Unknowns, unknown};
+use crate::arclength::zero_on;
+use crate::curve::{Curve, CurvePoint, SolutionCurve};
+use crate::locate::Condition;
+use crate::mps::{Formulation, LoopEquations, LoopPair, PeriodicSolution, Unknowns, unknown};
+use crate::newton::Solution;
 use crate::tolerances::LOCATED;
 use normal_form::{Germ, ImplicitMap};
 
@@ -80,6 +82,26 @@ impl PeriodDoubling {
     pub fn supercritical(&self) -> bool {
         self.coefficient > 0.0
     }
+}
+
+/// The places on a curve of period doublings at which criticality changes (generalised period doublings),
+/// in its order. Two within one step are not seen.
+pub fn changes<O: ThirdOrder>(equations: &LoopEquations<O>, curve: &Curve) -> Vec<PeriodicSolution> {
+    let equations = equations.with_formulation(Formulation::FixedPhase);
+    let flips = SolutionCurve { equations: equations.clone(), condition: Condition::PERIOD_DOUBLING };
+    let measure = |solution: Solution<4>| {
+        let form = period_doubling(&equations, &solution.point).ok()?;
+        let velocity = solution.point[unknown::VELOCITY] / form.direction[0];
+        let value = velocity * velocity * form.coefficient;
+        Some(((solution.point, value), value))
+    };
+    let change = |pair: &[CurvePoint]| {
+        let ends = [0, 1].map(|k: usize| pair[k].solution.unknowns);
+        let (point, value) = zero_on(&flips, ends, measure, 0.0)?;
+        // It may change sign through infinity, too.
+        (value.abs() < LOCATED).then(|| equations.solution(&point))
+    };
+    curve.points.windows(2).filter_map(change).collect()
 }
 
 /// The normal form of the period doubling of an MPS.

@@ -8,11 +8,11 @@
 use grazing_model::ImpactOscillator;
 use nalgebra::{Vector2, Vector4};
 
-use crate::arclength::across;
+use crate::arclength::zero_on;
 use crate::curve::{Curve, Event, SolutionCurve};
 use crate::locate::Condition;
 use crate::mps::{EventTimes, LoopEquations, Unknowns, unknown};
-use crate::regula_falsi::zero_between;
+use crate::newton::Solution;
 use crate::tolerances::{AT_CUSP, IN_THE_PLANE};
 
 /// The cusps of a saddle-node curve, in its order. Two within one step are not seen.
@@ -36,22 +36,15 @@ fn in_plane(displacement: &Unknowns) -> Vector2<f64> {
 /// The point between two points of the curve at which its tangent has no part along `forwards`.
 fn turning_point<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
-    [a, b]: [Unknowns; 2],
+    points: [Unknowns; 2],
     forwards: &Vector2<f64>,
 ) -> Option<Unknowns> {
     let folds = SolutionCurve { equations: equations.clone(), condition: Condition::SADDLE_NODE };
-    let at = |share: f64| {
-        let start = a + (b - a) * share;
-        let solution = across(&folds, start, &(b - a).normalize(), &start)?;
+    let measure = |solution: Solution<4>| {
         let tangent = in_plane(&solution.factors.solve(&Vector4::w())?.normalize());
         Some(((solution.point, tangent), tangent.dot(forwards)))
     };
-    let values = [at(0.0)?.1, at(1.0)?.1];
-    if values[0] * values[1] >= 0.0 {
-        return None;
-    }
-    let found = zero_between(values, |share| at(share).ok_or(()), |_, value| value.abs() <= IN_THE_PLANE);
-    let (point, tangent) = found.ok()?;
+    let (point, tangent) = zero_on(&folds, points, measure, IN_THE_PLANE)?;
     // Where the curve turns about within a step, and does not turn back, it goes on across there.
     (tangent.norm() <= AT_CUSP).then_some(point)
 }

@@ -16,6 +16,7 @@
 //!             └─ resonance   resonant grazing points and the curves that leave them in the direction of the theory
 //!                  └─ fit    quadratic coefficients measured on these curves
 //!   mps ─ criticality        normal form of period doublings, from third derivatives
+//!   mps ─ doubled            orbits with two impacts, and where they graze
 //! ```
 //!
 //! ```
@@ -46,6 +47,7 @@ pub mod bifurcation;
 pub mod criticality;
 pub mod curve;
 pub mod cusp;
+pub mod doubled;
 mod emerging;
 pub mod fit;
 mod follow;

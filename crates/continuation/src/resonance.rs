@@ -6,6 +6,7 @@ use core::ops::Deref;
 use grazing_model::maps::MapError;
 use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
+use grazing_theorems::limit_map::LimitImpact;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint};
 
@@ -133,6 +134,19 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
     pub fn unknowns(&self) -> Unknowns {
         let [primary, secondary] = self.orbit.oscillator().parameters();
         Unknowns::new(0.0, self.orbit.phase(), primary, secondary)
+    }
+
+    /// (y, z, μ, η) of an impact of the limit map, at its parameter M and a distance η from the resonance.
+    ///
+    /// # Errors
+    /// There is no grazing orbit at that η.
+    pub fn near(&self, eta: f64, parameter: f64, impact: LimitImpact) -> Result<Unknowns, GrazingOrbitError> {
+        let scale = self.point.limit_scale();
+        let secondary = self.unknowns()[unknown::SECONDARY] + eta;
+        let place = self.orbit.place().moved(self.orbit.oscillator(), secondary)?;
+        let [y, z] = scale.impact(eta, impact);
+        let primary = place.parameters[0] + scale.parameter * eta * eta * parameter;
+        Ok(Unknowns::new(y, place.phase + z, primary, secondary))
     }
 
     /// The resonance with the theorem that holds there.

@@ -32,6 +32,9 @@ pub enum TheoryError {
         /// det(J): zero, or NaN.
         determinant: f64,
     },
+    /// No resonance has a limit map with such numbers.
+    #[error("no resonance has a limit map with such numbers")]
+    NoLimitMap,
     /// The damping ratio lies outside the open interval (0, 1).
     #[error("the damping ratio zeta must lie in (0, 1), but is {zeta}")]
     DampingRatio {

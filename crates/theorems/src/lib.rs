@@ -33,6 +33,7 @@
 //! | 2.6, 5 | s_p^+-, c_SN, c_PD, the branch and the curves at a resonance, to leading order | [`unfolding`] |
 //! | 2.6 | Theorems 2.4 and 2.5 | [`resonant_theorem`] |
 //! | ours | solutions of more loops at a one-loop resonance | [`iterated`] |
+//! | ours | all motion near a resonance with one impact in p periods, to leading order | [`limit_map`] |
 //! | 3, B | the linear oscillator, Propositions 3.1 to 3.3 | [`linear_oscillator`] |
 //!
 //! All quantities of a [`GrazingPoint`] and of a [`ResonantPoint`] can be read off a numerical
@@ -55,6 +56,7 @@ pub mod generic_theorem;
 pub mod grazing;
 pub mod hypothesis;
 pub mod iterated;
+pub mod limit_map;
 pub mod linear_oscillator;
 pub mod resonant_theorem;
 pub mod spectrum;
@@ -64,6 +66,7 @@ pub use error::TheoryError;
 pub use generic_theorem::{GenericGrazing, Side};
 pub use grazing::GrazingPoint;
 pub use hypothesis::HypothesesViolated;
+pub use limit_map::LimitMap;
 pub use linear_oscillator::{GrazingState, LinearOscillator, Resonance};
 pub use resonant_theorem::ResonantGrazing;
 pub use spectrum::LinearisedMap;

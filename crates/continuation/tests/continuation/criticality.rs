@@ -1,6 +1,5 @@
 //! The normal form of period doublings of MPSs against the orbits that are created there.
 
-mod doubled;
 mod invariance;
 mod period_doublings;
 mod specimens;

@@ -10,6 +10,7 @@ mod emerging;
 mod formulations;
 mod hybrid;
 mod integrated;
+mod limit_map;
 mod located_resonances;
 mod newton;
 mod one_parameter_branches;

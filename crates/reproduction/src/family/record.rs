@@ -1,7 +1,6 @@
 //! What is computed of one member of a family.
 
 use grazing_continuation::bifurcation::Pair;
-use grazing_continuation::criticality::coefficient_at_resonance;
 use grazing_continuation::mps::unknown;
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
@@ -236,7 +235,7 @@ impl Rows {
             xi: point.second_phase_derivative,
             a12_prime,
             kappa_prime,
-            pd_criticality: coefficient_at_resonance(&point),
+            pd_criticality: point.limit_map().criticality(),
             holds: c_sn.is_finite(),
             failing: String::new(),
         }

@@ -4,7 +4,6 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::bifurcation::Pair;
-use grazing_continuation::criticality::coefficient_at_resonance;
 use grazing_model::ImpactOscillator;
 use grazing_results::row;
 use grazing_theorems::hypothesis::Hypothesis;
@@ -150,7 +149,7 @@ row! { CoefficientRow, |this| {
     XI = point.second_phase_derivative,
     A12_PRIME = a12_prime,
     KAPPA_PRIME = kappa_prime,
-    PD_CRITICALITY = coefficient_at_resonance(point),
+    PD_CRITICALITY = point.limit_map().criticality(),
     SN_AS_SIMULATED = sn_side.name(),
     SN_SIMULATION_REASON = sn_side.reason(),
     PD_AS_SIMULATED = pd_side.name(),

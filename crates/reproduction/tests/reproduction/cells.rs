@@ -4,7 +4,6 @@
 use std::sync::OnceLock;
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
-use grazing_continuation::criticality::coefficient_at_resonance;
 use grazing_continuation::fit::{Estimate, FitError, Measurement};
 use grazing_model::ImpactOscillator;
 use grazing_model::phase::centred;
@@ -358,7 +357,7 @@ fn coefficients_and_simulations_stand_in_their_own_cells() {
             XI: at.point.second_phase_derivative,
             A12_PRIME: slope(at.loops == 1),
             KAPPA_PRIME: slope(at.loops != 1),
-            PD_CRITICALITY: coefficient_at_resonance(&at.point),
+            PD_CRITICALITY: at.point.limit_map().criticality(),
             SN_AS_SIMULATED: "no",
             SN_SIMULATION_REASON: sides.to_string(),
             PD_AS_SIMULATED: "undecided",

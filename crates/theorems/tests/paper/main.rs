@@ -7,6 +7,7 @@ mod admissibility_boundary;
 mod auxiliary;
 mod generic_grazing;
 mod iterated;
+mod limit_map;
 mod linear_oscillator;
 mod resonant_grazing;
 mod spectrum;

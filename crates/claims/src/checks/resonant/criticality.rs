@@ -1,10 +1,10 @@
 //! Section 6: what the period doublings of Figure 7 create.
 
 use super::discussion::{ROUTE, of_figure_7};
-use super::doubled::{Doubled, DoubledEquations, Grazes};
 use super::simulation::next_impact;
 use crate::*;
-use grazing_continuation::criticality::{coefficient_at_resonance, period_doubling};
+use grazing_continuation::criticality::period_doubling;
+use grazing_continuation::doubled::{Doubled, DoubledEquations};
 
 /// Admissible points of the PD curve that bounds a region, evenly spread over its length.
 fn flips(place: &ResonantSpecimen, count: usize) -> Result<Vec<Unknowns>, Failure> {
@@ -50,7 +50,7 @@ checks! {
     /// The period doublings of Figure 7. Printed: all create an unstable solution. Found: close to
     /// resonances those with p = 1 and even n do; the others create one on which simulation ends.
     criticality_of_figure_7: over(of_figure_7()?) |place; (cases, printed): (Votes, Votes)| {
-        let subcritical = coefficient_at_resonance(place.point()) < 0.0;
+        let subcritical = place.point().limit_map().criticality() < 0.0;
         // As the correction of the misprint says: p = 1 with even n alone.
         let even = place.loops() == 1 && place.point().unfolding.derivative < 0.0;
         cases.see(subcritical == even);
@@ -70,34 +70,33 @@ checks! {
     } =>
         cases.outcome("points of the seven PD curves of Figure 7: close to the resonances with simulated orbits, for the print all along")
             .against_print(printed.measure());
-    /// Period-doubled solutions end at grazing, on curves with μ and y of first order in η: for p = 1
-    /// an impact loses its velocity, for p ≥ 2 a loop touches the wall before that.
-    doubled_solutions_graze: over(of_figure_7()?) |place; orders: Vec<Observed>| {
+    /// Period-doubled solutions graze at μ = c_2GZ η² + O(η³): for p = 1 an impact loses its velocity, for
+    /// p ≥ 2 the last loop before an impact touches the wall before that.
+    doubled_solutions_graze: orders(ANY, "μ and y where orbits with two impacts graze, towards resonances with p up to 5", |place| {
+        let point = place.point();
+        let (map, scale) = (point.limit_map(), point.limit_scale());
         let equations = DoubledEquations::new(place.resonance.equations());
-        let curve = &place.curves()[1];
-        // Smaller velocities are lost in the rounding of the two impacts' distance.
-        const SMALLEST: f64 = 1e-5;
-        // Located amplitudes and velocities.
-        orders.extend(together([(1e-15, 1.0), (1e-13, 1.0)], |size| {
-            if size < SMALLEST {
-                return Some([0.0; 2]);
-            }
-            let near = place.on_curve(curve, size / curve.leading.impact_velocity_slope)?;
-            let (grazing, how) = equations.grazing(&near.unknowns)?;
-            if (how == Grazes::AtAnImpact) != (place.loops() == 1) {
+        let (gap, [velocity, _]) = (map.grazing_gap(), map.period_doubling());
+        let [_, fastest] = map.doubled_impacts(gap);
+        // Located amplitudes and velocities, digits of which are lost in proportion to 1/y.
+        Ok(together([(1e-14, 3.0), (1e-14, 3.0)], |size| {
+            let eta = size / (scale.velocity * velocity);
+            let guess = Doubled::near_resonance(&place.resonance, eta, gap).ok()?;
+            let (grazing, visit) = equations.grazing(guess)?;
+            // The last one before an impact; for one loop the impact itself.
+            if visit != place.loops() - 1 {
                 return None;
             }
-            Some([grazing.primary() - near.orbit.primary(), grazing.impacts()[0][unknown::VELOCITY]])
-        }));
-        // Infinite: not found.
-        if orders.iter().any(|(observed, _)| observed.is_infinite()) {
-            return Err("a period-doubled family was not followed to its grazing".into());
-        }
-    } => of_orders(&orders, "μ and y on the curves where period-doubled MPSs of Figure 7 graze, as η tends to 0");
+            Some([
+                grazing.primary() - place.grazing(eta)?.primary() - point.doubled_grazing_coefficient() * eta * eta,
+                size * (grazing.impacts()[0][unknown::VELOCITY] - scale.velocity * eta * fastest.velocity),
+            ])
+        }))
+    });
     /// The criterion that section 6 asks for, derived at the resonance: y² c of the normal form, c
     /// counted in the impact velocity, tends to it at first order in y along the PD curve.
     criterion_at_resonance: orders(ANY, "PD curves running into resonances with p up to 5", |place| {
-        let limit = coefficient_at_resonance(place.point());
+        let limit = place.point().limit_map().criticality();
         let curve = &place.curves()[1];
         let observed = order(|y| {
             // Digits of c are lost in proportion to 1/y, and its value grows with 1/y².

@@ -1,11 +1,17 @@
-//! Period-doubled MPSs, with two impacts in 2p loops, near the curve of multiplier −1.
+//! Orbits with two impacts in 2p loops, p from each to the next, as they begin at period doublings of
+//! MPSs, and where they graze.
 
-use crate::*;
-use grazing_continuation::mps::flight_time;
-use grazing_continuation::newton::{self, Linearisation};
-use grazing_model::MapJet;
-use grazing_model::motion::Maximum;
-use nalgebra::{SMatrix, SVector, Vector4};
+use grazing_model::motion::{Maximum, Motion};
+use grazing_model::{ImpactOscillator, MapJet, maps::MapError};
+use grazing_theorems::from_map::GrazingOrbitError;
+use nalgebra::{Matrix2, SMatrix, SVector, Vector4};
+
+use crate::mps::{
+    EventTimes, Formulation, LoopEquations, LoopPair, Multipliers, PeriodicSolution, Unknowns, flight_time,
+    unknown,
+};
+use crate::newton::{self, Linearisation};
+use crate::resonance::LocatedResonance;
 
 /// (y₁, z₁, y₂, z₂, μ) at fixed η.
 type Pair = SVector<f64, 5>;
@@ -15,47 +21,61 @@ type Pair = SVector<f64, 5>;
 enum Pick {
     /// y₁ − y₂.
     Difference(f64),
-    /// y₂.
-    Lower(f64),
+    /// y₂ = 0.
+    Stopped,
     /// The maximum of x near a time after an impact, 0 or 1, is at the wall.
     Touch(usize, f64),
 }
 
-/// How a period-doubled MPS grazes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Grazes {
-    /// One of its two impacts has the velocity 0.
-    AtAnImpact,
-    /// Another maximum touches the wall.
-    Between,
-}
-
-/// A period-doubled MPS.
-#[derive(Clone, Copy)]
-pub(super) struct Doubled {
+/// An orbit with two impacts, or a guess at one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Doubled {
     point: Pair,
     secondary: f64,
 }
 
 impl Doubled {
+    /// The one whose phases lie g apart in the limit map of a resonance, to leading order at a distance η
+    /// from it; the second impact is the one with the greater phase if g > 0.
+    ///
+    /// # Errors
+    /// There is no grazing orbit at that η.
+    pub fn near_resonance<O: ImpactOscillator>(
+        resonance: &LocatedResonance<O>,
+        eta: f64,
+        gap: f64,
+    ) -> Result<Self, GrazingOrbitError> {
+        let map = resonance.resonant_point().limit_map();
+        let parameter = map.doubled_parameter(gap * gap);
+        let [second, first] = map.doubled_impacts(gap);
+        let first = resonance.near(eta, parameter, first)?;
+        let second = resonance.near(eta, parameter, second)?;
+        Ok(Self::of(first, second))
+    }
+
+    fn of(first: Unknowns, second: Unknowns) -> Self {
+        let [y, z, primary, secondary] = first.into();
+        Self { point: Pair::from([y, z, second[0], second[1], primary]), secondary }
+    }
+
     /// The two impacts with the parameters.
-    pub(super) fn impacts(&self) -> [Unknowns; 2] {
+    pub fn impacts(&self) -> [Unknowns; 2] {
         let [y_1, z_1, y_2, z_2, primary] = self.point.into();
         [Vector4::new(y_1, z_1, primary, self.secondary), Vector4::new(y_2, z_2, primary, self.secondary)]
     }
 
     /// The primary parameter.
-    pub(super) fn primary(&self) -> f64 {
+    pub fn primary(&self) -> f64 {
         self.point[4]
     }
 }
 
-/// The equations of period-doubled MPSs with 2p loops.
-pub(super) struct DoubledEquations(LoopEquations<Specimen>);
+/// The equations of orbits with two impacts in 2p loops.
+pub struct DoubledEquations<O>(LoopEquations<O>);
 
-impl DoubledEquations {
+impl<O: ImpactOscillator> DoubledEquations<O> {
     /// Those that branch off the MPSs of these equations.
-    pub(super) fn new(equations: &LoopEquations<Specimen>) -> Self {
+    pub fn new(equations: &LoopEquations<O>) -> Self {
         // The form without virtual points: it is defined all along the curves.
         Self(equations.with_formulation(Formulation::FixedPhase))
     }
@@ -74,7 +94,7 @@ impl DoubledEquations {
                 let gap = doubled.point[0] - doubled.point[2] - *value;
                 (gap, Pair::from([1.0, 0.0, -1.0, 0.0, 0.0]))
             }
-            Pick::Lower(value) => (doubled.point[2] - *value, Pair::from([0.0, 0.0, 1.0, 0.0, 0.0])),
+            Pick::Stopped => (doubled.point[2], Pair::from([0.0, 0.0, 1.0, 0.0, 0.0])),
             Pick::Touch(after, time) => {
                 let (height, gradient) = self.0.maximum_near(&doubled.impacts()[*after], time)?;
                 let mut row = Pair::zeros();
@@ -102,24 +122,24 @@ impl DoubledEquations {
                 system.jacobian.fixed_view_mut::<2, 1>(row, 4).copy_from(&gap);
             }
             let (residual, gradient) = self.condition(&here, &mut pick)?;
-            system.residual[4] = residual;
-            system.jacobian.set_row(4, &gradient.transpose());
-            Ok::<_, MapError>(system)
+            Ok::<_, MapError>(system.bordered(residual, &gradient))
         };
         let solution = newton::solve(start.point, 25, evaluate).ok()?;
         Some(Doubled { point: solution.point, ..start })
     }
 
-    /// The period-doubled MPS with this difference of velocities, beside a multiplier −1.
-    pub(super) fn near(&self, flip: &Unknowns, difference: f64) -> Option<Doubled> {
+    /// The orbit with this difference of velocities, beside a multiplier −1.
+    pub fn near(&self, flip: &Unknowns, difference: f64) -> Option<Doubled> {
         let pair = self.0.pair::<1>(flip, &mut EventTimes::default()).ok()?;
-        // The eigenvector to −1: the kernel of the sum of the two derivatives.
-        let sum = pair.round_trip.derivative() + pair.impact.derivative();
-        let row = if sum.row(0).norm() > sum.row(1).norm() { 0 } else { 1 };
-        let vector = Vector2::new(1.0, -sum[(row, 0)] / sum[(row, 1)]) * (0.5 * difference);
-        let [y, z, primary, secondary] = (*flip).into();
-        let point = Pair::from([y + vector[0], z + vector[1], y - vector[0], z - vector[1], primary]);
-        self.solve(Doubled { point, secondary }, Pick::Difference(difference))
+        let direction = pair.direction(-1.0)?;
+        let apart = direction * (0.5 * difference / direction[0]);
+        let apart = Unknowns::new(apart[0], apart[1], 0.0, 0.0);
+        self.solved(Doubled::of(flip + apart, flip - apart))
+    }
+
+    /// The orbit near a guess, with the guess's difference of velocities.
+    pub fn solved(&self, guess: Doubled) -> Option<Doubled> {
+        self.solve(guess, Pick::Difference(guess.point[0] - guess.point[2]))
     }
 
     /// The highest maximum of x between impacts, with the impact after which it comes.
@@ -136,41 +156,29 @@ impl DoubledEquations {
         both.max_by(|(_, one), (_, other)| one.position.total_cmp(&other.position))
     }
 
-    /// The first member of the family that grazes, and how: all its other maxima lie in front of
-    /// the wall, and both impacts have y ≥ 0.
-    pub(super) fn grazing(&self, flip: &Unknowns) -> Option<(Doubled, Grazes)> {
-        // The family in 40 steps, each from the two before by extrapolation.
-        let steps = 40;
-        let y = flip[unknown::VELOCITY];
-        let mut here = self.near(flip, 0.1 * y)?;
-        let start = here.point[2];
-        let mut before = here;
-        for k in 1..=steps {
-            let lower = start * (1.0 - f64::from(k) / f64::from(steps));
-            let guess = Doubled { point: here.point * 2.0 - before.point, ..here };
-            before = here;
-            here = self.solve(guess, Pick::Lower(lower))?;
-            let inside = |doubled: &Doubled| {
-                self.highest(doubled).is_none_or(|(_, top)| top.position <= PeriodicSolution::TOUCH)
-            };
-            if !inside(&here) {
-                // One maximum is brought to the wall; if another is above it then, that one was
-                // first.
-                for _ in 0..2 * self.0.loops() {
-                    let (after, top) = self.highest(&here)?;
-                    here = self.solve(here, Pick::Touch(after, top.time))?;
-                    if inside(&here) {
-                        return Some((here, Grazes::Between));
-                    }
-                }
-                return None;
-            }
+    /// The member of the family that grazes, near a guess, with the number of the visit of its loop that
+    /// touches the wall; 0 if it is the second impact, which has no velocity.
+    ///
+    /// The whole orbit is in front of the wall: a maximum is brought to it, and if another is above it
+    /// then, that one was first.
+    pub fn grazing(&self, guess: Doubled) -> Option<(Doubled, u32)> {
+        let one_loop = self.0.loops() == 1;
+        let mut here = if one_loop { self.solve(guess, Pick::Stopped)? } else { guess };
+        let mut found = one_loop.then_some(0);
+        for _ in 0..=2 * self.0.loops() {
+            let highest = self.highest(&here);
+            let above = highest.filter(|(_, top)| found.is_none() || top.position > PeriodicSolution::TOUCH);
+            let Some((after, top)) = above else { break };
+            here = self.solve(here, Pick::Touch(after, top.time))?;
+            let period = self.0.oscillator_at(&here.impacts()[0]).forcing_period();
+            found = Some(libm::round(top.time / period) as u32);
         }
-        Some((here, Grazes::AtAnImpact))
+        let inside = |(_, top): (usize, Maximum)| top.position <= PeriodicSolution::TOUCH;
+        found.filter(|_| self.highest(&here).is_none_or(inside)).map(|visit| (here, visit))
     }
 
     /// Trace and determinant of the derivative of the return after two impacts.
-    pub(super) fn multipliers(&self, doubled: &Doubled) -> Option<Multipliers> {
+    pub fn multipliers(&self, doubled: &Doubled) -> Option<Multipliers> {
         let [first, second] = self.pairs(doubled).ok()?;
         let step = |from: &LoopPair, to: &LoopPair| -> Option<Matrix2<f64>> {
             Some(to.impact.derivative().try_inverse()? * from.round_trip.derivative())
