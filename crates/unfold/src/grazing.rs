@@ -295,10 +295,13 @@ impl GrazingEquations<'_> {
         }
         let GrazingPoint { gamma, .. } = orbit.grazing_point();
         let [primary, secondary] = self.scope.window.widths();
-        (gamma > 0.0).then(|| GrazingState {
+        let admissible = admissible(&orbit);
+        // Where integration has come to its limit there are none, and what came before is not sure.
+        let multipliers = multipliers(&orbit);
+        (gamma > 0.0 && multipliers.trace.is_finite()).then(|| GrazingState {
             tangent: Vector3::new(tangent[0], tangent[1] * primary, tangent[2] * secondary),
-            stable: multipliers(&orbit).stable(),
-            admissible: admissible(&orbit),
+            stable: multipliers.stable(),
+            admissible,
             orbit,
         })
     }

@@ -23,7 +23,7 @@ const PATH_AREA: Paint = Paint { colour: BLUE, opacity: 0.1 };
 const WIDTH_MM: f64 = 80.0;
 const HEIGHT_MM: f64 = 68.0;
 /// Shares of the path's width and height that are left free beside it, for its labels.
-const MARGIN: [f64; 2] = [0.42, 0.14];
+const MARGIN: [f64; 2] = [0.46, 0.14];
 /// Segments shorter than this (points) carry no arrowhead.
 const POINTED_LENGTH: f64 = 14.0;
 
