@@ -29,12 +29,10 @@ pub(crate) fn stepped_over(equations: &LoopEquations, branch: &Curve) -> Vec<Loc
         if ![1, 2].iter().all(|&end| four[end].solution.attracts()) {
             continue;
         }
+        let margins = [0, 1, 2, 3].map(|k| margins(&four[k]));
         for (k, &condition) in LOSSES.iter().enumerate() {
-            all.extend(
-                pair(equations, branch.condition, condition, four, |point| margins(point)[k])
-                    .into_iter()
-                    .flatten(),
-            );
+            let values = margins.map(|margins| margins[k]);
+            all.extend(pair(equations, [branch.condition, condition], four, values).into_iter().flatten());
         }
     }
     all
@@ -47,8 +45,9 @@ pub(crate) fn come_up(equations: &LoopEquations, curve: &Curve) -> Vec<(Unknowns
         if [1, 2].iter().any(|&end| four[end].solution.admissible()) {
             return None;
         }
-        let ceiling = |point: &CurvePoint| point.solution.ceiling();
-        let [first, last] = pair(equations, curve.condition, Condition::InteriorGrazing, four, ceiling)?;
+        let ceilings = [0, 1, 2, 3].map(|k| four[k].solution.ceiling());
+        let conditions = [curve.condition, Condition::InteriorGrazing];
+        let [first, last] = pair(equations, conditions, four, ceilings)?;
         let middle = (first.1 + last.1) * 0.5;
         let held = Condition::ImpactVelocity(middle[unknown::VELOCITY]);
         let mut times = first.2;
@@ -58,17 +57,17 @@ pub(crate) fn come_up(equations: &LoopEquations, curve: &Curve) -> Vec<(Unknowns
     curve.points.windows(4).filter_map(within).collect()
 }
 
-/// The two zeros of a margin on the step between the second and the third of four points.
+/// The two zeros of the second condition's margin, which has these values at four points, on the step
+/// between the second and the third.
 fn pair(
     equations: &LoopEquations,
-    along: Condition,
-    condition: Condition,
+    [along, condition]: [Condition; 2],
     four: &[CurvePoint],
-    margin: impl Fn(&CurvePoint) -> f64,
+    values: [f64; 4],
 ) -> Option<[Located; 2]> {
     let length = |k: usize| equations.gap(&four[k].solution.unknowns, &four[k + 1].solution.unknowns).norm();
     let lengths = [0, 1, 2].map(length);
-    if least([0, 1, 2, 3].map(|k| margin(&four[k])), lengths) >= 0.0 {
+    if least(values, lengths) >= 0.0 {
         return None;
     }
     let first = from(equations, along, condition, &four[1], lengths[1])?;
