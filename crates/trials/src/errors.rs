@@ -2,8 +2,8 @@
 //!
 //! They stand in `expected/deliberate_errors.toml`. A copy of the project under `target/` gets all
 //! of them at once, each behind a switch that an environment variable turns (`armed`), so that it
-//! is built once for all; those that cannot stand behind a switch are put in by themselves. The
-//! project is never touched.
+//! is built once for all; those that cannot stand behind a switch are put in by themselves. Only
+//! test programs that come to an error's switch are run with it. The project is never touched.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -13,7 +13,7 @@ use std::{fs, io};
 
 use serde::Deserialize;
 
-use crate::errors::armed::{SWITCH, VARIABLE, armed};
+use crate::errors::armed::{REACHED, SWITCH, VARIABLE, armed};
 
 mod armed;
 
@@ -310,6 +310,9 @@ impl<'a> Copy<'a> {
         let (first, others): (Vec<_>, Vec<_>) = rest.into_iter().partition(is_own);
         let (mut frozen, mut not_ended) = (Vec::new(), false);
         for test in claims.into_iter().chain(first).chain(others) {
+            if self.switched[index] && !self.reaches(test, index)? {
+                continue;
+            }
             let Some(failed) = self.failures(test, index)? else {
                 not_ended = true;
                 continue;
@@ -329,16 +332,35 @@ impl<'a> Copy<'a> {
         })
     }
 
-    /// The tests of a program that fail; nothing if it did not end by itself, or not in time.
-    fn failures(&self, test: &TestProgram, index: usize) -> io::Result<Option<Vec<String>>> {
+    /// Whether a program, or one that it runs, comes to the switch of an error. All that it comes to
+    /// is recorded once, in a run with no error in it.
+    fn reaches(&self, test: &TestProgram, index: usize) -> io::Result<bool> {
+        let program = self.root.join(&test.program);
+        let record = program.with_extension("reached");
+        let built = fs::metadata(&program)?.modified()?;
+        if !fs::metadata(&record).is_ok_and(|record| record.modified().is_ok_and(|at| at >= built)) {
+            let new = program.with_extension("new");
+            fs::write(&new, "")?;
+            self.run(test, "unlimited").env(REACHED, &new).output()?;
+            fs::rename(new, &record)?;
+        }
+        Ok(fs::read_to_string(record)?.lines().any(|line| line.parse() == Ok(index + 1)))
+    }
+
+    /// A run of a program's tests, with a limit to its seconds of CPU.
+    fn run(&self, test: &TestProgram, longest: &str) -> Command {
         let mut run = Command::new("sh");
-        run.args(["-c", "ulimit -t $0; exec \"$@\"", LONGEST]).arg(self.root.join(&test.program));
-        let run = run
+        run.args(["-c", "ulimit -t $0; exec \"$@\"", longest])
+            .arg(self.root.join(&test.program))
             .args(LEFT_OUT.map(|part| format!("--skip={part}")))
             .current_dir(self.root.join("crates").join(&test.of))
-            .env(VARIABLE, (index + 1).to_string())
-            .env("INSTA_UPDATE", "no")
-            .output()?;
+            .env("INSTA_UPDATE", "no");
+        run
+    }
+
+    /// The tests of a program that fail; nothing if it did not end by itself, or not in time.
+    fn failures(&self, test: &TestProgram, index: usize) -> io::Result<Option<Vec<String>>> {
+        let run = self.run(test, LONGEST).env(VARIABLE, (index + 1).to_string()).output()?;
         let output = String::from_utf8_lossy(&run.stdout);
         let failed =
             output.lines().filter_map(|line| line.strip_prefix("test ")?.strip_suffix(" ... FAILED"));

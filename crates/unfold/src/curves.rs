@@ -6,12 +6,16 @@ use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_continuation::curve::{Curve, CurveEnd, Event, Route, Window};
 use grazing_continuation::cusp::cusps;
 use grazing_continuation::locate::same_point;
-use grazing_continuation::mps::{LoopEquations, Unknowns};
+use grazing_continuation::mps::{LoopEquations, Unknowns, unknown};
 
 use crate::beyond;
 
 /// A curve of this many points has lost its way.
 const STEP_LIMIT: usize = 20_000;
+
+/// Ends at y = 0 closer than this are at one resonance: so much may GZ curves be off where waves of
+/// an integrated oscillator are short (4 · 10⁻⁷ was seen), and resonances lie farther apart.
+const AT_ONE_RESONANCE: f64 = 1e-5;
 
 /// The route through a window to the first event.
 pub fn route(window: Window, control: StepControl) -> Route<'static> {
@@ -43,6 +47,24 @@ impl DiagramCurve {
     /// The pieces of it that cross a window, each with its first point outside at either end.
     pub(crate) fn within(&self, window: Window) -> Vec<Self> {
         within(&self.curve, window).into_iter().map(|curve| Self { curve, ..*self }).collect()
+    }
+
+    /// Takes an end of a GZ curve at y = 0 to that of a curve of another kind, where both leave one
+    /// resonance: its own is a simple zero of a determinant, in which more digits are lost.
+    fn end_with(&mut self, other: &Self) {
+        if self.kind != Bifurcation::Grazing || other.kind == Bifurcation::Grazing {
+            return;
+        }
+        let at_grazing = |at: &Unknowns| at[unknown::VELOCITY] == 0.0;
+        for place in other.ends().into_iter().filter(at_grazing) {
+            let [first, .., last] = self.curve.points.as_mut_slice() else { continue };
+            for end in [first, last].map(|point| &mut point.solution.unknowns) {
+                let gap = |index: usize| (end[index] - place[index]).abs();
+                if at_grazing(end) && gap(unknown::PRIMARY).max(gap(unknown::SECONDARY)) < AT_ONE_RESONANCE {
+                    *end = place;
+                }
+            }
+        }
     }
 
     /// First and last point.
@@ -131,7 +153,11 @@ impl Net {
     }
 
     /// Adds a curve unless it is one of those that are there, followed from its other end.
-    pub(crate) fn add(&mut self, new: DiagramCurve) {
+    pub(crate) fn add(&mut self, mut new: DiagramCurve) {
+        for known in &mut self.curves {
+            new.end_with(known);
+            known.end_with(&new);
+        }
         if self.curves.iter().any(|old| old.is_same(&new)) {
             return;
         }

@@ -7,12 +7,25 @@ use super::DeliberateError;
 /// The environment variable that holds the number of the error that is in.
 pub(super) const VARIABLE: &str = "GRAZING_DELIBERATE_ERROR";
 
+/// The environment variable that names a file for the numbers of the switches that a run comes to.
+pub(super) const REACHED: &str = "GRAZING_DELIBERATE_ERRORS_REACHED";
+
 /// What a crate's root gets: whether an error is in.
 pub(super) const SWITCH: &str = r#"
 /// Whether the deliberate error of this number is in.
 #[allow(dead_code)]
 pub(crate) fn deliberate_error(number: u32) -> bool {
-    static NUMBER: std::sync::OnceLock<u32> = std::sync::OnceLock::new();
+    use std::io::Write;
+    use std::sync::OnceLock;
+    use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+    static NUMBER: OnceLock<u32> = OnceLock::new();
+    static RECORD: OnceLock<Option<std::fs::File>> = OnceLock::new();
+    static REACHED: [AtomicBool; 1000] = [const { AtomicBool::new(false) }; 1000];
+    let append = |path| std::fs::OpenOptions::new().create(true).append(true).open(path).expect("its folder is there");
+    let record = RECORD.get_or_init(|| std::env::var_os("GRAZING_DELIBERATE_ERRORS_REACHED").map(append));
+    if let Some(mut record) = record.as_ref() && !REACHED[number as usize].swap(true, Relaxed) {
+        record.write_all(format!("{number}\n").as_bytes()).expect("it can be written");
+    }
     let read = || std::env::var("GRAZING_DELIBERATE_ERROR").ok().and_then(|set| set.parse().ok()).unwrap_or(0);
     *NUMBER.get_or_init(read) == number
 }

@@ -17,7 +17,7 @@ const THIN: f64 = 5e-4;
 /// curves' chords leave.
 const PURE: f64 = 0.1;
 /// However long a chord, no more than this share of the window may differ from the rest of it.
-const STRETCH: f64 = 5e-3;
+const STRETCH: f64 = 1e-3;
 
 /// A face and what was found in it.
 pub(super) struct FaceVerdict {

@@ -15,6 +15,9 @@ use crate::grazing::HighestPoint;
 /// than that at this share of the root of its width.
 const BESIDE_GRAZING: f64 = 1e-4;
 const BESIDE_SHARE: f64 = 0.01;
+/// Each begins unstable, as its trace is infinite at y = 0. Where motion is strongly damped that ends closer
+/// to the singular point: at impact velocities as many times smaller.
+const CLOSER: [f64; 4] = [1.0, 1e-2, 1e-4, 1e-6];
 /// Branches of twice the period begin so far in (x, y) from where the period doubles; the square is
 /// the distance in μ. Those of twice the half of one are farther from the branch of symmetric motion
 /// than what counts as on it.
@@ -36,8 +39,14 @@ impl Slicer {
             let start = if both {
                 self.with_highest(&HighestPoint { height: 0.0, phase, parameters: [primary, secondary] })
             } else {
-                let near = Unknowns::new(beside, phase, primary, secondary);
-                self.at(&self.equations, near, &mut EventTimes::default())
+                let at = |share: &f64| {
+                    let near = Unknowns::new(share * beside, phase, primary, secondary);
+                    self.at(&self.equations, near, &mut EventTimes::default())
+                };
+                let unstable = |at: &Unknowns| !self.equations.solution(at).stable();
+                let mut starts = CLOSER.iter().filter_map(at);
+                let first = starts.next();
+                first.filter(unstable).or_else(|| starts.find(unstable)).or(first)
             };
             if let Some(start) = start {
                 self.add(&mut slice, start, &EventTimes::default(), both);

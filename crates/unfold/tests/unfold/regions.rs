@@ -6,7 +6,8 @@ use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
 use grazing_results::plane::RegionKind;
-use grazing_trials::closed_form;
+use grazing_trials::random::Random;
+use grazing_trials::{closed_form, simulation};
 use grazing_unfold::progress::Silent;
 use grazing_unfold::regions::Region;
 use grazing_unfold::simulation::{ReturnOutcome, Suspect};
@@ -285,14 +286,15 @@ fn a_fold_along_a_slice_and_motion_that_no_slice_shows_bound_regions() {
     assert!(stays_off([1.4, 0.86]) && !stays_off([1.2, 0.86]));
 }
 
-/// A spring with a layer that attracts and then repels (Morse), in which motion is doubled: along
-/// one slice the tip of that region is less than a step wide, and its border is a curve that is
+/// A layer that attracts and then repels (Morse).
+const LAYER: &str = "0.3*4*(exp(4*(x + 0.25)) - exp(8*(x + 0.25)))";
+
+/// A spring with such a layer, in which motion is doubled: along one slice the tip of that region is less than a step wide, and its border is a curve that is
 /// known.
 #[test]
 fn a_slice_does_not_step_over_both_sides_of_the_tip_of_a_region() {
-    let layer = "0.3*4*(exp(4*(x + 0.25)) - exp(8*(x + 0.25)))";
     let ranges = [[0.0, 1.2], [0.6, 1.075]];
-    let model = forced(&format!("-0.06*v - (x + 1) + {layer} + mu*cos(eta*t)"), "0", 0.7, ranges);
+    let model = forced(&format!("-0.06*v - (x + 1) + {LAYER} + mu*cos(eta*t)"), "0", 0.7, ranges);
     let units = model.units();
     let own = scope(ranges[0], ranges[1], &[1]).without_dimensions(&units);
     let oscillator = model.counted([1.2, 1.075], &units, &Stop::default());
@@ -302,6 +304,38 @@ fn a_slice_does_not_step_over_both_sides_of_the_tip_of_a_region() {
     // 0.832 motion is doubled for A from 0.36886 to 0.43449.
     assert!(stays_off([0.36, 0.832]) && stays_off([0.375, 0.85]));
     assert!([0.375, 0.39, 0.42].into_iter().all(|a| !stays_off([a, 0.832])));
+}
+
+#[test]
+fn a_region_that_ends_at_a_resonance_where_waves_are_short_is_closed_there() {
+    // The same force. Between a PD curve and one of grazing, which both end at the resonance p = 1, n = 6, but not in the
+    // same digits.
+    let ranges = [[0.8, 1.0], [0.4, 0.43]];
+    let model = forced(&format!("-0.06*v - (x + 1) + {LAYER} + mu*cos(eta*t)"), "0", 0.7, ranges);
+    let scope = scope(ranges[0], ranges[1], &[2]);
+    let diagram = Diagram::compute(&model.oscillator([1.0, 0.4]), &scope, &Silent).expect("it grazes");
+    let strip = |eta: f64| -> Vec<[f64; 2]> {
+        diagram
+            .regions
+            .iter()
+            .filter(|region| region.loops == 2)
+            .flat_map(|region| region.chords(eta))
+            .collect()
+    };
+    for eta in [0.412, 0.419_876] {
+        let [[from, to]] = strip(eta)[..] else { panic!("{eta}: {:?}", strip(eta)) };
+        // What random motion settles on with two loops, inside alone.
+        let settles = |mu: f64| {
+            let oscillator = model.oscillator([mu, eta]);
+            let mut random = Random::new(27);
+            (0..30).any(|_| simulation::settled(&oscillator, &mut random).is_some_and(|it| it.loops == 2))
+        };
+        let aside = 0.1 * (to - from);
+        // Beside the period doubling it takes long.
+        assert!(settles(from + aside) && settles(0.5 * (from + to)), "{eta}: {from} {to}");
+        assert!(!settles(from - aside) && !settles(to + aside), "{eta}: {from} {to}");
+    }
+    assert!(diagram.regions.iter().all(|region| region.loops == 0 || region.doubt.is_none()));
 }
 
 #[test]

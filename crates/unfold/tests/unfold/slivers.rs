@@ -55,6 +55,23 @@ fn what_is_found_in_a_part_of_a_window_is_what_the_closed_form_has_there() {
 }
 
 #[test]
+fn regions_that_begin_as_good_as_at_grazing_are_found_where_motion_is_strongly_damped() {
+    // Saddle-nodes at impact velocities below 1e-6: their curve is the grazing curve but for 1e-12.
+    let cases = [
+        ([0.23437, 0.7167], [0.5164, 0.8869], [0.4578, 0.4799]),
+        ([0.13219, 0.7928], [0.5, 1.2], [0.305, 0.33]),
+    ];
+    for ([zeta, epsilon], primary, secondary) in cases {
+        let window = Window { primary, secondary };
+        let exact = lines::exact(zeta, epsilon, primary, 0.5 * (secondary[0] + secondary[1]), 3);
+        assert!(exact.is_some_and(|[from, to]| to - from > 1e-6), "{exact:?}");
+        let outcome = lines::compare([zeta, epsilon], window, &[3], 50, &mut Random::new(1));
+        assert!(outcome.wrong.is_empty(), "{zeta}: {:?}", outcome.wrong);
+        assert_eq!(outcome.hatched, 0.0);
+    }
+}
+
+#[test]
 fn a_window_on_a_curve_far_from_grazing_shows_the_curve_and_the_region() {
     let whole = diagram(FIGURE_7, &[1, 2, 3]);
     let mut seen = 0;
