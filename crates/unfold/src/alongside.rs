@@ -48,7 +48,7 @@ struct Vertex {
 /// The curves as polylines, with vertices at common places where they run alongside.
 pub(crate) fn polylines(
     equations: &LoopEquations,
-    curves: &[DiagramCurve],
+    curves: &[&DiagramCurve],
     window: Window,
     levels: &[f64],
 ) -> Vec<Vec<Point>> {
@@ -61,7 +61,7 @@ pub(crate) fn polylines(
     for ((of, more), bent) in places.iter_mut().zip(at_levels(&shares, window, levels)).zip(bent) {
         of.extend(more.into_iter().chain(bent));
     }
-    let polyline = |(curve, places): (&DiagramCurve, Vec<Place>)| refined(equations, curve, places, window);
+    let polyline = |(curve, places): (&&DiagramCurve, Vec<Place>)| refined(equations, curve, places, window);
     curves.par_iter().zip(places).map(polyline).collect()
 }
 

@@ -250,20 +250,17 @@ impl<'a> Survey<'a> {
     /// What cuts the window, as polylines.
     pub(crate) fn lines(&self) -> Vec<Vec<Point>> {
         let curves = &self.net.curves;
-        let mut lines: Vec<Vec<Point>> = if self.net.equations.has_impacts() {
-            let levels: Vec<f64> = self.slices.iter().map(|slice| slice.secondary).collect();
-            alongside::polylines(&self.net.equations, curves, self.scope.window, &levels)
-        } else {
-            let all = curves.iter().map(|curve| curve.curve.parameters());
-            let halved = self.doublings();
-            let grazing = self.grazing.iter().map(|curve| curve.parameters().collect());
-            let covered =
-                |k: usize| curves[..k].iter().any(|earlier| covers(self.scope, earlier, &curves[k]));
-            grazing
-                .chain(halved)
-                .chain(all.enumerate().filter(|(k, _)| !covered(*k)).map(|(_, line)| line))
-                .collect()
-        };
+        let has_impacts = self.loops() > 0;
+        let covered = |k: usize| curves[..k].iter().any(|earlier| covers(self.scope, earlier, &curves[k]));
+        let shown = curves.iter().enumerate().filter(|(k, _)| has_impacts || !covered(*k));
+        let shown: Vec<&DiagramCurve> = shown.map(|(_, curve)| curve).collect();
+        let levels: Vec<f64> = self.slices.iter().map(|slice| slice.secondary).collect();
+        let mut lines: Vec<Vec<Point>> = Vec::new();
+        if !has_impacts {
+            lines.extend(self.grazing.iter().map(|curve| curve.parameters().collect()));
+            lines.extend(self.doublings());
+        }
+        lines.extend(alongside::polylines(&self.net.equations, &shown, self.scope.window, &levels));
         let on_other = [
             CodimensionTwo::SaddleNodeTorus,
             CodimensionTwo::PeriodDoublingTorus,

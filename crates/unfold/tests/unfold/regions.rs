@@ -328,7 +328,7 @@ fn a_region_that_ends_at_a_resonance_where_waves_are_short_is_closed_there() {
         let settles = |mu: f64| {
             let oscillator = model.oscillator([mu, eta]);
             let mut random = Random::new(27);
-            (0..30).any(|_| simulation::settled(&oscillator, &mut random).is_some_and(|it| it.loops == 2))
+            (0..10).any(|_| simulation::settled(&oscillator, &mut random).is_some_and(|it| it.loops == 2))
         };
         let aside = 0.1 * (to - from);
         // Beside the period doubling it takes long.
