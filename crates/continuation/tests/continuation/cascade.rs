@@ -1,0 +1,152 @@
+//! Cascades of the limit map, against its own orbits and those of the system.
+
+use grazing_continuation::cascade::{Cascade, Stop};
+use grazing_continuation::doubled::{Doubled, DoubledEquations};
+use grazing_continuation::mps::unknown;
+use grazing_continuation::resonance::LocatedResonance;
+use grazing_model::orbit::{FlightEnd, Orbit};
+use grazing_model::{ImpactOscillator, State};
+use grazing_theorems::limit_map::LimitImpact;
+use grazing_theorems::{LimitMap, Side};
+
+use crate::specimens::{DUFFING, EPSILON, ZETA, assert_vanishes, duffing, located};
+
+/// The places half-way between the onsets of the first four, with the number of impacts there.
+fn between(onsets: &[f64]) -> impl Iterator<Item = (f64, usize)> {
+    onsets.windows(2).zip([2, 4, 8]).map(|(pair, impacts)| (0.5 * (pair[0] + pair[1]), impacts))
+}
+
+/// The orbit with two impacts at a parameter, of which others begin.
+fn start(map: &LimitMap, parameter: f64) -> (f64, LimitImpact) {
+    let gap = (4.0 * (parameter - map.period_doubling()[1]) / map.bend_of_doubled()).sqrt();
+    let [mut first, _] = map.doubled_impacts(gap);
+    first.phase *= 1.0001;
+    (gap, first)
+}
+
+/// After how many impacts the last of these velocities come again, to a part in ten thousand.
+fn period(velocities: &[f64]) -> Option<usize> {
+    let last = &velocities[velocities.len() - 64..];
+    (1..=32).find(|&count| (0..64 - count).all(|i| (last[i + count] / last[i] - 1.0).abs() < 1e-4))
+}
+
+#[test]
+fn orbits_of_the_map_double_where_a_cascade_says_so() {
+    let mut seen = 0;
+    for (loops, sigma, epsilon) in
+        [(1, -0.83, 0.9), (1, -0.4, 0.9), (1, -0.6, 0.2), (2, -0.73, 0.9), (3, -0.57, 0.9), (2, -0.8, 0.6)]
+    {
+        let map = LimitMap::of_linear_oscillator(loops, sigma, epsilon).unwrap();
+        let Cascade { onsets, stop } = Cascade::of(&map, 4);
+        assert_eq!((onsets.len(), stop), (4, Stop::Enough), "{sigma} {epsilon}");
+        for (parameter, impacts) in between(&onsets) {
+            let (_, mut here) = start(&map, parameter);
+            let next = |_| {
+                here = map.step(Side::Positive, parameter, here).expect("it stays");
+                here.velocity
+            };
+            let velocities: Vec<f64> = (0..20_000).map(next).collect();
+            assert_eq!(period(&velocities), Some(impacts), "{sigma} {epsilon} {parameter}");
+            seen += 1;
+        }
+    }
+    assert_eq!(seen, 18);
+}
+
+#[test]
+fn a_cascade_says_why_it_stops() {
+    for (loops, sigma, begun, why) in [
+        (1, 0.8, 0, Stop::Subcritical),
+        (1, -0.15, 0, Stop::Subcritical),
+        (1, -0.22, 1, Stop::Subcritical),
+        (2, -0.22, 1, Stop::Grazing),
+        (2, -0.44, 2, Stop::Grazing),
+        (2, -0.475, 3, Stop::Grazing),
+    ] {
+        let map = LimitMap::of_linear_oscillator(loops, sigma, 0.9).unwrap();
+        let Cascade { onsets, stop } = Cascade::of(&map, 4);
+        assert_eq!((onsets.len(), stop), (begun, why), "{loops} {sigma}");
+        let Some(&last) = onsets.get(1) else { continue };
+        // Orbits go on to where the last ones leave, and leave there.
+        let leaves = |parameter: f64| {
+            let (_, mut here) = start(&map, parameter);
+            (0..20_000).any(|_| match map.step(Side::Positive, parameter, here) {
+                Ok(next) => {
+                    here = next;
+                    false
+                }
+                Err(_) => true,
+            })
+        };
+        assert!(!leaves(1.0001 * last) && leaves(0.9 * last), "{sigma}");
+    }
+}
+
+/// The simulated velocities of impacts that come p periods after each other.
+fn simulated<O: ImpactOscillator>(
+    resonance: &LocatedResonance<O>,
+    size: f64,
+    parameter: f64,
+    impacts: usize,
+) -> Vec<f64> {
+    let point = resonance.resonant_point();
+    let (map, scale) = (point.limit_map(), point.limit_scale());
+    let eta = size / (scale.velocity * map.period_doubling()[0]);
+    let from = resonance.near(eta, parameter, start(&map, parameter).1).unwrap();
+    let oscillator = resonance.equations().oscillator_at(&from);
+    let horizon = f64::from(resonance.loops()) * oscillator.forcing_period();
+    let from = State::on_wall(from[unknown::VELOCITY], from[unknown::PHASE]);
+    let flights = Orbit::new(&oscillator, from, 2.0 * impacts as f64 * horizon, usize::MAX);
+    let mut velocities = Vec::new();
+    for flight in flights.take(impacts) {
+        let (FlightEnd::Impact(state) | FlightEnd::TimeIsUp(state)) = flight.end;
+        assert!((flight.duration / horizon - 1.0).abs() < 0.1);
+        velocities.push(state.velocity);
+    }
+    velocities
+}
+
+/// μ/η² where orbits with two impacts that are solved for double their period, in units of the map.
+fn second_doubling<O: ImpactOscillator>(resonance: &LocatedResonance<O>, size: f64) -> Option<f64> {
+    let point = resonance.resonant_point();
+    let (map, scale) = (point.limit_map(), point.limit_scale());
+    let eta = size / (scale.velocity * map.period_doubling()[0]);
+    let equations = DoubledEquations::new(resonance.equations());
+    let at = |gap: f64| {
+        let doubled = equations.solved(Doubled::near_resonance(resonance, eta, gap).ok()?)?;
+        let found = equations.multipliers(&doubled)?;
+        Some((doubled.primary(), 1.0 + found.trace + found.determinant))
+    };
+    // By secants.
+    let mut gaps = [0.98, 1.02].map(|part| part * map.second_doubling().sqrt());
+    for _ in 0..8 {
+        let [one, two] = [at(gaps[0])?.1, at(gaps[1])?.1];
+        if one == two {
+            break;
+        }
+        gaps = [gaps[1], gaps[1] - two * (gaps[1] - gaps[0]) / (two - one)];
+    }
+    let place = resonance.near(eta, 0.0, map.fixed_point(0.0).0).unwrap();
+    Some((at(gaps[1])?.0 - place[unknown::PRIMARY]) / (scale.parameter * eta * eta))
+}
+
+fn assert_the_system_does_as_the_map<O: ImpactOscillator>(resonance: &LocatedResonance<O>, size: f64) {
+    let map = resonance.resonant_point().limit_map();
+    let Cascade { onsets, .. } = Cascade::of(&map, 4);
+    for (parameter, impacts) in between(&onsets) {
+        let velocities = simulated(resonance, size, parameter, 1500);
+        assert_eq!(period(&velocities), Some(impacts), "p = {}, {parameter}", resonance.loops());
+    }
+    // Digits are lost in proportion to 1/y².
+    assert_vanishes(3.0, 1e-13, |size| Some(size * size * (second_doubling(resonance, size)? - onsets[1])));
+}
+
+#[test]
+fn near_resonances_the_system_doubles_as_the_map() {
+    let theory = grazing_theorems::LinearOscillator::new(ZETA, EPSILON).unwrap();
+    for (loops, n) in [(1, 3), (2, 1), (3, 1)] {
+        assert_the_system_does_as_the_map(&located(&theory.resonance(loops, n).unwrap()), 1e-4);
+    }
+    let (loops, near) = DUFFING[1];
+    assert_the_system_does_as_the_map(&duffing(loops, near), 1e-4);
+}
