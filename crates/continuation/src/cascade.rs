@@ -36,6 +36,19 @@ pub enum Stop {
     Enough,
 }
 
+impl Stop {
+    /// What it is called in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Subcritical => "subcritical",
+            Self::Grazing => "grazing",
+            Self::SaddleNode => "saddle-node",
+            Self::Lost => "lost",
+            Self::Enough => "enough",
+        }
+    }
+}
+
 /// The orbits that begin stable one after the other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cascade {
@@ -175,7 +188,13 @@ impl Cycle {
 
     /// The next orbit that doubles its period, of those with twice as many impacts that leave this one, which
     /// does; an onset is added if they begin stable and as long as more are asked for.
-    fn next_doubling(&self, map: &LimitMap, step: f64, onsets: &mut Vec<f64>, most: usize) -> Result<Self, Stop> {
+    fn next_doubling(
+        &self,
+        map: &LimitMap,
+        step: f64,
+        onsets: &mut Vec<f64>,
+        most: usize,
+    ) -> Result<Self, Stop> {
         let away = |from: &Self, to: &Self| (to.parameter - from.parameter) * map.period_doubling()[1] < 0.0;
         let first = self.opened(map, step).ok_or(Stop::Lost)?.solved(map, step).ok_or(Stop::Lost)?;
         if !away(self, &first) {
@@ -200,7 +219,11 @@ impl Cycle {
             let to = at(1.0)?;
             let flips = [from.flip(map), to.flip(map)].map(|flip| before * flip);
             if flips[1] < 0.0 {
-                let flip = |share: f64| at(share).map(|found| (found.flip(map), found)).map(|(flip, found)| (found, before * flip));
+                let flip = |share: f64| {
+                    at(share)
+                        .map(|found| (found.flip(map), found))
+                        .map(|(flip, found)| (found, before * flip))
+                };
                 let found = zero_between(flips, flip, |_, value| value.abs() < LOCATED * flips[0].abs())?;
                 return if found.is_admissible(map) { Ok(found) } else { Err(Stop::Grazing) };
             }

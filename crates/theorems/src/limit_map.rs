@@ -299,6 +299,19 @@ impl<T: Number> LimitMap<T> {
 }
 
 impl LimitMap {
+    /// For p = 1 the next visit (X, V), before its recoil if it is an impact, X > 0, or misses the wall; `entry` is a₁₁.
+    pub fn next_visit(
+        &self,
+        side: Side,
+        parameter: f64,
+        entry: f64,
+        [position, phase]: [f64; 2],
+    ) -> [f64; 2] {
+        let velocity = side.signum() * position.max(0.0).sqrt();
+        let from = LimitImpact { velocity, phase: phase - velocity };
+        [self.next_square(parameter, from) + entry * position.min(0.0), self.next_phase(from, 0.0)]
+    }
+
     /// The next impact.
     ///
     /// # Errors

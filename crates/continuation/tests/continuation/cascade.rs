@@ -150,3 +150,45 @@ fn near_resonances_the_system_doubles_as_the_map() {
     let (loops, near) = DUFFING[1];
     assert_the_system_does_as_the_map(&duffing(loops, near), 1e-4);
 }
+
+/// From each simulated impact the map's visits lead to the next one, after as many periods.
+fn assert_motion_that_misses_is_the_map_s<O: ImpactOscillator>(resonance: &LocatedResonance<O>) {
+    let point = resonance.resonant_point();
+    let (map, scale) = (point.limit_map(), point.limit_scale());
+    let [velocity, doubling] = map.period_doubling();
+    let (side, parameter) = (Side::of(velocity), 0.5 * doubling);
+    let eta = 1e-5 / (scale.velocity * velocity);
+    let (fixed, _) = map.fixed_point(velocity);
+    let from = resonance.near(eta, parameter, fixed).unwrap();
+    let oscillator = resonance.equations().oscillator_at(&from);
+    let grazing_phase = from[unknown::PHASE] - scale.impact(eta, fixed)[1];
+    let mut state = State::on_wall(from[unknown::VELOCITY], from[unknown::PHASE]);
+    let period = oscillator.forcing_period();
+    let mut missed = 0;
+    for flight in Orbit::new(&oscillator, state, 4e3 * period, usize::MAX).take(200) {
+        let FlightEnd::Impact(next) = flight.end else { break };
+        let phase = libm::remainder(state.phase - grazing_phase, core::f64::consts::TAU);
+        let from = scale.limit(eta, [state.velocity, phase]);
+        let mut visit = [from.velocity * from.velocity, from.phase + from.velocity];
+        let periods = libm::round(flight.duration / period) as u32;
+        for number in 1..=periods {
+            visit = map.next_visit(side, parameter, point.grazing.map.a.m11, visit);
+            assert_eq!(visit[0] > 0.0, number == periods, "{visit:?}");
+        }
+        let simulated = next.velocity / (scale.velocity * eta);
+        assert!((visit[0] - simulated * simulated).abs() < 1e-3 * (1.0 + visit[0]), "{visit:?} {simulated}");
+        missed += u32::from(periods > 1);
+        state = next;
+    }
+    assert!(missed > 20, "{missed}");
+}
+
+#[test]
+fn motion_that_misses_the_wall_comes_back_as_in_the_map() {
+    let theory = grazing_theorems::LinearOscillator::new(ZETA, EPSILON).unwrap();
+    for n in [3, 4, 5] {
+        assert_motion_that_misses_is_the_map_s(&located(&theory.resonance(1, n).unwrap()));
+    }
+    let (loops, near) = DUFFING[0];
+    assert_motion_that_misses_is_the_map_s(&duffing(loops, near));
+}
