@@ -192,3 +192,86 @@ fn motion_that_misses_the_wall_comes_back_as_in_the_map() {
     let (loops, near) = DUFFING[0];
     assert_motion_that_misses_is_the_map_s(&duffing(loops, near));
 }
+
+/// The most impacts, a power of two, after which followed motion comes again before it departs.
+fn followed(map: &LimitMap) -> usize {
+    let [velocity, doubling] = map.period_doubling();
+    let (mut here, _) = map.fixed_point(velocity);
+    here.velocity *= 1.001;
+    let mut most = 1;
+    for step in 1..4000 {
+        let parameter = doubling * (1.0 - 2.5e-4 * f64::from(step));
+        let mut velocities = Vec::new();
+        for _ in 0..1500 {
+            match map.step(Side::Positive, parameter, here) {
+                Ok(next) => here = next,
+                Err(_) => return most,
+            }
+            velocities.push(here.velocity);
+        }
+        most = most.max(period(&velocities).filter(|count| count.is_power_of_two()).unwrap_or(1));
+    }
+    panic!("it never departs");
+}
+
+#[test]
+fn followed_motion_doubles_as_often_as_the_atlas_says() {
+    let mut seen = [0; 5];
+    for (loops, epsilon, place) in [1, 2].into_iter().flat_map(|loops| {
+        [0.4, 0.6, 0.9].into_iter().flat_map(move |epsilon| (4..19).map(move |place| (loops, epsilon, place)))
+    }) {
+        let sigma = -0.05 * f64::from(place);
+        let begun = [-0.015, 0.0, 0.015].map(|aside| {
+            let map = LimitMap::of_linear_oscillator(loops, sigma + aside, epsilon).unwrap();
+            Cascade::of(&map, 4).onsets.len()
+        });
+        // More and more orbits begin towards −1.
+        assert!(begun[0] >= begun[1] && begun[1] >= begun[2], "{sigma} {epsilon}: {begun:?}");
+        if begun[0] != begun[2] || begun[1] == 0 {
+            continue;
+        }
+        let map = LimitMap::of_linear_oscillator(loops, sigma, epsilon).unwrap();
+        let most = followed(&map);
+        // After a subcritical doubling it may jump to other orbits that stay; 16 impacts may be there for less than a step.
+        let as_said = match (loops, begun[1]) {
+            (1, 1) => most >= 2,
+            (_, 4) => most >= 8,
+            (_, begun) => most == 1 << begun,
+        };
+        assert!(as_said, "{loops} {sigma} {epsilon}: {most}");
+        seen[begun[1]] += 1;
+    }
+    assert!(seen[1] >= 10 && seen[2] >= 5 && seen[4] >= 30, "{seen:?}");
+}
+
+#[test]
+fn motion_of_one_loop_stays_near_the_resonance() {
+    let theory = grazing_theorems::LinearOscillator::new(ZETA, EPSILON).unwrap();
+    for (n, part) in [(2, 0.9), (3, 0.5), (3, -0.03), (4, 0.9), (5, 0.5), (5, -0.03)] {
+        let resonance = located(&theory.resonance(1, n).unwrap());
+        let point = resonance.resonant_point();
+        let (map, scale) = (point.limit_map(), point.limit_scale());
+        let [velocity, doubling] = map.period_doubling();
+        let (mut fixed, _) = map.fixed_point(velocity);
+        fixed.velocity *= 1.01;
+        // Impacts in a period, as the limit map has it and the system.
+        let mut visit = [fixed.velocity * fixed.velocity, fixed.phase + fixed.velocity];
+        let next = |_| {
+            visit = map.next_visit(Side::Positive, part * doubling, point.grazing.map.a.m11, visit);
+            visit[0] > 0.0
+        };
+        let hits: Vec<bool> = (0..20_000).map(next).collect();
+        let eta = 1e-5 / (scale.velocity * velocity);
+        let from = resonance.near(eta, part * doubling, fixed).unwrap();
+        let oscillator = resonance.equations().oscillator_at(&from);
+        let from = State::on_wall(from[unknown::VELOCITY], from[unknown::PHASE]);
+        let times = Orbit::new(&oscillator, from, 1e4 * oscillator.forcing_period(), usize::MAX).skip(2000);
+        let times: Vec<f64> = times.map(|flight| flight.duration / oscillator.forcing_period()).collect();
+        let share = hits[4000..].iter().filter(|hit| **hit).count() as f64 / 16_000.0;
+        let simulated = times.len() as f64 / times.iter().sum::<f64>();
+        assert!(share > 0.2 && (simulated / share - 1.0).abs() < 0.1, "{n} {part}: {share} {simulated}");
+        // Two impacts in three periods, one in two.
+        let recurs = |periods: usize| hits[4000..].windows(periods + 1).all(|pair| pair[0] == pair[periods]);
+        assert_eq!([recurs(2), recurs(3)], [n == 4, n == 2], "{n}");
+    }
+}
