@@ -1,7 +1,7 @@
 //! Cascades of the limit map, against its own orbits and those of the system.
 
 use grazing_continuation::cascade::{Cascade, Stop};
-use grazing_continuation::doubled::{Doubled, DoubledEquations};
+use grazing_continuation::doubled::DoubledEquations;
 use grazing_continuation::mps::unknown;
 use grazing_continuation::resonance::LocatedResonance;
 use grazing_model::orbit::{FlightEnd, Orbit};
@@ -111,23 +111,9 @@ fn second_doubling<O: ImpactOscillator>(resonance: &LocatedResonance<O>, size: f
     let point = resonance.resonant_point();
     let (map, scale) = (point.limit_map(), point.limit_scale());
     let eta = size / (scale.velocity * map.period_doubling()[0]);
-    let equations = DoubledEquations::new(resonance.equations());
-    let at = |gap: f64| {
-        let doubled = equations.solved(Doubled::near_resonance(resonance, eta, gap).ok()?)?;
-        let found = equations.multipliers(&doubled)?;
-        Some((doubled.primary(), 1.0 + found.trace + found.determinant))
-    };
-    // By secants.
-    let mut gaps = [0.98, 1.02].map(|part| part * map.second_doubling().sqrt());
-    for _ in 0..8 {
-        let [one, two] = [at(gaps[0])?.1, at(gaps[1])?.1];
-        if one == two {
-            break;
-        }
-        gaps = [gaps[1], gaps[1] - two * (gaps[1] - gaps[0]) / (two - one)];
-    }
+    let found = DoubledEquations::new(resonance.equations()).flip(resonance, eta)?;
     let place = resonance.near(eta, 0.0, map.fixed_point(0.0).0).unwrap();
-    Some((at(gaps[1])?.0 - place[unknown::PRIMARY]) / (scale.parameter * eta * eta))
+    Some((found.primary() - place[unknown::PRIMARY]) / (scale.parameter * eta * eta))
 }
 
 fn assert_the_system_does_as_the_map<O: ImpactOscillator>(resonance: &LocatedResonance<O>, size: f64) {
