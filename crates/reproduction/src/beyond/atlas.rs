@@ -62,7 +62,7 @@ row! { Node, |this| {
     M_SN = map.saddle_node()[1],
     M_PD = first,
     M_2GZ = map.doubled_grazing(),
-    RATIO_SN = (map.saddle_node()[1] / first),
+    RATIO_SN = (this.in_units(map.saddle_node()[1])),
     RATIO_2GZ = this.grazing(),
     PD_CRITICALITY = map.criticality(),
     PERIOD_4 = onset(1),
@@ -137,7 +137,12 @@ impl Study {
 impl Node {
     /// M_2GZ/M_PD.
     fn grazing(&self) -> f64 {
-        self.map.doubled_grazing() / self.map.period_doubling()[1]
+        self.in_units(self.map.doubled_grazing())
+    }
+
+    /// M in units of M_PD.
+    fn in_units(&self, parameter: f64) -> f64 {
+        parameter / self.map.period_doubling()[1]
     }
 }
 
@@ -149,6 +154,8 @@ const GAP: f64 = 20.0;
 const ABOVE: f64 = 16.0;
 const BELOW: f64 = 31.0;
 const RIGHT: f64 = 8.0;
+/// What is shown along a line of the lattice.
+type Ratio = fn(&Node) -> f64;
 /// Each boundary shades all below it once more.
 const SHADE: Paint = Paint { colour: [45, 70, 105], opacity: 0.17 };
 const EDGE: Pen = Pen::solid([45, 70, 105], 0.6);
@@ -167,32 +174,29 @@ impl Atlas {
         let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
         let room = canvas.width - LEFT - GAP - RIGHT;
         let middle = 0.5 * canvas.height;
-        let halves = [
-            (1, LEFT, LEFT + 2.0 * room / 3.0, [-1.0, 1.0]),
-            (2, LEFT + 2.0 * room / 3.0 + GAP, canvas.width - RIGHT, [-1.0, 0.0]),
+        let parting = LEFT + 2.0 * room / 3.0;
+        let columns = [
+            (1, [LEFT, parting], [-1.0, 1.0], [r"(a)  $p=1$", "(c)"]),
+            (2, [parting + GAP, canvas.width - RIGHT], [-1.0, 0.0], [r"(b)  $p\ge 2$", "(d)"]),
         ];
-        let letters = [r"(a)  $p=1$", r"(b)  $p\ge 2$"];
-        for ((loops, left, right, across), letter) in halves.into_iter().zip(letters) {
-            let bounds = Bounds { left, top: ABOVE, right, bottom: middle - BELOW };
-            let mut panel = Panel::new(&canvas, Frame { x: across, y: [0.0, 1.0] }, bounds);
-            panel.tables = &["beyond_atlas", "beyond_atlas_resonances"];
-            panel.numbers_beside = loops == 1;
-            self.draw_map(&panel, loops)?;
-            panel.axes(r"$\sigma$", if loops == 1 { r"$\epsilon$" } else { "" })?;
-            canvas.text((left, ABOVE - 5.0), letter, LABEL_SIZE, Anchor::Start, BLACK)?;
+        for (loops, [left, right], across, [above, below]) in columns {
+            let titles = if loops == 1 { [r"$\epsilon$", r"$c/c_{\mathrm{PD}}$"] } else { [""; 2] };
+            let panel = |top: f64, y, tables| {
+                let bounds = Bounds { left, top: top + ABOVE, right, bottom: top + middle - BELOW };
+                let mut panel = Panel::new(&canvas, Frame { x: across, y }, bounds);
+                (panel.tables, panel.numbers_beside) = (tables, loops == 1);
+                panel
+            };
+            let map = panel(0.0, [0.0, 1.0], &["beyond_atlas", "beyond_atlas_resonances"]);
+            self.draw_map(&map, loops)?;
+            map.axes(r"$\sigma$", titles[0])?;
+            let ratios = panel(middle, RATIOS, &["beyond_atlas_lattice"]);
+            self.draw_ratios(&ratios, loops)?;
+            ratios.axes(r"$\sigma$", titles[1])?;
+            canvas.text((left, ABOVE - 5.0), above, LABEL_SIZE, Anchor::Start, BLACK)?;
+            let below = format!(r"{below}  $\epsilon={}$", self.epsilon);
+            canvas.text((left, middle + ABOVE - 5.0), &below, LABEL_SIZE, Anchor::Start, BLACK)?;
         }
-        let bounds = Bounds {
-            left: LEFT,
-            top: middle + ABOVE,
-            right: canvas.width - RIGHT,
-            bottom: canvas.height - BELOW,
-        };
-        let mut panel = Panel::new(&canvas, Frame { x: [-1.0, 1.0], y: RATIOS }, bounds);
-        panel.tables = &["beyond_atlas_lattice"];
-        self.draw_ratios(&panel)?;
-        panel.axes(r"$\sigma$", r"$c/c_{\mathrm{PD}}$")?;
-        let letter = format!(r"(c)  $\epsilon={}$", self.epsilon);
-        canvas.text((LEFT, middle + ABOVE - 5.0), &letter, LABEL_SIZE, Anchor::Start, BLACK)?;
         canvas.finish(
             "beyond_atlas",
             "Atlas of the limit map of linear oscillators",
@@ -249,32 +253,29 @@ impl Atlas {
                 pair[0].iter().zip(pair[1]).map(|(one, two)| panel.spot(*one).0 - panel.spot(*two).0);
             let is_seen = across.fold(0.0, f64::max) > SEEN;
             if !labels.add(name, SMALL_LABEL_SIZE, BLACK, &Site::Within(&ring))? && is_seen {
-                labels.name_curve(name, SMALL_LABEL_SIZE, BLACK, &ring[..ring.len() / 2])?;
+                let [one, two] = [pair[0], pair[1]].map(|edge| panel.spot(edge[3 * edge.len() / 4]));
+                let middle = (0.5 * (one.0 + two.0), 0.5 * (one.1 + two.1));
+                labels.add(name, SMALL_LABEL_SIZE, BLACK, &Site::Around(middle, 0.5))?;
             }
         }
         labels.draw()
     }
 
-    fn draw_ratios(&self, panel: &Panel<'_>) -> Result<(), DrawingError> {
+    fn draw_ratios(&self, panel: &Panel<'_>, loops: u32) -> Result<(), DrawingError> {
         let mut labels = Labels::new(panel.canvas, panel.bounds);
-        let own = |loops: u32| {
-            self.lattice.iter().filter(move |node| node.epsilon == self.epsilon && node.loops == loops)
-        };
-        let doubling = |node: &Node| {
-            node.map.doubled_doubling().map_or(f64::NAN, |at| at / node.map.period_doubling()[1])
-        };
-        let saddle_node = |node: &Node| node.map.saddle_node()[1] / node.map.period_doubling()[1];
-        let second = Pen::dashed(BLACK, 0.8, &[2.6, 1.3]);
-        let curves: [(u32, Pen, &str, &dyn Fn(&Node) -> f64); 5] = [
-            (1, Pen::solid(BLACK, 0.8), "PD", &|_| 1.0),
-            (1, branch_pen(1, 1.1), "2GZ, $p=1$", &Node::grazing),
-            (2, branch_pen(2, 1.1), r"2GZ, $p\ge 2$", &Node::grazing),
-            (1, second, "second PD", &doubling),
-            (1, Pen::solid(GREY, 0.8), "SN", &saddle_node),
+        let own: Vec<&Node> =
+            self.lattice.iter().filter(|node| node.epsilon == self.epsilon && node.loops == loops).collect();
+        let curves: [(Pen, &str, Ratio); 4] = [
+            (Pen::solid(BLACK, 0.8), "PD", |_| 1.0),
+            (branch_pen(loops, 1.1), "2GZ", Node::grazing),
+            (Pen::dashed(BLACK, 0.8, &[2.6, 1.3]), "second PD", |node| {
+                node.in_units(node.map.doubled_doubling().unwrap_or(f64::NAN))
+            }),
+            (Pen::solid(GREY, 0.8), "SN", |node| node.in_units(node.map.saddle_node()[1])),
         ];
         let mut pieces = Vec::new();
-        for (loops, pen, name, ratio) in curves {
-            let points: Vec<_> = own(loops).map(|node| (node.sigma, ratio(node))).collect();
+        for (pen, name, ratio) in curves {
+            let points: Vec<_> = own.iter().map(|node| (node.sigma, ratio(node))).collect();
             for piece in panel.line(&points, pen) {
                 labels.placer.keep_off(&piece);
                 pieces.push((name, pen.colour, piece));
@@ -283,7 +284,7 @@ impl Atlas {
         for (name, colour, piece) in &pieces {
             labels.name_curve(name, SMALL_LABEL_SIZE, *colour, piece)?;
         }
-        for place in &self.places {
+        for place in self.places.iter().filter(|place| place.loops.min(2) == loops) {
             panel.line(&[(place.sigma, RATIOS[0]), (place.sigma, RATIOS[0] + 0.08)], Pen::solid(BLACK, 0.5));
         }
         labels.draw()
@@ -296,4 +297,4 @@ const MEANINGS: [&str; 4] = [
     "with 8 impacts",
     "with 16 impacts",
 ];
-const NAMES: [&str; 5] = ["subcritical", "2", "4", "8", "16 and more"];
+const NAMES: [&str; 5] = ["subcritical", "2", "4", "8", r"$\ge 16$"];

@@ -271,12 +271,7 @@ impl Cascades {
                 }
                 let points = self.points.iter().filter(|point| point.panel == panel.panel);
                 draw_cloud(&drawn, &points.map(|point| (point.scaled, point.velocity)).collect::<Vec<_>>());
-                let across = if narrow {
-                    r"$\mu/\mu_{\mathrm{PD}}$"
-                } else {
-                    r"$(\mu-\mu_{\mathrm{graz}})/(\mu_{\mathrm{PD}}-\mu_{\mathrm{graz}})$"
-                };
-                drawn.axes(across, if left == LEFT { r"$y/y_{\mathrm{PD}}$" } else { "" })?;
+                drawn.axes(r"$M/M_{\mathrm{PD}}$", if left == LEFT { r"$y/y_{\mathrm{PD}}$" } else { "" })?;
                 let size = if panel.size > 0.0 {
                     format!(r"$y_{{\mathrm{{PD}}}}={}$", panel.size)
                 } else {
@@ -294,7 +289,7 @@ impl Cascades {
         canvas.finish(
             "beyond_cascade",
             "What follows the period doubling near three resonances",
-            "Impact velocity of simulated motion against the parameter, both in units of their values at the period doubling. From left \
+            "Impact velocity of simulated motion against M, the parameter less that of grazing, both in units of their values at the period doubling. From left \
              to right closer to the resonance; the last column is the limit map. Dotted: where orbits with 2, 4, 8 and 16 impacts begin. Impacts more than twice as fast are left out.",
         )
     }
