@@ -70,6 +70,10 @@ impl Doubled {
     }
 }
 
+/// Where secants begin, in units of the gap that the limit map has, and how many there are.
+const BESIDE: [f64; 2] = [0.98, 1.02];
+const SECANTS: usize = 8;
+
 /// The equations of orbits with two impacts in 2p loops.
 pub struct DoubledEquations<O>(LoopEquations<O>);
 
@@ -175,6 +179,29 @@ impl<O: ImpactOscillator> DoubledEquations<O> {
         }
         let inside = |(_, top): (usize, Maximum)| top.position <= PeriodicSolution::TOUCH;
         found.filter(|_| self.highest(&here).is_none_or(inside)).map(|visit| (here, visit))
+    }
+
+    /// The member of the family at a distance η from a resonance that doubles its period, near where the limit map
+    /// has it.
+    pub fn flip(&self, resonance: &LocatedResonance<O>, eta: f64) -> Option<Doubled> {
+        let at = |gap: f64| {
+            let doubled = self.solved(Doubled::near_resonance(resonance, eta, gap).ok()?)?;
+            let Multipliers { trace, determinant } = self.multipliers(&doubled)?;
+            Some((doubled, 1.0 + trace + determinant))
+        };
+        let expected = resonance.resonant_point().limit_map().second_doubling();
+        let mut gaps = BESIDE.map(|part| part * expected.sqrt());
+        let (_, mut before) = at(gaps[0])?;
+        for _ in 0..SECANTS {
+            let (found, value) = at(gaps[1])?;
+            let slope = (value - before) / (gaps[1] - gaps[0]);
+            let step = value / slope;
+            if step.is_nan() || step.abs() <= f64::EPSILON * gaps[1].abs() {
+                return Some(found);
+            }
+            (gaps, before) = ([gaps[1], gaps[1] - step], value);
+        }
+        Some(at(gaps[1])?.0)
     }
 
     /// Trace and determinant of the derivative of the return after two impacts.

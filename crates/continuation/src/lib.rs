@@ -17,6 +17,7 @@
 //!                  └─ fit    quadratic coefficients measured on these curves
 //!   mps ─ criticality        normal form of period doublings, from third derivatives
 //!   mps ─ doubled            orbits with two impacts, and where they graze
+//! cascade                    period doubling after period doubling in the limit map
 //! ```
 //!
 //! ```
@@ -44,6 +45,7 @@
 
 pub mod arclength;
 pub mod bifurcation;
+pub mod cascade;
 pub mod criticality;
 pub mod curve;
 pub mod cusp;

@@ -3,7 +3,7 @@
 
 pub mod axes;
 pub(crate) mod branches;
-pub(crate) mod cloud;
+pub mod cloud;
 pub mod kinds;
 pub(crate) mod magnified;
 pub(crate) mod measured;

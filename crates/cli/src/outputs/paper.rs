@@ -1,19 +1,22 @@
-//! The outputs that `reproduce` writes: the figures and tables of the paper.
+//! The outputs that `reproduce` writes: the figures and tables of the paper, and those beyond it.
 
+use grazing_drawing::Sheet;
+use grazing_reproduction::beyond::{Atlas, Cascades, LimitTable};
 use grazing_reproduction::figures::fig07::Figure7;
 use grazing_reproduction::parameters::ParameterError;
 use grazing_reproduction::{
     CoefficientTable, Coefficients, PaperFigure, Remarks, Study, StudyError, TheoremsInAction, paper_figures,
 };
 use grazing_results::plane::StraightenedCurves;
-use grazing_results::{Names, Tables};
+use grazing_results::{Names, TablePlan, Tables};
 
 use super::latex::Caption;
-use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output};
+use super::{COEFFICIENT_COLUMNS, Computation, ComputedOutput, Figure, Output};
 use crate::failure::Failure;
 
 /// All outputs, in the order in which they are computed.
-pub const ALL: &[Output<Study>] = &paper_figures!(figure, first COEFFICIENTS, last STRAIGHTENED, THEOREMS);
+pub const ALL: &[Output<Study>] =
+    &paper_figures!(figure, first COEFFICIENTS, last STRAIGHTENED, THEOREMS, CASCADES, ATLAS, LIMITS);
 
 /// A figure of the paper.
 pub(crate) const fn figure<F: PaperFigure>() -> Output<Study> {
@@ -93,7 +96,69 @@ const THEOREMS: Output<Study> = Output {
     )
 };
 
+const LIMITS: Output<Study> = Output {
+    label: "tab:limits",
+    ..beyond(
+        "beyond_limits",
+        "Beyond the paper: the limit map at the resonances of Figure 7",
+        LimitTable::TABLES,
+        |_, study: &Study, _| {
+            Ok(ComputedOutput::new(Vec::new(), study.limits()?.tables(&Names::of_the_paper())))
+        },
+    )
+};
+
+const CASCADES: Output<Study> = Output {
+    label: "fig:cascade",
+    is_figure: true,
+    ..beyond(
+        "beyond_cascade",
+        "Beyond the paper: what follows the period doublings",
+        Cascades::TABLES,
+        |output, study: &Study, width| {
+            let shown = study.cascades()?;
+            Ok(output.with_figure(shown.draw(width)?, &shown))
+        },
+    )
+};
+
+const ATLAS: Output<Study> = Output {
+    label: "fig:atlas",
+    is_figure: true,
+    ..beyond(
+        "beyond_atlas",
+        "Beyond the paper: atlas of the limit map",
+        Atlas::TABLES,
+        |output, study: &Study, width| {
+            let shown = study.atlas()?;
+            Ok(output.with_figure(shown.draw(width)?, &shown))
+        },
+    )
+};
+
+/// What answers what the paper leaves open, at the resonances of Figure 7.
+const fn beyond(
+    name: &'static str,
+    title: &'static str,
+    tables: &'static [TablePlan],
+    compute: Computation<Study>,
+) -> Output<Study> {
+    Output {
+        is_beyond: true,
+        check: |study| study.parameters.section::<Figure7>().map(drop),
+        keys: Figure7::REMEDY,
+        ..Output::new(name, title, tables, compute)
+    }
+}
+
 impl Output<Study> {
+    /// A figure that shows all its tables.
+    fn with_figure(&self, sheet: Sheet, shown: &impl Tables) -> ComputedOutput {
+        let (file, caption, tables) = (self.figure_file(), self.caption(), self.table_names());
+        let figure = Figure { file, sheet, caption, tables, only: None };
+        ComputedOutput::new(vec![figure], shown.tables(&Names::of_the_paper()))
+    }
+
     /// Its caption in a document.
     fn caption(&self) -> Caption {
         Caption { title: self.title.to_owned(), label: self.label.to_owned(), remark: String::new() }

@@ -4,6 +4,7 @@
 //! Property tests run with a fixed seed and keep no files, so that every run draws the same cases.
 
 mod arclength;
+mod cascade;
 mod closed_forms;
 mod criticality;
 mod emerging;

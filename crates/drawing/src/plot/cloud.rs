@@ -12,7 +12,7 @@ pub(crate) const LONG_TIME: &str = "long-time behaviour";
 
 /// Draws the points of the frame as squares of [`CLOUD_BIN`] points, darker where several points
 /// share a bin.
-pub(crate) fn draw_cloud(panel: &Panel<'_>, points: &[(f64, f64)]) {
+pub fn draw_cloud(panel: &Panel<'_>, points: &[(f64, f64)]) {
     let mut counts: BTreeMap<(i64, i64), u32> = BTreeMap::new();
     for &point in points.iter().filter(|&&p| panel.frame.contains(p)) {
         let (x, y) = panel.spot(point);

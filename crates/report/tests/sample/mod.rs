@@ -13,7 +13,7 @@ use grazing_continuation::curve::Window;
 use grazing_continuation::fit::{Estimate, Measurement};
 use grazing_description::Description;
 use grazing_drawing::{Bounds, Element, PanelMark, Path, Sheet};
-use grazing_report::{FigureEntry, FileDigest, Manifest, OscillatorEntry, Report, TableOutput};
+use grazing_report::{FigureEntry, FileDigest, Manifest, OscillatorEntry, Part, Report, TableOutput};
 use grazing_reproduction::unfolded::{AtResonance, CurveFinding, Curves};
 use grazing_results::plane::SpecialPoint;
 use grazing_results::{Column, Frame, Names, Table, UnitNames, columns};
@@ -254,6 +254,14 @@ pub(crate) fn report() -> Report<'static> {
             title: HOSTILE.to_owned(),
             tables: vec![sweep()],
         }],
+        beyond: Part {
+            tables: vec![TableOutput {
+                name: "open".to_owned(),
+                title: HOSTILE.to_owned(),
+                tables: Vec::new(),
+            }],
+            ..Part::default()
+        },
         published: PUBLISHED.compare(&BTreeMap::from([("a".to_owned(), 0.501)])),
         claims: findings(),
         sources: Sources::new([(source.0.to_owned(), source.1.to_owned())]),

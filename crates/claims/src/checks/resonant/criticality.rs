@@ -3,8 +3,10 @@
 use super::discussion::{ROUTE, of_figure_7};
 use super::simulation::next_impact;
 use crate::*;
+use grazing_continuation::cascade::Cascade;
 use grazing_continuation::criticality::period_doubling;
 use grazing_continuation::doubled::{Doubled, DoubledEquations};
+use grazing_theorems::LimitMap;
 
 /// Admissible points of the PD curve that bounds a region, evenly spread over its length.
 fn flips(place: &ResonantSpecimen, count: usize) -> Result<Vec<Unknowns>, Failure> {
@@ -44,6 +46,21 @@ fn settles(place: &ResonantSpecimen, doubled: &Doubled) -> bool {
         }
     }
     (here - first).norm().min((here - second).norm()) < 1e-3 * (first - second).norm()
+}
+
+/// After how many impacts the limit map's motion comes again that begins beside the fixed point, if it does.
+fn impacts_of(map: &LimitMap, parameter: f64) -> Option<usize> {
+    let [velocity, _] = map.period_doubling();
+    let (mut here, _) = map.fixed_point(1.001 * velocity);
+    let mut last = Vec::new();
+    for _ in 0..20_000 {
+        here = map.step(Side::of(velocity), parameter, here).ok()?;
+        last.push(here.velocity);
+    }
+    let last = &last[last.len() - 64..];
+    (1..=32).find(|&count| {
+        last[count..].iter().zip(last).all(|(later, first)| (later / first - 1.0).abs() < 1e-4)
+    })
 }
 
 checks! {
@@ -93,6 +110,33 @@ checks! {
             ])
         }))
     });
+    /// Orbits with two impacts double their period where the limit map has it, at first order in η; with 4 and
+    /// 8 impacts they do so in turn, as simulated motion of the map shows half-way between.
+    cascades: {
+        let (mut found, mut as_simulated) = (Vec::new(), true);
+        for place in of_figure_7()? {
+            let (map, scale) = (place.point().limit_map(), place.point().limit_scale());
+            let onsets = Cascade::of(&map, 4).onsets;
+            for (pair, impacts) in onsets.windows(2).zip([2, 4, 8]) {
+                as_simulated &= impacts_of(&map, 0.5 * (pair[0] + pair[1])) == Some(impacts);
+            }
+            if onsets.len() < 2 {
+                continue;
+            }
+            let onset = map.doubled_parameter(map.second_doubling());
+            let equations = DoubledEquations::new(place.resonance.equations());
+            let [velocity, _] = map.period_doubling();
+            found.extend(together([(1e-14, 3.0)], |size| {
+                let eta = size / (scale.velocity * velocity);
+                let flip = equations.flip(&place.resonance, eta)?;
+                Some([flip.primary() - place.grazing(eta)?.primary() - scale.parameter * onset * eta * eta])
+            }));
+        }
+        if !as_simulated {
+            return Err("simulated motion of the limit map does not double where it is solved for".into());
+        }
+        Ok(of_orders(&found, "μ where orbits with two impacts double their period, towards the resonances of Figure 7"))
+    };
     /// The criterion that section 6 asks for, derived at the resonance: y² c of the normal form, c
     /// counted in the impact velocity, tends to it at first order in y along the PD curve.
     criterion_at_resonance: orders(ANY, "PD curves running into resonances with p up to 5", |place| {

@@ -1,0 +1,300 @@
+//! The atlas of the limit map of linear oscillators, over σ and ε, for all p and n at once.
+
+use grazing_continuation::cascade::Cascade;
+use grazing_drawing::geometry::sheet::Bounds;
+use grazing_drawing::ink::canvas::{Anchor, Canvas};
+use grazing_drawing::ink::labels::{Labels, Site};
+use grazing_drawing::ink::legend::Sample;
+use grazing_drawing::ink::style::{BLACK, GREY, LABEL_SIZE, Paint, Pen, SMALL_LABEL_SIZE, branch_pen};
+use grazing_drawing::plot::axes::{Marker, Panel};
+use grazing_drawing::{DrawingError, Sheet, SheetWidth};
+use grazing_results::{Frame, row, rows, tables};
+use grazing_theorems::LimitMap;
+use rayon::prelude::*;
+
+use crate::{Study, StudyError};
+
+/// Rows of the boundaries, and halvings of the interval in which each is.
+const ROWS: u32 = 60;
+const HALVINGS: u32 = 17;
+/// Steps of the lattice in σ from 0 to 1, and in ε.
+const LATTICE: i32 = 40;
+const LATTICE_ROWS: u32 = 10;
+/// The numbers of impacts that boundaries are about.
+const IMPACTS: [u32; 4] = [2, 4, 8, 16];
+
+rows! {
+    /// A point of a boundary.
+    Boundary {
+        loops: u32 = ATLAS_LOOPS,
+        impacts: u32 = IMPACTS_BEGUN,
+        epsilon: f64 = EPSILON,
+        sigma: f64 = SIGMA,
+    }
+
+    /// A resonance of Figure 7.
+    Place {
+        loops: u32 = LOOPS,
+        n: u32 = RESONANCE_INDEX,
+        sigma: f64 = SIGMA,
+        epsilon: f64 = EPSILON,
+    }
+}
+
+/// The limit map at a place of the lattice.
+#[derive(Clone, Debug)]
+pub struct Node {
+    loops: u32,
+    epsilon: f64,
+    sigma: f64,
+    map: LimitMap,
+    cascade: Cascade,
+}
+
+row! { Node, |this| {
+    let map = &this.map;
+    let [_, first] = map.period_doubling();
+    let onset = |place: usize| this.cascade.onsets.get(place).map_or(f64::NAN, |onset| onset / first);
+} [
+    ATLAS_LOOPS = this.loops,
+    EPSILON = this.epsilon,
+    SIGMA = this.sigma,
+    M_SN = map.saddle_node()[1],
+    M_PD = first,
+    M_2GZ = map.doubled_grazing(),
+    RATIO_SN = (this.in_units(map.saddle_node()[1])),
+    RATIO_2GZ = this.grazing(),
+    PD_CRITICALITY = map.criticality(),
+    PERIOD_4 = onset(1),
+    PERIOD_8 = onset(2),
+    PERIOD_16 = onset(3),
+    CASCADE_STOP = this.cascade.stop.name(),
+] }
+
+tables! {
+    /// What there is at all (σ, ε).
+    Atlas {
+        /// Points that follow each other with equal p and number of impacts are one curve.
+        boundaries: Boundary = "beyond_atlas", "a point of a boundary",
+        places: Place = "beyond_atlas_resonances", "a resonance of Figure 7",
+        lattice: Node = "beyond_atlas_lattice", "a place of a lattice, and of the ε of Figure 7",
+        ;
+        /// The ε of Figure 7.
+        epsilon: f64,
+    }
+}
+
+/// σ below which orbits with 2^`count` impacts begin stable; −1 if there are none.
+fn boundary(loops: u32, epsilon: f64, count: usize) -> Result<f64, StudyError> {
+    let [mut low, mut high] = [-1.0, 0.0];
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        let map = LimitMap::of_linear_oscillator(loops, middle, epsilon)?;
+        if Cascade::of(&map, count).onsets.len() == count { low = middle } else { high = middle }
+    }
+    Ok(low)
+}
+
+impl Study {
+    /// The atlas, with the resonances of Figure 7.
+    ///
+    /// # Errors
+    /// There is no grazing in the window.
+    pub fn atlas(&self) -> Result<Atlas, StudyError> {
+        let epsilon = self.parameters.oscillator()?.coefficient_of_restitution();
+        let places = self.diagram()?.unfolding().map(|(found, _)| {
+            let [_, _, sigma] = found.located.resonant_point().limit_map().numbers();
+            Place { loops: found.loops, n: found.n, sigma, epsilon }
+        });
+        let mut asked = Vec::new();
+        for loops in [1, 2] {
+            for (count, impacts) in (1..).zip(IMPACTS) {
+                asked.extend((1..=ROWS).map(|row| (loops, count, impacts, f64::from(row) / f64::from(ROWS))));
+            }
+        }
+        let found = asked.into_par_iter().map(|(loops, count, impacts, epsilon)| {
+            Ok(Boundary { loops, impacts, epsilon, sigma: boundary(loops, epsilon, count)? })
+        });
+        let boundaries = found.collect::<Result<_, StudyError>>()?;
+        let mut nodes = Vec::new();
+        let of_lattice = (1..=LATTICE_ROWS).map(|row| f64::from(row) / f64::from(LATTICE_ROWS));
+        for epsilon in of_lattice.filter(|&other| other != epsilon).chain([epsilon]) {
+            for place in (1 - LATTICE..LATTICE).filter(|&place| place != 0) {
+                let sigma = f64::from(place) / f64::from(LATTICE);
+                nodes.extend((1..=if place < 0 { 2 } else { 1 }).map(|loops| (loops, epsilon, sigma)));
+            }
+        }
+        nodes.sort_by_key(|(loops, ..)| *loops);
+        let node = |(loops, epsilon, sigma)| {
+            let map = LimitMap::of_linear_oscillator(loops, sigma, epsilon)?;
+            Ok(Node { loops, epsilon, sigma, map, cascade: Cascade::of(&map, IMPACTS.len()) })
+        };
+        let lattice = nodes.into_par_iter().map(node).collect::<Result<_, StudyError>>()?;
+        Ok(Atlas { boundaries, places: places.collect(), lattice, epsilon })
+    }
+}
+
+impl Node {
+    /// M_2GZ/M_PD.
+    fn grazing(&self) -> f64 {
+        self.in_units(self.map.doubled_grazing())
+    }
+
+    /// M in units of M_PD.
+    fn in_units(&self, parameter: f64) -> f64 {
+        parameter / self.map.period_doubling()[1]
+    }
+}
+
+/// Width in the paper and height, in millimetres; room about panels, in points.
+const WIDTH_MM: f64 = 156.0;
+const HEIGHT_MM: f64 = 132.0;
+const LEFT: f64 = 42.0;
+const GAP: f64 = 20.0;
+const ABOVE: f64 = 16.0;
+const BELOW: f64 = 31.0;
+const RIGHT: f64 = 8.0;
+/// What is shown along a line of the lattice.
+type Ratio = fn(&Node) -> f64;
+/// Each boundary shades all below it once more.
+const SHADE: Paint = Paint { colour: [45, 70, 105], opacity: 0.17 };
+const EDGE: Pen = Pen::solid([45, 70, 105], 0.6);
+const OWN: Pen = Pen::dashed(GREY, 0.6, &[4.0, 1.6]);
+/// What is narrower, in points, is not named.
+const SEEN: f64 = 2.0;
+/// The ratios that are shown.
+const RATIOS: [f64; 2] = [-1.6, 1.25];
+
+impl Atlas {
+    /// Draws the atlas: which orbits begin stable, for p = 1 and p ≥ 2, and below where.
+    ///
+    /// # Errors
+    /// [`DrawingError`]: there is nothing to be seen.
+    pub fn draw(&self, width: SheetWidth) -> Result<Sheet, DrawingError> {
+        let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
+        let room = canvas.width - LEFT - GAP - RIGHT;
+        let middle = 0.5 * canvas.height;
+        let parting = LEFT + 2.0 * room / 3.0;
+        let columns = [
+            (1, [LEFT, parting], [-1.0, 1.0], [r"(a)  $p=1$", "(c)"]),
+            (2, [parting + GAP, canvas.width - RIGHT], [-1.0, 0.0], [r"(b)  $p\ge 2$", "(d)"]),
+        ];
+        for (loops, [left, right], across, [above, below]) in columns {
+            let titles = if loops == 1 { [r"$\epsilon$", r"$c/c_{\mathrm{PD}}$"] } else { [""; 2] };
+            let panel = |top: f64, y, tables| {
+                let bounds = Bounds { left, top: top + ABOVE, right, bottom: top + middle - BELOW };
+                let mut panel = Panel::new(&canvas, Frame { x: across, y }, bounds);
+                (panel.tables, panel.numbers_beside) = (tables, loops == 1);
+                panel
+            };
+            let map = panel(0.0, [0.0, 1.0], &["beyond_atlas", "beyond_atlas_resonances"]);
+            self.draw_map(&map, loops)?;
+            map.axes(r"$\sigma$", titles[0])?;
+            let ratios = panel(middle, RATIOS, &["beyond_atlas_lattice"]);
+            self.draw_ratios(&ratios, loops)?;
+            ratios.axes(r"$\sigma$", titles[1])?;
+            canvas.text((left, ABOVE - 5.0), above, LABEL_SIZE, Anchor::Start, BLACK)?;
+            let below = format!(r"{below}  $\epsilon={}$", self.epsilon);
+            canvas.text((left, middle + ABOVE - 5.0), &below, LABEL_SIZE, Anchor::Start, BLACK)?;
+        }
+        canvas.finish(
+            "beyond_atlas",
+            "Atlas of the limit map of linear oscillators",
+            "Above: sigma across, coefficient of restitution up. The darker, the more orbits begin stable one after the other as the parameter goes \
+             on from the period doubling: with 2, 4, 8, 16 impacts; white: the period doubling is subcritical. Triangles: resonances of Figure 7. Below: where \
+             saddle-nodes, second period doublings and grazing of period-doubled orbits are, in units of c_PD.",
+        )
+    }
+
+    fn draw_map(&self, panel: &Panel<'_>, loops: u32) -> Result<(), DrawingError> {
+        let mut labels = Labels::new(panel.canvas, panel.bounds);
+        let curves = self.boundaries.chunk_by(|a, b| (a.loops, a.impacts) == (b.loops, b.impacts));
+        let curves: Vec<Vec<(f64, f64)>> = curves
+            .filter(|curve| curve[0].loops == loops)
+            .map(|curve| curve.iter().map(|point| (point.sigma, point.epsilon)).collect())
+            .collect();
+        let mut edges = Vec::new();
+        for (number, curve) in curves.iter().enumerate() {
+            // From the lower end of the panel on, as the first row is.
+            let lowest = (curve[0].0, 0.0);
+            let area: Vec<_> =
+                [(-1.0, 0.0), lowest].into_iter().chain(curve.iter().copied()).chain([(-1.0, 1.0)]).collect();
+            panel.fill(&area, SHADE);
+            edges.extend(panel.line(&area[1..area.len() - 1], EDGE));
+            let shade = Paint { opacity: 1.0 - libm::pow(1.0 - SHADE.opacity, 1.0 + number as f64), ..SHADE };
+            panel.canvas.explain(MEANINGS[number], Sample::Area(shade));
+        }
+        for piece in panel.line(&[(-1.0, self.epsilon), (1.0, self.epsilon)], OWN) {
+            labels.placer.keep_off(&piece);
+        }
+        panel.canvas.explain("the ε of Figure 7", Sample::Line(OWN));
+        let mut marked = Vec::new();
+        for place in self.places.iter().filter(|place| place.loops.min(2) == loops) {
+            if let Some(taken) = panel.marker((place.sigma, place.epsilon), Marker::Triangle) {
+                labels.placer.block(taken);
+                marked.push((format!("{}, {}", place.loops, place.n), taken));
+            }
+        }
+        for (name, taken) in &marked {
+            let site = Site::Around(taken.centre(), 0.5 * (taken.right - taken.left));
+            labels.add(name, SMALL_LABEL_SIZE - 1.0, BLACK, &site)?;
+        }
+        edges.iter().for_each(|edge| labels.placer.keep_off(edge));
+        // Each name in what is between a boundary and the next.
+        let beyond: Vec<(f64, f64)> =
+            curves.first().into_iter().flatten().map(|&(_, epsilon)| (panel.frame.x[1], epsilon)).collect();
+        let none: Vec<(f64, f64)> =
+            curves.first().into_iter().flatten().map(|&(_, epsilon)| (-1.0, epsilon)).collect();
+        let all: Vec<&Vec<(f64, f64)>> = [&beyond].into_iter().chain(&curves).chain([&none]).collect();
+        for (pair, name) in all.windows(2).zip(NAMES) {
+            let ring: Vec<_> =
+                pair[0].iter().chain(pair[1].iter().rev()).map(|&point| panel.spot(point)).collect();
+            let across =
+                pair[0].iter().zip(pair[1]).map(|(one, two)| panel.spot(*one).0 - panel.spot(*two).0);
+            let is_seen = across.fold(0.0, f64::max) > SEEN;
+            if !labels.add(name, SMALL_LABEL_SIZE, BLACK, &Site::Within(&ring))? && is_seen {
+                let [one, two] = [pair[0], pair[1]].map(|edge| panel.spot(edge[3 * edge.len() / 4]));
+                let middle = (0.5 * (one.0 + two.0), 0.5 * (one.1 + two.1));
+                labels.add(name, SMALL_LABEL_SIZE, BLACK, &Site::Around(middle, 0.5))?;
+            }
+        }
+        labels.draw()
+    }
+
+    fn draw_ratios(&self, panel: &Panel<'_>, loops: u32) -> Result<(), DrawingError> {
+        let mut labels = Labels::new(panel.canvas, panel.bounds);
+        let own: Vec<&Node> =
+            self.lattice.iter().filter(|node| node.epsilon == self.epsilon && node.loops == loops).collect();
+        let curves: [(Pen, &str, Ratio); 4] = [
+            (Pen::solid(BLACK, 0.8), "PD", |_| 1.0),
+            (branch_pen(loops, 1.1), "2GZ", Node::grazing),
+            (Pen::dashed(BLACK, 0.8, &[2.6, 1.3]), "second PD", |node| {
+                node.in_units(node.map.doubled_doubling().unwrap_or(f64::NAN))
+            }),
+            (Pen::solid(GREY, 0.8), "SN", |node| node.in_units(node.map.saddle_node()[1])),
+        ];
+        let mut pieces = Vec::new();
+        for (pen, name, ratio) in curves {
+            let points: Vec<_> = own.iter().map(|node| (node.sigma, ratio(node))).collect();
+            for piece in panel.line(&points, pen) {
+                labels.placer.keep_off(&piece);
+                pieces.push((name, pen.colour, piece));
+            }
+        }
+        for (name, colour, piece) in &pieces {
+            labels.name_curve(name, SMALL_LABEL_SIZE, *colour, piece)?;
+        }
+        for place in self.places.iter().filter(|place| place.loops.min(2) == loops) {
+            panel.line(&[(place.sigma, RATIOS[0]), (place.sigma, RATIOS[0] + 0.08)], Pen::solid(BLACK, 0.5));
+        }
+        labels.draw()
+    }
+}
+
+const MEANINGS: [&str; 4] = [
+    "the period doubling is supercritical",
+    "orbits with 4 impacts begin stable",
+    "with 8 impacts",
+    "with 16 impacts",
+];
+const NAMES: [&str; 5] = ["subcritical", "2", "4", "8", r"$\ge 16$"];

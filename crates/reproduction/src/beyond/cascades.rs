@@ -1,0 +1,296 @@
+//! What follows the period doubling: the limit map's motion, and the system's at decreasing distances
+//! from the resonance.
+
+use grazing_continuation::cascade::Cascade;
+use grazing_continuation::mps::unknown;
+use grazing_drawing::geometry::sheet::{Bounds, span};
+use grazing_drawing::ink::canvas::{Anchor, Canvas};
+use grazing_drawing::ink::style::{BLACK, GREY, LABEL_SIZE, Pen, SMALL_LABEL_SIZE};
+use grazing_drawing::plot::axes::Panel;
+use grazing_drawing::plot::cloud::draw_cloud;
+use grazing_drawing::{DrawingError, Sheet, SheetWidth};
+use grazing_model::orbit::{FlightEnd, Orbit};
+use grazing_model::{ImpactOscillator, State};
+use grazing_results::{Frame, Names, row, rows, tables};
+use grazing_theorems::limit_map::LimitImpact;
+use grazing_theorems::{LimitMap, ResonantPoint, Side};
+use grazing_unfold::resonances::Resonance;
+use rayon::prelude::*;
+
+use crate::{Study, StudyError};
+
+/// Impact velocities at the period doubling, in the columns of the figure; the last is the limit.
+const SIZES: [f64; 3] = [0.05, 0.005, 0.0];
+/// Values of the parameter in a panel, and impacts that are passed over and shown at each.
+const VALUES: u32 = 300;
+const TRANSIENT: usize = 250;
+const SHOWN: usize = 24;
+/// Motion that comes again to this is shown once.
+const SAME: f64 = 1e-6;
+/// How far up motion is shown, in units of where the period doubling is and of its velocity.
+const HIGHEST: f64 = 1.03;
+const FASTEST: f64 = 2.0;
+/// Steps in which motion is followed to where it leaves, and impacts at each.
+const LEAVING_STEP: f64 = 1e-3;
+const LEAVING_IMPACTS: usize = 4000;
+/// A system's impacts that are later or earlier than this part of p periods are others.
+const PUNCTUAL: f64 = 0.1;
+/// Periods after which there will be no impact any more, for p = 1.
+const PATIENCE: f64 = 100.0;
+
+rows! {
+    /// An impact of motion that is followed down from where the MPS is stable.
+    CascadePoint {
+        panel: u32 = CASCADE_PANEL,
+        scaled: f64 = SCALED_PARAMETER,
+        velocity: f64 = SCALED_VELOCITY,
+    }
+
+    /// A panel of the figure.
+    CascadePanel {
+        panel: u32 = CASCADE_PANEL,
+        loops: u32 = LOOPS,
+        n: u32 = RESONANCE_INDEX,
+        size: f64 = CASCADE_SIZE,
+    }
+}
+
+/// What follows the period doubling at a resonance.
+#[derive(Clone, Debug)]
+pub struct Onsets {
+    n: u32,
+    point: ResonantPoint,
+    cascade: Cascade,
+    leaves: f64,
+}
+
+row! { Onsets, |this| {
+    let map = this.point.limit_map();
+    let [_, first] = map.period_doubling();
+    let onset = |place: usize| this.cascade.onsets.get(place).map_or(f64::NAN, |onset| onset / first);
+} [
+    LOOPS = this.point.loops(),
+    RESONANCE_INDEX = this.n,
+    SIGMA = map.numbers()[2],
+    PERIOD_4 = onset(1),
+    PERIOD_8 = onset(2),
+    PERIOD_16 = onset(3),
+    LEAVES = this.leaves,
+    CASCADE_STOP = this.cascade.stop.name(),
+] }
+
+tables! {
+    /// What follows the period doublings at the resonances of Figure 7.
+    Cascades {
+        onsets: Onsets = "beyond_cascade", "a resonance of Figure 7",
+        panels: CascadePanel = "beyond_cascade_panels", "a panel",
+        /// Of each p the resonance with the least |σ| whose period doubling creates stable orbits; motion that misses the
+        /// wall is followed on for p = 1, and no further for p ≥ 2.
+        points: CascadePoint = "beyond_cascade_points", "an impact of simulated motion",
+    }
+}
+
+impl Study {
+    /// What follows the period doublings.
+    ///
+    /// # Errors
+    /// There is no grazing in the window.
+    pub fn cascades(&self) -> Result<Cascades, StudyError> {
+        let found: Vec<&Resonance> = self.diagram()?.unfolding().map(|(resonance, _)| resonance).collect();
+        let onsets: Vec<Onsets> = found.par_iter().map(|resonance| Onsets::of(resonance)).collect();
+        let mut chosen: Vec<(&Resonance, &Onsets)> = Vec::new();
+        for (resonance, onsets) in found.into_iter().zip(&onsets).filter(|(_, at)| !at.leaves.is_nan()) {
+            let weight = |onsets: &Onsets| onsets.point.limit_map().numbers()[2].abs();
+            match chosen.iter_mut().find(|(other, _)| other.loops == resonance.loops) {
+                Some(other) if weight(onsets) < weight(other.1) => *other = (resonance, onsets),
+                Some(_) => {}
+                None => chosen.push((resonance, onsets)),
+            }
+        }
+        let all = chosen.iter().flat_map(|found| SIZES.map(|size| (*found, size)));
+        let numbered: Vec<_> = (1..).zip(all).collect();
+        let panel = |&(panel, ((resonance, _), size)): &(u32, ((&Resonance, _), f64))| CascadePanel {
+            panel,
+            loops: resonance.loops,
+            n: resonance.n,
+            size,
+        };
+        let panels = numbered.iter().map(panel).collect();
+        let points = numbered.par_iter().flat_map_iter(|&(panel, ((resonance, onsets), size))| {
+            let shown = followed(resonance, size, onsets.lowest());
+            shown.into_iter().map(move |[scaled, velocity]| CascadePoint { panel, scaled, velocity })
+        });
+        let points = points.collect();
+        Ok(Cascades { onsets, panels, points })
+    }
+}
+
+impl Onsets {
+    fn of(resonance: &Resonance) -> Self {
+        let point = *resonance.located.resonant_point();
+        let map = point.limit_map();
+        let cascade = Cascade::of(&map, 4);
+        let leaves = if cascade.onsets.is_empty() { f64::NAN } else { leaves(&map) };
+        Self { n: resonance.n, point, cascade, leaves }
+    }
+
+    /// How far down motion is shown.
+    fn lowest(&self) -> f64 {
+        self.leaves - 0.25 * (1.0 - self.leaves)
+    }
+}
+
+/// The fixed point beside the period doubling, from which motion is followed.
+fn start(map: &LimitMap) -> LimitImpact {
+    let (mut here, _) = map.fixed_point(map.period_doubling()[0]);
+    here.velocity *= 1.001;
+    here
+}
+
+/// Where the limit map's motion departs, in units of M_PD.
+fn leaves(map: &LimitMap) -> f64 {
+    let [velocity, parameter] = map.period_doubling();
+    let side = Side::of(velocity);
+    let mut here = start(map);
+    for step in 0..(1.0 / LEAVING_STEP) as u32 {
+        let scaled = 1.0 - LEAVING_STEP * f64::from(step);
+        for _ in 0..LEAVING_IMPACTS {
+            match map.step(side, scaled * parameter, here) {
+                Ok(next) => here = next,
+                Err(_) => return scaled,
+            }
+        }
+    }
+    0.0
+}
+
+/// (μ, y) of impacts in units of the period doubling's, as μ goes down: of the system at the distance from the
+/// resonance that a size says, or of the limit map.
+fn followed(resonance: &Resonance, size: f64, lowest: f64) -> Vec<[f64; 2]> {
+    let point = resonance.located.resonant_point();
+    let (map, scale) = (point.limit_map(), point.limit_scale());
+    let [velocity, parameter] = map.period_doubling();
+    let side = Side::of(velocity);
+    let (one_loop, entry) = (point.loops() == 1, point.grazing.map.a.m11);
+    let mut impact = start(&map);
+    // Before the recoil, for p = 1.
+    let mut visit = [impact.velocity * impact.velocity, impact.phase + impact.velocity];
+    let eta = size / (scale.velocity * velocity);
+    let mut state = match resonance.located.near(eta, parameter, impact) {
+        Ok(near) => State::on_wall(near[unknown::VELOCITY], near[unknown::PHASE]),
+        Err(_) => return Vec::new(),
+    };
+    let mut shown = Vec::new();
+    for value in 0..=VALUES {
+        let scaled = HIGHEST + (lowest - HIGHEST) * f64::from(value) / f64::from(VALUES);
+        let mut seen = Vec::new();
+        if size > 0.0 {
+            let Ok(place) = resonance.located.near(eta, scaled * parameter, impact) else { break };
+            let oscillator = resonance.located.equations().oscillator_at(&place);
+            let turn = f64::from(point.loops()) * oscillator.forcing_period();
+            let horizon = PATIENCE * (TRANSIENT + SHOWN) as f64 * turn;
+            for flight in Orbit::new(&oscillator, state, horizon, usize::MAX).take(TRANSIENT + SHOWN) {
+                let FlightEnd::Impact(next) = flight.end else { break };
+                if !one_loop && (flight.duration / turn - 1.0).abs() > PUNCTUAL {
+                    break;
+                }
+                state = next;
+                seen.push(next.velocity / size);
+            }
+        } else if one_loop {
+            for _ in 0..PATIENCE as usize * (TRANSIENT + SHOWN) {
+                visit = map.next_visit(side, scaled * parameter, entry, visit);
+                if visit[0] > 0.0 {
+                    seen.push(visit[0].sqrt() / velocity.abs());
+                }
+                if seen.len() == TRANSIENT + SHOWN {
+                    break;
+                }
+            }
+        } else {
+            for _ in 0..TRANSIENT + SHOWN {
+                let Ok(next) = map.step(side, scaled * parameter, impact) else { break };
+                impact = next;
+                seen.push(next.velocity / velocity);
+            }
+        }
+        if seen.len() < TRANSIENT + SHOWN {
+            break;
+        }
+        let seen = &seen[TRANSIENT..];
+        let again = |&count: &usize| {
+            seen[count..].iter().zip(seen).all(|(later, first)| (later - first).abs() < SAME)
+        };
+        let count = (1..=SHOWN / 2).find(again).unwrap_or(SHOWN);
+        shown.extend(seen[..count].iter().map(|&velocity| [scaled, velocity]));
+    }
+    shown
+}
+
+/// Width in the paper, height of a row, and room about panels, in millimetres and points.
+const WIDTH_MM: f64 = 156.0;
+const ROW_MM: f64 = 52.0;
+const LEFT: f64 = 36.0;
+const GAP: f64 = 7.0;
+const ABOVE: f64 = 16.0;
+const BELOW: f64 = 31.0;
+/// Where orbits with more impacts begin.
+const ONSET: Pen = Pen::dashed(GREY, 0.45, &[0.8, 1.6]);
+
+impl Cascades {
+    /// Draws the figure: a row for each resonance, the limit to the right.
+    ///
+    /// # Errors
+    /// [`DrawingError`]: there is nothing to be seen.
+    pub fn draw(&self, width: SheetWidth) -> Result<Sheet, DrawingError> {
+        let rows: Vec<_> = self.panels.chunk_by(|a, b| (a.loops, a.n) == (b.loops, b.n)).collect();
+        let width = width.mm(WIDTH_MM);
+        let canvas = Canvas::new(width, ROW_MM * rows.len().max(1) as f64)?;
+        let row = canvas.height / rows.len().max(1) as f64;
+        let column = (canvas.width - LEFT - GAP) / SIZES.len() as f64;
+        let narrow = width < WIDTH_MM;
+        let names = Names::new("scaled_parameter", "scaled_velocity");
+        for (panels, top) in rows.iter().zip((0..).map(|number| row * f64::from(number))) {
+            let of_row = |point: &&CascadePoint| panels.iter().any(|panel| panel.panel == point.panel);
+            let [low, high] = span(self.points.iter().filter(of_row).map(|point| point.scaled));
+            let [slowest, fastest] = span(self.points.iter().filter(of_row).map(|point| point.velocity));
+            let frame = Frame { x: [low, high], y: [0.9 * slowest, FASTEST.min(1.05 * fastest)] };
+            for (panel, left) in panels.iter().zip((0..).map(|number| LEFT + column * f64::from(number))) {
+                let bounds =
+                    Bounds { left, top: top + ABOVE, right: left + column - GAP, bottom: top + row - BELOW };
+                let mut drawn = Panel::new(&canvas, frame, bounds);
+                drawn.tables = &["beyond_cascade_points"];
+                drawn.only = Some(("panel", panel.panel));
+                drawn.names = Some(&names);
+                drawn.numbers_beside = left == LEFT;
+                let own = self.onsets.iter().filter(|at| (at.point.loops(), at.n) == (panel.loops, panel.n));
+                for onset in
+                    own.flat_map(|at| at.cascade.onsets.iter().map(|onset| onset / at.cascade.onsets[0]))
+                {
+                    drawn.line(&[(onset, frame.y[0]), (onset, frame.y[1])], ONSET);
+                }
+                let points = self.points.iter().filter(|point| point.panel == panel.panel);
+                draw_cloud(&drawn, &points.map(|point| (point.scaled, point.velocity)).collect::<Vec<_>>());
+                drawn.axes(r"$M/M_{\mathrm{PD}}$", if left == LEFT { r"$y/y_{\mathrm{PD}}$" } else { "" })?;
+                let size = if panel.size > 0.0 {
+                    format!(r"$y_{{\mathrm{{PD}}}}={}$", panel.size)
+                } else {
+                    "limit map".to_owned()
+                };
+                let heading = if left == LEFT {
+                    format!("$p={}$, $n={}$:  {size}", panel.loops, panel.n)
+                } else {
+                    size
+                };
+                let text = if narrow { SMALL_LABEL_SIZE - 1.0 } else { LABEL_SIZE };
+                canvas.text((left, top + ABOVE - 5.0), &heading, text, Anchor::Start, BLACK)?;
+            }
+        }
+        canvas.finish(
+            "beyond_cascade",
+            "What follows the period doubling near three resonances",
+            "Impact velocity of simulated motion against M, the parameter less that of grazing, both in units of their values at the period doubling. From left \
+             to right closer to the resonance; the last column is the limit map. Dotted: where orbits with 2, 4, 8 and 16 impacts begin. Impacts more than twice as fast are left out.",
+        )
+    }
+}

@@ -1,0 +1,52 @@
+//! The limit map at a resonance, which is not in the paper.
+
+use super::Column;
+
+columns! {
+    /// σ: −E_p; E₁ for p = 1 and even n
+    SIGMA = "sigma", r"\sigma", "1";
+    /// M of the saddle-node in the limit map
+    M_SN = "m_sn", r"M_{\mathrm{SN}}", "1";
+    /// M of the period doubling
+    M_PD = "m_pd", r"M_{\mathrm{PD}}", "1";
+    /// M at which orbits with two impacts, which begin at the period doubling, graze
+    M_2GZ = "m_2gz", r"M_{2\mathrm{GZ}}", "1";
+    /// M at which they double their period before that; empty if they do not
+    M_DOUBLED_PD = "m_doubled_pd", r"M_{2\mathrm{PD}}", "1";
+    /// limit of (μ − μ_graz)/η² where these orbits graze
+    C_2GZ = "c_2gz", r"c_{2\mathrm{GZ}}", "{primary}/{secondary}^2";
+    /// relative error of c_2GZ where the period doubling has the impact velocity 0.01 to leading order: orbits that graze are solved for; empty where none is found
+    C_2GZ_ERROR_2 = "c_2gz_error_2", "", "1";
+    /// likewise 0.001
+    C_2GZ_ERROR_3 = "c_2gz_error_3", "", "1";
+    /// likewise 0.0001
+    C_2GZ_ERROR_4 = "c_2gz_error_4", "", "1";
+    /// where orbits with four impacts begin, in units of μ_PD − μ_graz; empty if they do not begin stable
+    PERIOD_4 = "period_4", r"M_4/M_{\mathrm{PD}}", "1";
+    /// likewise with eight
+    PERIOD_8 = "period_8", r"M_8/M_{\mathrm{PD}}", "1";
+    /// likewise with sixteen
+    PERIOD_16 = "period_16", r"M_{16}/M_{\mathrm{PD}}", "1";
+    /// where motion that is followed down from there is first seen to miss the wall or, for p ≥ 2, to reach it early, in steps of 0.001; empty where there is nothing
+    /// stable to follow
+    LEAVES = "leaves", "", "1";
+    /// why no more orbits begin: `enough` have as far as sixteen impacts; `subcritical` is the last doubling; `grazing` are the last orbits before they double;
+    /// `saddle-node` or `lost` is how they end
+    CASCADE_STOP = "stop", "", "1";
+    /// number of the panel, row by row
+    CASCADE_PANEL = "panel", "", "1";
+    /// impact velocity at the period doubling to leading order, which says how far from the resonance it is; 0: the limit map
+    CASCADE_SIZE = "size", r"y_{\mathrm{PD}}", "1";
+    /// (μ − μ_graz)/(μ_PD − μ_graz), with the leading term of μ_PD
+    SCALED_PARAMETER = "scaled_parameter", "", "1";
+    /// impact velocity over that at the period doubling, to leading order
+    SCALED_VELOCITY = "scaled_velocity", "", "1";
+    /// `1`, or `2` for all p ≥ 2
+    ATLAS_LOOPS = "loops", "", "1";
+    /// orbits with so many impacts begin stable for all σ below, down to −1
+    IMPACTS_BEGUN = "impacts", "", "1";
+    /// M_SN/M_PD; the saddle-node is on the other side of the resonance
+    RATIO_SN = "ratio_sn", r"M_{\mathrm{SN}}/M_{\mathrm{PD}}", "1";
+    /// M_2GZ/M_PD
+    RATIO_2GZ = "ratio_2gz", r"M_{2\mathrm{GZ}}/M_{\mathrm{PD}}", "1";
+}
