@@ -1,6 +1,8 @@
 //! What follows the period doubling: the limit map's motion, and the system's at decreasing distances
 //! from the resonance.
 
+use core::iter::repeat_n;
+
 use grazing_continuation::cascade::Cascade;
 use grazing_continuation::mps::unknown;
 use grazing_drawing::geometry::sheet::{Bounds, span};
@@ -22,7 +24,7 @@ use crate::{Study, StudyError};
 /// Impact velocities at the period doubling, in the columns of the figure; the last is the limit.
 const SIZES: [f64; 3] = [0.05, 0.005, 0.0];
 /// Values of the parameter in a panel, and impacts that are passed over and shown at each.
-const VALUES: u32 = 300;
+const VALUES: u32 = 450;
 const TRANSIENT: usize = 250;
 const SHOWN: usize = 24;
 /// Motion that comes again to this is shown once.
@@ -269,8 +271,14 @@ impl Cascades {
                 {
                     drawn.line(&[(onset, frame.y[0]), (onset, frame.y[1])], ONSET);
                 }
-                let points = self.points.iter().filter(|point| point.panel == panel.panel);
-                draw_cloud(&drawn, &points.map(|point| (point.scaled, point.velocity)).collect::<Vec<_>>());
+                let own: Vec<&CascadePoint> =
+                    self.points.iter().filter(|point| point.panel == panel.panel).collect();
+                // What comes again counts as often as it would be shown.
+                let weighed = own.chunk_by(|a, b| a.scaled == b.scaled).flat_map(|at| {
+                    let places = at.iter().map(|point| (point.scaled, point.velocity));
+                    places.flat_map(|place| repeat_n(place, SHOWN / at.len()))
+                });
+                draw_cloud(&drawn, &weighed.collect::<Vec<_>>());
                 drawn.axes(r"$M/M_{\mathrm{PD}}$", if left == LEFT { r"$y/y_{\mathrm{PD}}$" } else { "" })?;
                 let size = if panel.size > 0.0 {
                     format!(r"$y_{{\mathrm{{PD}}}}={}$", panel.size)
