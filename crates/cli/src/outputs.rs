@@ -42,6 +42,8 @@ pub struct Output<Source> {
     pub label: &'static str,
     /// Whether it has a figure.
     pub is_figure: bool,
+    /// Whether it answers what the paper leaves open.
+    pub is_beyond: bool,
     /// Its tables.
     pub tables: &'static [TablePlan],
     /// The table that a document prints, and its columns, in an edition that has LaTeX.
@@ -115,6 +117,7 @@ impl<Source> Output<Source> {
             title,
             label: "",
             is_figure: false,
+            is_beyond: false,
             tables,
             printed: None,
             check: |_| Ok(()),

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use grazing_claims::ledger::Ledger;
-use grazing_report::{Counts, FileDigest, Manifest, TableOutput, page};
+use grazing_report::{Counts, FileDigest, Manifest, Part, TableOutput, page};
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
 
@@ -90,7 +90,7 @@ fn assemble<'a>(
     }
     oscillators::distinguish(entries.iter_mut().map(|entry| &mut entry.id));
     let study = Study::new(parameters).with_progress(display.clone());
-    let (mut figures, mut tables, mut digests) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut of_the_paper, mut beyond, mut digests) = (Part::default(), Part::default(), Vec::new());
     for output in paper::ALL {
         let (computed, files, _) = match output.made(&study, &Edition::default()) {
             Ok(made) => made,
@@ -102,15 +102,17 @@ fn assemble<'a>(
         missing.extend(computed.gaps.iter().map(|gap| format!("{}: it is shown, but {gap}", output.name)));
         digests
             .extend(files.iter().map(|file| FileDigest::of(file.path.display().to_string(), &file.content)));
+        let part = if output.is_beyond { &mut beyond } else { &mut of_the_paper };
         if computed.figures.is_empty() {
             let (name, title) = (output.name.to_owned(), output.title.to_owned());
-            tables.push(TableOutput { name, title, tables: computed.tables });
+            part.tables.push(TableOutput { name, title, tables: computed.tables });
         } else {
-            figures.extend(computed.entries());
+            part.figures.extend(computed.entries());
         }
     }
     // Their names are numbered as in the paper; the registry has them in the order in which they
     // are best made.
+    let Part { mut figures, tables } = of_the_paper;
     figures.sort_by(|a, b| a.name.cmp(&b.name));
     let published = published(&study).unwrap_or_else(|failure| {
         missing.push(failure.to_string());
@@ -122,6 +124,7 @@ fn assemble<'a>(
     Ok(grazing_report::Report {
         figures,
         tables,
+        beyond,
         published,
         claims,
         sources: repository.as_deref().map(links::sources).unwrap_or_default(),

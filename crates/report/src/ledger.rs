@@ -78,7 +78,7 @@ pub(crate) fn references(report: &Report<'_>, claim: &Claim) -> [(&'static str, 
 }
 
 fn figure_link(report: &Report<'_>, name: &str) -> Html {
-    Safe(match report.figures.iter().find(|figure| figure.name == name) {
+    Safe(match report.paper_figures().find(|figure| figure.name == name) {
         Some(figure) => {
             let short = figure.title.split(':').next().unwrap_or(name);
             format!("<a href=\"#{}\">{}</a>", escape(name), escape(short))

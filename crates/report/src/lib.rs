@@ -37,4 +37,4 @@ pub use manifest::{FileDigest, Manifest};
 pub use oscillator::OscillatorEntry;
 pub use outputs::{FigureEntry, TableOutput};
 pub use page::page;
-pub use report::{Counts, Report};
+pub use report::{Counts, Part, Report};

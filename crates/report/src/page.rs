@@ -59,12 +59,13 @@ impl Page<'_> {
 
     /// Identifiers and titles of the sections that have something to show.
     fn sections(&self) -> Vec<(&'static str, &'static str)> {
-        let Report { figures, tables, published, claims, oscillators, .. } = self.report;
+        let Report { figures, tables, beyond, published, claims, oscillators, .. } = self.report;
         let sections = [
             (true, "summary", "Summary"),
             (!published.is_empty(), "published", "Values"),
             (!figures.is_empty(), "figures", "Figures"),
             (!tables.is_empty(), "tables", "Tables"),
+            (!(beyond.figures.is_empty() && beyond.tables.is_empty()), "beyond", "Beyond the paper"),
             (!claims.is_empty(), "claims", "Claims"),
             (!claims.is_empty(), "misprints", "Misprints"),
             (oscillators.len() == 1, "oscillators", "Oscillator"),

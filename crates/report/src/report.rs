@@ -16,6 +16,8 @@ pub struct Report<'a> {
     pub figures: Vec<FigureEntry>,
     /// The outputs that are tables only.
     pub tables: Vec<TableOutput>,
+    /// What answers what the paper leaves open.
+    pub beyond: Part,
     /// The numbers that the paper prints, with the computed ones.
     pub published: Vec<Comparison<'a>>,
     /// The claims with what came of testing them, in the order of the paper.
@@ -33,6 +35,15 @@ pub struct Report<'a> {
     /// source files; without it, files are named but not linked: a page is passed on without the
     /// files beside it.
     pub root: Option<String>,
+}
+
+/// Figures and tables.
+#[derive(Debug, Clone, Default)]
+pub struct Part {
+    /// The figures.
+    pub figures: Vec<FigureEntry>,
+    /// The outputs that are tables only.
+    pub tables: Vec<TableOutput>,
 }
 
 /// How many values and claims of the paper are confirmed.
@@ -88,8 +99,13 @@ impl Report<'_> {
         there.map(|file| self.manifest.link(&file.path)).collect()
     }
 
-    /// The figures of the paper and of all oscillators.
+    /// The figures of the paper and beyond it.
+    pub(crate) fn paper_figures(&self) -> impl Iterator<Item = &FigureEntry> {
+        self.figures.iter().chain(&self.beyond.figures)
+    }
+
+    /// Those and the figures of all oscillators.
     pub(crate) fn all_figures(&self) -> impl Iterator<Item = &FigureEntry> {
-        self.figures.iter().chain(self.oscillators.iter().flat_map(|oscillator| &oscillator.figures))
+        self.paper_figures().chain(self.oscillators.iter().flat_map(|oscillator| &oscillator.figures))
     }
 }

@@ -4,6 +4,7 @@
 //! figure ([`PaperFigure`]) has a file in [`figures`], with its section of the parameter file, its
 //! rows, what computes and what draws them. Nothing here writes files.
 
+pub mod beyond;
 mod coefficients;
 mod described;
 mod error;

@@ -56,7 +56,9 @@ macro_rules! columns {
     )+};
 }
 
+mod beyond;
 mod measured;
+pub use beyond::*;
 pub use measured::*;
 
 // The two parameters, and what solutions are counted by.

@@ -271,6 +271,21 @@ impl<T: Number> LimitMap<T> {
         (product + product) / (square(minus) * (half(product * square(one + self.d)) - across))
     }
 
+    /// M at which the two-impact orbits graze.
+    pub fn doubled_grazing(&self) -> T {
+        let gap = self.grazing_gap();
+        self.doubled_parameter(gap * gap)
+    }
+
+    /// M at which the two-impact orbits double their period, if they do before they graze.
+    pub fn doubled_doubling(&self) -> Option<T>
+    where
+        T: PartialOrd,
+    {
+        let (at, gap) = (self.second_doubling(), self.grazing_gap());
+        (T::zero() < at && at < gap * gap).then(|| self.doubled_parameter(at))
+    }
+
     /// y² c of the period doubling's normal form, with λs + cs³ counted in the impact velocity:
     /// −(1 − d)s⁻C/(4(1 + d)²(1 − r²d²)). Positive: supercritical.
     ///
@@ -381,8 +396,6 @@ impl ResonantPoint {
     /// For the linear oscillator, in units of (αω f_p)²/(2γ b₁ₚ) and with q = σε:
     /// 4(1 + 2σ(1 − q + q²) + σ²q²)/((1 − σ)(1 + σ)²(1 − q)⁴) for p = 1, 4(1 − σq²)/((1 − σ)²(1 − q)⁴) for p ≥ 2.
     pub fn doubled_grazing_coefficient(&self) -> f64 {
-        let map = self.limit_map();
-        let gap = map.grazing_gap();
-        self.limit_scale().parameter * map.doubled_parameter(gap * gap)
+        self.limit_scale().parameter * self.limit_map().doubled_grazing()
     }
 }

@@ -1,5 +1,6 @@
-//! The outputs that `reproduce` writes: the figures and tables of the paper.
+//! The outputs that `reproduce` writes: the figures and tables of the paper, and those beyond it.
 
+use grazing_reproduction::beyond::LimitTable;
 use grazing_reproduction::figures::fig07::Figure7;
 use grazing_reproduction::parameters::ParameterError;
 use grazing_reproduction::{
@@ -13,13 +14,15 @@ use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output};
 use crate::failure::Failure;
 
 /// All outputs, in the order in which they are computed.
-pub const ALL: &[Output<Study>] = &paper_figures!(figure, first COEFFICIENTS, last STRAIGHTENED, THEOREMS);
+pub const ALL: &[Output<Study>] =
+    &paper_figures!(figure, first COEFFICIENTS, last STRAIGHTENED, THEOREMS, LIMITS);
 
 /// A figure of the paper.
 pub(crate) const fn figure<F: PaperFigure>() -> Output<Study> {
     Output {
         label: F::LABEL,
         is_figure: true,
+        is_beyond: F::BEYOND,
         check: |study| study.parameters.section::<F>().map(drop),
         keys: F::REMEDY,
         ..Output::new(F::NAME, F::TITLE, F::TABLES, |output, study: &Study, width| {
@@ -89,6 +92,21 @@ const THEOREMS: Output<Study> = Output {
         |_, study: &Study, _| {
             let tables = study.theorems_in_action()?.tables(&Names::of_the_paper());
             Ok(ComputedOutput::new(Vec::new(), tables))
+        },
+    )
+};
+
+const LIMITS: Output<Study> = Output {
+    label: "tab:limits",
+    is_beyond: true,
+    check: |study| study.parameters.section::<Figure7>().map(drop),
+    keys: Figure7::REMEDY,
+    ..Output::new(
+        "beyond_limits",
+        "Beyond the paper: the limit map at the resonances of Figure 7",
+        LimitTable::TABLES,
+        |_, study: &Study, _| {
+            Ok(ComputedOutput::new(Vec::new(), study.limits()?.tables(&Names::of_the_paper())))
         },
     )
 };

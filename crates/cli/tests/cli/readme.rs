@@ -157,3 +157,49 @@ fn the_readme_shows_every_figure() {
         assert!(readme.contains(&format!("](figures/{figure})")), "README.md does not show {figure}");
     }
 }
+
+/// A number as a text prints it, as `−19.4`, `2.6·10⁻²` or `none`, and half a unit of its last digit.
+fn printed(text: &str) -> Option<[f64; 2]> {
+    let plain: String = text
+        .trim()
+        .chars()
+        .map(|letter| match "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|raised| raised == letter) {
+            Some(digit) => char::from(b'0' + digit as u8),
+            None if "−⁻".contains(letter) => '-',
+            None => letter,
+        })
+        .collect();
+    if plain == "none" {
+        return Some([f64::NAN; 2]);
+    }
+    let (digits, power) = plain.split_once("·10").unwrap_or((&plain, "0"));
+    let decimals = digits.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let [value, half] = [digits.to_owned(), format!("{}5", "0.".to_owned() + &"0".repeat(decimals))];
+    let number = |text: &str| format!("{text}e{power}").parse().ok();
+    Some([number(&value)?, number(&half)?])
+}
+
+#[test]
+fn tables_beyond_the_paper_are_those_that_are_made() {
+    let read = |file: &str| fs::read_to_string(repository().join(file)).expect("it is there");
+    let (page, mut held) = (read("docs/beyond.md"), 0);
+    for (heading, file) in [("| p, n of Figure 7 |", "beyond_limits")] {
+        let made = read(&format!("figures/data/{file}.csv"));
+        let (_, table) = page.split_once(heading).unwrap_or_else(|| panic!("there is a table {heading}"));
+        let rows: Vec<&str> = table.lines().skip(2).take_while(|line| line.starts_with('|')).collect();
+        assert_eq!(rows.len(), made.lines().count() - 1, "{heading}");
+        for row in rows {
+            let cells: Vec<[f64; 2]> = row.split(['|', ',']).filter_map(printed).collect();
+            let is_it = |line: &&str| {
+                let found: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect();
+                found.len() == cells.len()
+                    && found.iter().zip(&cells).all(|(found, [shown, half])| {
+                        (found - shown).abs() <= *half || (found.is_nan() && shown.is_nan())
+                    })
+            };
+            assert_eq!(made.lines().filter(is_it).count(), 1, "{file}.csv does not have the row {row}");
+            held += cells.len();
+        }
+    }
+    assert!(held >= 77, "{held}");
+}
