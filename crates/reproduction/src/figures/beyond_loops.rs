@@ -11,7 +11,7 @@ use grazing_continuation::resonance::LocatedResonance;
 use grazing_model::AnyOscillator;
 use grazing_results::{rows, tables};
 use grazing_source::kind::{counts, numbers};
-use grazing_theorems::iterated::{Boundary, EmergingSolutions, IteratedResonance, last_visit_margin};
+use grazing_theorems::iterated::{Boundary, IteratedResonance, last_visit_margin};
 use grazing_theorems::{LinearOscillator, Resonance};
 use rayon::prelude::*;
 
@@ -59,7 +59,6 @@ rows! {
         n: u32 = RESONANCE_INDEX,
         zeta: f64 = ZETA,
         sigma: f64 = SIGMA,
-        kind: Bifurcation = BIFURCATION,
         from: f64 = C_SLOWEST,
         from_fit: f64 = C_SLOWEST_FIT,
         to: f64 = C_FASTEST,
@@ -97,7 +96,18 @@ impl PaperFigure for BeyondLoops {
         let epsilon = study.parameters.oscillator()?.coefficient_of_restitution();
         let at = |loops: u32, sigma: f64| {
             let resonance = IteratedResonance::of_linear_oscillator(loops, sigma, epsilon);
-            resonance.emerging().first().and_then(|found| LoopInterval::of(&resonance, found, sigma))
+            let found = *resonance.emerging().first()?;
+            let (slowest, fastest) = (found.slowest, found.fastest?);
+            let doubles = slowest.boundary == Boundary::PeriodDoubling;
+            Some(LoopInterval {
+                loops,
+                sigma,
+                kind: if doubles { Bifurcation::PeriodDoubling } else { Bifurcation::SaddleNode },
+                slowest: slowest.velocity_slope,
+                fastest: fastest.velocity_slope,
+                from: resonance.coefficient(&slowest),
+                to: resonance.coefficient(&fastest),
+            })
         };
         let mut intervals = Vec::new();
         for &loops in &self.loops {
@@ -138,29 +148,6 @@ fn last_sigma(loops: u32, epsilon: f64) -> f64 {
     below
 }
 
-/// What bounds the slow end.
-fn first(found: &EmergingSolutions) -> Bifurcation {
-    match found.slowest.boundary {
-        Boundary::PeriodDoubling => Bifurcation::PeriodDoubling,
-        Boundary::SaddleNode | Boundary::Visit(_) => Bifurcation::SaddleNode,
-    }
-}
-
-impl LoopInterval {
-    fn of(resonance: &IteratedResonance, found: &EmergingSolutions, sigma: f64) -> Option<Self> {
-        let fastest = found.fastest?;
-        Some(Self {
-            loops: resonance.loops(),
-            sigma,
-            kind: first(found),
-            slowest: found.slowest.velocity_slope,
-            fastest: fastest.velocity_slope,
-            from: resonance.coefficient(&found.slowest),
-            to: resonance.coefficient(&fastest),
-        })
-    }
-}
-
 /// The curves of all these numbers of loops at a resonance.
 fn measured(
     theory: &LinearOscillator,
@@ -190,7 +177,6 @@ fn measured(
             n,
             zeta: theory.damping_ratio(),
             sigma,
-            kind: Bifurcation::of(from.condition, loops).unwrap_or(Bifurcation::SaddleNode),
             from: from.leading.coefficient,
             from_fit,
             to: to.leading.coefficient,

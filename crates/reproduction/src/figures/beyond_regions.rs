@@ -11,7 +11,7 @@ use crate::figure::prelude::*;
 use crate::parameters::limits::MOST_LOOPS;
 
 /// Levels of δ in a region, and in one in which eigenvalues become real and x varies as a square root there.
-const LEVELS: [u32; 2] = [48, 160];
+const LEVELS: [u32; 2] = [56, 160];
 /// So near to δ = 1 the ends of regions are at their limits.
 const TOP: f64 = 1.0 - 1e-9;
 
@@ -54,7 +54,7 @@ impl FileSection for BeyondRegions {
 impl PaperFigure for BeyondRegions {
     const LABEL: &'static str = "fig:regions";
     const BEYOND: bool = true;
-    const TITLE: &'static str = "Beyond the paper: where p-loop solutions are admissible at generic grazing";
+    const TITLE: &'static str = "Beyond the paper: where p-loop solutions are admissible at grazing";
     const TABLES: &'static [TablePlan] = Regions::TABLES;
     const REMEDY: &'static str = "beyond_regions.loops";
     type Shown = Regions;
@@ -69,14 +69,15 @@ impl PaperFigure for BeyondRegions {
     }
 }
 
-/// The levels of a region, closer to each other near its lowest determinant, where it is a parabola.
+/// The levels of a region, closer to each other near its lowest determinant, where it is a parabola, for m = 1 also near δ = 1.
 fn levels(region: &AdmissibilityRegion) -> Vec<RegionLevel> {
     let (lowest, factor) = (region.lowest_determinant(), region.factor());
     let [left, _] = region.rotations();
     let levels = LEVELS[usize::from(left == 0.5)];
     let row = |k: u32| {
         let share = f64::from(k) / f64::from(levels);
-        let delta = (lowest + (1.0 - lowest) * share * share).min(TOP);
+        let above = share * share * if left == 0.0 { 3.0 - 2.0 * share } else { 1.0 };
+        let delta = (lowest + (1.0 - lowest) * above).min(TOP);
         let [low, high] = region.traces(delta)?.map(|(tau, _)| tau);
         // At the double eigenvalue where eigenvalues are real.
         let of = |tau: f64| {

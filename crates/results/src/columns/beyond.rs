@@ -21,7 +21,7 @@ columns! {
     C_2GZ_ERROR_3 = "c_2gz_error_3", "", "1";
     /// likewise 0.0001
     C_2GZ_ERROR_4 = "c_2gz_error_4", "", "1";
-    /// impact velocity, in the limit map, of the slowest stable, admissible MPS of p loops beside a one-loop resonance; the kind says what bounds it
+    /// impact velocity, in the limit map, of the slowest stable, admissible MPS of p loops beside a one-loop resonance; it is at an SN curve for σ < 0, at a PD curve for σ > 0
     Y_SLOWEST = "y_slowest", r"Y_{-}", "1";
     /// likewise of the fastest: its last visit touches the wall
     Y_FASTEST = "y_fastest", r"Y_{+}", "1";

@@ -14,8 +14,11 @@ use crate::figure::prelude::*;
 const WIDTH_MM: f64 = 165.0;
 const HEIGHT_MM: f64 = 82.0;
 /// Across σ, up powers of ten.
-const WIDTHS: Frame = Frame { x: [-1.0, 1.0], y: [-6.0, 4.0] };
+const WIDTHS: Frame = Frame { x: [-1.0, 1.0], y: [-4.0, 4.0] };
 const PLACES: Frame = Frame { x: [0.0, 0.7], y: [-6.0, 2.0] };
+
+/// The greatest k that is named beside its width.
+const NAMED: u32 = 3;
 
 /// Draws the figure.
 pub(super) fn draw(figure: &MoreLoops, width: SheetWidth) -> Result<Sheet, DrawingError> {
@@ -26,6 +29,7 @@ pub(super) fn draw(figure: &MoreLoops, width: SheetWidth) -> Result<Sheet, Drawi
     let places = Panel::new(&canvas, PLACES, bounds(middle + 37.0, canvas.width - 8.0));
     let mut labels = [Labels::new(&canvas, widths.bounds), Labels::new(&canvas, places.bounds)];
 
+    let mut lines = Vec::new();
     widths.line(&[(0.0, WIDTHS.y[0]), (0.0, WIDTHS.y[1])], THRESHOLD);
     for rows in figure.intervals.chunk_by(|a, b| a.loops == b.loops && (a.sigma < 0.0) == (b.sigma < 0.0)) {
         let (loops, pen) = (rows[0].loops, branch_pen(rows[0].loops, 1.1));
@@ -34,7 +38,10 @@ pub(super) fn draw(figure: &MoreLoops, width: SheetWidth) -> Result<Sheet, Drawi
             rows.iter().map(|row| (row.sigma, libm::log10(row.to - row.from))).collect();
         for line in widths.line(&width, pen) {
             labels[0].placer.keep_off(&line);
-            labels[0].add(&name, LABEL_SIZE, pen.colour, &Site::Beside(&line))?;
+            // The others follow each other downwards, too close for names.
+            if loops <= NAMED {
+                lines.push((line, name.clone(), pen.colour));
+            }
         }
         if rows[0].sigma > 0.0 {
             let up = |value: f64| libm::log10(value);
@@ -48,6 +55,9 @@ pub(super) fn draw(figure: &MoreLoops, width: SheetWidth) -> Result<Sheet, Drawi
                 labels[1].add(&name, LABEL_SIZE, pen.colour, &Site::Within(&area))?;
             }
         }
+    }
+    for (line, name, colour) in &lines {
+        labels[0].add(name, LABEL_SIZE, *colour, &Site::Beside(line))?;
     }
     for row in &figure.measured {
         let [from, to] = [row.m_from, row.m_to];
