@@ -5,13 +5,12 @@
 
 mod ink;
 
-use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::fit::LeavingCurve;
 use grazing_continuation::resonance::LocatedResonance;
 use grazing_model::AnyOscillator;
 use grazing_results::{rows, tables};
 use grazing_source::kind::{counts, numbers};
-use grazing_theorems::iterated::{Boundary, IteratedResonance, last_visit_margin};
+use grazing_theorems::iterated::{IteratedResonance, last_visit_margin};
 use grazing_theorems::{LinearOscillator, Resonance};
 use rayon::prelude::*;
 
@@ -46,7 +45,6 @@ rows! {
     LoopInterval {
         loops: u32 = LOOPS,
         sigma: f64 = SIGMA,
-        kind: Bifurcation = BIFURCATION,
         slowest: f64 = Y_SLOWEST,
         fastest: f64 = Y_FASTEST,
         from: f64 = M_SLOWEST,
@@ -98,11 +96,9 @@ impl PaperFigure for BeyondLoops {
             let resonance = IteratedResonance::of_linear_oscillator(loops, sigma, epsilon);
             let found = *resonance.emerging().first()?;
             let (slowest, fastest) = (found.slowest, found.fastest?);
-            let doubles = slowest.boundary == Boundary::PeriodDoubling;
             Some(LoopInterval {
                 loops,
                 sigma,
-                kind: if doubles { Bifurcation::PeriodDoubling } else { Bifurcation::SaddleNode },
                 slowest: slowest.velocity_slope,
                 fastest: fastest.velocity_slope,
                 from: resonance.coefficient(&slowest),

@@ -70,6 +70,9 @@ pub(super) fn draw(figure: &Regions, width: SheetWidth) -> Result<Sheet, Drawing
         let end = f64::from(turns) / f64::from(loops);
         names.push((rotations.spot((end, 1.0)), loops, pen));
     }
+    // Those of the fewest loops, as many as stand side by side.
+    names.sort_by_key(|name| name.1);
+    names.truncate(((below.right - below.left) / 9.5) as usize);
     names.sort_by(|a, b| a.0.0.total_cmp(&b.0.0));
     let boxes: Vec<(f64, f64)> = names.iter().map(|(spot, ..)| (spot.0, 8.0)).collect();
     for ((spot, loops, pen), x) in names.iter().zip(side_by_side(&boxes, 1.0)) {
