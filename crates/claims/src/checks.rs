@@ -90,6 +90,7 @@ pub(crate) mod resonant {
     pub(crate) mod curves;
     pub(crate) mod derivatives;
     pub(crate) mod discussion;
+    pub(crate) mod more_loops;
     pub(crate) mod simulation;
     pub(crate) mod stability;
     pub(crate) mod visits;

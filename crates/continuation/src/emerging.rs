@@ -36,14 +36,15 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         let oscillator = self.orbit().oscillator().clone();
         let equations = LoopEquations::new(oscillator, loops, Formulation::FixedPhase);
         let branch = iterated.point().branch_expansion();
-        let curve = |VelocityBound { boundary, velocity_slope: slope }| {
+        let curve = |bound| {
+            let VelocityBound { boundary, velocity_slope: slope } = bound;
             let (condition, visit) = match boundary {
                 Boundary::SaddleNode => (Condition::SADDLE_NODE, None),
                 Boundary::PeriodDoubling => (Condition::PERIOD_DOUBLING, None),
                 Boundary::Visit(visit) => (Condition::InteriorGrazing, Some(visit)),
             };
             let leading = BifurcationCurve {
-                coefficient: branch.parameter(slope, 1.0),
+                coefficient: iterated.coefficient(&bound),
                 eta_side: Side::of(slope),
                 impact_velocity_slope: slope,
                 impact_phase_slope: branch.k_1 * slope,

@@ -26,10 +26,58 @@
 //! on either side of η the stable, admissible MPSs of k loops, if there are any, are those with
 //! y/|η| in one interval ([`IteratedResonance::emerging`]), bounded by curves that all leave the
 //! resonance, tangent to the grazing curve: between them lies a region however thin.
+//!
+//! # Closed forms
+//!
+//! Count as in [`limit_map`](crate::limit_map): y = hY, x = h²X/(2γ), μ = h²M/(2γb₁), with r = aφ² and phases V after the
+//! recoil; impacts have mY > 0, m = sgn h. Between impacts V goes on to dV and X to aX + kV² + 2V + M.
+//!
+//! *Two loops, any oscillator.* V = −Y/(1 − d²), and X₂ = Y² eliminates M:
+//!
+//! ```text
+//! X₁ = Y (s₁⁻Y − 2)/((1 + a)(1 + d)).
+//! ```
+//!
+//! So where s₁⁻ > 0 **two-loop MPSs are admissible on the side of the one-loop PD curve alone, up to twice the impact
+//! velocity on it**. There the visit touches, and the MPS is the grazing period-doubled one: its GZ curve is that of
+//! c_2GZ ([`doubled_grazing_coefficient`](ResonantPoint::doubled_grazing_coefficient)). They are stable from αω(a + d)a₁₂'/s₂^∓ on: on
+//! that side the PD curve bounds them if a + d > 0, the SN curve if not.
+//!
+//! *Any k, linear oscillator.* a = d = σ, and the k-th iterate has σᵏ in the place of σ, and kσᵏ⁻¹h in that of h:
+//!
+//! ```text
+//! V = −Y/(1 − σᵏ),   M = (1 − σ)/(1 − σᵏ)² ((1 + εσᵏ)² Y² + 2kσᵏ⁻¹ Y),
+//! Y_SN = −kσᵏ⁻¹/(1 + εσᵏ)²,   Y_PD = kσᵏ⁻¹/(1 − εσᵏ)²,
+//! X_j = (A − εB)² Y² + 2 C Y,   A = (1 − σʲ)/(1 − σᵏ),   B = 1 − A,
+//! C = (kσᵏ⁻¹(1 − σʲ) − jσʲ⁻¹(1 − σᵏ))/(1 − σᵏ)².
+//! ```
+//!
+//! X_j begins at ε²Y² for j = 0 and ends at Y² for j = k. The MPS is admissible if mC < 0 and |Y| < 2|C|/(A − εB)² for all j, 0 < j <
+//! k, and stable beyond Y_PD where mσᵏ⁻¹ > 0, beyond Y_SN where not. Let ε ≤ 1.
+//!
+//! - **k = 2: always, on the side m = 1.** C = −1/(1 + σ)², so that |Y| < 2/(1 − σε)². With u² = |σ| the stable ones begin below
+//!   that, since 1 − εσ² > u(1 − εσ) by (1 − u)(1 + εu³) for σ > 0, and 1 + εσ² > u(1 − εσ) by (1 − u)(1 − εu³) for σ < 0. The
+//!   region of σ < 0 is M_GZ − M_SN = 4(1 + ε²σ³)²/((1 − σ)(1 − εσ)⁴(1 + εσ²)²) wide.
+//! - **σ < 0, k ≥ 3: never.** Let s = |σ|. For odd k, C > 0 at j = 2; and j = 1 needs 2(1 + sᵏ) < ksᵏ⁻¹(1 − s²), which is less than 2. For
+//!   even k, C < 0 at j = 1, and C > 0 at j = 2, since (1 − sᵏ)/(1 − s²) = 1 + s² + … + sᵏ⁻² ≥ ½k s^(k/2−1).
+//! - **σ > 0, k ≥ 3: on the side m = 1, from the PD curve to where the last visit touches, just if**
+//!
+//! ```text
+//! kσ (1 − (1 + ε)σᵏ⁻¹ + εσᵏ)² < 2 (1 − εσᵏ)² (k − 1 − kσ + σᵏ).
+//! ```
+//!
+//!   C < 0, as j/(σ⁻ʲ − 1) decreases. X_j/Y is a convex function of σʲ: its first terms are a square and a linear one, the
+//!   last is a multiple of σʲ log σʲ; so j = 1 or k − 1 touches first. It is k − 1: 1 − (1 + ε)σᵏ⁻¹ + εσᵏ ≥ |1 − σ − ε(σ − σᵏ)|, and
+//!   C is no larger there, since 1 − σ²ᵏ⁻² ≥ (k − 1)σᵏ⁻²(1 − σ²) as above.
+//!
+//! For large k that is σ < 2/3; regions of k and k + 1 overlap if σ < 1/4, by M_PD ≈ 3(1 − σ)k²σ²ᵏ⁻² and M_GZ ≈ 4(1 − σ)²k²σ²ᵏ⁻⁴: the
+//! period-adding cascade of the square-root map of one variable.
 
 use crate::generic_theorem::Side;
 use crate::grazing::GrazingPoint;
+use crate::spectrum::LinearisedMap;
 use crate::unfolding::{ResonantPoint, Unfolding};
+use nalgebra::{Matrix2, Vector2};
 
 /// The position of a visit to Π divided by the impact velocity, to leading order: a linear form in
 /// impact velocity and η. The visit lies before the wall where it is negative.
@@ -118,6 +166,19 @@ impl IteratedResonance {
         Self { loops, point, visits }
     }
 
+    /// The k-loop MPSs of a linear oscillator with this σ and ε, counted as in the limit map: velocities per η are Y, parameters
+    /// per η² are M, and the sign of η is m.
+    pub fn of_linear_oscillator(loops: u32, sigma: f64, epsilon: f64) -> Self {
+        let map = LinearisedMap { a: Matrix2::from_diagonal_element(sigma), b: Vector2::new(0.5, 0.0) };
+        let grazing = GrazingPoint { map, forcing_frequency: 1.0, gamma: 1.0, phi: epsilon, psi: 0.0 };
+        let resonance = ResonantPoint {
+            grazing,
+            second_phase_derivative: -sigma * (1.0 - sigma),
+            unfolding: Unfolding { loops: 1, derivative: 1.0 / (1.0 + epsilon) },
+        };
+        Self::new(&resonance, loops)
+    }
+
     /// The number k of loops.
     pub fn loops(&self) -> u32 {
         self.loops
@@ -132,6 +193,11 @@ impl IteratedResonance {
     /// The heights of the visits x⁽ʲ⁾, 0 < j < k, in order.
     pub fn visits(&self) -> &[VisitHeight] {
         &self.visits
+    }
+
+    /// The quadratic coefficient of the curve along which a bound holds.
+    pub fn coefficient(&self, bound: &VelocityBound) -> f64 {
+        self.point.branch_expansion().parameter(bound.velocity_slope, 1.0)
     }
 
     /// The stable, admissible MPSs, for either side of η on which there are some.
@@ -180,4 +246,14 @@ impl IteratedResonance {
             fastest.is_none_or(|fastest| fastest.velocity_slope.abs() > slowest.velocity_slope.abs());
         is_interval.then_some(EmergingSolutions { side, slowest, fastest })
     }
+}
+
+/// The right-hand side less the left-hand one of the condition on which stable, admissible MPSs of k = `loops` ≥ 2 loops leave the
+/// resonances with σ > 0 of a linear oscillator with 0 < ε ≤ 1: 2(1 − εσᵏ)²(k − 1 − kσ + σᵏ) − kσ(1 − (1 + ε)σᵏ⁻¹ + εσᵏ)².
+pub fn last_visit_margin(loops: u32, sigma: f64, epsilon: f64) -> f64 {
+    let k = f64::from(loops);
+    let before = libm::pow(sigma, k - 1.0);
+    let power = before * sigma;
+    let [room, reach] = [1.0 - epsilon * power, 1.0 - (1.0 + epsilon) * before + epsilon * power];
+    2.0 * room * room * (k - 1.0 - k * sigma + power) - k * sigma * reach * reach
 }

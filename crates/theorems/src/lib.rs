@@ -28,6 +28,7 @@
 //! | 2.2, 2.3, 4.2 | the global map to first order, its eigenvalues and iterates, the non-impacting solution | [`spectrum`] |
 //! | 2.4, 4.2, A | g_p, kappa_p, H_p, S_p, T_p, u^(j) | [`auxiliary`] |
 //! | 2.4, A | h_p | [`admissibility_boundary`] |
+//! | ours | where p-loop solutions are admissible over the whole trapesium | [`admissibility_region`] |
 //! | 2.5, 4 | the discontinuity map, the VIVID function, what emerges at grazing, to leading order | [`grazing`] |
 //! | 2.5 | Theorems 2.2 and 2.3 | [`generic_theorem`] |
 //! | 2.6, 5 | s_p^+-, c_SN, c_PD, the branch and the curves at a resonance, to leading order | [`unfolding`] |
@@ -49,6 +50,7 @@
 //! functions here do not need.
 
 pub mod admissibility_boundary;
+pub mod admissibility_region;
 pub mod auxiliary;
 mod error;
 pub mod from_map;

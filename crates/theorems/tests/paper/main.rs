@@ -4,6 +4,7 @@
 //! Property tests run with a fixed seed and keep no files, so that every run draws the same cases.
 
 mod admissibility_boundary;
+mod admissibility_region;
 mod auxiliary;
 mod generic_grazing;
 mod iterated;

@@ -4,6 +4,7 @@ use super::theorems::general::side_of_orbit;
 use super::theorems::only;
 use crate::checks::appendices::signs::{scaled_h, search};
 use crate::*;
+use grazing_theorems::admissibility_region::{AdmissibilityRegion, admissibility_margin, rotation};
 
 /// Figure 2's (τ, δ), the star of Figure 4: g₂ < τ, and h_p < τ < g_p for p = 3, 4, 5 alone; by
 /// theorem 2.3 two loops then emerge to the right and three to five to the left.
@@ -53,7 +54,7 @@ pub(crate) fn beyond_the_boundary() -> CheckResult {
         cases.see(found.is_some() == (p == 5 || p >= 7));
         printed.see(found.is_some() == (p == 5 || p >= 7));
         if let Some((tau, delta)) = found {
-            cases.see(beyond_in_simulation(p, tau, delta)?);
+            cases.see(matches!(observed(p, tau, delta, Side::Positive)?.0, Existence::On(_)));
         }
     }
     let over = "p = 2 to 14, p ≥ 3 on grids of the trapesium, and an oscillator for each p found";
@@ -78,16 +79,52 @@ fn two_loops_below_the_boundary() -> Result<bool, Failure> {
     Ok(only_the_margin && side_of_orbit(&orbit, 2)? == stated)
 }
 
-/// Whether the linear oscillator with this trace and determinant has a p-loop MPS near grazing.
-fn beyond_in_simulation(p: u32, tau: f64, delta: f64) -> Result<bool, Failure> {
-    // 2πω₁/ω = 2π + θ and 4πζ/ω = −log δ; θ in (0, π) makes a₁₂ positive.
-    let turns = 1.0 + libm::acos(0.5 * tau / delta.sqrt()) / (2.0 * PI);
+/// Where simulation of the linear oscillator with this trace and determinant sees p-loop MPSs near grazing, and the sign of
+/// β, from the rotation of its grazing orbits: 2πω₁/ω = 2π(1 + x), of which 0 < x < ½ makes a₁₂ positive.
+fn observed(p: u32, tau: f64, delta: f64, factor: Side) -> Result<(Existence, Side), Failure> {
+    let turns = 1.0 + rotation(tau, delta, factor);
     let ratio = -libm::log(delta) / (4.0 * PI * turns);
     let zeta = ratio / (1.0 + ratio * ratio).sqrt();
     let orbit = Law::linear(zeta, 0.7).grazing((1.0 - zeta * zeta).sqrt() / turns)?;
     let map = orbit.grazing_point().map;
-    let below = map.trace() < admissibility_boundary(p, map.determinant())?;
-    Ok(below && matches!(side_of_orbit(&orbit, p)?, Existence::On(_)))
+    if (map.trace() - tau).abs() + (map.determinant() - delta).abs() > 1e-9
+        || map.a.m12 * factor.signum() <= 0.0
+    {
+        return Err("an oscillator with another rotation".into());
+    }
+    Ok((side_of_orbit(&orbit, p)?, Side::of(map.transversality())))
+}
+
+/// The regions of all p-loop MPSs over the trapesium: inside of each simulation sees the MPS on the side βμa₁₂αS_p > 0, beside it
+/// none.
+pub(crate) fn regions() -> CheckResult {
+    let mut cases = Votes::default();
+    for region in (2..=12).flat_map(AdmissibilityRegion::all) {
+        let (p, factor, lowest) = (region.loops, region.factor(), region.lowest_determinant());
+        for share in [0.2, 0.6, 0.95] {
+            let delta = lowest.max(0.3) + share * (1.0 - lowest.max(0.3));
+            let ends = region.traces(delta).ok_or("it reaches down to there")?.map(|(tau, _)| tau);
+            // Complex eigenvalues, as linear oscillators have them.
+            let [low, high] = ends.map(|tau| tau.clamp(-1.99 * delta.sqrt(), 1.99 * delta.sqrt()));
+            let width = high - low;
+            // Off the resonance of m = 1; none where all eigenvalues are real.
+            for tau in [0.13, 0.47, 0.88].map(|part| low + part * width).into_iter().filter(|_| width > 0.0) {
+                let (seen, beta) = observed(p, tau, delta, factor)?;
+                let side = beta.signum() * factor.signum() * lucas_sequence(p, tau, delta);
+                cases.see(seen == Existence::On(Side::of(side)));
+            }
+            let is_complex = |tau: f64| tau.abs() < 1.99 * delta.sqrt();
+            for (end, tau) in [(ends[0], low - 0.1 * width), (ends[1], high + 0.1 * width)] {
+                let is_outside = || admissibility_margin(p, tau, delta, factor).0 < 0.0;
+                if width > 0.0 && is_complex(end) && is_complex(tau) && is_outside() {
+                    cases.see(observed(p, tau, delta, factor)?.0 == Existence::Nowhere);
+                }
+            }
+        }
+    }
+    Ok(cases.outcome(
+        "oscillators inside and beside all regions of p = 2 to 12, a₁₂α of both signs, at three determinants",
+    ))
 }
 
 checks! {

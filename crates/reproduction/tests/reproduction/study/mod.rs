@@ -1,6 +1,7 @@
 //! The rows of the default parameters: held fixed by snapshots, and against routes that share
 //! nothing with them.
 
+mod beyond;
 mod elsewhere;
 mod fig04;
 mod fig05;

@@ -1,0 +1,82 @@
+//! Solutions of more loops at one-loop resonances.
+
+use grazing_drawing::geometry::sheet::Bounds;
+use grazing_drawing::ink::canvas::Canvas;
+use grazing_drawing::ink::labels::{Labels, Site};
+use grazing_drawing::ink::legend::Sample;
+use grazing_drawing::ink::style::{LABEL_SIZE, Paint, THRESHOLD, branch_pen};
+use grazing_drawing::plot::axes::{Marker, Panel};
+use grazing_results::Frame;
+
+use super::MoreLoops;
+use crate::figure::prelude::*;
+
+const WIDTH_MM: f64 = 165.0;
+const HEIGHT_MM: f64 = 82.0;
+/// Across σ, up powers of ten.
+const WIDTHS: Frame = Frame { x: [-1.0, 1.0], y: [-4.0, 4.0] };
+const PLACES: Frame = Frame { x: [0.0, 0.7], y: [-6.0, 2.0] };
+
+/// The greatest k that is named beside its width.
+const NAMED: u32 = 3;
+
+/// Draws the figure.
+pub(super) fn draw(figure: &MoreLoops, width: SheetWidth) -> Result<Sheet, DrawingError> {
+    let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
+    let middle = 0.5 * canvas.width;
+    let bounds = |left: f64, right: f64| Bounds { left, top: 22.0, right, bottom: canvas.height - 30.0 };
+    let widths = Panel::new(&canvas, WIDTHS, bounds(37.0, middle - 8.0));
+    let places = Panel::new(&canvas, PLACES, bounds(middle + 37.0, canvas.width - 8.0));
+    let mut labels = [Labels::new(&canvas, widths.bounds), Labels::new(&canvas, places.bounds)];
+
+    let mut lines = Vec::new();
+    widths.line(&[(0.0, WIDTHS.y[0]), (0.0, WIDTHS.y[1])], THRESHOLD);
+    for rows in figure.intervals.chunk_by(|a, b| a.loops == b.loops && (a.sigma < 0.0) == (b.sigma < 0.0)) {
+        let (loops, pen) = (rows[0].loops, branch_pen(rows[0].loops, 1.1));
+        let name = format!("${loops}$");
+        let width: Vec<(f64, f64)> =
+            rows.iter().map(|row| (row.sigma, libm::log10(row.to - row.from))).collect();
+        for line in widths.line(&width, pen) {
+            labels[0].placer.keep_off(&line);
+            // The others follow each other downwards, too close for names.
+            if loops <= NAMED {
+                lines.push((line, name.clone(), pen.colour));
+            }
+        }
+        if rows[0].sigma > 0.0 {
+            let up = |value: f64| libm::log10(value);
+            let from: Vec<_> = rows.iter().map(|row| (row.sigma, up(row.from))).collect();
+            let to: Vec<_> = rows.iter().map(|row| (row.sigma, up(row.to))).collect();
+            let outline: Vec<_> = from.iter().chain(to.iter().rev()).copied().collect();
+            let area = places.fill(&outline, Paint { colour: pen.colour, opacity: 0.25 });
+            places.line(&from, pen);
+            places.line(&to, branch_pen(loops, 0.6));
+            if !area.is_empty() {
+                labels[1].add(&name, LABEL_SIZE, pen.colour, &Site::Within(&area))?;
+            }
+        }
+    }
+    for (line, name, colour) in &lines {
+        labels[0].add(name, LABEL_SIZE, *colour, &Site::Beside(line))?;
+    }
+    for row in &figure.measured {
+        let [from, to] = [row.m_from, row.m_to];
+        widths.marker((row.sigma, libm::log10(to - from)), Marker::Disc);
+        for place in [from, to].into_iter().filter(|_| row.sigma > 0.0) {
+            places.marker((row.sigma, libm::log10(place)), Marker::Disc);
+        }
+    }
+    canvas.explain("stable $k$-loop MPSs", Sample::Line(branch_pen(2, 1.1)));
+    widths.axes(r"$\sigma$", r"$\mathrm{log}_{10}$ of the width in $M$")?;
+    places.axes(r"$\sigma$", r"$\mathrm{log}_{10}\,M$")?;
+    for labels in labels {
+        labels.draw()?;
+    }
+    canvas.finish(
+        "beyond_loops",
+        "Solutions of more loops at one-loop resonances",
+        "Sigma across. Left: the width in the scaled parameter M of the regions in which k-loop solutions are stable and \
+         admissible, numbered by k. Right: where these lie for positive sigma, from the period doubling (bold) to where the last \
+         visit touches the wall. Discs: measured on the curves of oscillators.",
+    )
+}

@@ -1,0 +1,94 @@
+//! Beyond the paper: where p-loop MPSs are admissible at generic grazing, over the whole trapesium.
+
+mod ink;
+
+use grazing_results::{rows, tables};
+use grazing_source::kind::counts;
+use grazing_theorems::admissibility_region::{AdmissibilityRegion, rotation};
+use rayon::prelude::*;
+
+use crate::figure::prelude::*;
+use crate::parameters::limits::MOST_LOOPS;
+
+/// Levels of δ in a region, and in one in which eigenvalues become real and x varies as a square root there.
+const LEVELS: [u32; 2] = [56, 160];
+/// So near to δ = 1 the ends of regions are at their limits.
+const TOP: f64 = 1.0 - 1e-9;
+
+keys! {
+    /// Where p-loop MPSs are admissible.
+    pub struct BeyondRegions {
+        /// The numbers of loops p.
+        loops: Vec<u32> = counts(2..=MOST_LOOPS),
+            "the numbers of loops must be a list of different whole numbers from {} to {}, as [2, 3, 4]";
+    }
+}
+
+rows! {
+    /// A region at one determinant.
+    RegionLevel {
+        loops: u32 = LOOPS,
+        turns: u32 = TURNS,
+        visit: u32 = TOUCHING_VISIT,
+        delta: f64 = DELTA,
+        low: f64 = TAU_LOW,
+        high: f64 = TAU_HIGH,
+        left: f64 = ROTATION_LOW,
+        right: f64 = ROTATION_HIGH,
+    }
+}
+
+tables! {
+    /// Where p-loop MPSs are admissible.
+    Regions {
+        /// Regions by p and m, each from its lowest determinant to 1.
+        levels: RegionLevel = "beyond_regions", "a region at one determinant",
+    }
+}
+
+impl FileSection for BeyondRegions {
+    const NAME: &'static str = "beyond_regions";
+    const REQUIREMENT: &'static str = "the table [beyond_regions] says whose admissibility is shown";
+}
+
+impl PaperFigure for BeyondRegions {
+    const LABEL: &'static str = "fig:regions";
+    const BEYOND: bool = true;
+    const TITLE: &'static str = "Beyond the paper: where p-loop solutions are admissible at grazing";
+    const TABLES: &'static [TablePlan] = Regions::TABLES;
+    const REMEDY: &'static str = "beyond_regions.loops";
+    type Shown = Regions;
+
+    fn compute(&self, _: &Study) -> Result<Regions, StudyError> {
+        let all: Vec<_> = self.loops.iter().flat_map(|&p| AdmissibilityRegion::all(p)).collect();
+        Ok(Regions { levels: all.par_iter().map(levels).collect::<Vec<_>>().concat() })
+    }
+
+    fn draw(shown: &Regions, width: SheetWidth) -> Result<Sheet, DrawingError> {
+        ink::draw(shown, width)
+    }
+}
+
+/// The levels of a region, closer to each other near its lowest determinant, where it is a parabola, for m = 1 also near δ = 1.
+fn levels(region: &AdmissibilityRegion) -> Vec<RegionLevel> {
+    let (lowest, factor) = (region.lowest_determinant(), region.factor());
+    let [left, _] = region.rotations();
+    let levels = LEVELS[usize::from(left == 0.5)];
+    let row = |k: u32| {
+        let share = f64::from(k) / f64::from(levels);
+        let above = share * share * if left == 0.0 { 3.0 - 2.0 * share } else { 1.0 };
+        let delta = (lowest + (1.0 - lowest) * above).min(TOP);
+        let [low, high] = region.traces(delta)?.map(|(tau, _)| tau);
+        // At the double eigenvalue where eigenvalues are real.
+        let of = |tau: f64| {
+            let double = 2.0 * delta.sqrt();
+            rotation(tau.clamp(-double, double), delta, factor)
+        };
+        let [a, b] = [of(low), of(high)];
+        let [left, right] = [a.min(b), a.max(b)];
+        let (loops, turns) = (region.loops, region.turns);
+        let visit = region.touching_visit();
+        Some(RegionLevel { loops, turns, visit, delta, low, high, left, right })
+    };
+    (0..=levels).filter_map(row).collect()
+}
