@@ -1,4 +1,4 @@
-//! What a figure of the paper is, to the program.
+//! What a figure of the paper, or beyond it, is to the program.
 
 use grazing_drawing::{DrawingError, Sheet, SheetWidth};
 use grazing_results::{TablePlan, Tables};
@@ -20,8 +20,10 @@ pub(crate) mod prelude {
 /// A figure of the paper: the section of the parameter file that says what it shows, what computes
 /// that, and what draws it. The name of the section is also that of the output and of its file.
 pub trait PaperFigure: FileSection {
-    /// Its label in the paper.
+    /// Its label in the paper, or in LaTeX.
     const LABEL: &'static str;
+    /// Whether it answers what the paper leaves open.
+    const BEYOND: bool = false;
     /// What it shows, in one line.
     const TITLE: &'static str;
     /// Its tables, in the order of what it shows.

@@ -1,6 +1,8 @@
 //! The figures of the paper, and those beyond it. A new one is a module and a line in the list; the sections of the
 //! parameter file and the outputs of the program follow from that.
 
+pub mod beyond_atlas;
+pub mod beyond_cascade;
 pub mod beyond_loops;
 pub mod beyond_regions;
 pub mod fig01;
@@ -38,6 +40,8 @@ macro_rules! paper_figures {
             $make::<$crate::figures::fig08::Figure8>(),
             $make::<$crate::figures::fig09::Figure9>(),
             $make::<$crate::figures::fig10::Figure10>(),
+            $make::<$crate::figures::beyond_cascade::BeyondCascade>(),
+            $make::<$crate::figures::beyond_atlas::BeyondAtlas>(),
             $make::<$crate::figures::beyond_loops::BeyondLoops>(),
             $make::<$crate::figures::beyond_regions::BeyondRegions>(),
             $($($last,)+)?

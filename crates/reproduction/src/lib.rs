@@ -4,13 +4,13 @@
 //! figure ([`PaperFigure`]) has a file in [`figures`], with its section of the parameter file, its
 //! rows, what computes and what draws them. Nothing here writes files.
 
-pub mod beyond;
 mod coefficients;
 mod described;
 mod error;
 pub mod family;
 mod figure;
 pub mod figures;
+pub mod limits;
 pub mod one_parameter;
 pub mod parameters;
 pub mod place;

@@ -1,28 +1,28 @@
 //! The outputs that `reproduce` writes: the figures and tables of the paper, and those beyond it.
 
-use grazing_drawing::Sheet;
-use grazing_reproduction::beyond::{Atlas, Cascades, LimitTable};
 use grazing_reproduction::figures::fig07::Figure7;
+use grazing_reproduction::limits::LimitTable;
 use grazing_reproduction::parameters::ParameterError;
 use grazing_reproduction::{
     CoefficientTable, Coefficients, PaperFigure, Remarks, Study, StudyError, TheoremsInAction, paper_figures,
 };
 use grazing_results::plane::StraightenedCurves;
-use grazing_results::{Names, TablePlan, Tables};
+use grazing_results::{Names, Tables};
 
 use super::latex::Caption;
-use super::{COEFFICIENT_COLUMNS, Computation, ComputedOutput, Figure, Output};
+use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output};
 use crate::failure::Failure;
 
 /// All outputs, in the order in which they are computed.
 pub const ALL: &[Output<Study>] =
-    &paper_figures!(figure, first COEFFICIENTS, last STRAIGHTENED, THEOREMS, CASCADES, ATLAS, LIMITS);
+    &paper_figures!(figure, first COEFFICIENTS, last STRAIGHTENED, THEOREMS, LIMITS);
 
 /// A figure of the paper.
 pub(crate) const fn figure<F: PaperFigure>() -> Output<Study> {
     Output {
         label: F::LABEL,
         is_figure: true,
+        is_beyond: F::BEYOND,
         check: |study| study.parameters.section::<F>().map(drop),
         keys: F::REMEDY,
         ..Output::new(F::NAME, F::TITLE, F::TABLES, |output, study: &Study, width| {
@@ -98,7 +98,10 @@ const THEOREMS: Output<Study> = Output {
 
 const LIMITS: Output<Study> = Output {
     label: "tab:limits",
-    ..beyond(
+    is_beyond: true,
+    check: |study| study.parameters.section::<Figure7>().map(drop),
+    keys: Figure7::REMEDY,
+    ..Output::new(
         "beyond_limits",
         "Beyond the paper: the limit map at the resonances of Figure 7",
         LimitTable::TABLES,
@@ -108,57 +111,7 @@ const LIMITS: Output<Study> = Output {
     )
 };
 
-const CASCADES: Output<Study> = Output {
-    label: "fig:cascade",
-    is_figure: true,
-    ..beyond(
-        "beyond_cascade",
-        "Beyond the paper: what follows the period doublings",
-        Cascades::TABLES,
-        |output, study: &Study, width| {
-            let shown = study.cascades()?;
-            Ok(output.with_figure(shown.draw(width)?, &shown))
-        },
-    )
-};
-
-const ATLAS: Output<Study> = Output {
-    label: "fig:atlas",
-    is_figure: true,
-    ..beyond(
-        "beyond_atlas",
-        "Beyond the paper: atlas of the limit map",
-        Atlas::TABLES,
-        |output, study: &Study, width| {
-            let shown = study.atlas()?;
-            Ok(output.with_figure(shown.draw(width)?, &shown))
-        },
-    )
-};
-
-/// What answers what the paper leaves open, at the resonances of Figure 7.
-const fn beyond(
-    name: &'static str,
-    title: &'static str,
-    tables: &'static [TablePlan],
-    compute: Computation<Study>,
-) -> Output<Study> {
-    Output {
-        is_beyond: true,
-        check: |study| study.parameters.section::<Figure7>().map(drop),
-        keys: Figure7::REMEDY,
-        ..Output::new(name, title, tables, compute)
-    }
-}
-
 impl Output<Study> {
-    /// A figure that shows all its tables.
-    fn with_figure(&self, sheet: Sheet, shown: &impl Tables) -> ComputedOutput {
-        let (file, caption, tables) = (self.figure_file(), self.caption(), self.table_names());
-        let figure = Figure { file, sheet, caption, tables, only: None };
-        ComputedOutput::new(vec![figure], shown.tables(&Names::of_the_paper()))
-    }
-
     /// Its caption in a document.
     fn caption(&self) -> Caption {
         Caption { title: self.title.to_owned(), label: self.label.to_owned(), remark: String::new() }

@@ -79,7 +79,7 @@ const LOOPS: [&str; 6] =
 /// Control characters, marks that turn the direction of writing, other scripts.
 const CHARACTERS: [&str; 12] =
     ["\0", "\u{1b}[2J", "\u{7f}", "\r", "\u{feff}", "\u{202e}", "\u{2066}", "ω", "−", "´", "\"", "#"];
-const OUTPUTS: [&str; 15] = [
+const OUTPUTS: [&str; 17] = [
     "coefficients",
     "fig01",
     "fig02",
@@ -91,6 +91,8 @@ const OUTPUTS: [&str; 15] = [
     "fig08",
     "fig09",
     "fig10",
+    "beyond_cascade",
+    "beyond_atlas",
     "beyond_loops",
     "beyond_regions",
     "straightened",

@@ -1,37 +1,40 @@
-//! What follows the period doubling: the limit map's motion, and the system's at decreasing distances
-//! from the resonance.
+//! Beyond the paper: what follows the period doubling: the limit map's motion, and the system's at decreasing
+//! distances from the resonance.
 
-use core::iter::repeat_n;
+mod ink;
 
 use grazing_continuation::cascade::Cascade;
 use grazing_continuation::mps::unknown;
-use grazing_drawing::geometry::sheet::{Bounds, span};
-use grazing_drawing::ink::canvas::{Anchor, Canvas};
-use grazing_drawing::ink::style::{BLACK, GREY, LABEL_SIZE, Pen, SMALL_LABEL_SIZE};
-use grazing_drawing::plot::axes::Panel;
-use grazing_drawing::plot::cloud::draw_cloud;
-use grazing_drawing::{DrawingError, Sheet, SheetWidth};
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, State};
-use grazing_results::{Frame, Names, row, rows, tables};
+use grazing_results::{row, rows, tables};
+use grazing_source::kind::{count, numbers};
 use grazing_theorems::limit_map::LimitImpact;
 use grazing_theorems::{LimitMap, ResonantPoint, Side};
 use grazing_unfold::resonances::Resonance;
 use rayon::prelude::*;
 
-use crate::{Study, StudyError};
+use super::fig07::Figure7;
+use crate::figure::prelude::*;
 
-/// Impact velocities at the period doubling, in the columns of the figure; the last is the limit.
-const SIZES: [f64; 3] = [0.05, 0.005, 0.0];
-/// Values of the parameter in a panel, and impacts that are passed over and shown at each.
-const VALUES: u32 = 450;
+keys! {
+    /// What follows the period doublings.
+    pub struct BeyondCascade {
+        /// Impact velocities at the period doubling, in the columns of the figure but the last, which is the limit.
+        sizes: [f64; 2] = numbers().such(|all: &[f64; 2]| all.iter().all(|size| (1e-6..0.5).contains(size))),
+            "the sizes must be two impact velocities from 0.000001 to 0.5";
+        /// Values of the parameter in a panel.
+        values: u32 = count(2..=10_000), "the number of values must be a whole number from {} to {}";
+    }
+}
+
+/// Impacts that are passed over and shown at each value of the parameter.
 const TRANSIENT: usize = 250;
 const SHOWN: usize = 24;
 /// Motion that comes again to this is shown once.
 const SAME: f64 = 1e-6;
-/// How far up motion is shown, in units of where the period doubling is and of its velocity.
+/// How far up motion is shown, in units of where the period doubling is.
 const HIGHEST: f64 = 1.03;
-const FASTEST: f64 = 2.0;
 /// Steps in which motion is followed to where it leaves, and impacts at each.
 const LEAVING_STEP: f64 = 1e-3;
 const LEAVING_IMPACTS: usize = 4000;
@@ -92,13 +95,22 @@ tables! {
     }
 }
 
-impl Study {
-    /// What follows the period doublings.
-    ///
-    /// # Errors
-    /// There is no grazing in the window.
-    pub fn cascades(&self) -> Result<Cascades, StudyError> {
-        let found: Vec<&Resonance> = self.diagram()?.unfolding().map(|(resonance, _)| resonance).collect();
+impl FileSection for BeyondCascade {
+    const NAME: &'static str = "beyond_cascade";
+    const REQUIREMENT: &'static str =
+        "the table [beyond_cascade] says how near to resonances motion is followed";
+}
+
+impl PaperFigure for BeyondCascade {
+    const LABEL: &'static str = "fig:cascade";
+    const BEYOND: bool = true;
+    const TITLE: &'static str = "Beyond the paper: what follows the period doublings";
+    const TABLES: &'static [TablePlan] = Cascades::TABLES;
+    const REMEDY: &'static str = Figure7::REMEDY;
+    type Shown = Cascades;
+
+    fn compute(&self, study: &Study) -> Result<Cascades, StudyError> {
+        let found: Vec<&Resonance> = study.diagram()?.unfolding().map(|(resonance, _)| resonance).collect();
         let onsets: Vec<Onsets> = found.par_iter().map(|resonance| Onsets::of(resonance)).collect();
         let mut chosen: Vec<(&Resonance, &Onsets)> = Vec::new();
         for (resonance, onsets) in found.into_iter().zip(&onsets).filter(|(_, at)| !at.leaves.is_nan()) {
@@ -109,7 +121,8 @@ impl Study {
                 None => chosen.push((resonance, onsets)),
             }
         }
-        let all = chosen.iter().flat_map(|found| SIZES.map(|size| (*found, size)));
+        let [far, near] = self.sizes;
+        let all = chosen.iter().flat_map(|found| [far, near, 0.0].map(|size| (*found, size)));
         let numbered: Vec<_> = (1..).zip(all).collect();
         let panel = |&(panel, ((resonance, _), size)): &(u32, ((&Resonance, _), f64))| CascadePanel {
             panel,
@@ -119,11 +132,15 @@ impl Study {
         };
         let panels = numbered.iter().map(panel).collect();
         let points = numbered.par_iter().flat_map_iter(|&(panel, ((resonance, onsets), size))| {
-            let shown = followed(resonance, size, onsets.lowest());
+            let shown = followed(resonance, size, [HIGHEST, onsets.lowest()], self.values);
             shown.into_iter().map(move |[scaled, velocity]| CascadePoint { panel, scaled, velocity })
         });
         let points = points.collect();
         Ok(Cascades { onsets, panels, points })
+    }
+
+    fn draw(shown: &Cascades, width: SheetWidth) -> Result<Sheet, DrawingError> {
+        shown.draw(width)
     }
 }
 
@@ -168,7 +185,7 @@ fn leaves(map: &LimitMap) -> f64 {
 
 /// (μ, y) of impacts in units of the period doubling's, as μ goes down: of the system at the distance from the
 /// resonance that a size says, or of the limit map.
-fn followed(resonance: &Resonance, size: f64, lowest: f64) -> Vec<[f64; 2]> {
+fn followed(resonance: &Resonance, size: f64, [highest, lowest]: [f64; 2], values: u32) -> Vec<[f64; 2]> {
     let point = resonance.located.resonant_point();
     let (map, scale) = (point.limit_map(), point.limit_scale());
     let [velocity, parameter] = map.period_doubling();
@@ -183,8 +200,8 @@ fn followed(resonance: &Resonance, size: f64, lowest: f64) -> Vec<[f64; 2]> {
         Err(_) => return Vec::new(),
     };
     let mut shown = Vec::new();
-    for value in 0..=VALUES {
-        let scaled = HIGHEST + (lowest - HIGHEST) * f64::from(value) / f64::from(VALUES);
+    for value in 0..=values {
+        let scaled = highest + (lowest - highest) * f64::from(value) / f64::from(values);
         let mut seen = Vec::new();
         if size > 0.0 {
             let Ok(place) = resonance.located.near(eta, scaled * parameter, impact) else { break };
@@ -227,78 +244,4 @@ fn followed(resonance: &Resonance, size: f64, lowest: f64) -> Vec<[f64; 2]> {
         shown.extend(seen[..count].iter().map(|&velocity| [scaled, velocity]));
     }
     shown
-}
-
-/// Width in the paper, height of a row, and room about panels, in millimetres and points.
-const WIDTH_MM: f64 = 156.0;
-const ROW_MM: f64 = 52.0;
-const LEFT: f64 = 36.0;
-const GAP: f64 = 7.0;
-const ABOVE: f64 = 16.0;
-const BELOW: f64 = 31.0;
-/// Where orbits with more impacts begin.
-const ONSET: Pen = Pen::dashed(GREY, 0.45, &[0.8, 1.6]);
-
-impl Cascades {
-    /// Draws the figure: a row for each resonance, the limit to the right.
-    ///
-    /// # Errors
-    /// [`DrawingError`]: there is nothing to be seen.
-    pub fn draw(&self, width: SheetWidth) -> Result<Sheet, DrawingError> {
-        let rows: Vec<_> = self.panels.chunk_by(|a, b| (a.loops, a.n) == (b.loops, b.n)).collect();
-        let width = width.mm(WIDTH_MM);
-        let canvas = Canvas::new(width, ROW_MM * rows.len().max(1) as f64)?;
-        let row = canvas.height / rows.len().max(1) as f64;
-        let column = (canvas.width - LEFT - GAP) / SIZES.len() as f64;
-        let narrow = width < WIDTH_MM;
-        let names = Names::new("scaled_parameter", "scaled_velocity");
-        for (panels, top) in rows.iter().zip((0..).map(|number| row * f64::from(number))) {
-            let of_row = |point: &&CascadePoint| panels.iter().any(|panel| panel.panel == point.panel);
-            let [low, high] = span(self.points.iter().filter(of_row).map(|point| point.scaled));
-            let [slowest, fastest] = span(self.points.iter().filter(of_row).map(|point| point.velocity));
-            let frame = Frame { x: [low, high], y: [0.9 * slowest, FASTEST.min(1.05 * fastest)] };
-            for (panel, left) in panels.iter().zip((0..).map(|number| LEFT + column * f64::from(number))) {
-                let bounds =
-                    Bounds { left, top: top + ABOVE, right: left + column - GAP, bottom: top + row - BELOW };
-                let mut drawn = Panel::new(&canvas, frame, bounds);
-                drawn.tables = &["beyond_cascade_points"];
-                drawn.only = Some(("panel", panel.panel));
-                drawn.names = Some(&names);
-                drawn.numbers_beside = left == LEFT;
-                let own = self.onsets.iter().filter(|at| (at.point.loops(), at.n) == (panel.loops, panel.n));
-                for onset in
-                    own.flat_map(|at| at.cascade.onsets.iter().map(|onset| onset / at.cascade.onsets[0]))
-                {
-                    drawn.line(&[(onset, frame.y[0]), (onset, frame.y[1])], ONSET);
-                }
-                let own: Vec<&CascadePoint> =
-                    self.points.iter().filter(|point| point.panel == panel.panel).collect();
-                // What comes again counts as often as it would be shown.
-                let weighed = own.chunk_by(|a, b| a.scaled == b.scaled).flat_map(|at| {
-                    let places = at.iter().map(|point| (point.scaled, point.velocity));
-                    places.flat_map(|place| repeat_n(place, SHOWN / at.len()))
-                });
-                draw_cloud(&drawn, &weighed.collect::<Vec<_>>());
-                drawn.axes(r"$M/M_{\mathrm{PD}}$", if left == LEFT { r"$y/y_{\mathrm{PD}}$" } else { "" })?;
-                let size = if panel.size > 0.0 {
-                    format!(r"$y_{{\mathrm{{PD}}}}={}$", panel.size)
-                } else {
-                    "limit map".to_owned()
-                };
-                let heading = if left == LEFT {
-                    format!("$p={}$, $n={}$:  {size}", panel.loops, panel.n)
-                } else {
-                    size
-                };
-                let text = if narrow { SMALL_LABEL_SIZE - 1.0 } else { LABEL_SIZE };
-                canvas.text((left, top + ABOVE - 5.0), &heading, text, Anchor::Start, BLACK)?;
-            }
-        }
-        canvas.finish(
-            "beyond_cascade",
-            "What follows the period doubling near three resonances",
-            "Impact velocity of simulated motion against M, the parameter less that of grazing, both in units of their values at the period doubling. From left \
-             to right closer to the resonance; the last column is the limit map. Dotted: where orbits with 2, 4, 8 and 16 impacts begin. Impacts more than twice as fast are left out.",
-        )
-    }
 }

@@ -1,8 +1,4 @@
-//! Beyond the paper: the limit map at the resonances of Figure 7, what follows its period doublings, and an
-//! atlas of all of them.
-
-mod atlas;
-mod cascades;
+//! Beyond the paper: the limit map at the resonances of Figure 7.
 
 use grazing_continuation::doubled::{Doubled, DoubledEquations};
 use grazing_continuation::mps::unknown;
@@ -11,9 +7,6 @@ use grazing_theorems::ResonantPoint;
 use grazing_unfold::resonances::Resonance;
 
 use crate::{Study, StudyError};
-
-pub use atlas::Atlas;
-pub use cascades::Cascades;
 
 tables! {
     /// The limit map at all resonances of Figure 7, by p and increasing frequency.

@@ -1,0 +1,164 @@
+//! Beyond the paper: the atlas of the limit map of linear oscillators, over σ and ε, for all p and n at once.
+
+mod ink;
+
+use grazing_continuation::cascade::Cascade;
+use grazing_results::{row, rows, tables};
+use grazing_source::kind::count;
+use grazing_theorems::LimitMap;
+use rayon::prelude::*;
+
+use super::fig07::Figure7;
+use crate::figure::prelude::*;
+
+keys! {
+    /// The atlas.
+    pub struct BeyondAtlas {
+        /// Values of ε at which boundaries are located.
+        rows: u32 = count(2..=1000), "the number of rows must be a whole number from {} to {}";
+    }
+}
+
+/// Halvings of the interval in which each boundary is.
+const HALVINGS: u32 = 17;
+/// Steps of the lattice in σ from 0 to 1, and in ε.
+const LATTICE: i32 = 40;
+const LATTICE_ROWS: u32 = 10;
+/// The numbers of impacts that boundaries are about.
+const IMPACTS: [u32; 4] = [2, 4, 8, 16];
+
+rows! {
+    /// A point of a boundary.
+    Boundary {
+        loops: u32 = ATLAS_LOOPS,
+        impacts: u32 = IMPACTS_BEGUN,
+        epsilon: f64 = EPSILON,
+        sigma: f64 = SIGMA,
+    }
+
+    /// A resonance of Figure 7.
+    Place {
+        loops: u32 = LOOPS,
+        n: u32 = RESONANCE_INDEX,
+        sigma: f64 = SIGMA,
+        epsilon: f64 = EPSILON,
+    }
+}
+
+/// The limit map at a place of the lattice.
+#[derive(Clone, Debug)]
+pub struct Node {
+    loops: u32,
+    epsilon: f64,
+    sigma: f64,
+    map: LimitMap,
+    cascade: Cascade,
+}
+
+row! { Node, |this| {
+    let map = &this.map;
+    let [_, first] = map.period_doubling();
+    let onset = |place: usize| this.cascade.onsets.get(place).map_or(f64::NAN, |onset| onset / first);
+} [
+    ATLAS_LOOPS = this.loops,
+    EPSILON = this.epsilon,
+    SIGMA = this.sigma,
+    M_SN = map.saddle_node()[1],
+    M_PD = first,
+    M_2GZ = map.doubled_grazing(),
+    RATIO_SN = (this.in_units(map.saddle_node()[1])),
+    RATIO_2GZ = this.grazing(),
+    PD_CRITICALITY = map.criticality(),
+    PERIOD_4 = onset(1),
+    PERIOD_8 = onset(2),
+    PERIOD_16 = onset(3),
+    CASCADE_STOP = this.cascade.stop.name(),
+] }
+
+tables! {
+    /// What there is at all (σ, ε).
+    Atlas {
+        /// Points that follow each other with equal p and number of impacts are one curve.
+        boundaries: Boundary = "beyond_atlas", "a point of a boundary",
+        places: Place = "beyond_atlas_resonances", "a resonance of Figure 7",
+        lattice: Node = "beyond_atlas_lattice", "a place of a lattice, and of the ε of Figure 7",
+        ;
+        /// The ε of Figure 7.
+        epsilon: f64,
+    }
+}
+
+/// σ below which orbits with 2^`count` impacts begin stable; −1 if there are none.
+fn boundary(loops: u32, epsilon: f64, count: usize) -> Result<f64, StudyError> {
+    let [mut low, mut high] = [-1.0, 0.0];
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        let map = LimitMap::of_linear_oscillator(loops, middle, epsilon)?;
+        if Cascade::of(&map, count).onsets.len() == count { low = middle } else { high = middle }
+    }
+    Ok(low)
+}
+
+impl FileSection for BeyondAtlas {
+    const NAME: &'static str = "beyond_atlas";
+    const REQUIREMENT: &'static str = "the table [beyond_atlas] says how closely boundaries are drawn";
+}
+
+impl PaperFigure for BeyondAtlas {
+    const LABEL: &'static str = "fig:atlas";
+    const BEYOND: bool = true;
+    const TITLE: &'static str = "Beyond the paper: atlas of the limit map";
+    const TABLES: &'static [TablePlan] = Atlas::TABLES;
+    const REMEDY: &'static str = Figure7::REMEDY;
+    type Shown = Atlas;
+
+    fn compute(&self, study: &Study) -> Result<Atlas, StudyError> {
+        let epsilon = study.parameters.oscillator()?.coefficient_of_restitution();
+        let places = study.diagram()?.unfolding().map(|(found, _)| {
+            let [_, _, sigma] = found.located.resonant_point().limit_map().numbers();
+            Place { loops: found.loops, n: found.n, sigma, epsilon }
+        });
+        let mut asked = Vec::new();
+        for loops in [1, 2] {
+            for (count, impacts) in (1..).zip(IMPACTS) {
+                let rows = (1..=self.rows).map(|row| f64::from(row) / f64::from(self.rows));
+                asked.extend(rows.map(|epsilon| (loops, count, impacts, epsilon)));
+            }
+        }
+        let found = asked.into_par_iter().map(|(loops, count, impacts, epsilon)| {
+            Ok(Boundary { loops, impacts, epsilon, sigma: boundary(loops, epsilon, count)? })
+        });
+        let boundaries = found.collect::<Result<_, StudyError>>()?;
+        let mut nodes = Vec::new();
+        let of_lattice = (1..=LATTICE_ROWS).map(|row| f64::from(row) / f64::from(LATTICE_ROWS));
+        for epsilon in of_lattice.filter(|&other| other != epsilon).chain([epsilon]) {
+            for place in (1 - LATTICE..LATTICE).filter(|&place| place != 0) {
+                let sigma = f64::from(place) / f64::from(LATTICE);
+                nodes.extend((1..=if place < 0 { 2 } else { 1 }).map(|loops| (loops, epsilon, sigma)));
+            }
+        }
+        nodes.sort_by_key(|(loops, ..)| *loops);
+        let node = |(loops, epsilon, sigma)| {
+            let map = LimitMap::of_linear_oscillator(loops, sigma, epsilon)?;
+            Ok(Node { loops, epsilon, sigma, map, cascade: Cascade::of(&map, IMPACTS.len()) })
+        };
+        let lattice = nodes.into_par_iter().map(node).collect::<Result<_, StudyError>>()?;
+        Ok(Atlas { boundaries, places: places.collect(), lattice, epsilon })
+    }
+
+    fn draw(shown: &Atlas, width: SheetWidth) -> Result<Sheet, DrawingError> {
+        shown.draw(width)
+    }
+}
+
+impl Node {
+    /// M_2GZ/M_PD.
+    fn grazing(&self) -> f64 {
+        self.in_units(self.map.doubled_grazing())
+    }
+
+    /// M in units of M_PD.
+    fn in_units(&self, parameter: f64) -> f64 {
+        parameter / self.map.period_doubling()[1]
+    }
+}

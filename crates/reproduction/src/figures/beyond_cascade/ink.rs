@@ -1,0 +1,86 @@
+//! Cascades beside each other, the limit to the right.
+
+use core::iter::repeat_n;
+
+use grazing_drawing::geometry::sheet::{Bounds, span};
+use grazing_drawing::ink::canvas::{Anchor, Canvas};
+use grazing_drawing::ink::style::{BLACK, GREY, LABEL_SIZE, Pen, SMALL_LABEL_SIZE};
+use grazing_drawing::plot::axes::Panel;
+use grazing_drawing::plot::cloud::draw_cloud;
+use grazing_results::{Frame, Names};
+
+use super::{CascadePoint, Cascades, SHOWN};
+use crate::figure::prelude::*;
+
+/// The fastest impacts that are shown, in units of the velocity at the period doubling.
+const FASTEST: f64 = 2.0;
+/// Width in the paper, height of a row, and room about panels, in millimetres and points.
+const WIDTH_MM: f64 = 156.0;
+const ROW_MM: f64 = 52.0;
+const LEFT: f64 = 36.0;
+const GAP: f64 = 7.0;
+const ABOVE: f64 = 16.0;
+const BELOW: f64 = 31.0;
+/// Where orbits with more impacts begin.
+const ONSET: Pen = Pen::dashed(GREY, 0.45, &[0.8, 1.6]);
+
+impl Cascades {
+    /// Draws the figure: a row for each resonance, the limit to the right.
+    pub(super) fn draw(&self, width: SheetWidth) -> Result<Sheet, DrawingError> {
+        let rows: Vec<_> = self.panels.chunk_by(|a, b| (a.loops, a.n) == (b.loops, b.n)).collect();
+        let width = width.mm(WIDTH_MM);
+        let canvas = Canvas::new(width, ROW_MM * rows.len().max(1) as f64)?;
+        let row = canvas.height / rows.len().max(1) as f64;
+        let column = (canvas.width - LEFT - GAP) / rows.first().map_or(1, |row| row.len()) as f64;
+        let narrow = width < WIDTH_MM;
+        let names = Names::new("scaled_parameter", "scaled_velocity");
+        for (panels, top) in rows.iter().zip((0..).map(|number| row * f64::from(number))) {
+            let of_row = |point: &&CascadePoint| panels.iter().any(|panel| panel.panel == point.panel);
+            let [low, high] = span(self.points.iter().filter(of_row).map(|point| point.scaled));
+            let [slowest, fastest] = span(self.points.iter().filter(of_row).map(|point| point.velocity));
+            let frame = Frame { x: [low, high], y: [0.9 * slowest, FASTEST.min(1.05 * fastest)] };
+            for (panel, left) in panels.iter().zip((0..).map(|number| LEFT + column * f64::from(number))) {
+                let bounds =
+                    Bounds { left, top: top + ABOVE, right: left + column - GAP, bottom: top + row - BELOW };
+                let mut drawn = Panel::new(&canvas, frame, bounds);
+                drawn.tables = &["beyond_cascade_points"];
+                drawn.only = Some(("panel", panel.panel));
+                drawn.names = Some(&names);
+                drawn.numbers_beside = left == LEFT;
+                let own = self.onsets.iter().filter(|at| (at.point.loops(), at.n) == (panel.loops, panel.n));
+                for onset in
+                    own.flat_map(|at| at.cascade.onsets.iter().map(|onset| onset / at.cascade.onsets[0]))
+                {
+                    drawn.line(&[(onset, frame.y[0]), (onset, frame.y[1])], ONSET);
+                }
+                let own: Vec<&CascadePoint> =
+                    self.points.iter().filter(|point| point.panel == panel.panel).collect();
+                // What comes again counts as often as it would be shown.
+                let weighed = own.chunk_by(|a, b| a.scaled == b.scaled).flat_map(|at| {
+                    let places = at.iter().map(|point| (point.scaled, point.velocity));
+                    places.flat_map(|place| repeat_n(place, SHOWN / at.len()))
+                });
+                draw_cloud(&drawn, &weighed.collect::<Vec<_>>());
+                drawn.axes(r"$M/M_{\mathrm{PD}}$", if left == LEFT { r"$y/y_{\mathrm{PD}}$" } else { "" })?;
+                let size = if panel.size > 0.0 {
+                    format!(r"$y_{{\mathrm{{PD}}}}={}$", panel.size)
+                } else {
+                    "limit map".to_owned()
+                };
+                let heading = if left == LEFT {
+                    format!("$p={}$, $n={}$:  {size}", panel.loops, panel.n)
+                } else {
+                    size
+                };
+                let text = if narrow { SMALL_LABEL_SIZE - 1.0 } else { LABEL_SIZE };
+                canvas.text((left, top + ABOVE - 5.0), &heading, text, Anchor::Start, BLACK)?;
+            }
+        }
+        canvas.finish(
+            "beyond_cascade",
+            "What follows the period doubling near three resonances",
+            "Impact velocity of simulated motion against M, the parameter less that of grazing, both in units of their values at the period doubling. From left \
+             to right closer to the resonance; the last column is the limit map. Dotted: where orbits with 2, 4, 8 and 16 impacts begin. Impacts more than twice as fast are left out.",
+        )
+    }
+}
