@@ -2,6 +2,7 @@
 
 use grazing_continuation::doubled::{Doubled, DoubledEquations};
 use grazing_continuation::mps::unknown;
+use grazing_continuation::resonance::LocatedResonance;
 use grazing_results::{row, tables};
 use grazing_theorems::ResonantPoint;
 use grazing_unfold::resonances::Resonance;
@@ -55,20 +56,30 @@ impl Study {
 
 impl AtLimit {
     fn of(resonance: &Resonance) -> Self {
-        let point = resonance.located.resonant_point();
-        let equations = DoubledEquations::new(resonance.located.equations());
-        let (map, scale) = (point.limit_map(), point.limit_scale());
-        let (gap, [velocity, _]) = (map.grazing_gap(), map.period_doubling());
-        let error = |size: f64| {
-            let eta = size / (scale.velocity * velocity);
-            let guess = Doubled::near_resonance(&resonance.located, eta, gap).ok()?;
-            let (grazing, _) = equations.grazing(guess)?;
-            let (still, _) = map.fixed_point(velocity);
-            let from = resonance.located.near(eta, 0.0, still).ok()?[unknown::PRIMARY];
-            let limit = point.doubled_grazing_coefficient();
-            Some(((grazing.primary() - from) / (eta * eta * limit) - 1.0).abs())
-        };
+        let point = *resonance.located.resonant_point();
+        let limit = point.doubled_grazing_coefficient();
+        let error = |size: f64| Some((doubled_grazing(&resonance.located, size)? / limit - 1.0).abs());
         let errors = [1e-2, 1e-3, 1e-4].map(|size| error(size).unwrap_or(f64::NAN));
-        Self { n: resonance.n, point: *point, errors }
+        Self { n: resonance.n, point, errors }
     }
+}
+
+/// The limit of [`doubled_grazing`] near a resonance, from two distances; nothing where no orbit is found.
+pub(crate) fn measured_doubled_grazing(resonance: &LocatedResonance) -> Option<f64> {
+    let [far, near] = [1e-3, 5e-4].map(|size| doubled_grazing(resonance, size));
+    Some(2.0 * near? - far?)
+}
+
+/// (μ − μ_graz)/η² where the orbits with two impacts graze that begin at the period doubling, solved for where
+/// that has an impact velocity to leading order.
+fn doubled_grazing(resonance: &LocatedResonance, size: f64) -> Option<f64> {
+    let point = resonance.resonant_point();
+    let (map, scale) = (point.limit_map(), point.limit_scale());
+    let [velocity, _] = map.period_doubling();
+    let eta = size / (scale.velocity * velocity);
+    let guess = Doubled::near_resonance(resonance, eta, map.grazing_gap()).ok()?;
+    let (grazing, _) = DoubledEquations::new(resonance.equations()).grazing(guess)?;
+    let (still, _) = map.fixed_point(velocity);
+    let from = resonance.near(eta, 0.0, still).ok()?[unknown::PRIMARY];
+    Some((grazing.primary() - from) / (eta * eta))
 }

@@ -34,6 +34,7 @@ use grazing_unfold::{Diagram, Scope};
 use rayon::prelude::*;
 
 pub use crate::described::{levels, prepared};
+use crate::limits::measured_doubled_grazing;
 use crate::plane::{self, Axes, own_header};
 use crate::{StudyError, one_parameter};
 pub use finished::Keep;
@@ -109,6 +110,8 @@ impl AtResonance {
 pub struct Curves {
     /// Of the SN and the PD curve.
     pub findings: Pair<CurveFinding>,
+    /// c_2GZ, measured on period-doubled orbits that graze; NaN where none are found.
+    pub doubled_grazing: f64,
     /// The window of the magnification.
     pub window: Window,
     /// What is drawn in it; nothing where the curves could not be followed.
@@ -345,7 +348,9 @@ fn curves_from(
     }
     let findings = Pair::BIFURCATIONS.zip(coefficients.as_ref()).map(finding);
     let straightened = straightened(diagram, point, &near, units);
-    Curves { findings, window: window.in_units(units), magnified, straightened }
+    let doubled_grazing = measured_doubled_grazing(&resonance.located).unwrap_or(f64::NAN)
+        * (units.primary / units.secondary / units.secondary);
+    Curves { findings, doubled_grazing, window: window.in_units(units), magnified, straightened }
 }
 
 /// The curves that leave a resonance in straightened coordinates, in the oscillator's own units.

@@ -400,7 +400,13 @@ mod tests {
             point: point.expect("they are in the domain").resonant_point(),
             theorem: Theorem::ResonantMultiLoop,
             hypotheses: Vec::new(),
-            curves: Some(Curves { findings, window, magnified: Vec::new(), straightened: Vec::new() }),
+            curves: Some(Curves {
+                findings,
+                doubled_grazing: f64::NAN,
+                window,
+                magnified: Vec::new(),
+                straightened: Vec::new(),
+            }),
         }
     }
 

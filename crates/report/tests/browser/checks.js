@@ -95,7 +95,9 @@ addEventListener("load", async () => {
       // The axes show what is seen: the place of every number is that of its value, as the numbers of the whole panel have it.
       const box = mark.getBBox();
       const across = (node) => Number(node.getAttribute("y")) > box.y + box.height && Number(node.getAttribute("x")) >= box.x - 1 && Number(node.getAttribute("x")) <= box.x + box.width + 1;
-      const numbers = (root) => all("text[font-size='7.5'][text-anchor='middle']", root).filter((node) => across(node) && /^[−\d.]+$/.test(node.textContent));
+      const below = (root) => all("text[font-size='7.5'][text-anchor='middle']", root).filter((node) => across(node) && /^[−\d.]+$/.test(node.textContent));
+      // Those of the nearest axis.
+      const numbers = (root) => below(root).filter((node, _, list) => Number(node.getAttribute("y")) < 1 + Math.min(...list.map((other) => Number(other.getAttribute("y")))));
       const places = (nodes) => nodes.map((node) => [Number(node.getAttribute("x")), number(node)]);
       const before = places(numbers(svg)).filter(([, value], at, list) => at === 0 || value > list[at - 1][1]);
       const place = new DOMPoint(box.x + box.width / 2, box.y + box.height / 2).matrixTransform(svg.getScreenCTM());
@@ -103,7 +105,7 @@ addEventListener("load", async () => {
       sheet.dispatchEvent(new WheelEvent("wheel", { deltaY: -1000, clientX: place.x, clientY: place.y, cancelable: true }));
       const axes = all(".axes", svg);
       const after = axes.length === 1 ? places(numbers(axes[0])) : [];
-      check(`${figure.id}, panel ${index}: axes get new numbers`, axes.length === 1 && after.length >= 1 && after.length < 12, after);
+      check(`${figure.id}, panel ${index}: axes get new numbers`, axes.length === 1 && after.length >= 1 && after.length < Math.max(12, box.width / 25), after);
       if (before.length > 1 && after.length > 1) {
         const slope = (list) => (list.at(-1)[1] - list[0][1]) / (list.at(-1)[0] - list[0][0]);
         const ratio = slope(before) / slope(after);
@@ -118,7 +120,7 @@ addEventListener("load", async () => {
       for (const key of ["ArrowLeft", "ArrowUp", "ArrowRight", "ArrowDown"]) {
         for (let steps = 0; steps < 25; steps += 1) press(key);
         const frame = mark.getBoundingClientRect();
-        const met = drawing().filter((node) => node.getAttribute("clip-path")?.endsWith(`-panel-${index})`)).some((node) => {
+        const met = drawing().filter((node) => node.getAttribute("clip-path")?.endsWith(`-panel-${index})`) || latticeOf(node)).some((node) => {
           const shown = node.getBoundingClientRect();
           return shown.right >= frame.left && shown.left <= frame.right && shown.bottom >= frame.top && shown.top <= frame.bottom;
         });
@@ -131,8 +133,12 @@ addEventListener("load", async () => {
     // Dots of a cloud lie where they belong however far one zooms, not in the bins in which they are drawn on the whole figure.
     const cloud = (await readTables(`data-${figure.id}`)).find((table) => table.name.endsWith("_attractor"));
     const panel = cloud && readPanels(svg).find(({ tables }) => tables?.includes(cloud.name));
-    for (const row of cloud ? [0, Math.floor(cloud.rows / 2), cloud.rows - 1] : []) {
-      const spot = panel.toSheet(...panel.columns.map((column) => Number(cloud.column(column)[row])));
+    const owner = panel?.only && cloud.column(panel.only[0]);
+    const spotOf = (row) => panel.toSheet(...panel.columns.map((column) => Number(cloud.column(column)[row])));
+    const isShown = (row) => (!owner || owner[row] === panel.only[1]) && panel.holds(spotOf(row), -3);
+    const own = cloud ? [...Array(cloud.rows).keys()].filter(isShown) : [];
+    for (const row of cloud ? [own[0], own[Math.floor(own.length / 2)], own.at(-1)] : []) {
+      const spot = spotOf(row);
       const place = new DOMPoint(spot.x, spot.y).matrixTransform(svg.getScreenCTM());
       // The pixel of a pointer is a whole one; what lies under it stays where it is.
       const [clientX, clientY] = [Math.round(place.x), Math.round(place.y)];

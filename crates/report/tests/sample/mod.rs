@@ -210,6 +210,7 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
             saddle_node: finding(MEASURED, Simulated::AsPredicted(SIDES)),
             period_doubling: finding(NOT_MEASURED, Simulated::Undecided(Inconclusive::NotMeasured)),
         },
+        doubled_grazing: f64::NAN,
         window: Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] },
         straightened: Vec::new(),
         magnified: Vec::new(),

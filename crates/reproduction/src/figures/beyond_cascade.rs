@@ -91,7 +91,7 @@ tables! {
         panels: CascadePanel = "beyond_cascade_panels", "a panel",
         /// Of each p the resonance with the least |σ| whose period doubling creates stable orbits; motion that misses the
         /// wall is followed on for p = 1, and no further for p ≥ 2.
-        points: CascadePoint = "beyond_cascade_points", "an impact of simulated motion",
+        points: CascadePoint = "beyond_cascade_attractor", "an impact of simulated motion",
     }
 }
 

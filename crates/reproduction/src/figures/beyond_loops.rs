@@ -49,6 +49,8 @@ rows! {
         fastest: f64 = Y_FASTEST,
         from: f64 = M_SLOWEST,
         to: f64 = M_FASTEST,
+        log_from: f64 = LOG_M_SLOWEST,
+        log_width: f64 = LOG_M_WIDTH,
     }
 
     /// The curves between which they lie at a resonance of an oscillator, measured.
@@ -96,13 +98,16 @@ impl PaperFigure for BeyondLoops {
             let resonance = IteratedResonance::of_linear_oscillator(loops, sigma, epsilon);
             let found = *resonance.emerging().first()?;
             let (slowest, fastest) = (found.slowest, found.fastest?);
+            let [from, to] = [slowest, fastest].map(|bound| resonance.coefficient(&bound));
             Some(LoopInterval {
                 loops,
                 sigma,
                 slowest: slowest.velocity_slope,
                 fastest: fastest.velocity_slope,
-                from: resonance.coefficient(&slowest),
-                to: resonance.coefficient(&fastest),
+                from,
+                to,
+                log_from: libm::log10(from),
+                log_width: libm::log10(to - from),
             })
         };
         let mut intervals = Vec::new();

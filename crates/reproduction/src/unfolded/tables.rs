@@ -10,7 +10,7 @@ use grazing_theorems::hypothesis::Hypothesis;
 use grazing_theorems::{GrazingPoint, ResonantPoint, Unfolding, auxiliary};
 use grazing_unfold::units::InUnits;
 
-use super::{AtResonance, CurveFinding, Unfolded};
+use super::{AtResonance, CurveFinding, Curves, Unfolded};
 
 /// A point of the grazing curve, with the grazing orbit and the Poincaré map around it.
 #[derive(Clone, Copy, Debug)]
@@ -105,18 +105,22 @@ pub(crate) fn slopes(point: &ResonantPoint) -> [f64; 2] {
     if loops == 1 { [derivative, f64::NAN] } else { [f64::NAN, derivative] }
 }
 
-/// A resonance at which the theorem holds, with what is known of its SN and PD curves.
+/// A resonance at which the theorem holds, with what is known of its SN and PD curves, and c_2GZ as measured.
 #[derive(Clone, Debug)]
-pub struct CoefficientRow(AtResonance, Pair<CurveFinding>);
+pub struct CoefficientRow(AtResonance, Pair<CurveFinding>, f64);
 
 /// The resonances at which a theorem holds.
 pub(super) fn coefficients(unfolded: &Unfolded) -> Vec<CoefficientRow> {
-    unfolded.unfolding().map(|(at, curves)| CoefficientRow(at.clone(), curves.findings)).collect()
+    let row = |(at, curves): (&AtResonance, &Curves)| {
+        CoefficientRow(at.clone(), curves.findings, curves.doubled_grazing)
+    };
+    unfolded.unfolding().map(row).collect()
 }
 
 row! { CoefficientRow, |this| {
-    let CoefficientRow(row, findings) = this;
+    let CoefficientRow(row, findings, doubled_grazing) = this;
     let point = &row.point;
+    let [_, _, sigma] = point.limit_map().numbers();
     let stability = point.stability_coefficients();
     let [a12_prime, kappa_prime] = slopes(point);
     let [sn, pd] = findings.map(|known| known.coefficient).into_array();
@@ -149,7 +153,10 @@ row! { CoefficientRow, |this| {
     XI = point.second_phase_derivative,
     A12_PRIME = a12_prime,
     KAPPA_PRIME = kappa_prime,
+    SIGMA = sigma,
     PD_CRITICALITY = point.limit_map().criticality(),
+    C_2GZ = point.doubled_grazing_coefficient(),
+    C_2GZ_FIT = *doubled_grazing,
     SN_AS_SIMULATED = sn_side.name(),
     SN_SIMULATION_REASON = sn_side.reason(),
     PD_AS_SIMULATED = pd_side.name(),

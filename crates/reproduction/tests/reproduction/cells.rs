@@ -357,13 +357,19 @@ fn coefficients_and_simulations_stand_in_their_own_cells() {
             XI: at.point.second_phase_derivative,
             A12_PRIME: slope(at.loops == 1),
             KAPPA_PRIME: slope(at.loops != 1),
+            SIGMA: if at.loops == 1 { map.a.m22 } else { -map.determinant().powf(0.5 * f64::from(at.loops)) },
             PD_CRITICALITY: at.point.limit_map().criticality(),
+            C_2GZ: at.point.doubled_grazing_coefficient(),
+            C_2GZ_FIT: at.curves.as_ref().map_or(f64::NAN, |curves| curves.doubled_grazing),
             SN_AS_SIMULATED: "no",
             SN_SIMULATION_REASON: sides.to_string(),
             PD_AS_SIMULATED: "undecided",
             PD_SIMULATION_REASON: undecided.to_string(),
         };
         assert_row("coefficients", columns_of(&row), &row.cells(), &wanted);
+        let measured = at.curves.as_ref().map_or(f64::NAN, |curves| curves.doubled_grazing);
+        let error = measured / at.point.doubled_grazing_coefficient() - 1.0;
+        assert!(error.abs() < 1e-3, "p = {}, n = {}: {error}", at.loops, at.n);
     }
     // The quantities at the resonances are those of the diagram's resonances, in the order of these.
     let units = unfolded.axes.units;

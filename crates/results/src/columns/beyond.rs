@@ -3,7 +3,7 @@
 use super::Column;
 
 columns! {
-    /// σ: −E_p; E₁ for p = 1 and even n
+    /// a₂₂ for p = 1, −δ^(p/2) for p ≥ 2: of the linear oscillator σ = −E_p, or E₁ for p = 1 and even n
     SIGMA = "sigma", r"\sigma", "1";
     /// M of the saddle-node in the limit map
     M_SN = "m_sn", r"M_{\mathrm{SN}}", "1";
@@ -15,6 +15,8 @@ columns! {
     M_DOUBLED_PD = "m_doubled_pd", r"M_{2\mathrm{PD}}", "1";
     /// limit of (μ − μ_graz)/η² where these orbits graze
     C_2GZ = "c_2gz", r"c_{2\mathrm{GZ}}", "{primary}/{secondary}^2";
+    /// the same, measured: orbits with two impacts that graze are solved for at two distances from the resonance; empty where none are found
+    C_2GZ_FIT = "c_2gz_fit", r"c_{2\mathrm{GZ}}\text{, orbits}", "{primary}/{secondary}^2";
     /// relative error of c_2GZ where the period doubling has the impact velocity 0.01 to leading order: orbits that graze are solved for; empty where none is found
     C_2GZ_ERROR_2 = "c_2gz_error_2", "", "1";
     /// likewise 0.001
@@ -57,6 +59,10 @@ columns! {
     M_SLOWEST = "m_slowest", r"M_{-}", "1";
     /// M of the fastest, likewise
     M_FASTEST = "m_fastest", r"M_{+}", "1";
+    /// log₁₀ M of the slowest; empty where that is negative
+    LOG_M_SLOWEST = "log10_m_slowest", r"\log_{10} M_{-}", "1";
+    /// log₁₀ of the width in M
+    LOG_M_WIDTH = "log10_m_width", r"\log_{10}(M_{+} - M_{-})", "1";
     /// limit of (μ − μ_graz)/η² of the slowest, by closed form
     C_SLOWEST = "c_slowest", r"c_{-}", "{primary}/{secondary}^2";
     /// the same as measured on the curve

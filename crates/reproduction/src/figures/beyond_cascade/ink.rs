@@ -38,12 +38,14 @@ impl Cascades {
             let of_row = |point: &&CascadePoint| panels.iter().any(|panel| panel.panel == point.panel);
             let [low, high] = span(self.points.iter().filter(of_row).map(|point| point.scaled));
             let [slowest, fastest] = span(self.points.iter().filter(of_row).map(|point| point.velocity));
-            let frame = Frame { x: [low, high], y: [0.9 * slowest, FASTEST.min(1.05 * fastest)] };
+            let room = 0.01 * (high - low);
+            let frame =
+                Frame { x: [low - room, high + room], y: [0.9 * slowest, FASTEST.min(1.05 * fastest)] };
             for (panel, left) in panels.iter().zip((0..).map(|number| LEFT + column * f64::from(number))) {
                 let bounds =
                     Bounds { left, top: top + ABOVE, right: left + column - GAP, bottom: top + row - BELOW };
                 let mut drawn = Panel::new(&canvas, frame, bounds);
-                drawn.tables = &["beyond_cascade_points"];
+                drawn.tables = &["beyond_cascade_attractor"];
                 drawn.only = Some(("panel", panel.panel));
                 drawn.names = Some(&names);
                 drawn.numbers_beside = left == LEFT;

@@ -6,7 +6,7 @@ use grazing_drawing::ink::labels::{Labels, Site};
 use grazing_drawing::ink::legend::Sample;
 use grazing_drawing::ink::style::{LABEL_SIZE, Paint, THRESHOLD, branch_pen};
 use grazing_drawing::plot::axes::{Marker, Panel};
-use grazing_results::Frame;
+use grazing_results::{Frame, Names};
 
 use super::MoreLoops;
 use crate::figure::prelude::*;
@@ -25,8 +25,12 @@ pub(super) fn draw(figure: &MoreLoops, width: SheetWidth) -> Result<Sheet, Drawi
     let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
     let middle = 0.5 * canvas.width;
     let bounds = |left: f64, right: f64| Bounds { left, top: 22.0, right, bottom: canvas.height - 30.0 };
-    let widths = Panel::new(&canvas, WIDTHS, bounds(37.0, middle - 8.0));
-    let places = Panel::new(&canvas, PLACES, bounds(middle + 37.0, canvas.width - 8.0));
+    let names = ["log10_m_width", "log10_m_slowest"].map(|up| Names::new("sigma", up));
+    let mut widths = Panel::new(&canvas, WIDTHS, bounds(37.0, middle - 8.0));
+    let mut places = Panel::new(&canvas, PLACES, bounds(middle + 37.0, canvas.width - 8.0));
+    for (panel, names) in [&mut widths, &mut places].into_iter().zip(&names) {
+        (panel.tables, panel.names) = (&["beyond_loops"], Some(names));
+    }
     let mut labels = [Labels::new(&canvas, widths.bounds), Labels::new(&canvas, places.bounds)];
 
     let mut lines = Vec::new();
@@ -34,8 +38,7 @@ pub(super) fn draw(figure: &MoreLoops, width: SheetWidth) -> Result<Sheet, Drawi
     for rows in figure.intervals.chunk_by(|a, b| a.loops == b.loops && (a.sigma < 0.0) == (b.sigma < 0.0)) {
         let (loops, pen) = (rows[0].loops, branch_pen(rows[0].loops, 1.1));
         let name = format!("${loops}$");
-        let width: Vec<(f64, f64)> =
-            rows.iter().map(|row| (row.sigma, libm::log10(row.to - row.from))).collect();
+        let width: Vec<(f64, f64)> = rows.iter().map(|row| (row.sigma, row.log_width)).collect();
         for line in widths.line(&width, pen) {
             labels[0].placer.keep_off(&line);
             // The others follow each other downwards, too close for names.
@@ -45,7 +48,7 @@ pub(super) fn draw(figure: &MoreLoops, width: SheetWidth) -> Result<Sheet, Drawi
         }
         if rows[0].sigma > 0.0 {
             let up = |value: f64| libm::log10(value);
-            let from: Vec<_> = rows.iter().map(|row| (row.sigma, up(row.from))).collect();
+            let from: Vec<_> = rows.iter().map(|row| (row.sigma, row.log_from)).collect();
             let to: Vec<_> = rows.iter().map(|row| (row.sigma, up(row.to))).collect();
             let outline: Vec<_> = from.iter().chain(to.iter().rev()).copied().collect();
             let area = places.fill(&outline, Paint { colour: pen.colour, opacity: 0.25 });

@@ -5,7 +5,7 @@ use grazing_drawing::geometry::sheet::Bounds;
 use grazing_drawing::ink::canvas::{Anchor, Canvas};
 use grazing_drawing::ink::legend::Sample;
 use grazing_drawing::ink::style::{
-    BLACK, GREY, NON_IMPACTING_AREA, Paint, Pen, SMALL_LABEL_SIZE, TICK_SIZE, branch_pen,
+    BLACK, GREY, NON_IMPACTING_AREA, Paint, Pen, SMALL_LABEL_SIZE, branch_pen,
 };
 use grazing_drawing::plot::axes::Panel;
 use grazing_results::Frame;
@@ -20,6 +20,8 @@ const CORNERS: [(f64, f64); 5] = [(-1.0, 0.0), (1.0, 0.0), (2.0, 1.0), (-2.0, 1.
 const ROTATIONS: Frame = Frame { x: [0.0, 1.0], y: [0.7, 1.0] };
 const OUTLINE: Pen = Pen::solid(BLACK, 0.8);
 const LEADER: Pen = Pen::solid(GREY, 0.3);
+/// Size of the names, which are no numbers of an axis, in points.
+const NAME_SIZE: f64 = 7.0;
 /// Room above the panel of rotations for the names, in points.
 const NAMES_ABOVE: f64 = 12.0;
 
@@ -80,7 +82,7 @@ pub(super) fn draw(figure: &Regions, width: SheetWidth) -> Result<Sheet, Drawing
         canvas.text(
             (x, below.top - NAMES_ABOVE),
             &format!("${loops}$"),
-            TICK_SIZE,
+            NAME_SIZE,
             Anchor::Middle,
             pen.colour,
         )?;
