@@ -10,7 +10,7 @@ use crate::plot::axes::Panel;
 /// What a cloud shows.
 pub(crate) const LONG_TIME: &str = "long-time behaviour";
 
-/// Draws the points of the frame as squares of [`CLOUD_BIN`] points, darker where several points
+/// Draws the points of the frame as squares of `CLOUD_BIN` points, darker where several points
 /// share a bin.
 pub fn draw_cloud(panel: &Panel<'_>, points: &[(f64, f64)]) {
     let mut counts: BTreeMap<(i64, i64), u32> = BTreeMap::new();

@@ -357,7 +357,7 @@ fn coefficients_and_simulations_stand_in_their_own_cells() {
             XI: at.point.second_phase_derivative,
             A12_PRIME: slope(at.loops == 1),
             KAPPA_PRIME: slope(at.loops != 1),
-            SIGMA: if at.loops == 1 { map.a.m22 } else { -map.determinant().powf(0.5 * f64::from(at.loops)) },
+            SIGMA: if at.loops == 1 { map.a.m22 } else { -libm::pow(map.determinant(), 0.5 * f64::from(at.loops)) },
             PD_CRITICALITY: at.point.limit_map().criticality(),
             C_2GZ: at.point.doubled_grazing_coefficient(),
             C_2GZ_FIT: at.curves.as_ref().map_or(f64::NAN, |curves| curves.doubled_grazing),
