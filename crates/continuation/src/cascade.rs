@@ -78,6 +78,11 @@ const SOLVED: f64 = 1e-12;
 const LOCATED: f64 = 1e-11;
 
 impl Cascade {
+    /// M at which orbits with 2^(`place` + 1) impacts begin, in units of the first doubling's; NaN if they do not.
+    pub fn fraction(&self, place: usize) -> f64 {
+        self.onsets.get(place).map_or(f64::NAN, |onset| onset / self.onsets[0])
+    }
+
     /// The orbits of a map, as far as those with 2^`most` impacts.
     pub fn of(map: &LimitMap, most: usize) -> Self {
         let mut onsets = Vec::new();
@@ -220,9 +225,10 @@ impl Cycle {
             let flips = [from.flip(map), to.flip(map)].map(|flip| before * flip);
             if flips[1] < 0.0 {
                 let flip = |share: f64| {
-                    at(share)
-                        .map(|found| (found.flip(map), found))
-                        .map(|(flip, found)| (found, before * flip))
+                    at(share).map(|found| {
+                        let flip = before * found.flip(map);
+                        (found, flip)
+                    })
                 };
                 let found = zero_between(flips, flip, |_, value| value.abs() < LOCATED * flips[0].abs())?;
                 return if found.is_admissible(map) { Ok(found) } else { Err(Stop::Grazing) };

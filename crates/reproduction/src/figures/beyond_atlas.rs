@@ -58,7 +58,6 @@ pub struct Node {
 row! { Node, |this| {
     let map = &this.map;
     let [_, first] = map.period_doubling();
-    let onset = |place: usize| this.cascade.onsets.get(place).map_or(f64::NAN, |onset| onset / first);
 } [
     ATLAS_LOOPS = this.loops,
     EPSILON = this.epsilon,
@@ -69,9 +68,9 @@ row! { Node, |this| {
     RATIO_SN = (this.in_units(map.saddle_node()[1])),
     RATIO_2GZ = this.grazing(),
     PD_CRITICALITY = map.criticality(),
-    PERIOD_4 = onset(1),
-    PERIOD_8 = onset(2),
-    PERIOD_16 = onset(3),
+    PERIOD_4 = this.cascade.fraction(1),
+    PERIOD_8 = this.cascade.fraction(2),
+    PERIOD_16 = this.cascade.fraction(3),
     CASCADE_STOP = this.cascade.stop.name(),
 ] }
 
@@ -121,7 +120,8 @@ impl PaperFigure for BeyondAtlas {
         let mut asked = Vec::new();
         for loops in [1, 2] {
             for (count, impacts) in (1..).zip(IMPACTS) {
-                let rows = (1..=self.rows).map(|row| f64::from(row) / f64::from(self.rows));
+                // There is no map at ε = 0: the first row is as near to it as makes no difference.
+                let rows = (0..=self.rows).map(|row| f64::from(row).max(1e-3) / f64::from(self.rows));
                 asked.extend(rows.map(|epsilon| (loops, count, impacts, epsilon)));
             }
         }

@@ -71,15 +71,13 @@ pub struct Onsets {
 
 row! { Onsets, |this| {
     let map = this.point.limit_map();
-    let [_, first] = map.period_doubling();
-    let onset = |place: usize| this.cascade.onsets.get(place).map_or(f64::NAN, |onset| onset / first);
 } [
     LOOPS = this.point.loops(),
     RESONANCE_INDEX = this.n,
     SIGMA = map.numbers()[2],
-    PERIOD_4 = onset(1),
-    PERIOD_8 = onset(2),
-    PERIOD_16 = onset(3),
+    PERIOD_4 = this.cascade.fraction(1),
+    PERIOD_8 = this.cascade.fraction(2),
+    PERIOD_16 = this.cascade.fraction(3),
     LEAVES = this.leaves,
     CASCADE_STOP = this.cascade.stop.name(),
 ] }

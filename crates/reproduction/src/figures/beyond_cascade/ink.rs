@@ -51,7 +51,7 @@ impl Cascades {
                 drawn.numbers_beside = left == LEFT;
                 let own = self.onsets.iter().filter(|at| (at.point.loops(), at.n) == (panel.loops, panel.n));
                 for onset in
-                    own.flat_map(|at| at.cascade.onsets.iter().map(|onset| onset / at.cascade.onsets[0]))
+                    own.flat_map(|at| (0..at.cascade.onsets.len()).map(|place| at.cascade.fraction(place)))
                 {
                     drawn.line(&[(onset, frame.y[0]), (onset, frame.y[1])], ONSET);
                 }
