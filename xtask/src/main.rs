@@ -33,6 +33,8 @@ fn build_and_run(arguments: &[OsString]) -> io::Result<ExitStatus> {
         return Ok(built);
     }
     let mut run = cargo();
+    // The program's texts then have its commands as they were typed.
+    run.env("GRAZING_BY_XTASK", "1");
     run.args(["run", "--release", "--quiet"]).args(PROGRAM).arg("--").args(arguments);
     handed_over(run)
 }

@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand};
+use clap_complete::Shell;
 
 use grazing_claims::ledger::ClaimKind;
 use grazing_description::Limits;
@@ -11,6 +12,7 @@ use grazing_drawing::SheetWidth;
 use grazing_source::Setting;
 
 use crate::failure::Failure;
+use crate::new;
 use crate::outputs::edition::{Edition, Format, TextForm, WIDTHS};
 use crate::outputs::{self, edition};
 use crate::variation::{Part, Variation};
@@ -25,7 +27,7 @@ macro_rules! help {
 /// Regenerates the numerical results of "Resonant grazing bifurcations revisited" (arXiv 2602.22797)
 #[derive(Debug, Parser)]
 #[command(name = "grazing", version, subcommand_required = true, arg_required_else_help = true)]
-#[command(after_help = help!("exit_codes"))]
+#[command(after_long_help = help!("exit_codes"), max_term_width = 80)]
 #[command(long_about = help!("about"))]
 pub struct Arguments {
     /// What to do.
@@ -36,36 +38,42 @@ pub struct Arguments {
 /// The subcommands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Compute the figures and tables and write them, or check the ones that are there
-    #[command(next_line_help = true, after_help = help!("reproduce", "exit_codes"))]
+    /// Compute all figures and tables, or check those that are there
+    #[command(after_long_help = help!("reproduce", "exit_codes"))]
     Reproduce(Reproduce),
-    /// Hold the computed values against the ones that the paper prints
-    #[command(next_line_help = true, after_help = help!("compare", "exit_codes"))]
+    /// Hold computed values against those that the paper prints
+    #[command(after_long_help = help!("compare", "exit_codes"))]
     Compare(ParameterFile),
-    /// Test what the paper states, label by label, and print what each check measures
-    #[command(next_line_help = true, after_help = help!("claims", "exit_codes"))]
+    /// Test what the paper states, label by label
+    #[command(after_long_help = help!("claims", "exit_codes"))]
     Claims(Claims),
-    /// Prove what Figure 7 shows, and write a certificate that another program checks
-    #[command(next_line_help = true, after_help = help!("certify", "exit_codes"))]
+    /// Prove what Figure 7 shows, and write a certificate of it
+    #[command(after_long_help = help!("certify", "exit_codes"))]
     Certify(Certify),
-    /// Write one page with figures, tables, claims and a manifest, to be read in a browser
-    #[command(next_line_help = true, after_help = help!("report", "exit_codes"))]
+    /// Write one page with all of it, to be read in a browser
+    #[command(after_long_help = help!("report", "exit_codes"))]
     Report(Report),
-    /// Find and unfold the resonant grazing bifurcations of an oscillator from a text file
-    #[command(next_line_help = true, after_help = help!("unfold", "exit_codes"))]
+    /// Find and unfold resonant grazing bifurcations of an oscillator
+    #[command(after_long_help = help!("unfold", "exit_codes"))]
     Unfold(Unfold),
-    /// Explore the diagram in a browser: move constants, point at places, zoom
-    #[command(next_line_help = true, after_help = help!("explore", "exit_codes"))]
+    /// Explore the diagram of an oscillator in a browser
+    #[command(after_long_help = help!("explore", "exit_codes"))]
     Explore(Explore),
     /// Identify constants of an oscillator from what a rig did
-    #[command(next_line_help = true, after_help = help!("identify", "exit_codes"))]
+    #[command(after_long_help = help!("identify", "exit_codes"))]
     Identify(Identify),
     /// Join the parts of a family that `unfold --part` computed
-    #[command(next_line_help = true, after_help = help!("merge", "exit_codes"))]
+    #[command(after_long_help = help!("merge", "exit_codes"))]
     Merge(Merge),
-    /// Write a description of an oscillator to begin with, to be changed and unfolded
-    #[command(next_line_help = true, after_help = help!("new", "exit_codes"))]
+    /// Write a description of an oscillator to begin with
+    #[command(after_long_help = help!("new", "exit_codes"))]
     New(New),
+    /// Print what a shell completes commands and options with
+    #[command(after_long_help = help!("completions", "exit_codes"))]
+    Completions(Completions),
+    /// Write manual pages, one for each command
+    #[command(after_long_help = help!("manual", "exit_codes"))]
+    Manual(Manual),
 }
 
 /// The arguments of `grazing reproduce`.
@@ -299,20 +307,24 @@ pub struct New {
     /// The file to be written, which must not be there yet
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// What it begins with
-    #[arg(long, value_name = "KIND", default_value = "plain")]
-    pub kind: Template,
+    /// What it begins with: one of three plain ones, or an example
+    #[arg(long, value_name = "KIND", default_value = "plain", value_parser = PossibleValuesParser::new(kinds()))]
+    pub kind: String,
 }
 
-/// What a description of one's own begins with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Template {
-    /// A mass on a spring beside a wall at x = 0, without units
-    Plain,
-    /// A mass over a table that shakes: the wall moves
-    MovingWall,
-    /// A rig in metres, kilograms and seconds, its stop at a distance
-    Si,
+/// The arguments of `grazing completions`.
+#[derive(Debug, Args)]
+pub struct Completions {
+    /// The shell whose language they are in
+    pub shell: Shell,
+}
+
+/// The arguments of `grazing manual`.
+#[derive(Debug, Args)]
+pub struct Manual {
+    /// Folder for the pages, grazing.1 and others
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
 }
 
 /// The parameter file, which all commands share.
@@ -346,6 +358,11 @@ fn positive(text: &str) -> Result<f64, String> {
 fn widths() -> impl TypedValueParser<Value = SheetWidth> {
     let words = WIDTHS.map(|(word, _, help)| PossibleValue::new(word).help(help));
     PossibleValuesParser::new(words).map(|word| edition::width(&word))
+}
+
+/// What a description of one's own begins with.
+fn kinds() -> impl Iterator<Item = PossibleValue> {
+    new::kinds().map(|kind| PossibleValue::new(kind.name).help(kind.about))
 }
 
 /// Formats of figures: all but LaTeX.

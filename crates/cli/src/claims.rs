@@ -88,9 +88,14 @@ fn matches(wanted: &str, label: &str) -> bool {
 
 /// Writes `ERRATA.md`, or holds the one that is there against the ledger.
 fn misprints(findings: &[Finding<'_>], write: bool) -> Result<(), Failure> {
-    let root = match project::root_folder() {
-        Err(_) if !write => return Ok(()),
-        root => root?,
+    let root = match project::root() {
+        None if !write => return Ok(()),
+        None => {
+            return Err(Failure::input(
+                "--write-errata: this is no clone of the repository, where the page belongs",
+            ));
+        }
+        Some(root) => root,
     };
     let content = errata::page(findings).into_bytes();
     if write {

@@ -33,12 +33,13 @@ pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
     let export: Export = Box::new(|seen, what, columns, _| {
         exported(seen, what, columns).map_err(|failure| failure.to_string())
     });
-    let server = Server::bind(arguments.port, Limits::default(), examples, export).map_err(|reason| {
-        let port = arguments.port;
-        Failure::input(format!(
-            "port {port} of this machine cannot be had: {reason}; name another with --port"
-        ))
-    })?;
+    let server = Server::bind(arguments.port, Limits::default(), terminal::program(), examples, export)
+        .map_err(|reason| {
+            let port = arguments.port;
+            Failure::input(format!(
+                "port {port} of this machine cannot be had: {reason}; name another with --port"
+            ))
+        })?;
     let address = server.address();
     terminal::say(&format!(
         "{address}\nThe address is for this machine alone, and its token keeps other pages out. Ctrl-C ends it.\n"

@@ -15,8 +15,9 @@ pub mod failure;
 pub mod family;
 pub mod folder;
 mod identify;
+mod installed;
 mod limits;
-mod new;
+pub mod new;
 mod oscillator;
 pub mod outputs;
 mod progress;
@@ -52,5 +53,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Command::Identify(arguments) => identify::run(arguments),
         Command::Merge(arguments) => family::merge(arguments),
         Command::New(arguments) => new::run(arguments),
+        Command::Completions(arguments) => {
+            installed::completions(arguments);
+            Ok(())
+        }
+        Command::Manual(arguments) => installed::manual(arguments),
     }
 }

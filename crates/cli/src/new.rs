@@ -4,19 +4,48 @@ use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
-use crate::arguments::{self, Template};
+use crate::arguments;
 use crate::failure::Failure;
+use crate::project::EXAMPLE_FILES;
 use crate::terminal;
 
-impl Template {
-    /// What is written.
-    pub fn text(self) -> &'static str {
-        match self {
-            Self::Plain => include_str!("new/plain.toml"),
-            Self::MovingWall => include_str!("new/moving-wall.toml"),
-            Self::Si => include_str!("new/si.toml"),
-        }
-    }
+/// A description to begin with.
+pub struct Kind {
+    /// The word for it: that of an example is its file without the ending.
+    pub name: &'static str,
+    /// What it describes.
+    pub about: &'static str,
+    /// The file.
+    pub text: &'static str,
+}
+
+/// The plain ones.
+const PLAIN: [Kind; 3] = [
+    Kind {
+        name: "plain",
+        about: "A mass on a spring beside a wall at x = 0, without units",
+        text: include_str!("new/plain.toml"),
+    },
+    Kind {
+        name: "moving-wall",
+        about: "A mass over a table that shakes: the wall moves",
+        text: include_str!("new/moving-wall.toml"),
+    },
+    Kind {
+        name: "si",
+        about: "A rig in metres, kilograms and seconds, its stop at a distance",
+        text: include_str!("new/si.toml"),
+    },
+];
+
+/// All of them: the plain ones, and the examples.
+pub fn kinds() -> impl Iterator<Item = Kind> {
+    let example = |(file, text): &(&'static str, &'static str)| Kind {
+        name: file.trim_end_matches(".toml"),
+        about: text.lines().find_map(|line| line.strip_prefix("name = \"")?.split('"').next()).unwrap_or(""),
+        text,
+    };
+    PLAIN.into_iter().chain(EXAMPLE_FILES.iter().map(example))
 }
 
 /// Writes the file and prints what to do with it.
@@ -25,12 +54,14 @@ impl Template {
 /// Something is in its place already, or it cannot be written.
 pub(crate) fn run(arguments: &arguments::New) -> Result<(), Failure> {
     let file = &arguments.file;
-    write_new(file, arguments.kind.text())?;
+    let kind = kinds().find(|kind| kind.name == arguments.kind);
+    let kind = kind.ok_or_else(|| Failure::input(format!("--kind {}: there is none", arguments.kind)))?;
+    write_new(file, kind.text)?;
     let shown = file.display();
     terminal::say(&format!(
         "{shown}: written; edit it, then\n\n  \
          cargo xtask unfold {shown}            find and unfold its resonant grazing bifurcations\n\n\
-         It can be unfolded as it is. Its comments explain every key; examples/ has more oscillators.\n"
+         It can be unfolded as it is. Its comments explain every key.\n"
     ));
     Ok(())
 }

@@ -3,7 +3,8 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
-use grazing_reproduction::parameters::Parameters;
+use grazing_reproduction::parameters::{ParameterError, Parameters};
+use grazing_source::Text;
 
 use crate::arguments::ParameterFile;
 use crate::failure::Failure;
@@ -45,20 +46,24 @@ pub(crate) fn root() -> Option<PathBuf> {
 /// The parameters of the file that was named, or of the default one, with what was set.
 ///
 /// # Errors
-/// None was named and there is no default one, or what it holds is not right.
+/// It cannot be read, or what it holds is not right.
 pub(crate) fn parameters(asked: &ParameterFile) -> Result<Parameters, Failure> {
-    Ok(Parameters::from_file(&parameter_file(asked.file.as_deref())?, &asked.set)?)
+    let (file, text) = parameter_file(asked.file.as_deref())?;
+    Ok(Parameters::parse(&Text::new(&text, &asked.set), &file)?)
 }
 
-/// The parameter file that was named, or the default one.
+/// Name and text of the parameter file that was named, or of the default one, which is built in for
+/// where there is no repository.
 ///
 /// # Errors
-/// None was named and there is no default one.
-pub(crate) fn parameter_file(named: Option<&Path>) -> Result<PathBuf, Failure> {
-    match named {
-        Some(file) => Ok(file.to_owned()),
-        None => Ok(root_folder()?.join(PARAMETERS)),
-    }
+/// It cannot be read.
+pub(crate) fn parameter_file(named: Option<&Path>) -> Result<(String, String), Failure> {
+    let Some(file) = named.map(Path::to_owned).or_else(|| Some(root()?.join(PARAMETERS))) else {
+        let built_in = include_str!("../../../figures/parameters.toml");
+        return Ok((PARAMETERS.to_owned(), built_in.to_owned()));
+    };
+    let text = grazing_source::read_file(&file).map_err(ParameterError::from)?;
+    Ok((file.display().to_string(), text))
 }
 
 /// The folder that was named, or the default one, which is another for values that were set
@@ -99,8 +104,8 @@ pub(crate) fn output_folder(
 pub(crate) fn root_folder() -> Result<PathBuf, Failure> {
     root().ok_or_else(|| {
         Failure::input(format!(
-            "no {PARAMETERS} in this folder or in one above: run this inside a clone of the repository, or name the files with \
-             --parameters FILE and, where files are written or checked, --output DIR"
+            "no {PARAMETERS} in this folder or in one above, so this is no clone of the repository: name a folder for the files \
+             with --output DIR"
         ))
     })
 }

@@ -10,7 +10,7 @@ use std::time::Instant;
 use grazing_claims::ledger::Ledger;
 use grazing_report::{Counts, FileDigest, Manifest, Part, TableOutput, page};
 use grazing_reproduction::Study;
-use grazing_reproduction::parameters::{ParameterError, Parameters};
+use grazing_reproduction::parameters::Parameters;
 
 use crate::arguments::Report;
 use crate::compare::published;
@@ -30,14 +30,13 @@ use crate::{claims, project, terminal, versions};
 pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     crate::limits::leave_nothing_behind();
     let start = Instant::now();
-    let parameter_file = project::parameter_file(arguments.parameters.file.as_deref())?;
     let parameters = project::parameters(&arguments.parameters)?;
     paper::refuse_malformed(paper::ALL.iter(), &Study::new(&parameters))?;
     let (folder, name) = place(&arguments.output)?;
     let sources = OscillatorFile::all(project::root().as_deref(), &arguments.oscillators)?;
     arguments.threads.start()?;
     let ledger = Ledger::of_the_paper();
-    let report = assemble(arguments, &ledger, &parameter_file, &parameters, &sources)?;
+    let report = assemble(arguments, &ledger, &parameters, &sources)?;
     let content = page(&report).into_bytes();
     let (missing, all) = (report.missing.len(), paper::ALL.len() + sources.len());
     let size = content.len();
@@ -71,7 +70,6 @@ fn place(output: &Path) -> Result<(PathBuf, PathBuf), Failure> {
 fn assemble<'a>(
     arguments: &Report,
     ledger: &'a Ledger,
-    parameter_file: &Path,
     parameters: &Parameters,
     oscillators: &[OscillatorFile],
 ) -> Result<grazing_report::Report<'a>, Failure> {
@@ -121,6 +119,7 @@ fn assemble<'a>(
     let all: Vec<_> = ledger.claims.iter().collect();
     let claims = claims::findings(parameters, &all, &display)?;
     let default = arguments.parameters.file.is_none() && arguments.parameters.set.is_empty();
+    let (file, text) = project::parameter_file(arguments.parameters.file.as_deref())?;
     Ok(grazing_report::Report {
         figures,
         tables,
@@ -131,11 +130,12 @@ fn assemble<'a>(
         oscillators: entries,
         missing,
         manifest: Manifest {
-            parameter_file: if default { project::PARAMETERS.to_owned() } else { file_name(parameter_file) },
-            parameters: noted(
-                &grazing_source::read_file(parameter_file).map_err(ParameterError::from)?,
-                &arguments.parameters.set,
-            ),
+            parameter_file: if default {
+                project::PARAMETERS.to_owned()
+            } else {
+                file_name(Path::new(&file))
+            },
+            parameters: noted(&text, &arguments.parameters.set),
             outputs: digests,
             // Other parameters give other files than those that stand in the repository.
             folder: root.as_ref().filter(|_| default).map(|root| format!("{root}{}/", project::FIGURES)),

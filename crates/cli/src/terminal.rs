@@ -23,7 +23,7 @@ pub(crate) fn say(text: &str) {
 /// As [`say`], for a text with colours and without names that a person has given.
 pub(crate) fn say_coloured(text: &str) {
     let mut stream = io::stdout().lock();
-    if let Err(error) = stream.write_all(text.as_bytes()).and_then(|()| stream.flush())
+    if let Err(error) = stream.write_all(as_started(text).as_bytes()).and_then(|()| stream.flush())
         && error.kind() != io::ErrorKind::BrokenPipe
     {
         OUTPUT_ERROR.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
@@ -38,7 +38,28 @@ pub fn output_failure() -> Option<Failure> {
 
 /// Writes a line to the error stream.
 pub(crate) fn note(line: &str) {
-    let _ = writeln!(io::stderr().lock(), "{}", cut(&shown(line)));
+    let _ = writeln!(io::stderr().lock(), "{}", as_started(&cut(&shown(line))));
+}
+
+/// How it is started in a clone, and so in all texts.
+const IN_A_CLONE: &str = "cargo xtask";
+
+/// How it is started once it is installed.
+const INSTALLED: &str = "grazing";
+
+/// How this program was started: by `cargo xtask`, which says so in its environment, or as it is.
+pub(crate) fn program() -> &'static str {
+    env::var_os("GRAZING_BY_XTASK").map_or(INSTALLED, |_| IN_A_CLONE)
+}
+
+/// The text with its commands as this program was started.
+fn as_started(text: &str) -> String {
+    text.replace(IN_A_CLONE, program())
+}
+
+/// The text with its commands as those of an installed program.
+pub(crate) fn installed(text: &str) -> String {
+    text.replace(IN_A_CLONE, INSTALLED)
 }
 
 /// The most characters of a word in a message: names of files and of constants may have any number.

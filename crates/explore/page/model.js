@@ -3,10 +3,12 @@ import * as state from "./state.js";
 
 /** [{ name, file, text }], the paper first. */
 export let examples = [];
+/** How people start the program, `cargo xtask` or `grazing`. */
+export let program = "";
 /** The last good answer of `check`. */
 export let description = null;
 
-export const setExamples = (list) => (examples = list);
+export const setExamples = (told) => ({ program, examples } = told);
 export const setDescription = (told) => (description = told);
 
 export const exampleOf = (value) => (value.text === null ? (examples.find(({ file }) => file === value.example) ?? examples[0]) : null);

@@ -2,7 +2,7 @@
 import { $, make } from "./dom.js";
 import { file } from "./api.js";
 import { namePieces, plain } from "./markup.js";
-import { description, exampleOf, examples, modelOf, textOf, viewOf } from "./model.js";
+import { description, exampleOf, examples, modelOf, program, textOf, viewOf } from "./model.js";
 import { fileOf as fileOfSeen, isSeen } from "./seen.js";
 import * as cut from "./cut.js";
 import * as state from "./state.js";
@@ -35,7 +35,7 @@ export function command(value) {
   // One-parameter diagrams of the file need not lie in the view.
   const alone = value.view && /^\s*\[\[\s*diagrams/m.test(textOf(value) ?? "") ? setting("diagrams", "[]") : "";
   const chosen = value.loops ? setting(loops, list(value.loops)) : "";
-  const first = paper ? "cargo xtask reproduce --only fig07" : `cargo xtask unfold ${word(fileOf(example))}`;
+  const first = `${program} ${paper ? "reproduce --only fig07" : `unfold ${word(fileOf(example))}`}`;
   const measured = value.data ? ` --data ${word(value.data.name)}` : "";
   const line = first + constants.join("") + ranges + alone + chosen + (paper ? "" : measured);
   return TREACHEROUS.test(line) ? null : line;

@@ -47,22 +47,32 @@ pub struct Server {
 struct Shared {
     port: u16,
     token: Token,
+    /// How people start the program, for commands that are copied.
+    program: &'static str,
     examples: Vec<Example>,
     export: Export,
     turns: Arc<Turns>,
 }
 
 impl Server {
-    /// Binds to a port of the loopback interface; 0 stands for any that is free.
+    /// Binds to a port of the loopback interface; 0 stands for any that is free. `program` is how
+    /// people start it, `cargo xtask` or `grazing`.
     ///
     /// # Errors
     /// The port is taken or forbidden.
-    pub fn bind(port: u16, limits: Limits, examples: Vec<Example>, export: Export) -> io::Result<Self> {
+    pub fn bind(
+        port: u16,
+        limits: Limits,
+        program: &'static str,
+        examples: Vec<Example>,
+        export: Export,
+    ) -> io::Result<Self> {
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port))?;
         listener.set_nonblocking(true)?;
         let shared = Shared {
             port: listener.local_addr()?.port(),
             token: Token::random()?,
+            program,
             examples,
             export,
             turns: Arc::new(Turns::new(limits)?),
@@ -156,7 +166,9 @@ async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Res
     let rest = shared.token.rest(&path).ok_or_else(nothing)?;
     if request.method() == Method::GET {
         return match rest {
-            "examples" => Ok(answer::json(&json!(shared.examples))),
+            "examples" => {
+                Ok(answer::json(&json!({ "program": shared.program, "examples": shared.examples })))
+            }
             file => files::page(file).ok_or_else(nothing),
         };
     }

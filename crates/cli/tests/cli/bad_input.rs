@@ -162,7 +162,7 @@ fn every_bad_command_line_is_refused() {
         "reproduce --columns three",
         "reproduce --dpi 5000",
         "reproduce",
-        "compare",
+        "compare --parameters missing.toml",
         "reproduce --parameters missing.toml",
         "reproduce --parameters p.toml",
         "reproduce --parameters p.toml --output file",

@@ -129,8 +129,7 @@ fn taken_home(page: &mut Browser, stem: &str, figure: &str, curves: &str) {
     page.click("#copy-command", [0.0, 0.0]);
     page.wait("noted.includes('Copied')");
     let command = page.value("navigator.clipboard.readText()");
-    let command =
-        command.as_str().expect("it is text").strip_prefix("cargo xtask ").expect("as people type it");
+    let command = command.as_str().expect("it is text").strip_prefix("grazing ").expect("as people type it");
     for what in ["svg", "pdf", "png", "csv:curves"] {
         page.value("document.getElementById('share-status').textContent = ''");
         page.click(&format!("[data-take='{what}']"), [0.0, 0.0]);

@@ -3,15 +3,17 @@
 use std::fs;
 
 use crate::program::{empty_folder, grazing, listing};
-use clap::ValueEnum;
-use grazing_cli::arguments::Template;
+use grazing_cli::new::{Kind, kinds};
 use grazing_description::{Description, Side};
 
+fn kind(name: &str) -> Kind {
+    kinds().find(|kind| kind.name == name).expect("there is one")
+}
+
 /// A file of this kind has a comment for every table, and is found to have resonances as it is.
-fn assert_begins(kind: Template) {
-    let name = kind.to_possible_value().expect("it can be named").get_name().to_owned();
+fn assert_begins(name: &str) {
     let folder = empty_folder();
-    let made = grazing(folder.path(), &["new", "my.toml", "--kind", &name]);
+    let made = grazing(folder.path(), &["new", "my.toml", "--kind", name]);
     assert_eq!((made.code, made.messages.as_str()), (Some(0), ""), "{name}");
     assert!(made.output.contains("\n  cargo xtask unfold my.toml "), "{}", made.output);
     let text = fs::read_to_string(folder.path().join("my.toml")).expect("it was written");
@@ -33,25 +35,33 @@ fn assert_begins(kind: Template) {
 
 #[test]
 fn the_plain_kind_can_be_unfolded() {
-    assert_begins(Template::Plain);
+    assert_begins("plain");
 }
 
 #[test]
 fn the_kind_with_a_moving_wall_can_be_unfolded() {
-    assert_begins(Template::MovingWall);
-    let description = Description::parse(Template::MovingWall.text(), "my.toml").expect("it is right");
+    assert_begins("moving-wall");
+    let description = Description::parse(kind("moving-wall").text, "my.toml").expect("it is right");
     assert_eq!(description.wall().side(), Side::Above);
     assert_eq!(description.texts().wall, "a*cos(omega*t)");
 }
 
 #[test]
 fn the_kind_in_si_units_can_be_unfolded() {
-    assert_begins(Template::Si);
+    assert_begins("si");
 }
 
 #[test]
-fn every_kind_is_tried() {
-    assert_eq!(Template::value_variants(), [Template::Plain, Template::MovingWall, Template::Si]);
+fn every_kind_is_tried_or_an_example() {
+    let plain = kinds().filter(|kind| {
+        Description::parse(kind.text, "my.toml").expect("it is right").name().starts_with("My ")
+    });
+    assert_eq!(plain.map(|kind| kind.name).collect::<Vec<_>>(), ["plain", "moving-wall", "si"]);
+    let folder = empty_folder();
+    assert_eq!(grazing(folder.path(), &["new", "my.toml", "--kind", "duffing"]).code, Some(0));
+    let text = fs::read_to_string(folder.path().join("my.toml")).expect("it was written");
+    assert_eq!(text, include_str!("../../../../examples/duffing.toml"));
+    assert!(kinds().all(|kind| kind.about.len() > 10));
 }
 
 #[test]
@@ -59,7 +69,7 @@ fn plain_is_what_is_written_if_no_kind_is_asked_for() {
     let folder = empty_folder();
     assert_eq!(grazing(folder.path(), &["new", "my.toml"]).code, Some(0));
     let text = fs::read_to_string(folder.path().join("my.toml")).expect("it was written");
-    assert_eq!(text, Template::Plain.text());
+    assert_eq!(text, kind("plain").text);
 }
 
 #[test]

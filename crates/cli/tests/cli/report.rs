@@ -226,10 +226,10 @@ fn an_oscillator_that_is_not_right_is_found_before_anything_is_computed() {
 }
 
 #[test]
-fn without_parameters_there_is_no_page() {
+fn without_the_parameters_that_were_named_there_is_no_page() {
     let folder = empty_folder();
-    let outcome = grazing(folder.path(), &["report"]);
+    let outcome = grazing(folder.path(), &["report", "--parameters", "mine.toml"]);
     assert_eq!((outcome.code, outcome.output.as_str()), (Some(2), ""));
-    assert!(outcome.messages.starts_with("error: no figures/parameters.toml"), "{}", outcome.messages);
+    assert!(outcome.messages.starts_with("error: mine.toml: cannot be read"), "{}", outcome.messages);
     assert_eq!(listing(folder.path()), [""; 0]);
 }

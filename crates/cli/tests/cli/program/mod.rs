@@ -35,6 +35,7 @@ pub(crate) fn grazing(folder: &Path, arguments: &[&str]) -> Outcome {
         .args(arguments)
         .current_dir(folder)
         .env_remove("CLICOLOR_FORCE")
+        .env("GRAZING_BY_XTASK", "1")
         .output()
         .expect("the program starts");
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("the program writes UTF-8");

@@ -49,7 +49,7 @@ impl Running {
         let export = |_: &_, what: &str, _: &str, _: &_| {
             Ok(Sheet { name: "taken".to_owned(), kind: "text/csv", content: what.as_bytes().to_vec() })
         };
-        let server = Server::bind(0, limits, examples, Box::new(export)).unwrap();
+        let server = Server::bind(0, limits, "cargo xtask", examples, Box::new(export)).unwrap();
         let address = server.address();
         let ended = Arc::new(AtomicBool::new(false));
         let asked = ended.clone();

@@ -53,7 +53,7 @@ impl Running {
         too_large: impl Fn() -> bool + Send + 'static,
     ) -> Self {
         let example = Example { name: "Paper".to_owned(), file: String::new(), text: None };
-        let server = Server::bind(0, limits, vec![example], export).unwrap();
+        let server = Server::bind(0, limits, "cargo xtask", vec![example], export).unwrap();
         let address = server.address();
         let rest = address.strip_prefix("http://").unwrap();
         let (host, path) = rest.split_once('/').unwrap();

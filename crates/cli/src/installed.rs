@@ -1,0 +1,46 @@
+//! What an installed program has beside it: completions for shells, and manual pages.
+
+use std::path::PathBuf;
+
+use clap::{Command, CommandFactory};
+use clap_mangen::Man;
+
+use crate::arguments::{Arguments, Completions, Manual};
+use crate::failure::Failure;
+use crate::folder::{self, OutputFile};
+use crate::terminal;
+
+/// Prints what a shell completes commands and options with.
+pub(crate) fn completions(arguments: &Completions) {
+    let mut script = Vec::new();
+    clap_complete::generate(arguments.shell, &mut Arguments::command(), "grazing", &mut script);
+    terminal::say_coloured(&terminal::installed(&String::from_utf8_lossy(&script)));
+}
+
+/// Writes the manual pages, `grazing.1` and `grazing-COMMAND.1`.
+///
+/// # Errors
+/// The folder cannot be written.
+pub(crate) fn manual(arguments: &Manual) -> Result<(), Failure> {
+    let mut program = Arguments::command();
+    program.build();
+    let pages =
+        std::iter::once(&program).chain(program.get_subcommands().filter(|it| it.get_name() != "help"));
+    let files = pages.map(page).collect::<Result<Vec<OutputFile>, Failure>>()?;
+    let paths: Vec<_> = files.iter().map(|file| file.path.clone()).collect();
+    folder::ensure_writable(&arguments.folder, &paths)?;
+    folder::write(&arguments.folder, &files)?;
+    terminal::say(&format!("{} pages, into {}\n", files.len(), arguments.folder.display()));
+    Ok(())
+}
+
+/// The page of a command.
+fn page(command: &Command) -> Result<OutputFile, Failure> {
+    let (manual, mut content) = (Man::new(command.clone()), Vec::new());
+    let path = PathBuf::from(manual.get_filename());
+    manual
+        .render(&mut content)
+        .map_err(|reason| Failure::unwritten(format!("{}: {reason}", path.display())))?;
+    let content = terminal::installed(&String::from_utf8_lossy(&content)).into_bytes();
+    Ok(OutputFile { path, content })
+}
