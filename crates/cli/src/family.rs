@@ -193,7 +193,9 @@ fn finish(
         family: assemble(plan, description, records),
     };
     let (_, mut files, floats) = FAMILY.made(&of, task.edition)?;
-    files.extend(task.edition.has(Format::Tex).then(|| latex::snippet(&floats)));
+    if task.edition.has(Format::Tex) {
+        files.extend(latex::files(&floats, []));
+    }
     files.push(data_page::of_an_oscillator(FAMILY.tables.iter().copied(), &of.names));
     let written = folder::write_run(task.folder, &files, cut_off)?;
     terminal::say(&listing::results(&of.family, &of.names, plan));

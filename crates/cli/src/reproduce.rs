@@ -42,7 +42,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
         if arguments.only.is_empty() {
             paths.extend([data_page::path(), PathBuf::from(folder::MANIFEST)]);
         }
-        paths.extend(edition.has(Format::Tex).then(|| PathBuf::from(latex::SNIPPET)));
+        paths.extend(latex::FILES.iter().filter(|_| edition.has(Format::Tex)).map(PathBuf::from));
         paths.extend((!set.is_empty()).then(|| PathBuf::from(SETTINGS)));
         folder::ensure_writable(&output_folder, &paths)?;
     }
@@ -53,7 +53,10 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     }
     let mut files = std::mem::take(&mut outcome.files);
     if edition.has(Format::Tex) && arguments.only.is_empty() {
-        files.push(latex::snippet(&outcome.floats));
+        let oscillator = parameters.oscillator()?;
+        let constants =
+            [("zeta", oscillator.damping_ratio()), ("epsilon", oscillator.coefficient_of_restitution())];
+        files.extend(latex::files(&outcome.floats, constants));
     }
     if !set.is_empty() {
         files.push(settings(&arguments.parameters));

@@ -188,7 +188,9 @@ impl Task {
     fn files(&self, of: &AnalysedOscillator, edition: &Edition) -> Result<Vec<OutputFile>, Failure> {
         let computed = of.computed(edition.columns)?;
         let (mut files, floats) = computed.files(edition)?;
-        files.extend(edition.has(Format::Tex).then(|| latex::snippet(&floats)));
+        if edition.has(Format::Tex) {
+            files.extend(latex::files(&floats, self.of.description.constants()));
+        }
         let tables = of.outputs().flat_map(|output| output.tables).copied();
         files.push(data_page::of_an_oscillator(tables, &of.unfolded.axes.names));
         files.push(page::page(&self.of, &of.unfolded, &computed, &files));

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use askama::Template;
 use grazing_drawing::Sheet;
+use grazing_results::columns::{LOOPS, RESONANCE_INDEX};
 use grazing_results::{Cell, Column, GREEK, Table, raised, symbol};
 
 use crate::folder::{self, OutputFile};
@@ -20,8 +21,8 @@ const MOST_ROWS: usize = 45;
 const COLUMN: f64 = 245.0;
 /// LaTeX keeps no more floats than 52 in memory until it has a page for them.
 pub(crate) const MOST_FLOATS: usize = 40;
-/// The snippet's file.
-pub(crate) const SNIPPET: &str = "figures.tex";
+/// The snippet's file, and that of the numbers.
+pub(crate) const FILES: [&str; 2] = ["figures.tex", "numbers.tex"];
 
 /// Where a table lies in the output folder.
 pub(crate) fn table_path(name: &str) -> PathBuf {
@@ -138,6 +139,8 @@ pub(crate) struct Float {
     label: String,
     /// By what other captions call it, as `Figure 7`.
     number: Option<String>,
+    /// What it has of each resonance, by a name such as `c_sn_p2_n1`.
+    numbers: Vec<(String, String)>,
 }
 
 impl Float {
@@ -152,6 +155,7 @@ impl Float {
             caption: format!("{}{}", text.trim_end(), caption.remark),
             label: caption.label.clone(),
             number,
+            numbers: Vec::new(),
         }
     }
 
@@ -167,10 +171,38 @@ impl Float {
             caption: sentence(&caption.title).1,
             label: caption.label.clone(),
             number: None,
+            numbers: numbers(table, printed),
         };
         let content = tabular(table, printed, &caption.title).into_bytes();
         Some((float, OutputFile { path, content }))
     }
+}
+
+/// The cells of a table with a row for each resonance, by column, p and n; those of a second
+/// resonance with the same p and n have a `_2` after that, and so on.
+fn numbers(table: &Table, printed: &[Column]) -> Vec<(String, String)> {
+    let place = |column: &Column| table.columns.iter().position(|found| found.name == column.name);
+    let (Some(p), Some(n)) = (place(&LOOPS), place(&RESONANCE_INDEX)) else { return Vec::new() };
+    let keys: Vec<(String, String)> = cells(table, p).0.into_iter().zip(cells(table, n).0).collect();
+    let of = |place: usize| {
+        let header = &table.headers[place];
+        let named = |(row, text): (usize, String)| {
+            let (p, n) = &keys[row];
+            let known = keys[..row].iter().filter(|key| **key == keys[row]).count();
+            let again = if known > 0 { format!("_{}", known + 1) } else { String::new() };
+            (format!("{header}_p{p}_n{n}{again}"), text)
+        };
+        cells(table, place).0.into_iter().enumerate().map(named).collect::<Vec<_>>()
+    };
+    printed.iter().filter_map(place).filter(|place| ![p, n].contains(place)).flat_map(of).collect()
+}
+
+/// The numbers of a run, to be used in a text.
+#[derive(Template)]
+#[template(path = "numbers.tex", escape = "none")]
+struct Numbers {
+    /// Each with its name.
+    numbers: Vec<(String, String)>,
 }
 
 /// The snippet that includes figures and tables.
@@ -180,9 +212,18 @@ struct Snippet<'a> {
     floats: &'a [Float],
 }
 
-/// Its file.
-pub(crate) fn snippet(floats: &[Float]) -> OutputFile {
-    OutputFile { path: PathBuf::from(SNIPPET), content: rendered(&Snippet { floats }).into_bytes() }
+/// Its file, and that of the numbers, among them constants.
+pub(crate) fn files<'a>(
+    floats: &[Float],
+    constants: impl IntoIterator<Item = (&'a str, f64)>,
+) -> [OutputFile; 2] {
+    let constants = constants.into_iter().map(|(name, value)| (name.to_owned(), format!("${value}$")));
+    let numbers = constants.chain(floats.iter().flat_map(|float| float.numbers.clone())).collect();
+    let [snippet, names] = FILES.map(PathBuf::from);
+    [
+        OutputFile { path: snippet, content: rendered(&Snippet { floats }).into_bytes() },
+        OutputFile { path: names, content: rendered(&Numbers { numbers }).into_bytes() },
+    ]
 }
 
 /// The number in a title, and the rest as a sentence: the number of a caption is LaTeX's.

@@ -87,7 +87,11 @@ fn there_are_completions_for_all_shells_and_a_manual_page_for_each_command() {
     let folder = empty_folder();
     for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
         let script = grazing(folder.path(), &["completions", shell]);
-        assert!(script.code == Some(0) && script.output.contains("time-limit"), "{shell}: {}", script.messages);
+        assert!(
+            script.code == Some(0) && script.output.contains("time-limit"),
+            "{shell}: {}",
+            script.messages
+        );
     }
     assert_eq!(grazing(folder.path(), &["manual", "man1"]).code, Some(0));
     let commands = Arguments::command();

@@ -81,9 +81,13 @@ fn outlines_have_no_text_and_no_fonts() {
 /// folder in it; nothing where there is no pdflatex.
 fn compiled(journal: &Path, options: &str) -> Option<String> {
     let place = empty_folder();
+    let numbers = fs::read_to_string(journal.join("numbers.tex")).expect("there are numbers");
+    let named = numbers.lines().filter_map(|line| line.split_once("grazing@")?.1.split_once(r"\endcsname{"));
+    let used: String = named.map(|(name, _)| format!("\\grazing{{{name}}}\n")).collect();
+    assert!(used.contains(r"\grazing{c_sn_p"), "{numbers}");
     let document = format!(
         "\\documentclass[{options}]{{article}}\n\\usepackage{{graphicx,booktabs}}\n\\newcommand{{\\grazingfiles}}{{{}/}}\n\
-         \\begin{{document}}\n\\input{{\\grazingfiles figures}}\n\\end{{document}}\n",
+         \\input{{\\grazingfiles numbers}}\n\\begin{{document}}\n{used}\n\\input{{\\grazingfiles figures}}\n\\end{{document}}\n",
         journal.display()
     );
     fs::write(place.path().join("document.tex"), document).expect("the folder is ours");
