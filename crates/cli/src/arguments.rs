@@ -68,6 +68,9 @@ pub enum Command {
     /// Write a description of an oscillator to begin with
     #[command(after_long_help = help!("new", "exit_codes"))]
     New(New),
+    /// Pack results and what they were made from, for an archive
+    #[command(after_long_help = help!("archive", "exit_codes"))]
+    Archive(Archive),
     /// Print what a shell completes commands and options with
     #[command(after_long_help = help!("completions", "exit_codes"))]
     Completions(Completions),
@@ -312,6 +315,23 @@ pub struct New {
     pub kind: String,
 }
 
+/// The arguments of `grazing archive`.
+#[derive(Debug, Args)]
+pub struct Archive {
+    /// Folders of results and files [default: those of the paper, in a clone]
+    #[arg(value_name = "PATH")]
+    pub paths: Vec<PathBuf>,
+    /// File to be written [default: grazing-VERSION.tar]
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Date of publication, which archives ask for
+    #[arg(long, value_name = "YYYY-MM-DD", value_parser = date)]
+    pub date: String,
+    /// Licence as SPDX has it [default: that of this program for its own results]
+    #[arg(long, value_name = "LICENCE")]
+    pub licence: Option<String>,
+}
+
 /// The arguments of `grazing completions`.
 #[derive(Debug, Args)]
 pub struct Completions {
@@ -344,6 +364,13 @@ fn place(text: &str) -> Result<[f64; 2], String> {
     let numbers = numbers.ok().and_then(|numbers| <[f64; 2]>::try_from(numbers).ok());
     let finite = numbers.filter(|numbers| numbers.iter().all(|number| number.is_finite()));
     finite.ok_or_else(|| "it must be two numbers with a comma between them, as 0.9,0.8".to_owned())
+}
+
+/// A date.
+fn date(text: &str) -> Result<String, String> {
+    let parts: Vec<u16> = text.split('-').filter_map(|part| part.parse().ok()).collect();
+    let is_date = text.len() == 10 && matches!(parts[..], [1900..=9999, 1..=12, 1..=31]);
+    if is_date { Ok(text.to_owned()) } else { Err("it must be a date, as 2027-01-31".to_owned()) }
 }
 
 /// A limit.

@@ -13,7 +13,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 pub use difference::Differences;
-pub(crate) use manifest::{MANIFEST, list, place_of_run, place_to_write, write_run};
+pub(crate) use manifest::{MANIFEST, list, place_of_run, place_to_write, refuse_mixture, write_run};
 pub use place::name_for;
 pub(crate) use place::to_write;
 pub use temporaries::remove_own_temporaries;

@@ -4,6 +4,7 @@
 //! It is a library too, so that the tests can hold the README's commands against the command line's
 //! definition.
 
+mod archive;
 pub mod arguments;
 mod certify;
 mod claims;
@@ -53,6 +54,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Command::Identify(arguments) => identify::run(arguments),
         Command::Merge(arguments) => family::merge(arguments),
         Command::New(arguments) => new::run(arguments),
+        Command::Archive(arguments) => archive::run(arguments),
         Command::Completions(arguments) => {
             installed::completions(arguments);
             Ok(())

@@ -102,6 +102,24 @@ pub(crate) fn write_run(
     Ok(changes)
 }
 
+/// Whether a folder that has a list has all files of that run, which was complete.
+///
+/// # Errors
+/// It has not.
+pub(crate) fn refuse_mixture(folder: &Path) -> Result<(), Failure> {
+    let Some(list) = FileList::read(folder) else { return Ok(()) };
+    let (intact, all) = (list.intact(folder).len(), list.files.len());
+    match (list.incomplete, intact < all) {
+        (false, false) => Ok(()),
+        (true, _) => Err(Failure::input(format!("{}: its results are incomplete", folder.display()))),
+        (_, true) => Err(Failure::input(format!(
+            "{}: {} of {all} files are not those that {MANIFEST} lists: make them again",
+            folder.display(),
+            all - intact
+        ))),
+    }
+}
+
 /// The list of the files of a run.
 pub(crate) fn list(files: &[OutputFile], incomplete: bool) -> OutputFile {
     FileList::of(files, incomplete).file()

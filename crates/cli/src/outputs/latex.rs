@@ -385,6 +385,7 @@ mod tests {
             caption: String::new(),
             label: label.to_owned(),
             number: Some(number.to_owned()),
+            numbers: Vec::new(),
         };
         let floats = [float("Figure 1", "fig:one"), float("Figure 10", "fig:ten")];
         assert_eq!(
