@@ -68,6 +68,9 @@ pub enum Command {
     /// Write a description of an oscillator to begin with
     #[command(after_long_help = help!("new", "exit_codes"))]
     New(New),
+    /// Write a problem for AUTO-07p that begins at a periodic solution
+    #[command(after_long_help = help!("export", "exit_codes"))]
+    Export(Export),
     /// Pack results and what they were made from, for an archive
     #[command(after_long_help = help!("archive", "exit_codes"))]
     Archive(Archive),
@@ -313,6 +316,26 @@ pub struct New {
     /// What it begins with: one of three plain ones, or an example
     #[arg(long, value_name = "KIND", default_value = "plain", value_parser = PossibleValuesParser::new(kinds()))]
     pub kind: String,
+}
+
+/// The arguments of `grazing export`.
+#[derive(Debug, Args)]
+pub struct Export {
+    /// Description of an oscillator, as examples/duffing.toml
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// Where the solution is looked for; a stable one is preferred
+    #[arg(long, value_name = "PRIMARY,SECONDARY", value_parser = place, allow_hyphen_values = true)]
+    pub at: [f64; 2],
+    /// Numbers of loops p that it may have, separated by commas [default: those of the file]
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub loops: Option<Vec<u32>>,
+    /// Value for a key of the file, in its place
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<Setting>,
+    /// Folder for the files [default: exported/NAME]
+    #[arg(long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
 }
 
 /// The arguments of `grazing archive`.

@@ -12,6 +12,7 @@ pub mod codecheck;
 pub mod compare;
 mod data_page;
 mod explore;
+mod exported;
 pub mod failure;
 pub mod family;
 pub mod folder;
@@ -54,6 +55,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Command::Identify(arguments) => identify::run(arguments),
         Command::Merge(arguments) => family::merge(arguments),
         Command::New(arguments) => new::run(arguments),
+        Command::Export(arguments) => exported::run(arguments),
         Command::Archive(arguments) => archive::run(arguments),
         Command::Completions(arguments) => {
             installed::completions(arguments);

@@ -23,6 +23,7 @@
 
 mod assemble;
 mod derivative;
+mod fortran;
 mod function;
 mod graph;
 mod parse;

@@ -14,6 +14,7 @@ mod claims;
 mod compare;
 mod examples;
 mod explore;
+mod exported;
 mod family;
 mod folder;
 mod help;

@@ -1,0 +1,157 @@
+//! `grazing export`: a problem for AUTO-07p that begins at a periodic solution.
+
+use std::path::{Path, PathBuf};
+
+use askama::Template;
+use grazing_description::Description;
+use grazing_model::smooth::SmoothOscillator as _;
+use grazing_model::{ImpactOscillator as _, State};
+use grazing_unfold::place::{Place, Solution, Starts};
+use grazing_unfold::progress::Silent;
+
+use crate::arguments::Export;
+use crate::failure::Failure;
+use crate::folder::{self, OutputFile};
+use crate::limits::{self, Watch, ended};
+use crate::oscillator::{OscillatorFile, settings, with_loops};
+use crate::template::rendered;
+use crate::terminal;
+
+/// The folder of the results, with a folder in it for each file.
+const RESULTS: &str = "exported";
+/// So many points of the flight are written.
+const POINTS: u32 = 200;
+
+/// The equations.
+#[derive(Template)]
+#[template(path = "auto.f90", escape = "none")]
+struct Equations<'a> {
+    title: &'a str,
+    loops: u32,
+    names: [&'a str; 2],
+    functions: [String; 4],
+    /// Values of the parameters.
+    start: [String; 4],
+}
+
+/// AUTO's constants.
+#[derive(Template)]
+#[template(path = "auto.constants", escape = "none")]
+struct Constants<'a> {
+    name: &'a str,
+    range: [f64; 2],
+    step: f64,
+    least: f64,
+    most: f64,
+}
+
+/// What AUTO is to do.
+#[derive(Template)]
+#[template(path = "auto.script", escape = "none")]
+struct Script<'a> {
+    name: &'a str,
+    /// That of the secondary parameter, as Python has it.
+    range: String,
+}
+
+/// Looks for the solution and writes the problem.
+///
+/// # Errors
+/// Bad input, no solution there, or the files cannot be written.
+pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
+    let file = &arguments.file;
+    let limits = grazing_description::Limits::USUAL;
+    let of = OscillatorFile::read(file, &settings(&arguments.set), limits)?;
+    let description = with_loops(of.description, arguments.loops.as_deref())?;
+    // AUTO reads it in quotes, and the system as the name of an object file.
+    let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '_' };
+    let name: String = folder::name_for(file).to_string_lossy().chars().map(plain).collect();
+    let output = arguments.output.clone().unwrap_or_else(|| Path::new(RESULTS).join(&name));
+    let names = [format!("{name}.f90"), format!("{name}.dat"), format!("c.{name}"), format!("{name}.auto")];
+    let paths = names.map(PathBuf::from);
+    folder::ensure_writable(&output, &paths)?;
+    limits::listen();
+    let watch = Watch::begin(limits, of.taken);
+    let (solution, flight) = match solution(&description, arguments.at, &watch) {
+        Err(_) if watch.end_cause().is_some() => {
+            return Err(ended(file, watch.end_cause(), "nothing was written"));
+        }
+        found => found?,
+    };
+    let axes = [description.primary(), description.secondary()];
+    let axis_names = axes.map(|axis| axis.name());
+    let [[lower, upper], secondary] = axes.map(|axis| axis.range());
+    let formula = |(formula, name): (&grazing_description::Expression, &str)| formula.fortran(name);
+    let [force, frequency, restitution, duration] = description.formulas();
+    let [mu, eta] = arguments.at;
+    let [velocity, phase] = solution.impact;
+    let equations = Equations {
+        title: description.name(),
+        loops: solution.loops,
+        names: axis_names,
+        functions: [
+            (force, "grazing_force"),
+            (frequency, "grazing_frequency"),
+            (restitution, "grazing_restitution"),
+            (duration, "grazing_duration"),
+        ]
+        .map(formula),
+        start: [mu, eta, phase, velocity].map(|value| format!("{value:e}").replace('e', "d")),
+    };
+    let step = 1e-2 * (upper - lower);
+    let constants =
+        Constants { name: &name, range: [lower, upper], step, least: 1e-5 * step, most: 5.0 * step };
+    let contents = [
+        rendered(&equations),
+        flight,
+        rendered(&constants),
+        rendered(&Script { name: &name, range: format!("{secondary:?}") }),
+    ];
+    let file = |(path, content): (PathBuf, String)| OutputFile { path, content: content.into_bytes() };
+    let files: Vec<OutputFile> = paths.into_iter().zip(contents).map(file).collect();
+    terminal::say(&folder::summary(&folder::written(&output, &files)?));
+    let stable = if solution.multipliers.stable() { "stable" } else { "unstable" };
+    terminal::say(&format!(
+        "p = {}, {stable}, impact velocity {velocity}, phase {phase}; in {}: auto {name}.auto\n",
+        solution.loops,
+        output.display()
+    ));
+    Ok(())
+}
+
+/// An admissible solution with impacts at a place, if possible a stable one, in the units of the file;
+/// and its flight as lines `s u v t`.
+fn solution(description: &Description, at: [f64; 2], watch: &Watch) -> Result<(Solution, String), Failure> {
+    let units = description.units();
+    let [mu, eta] = at;
+    let oscillator = description.counted([mu / units.primary, eta / units.secondary], &units, &watch.stop());
+    let starts = Starts { states: 0, ..Starts::default() };
+    let found = Place::compute(&oscillator, description.loops(), &starts, &Silent);
+    let mut solutions = found.map_or(Vec::new(), |place| place.solutions);
+    solutions.retain(|solution| solution.loops > 0 && solution.admissible);
+    solutions.sort_by_key(|solution| !solution.multipliers.stable());
+    let Some(mut chosen) = solutions.into_iter().next() else {
+        return Err(Failure::input(format!(
+            "--at {mu},{eta}: no admissible solution with an impact was found there for p = {:?}: name another place",
+            description.loops()
+        )));
+    };
+    chosen.impact[0] *= units.velocity();
+    let [y, z] = chosen.impact;
+    let omega = description.forcing_frequency(mu, eta);
+    let waits = description.impact_duration(y, z, mu, eta) * y;
+    let recoil = State {
+        position: 0.0,
+        velocity: -description.restitution(y, z, mu, eta) * y / units.velocity(),
+        phase: z + waits,
+    };
+    let duration = (f64::from(chosen.loops) * core::f64::consts::TAU - waits) / omega;
+    let line = |k: u32| {
+        let s = f64::from(k) / f64::from(POINTS);
+        let [u, v] = oscillator.flow::<1>(recoil, s * duration / units.time).value.into();
+        let [u, v, t] = [u * units.length, v * units.velocity(), (z + waits) / omega + s * duration];
+        format!("{s:e} {u:e} {v:e} {t:e}\n")
+    };
+    let flight = (0..=POINTS).map(line).collect();
+    Ok((chosen, flight))
+}
