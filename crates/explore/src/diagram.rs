@@ -9,6 +9,7 @@ use grazing_model::smooth::Stop;
 use grazing_reproduction::plane::{self, Axes};
 use grazing_reproduction::unfolded::AtResonance;
 use grazing_results::plane::{OwnPoint, PlanePoint, RegionVertex, SpecialPoint};
+use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::magnification::approximation;
 use grazing_unfold::progress::Progress;
@@ -232,19 +233,25 @@ fn resonances(axes: &Axes, diagram: &Diagram) -> Vec<Value> {
     diagram.resonances.iter().map(one).collect()
 }
 
-/// The quadratic approximations to the SN and PD curves of the resonances that are seen, as far as
-/// they lie in the view.
+/// The quadratic approximations to the SN and PD curves of the resonances that are seen, and to that
+/// on which period-doubled solutions graze, as far as they lie in the view.
 fn approximations(axes: &Axes, diagram: &Diagram) -> Vec<Value> {
     let ranks = ranks(diagram);
     let unfolding = diagram.resonances.iter().zip(ranks);
     let of = |(resonance, rank): (&grazing_unfold::resonances::Resonance, u32)| {
         let point = resonance.theorem.as_ref().ok()?;
-        let curves = point.leading().named().map(|(kind, curve)| {
+        let shown = |(kind, curve): (Bifurcation, BifurcationCurve)| {
             let points = approximation(point, curve, diagram.scope.window);
             let points = points.into_iter().map(|point| (axes.units.parameters(point), true)).unzip();
             named(kind.name(), [resonance.loops, resonance.n, rank], "quadratic", points)
-        });
-        Some(curves)
+        };
+        let [saddle_node, period_doubling] = point.leading().named();
+        // They begin at the period doubling, on its side.
+        let coefficient = point.resonant_point().doubled_grazing_coefficient();
+        let mut doubled =
+            shown((Bifurcation::Grazing, BifurcationCurve { coefficient, ..period_doubling.1 }));
+        doubled["tells"] = json!("2GZ: quadratic approximation to where period-doubled solutions graze");
+        Some([shown(saddle_node), shown(period_doubling), doubled])
     };
     unfolding.filter_map(of).flatten().collect()
 }

@@ -150,6 +150,15 @@ fn zooming_goes_down_to_a_billionth_about_a_resonance() {
     let kinds: Vec<&str> =
         found.as_array().unwrap().iter().filter(close).map(|pair| pair[0].as_str().unwrap()).collect();
     assert!(kinds.contains(&"SN") && kinds.contains(&"PD"), "{found}");
+    // So has where period-doubled solutions graze, a parabola like the others.
+    let doubled = "use('diagram').then(([d]) => [...d.diagram.curves.values()].filter(({tells}) => /^2GZ/.test(tells)) \
+                   .map(({points}) => points.length))";
+    let doubled = page.value(doubled);
+    assert!(
+        doubled.as_array().is_some_and(|all| !all.is_empty())
+            && numbers(&doubled).iter().all(|count| *count > 2.0),
+        "{doubled}"
+    );
     for _ in 0..45 {
         plane_key(&mut page, "+");
     }
