@@ -54,13 +54,16 @@ pub enum Command {
     /// Find and unfold the resonant grazing bifurcations of an oscillator from a text file
     #[command(next_line_help = true, after_help = help!("unfold", "exit_codes"))]
     Unfold(Unfold),
+    /// Map what motion comes to over the window of Figure 7, place by place
+    #[command(next_line_help = true, after_help = help!("attractors", "exit_codes"))]
+    Attractors(Attractors),
     /// Explore the diagram in a browser: move constants, point at places, zoom
     #[command(next_line_help = true, after_help = help!("explore", "exit_codes"))]
     Explore(Explore),
     /// Identify constants of an oscillator from what a rig did
     #[command(next_line_help = true, after_help = help!("identify", "exit_codes"))]
     Identify(Identify),
-    /// Join the parts of a family that `unfold --part` computed
+    /// Join the parts of a family or a map that `unfold --part` or `attractors --part` computed
     #[command(next_line_help = true, after_help = help!("merge", "exit_codes"))]
     Merge(Merge),
     /// Write a description of an oscillator to begin with, to be changed and unfolded
@@ -238,6 +241,26 @@ impl Unfold {
     }
 }
 
+/// The arguments of `grazing attractors`.
+#[derive(Debug, Args)]
+pub struct Attractors {
+    /// Places across and up
+    #[arg(long, value_name = "COLUMNSxROWS", default_value = "1000x1000", value_parser = size)]
+    pub size: [u32; 2],
+    /// Compute only this part of the rows, to be joined with the others by `merge`
+    #[arg(long, value_name = "K/N")]
+    pub part: Option<Part>,
+    /// Folder for the results [default: attractors]
+    #[arg(long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) parameters: ParameterFile,
+    #[command(flatten)]
+    pub(crate) look: Look,
+    #[command(flatten)]
+    pub(crate) threads: Threads,
+}
+
 /// The arguments of `grazing explore`.
 #[derive(Debug, Args)]
 pub struct Explore {
@@ -283,10 +306,10 @@ pub struct Identify {
 /// The arguments of `grazing merge`.
 #[derive(Debug, Args)]
 pub struct Merge {
-    /// All parts of a family, as `unfold --part` writes them
+    /// All parts of a family or a map, as `--part` writes them
     #[arg(value_name = "PART", required = true)]
     pub parts: Vec<PathBuf>,
-    /// Folder for the results [default: families/NAME]
+    /// Folder for the results [default: families/NAME, or attractors]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
@@ -332,6 +355,13 @@ fn place(text: &str) -> Result<[f64; 2], String> {
     let numbers = numbers.ok().and_then(|numbers| <[f64; 2]>::try_from(numbers).ok());
     let finite = numbers.filter(|numbers| numbers.iter().all(|number| number.is_finite()));
     finite.ok_or_else(|| "it must be two numbers with a comma between them, as 0.9,0.8".to_owned())
+}
+
+/// Places across and up.
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let numbers: Result<Vec<u32>, _> = text.split('x').map(|number| number.trim().parse()).collect();
+    let numbers = numbers.ok().and_then(|numbers| <[u32; 2]>::try_from(numbers).ok());
+    numbers.ok_or_else(|| "it must be two whole numbers with an x between them, as 1000x1000".to_owned())
 }
 
 /// A limit.

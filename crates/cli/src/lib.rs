@@ -5,6 +5,7 @@
 //! definition.
 
 pub mod arguments;
+mod attractors;
 mod certify;
 mod claims;
 pub mod codecheck;
@@ -19,6 +20,7 @@ mod limits;
 mod new;
 mod oscillator;
 pub mod outputs;
+mod part;
 mod progress;
 mod project;
 mod report;
@@ -48,6 +50,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Command::Report(arguments) => report::run(arguments),
         Command::Unfold(arguments) if !arguments.vary.is_empty() => family::run(arguments),
         Command::Unfold(arguments) => unfold::run(arguments),
+        Command::Attractors(arguments) => attractors::run(arguments),
         Command::Explore(arguments) => explore::run(arguments),
         Command::Identify(arguments) => identify::run(arguments),
         Command::Merge(arguments) => family::merge(arguments),
