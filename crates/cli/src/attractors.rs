@@ -4,7 +4,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
-use grazing_reproduction::figures::beyond_attractors::{Attractors, BeyondAttractors, Map, MapRow, RegionCount};
+use grazing_model::smooth::Stop;
+use grazing_reproduction::figures::beyond_attractors::{
+    Attractors, BeyondAttractors, Map, MapRow, RegionCount,
+};
 use grazing_reproduction::parameters::Parameters;
 use grazing_reproduction::{Study, StudyError};
 use grazing_source::{Setting, Text};
@@ -54,9 +57,11 @@ fn failure(error: StudyError) -> Failure {
 impl MapWork {
     fn new(arguments: &arguments::Attractors) -> Result<Self, Failure> {
         let file = project::parameter_file(arguments.parameters.file.as_deref())?;
-        let parameters = grazing_source::read_file(&file).map_err(grazing_description::DescriptionError::from)?;
+        let parameters =
+            grazing_source::read_file(&file).map_err(grazing_description::DescriptionError::from)?;
         let [columns, rows] = arguments.size;
-        let size = [("columns", columns), ("rows", rows)].map(|(key, count)| format!("{}.{key}={count}", OUTPUT.name));
+        let size = [("columns", columns), ("rows", rows)]
+            .map(|(key, count)| format!("{}.{key}={count}", OUTPUT.name));
         let set = arguments.parameters.set.iter().map(ToString::to_string).chain(size).collect();
         Ok(Self { parameters, set })
     }
@@ -74,7 +79,7 @@ impl Divided for MapWork {
         let settings = self.set.iter().map(|setting| Ok(setting.parse::<Setting>()?));
         let settings = settings.collect::<Result<Vec<_>, Failure>>()?;
         let parameters = Parameters::parse(&Text::new(&self.parameters, &settings), project::PARAMETERS)?;
-        let study = Study::new(&parameters).with_progress(Arc::new(Display::new()));
+        let study = Study::new(&parameters).with_progress(Arc::new(Display::counting(Stop::default())));
         let task = MapTask { asked: parameters.section()?, study };
         task.map()?;
         Ok(task)

@@ -44,7 +44,9 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let read = |stop: &Stop| {
         let description = origin.description(&[], stop)?;
         let plan = plan(&arguments.vary, &description)?;
-        let which = arguments.part.map_or(Ok(0..plan.count()), |part| part::items::<FamilyWork>(part, plan.count()))?;
+        let which = arguments
+            .part
+            .map_or(Ok(0..plan.count()), |part| part::items::<FamilyWork>(part, plan.count()))?;
         let members = members(&origin, &plan, which, stop)?;
         Ok((description, plan, members))
     };

@@ -116,7 +116,8 @@ pub(crate) fn made<W: Divided>(part: Part, work: W, records: Vec<W::Record>) -> 
 /// Whether a file says to be a part of such work.
 pub(crate) fn is_of<W: Divided>(path: &Path) -> bool {
     let line = format!("of = \"{}\"", W::IS);
-    folder::read(path).is_ok_and(|content| content.split(|byte| *byte == b'\n').nth(2) == Some(line.as_bytes()))
+    folder::read(path)
+        .is_ok_and(|content| content.split(|byte| *byte == b'\n').nth(2) == Some(line.as_bytes()))
 }
 
 impl<W: Divided> PartFile<W> {

@@ -46,7 +46,8 @@ pub(crate) fn computed<F: PaperFigure>(
 ) -> Result<ComputedOutput, Box<dyn Error>> {
     let constants: Vec<String> =
         F::constants(study)?.iter().map(|(name, value)| format!("${name} = {value}$")).collect();
-    let remark = if constants.is_empty() { String::new() } else { format!(" Here {}.", constants.join(", ")) };
+    let remark =
+        if constants.is_empty() { String::new() } else { format!(" Here {}.", constants.join(", ")) };
     let figure = Figure {
         file: output.figure_file(),
         sheet: F::draw(shown, width)?,

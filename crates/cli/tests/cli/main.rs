@@ -8,6 +8,7 @@ mod program;
 #[path = "../../../export/tests/reading/mod.rs"]
 mod reading;
 
+mod attractors;
 mod bad_input;
 mod claims;
 mod compare;

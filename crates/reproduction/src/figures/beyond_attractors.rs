@@ -8,6 +8,7 @@ mod ink;
 use core::f64::consts::TAU;
 use core::ops::Range;
 
+use grazing_continuation::curve::Window;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use grazing_results::plane::PlaneDiagram;
 use grazing_results::{place, row, rows, tables};
@@ -22,7 +23,7 @@ use crate::figure::prelude::*;
 use crate::plane::{Axes, plane_diagram};
 use crate::study::forced;
 
-/// As many as the tables of a cluster's memory hold.
+/// As many places across and up as the memory of a large machine holds the rows of.
 const MOST: u32 = 10_000;
 
 keys! {
@@ -36,25 +37,39 @@ keys! {
 }
 
 /// The initial states, all at rest: x, and the phase in turns.
-const STARTS: [(f64, f64); 4] = [(-0.5, 0.0), (-0.5, 0.5), (-1.5, 0.0), (-1.5, 0.5)];
+pub const STARTS: [(f64, f64); 4] = [(-0.5, 0.0), (-0.5, 0.5), (-1.5, 0.0), (-1.5, 0.5)];
 /// Nearly all motion has settled in so short a time; what has not is followed for longer.
 const HORIZON: Horizon = Horizon { transient: 32, counted: 16, patience: Patience::Unsettled, longest: 400 };
+
+/// Regions are polygons, whose borders run along curves to this part of the ranges.
+const BORDER: f64 = 1e-4;
 
 /// An attractor at places beside each other.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Stretch {
-    secondary: f64,
-    first: f64,
-    places: u32,
-    attractors: u32,
-    attractor: u32,
-    motion: String,
-    periods: u32,
-    impacts: f64,
-    least: f64,
-    greatest: f64,
-    error: f64,
+    /// The forcing frequency.
+    pub secondary: f64,
+    /// The amplitude at the first place.
+    pub first: f64,
+    /// How many places.
+    pub places: u32,
+    /// How many attractors are seen at each.
+    pub attractors: u32,
+    /// Its number among them.
+    pub attractor: u32,
+    /// The name of its [`MotionKind`].
+    pub motion: String,
+    /// Forcing periods after which it comes again, or 0.
+    pub periods: u32,
+    /// Impacts in a forcing period.
+    pub impacts: f64,
+    /// The least largest exponent, where it does not come again.
+    pub least: f64,
+    /// The greatest.
+    pub greatest: f64,
+    /// The largest standard error of these.
+    pub error: f64,
 }
 
 row! { Stretch, |this| {} [
@@ -110,15 +125,17 @@ tables! {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MapRow {
-    row: u32,
-    stretches: Vec<Stretch>,
+    /// Its number, from the lowest frequency up.
+    pub row: u32,
+    /// What is seen in it, from left to right; the attractors of the same places after each other.
+    pub stretches: Vec<Stretch>,
 }
 
 /// A map of this study.
 pub struct Map<'a> {
     study: &'a Study,
     oscillator: AnyOscillator,
-    window: grazing_continuation::curve::Window,
+    window: Window,
     loops: Vec<u32>,
     size: [u32; 2],
 }
@@ -175,8 +192,7 @@ impl<'a> Map<'a> {
     pub fn of(asked: &BeyondAttractors, study: &'a Study) -> Result<Self, StudyError> {
         let figure: Figure7 = study.parameters.section()?;
         let window = figure.window();
-        let oscillator =
-            forced(&study.parameters.oscillator()?, window.primary[0], window.secondary[0])?;
+        let oscillator = forced(&study.parameters.oscillator()?, window.primary[0], window.secondary[0])?;
         let size = [asked.columns, asked.rows];
         Ok(Self { study, oscillator: AnyOscillator::new(oscillator), window, loops: figure.loops, size })
     }
@@ -186,8 +202,8 @@ impl<'a> Map<'a> {
         self.size[1] as usize
     }
 
-    /// The parameters in the middle of a cell.
-    fn place(&self, column: u32, row: u32) -> [f64; 2] {
+    /// The parameters (μ, η) in the middle of a cell.
+    pub fn place(&self, column: u32, row: u32) -> [f64; 2] {
         let share = |number: u32, count: u32| (f64::from(number) + 0.5) / f64::from(count);
         self.window.parameters([share(column, self.size[0]), share(row, self.size[1])])
     }
@@ -217,7 +233,9 @@ impl<'a> Map<'a> {
             (column, found)
         };
         let places: Vec<(u32, Vec<Seen>)> = (0..self.size[0]).map(at).collect();
-        let alike = |a: &(u32, Vec<Seen>), b: &(u32, Vec<Seen>)| a.1.iter().map(identity).eq(b.1.iter().map(identity));
+        let alike = |a: &(u32, Vec<Seen>), b: &(u32, Vec<Seen>)| {
+            a.1.iter().map(identity).eq(b.1.iter().map(identity))
+        };
         let mut stretches = Vec::new();
         for stretch in places.chunk_by(alike) {
             let (column, found) = &stretch[0];
@@ -254,8 +272,7 @@ impl<'a> Map<'a> {
     pub fn fits(&self, row: &MapRow, index: usize) -> bool {
         let mut column = 0;
         let known = |stretch: &Stretch| MotionKind::ALL.iter().any(|kind| kind.name() == stretch.motion);
-        let groups = row.stretches.chunk_by(|a, b| a.attractor < b.attractor);
-        let fit = groups.map(|group| {
+        let fit = row.groups().map(|group| {
             let Stretch { places, .. } = group[0];
             let [first, secondary] = self.place(column, row.row);
             let numbered = group.iter().zip(1..).all(|(one, number)| {
@@ -278,22 +295,30 @@ impl<'a> Map<'a> {
     pub fn assembled(&self, rows: Vec<MapRow>) -> Result<Attractors, StudyError> {
         let regions = &self.study.diagram()?.regions;
         let (mut counts, mut remarks) = (Vec::new(), Vec::new());
+        let [across, up] =
+            [self.window.primary, self.window.secondary].map(|[from, to]| BORDER * (to - from));
         for &loops in [0].iter().chain(&self.loops) {
             let mut count = RegionCount { loops, in_regions: 0, settled: 0, unseen: 0, unexplained: 0 };
             for row in &rows {
                 let (secondary, settled) = (self.place(0, row.row)[1], row.settled(loops));
-                let intervals = |decided: bool| {
-                    let own = regions.iter().filter(move |region| region.loops == loops && region.doubt.is_none() == decided);
+                let intervals = |secondary: f64, decided: bool| {
+                    let own =
+                        regions.iter().filter(move |it| it.loops == loops && it.doubt.is_none() == decided);
                     own.flat_map(|region| region.chords(secondary)).collect::<Vec<_>>()
                 };
-                let (sure, undecided) = (intervals(true), intervals(false));
+                let sure = intervals(secondary, true);
+                let beside =
+                    [-up, 0.0, up].map(|by| [true, false].map(|decided| intervals(secondary + by, decided)));
+                let possible = beside.concat().concat();
                 let says = |column: u32| {
                     let at = self.place(column, row.row)[0];
-                    let inside = |all: &[[f64; 2]]| all.iter().any(|[from, to]| *from <= at && at <= *to);
-                    match (inside(&sure), settled[column as usize]) {
+                    let within = |all: &[[f64; 2]], room: f64| {
+                        all.iter().any(|[from, to]| from - room <= at && at <= to + room)
+                    };
+                    match (within(&sure, 0.0), settled[column as usize]) {
                         (true, true) => count.settled += 1,
                         (true, false) => return Some("unseen"),
-                        (false, true) if !inside(&undecided) => return Some("unexplained"),
+                        (false, true) if !within(&possible, across) => return Some("unexplained"),
                         (false, _) => {}
                     }
                     None
@@ -315,11 +340,20 @@ impl<'a> Map<'a> {
     }
 }
 
+/// What is seen at the same places, place after place of a row.
+fn groups(stretches: &[Stretch]) -> impl Iterator<Item = &[Stretch]> {
+    stretches.chunk_by(|a, b| a.attractor < b.attractor)
+}
+
 impl MapRow {
+    /// What is seen at the same places, from left to right.
+    pub fn groups(&self) -> impl Iterator<Item = &[Stretch]> {
+        groups(&self.stretches)
+    }
+
     /// Whether motion comes to a p-loop solution, place by place.
     fn settled(&self, loops: u32) -> Vec<bool> {
-        let groups = self.stretches.chunk_by(|a, b| a.attractor < b.attractor);
-        let settled = groups.flat_map(|group| {
+        let settled = self.groups().flat_map(|group| {
             let settled = group.iter().any(|one| one.loops() == Some(loops));
             std::iter::repeat_n(settled, group[0].places as usize)
         });
@@ -329,7 +363,7 @@ impl MapRow {
 
 impl Stretch {
     /// The number of loops p of an MPS, 0 for motion without impacts in one period.
-    fn loops(&self) -> Option<u32> {
+    pub fn loops(&self) -> Option<u32> {
         place::loops(f64::from(self.periods), self.impacts)
     }
 }

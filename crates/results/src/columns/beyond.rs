@@ -111,7 +111,7 @@ columns! {
     MAP_SETTLED = "settled", "", "1";
     /// of these, places at which none does: it has a basin there that all miss
     MAP_UNSEEN = "unseen", "", "1";
-    /// places outside of the regions at which an initial state comes to a p-loop solution
+    /// places outside of all regions of the p-loop solution, of undecided ones too, and not within 1e-4 of the ranges of one, at which an initial state comes to it
     MAP_UNEXPLAINED = "unexplained", "", "1";
     /// `unseen`: in a region of the p-loop solution, and no initial state comes to it; `unexplained`: in none, and one does
     MAP_REMARK = "remark", "", "1";
