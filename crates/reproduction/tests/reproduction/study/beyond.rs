@@ -13,7 +13,8 @@ use grazing_theorems::auxiliary::scaled_visit_position;
 use grazing_trials::random::Random;
 use grazing_trials::simulation::settled;
 use grazing_unfold::long_time::{Horizon, MotionKind, Patience};
-use grazing_unfold::place::seen;
+use grazing_unfold::place::{Place, Solution, Starts, seen};
+use grazing_unfold::progress::Silent;
 
 use super::{integers, made, numbers, theory, words};
 
@@ -193,6 +194,34 @@ fn regions_of_figure_7_explain_all_mps_of_the_map() {
     }
     let remarked: u32 = shown.remarks.iter().map(|remark| remark.places).sum();
     assert_eq!(remarked, shown.counts.iter().map(|count| count.unseen).sum());
+}
+
+#[test]
+fn orbits_that_begin_beside_an_mps_that_the_map_does_not_see_come_to_it() {
+    let study = Study::new(&made().parameters);
+    let map = Map::of(&COARSE, &study).expect("it is right");
+    let shown = map.assembled(map.rows(0..map.count())).expect("it grazes");
+    let mut tried = [0; 4];
+    for remark in shown.remarks.iter().step_by(3) {
+        let place = [remark.first, remark.secondary];
+        let linear = oscillator(place);
+        let oscillator = AnyOscillator::new(linear);
+        let starts = Starts { states: 1, ..Starts::default() };
+        let there =
+            Place::compute(&oscillator, &[remark.loops.max(1)], &starts, &Silent).expect("nothing ends it");
+        let stable =
+            |one: &&Solution| one.loops == remark.loops && one.multipliers.stable() && one.admissible;
+        let solution = there.solutions.iter().find(stable).unwrap_or_else(|| panic!("{remark:?}"));
+        let beside = match solution.loops {
+            0 => linear.non_impacting_solution(0.0),
+            _ => State::on_wall(solution.impact[0] * (1.0 + 1e-7), solution.impact[1]),
+        };
+        let horizon = Horizon { transient: 32, counted: 16, patience: Patience::Unsettled, longest: 400 };
+        let [found] = seen(&oscillator, &[beside], horizon)[..] else { panic!("one state, one attractor") };
+        assert_eq!(found.fate.loops(), Some(remark.loops), "{remark:?}");
+        tried[remark.loops as usize] += 1;
+    }
+    assert!(tried.iter().all(|count| *count > 1), "{tried:?}");
 }
 
 /// The largest exponent by an orbit beside another one, brought near again in every period, and its
