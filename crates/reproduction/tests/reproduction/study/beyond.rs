@@ -10,11 +10,11 @@ use grazing_reproduction::figures::beyond_attractors::{BeyondAttractors, Map, ST
 use grazing_reproduction::figures::beyond_loops::BeyondLoops;
 use grazing_reproduction::figures::beyond_regions::BeyondRegions;
 use grazing_theorems::auxiliary::scaled_visit_position;
+use grazing_trials::closed_form;
 use grazing_trials::random::Random;
 use grazing_trials::simulation::settled;
 use grazing_unfold::long_time::{Horizon, MotionKind, Patience};
-use grazing_unfold::place::{Place, Solution, Starts, seen};
-use grazing_unfold::progress::Silent;
+use grazing_unfold::place::seen;
 
 use super::{integers, made, numbers, theory, words};
 
@@ -95,6 +95,13 @@ fn oscillator([amplitude, frequency]: [f64; 2]) -> LinearOscillator {
     LinearOscillator::new(zeta, epsilon, amplitude, frequency).expect("it is one")
 }
 
+/// The stable, admissible p-loop MPS at a place, in closed form.
+fn stable([amplitude, frequency]: [f64; 2], loops: u32) -> Option<closed_form::Orbit> {
+    let (zeta, epsilon) = (theory().damping_ratio(), theory().coefficient_of_restitution());
+    let all = closed_form::orbits(zeta, epsilon, amplitude, frequency, loops);
+    all.into_iter().find(|orbit| orbit.stable() && orbit.admissible())
+}
+
 /// Random places of the coarse map, with what it has there.
 fn places(seed: u64, count: u32) -> Vec<([f64; 2], Vec<Stretch>)> {
     let study = Study::new(&made().parameters);
@@ -151,6 +158,9 @@ fn places_of_the_map_have_what_orbits_come_to_that_are_followed_event_by_event()
         let direct: Result<Vec<_>, ()> =
             starts.iter().map(|start| comes_again(&oscillator, *start)).collect();
         let Ok(direct) = direct else { continue };
+        for loops in there.iter().filter_map(Stretch::loops).filter(|loops| *loops > 0) {
+            assert!(stable(place, loops).is_some(), "{place:?}: {there:?}");
+        }
         let periodic = there.iter().filter(|one| one.periods > 0);
         let mapped: BTreeSet<_> = periodic
             .map(|one| (one.periods, (one.impacts * f64::from(one.periods)).round() as u32))
@@ -204,20 +214,18 @@ fn orbits_that_begin_beside_an_mps_that_the_map_does_not_see_come_to_it() {
     let mut tried = [0; 4];
     for remark in shown.remarks.iter().step_by(3) {
         let place = [remark.first, remark.secondary];
-        let linear = oscillator(place);
-        let oscillator = AnyOscillator::new(linear);
-        let starts = Starts { states: 1, ..Starts::default() };
-        let there =
-            Place::compute(&oscillator, &[remark.loops.max(1)], &starts, &Silent).expect("nothing ends it");
-        let stable =
-            |one: &&Solution| one.loops == remark.loops && one.multipliers.stable() && one.admissible;
-        let solution = there.solutions.iter().find(stable).unwrap_or_else(|| panic!("{remark:?}"));
-        let beside = match solution.loops {
-            0 => linear.non_impacting_solution(0.0),
-            _ => State::on_wall(solution.impact[0] * (1.0 + 1e-7), solution.impact[1]),
+        let oscillator = oscillator(place);
+        let beside = match remark.loops {
+            0 => oscillator.non_impacting_solution(0.0),
+            loops => {
+                let stable = stable(place, loops).unwrap_or_else(|| panic!("{remark:?}"));
+                State::on_wall(stable.velocity * (1.0 + 1e-7), stable.phase)
+            }
         };
         let horizon = Horizon { transient: 32, counted: 16, patience: Patience::Unsettled, longest: 400 };
-        let [found] = seen(&oscillator, &[beside], horizon)[..] else { panic!("one state, one attractor") };
+        let [found] = seen(&AnyOscillator::new(oscillator), &[beside], horizon)[..] else {
+            panic!("one state, one attractor")
+        };
         assert_eq!(found.fate.loops(), Some(remark.loops), "{remark:?}");
         tried[remark.loops as usize] += 1;
     }
