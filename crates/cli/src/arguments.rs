@@ -63,7 +63,7 @@ pub enum Command {
     /// Identify constants of an oscillator from what a rig did
     #[command(next_line_help = true, after_help = help!("identify", "exit_codes"))]
     Identify(Identify),
-    /// Join the parts of a family or a map that `unfold --part` or `attractors --part` computed
+    /// Join the parts of a family or a map that `--part` computed
     #[command(next_line_help = true, after_help = help!("merge", "exit_codes"))]
     Merge(Merge),
     /// Write a description of an oscillator to begin with, to be changed and unfolded

@@ -272,7 +272,7 @@ impl<'a> Map<'a> {
     pub fn fits(&self, row: &MapRow, index: usize) -> bool {
         let mut column = 0;
         let known = |stretch: &Stretch| MotionKind::ALL.iter().any(|kind| kind.name() == stretch.motion);
-        let fit = row.groups().map(|group| {
+        let fit = row.groups().all(|group| {
             let Stretch { places, .. } = group[0];
             let [first, secondary] = self.place(column, row.row);
             let numbered = group.iter().zip(1..).all(|(one, number)| {
@@ -285,7 +285,7 @@ impl<'a> Map<'a> {
             column = places.saturating_add(column);
             numbered && places > 0 && column <= self.size[0]
         });
-        row.row as usize == index && fit.fold(true, |all, fit| all && fit) && column == self.size[0]
+        fit && row.row as usize == index && column == self.size[0]
     }
 
     /// The map of all its rows.

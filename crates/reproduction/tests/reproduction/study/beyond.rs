@@ -212,7 +212,7 @@ fn orbits_that_begin_beside_an_mps_that_the_map_does_not_see_come_to_it() {
     let map = Map::of(&COARSE, &study).expect("it is right");
     let shown = map.assembled(map.rows(0..map.count())).expect("it grazes");
     let mut tried = [0; 4];
-    for remark in shown.remarks.iter().step_by(3) {
+    for remark in &shown.remarks {
         let place = [remark.first, remark.secondary];
         let oscillator = oscillator(place);
         let beside = match remark.loops {
@@ -229,7 +229,7 @@ fn orbits_that_begin_beside_an_mps_that_the_map_does_not_see_come_to_it() {
         assert_eq!(found.fate.loops(), Some(remark.loops), "{remark:?}");
         tried[remark.loops as usize] += 1;
     }
-    assert!(tried.iter().all(|count| *count > 1), "{tried:?}");
+    assert!(tried[..3].iter().all(|count| *count > 10), "{tried:?}");
 }
 
 /// The largest exponent by an orbit beside another one, brought near again in every period, and its
