@@ -229,7 +229,7 @@ fn orbits_that_begin_beside_an_mps_that_the_map_does_not_see_come_to_it() {
         assert_eq!(found.fate.loops(), Some(remark.loops), "{remark:?}");
         tried[remark.loops as usize] += 1;
     }
-    assert!(tried[..3].iter().all(|count| *count > 10), "{tried:?}");
+    assert!(tried[..3].iter().all(|count| *count > 5), "{tried:?}");
 }
 
 /// The largest exponent by an orbit beside another one, brought near again in every period, and its
