@@ -56,13 +56,16 @@ pub enum Command {
     /// Find and unfold resonant grazing bifurcations of an oscillator
     #[command(after_long_help = help!("unfold", "exit_codes"))]
     Unfold(Unfold),
+    /// Map what motion comes to over the window of Figure 7
+    #[command(after_long_help = help!("attractors", "exit_codes"))]
+    Attractors(Attractors),
     /// Explore the diagram of an oscillator in a browser
     #[command(after_long_help = help!("explore", "exit_codes"))]
     Explore(Explore),
     /// Identify constants of an oscillator from what a rig did
     #[command(after_long_help = help!("identify", "exit_codes"))]
     Identify(Identify),
-    /// Join the parts of a family that `unfold --part` computed
+    /// Join the parts of a family or a map that `--part` computed
     #[command(after_long_help = help!("merge", "exit_codes"))]
     Merge(Merge),
     /// Write a description of an oscillator to begin with
@@ -252,6 +255,26 @@ impl Unfold {
     }
 }
 
+/// The arguments of `grazing attractors`.
+#[derive(Debug, Args)]
+pub struct Attractors {
+    /// Places across and up
+    #[arg(long, value_name = "COLUMNSxROWS", default_value = "1000x1000", value_parser = size)]
+    pub size: [u32; 2],
+    /// Compute only this part of the rows, to be joined with the others by `merge`
+    #[arg(long, value_name = "K/N")]
+    pub part: Option<Part>,
+    /// Folder for the results [default: attractors]
+    #[arg(long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) parameters: ParameterFile,
+    #[command(flatten)]
+    pub(crate) look: Look,
+    #[command(flatten)]
+    pub(crate) threads: Threads,
+}
+
 /// The arguments of `grazing explore`.
 #[derive(Debug, Args)]
 pub struct Explore {
@@ -297,10 +320,10 @@ pub struct Identify {
 /// The arguments of `grazing merge`.
 #[derive(Debug, Args)]
 pub struct Merge {
-    /// All parts of a family, as `unfold --part` writes them
+    /// All parts of a family or a map, as `--part` writes them
     #[arg(value_name = "PART", required = true)]
     pub parts: Vec<PathBuf>,
-    /// Folder for the results [default: families/NAME]
+    /// Folder for the results [default: families/NAME, or attractors]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
@@ -394,6 +417,13 @@ fn date(text: &str) -> Result<String, String> {
     let parts: Vec<u16> = text.split('-').filter_map(|part| part.parse().ok()).collect();
     let is_date = text.len() == 10 && matches!(parts[..], [1900..=9999, 1..=12, 1..=31]);
     if is_date { Ok(text.to_owned()) } else { Err("it must be a date, as 2027-01-31".to_owned()) }
+}
+
+/// Places across and up.
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let numbers: Result<Vec<u32>, _> = text.split('x').map(|number| number.trim().parse()).collect();
+    let numbers = numbers.ok().and_then(|numbers| <[u32; 2]>::try_from(numbers).ok());
+    numbers.ok_or_else(|| "it must be two whole numbers with an x between them, as 1000x1000".to_owned())
 }
 
 /// A limit.

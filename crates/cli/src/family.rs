@@ -2,7 +2,7 @@
 //! file vary.
 
 mod listing;
-mod part;
+mod origin;
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -15,17 +15,19 @@ use grazing_results::brief;
 use grazing_source::{nearest, suggestion};
 
 use crate::arguments;
+use crate::attractors::{self, MapWork};
 use crate::failure::Failure;
 use crate::folder::{self, summary};
 use crate::limits::{self, Watch, ended, reading};
 use crate::outputs::edition::{Edition, Format};
 use crate::outputs::family::{FAMILY, NamedFamily};
 use crate::outputs::latex;
+use crate::part::{self, Joined};
 use crate::progress::Display;
 use crate::unfold::reason;
 use crate::variation::{MOST_MEMBERS, Variation};
 use crate::{data_page, terminal};
-use part::{Joined, Origin, PartFile};
+use origin::{FamilyWork, Origin};
 
 /// Computes a family, or a part of it.
 ///
@@ -42,7 +44,9 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let read = |stop: &Stop| {
         let description = origin.description(&[], stop)?;
         let plan = plan(&arguments.vary, &description)?;
-        let which = arguments.part.map_or(Ok(0..plan.count()), |part| part.of(&plan))?;
+        let which = arguments
+            .part
+            .map_or(Ok(0..plan.count()), |part| part::items::<FamilyWork>(part, plan.count()))?;
         let members = members(&origin, &plan, which, stop)?;
         Ok((description, plan, members))
     };
@@ -71,7 +75,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
                 let outcome = "a part is written only if it is whole: nothing is written";
                 return Err(ended(file, cause, outcome));
             };
-            let made = PartFile::new(part, arguments.vary.clone(), origin, records).made()?;
+            let made = part::made(part, FamilyWork { vary: arguments.vary.clone(), origin }, records)?;
             terminal::say(&summary(&folder::written(&folder, &[made])?));
             Ok(())
         }
@@ -98,7 +102,11 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
 pub(crate) fn merge(arguments: &arguments::Merge) -> Result<(), Failure> {
     let began = Instant::now();
     limits::leave_nothing_behind();
-    let Joined { origin, description, plan, records } = part::joined(&arguments.parts)?;
+    if arguments.parts.first().is_some_and(|first| part::is_of::<MapWork>(first)) {
+        return attractors::merge(arguments);
+    }
+    let Joined { work, task, records } = part::joined::<FamilyWork>(&arguments.parts)?;
+    let (FamilyWork { origin, .. }, (description, plan)) = (work, task);
     let folder = arguments.output.clone().unwrap_or_else(|| origin.folder());
     let edition = arguments.look.edition();
     folder::ensure_writable(&folder, &paths(&edition))?;

@@ -6,6 +6,7 @@
 
 mod archive;
 pub mod arguments;
+mod attractors;
 mod certify;
 mod claims;
 pub mod codecheck;
@@ -22,6 +23,7 @@ mod limits;
 pub mod new;
 mod oscillator;
 pub mod outputs;
+mod part;
 mod progress;
 mod project;
 mod report;
@@ -51,6 +53,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Command::Report(arguments) => report::run(arguments),
         Command::Unfold(arguments) if !arguments.vary.is_empty() => family::run(arguments),
         Command::Unfold(arguments) => unfold::run(arguments),
+        Command::Attractors(arguments) => attractors::run(arguments),
         Command::Explore(arguments) => explore::run(arguments),
         Command::Identify(arguments) => identify::run(arguments),
         Command::Merge(arguments) => family::merge(arguments),

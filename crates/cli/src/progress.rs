@@ -69,13 +69,16 @@ fn locked(tasks: &Mutex<Tasks>) -> MutexGuard<'_, Tasks> {
 impl Task {
     /// Reports how far it has come, in a line if it takes long.
     fn report(&self, what: &str, stop: &Stop, pause: Duration) {
-        // A number with one digit after the point is easier to follow than all digits.
-        let steps = format!("{:.1e} steps of integration", stop.steps() as f64);
+        // A number with one digit after the point is easier to follow than all digits; closed forms have none.
+        let steps = match stop.steps() {
+            0 => String::new(),
+            steps => format!(", {:.1e} steps of integration", steps as f64),
+        };
         match &self.bar {
-            Some(bar) => bar.set_prefix(steps),
+            Some(bar) => bar.set_prefix(steps.trim_start_matches(", ").to_owned()),
             None if self.began.elapsed() >= pause => {
                 let (done, all, time) = (self.done, self.all, self.began.elapsed().as_secs());
-                terminal::note(&format!("{what}: {done} of {all} after {time} s, {steps}"));
+                terminal::note(&format!("{what}: {done} of {all} after {time} s{steps}"));
             }
             None => {}
         }

@@ -1,13 +1,10 @@
 //! What `--vary` and `--part` say: the values of a constant, and a part of a family.
 
 use std::fmt::{self, Display};
-use std::ops::Range;
 use std::str::FromStr;
 
-use grazing_reproduction::family::{Plan, Varied};
+use grazing_reproduction::family::Varied;
 use serde::{Deserialize, Serialize};
-
-use crate::failure::Failure;
 
 /// More members than this make tables that nobody reads and files that fill a disk.
 pub(crate) const MOST_MEMBERS: usize = 1_000_000;
@@ -101,21 +98,5 @@ impl From<Part> for String {
 impl Display for Part {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(formatter, "{}/{}", self.part, self.parts)
-    }
-}
-
-impl Part {
-    /// The members that are in this part of a family.
-    ///
-    /// # Errors
-    /// There are more parts than members.
-    pub(crate) fn of(self, plan: &Plan) -> Result<Range<usize>, Failure> {
-        let count = plan.count();
-        if self.parts > count {
-            return Err(Failure::input(format!(
-                "--part {self}: the family has {count} members, so at most {count} parts are possible"
-            )));
-        }
-        Ok(plan.part(self.part, self.parts))
     }
 }

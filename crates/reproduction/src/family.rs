@@ -57,13 +57,6 @@ impl Plan {
     pub(crate) fn line(&self) -> usize {
         self.varied[0].values.len()
     }
-
-    /// The members of part `part` of `parts`, counted from 1: parts are as equal as can be, and
-    /// together they are all.
-    pub fn part(&self, part: usize, parts: usize) -> core::ops::Range<usize> {
-        let end = |part: usize| self.count() * part / parts;
-        end(part - 1)..end(part)
-    }
 }
 
 /// Why a member has nothing to unfold, in words.

@@ -2,6 +2,7 @@
 //! parameter file and the outputs of the program follow from that.
 
 pub mod beyond_atlas;
+pub mod beyond_attractors;
 pub mod beyond_cascade;
 pub mod beyond_loops;
 pub mod beyond_regions;
@@ -44,6 +45,7 @@ macro_rules! paper_figures {
             $make::<$crate::figures::beyond_atlas::BeyondAtlas>(),
             $make::<$crate::figures::beyond_loops::BeyondLoops>(),
             $make::<$crate::figures::beyond_regions::BeyondRegions>(),
+            $make::<$crate::figures::beyond_attractors::BeyondAttractors>(),
             $($($last,)+)?
         ]
     };

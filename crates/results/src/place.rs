@@ -90,15 +90,20 @@ impl AtPlace {
     }
 }
 
+/// The number of loops p of an MPS, 0 for motion without impacts in one period, from the periods after
+/// which it comes again and impacts in a period.
+pub fn loops(periods: f64, impacts: f64) -> Option<u32> {
+    match () {
+        () if impacts == 0.0 && periods == 1.0 => Some(0),
+        () if (periods * impacts - 1.0).abs() < 0.5 => Some(periods as u32),
+        () => None,
+    }
+}
+
 impl PlaceAttractor {
     /// The number of loops p of an MPS, 0 for motion without impacts in one period.
     pub fn loops(&self) -> Option<u32> {
-        let struck = self.periods * self.impacts;
-        match () {
-            () if self.impacts == 0.0 && self.periods == 1.0 => Some(0),
-            () if (struck - 1.0).abs() < 0.5 => Some(self.periods as u32),
-            () => None,
-        }
+        loops(self.periods, self.impacts)
     }
 
     /// What it is, in words.

@@ -143,6 +143,48 @@ fn long_orbit(oscillator: &AnyOscillator, start: State, horizon: Horizon) -> Lon
     if horizon.patience == Patience::Unsettled { orbit.judged(oscillator) } else { orbit }
 }
 
+/// An attractor in numbers alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen {
+    /// How many of the initial states come to it.
+    pub states: u32,
+    /// What it is.
+    pub fate: Fate,
+    /// The largest Lyapunov exponent.
+    pub exponent: Exponent,
+}
+
+/// What motion comes to from some states, in numbers alone: each attractor once, as far as they are
+/// told apart, in the order in which states come to them.
+///
+/// All are followed shortly first, and only what is like nothing that is known for as long as is said
+/// and until its exponent has converged: motion that has not settled shortly counts as irregular motion
+/// that is known.
+pub fn seen(oscillator: &AnyOscillator, states: &[State], horizon: Horizon) -> Vec<Seen> {
+    let mut found: Vec<(Outcome, Seen)> = Vec::new();
+    let shortly = Horizon { patience: Patience::Drifting, ..horizon };
+    for &start in states {
+        let mut orbit = LongOrbit::follow(oscillator, start, shortly);
+        for horizon in [None, Some(horizon)] {
+            if let Some(horizon) = horizon.filter(|_| orbit.fate.kind == MotionKind::Unsettled) {
+                orbit = LongOrbit::follow(oscillator, start, horizon);
+            }
+            let outcome = Outcome::at_end(oscillator, start, &orbit);
+            if let Some((_, known)) = found.iter_mut().find(|(known, _)| known.is_like(&outcome)) {
+                known.states += 1;
+                break;
+            }
+            if horizon.is_some() {
+                let orbit = orbit.judged(oscillator);
+                let exponent = orbit.exponent(oscillator);
+                found.push((outcome, Seen { states: 1, fate: orbit.fate, exponent }));
+                break;
+            }
+        }
+    }
+    found.into_iter().map(|(_, seen)| seen).collect()
+}
+
 /// What is kept of an orbit from a state, to be compared with others.
 struct Outcome {
     start: State,
@@ -155,14 +197,17 @@ struct Outcome {
 
 impl Outcome {
     fn of(oscillator: &AnyOscillator, start: State, horizon: Horizon) -> Self {
-        let orbit = long_orbit(oscillator, start, horizon);
+        Self::at_end(oscillator, start, &long_orbit(oscillator, start, horizon))
+    }
+
+    fn at_end(oscillator: &AnyOscillator, start: State, orbit: &LongOrbit) -> Self {
         let at_phase_zero = orbit.at_phase_zero(oscillator);
         let highest = orbit.cycle.and_then(|cycle| {
             let motion = oscillator.motion(cycle.from);
             motion.highest_maximum(f64::from(cycle.periods) * oscillator.forcing_period())
         });
         let highest = highest.map_or(f64::NAN, |top| top.position);
-        Self { start, fate: orbit.fate, impacts: orbit.impacts, at_phase_zero, highest }
+        Self { start, fate: orbit.fate, impacts: orbit.impacts.clone(), at_phase_zero, highest }
     }
 
     /// Whether it looks like another one.

@@ -1,5 +1,8 @@
 //! The outputs that `reproduce` writes: the figures and tables of the paper, and those beyond it.
 
+use std::error::Error;
+
+use grazing_drawing::SheetWidth;
 use grazing_reproduction::figures::fig07::Figure7;
 use grazing_reproduction::limits::LimitTable;
 use grazing_reproduction::parameters::ParameterError;
@@ -28,22 +31,33 @@ pub(crate) const fn figure<F: PaperFigure>() -> Output<Study> {
         ..Output::new(F::NAME, F::TITLE, F::TABLES, |output, study: &Study, width| {
             let section: F = study.parameters.section().map_err(StudyError::from)?;
             let shown = section.compute(study)?;
-            let constants: Vec<String> =
-                F::constants(study)?.iter().map(|(name, value)| format!("${name} = {value}$")).collect();
-            let remark =
-                if constants.is_empty() { String::new() } else { format!(" Here {}.", constants.join(", ")) };
-            let figure = Figure {
-                file: output.figure_file(),
-                sheet: F::draw(&shown, width)?,
-                caption: Caption { remark, ..output.caption() },
-                tables: output.table_names(),
-                only: None,
-            };
-            let Remarks { notes, gaps } = section.remarks(study, &shown)?;
-            let tables = shown.tables_as(output.tables, &Names::of_the_paper());
-            Ok(ComputedOutput { notes, gaps, ..ComputedOutput::new(vec![figure], tables) })
+            computed(output, &section, study, &shown, width)
         })
     }
+}
+
+/// What a figure of the paper shows, drawn and as tables.
+pub(crate) fn computed<F: PaperFigure>(
+    output: &Output<Study>,
+    section: &F,
+    study: &Study,
+    shown: &F::Shown,
+    width: SheetWidth,
+) -> Result<ComputedOutput, Box<dyn Error>> {
+    let constants: Vec<String> =
+        F::constants(study)?.iter().map(|(name, value)| format!("${name} = {value}$")).collect();
+    let remark =
+        if constants.is_empty() { String::new() } else { format!(" Here {}.", constants.join(", ")) };
+    let figure = Figure {
+        file: output.figure_file(),
+        sheet: F::draw(shown, width)?,
+        caption: Caption { remark, ..output.caption() },
+        tables: output.table_names(),
+        only: None,
+    };
+    let Remarks { notes, gaps } = section.remarks(study, shown)?;
+    let tables = shown.tables_as(output.tables, &Names::of_the_paper());
+    Ok(ComputedOutput { notes, gaps, ..ComputedOutput::new(vec![figure], tables) })
 }
 
 pub(crate) const COEFFICIENTS: Output<Study> = Output {

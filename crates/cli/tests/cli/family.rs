@@ -12,8 +12,8 @@ fn folder() -> TempDir {
     folder
 }
 
-/// The content of every file of a family.
-fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
+/// The content of every file of a family or a map.
+pub(crate) fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
     let content = |name: String| {
         let path = folder.join(&name);
         path.is_file().then(|| (name, fs::read(path).expect("it can be read")))

@@ -6,15 +6,11 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use crate::program::{DEFAULT, edited, empty_folder, grazing, listing, narrow_duffing, project, repository};
+use crate::program::{
+    edited, empty_folder, grazing, listing, narrow_duffing, project, quick_parameters, repository,
+};
 use grazing_cli::codecheck;
 use grazing_cli::outputs;
-
-/// The default parameters with little work for the attractor of Figure 2: what is tested here does
-/// not depend on it.
-fn quick_parameters() -> String {
-    edited(DEFAULT, "[fig02.attractor]", "amplitudes", "amplitudes = 5")
-}
 
 #[test]
 fn an_edition_for_a_journal_goes_to_its_own_folder_and_latex_includes_all_of_it() {

@@ -9,6 +9,7 @@ mod program;
 mod reading;
 
 mod archive;
+mod attractors;
 mod bad_input;
 mod claims;
 mod compare;

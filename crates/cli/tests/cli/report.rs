@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 use crate::browser::{Spot, assert_all_pass, checked, lost, sheets_of_paper};
-use crate::program::{DEFAULT, edited, empty_folder, grazing, listing, narrow_duffing, project, repository};
+use crate::program::{empty_folder, grazing, listing, narrow_duffing, project, quick_parameters, repository};
 use grazing_claims::ledger::Ledger;
 use grazing_cli::outputs;
 use grazing_cli::outputs::edition::Edition;
@@ -26,12 +26,6 @@ const MOST_SHEETS: usize = 60;
 /// Formulas of the paper as readers may write them, with the labels of their claims.
 const FORMULAS: [(&str, &str); 3] =
     [("eq:coeffsp", "eq:coeffsp"), (r"g_p(\delta)", "eq:gp"), ("gp(δ)", "eq:gp")];
-
-/// The default parameters with little work for the attractor of Figure 2: what is tested here does
-/// not depend on it.
-fn quick_parameters() -> String {
-    edited(DEFAULT, "[fig02.attractor]", "amplitudes", "amplitudes = 5")
-}
 
 /// The values of an attribute in the text.
 fn values<'a>(text: &'a str, attribute: &str) -> Vec<&'a str> {

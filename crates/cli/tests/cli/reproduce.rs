@@ -5,15 +5,9 @@ use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
 
 use crate::family::is_of_one_run;
-use crate::program::{DEFAULT, edited, grazing, listing, project};
+use crate::program::{grazing, listing, project, quick_parameters};
 use grazing_cli::outputs;
 use grazing_cli::outputs::edition::Edition;
-
-/// The default parameters with little work for the attractor of Figure 2: what is tested here does
-/// not depend on it.
-fn quick_parameters() -> String {
-    edited(DEFAULT, "[fig02.attractor]", "amplitudes", "amplitudes = 5")
-}
 
 #[test]
 fn the_whole_reproduction_passes_its_own_check_whatever_the_number_of_threads() {

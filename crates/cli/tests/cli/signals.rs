@@ -36,6 +36,18 @@ fn whoever_ends_claims_leaves_exit_code_three() {
 }
 
 #[test]
+fn a_map_that_is_interrupted_leaves_nothing() {
+    let folder = project(DEFAULT);
+    for part in [&["--output", "out"][..], &["--output", "out", "--part", "1/2"]] {
+        let line = [&["attractors", "--size", "2000x2000"], part].concat();
+        let (code, told) = sent("-INT", &DEFAULTS, folder.path(), &line);
+        assert_eq!(code, Some(3), "{told}");
+        assert!(told.ends_with("error: interrupted: what was not written yet is not written\n"), "{told}");
+        assert!(!folder.path().join("out").exists());
+    }
+}
+
+#[test]
 fn a_run_that_is_to_survive_its_terminal_does() {
     let folder = project(DEFAULT);
     let line = ["reproduce", "--only", "fig02", "--output", "out"];

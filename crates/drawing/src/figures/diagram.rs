@@ -2,7 +2,7 @@
 
 use grazing_continuation::bifurcation::CodimensionTwo;
 use grazing_results::Frame;
-use grazing_results::plane::{PlaneDiagram, PlanePoint, RegionKind};
+use grazing_results::plane::{PlaneDiagram, RegionKind};
 
 use crate::error::DrawingError;
 use crate::figures::look::Look;
@@ -14,7 +14,7 @@ use crate::ink::legend::Sample;
 use crate::ink::sheet::Sheet;
 use crate::ink::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, THIN_SECTION};
 use crate::plot::axes::{Heading, Panel, overhang, room_beside};
-use crate::plot::kinds::{Area, Trace, TraceOf, draw_curves, draw_ends, draw_points};
+use crate::plot::kinds::{Area, draw_curves, draw_ends, draw_points, shown_curves};
 use crate::plot::magnified::{OFF_TRIANGLE, letter, rectangle};
 use crate::plot::measured::draw_measured;
 use crate::plot::own::{draw_own, name_own};
@@ -153,30 +153,6 @@ fn by_area(shapes: &[(u32, Vec<Spot>)]) -> Vec<(u32, &[Spot])> {
     let mut sorted: Vec<(u32, &[Spot])> = shapes.iter().map(|(p, shape)| (*p, shape.as_slice())).collect();
     sorted.sort_by(|a, b| area(b.1).total_cmp(&area(a.1)));
     sorted
-}
-
-fn shown_curves(points: &[PlanePoint]) -> Vec<Trace> {
-    let place = |point: &PlanePoint| (point.kind, point.loops, point.n, point.arc);
-    points.chunk_by(|a, b| place(a) == place(b)).flat_map(traces).collect()
-}
-
-/// A curve, and those parts of it that are grazing of what is unstable.
-fn traces(points: &[PlanePoint]) -> impl Iterator<Item = Trace> {
-    let kind = points[0].kind;
-    let last = points.len() - 1;
-    let bounds = |index: usize| PlanePoint::bounds(points, index);
-    // What is dotted reaches to the points at which the line begins.
-    let dotted = |index: usize| (index.saturating_sub(1)..=last.min(index + 1)).any(|index| !bounds(index));
-    let shown = |of, drawn: &dyn Fn(usize) -> bool| {
-        let spot = |(index, point): (usize, &PlanePoint)| match point.admissible && drawn(index) {
-            true => (point.primary, point.secondary),
-            false => (f64::NAN, f64::NAN),
-        };
-        Trace { kind, of, points: points.iter().enumerate().map(spot).collect() }
-    };
-    let unstable = (0..=last).any(|index| !bounds(index));
-    let grazing = unstable.then(|| shown(TraceOf::UnstableGrazing, &dotted));
-    [shown(TraceOf::Bifurcation, &bounds)].into_iter().chain(grazing)
 }
 
 #[cfg(test)]

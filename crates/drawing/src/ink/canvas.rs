@@ -150,6 +150,18 @@ impl Canvas {
         });
     }
 
+    /// Likewise cells of a width and a height, without seams between them: each reaches a little over
+    /// those above and below.
+    pub(crate) fn cells(&self, corner: Spot, [across, up]: [f64; 2], data: &str, paint: Paint) {
+        let colour = hex(paint.colour);
+        self.draw_at(corner, |x, y| {
+            format!(
+                "<path transform=\"translate({x} {y}) scale({across} {up})\" d=\"{data}\" stroke=\"{colour}\" \
+                 stroke-width=\"1.06\" shape-rendering=\"crispEdges\"/>"
+            )
+        });
+    }
+
     /// A label with its baseline at the spot.
     ///
     /// # Errors

@@ -80,7 +80,8 @@ impl SheetWidth {
 
 /// Text, frames, and most lines.
 pub const BLACK: Colour = [0, 0, 0];
-pub(crate) const WHITE: Colour = [255, 255, 255];
+/// The ground, and rims of what must be told apart from anything.
+pub const WHITE: Colour = [255, 255, 255];
 const ORANGE: Colour = [240, 130, 0];
 /// Thin lines that only lead the eye.
 pub const GREY: Colour = [110, 110, 110];

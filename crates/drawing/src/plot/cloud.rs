@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
+use crate::geometry::sheet::Bounds;
 use crate::ink::legend::Sample;
-use crate::ink::style::{CLOUD, CLOUD_BIN};
+use crate::ink::style::{CLOUD, CLOUD_BIN, Colour, Paint};
 use crate::plot::axes::Panel;
 
 /// What a cloud shows.
@@ -33,6 +34,14 @@ pub fn draw_cloud(panel: &Panel<'_>, points: &[(f64, f64)]) {
             panel.canvas.bins(corner, CLOUD_BIN, &path_of_bins(&bins), *paint);
         }
     }
+}
+
+/// Fills cells (row, column) of a grid of so many columns and rows over the panel, rows counted from the
+/// top; cells must be sorted.
+pub fn draw_cells(panel: &Panel<'_>, [columns, rows]: [u32; 2], cells: &[(i64, i64)], colour: Colour) {
+    let Bounds { left, top, right, bottom } = panel.bounds;
+    let size = [(right - left) / f64::from(columns), (bottom - top) / f64::from(rows)];
+    panel.canvas.cells((left, top), size, &path_of_bins(cells), Paint::opaque(colour));
 }
 
 /// Path data that strokes each bin (row, column) by a horizontal line through its middle; bins must

@@ -3,7 +3,7 @@
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_results::kinds::{CurveLook, point_meaning, region_meaning};
-use grazing_results::plane::{RegionKind, RegionVertex, SpecialPoint};
+use grazing_results::plane::{PlanePoint, RegionKind, RegionVertex, SpecialPoint};
 
 use crate::error::DrawingError;
 use crate::geometry::sheet::{Bounds, Spot, along, length, near};
@@ -73,6 +73,31 @@ pub struct Trace {
     pub of: TraceOf,
     /// Its points; one that is NaN breaks it.
     pub points: Vec<(f64, f64)>,
+}
+
+/// The admissible points of curves, as lines.
+pub fn shown_curves(points: &[PlanePoint]) -> Vec<Trace> {
+    let place = |point: &PlanePoint| (point.kind, point.loops, point.n, point.arc);
+    points.chunk_by(|a, b| place(a) == place(b)).flat_map(traces).collect()
+}
+
+/// A curve, and those parts of it that are grazing of what is unstable.
+fn traces(points: &[PlanePoint]) -> impl Iterator<Item = Trace> {
+    let kind = points[0].kind;
+    let last = points.len() - 1;
+    let bounds = |index: usize| PlanePoint::bounds(points, index);
+    // What is dotted reaches to the points at which the line begins.
+    let dotted = |index: usize| (index.saturating_sub(1)..=last.min(index + 1)).any(|index| !bounds(index));
+    let shown = |of, drawn: &dyn Fn(usize) -> bool| {
+        let spot = |(index, point): (usize, &PlanePoint)| match point.admissible && drawn(index) {
+            true => (point.primary, point.secondary),
+            false => (f64::NAN, f64::NAN),
+        };
+        Trace { kind, of, points: points.iter().enumerate().map(spot).collect() }
+    };
+    let unstable = (0..=last).any(|index| !bounds(index));
+    let grazing = unstable.then(|| shown(TraceOf::UnstableGrazing, &dotted));
+    [shown(TraceOf::Bifurcation, &bounds)].into_iter().chain(grazing)
 }
 
 /// Draws curves, the wide grazing curve lowest, approximations on top of what they approximate;
@@ -150,7 +175,7 @@ impl Labels<'_> {
 
 /// Marks codimension-two points, resonances above the others; returns those that are seen, with the
 /// boxes that they take.
-pub(crate) fn draw_points<'a>(
+pub fn draw_points<'a>(
     panel: &Panel<'_>,
     labels: &mut Labels<'_>,
     points: &'a [SpecialPoint],

@@ -83,4 +83,36 @@ columns! {
     ROTATION_LOW = "x_low", "x", "1";
     /// greatest x
     ROTATION_HIGH = "x_high", "x", "1";
+    /// primary parameter at the first of places beside each other, the middle of its cell; the others follow in steps of the map
+    FIRST_PLACE = "{primary}", "{primary}", "{primary}";
+    /// so many places beside each other, at each of which the same attractors are seen
+    MAP_PLACES = "places", "", "1";
+    /// attractors seen at each of them from the fixed initial states: a lower bound of how many there are
+    ATTRACTORS_SEEN = "attractors", "", "1";
+    /// number of the attractor among these: a row for each
+    MAP_ATTRACTOR = "attractor", "", "1";
+    /// `non-impacting`, `periodic`: Newton's method leads from the motion to a periodic solution beside it whose multipliers lie inside the unit circle; `chaotic`: it
+    /// does not, and the exponent over 512 more forcing periods is more than four of its standard errors above 0; `unsettled`: nor is that so, as close to bifurcations;
+    /// `resting`: motion comes to rest at the wall, and is not followed on
+    MAP_MOTION = "motion", "", "1";
+    /// forcing periods after which it comes again; 0 if it does not
+    MAP_PERIODS = "periods", "", "1";
+    /// impacts in a forcing period; of motion that does not come again the mean over the places
+    MAP_IMPACTS = "impacts", "", "1";
+    /// least of the places' largest Lyapunov exponents; empty for periodic motion, where multipliers decide
+    LYAPUNOV_LEAST = "lyapunov_least", r"\lambda", "1/time";
+    /// greatest of them
+    LYAPUNOV_GREATEST = "lyapunov_greatest", r"\lambda", "1/time";
+    /// largest of their standard errors, each from eight parts of the time
+    LYAPUNOV_LARGEST_ERROR = "lyapunov_error", "", "1/time";
+    /// places in regions in which the p-loop solution is stable
+    MAP_IN_REGIONS = "in_regions", "", "1";
+    /// of these, places at which an initial state comes to it
+    MAP_SETTLED = "settled", "", "1";
+    /// of these, places at which none does: it has a basin there that all miss
+    MAP_UNSEEN = "unseen", "", "1";
+    /// places outside of all regions of the p-loop solution, of undecided ones too, and not within 1e-4 of the ranges of one, at which an initial state comes to it
+    MAP_UNEXPLAINED = "unexplained", "", "1";
+    /// `unseen`: in a region of the p-loop solution, and no initial state comes to it; `unexplained`: in none, and one does
+    MAP_REMARK = "remark", "", "1";
 }

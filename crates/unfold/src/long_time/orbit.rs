@@ -7,34 +7,22 @@ use nalgebra::Vector2;
 
 use super::cycle::{Cycle, MOST_IMPACTS, MOST_PERIODS, cycle_lengths, state_at};
 
-/// What motion comes to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MotionKind {
-    /// A periodic solution that does not reach the wall.
-    NonImpacting,
-    /// One with impacts.
-    Periodic,
-    /// Neither, as far as it was followed.
-    Unsettled,
-    /// Neither, with a Lyapunov exponent that is positive and has converged.
-    Chaotic,
-    /// It comes to rest at the wall for a while, or for good.
-    Resting,
-    /// It cannot be followed.
-    Escaping,
-}
-
-impl MotionKind {
-    /// In a word.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::NonImpacting => "non-impacting",
-            Self::Periodic => "periodic",
-            Self::Unsettled => "unsettled",
-            Self::Chaotic => "chaotic",
-            Self::Resting => "resting",
-            Self::Escaping => "escaping",
-        }
+grazing_results::words! {
+    /// What motion comes to.
+    #[derive(PartialOrd, Ord)]
+    MotionKind {
+        /// A periodic solution that does not reach the wall.
+        NonImpacting = "non-impacting",
+        /// One with impacts.
+        Periodic = "periodic",
+        /// Neither, as far as it was followed.
+        Unsettled = "unsettled",
+        /// Neither, with a Lyapunov exponent that is positive and has converged.
+        Chaotic = "chaotic",
+        /// It comes to rest at the wall for a while, or for good.
+        Resting = "resting",
+        /// It cannot be followed.
+        Escaping = "escaping",
     }
 }
 

@@ -114,6 +114,16 @@ pub(crate) fn edited(parameters: &str, section: &str, key: &str, line: &str) -> 
     format!("{}{line}{}", &parameters[..start], &parameters[end..])
 }
 
+/// The default parameters with little work for the attractor of Figure 2 and for the map: what is
+/// tested with them does not depend on it.
+pub(crate) fn quick_parameters() -> String {
+    let mut parameters = edited(DEFAULT, "[fig02.attractor]", "amplitudes", "amplitudes = 5");
+    for key in ["columns", "rows"] {
+        parameters = edited(&parameters, "[beyond_attractors]", key, &format!("{key} = 16"));
+    }
+    parameters
+}
+
 /// The Duffing oscillator of examples/ in ranges with a single resonance of p = 3 and without its
 /// one-parameter diagram, to save time.
 pub(crate) fn narrow_duffing() -> String {

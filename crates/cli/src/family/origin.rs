@@ -1,0 +1,87 @@
+//! Families as work that can be divided.
+
+use std::path::{Path, PathBuf};
+
+use grazing_description::Description;
+use grazing_model::smooth::Stop;
+use grazing_reproduction::family::{Plan, Record};
+use grazing_source::{Setting, Text};
+use serde::{Deserialize, Serialize};
+
+use super::plan;
+use crate::arguments;
+use crate::failure::Failure;
+use crate::part::Divided;
+use crate::variation::Variation;
+use crate::{folder, oscillator};
+
+/// The folder of the results, with a folder in it for each file.
+const RESULTS: &str = "families";
+/// Where an oscillator comes from: all that is needed to read it again.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Origin {
+    /// The file, as it was named.
+    pub(super) file: String,
+    text: String,
+    /// What was set over it, with the keys in full.
+    set: Vec<String>,
+    /// Numbers of loops in the place of the file's.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    loops: Option<Vec<u32>>,
+}
+
+impl Origin {
+    pub(super) fn new(file: &Path, arguments: &arguments::Unfold) -> Result<Self, Failure> {
+        let text = grazing_source::read_file(file).map_err(grazing_description::DescriptionError::from)?;
+        let set = oscillator::settings(&arguments.set).iter().map(ToString::to_string).collect();
+        Ok(Self { file: file.display().to_string(), text, set, loops: arguments.loops.clone() })
+    }
+
+    /// The oscillator with other values of constants, checked, until an end is asked for.
+    pub(super) fn description(&self, values: &[(&str, f64)], stop: &Stop) -> Result<Description, Failure> {
+        let given = self.set.iter().map(|setting| Ok(setting.parse::<Setting>()?));
+        let varied = values.iter().map(|(name, value)| {
+            let set = Setting::new(&format!("parameters.{name}"), *value);
+            set.map_err(|error| Failure::input(format!("--vary {name}: {error}")))
+        });
+        let settings = given.chain(varied).collect::<Result<Vec<_>, Failure>>()?;
+        let description = Description::parse_with(&Text::new(&self.text, &settings), &self.file, stop)?;
+        oscillator::with_loops(description, self.loops.as_deref())
+    }
+
+    /// The folder of the family, unless another one is named.
+    pub(super) fn folder(&self) -> PathBuf {
+        Path::new(RESULTS).join(folder::name_for(Path::new(&self.file)))
+    }
+}
+
+/// A family: an oscillator, and the constants that vary.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct FamilyWork {
+    pub(super) vary: Vec<Variation>,
+    pub(super) origin: Origin,
+}
+
+impl Divided for FamilyWork {
+    const IS: &'static str = "family";
+    const ITEMS: &'static str = "members";
+    const SAME: &'static str = "oscillator, settings, constants";
+    const COMMAND: &'static str = "unfold";
+    type Task = (Description, Plan);
+    type Record = Record;
+
+    fn task(&self) -> Result<Self::Task, Failure> {
+        let description = self.origin.description(&[], &Stop::default())?;
+        let plan = plan(&self.vary, &description)?;
+        Ok((description, plan))
+    }
+
+    fn count((_, plan): &Self::Task) -> usize {
+        plan.count()
+    }
+
+    fn fits((description, plan): &Self::Task, record: &Record, index: usize) -> bool {
+        record.fits(plan, index, description.loops())
+    }
+}

@@ -1,0 +1,244 @@
+//! Parts of work that outgrows a machine, as files that are merged.
+//!
+//! A family has members, a map has rows: items, each of which is computed without the others. A part
+//! holds the records of some of them, and what they are part of.
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use grazing_report::FileDigest;
+use grazing_source::shortened;
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+
+use crate::failure::Failure;
+use crate::folder::{self, OutputFile};
+use crate::variation::Part;
+use crate::versions;
+
+/// Work that can be divided: all that says what is to be computed.
+pub(crate) trait Divided: PartialEq + Serialize + DeserializeOwned {
+    /// What it is, in a word.
+    const IS: &'static str;
+    /// What its items are.
+    const ITEMS: &'static str;
+    /// What must be the same in all parts.
+    const SAME: &'static str;
+    /// What makes its parts.
+    const COMMAND: &'static str;
+    /// What is read from it, with which records are checked and put together.
+    type Task;
+    /// What is computed of an item.
+    type Record: Serialize + DeserializeOwned;
+
+    /// Reads it.
+    ///
+    /// # Errors
+    /// It is not right.
+    fn task(&self) -> Result<Self::Task, Failure>;
+
+    /// The number of items.
+    fn count(task: &Self::Task) -> usize;
+
+    /// Whether a record can be that of this item, whoever says so.
+    fn fits(task: &Self::Task, record: &Self::Record, index: usize) -> bool;
+}
+
+/// The items that are in a part: parts are as equal as can be, and together they are all.
+///
+/// # Errors
+/// There are more parts than items.
+pub(crate) fn items<W: Divided>(part: Part, count: usize) -> Result<Range<usize>, Failure> {
+    let end = |number: usize| count * number / part.parts;
+    if part.parts > count {
+        let (is, items) = (W::IS, W::ITEMS);
+        return Err(Failure::input(format!(
+            "--part {part}: the {is} has {count} {items}, so at most {count} parts are possible"
+        )));
+    }
+    Ok(end(part.part - 1)..end(part.part))
+}
+
+/// The folder of parts, in that of the results.
+const PARTS: &str = "parts";
+
+/// A part: everything that is needed to make tables and figures once all parts are there.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields, bound = "")]
+struct PartFile<W: Divided> {
+    /// The program that made it.
+    program: String,
+    /// What it is a part of.
+    of: String,
+    part: Part,
+    work: W,
+    #[serde(default = "Vec::new")]
+    records: Vec<W::Record>,
+}
+
+/// Where a part lies in the folder of the results.
+pub(crate) fn path(Part { part, parts }: Part) -> PathBuf {
+    let digits = parts.to_string().len();
+    Path::new(PARTS).join(format!("{part:0digits$}-of-{parts}.toml"))
+}
+
+/// The first line of a part: the digest of all that follows.
+const SEAL: &str = "sha256 = ";
+
+/// A text behind its digest.
+fn sealed(text: &str) -> String {
+    format!("{SEAL}\"{}\"\n{text}", FileDigest::of("", text.as_bytes()).sha256)
+}
+
+/// What stands behind its digest, if that is the digest of it, to the last bit.
+fn unsealed(content: &str) -> Option<&str> {
+    let (_, text) = content.split_once('\n')?;
+    (sealed(text) == content).then_some(text)
+}
+
+/// The file of a part with the records of its items.
+///
+/// # Errors
+/// It is too long to be read again.
+pub(crate) fn made<W: Divided>(part: Part, work: W, records: Vec<W::Record>) -> Result<OutputFile, Failure> {
+    let file = PartFile { program: versions::program(), of: W::IS.to_owned(), part, work, records };
+    let text = toml::to_string(&file).map_err(|error| Failure::incomplete(error.to_string()))?;
+    let content = sealed(&text).into_bytes();
+    if content.len() as u64 > folder::MOST_BYTES {
+        let (most, is) = (folder::MOST_BYTES, W::IS);
+        return Err(Failure::incomplete(format!(
+            "the part is longer than {most} bytes, which `merge` does not read: compute the {is} in more parts"
+        )));
+    }
+    Ok(OutputFile { path: path(part), content })
+}
+
+/// Whether a file says to be a part of such work.
+pub(crate) fn is_of<W: Divided>(path: &Path) -> bool {
+    let line = format!("of = \"{}\"", W::IS);
+    folder::read(path)
+        .is_ok_and(|content| content.split(|byte| *byte == b'\n').nth(2) == Some(line.as_bytes()))
+}
+
+impl<W: Divided> PartFile<W> {
+    /// Reads a part, which anybody may have written, as far as that can be told without the others.
+    fn read(path: &Path) -> Result<Self, String> {
+        let content = folder::read(path).map_err(|reason| format!("cannot be read: {reason}"))?;
+        let no_part = || format!("is no part of a {} as `{} --part` writes them", W::IS, W::COMMAND);
+        let content =
+            String::from_utf8(content).map_err(|_| format!("{}: it is not a text in UTF-8", no_part()))?;
+        if !content.starts_with(SEAL) {
+            return Err(format!("{}: it does not begin with `{SEAL}`", no_part()));
+        }
+        let text = unsealed(&content).ok_or(
+            "is damaged: it has not the digest that stands in its first line; copy it again, or compute it again",
+        )?;
+        let found: Self =
+            toml::from_str(text).map_err(|reason| format!("{}: {}", no_part(), reason.message()))?;
+        let (program, own) = (&found.program, versions::program());
+        if *program != own {
+            let program = shortened(program, 100);
+            return Err(format!(
+                "was made by {program}, and this is {own}: compute all parts with one program"
+            ));
+        }
+        Ok(found)
+    }
+
+    /// Whether what it holds fits the work.
+    fn check(&self, task: &W::Task) -> Result<(), Failure> {
+        let which = items::<W>(self.part, W::count(task))?;
+        let fits = |(record, index): (&W::Record, usize)| W::fits(task, record, index);
+        if self.records.len() != which.len() || !self.records.iter().zip(which).all(fits) {
+            let part = self.part;
+            return Err(Failure::input(format!(
+                "its records are not those of part {part}: compute it again with --part {part}"
+            )));
+        }
+        Ok(())
+    }
+}
+
+/// Work whose parts are all there.
+pub(crate) struct Joined<W: Divided> {
+    pub(crate) work: W,
+    pub(crate) task: W::Task,
+    pub(crate) records: Vec<W::Record>,
+}
+
+/// All parts as one.
+///
+/// # Errors
+/// One cannot be read, holds what does not fit, is of other work, is there twice, or is missing.
+pub(crate) fn joined<W: Divided>(paths: &[PathBuf]) -> Result<Joined<W>, Failure> {
+    let mut found: Vec<(&PathBuf, PartFile<W>)> = Vec::new();
+    let mut task = None;
+    for path in paths {
+        let refuse = |reason: String| Failure::input(format!("{}: {reason}", path.display()));
+        let part = PartFile::read(path).map_err(refuse)?;
+        let Part { part: number, parts: count } = part.part;
+        if let Some((first, other)) = found.first()
+            && (&part.work, count) != (&other.work, other.part.parts)
+        {
+            let (is, same) = (W::IS, W::SAME);
+            return Err(refuse(format!(
+                "is a part of another {is} than {}: {same} and number of parts must be the same",
+                first.display()
+            )));
+        }
+        if let Some((other, _)) = found.iter().find(|(_, other)| other.part == part.part) {
+            return Err(refuse(format!(
+                "is part {number} of {count}, as {} is: name each part once",
+                other.display()
+            )));
+        }
+        let known = task.take().map_or_else(|| part.work.task(), Ok);
+        let checked = known.and_then(|task| part.check(&task).map(|()| task));
+        task = Some(checked.map_err(|failure| refuse(failure.reason))?);
+        found.push((path, part));
+    }
+    let Some(task) = task else { return Err(Failure::input("no part is named")) };
+    found.sort_by_key(|(_, part)| part.part.part);
+    let count = found[0].1.part.parts;
+    if found.len() < count {
+        let is_there = |number: &usize| found.iter().any(|(_, part)| part.part.part == *number);
+        let missing = (1..=count).filter(|number| !is_there(number)).take(10);
+        let shown = missing.map(|number| number.to_string()).collect::<Vec<_>>().join(", ");
+        let missing = count - found.len();
+        let more = if missing > 10 { ", ..." } else { "" };
+        return Err(Failure::input(format!(
+            "{missing} of {count} parts are missing: {shown}{more}: compute them with --part K/{count}, and name them too"
+        )));
+    }
+    let (mut work, mut records) = (None, Vec::new());
+    for (_, part) in found {
+        work.get_or_insert(part.work);
+        records.extend(part.records);
+    }
+    let work = work.ok_or_else(|| Failure::input("no part is named"))?;
+    Ok(Joined { work, task, records })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_flipped_bit_and_no_missing_end_of_a_part_goes_unnoticed() {
+        let text = "part = \"1/2\"\n[[records]]\nindex = 0\nomega = 0.97811\n";
+        let whole = sealed(text);
+        assert_eq!(unsealed(&whole), Some(text));
+        for place in 0..whole.len() {
+            assert_eq!(unsealed(&whole[..place]), None, "cut off at {place}");
+            for bit in 0..8 {
+                let mut bytes = whole.clone().into_bytes();
+                bytes[place] ^= 1 << bit;
+                // What is no UTF-8 any more is refused before.
+                if let Ok(changed) = String::from_utf8(bytes) {
+                    assert_eq!(unsealed(&changed), None, "bit {bit} of byte {place}");
+                }
+            }
+        }
+        assert_eq!(unsealed(&(whole + "\n")), None);
+    }
+}
