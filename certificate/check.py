@@ -68,6 +68,11 @@ class Oscillator:
         whole = v + v * self.e**2 * (m11 * m22 - m12 * m21)
         return whole - trace, whole + trace
 
+    def limit(self, p, nu, which):
+        """The velocity at which a multiplier is 1 or -1: where the first or the second condition, linear in v, is zero."""
+        at_0, at_1 = (self.conditions(p, nu, v + 0 * nu)[which] for v in (0, 1))
+        return at_0 / (at_0 - at_1)
+
     def distance(self, nu, motion, turns):
         """-x, and its first three derivatives in θ; motion: h(0), h'(0)/ν + k h(0) and ε v + h'(0)."""
         h0, e0, swing = motion
@@ -196,10 +201,8 @@ class Line:
         require(all(c > 0 for c in changes) or all(c < 0 for c in changes), "crosses perhaps more than once")
 
     def limit(self, nu, u):
-        """The velocity at which a multiplier is 1, or -1 if that one is positive: where a condition, linear in v, is zero."""
-        which = 0 if self.o.free(self.all, arb(self.p))[1] < 0 else 1
-        at_0, at_1 = (self.o.conditions(self.p, nu, v + 0 * u)[which] for v in (0, 1))
-        return at_0 / (at_0 - at_1)
+        """The velocity at which a multiplier is 1, or -1 if that one is positive."""
+        return self.o.limit(self.p, nu, 0 if self.o.free(self.all, arb(self.p))[1] < 0 else 1)
 
     def check(self, width, amplitude):
         verdict = self.row["verdict"]
@@ -234,6 +237,38 @@ class Line:
             require(verdict == "undecided" and self.row["reason"], "verdict")
 
 
+def resonances(oscillator, rows, loops, lowest, highest):
+    """That every digit of these resonances is right, the hypotheses of Theorems 2.4 and 2.5 hold, and none is left out.
+    Coefficients are those of (omega - omega*)^2 in A - A_graz, along the motion at which a multiplier is 1 or -1."""
+    places = lambda p, n: arb(n) / 2 if p == 1 else n + arb(1) / (2 * p)
+    omegas = {(p, n): oscillator.omega_1 / places(p, n) for p in loops for n in range(int(p == 1), 200)}
+    require(all(omega < lowest for (p, n), omega in omegas.items() if n == 199), "a window with so many resonances")
+    within = {which for which, omega in omegas.items() if not (omega < lowest or omega > highest)}
+    require({(int(row["p"]), int(row["n"])) for row in rows} == within, "which resonances there are")
+    for row in rows:
+        p, n = int(row["p"]), int(row["n"])
+        nu = arb_series([places(p, n), 1])
+        omega, grazing = oscillator.omega_1 / nu, oscillator.grazing_square(nu).sqrt()
+        (low_0, high_0), (low, high) = (oscillator.conditions(p, nu, v + 0 * nu) for v in (0, 1))
+        plus, minus = (low_0 - low)[0], (high - high_0)[0]
+        (a, b, c, d), whole = oscillator.free(nu[0], arb(1)), oscillator.free(nu, arb(p))
+        delta, tau, sigma = a * d - b * c, a + d, whole[0][0]
+        q = sigma * oscillator.e
+        coefficients = []
+        for which in (0, 1):
+            h, g = oscillator.motion(p, nu, oscillator.limit(p, nu, which))
+            swing = g + oscillator.e * oscillator.limit(p, nu, which)
+            coefficients.append((oscillator.amplitude_square(nu, (h, None, swing)).sqrt() - grazing)[2] / omega[1]**2)
+        proved = (omega[0], grazing[0], plus, minus, *coefficients, minus * (1 - q) * (1 + 3 * sigma + 3 * q + sigma * q))
+        for name, value in zip(("omega_star", "amplitude_graz", "s_plus", "s_minus", "c_sn", "c_pd", "criticality"), proved):
+            text = row[name]
+            least, unit = abs(exact(text)), exact(Fraction(1, 10 ** len(text.partition(".")[2])))
+            value = -value if text.startswith("-") else value
+            require(least <= value <= least + unit, f"p = {p}, n = {n}: {name}")
+        hypotheses = 0 < delta < 1 and -1 - delta < tau < 1 + delta and plus != 0 and minus != 0 and whole[1][1] != 0
+        require(not row["not_shown"] and hypotheses and (p == 1 or b > 0), f"p = {p}, n = {n}: hypotheses")
+
+
 def checksum(text):
     total = 0
     for byte in text.encode():
@@ -246,9 +281,11 @@ def check(folder):
     text = (folder / "rows.csv").read_text()
     require(checksum(text) == int(statement["checksum"]), "rows.csv is not the file that statement.csv was written with")
     oscillator = Oscillator(exact(statement["zeta"]), exact(statement["epsilon"]))
+    loops, window = list(map(int, statement["loops"].split())), [exact(statement[f"omega_{x}"]) for x in ("lowest", "highest")]
+    resonances(oscillator, list(csv.DictReader(open(folder / "resonances.csv"))), loops, *window)
     lines = [Line(oscillator, row) for row in csv.DictReader(text.splitlines())]
     shares, passed = {}, 0
-    for p in map(int, statement["loops"].split()):
+    for p in loops:
         mine = [line for line in lines if line.p == p]
         require(exact(mine[0].left) <= oscillator.omega_1 / exact(statement["omega_highest"]), "window")
         require(exact(mine[-1].right) >= oscillator.omega_1 / exact(statement["omega_lowest"]), "window")

@@ -82,15 +82,11 @@ pub fn statement(statement: &Statement, rows: &str) -> String {
 
 /// `resonances.csv`: the digits of each number that are certain, and no more than twenty.
 pub fn resonances(resonances: &[Resonance]) -> String {
-    let mut text = "p,n,omega_star,amplitude_graz,s_plus,s_minus,c_sn,c_pd,not_shown\n".to_owned();
-    for resonance in resonances {
-        let Resonance { p, n, omega, amplitude, s_plus, s_minus, saddle_node, period_doubling, missing } =
-            resonance;
-        let missing = missing.join("; ");
-        let _ = writeln!(
-            text,
-            "{p},{n},{omega},{amplitude},{s_plus},{s_minus},{saddle_node},{period_doubling},{missing}"
-        );
+    let mut text =
+        "p,n,omega_star,amplitude_graz,s_plus,s_minus,c_sn,c_pd,criticality,not_shown\n".to_owned();
+    for found in resonances {
+        let numbers = found.numbers().map(|(_, number)| number.to_string()).join(",");
+        let _ = writeln!(text, "{},{},{numbers},{}", found.p, found.n, found.missing.join("; "));
     }
     text
 }

@@ -86,16 +86,24 @@ pub fn undecided_share(rows: &[Row]) -> f64 {
 
 /// What is proved of a resonance.
 pub fn resonance(resonance: &Resonance) -> Vec<String> {
-    let Resonance { p, n, omega, amplitude, s_plus, s_minus, saddle_node, period_doubling, missing } =
-        resonance;
+    let Resonance { p, n, criticality, missing, .. } = resonance;
     let theorem = if *p == 1 { "2.4" } else { "2.5" };
     let holds = if missing.is_empty() {
         format!("all hypotheses of Theorem {theorem} hold")
     } else {
         format!("NOT SHOWN of Theorem {theorem}: {}", missing.join(", "))
     };
-    let head = format!("p = {p}, n = {n}: omega* = {omega}, A_graz = {amplitude}; {holds}");
-    let values = [("c_SN", saddle_node), ("c_PD", period_doubling), ("s^+", s_plus), ("s^-", s_minus)];
-    let values = values.map(|(name, value)| format!("  {name} = {value}"));
-    iter::once(head).chain(values).collect()
+    let doubling = if criticality.is_negative() {
+        "negative: period doubling is supercritical next to the resonance (docs/beyond.md, 2)"
+    } else if criticality.is_positive() {
+        "positive: period doubling is subcritical next to the resonance (docs/beyond.md, 2)"
+    } else {
+        "its sign is NOT SHOWN: nothing is stated of criticality"
+    };
+    let numbers = resonance.numbers().map(|(name, number)| format!("  {name} = {number}"));
+    let [numbers @ .., criticality] = numbers;
+    iter::once(format!("p = {p}, n = {n}: {holds}"))
+        .chain(numbers)
+        .chain([format!("{criticality}, {doubling}")])
+        .collect()
 }
