@@ -88,9 +88,10 @@ impl Ball {
         exact.widened(Some(u128::from(last % d != 0)))
     }
 
-    /// All numbers from `lower` to `upper`.
-    pub fn between(lower: Self, upper: Self) -> Self {
-        let (lower, upper) = (lower.lower(), upper.upper());
+    /// All numbers of two balls, and between them.
+    pub fn between(a: Self, b: Self) -> Self {
+        let lower = a.lower().zip(b.lower()).map(|(a, b)| a.min(b));
+        let upper = a.upper().zip(b.upper()).map(|(a, b)| a.max(b));
         let middle = lower.zip(upper).and_then(|(lower, upper)| Some(lower.checked_add(upper)? >> 1));
         let radius = middle.zip(upper).map(|(middle, upper)| upper.abs_diff(middle) + 1);
         Self::new(middle, radius)
@@ -126,6 +127,11 @@ impl Ball {
     /// Whether all its numbers are negative.
     pub fn is_negative(self) -> bool {
         (-self).is_positive()
+    }
+
+    /// Whether zero is none of them.
+    pub fn is_not_zero(self) -> bool {
+        self.is_positive() || self.is_negative()
     }
 
     /// Whether all numbers of `other` lie in it.

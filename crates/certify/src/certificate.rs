@@ -36,7 +36,7 @@ pub fn rows(rows: &[Row]) -> String {
         let (mut turn, mut reason) = (String::new(), "");
         let (mut lower, mut upper, mut touch, mut clear) = (None, None, None, None);
         match verdict {
-            Verdict::Tube { lower: a, upper: b, touch: time, clearance } => {
+            Verdict::Tube { lower: a, upper: b, touch: time, clearance, .. } => {
                 (lower, upper, touch, clear) = (Some(a), Some(b), Some(time), Some(clearance));
             }
             Verdict::Edge { lower: a, clearance } => (lower, clear) = (Some(a), Some(clearance)),
@@ -68,13 +68,14 @@ pub fn checksum(text: &str) -> u64 {
     text.bytes().fold(0, |sum, byte| (sum * 257 + u128::from(byte)) % prime) as u64
 }
 
-/// `statement.csv`: constants and window, and the checksum of `rows.csv`.
-pub fn statement(statement: &Statement, rows: &str) -> String {
+/// `statement.csv`: constants and window, how many points are proved to exist where GZ curves end or
+/// meet, and the checksum of `rows.csv`.
+pub fn statement(statement: &Statement, points: usize, rows: &str) -> String {
     let Statement { zeta, epsilon, frequency: [lowest, highest], amplitude, loops } = statement;
     let loops: Vec<String> = loops.iter().map(u32::to_string).collect();
     format!(
         "name,value\nzeta,{zeta}\nepsilon,{epsilon}\nomega_lowest,{lowest}\nomega_highest,{highest}\n\
-         amplitude,{amplitude}\nwidth,1e-{WIDTH_PLACES}\nloops,{}\nchecksum,{}\n",
+         amplitude,{amplitude}\nwidth,1e-{WIDTH_PLACES}\nloops,{}\npoints,{points}\nchecksum,{}\n",
         loops.join(" "),
         checksum(rows),
     )

@@ -70,14 +70,13 @@ impl Resonance {
         let factor = if p == 1 { one } else { one + delta - tau };
         let saddle_node = unfolding * unfolding * factor * (two * beta * gamma * s_plus).inverse();
         let ratio = s_plus * s_minus.inverse();
-        let not_zero = |x: Ball| x.is_positive() || x.is_negative();
         let hypotheses = [
             ("(tau, delta) in T", (one - delta).is_positive() && (one + delta - tau).is_positive()),
             ("(tau, delta) in T", delta.is_positive() && (one + delta + tau).is_positive()),
             ("alpha > 0, or a_12 alpha > 0", if p == 1 { alpha } else { alpha * a_12 }.is_positive()),
-            ("beta, not zero", not_zero(beta)),
-            ("a_12' or kappa_p', not zero", not_zero(slope)),
-            ("s^+ and s^-, not zero", not_zero(s_plus) && not_zero(s_minus)),
+            ("beta, not zero", beta.is_not_zero()),
+            ("a_12' or kappa_p', not zero", slope.is_not_zero()),
+            ("s^+ and s^-, not zero", s_plus.is_not_zero() && s_minus.is_not_zero()),
             ("zeta", zeta.is_positive()),
         ];
         let missing = hypotheses.into_iter().filter(|(_, holds)| !holds).map(|(name, _)| name).collect();

@@ -74,6 +74,16 @@ pub struct Block {
     pub last: i64,
     /// A time, in turns, near which the distance is least.
     pub nearest: Witness<2>,
+    /// Whether motion may touch the wall in it.
+    pub open: bool,
+}
+
+impl Block {
+    /// The times of its cells, of which there are `cells` in a period.
+    pub fn times(&self, cells: i64) -> impl Iterator<Item = Ball> {
+        let ends = move |index| Ball::between(Ball::ratio(index, cells), Ball::ratio(index + 1, cells));
+        (self.first..=self.last).map(ends)
+    }
 }
 
 /// How it is shown that the motion with some velocity at impact stays off the wall between impacts:
@@ -104,6 +114,8 @@ pub enum Verdict {
         touch: Witness<2>,
         /// Why it is not at `lower`.
         clearance: Clearance,
+        /// Whether it may touch the wall at two times at once.
+        double: bool,
     },
     /// `lower < v_GZ`, the motion is stable at `lower`, and its amplitude is beyond the window.
     Edge {
@@ -138,6 +150,7 @@ impl Verdict {
     /// The word for it in the certificate.
     pub fn name(&self) -> &'static str {
         match self {
+            Self::Tube { double: true, .. } => "double",
             Self::Tube { .. } => "tube",
             Self::Edge { .. } => "edge",
             Self::Empty { .. } => "empty",

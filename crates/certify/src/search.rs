@@ -19,6 +19,8 @@ pub struct Goal {
 
 /// Intervals at most `2^-FINE` wide may hold a codimension-two point.
 const FINE: u32 = 24;
+/// A velocity above a stability limit, beyond contact in a fine interval, is greater by the factor `1 + 2^-ABOVE`.
+const ABOVE: u32 = 12;
 /// Cells in a period that are tried.
 const CELLS: [i64; 3] = [64, 256, 1024];
 
@@ -163,10 +165,10 @@ impl<'a> Attempt<'a> {
         self.sights.iter().all(condition)
     }
 
-    /// Clearance at a velocity, whose values at the sights are given also.
+    /// Clearance at velocities, whose values at the sights are given also.
     fn clearance(
         &self,
-        velocity: &Velocity,
+        velocities: [&Velocity; 2],
         values: [f64; 3],
         cells: i64,
         crossing: bool,
@@ -174,12 +176,7 @@ impl<'a> Attempt<'a> {
         let guess = |first: i64, last: i64| {
             self.nearest(values, [first, last + 1].map(|cell| cell as f64 / cells as f64))
         };
-        self.model.clearance(velocity, cells, guess, crossing)
-    }
-
-    /// Clearance with the first number of cells that is enough.
-    fn cleared(&self, lower: Witness<3>, values: [f64; 3]) -> Option<Clearance> {
-        CELLS.into_iter().find_map(|cells| self.clearance(&Velocity::Witness(lower), values, cells, false))
+        self.model.clearance(velocities, cells, guess, crossing)
     }
 
     /// The verdict, if one can be proved at this width.
@@ -227,9 +224,10 @@ impl<'a> Attempt<'a> {
         }
         let lower = self.quadratic(values);
         let velocity = Velocity::Witness(lower);
-        let proved =
-            self.model.stable(&velocity) && self.model.amplitude_beyond(&velocity, self.goal.amplitude);
-        let clearance = proved.then(|| self.cleared(lower, values))??;
+        let beyond = (self.model.amplitude(&velocity) - self.goal.amplitude).is_positive();
+        let proved = beyond && self.model.stable(&velocity);
+        let clear = |cells| self.clearance([&velocity; 2], values, cells, false);
+        let clearance = proved.then(|| CELLS.into_iter().find_map(clear))??;
         Some(Verdict::Edge { lower, clearance })
     }
 
@@ -243,20 +241,30 @@ impl<'a> Attempt<'a> {
         let [lower, upper] =
             [-half_width, half_width].map(|offset| self.quadratic(values.map(|value| value + offset)));
         let touch = self.line(self.at_sights(|sight| sight.touch));
-        let proved = self.model.stable(&Velocity::Witness(lower))
-            && self.model.beyond(&Velocity::Witness(upper), touch);
+        let velocities = [lower, upper].map(Velocity::Witness);
+        let proved = self.model.stable(&velocities[0]) && self.model.beyond(&velocities[1], touch);
         let values = values.map(|value| value - half_width);
-        let clearance = proved.then(|| self.cleared(lower, values))??;
-        Some(Verdict::Tube { lower, upper, touch, clearance })
+        let clear = |cells| {
+            let clearance = self.clearance(velocities.each_ref(), values, cells, false)?;
+            let open: Vec<_> = clearance.blocks.iter().filter(|block| block.open).collect();
+            let double = match open[..] {
+                [_] => false,
+                [one, two] => self.model.changes_contact_once([one, two], cells).then_some(true)?,
+                _ => return None,
+            };
+            Some(Verdict::Tube { lower, upper, touch, clearance, double })
+        };
+        proved.then(|| CELLS.into_iter().find_map(clear))?
     }
 
     fn crossing(&self) -> Option<Verdict> {
-        let limit =
-            if self.sights[1].family.b > 0.0 { Velocity::SaddleNode } else { Velocity::PeriodDoubling };
+        let factors = [Ball::ONE, Ball::ONE + Ball::dyadic(1, ABOVE)];
+        let limits = factors.map(|factor| self.model.limit(factor));
         CELLS.into_iter().find_map(|cells| {
             let values = self.at_sights(|sight| sight.limit);
-            let clearance = self.clearance(&limit, values, cells, true)?;
-            self.model.crosses_once(&limit, &clearance).then_some(Verdict::Crossing { clearance })
+            let clearance = self.clearance(limits.each_ref(), values, cells, true)?;
+            let proved = self.model.crosses_once(limits.each_ref(), &clearance);
+            proved.then_some(Verdict::Crossing { clearance })
         })
     }
 

@@ -58,20 +58,24 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
         terminal::say(&(summary::resonance(resonance).join("\n") + "\n"));
         printed(&statement, published, resonance).iter().for_each(|line| terminal::say(line));
     }
-    for &p in &statement.loops {
-        let rows: Vec<_> = rows.iter().filter(|row| row.interval.p == i64::from(p)).cloned().collect();
-        terminal::say(&format!("\np = {p}\n"));
-        summary::regions(&oscillator, &rows).iter().for_each(|line| terminal::say(&format!("  {line}\n")));
+    let stretches = summary::stretches(&oscillator, &rows);
+    for stretches in stretches.chunk_by(|a, b| a.rows[0].interval.p == b.rows[0].interval.p) {
+        terminal::say(&format!("\np = {}\n", stretches[0].rows[0].interval.p));
+        for stretch in stretches {
+            terminal::say(&format!("  {}\n", summary::sentence(&oscillator, stretch)));
+        }
     }
+    let points = stretches.iter().filter(|stretch| stretch.exactly_one).count();
     let share = summary::undecided_share(&rows);
     terminal::say(&format!(
-        "\n{} intervals; tubes around GZ curves are at most 1e-{} of A wide; {share:.1e} of nu is undecided.\n",
+        "\n{} intervals; tubes around GZ curves are at most 1e-{} of A wide; {points} points where these end or meet, no others; {share:.1e} of nu is undecided.\n",
         rows.len(),
         grazing_certify::WIDTH_PLACES,
     ));
 
     let rows = certificate::rows(&rows);
-    let contents = [certificate::statement(&statement, &rows), certificate::resonances(&resonances), rows];
+    let contents =
+        [certificate::statement(&statement, points, &rows), certificate::resonances(&resonances), rows];
     let files: Vec<OutputFile> = names
         .into_iter()
         .zip(contents)
