@@ -18,6 +18,10 @@ class Refused(Exception):
     pass
 
 
+FILES = ("statement.csv", "resonances.csv", "rows.csv")
+FAILURES = (Refused, KeyError, ValueError, IndexError, ZeroDivisionError)
+
+
 def require(condition, what):
     if not condition:
         raise Refused(what)
@@ -251,9 +255,10 @@ class Line:
             require(verdict == "undecided" and self.row["reason"], "verdict")
 
 
-def resonances(oscillator, rows, loops, lowest, highest):
+def resonances(oscillator, text, loops, lowest, highest):
     """That every digit of these resonances is right, the hypotheses of Theorems 2.4 and 2.5 hold, and none is left out.
     Coefficients are those of (omega - omega*)^2 in A - A_graz, along the motion at which a multiplier is 1 or -1."""
+    rows = list(csv.DictReader(text.splitlines()))
     places = lambda p, n: arb(n) / 2 if p == 1 else n + arb(1) / (2 * p)
     omegas = {(p, n): oscillator.omega_1 / places(p, n) for p in loops for n in range(int(p == 1), 200)}
     require(all(omega < lowest for (p, n), omega in omegas.items() if n == 199), "a window with so many resonances")
@@ -306,14 +311,15 @@ def points_of(lines):
                 apart(side[0], first[two]) and apart(side[1], last[1 - two]) for two in (0, 1))
 
 
-def check(folder):
-    statement = dict(row for row in csv.reader(open(folder / "statement.csv")))
-    text = (folder / "rows.csv").read_text()
-    require(checksum(text) == int(statement["checksum"]), "rows.csv is not the file that statement.csv was written with")
+def check(files):
+    stated, resonances_text, rows_text = (files[name] for name in FILES)
+    statement = dict(csv.reader(stated.splitlines()))
+    whole = stated[:stated.rindex("checksum")] + resonances_text + rows_text
+    require(checksum(whole) == int(statement["checksum"]), "a file is not what the checksum was taken of")
     oscillator = Oscillator(exact(statement["zeta"]), exact(statement["epsilon"]))
     loops, window = list(map(int, statement["loops"].split())), [exact(statement[f"omega_{x}"]) for x in ("lowest", "highest")]
-    resonances(oscillator, list(csv.DictReader(open(folder / "resonances.csv"))), loops, *window)
-    lines = [Line(oscillator, row) for row in csv.DictReader(text.splitlines())]
+    resonances(oscillator, resonances_text, loops, *window)
+    lines = [Line(oscillator, row) for row in csv.DictReader(rows_text.splitlines())]
     shares, passed, points = {}, 0, 0
     for p in loops:
         mine = [line for line in lines if line.p == p]
@@ -335,9 +341,10 @@ def check(folder):
 
 
 if __name__ == "__main__":
+    folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent)
     try:
-        passed, points, shares = check(pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent))
-    except (Refused, KeyError, ValueError, IndexError, ZeroDivisionError) as why:
+        passed, points, shares = check({name: (folder / name).read_text() for name in FILES})
+    except FAILURES as why:
         sys.exit(f"refused: {why}")
     for (p, verdict), share in sorted(shares.items()):
         print(f"p = {p}: {verdict:9} {float(share):.9f} of nu")

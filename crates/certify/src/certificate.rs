@@ -69,16 +69,16 @@ pub fn checksum(text: &str) -> u64 {
 }
 
 /// `statement.csv`: constants and window, how many points are proved to exist where GZ curves end or
-/// meet, and the checksum of `rows.csv`.
-pub fn statement(statement: &Statement, points: usize, rows: &str) -> String {
+/// meet, and a checksum of all that is in the three files.
+pub fn statement(statement: &Statement, points: usize, resonances: &str, rows: &str) -> String {
     let Statement { zeta, epsilon, frequency: [lowest, highest], amplitude, loops } = statement;
     let loops: Vec<String> = loops.iter().map(u32::to_string).collect();
-    format!(
+    let stated = format!(
         "name,value\nzeta,{zeta}\nepsilon,{epsilon}\nomega_lowest,{lowest}\nomega_highest,{highest}\n\
-         amplitude,{amplitude}\nwidth,1e-{WIDTH_PLACES}\nloops,{}\npoints,{points}\nchecksum,{}\n",
+         amplitude,{amplitude}\nwidth,1e-{WIDTH_PLACES}\nloops,{}\npoints,{points}\n",
         loops.join(" "),
-        checksum(rows),
-    )
+    );
+    format!("{stated}checksum,{}\n", checksum(&(stated.clone() + resonances + rows)))
 }
 
 /// `resonances.csv`: the digits of each number that are certain, and no more than twenty.

@@ -73,9 +73,9 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
         grazing_certify::WIDTH_PLACES,
     ));
 
-    let rows = certificate::rows(&rows);
-    let contents =
-        [certificate::statement(&statement, points, &rows), certificate::resonances(&resonances), rows];
+    let (rows, numbers) = (certificate::rows(&rows), certificate::resonances(&resonances));
+    let stated = certificate::statement(&statement, points, &numbers, &rows);
+    let contents = [stated, numbers, rows];
     let files: Vec<OutputFile> = names
         .into_iter()
         .zip(contents)
