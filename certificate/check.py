@@ -246,7 +246,7 @@ class Line:
             require(0 < self.number("turn") < self.p, "turn")
             self.beyond(lambda nu, u: 1 + 0 * u, lambda nu, u: self.number("turn") + 0 * u, 1)
         elif verdict == "crossing":
-            require(self.range(lambda nu, u: (self.limit(nu, u),), (0,))[0] > 0, "no limit")
+            require(self.range(lambda nu, u: (self.limit(nu, u),), (0,))[0] > 0 and self.o.free(self.all, arb(self.p))[1] != 0, "no limit")
             above = lambda nu, u: self.limit(nu, u) * (1 + arb(2) ** -12)
             n, self.open = self.clear(self.limit, above, True)
             require(len(self.open) == 1 and self.changes(self.limit, self.open[0], n, lambda time: 1) != 0, "crosses perhaps twice")

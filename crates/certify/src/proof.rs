@@ -73,10 +73,10 @@ impl<'a> Model<'a> {
         Self { oscillator, interval, at_origin: at(interval.origin()), over_all: at(interval.all()) }
     }
 
-    /// The velocity above which motion is stable, times a factor.
-    pub fn limit(&self, factor: Ball) -> Velocity {
-        let [b, ..] = self.over_all.family.b.0;
-        if b.is_positive() { Velocity::SaddleNode(factor) } else { Velocity::PeriodDoubling(factor) }
+    /// The velocity above which motion is stable at one ν, times a factor.
+    pub fn limit(&self, nu: Ball, factor: Ball) -> Velocity {
+        let saddle_node = self.oscillator.family(self.interval.p, nu).b.is_positive();
+        if saddle_node { Velocity::SaddleNode(factor) } else { Velocity::PeriodDoubling(factor) }
     }
 
     /// What functions of ν may be anywhere in the interval. Each comes with its order: how often it
@@ -268,13 +268,16 @@ impl<'a> Model<'a> {
     /// every time of a block, and a little above the limit motion is beyond the wall in it.
     pub fn crosses_once(&self, [limit, above]: [&Velocity; 2], clearance: &Clearance) -> bool {
         let [block] = clearance.blocks.as_slice() else { return false };
-        let [velocity] = self.range(|at| [(at.velocity(limit), 1)]);
+        let [velocity, b] = self.range(|at| [(at.velocity(limit), 1), (at.family.b, 1)]);
         let motion = self.over_all.motion(limit);
         let change = block
             .times(clearance.cells)
             .map(|time| self.oscillator.distance(&motion, time.into())[0].0[1])
             .reduce(Ball::between);
-        velocity.is_positive() && change.is_some_and(Ball::is_not_zero) && self.beyond(above, block.nearest)
+        velocity.is_positive()
+            && b.is_not_zero()
+            && change.is_some_and(Ball::is_not_zero)
+            && self.beyond(above, block.nearest)
     }
 
     /// Where motion may touch the wall in two blocks: whether it does so at one ν at most. In each

@@ -41,6 +41,11 @@ impl Interval {
         [0, 1].map(|end| Ball::dyadic((self.left + end).into(), self.level))
     }
 
+    /// Its middle.
+    pub fn middle(self) -> Ball {
+        Self { base: Base::Middle, ..self }.origin()
+    }
+
     /// Its base.
     pub fn origin(self) -> Ball {
         Ball::dyadic(i128::from(2 * self.left + self.base as i64), self.level + 1)

@@ -259,7 +259,7 @@ impl<'a> Attempt<'a> {
 
     fn crossing(&self) -> Option<Verdict> {
         let factors = [Ball::ONE, Ball::ONE + Ball::dyadic(1, ABOVE)];
-        let limits = factors.map(|factor| self.model.limit(factor));
+        let limits = factors.map(|factor| self.model.limit(self.interval.middle(), factor));
         CELLS.into_iter().find_map(|cells| {
             let values = self.at_sights(|sight| sight.limit);
             let clearance = self.clearance(limits.each_ref(), values, cells, true)?;

@@ -54,7 +54,8 @@ pub struct Stretch<'a> {
 impl Stretch<'_> {
     /// What a point is called; nothing for others.
     pub fn point(&self, oscillator: &Oscillator) -> Option<&'static str> {
-        let limit = Model::new(oscillator, self.rows[0].interval).limit(Ball::ONE);
+        let interval = self.rows[0].interval;
+        let limit = Model::new(oscillator, interval).limit(interval.middle(), Ball::ONE);
         match (self.kind, limit) {
             (Kind::Double, _) => Some("GZ-GZ"),
             (Kind::Crossing, Velocity::SaddleNode(_)) => Some("SN-GZ"),
@@ -94,7 +95,7 @@ pub fn stretches<'a>(oscillator: &Oscillator, rows: &'a [Row]) -> Vec<Stretch<'a
             let model = Model::new(oscillator, row.interval);
             let velocities = match row.verdict {
                 Verdict::Tube { lower, upper, .. } => [lower, upper].map(Velocity::Witness),
-                _ => [model.limit(Ball::ONE); 2],
+                _ => [model.limit(row.interval.middle(), Ball::ONE); 2],
             };
             let [a, b] = velocities.map(|velocity| model.amplitude(&velocity));
             Ball::between(a, b)
