@@ -54,6 +54,8 @@ impl Ball {
     pub const ZERO: Self = Self { middle: 0, radius: 0 };
     /// One.
     pub const ONE: Self = Self { middle: ONE as i128, radius: 0 };
+    /// 1 + 2⁻¹².
+    pub const A_LITTLE_ABOVE_ONE: Self = Self { middle: (ONE + (ONE >> 12)) as i128, radius: 0 };
     /// Of which nothing is known.
     pub const ANY: Self = Self { middle: 0, radius: u128::MAX };
     /// π = 16 arctan(1/5) − 4 arctan(1/239).

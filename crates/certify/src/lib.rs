@@ -30,6 +30,10 @@ pub const WIDTH_PLACES: u32 = 6;
 const COARSEST: u32 = 6;
 const FINEST: u32 = 32;
 
+/// How much is tried within one of the coarsest intervals at most, in periods cut into 64 cells. Figure 7
+/// needs less than half of it.
+const MOST_WORK: usize = 4_000;
+
 /// The intervals that cover the window, in order, with what is proved of each. `step` is called when
 /// one of so many parts is done; `begin` is told before how many there are.
 pub fn prove(
@@ -56,7 +60,7 @@ pub fn prove(
     intervals
         .into_par_iter()
         .flat_map_iter(|interval| {
-            let rows = rows(oscillator, interval, goal);
+            let rows = rows(oscillator, interval, goal, MOST_WORK);
             step();
             rows
         })

@@ -1,5 +1,7 @@
 //! Finds, in floating point, the rows and witnesses that [`Model`] then proves.
 
+use core::cell::Cell;
+
 use crate::ball::Ball;
 use crate::orbit::{Family, Motion, Oscillator};
 use crate::proof::{Model, Velocity};
@@ -19,8 +21,6 @@ pub struct Goal {
 
 /// Intervals at most `2^-FINE` wide may hold a codimension-two point.
 const FINE: u32 = 24;
-/// A velocity above a stability limit, beyond contact in a fine interval, is greater by the factor `1 + 2^-ABOVE`.
-const ABOVE: u32 = 12;
 /// Cells in a period that are tried.
 const CELLS: [i64; 3] = [64, 256, 1024];
 
@@ -108,6 +108,8 @@ struct Attempt<'a> {
     interval: Interval,
     goal: Goal,
     sights: [Sight; 3],
+    /// What it has cost, in the smallest number of cells.
+    work: Cell<usize>,
 }
 
 impl<'a> Attempt<'a> {
@@ -117,7 +119,14 @@ impl<'a> Attempt<'a> {
         // Three Chebyshev nodes.
         let sights = [-0.75f64.sqrt(), 0.0, 0.75f64.sqrt()]
             .map(|node| Sight::new(oscillator, interval.p, middle + node * half));
-        Self { oscillator, model: Model::new(oscillator, interval), interval, goal, sights }
+        Self {
+            oscillator,
+            model: Model::new(oscillator, interval),
+            interval,
+            goal,
+            sights,
+            work: Cell::new(1),
+        }
     }
 
     /// The quadratic through values at the three nodes; at a resonance, where they vanish, the line.
@@ -173,6 +182,7 @@ impl<'a> Attempt<'a> {
         cells: i64,
         crossing: bool,
     ) -> Option<Clearance> {
+        self.work.update(|work| work + (cells / CELLS[0]) as usize);
         let guess = |first: i64, last: i64| {
             self.nearest(values, [first, last + 1].map(|cell| cell as f64 / cells as f64))
         };
@@ -258,7 +268,7 @@ impl<'a> Attempt<'a> {
     }
 
     fn crossing(&self) -> Option<Verdict> {
-        let factors = [Ball::ONE, Ball::ONE + Ball::dyadic(1, ABOVE)];
+        let factors = [Ball::ONE, Ball::A_LITTLE_ABOVE_ONE];
         let limits = factors.map(|factor| self.model.limit(self.interval.middle(), factor));
         CELLS.into_iter().find_map(|cells| {
             let values = self.at_sights(|sight| sight.limit);
@@ -280,13 +290,10 @@ impl<'a> Attempt<'a> {
     }
 }
 
-/// How many intervals within one of the coarsest are tried at most. Figure 7 needs 400.
-const MOST_ATTEMPTS: usize = 4_000;
-
-/// The rows that tile an interval.
-pub fn rows(oscillator: &Oscillator, interval: Interval, goal: Goal) -> Vec<Row> {
-    let (mut rows, mut left) = (Vec::new(), MOST_ATTEMPTS);
-    tile(oscillator, interval, goal, &mut rows, &mut left);
+/// The rows that tile an interval, of which with so much work at most.
+pub fn rows(oscillator: &Oscillator, interval: Interval, goal: Goal, mut work: usize) -> Vec<Row> {
+    let mut rows = Vec::new();
+    tile(oscillator, interval, goal, &mut rows, &mut work);
     rows
 }
 
@@ -295,19 +302,19 @@ fn tile(oscillator: &Oscillator, interval: Interval, goal: Goal, rows: &mut Vec<
     if *left == 0 {
         return undecided("too many intervals were tried beside it");
     }
-    *left -= 1;
-    let attempt = Attempt::new(oscillator, interval, goal);
-    if let Some(verdict) = attempt.verdict() {
-        return rows.push(Row { interval, verdict });
-    }
+    let mut tried = |interval| {
+        let attempt = Attempt::new(oscillator, interval, goal);
+        let verdict = attempt.verdict();
+        *left = left.saturating_sub(attempt.work.get());
+        (attempt.reason(), verdict.map(|verdict| Row { interval, verdict }))
+    };
+    let (reason, mut row) = tried(interval);
     if let Some(base) = interval.resonance().filter(|_| interval.p > 1 && interval.level >= FINE) {
-        let interval = Interval { base, ..interval };
-        if let Some(verdict) = Attempt::new(oscillator, interval, goal).verdict() {
-            return rows.push(Row { interval, verdict });
-        }
+        row = row.or_else(|| tried(Interval { base, ..interval }).1);
     }
-    if interval.level >= goal.finest {
-        return undecided(attempt.reason());
+    match row {
+        Some(row) => rows.push(row),
+        None if interval.level >= goal.finest => undecided(reason),
+        None => interval.halves().into_iter().for_each(|half| tile(oscillator, half, goal, rows, left)),
     }
-    interval.halves().into_iter().for_each(|half| tile(oscillator, half, goal, rows, left));
 }

@@ -65,6 +65,20 @@ impl Stretch<'_> {
     }
 }
 
+/// Where stable motion begins at one ν, and the two sides of the tube in which it ends, in amplitude;
+/// the second beyond the window at its edge, nothing where there is none.
+pub fn ends(oscillator: &Oscillator, row: &Row, nu: Ball) -> Option<[Ball; 3]> {
+    let model = Model::new(oscillator, row.interval);
+    let limit = model.limit(nu, Ball::ONE);
+    let [lower, upper] = match row.verdict {
+        Verdict::Tube { lower, upper, .. } => [lower, upper].map(Velocity::Witness),
+        Verdict::Edge { lower, .. } => [Velocity::Witness(lower); 2],
+        Verdict::Crossing { .. } => [limit, model.limit(nu, Ball::A_LITTLE_ABOVE_ONE)],
+        Verdict::Empty { .. } | Verdict::Blocked { .. } | Verdict::Undecided(_) => return None,
+    };
+    Some([limit, lower, upper].map(|velocity| model.amplitude_at(nu, &velocity)))
+}
+
 /// The stretches, by decreasing frequency for each number of loops.
 pub fn stretches<'a>(oscillator: &Oscillator, rows: &'a [Row]) -> Vec<Stretch<'a>> {
     let same = |a: &Row, b: &Row| a.interval.p == b.interval.p && Kind::of(a) == Kind::of(b);

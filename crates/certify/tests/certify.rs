@@ -179,22 +179,13 @@ fn row_at(p: i64, nu: Ball) -> &'static Row {
     row.expect("the window is covered")
 }
 
-/// Where stable motion begins, and the two sides of the tube in which it ends, in amplitude; nothing
-/// where there is none.
+/// Where stable motion is proved to begin, and the two sides of the tube in which it ends, in amplitude.
 fn proved(p: i64, omega: f64) -> Option<[f64; 3]> {
     let nu = OSCILLATOR.omega_1 * Ball::from(omega).inverse();
     let row = row_at(p, nu);
-    let model = Model::new(&OSCILLATOR, row.interval);
-    let at = |velocity: &Velocity| model.amplitude_at(nu, velocity).to_f64();
-    let limit = at(&model.limit(nu, Ball::ONE));
-    match row.verdict {
-        Verdict::Tube { lower, upper, .. } => {
-            Some([limit, at(&Velocity::Witness(lower)), at(&Velocity::Witness(upper))])
-        }
-        Verdict::Edge { lower, .. } => Some([limit, at(&Velocity::Witness(lower)), f64::INFINITY]),
-        Verdict::Crossing { .. } => Some([limit, limit, at(&model.limit(nu, Ball::from(1.0 + 1e-3)))]),
-        Verdict::Empty { .. } | Verdict::Blocked { .. } | Verdict::Undecided(_) => None,
-    }
+    let [begins, lower, upper] = summary::ends(&OSCILLATOR, row, nu)?.map(Ball::to_f64);
+    let edge = matches!(row.verdict, Verdict::Edge { .. });
+    Some([begins, lower, if edge { f64::INFINITY } else { upper }])
 }
 
 /// What continuation's rounding may add to a number of Figure 7.
