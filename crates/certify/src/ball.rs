@@ -99,6 +99,11 @@ impl Ball {
         Self::new(middle, radius)
     }
 
+    /// Middle and radius in units of 2⁻⁹⁶; nothing for all numbers.
+    pub fn units(self) -> Option<(i128, u128)> {
+        self.known().then_some((self.middle, self.radius))
+    }
+
     /// The number nearest to the middle, to steer by.
     pub fn to_f64(self) -> f64 {
         libm::scalbn(self.middle as f64, -(BITS as i32))

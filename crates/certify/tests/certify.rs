@@ -14,6 +14,7 @@ use grazing_certify::series::{Number, Series};
 use grazing_certify::statement::{Decimal, Statement};
 use grazing_certify::{prove, summary};
 use grazing_theorems::LinearOscillator;
+use num_rational::Ratio;
 
 /// The paper's constants, on the window of Figure 7.
 static STATEMENT: LazyLock<Statement> = LazyLock::new(|| {
@@ -67,6 +68,24 @@ fn balls_hold_the_digits_of_constants_and_of_floating_point() {
         for (ball, number) in [(Ball::from(x).turn().0, x.turn().0), (Ball::from(x).exp(), libm::exp(x))] {
             // libm's functions are right to a unit or two of the last digit.
             assert!((ball.to_f64() - number).abs() <= 1e-15 * number.abs().max(1.0), "{x} {ball} {number}");
+        }
+    }
+}
+
+/// Against exact fractions: n/d is in a ball only if zero is in d times it, less n.
+#[test]
+fn balls_hold_exact_fractions() {
+    let mut seed = 11;
+    for _ in 0..20_000 {
+        let mut whole = |size: f64| (size * (random(&mut seed) - 0.5)) as i64;
+        let [a, b] = [0; 2].map(|_| (whole(2e4), whole(2e2).abs() + 1));
+        let [x, y] = [a, b].map(|(n, d)| Ball::ratio(n, d));
+        let [p, q] = [a, b].map(|(n, d)| Ratio::new(n, d));
+        let cases = [(x + y, p + q), (x - y, p - q), (x * y, p * q)];
+        let inverse = (a.0 != 0).then(|| (x.inverse(), p.recip()));
+        for (ball, exact) in cases.into_iter().chain(inverse) {
+            let difference = ball * Ball::from(*exact.denom()) - Ball::from(*exact.numer());
+            assert!(difference.contains(Ball::ZERO) && difference.radius() < 1e-18, "{ball:?} {exact}");
         }
     }
 }

@@ -4,6 +4,7 @@
 pub mod beyond_atlas;
 pub mod beyond_cascade;
 pub mod beyond_loops;
+pub mod beyond_proofs;
 pub mod beyond_regions;
 pub mod fig01;
 pub mod fig02;
@@ -44,6 +45,7 @@ macro_rules! paper_figures {
             $make::<$crate::figures::beyond_atlas::BeyondAtlas>(),
             $make::<$crate::figures::beyond_loops::BeyondLoops>(),
             $make::<$crate::figures::beyond_regions::BeyondRegions>(),
+            $make::<$crate::figures::beyond_proofs::BeyondProofs>(),
             $($($last,)+)?
         ]
     };

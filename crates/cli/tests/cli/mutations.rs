@@ -95,6 +95,7 @@ const OUTPUTS: [&str; 17] = [
     "beyond_atlas",
     "beyond_loops",
     "beyond_regions",
+    "beyond_proofs",
     "straightened",
     "theorems",
 ];

@@ -2,6 +2,7 @@
 
 use grazing_reproduction::Study;
 use grazing_reproduction::figures::beyond_loops::BeyondLoops;
+use grazing_reproduction::figures::beyond_proofs::BeyondProofs;
 use grazing_reproduction::figures::beyond_regions::BeyondRegions;
 use grazing_theorems::auxiliary::scaled_visit_position;
 
@@ -74,4 +75,17 @@ fn all_visits_are_before_the_wall_inside_of_regions_and_one_is_not_beside_them()
         }
     }
     assert!(seen > 1000, "{seen}");
+}
+
+#[test]
+fn what_is_drawn_in_figure_7_lies_where_it_is_proved_to_be() {
+    let shown = Study::new(&made().parameters).shown::<BeyondProofs>().expect("it can be computed");
+    assert!(shown.undecided.is_empty(), "{:?}", shown.undecided);
+    let count = |object: &str| shown.items.iter().filter(|item| item.object == object).count();
+    assert_eq!([count("point"), count("region")], [25, 12]);
+    for item in &shown.items {
+        // A corner may lie beyond the end of a stretch by rounding.
+        assert!(item.within + u32::from(item.object != "point") >= item.drawn, "{item:?}");
+        assert!(item.object == "point" || item.width <= 1e-6, "{item:?}");
+    }
 }
