@@ -19,6 +19,7 @@ pub mod summary;
 
 use rayon::prelude::*;
 
+use ball::Ball;
 use orbit::Oscillator;
 use row::{Base, Interval, Row};
 use search::{Goal, rows};
@@ -54,7 +55,7 @@ pub fn prove(
         .flat_map(|&p| (first.max(2) - 1..=end).map(move |left| (p, left)))
         .map(|(p, left)| Interval { p: p.into(), left, level: COARSEST, base: Base::Middle })
         .collect();
-    let width = (0..WIDTH_PLACES).fold(1.0, |width, _| width / 10.0);
+    let width = Ball::ratio(1, 10_i64.pow(WIDTH_PLACES));
     let goal = Goal { width, amplitude: statement.amplitude.ball(), finest: FINEST };
     begin(intervals.len() as u64);
     intervals

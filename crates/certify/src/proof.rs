@@ -165,14 +165,14 @@ impl<'a> Model<'a> {
         self.oscillator.amplitude_square(&motion).0[0].sqrt()
     }
 
-    /// An upper bound of how much the amplitude changes with the velocity:
+    /// An upper bound of how much the amplitude changes with the velocity, times the difference of two:
     /// `dA/dv ≤ A_graz √(c² + w²)`.
-    pub fn amplitude_slope(&self) -> f64 {
+    pub fn amplitude_step(&self, difference: Witness<3>) -> Ball {
         let [square] = self.range(|at| {
-            let Family { nu, c, w, .. } = at.family;
-            [(self.oscillator.grazing_square(nu) * (c * c + w * w), 0)]
+            let (Family { nu, c, w, .. }, step) = (at.family, at.witness(difference));
+            [(self.oscillator.grazing_square(nu) * (c * c + w * w) * step * step, 0)]
         });
-        square.top().sqrt().top().to_f64()
+        square.top().sqrt().top()
     }
 
     /// The motion for all ν of the interval at once.

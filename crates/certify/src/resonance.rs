@@ -81,7 +81,22 @@ impl Resonance {
         ];
         let missing = hypotheses.into_iter().filter(|(_, holds)| !holds).map(|(name, _)| name).collect();
         let period_doubling = ratio * (two - ratio) * saddle_node;
-        Self { p, n, omega, amplitude, s_plus, s_minus, saddle_node, period_doubling, criticality, missing }
+        let mut found = Self {
+            p,
+            n,
+            omega,
+            amplitude,
+            s_plus,
+            s_minus,
+            saddle_node,
+            period_doubling,
+            criticality,
+            missing,
+        };
+        if found.numbers().iter().any(|(_, number)| number.units().is_none()) {
+            found.missing.push("a number is too large for the balls");
+        }
+        found
     }
 
     /// Its numbers, by their names.

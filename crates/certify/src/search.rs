@@ -12,7 +12,7 @@ use crate::series::Number;
 #[derive(Debug, Clone, Copy)]
 pub struct Goal {
     /// Greatest width of a tube, in amplitude.
-    pub width: f64,
+    pub width: Ball,
     /// The greatest amplitude of the window.
     pub amplitude: Ball,
     /// Intervals are halved down to width `2^-level`.
@@ -244,7 +244,10 @@ impl<'a> Attempt<'a> {
     fn tube(&self) -> Option<Verdict> {
         let smallest =
             |value: &dyn Fn(&Sight) -> f64| self.at_sights(value).into_iter().fold(f64::INFINITY, f64::min);
-        let width = 0.49 * self.goal.width / self.model.amplitude_slope();
+        // At a resonance the tube is twice as wide at the end as in the middle.
+        let share = if self.interval.base == Base::Middle { 0.49 } else { 0.24 };
+        let slope = self.model.amplitude_step([1 << WITNESS_BITS, 0, 0]).to_f64();
+        let width = share * self.goal.width.to_f64() / slope;
         let room = smallest(&|sight| 0.1 * (sight.graze - sight.limit).min(sight.graze));
         let half_width = width.min(room);
         let values = self.at_sights(|sight| sight.graze);
@@ -252,7 +255,10 @@ impl<'a> Attempt<'a> {
             [-half_width, half_width].map(|offset| self.quadratic(values.map(|value| value + offset)));
         let touch = self.line(self.at_sights(|sight| sight.touch));
         let velocities = [lower, upper].map(Velocity::Witness);
-        let proved = self.model.stable(&velocities[0]) && self.model.beyond(&velocities[1], touch);
+        let wide = self.model.amplitude_step(core::array::from_fn(|i| upper[i] - lower[i]));
+        let proved = (self.goal.width - wide).is_positive()
+            && self.model.stable(&velocities[0])
+            && self.model.beyond(&velocities[1], touch);
         let values = values.map(|value| value - half_width);
         let clear = |cells| {
             let clearance = self.clearance(velocities.each_ref(), values, cells, false)?;

@@ -65,6 +65,14 @@ impl Stretch<'_> {
     }
 }
 
+/// The row of a number of loops that holds a ν.
+pub fn row_at(rows: &[Row], p: i64, nu: Ball) -> Option<&Row> {
+    rows.iter().find(|row| {
+        let [left, right] = row.interval.ends();
+        row.interval.p == p && !(left - nu).is_positive() && !(nu - right).is_positive()
+    })
+}
+
 /// Where stable motion begins at one ν, and the two sides of the tube in which it ends, in amplitude;
 /// the second beyond the window at its edge, nothing where there is none.
 pub fn ends(oscillator: &Oscillator, row: &Row, nu: Ball) -> Option<[Ball; 3]> {

@@ -191,11 +191,7 @@ fn number(cell: &str) -> f64 {
 }
 
 fn row_at(p: i64, nu: Ball) -> &'static Row {
-    let row = ROWS.iter().find(|row| {
-        let [left, right] = row.interval.ends();
-        row.interval.p == p && !(left - nu).is_positive() && !(nu - right).is_positive()
-    });
-    row.expect("the window is covered")
+    summary::row_at(&ROWS, p, nu).expect("the window is covered")
 }
 
 /// Where stable motion is proved to begin, and the two sides of the tube in which it ends, in amplitude.

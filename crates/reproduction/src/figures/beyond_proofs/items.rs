@@ -23,10 +23,7 @@ impl Lookup<'_> {
     /// of a point.
     fn ends(&self, p: u32, omega: f64) -> Option<[f64; 4]> {
         let nu = self.nu(omega);
-        let row = self.rows.iter().find(|row| {
-            let [left, right] = row.interval.ends();
-            row.interval.p == i64::from(p) && !(left - nu).is_positive() && !(nu - right).is_positive()
-        })?;
+        let row = summary::row_at(self.rows, p.into(), nu)?;
         let [begins, lower, upper] = ends(self.oscillator, row, nu)?.map(Ball::to_f64);
         Some(match row.verdict {
             Verdict::Edge { .. } => [begins, lower, f64::INFINITY, 0.0],
