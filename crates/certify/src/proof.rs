@@ -165,14 +165,14 @@ impl<'a> Model<'a> {
         self.oscillator.amplitude_square(&motion).0[0].sqrt()
     }
 
-    /// An upper bound of how much the amplitude changes with the velocity, times the difference of two:
-    /// `dA/dv ≤ A_graz √(c² + w²)`.
-    pub fn amplitude_step(&self, difference: Witness<3>) -> Ball {
+    /// An upper bound of the square of how much the amplitude changes from one velocity to another with
+    /// this difference: `dA/dv ≤ A_graz √(c² + w²)`.
+    pub fn amplitude_step_square(&self, difference: Witness<3>) -> Ball {
         let [square] = self.range(|at| {
             let (Family { nu, c, w, .. }, step) = (at.family, at.witness(difference));
             [(self.oscillator.grazing_square(nu) * (c * c + w * w) * step * step, 0)]
         });
-        square.top().sqrt().top()
+        square.top()
     }
 
     /// The motion for all ν of the interval at once.

@@ -245,8 +245,8 @@ impl<'a> Attempt<'a> {
         let smallest =
             |value: &dyn Fn(&Sight) -> f64| self.at_sights(value).into_iter().fold(f64::INFINITY, f64::min);
         // At a resonance the tube is twice as wide at the end as in the middle.
-        let share = if self.interval.base == Base::Middle { 0.49 } else { 0.24 };
-        let slope = self.model.amplitude_step([1 << WITNESS_BITS, 0, 0]).to_f64();
+        let share = if self.interval.base == Base::Middle { 0.49 } else { 0.22 };
+        let slope = self.model.amplitude_step_square([1 << WITNESS_BITS, 0, 0]).to_f64().sqrt();
         let width = share * self.goal.width.to_f64() / slope;
         let room = smallest(&|sight| 0.1 * (sight.graze - sight.limit).min(sight.graze));
         let half_width = width.min(room);
@@ -255,8 +255,8 @@ impl<'a> Attempt<'a> {
             [-half_width, half_width].map(|offset| self.quadratic(values.map(|value| value + offset)));
         let touch = self.line(self.at_sights(|sight| sight.touch));
         let velocities = [lower, upper].map(Velocity::Witness);
-        let wide = self.model.amplitude_step(core::array::from_fn(|i| upper[i] - lower[i]));
-        let proved = (self.goal.width - wide).is_positive()
+        let step_square = self.model.amplitude_step_square(core::array::from_fn(|i| upper[i] - lower[i]));
+        let proved = (self.goal.width * self.goal.width - step_square).is_positive()
             && self.model.stable(&velocities[0])
             && self.model.beyond(&velocities[1], touch);
         let values = values.map(|value| value - half_width);
