@@ -54,6 +54,8 @@ impl Ball {
     pub const ZERO: Self = Self { middle: 0, radius: 0 };
     /// One.
     pub const ONE: Self = Self { middle: ONE as i128, radius: 0 };
+    /// 1 + 2⁻¹².
+    pub const A_LITTLE_ABOVE_ONE: Self = Self { middle: (ONE + (ONE >> 12)) as i128, radius: 0 };
     /// Of which nothing is known.
     pub const ANY: Self = Self { middle: 0, radius: u128::MAX };
     /// π = 16 arctan(1/5) − 4 arctan(1/239).
@@ -88,12 +90,18 @@ impl Ball {
         exact.widened(Some(u128::from(last % d != 0)))
     }
 
-    /// All numbers from `lower` to `upper`.
-    pub fn between(lower: Self, upper: Self) -> Self {
-        let (lower, upper) = (lower.lower(), upper.upper());
+    /// All numbers of two balls, and between them.
+    pub fn between(a: Self, b: Self) -> Self {
+        let lower = a.lower().zip(b.lower()).map(|(a, b)| a.min(b));
+        let upper = a.upper().zip(b.upper()).map(|(a, b)| a.max(b));
         let middle = lower.zip(upper).and_then(|(lower, upper)| Some(lower.checked_add(upper)? >> 1));
         let radius = middle.zip(upper).map(|(middle, upper)| upper.abs_diff(middle) + 1);
         Self::new(middle, radius)
+    }
+
+    /// Middle and radius in units of 2⁻⁹⁶; nothing for all numbers.
+    pub fn units(self) -> Option<(i128, u128)> {
+        self.known().then_some((self.middle, self.radius))
     }
 
     /// The number nearest to the middle, to steer by.
@@ -126,6 +134,11 @@ impl Ball {
     /// Whether all its numbers are negative.
     pub fn is_negative(self) -> bool {
         (-self).is_positive()
+    }
+
+    /// Whether zero is none of them.
+    pub fn is_not_zero(self) -> bool {
+        self.is_positive() || self.is_negative()
     }
 
     /// Whether all numbers of `other` lie in it.

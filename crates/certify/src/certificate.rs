@@ -36,7 +36,7 @@ pub fn rows(rows: &[Row]) -> String {
         let (mut turn, mut reason) = (String::new(), "");
         let (mut lower, mut upper, mut touch, mut clear) = (None, None, None, None);
         match verdict {
-            Verdict::Tube { lower: a, upper: b, touch: time, clearance } => {
+            Verdict::Tube { lower: a, upper: b, touch: time, clearance, .. } => {
                 (lower, upper, touch, clear) = (Some(a), Some(b), Some(time), Some(clearance));
             }
             Verdict::Edge { lower: a, clearance } => (lower, clear) = (Some(a), Some(clearance)),
@@ -68,29 +68,26 @@ pub fn checksum(text: &str) -> u64 {
     text.bytes().fold(0, |sum, byte| (sum * 257 + u128::from(byte)) % prime) as u64
 }
 
-/// `statement.csv`: constants and window, and the checksum of `rows.csv`.
-pub fn statement(statement: &Statement, rows: &str) -> String {
+/// `statement.csv`: constants and window, how many points are proved to exist where GZ curves end or
+/// meet, and a checksum of all that is in the three files.
+pub fn statement(statement: &Statement, points: usize, resonances: &str, rows: &str) -> String {
     let Statement { zeta, epsilon, frequency: [lowest, highest], amplitude, loops } = statement;
     let loops: Vec<String> = loops.iter().map(u32::to_string).collect();
-    format!(
+    let stated = format!(
         "name,value\nzeta,{zeta}\nepsilon,{epsilon}\nomega_lowest,{lowest}\nomega_highest,{highest}\n\
-         amplitude,{amplitude}\nwidth,1e-{WIDTH_PLACES}\nloops,{}\nchecksum,{}\n",
+         amplitude,{amplitude}\nwidth,1e-{WIDTH_PLACES}\nloops,{}\npoints,{points}\n",
         loops.join(" "),
-        checksum(rows),
-    )
+    );
+    format!("{stated}checksum,{}\n", checksum(&(stated.clone() + resonances + rows)))
 }
 
 /// `resonances.csv`: the digits of each number that are certain, and no more than twenty.
 pub fn resonances(resonances: &[Resonance]) -> String {
-    let mut text = "p,n,omega_star,amplitude_graz,s_plus,s_minus,c_sn,c_pd,not_shown\n".to_owned();
-    for resonance in resonances {
-        let Resonance { p, n, omega, amplitude, s_plus, s_minus, saddle_node, period_doubling, missing } =
-            resonance;
-        let missing = missing.join("; ");
-        let _ = writeln!(
-            text,
-            "{p},{n},{omega},{amplitude},{s_plus},{s_minus},{saddle_node},{period_doubling},{missing}"
-        );
+    let mut text =
+        "p,n,omega_star,amplitude_graz,s_plus,s_minus,c_sn,c_pd,criticality,not_shown\n".to_owned();
+    for found in resonances {
+        let numbers = found.numbers().map(|(_, number)| number.to_string()).join(",");
+        let _ = writeln!(text, "{},{},{numbers},{}", found.p, found.n, found.missing.join("; "));
     }
     text
 }

@@ -19,6 +19,7 @@ pub mod summary;
 
 use rayon::prelude::*;
 
+use ball::Ball;
 use orbit::Oscillator;
 use row::{Base, Interval, Row};
 use search::{Goal, rows};
@@ -29,6 +30,10 @@ pub const WIDTH_PLACES: u32 = 6;
 /// Intervals of nu have width `2^-COARSEST` at first, and are halved down to `2^-FINEST`.
 const COARSEST: u32 = 6;
 const FINEST: u32 = 32;
+
+/// How much is tried within one of the coarsest intervals at most, in periods cut into 64 cells. Figure 7
+/// needs less than half of it.
+const MOST_WORK: usize = 4_000;
 
 /// The intervals that cover the window, in order, with what is proved of each. `step` is called when
 /// one of so many parts is done; `begin` is told before how many there are.
@@ -50,13 +55,13 @@ pub fn prove(
         .flat_map(|&p| (first.max(2) - 1..=end).map(move |left| (p, left)))
         .map(|(p, left)| Interval { p: p.into(), left, level: COARSEST, base: Base::Middle })
         .collect();
-    let width = (0..WIDTH_PLACES).fold(1.0, |width, _| width / 10.0);
+    let width = Ball::ratio(1, 10_i64.pow(WIDTH_PLACES));
     let goal = Goal { width, amplitude: statement.amplitude.ball(), finest: FINEST };
     begin(intervals.len() as u64);
     intervals
         .into_par_iter()
         .flat_map_iter(|interval| {
-            let rows = rows(oscillator, interval, goal);
+            let rows = rows(oscillator, interval, goal, MOST_WORK);
             step();
             rows
         })

@@ -21,6 +21,12 @@ pub struct At {
 }
 
 impl At {
+    fn new(oscillator: &Oscillator, interval: Interval, nu: Ball) -> Self {
+        let variable = Series::variable(nu);
+        let offset = variable - Series::from(interval.origin());
+        Self { family: oscillator.family(interval.p, variable), offset }
+    }
+
     /// A witness as a function of ν.
     pub fn witness<const N: usize>(&self, witness: Witness<N>) -> Series {
         witness.iter().rev().fold(Series::from(Ball::ZERO), |sum, &coefficient| {
@@ -36,8 +42,8 @@ impl At {
     fn velocity(&self, velocity: &Velocity) -> Series {
         match *velocity {
             Velocity::Witness(witness) => self.witness(witness),
-            Velocity::SaddleNode => self.family.b * self.family.big_p.inverse(),
-            Velocity::PeriodDoubling => -self.family.b * self.family.big_q.inverse(),
+            Velocity::SaddleNode(factor) => self.family.b * self.family.big_p.inverse() * factor.into(),
+            Velocity::PeriodDoubling(factor) => -self.family.b * self.family.big_q.inverse() * factor.into(),
         }
     }
 }
@@ -47,10 +53,10 @@ impl At {
 pub enum Velocity {
     /// A polynomial.
     Witness(Witness<3>),
-    /// That at which a multiplier is 1.
-    SaddleNode,
-    /// That at which one is −1.
-    PeriodDoubling,
+    /// That at which a multiplier is 1, times a factor.
+    SaddleNode(Ball),
+    /// That at which one is −1, likewise.
+    PeriodDoubling(Ball),
 }
 
 /// Bounds that hold in a cell of time: of the distance from the wall and its derivatives.
@@ -63,11 +69,14 @@ struct Cell {
 impl<'a> Model<'a> {
     /// Over this interval.
     pub fn new(oscillator: &'a Oscillator, interval: Interval) -> Self {
-        let at = |nu: Ball| At {
-            family: oscillator.family(interval.p, Series::variable(nu)),
-            offset: Series::variable(nu - interval.origin()),
-        };
+        let at = |nu: Ball| At::new(oscillator, interval, nu);
         Self { oscillator, interval, at_origin: at(interval.origin()), over_all: at(interval.all()) }
+    }
+
+    /// The velocity above which motion is stable at one ν, times a factor.
+    pub fn limit(&self, nu: Ball, factor: Ball) -> Velocity {
+        let saddle_node = self.oscillator.family(self.interval.p, nu).b.is_positive();
+        if saddle_node { Velocity::SaddleNode(factor) } else { Velocity::PeriodDoubling(factor) }
     }
 
     /// What functions of ν may be anywhere in the interval. Each comes with its order: how often it
@@ -141,25 +150,29 @@ impl<'a> Model<'a> {
     pub fn crosses_at_resonance(&self) -> bool {
         let family = self.oscillator.family(self.interval.p, self.interval.origin());
         let slope = self.oscillator.distance(&family.motion(Ball::ONE), Ball::ONE)[1];
-        slope.is_positive() || slope.is_negative()
+        slope.is_not_zero()
     }
 
-    /// Whether the amplitude at this velocity is greater than `amplitude`.
-    pub fn amplitude_beyond(&self, velocity: &Velocity, amplitude: Ball) -> bool {
-        let square = Series::from(amplitude * amplitude);
-        let [excess] =
-            self.range(|at| [(self.oscillator.amplitude_square(&at.motion(velocity)) - square, 0)]);
-        excess.is_positive()
+    /// The amplitude at which motion has this velocity, all over the interval.
+    pub fn amplitude(&self, velocity: &Velocity) -> Ball {
+        let [square] = self.range(|at| [(self.oscillator.amplitude_square(&at.motion(velocity)), 0)]);
+        square.sqrt()
     }
 
-    /// An upper bound of how much the amplitude changes with the velocity:
-    /// `dA/dv ≤ A_graz √(c² + w²)`.
-    pub fn amplitude_slope(&self) -> f64 {
+    /// The same at one ν.
+    pub fn amplitude_at(&self, nu: Ball, velocity: &Velocity) -> Ball {
+        let motion = At::new(self.oscillator, self.interval, nu).motion(velocity);
+        self.oscillator.amplitude_square(&motion).0[0].sqrt()
+    }
+
+    /// An upper bound of the square of how much the amplitude changes from one velocity to another with
+    /// this difference: `dA/dv ≤ A_graz √(c² + w²)`.
+    pub fn amplitude_step_square(&self, difference: Witness<3>) -> Ball {
         let [square] = self.range(|at| {
-            let Family { nu, c, w, .. } = at.family;
-            [(self.oscillator.grazing_square(nu) * (c * c + w * w), 0)]
+            let (Family { nu, c, w, .. }, step) = (at.family, at.witness(difference));
+            [(self.oscillator.grazing_square(nu) * (c * c + w * w) * step * step, 0)]
         });
-        square.top().sqrt().top().to_f64()
+        square.top()
     }
 
     /// The motion for all ν of the interval at once.
@@ -185,17 +198,21 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// Shows, if it can, that the motion with this velocity touches the wall nowhere between its
-    /// impacts, with this many cells in a period; `nearest` guesses when a block is nearest. With
-    /// `crossing`, the one block is left to [`Model::crosses_once`].
+    /// Shows, if it can, that motion with velocities from `lower` to `upper` touches the wall nowhere
+    /// between its impacts but in blocks, where the distance has a positive second derivative, so that
+    /// there is one contact in each at most; and that at `lower` it touches it nowhere. Each period is cut
+    /// into this many cells; `nearest` guesses when a block is nearest. With `crossing` the motion
+    /// with `lower` may touch the wall in the one block, see [`Model::crosses_once`].
     pub fn clearance(
         &self,
-        velocity: &Velocity,
+        [lower, upper]: [&Velocity; 2],
         cells: i64,
         nearest: impl Fn(i64, i64) -> Witness<2>,
         crossing: bool,
     ) -> Option<Clearance> {
-        let motion = self.motion_over_all(velocity);
+        let [a, b] = [lower, upper].map(|velocity| self.motion_over_all(velocity));
+        let [c, e, w] = [(a.c, b.c), (a.e, b.e), (a.w, b.w)].map(|(a, b)| Ball::between(a, b));
+        let motion = Motion { c, e, w, ..a };
         let bounds: Vec<Cell> =
             (0..self.interval.p * cells).map(|index| self.cell(&motion, index, cells)).collect();
         let clear = |cell: &Cell| cell.distance.is_positive();
@@ -215,8 +232,10 @@ impl<'a> Model<'a> {
             let length = bounds[index..end].iter().take_while(|cell| !clear(cell)).count();
             if length > 0 {
                 let (first, last) = (index as i64, (index + length - 1) as i64);
-                let block = Block { first, last, nearest: nearest(first, last) };
-                let cleared = crossing || self.block_is_clear(velocity, &block, &bounds, cells);
+                let mut block = Block { first, last, nearest: nearest(first, last), open: true };
+                let curved = bounds[index..index + length].iter().all(|cell| cell.curvature.is_positive());
+                let cleared = curved && (crossing || self.block_is_clear(lower, &block, &bounds, cells));
+                block.open = cleared && !self.block_is_clear(upper, &block, &bounds, cells);
                 cleared.then(|| blocks.push(block))?;
             }
             index += length + 1;
@@ -241,23 +260,38 @@ impl<'a> Model<'a> {
             && bounds[block.first as usize..=block.last as usize].iter().all(|cell| {
                 let curvature = cell.curvature.bottom();
                 let twice = distance.bottom() * (curvature + curvature);
-                curvature.is_positive() && (twice - slope * slope).is_positive()
+                (twice - slope * slope).is_positive()
             })
     }
 
     /// Whether, along a stability limit, the distance from the wall increases or decreases with ν at
-    /// every time of a block.
-    pub fn crosses_once(&self, limit: &Velocity, clearance: &Clearance) -> bool {
+    /// every time of a block, and a little above the limit motion is beyond the wall in it.
+    pub fn crosses_once(&self, [limit, above]: [&Velocity; 2], clearance: &Clearance) -> bool {
         let [block] = clearance.blocks.as_slice() else { return false };
-        let [velocity] = self.range(|at| [(at.velocity(limit), 1)]);
+        let [velocity, b] = self.range(|at| [(at.velocity(limit), 1), (at.family.b, 1)]);
         let motion = self.over_all.motion(limit);
-        let derivative = |index: i64| {
-            let [begin, end] = [index, index + 1].map(|index| Ball::ratio(index, clearance.cells));
-            let time = Ball::between(begin, end);
-            self.oscillator.distance(&motion, time.into())[0].0[1]
-        };
+        let change = block
+            .times(clearance.cells)
+            .map(|time| self.oscillator.distance(&motion, time.into())[0].0[1])
+            .reduce(Ball::between);
         velocity.is_positive()
-            && ((block.first..=block.last).all(|index| derivative(index).is_positive())
-                || (block.first..=block.last).all(|index| derivative(index).is_negative()))
+            && b.is_not_zero()
+            && change.is_some_and(Ball::is_not_zero)
+            && self.beyond(above, block.nearest)
+    }
+
+    /// Where motion may touch the wall in two blocks: whether it does so at one ν at most. In each
+    /// block the greatest `ψ/(1 − cos θ)`, whose inverse is the velocity at which motion touches the
+    /// wall there, changes with ν as `ψ_ν/(1 − cos θ)` does at some time of the block: these are of
+    /// different size in the two.
+    pub fn changes_contact_once(&self, [one, two]: [&Block; 2], cells: i64) -> bool {
+        let motion = self.over_all.family.motion(Ball::ONE.into());
+        let rate = |time: Ball| {
+            let sine = (time * Ball::ratio(1, 2)).turn().0;
+            let change = -self.oscillator.distance(&motion, time.into())[0].0[1];
+            change * (sine * sine + sine * sine).inverse()
+        };
+        let [one, two] = [one, two].map(|block| block.times(cells).map(rate).reduce(Ball::between));
+        one.zip(two).is_some_and(|(one, two)| (one - two).is_not_zero())
     }
 }

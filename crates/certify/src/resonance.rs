@@ -22,6 +22,9 @@ pub struct Resonance {
     pub saddle_node: Ball,
     /// `c_PD,p`.
     pub period_doubling: Ball,
+    /// `C s⁻`: near the resonance period doubling is supercritical just if it is negative.
+    /// `docs/beyond.md`, section 2, with the limit map's `r = a φ²`, `k = α² ξ_p` and `d`.
+    pub criticality: Ball,
     /// The hypotheses of Theorem 2.4 or 2.5 that could not be shown: none if all hold.
     pub missing: Vec<&'static str>,
 }
@@ -61,23 +64,52 @@ impl Resonance {
             let scale = two * half_loop * half_loop * (one + e_p);
             whole(p) * a_12 * e_p * e_1.inverse() * e_1.inverse() * derivative * scale.inverse()
         };
+        let criticality = s_minus
+            * ((one - epsilon * epsilon * entry) * (one + entry) * (one + entry) - alpha * alpha * xi);
         let unfolding = alpha * omega * slope;
         let factor = if p == 1 { one } else { one + delta - tau };
         let saddle_node = unfolding * unfolding * factor * (two * beta * gamma * s_plus).inverse();
         let ratio = s_plus * s_minus.inverse();
-        let not_zero = |x: Ball| x.is_positive() || x.is_negative();
         let hypotheses = [
             ("(tau, delta) in T", (one - delta).is_positive() && (one + delta - tau).is_positive()),
             ("(tau, delta) in T", delta.is_positive() && (one + delta + tau).is_positive()),
             ("alpha > 0, or a_12 alpha > 0", if p == 1 { alpha } else { alpha * a_12 }.is_positive()),
-            ("beta, not zero", not_zero(beta)),
-            ("a_12' or kappa_p', not zero", not_zero(slope)),
-            ("s^+ and s^-, not zero", not_zero(s_plus) && not_zero(s_minus)),
+            ("beta, not zero", beta.is_not_zero()),
+            ("a_12' or kappa_p', not zero", slope.is_not_zero()),
+            ("s^+ and s^-, not zero", s_plus.is_not_zero() && s_minus.is_not_zero()),
             ("zeta", zeta.is_positive()),
         ];
         let missing = hypotheses.into_iter().filter(|(_, holds)| !holds).map(|(name, _)| name).collect();
         let period_doubling = ratio * (two - ratio) * saddle_node;
-        Self { p, n, omega, amplitude, s_plus, s_minus, saddle_node, period_doubling, missing }
+        let mut found = Self {
+            p,
+            n,
+            omega,
+            amplitude,
+            s_plus,
+            s_minus,
+            saddle_node,
+            period_doubling,
+            criticality,
+            missing,
+        };
+        if found.numbers().iter().any(|(_, number)| number.units().is_none()) {
+            found.missing.push("a number is too large for the balls");
+        }
+        found
+    }
+
+    /// Its numbers, by their names.
+    pub fn numbers(&self) -> [(&'static str, Ball); 7] {
+        [
+            ("omega*", self.omega),
+            ("A_graz", self.amplitude),
+            ("s^+", self.s_plus),
+            ("s^-", self.s_minus),
+            ("c_SN", self.saddle_node),
+            ("c_PD", self.period_doubling),
+            ("C s^-", self.criticality),
+        ]
     }
 
     /// Those of some numbers of loops in a window, by frequency.

@@ -41,6 +41,11 @@ impl Interval {
         [0, 1].map(|end| Ball::dyadic((self.left + end).into(), self.level))
     }
 
+    /// Its middle.
+    pub fn middle(self) -> Ball {
+        Self { base: Base::Middle, ..self }.origin()
+    }
+
     /// Its base.
     pub fn origin(self) -> Ball {
         Ball::dyadic(i128::from(2 * self.left + self.base as i64), self.level + 1)
@@ -74,6 +79,16 @@ pub struct Block {
     pub last: i64,
     /// A time, in turns, near which the distance is least.
     pub nearest: Witness<2>,
+    /// Whether motion may touch the wall in it.
+    pub open: bool,
+}
+
+impl Block {
+    /// The times of its cells, of which there are `cells` in a period.
+    pub fn times(&self, cells: i64) -> impl Iterator<Item = Ball> {
+        let ends = move |index| Ball::between(Ball::ratio(index, cells), Ball::ratio(index + 1, cells));
+        (self.first..=self.last).map(ends)
+    }
 }
 
 /// How it is shown that the motion with some velocity at impact stays off the wall between impacts:
@@ -104,6 +119,8 @@ pub enum Verdict {
         touch: Witness<2>,
         /// Why it is not at `lower`.
         clearance: Clearance,
+        /// Whether it may touch the wall at two times at once.
+        double: bool,
     },
     /// `lower < v_GZ`, the motion is stable at `lower`, and its amplitude is beyond the window.
     Edge {
@@ -138,6 +155,7 @@ impl Verdict {
     /// The word for it in the certificate.
     pub fn name(&self) -> &'static str {
         match self {
+            Self::Tube { double: true, .. } => "double",
             Self::Tube { .. } => "tube",
             Self::Edge { .. } => "edge",
             Self::Empty { .. } => "empty",

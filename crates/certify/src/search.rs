@@ -1,5 +1,7 @@
 //! Finds, in floating point, the rows and witnesses that [`Model`] then proves.
 
+use core::cell::Cell;
+
 use crate::ball::Ball;
 use crate::orbit::{Family, Motion, Oscillator};
 use crate::proof::{Model, Velocity};
@@ -10,7 +12,7 @@ use crate::series::Number;
 #[derive(Debug, Clone, Copy)]
 pub struct Goal {
     /// Greatest width of a tube, in amplitude.
-    pub width: f64,
+    pub width: Ball,
     /// The greatest amplitude of the window.
     pub amplitude: Ball,
     /// Intervals are halved down to width `2^-level`.
@@ -106,6 +108,8 @@ struct Attempt<'a> {
     interval: Interval,
     goal: Goal,
     sights: [Sight; 3],
+    /// What it has cost, in the smallest number of cells.
+    work: Cell<usize>,
 }
 
 impl<'a> Attempt<'a> {
@@ -115,7 +119,14 @@ impl<'a> Attempt<'a> {
         // Three Chebyshev nodes.
         let sights = [-0.75f64.sqrt(), 0.0, 0.75f64.sqrt()]
             .map(|node| Sight::new(oscillator, interval.p, middle + node * half));
-        Self { oscillator, model: Model::new(oscillator, interval), interval, goal, sights }
+        Self {
+            oscillator,
+            model: Model::new(oscillator, interval),
+            interval,
+            goal,
+            sights,
+            work: Cell::new(1),
+        }
     }
 
     /// The quadratic through values at the three nodes; at a resonance, where they vanish, the line.
@@ -163,23 +174,19 @@ impl<'a> Attempt<'a> {
         self.sights.iter().all(condition)
     }
 
-    /// Clearance at a velocity, whose values at the sights are given also.
+    /// Clearance at velocities, whose values at the sights are given also.
     fn clearance(
         &self,
-        velocity: &Velocity,
+        velocities: [&Velocity; 2],
         values: [f64; 3],
         cells: i64,
         crossing: bool,
     ) -> Option<Clearance> {
+        self.work.update(|work| work + (cells / CELLS[0]) as usize);
         let guess = |first: i64, last: i64| {
             self.nearest(values, [first, last + 1].map(|cell| cell as f64 / cells as f64))
         };
-        self.model.clearance(velocity, cells, guess, crossing)
-    }
-
-    /// Clearance with the first number of cells that is enough.
-    fn cleared(&self, lower: Witness<3>, values: [f64; 3]) -> Option<Clearance> {
-        CELLS.into_iter().find_map(|cells| self.clearance(&Velocity::Witness(lower), values, cells, false))
+        self.model.clearance(velocities, cells, guess, crossing)
     }
 
     /// The verdict, if one can be proved at this width.
@@ -227,36 +234,53 @@ impl<'a> Attempt<'a> {
         }
         let lower = self.quadratic(values);
         let velocity = Velocity::Witness(lower);
-        let proved =
-            self.model.stable(&velocity) && self.model.amplitude_beyond(&velocity, self.goal.amplitude);
-        let clearance = proved.then(|| self.cleared(lower, values))??;
+        let beyond = (self.model.amplitude(&velocity) - self.goal.amplitude).is_positive();
+        let proved = beyond && self.model.stable(&velocity);
+        let clear = |cells| self.clearance([&velocity; 2], values, cells, false);
+        let clearance = proved.then(|| CELLS.into_iter().find_map(clear))??;
         Some(Verdict::Edge { lower, clearance })
     }
 
     fn tube(&self) -> Option<Verdict> {
         let smallest =
             |value: &dyn Fn(&Sight) -> f64| self.at_sights(value).into_iter().fold(f64::INFINITY, f64::min);
-        let width = 0.49 * self.goal.width / self.model.amplitude_slope();
+        // At a resonance the tube is twice as wide at the end as in the middle.
+        let share = if self.interval.base == Base::Middle { 0.49 } else { 0.22 };
+        let slope = self.model.amplitude_step_square([1 << WITNESS_BITS, 0, 0]).to_f64().sqrt();
+        let width = share * self.goal.width.to_f64() / slope;
         let room = smallest(&|sight| 0.1 * (sight.graze - sight.limit).min(sight.graze));
         let half_width = width.min(room);
         let values = self.at_sights(|sight| sight.graze);
         let [lower, upper] =
             [-half_width, half_width].map(|offset| self.quadratic(values.map(|value| value + offset)));
         let touch = self.line(self.at_sights(|sight| sight.touch));
-        let proved = self.model.stable(&Velocity::Witness(lower))
-            && self.model.beyond(&Velocity::Witness(upper), touch);
+        let velocities = [lower, upper].map(Velocity::Witness);
+        let step_square = self.model.amplitude_step_square(core::array::from_fn(|i| upper[i] - lower[i]));
+        let proved = (self.goal.width * self.goal.width - step_square).is_positive()
+            && self.model.stable(&velocities[0])
+            && self.model.beyond(&velocities[1], touch);
         let values = values.map(|value| value - half_width);
-        let clearance = proved.then(|| self.cleared(lower, values))??;
-        Some(Verdict::Tube { lower, upper, touch, clearance })
+        let clear = |cells| {
+            let clearance = self.clearance(velocities.each_ref(), values, cells, false)?;
+            let open: Vec<_> = clearance.blocks.iter().filter(|block| block.open).collect();
+            let double = match open[..] {
+                [_] => false,
+                [one, two] => self.model.changes_contact_once([one, two], cells).then_some(true)?,
+                _ => return None,
+            };
+            Some(Verdict::Tube { lower, upper, touch, clearance, double })
+        };
+        proved.then(|| CELLS.into_iter().find_map(clear))?
     }
 
     fn crossing(&self) -> Option<Verdict> {
-        let limit =
-            if self.sights[1].family.b > 0.0 { Velocity::SaddleNode } else { Velocity::PeriodDoubling };
+        let factors = [Ball::ONE, Ball::A_LITTLE_ABOVE_ONE];
+        let limits = factors.map(|factor| self.model.limit(self.interval.middle(), factor));
         CELLS.into_iter().find_map(|cells| {
             let values = self.at_sights(|sight| sight.limit);
-            let clearance = self.clearance(&limit, values, cells, true)?;
-            self.model.crosses_once(&limit, &clearance).then_some(Verdict::Crossing { clearance })
+            let clearance = self.clearance(limits.each_ref(), values, cells, true)?;
+            let proved = self.model.crosses_once(limits.each_ref(), &clearance);
+            proved.then_some(Verdict::Crossing { clearance })
         })
     }
 
@@ -272,13 +296,10 @@ impl<'a> Attempt<'a> {
     }
 }
 
-/// How many intervals within one of the coarsest are tried at most. Figure 7 needs 400.
-const MOST_ATTEMPTS: usize = 4_000;
-
-/// The rows that tile an interval.
-pub fn rows(oscillator: &Oscillator, interval: Interval, goal: Goal) -> Vec<Row> {
-    let (mut rows, mut left) = (Vec::new(), MOST_ATTEMPTS);
-    tile(oscillator, interval, goal, &mut rows, &mut left);
+/// The rows that tile an interval, of which with so much work at most.
+pub fn rows(oscillator: &Oscillator, interval: Interval, goal: Goal, mut work: usize) -> Vec<Row> {
+    let mut rows = Vec::new();
+    tile(oscillator, interval, goal, &mut rows, &mut work);
     rows
 }
 
@@ -287,19 +308,19 @@ fn tile(oscillator: &Oscillator, interval: Interval, goal: Goal, rows: &mut Vec<
     if *left == 0 {
         return undecided("too many intervals were tried beside it");
     }
-    *left -= 1;
-    let attempt = Attempt::new(oscillator, interval, goal);
-    if let Some(verdict) = attempt.verdict() {
-        return rows.push(Row { interval, verdict });
-    }
+    let mut tried = |interval| {
+        let attempt = Attempt::new(oscillator, interval, goal);
+        let verdict = attempt.verdict();
+        *left = left.saturating_sub(attempt.work.get());
+        (attempt.reason(), verdict.map(|verdict| Row { interval, verdict }))
+    };
+    let (reason, mut row) = tried(interval);
     if let Some(base) = interval.resonance().filter(|_| interval.p > 1 && interval.level >= FINE) {
-        let interval = Interval { base, ..interval };
-        if let Some(verdict) = Attempt::new(oscillator, interval, goal).verdict() {
-            return rows.push(Row { interval, verdict });
-        }
+        row = row.or_else(|| tried(Interval { base, ..interval }).1);
     }
-    if interval.level >= goal.finest {
-        return undecided(attempt.reason());
+    match row {
+        Some(row) => rows.push(row),
+        None if interval.level >= goal.finest => undecided(reason),
+        None => interval.halves().into_iter().for_each(|half| tile(oscillator, half, goal, rows, left)),
     }
-    interval.halves().into_iter().for_each(|half| tile(oscillator, half, goal, rows, left));
 }

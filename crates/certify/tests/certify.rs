@@ -8,12 +8,13 @@ use std::sync::LazyLock;
 use grazing_certify::ball::Ball;
 use grazing_certify::orbit::Oscillator;
 use grazing_certify::proof::{Model, Velocity};
-use grazing_certify::prove;
 use grazing_certify::resonance::Resonance;
 use grazing_certify::row::{Row, Verdict};
 use grazing_certify::series::{Number, Series};
 use grazing_certify::statement::{Decimal, Statement};
+use grazing_certify::{prove, summary};
 use grazing_theorems::LinearOscillator;
+use num_rational::Ratio;
 
 /// The paper's constants, on the window of Figure 7.
 static STATEMENT: LazyLock<Statement> = LazyLock::new(|| {
@@ -67,6 +68,24 @@ fn balls_hold_the_digits_of_constants_and_of_floating_point() {
         for (ball, number) in [(Ball::from(x).turn().0, x.turn().0), (Ball::from(x).exp(), libm::exp(x))] {
             // libm's functions are right to a unit or two of the last digit.
             assert!((ball.to_f64() - number).abs() <= 1e-15 * number.abs().max(1.0), "{x} {ball} {number}");
+        }
+    }
+}
+
+/// Against exact fractions: n/d is in a ball only if zero is in d times it, less n.
+#[test]
+fn balls_hold_exact_fractions() {
+    let mut seed = 11;
+    for _ in 0..20_000 {
+        let mut whole = |size: f64| (size * (random(&mut seed) - 0.5)) as i64;
+        let [a, b] = [0; 2].map(|_| (whole(2e4), whole(2e2).abs() + 1));
+        let [x, y] = [a, b].map(|(n, d)| Ball::ratio(n, d));
+        let [p, q] = [a, b].map(|(n, d)| Ratio::new(n, d));
+        let cases = [(x + y, p + q), (x - y, p - q), (x * y, p * q)];
+        let inverse = (a.0 != 0).then(|| (x.inverse(), p.recip()));
+        for (ball, exact) in cases.into_iter().chain(inverse) {
+            let difference = ball * Ball::from(*exact.denom()) - Ball::from(*exact.numer());
+            assert!(difference.contains(Ball::ZERO) && difference.radius() < 1e-18, "{ball:?} {exact}");
         }
     }
 }
@@ -160,49 +179,157 @@ fn coefficients_of_theorems_and_propositions_agree_and_are_those_of_floating_poi
     }
 }
 
+/// The rows of a file of Figure 7's data, as their cells.
+fn drawn(name: &str) -> Vec<Vec<String>> {
+    let file = format!("{}/../../figures/data/fig07_{name}.csv", env!("CARGO_MANIFEST_DIR"));
+    let text = fs::read_to_string(file).expect("Figure 7's data");
+    text.lines().skip(1).map(|line| line.split(',').map(str::to_owned).collect()).collect()
+}
+
+fn number(cell: &str) -> f64 {
+    cell.parse().expect("a number")
+}
+
+fn row_at(p: i64, nu: Ball) -> &'static Row {
+    summary::row_at(&ROWS, p, nu).expect("the window is covered")
+}
+
+/// Where stable motion is proved to begin, and the two sides of the tube in which it ends, in amplitude.
+fn proved(p: i64, omega: f64) -> Option<[f64; 3]> {
+    let nu = OSCILLATOR.omega_1 * Ball::from(omega).inverse();
+    let row = row_at(p, nu);
+    let [begins, lower, upper] = summary::ends(&OSCILLATOR, row, nu)?.map(Ball::to_f64);
+    let edge = matches!(row.verdict, Verdict::Edge { .. });
+    Some([begins, lower, if edge { f64::INFINITY } else { upper }])
+}
+
+/// What continuation's rounding may add to a number of Figure 7.
+const ROUNDING: f64 = 2e-9;
+
 /// Every vertex of a curve of `fig07_curves.csv` lies where it is proved to be: SN and PD vertices on
-/// the closed forms, GZ vertices in tubes, all within 2e-9 for the rounding of continuation.
+/// the closed forms, GZ vertices in tubes.
 #[test]
 fn drawn_curves_lie_within_what_is_proved() {
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../figures/data/fig07_curves.csv");
-    let text = fs::read_to_string(file).expect("Figure 7's data");
     let (mut seen, mut within) = (BTreeMap::new(), 0);
-    for line in text.lines().skip(1) {
-        let cells: Vec<&str> = line.split(',').collect();
-        let number = |column: usize| cells[column].parse::<f64>().expect("a number");
-        let (kind, p) = (cells[0], number(1) as i64);
+    for cells in drawn("curves") {
+        let (kind, p) = (cells[0].as_str(), number(&cells[1]) as i64);
+        let [omega, amplitude, y] = [3, 4, 5].map(|column| number(&cells[column]));
+        let nu = OSCILLATOR.omega_1 * Ball::from(omega).inverse();
+        let near = |x: Ball| (x.to_f64().abs() + x.radius()) < ROUNDING;
+        *seen.entry(kind.to_owned()).or_insert(0) += 1;
         if kind == "graz" {
+            assert!(near(OSCILLATOR.grazing_square(nu).sqrt() - Ball::from(amplitude)), "{cells:?}");
             continue;
         }
-        *seen.entry(kind).or_insert(0) += 1;
-        let omega = Ball::from(number(3));
-        let nu = OSCILLATOR.omega_1 * omega.inverse();
-        let (family, velocity) = (OSCILLATOR.family(p, nu), Ball::from(number(5)) * omega.inverse());
-        let amplitude = OSCILLATOR.amplitude_square(&family.motion(velocity)).sqrt();
-        let near = |x: Ball| (x.to_f64().abs() + x.radius()) < 2e-9;
-        assert!(near(amplitude - Ball::from(number(4))), "{line}");
+        let family = OSCILLATOR.family(p, nu);
+        let velocity = Ball::from(y) * Ball::from(omega).inverse();
+        let square = OSCILLATOR.amplitude_square(&family.motion(velocity));
+        assert!(near(square.sqrt() - Ball::from(amplitude)), "{cells:?}");
         match kind {
-            "SN" => assert!(near(velocity - family.b * family.big_p.inverse()), "{line}"),
-            "PD" => assert!(near(velocity + family.b * family.big_q.inverse()), "{line}"),
-            _ => {}
-        }
-        let row = ROWS.iter().find(|row| {
-            let [left, right] = row.interval.ends();
-            row.interval.p == p && !(left - nu).is_positive() && !(nu - right).is_positive()
-        });
-        let row = row.expect("the window is covered");
-        if let (Verdict::Tube { lower, upper, .. }, "GZ") = (&row.verdict, kind) {
-            let offset = (nu - row.interval.origin()).to_f64();
-            let at = |witness: &[i128; 3]| {
-                let [a, b, c] = witness.map(|w| libm::scalbn(w as f64, -64));
-                a + offset * (b + offset * c)
-            };
-            let velocity = velocity.to_f64();
-            assert!(at(lower) - 2e-9 <= velocity && velocity <= at(upper) + 2e-9, "{line}");
-            within += 1;
+            "SN" => assert!(near(velocity - family.b * family.big_p.inverse()), "{cells:?}"),
+            "PD" => assert!(near(velocity + family.b * family.big_q.inverse()), "{cells:?}"),
+            _ => {
+                let tube = matches!(row_at(p, nu).verdict, Verdict::Tube { .. });
+                if let (true, Some([_, lower, upper])) = (tube, proved(p, omega)) {
+                    assert!(lower - ROUNDING <= amplitude && amplitude <= upper + ROUNDING, "{cells:?}");
+                    within += 1;
+                }
+            }
         }
     }
-    assert!(seen.len() == 3 && within * 10 >= seen["GZ"] * 9, "{seen:?}, {within} in tubes");
+    assert!(seen.len() == 4 && within * 10 >= seen["GZ"] * 9, "{seen:?}, {within} in tubes");
+}
+
+/// Every point of `fig07_points.csv` lies within the box of the one that is proved.
+#[test]
+fn drawn_points_lie_in_their_boxes() {
+    let frequency = STATEMENT.frequency.map(Decimal::ball);
+    let resonances = Resonance::in_window(&OSCILLATOR, &STATEMENT.loops, frequency);
+    let stretches = summary::stretches(&OSCILLATOR, &ROWS);
+    let mut boxes: Vec<_> = stretches.iter().filter(|stretch| stretch.exactly_one).collect();
+    for cells in drawn("points") {
+        let (kind, p, n) = (cells[0].as_str(), number(&cells[1]), number(&cells[2]));
+        let [omega, amplitude] = [3, 4].map(|column| number(&cells[column]));
+        if kind == "resonance" {
+            let of = |found: &&Resonance| f64::from(found.p) == p && f64::from(found.n) == n;
+            let found = resonances.iter().find(of).expect("a resonance");
+            for (proved, drawn) in [(found.omega, omega), (found.amplitude, amplitude)] {
+                assert!((proved.to_f64() - drawn).abs() < ROUNDING, "{cells:?}");
+            }
+            continue;
+        }
+        let around = |ball: Ball, x: f64| (ball.to_f64() - x).abs() <= ball.radius() + ROUNDING;
+        let found = boxes.iter().position(|stretch| {
+            let [low, high] = stretch.omega;
+            stretch.rows[0].interval.p as f64 == p
+                && stretch.point(&OSCILLATOR) == Some(kind)
+                && around(Ball::between(low, high), omega)
+                && around(stretch.amplitude, amplitude)
+        });
+        boxes.remove(found.unwrap_or_else(|| panic!("not proved: {cells:?}")));
+    }
+    assert!(boxes.is_empty(), "not drawn: {boxes:?}");
+}
+
+/// Every vertex of a region of `fig07_regions.csv` lies on a boundary that is proved, and at places all
+/// over the window a region is drawn if stable motion is proved to exist, and none if it is proved not to.
+#[test]
+fn drawn_regions_are_those_that_are_proved() {
+    let (window, top) = ([0.35, 1.02], 1.3);
+    let mut rings: BTreeMap<(i64, String, String), Vec<[f64; 2]>> = BTreeMap::new();
+    for cells in drawn("regions") {
+        let p = number(&cells[2]) as i64;
+        let [omega, amplitude] = [4, 5].map(|column| number(&cells[column]));
+        rings.entry((p, cells[0].clone(), cells[6].clone())).or_default().push([omega, amplitude]);
+        let edge = window.contains(&omega) || amplitude == top || amplitude == 0.0;
+        let nu = OSCILLATOR.omega_1 * Ball::from(omega).inverse();
+        let near = |x: f64| (amplitude - x).abs() < ROUNDING;
+        let fits = match (p, proved(p.max(1), omega)) {
+            (0, _) => {
+                let grazing = OSCILLATOR.grazing_square(nu).sqrt().to_f64();
+                near(grazing) || (edge && amplitude < grazing)
+            }
+            (_, Some([limit, lower, upper])) => {
+                let within = lower - ROUNDING <= amplitude && amplitude <= upper + ROUNDING;
+                near(limit) || within || (edge && limit <= amplitude && amplitude <= upper)
+            }
+            // A corner, which rounding puts beyond the end of the stretch.
+            (_, None) => [-1e-8, 1e-8].iter().any(|offset| {
+                proved(p, omega + offset)
+                    .is_some_and(|[limit, _, upper]| limit - 1e-6 <= amplitude && amplitude <= upper + 1e-6)
+            }),
+        };
+        assert!(fits, "{cells:?} {:?}", proved(p.max(1), omega));
+    }
+    let inside = |p: i64, [omega, amplitude]: [f64; 2]| {
+        let crossings = rings.iter().filter(|(key, _)| key.0 == p).flat_map(|(_, ring)| {
+            let next = ring.iter().cycle().skip(1);
+            ring.iter().zip(next).filter(|(a, b)| {
+                let share = (omega - a[0]) / (b[0] - a[0]);
+                (a[0] > omega) != (b[0] > omega) && a[1] + share * (b[1] - a[1]) > amplitude
+            })
+        });
+        crossings.count() % 2 == 1
+    };
+    let (mut tested, mut beside) = ([0; 2], 0);
+    for (p, i) in (1..4).flat_map(|p| (0..240).map(move |i| (p, i))) {
+        let omega = window[0] + (f64::from(i) + 0.5) / 240.0 * (window[1] - window[0]);
+        let ends = proved(p, omega);
+        for j in 0..240 {
+            let amplitude = (f64::from(j) + 0.5) / 240.0 * top;
+            let exists = ends.is_some_and(|[limit, lower, _]| limit < amplitude && amplitude < lower);
+            let unknown = ends.is_some_and(|[_, lower, upper]| lower <= amplitude && amplitude <= upper);
+            tested[usize::from(exists)] += 1;
+            if unknown || inside(p, [omega, amplitude]) == exists {
+                continue;
+            }
+            // Chords leave curves by less than the line that is drawn is wide.
+            let near = ends.is_some_and(|ends| ends.iter().any(|end| (end - amplitude).abs() < 1e-4));
+            assert!(near, "p = {p}, omega = {omega}, A = {amplitude}: {ends:?}");
+            beside += 1;
+        }
+    }
+    assert!(tested.iter().all(|&count| count > 10_000) && beside < 20, "{tested:?}, {beside} beside");
 }
 
 /// Every row of the window is decided, and a verdict that is false is not proved.

@@ -9,12 +9,12 @@ use grazing_certify::resonance::Resonance;
 use grazing_certify::statement::{Decimal, Statement};
 use grazing_certify::{certificate, prove, summary};
 use grazing_claims::published::Published;
-use grazing_reproduction::figures::fig07::Figure7;
-use grazing_reproduction::parameters::Parameters;
+use grazing_reproduction::StudyError;
+use grazing_reproduction::figures::beyond_proofs::{oscillator, statement};
 use grazing_unfold::progress::Progress as _;
 
 use crate::arguments::Certify;
-use crate::failure::Failure;
+use crate::failure::{Failure, computation};
 use crate::folder::{self, OutputFile};
 use crate::progress::Display;
 use crate::{project, terminal};
@@ -30,7 +30,8 @@ const VARIED: &str = "varied/certificate";
 /// Something is undecided, the files are not what the code makes, or cannot be written.
 pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
     crate::limits::leave_nothing_behind();
-    let statement = statement(&project::parameters(&arguments.parameters)?)?;
+    let failed = |error: StudyError| computation("certify", &error);
+    let statement = statement(&project::parameters(&arguments.parameters)?).map_err(failed)?;
     let folder = match &arguments.output {
         Some(folder) => folder.clone(),
         None if arguments.parameters.set.is_empty() => project::root_folder()?.join(CERTIFICATE),
@@ -41,11 +42,7 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
         folder::ensure_writable(&folder, &names)?;
     }
     arguments.threads.start()?;
-    let oscillator = statement.oscillator().ok_or_else(|| {
-        Failure::input(
-            "oscillator.zeta: must be large enough for integers of 128 bits, and below 1; set it with --set",
-        )
-    })?;
+    let oscillator = oscillator(&statement).map_err(failed)?;
 
     let frequency = statement.frequency.map(Decimal::ball);
     let resonances = Resonance::in_window(&oscillator, &statement.loops, frequency);
@@ -58,20 +55,24 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
         terminal::say(&(summary::resonance(resonance).join("\n") + "\n"));
         printed(&statement, published, resonance).iter().for_each(|line| terminal::say(line));
     }
-    for &p in &statement.loops {
-        let rows: Vec<_> = rows.iter().filter(|row| row.interval.p == i64::from(p)).cloned().collect();
-        terminal::say(&format!("\np = {p}\n"));
-        summary::regions(&oscillator, &rows).iter().for_each(|line| terminal::say(&format!("  {line}\n")));
+    let stretches = summary::stretches(&oscillator, &rows);
+    for stretches in stretches.chunk_by(|a, b| a.rows[0].interval.p == b.rows[0].interval.p) {
+        terminal::say(&format!("\np = {}\n", stretches[0].rows[0].interval.p));
+        for stretch in stretches {
+            terminal::say(&format!("  {}\n", summary::sentence(&oscillator, stretch)));
+        }
     }
+    let points = stretches.iter().filter(|stretch| stretch.exactly_one).count();
     let share = summary::undecided_share(&rows);
     terminal::say(&format!(
-        "\n{} intervals; tubes around GZ curves are at most 1e-{} of A wide; {share:.1e} of nu is undecided.\n",
+        "\n{} intervals; tubes around GZ curves are at most 1e-{} of A wide; {points} points where these end or meet, no others; {share:.1e} of nu is undecided.\n",
         rows.len(),
         grazing_certify::WIDTH_PLACES,
     ));
 
-    let rows = certificate::rows(&rows);
-    let contents = [certificate::statement(&statement, &rows), certificate::resonances(&resonances), rows];
+    let (rows, numbers) = (certificate::rows(&rows), certificate::resonances(&resonances));
+    let stated = certificate::statement(&statement, points, &numbers, &rows);
+    let contents = [stated, numbers, rows];
     let files: Vec<OutputFile> = names
         .into_iter()
         .zip(contents)
@@ -88,24 +89,6 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
         (false, 0) => Ok(()),
         _ => Err(Failure::incomplete("not all could be proved, see above; the rest is in the certificate")),
     }
-}
-
-/// What the parameter file says of Figure 7, as decimal numbers.
-fn statement(parameters: &Parameters) -> Result<Statement, Failure> {
-    let (figure, oscillator) = (parameters.section::<Figure7>()?, parameters.oscillator()?);
-    let decimal = |key: &str, x: f64| {
-        Decimal::new(x).ok_or_else(|| Failure::input(format!("{key} = {x}: a proof needs at most 18 digits")))
-    };
-    Ok(Statement {
-        zeta: decimal("oscillator.zeta", oscillator.damping_ratio())?,
-        epsilon: decimal("oscillator.epsilon", oscillator.coefficient_of_restitution())?,
-        frequency: [
-            decimal("fig07.frequency", figure.frequency[0])?,
-            decimal("fig07.frequency", figure.frequency[1])?,
-        ],
-        amplitude: decimal("fig07.amplitude", figure.amplitude[1])?,
-        loops: figure.loops,
-    })
 }
 
 /// Whether what the paper prints of a resonance, of an oscillator with its constants, is within half

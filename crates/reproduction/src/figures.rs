@@ -5,6 +5,7 @@ pub mod beyond_atlas;
 pub mod beyond_attractors;
 pub mod beyond_cascade;
 pub mod beyond_loops;
+pub mod beyond_proofs;
 pub mod beyond_regions;
 pub mod fig01;
 pub mod fig02;
@@ -46,6 +47,7 @@ macro_rules! paper_figures {
             $make::<$crate::figures::beyond_loops::BeyondLoops>(),
             $make::<$crate::figures::beyond_regions::BeyondRegions>(),
             $make::<$crate::figures::beyond_attractors::BeyondAttractors>(),
+            $make::<$crate::figures::beyond_proofs::BeyondProofs>(),
             $($($last,)+)?
         ]
     };

@@ -79,7 +79,7 @@ const LOOPS: [&str; 6] =
 /// Control characters, marks that turn the direction of writing, other scripts.
 const CHARACTERS: [&str; 12] =
     ["\0", "\u{1b}[2J", "\u{7f}", "\r", "\u{feff}", "\u{202e}", "\u{2066}", "ω", "−", "´", "\"", "#"];
-const OUTPUTS: [&str; 18] = [
+const OUTPUTS: [&str; 19] = [
     "coefficients",
     "fig01",
     "fig02",
@@ -96,6 +96,7 @@ const OUTPUTS: [&str; 18] = [
     "beyond_loops",
     "beyond_regions",
     "beyond_attractors",
+    "beyond_proofs",
     "straightened",
     "theorems",
 ];

@@ -116,3 +116,47 @@ columns! {
     /// `unseen`: in a region of the p-loop solution, and no initial state comes to it; `unexplained`: in none, and one does
     MAP_REMARK = "remark", "", "1";
 }
+
+// What is proved of Figure 7.
+columns! {
+    /// what is drawn in Figure 7: `curve`, `point` or `region`
+    PROOF_OBJECT = "object", "", "1";
+    /// its kind, as in the tables of Figure 7
+    PROOF_KIND = "kind", "", "1";
+    /// the `arc` of a curve, the `region`, or the place of a point, 1 for the first, in the tables of Figure 7
+    PROOF_NUMBER = "number", "", "1";
+    /// least secondary parameter of a curve or region; of a point the end of an interval in which it is proved to lie
+    PROOF_FROM = "{secondary}_from", r"{secondary}_{\mathrm{from}}", "{secondary}";
+    /// greatest, or the other end
+    PROOF_TO = "{secondary}_to", r"{secondary}_{\mathrm{to}}", "{secondary}";
+    /// primary parameter of a point, the middle of its bounds; empty for others
+    PROOF_AMPLITUDE = "{primary}_at", "{primary}", "{primary}";
+    /// how far apart the bounds of the primary parameter are that are proved, at most; 0: a closed form
+    PROOF_WIDTH = "width", "", "{primary}";
+    /// how many points of it are drawn
+    PROOF_DRAWN = "drawn", "", "1";
+    /// how many of these lie where it is proved to be, within 2·10⁻⁹ for rounding
+    PROOF_WITHIN = "within", "", "1";
+    /// what is proved of it
+    PROOF_STATEMENT = "statement", "", "1";
+    /// `SN`, `PD` or, for p = 0, `graz`: the curve at `begins`
+    PROOF_BEGINS_AT = "at", "", "1";
+    /// primary parameter at which motion begins to be stable; for p = 0 at which it grazes
+    PROOF_BEGINS = "begins", "", "{primary}";
+    /// primary parameter up to which it is proved to be admissible
+    PROOF_LOWER = "lower", "", "{primary}";
+    /// primary parameter from which on it is proved not to be; empty beyond the window
+    PROOF_UPPER = "upper", "", "{primary}";
+    /// log₁₀ of the width of the tube in which the GZ curve lies
+    PROOF_LOG_WIDTH = "log10_width", r"\log_{10}\text{ width}", "1";
+    /// `tube`, in which the GZ curve lies; `box`, in which exactly one point does
+    PROOF_PART = "part", "", "1";
+    /// secondary parameter less that at the middle of the panel, in units of 10⁻⁹
+    PROOF_SECONDARY_OFFSET = "{secondary}_offset", "", "{secondary}";
+    /// `begins` less the primary parameter at the middle of the panel, in units of 10⁻⁶
+    PROOF_BEGINS_OFFSET = "begins_offset", "", "{primary}";
+    /// `lower`, likewise
+    PROOF_LOWER_OFFSET = "lower_offset", "", "{primary}";
+    /// `upper`, likewise
+    PROOF_UPPER_OFFSET = "upper_offset", "", "{primary}";
+}

@@ -8,6 +8,7 @@ use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, State};
 use grazing_reproduction::Study;
 use grazing_reproduction::figures::beyond_attractors::{BeyondAttractors, Map, STARTS, Stretch};
 use grazing_reproduction::figures::beyond_loops::BeyondLoops;
+use grazing_reproduction::figures::beyond_proofs::BeyondProofs;
 use grazing_reproduction::figures::beyond_regions::BeyondRegions;
 use grazing_theorems::auxiliary::scaled_visit_position;
 use grazing_trials::closed_form;
@@ -295,4 +296,17 @@ fn exponents_of_periodic_motion_are_known() {
     let known = libm::log(theory().coefficient_of_restitution()) / period - zeta;
     assert_eq!(struck.fate.loops(), Some(1));
     assert!((struck.exponent.mean - known).abs() < 1e-9, "{struck:?} {known}");
+}
+
+#[test]
+fn what_is_drawn_in_figure_7_lies_where_it_is_proved_to_be() {
+    let shown = Study::new(&made().parameters).shown::<BeyondProofs>().expect("it can be computed");
+    assert!(shown.undecided.is_empty(), "{:?}", shown.undecided);
+    let count = |object: &str| shown.items.iter().filter(|item| item.object == object).count();
+    assert_eq!([count("point"), count("region")], [25, 12]);
+    for item in &shown.items {
+        // A corner may lie beyond the end of a stretch by rounding.
+        assert!(item.within + u32::from(item.object != "point") >= item.drawn, "{item:?}");
+        assert!(item.object == "point" || item.width <= 1e-6, "{item:?}");
+    }
 }

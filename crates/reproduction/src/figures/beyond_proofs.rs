@@ -1,0 +1,275 @@
+//! Beyond the paper: what is proved of Figure 7, of each curve, point and region that it shows.
+
+mod ink;
+mod items;
+
+use grazing_certify::ball::Ball;
+use grazing_certify::orbit::Oscillator;
+use grazing_certify::resonance::Resonance;
+use grazing_certify::row::{Row, Verdict};
+use grazing_certify::statement::{Decimal, Statement};
+use grazing_certify::summary::{Kind, Stretch, ends, sentence, stretches};
+use grazing_certify::{prove, summary};
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_results::{Frame, rows, tables, words};
+use grazing_source::kind::count;
+
+use super::fig07::Figure7;
+use crate::figure::prelude::*;
+
+/// Frequencies at which the grazing curve, a closed form, is shown.
+const SAMPLES: u32 = 200;
+/// A panel reaches this many times as far from its middle as the box of its point.
+const REACH: f64 = 1.8;
+
+keys! {
+    /// What is proved of Figure 7.
+    pub struct BeyondProofs {
+        /// How many points are magnified.
+        panels: u32 = count(0..=3), "the number of points that are magnified must be from {} to {}";
+    }
+}
+
+words! {
+    /// A part of a magnification.
+    ProofPart {
+        /// In which the GZ curve lies.
+        Tube = "tube",
+        /// In which exactly one point lies.
+        Box = "box",
+    }
+}
+
+rows! {
+    /// Something that Figure 7 shows, and what is proved of it.
+    ProofItem {
+        object: &'static str = PROOF_OBJECT,
+        kind: String = PROOF_KIND,
+        loops: u32 = LOOPS,
+        n: u32 = RESONANCE_INDEX,
+        number: u32 = PROOF_NUMBER,
+        from: f64 = PROOF_FROM,
+        to: f64 = PROOF_TO,
+        amplitude: f64 = PROOF_AMPLITUDE,
+        width: f64 = PROOF_WIDTH,
+        drawn: u32 = PROOF_DRAWN,
+        within: u32 = PROOF_WITHIN,
+        statement: String = PROOF_STATEMENT,
+    }
+
+    /// At one frequency, where stable admissible motion is proved to begin and to end.
+    ProofEnds {
+        loops: u32 = LOOPS,
+        arc: u32 = ARC,
+        omega: f64 = SECONDARY,
+        at: Bifurcation = PROOF_BEGINS_AT,
+        begins: f64 = PROOF_BEGINS,
+        lower: f64 = PROOF_LOWER,
+        upper: f64 = PROOF_UPPER,
+        log_width: f64 = PROOF_LOG_WIDTH,
+    }
+
+    /// The same beside a point, magnified.
+    ProofMagnified {
+        panel: u32 = PANEL,
+        kind: String = CODIMENSION_TWO,
+        loops: u32 = LOOPS,
+        secondary: f64 = SECONDARY,
+        primary: f64 = PRIMARY,
+        part: ProofPart = PROOF_PART,
+        arc: u32 = ARC,
+        omega: f64 = PROOF_SECONDARY_OFFSET,
+        begins: f64 = PROOF_BEGINS_OFFSET,
+        lower: f64 = PROOF_LOWER_OFFSET,
+        upper: f64 = PROOF_UPPER_OFFSET,
+    }
+}
+
+tables! {
+    /// What is proved of Figure 7.
+    Proofs {
+        /// Of each curve, point and region.
+        items: ProofItem = "beyond_proofs", "something that Figure 7 shows",
+        /// Over the window.
+        ends: ProofEnds = "beyond_proofs_ends", "an interval of frequencies, by its middle",
+        /// About points.
+        magnified: ProofMagnified = "beyond_proofs_magnified", "an end of an interval of frequencies beside a point",
+        ;
+        /// The window.
+        frame: Frame,
+        /// What is not decided, in sentences.
+        undecided: Vec<String>,
+    }
+}
+
+impl FileSection for BeyondProofs {
+    const NAME: &'static str = "beyond_proofs";
+    const REQUIREMENT: &'static str = "the table [beyond_proofs] says how many points are magnified";
+}
+
+impl PaperFigure for BeyondProofs {
+    const LABEL: &'static str = "fig:proofs";
+    const BEYOND: bool = true;
+    const TITLE: &'static str = "Beyond the paper: what is proved of Figure 7";
+    const TABLES: &'static [TablePlan] = Proofs::TABLES;
+    const REMEDY: &'static str = "oscillator.zeta or oscillator.epsilon";
+    type Shown = Proofs;
+
+    fn compute(&self, study: &Study) -> Result<Proofs, StudyError> {
+        let figure: Figure7 = study.parameters.section()?;
+        let statement = statement(&study.parameters)?;
+        let oscillator = oscillator(&statement)?;
+        let (progress, what) = (&study.progress, "proofs over the window");
+        let rows =
+            prove(&statement, &oscillator, |parts| progress.begin(what, parts), || progress.step(what));
+        progress.end(what);
+        let stretches = stretches(&oscillator, &rows);
+        let window = figure.window();
+        let undecided = stretches.iter().filter(|stretch| matches!(stretch.kind, Kind::Undecided(_)));
+        Ok(Proofs {
+            items: items::items(study, &statement, &oscillator, &rows, &stretches)?,
+            ends: all_ends(&oscillator, &rows, window.secondary),
+            magnified: magnified(&oscillator, &rows, &stretches, self.panels),
+            frame: window.into(),
+            undecided: undecided.map(|stretch| sentence(&oscillator, stretch)).collect(),
+        })
+    }
+
+    fn draw(shown: &Proofs, width: SheetWidth) -> Result<Sheet, DrawingError> {
+        ink::draw(shown, width)
+    }
+
+    fn remarks(&self, _: &Study, shown: &Proofs) -> Result<Remarks, StudyError> {
+        Ok(Remarks { notes: shown.undecided.clone(), gaps: Vec::new() })
+    }
+
+    fn constants(study: &Study) -> Result<Vec<(&'static str, f64)>, ParameterError> {
+        study.oscillator_constants()
+    }
+}
+
+/// What is to be proved: Figure 7's window and the constants, as decimal numbers.
+///
+/// # Errors
+/// A section is not right, or one of the numbers has too many digits.
+pub fn statement(parameters: &Parameters) -> Result<Statement, StudyError> {
+    let (figure, oscillator) = (parameters.section::<Figure7>()?, parameters.oscillator()?);
+    let decimal = |key: &str, x: f64| {
+        Decimal::new(x)
+            .ok_or_else(|| StudyError::Failed(format!("{key} = {x}: a proof needs at most 18 digits")))
+    };
+    let window = figure.window();
+    let [lowest, highest] = window.secondary;
+    Ok(Statement {
+        zeta: decimal("oscillator.zeta", oscillator.damping_ratio())?,
+        epsilon: decimal("oscillator.epsilon", oscillator.coefficient_of_restitution())?,
+        frequency: [decimal("fig07.frequency", lowest)?, decimal("fig07.frequency", highest)?],
+        amplitude: decimal("fig07.amplitude", window.primary[1])?,
+        loops: figure.loops,
+    })
+}
+
+/// The oscillator of a statement.
+///
+/// # Errors
+/// Balls cannot hold its constants.
+pub fn oscillator(statement: &Statement) -> Result<Oscillator, StudyError> {
+    statement.oscillator().ok_or_else(|| {
+        let what = "oscillator.zeta: must be large enough for integers of 128 bits, and below 1";
+        StudyError::Failed(what.to_owned())
+    })
+}
+
+/// The rows in which there is motion, in runs side by side.
+fn runs(rows: &[Row]) -> impl Iterator<Item = &[Row]> {
+    let moves = |row: &Row| matches!(Kind::of(row), Kind::Stable | Kind::Double);
+    let together = move |a: &Row, b: &Row| a.interval.p == b.interval.p && moves(a) && moves(b);
+    rows.chunk_by(together).filter(move |run| moves(&run[0]))
+}
+
+/// Which curve motion begins at.
+fn begins_at(oscillator: &Oscillator, p: i64, nu: Ball) -> Bifurcation {
+    let saddle_node = oscillator.family(p, nu).b.to_f64() > 0.0;
+    if saddle_node { Bifurcation::SaddleNode } else { Bifurcation::PeriodDoubling }
+}
+
+/// Where motion begins and ends at the middle of each interval, and at the ends of each run.
+fn all_ends(oscillator: &Oscillator, rows: &[Row], [lowest, highest]: [f64; 2]) -> Vec<ProofEnds> {
+    let mut all: Vec<ProofEnds> = (0..=SAMPLES)
+        .map(|k| {
+            let omega = lowest + f64::from(k) / f64::from(SAMPLES) * (highest - lowest);
+            let nu = oscillator.omega_1 * Ball::from(omega).inverse();
+            let begins = oscillator.grazing_square(nu).sqrt().to_f64();
+            let (at, log_width) = (Bifurcation::NonImpactingGrazing, f64::NAN);
+            ProofEnds { loops: 0, arc: 0, omega, at, begins, lower: begins, upper: begins, log_width }
+        })
+        .collect();
+    for (arc, run) in (1..).zip(runs(rows)) {
+        let (first, last, p) = (&run[0], &run[run.len() - 1], run[0].interval.p);
+        let places = run.iter().map(|row| (row, row.interval.middle()));
+        let places = [(first, first.interval.ends()[0])]
+            .into_iter()
+            .chain(places)
+            .chain([(last, last.interval.ends()[1])]);
+        all.extend(places.filter_map(|(row, nu)| {
+            let [begins, lower, upper] = ends(oscillator, row, nu)?.map(Ball::to_f64);
+            let upper = if matches!(row.verdict, Verdict::Edge { .. }) { f64::NAN } else { upper };
+            let omega = (oscillator.omega_1 * nu.inverse()).to_f64();
+            let at = begins_at(oscillator, p, nu);
+            let log_width = libm::log10(upper - lower);
+            Some(ProofEnds { loops: p as u32, arc, omega, at, begins, lower, upper, log_width })
+        }));
+    }
+    all
+}
+
+/// Tubes beside the first point of each kind, and its box.
+fn magnified(
+    oscillator: &Oscillator,
+    rows: &[Row],
+    found: &[Stretch<'_>],
+    panels: u32,
+) -> Vec<ProofMagnified> {
+    let of = |kind: &str| found.iter().find(|one| one.exactly_one && one.point(oscillator) == Some(kind));
+    let kinds = ["SN-GZ", "PD-GZ", "GZ-GZ"].into_iter().filter_map(|kind| Some((kind, of(kind)?)));
+    let mut all = Vec::new();
+    for (panel, (kind, point)) in (1..=panels).zip(kinds) {
+        let p = point.rows[0].interval.p;
+        let [low, high] = point.omega.map(Ball::to_f64);
+        let (secondary, primary) = (0.5 * (low + high), point.amplitude.to_f64());
+        let offset = |amplitude: f64| (amplitude - primary) * 1e6;
+        let row = |part, arc, omega: f64, [begins, lower, upper]: [f64; 3]| ProofMagnified {
+            panel,
+            kind: kind.to_owned(),
+            loops: p as u32,
+            secondary,
+            primary,
+            part,
+            arc,
+            omega: (omega - secondary) * 1e9,
+            begins: offset(begins),
+            lower: offset(lower),
+            upper: offset(upper),
+        };
+        let radius = point.amplitude.radius();
+        let sides = [f64::NAN, primary - radius, primary + radius];
+        all.extend([low, high].map(|omega| row(ProofPart::Box, 0, omega, sides)));
+        let of_p: Vec<_> = runs(rows).filter(|run| run[0].interval.p == p).collect();
+        for (arc, run) in (1..).zip(of_p) {
+            let reach = 8.0 * (high - low);
+            let clamped = |(one, nu): (&Row, Ball)| {
+                let omega = (oscillator.omega_1 * nu.inverse()).to_f64();
+                let shown = omega.clamp(secondary - reach, secondary + reach);
+                let nu = if omega == shown { nu } else { oscillator.omega_1 * Ball::from(shown).inverse() };
+                Some(row(ProofPart::Tube, arc, shown, ends(oscillator, one, nu)?.map(Ball::to_f64)))
+            };
+            let beside = run.iter().filter(|one| {
+                let [last, first] =
+                    one.interval.ends().map(|nu| (oscillator.omega_1 * nu.inverse()).to_f64());
+                first <= secondary + reach && secondary - reach <= last
+            });
+            all.extend(beside.flat_map(|one| one.interval.ends().map(|nu| (one, nu))).filter_map(clamped));
+        }
+    }
+    all
+}

@@ -1,0 +1,181 @@
+//! The proofs over Figure 7's window, and tubes magnified beside points.
+
+use grazing_drawing::geometry::sheet::Bounds;
+use grazing_drawing::ink::canvas::{Anchor, Canvas};
+use grazing_drawing::ink::labels::{Labels, Site};
+use grazing_drawing::ink::legend::Sample;
+use grazing_drawing::ink::style::{
+    BLACK, GREY, LABEL_SIZE, NON_IMPACTING_AREA, Paint, Pen, SMALL_LABEL_SIZE, branch_pen,
+};
+use grazing_drawing::plot::axes::{Marker, Panel};
+use grazing_drawing::plot::kinds::{Trace, TraceOf, draw_curves, shade};
+use grazing_results::Frame;
+use grazing_results::kinds::CurveLook;
+use grazing_results::plane::RegionKind;
+
+use super::{Bifurcation, ProofEnds, ProofMagnified, ProofPart, Proofs, REACH};
+use crate::figure::prelude::*;
+
+const WIDTH_MM: f64 = 165.0;
+const HEIGHT_MM: f64 = 158.0;
+/// Room about panels, in points.
+const LEFT: f64 = 36.0;
+const RIGHT: f64 = 8.0;
+const ABOVE: f64 = 17.0;
+const BELOW: f64 = 31.0;
+const GAP: f64 = 14.0;
+/// Between magnifications, with the numbers of their axes.
+const NUMBERS: f64 = 30.0;
+/// The share of the height that the window takes, and of the width beside the widths of tubes.
+const SHARES: [f64; 2] = [0.64, 0.68];
+/// log₁₀ of the widths that are shown.
+const WIDTHS: [f64; 2] = [-12.0, -5.5];
+const GREEN: [u8; 3] = CurveLook::of(Bifurcation::Grazing).colours[0];
+const TUBE: Paint = Paint { colour: GREEN, opacity: 0.4 };
+const SIDE: Pen = Pen::solid(GREEN, 0.6);
+const BOX: Pen = Pen::solid(BLACK, 0.8);
+const GOAL: Pen = Pen::dashed(GREY, 0.5, &[3.0, 2.0]);
+/// The area of a region, in square points, that has room for its name.
+const NAMED: f64 = 60.0;
+
+/// Draws the figure.
+pub(super) fn draw(figure: &Proofs, width: SheetWidth) -> Result<Sheet, DrawingError> {
+    let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
+    let right = canvas.width - RIGHT;
+    let parting = LEFT + SHARES[1] * (right - LEFT - GAP);
+    let height = SHARES[0] * canvas.height;
+    let upper = |left, right| Bounds { left, top: ABOVE, right, bottom: height - BELOW };
+    let window = Panel::new(&canvas, figure.frame, upper(LEFT, parting));
+    draw_window(figure, &window)?;
+    let widths = Frame { x: WIDTHS, y: figure.frame.y };
+    let mut widths = Panel::new(&canvas, widths, upper(parting + GAP, right));
+    widths.numbers_beside = false;
+    widths.line(&[(-6.0, figure.frame.y[0]), (-6.0, figure.frame.y[1])], GOAL);
+    let mut labels = Labels::new(&canvas, widths.bounds);
+    for run in figure.ends.chunk_by(|a, b| a.arc == b.arc).filter(|run| run[0].loops > 0) {
+        let pen = branch_pen(run[0].loops, 0.9);
+        let seen: Vec<_> = run.iter().filter(|ends| ends.log_width.is_finite()).collect();
+        let places: Vec<_> = seen.iter().map(|ends| (ends.log_width, ends.omega)).collect();
+        for piece in widths.line(&places, pen) {
+            labels.placer.keep_off(&piece);
+            let name = format!("${}$", run[0].loops);
+            labels.add(&name, SMALL_LABEL_SIZE, pen.colour, &Site::Beside(&piece))?;
+        }
+        canvas.explain(&format!("width of the tube, p = {}", run[0].loops), Sample::Line(pen));
+    }
+    labels.draw()?;
+    widths.axes(r"$\mathrm{log}_{10}$ of width in $\mathcal{A}$", "")?;
+    let panels: Vec<_> = figure.magnified.chunk_by(|a, b| a.panel == b.panel).collect();
+    let each = (right - LEFT - 2.0 * NUMBERS) / 3.0;
+    for (place, rows) in panels.iter().enumerate() {
+        let left = LEFT + place as f64 * (each + NUMBERS);
+        let bounds = Bounds { left, top: height + ABOVE, right: left + each, bottom: canvas.height - BELOW };
+        draw_magnified(&canvas, rows, bounds, place)?;
+    }
+    for (name, left) in [("(a)", LEFT), ("(b)", parting + GAP)] {
+        canvas.text((left, ABOVE - 5.0), name, LABEL_SIZE, Anchor::Start, BLACK)?;
+    }
+    canvas.finish(
+        "beyond_proofs",
+        "What is proved of Figure 7",
+        "Upper left: forcing amplitude across, forcing frequency up. Grey: stable admissible motion is proved to exist, the darker area that with \
+         impacts; white: it is proved that there is none of one, two or three loops. Upper right: the width in amplitude of the tubes in which grazing \
+         curves of stable solutions are proved to lie. Below: tubes beside three codimension-two points, and the boxes in which exactly one point is \
+         proved to lie; offsets in units of 1e-6 in amplitude across, of 1e-9 in frequency up.",
+    )
+}
+
+/// A run of rows as the boundary of its region, with the greatest amplitude in the place of an end beyond it.
+fn outline(run: &[ProofEnds], greatest: f64) -> Vec<(f64, f64)> {
+    let begins = run.iter().map(|ends| (ends.begins, ends.omega));
+    let last = |ends: &ProofEnds| if ends.upper.is_nan() { 2.0 * greatest } else { ends.lower };
+    begins.chain(run.iter().rev().map(|ends| (last(ends), ends.omega))).collect()
+}
+
+fn draw_window(figure: &Proofs, panel: &Panel<'_>) -> Result<(), DrawingError> {
+    let [_, greatest] = figure.frame.x;
+    let mut labels = Labels::new(panel.canvas, panel.bounds);
+    let (mut traces, mut names) = (Vec::new(), Vec::new());
+    for run in figure.ends.chunk_by(|a, b| a.arc == b.arc) {
+        if run[0].loops == 0 {
+            let [first, last] = figure.frame.y;
+            let grazing: Vec<_> = run.iter().map(|ends| (ends.begins, ends.omega)).collect();
+            let area: Vec<_> = grazing.iter().copied().chain([(0.0, last), (0.0, first)]).collect();
+            panel.fill(&area, NON_IMPACTING_AREA);
+            panel
+                .canvas
+                .explain("motion without impacts is stable: proved", Sample::Area(NON_IMPACTING_AREA));
+            traces.push(trace(Bifurcation::NonImpactingGrazing, grazing));
+            continue;
+        }
+        let seen = panel.fill(&outline(run, greatest), shade(panel, RegionKind::Mps));
+        names.push((run[0].loops, seen));
+        let limits = run.chunk_by(|a, b| a.at == b.at);
+        traces
+            .extend(limits.map(|part| trace(part[0].at, part.iter().map(|e| (e.begins, e.omega)).collect())));
+        let tube = run.iter().filter(|ends| !ends.upper.is_nan());
+        traces.push(trace(Bifurcation::Grazing, tube.map(|ends| (ends.upper, ends.omega)).collect()));
+    }
+    draw_curves(panel, &mut labels, traces);
+    for (loops, seen) in names {
+        let shoelace = seen.iter().zip(seen.iter().cycle().skip(1)).map(|(a, b)| a.0 * b.1 - a.1 * b.0);
+        if (0.5 * shoelace.sum::<f64>()).abs() > NAMED {
+            labels.add(&format!("${loops}$"), SMALL_LABEL_SIZE, BLACK, &Site::Within(&seen))?;
+        }
+    }
+    for item in figure.items.iter().filter(|item| item.object == "point") {
+        let (marker, sample, what) = if item.kind == "resonance" {
+            (Marker::Triangle, Sample::Triangle, "resonance")
+        } else {
+            (Marker::Disc, Sample::Disc, "other codimension-two point")
+        };
+        let omega = 0.5 * (item.from + item.to);
+        if panel.marker((item.amplitude, omega), marker).is_some() {
+            panel.canvas.explain(&format!("{what}: proved"), sample);
+        }
+    }
+    labels.draw()?;
+    panel.axes(r"$\mathcal{A}$", r"$\omega$")
+}
+
+fn trace(kind: Bifurcation, points: Vec<(f64, f64)>) -> Trace {
+    Trace { kind, of: TraceOf::Bifurcation, points }
+}
+
+fn draw_magnified(
+    canvas: &Canvas,
+    rows: &[ProofMagnified],
+    bounds: Bounds,
+    place: usize,
+) -> Result<(), DrawingError> {
+    let ProofMagnified { kind, loops, .. } = &rows[0];
+    let (boxed, tubes): (Vec<_>, Vec<_>) = rows.iter().partition(|row| row.part == ProofPart::Box);
+    let (across, up) = (REACH * boxed[0].upper.abs(), 2.0 * REACH * boxed[0].omega.abs());
+    let panel = Panel::new(canvas, Frame { x: [-across, across], y: [-up, up] }, bounds);
+    for run in tubes.chunk_by(|a, b| a.arc == b.arc) {
+        let side = |of: fn(&ProofMagnified) -> f64| run.iter().map(move |row| (of(row), row.omega));
+        let between = |one: fn(&ProofMagnified) -> f64, other: fn(&ProofMagnified) -> f64| -> Vec<_> {
+            side(one).chain(side(other).rev()).collect()
+        };
+        panel.fill(&between(|row| row.begins, |row| row.lower), shade(&panel, RegionKind::Mps));
+        panel.fill(&between(|row| row.lower, |row| row.upper), TUBE);
+        for of in [(|row| row.lower) as fn(&ProofMagnified) -> f64, |row| row.upper] {
+            panel.line(&side(of).collect::<Vec<_>>(), SIDE);
+        }
+        let limit =
+            if kind.starts_with("PD") { Bifurcation::PeriodDoubling } else { Bifurcation::SaddleNode };
+        let look = CurveLook::of(limit);
+        panel.line(&side(|row| row.begins).collect::<Vec<_>>(), Pen::solid(look.colours[0], look.width));
+        canvas.explain("tube in which the GZ curve lies", Sample::Area(TUBE));
+    }
+    let [low, high] = [boxed[0], boxed[1]].map(|row| row.omega);
+    let [left, right] = [boxed[0].lower, boxed[0].upper];
+    panel.line(&[(left, low), (right, low), (right, high), (left, high), (left, low)], BOX);
+    canvas.explain("box in which exactly one point lies", Sample::Rectangle(BOX));
+    let name = ["(c)", "(d)", "(e)"][place];
+    let above = (bounds.left, bounds.top - 5.0);
+    canvas.text(above, &format!("{name} {kind}"), SMALL_LABEL_SIZE, Anchor::Start, BLACK)?;
+    let inside = (bounds.right - 3.0, bounds.bottom - 4.0);
+    canvas.text(inside, &format!("$p={loops}$"), SMALL_LABEL_SIZE, Anchor::End, BLACK)?;
+    panel.axes(r"$10^6\,\Delta\mathcal{A}$", if place == 0 { r"$10^9\,\Delta\omega$" } else { "" })
+}

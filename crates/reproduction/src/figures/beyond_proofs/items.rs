@@ -1,0 +1,223 @@
+//! Each curve, point and region of Figure 7, with what is proved of it.
+
+use grazing_results::plane::{PlanePoint, RegionVertex, SpecialPoint};
+
+use super::*;
+use crate::plane::{self, Axes};
+
+/// What continuation's rounding may add to a number that is drawn.
+const ROUNDING: f64 = 2e-9;
+
+/// What is proved, to be looked up.
+struct Lookup<'a> {
+    oscillator: &'a Oscillator,
+    rows: &'a [Row],
+}
+
+impl Lookup<'_> {
+    fn nu(&self, omega: f64) -> Ball {
+        self.oscillator.omega_1 * Ball::from(omega).inverse()
+    }
+
+    /// Where motion begins, the two sides between which it ends, and how wide the tube is, 0 in the box
+    /// of a point.
+    fn ends(&self, p: u32, omega: f64) -> Option<[f64; 4]> {
+        let nu = self.nu(omega);
+        let row = summary::row_at(self.rows, p.into(), nu)?;
+        let [begins, lower, upper] = ends(self.oscillator, row, nu)?.map(Ball::to_f64);
+        Some(match row.verdict {
+            Verdict::Edge { .. } => [begins, lower, f64::INFINITY, 0.0],
+            Verdict::Tube { .. } => [begins, lower, upper, upper - lower],
+            _ => [begins, lower, upper, 0.0],
+        })
+    }
+
+    /// The amplitude of a curve that is a closed form; nothing for a GZ curve.
+    fn closed_form(&self, kind: Bifurcation, p: u32, omega: f64) -> Option<f64> {
+        let family = self.oscillator.family(p.max(1).into(), self.nu(omega));
+        let velocity = match kind {
+            Bifurcation::NonImpactingGrazing => Ball::ZERO,
+            Bifurcation::SaddleNode => family.b * family.big_p.inverse(),
+            Bifurcation::PeriodDoubling => -family.b * family.big_q.inverse(),
+            _ => return None,
+        };
+        Some(self.oscillator.amplitude_square(&family.motion(velocity)).sqrt().to_f64())
+    }
+}
+
+/// Of each curve, point and region of Figure 7.
+pub(super) fn items(
+    study: &Study,
+    statement: &Statement,
+    oscillator: &Oscillator,
+    rows: &[Row],
+    stretches: &[Stretch<'_>],
+) -> Result<Vec<ProofItem>, StudyError> {
+    let (diagram, axes) = (study.diagram()?, Axes::of_the_paper());
+    let (curves, points) = (plane::curves(&axes, diagram), plane::points(&axes, diagram));
+    let (regions, look) = (plane::regions(&axes, &diagram.regions), Lookup { oscillator, rows });
+    let curves = curves.chunk_by(|a, b| a.arc == b.arc).map(|curve| of_curve(&look, curve));
+    let points = (1..).zip(&points).map(|(number, point)| {
+        let (from, to, amplitude, statement) = of_point(oscillator, statement, stretches, point);
+        let within = (point.secondary - 0.5 * (from + to)).abs() <= 0.5 * (to - from) + ROUNDING
+            && (point.primary - amplitude.to_f64()).abs() <= amplitude.radius() + ROUNDING;
+        let SpecialPoint { kind, loops, n, .. } = *point;
+        let (kind, width) = (kind.name().to_owned(), 2.0 * amplitude.radius());
+        let (within, amplitude) = (u32::from(within), amplitude.to_f64());
+        ProofItem {
+            object: "point",
+            kind,
+            loops,
+            n,
+            number,
+            from,
+            to,
+            amplitude,
+            width,
+            drawn: 1,
+            within,
+            statement,
+        }
+    });
+    let regions = regions.chunk_by(|a, b| a.region == b.region);
+    let regions = regions.map(|region| of_region(&look, region, stretches, diagram.scope.window));
+    Ok(curves.chain(points).chain(regions).collect())
+}
+
+/// The least and greatest frequency of what is drawn.
+fn range(omegas: impl Iterator<Item = f64>) -> [f64; 2] {
+    omegas.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], omega| [low.min(omega), high.max(omega)])
+}
+
+fn of_curve(look: &Lookup<'_>, curve: &[PlanePoint]) -> ProofItem {
+    let PlanePoint { kind, loops, n, arc, .. } = curve[0];
+    let (mut within, mut width) = (0, 0.0_f64);
+    for point in curve {
+        let holds = match look.closed_form(kind, loops, point.secondary) {
+            Some(amplitude) => (amplitude - point.primary).abs() < ROUNDING,
+            None => look.ends(loops, point.secondary).is_some_and(|[_, lower, upper, wide]| {
+                width = width.max(wide);
+                lower - ROUNDING <= point.primary && point.primary <= upper + ROUNDING
+            }),
+        };
+        within += u32::from(holds);
+    }
+    let [from, to] = range(curve.iter().map(|point| point.secondary));
+    let statement = match kind {
+        Bifurcation::NonImpactingGrazing => {
+            "closed form at every omega: motion without impacts, always stable, is admissible just up to it"
+                .to_owned()
+        }
+        Bifurcation::Grazing => format!(
+            "where it bounds stable {loops}-loop MPSs it is in a tube of this width at every omega; it is not said of the rest"
+        ),
+        _ => {
+            let multiplier = if kind == Bifurcation::SaddleNode { 1 } else { -1 };
+            format!(
+                "closed form at every omega: on it, and nowhere else, a {loops}-loop solution with one impact has the multiplier {multiplier}"
+            )
+        }
+    };
+    let drawn = curve.len() as u32;
+    ProofItem {
+        object: "curve",
+        kind: kind.name().to_owned(),
+        loops,
+        n,
+        number: arc,
+        from,
+        to,
+        amplitude: f64::NAN,
+        width,
+        drawn,
+        within,
+        statement,
+    }
+}
+
+/// From which frequency to which a point is proved to lie, among which amplitudes, and more.
+fn of_point(
+    oscillator: &Oscillator,
+    statement: &Statement,
+    stretches: &[Stretch<'_>],
+    point: &SpecialPoint,
+) -> (f64, f64, Ball, String) {
+    let nothing = (f64::NAN, f64::NAN, Ball::ANY, "nothing".to_owned());
+    let resonances = Resonance::in_window(oscillator, &[point.loops], statement.frequency.map(Decimal::ball));
+    if let Some(found) =
+        resonances.iter().find(|found| point.kind.name() == "resonance" && found.n == point.n)
+    {
+        let (omega, radius) = (found.omega.to_f64(), found.omega.radius());
+        return (omega - radius, omega + radius, found.amplitude, summary::resonance(found).join("; "));
+    }
+    let found = stretches.iter().find(|one| {
+        let [low, high] = one.omega.map(Ball::to_f64);
+        let here = low - ROUNDING <= point.secondary && point.secondary <= high + ROUNDING;
+        one.exactly_one
+            && here
+            && one.point(oscillator) == Some(point.kind.name())
+            && one.rows[0].interval.p == i64::from(point.loops)
+    });
+    found.map_or(nothing, |one| {
+        let [low, high] = one.omega.map(Ball::to_f64);
+        (low, high, one.amplitude, "exactly one such point in this interval, none beside it".to_owned())
+    })
+}
+
+fn of_region(
+    look: &Lookup<'_>,
+    region: &[RegionVertex],
+    stretches: &[Stretch<'_>],
+    window: grazing_continuation::curve::Window,
+) -> ProofItem {
+    let RegionVertex { region: number, kind, loops, n, .. } = region[0];
+    let [from, to] = range(region.iter().map(|vertex| vertex.secondary));
+    let (mut within, mut width) = (0, 0.0_f64);
+    for vertex in region {
+        let (omega, amplitude) = (vertex.secondary, vertex.primary);
+        let edge = window.secondary.contains(&omega) || window.primary.contains(&amplitude);
+        let ends = if loops == 0 {
+            let grazing = look.closed_form(Bifurcation::NonImpactingGrazing, 0, omega);
+            grazing.map(|grazing| [0.0, grazing, grazing, 0.0])
+        } else {
+            look.ends(loops, omega)
+        };
+        let holds = ends.is_some_and(|[begins, lower, upper, wide]| {
+            width = width.max(wide);
+            let near = amplitude >= lower - ROUNDING || (amplitude - begins).abs() < ROUNDING;
+            amplitude <= upper + ROUNDING && (near || (edge && amplitude >= begins))
+        });
+        within += u32::from(holds);
+    }
+    let open = stretches.iter().any(|one| {
+        let [low, high] = one.omega.map(Ball::to_f64);
+        let beside = high <= from || to <= low;
+        matches!(one.kind, Kind::Undecided(_)) && one.rows[0].interval.p == i64::from(loops) && !beside
+    });
+    let statement = match (loops, open) {
+        (0, _) => {
+            "motion without impacts is stable, and admissible just below the grazing curve, a closed form"
+                .to_owned()
+        }
+        (_, false) => format!(
+            "at every omega one stable admissible {loops}-loop MPS at each amplitude inside, none at others: its edge is in tubes of this width, and in the boxes of its corners"
+        ),
+        (_, true) => format!("the same of {loops}-loop MPSs, but a part of these frequencies is undecided"),
+    };
+    let drawn = region.len() as u32;
+    let kind = kind.name().to_owned();
+    ProofItem {
+        object: "region",
+        kind,
+        loops,
+        n,
+        number,
+        from,
+        to,
+        amplitude: f64::NAN,
+        width,
+        drawn,
+        within,
+        statement,
+    }
+}
