@@ -15,6 +15,7 @@ pub mod failure;
 pub mod family;
 pub mod folder;
 mod identify;
+pub mod library;
 mod limits;
 mod new;
 mod oscillator;
