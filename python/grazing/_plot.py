@@ -24,6 +24,12 @@ def _colour(rgb: Any) -> tuple[float, ...]:
     return tuple(part / 255 for part in rgb)
 
 
+def _round(ring: list[Any], hole: bool) -> list[Any]:
+    """The ring anticlockwise, a hole clockwise."""
+    area = sum(x * b - a * y for (x, y), (a, b) in zip(ring, ring[1:] + ring[:1]))
+    return ring if (area > 0) != hole else ring[::-1]
+
+
 def plot(of: Any, ax: Any) -> Any:
     if ax is None:
         from matplotlib import pyplot
@@ -45,8 +51,8 @@ def _plane(of: Any, curves: Any, ax: Any) -> None:
     across, up = of.names
     regions, points = _named(of, "regions"), _named(of, "points")
     for (_, kind), group in groupby(_pieces(regions, ["region", "kind", "ring"], [across, up]) if regions else [], key=lambda piece: piece[0][:2]):
-        # Rings that go the other way round are holes by the even-odd rule, which matplotlib lacks: a hole is drawn as part of one path.
-        rings = [list(zip(*columns)) for _, columns in group]
+        # The first ring is the border, the others bound holes, which matplotlib leaves out where they go round the other way.
+        rings = [_round(list(zip(*columns)), hole=number > 0) for number, (_, columns) in enumerate(group)]
         path = Path.make_compound_path(*(Path(ring + ring[:1], closed=True) for ring in rings))
         colour, opacity = inks[kind]
         ax.add_patch(PathPatch(path, facecolor=_colour(colour), alpha=opacity, linewidth=0, zorder=0))
@@ -60,6 +66,7 @@ def _plane(of: Any, curves: Any, ax: Any) -> None:
             shown = [(x, y) for x, y, k in zip(points[across], points[up], points["kind"]) if (k == "resonance") == (kind == "resonance")]
             if shown:
                 ax.plot(*zip(*shown), marker, color="black", markersize=4, linestyle="none", zorder=2)
+    ax.margins(0)
     ax.set_xlabel(across)
     ax.set_ylabel(up)
 
@@ -67,7 +74,7 @@ def _plane(of: Any, curves: Any, ax: Any) -> None:
 def _line(of: Any, branches: Any, ax: Any) -> None:
     # The parameter that is held has one value.
     across = next((name for name in of.names if len(set(branches[name])) > 1), of.names[0])
-    for (*_, stable, admissible), columns in _pieces(branches, ["p", "branch", "visit", "stable", "admissible"], [across, "x"]):
+    for (*_, stable, admissible), columns in _pieces(branches, ["p", "branch", "loop", "stable", "admissible"], [across, "x"]):
         if admissible:
             ax.plot(*columns, color="black", linewidth=1.6 if stable else 0.5)
     dots = next((of[table] for table in of if table.endswith("attractor")), None)

@@ -8,20 +8,22 @@ from typing import Any, Callable
 #: What expressions call otherwise than numpy does.
 _OTHER_NAMES = {"arctan": "atan", "log": "ln", "absolute": "abs"}
 _OPERATORS = {"add": "+", "subtract": "-", "multiply": "*", "divide": "/", "true_divide": "/", "power": "^", "float_power": "^"}
+#: How firmly operators hold together; names, numbers and functions do most of all.
+_LEVELS = {"+": 1, "-": 1, "*": 2, "/": 2, "^": 3}
+_ATOM = 4
 _WAY_OUT = 'write it as text, as "-x - 1 + A*cos(omega*t)"'
 
 
 class Symbol:
-    """A value that is known by how it is computed."""
+    """A value that is known by how it is computed: text, and how firmly its parts hold together."""
 
-    # As plain Python sees it: numpy's functions come to __array_ufunc__.
-    __slots__ = ("text",)
+    __slots__ = ("level", "text")
 
-    def __init__(self, text: str) -> None:
-        self.text = text
+    def __init__(self, text: str, level: int = _ATOM) -> None:
+        self.text, self.level = text, level
 
     def __neg__(self) -> Symbol:
-        return Symbol(f"(-{self.text})")
+        return Symbol(f"-{_part(self, _ATOM, True)}", _LEVELS["*"])
 
     def __pos__(self) -> Symbol:
         return self
@@ -55,14 +57,19 @@ class Symbol:
 
 
 def _text(value: Any) -> str:
-    if isinstance(value, Symbol):
-        return value.text
-    number = float(value)
-    return f"({number!r})" if number < 0 else repr(number)
+    return value.text if isinstance(value, Symbol) else repr(float(value)).removesuffix(".0")
+
+
+def _part(value: Any, least: int, right: bool) -> str:
+    """An operand, in parentheses where it would come apart otherwise; what comes out first is what Python computes first."""
+    text = _text(value)
+    level = value.level if isinstance(value, Symbol) else _LEVELS["*"] if text.startswith("-") else _ATOM
+    return f"({text})" if level < least or (right and text.startswith("-")) else text
 
 
 def _joined(operator: str, left: Any, right: Any) -> Symbol:
-    return Symbol(f"({_text(left)} {operator} {_text(right)})")
+    level = _LEVELS[operator]
+    return Symbol(f"{_part(left, level + (operator == '^'), False)} {operator} {_part(right, level + 1, True)}", level)
 
 
 for _method, _operator in {"add": "+", "sub": "-", "mul": "*", "truediv": "/", "pow": "^"}.items():

@@ -25,7 +25,7 @@ pub(crate) struct Table {
 impl Table {
     pub(crate) fn new(rows: Rows) -> Self {
         let arrays: Vec<Box<dyn Array>> = (0..rows.columns.len()).map(|place| column(&rows, place)).collect();
-        let field = |(place, array): (usize, &Box<dyn Array>)| {
+        let field = |place: usize| {
             let told = [
                 ("unit", rows.units[place].as_str()),
                 ("symbol", &rows.symbols[place]),
@@ -34,10 +34,10 @@ impl Table {
             ];
             let told = told.into_iter().filter(|(_, text)| !text.is_empty());
             let metadata = told.map(|(key, text)| (key.into(), text.into())).collect();
-            let field = Field::new(rows.headers[place].as_str().into(), array.dtype().clone(), true);
+            let field = Field::new(rows.headers[place].as_str().into(), arrays[place].dtype().clone(), true);
             Field { metadata: Some(Arc::new(metadata)), ..field }
         };
-        let fields = arrays.iter().enumerate().map(|(place, array)| field((place, array))).collect();
+        let fields = (0..arrays.len()).map(field).collect();
         let columns = StructArray::new(ArrowDataType::Struct(fields), rows.rows.len(), arrays, None);
         Self { rows, columns }
     }
