@@ -7,6 +7,7 @@ use std::process::{Command, Stdio};
 use std::slice;
 
 use grazing_description::Description;
+use grazing_drawing::SheetWidth;
 use grazing_explore::{Example, Export, Figure, Limits, Seen, Server, Sheet};
 use grazing_results::Tables;
 use grazing_results::branches::OneParameter;
@@ -105,8 +106,23 @@ fn exported(seen: &Seen, what: &str, columns: &str) -> Result<Sheet, Failure> {
     };
     let formats = vec![format.map_or(Format::Svg, |(format, _)| format)];
     let edition = Edition { formats, columns: edition::width(columns), ..Edition::default() };
+    let (files, _) = drawn(seen, edition.columns)?.files(&edition)?;
+    let wanted = |file: &OutputFile| match (format, what.strip_prefix("csv:")) {
+        (Some((format, _)), _) => file.path.extension().is_some_and(|found| found == format.name().as_str()),
+        (None, Some(table)) => file.path == tables::path(table),
+        (None, None) => false,
+    };
+    let Some(OutputFile { path, content }) = files.into_iter().find(wanted) else {
+        return Err(Failure::input(format!("{what}: this is not made: svg, pdf, png or csv:TABLE is")));
+    };
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    Ok(Sheet { name, kind: format.map_or("text/csv; charset=utf-8", |(_, kind)| kind), content })
+}
+
+/// What is seen, as figures and tables.
+pub(crate) fn drawn(seen: &Seen, width: SheetWidth) -> Result<ComputedOutput, Failure> {
     let Seen { name, names, figure } = seen;
-    let (of, width) = (Path::new("oscillator.toml"), edition.columns);
+    let of = Path::new("oscillator.toml");
     let output = match figure {
         Figure::Plane(diagram, compared) => {
             let called = (TWO_PARAMETERS.figure_file(), TWO_PARAMETERS.title);
@@ -130,15 +146,5 @@ fn exported(seen: &Seen, what: &str, columns: &str) -> Result<Sheet, Failure> {
             straightened_about(&STRAIGHTENED_CURVES, of, (name, names), curves, width)
         }
     };
-    let (files, _) = output.map_err(|error| computation("figure", &*error))?.files(&edition)?;
-    let wanted = |file: &OutputFile| match (format, what.strip_prefix("csv:")) {
-        (Some((format, _)), _) => file.path.extension().is_some_and(|found| found == format.name().as_str()),
-        (None, Some(table)) => file.path == tables::path(table),
-        (None, None) => false,
-    };
-    let Some(OutputFile { path, content }) = files.into_iter().find(wanted) else {
-        return Err(Failure::input(format!("{what}: this is not made: svg, pdf, png or csv:TABLE is")));
-    };
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    Ok(Sheet { name, kind: format.map_or("text/csv; charset=utf-8", |(_, kind)| kind), content })
+    output.map_err(|error| computation("figure", &*error))
 }

@@ -25,9 +25,10 @@ use crate::outputs::latex;
 use crate::part::{self, Joined};
 use crate::progress::Display;
 use crate::unfold::reason;
-use crate::variation::{MOST_MEMBERS, Variation};
+use crate::variation::{MOST_MEMBERS, Part, Variation};
 use crate::{data_page, terminal};
-use origin::{FamilyWork, Origin};
+use origin::FamilyWork;
+pub(crate) use origin::Origin;
 
 /// Computes a family, or a part of it.
 ///
@@ -40,16 +41,8 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
             "--vary takes one file at a time: name one, and run it again for the next",
         ));
     };
-    let origin = Origin::new(file, arguments)?;
-    let read = |stop: &Stop| {
-        let description = origin.description(&[], stop)?;
-        let plan = plan(&arguments.vary, &description)?;
-        let which = arguments
-            .part
-            .map_or(Ok(0..plan.count()), |part| part::items::<FamilyWork>(part, plan.count()))?;
-        let members = members(&origin, &plan, which, stop)?;
-        Ok((description, plan, members))
-    };
+    let origin = Origin::of_file(file, arguments)?;
+    let read = |stop: &Stop| read(&origin, &arguments.vary, arguments.part, stop);
     // The members have more time, but how many they are is not known yet.
     let ((description, plan, members), taken) = reading(file, arguments.limits(Limits::USUAL), read)?;
     let folder = arguments.output.clone().unwrap_or_else(|| origin.folder());
@@ -63,7 +56,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     limits::listen();
     let began = Instant::now();
     terminal::say(&listing::plan(&description, file, &plan, arguments.part, members.len()));
-    let watch = Watch::begin(limits(&description, arguments, members.len()), taken);
+    let watch = Watch::begin(arguments.limits(limits(&description, members.len())), taken);
     let display = Display::counting(watch.stop());
     let tell = |description: &Description, error: &_| reason::of(error, description);
     let found = records(&plan, &members, &tell, &watch.stop(), &display);
@@ -113,6 +106,23 @@ pub(crate) fn merge(arguments: &arguments::Merge) -> Result<(), Failure> {
     let file = PathBuf::from(&origin.file);
     let task = Task { file: &file, folder: &folder, edition: &edition, began };
     finish(&task, &plan, &description, records.into_iter().map(Some).collect())
+}
+
+/// A family, and its members or those of a part of it.
+type Members = (Description, Plan, Vec<(usize, Description)>);
+
+/// Reads and checks all that a family, or a part of it, is computed from.
+pub(crate) fn read(
+    origin: &Origin,
+    vary: &[Variation],
+    part: Option<Part>,
+    stop: &Stop,
+) -> Result<Members, Failure> {
+    let description = origin.description(&[], stop)?;
+    let plan = plan(vary, &description)?;
+    let which = part.map_or(Ok(0..plan.count()), |part| part::items::<FamilyWork>(part, plan.count()))?;
+    let members = members(origin, &plan, which, stop)?;
+    Ok((description, plan, members))
 }
 
 /// The constants that vary, checked.
@@ -172,10 +182,30 @@ fn members(
 }
 
 /// Of a family the file's limits of time and steps are those of a member on average.
-fn limits(description: &Description, arguments: &arguments::Unfold, members: usize) -> Limits {
+pub(crate) fn limits(description: &Description, members: usize) -> Limits {
     let Limits { time, memory, steps } = description.limits();
     let members = members.max(1) as f64;
-    arguments.limits(Limits { time: time * members, memory, steps: steps * members })
+    Limits { time: time * members, memory, steps: steps * members }
+}
+
+/// The family of all records.
+pub(crate) fn named(
+    file: &Path,
+    plan: &Plan,
+    description: &Description,
+    records: Vec<Option<Record>>,
+) -> NamedFamily {
+    NamedFamily {
+        file: file.to_owned(),
+        name: description.name().to_owned(),
+        names: names(plan, description),
+        family: assemble(plan, description, records),
+    }
+}
+
+/// What it holds, as lines on the terminal.
+pub(crate) fn listed(of: &NamedFamily, plan: &Plan) -> String {
+    listing::results(&of.family, &of.names, plan)
 }
 
 /// Where a family is written, and for whom.
@@ -194,19 +224,14 @@ fn finish(
     records: Vec<Option<Record>>,
 ) -> Result<(), Failure> {
     let cut_off = records.iter().any(Option::is_none);
-    let of = NamedFamily {
-        file: task.file.to_owned(),
-        name: description.name().to_owned(),
-        names: names(plan, description),
-        family: assemble(plan, description, records),
-    };
+    let of = named(task.file, plan, description, records);
     let (_, mut files, floats) = FAMILY.made(&of, task.edition)?;
     if task.edition.has(Format::Tex) {
         files.extend(latex::files(&floats, []));
     }
     files.push(data_page::of_an_oscillator(FAMILY.tables.iter().copied(), &of.names));
     let written = folder::write_run(task.folder, &files, cut_off)?;
-    terminal::say(&listing::results(&of.family, &of.names, plan));
+    terminal::say(&listed(&of, plan));
     terminal::say(&format!("\n{}", summary(&written)));
     terminal::say(&format!("{:.1} s\n", task.began.elapsed().as_secs_f64()));
     if of.family.incomplete > 0 {

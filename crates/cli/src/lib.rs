@@ -19,6 +19,7 @@ pub mod family;
 pub mod folder;
 mod identify;
 mod installed;
+pub mod library;
 mod limits;
 pub mod new;
 mod oscillator;

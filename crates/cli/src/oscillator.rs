@@ -48,7 +48,7 @@ pub(crate) fn file_name(path: &Path) -> String {
 /// The oscillator with the numbers of loops that were named, if any were.
 pub(crate) fn with_loops(description: Description, loops: Option<&[u32]>) -> Result<Description, Failure> {
     let Some(loops) = loops else { return Ok(description) };
-    description.with_loops(loops).map_err(|reason| Failure::input(format!("--loops {reason}")))
+    description.with_loops(loops).map_err(|reason| Failure::input(format!("--{reason}")))
 }
 
 /// What was set: `kappa` alone is a constant, `parameters.kappa`.

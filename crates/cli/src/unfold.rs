@@ -4,11 +4,11 @@ pub(crate) mod analysis;
 mod explanation;
 mod keeper;
 pub(crate) mod layout;
-mod listing;
+pub(crate) mod listing;
 mod measured;
 pub(crate) mod numbers;
 pub(crate) mod page;
-mod places;
+pub(crate) mod places;
 pub(crate) mod reason;
 
 use std::path::{Path, PathBuf};

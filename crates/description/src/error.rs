@@ -36,7 +36,7 @@ pub enum DescriptionError {
     #[error("it was not checked to its end")]
     Ended,
     /// Numbers of loops that were asked for instead of the file's are not right.
-    #[error("{}: {}", loops.iter().map(u32::to_string).collect::<Vec<_>>().join(","), REQUIREMENTS.of("analysis.loops"))]
+    #[error("loops {}: {}", loops.iter().map(u32::to_string).collect::<Vec<_>>().join(","), REQUIREMENTS.of("analysis.loops"))]
     Loops {
         /// The numbers.
         loops: Vec<u32>,
@@ -72,6 +72,12 @@ pub(crate) fn rounded(value: f64) -> String {
     let value: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     let plain = value == 0.0 || (1e-5..1e9).contains(&value.abs()) || !value.is_finite();
     if plain { value.to_string() } else { format!("{value:e}") }
+}
+
+impl From<DescriptionError> for Mistake {
+    fn from(error: DescriptionError) -> Self {
+        error.mistake()
+    }
 }
 
 impl DescriptionError {

@@ -25,7 +25,7 @@ pub(crate) struct CutRequest {
 
 /// Where the diagram is wanted, and of what.
 #[derive(Deserialize)]
-pub(crate) struct CutLine {
+pub struct CutLine {
     fixed: Fixed,
     at: f64,
     range: [f64; 2],
@@ -67,9 +67,14 @@ impl CutLine {
     }
 
     /// The whole diagram.
-    pub(crate) fn diagram(&self, model: &Model, stop: &Stop) -> Result<OneParameter, Problem> {
-        let followed = self.follow(model, stop, stop)?;
-        Ok(followed.simulated(SAMPLING, stop))
+    pub(crate) fn diagram(
+        &self,
+        model: &Model,
+        progress: &dyn Progress,
+        stop: &Stop,
+    ) -> Result<OneParameter, Problem> {
+        let followed = self.follow(model, progress, stop)?;
+        Ok(followed.simulated(SAMPLING, progress))
     }
 }
 

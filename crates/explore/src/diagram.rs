@@ -7,7 +7,7 @@ use grazing_continuation::mps::Multipliers;
 use grazing_model::AnyOscillator;
 use grazing_model::smooth::Stop;
 use grazing_reproduction::plane::{self, Axes};
-use grazing_reproduction::unfolded::AtResonance;
+use grazing_reproduction::unfolded::{AtResonance, Prepared};
 use grazing_results::plane::{OwnPoint, PlanePoint, RegionVertex, SpecialPoint};
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_unfold::diagram::DiagramCurve;
@@ -21,7 +21,7 @@ use serde_json::{Value, json};
 use crate::answer::Problem;
 use crate::kinds::OWN_CURVE;
 use crate::measured::{self, Measured};
-use crate::model::{Model, Prepared, View};
+use crate::model::{Model, View};
 use crate::place;
 use crate::stream::Events;
 

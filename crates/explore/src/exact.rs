@@ -5,12 +5,13 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
+use grazing_reproduction::unfolded::Prepared;
 use grazing_theorems::from_map::GrazingPlace;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
-use crate::model::{Model, Prepared, View};
+use crate::model::{Model, View};
 use crate::place::{FARTHEST, eigenvalues};
 
 /// What is asked for.

@@ -4,13 +4,14 @@ use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::smooth::Stop;
 use grazing_reproduction::place::at_place;
 use grazing_reproduction::plane;
-use grazing_reproduction::unfolded::straightened_at;
+use grazing_reproduction::unfolded::{Prepared, straightened_at};
 use grazing_results::Names;
 use grazing_results::branches::OneParameter;
 use grazing_results::measured::Comparison;
 use grazing_results::place::AtPlace;
 use grazing_results::plane::{PlaneDiagram, StraightenedCurves};
 use grazing_unfold::Diagram;
+use grazing_unfold::progress::Progress;
 use grazing_unfold::resonances::Resonance;
 use serde::Deserialize;
 
@@ -18,7 +19,7 @@ use crate::answer::Problem;
 use crate::cut::CutLine;
 use crate::diagram::located;
 use crate::measured::Measured;
-use crate::model::{Model, Prepared, View};
+use crate::model::{Model, View};
 use crate::place;
 
 /// What is seen of an oscillator.
@@ -60,35 +61,63 @@ pub(crate) struct ExportRequest {
 /// Which figure is asked for.
 #[derive(Default, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub(crate) enum Wanted {
+pub enum Wanted {
+    /// The diagram.
     #[default]
     Plane,
     /// About the resonance that is nearest to this place.
     Straightened([f64; 2]),
+    /// A one-parameter diagram along a line.
     Cut(CutLine),
+    /// What there is at a place.
     Place([f64; 2]),
 }
 
 impl Seen {
     pub(crate) fn compute(request: &ExportRequest, stop: &Stop) -> Result<Self, Problem> {
-        let ExportRequest { model, view, of: wanted, measured, .. } = request;
-        let name = model.description(Some(view), stop)?.name().to_owned();
-        let of = model.prepared(Some(view), stop)?;
+        let ExportRequest { model, view, of, measured, .. } = request;
+        Self::found(model, Some(view), of, measured.as_ref(), stop, stop)
+    }
+
+    /// What is seen of an oscillator in a view, or in the ranges of its file.
+    ///
+    /// # Errors
+    /// Why there is nothing to be seen.
+    pub fn of(
+        model: &Model,
+        view: Option<&View>,
+        wanted: &Wanted,
+        progress: &dyn Progress,
+        stop: &Stop,
+    ) -> Result<Self, String> {
+        let found = Self::found(model, view, wanted, None, progress, stop);
+        found.map_err(|problem| problem.message().to_owned())
+    }
+
+    fn found(
+        model: &Model,
+        view: Option<&View>,
+        wanted: &Wanted,
+        measured: Option<&Measured>,
+        progress: &dyn Progress,
+        stop: &Stop,
+    ) -> Result<Self, Problem> {
+        let name = model.description(view, stop)?.name().to_owned();
+        let of = model.prepared(view, stop)?;
         let names = of.axes.names.clone();
         let figure = match wanted {
             Wanted::Plane => {
-                let (axes, diagram) = (of.axes.clone(), diagram(of, stop)?);
-                let compared =
-                    measured.as_ref().map(|rig| rig.beside(model, &axes, &diagram, stop)).transpose()?;
+                let (axes, diagram) = (of.axes.clone(), diagram(of, progress)?);
+                let compared = measured.map(|rig| rig.beside(model, &axes, &diagram, stop)).transpose()?;
                 let compared = compared.map(|(compared, _)| compared);
                 let mut rows = plane::plane_diagram(&axes, &diagram, Vec::new(), Vec::new());
                 rows.measured = compared.iter().flat_map(|compared| compared.points.clone()).collect();
                 Figure::Plane(rows, compared)
             }
-            Wanted::Cut(line) => Figure::OneParameter(line.diagram(model, stop)?),
+            Wanted::Cut(line) => Figure::OneParameter(line.diagram(model, progress, stop)?),
             Wanted::Place(at) => {
                 place::check(&of, *at)?;
-                let found = at_place(&of.oscillator, &of.scope.loops, &of.axes.units, (1, *at), stop);
+                let found = at_place(&of.oscillator, &of.scope.loops, &of.axes.units, (1, *at), progress);
                 let from_the_wall = !model.description(None, stop)?.wall().is_usual();
                 Figure::Place(AtPlace { from_the_wall, ..found.ok_or_else(Problem::ended)? })
             }
@@ -96,25 +125,25 @@ impl Seen {
                 // Curves are followed as far as they reach in the file's ranges, not only in the view.
                 let whole = model.prepared(None, stop)?;
                 let inside = whole.scope.window.contains(whole.without_dimensions(*at));
-                Figure::Straightened(straightened(if inside { whole } else { of }, *at, stop)?)
+                Figure::Straightened(straightened(if inside { whole } else { of }, *at, progress)?)
             }
         };
         if stop.is_asked() { Err(Problem::ended()) } else { Ok(Self { name, names, figure }) }
     }
 }
 
-fn diagram(of: Prepared, stop: &Stop) -> Result<Diagram, Problem> {
+fn diagram(of: Prepared, progress: &dyn Progress) -> Result<Diagram, Problem> {
     let Prepared { oscillator, scope, asked, axes } = of;
-    let located = located(&oscillator, &scope, &axes, stop)?.asking_for(asked);
-    let followed = located.follow(stop, &|_, _| ());
-    Ok(located.with(followed, stop))
+    let located = located(&oscillator, &scope, &axes, progress)?.asking_for(asked);
+    let followed = located.follow(progress, &|_, _| ());
+    Ok(located.with(followed, progress))
 }
 
-fn straightened(of: Prepared, at: [f64; 2], stop: &Stop) -> Result<StraightenedCurves, Problem> {
+fn straightened(of: Prepared, at: [f64; 2], progress: &dyn Progress) -> Result<StraightenedCurves, Problem> {
     let place = of.without_dimensions(at);
     let Prepared { oscillator, scope, axes, .. } = of;
-    let located = located(&oscillator, &scope, &axes, stop)?;
-    let followed = located.follow(stop, &|_, _| ());
+    let located = located(&oscillator, &scope, &axes, progress)?;
+    let followed = located.follow(progress, &|_, _| ());
     let diagram = located.with_curves(followed);
     let far = |(_, point): &(&Resonance, &ResonantGrazingPoint)| {
         let [_, _, primary, secondary] = point.unknowns().into();

@@ -6,6 +6,7 @@ use grazing_continuation::mps::{
     EventTimes, Formulation, LoopEquations, PeriodicSolution, Unknowns, unknown,
 };
 use grazing_model::smooth::Stop;
+use grazing_reproduction::unfolded::Prepared;
 use grazing_unfold::levels::{Property, through};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -13,7 +14,7 @@ use serde_json::{Value, json};
 use crate::answer::Problem;
 use crate::diagram::{eigenvalues, named};
 use crate::kinds::OWN_CURVE;
-use crate::model::{Model, Prepared, View};
+use crate::model::{Model, View};
 use crate::place::FARTHEST;
 
 /// What is asked for.

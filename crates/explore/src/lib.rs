@@ -42,7 +42,8 @@ mod tiles;
 mod turns;
 
 pub use answer::Sheet;
-pub use figure::{Figure, Seen};
+pub use cut::CutLine;
+pub use figure::{Figure, Seen, Wanted};
 pub use files::Example;
 pub use model::{Model, View};
 pub use server::{Export, Server};

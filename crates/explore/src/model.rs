@@ -2,16 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use grazing_continuation::curve::Window;
-use grazing_description::{Axis, Description};
-use grazing_model::smooth::{Stop, Stoppable};
-use grazing_model::{AnyOscillator, LinearOscillator};
-use grazing_reproduction::plane::Axes;
-use grazing_reproduction::unfolded;
+use grazing_description::{Axis, Description, DescriptionError};
+use grazing_model::OscillatorError;
+use grazing_model::smooth::Stop;
+use grazing_reproduction::unfolded::{self, Prepared};
 use grazing_results::readings::Ordinate;
 use grazing_source::{Mistake, Setting, SettingError, Text};
-use grazing_unfold::Scope;
-use grazing_unfold::levels::Level;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
@@ -41,30 +37,18 @@ const FILE: &str = "oscillator.toml";
 /// The paper's oscillator as a text: its constants, ranges and loops, and its motion where it has
 /// to be integrated.
 pub(crate) const PAPER: &str = include_str!("../../../examples/paper.toml");
-/// The constants of that text.
-const CONSTANTS: [&str; 2] = ["zeta", "epsilon"];
-
-/// A model that was found right, ready for an analysis.
-pub(crate) struct Prepared {
-    /// It ends when an end is asked for.
-    pub(crate) oscillator: AnyOscillator,
-    pub(crate) scope: Scope,
-    /// The curves that the file asks for.
-    pub(crate) asked: Vec<Level>,
-    /// Names and units.
-    pub(crate) axes: Axes,
-}
-
-impl Prepared {
-    /// A place that is counted in the oscillator's own units.
-    pub(crate) fn without_dimensions(&self, [primary, secondary]: [f64; 2]) -> [f64; 2] {
-        [primary / self.axes.units.primary, secondary / self.axes.units.secondary]
-    }
-}
 
 impl Model {
+    /// The text of its file, or of one that describes the paper's oscillator.
+    pub fn written(&self) -> &str {
+        self.text.as_deref().unwrap_or(PAPER)
+    }
+
     /// What is set over the text of its file, for a view of the plane or for the file's own.
-    fn settings(&self, view: Option<&View>) -> Result<Vec<Setting>, SettingError> {
+    ///
+    /// # Errors
+    /// A constant's name is none.
+    pub fn settings(&self, view: Option<&View>) -> Result<Vec<Setting>, SettingError> {
         let constants =
             self.set.iter().map(|(name, value)| Setting::new(&format!("parameters.{name}"), *value));
         // One-parameter diagrams need not lie in the view, and nobody asks for them.
@@ -77,53 +61,46 @@ impl Model {
     }
 
     /// The oscillator as its file describes it, in the ranges of a view or in its own, read until an
-    /// end is asked for.
+    /// end is asked for; messages call the file so.
+    ///
+    /// # Errors
+    /// Something in the text is not right, or something that is set over it.
+    pub fn read<E>(&self, file: &str, view: Option<&View>, stop: &Stop) -> Result<Description, E>
+    where
+        E: From<SettingError> + From<DescriptionError>,
+    {
+        let settings = self.settings(view)?;
+        let description = Description::parse_with(&Text::new(self.written(), &settings), file, stop)?;
+        Ok(match &self.loops {
+            Some(loops) => description.with_loops(loops)?,
+            None => description,
+        })
+    }
+
     pub(crate) fn description(&self, view: Option<&View>, stop: &Stop) -> Result<Description, Mistake> {
-        let settings = self.settings(view).map_err(|error| Mistake::new(error.to_string()))?;
-        let written = self.text.as_deref().unwrap_or(PAPER);
-        let description = Description::parse_with(&Text::new(written, &settings), FILE, stop)
-            .map_err(|error| error.mistake())?;
-        match &self.loops {
-            Some(loops) => {
-                description.with_loops(loops).map_err(|error| Mistake::new(format!("loops {error}")))
-            }
-            None => Ok(description),
-        }
+        self.read(FILE, view, stop)
     }
 
     /// The oscillator in the ranges of a view, or in those of its file, to be ended by a mark.
     pub(crate) fn prepared(&self, view: Option<&View>, stop: &Stop) -> Result<Prepared, Mistake> {
-        self.ready(self.description(view, stop)?, stop)
+        self.ready(&self.description(view, stop)?, stop).map_err(|error| Mistake::new(error.to_string()))
     }
 
-    fn ready(&self, description: Description, stop: &Stop) -> Result<Prepared, Mistake> {
-        if self.text.is_some() {
-            let axes = unfolded::axes(&description);
-            let (oscillator, scope) = unfolded::prepared(&description, &axes.units, stop);
-            let asked = unfolded::levels(&description, &axes.units);
-            return Ok(Prepared { oscillator, scope, asked, axes });
+    /// What was read, ready for an analysis.
+    ///
+    /// # Errors
+    /// The constants of the paper's oscillator are not right.
+    pub fn ready(&self, description: &Description, stop: &Stop) -> Result<Prepared, OscillatorError> {
+        match self.text {
+            Some(_) => Ok(Prepared::new(description, unfolded::axes(description), stop)),
+            None => Prepared::of_the_paper(description, stop),
         }
-        let constant = |wanted: &str| {
-            let mut constants = description.constants();
-            constants.find(|(name, _)| *name == wanted).map_or(f64::NAN, |(_, value)| value)
-        };
-        let [zeta, epsilon] = CONSTANTS.map(constant);
-        let window =
-            Window { primary: description.primary().range(), secondary: description.secondary().range() };
-        let [amplitude, frequency] = [window.primary[0], window.secondary[0]];
-        let oscillator = LinearOscillator::new(zeta, epsilon, amplitude, frequency)
-            .map_err(|error| Mistake::new(error.to_string()))?;
-        let scope = Scope { window, loops: description.loops().to_vec(), start: None };
-        let axes = Axes::of_the_paper();
-        let oscillator = AnyOscillator::new(Stoppable::new(oscillator, stop.clone()));
-        let asked = unfolded::levels(&description, &axes.units);
-        Ok(Prepared { oscillator, scope, asked, axes })
     }
 
     /// What there is to know of the oscillator before anything is computed.
     pub(crate) fn described(&self, stop: &Stop) -> Result<Value, Mistake> {
         let description = self.description(None, stop)?;
-        let names = self.ready(description.clone(), stop)?.axes.names;
+        let names = self.prepared(None, stop)?.axes.names;
         let axis = |name: &str, title: &str, axis: &Axis| json!({"name": name, "title": title, "range": axis.range(), "unit": axis.unit()});
         let [primary, secondary] = names.titles();
         let [length, time, _] = description.unit_names();

@@ -4,6 +4,7 @@ use std::time::{Duration, Instant};
 
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
+use grazing_reproduction::unfolded::Prepared;
 use grazing_unfold::long_time::{Horizon, LongOrbit, random_start};
 use grazing_unfold::progress::Progress;
 use rayon::prelude::*;
@@ -11,7 +12,7 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
-use crate::model::{Model, Prepared, View};
+use crate::model::{Model, View};
 use crate::stream::Events;
 
 /// What is asked for.

@@ -4,10 +4,67 @@ use core::f64::consts::TAU;
 
 use grazing_continuation::curve::Window;
 use grazing_description::{Axis, Description, OwnCurve, Property as Written};
-use grazing_model::AnyOscillator;
-use grazing_model::smooth::{Stop, Units};
+use grazing_model::smooth::{Stop, Stoppable, Units};
+use grazing_model::{AnyOscillator, LinearOscillator, OscillatorError};
 use grazing_unfold::Scope;
 use grazing_unfold::levels::{Level, Property};
+
+use crate::plane::Axes;
+
+/// An oscillator that is ready for an analysis.
+pub struct Prepared {
+    /// It ends when an end is asked for.
+    pub oscillator: AnyOscillator,
+    /// Ranges and loops.
+    pub scope: Scope,
+    /// The curves that the file asks for.
+    pub asked: Vec<Level>,
+    /// Names and units.
+    pub axes: Axes,
+}
+
+impl Prepared {
+    /// As a file describes it, with its names and units.
+    pub fn new(description: &Description, axes: Axes, stop: &Stop) -> Self {
+        let (oscillator, scope) = prepared(description, &axes.units, stop);
+        Self { oscillator, scope, asked: levels(description, &axes.units), axes }
+    }
+
+    /// The paper's oscillator, whose flow is known in closed form, with constants, ranges and loops
+    /// of a file that describes it.
+    ///
+    /// # Errors
+    /// ζ, ε, a frequency or an amplitude is out of its domain.
+    pub fn of_the_paper(description: &Description, stop: &Stop) -> Result<Self, OscillatorError> {
+        let [zeta, epsilon] = ["zeta", "epsilon"].map(|wanted| {
+            let mut constants = description.constants();
+            constants.find(|(name, _)| *name == wanted).map_or(f64::NAN, |(_, value)| value)
+        });
+        let axes = Axes::of_the_paper();
+        let scope = scope(description).without_dimensions(&axes.units);
+        let [amplitude, frequency] = [scope.window.primary[0], scope.window.secondary[0]];
+        let oscillator = LinearOscillator::new(zeta, epsilon, amplitude, frequency)?;
+        let oscillator = AnyOscillator::new(Stoppable::new(oscillator, stop.clone()));
+        Ok(Self {
+            oscillator,
+            scope: Scope { start: None, ..scope },
+            asked: levels(description, &axes.units),
+            axes,
+        })
+    }
+
+    /// A place that is counted in the oscillator's own units.
+    pub fn without_dimensions(&self, [primary, secondary]: [f64; 2]) -> [f64; 2] {
+        [primary / self.axes.units.primary, secondary / self.axes.units.secondary]
+    }
+}
+
+/// What a file asks for, in its units.
+fn scope(description: &Description) -> Scope {
+    let [primary, secondary] = [description.primary(), description.secondary()].map(Axis::range);
+    let window = Window { primary, secondary };
+    Scope { window, loops: description.loops().to_vec(), start: description.start() }
+}
 
 /// The curves that a file asks for, without dimensions.
 pub fn levels(description: &Description, units: &Units) -> Vec<Level> {
@@ -26,13 +83,7 @@ pub fn levels(description: &Description, units: &Units) -> Vec<Level> {
 
 /// An oscillator that ends when an end is asked for, in these units, and what its file asks for.
 pub fn prepared(description: &Description, units: &Units, stop: &Stop) -> (AnyOscillator, Scope) {
-    let [primary, secondary] = [description.primary(), description.secondary()].map(Axis::range);
-    let scope = Scope {
-        window: Window { primary, secondary },
-        loops: description.loops().to_vec(),
-        start: description.start(),
-    };
-    let scope = scope.without_dimensions(units);
+    let scope = scope(description).without_dimensions(units);
     let at = [scope.window.primary[0], scope.window.secondary[0]];
     (description.counted(at, units, stop), scope)
 }

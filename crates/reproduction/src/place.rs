@@ -1,15 +1,83 @@
 //! What an oscillator does at one place of the parameter plane, as rows in its own units.
 
 use grazing_continuation::mps::Multipliers;
+use grazing_model::orbit::OrbitEnd;
 use grazing_model::phase::centred;
 use grazing_model::smooth::Units;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
-use grazing_results::place::{AtPlace, BasinState, PlaceAttractor, PlaceImpact, PlaceMotion, PlaceSolution};
+use grazing_results::place::{
+    AtPlace, BasinState, PlaceAttractor, PlaceImpact, PlaceMotion, PlaceSolution, Simulated, SimulatedImpact,
+    SimulatedMotion,
+};
+use grazing_unfold::long_time::Trajectory;
 use grazing_unfold::place::{Place, Starts};
 use grazing_unfold::progress::Progress;
 
+use crate::described::Prepared;
+
 /// The initial states of basins: phases, positions.
 pub const LATTICE: [u32; 2] = [48, 32];
+
+/// Impacts of motion from a given state in a forcing period, at most.
+const MOST_IMPACTS: f64 = 1000.0;
+
+/// Motion of an oscillator at a place from position and velocity at a time on, for so many forcing periods.
+///
+/// # Errors
+/// There is no such motion: in words.
+pub fn simulated(
+    of: &Prepared,
+    at: [f64; 2],
+    [x, y, time]: [f64; 3],
+    periods: f64,
+) -> Result<Simulated, String> {
+    let (here, units) = (of.oscillator.with_parameters(of.without_dimensions(at)), of.axes.units);
+    let frequency = here.forcing_frequency().value;
+    if !(frequency > 0.0 && frequency.is_finite()) {
+        let frequency = frequency / units.time;
+        return Err(format!("the forcing frequency is {frequency} at this place, and must be positive"));
+    }
+    if !(x <= 0.0 && [x, y, time, periods].iter().all(|number| number.is_finite()) && periods > 0.0) {
+        return Err(format!(
+            "motion from x = {x}, v = {y} at t = {time} for {periods} forcing periods: all must be finite numbers, x, which is counted from the wall, at most 0, and the periods positive"
+        ));
+    }
+    let (length, velocity, begin) = (units.length, units.velocity(), time / units.time);
+    let from = State { position: x / length, velocity: y / velocity, phase: frequency * begin };
+    let impacts = libm::ceil(MOST_IMPACTS * periods) as usize;
+    let found = Trajectory::follow(&here, from, begin, (periods * here.forcing_period(), impacts));
+    let time = |time: f64| time * units.time;
+    let point = |(flight, points): (u32, &Vec<[f64; 3]>)| {
+        let point = move |[t, x, y]: &[f64; 3]| SimulatedMotion {
+            flight,
+            time: time(*t),
+            x: x * length,
+            y: y * velocity,
+        };
+        points.iter().map(point).collect::<Vec<_>>()
+    };
+    let impact = |[t, phase, speed]: &[f64; 3]| SimulatedImpact {
+        time: time(*t),
+        impact_phase: centred(*phase),
+        impact_velocity: speed * velocity,
+    };
+    let end = match found.end {
+        OrbitEnd::TimeIsUp(end) if end.position.is_finite() => "time is up".to_owned(),
+        OrbitEnd::TimeIsUp(_) => "it cannot be followed".to_owned(),
+        OrbitEnd::Sticking { time: at, .. } => {
+            format!("it comes to rest at the wall at t = {}", time(begin + at))
+        }
+        OrbitEnd::Chattering { time: at, .. } => {
+            format!("impacts accumulate at t = {}, where it comes to rest at the wall", time(begin + at))
+        }
+        OrbitEnd::TooManyImpacts { impacts, .. } => format!("there are more than {impacts} impacts"),
+    };
+    Ok(Simulated {
+        motion: (1..).zip(&found.flights).flat_map(point).collect(),
+        impacts: found.impacts.iter().map(impact).collect(),
+        end,
+    })
+}
 
 /// What there is at a place, which has this number, for these p; in the units of an oscillator that is
 /// counted without dimensions. None if an end was asked for.
@@ -89,4 +157,41 @@ pub fn at_place(
     };
     all.basins.extend(found.basins.iter().map(basin));
     Some(all)
+}
+
+#[cfg(test)]
+mod tests {
+    use grazing_description::Description;
+    use grazing_model::smooth::Stop;
+
+    use super::*;
+    use crate::unfolded::axes;
+
+    #[test]
+    fn simulated_motion_in_closed_form_is_that_which_is_integrated() {
+        let text = include_str!("../../../examples/paper.toml");
+        let (description, stop) =
+            (Description::parse(text, "paper.toml").expect("it is right"), Stop::default());
+        let integrated = Prepared::new(&description, axes(&description), &stop);
+        let closed = Prepared::of_the_paper(&description, &stop).expect("its constants are right");
+        let (place, start) = ([0.8, 0.8], [-1.0, 0.1, 0.3]);
+        let [a, b] = [&closed, &integrated].map(|of| simulated(of, place, start, 20.0).expect("it moves"));
+        assert!(a.impacts.len() > 10 && a.impacts.len() == b.impacts.len() && a.end == b.end);
+        for (a, b) in a.impacts.iter().zip(&b.impacts) {
+            let apart =
+                [a.time - b.time, a.impact_velocity - b.impact_velocity, a.impact_phase - b.impact_phase];
+            // Integration is accurate to some 1e-13 a period, and errors grow at impacts.
+            assert!(apart.iter().all(|apart| apart.abs() < 1e-9), "{apart:?}");
+        }
+        let first = &a.motion[0];
+        let begins = [first.x - start[0], first.y - start[1], first.time - start[2]];
+        assert!(begins.iter().all(|apart| apart.abs() < 1e-14), "{begins:?}");
+        for wrong in [[0.1, 0.0, 0.0], [-1.0, f64::NAN, 0.0]] {
+            assert!(simulated(&closed, place, wrong, 1.0).is_err());
+        }
+        assert!(simulated(&closed, [0.8, -0.8], start, 1.0).is_err());
+        stop.ask();
+        let ended = simulated(&integrated, place, start, 1.0).expect("it begins");
+        assert_eq!((ended.end.as_str(), ended.impacts.len()), ("it cannot be followed", 0));
+    }
 }

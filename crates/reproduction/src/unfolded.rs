@@ -33,7 +33,7 @@ use grazing_unfold::verdict::{Coefficient, coefficients_on, near};
 use grazing_unfold::{Diagram, Scope};
 use rayon::prelude::*;
 
-pub use crate::described::{levels, prepared};
+pub use crate::described::{Prepared, levels, prepared};
 use crate::limits::measured_doubled_grazing;
 use crate::plane::{self, Axes, own_header};
 use crate::{StudyError, one_parameter};
@@ -185,10 +185,22 @@ impl Unfolded {
         stop: &Stop,
         keep: Keep<'_>,
     ) -> Result<Self, StudyError> {
-        let axes = axes(description);
+        Self::prepared(description, Prepared::new(description, axes(description), stop), progress, stop, keep)
+    }
+
+    /// The same of an oscillator that is ready, for what else its file asks for.
+    ///
+    /// # Errors
+    /// There is no grazing in the ranges.
+    pub fn prepared(
+        description: &Description,
+        of: Prepared,
+        progress: &dyn Progress,
+        stop: &Stop,
+        keep: Keep<'_>,
+    ) -> Result<Self, StudyError> {
+        let Prepared { oscillator, scope, asked, axes } = of;
         let units = axes.units;
-        let (oscillator, scope) = prepared(description, &units, stop);
-        let asked = levels(description, &units);
         let unfolded = Self::compute(&oscillator, (&scope, asked), axes, progress, keep);
         let mut unfolded = unfolded.map_err(|error| match error {
             StudyError::Unfold(error) => StudyError::Unfold(error.in_units(&units)),

@@ -54,9 +54,33 @@ rows! {
         start_x: f64 = X_OF_START,
         attractor: u32 = ATTRACTOR,
     }
+
+    /// A point of motion from a given state.
+    SimulatedMotion {
+        flight: u32 = FLIGHT,
+        time: f64 = TIME_AT_PLACE,
+        x: f64 = X,
+        y: f64 = Y,
+    }
+
+    /// An impact of motion from a given state.
+    SimulatedImpact {
+        time: f64 = TIME_AT_PLACE,
+        impact_phase: f64 = PHASE_OF_IMPACT,
+        impact_velocity: f64 = IMPACT_VELOCITY,
+    }
 }
 
 tables! {
+    /// Motion from a given state.
+    Simulated {
+        motion: SimulatedMotion = "simulated_motion", "a point of the motion",
+        impacts: SimulatedImpact = "simulated_impacts", "an impact",
+        ;
+        /// How it ends.
+        end: String,
+    }
+
     /// A place, or several of them.
     AtPlace {
         attractors: PlaceAttractor = "place_attractors", "what some of the random initial states come to at a place",

@@ -7,6 +7,7 @@ use thiserror::Error;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use crate::error::Mistake;
 use crate::words::joined;
 
 /// A value for a key of a file: `oscillator.zeta=0.05`, `fig08.panels[2].n=1`, `analysis.loops=[1,
@@ -21,6 +22,12 @@ pub struct Setting {
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{0}")]
 pub struct SettingError(String);
+
+impl From<SettingError> for Mistake {
+    fn from(error: SettingError) -> Self {
+        Self::new(error.0)
+    }
+}
 
 impl FromStr for Setting {
     type Err = SettingError;

@@ -19,7 +19,7 @@ use rand_pcg::rand_core::Rng;
 pub use cycle::{Cycle, same_impact};
 pub use exponent::Exponent;
 pub use orbit::{Fate, Horizon, LONGEST_TRANSIENT, LongOrbit, MotionKind, Patience};
-pub use samples::{sampled, sampled_solution, time_of_phase};
+pub use samples::{Trajectory, sampled, sampled_solution, time_of_phase};
 
 /// A random point of Π: x uniform between a lowest one and the wall, the phase uniform.
 pub fn random_start(lowest: f64, random: &mut Pcg64) -> State {

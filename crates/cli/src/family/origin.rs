@@ -19,7 +19,7 @@ use crate::{folder, oscillator};
 const RESULTS: &str = "families";
 /// Where an oscillator comes from: all that is needed to read it again.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(super) struct Origin {
+pub(crate) struct Origin {
     /// The file, as it was named.
     pub(super) file: String,
     text: String,
@@ -31,10 +31,15 @@ pub(super) struct Origin {
 }
 
 impl Origin {
-    pub(super) fn new(file: &Path, arguments: &arguments::Unfold) -> Result<Self, Failure> {
+    /// An oscillator from a text, with what is set over it.
+    pub(crate) fn new(file: String, text: String, set: Vec<String>, loops: Option<Vec<u32>>) -> Self {
+        Self { file, text, set, loops }
+    }
+
+    pub(super) fn of_file(file: &Path, arguments: &arguments::Unfold) -> Result<Self, Failure> {
         let text = grazing_source::read_file(file).map_err(grazing_description::DescriptionError::from)?;
         let set = oscillator::settings(&arguments.set).iter().map(ToString::to_string).collect();
-        Ok(Self { file: file.display().to_string(), text, set, loops: arguments.loops.clone() })
+        Ok(Self::new(file.display().to_string(), text, set, arguments.loops.clone()))
     }
 
     /// The oscillator with other values of constants, checked, until an end is asked for.

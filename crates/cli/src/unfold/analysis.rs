@@ -2,8 +2,9 @@
 
 use grazing_description::Limits;
 use grazing_reproduction::StudyError;
-use grazing_reproduction::unfolded::{Keep, Unfolded};
+use grazing_reproduction::unfolded::{Keep, Prepared, Unfolded, axes};
 use grazing_unfold::UnfoldError;
+use grazing_unfold::progress::Progress;
 
 use super::reason;
 use crate::failure::{Failure, computation};
@@ -25,7 +26,22 @@ pub(crate) fn analyse(
 ) -> Result<(Analysis, Option<EndCause>), Failure> {
     let watch = Watch::begin(limits, of.taken);
     let display = Display::counting(watch.stop());
-    let unfolded = Unfolded::described(&of.description, &display, &watch.stop(), keep)
+    let prepared = Prepared::new(&of.description, axes(&of.description), &watch.stop());
+    analyse_prepared(of, prepared, &watch, &display, keep)
+}
+
+/// The same of what is ready, watched and reported by others.
+///
+/// # Errors
+/// There is nothing to unfold.
+pub(crate) fn analyse_prepared(
+    of: &OscillatorFile,
+    prepared: Prepared,
+    watch: &Watch,
+    progress: &dyn Progress,
+    keep: Keep<'_>,
+) -> Result<(Analysis, Option<EndCause>), Failure> {
+    let unfolded = Unfolded::prepared(&of.description, prepared, progress, &watch.stop(), keep)
         .map_err(|error| failure(of, &error, watch.end_cause()))?;
     let met = watch.end_cause().filter(|_| !unfolded.diagram.unfinished.is_empty());
     Ok((unfolded, met))

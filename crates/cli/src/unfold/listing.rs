@@ -23,7 +23,7 @@ use super::layout::{KEPT, aligned, headed, wrapped};
 use super::numbers::{fixed, range, significant};
 use super::reason::place;
 use crate::outputs::oscillator::of_one_parameter;
-pub(super) use gaps::incomplete;
+pub(crate) use gaps::incomplete;
 use gaps::{missing, odd_ends, thin, undecided, unfinished};
 
 /// Digits of parameters, of coefficients, and of other quantities.
@@ -32,7 +32,7 @@ const COEFFICIENT: usize = 9;
 const QUANTITY: usize = 5;
 
 /// The oscillator as the file has it.
-pub(super) fn oscillator(description: &Description, file: &Path) -> String {
+pub(crate) fn oscillator(description: &Description, file: &Path) -> String {
     let texts = description.texts();
     let constants: Vec<String> =
         description.constants().map(|(name, value)| format!("{name} = {value}")).collect();
@@ -74,7 +74,7 @@ fn loops(description: &Description) -> String {
 }
 
 /// All that was found, in the order in which it was.
-pub(super) fn results(description: &Description, unfolded: &Analysis) -> String {
+pub(crate) fn results(description: &Description, unfolded: &Analysis) -> String {
     let mut text = grazing_curves(description, unfolded);
     text.push_str(&resonances(description, unfolded));
     text.push_str(&silent_theorems(description, unfolded));
@@ -210,7 +210,7 @@ fn reasons(secondary: &str, (at, kind, known): CurveAt<'_>) -> String {
 }
 
 /// A sentence for every coefficient and simulation that contradicts the theorem.
-pub(super) fn contradictions(resonances: &[AtResonance]) -> Vec<String> {
+pub(crate) fn contradictions(resonances: &[AtResonance]) -> Vec<String> {
     let mut found = Vec::new();
     for (at, kind, CurveFinding { coefficient, simulated }) in curves(resonances) {
         let what = format!("p = {}, n = {}", at.loops, at.n);
@@ -325,7 +325,7 @@ fn own_curves(description: &Description, unfolded: &Analysis) -> String {
 }
 
 /// A one-parameter diagram: the bifurcations on it, and what simulation leaves out.
-fn one_parameter(description: &Description, diagram: &OneParameter) -> String {
+pub(crate) fn one_parameter(description: &Description, diagram: &OneParameter) -> String {
     let names = [description.primary().name(), description.secondary().name()];
     let [across, _] = diagram.exchanged(names);
     let of = of_one_parameter(names, diagram);

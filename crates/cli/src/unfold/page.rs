@@ -76,7 +76,7 @@ fn leading_comment(text: &str) -> Vec<String> {
 }
 
 /// What could not be located, followed or finished, in words.
-fn lost(description: &Description, unfolded: &Analysis) -> Vec<String> {
+pub(crate) fn lost(description: &Description, unfolded: &Analysis) -> Vec<String> {
     let (diagram, units) = (&unfolded.diagram, &unfolded.axes.units);
     let lost = reason::lost(description, units, diagram).map(|(what, why)| format!("{what}: {why}"));
     let cut = diagram.unfinished.iter();

@@ -10,7 +10,7 @@ const DIGITS: usize = 6;
 const EXPONENT: usize = 3;
 
 /// The attractors of all places; nothing without places.
-pub(super) fn listing(places: &[AtPlace], names: &Names) -> String {
+pub(crate) fn listing(places: &[AtPlace], names: &Names) -> String {
     if places.is_empty() {
         return String::new();
     }

@@ -3,8 +3,10 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::mps::{LoopEquations, Unknowns};
-use grazing_model::ImpactOscillator;
+use grazing_model::State;
 use grazing_model::motion::Motion;
+use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
+use grazing_model::{AnyOscillator, ImpactOscillator};
 
 /// Samples of an orbit per forcing period.
 const SAMPLES: f64 = 200.0;
@@ -19,6 +21,39 @@ pub fn sampled(motion: &impl Motion, start: f64, duration: f64, period: f64) -> 
         [start + time, here.position, here.velocity]
     };
     (0..=steps as u32).map(at).collect()
+}
+
+/// An orbit as it is seen from a state on.
+#[derive(Clone, Debug)]
+pub struct Trajectory {
+    /// Its flights, (t, x, y) along each; the phase is zero at t = 0.
+    pub flights: Vec<Vec<[f64; 3]>>,
+    /// Time, phase and velocity of its impacts.
+    pub impacts: Vec<[f64; 3]>,
+    /// How it ends.
+    pub end: OrbitEnd,
+}
+
+impl Trajectory {
+    /// The orbit from a state at time `begin`, which has its phase, for a time, or until so many impacts.
+    pub fn follow(
+        oscillator: &AnyOscillator,
+        from: State,
+        begin: f64,
+        (time, impacts): (f64, usize),
+    ) -> Self {
+        let period = oscillator.forcing_period();
+        let mut orbit = Orbit::new(oscillator, from, time, impacts);
+        let mut all = Self { flights: Vec::new(), impacts: Vec::new(), end: OrbitEnd::TimeIsUp(from) };
+        for flight in orbit.by_ref() {
+            let start = begin + flight.start;
+            all.flights.push(sampled(&flight.motion, start, flight.duration, period));
+            if let FlightEnd::Impact(impact) = flight.end {
+                all.impacts.push([start + flight.duration, impact.phase, impact.velocity]);
+            }
+        }
+        Self { end: orbit.end().unwrap_or(all.end), ..all }
+    }
 }
 
 /// The flight of an MPS, from its recoil at time `start` to its impact.

@@ -79,7 +79,7 @@ pub(super) fn thin(description: &Description, unfolded: &Analysis) -> String {
 
 /// What is missing in the diagram although there was time for it, as `1 of 3 resonances could not
 /// be unfolded`; nothing if nothing is.
-pub(in crate::unfold) fn incomplete(diagram: &Diagram) -> Option<String> {
+pub(crate) fn incomplete(diagram: &Diagram) -> Option<String> {
     let lost = diagram.unlocated.len() + diagram.not_unfolded.len();
     let all = diagram.unlocated.len() + diagram.resonances.len();
     let ends = diagram.curves.iter().flat_map(|curve| curve.curve.beginning.iter().chain([&curve.curve.end]));

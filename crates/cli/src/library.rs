@@ -1,0 +1,229 @@
+//! What the program shows, without files and terminal: for programs that show it themselves, as the package for Python.
+//!
+//! Each function computes what a command does, by what the command computes it with.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use grazing_description::{Description, Limits};
+use grazing_drawing::SheetWidth;
+use grazing_explore::{Figure, Model, Seen, View, Wanted};
+use grazing_model::smooth::Stop;
+use grazing_reproduction::Study;
+use grazing_reproduction::family::records;
+use grazing_reproduction::parameters::Parameters;
+use grazing_reproduction::place::simulated;
+use grazing_results::{Names, Table, Tables};
+use grazing_source::{Setting, Text, nearest, suggestion};
+use grazing_unfold::progress::Progress;
+
+use crate::explore::drawn;
+use crate::failure::Failure;
+use crate::family::{self, Origin};
+use crate::limits::{Watch, ended, reading};
+use crate::oscillator::OscillatorFile;
+use crate::outputs::family::FAMILY;
+use crate::outputs::oscillator::AnalysedOscillator;
+use crate::outputs::{ComputedOutput, paper};
+use crate::project::PARAMETERS;
+use crate::unfold::analysis::analyse_prepared;
+use crate::unfold::{listing, page, places, reason};
+use crate::variation::Variation;
+
+/// What a computation comes to.
+pub struct Results {
+    /// The names of the primary and the secondary parameter in the tables.
+    pub names: [String; 2],
+    /// What the command prints.
+    pub listing: String,
+    /// What is missing, or contradicts the theorems, in sentences.
+    pub missing: Vec<String>,
+    /// The tables.
+    pub tables: Vec<Table>,
+    /// The figures as SVG, each under its name.
+    pub figures: Vec<(String, String)>,
+}
+
+/// Gets the mark that ends the computation that begins, and gives whoever hears how far it has come.
+pub type Report<'a> = &'a dyn Fn(Stop) -> Box<dyn Progress + Send>;
+
+/// An oscillator, what its file is called in messages, and who hears of the computation.
+pub struct Task<'a> {
+    /// The oscillator.
+    pub model: &'a Model,
+    /// The name of its file.
+    pub file: &'a str,
+    /// Whoever hears of it.
+    pub report: Report<'a>,
+}
+
+impl Results {
+    fn new(computed: ComputedOutput, names: &Names) -> Self {
+        let named = |file: &str| file.trim_end_matches(".svg").to_owned();
+        let figures = computed.figures.iter().map(|figure| (named(&figure.file), figure.sheet.svg()));
+        Self {
+            names: [names.primary.clone(), names.secondary.clone()],
+            listing: computed.notes.join("\n"),
+            figures: figures.collect(),
+            missing: computed.gaps,
+            tables: computed.tables,
+        }
+    }
+}
+
+impl Task<'_> {
+    /// Reads and checks the oscillator.
+    fn read(&self, view: Option<&View>) -> Result<OscillatorFile, Failure> {
+        let read = |stop: &Stop| {
+            (self.report)(stop.clone());
+            self.model.read(self.file, view, stop)
+        };
+        let (description, taken) = reading(Path::new(self.file), Limits::USUAL, read)?;
+        let text = self.model.written().to_owned();
+        Ok(OscillatorFile { file: PathBuf::from(self.file), text, description, taken })
+    }
+
+    fn begin(&self, of: &OscillatorFile) -> (Watch, Box<dyn Progress + Send>) {
+        let watch = Watch::begin(of.description.limits(), of.taken);
+        let progress = (self.report)(watch.stop());
+        (watch, progress)
+    }
+
+    /// The oscillator, and what is said of it before anything is computed.
+    ///
+    /// # Errors
+    /// Something in its file is not right.
+    pub fn checked(&self) -> Result<(Description, String), Failure> {
+        let of = self.read(None)?;
+        let ready = self.model.ready(&of.description, &Stop::default());
+        ready.map_err(|error| Failure::input(format!("{}: {error}", self.file)))?;
+        let listing = listing::oscillator(&of.description, &of.file);
+        Ok((of.description, listing))
+    }
+
+    /// All that `unfold` computes, in a view of the plane or in the ranges of the file.
+    ///
+    /// # Errors
+    /// There is nothing to unfold.
+    pub fn diagram(&self, view: Option<&View>) -> Result<Results, Failure> {
+        let of = self.read(view)?;
+        let (watch, progress) = self.begin(&of);
+        let prepared = self.model.ready(&of.description, &watch.stop());
+        let prepared = prepared.map_err(|error| Failure::input(format!("{}: {error}", self.file)))?;
+        let (unfolded, met) = analyse_prepared(&of, prepared, &watch, &*progress, &|_| ())?;
+        let analysed = AnalysedOscillator::new(&of.file, &of.description, unfolded);
+        let (description, unfolded) = (&of.description, &analysed.unfolded);
+        let contradictions = listing::contradictions(&unfolded.resonances).into_iter();
+        let contradictions = contradictions.map(|what| format!("the theorem is contradicted: {what}"));
+        let lost =
+            page::lost(description, unfolded).into_iter().chain(listing::incomplete(&unfolded.diagram));
+        Ok(Results {
+            listing: listing::oscillator(description, &of.file) + &listing::results(description, unfolded),
+            missing: contradictions.chain(met.map(|met| met.to_string())).chain(lost).collect(),
+            ..Results::new(analysed.computed(SheetWidth::Paper)?, &unfolded.axes.names)
+        })
+    }
+
+    /// What `explore` shows.
+    ///
+    /// # Errors
+    /// There is nothing to be seen.
+    pub fn seen(&self, wanted: &Wanted) -> Result<Results, Failure> {
+        let of = self.read(None)?;
+        let (watch, progress) = self.begin(&of);
+        let seen = Seen::of(self.model, None, wanted, &*progress, &watch.stop());
+        let seen = seen.map_err(|reason| match watch.end_cause() {
+            Some(cause) => ended(&of.file, Some(cause), "nothing is shown"),
+            None => Failure::input(format!("{}: {reason}", self.file)),
+        })?;
+        let (listing, missing) = match &seen.figure {
+            Figure::OneParameter(found) => {
+                let broken = found.broken.iter().map(|(loops, across, reason)| {
+                    format!("a branch of p = {loops} could not be followed beyond {across}: {reason}")
+                });
+                (listing::one_parameter(&of.description, found), broken.collect())
+            }
+            Figure::Place(place) => (places::listing(std::slice::from_ref(place), &seen.names), Vec::new()),
+            Figure::Plane(..) | Figure::Straightened(_) => Default::default(),
+        };
+        Ok(Results { listing, missing, ..Results::new(drawn(&seen, SheetWidth::Paper)?, &seen.names) })
+    }
+
+    /// Motion at a place from position and velocity at a time on, for so many forcing periods.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn simulated(&self, at: [f64; 2], start: [f64; 3], periods: f64) -> Result<Results, Failure> {
+        let of = self.read(None)?;
+        let (watch, _) = self.begin(&of);
+        let refused = |reason: String| Failure::input(format!("{}: {reason}", self.file));
+        let ready = self.model.ready(&of.description, &watch.stop());
+        let ready = ready.map_err(|error| refused(error.to_string()))?;
+        let found = simulated(&ready, at, start, periods).map_err(refused)?;
+        if let Some(cause) = watch.end_cause() {
+            return Err(ended(&of.file, Some(cause), "nothing is shown"));
+        }
+        let names = &ready.axes.names;
+        let computed = ComputedOutput::new(Vec::new(), found.tables(names));
+        Ok(Results { listing: format!("{}\n", found.end), ..Results::new(computed, names) })
+    }
+
+    /// What `unfold --vary` computes.
+    ///
+    /// # Errors
+    /// A constant cannot vary so, or no member was finished.
+    pub fn family(&self, vary: &[Variation]) -> Result<Results, Failure> {
+        let settings = self.model.settings(None)?.iter().map(ToString::to_string).collect();
+        let text = self.model.written().to_owned();
+        let origin = Origin::new(self.file.to_owned(), text, settings, self.model.loops.clone());
+        let file = Path::new(self.file);
+        let read = |stop: &Stop| {
+            (self.report)(stop.clone());
+            family::read(&origin, vary, None, stop)
+        };
+        let ((description, plan, members), taken) = reading(file, Limits::USUAL, read)?;
+        let watch = Watch::begin(family::limits(&description, members.len()), taken);
+        let progress = (self.report)(watch.stop());
+        let tell = |description: &_, error: &_| reason::of(error, description);
+        let found = records(&plan, &members, &tell, &watch.stop(), &*progress);
+        let missing = found.iter().filter(|record| record.is_none()).count();
+        if missing == plan.count() {
+            return Err(ended(file, watch.end_cause(), "no member is finished"));
+        }
+        let of = family::named(file, &plan, &description, found);
+        let mut results = Results::new(FAMILY.compute(&of, SheetWidth::Paper)?, &of.names);
+        results.listing = family::listed(&of, &plan);
+        let lacking = of.family.incomplete;
+        let lines = [
+            (missing > 0).then(|| format!("{missing} of {} members are missing", plan.count())),
+            (lacking > 0).then(|| format!("something is missing at {lacking} members")),
+        ];
+        results.missing.extend(lines.into_iter().flatten());
+        Ok(results)
+    }
+}
+
+/// The names of what [`paper()`] computes, each with what it shows.
+pub fn outputs_of_the_paper() -> impl Iterator<Item = (&'static str, &'static str)> {
+    paper::ALL.iter().map(|output| (output.name, output.title))
+}
+
+/// A figure or table of the paper, or beyond it, as `reproduce` makes it of the default parameters, with values over theirs.
+///
+/// # Errors
+/// There is no such output, or it cannot be computed with these values.
+pub fn paper(name: &str, settings: &[Setting], report: Report<'_>) -> Result<Results, Failure> {
+    let Some(output) = paper::ALL.iter().find(|output| output.name == name) else {
+        let known: Vec<&str> = paper::ALL.iter().map(|output| output.name).collect();
+        let near = suggestion(nearest(name, &known));
+        return Err(Failure::input(format!(
+            "{name}: there is no such output{near} Known: {}",
+            known.join(", ")
+        )));
+    };
+    let text = Text::new(include_str!("../../../figures/parameters.toml"), settings);
+    let study = Study::new(&Parameters::parse(&text, PARAMETERS)?);
+    let study = study.with_progress(Arc::from(report(Stop::default())));
+    paper::refuse_malformed([output].into_iter(), &study)?;
+    Ok(Results::new(output.compute(&study, SheetWidth::Paper)?, &Names::of_the_paper()))
+}

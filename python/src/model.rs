@@ -1,0 +1,142 @@
+//! An oscillator, and what is computed of it.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use grazing_cli::failure::Failure;
+use grazing_cli::library::{self, Report, Task};
+use grazing_cli::variation::Variation;
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_explore::{Model as Described, View, Wanted};
+use grazing_results::kinds::{CurveLook, region_inks};
+use grazing_results::plane::RegionKind;
+use grazing_source::Setting;
+use pyo3::exceptions::{PyOSError, PyValueError};
+use pyo3::prelude::*;
+
+use crate::compute::compute;
+use crate::table::Table;
+
+/// The text of an oscillator with values of constants and numbers of loops, or the paper's oscillator without a text.
+#[pyclass(frozen, module = "grazing._grazing")]
+pub(crate) struct Model {
+    model: Described,
+    file: String,
+}
+
+/// What a computation comes to.
+#[pyclass(frozen, get_all, module = "grazing._grazing")]
+pub(crate) struct Results {
+    names: [String; 2],
+    listing: String,
+    missing: Vec<String>,
+    tables: Vec<Py<Table>>,
+    figures: Vec<(String, String)>,
+}
+
+impl Results {
+    fn new(py: Python<'_>, found: library::Results) -> PyResult<Self> {
+        let library::Results { names, listing, missing, tables, figures } = found;
+        let tables = tables.into_iter().map(|table| Py::new(py, Table::new(table)));
+        Ok(Self { names, listing, missing, tables: tables.collect::<PyResult<_>>()?, figures })
+    }
+}
+
+/// Two parameters, or two ends of a range.
+type Both = [f64; 2];
+/// Whoever hears of a computation.
+type Hears<'a, 'py> = Option<&'a Bound<'py, PyAny>>;
+
+impl Model {
+    /// Computes something of the oscillator.
+    fn found(
+        &self,
+        py: Python<'_>,
+        progress: Hears<'_, '_>,
+        of: impl FnOnce(&Task<'_>) -> Result<library::Results, Failure> + Send,
+    ) -> PyResult<Results> {
+        let Self { model, file } = self;
+        let work = |report: Report<'_>| of(&Task { model, file, report });
+        Results::new(py, compute(py, progress, work)?)
+    }
+}
+
+#[pymethods]
+impl Model {
+    #[new]
+    fn new(text: Option<String>, file: String, set: BTreeMap<String, f64>, loops: Option<Vec<u32>>) -> Self {
+        Self { model: Described { text, set, loops }, file }
+    }
+
+    /// What is said of it before anything is computed, and names and ranges of the two parameters.
+    fn checked(&self, py: Python<'_>) -> PyResult<(String, [(String, Both); 2])> {
+        let Self { model, file } = self;
+        let (description, listing) = compute(py, None, |report| Task { model, file, report }.checked())?;
+        let axis = |axis: &grazing_description::Axis| (axis.name().to_owned(), axis.range());
+        Ok((listing, [description.primary(), description.secondary()].map(axis)))
+    }
+
+    /// What `unfold` computes, in these ranges of the two parameters.
+    fn diagram(&self, py: Python<'_>, view: Option<[Both; 2]>, progress: Hears<'_, '_>) -> PyResult<Results> {
+        let view = view.map(|[primary, secondary]| View { primary, secondary });
+        self.found(py, progress, |task| task.diagram(view.as_ref()))
+    }
+
+    /// What the page shows that `explore` serves, asked for as the page does, in JSON.
+    fn seen(&self, py: Python<'_>, wanted: &str, progress: Hears<'_, '_>) -> PyResult<Results> {
+        let wanted: Wanted =
+            serde_json::from_str(wanted).map_err(|error| PyValueError::new_err(error.to_string()))?;
+        self.found(py, progress, |task| task.seen(&wanted))
+    }
+
+    /// Motion at a place from x, v, t on, for so many forcing periods.
+    fn simulated(&self, py: Python<'_>, at: Both, start: [f64; 3], periods: f64) -> PyResult<Results> {
+        self.found(py, None, |task| task.simulated(at, start, periods))
+    }
+
+    /// What `unfold --vary` computes.
+    fn family(&self, py: Python<'_>, vary: Vec<String>, progress: Hears<'_, '_>) -> PyResult<Results> {
+        let vary: Result<Vec<Variation>, String> = vary.iter().map(|written| written.parse()).collect();
+        let vary = vary.map_err(PyValueError::new_err)?;
+        self.found(py, progress, |task| task.family(&vary))
+    }
+}
+
+/// What `reproduce --only NAME --set ...` computes.
+#[pyfunction]
+pub(crate) fn reproduce(
+    py: Python<'_>,
+    name: &str,
+    set: Vec<String>,
+    progress: Hears<'_, '_>,
+) -> PyResult<Results> {
+    let set: Result<Vec<Setting>, _> = set.iter().map(|setting| setting.parse::<Setting>()).collect();
+    let set = set.map_err(|error| PyValueError::new_err(error.to_string()))?;
+    Results::new(py, compute(py, progress, |report| library::paper(name, &set, report))?)
+}
+
+/// What `reproduce` computes: names, and what each shows.
+#[pyfunction]
+pub(crate) fn outputs() -> Vec<(&'static str, &'static str)> {
+    library::outputs_of_the_paper().collect()
+}
+
+/// The text of a file.
+#[pyfunction]
+pub(crate) fn read(path: PathBuf) -> PyResult<String> {
+    grazing_source::read_file(&path).map_err(|error| PyOSError::new_err(error.to_string()))
+}
+
+/// Meaning, colour, width in points and dashes of a kind of curve, by its name.
+type Looks = BTreeMap<&'static str, (&'static str, [u8; 3], f64, &'static [f64])>;
+
+/// How kinds of curves look, and colour and opacity of kinds of regions.
+#[pyfunction]
+pub(crate) fn looks() -> (Looks, BTreeMap<&'static str, ([u8; 3], f64)>) {
+    let curve = |kind: Bifurcation| {
+        let look = CurveLook::of(kind);
+        (kind.name(), (look.meaning, look.colours[0], look.width, look.dashes))
+    };
+    let region = |kind: &RegionKind| (kind.name(), region_inks(*kind)[0]);
+    (Bifurcation::ALL.into_iter().map(curve).collect(), RegionKind::ALL.iter().map(region).collect())
+}
