@@ -148,7 +148,10 @@ impl Labels<'_> {
     ///
     /// A curve is named once, though it may come twice, followed from its two ends. `grazing` names
     /// the grazing curve of the non-impacting solution.
-    pub(crate) fn name_curves(
+    ///
+    /// # Errors
+    /// A label cannot be read.
+    pub fn name_curves(
         &mut self,
         mut curves: Vec<(Bifurcation, Vec<Spot>)>,
         least: f64,

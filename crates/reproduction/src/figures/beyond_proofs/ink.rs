@@ -35,7 +35,7 @@ const TUBE: Paint = Paint { colour: GREEN, opacity: 0.4 };
 const SIDE: Pen = Pen::solid(GREEN, 0.6);
 const BOX: Pen = Pen::solid(BLACK, 0.8);
 const GOAL: Pen = Pen::dashed(GREY, 0.5, &[3.0, 2.0]);
-/// The area of a region, in square points, that has room for its name.
+/// The area of a region, in square points, that has room for its name, and the length of such a curve, in points.
 const NAMED: f64 = 60.0;
 
 /// Draws the figure.
@@ -78,10 +78,9 @@ pub(super) fn draw(figure: &Proofs, width: SheetWidth) -> Result<Sheet, DrawingE
     canvas.finish(
         "beyond_proofs",
         "What is proved of Figure 7",
-        "Upper left: forcing amplitude across, forcing frequency up. Grey: stable admissible motion is proved to exist, the darker area that with \
-         impacts; white: it is proved that there is none of one, two or three loops. Upper right: the width in amplitude of the tubes in which grazing \
-         curves of stable solutions are proved to lie. Below: tubes beside three codimension-two points, and the boxes in which exactly one point is \
-         proved to lie; offsets in units of 1e-6 in amplitude across, of 1e-9 in frequency up.",
+        "Upper left: forcing amplitude across, frequency up. Grey: stable admissible motion is proved to exist, the darker area that with impacts; \
+         white: it is proved that there is none of one, two or three loops. Upper right: width in amplitude of the tubes in which GZ curves are \
+         proved to lie. Below: tubes beside three points, and boxes in which exactly one such point is proved to lie.",
     )
 }
 
@@ -116,7 +115,7 @@ fn draw_window(figure: &Proofs, panel: &Panel<'_>) -> Result<(), DrawingError> {
         let tube = run.iter().filter(|ends| !ends.upper.is_nan());
         traces.push(trace(Bifurcation::Grazing, tube.map(|ends| (ends.upper, ends.omega)).collect()));
     }
-    draw_curves(panel, &mut labels, traces);
+    let drawn = draw_curves(panel, &mut labels, traces);
     for (loops, seen) in names {
         let shoelace = seen.iter().zip(seen.iter().cycle().skip(1)).map(|(a, b)| a.0 * b.1 - a.1 * b.0);
         if (0.5 * shoelace.sum::<f64>()).abs() > NAMED {
@@ -134,6 +133,7 @@ fn draw_window(figure: &Proofs, panel: &Panel<'_>) -> Result<(), DrawingError> {
             panel.canvas.explain(&format!("{what}: proved"), sample);
         }
     }
+    labels.name_curves(drawn, NAMED, "grazing")?;
     labels.draw()?;
     panel.axes(r"$\mathcal{A}$", r"$\omega$")
 }
