@@ -35,8 +35,10 @@ const TUBE: Paint = Paint { colour: GREEN, opacity: 0.4 };
 const SIDE: Pen = Pen::solid(GREEN, 0.6);
 const BOX: Pen = Pen::solid(BLACK, 0.8);
 const GOAL: Pen = Pen::dashed(GREY, 0.5, &[3.0, 2.0]);
-/// The area of a region, in square points, that has room for its name, and the length of such a curve, in points.
+/// The area of a region, in square points, that has room for its name.
 const NAMED: f64 = 60.0;
+/// The length of such a curve, in points.
+const NAMED_LENGTH: f64 = 40.0;
 
 /// Draws the figure.
 pub(super) fn draw(figure: &Proofs, width: SheetWidth) -> Result<Sheet, DrawingError> {
@@ -133,7 +135,7 @@ fn draw_window(figure: &Proofs, panel: &Panel<'_>) -> Result<(), DrawingError> {
             panel.canvas.explain(&format!("{what}: proved"), sample);
         }
     }
-    labels.name_curves(drawn, NAMED, "grazing")?;
+    labels.name_curves(drawn, NAMED_LENGTH, "grazing")?;
     labels.draw()?;
     panel.axes(r"$\mathcal{A}$", r"$\omega$")
 }
@@ -174,8 +176,6 @@ fn draw_magnified(
     canvas.explain("box in which exactly one point lies", Sample::Rectangle(BOX));
     let name = ["(c)", "(d)", "(e)"][place];
     let above = (bounds.left, bounds.top - 5.0);
-    canvas.text(above, &format!("{name} {kind}"), SMALL_LABEL_SIZE, Anchor::Start, BLACK)?;
-    let inside = (bounds.right - 3.0, bounds.bottom - 4.0);
-    canvas.text(inside, &format!("$p={loops}$"), SMALL_LABEL_SIZE, Anchor::End, BLACK)?;
+    canvas.text(above, &format!("{name} {kind}, $p={loops}$"), SMALL_LABEL_SIZE, Anchor::Start, BLACK)?;
     panel.axes(r"$10^6\,\Delta\mathcal{A}$", if place == 0 { r"$10^9\,\Delta\omega$" } else { "" })
 }
