@@ -1,6 +1,5 @@
 //! `grazing archive`: results and what they were made from in one file, for an archive.
 
-use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -29,8 +28,7 @@ const OF_THE_PAPER: [&str; 11] = [
 ];
 /// The licence of what is taken in a clone.
 const LICENCE: &str = "MIT OR Apache-2.0";
-/// The file with the digests of all others, and the one that says what they are.
-const DIGESTS: &str = "manifest-sha256.txt";
+/// The file that says what all others are.
 const DESCRIPTION: &str = "ro-crate-metadata.json";
 /// The time of all files, 1 January 1980 in seconds: nothing depends on when they were written.
 const TIME: u64 = 315_532_800;
@@ -64,7 +62,7 @@ pub(crate) fn run(arguments: &Archive) -> Result<(), Failure> {
     let name = output.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let licence = arguments.licence.as_deref().or(of_the_paper.then_some(LICENCE));
     files.push(description(&files, &name, &arguments.date, licence, of_the_paper));
-    files.push(digests(&files));
+    files.push(folder::list(&files, false));
     let content = packed(&name, &files).map_err(|reason| Failure::file(&output, &reason))?;
     let (folder, path) = (output.parent().unwrap_or(Path::new("")), output.file_name().unwrap_or_default());
     let size = content.len() as f64 / 1e6;
@@ -95,17 +93,6 @@ fn collect(path: &Path, name: &Path, files: &mut Vec<OutputFile>) -> Result<(), 
         }
     }
     Ok(())
-}
-
-/// The digests of all files, as `sha256sum --check` reads them.
-fn digests(files: &[OutputFile]) -> OutputFile {
-    let mut text = String::new();
-    for file in files {
-        let FileDigest { path, sha256, .. } = FileDigest::of(with_slashes(&file.path), &file.content);
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "{sha256}  {path}");
-    }
-    OutputFile { path: DIGESTS.into(), content: text.into_bytes() }
 }
 
 /// What the files are, as RO-Crate 1.1 has it (<https://w3id.org/ro/crate/1.1>).

@@ -25,7 +25,7 @@ use crate::oscillator::OscillatorFile;
 use crate::outputs::family::FAMILY;
 use crate::outputs::oscillator::AnalysedOscillator;
 use crate::outputs::{ComputedOutput, paper};
-use crate::project::PARAMETERS;
+use crate::project::{PARAMETERS, PARAMETERS_TEXT};
 use crate::unfold::analysis::analyse_prepared;
 use crate::unfold::{listing, page, places, reason};
 use crate::variation::Variation;
@@ -221,7 +221,7 @@ pub fn paper(name: &str, settings: &[Setting], report: Report<'_>) -> Result<Res
             known.join(", ")
         )));
     };
-    let text = Text::new(include_str!("../../../figures/parameters.toml"), settings);
+    let text = Text::new(PARAMETERS_TEXT, settings);
     let study = Study::new(&Parameters::parse(&text, PARAMETERS)?);
     let study = study.with_progress(Arc::from(report(Stop::default())));
     paper::refuse_malformed([output].into_iter(), &study)?;

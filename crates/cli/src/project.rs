@@ -12,6 +12,8 @@ use crate::outputs::edition::Edition;
 
 /// The default parameter file, from the root of the repository.
 pub(crate) const PARAMETERS: &str = "figures/parameters.toml";
+/// Its text, for where there is no repository.
+pub(crate) const PARAMETERS_TEXT: &str = include_str!("../../../figures/parameters.toml");
 /// The default output folder, from the root of the repository.
 pub(crate) const FIGURES: &str = "figures";
 /// The folder of example oscillators, from the root of the repository.
@@ -59,8 +61,7 @@ pub(crate) fn parameters(asked: &ParameterFile) -> Result<Parameters, Failure> {
 /// It cannot be read.
 pub(crate) fn parameter_file(named: Option<&Path>) -> Result<(String, String), Failure> {
     let Some(file) = named.map(Path::to_owned).or_else(|| Some(root()?.join(PARAMETERS))) else {
-        let built_in = include_str!("../../../figures/parameters.toml");
-        return Ok((PARAMETERS.to_owned(), built_in.to_owned()));
+        return Ok((PARAMETERS.to_owned(), PARAMETERS_TEXT.to_owned()));
     };
     let text = grazing_source::read_file(&file).map_err(ParameterError::from)?;
     Ok((file.display().to_string(), text))

@@ -25,12 +25,12 @@ fn unpacked(file: &Path) -> BTreeMap<String, Vec<u8>> {
 /// Every file but the two that are made has its digest and its description; returns the latter.
 fn assert_described(files: &BTreeMap<String, Vec<u8>>, name: &str) -> Vec<Value> {
     let text = |path: &str| String::from_utf8(files[&format!("{name}/{path}")].clone()).expect("it is text");
-    let digests = text("manifest-sha256.txt");
+    let digests = text("manifest.sha256");
     let told: Value = serde_json::from_str(&text("ro-crate-metadata.json")).expect("it is JSON");
     let graph = told["@graph"].as_array().expect("it is a list").clone();
     for (path, content) in files {
         let path = path.strip_prefix(&format!("{name}/")).expect("all lie in a folder");
-        if path == "manifest-sha256.txt" {
+        if path == "manifest.sha256" {
             continue;
         }
         assert!(digests.contains(&format!("{}  {path}\n", digest(content))), "{path}");

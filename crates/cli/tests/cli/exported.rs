@@ -70,6 +70,7 @@ fn exported_equations_are_those_of_the_description_and_begin_at_a_solution() {
             .map(|line| line.split(' ').map(|number| number.parse().expect("it is a number")).collect())
             .collect();
         let (first, last) = (&flight[0], &flight[flight.len() - 1]);
+        // The solution is as exact as the integration over several periods.
         let scale = 1e-8 * y.max(1e-3);
         assert_eq!((first[0], first[1], last[0]), (0.0, 0.0, 1.0), "{name}");
         assert!((first[2] + description.restitution(y, z, mu, eta) * y).abs() < scale, "{name}: {first:?}");
@@ -86,6 +87,7 @@ fn exported_equations_are_those_of_the_description_and_begin_at_a_solution() {
                 description.impact_duration(y, z, mu, eta),
             ]
         });
+        // Powers and functions of another library differ in the last digits.
         for (told, ours) in told.into_iter().zip(ours) {
             assert!((told - ours).abs() <= 1e-13 * ours.abs().max(1.0), "{name}: {told} {ours}");
         }
