@@ -147,6 +147,17 @@ impl Threads {
     }
 }
 
+/// What takes the place of values in the description of an oscillator.
+#[derive(Debug, Args)]
+pub struct Changes {
+    /// Numbers of loops p, separated by commas [default: those of the file]
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub loops: Option<Vec<u32>>,
+    /// Value for a key of the file, in its place; a name alone is that of a constant
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<Setting>,
+}
+
 /// The arguments of `grazing claims`.
 #[derive(Debug, Args)]
 pub struct Claims {
@@ -210,12 +221,8 @@ pub struct Unfold {
     pub output: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) look: Look,
-    /// Numbers of loops p, separated by commas [default: those of the file]
-    #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    pub loops: Option<Vec<u32>>,
-    /// Value for a key of the files, in its place; a name alone is that of a constant
-    #[arg(long, value_name = "KEY=VALUE")]
-    pub set: Vec<Setting>,
+    #[command(flatten)]
+    pub(crate) changes: Changes,
     /// Resonances and coefficients for COUNT values of a constant; up to three times
     #[arg(long, value_name = "NAME=FROM:TO:COUNT")]
     pub vary: Vec<Variation>,
@@ -304,12 +311,8 @@ pub struct Identify {
     /// Constants to be identified, separated by commas; the others stay as they are in the file
     #[arg(long, value_name = "LIST", value_delimiter = ',', required = true)]
     pub free: Vec<String>,
-    /// Numbers of loops p, separated by commas [default: those of the file]
-    #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    pub loops: Option<Vec<u32>>,
-    /// Value for a key of the file, in its place; the search begins with those of the constants
-    #[arg(long, value_name = "KEY=VALUE")]
-    pub set: Vec<Setting>,
+    #[command(flatten)]
+    pub(crate) changes: Changes,
     /// Folder for the results [default: identified/NAME]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
@@ -350,12 +353,8 @@ pub struct Export {
     /// Where the solution is looked for; a stable one is preferred
     #[arg(long, value_name = "PRIMARY,SECONDARY", value_parser = place, allow_hyphen_values = true)]
     pub at: [f64; 2],
-    /// Numbers of loops p that it may have, separated by commas [default: those of the file]
-    #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    pub loops: Option<Vec<u32>>,
-    /// Value for a key of the file, in its place
-    #[arg(long, value_name = "KEY=VALUE")]
-    pub set: Vec<Setting>,
+    #[command(flatten)]
+    pub(crate) changes: Changes,
     /// Folder for the files [default: exported/NAME]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,

@@ -61,8 +61,8 @@ struct Script<'a> {
 pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
     let file = &arguments.file;
     let limits = grazing_description::Limits::USUAL;
-    let of = OscillatorFile::read(file, &settings(&arguments.set), limits)?;
-    let description = with_loops(of.description, arguments.loops.as_deref())?;
+    let of = OscillatorFile::read(file, &settings(&arguments.changes.set), limits)?;
+    let description = with_loops(of.description, arguments.changes.loops.as_deref())?;
     // AUTO reads it in quotes, and the system as the name of an object file.
     let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '_' };
     let name: String = folder::name_for(file).to_string_lossy().chars().map(plain).collect();

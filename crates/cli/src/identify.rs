@@ -33,8 +33,8 @@ const OUTPUT: &str = "identify";
 pub(crate) fn run(arguments: &arguments::Identify) -> Result<(), Failure> {
     let began = Instant::now();
     let arguments::Identify { file, data, record, free, .. } = arguments;
-    let mut of = OscillatorFile::read(file, &settings(&arguments.set), Limits::USUAL)?;
-    of.description = with_loops(of.description, arguments.loops.as_deref())?;
+    let mut of = OscillatorFile::read(file, &settings(&arguments.changes.set), Limits::USUAL)?;
+    of.description = with_loops(of.description, arguments.changes.loops.as_deref())?;
     let names = parameter_names(&of.description);
     let read_file =
         |path: &PathBuf| read::points(path, names).map_err(|error| Failure::input(error.to_string()));

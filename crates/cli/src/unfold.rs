@@ -103,9 +103,9 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
 fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
     let mut tasks: Vec<Task> = Vec::new();
     for file in &arguments.files {
-        let settings = settings(&arguments.set);
+        let settings = settings(&arguments.changes.set);
         let mut of = OscillatorFile::read(file, &settings, arguments.limits(Limits::USUAL))?;
-        of.description = with_loops(of.description, arguments.loops.as_deref())?;
+        of.description = with_loops(of.description, arguments.changes.loops.as_deref())?;
         let named = folder::name_for(file);
         let folder = match &arguments.output {
             Some(folder) if arguments.files.len() == 1 => folder.clone(),

@@ -38,8 +38,8 @@ impl Origin {
 
     pub(super) fn of_file(file: &Path, arguments: &arguments::Unfold) -> Result<Self, Failure> {
         let text = grazing_source::read_file(file).map_err(grazing_description::DescriptionError::from)?;
-        let set = oscillator::settings(&arguments.set).iter().map(ToString::to_string).collect();
-        Ok(Self::new(file.display().to_string(), text, set, arguments.loops.clone()))
+        let set = oscillator::settings(&arguments.changes.set).iter().map(ToString::to_string).collect();
+        Ok(Self::new(file.display().to_string(), text, set, arguments.changes.loops.clone()))
     }
 
     /// The oscillator with other values of constants, checked, until an end is asked for.
