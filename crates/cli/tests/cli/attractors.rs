@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use crate::family::{VARY, behind_digest, files, forged, is_of_one_run};
-use crate::program::{DEFAULT, empty_folder, grazing, listing, narrow_duffing, project, snapshots};
+use crate::program::{DEFAULT, grazing, listing, narrow_duffing, project, snapshots};
 
 const SIZE: [&str; 3] = ["attractors", "--size", "23x14"];
 
