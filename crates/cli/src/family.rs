@@ -8,9 +8,9 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use grazing_analysis::family::{Plan, Record, assemble, names, records};
 use grazing_description::{Description, Limits};
 use grazing_model::smooth::Stop;
-use grazing_reproduction::family::{Plan, Record, assemble, names, records};
 use grazing_results::brief;
 use grazing_source::{nearest, suggestion};
 

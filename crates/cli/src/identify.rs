@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use grazing_analysis::unfolded::{axes, prepared};
 use grazing_description::{Description, Limits};
 use grazing_measured::{Fit, Measurements, Seen, Task, identify, read};
 use grazing_model::smooth::Stop;
-use grazing_reproduction::unfolded::{axes, prepared};
 use grazing_results::measured::Identified;
 use grazing_results::{Names, Tables, brief};
 use grazing_source::{nearest, suggestion};

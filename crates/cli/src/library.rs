@@ -5,14 +5,14 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use grazing_analysis::family::records;
+use grazing_analysis::place::simulated;
 use grazing_description::{Description, Limits};
 use grazing_drawing::SheetWidth;
 use grazing_explore::{Figure, Model, Seen, View, Wanted};
 use grazing_model::smooth::Stop;
 use grazing_reproduction::Study;
-use grazing_reproduction::family::records;
 use grazing_reproduction::parameters::Parameters;
-use grazing_reproduction::place::simulated;
 use grazing_results::{Names, Table, Tables};
 use grazing_source::{Setting, Text, nearest, suggestion};
 use grazing_unfold::progress::Progress;

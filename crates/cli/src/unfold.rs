@@ -14,11 +14,11 @@ pub(crate) mod reason;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use grazing_analysis::place::at_place;
+use grazing_analysis::unfolded::AtResonance;
 use grazing_description::Limits;
 use grazing_measured::{NOT_FINISHED, Observation, compare, read};
 use grazing_model::smooth::SmoothOscillator;
-use grazing_reproduction::place::at_place;
-use grazing_reproduction::unfolded::AtResonance;
 use grazing_results::place::AtPlace;
 
 use crate::arguments;

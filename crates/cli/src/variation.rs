@@ -3,7 +3,7 @@
 use std::fmt::{self, Display};
 use std::str::FromStr;
 
-use grazing_reproduction::family::Varied;
+use grazing_analysis::family::Varied;
 use serde::{Deserialize, Serialize};
 
 /// More members than this make tables that nobody reads and files that fill a disk.

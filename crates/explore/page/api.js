@@ -1,18 +1,19 @@
-// Talking to the server: one answer, or a stream of events. Who aborts a request ends its computation.
+// Talking to the program: one answer, or a stream of events. Who aborts a request ends its computation.
 import { begin } from "./busy.js";
 import { later } from "./dom.js";
+import { LOST, reach } from "./reach.js";
 
-/** What the server refuses, in its own words. */
+/** What the program refuses, in its own words. */
 export class Refused extends Error {}
 
 async function send(path, body, signal) {
   const options = body === undefined ? { signal } : { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body), signal };
   let answer;
   try {
-    answer = await fetch(`./${path}`, options);
+    answer = await reach(path, options);
   } catch (error) {
     if (error.name === "AbortError") throw error;
-    throw new Refused("The program does not answer. Is `grazing explore` still running?");
+    throw new Refused(LOST);
   }
   if (!answer.ok) {
     const told = await answer.json().catch(() => ({}));

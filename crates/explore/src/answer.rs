@@ -1,48 +1,39 @@
-//! What answers carry.
-
-use std::convert::Infallible;
+//! What is answered, whoever carries it.
 
 use grazing_source::Mistake;
-use http_body_util::combinators::BoxBody;
-use http_body_util::{BodyExt, Full};
-use hyper::body::Bytes;
-use hyper::header::{CONTENT_DISPOSITION, CONTENT_TYPE, HeaderValue};
-use hyper::{Response, StatusCode};
 use serde_json::{Value, json};
-
-/// What answers carry.
-pub(crate) type Body = BoxBody<Bytes, Infallible>;
 
 /// Why there is no answer.
 #[derive(Debug)]
 pub(crate) struct Problem {
-    status: StatusCode,
-    message: String,
+    /// A status of HTTP.
+    pub(crate) status: u16,
+    pub(crate) message: String,
 }
 
 impl Problem {
-    pub(crate) fn new(status: StatusCode, message: impl Into<String>) -> Self {
+    pub(crate) fn new(status: u16, message: impl Into<String>) -> Self {
         Self { status, message: message.into() }
     }
 
     /// What was asked for cannot be: the model is wrong, or there is nothing to show.
     pub(crate) fn wrong(message: impl Into<String>) -> Self {
-        Self::new(StatusCode::UNPROCESSABLE_ENTITY, message)
+        Self::new(422, message)
+    }
+
+    /// The request cannot be read.
+    pub(crate) fn unread(error: &serde_json::Error) -> Self {
+        Self::new(400, format!("the request is not understood: {error}"))
     }
 
     /// The computation was ended.
     pub(crate) fn ended() -> Self {
-        Self::new(StatusCode::SERVICE_UNAVAILABLE, "the computation was ended: it took too long")
+        Self::new(503, "the computation was ended: it took too long")
     }
 
-    pub(crate) fn message(&self) -> &str {
-        &self.message
-    }
-
-    pub(crate) fn response(self) -> Response<Body> {
-        let mut response = json(&json!({ "message": self.message }));
-        *response.status_mut() = self.status;
-        response
+    /// For the page.
+    pub(crate) fn told(&self) -> Value {
+        json!({ "message": self.message })
     }
 }
 
@@ -53,22 +44,6 @@ impl From<Mistake> for Problem {
     }
 }
 
-/// A body of one piece.
-pub(crate) fn whole(content: impl Into<Bytes>) -> Body {
-    Full::new(content.into()).boxed()
-}
-
-/// A value as JSON; numbers that are none are null.
-pub(crate) fn json(value: &Value) -> Response<Body> {
-    of_kind("application/json", value.to_string())
-}
-
-pub(crate) fn of_kind(kind: &'static str, content: impl Into<Bytes>) -> Response<Body> {
-    let mut response = Response::new(whole(content));
-    response.headers_mut().insert(CONTENT_TYPE, HeaderValue::from_static(kind));
-    response
-}
-
 /// A file that is exported.
 pub struct Sheet {
     /// Its name.
@@ -77,14 +52,4 @@ pub struct Sheet {
     pub kind: &'static str,
     /// Its content.
     pub content: Vec<u8>,
-}
-
-/// A file to be saved.
-pub(crate) fn file(sheet: Sheet) -> Result<Response<Body>, Problem> {
-    let Sheet { name, kind, content } = sheet;
-    let mut response = of_kind(kind, content);
-    let disposition = HeaderValue::from_str(&format!("attachment; filename=\"{name}\""))
-        .map_err(|_| Problem::wrong("the file has no name"))?;
-    response.headers_mut().insert(CONTENT_DISPOSITION, disposition);
-    Ok(response)
 }

@@ -1,9 +1,9 @@
 //! The one-parameter diagram along a line of the plane: its branches first, then what simulation
 //! comes to.
 
+use grazing_analysis::one_parameter::{SAMPLING, in_own_units};
 use grazing_description::Description;
 use grazing_model::smooth::Stop;
-use grazing_reproduction::one_parameter::{SAMPLING, in_own_units};
 use grazing_results::branches::{BranchPoint, OneParameter};
 use grazing_results::readings::{Ordinate, Reading};
 use grazing_unfold::one_parameter::{Cut, Line, Sampling};
@@ -12,8 +12,8 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
+use crate::events::Events;
 use crate::model::{Model, View};
-use crate::stream::Events;
 
 /// What is asked for.
 #[derive(Deserialize)]

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use grazing_analysis::plane::{self, Axes};
+use grazing_analysis::unfolded::{AtResonance, Prepared};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::Multipliers;
 use grazing_model::AnyOscillator;
 use grazing_model::smooth::Stop;
-use grazing_reproduction::plane::{self, Axes};
-use grazing_reproduction::unfolded::{AtResonance, Prepared};
 use grazing_results::plane::{OwnPoint, PlanePoint, RegionVertex, SpecialPoint};
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_unfold::diagram::DiagramCurve;
@@ -19,11 +19,10 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
-use crate::kinds::OWN_CURVE;
+use crate::events::Events;
 use crate::measured::{self, Measured};
 use crate::model::{Model, View};
 use crate::place;
-use crate::stream::Events;
 
 /// What is asked for.
 #[derive(Deserialize)]
@@ -36,6 +35,9 @@ pub(crate) struct DiagramRequest {
     /// What a rig did, to be compared with regions and curves.
     measured: Option<Measured>,
 }
+
+/// The kind of curves that a file asks for.
+pub(crate) const OWN_CURVE: &str = "own";
 
 pub(crate) fn located(
     oscillator: &AnyOscillator,
@@ -106,7 +108,7 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     if let Some(measured) = request.measured.as_ref().filter(|_| !request.coarse) {
         let told = match measured.beside(&request.model, &axes, &diagram, stop) {
             Ok(compared) => measured::told(&compared),
-            Err(problem) => json!({ "message": problem.message() }),
+            Err(problem) => json!({ "message": problem.message }),
         };
         events.send("measured", &told);
     }

@@ -1,10 +1,10 @@
 //! What is seen, as rows from which `unfold` draws its figures.
 
+use grazing_analysis::place::at_place;
+use grazing_analysis::plane;
+use grazing_analysis::unfolded::{Prepared, straightened_at};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::smooth::Stop;
-use grazing_reproduction::place::at_place;
-use grazing_reproduction::plane;
-use grazing_reproduction::unfolded::{Prepared, straightened_at};
 use grazing_results::Names;
 use grazing_results::branches::OneParameter;
 use grazing_results::measured::Comparison;
@@ -91,7 +91,7 @@ impl Seen {
         stop: &Stop,
     ) -> Result<Self, String> {
         let found = Self::found(model, view, wanted, None, progress, stop);
-        found.map_err(|problem| problem.message().to_owned())
+        found.map_err(|problem| problem.message)
     }
 
     fn found(

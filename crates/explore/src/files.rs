@@ -1,9 +1,8 @@
 //! The page and its parts, and the examples in its menu.
 
-use hyper::Response;
 use serde::Serialize;
+use serde_json::{Value, json};
 
-use crate::answer::{self, Body};
 use crate::kinds;
 
 /// An oscillator in the menu.
@@ -36,8 +35,11 @@ files! {
     PAGE in "../page/":
     "api.js" "axes.js" "busy.js" "constants.js" "cut.js" "diagram.js" "dom.js" "editor.js" "explore.css"
     "follow.js" "hand.js" "index.html" "labels.js" "lasting.js" "main.js" "markup.js" "measured.js" "model.js" "palette.js" "panels.css"
-    "pick.js" "place.js" "plane.js" "portraits.js" "seen.js" "share.js" "state.js" "straightened.js" "svg.js" "tiles.js"
+    "pick.js" "place.js" "plane.js" "portraits.js" "reach.js" "seen.js" "share.js" "state.js" "straightened.js" "svg.js" "tiles.js"
 }
+
+// What a page without a server has besides or in the place of these.
+files! { ALONE in "../alone/": "reach.js" "worker.js" }
 
 /// Media types by the endings of names.
 const KINDS: [(&str, &str); 4] = [
@@ -47,17 +49,36 @@ const KINDS: [(&str, &str); 4] = [
     ("ttf", "font/ttf"),
 ];
 
-/// A file of the page; the empty name is the page itself.
-pub(crate) fn page(name: &str) -> Option<Response<Body>> {
+/// What the page asks for its menu by.
+pub(crate) const EXAMPLES: &str = "examples";
+
+/// The menu, and how people start the program.
+pub(crate) fn examples(program: &str, examples: &[Example]) -> Value {
+    json!({ "program": program, "examples": examples })
+}
+
+/// A file of the page with its media type; the empty name is the page itself.
+pub(crate) fn page(name: &str) -> Option<(&'static str, Vec<u8>)> {
     let name = if name.is_empty() { "index.html" } else { name };
     let (_, ending) = name.rsplit_once('.')?;
     let (_, kind) = KINDS.iter().find(|(known, _)| *known == ending)?;
-    if name == "kinds.js" {
-        return Some(answer::of_kind(kind, kinds::script()));
-    }
-    let mut files = [PAGE, STYLES, FONTS].into_iter().flatten();
-    let (_, content) = files.find(|(known, _)| *known == name)?;
-    Some(answer::of_kind(kind, *content))
+    let content = files().find(|(known, _)| *known == name)?.1;
+    Some((kind, content))
+}
+
+/// All files of the page.
+fn files() -> impl Iterator<Item = (&'static str, Vec<u8>)> {
+    let fixed = [PAGE, STYLES, FONTS].into_iter().flatten();
+    let fixed = fixed.map(|(name, content)| (*name, content.to_vec()));
+    fixed.chain([("kinds.js", kinds::script().into_bytes())])
+}
+
+/// The files of a page that needs no server, with their names: beside them belongs the program
+/// compiled to WebAssembly, as `grazing.wasm`.
+pub fn alone(program: &str, menu: &[Example]) -> Vec<(&'static str, Vec<u8>)> {
+    let own = || ALONE.iter().map(|(name, content)| (*name, content.to_vec()));
+    let rest = files().filter(|(name, _)| ALONE.iter().all(|(own, _)| own != name));
+    own().chain(rest).chain([(EXAMPLES, examples(program, menu).to_string().into_bytes())]).collect()
 }
 
 #[cfg(test)]
@@ -76,7 +97,8 @@ mod tests {
             .collect();
         names.sort();
         assert_eq!(names, PAGE.iter().map(|(name, _)| *name).collect::<Vec<_>>());
-        for (name, content) in PAGE {
+        let alone: Vec<&str> = alone("grazing", &[]).into_iter().map(|(name, _)| name).collect();
+        for (name, content) in [PAGE, ALONE].into_iter().flatten() {
             let text = str::from_utf8(content).unwrap();
             let quoted = text.split(['"', '\'']).skip(1).step_by(2);
             let loaded = |text: &str| {
@@ -85,7 +107,9 @@ mod tests {
                     && !file.contains([' ', '*'])
             };
             for loaded in quoted.filter(|text| loaded(text)) {
-                assert!(page(loaded.strip_prefix("./").unwrap_or(loaded)).is_some(), "{name}: {loaded}");
+                let loaded = loaded.strip_prefix("./").unwrap_or(loaded);
+                let served = page(loaded).is_some() || ALONE.iter().any(|(own, _)| own == name);
+                assert!(served && alone.contains(&loaded), "{name}: {loaded}");
             }
             // The content policy forbids it anyway.
             for foreign in ["https://", "//cdn", "eval(", "innerHTML"] {

@@ -1,19 +1,18 @@
 //! The curve through a solution along which its impact velocity stays what it is.
 
+use grazing_analysis::unfolded::Prepared;
 use grazing_continuation::curve::Curve;
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{
     EventTimes, Formulation, LoopEquations, PeriodicSolution, Unknowns, unknown,
 };
 use grazing_model::smooth::Stop;
-use grazing_reproduction::unfolded::Prepared;
 use grazing_unfold::levels::{Property, through};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
-use crate::diagram::{eigenvalues, named};
-use crate::kinds::OWN_CURVE;
+use crate::diagram::{OWN_CURVE, eigenvalues, named};
 use crate::model::{Model, View};
 use crate::place::FARTHEST;
 

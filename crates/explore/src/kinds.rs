@@ -8,8 +8,7 @@ use grazing_results::kinds::{
 use grazing_results::plane::RegionKind;
 use serde_json::{Map, Value, json};
 
-/// The kind of curves that a file asks for.
-pub(crate) const OWN_CURVE: &str = "own";
+use crate::diagram::OWN_CURVE;
 
 /// Pixels of the page to a point of a figure.
 const SCALE: f64 = 1.5;

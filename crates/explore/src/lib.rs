@@ -7,44 +7,55 @@
 //!
 //! | module | |
 //! |---|---|
-//! | [`server`](Server) | connections, and where requests go |
-//! | `turns` | computations: how many at once, for how long, and their end when nobody waits for them |
-//! | `patient` | connections that are given up when nobody reads |
-//! | `guard` | who may ask: token, Host, Origin; what answers say to browsers |
+//! | `asked` | requests, and what answers them |
+//! | `answer`, `events` | one value or file, or events one after the other |
 //! | `model` | from a request to an oscillator |
-//! | `answer`, `stream` | one value as JSON, or events one after the other |
 //! | `diagram`, `place`, `exact`, `cut`, `tiles` | what is asked for |
 //! | `follow` | the curve through a solution |
 //! | `measured` | what a rig did, beside the diagram |
 //! | `figure` | what is exported |
 //! | `kinds` | how kinds of curves look, for the page |
+//! | `files` | the page |
+//! | [`server`](Server) | connections, and where requests go |
+//! | `server::turns` | computations: how many at once, for how long, and their end when nobody waits for them |
+//! | `server::patient` | connections that are given up when nobody reads |
+//! | `server::guard` | who may ask: token, Host, Origin; what answers say to browsers |
+//! | `server::response`, `server::stream` | answers as HTTP carries them |
+//!
+//! Without the feature `server` there are no connections, no threads of this crate, no clocks and
+//! no files: what remains answers a request wherever it is called, in a worker of the page itself if
+//! it is compiled to WebAssembly (`web/`).
 //!
 //! HTTP is hyper's: it is what most Rust servers rest on, well kept, and small without a framework
 //! around it (some ten seconds of compilation; tokio is in the tree anyway). The page is a folder
 //! of small modules, `page/`, which needs no build step.
 
 mod answer;
+mod asked;
 mod cut;
 mod diagram;
+mod events;
 mod exact;
 mod figure;
+#[cfg(feature = "server")]
 mod files;
 mod follow;
-mod guard;
+#[cfg(feature = "server")]
 mod kinds;
 mod measured;
 mod model;
-mod patient;
 mod place;
+#[cfg(feature = "server")]
 mod server;
-mod stream;
 mod tiles;
-mod turns;
 
 pub use answer::Sheet;
+pub use asked::{Export, answer};
 pub use cut::CutLine;
+pub use events::{Clock, Listener};
 pub use figure::{Figure, Seen, Wanted};
-pub use files::Example;
+#[cfg(feature = "server")]
+pub use files::{Example, alone};
 pub use model::{Model, View};
-pub use server::{Export, Server};
-pub use turns::Limits;
+#[cfg(feature = "server")]
+pub use server::{Limits, Server};

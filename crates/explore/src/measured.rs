@@ -1,8 +1,8 @@
 //! What a rig did, beside what is seen of the diagram.
 
+use grazing_analysis::plane::Axes;
 use grazing_measured::{Observation, compare, read};
 use grazing_model::smooth::Stop;
-use grazing_reproduction::plane::Axes;
 use grazing_results::measured::{Comparison, MeasuredCount, MeasuredPoint};
 use grazing_unfold::Diagram;
 use serde::Deserialize;

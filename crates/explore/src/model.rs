@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use grazing_analysis::unfolded::{self, Prepared};
 use grazing_description::{Axis, Description, DescriptionError};
 use grazing_model::OscillatorError;
 use grazing_model::smooth::Stop;
-use grazing_reproduction::unfolded::{self, Prepared};
 use grazing_results::readings::Ordinate;
 use grazing_source::{Mistake, Setting, SettingError, Text};
 use serde::{Deserialize, Serialize};

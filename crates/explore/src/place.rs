@@ -1,18 +1,18 @@
 //! What the oscillator does at one place of the plane.
 
+use grazing_analysis::unfolded::Prepared;
 use grazing_continuation::mps::Multipliers;
 use grazing_model::smooth::Stop;
 use grazing_model::smooth::Units;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
-use grazing_reproduction::unfolded::Prepared;
 use grazing_unfold::long_time::Horizon;
 use grazing_unfold::place::{Attractor, Nearby, Place, Solution, Starts};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
+use crate::asked::Weight;
 use crate::model::Model;
-use crate::turns::Weight;
 
 /// What is asked for.
 #[derive(Deserialize)]

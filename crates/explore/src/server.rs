@@ -6,36 +6,32 @@ use std::net::{Ipv4Addr, TcpListener};
 use std::sync::Arc;
 use std::time::Duration;
 
-use grazing_model::smooth::Stop;
-use grazing_source::Mistake;
 use http_body_util::{BodyExt, Limited};
-use hyper::body::Incoming;
+use hyper::body::{Bytes, Incoming};
 use hyper::header::CONTENT_TYPE;
 use hyper::server::conn::http1;
 use hyper::service::service_fn;
-use hyper::{Method, Request, Response, StatusCode};
+use hyper::{Method, Request, Response};
 use hyper_util::rt::TokioTimer;
-use serde::de::DeserializeOwned;
-use serde_json::json;
 use tokio::runtime::Builder;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::time::{interval, timeout};
 
-use crate::answer::{self, Body, Problem, Sheet};
-use crate::exact::{self, ExactRequest};
-use crate::figure::{ExportRequest, Seen};
+use crate::answer::Problem;
+use crate::asked::{self, Asked, Export, Weight};
 use crate::files::{self, Example};
-use crate::follow::{self, FollowRequest};
-use crate::guard::{self, Token};
-use crate::model::Model;
-use crate::patient::Patient;
-use crate::place::{self, PlaceRequest};
-use crate::turns::{self, Limits, Turns, Weight};
-use crate::{cut, diagram, stream, tiles};
 
-/// Makes a file of a figure: `svg`, `pdf`, `png` or `csv:TABLE` at a width (`one`, `two`, or that of
-/// the paper), unless an end is asked for.
-pub type Export = Box<dyn Fn(&Seen, &str, &str, &Stop) -> Result<Sheet, String> + Send + Sync>;
+mod guard;
+mod patient;
+mod response;
+mod stream;
+mod turns;
+
+use guard::Token;
+use patient::Patient;
+use response::Body;
+pub use turns::Limits;
+use turns::Turns;
 
 /// A server that is bound to its port, and not running yet.
 pub struct Server {
@@ -140,7 +136,8 @@ async fn connection(stream: Patient, shared: Arc<Shared>, _place: OwnedSemaphore
     let service = service_fn(move |request| {
         let shared = shared.clone();
         async move {
-            let mut response = respond(&shared, request).await.unwrap_or_else(Problem::response);
+            let mut response =
+                respond(&shared, request).await.unwrap_or_else(|problem| response::refused(&problem));
             guard::headers(response.headers_mut());
             Ok::<_, Infallible>(response)
         }
@@ -159,82 +156,50 @@ const HEAD: usize = 16 * 1024;
 
 async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Response<Body>, Problem> {
     if !guard::is_own(request.headers(), shared.port) {
-        return Err(Problem::new(StatusCode::FORBIDDEN, "this page may not ask here"));
+        return Err(Problem::new(403, "this page may not ask here"));
     }
-    let nothing = || Problem::new(StatusCode::NOT_FOUND, "there is nothing here");
+    let nothing = || Problem::new(404, "there is nothing here");
     let path = request.uri().path().to_owned();
     let rest = shared.token.rest(&path).ok_or_else(nothing)?;
     if request.method() == Method::GET {
         return match rest {
-            "examples" => {
-                Ok(answer::json(&json!({ "program": shared.program, "examples": shared.examples })))
+            files::EXAMPLES => Ok(response::json(&files::examples(shared.program, &shared.examples))),
+            file => {
+                let (kind, content) = files::page(file).ok_or_else(nothing)?;
+                Ok(response::of_kind(kind, content))
             }
-            file => files::page(file).ok_or_else(nothing),
         };
     }
     if request.method() != Method::POST {
-        return Err(Problem::new(StatusCode::METHOD_NOT_ALLOWED, "GET and POST are understood"));
+        return Err(Problem::new(405, "GET and POST are understood"));
     }
     // Forms of foreign pages cannot send this type.
-    let json = request.headers().get(CONTENT_TYPE).is_some_and(|kind| kind == "application/json");
+    let json = request.headers().get(CONTENT_TYPE).is_some_and(|kind| kind == asked::JSON);
     if !json {
-        return Err(Problem::new(StatusCode::UNSUPPORTED_MEDIA_TYPE, "requests are application/json"));
+        return Err(Problem::new(415, "requests are application/json"));
     }
-    match rest {
-        "check" => {
-            let model: Model = read(shared, request).await?;
-            let described =
-                turns::computed(&shared.turns, Weight::Light, move |stop| match model.described(stop) {
-                    _ if stop.is_asked() => Err(Problem::ended()),
-                    Ok(described) => Ok(described),
-                    Err(Mistake { message, line, span }) => {
-                        Ok(json!({"ok": false, "message": message, "line": line, "span": span}))
-                    }
-                });
-            Ok(answer::json(&described.await?))
+    let read = asked::reader(rest).ok_or_else(nothing)?;
+    let body = body(shared, request).await?;
+    match read(&body).map_err(|error| Problem::unread(&error))? {
+        Asked::One(weight, compute) => {
+            Ok(response::json(&turns::computed(&shared.turns, weight, move |stop| compute(stop)).await?))
         }
-        "diagram" => stream::events(&shared.turns, read(shared, request).await?, diagram::compute).await,
-        "tiles" => stream::events(&shared.turns, read(shared, request).await?, tiles::compute).await,
-        "place" => {
-            let request: PlaceRequest = read(shared, request).await?;
-            let weight = request.weight();
-            let found = turns::computed(&shared.turns, weight, move |stop| place::compute(&request, stop));
-            Ok(answer::json(&found.await?))
-        }
-        "exact" => {
-            let request: ExactRequest = read(shared, request).await?;
-            let found =
-                turns::computed(&shared.turns, Weight::Light, move |stop| exact::compute(&request, stop));
-            Ok(answer::json(&found.await?))
-        }
-        "follow" => {
-            let request: FollowRequest = read(shared, request).await?;
-            let found =
-                turns::computed(&shared.turns, Weight::Light, move |stop| follow::compute(&request, stop));
-            Ok(answer::json(&found.await?))
-        }
-        "cut" => stream::events(&shared.turns, read(shared, request).await?, cut::compute).await,
-        "export" => {
-            let request: ExportRequest = read(shared, request).await?;
+        Asked::Told(compute) => stream::events(&shared.turns, compute).await,
+        Asked::File(request) => {
             let own = shared.clone();
             let made = turns::computed(&shared.turns, Weight::Heavy, move |stop| {
-                let seen = Seen::compute(&request, stop)?;
-                (own.export)(&seen, &request.what, &request.columns, stop).map_err(Problem::wrong)
+                asked::file(&request, &own.export, stop)
             });
-            answer::file(made.await?)
+            response::file(made.await?)
         }
-        _ => Err(nothing()),
     }
 }
 
 /// The body of a request.
-async fn read<T: DeserializeOwned>(shared: &Shared, request: Request<Incoming>) -> Result<T, Problem> {
+async fn body(shared: &Shared, request: Request<Incoming>) -> Result<Bytes, Problem> {
     let Limits { body: most, patience, .. } = shared.turns.limits;
     let collected = timeout(patience, Limited::new(request.into_body(), most).collect()).await;
-    let late = |_| Problem::new(StatusCode::REQUEST_TIMEOUT, "the request did not come in time");
-    let large = |_| Problem::new(StatusCode::PAYLOAD_TOO_LARGE, "the request is too large");
-    let bytes = collected.map_err(late)?.map_err(large)?.to_bytes();
-    serde_json::from_slice(&bytes).map_err(|error| {
-        Problem::new(StatusCode::BAD_REQUEST, format!("the request is not understood: {error}"))
-    })
+    let late = |_| Problem::new(408, "the request did not come in time");
+    let large = |_| Problem::new(413, "the request is too large");
+    Ok(collected.map_err(late)?.map_err(large)?.to_bytes())
 }

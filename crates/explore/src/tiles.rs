@@ -1,10 +1,10 @@
 //! What simulation sees in the plane, from coarse to fine.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
+use grazing_analysis::unfolded::Prepared;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
-use grazing_reproduction::unfolded::Prepared;
 use grazing_unfold::long_time::{Horizon, LongOrbit, random_start};
 use grazing_unfold::progress::Progress;
 use rayon::prelude::*;
@@ -12,8 +12,8 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
+use crate::events::Events;
 use crate::model::{Model, View};
-use crate::stream::Events;
 
 /// What is asked for.
 #[derive(Deserialize)]
@@ -66,7 +66,7 @@ pub(crate) fn compute(request: &TilesRequest, events: &Events, stop: &Stop) -> R
         let mut rest = &places[..];
         while !rest.is_empty() {
             let (now, later) = rest.split_at(lot.min(rest.len()));
-            let began = Instant::now();
+            let began = (events.clock)();
             let cells = now.par_iter().map(|&[column, row]| {
                 if events.stopped() {
                     return Value::Null;
@@ -84,7 +84,7 @@ pub(crate) fn compute(request: &TilesRequest, events: &Events, stop: &Stop) -> R
                 return Ok(());
             }
             events.send("tiles", &json!({"step": step, "cells": cells}));
-            lot = if began.elapsed() < OFTEN { 2 * lot } else { (lot / 2).max(1) };
+            lot = if (events.clock)() - began < OFTEN { 2 * lot } else { (lot / 2).max(1) };
             rest = later;
         }
         if step == 1 {

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use grazing_analysis::plane::Axes;
 use grazing_continuation::mps::unknown;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
-use grazing_reproduction::plane::Axes;
 use grazing_results::brief;
 use grazing_results::measured::{Agreement, Comparison, MeasuredCount, MeasuredPoint};
 use grazing_unfold::Diagram;

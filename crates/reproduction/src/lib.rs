@@ -5,23 +5,16 @@
 //! rows, what computes and what draws them. Nothing here writes files.
 
 mod coefficients;
-mod described;
 mod error;
-pub mod family;
 mod figure;
 pub mod figures;
-pub mod limits;
-pub mod one_parameter;
 pub mod parameters;
-pub mod place;
-pub mod plane;
 mod published;
 mod space;
 mod study;
 mod sweep;
 #[cfg(test)]
 mod tests;
-pub mod unfolded;
 
 pub use coefficients::{CoefficientTable, Coefficients};
 pub use error::StudyError;

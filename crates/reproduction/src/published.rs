@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 
+use grazing_analysis::plane;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_results::plane::{MagnifiedPanel, StraightenedCurves};
 use grazing_unfold::resonances::Resonance;
@@ -12,7 +13,7 @@ use rayon::prelude::*;
 
 use crate::coefficients::{CoefficientTable, Coefficients, closed_form_coefficients};
 use crate::figures::fig02;
-use crate::{Study, StudyError, plane};
+use crate::{Study, StudyError};
 
 impl Study {
     /// The coefficients at all resonances of Figure 7.

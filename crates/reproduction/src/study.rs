@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
+use grazing_analysis::limits::{AtLimit, LimitTable};
 use grazing_model::LinearOscillator;
 use grazing_unfold::Diagram;
 use grazing_unfold::progress::{Progress, Silent};
@@ -35,6 +36,15 @@ impl Study {
     #[must_use]
     pub fn with_progress(self, progress: Arc<dyn Progress + Send>) -> Self {
         Self { progress, ..self }
+    }
+
+    /// Beyond the paper: the limit map at all resonances of Figure 7.
+    ///
+    /// # Errors
+    /// There is no grazing in the window.
+    pub fn limits(&self) -> Result<LimitTable, StudyError> {
+        let found = self.diagram()?.unfolding();
+        Ok(LimitTable { rows: found.map(|(resonance, _)| AtLimit::of(resonance)).collect() })
     }
 }
 

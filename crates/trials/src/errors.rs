@@ -55,7 +55,7 @@ pub enum Seen {
 
 /// The crates that are observers: their tests are run in this order, after those of the crate that
 /// the error stands in.
-const OBSERVERS: [&str; 14] = [
+const OBSERVERS: [&str; 15] = [
     "claims",
     "theorems",
     "model",
@@ -64,6 +64,7 @@ const OBSERVERS: [&str; 14] = [
     "description",
     "results",
     "unfold",
+    "analysis",
     "reproduction",
     "drawing",
     "report",

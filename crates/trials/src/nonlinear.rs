@@ -1,10 +1,10 @@
 //! Shaded regions of any oscillator against continuation and simulation, on a lattice of points.
 
+use grazing_analysis::unfolded::prepared;
 use grazing_continuation::mps::{PeriodicSolution, Unknowns, unknown};
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
-use grazing_reproduction::unfolded::prepared;
 use grazing_unfold::simulation::Suspect;
 use grazing_unfold::{Diagram, Scope, UnfoldError};
 use rayon::prelude::*;

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use grazing_analysis::family::{Plan, Varied};
 use grazing_description::Description;
-use grazing_reproduction::family::{Plan, Varied};
 use grazing_results::Names;
 use grazing_results::brief;
 use grazing_results::family::{Family, Member, Resonance};

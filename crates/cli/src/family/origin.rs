@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use grazing_analysis::family::{Plan, Record};
 use grazing_description::Description;
 use grazing_model::smooth::Stop;
-use grazing_reproduction::family::{Plan, Record};
 use grazing_source::{Setting, Text};
 use serde::{Deserialize, Serialize};
 

@@ -3,13 +3,13 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
+use grazing_analysis::unfolded::{AlongGrazing, AtResonances, Unfolded};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_description::{Description, FigureStyle, Named};
 use grazing_drawing::{
     DrawingError, Heading, Look, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
     draw_place, draw_straightened,
 };
-use grazing_reproduction::unfolded::{AlongGrazing, AtResonances, Unfolded};
 use grazing_results::branches::{OneParameter, Readings};
 use grazing_results::measured::Comparison;
 use grazing_results::place::AtPlace;

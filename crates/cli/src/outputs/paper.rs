@@ -2,9 +2,9 @@
 
 use std::error::Error;
 
+use grazing_analysis::limits::LimitTable;
 use grazing_drawing::SheetWidth;
 use grazing_reproduction::figures::fig07::Figure7;
-use grazing_reproduction::limits::LimitTable;
 use grazing_reproduction::parameters::ParameterError;
 use grazing_reproduction::{
     CoefficientTable, Coefficients, PaperFigure, Remarks, Study, StudyError, TheoremsInAction, paper_figures,

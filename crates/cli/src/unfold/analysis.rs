@@ -1,13 +1,12 @@
 //! The analysis of an oscillator from a text file, up to its limits.
 
+use grazing_analysis::unfolded::{Keep, Prepared, Unfolded, axes};
 use grazing_description::Limits;
-use grazing_reproduction::StudyError;
-use grazing_reproduction::unfolded::{Keep, Prepared, Unfolded, axes};
 use grazing_unfold::UnfoldError;
 use grazing_unfold::progress::Progress;
 
 use super::reason;
-use crate::failure::{Failure, computation};
+use crate::failure::Failure;
 use crate::limits::{EndCause, Watch, ended};
 use crate::oscillator::OscillatorFile;
 use crate::progress::Display;
@@ -49,16 +48,13 @@ pub(crate) fn analyse_prepared(
 
 /// Why there is nothing to unfold, with the file's names of the parameters, or what has ended the
 /// search.
-fn failure(of: &OscillatorFile, error: &StudyError, met: Option<EndCause>) -> Failure {
+fn failure(of: &OscillatorFile, error: &UnfoldError, met: Option<EndCause>) -> Failure {
     let OscillatorFile { file, description, .. } = of;
     match (error, met) {
-        (StudyError::Unfold(UnfoldError::Stopped { stage }), Some(met)) => {
+        (UnfoldError::Stopped { stage }, Some(met)) => {
             let outcome = "nothing is written, for nothing was found up to then, in the stage";
             ended(file, Some(met), &format!("{outcome} `{stage}`"))
         }
-        (StudyError::Unfold(error), _) => {
-            Failure::incomplete(format!("{}: {}", file.display(), reason::of(error, description)))
-        }
-        (error, _) => computation("unfold", error),
+        _ => Failure::incomplete(format!("{}: {}", file.display(), reason::of(error, description))),
     }
 }

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
+use grazing_analysis::unfolded::AtResonance;
 use grazing_description::Description;
-use grazing_reproduction::unfolded::AtResonance;
 use grazing_results::brief;
 use grazing_theorems::{ResonantPoint, Unfolding};
 

@@ -5,11 +5,11 @@ mod window;
 
 use std::path::Path;
 
+use grazing_analysis::unfolded::{AtResonance, CurveFinding, curves};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::PeriodicSolution;
 use grazing_description::{Axis, Description};
 use grazing_model::smooth::Units;
-use grazing_reproduction::unfolded::{AtResonance, CurveFinding, curves};
 use grazing_results::branches::OneParameter;
 use grazing_results::brief;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
@@ -359,11 +359,11 @@ pub(crate) fn one_parameter(description: &Description, diagram: &OneParameter) -
 #[cfg(test)]
 mod tests {
     use super::*;
+    use grazing_analysis::unfolded::{Curves, Unfolded};
     use grazing_continuation::bifurcation::Pair;
     use grazing_continuation::curve::Window;
     use grazing_continuation::fit::{Estimate, Measurement};
     use grazing_model::smooth::Stop;
-    use grazing_reproduction::unfolded::{Curves, Unfolded};
     use grazing_theorems::LinearOscillator;
     use grazing_theorems::hypothesis::Theorem;
     use grazing_unfold::progress::Silent;

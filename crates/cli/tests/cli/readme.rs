@@ -6,11 +6,11 @@ use std::process::Command;
 use crate::program::{empty_folder, repository};
 use clap::Parser;
 use clap::error::ErrorKind;
+use grazing_analysis::unfolded::{AlongGrazing, AtResonances};
 use grazing_claims::checks::CHECKS;
 use grazing_claims::ledger::{Claim, Ledger, Test};
 use grazing_cli::arguments::Arguments;
 use grazing_cli::outputs::{self, Output};
-use grazing_reproduction::unfolded::{AlongGrazing, AtResonances};
 use grazing_results::Tables;
 
 /// The lines of the README that begin with `cargo xtask`, as in a block of commands.

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
+use grazing_analysis::unfolded::{AtResonance, CurveFinding, Curves};
 use grazing_claims::audit::{ClaimVerdict, Finding};
 use grazing_claims::ledger::Ledger;
 use grazing_claims::outcome::{Measure, Outcome};
@@ -14,7 +15,6 @@ use grazing_continuation::fit::{Estimate, Measurement};
 use grazing_description::Description;
 use grazing_drawing::{Bounds, Element, PanelMark, Path, Sheet};
 use grazing_report::{FigureEntry, FileDigest, Manifest, OscillatorEntry, Part, Report, TableOutput};
-use grazing_reproduction::unfolded::{AtResonance, CurveFinding, Curves};
 use grazing_results::plane::SpecialPoint;
 use grazing_results::{Column, Frame, Names, Table, UnitNames, columns};
 use grazing_theorems::LinearOscillator;

@@ -20,8 +20,8 @@ use serde::{Deserialize, Serialize};
 
 use super::fig07::Figure7;
 use crate::figure::prelude::*;
-use crate::plane::{Axes, plane_diagram};
 use crate::study::forced;
+use grazing_analysis::plane::{Axes, plane_diagram};
 
 /// As many places across and up as the memory of a large machine holds the rows of.
 const MOST: u32 = 10_000;

@@ -10,7 +10,7 @@ use grazing_unfold::regions::{Doubt, Region};
 use super::fig02::Figure2;
 use super::fig08::Figure8;
 use crate::figure::prelude::*;
-use crate::plane::{self, Axes};
+use grazing_analysis::plane::{self, Axes};
 
 pub use diagram::Figure7;
 use diagram::not_followed;

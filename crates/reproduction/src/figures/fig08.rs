@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use super::fig07::diagram::not_followed;
 use crate::coefficients::closed_form_coefficients;
 use crate::figure::prelude::*;
-use crate::plane::{self, Axes};
+use grazing_analysis::plane::{self, Axes};
 
 use section::MOST_PANELS;
 pub use section::{Figure8, Near, Panel};

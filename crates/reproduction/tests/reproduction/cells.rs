@@ -3,13 +3,13 @@
 
 use std::sync::OnceLock;
 
+use grazing_analysis::unfolded::{CurveFinding, Unfolded};
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 use grazing_continuation::fit::{Estimate, FitError, Measurement};
 use grazing_model::ImpactOscillator;
 use grazing_model::phase::centred;
 use grazing_model::smooth::Stop;
 use grazing_reproduction::Coefficients;
-use grazing_reproduction::unfolded::{CurveFinding, Unfolded};
 use grazing_results::columns::*;
 use grazing_results::{Cell, Column, Row, Table, Tables};
 use grazing_theorems::auxiliary::resonance_boundary;

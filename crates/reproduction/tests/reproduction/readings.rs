@@ -3,11 +3,11 @@
 use core::f64::consts::TAU;
 use std::sync::LazyLock;
 
+use grazing_analysis::unfolded::Unfolded;
 use grazing_description::Description;
 use grazing_model::motion::Motion;
 use grazing_model::smooth::Stop;
 use grazing_model::{ImpactOscillator, OnWall};
-use grazing_reproduction::unfolded::Unfolded;
 use grazing_results::branches::OneParameter;
 use grazing_results::readings::{Ordinate, Reading, Sweep};
 use grazing_unfold::progress::Silent;

@@ -1,8 +1,8 @@
 //! The same oscillator in other units: all tables are the same but for the units of their columns.
 
+use grazing_analysis::unfolded::Unfolded;
 use grazing_description::Description;
 use grazing_model::smooth::Stop;
-use grazing_reproduction::unfolded::Unfolded;
 use grazing_results::branches::OneParameter;
 use grazing_results::{Cell, Table, Tables};
 use grazing_unfold::progress::Silent;

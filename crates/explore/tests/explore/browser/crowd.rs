@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 use std::thread::{self, sleep};
 use std::time::Duration;
 
+use grazing_analysis::plane::{self, Axes};
 use grazing_continuation::curve::Window;
 use grazing_model::{AnyOscillator, LinearOscillator};
-use grazing_reproduction::plane::{self, Axes};
 use grazing_results::plane::{PlanePoint, RegionVertex};
 use grazing_unfold::progress::Silent;
 use grazing_unfold::{Diagram, Scope};

@@ -13,11 +13,11 @@ use std::thread;
 use std::time::Duration;
 
 use self::running::{LIMITS, Running, events};
+use grazing_analysis::plane;
+use grazing_analysis::unfolded;
 use grazing_description::Description;
 use grazing_explore::Limits;
 use grazing_model::smooth::Stop;
-use grazing_reproduction::plane;
-use grazing_reproduction::unfolded;
 use grazing_unfold::Diagram;
 use grazing_unfold::progress::Silent;
 use serde_json::{Value, json};

@@ -3,7 +3,7 @@
 use grazing_results::plane::{PlanePoint, RegionVertex, SpecialPoint};
 
 use super::*;
-use crate::plane::{self, Axes};
+use grazing_analysis::plane::{self, Axes};
 
 /// What continuation's rounding may add to a number that is drawn.
 const ROUNDING: f64 = 2e-9;

@@ -5,13 +5,13 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use grazing_model::smooth::Stop;
-use hyper::StatusCode;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, oneshot, watch};
 use tokio::task::{JoinHandle, spawn_blocking};
 use tokio::time::{sleep, timeout};
 
 use crate::answer::Problem;
+use crate::asked::Weight;
 
 /// What the server allows. None of it is felt by people at browsers; all of it is by whoever wants
 /// to bring the server down.
@@ -52,15 +52,6 @@ impl Default for Limits {
             steps: 2_000_000_000,
         }
     }
-}
-
-/// What a computation is to those that come after it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Weight {
-    /// It takes a moment for any oscillator that people write.
-    Light,
-    /// It may take long.
-    Heavy,
 }
 
 /// What all computations share.
@@ -144,7 +135,7 @@ impl Turns {
     /// A turn, once it is there; none if it takes too long.
     async fn turn(&self, weight: Weight) -> Result<Turn, Problem> {
         let lane = if weight == Weight::Light { &self.light } else { &self.heavy };
-        let refused = |why| Problem::new(StatusCode::SERVICE_UNAVAILABLE, why);
+        let refused = |why| Problem::new(503, why);
         let turn = timeout(self.limits.time, lane.turns.clone().acquire_owned()).await;
         let permit = turn.map_err(|_| refused("the server is busy"))?;
         let permit = permit.map_err(|_| refused("the server is closing"))?;
@@ -217,6 +208,6 @@ pub(crate) async fn computed<T: Send + 'static>(
 ) -> Result<T, Problem> {
     let Begun { result, guard: _guard } = begin(turns, weight, work).await?;
     let Limits { time, grace, .. } = turns.limits;
-    let failed = |_| Problem::new(StatusCode::INTERNAL_SERVER_ERROR, "the computation failed");
+    let failed = |_| Problem::new(500, "the computation failed");
     timeout(time + grace, result).await.map_err(|_| Problem::ended())?.map_err(failed)?
 }

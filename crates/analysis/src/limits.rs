@@ -1,4 +1,4 @@
-//! Beyond the paper: the limit map at the resonances of Figure 7.
+//! Beyond the paper: the limit map at resonances, and what is solved for near them.
 
 use grazing_continuation::doubled::{Doubled, DoubledEquations};
 use grazing_continuation::mps::unknown;
@@ -7,10 +7,8 @@ use grazing_results::{row, tables};
 use grazing_theorems::ResonantPoint;
 use grazing_unfold::resonances::Resonance;
 
-use crate::{Study, StudyError};
-
 tables! {
-    /// The limit map at all resonances of Figure 7, by p and increasing frequency.
+    /// The limit map at resonances, by p and increasing frequency.
     LimitTable {
         rows: AtLimit = "beyond_limits", "a resonance of Figure 7",
     }
@@ -43,19 +41,9 @@ row! { AtLimit, |this| {
     C_2GZ_ERROR_4 = this.errors[2],
 ] }
 
-impl Study {
-    /// The limit map at all resonances of Figure 7.
-    ///
-    /// # Errors
-    /// There is no grazing in the window.
-    pub fn limits(&self) -> Result<LimitTable, StudyError> {
-        let found = self.diagram()?.unfolding();
-        Ok(LimitTable { rows: found.map(|(resonance, _)| AtLimit::of(resonance)).collect() })
-    }
-}
-
 impl AtLimit {
-    fn of(resonance: &Resonance) -> Self {
+    /// The limit map at a resonance, and the grazing orbits that are solved for near it.
+    pub fn of(resonance: &Resonance) -> Self {
         let point = *resonance.located.resonant_point();
         let limit = point.doubled_grazing_coefficient();
         let error = |size: f64| Some((doubled_grazing(&resonance.located, size)? / limit - 1.0).abs());

@@ -30,13 +30,13 @@ use grazing_unfold::straightened::{StraightCurve, straighten};
 use grazing_unfold::unfinished::Unfinished;
 use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::{Coefficient, coefficients_on, near};
-use grazing_unfold::{Diagram, Scope};
+use grazing_unfold::{Diagram, Scope, UnfoldError};
 use rayon::prelude::*;
 
 pub use crate::described::{Prepared, levels, prepared};
 use crate::limits::measured_doubled_grazing;
+use crate::one_parameter;
 use crate::plane::{self, Axes, own_header};
-use crate::{StudyError, one_parameter};
 pub use finished::Keep;
 pub(crate) use tables::slopes;
 pub use tables::{CheckedHypothesis, CoefficientRow, GrazingLoopRow, GrazingRow};
@@ -184,7 +184,7 @@ impl Unfolded {
         progress: &dyn Progress,
         stop: &Stop,
         keep: Keep<'_>,
-    ) -> Result<Self, StudyError> {
+    ) -> Result<Self, UnfoldError> {
         Self::prepared(description, Prepared::new(description, axes(description), stop), progress, stop, keep)
     }
 
@@ -198,14 +198,11 @@ impl Unfolded {
         progress: &dyn Progress,
         stop: &Stop,
         keep: Keep<'_>,
-    ) -> Result<Self, StudyError> {
+    ) -> Result<Self, UnfoldError> {
         let Prepared { oscillator, scope, asked, axes } = of;
         let units = axes.units;
         let unfolded = Self::compute(&oscillator, (&scope, asked), axes, progress, keep);
-        let mut unfolded = unfolded.map_err(|error| match error {
-            StudyError::Unfold(error) => StudyError::Unfold(error.in_units(&units)),
-            other => other,
-        });
+        let mut unfolded = unfolded.map_err(|error| error.in_units(&units));
         if let Ok(Self { diagram, diagrams, .. }) = &mut unfolded {
             let (found, unfinished) = one_parameter::diagrams(description, &diagram.curves, stop, progress);
             *diagrams = found;
@@ -229,7 +226,7 @@ impl Unfolded {
         axes: Axes,
         progress: &dyn Progress,
         keep: Keep<'_>,
-    ) -> Result<Self, StudyError> {
+    ) -> Result<Self, UnfoldError> {
         let located = Diagram::located(oscillator, scope, progress)?.asking_for(asked);
         let followed = finished::follow(&axes, &located, progress, keep);
         let mut diagram = located.with(followed, progress).found()?;

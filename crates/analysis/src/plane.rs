@@ -71,7 +71,7 @@ pub fn curves(axes: &Axes, diagram: &Diagram) -> Vec<PlanePoint> {
 }
 
 /// The points of curves that are numbered in their order.
-pub(crate) fn numbered(curves: impl IntoIterator<Item = Vec<PlanePoint>>) -> Vec<PlanePoint> {
+pub fn numbered(curves: impl IntoIterator<Item = Vec<PlanePoint>>) -> Vec<PlanePoint> {
     let numbered = (0..).zip(curves);
     numbered
         .flat_map(|(arc, curve)| curve.into_iter().map(move |point| PlanePoint { arc, ..point }))

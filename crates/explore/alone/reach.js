@@ -1,0 +1,48 @@
+// The way to the program: compiled to WebAssembly it runs in workers of this page, one for each request that is being answered.
+// Who aborts a request ends its worker.
+
+export const LOST = "The program cannot be run in this browser, or its files did not come.";
+
+document.documentElement.toggleAttribute("data-alone", true);
+
+const program = fetch("./grazing.wasm").then(async (answer) => {
+  if (!answer.ok) throw new Error(LOST);
+  return WebAssembly.compile(await answer.arrayBuffer());
+});
+// Who asks is told.
+program.catch(() => {});
+
+/** Workers that have answered, and wait. */
+const idle = [];
+
+export async function reach(path, { body, signal }) {
+  if (body === undefined) return fetch(`./${path}`, { signal });
+  const compiled = await program;
+  signal?.throwIfAborted();
+  const worker = idle.pop() ?? new Worker("./worker.js");
+  return new Promise((resolve, reject) => {
+    let events;
+    const end = () => worker.terminate();
+    const stream = new ReadableStream({ start: (controller) => (events = controller), cancel: end });
+    const fail = (error) => {
+      end();
+      events.error(error);
+      reject(error);
+    };
+    const abort = () => fail(new DOMException("it was aborted", "AbortError"));
+    signal?.addEventListener("abort", abort, { once: true });
+    worker.onerror = () => fail(new Error(LOST));
+    worker.onmessage = ({ data: { event, status, kind, content } }) => {
+      if (event) {
+        events.enqueue(event);
+        resolve(new Response(stream));
+        return;
+      }
+      signal?.removeEventListener("abort", abort);
+      idle.push(worker);
+      events.close();
+      resolve(new Response(content, { status, headers: { "Content-Type": kind } }));
+    };
+    worker.postMessage({ compiled, path, body });
+  });
+}

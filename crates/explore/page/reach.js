@@ -1,0 +1,5 @@
+// The way to the program: the server that this page came from.
+
+export const LOST = "The program does not answer. Is `grazing explore` still running?";
+
+export const reach = (path, options) => fetch(`./${path}`, options);

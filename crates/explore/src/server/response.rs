@@ -1,0 +1,50 @@
+//! Answers as HTTP carries them.
+
+use std::convert::Infallible;
+
+use http_body_util::combinators::BoxBody;
+use http_body_util::{BodyExt, Full};
+use hyper::body::Bytes;
+use hyper::header::{CONTENT_DISPOSITION, CONTENT_TYPE, HeaderValue};
+use hyper::{Response, StatusCode};
+use serde_json::Value;
+
+use crate::answer::{Problem, Sheet};
+use crate::asked::JSON;
+
+/// What answers carry.
+pub(super) type Body = BoxBody<Bytes, Infallible>;
+
+/// Why there is no answer.
+pub(super) fn refused(problem: &Problem) -> Response<Body> {
+    let mut response = json(&problem.told());
+    *response.status_mut() =
+        StatusCode::from_u16(problem.status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
+    response
+}
+
+/// A value as JSON; numbers that are none are null.
+pub(super) fn json(value: &Value) -> Response<Body> {
+    of_kind(JSON, value.to_string())
+}
+
+/// Some content in one piece.
+pub(super) fn of_kind(kind: &'static str, content: impl Into<Bytes>) -> Response<Body> {
+    with_kind(kind, Full::new(content.into()).boxed())
+}
+
+pub(super) fn with_kind(kind: &'static str, body: Body) -> Response<Body> {
+    let mut response = Response::new(body);
+    response.headers_mut().insert(CONTENT_TYPE, HeaderValue::from_static(kind));
+    response
+}
+
+/// A file to be saved.
+pub(super) fn file(sheet: Sheet) -> Result<Response<Body>, Problem> {
+    let Sheet { name, kind, content } = sheet;
+    let mut response = of_kind(kind, content);
+    let disposition = HeaderValue::from_str(&format!("attachment; filename=\"{name}\""))
+        .map_err(|_| Problem::wrong("the file has no name"))?;
+    response.headers_mut().insert(CONTENT_DISPOSITION, disposition);
+    Ok(response)
+}

@@ -1,0 +1,57 @@
+//! Answers that come in pieces while they are computed.
+
+use std::convert::Infallible;
+use std::pin::Pin;
+use std::sync::LazyLock;
+use std::task::{Context, Poll};
+use std::time::{Duration, Instant};
+
+use grazing_model::smooth::Stop;
+use http_body_util::BodyExt;
+use hyper::Response;
+use hyper::body::{Body as HttpBody, Bytes, Frame};
+use tokio::sync::mpsc::{Receiver, channel};
+
+use super::response::{self, Body};
+use super::turns::{self, Begun, StopOnDrop, Turns};
+use crate::answer::Problem;
+use crate::asked::{EVENTS, Told, Weight};
+use crate::events;
+
+/// Events that wait for a slow reader; the computation waits then, too.
+const WAITING: usize = 64;
+
+/// The time since this was first asked.
+fn clock() -> Duration {
+    static BEGAN: LazyLock<Instant> = LazyLock::new(Instant::now);
+    BEGAN.elapsed()
+}
+
+/// Computes, and sends what is found as it is found.
+pub(super) async fn events(turns: &Turns, compute: Box<Told>) -> Result<Response<Body>, Problem> {
+    let (sender, receiver) = channel(WAITING);
+    let work = move |stop: &Stop| {
+        let listener = move |text: String| sender.blocking_send(text.into()).is_ok();
+        events::tell(&*compute, &listener, clock, stop);
+    };
+    let Begun { guard, .. } = turns::begin(turns, Weight::Heavy, work).await?;
+    Ok(response::with_kind(EVENTS, Reading { receiver, _guard: guard }.boxed()))
+}
+
+/// The body of an answer in pieces; when the connection goes, so does the computation.
+struct Reading {
+    receiver: Receiver<Bytes>,
+    _guard: StopOnDrop,
+}
+
+impl HttpBody for Reading {
+    type Data = Bytes;
+    type Error = Infallible;
+
+    fn poll_frame(
+        mut self: Pin<&mut Self>,
+        context: &mut Context<'_>,
+    ) -> Poll<Option<Result<Frame<Bytes>, Infallible>>> {
+        self.receiver.poll_recv(context).map(|bytes| bytes.map(|bytes| Ok(Frame::data(bytes))))
+    }
+}
