@@ -294,6 +294,12 @@ pub struct Explore {
     /// Do not open a browser
     #[arg(long)]
     pub no_browser: bool,
+    /// Write the page as a folder of files that needs no server but one for files
+    #[arg(long, value_name = "DIR", requires = "program", conflicts_with_all = ["port", "no_browser"])]
+    pub static_files: Option<PathBuf>,
+    /// The program compiled to WebAssembly, as `web/run` makes it, for these files
+    #[arg(long, value_name = "WASM", requires = "static_files")]
+    pub program: Option<PathBuf>,
 }
 
 /// The arguments of `grazing identify`.

@@ -15,7 +15,7 @@ use tempfile::NamedTempFile;
 
 use crate::arguments;
 use crate::failure::{Failure, computation};
-use crate::folder::OutputFile;
+use crate::folder::{self, OutputFile};
 use crate::oscillator::OscillatorFile;
 use crate::outputs::ComputedOutput;
 use crate::outputs::edition::{self, Edition, Format};
@@ -25,12 +25,15 @@ use crate::outputs::oscillator::{
 };
 use crate::{limits, project, tables, terminal};
 
-/// Serves the page until Ctrl-C is pressed.
+/// Serves the page until Ctrl-C is pressed, or writes it as files.
 ///
 /// # Errors
-/// A file cannot be read, or the port cannot be had.
+/// A file cannot be read or written, or the port cannot be had.
 pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
     let examples = examples(arguments.file.as_deref())?;
+    if let (Some(folder), Some(program)) = (&arguments.static_files, &arguments.program) {
+        return write(folder, program, &examples);
+    }
     let export: Export = Box::new(|seen, what, columns, _| {
         exported(seen, what, columns).map_err(|failure| failure.to_string())
     });
@@ -51,6 +54,34 @@ pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
     let too_large = || limits::holds_more_than(grazing_description::Limits::USUAL.memory);
     server.run(limits::is_interrupted, too_large).map_err(|reason| Failure::unwritten(reason.to_string()))
 }
+
+/// Writes the page with the program in it.
+fn write(folder: &Path, program: &Path, examples: &[Example]) -> Result<(), Failure> {
+    let content = grazing_source::read_bytes(program, LARGEST_PROGRAM)
+        .map_err(|reason| Failure::file(program, &reason))?;
+    if !content.starts_with(WASM) {
+        return Err(Failure::input(format!(
+            "{}: this is no program in WebAssembly; web/run makes one",
+            program.display()
+        )));
+    }
+    let page = grazing_explore::alone("grazing", examples).into_iter().chain([("grazing.wasm", content)]);
+    let files: Vec<OutputFile> =
+        page.map(|(name, content)| OutputFile { path: name.into(), content }).collect();
+    let paths: Vec<_> = files.iter().map(|file| file.path.clone()).collect();
+    folder::ensure_writable(folder, &paths)?;
+    folder::write(folder, &files)?;
+    terminal::say(&format!(
+        "{} files, into {folder}: any web server shows them, as `python3 -m http.server -d {folder}` does\n",
+        files.len(),
+        folder = folder.display()
+    ));
+    Ok(())
+}
+
+/// What programs in WebAssembly begin with, and the bytes of one, at most.
+const WASM: &[u8] = b"\0asm";
+const LARGEST_PROGRAM: u64 = 100_000_000;
 
 /// The oscillators in the menu: the one that was named, the paper's, and the repository's examples.
 fn examples(named: Option<&Path>) -> Result<Vec<Example>, Failure> {

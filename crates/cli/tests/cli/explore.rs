@@ -209,3 +209,25 @@ fn what_cannot_be_served_is_told_before_anything_is() {
         "{told}"
     );
 }
+
+#[test]
+fn the_page_is_written_as_files_with_a_program_beside_them() {
+    let folder = empty_folder();
+    let place = |name: &str| folder.path().join(name);
+    let write =
+        |program: &str| grazing(folder.path(), &["explore", "--static-files", "page", "--program", program]);
+    // What is no program is refused, and nothing is written.
+    fs::write(place("text.wasm"), "(module)").expect("it can be written");
+    let refused = write("text.wasm");
+    let told = "text.wasm: this is no program in WebAssembly";
+    assert!(refused.code == Some(2) && refused.messages.contains(told), "{}", refused.messages);
+    assert!(!place("page").exists());
+    fs::write(place("grazing.wasm"), b"\0asm\x01\0\0\0").expect("it can be written");
+    assert_eq!(write("grazing.wasm").code, Some(0));
+    let written = |name: &str| fs::read(place("page").join(name)).expect("it is there");
+    assert_eq!(written("grazing.wasm"), b"\0asm\x01\0\0\0");
+    assert!(String::from_utf8_lossy(&written("index.html")).contains("src=\"main.js\""));
+    assert!(String::from_utf8_lossy(&written("examples")).contains("duffing.toml"));
+    // The way to the program is that of a page without a server.
+    assert!(String::from_utf8_lossy(&written("reach.js")).contains("./worker.js"));
+}
