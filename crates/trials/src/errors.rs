@@ -3,7 +3,7 @@
 //! They stand in `expected/deliberate_errors.toml`. A copy of the project under `target/` gets all
 //! of them at once, each behind a switch that an environment variable turns (`armed`), so that it
 //! is built once for all; those that cannot stand behind a switch are put in by themselves. Only
-//! test programs that come to an error's switch are run with it. The project is never touched.
+//! tests that come to an error's switch are run with it. The project is never touched.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::{fs, io};
 
+use rayon::prelude::*;
 use serde::Deserialize;
 
 use crate::errors::armed::{REACHED, SWITCH, VARIABLE, armed};
@@ -311,10 +312,11 @@ impl<'a> Copy<'a> {
         let (first, others): (Vec<_>, Vec<_>) = rest.into_iter().partition(is_own);
         let (mut frozen, mut not_ended) = (Vec::new(), false);
         for test in claims.into_iter().chain(first).chain(others) {
-            if self.switched[index] && !self.reaches(test, index)? {
+            let reaching = if self.switched[index] { Some(self.reaching(test, index)?) } else { None };
+            if reaching.as_ref().is_some_and(Vec::is_empty) {
                 continue;
             }
-            let Some(failed) = self.failures(test, index)? else {
+            let Some(failed) = self.failures(test, index, &reaching.unwrap_or_default())? else {
                 not_ended = true;
                 continue;
             };
@@ -333,19 +335,33 @@ impl<'a> Copy<'a> {
         })
     }
 
-    /// Whether a program, or one that it runs, comes to the switch of an error. All that it comes to
-    /// is recorded once, in a run with no error in it.
-    fn reaches(&self, test: &TestProgram, index: usize) -> io::Result<bool> {
+    /// The tests of a program that come to the switch of an error, themselves or by a program that they
+    /// run. What each comes to is recorded once, in a run of it alone with no error in it.
+    fn reaching(&self, test: &TestProgram, index: usize) -> io::Result<Vec<String>> {
         let program = self.root.join(&test.program);
         let record = program.with_extension("reached");
         let built = fs::metadata(&program)?.modified()?;
         if !fs::metadata(&record).is_ok_and(|record| record.modified().is_ok_and(|at| at >= built)) {
-            let new = program.with_extension("new");
-            fs::write(&new, "")?;
-            self.run(test, "unlimited").env(REACHED, &new).output()?;
-            fs::rename(new, &record)?;
+            let listed = self.run(test, "unlimited").args(["--list", "--format", "terse"]).output()?;
+            let listed = String::from_utf8_lossy(&listed.stdout);
+            let names: Vec<&str> = listed.lines().filter_map(|line| line.strip_suffix(": test")).collect();
+            let reached = |(number, name): (usize, &&str)| -> io::Result<String> {
+                let own = program.with_extension(format!("reached-{number}"));
+                fs::write(&own, "")?;
+                self.run(test, "unlimited").args(["--exact", name]).env(REACHED, &own).output()?;
+                let numbers = fs::read_to_string(&own)?.replace('\n', " ");
+                fs::remove_file(own)?;
+                Ok(format!("{name}\t{numbers}\n"))
+            };
+            let all = names.par_iter().enumerate().map(reached).collect::<io::Result<String>>()?;
+            fs::write(&record, all)?;
         }
-        Ok(fs::read_to_string(record)?.lines().any(|line| line.parse() == Ok(index + 1)))
+        let number = (index + 1).to_string();
+        let reaches = |line: &str| {
+            let (name, numbers) = line.split_once('\t')?;
+            numbers.split(' ').any(|one| one == number).then(|| name.to_owned())
+        };
+        Ok(fs::read_to_string(record)?.lines().filter_map(reaches).collect())
     }
 
     /// A run of a program's tests, with a limit to its seconds of CPU.
@@ -359,9 +375,14 @@ impl<'a> Copy<'a> {
         run
     }
 
-    /// The tests of a program that fail; nothing if it did not end by itself, or not in time.
-    fn failures(&self, test: &TestProgram, index: usize) -> io::Result<Option<Vec<String>>> {
-        let run = self.run(test, LONGEST).env(VARIABLE, (index + 1).to_string()).output()?;
+    /// Of these tests of a program, or of all, those that fail; nothing if it did not end by itself, or
+    /// not in time.
+    fn failures(&self, test: &TestProgram, index: usize, of: &[String]) -> io::Result<Option<Vec<String>>> {
+        let mut run = self.run(test, LONGEST);
+        if !of.is_empty() {
+            run.arg("--exact").args(of);
+        }
+        let run = run.env(VARIABLE, (index + 1).to_string()).output()?;
         let output = String::from_utf8_lossy(&run.stdout);
         let failed =
             output.lines().filter_map(|line| line.strip_prefix("test ")?.strip_suffix(" ... FAILED"));
@@ -370,9 +391,9 @@ impl<'a> Copy<'a> {
     }
 }
 
-/// In seconds of CPU: tests take a minute; with an error in a formula a search may go on without
-/// end.
-const LONGEST: &str = "180";
+/// In seconds of CPU: the tests of a program take minutes; with an error in a formula a search may go on
+/// without end.
+const LONGEST: &str = "600";
 
 /// The table with new rows in it, in the list's order; other rows stay if still listed.
 pub fn table(before: &str, list: &[DeliberateError], new: &BTreeMap<usize, Seen>) -> String {
