@@ -3,6 +3,7 @@
 import csv
 import math
 import os
+import re
 import signal
 import subprocess
 import warnings
@@ -261,6 +262,17 @@ def test_what_is_missing_is_warned_of(block):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert block.diagram(loops=[1]).missing == []
+
+
+def test_the_gallery_is_what_its_lines_make(tmp_path, monkeypatch):
+    gallery = (ROOT / "python" / "README.md").read_text().split("## Gallery")[1]
+    (tmp_path / "examples").symlink_to(ROOT / "examples")
+    monkeypatch.chdir(tmp_path)
+    exec(gallery.split("```python\n")[1].split("```")[0], {"grazing": grazing})
+    pictures = [ROOT / "python" / path for path in re.findall(r"!\[[^]]*\]\(([^)]+)\)", gallery)]
+    assert len(pictures) == 4
+    for picture in pictures:
+        assert (tmp_path / picture.name).read_text() == picture.read_text(), picture.name
 
 
 def test_the_notebook_runs():
