@@ -3,6 +3,7 @@
 import csv
 import math
 import os
+import re
 import signal
 import subprocess
 import warnings
@@ -12,6 +13,7 @@ import numpy
 import pandas
 import polars
 import pyarrow
+import pyarrow.parquet
 import pytest
 
 import grazing
@@ -105,12 +107,14 @@ def test_coefficients_measured_on_the_curves_are_those_of_the_closed_form(paper)
 
 
 def test_results_are_those_of_the_command_line(file, duffing, diagram, tmp_path):
-    ran = program("unfold", file, "--at", "0.9,0.8", "--output", tmp_path)
+    ran = program("unfold", file, "--at", "0.9,0.8", "--format", "svg,parquet", "--output", tmp_path)
     assert ran.returncode == 0, ran.stderr
     place = duffing.at((0.9, 0.8))
     for results in (diagram, place):
         for name in results:
             same(results[name], tmp_path / "data" / f"{name}.csv")
+            read = pyarrow.parquet.read_table(tmp_path / "data" / f"{name}.parquet")
+            assert read.equals(pyarrow.table(results[name]), check_metadata=True), name
         for name, figure in results.figures.items():
             assert figure == (tmp_path / f"{name}.svg").read_text()
     # Nothing that it writes is missing here.
@@ -261,6 +265,17 @@ def test_what_is_missing_is_warned_of(block):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert block.diagram(loops=[1]).missing == []
+
+
+def test_the_gallery_is_what_its_lines_make(tmp_path, monkeypatch):
+    gallery = (ROOT / "python" / "README.md").read_text().split("## Gallery")[1]
+    (tmp_path / "examples").symlink_to(ROOT / "examples")
+    monkeypatch.chdir(tmp_path)
+    exec(gallery.split("```python\n")[1].split("```")[0], {"grazing": grazing})
+    pictures = [ROOT / "python" / path for path in re.findall(r"!\[[^]]*\]\(([^)]+)\)", gallery)]
+    assert len(pictures) == 4
+    for picture in pictures:
+        assert (tmp_path / picture.name).read_text() == picture.read_text(), picture.name
 
 
 def test_the_notebook_runs():

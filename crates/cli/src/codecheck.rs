@@ -1,5 +1,5 @@
 //! The manifest of what this repository reproduces, as CODECHECK wants it
-//! (<https://codecheck.org.uk>, version 1.0).
+//! (<https://codecheck.org.uk/spec/config/2.0/>).
 //!
 //! Only what is known before anybody has checked: who checks adds their name, a summary, the time
 //! and the certificate.

@@ -28,6 +28,7 @@ mod places;
 mod readme;
 mod report;
 mod reproduce;
+mod scripts;
 mod signals;
 mod snapshots;
 mod tables;
