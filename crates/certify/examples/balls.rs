@@ -5,7 +5,7 @@
 
 use std::io::{BufWriter, Write, stdout};
 
-use grazing_certify::ball::Ball;
+use grazing_certify::ball::{Ball, Number as _};
 
 /// A sequence that looks random, the same on every run.
 struct Random(u64);

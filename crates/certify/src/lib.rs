@@ -19,7 +19,7 @@ pub mod summary;
 
 use rayon::prelude::*;
 
-use ball::Ball;
+use ball::{Ball, Number as _};
 use orbit::Oscillator;
 use row::{Base, Interval, Row};
 use search::{Goal, rows};
@@ -61,7 +61,7 @@ pub fn prove(
     intervals
         .into_par_iter()
         .flat_map_iter(|interval| {
-            let rows = rows(oscillator, interval, goal, MOST_WORK);
+            let rows = rows(oscillator, interval, goal, &mut MOST_WORK.clone());
             step();
             rows
         })

@@ -2,11 +2,10 @@
 
 use core::cell::Cell;
 
-use crate::ball::Ball;
-use crate::orbit::{Family, Motion, Oscillator};
-use crate::proof::{Model, Velocity};
+use crate::ball::{Ball, Number};
+use crate::orbit::{Family, Oscillator};
+use crate::proof::{At, Model};
 use crate::row::{Base, Clearance, Interval, Row, Verdict, WITNESS_BITS, Witness};
-use crate::series::Number;
 
 /// What is asked for.
 #[derive(Debug, Clone, Copy)]
@@ -30,10 +29,8 @@ struct Sight {
     family: Family<f64>,
     /// The velocity above which motion is stable.
     limit: f64,
-    /// The velocity up to which it is admissible, 0 if there is none, infinite if all are.
-    graze: f64,
-    /// When it touches the wall then, in turns.
-    touch: f64,
+    /// The velocities at which motion with increasing velocity touches the wall, and when, in turns.
+    contacts: Vec<[f64; 2]>,
 }
 
 impl Sight {
@@ -47,22 +44,32 @@ impl Sight {
         } else {
             f64::INFINITY
         };
-        let (graze, touch) = grazing(oscillator, p, &family);
-        Self { nu, family, limit, graze, touch }
+        Self { nu, family, limit, contacts: contacts(oscillator, p, &family) }
+    }
+
+    /// The velocity up to which motion is admissible: 0 if there is none, infinite if all are.
+    fn graze(&self) -> f64 {
+        self.contacts[0][0]
+    }
+
+    /// The contact whose time is nearest to this.
+    fn contact_near(&self, time: f64) -> [f64; 2] {
+        let nearer = |a: &&[f64; 2], b: &&[f64; 2]| (a[1] - time).abs().total_cmp(&(b[1] - time).abs());
+        self.contacts.iter().min_by(nearer).copied().unwrap_or(self.contacts[0])
     }
 }
 
-/// The greatest value of `psi/(1 - cos)` over the time between impacts, as its inverse and its time.
-fn grazing(oscillator: &Oscillator, p: i64, family: &Family<f64>) -> (f64, f64) {
+/// Where `psi/(1 - cos)` is greatest between impacts, as its inverse and its time.
+fn contacts(oscillator: &Oscillator, p: i64, family: &Family<f64>) -> Vec<[f64; 2]> {
     let motion = family.motion(1.0);
     let ratio = |turns: f64| {
         let half = (0.5 * turns).turn().0;
         let rise = 2.0 * half * half;
-        (rise - oscillator.distance(&motion, turns)[0]) / rise
+        (rise - oscillator.distance(&motion, turns, 0)) / rise
     };
-    let whole = (1..p).find(|&turn| oscillator.distance(&motion, turn as f64)[0] <= 0.0);
+    let whole = (1..p).find(|&turn| oscillator.distance(&motion, turn as f64, 0) <= 0.0);
     if let Some(turn) = whole {
-        return (0.0, turn as f64);
+        return vec![[0.0, turn as f64]];
     }
     let mut times: Vec<f64> = (1..p * 128).map(|n| n as f64 / 128.0).collect();
     for turn in 1..p {
@@ -80,21 +87,12 @@ fn grazing(oscillator: &Oscillator, p: i64, family: &Family<f64>) -> (f64, f64) 
             if ratio(low + third) < ratio(high - third) { low += third } else { high -= third }
         }
         let touch = 0.5 * (low + high);
-        (ratio(touch), touch)
+        [1.0 / ratio(touch), touch]
     };
-    let peaks =
-        (1..times.len() - 1).filter(|&i| ratios[i] >= ratios[i - 1] && ratios[i] >= ratios[i + 1]).map(peak);
-    let (greatest, touch) = peaks.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, 0.5));
-    (if greatest > 0.0 { 1.0 / greatest } else { f64::INFINITY }, touch)
-}
-
-/// Where the distance is least between two times, by the zero of its slope.
-fn nearest(oscillator: &Oscillator, motion: &Motion<f64>, mut low: f64, mut high: f64) -> f64 {
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if oscillator.distance(motion, middle)[1] < 0.0 { low = middle } else { high = middle }
-    }
-    0.5 * (low + high)
+    let greatest = |&i: &usize| ratios[i] > 0.0 && ratios[i] >= ratios[i - 1] && ratios[i] >= ratios[i + 1];
+    let mut contacts: Vec<[f64; 2]> = (1..times.len() - 1).filter(greatest).map(peak).collect();
+    contacts.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    if contacts.is_empty() { vec![[f64::INFINITY, 0.5]] } else { contacts }
 }
 
 fn witness(x: f64) -> i128 {
@@ -119,20 +117,16 @@ impl<'a> Attempt<'a> {
         // Three Chebyshev nodes.
         let sights = [-0.75f64.sqrt(), 0.0, 0.75f64.sqrt()]
             .map(|node| Sight::new(oscillator, interval.p, middle + node * half));
-        Self {
-            oscillator,
-            model: Model::new(oscillator, interval),
-            interval,
-            goal,
-            sights,
-            work: Cell::new(1),
-        }
+        let model = Model::over(oscillator, interval);
+        Self { oscillator, model, interval, goal, sights, work: Cell::new(1) }
     }
 
-    /// The quadratic through values at the three nodes; at a resonance, where they vanish, the line.
-    fn quadratic(&self, values: [f64; 3]) -> Witness<3> {
+    /// The polynomial through values at the three nodes. With the base at a resonance, where velocities
+    /// vanish and contact is at a whole turn, the line from `whole` to the value in the middle.
+    fn polynomial(&self, values: [f64; 3], whole: f64) -> Witness<3> {
         if self.interval.base != Base::Middle {
-            return [0, witness(values[1] / self.offset()), 0];
+            let offset = self.sights[1].nu - self.interval.origin().to_f64();
+            return [whole, (values[1] - whole) / offset, 0.0].map(witness);
         }
         let step = self.sights[2].nu - self.sights[1].nu;
         let slope = (values[2] - values[0]) / (2.0 * step);
@@ -140,147 +134,153 @@ impl<'a> Attempt<'a> {
         [values[1], slope, if self.interval.level >= FINE { 0.0 } else { bend }].map(witness)
     }
 
-    /// The line through values at the nodes; at a resonance, from an integer to that in the middle;
-    /// the value in the middle where contact jumps from one time to another.
-    fn line(&self, values: [f64; 3]) -> Witness<2> {
-        if self.interval.base != Base::Middle {
-            let whole = libm::rint(values[1]);
-            return [whole, (values[1] - whole) / self.offset()].map(witness);
-        }
-        let step = self.sights[2].nu - self.sights[1].nu;
-        let jumps = self.interval.level >= FINE && (values[2] - values[0]).abs() > 0.01;
-        let slope = if jumps { 0.0 } else { (values[2] - values[0]) / (2.0 * step) };
-        [values[1], slope].map(witness)
+    fn velocity(&self, values: [f64; 3]) -> Witness<3> {
+        self.polynomial(values, 0.0)
     }
 
-    /// From the base to the middle.
-    fn offset(&self) -> f64 {
-        self.sights[1].nu - self.interval.origin().to_f64()
+    fn time(&self, values: [f64; 3]) -> Witness<2> {
+        let [constant, slope, _] = self.polynomial(values, libm::rint(values[1]));
+        [constant, slope]
     }
 
-    /// When motion with these velocities is nearest to the wall, between two times.
-    fn nearest(&self, velocities: [f64; 3], [low, high]: [f64; 2]) -> Witness<2> {
-        self.line(core::array::from_fn(|i| {
+    /// When motion with these velocities is nearest to the wall between two times: where the slope of the
+    /// distance is zero.
+    fn nearest(&self, velocities: [f64; 3], [first, last]: [f64; 2]) -> Witness<2> {
+        let times = core::array::from_fn(|i| {
             let motion = self.sights[i].family.motion(velocities[i]);
-            nearest(self.oscillator, &motion, low, high)
-        }))
+            let (mut low, mut high) = (first, last);
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                let falls = self.oscillator.distance(&motion, middle, 1) < 0.0;
+                if falls { low = middle } else { high = middle }
+            }
+            0.5 * (low + high)
+        });
+        self.time(times)
     }
 
     fn at_sights(&self, value: impl Fn(&Sight) -> f64) -> [f64; 3] {
-        core::array::from_fn(|i| value(&self.sights[i]))
+        self.sights.each_ref().map(value)
     }
 
     fn all(&self, condition: impl Fn(&Sight) -> bool) -> bool {
         self.sights.iter().all(condition)
     }
 
-    /// Clearance at velocities, whose values at the sights are given also.
-    fn clearance(
-        &self,
-        velocities: [&Velocity; 2],
-        values: [f64; 3],
-        cells: i64,
-        crossing: bool,
-    ) -> Option<Clearance> {
-        self.work.update(|work| work + (cells / CELLS[0]) as usize);
-        let guess = |first: i64, last: i64| {
-            self.nearest(values, [first, last + 1].map(|cell| cell as f64 / cells as f64))
-        };
-        self.model.clearance(velocities, cells, guess, crossing)
+    fn least(&self, value: impl Fn(&Sight) -> f64) -> f64 {
+        self.at_sights(value).into_iter().fold(f64::INFINITY, f64::min)
     }
 
-    /// The verdict, if one can be proved at this width.
-    fn verdict(&self) -> Option<Verdict> {
+    /// Clearance at velocities up to that of a second witness, whose values at the sights are given also.
+    fn clearance(&self, [lower, upper]: [Witness<3>; 2], values: [f64; 3]) -> Option<Clearance> {
+        CELLS.into_iter().find_map(|cells| {
+            self.work.update(|work| work + (cells / CELLS[0]) as usize);
+            // A block is not nearest just at its ends.
+            let guess = |[first, end]: [i64; 2]| {
+                let inside = [first as f64 + 1e-3, end as f64 - 1e-3];
+                self.nearest(values, inside.map(|cell| cell / cells as f64))
+            };
+            self.model.clearance([&|at| at.witness(lower), &|at| at.witness(upper)], cells, guess)
+        })
+    }
+
+    /// The row, if one can be proved at this width.
+    fn row(&self) -> Option<Row> {
         if self.interval.base != Base::Middle && !self.model.crosses_at_resonance() {
             return None;
         }
-        let turn = self.sights[1].touch as i64;
-        if self.all(|sight| sight.graze == 0.0) && self.model.blocked(turn) {
-            return Some(Verdict::Blocked { turn });
-        }
-        if self.all(|sight| sight.graze < sight.limit) {
-            self.empty()
-        } else if self.all(|sight| sight.graze > sight.limit) {
-            self.edge().or_else(|| self.tube())
-        } else {
-            None
-        }
-        .or_else(|| if self.interval.level >= FINE { self.crossing() } else { None })
+        self.blocked().or_else(|| self.empty()).or_else(|| self.edge()).or_else(|| self.tube())
     }
 
-    fn empty(&self) -> Option<Verdict> {
+    fn blocked(&self) -> Option<Row> {
+        let turn = [witness(self.sights[1].contacts[0][1]), 0];
+        let proved = self.all(|sight| sight.graze() == 0.0) && self.model.blocked(turn);
+        proved.then(|| Row { touch: Some(turn), ..Row::new(self.interval, Verdict::None) })
+    }
+
+    fn empty(&self) -> Option<Row> {
         // Half-way to the limit, or nearer to it where that is not beyond the wall.
         let values = self.at_sights(|sight| {
-            let limit = if sight.limit.is_finite() { sight.limit } else { 4.0 * sight.graze };
-            (0.5 * limit).max((limit * sight.graze).sqrt())
+            let limit = if sight.limit.is_finite() { sight.limit } else { 4.0 * sight.graze() };
+            (0.5 * limit).max((limit * sight.graze()).sqrt())
         });
-        let upper = self.quadratic(values);
-        let middle = self.sights[1].touch;
+        if !self.all(|sight| sight.graze() < sight.limit) {
+            return None;
+        }
+        let (upper, middle) = (self.velocity(values), self.sights[1].contacts[0][1]);
         let touch = self.nearest(values, [middle - 0.125, middle + 0.125]);
-        let velocity = Velocity::Witness(upper);
+        let velocity = |at: &At| at.witness(upper);
         let proved = self.model.unstable(&velocity) && self.model.beyond(&velocity, touch);
-        proved.then_some(Verdict::Empty { upper, touch })
+        let row = Row::new(self.interval, Verdict::None);
+        proved.then_some(Row { upper: Some(upper), touch: Some(touch), ..row })
     }
 
-    fn edge(&self) -> Option<Verdict> {
+    fn edge(&self) -> Option<Row> {
         let amplitude = self.goal.amplitude.to_f64();
-        let values = self.at_sights(|sight| {
+        let value = |sight: &Sight| {
             let Family { nu, c, w, .. } = sight.family;
             let grazing = self.oscillator.grazing_square(nu).sqrt();
             (1.0 + 1.01 * amplitude / grazing) / (c * c + w * w).sqrt()
-        });
-        if !(0..3).all(|i| values[i] < self.sights[i].graze) {
+        };
+        if !self.all(|sight| sight.graze() > value(sight)) {
             return None;
         }
-        let lower = self.quadratic(values);
-        let velocity = Velocity::Witness(lower);
+        let values = self.at_sights(value);
+        let lower = self.velocity(values);
+        let velocity = |at: &At| at.witness(lower);
         let beyond = (self.model.amplitude(&velocity) - self.goal.amplitude).is_positive();
         let proved = beyond && self.model.stable(&velocity);
-        let clear = |cells| self.clearance([&velocity; 2], values, cells, false);
-        let clearance = proved.then(|| CELLS.into_iter().find_map(clear))??;
-        Some(Verdict::Edge { lower, clearance })
+        let clearance = proved.then(|| self.clearance([lower; 2], values))??;
+        let row = Row::new(self.interval, Verdict::Stable);
+        Some(Row { lower: Some(lower), clearance: Some(clearance), ..row })
     }
 
-    fn tube(&self) -> Option<Verdict> {
-        let smallest =
-            |value: &dyn Fn(&Sight) -> f64| self.at_sights(value).into_iter().fold(f64::INFINITY, f64::min);
+    fn tube(&self) -> Option<Row> {
+        let in_middle = self.sights[1].contacts[0][1];
+        let (fine, stable) = (self.interval.level >= FINE, self.all(|sight| sight.graze() > sight.limit));
+        // At a point one contact is followed, even where another is made earlier, by as much as this.
+        let contact = |i: usize| {
+            let sight = &self.sights[i];
+            if fine { sight.contact_near(in_middle) } else { sight.contacts[0] }
+        };
+        let [values, times] = [0, 1].map(|of| core::array::from_fn(|i| contact(i)[of]));
+        let excess = (0..3).fold(0.0, |most, i| f64::max(most, values[i] - self.sights[i].graze()));
+        let is_point = excess > 0.0 || !stable;
         // At a resonance the tube is twice as wide at the end as in the middle.
-        let share = if self.interval.base == Base::Middle { 0.49 } else { 0.22 };
+        let share = match (is_point, self.interval.base) {
+            (true, _) if !fine => return None,
+            (true, _) => 0.05,
+            (false, Base::Middle) => 0.49,
+            (false, _) => 0.22,
+        };
         let slope = self.model.amplitude_step_square([1 << WITNESS_BITS, 0, 0]).to_f64().sqrt();
         let width = share * self.goal.width.to_f64() / slope;
-        let room = smallest(&|sight| 0.1 * (sight.graze - sight.limit).min(sight.graze));
+        let room = self.least(|sight| {
+            let second = sight.contacts.get(1).map_or(f64::INFINITY, |contact| contact[0]);
+            let next = (second - sight.graze()).min(sight.graze() - sight.limit);
+            0.1 * if is_point { sight.graze() } else { sight.graze().min(next) }
+        });
         let half_width = width.min(room);
-        let values = self.at_sights(|sight| sight.graze);
-        let [lower, upper] =
-            [-half_width, half_width].map(|offset| self.quadratic(values.map(|value| value + offset)));
-        let touch = self.line(self.at_sights(|sight| sight.touch));
-        let velocities = [lower, upper].map(Velocity::Witness);
+        let low = values.map(|value| value - excess - half_width);
+        let [lower, upper] = [low, values.map(|value| value + half_width)].map(|v| self.velocity(v));
+        let touch = self.time(times);
         let step_square = self.model.amplitude_step_square(core::array::from_fn(|i| upper[i] - lower[i]));
+        let stable = stable && self.model.stable(&|at| at.witness(lower));
         let proved = (self.goal.width * self.goal.width - step_square).is_positive()
-            && self.model.stable(&velocities[0])
-            && self.model.beyond(&velocities[1], touch);
-        let values = values.map(|value| value - half_width);
-        let clear = |cells| {
-            let clearance = self.clearance(velocities.each_ref(), values, cells, false)?;
-            let open: Vec<_> = clearance.blocks.iter().filter(|block| block.open).collect();
-            let double = match open[..] {
-                [_] => false,
-                [one, two] => self.model.changes_contact_once([one, two], cells).then_some(true)?,
-                _ => return None,
-            };
-            Some(Verdict::Tube { lower, upper, touch, clearance, double })
+            && (stable || fine)
+            && self.model.beyond(&|at| at.witness(upper), touch);
+        let clearance = proved.then(|| self.clearance([lower, upper], low))??;
+        let verdict = match (stable, clearance.open) {
+            (true, 1) => Verdict::Stable,
+            (true, 2) | (false, 1) if fine => Verdict::Point(self.model.point(&clearance)?),
+            _ => return None,
         };
-        proved.then(|| CELLS.into_iter().find_map(clear))?
-    }
-
-    fn crossing(&self) -> Option<Verdict> {
-        let factors = [Ball::ONE, Ball::A_LITTLE_ABOVE_ONE];
-        let limits = factors.map(|factor| self.model.limit(self.interval.middle(), factor));
-        CELLS.into_iter().find_map(|cells| {
-            let values = self.at_sights(|sight| sight.limit);
-            let clearance = self.clearance(limits.each_ref(), values, cells, true)?;
-            let proved = self.model.crosses_once(limits.each_ref(), &clearance);
-            proved.then_some(Verdict::Crossing { clearance })
+        Some(Row {
+            lower: Some(lower),
+            upper: Some(upper),
+            touch: Some(touch),
+            clearance: Some(clearance),
+            ..Row::new(self.interval, verdict)
         })
     }
 
@@ -288,7 +288,7 @@ impl<'a> Attempt<'a> {
     fn reason(&self) -> &'static str {
         if self.all(|sight| sight.limit < 1e-6) {
             "a resonance of one loop: stability begins at velocity zero, and so does contact"
-        } else if self.all(|sight| (sight.graze - sight.limit).abs() < 1e-6) {
+        } else if self.all(|sight| (sight.graze() - sight.limit).abs() < 1e-6) {
             "motion touches the wall where it becomes stable"
         } else {
             "the bounds are too wide"
@@ -296,31 +296,22 @@ impl<'a> Attempt<'a> {
     }
 }
 
-/// The rows that tile an interval, of which with so much work at most.
-pub fn rows(oscillator: &Oscillator, interval: Interval, goal: Goal, mut work: usize) -> Vec<Row> {
-    let mut rows = Vec::new();
-    tile(oscillator, interval, goal, &mut rows, &mut work);
-    rows
-}
-
-fn tile(oscillator: &Oscillator, interval: Interval, goal: Goal, rows: &mut Vec<Row>, left: &mut usize) {
-    let mut undecided = |reason| rows.push(Row { interval, verdict: Verdict::Undecided(reason) });
+/// The rows that tile an interval, `left` being how much work may be done.
+pub fn rows(oscillator: &Oscillator, interval: Interval, goal: Goal, left: &mut usize) -> Vec<Row> {
+    let undecided = |reason| vec![Row::new(interval, Verdict::Undecided(reason))];
     if *left == 0 {
         return undecided("too many intervals were tried beside it");
     }
-    let mut tried = |interval| {
-        let attempt = Attempt::new(oscillator, interval, goal);
-        let verdict = attempt.verdict();
-        *left = left.saturating_sub(attempt.work.get());
-        (attempt.reason(), verdict.map(|verdict| Row { interval, verdict }))
-    };
-    let (reason, mut row) = tried(interval);
-    if let Some(base) = interval.resonance().filter(|_| interval.p > 1 && interval.level >= FINE) {
-        row = row.or_else(|| tried(Interval { base, ..interval }).1);
+    let attempt = Attempt::new(oscillator, interval, goal);
+    let mut row = attempt.row();
+    *left = left.saturating_sub(attempt.work.get());
+    let resonance = interval.resonance().filter(|_| interval.p > 1 && interval.level >= FINE);
+    if let (None, Some(base)) = (&row, resonance) {
+        row = Attempt::new(oscillator, Interval { base, ..interval }, goal).row();
     }
     match row {
-        Some(row) => rows.push(row),
-        None if interval.level >= goal.finest => undecided(reason),
-        None => interval.halves().into_iter().for_each(|half| tile(oscillator, half, goal, rows, left)),
+        Some(row) => vec![row],
+        None if interval.level >= goal.finest => undecided(attempt.reason()),
+        None => interval.halves().into_iter().flat_map(|half| rows(oscillator, half, goal, left)).collect(),
     }
 }
