@@ -207,15 +207,17 @@ class Line:
                 self.beyond(lambda nu: 1 + 0 * nu, touch, 1)
             return
         touching, which = POINTS[verdict] if verdict != "stable" else (1 if upper else 0, None)
-        if which is None:
-            require(all(condition > 0 for condition in self.conditions(lower)), "not stable")
+        (low, high), (low_0, _) = self.conditions(lower), self.conditions(lambda nu: 0 * nu)
         if upper:
+            require(which is not None or (low > 0 and high > 0), "not stable")
             between = self.polynomial([a - b for a, b in zip(witnesses["upper"], witnesses["lower"])])
             wide = lambda nu: (self.o.amplitude_square(nu, self.motion(nu, between)[0] - 1),)
             require(next(self.range(wide, (0,))) < width**2, "the tube is wider than stated")
         else:
+            # From where the first condition holds on to where the second fails, or to amplitudes beyond the window.
+            require(verdict == "stable" and low > 0 and (high > 0 or low_0 < 0), "where stability begins")
             square = lambda nu: (self.o.amplitude_square(nu, self.motion(nu, lower)[0]),)
-            require(verdict == "stable" and next(self.range(square, (0,))) > amplitude**2, "not beyond the window")
+            require((high < 0 and low_0 < 0) or next(self.range(square, (0,))) > amplitude**2, "where stable motion ends")
         blocks = self.blocks(lower, upper or lower, touching)
         if verdict != "stable":
             self.changes_order_once(blocks if which is None else [None, *blocks], lower, upper, which)

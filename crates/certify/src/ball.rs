@@ -1,4 +1,4 @@
-//! Intervals of real numbers as integers: a midpoint and a radius, in units of 2⁻⁹⁶.
+//! Intervals of real numbers as integers: a midpoint and a radius, in units of 2⁻⁸⁸.
 //!
 //! Every operation returns a ball that contains the results for all numbers of its arguments. There
 //! is no rounding mode and no floating point in what is proved. A result that does not fit is the
@@ -7,7 +7,7 @@
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// Binary digits after the point.
-const BITS: u32 = 96;
+const BITS: u32 = 88;
 const ONE: u128 = 1 << BITS;
 const LOW: u128 = u64::MAX as u128;
 /// Midpoints and radii stay below this.
@@ -32,7 +32,7 @@ pub trait Number:
     fn turn(self) -> (Self, Self);
 }
 
-/// `⌊a b / 2⁹⁶⌋` and `⌈a b / 2⁹⁶⌉`; if these do not fit, 0 and the greatest integer.
+/// `⌊a b / 2⁸⁸⌋` and `⌈a b / 2⁸⁸⌉`; if these do not fit, 0 and the greatest integer.
 fn product(a: u128, b: u128) -> (u128, u128) {
     let (a1, a0, b1, b0) = (a >> 64, a & LOW, b >> 64, b & LOW);
     let (bottom, first, second) = (a0 * b0, a1 * b0, a0 * b1);
@@ -53,14 +53,14 @@ impl Ball {
     pub const ONE: Self = Self { middle: ONE as i128, radius: 0 };
     /// Of which nothing is known.
     pub const ANY: Self = Self { middle: 0, radius: u128::MAX };
-    /// π: its first 24 hexadecimal digits after the point.
-    pub const PI: Self = Self { middle: 0x3_243F_6A88_85A3_08D3_1319_8A2E, radius: 1 };
+    /// π: its first 22 hexadecimal digits after the point.
+    pub const PI: Self = Self { middle: 0x3_243F_6A88_85A3_08D3_1319_8A, radius: 1 };
 
     fn new(middle: i128, radius: u128) -> Self {
         if middle.unsigned_abs() < LIMIT && radius < LIMIT { Self { middle, radius } } else { Self::ANY }
     }
 
-    /// `n / 2^level`, exactly; the level is at most 96.
+    /// `n / 2^level`, exactly; the level is at most 88.
     pub fn dyadic(n: i128, level: u32) -> Self {
         n.checked_mul(1 << (BITS - level)).map_or(Self::ANY, |middle| Self::new(middle, 0))
     }
@@ -77,7 +77,7 @@ impl Ball {
         Self::new(middle, upper.abs_diff(middle) + 1)
     }
 
-    /// Middle and radius in units of 2⁻⁹⁶; nothing for all numbers.
+    /// Middle and radius in units of 2⁻⁸⁸; nothing for all numbers.
     pub fn units(self) -> Option<(i128, u128)> {
         self.known().then_some((self.middle, self.radius))
     }
@@ -297,7 +297,7 @@ fn decimal(units: u128) -> String {
         rest = 10 * (rest & (ONE - 1));
         char::from(b'0' + (rest >> BITS) as u8)
     });
-    format!("{:010}.{}", units >> BITS, places.collect::<String>())
+    format!("{:012}.{}", units >> BITS, places.collect::<String>())
 }
 
 /// All its decimal digits that are certain, twenty significant ones at most.

@@ -1,10 +1,9 @@
 //! The certificate as text: what is stated, and a row for each interval with its witnesses. Its
 //! README, in `certificate/`, has the columns.
 
-use crate::WIDTH_PLACES;
 use crate::resonance::Resonance;
 use crate::row::{Block, Clearance, Row, Verdict, Witness};
-use crate::statement::Statement;
+use crate::statement::{Statement, WIDTH_PLACES};
 
 /// The columns of `rows.csv`.
 pub const COLUMNS: &str = "p,left,level,base,verdict,lower_0,lower_1,lower_2,upper_0,upper_1,upper_2,\

@@ -1,10 +1,13 @@
 //! The inequalities that prove a row. Each holds for all ν of an interval by Taylor's theorem: three
 //! coefficients at its base, and the fourth over all of it.
 
+use core::cell::Cell;
+
 use crate::ball::{Ball, Number};
 use crate::orbit::{Family, Motion, Oscillator};
-use crate::row::{Base, Block, Clearance, Interval, WITNESS_BITS, Witness};
+use crate::row::{Base, Block, Clearance, Interval, Row, Verdict, WITNESS_BITS, Witness};
 use crate::series::Series;
+use crate::statement::Statement;
 
 /// The motions with one impact over an interval of ν.
 pub struct Model<'a> {
@@ -14,6 +17,8 @@ pub struct Model<'a> {
     over_all: At,
     /// The values of `u`.
     offset: Ball,
+    /// What proofs have cost, in cells of the largest size in a period.
+    pub work: Cell<usize>,
 }
 
 /// The motions as functions of ν, by their Taylor coefficients at one ν, or over an interval.
@@ -34,6 +39,18 @@ impl At {
 
 /// A velocity at impact, as a function of ν.
 pub type Velocity<'v> = dyn Fn(&At) -> Series + 'v;
+
+/// A stretch of time, in turns.
+pub type Turns = [f64; 2];
+
+/// Intervals at most `2^-FINE` wide may hold a codimension-two point.
+pub const FINE: u32 = 24;
+/// Cells in a period that are tried.
+const CELLS: [i64; 3] = [64, 256, 1024];
+
+fn is_whole(turn: Witness<2>) -> bool {
+    turn.map(|coefficient| coefficient & ((1 << WITNESS_BITS) - 1)) == [0; 2] && turn[1] == 0
+}
 
 /// Something that happens as the velocity increases from zero.
 #[derive(Clone, Copy)]
@@ -61,21 +78,21 @@ impl<'a> Model<'a> {
             let offset = variable - interval.origin().into();
             At { family: oscillator.family(interval.p, variable), offset }
         });
-        Self { oscillator, interval, at_origin, over_all, offset: all - origin }
+        Self { oscillator, interval, at_origin, over_all, offset: all - origin, work: Cell::new(1) }
     }
 
-    /// Whether stability begins with a multiplier 1, at the velocity `b/P`; with −1, at `−b/Q`, otherwise.
-    pub fn begins_at_saddle_node(&self) -> bool {
-        self.at_origin.family.b.0[0].is_positive()
-    }
-
-    /// The velocity above which motion is stable.
+    /// The velocity above which motion is stable: `b/P`, where a multiplier is 1, if b is positive in the
+    /// middle; `−b/Q`, where one is −1, otherwise.
     pub fn limit(&self) -> impl Fn(&At) -> Series {
         let saddle_node = self.begins_at_saddle_node();
         move |at| {
             let Family { b, big_p, big_q, .. } = at.family;
             if saddle_node { b * big_p.inverse() } else { -b * big_q.inverse() }
         }
+    }
+
+    fn begins_at_saddle_node(&self) -> bool {
+        self.at_origin.family.b.0[0].is_positive()
     }
 
     /// What functions of ν may be anywhere in the interval. Each comes with its order: how often it
@@ -90,6 +107,50 @@ impl<'a> Model<'a> {
         })
     }
 
+    /// Completes a row by what its witnesses prove, if they prove anything; `nearest` guesses when motion
+    /// with velocity `lower` is nearest to the wall in a block.
+    pub fn prove(
+        &self,
+        row: Row,
+        statement: &Statement,
+        nearest: impl Fn(Turns) -> Witness<2>,
+    ) -> Option<Row> {
+        let side = |witness: Witness<3>| move |at: &At| at.witness(witness);
+        if self.interval.base != Base::Middle && !self.crosses_at_resonance() {
+            return None;
+        }
+        let Some(lower) = row.lower else {
+            let none = match (row.upper, row.touch?) {
+                (Some(upper), touch) => self.unstable(&side(upper)) && self.beyond(&side(upper), touch, 2),
+                // At a whole turn the distance is proportional to v: at `v = 1` is enough.
+                (None, turn) => is_whole(turn) && self.beyond(&|_| Ball::ONE.into(), turn, 1),
+            };
+            return none.then_some(Row { verdict: Verdict::None, ..row });
+        };
+        let [_, b, below, above] = self.conditions(&side(lower));
+        let stable = below.is_positive() && above.is_positive();
+        let Some(upper) = row.upper else {
+            // Where `Q < 0`, stability also ends at `−b/Q`.
+            let ends = b.is_positive() && above.is_negative();
+            let begins = stable || (b.is_positive() && below.is_positive());
+            let leaves = (self.amplitude(&side(lower)) - statement.amplitude.ball()).is_positive();
+            let proved = begins && (ends || leaves);
+            let clearance = proved.then(|| self.clearance([&side(lower), &side(lower)], nearest))??;
+            return Some(Row { verdict: Verdict::Stable, clearance: Some(clearance), ..row });
+        };
+        let fine = self.interval.level >= FINE;
+        let proved = (stable || fine)
+            && self.is_narrow(core::array::from_fn(|i| upper[i] - lower[i]), statement.width())
+            && self.beyond(&side(upper), row.touch?, 2);
+        let clearance = proved.then(|| self.clearance([&side(lower), &side(upper)], nearest))??;
+        let verdict = match (stable, clearance.open) {
+            (true, 1) => Verdict::Stable,
+            (true, 2) | (false, 1) if fine => Verdict::Point(self.point(&clearance)?),
+            _ => return None,
+        };
+        Some(Row { verdict, clearance: Some(clearance), ..row })
+    }
+
     /// `v`, `b`, and the conditions of stability `P v − b > 0` and `Q v + b > 0`.
     fn conditions(&self, velocity: &Velocity<'_>) -> [Ball; 4] {
         self.range(|at| {
@@ -98,28 +159,16 @@ impl<'a> Model<'a> {
         })
     }
 
-    /// Whether the motion with this velocity is stable.
-    pub fn stable(&self, velocity: &Velocity<'_>) -> bool {
-        let [v, _, below, above] = self.conditions(velocity);
-        [v, below, above].into_iter().all(Ball::is_positive)
-    }
-
     /// Whether no motion with a velocity from 0 to this one is stable: one of the conditions, which
     /// are linear, fails at both ends.
-    pub fn unstable(&self, velocity: &Velocity<'_>) -> bool {
-        let [v, b, below, above] = self.conditions(velocity);
-        let saddle_node = b.is_positive() && below.is_negative();
-        let period_doubling = b.is_negative() && above.is_negative();
-        v.is_positive() && (saddle_node || period_doubling)
+    fn unstable(&self, velocity: &Velocity<'_>) -> bool {
+        let [_, b, below, above] = self.conditions(velocity);
+        (b.is_positive() && below.is_negative()) || (b.is_negative() && above.is_negative())
     }
 
-    /// Whether the motion with this velocity is beyond the wall at a time between its impacts. So are
-    /// then all motions with greater velocities.
-    pub fn beyond(&self, velocity: &Velocity<'_>, touch: Witness<2>) -> bool {
-        self.beyond_at_order(velocity, touch, 2)
-    }
-
-    fn beyond_at_order(&self, velocity: &Velocity<'_>, touch: Witness<2>, order: usize) -> bool {
+    /// Whether the motion with this velocity is beyond the wall at a time between its impacts, where the
+    /// distance is of this order. So are then all motions with greater velocities.
+    fn beyond(&self, velocity: &Velocity<'_>, touch: Witness<2>, order: usize) -> bool {
         let [v, distance, time] = self.range(|at| {
             let (v, time) = (velocity(at), at.witness(touch));
             [(v, order - 1), (self.oscillator.distance(&at.family.motion(v), time, 0), order), (time, 0)]
@@ -128,15 +177,9 @@ impl<'a> Model<'a> {
         distance.is_negative() && [v, time, rest].into_iter().all(Ball::is_positive)
     }
 
-    /// Whether all motions are beyond the wall at this time, a whole turn: at `v = 1` is enough, since
-    /// the distance there is proportional to v.
-    pub fn blocked(&self, turn: Witness<2>) -> bool {
-        self.beyond_at_order(&|_| Ball::ONE.into(), turn, 1)
-    }
-
     /// At a resonance of one loop the wall is reached at the first whole turn whatever the velocity:
     /// whether all motions cross it there.
-    pub fn crosses_at_resonance(&self) -> bool {
+    fn crosses_at_resonance(&self) -> bool {
         let family = self.oscillator.family(self.interval.p, self.interval.origin());
         self.oscillator.distance(&family.motion(Ball::ONE), Ball::ONE, 1).is_not_zero()
     }
@@ -148,14 +191,14 @@ impl<'a> Model<'a> {
         square.sqrt()
     }
 
-    /// An upper bound of the square of how much the amplitude changes from one velocity to another with
-    /// this difference: `dA/dv ≤ A_graz √(c² + w²)`.
-    pub fn amplitude_step_square(&self, difference: Witness<3>) -> Ball {
+    /// Whether the amplitude changes by less than a width between velocities with this difference:
+    /// `dA/dv ≤ A_graz √(c² + w²)`.
+    fn is_narrow(&self, difference: Witness<3>, width: Ball) -> bool {
         let [square] = self.range(|at| {
             let (Family { nu, c, w, .. }, step) = (at.family, at.witness(difference));
             [(self.oscillator.grazing_square(nu) * (c * c + w * w) * step * step, 0)]
         });
-        square.top()
+        (width * width - square).is_positive()
     }
 
     /// All motions with velocities from one to another, for all ν of the interval at once, as functions
@@ -186,13 +229,23 @@ impl<'a> Model<'a> {
 
     /// Shows, if it can, that motion with velocities from `lower` to `upper` touches the wall nowhere
     /// between its impacts but in blocks, where the distance has a positive second derivative, so that
-    /// there is one contact in each at most; and that at `lower` it touches it nowhere. Each period is cut
-    /// into this many cells; `nearest` guesses when a block, by its ends, is nearest.
-    pub fn clearance(
+    /// there is one contact in each at most; and that at `lower` it touches it nowhere.
+    fn clearance(
+        &self,
+        velocities: [&Velocity<'_>; 2],
+        nearest: impl Fn(Turns) -> Witness<2>,
+    ) -> Option<Clearance> {
+        CELLS.into_iter().find_map(|cells| {
+            self.work.update(|work| work + (cells / CELLS[0]) as usize);
+            self.clearance_by(velocities, cells, &nearest)
+        })
+    }
+
+    fn clearance_by(
         &self,
         [lower, upper]: [&Velocity<'_>; 2],
         cells: i64,
-        nearest: impl Fn([i64; 2]) -> Witness<2>,
+        nearest: impl Fn(Turns) -> Witness<2>,
     ) -> Option<Clearance> {
         let motion = self.motion([lower, upper]);
         let bounds: Vec<[Ball; 3]> =
@@ -205,54 +258,46 @@ impl<'a> Model<'a> {
             let away = if index < start { slope.is_positive() } else { slope.is_negative() };
             (start..end).contains(&index) || away || (at_impact && curvature.is_positive())
         };
-        let runs = bounds[start..end].chunk_by(|a, b| clear(a) == clear(b));
-        let mut blocks = Vec::new();
-        let mut first = start as i64;
-        for run in runs {
-            let end = first + run.len() as i64;
-            if !clear(&run[0]) {
-                let curvature = run.iter().map(|bounds| bounds[2]).reduce(Ball::between)?.bottom();
-                let (last, nearest) = (end - 1, nearest([first, end]));
-                let [[_, _, a, time], [_, _, b, _]] =
-                    [lower, upper].map(|velocity| self.approach(velocity, nearest));
-                // The slope changes by at least the curvature from that time to the contact.
-                let away = Ball::between(a, b) * (curvature * (Ball::PI + Ball::PI)).inverse();
-                let contact = time + away.size();
-                blocks.push(Block { first, last, nearest, curvature, contact });
-            }
-            first = end;
-        }
-        let convex = |block: &Block| block.curvature.is_positive() && self.is_clear(lower, block, cells);
-        if !(bounds.iter().enumerate().all(departs) && blocks.iter().all(convex)) {
+        if !bounds.iter().enumerate().all(departs) {
             return None;
         }
-        blocks.sort_by_key(|block| self.is_clear(upper, block, cells));
-        let open = blocks.iter().filter(|block| !self.is_clear(upper, block, cells)).count();
+        let (mut blocks, mut first) = (Vec::new(), start as i64);
+        for run in bounds[start..end].chunk_by(|a, b| clear(a) == clear(b)) {
+            let last = first + run.len() as i64 - 1;
+            if !clear(&run[0]) {
+                let curvature = run.iter().map(|bounds| bounds[2]).reduce(Ball::between)?.bottom();
+                let nearest = nearest([first, last + 1].map(|cell| cell as f64 / cells as f64));
+                let block = Block { first, last, nearest, curvature, contact: Ball::ANY };
+                let [[least, one], [_, other]] = [lower, upper].map(|v| self.minimum(v, &block, cells));
+                least
+                    .is_positive()
+                    .then(|| blocks.push(Block { contact: Ball::between(one, other), ..block }))?;
+            }
+            first = last + 1;
+        }
+        let is_open = |block: &Block| !self.minimum(upper, block, cells)[0].is_positive();
+        blocks.sort_by_key(|block| !is_open(block));
+        let open = blocks.iter().filter(|block| is_open(block)).count();
         Some(Clearance { cells, start: start as i64, end: end as i64, blocks, open })
     }
 
-    /// `v`, the distance from the wall at this time, its derivative, and the time.
-    fn approach(&self, velocity: &Velocity<'_>, time: Witness<2>) -> [Ball; 4] {
-        self.range(|at| {
-            let (v, time) = (velocity(at), at.witness(time));
-            let motion = at.family.motion(v);
-            let [distance, slope] =
-                [0, 1].map(|derivative| self.oscillator.distance(&motion, time, derivative));
+    /// The least distance from the wall in a block, at least, and when it is reached, in turns. Where the
+    /// second derivative is at least μ > 0, that is at least `f − g²/(2μ)`, no farther than `|g|/μ`
+    /// from a time of the block, f and g being the distance and its derivative then.
+    fn minimum(&self, velocity: &Velocity<'_>, block: &Block, cells: i64) -> [Ball; 2] {
+        let [v, distance, slope, time] = self.range(|at| {
+            let (v, time) = (velocity(at), at.witness(block.nearest));
+            let [distance, slope] = [0, 1].map(|n| self.oscillator.distance(&at.family.motion(v), time, n));
             [(v, 1), (distance, 2), (slope, 1), (time, 0)]
-        })
-    }
-
-    /// Whether motion does not touch the wall in a block. Where the second derivative is at least μ > 0,
-    /// the distance is at least `f − g²/(2μ)`, f and g being the distance and its derivative at a time
-    /// of the block.
-    fn is_clear(&self, velocity: &Velocity<'_>, block: &Block, cells: i64) -> bool {
-        let [v, distance, slope, time] = self.approach(velocity, block.nearest);
+        });
         let turns = time * Ball::from(cells);
-        let twice = distance.bottom() * (block.curvature + block.curvature);
-        let slope = slope.size().top();
-        [v, turns - Ball::from(block.first), Ball::from(block.last + 1) - turns, twice - slope * slope]
-            .into_iter()
-            .all(Ball::is_positive)
+        let [before, after] = [turns - Ball::from(block.first), Ball::from(block.last + 1) - turns];
+        if ![v, before, after, block.curvature].into_iter().all(Ball::is_positive) {
+            return [Ball::ANY; 2];
+        }
+        let (slope, curvature) = (slope.size(), block.curvature.inverse());
+        let away = slope * curvature * (Ball::PI + Ball::PI).inverse();
+        [distance - slope.top() * slope.top() * curvature * Ball::ratio(1, 2), time + away]
     }
 
     /// `ψ/(1 − cos θ)` at a time: the inverse of the velocity at which motion touches the wall then.
@@ -264,7 +309,7 @@ impl<'a> Model<'a> {
 
     /// Which point a row with one open block, or two, may hold, if stability begins and contact is made, or
     /// both contacts, at the same velocity at exactly one ν.
-    pub fn point(&self, clearance: &Clearance) -> Option<&'static str> {
+    fn point(&self, clearance: &Clearance) -> Option<&'static str> {
         let (events, name) = match &clearance.blocks[..clearance.open] {
             [one] if self.begins_at_saddle_node() => ([Event::Stability, Event::Contact(one)], "SN-GZ"),
             [one] => ([Event::Stability, Event::Contact(one)], "PD-GZ"),
@@ -287,12 +332,12 @@ impl<'a> Model<'a> {
         let [left, right] = self.interval.ends().map(|nu| Self::at(self.oscillator, self.interval, nu));
         // Whether one comes before the other. A block touches the wall at its time not before it does.
         let before = |model: &Self, first, second| match (first, second) {
-            (Event::Stability, Event::Contact(block)) => model.is_clear(&limit, block, cells),
+            (Event::Stability, Event::Contact(block)) => model.minimum(&limit, block, cells)[0].is_positive(),
             (Event::Contact(first), Event::Contact(second)) => {
                 let contact = |at: &At| self.ratio(at, at.witness(first.nearest)).inverse();
-                model.is_clear(&contact, second, cells)
+                model.minimum(&contact, second, cells)[0].is_positive()
             }
-            (Event::Contact(block), Event::Stability) => model.beyond(&limit, block.nearest),
+            (Event::Contact(block), Event::Stability) => model.beyond(&limit, block.nearest, 2),
             (Event::Stability, Event::Stability) => false,
         };
         (rate(one) - rate(two)).is_not_zero()

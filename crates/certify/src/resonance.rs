@@ -1,7 +1,7 @@
 //! The resonances: where they are, what Theorems 2.4 and 2.5 ask for, and their coefficients.
 
 use crate::ball::{Ball, Number as _};
-use crate::orbit::{Family, Oscillator};
+use crate::orbit::Oscillator;
 use crate::series::Series;
 
 /// A resonance, with what is proved of it.
@@ -41,9 +41,6 @@ impl Resonance {
         let nu = if p == 1 { Ball::ratio(index, 2) } else { Ball::ratio(2 * loops * index + 1, 2 * loops) };
         let omega = omega_1 * nu.inverse();
         let amplitude = oscillator.grazing_square(nu).sqrt();
-        let Family { b, big_p, big_q, .. } = oscillator.family(loops, Series::variable(nu));
-        let (s_plus, s_minus) = (-big_p.0[0], big_q.0[0]);
-
         // The resonance is where the free oscillation makes whole or half turns in p periods, and is
         // multiplied by σ: a₂₂ for p = 1, −δ^(p/2) for p ≥ 2.
         let (decay, _, cosine) = oscillator.free(nu, loops.into());
@@ -53,6 +50,7 @@ impl Resonance {
         let radians = Ball::PI * Ball::from(loops) * fraction * omega.inverse();
         let saddle_node = -(two * radians * radians * amplitude);
         let (less, more) = ((one - rebound) * (one - rebound), (one + rebound) * (one + rebound));
+        let (s_plus, s_minus) = (-less, more);
         let bracket = more + two * (one + rebound * rebound);
         let period_doubling = -(less * bracket * (more * more).inverse() * saddle_node);
         let criticality = (one - epsilon * epsilon * sigma) * (one + sigma) * (one + sigma)
@@ -61,12 +59,13 @@ impl Resonance {
         let (decay, sine, cosine) = oscillator.free(nu, one);
         let (delta, tau) = (decay * decay, two * decay * cosine);
         let trapesium = [delta, one - delta, one + delta - tau, one + delta + tau];
+        let off_diagonal = oscillator.family(loops, Series::variable(nu)).b;
         let beta = (one + delta - tau) * amplitude.inverse();
         let hypotheses = [
             ("(tau, delta) in T", trapesium.into_iter().all(Ball::is_positive)),
             ("alpha > 0, or a_12 alpha > 0", if p == 1 { alpha } else { sine * alpha }.is_positive()),
             ("beta, not zero", beta.is_not_zero()),
-            ("a_12' or kappa_p', not zero", b.0[1].is_not_zero()),
+            ("a_12' or kappa_p', not zero", off_diagonal.0[1].is_not_zero()),
             ("s^+ and s^-, not zero", s_plus.is_not_zero() && s_minus.is_not_zero()),
         ];
         let missing = hypotheses.into_iter().filter(|(_, holds)| !holds).map(|(name, _)| name).collect();

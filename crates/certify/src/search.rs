@@ -1,27 +1,13 @@
 //! Finds, in floating point, the rows and witnesses that [`Model`] then proves.
 
-use core::cell::Cell;
-
 use crate::ball::{Ball, Number};
 use crate::orbit::{Family, Oscillator};
-use crate::proof::{At, Model};
-use crate::row::{Base, Clearance, Interval, Row, Verdict, WITNESS_BITS, Witness};
+use crate::proof::{FINE, Model, Turns};
+use crate::row::{Base, Interval, Row, Verdict, WITNESS_BITS, Witness};
+use crate::statement::Statement;
 
-/// What is asked for.
-#[derive(Debug, Clone, Copy)]
-pub struct Goal {
-    /// Greatest width of a tube, in amplitude.
-    pub width: Ball,
-    /// The greatest amplitude of the window.
-    pub amplitude: Ball,
-    /// Intervals are halved down to width `2^-level`.
-    pub finest: u32,
-}
-
-/// Intervals at most `2^-FINE` wide may hold a codimension-two point.
-const FINE: u32 = 24;
-/// Cells in a period that are tried.
-const CELLS: [i64; 3] = [64, 256, 1024];
+/// Intervals are halved down to width `2^-FINEST`.
+const FINEST: u32 = 32;
 
 /// One ν, seen in floating point.
 struct Sight {
@@ -50,6 +36,13 @@ impl Sight {
     /// The velocity up to which motion is admissible: 0 if there is none, infinite if all are.
     fn graze(&self) -> f64 {
         self.contacts[0][0]
+    }
+
+    /// A velocity that is greater than the last at which motion is admissible, and less than the first at
+    /// which it is stable: half-way to that, or nearer to it.
+    fn between(&self) -> f64 {
+        let limit = if self.limit.is_finite() { self.limit } else { 4.0 * self.graze() };
+        (0.5 * limit).max((limit * self.graze()).sqrt())
     }
 
     /// The contact whose time is nearest to this.
@@ -101,24 +94,22 @@ fn witness(x: f64) -> i128 {
 
 /// The search over one interval.
 struct Attempt<'a> {
+    statement: &'a Statement,
     oscillator: &'a Oscillator,
     model: Model<'a>,
     interval: Interval,
-    goal: Goal,
     sights: [Sight; 3],
-    /// What it has cost, in the smallest number of cells.
-    work: Cell<usize>,
 }
 
 impl<'a> Attempt<'a> {
-    fn new(oscillator: &'a Oscillator, interval: Interval, goal: Goal) -> Self {
+    fn new(statement: &'a Statement, oscillator: &'a Oscillator, interval: Interval) -> Self {
         let [left, right] = interval.ends().map(Ball::to_f64);
-        let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
         // Three Chebyshev nodes.
-        let sights = [-0.75f64.sqrt(), 0.0, 0.75f64.sqrt()]
-            .map(|node| Sight::new(oscillator, interval.p, middle + node * half));
-        let model = Model::over(oscillator, interval);
-        Self { oscillator, model, interval, goal, sights, work: Cell::new(1) }
+        let sights = [-0.75f64.sqrt(), 0.0, 0.75f64.sqrt()].map(|node| {
+            let nu = 0.5 * (left + right) + node * 0.5 * (right - left);
+            Sight::new(oscillator, interval.p, nu)
+        });
+        Self { statement, oscillator, model: Model::over(oscillator, interval), interval, sights }
     }
 
     /// The polynomial through values at the three nodes. With the base at a resonance, where velocities
@@ -134,29 +125,25 @@ impl<'a> Attempt<'a> {
         [values[1], slope, if self.interval.level >= FINE { 0.0 } else { bend }].map(witness)
     }
 
-    fn velocity(&self, values: [f64; 3]) -> Witness<3> {
-        self.polynomial(values, 0.0)
-    }
-
     fn time(&self, values: [f64; 3]) -> Witness<2> {
         let [constant, slope, _] = self.polynomial(values, libm::rint(values[1]));
         [constant, slope]
     }
 
-    /// When motion with these velocities is nearest to the wall between two times: where the slope of the
-    /// distance is zero.
-    fn nearest(&self, velocities: [f64; 3], [first, last]: [f64; 2]) -> Witness<2> {
-        let times = core::array::from_fn(|i| {
+    /// When motion with these velocities is nearest to the wall, not just at the ends of a stretch of time:
+    /// where the slope of the distance is zero.
+    fn nearest(&self, velocities: [f64; 3], [first, last]: Turns) -> Witness<2> {
+        self.time(core::array::from_fn(|i| {
             let motion = self.sights[i].family.motion(velocities[i]);
-            let (mut low, mut high) = (first, last);
+            let margin = 1e-3 * (last - first);
+            let (mut low, mut high) = (first + margin, last - margin);
             for _ in 0..60 {
                 let middle = 0.5 * (low + high);
                 let falls = self.oscillator.distance(&motion, middle, 1) < 0.0;
                 if falls { low = middle } else { high = middle }
             }
             0.5 * (low + high)
-        });
-        self.time(times)
+        }))
     }
 
     fn at_sights(&self, value: impl Fn(&Sight) -> f64) -> [f64; 3] {
@@ -167,75 +154,41 @@ impl<'a> Attempt<'a> {
         self.sights.iter().all(condition)
     }
 
-    fn least(&self, value: impl Fn(&Sight) -> f64) -> f64 {
-        self.at_sights(value).into_iter().fold(f64::INFINITY, f64::min)
-    }
-
-    /// Clearance at velocities up to that of a second witness, whose values at the sights are given also.
-    fn clearance(&self, [lower, upper]: [Witness<3>; 2], values: [f64; 3]) -> Option<Clearance> {
-        CELLS.into_iter().find_map(|cells| {
-            self.work.update(|work| work + (cells / CELLS[0]) as usize);
-            // A block is not nearest just at its ends.
-            let guess = |[first, end]: [i64; 2]| {
-                let inside = [first as f64 + 1e-3, end as f64 - 1e-3];
-                self.nearest(values, inside.map(|cell| cell / cells as f64))
-            };
-            self.model.clearance([&|at| at.witness(lower), &|at| at.witness(upper)], cells, guess)
-        })
-    }
-
-    /// The row, if one can be proved at this width.
+    /// The row, if one can be proved at this width, with velocities a little above `low` where motion
+    /// is nearest to the wall.
     fn row(&self) -> Option<Row> {
-        if self.interval.base != Base::Middle && !self.model.crosses_at_resonance() {
-            return None;
+        let row = Row::new(self.interval, Verdict::Undecided(""));
+        let prove = |row, low| self.model.prove(row, self.statement, |stretch| self.nearest(low, stretch));
+        let (in_middle, none) = (self.sights[1].contacts[0][1], [0.0; 3]);
+        if self.all(|sight| sight.graze() == 0.0) {
+            return prove(Row { touch: Some([witness(in_middle), 0]), ..row }, none);
         }
-        self.blocked().or_else(|| self.empty()).or_else(|| self.edge()).or_else(|| self.tube())
-    }
-
-    fn blocked(&self) -> Option<Row> {
-        let turn = [witness(self.sights[1].contacts[0][1]), 0];
-        let proved = self.all(|sight| sight.graze() == 0.0) && self.model.blocked(turn);
-        proved.then(|| Row { touch: Some(turn), ..Row::new(self.interval, Verdict::None) })
-    }
-
-    fn empty(&self) -> Option<Row> {
-        // Half-way to the limit, or nearer to it where that is not beyond the wall.
-        let values = self.at_sights(|sight| {
-            let limit = if sight.limit.is_finite() { sight.limit } else { 4.0 * sight.graze() };
-            (0.5 * limit).max((limit * sight.graze()).sqrt())
-        });
-        if !self.all(|sight| sight.graze() < sight.limit) {
-            return None;
+        if self.all(|sight| sight.graze() < sight.limit) {
+            let values = self.at_sights(Sight::between);
+            let touch = self.nearest(values, [in_middle - 0.125, in_middle + 0.125]);
+            let upper = Some(self.polynomial(values, 0.0));
+            return prove(Row { upper, touch: Some(touch), ..row }, none);
         }
-        let (upper, middle) = (self.velocity(values), self.sights[1].contacts[0][1]);
-        let touch = self.nearest(values, [middle - 0.125, middle + 0.125]);
-        let velocity = |at: &At| at.witness(upper);
-        let proved = self.model.unstable(&velocity) && self.model.beyond(&velocity, touch);
-        let row = Row::new(self.interval, Verdict::None);
-        proved.then_some(Row { upper: Some(upper), touch: Some(touch), ..row })
-    }
-
-    fn edge(&self) -> Option<Row> {
-        let amplitude = self.goal.amplitude.to_f64();
-        let value = |sight: &Sight| {
-            let Family { nu, c, w, .. } = sight.family;
-            let grazing = self.oscillator.grazing_square(nu).sqrt();
-            (1.0 + 1.01 * amplitude / grazing) / (c * c + w * w).sqrt()
-        };
-        if !self.all(|sight| sight.graze() > value(sight)) {
-            return None;
+        let last = self.at_sights(|sight| self.last(sight));
+        if (0..3).all(|i| self.sights[i].graze() > last[i]) {
+            let lower = Some(self.polynomial(last, 0.0));
+            return prove(Row { lower, ..row }, last);
         }
-        let values = self.at_sights(value);
-        let lower = self.velocity(values);
-        let velocity = |at: &At| at.witness(lower);
-        let beyond = (self.model.amplitude(&velocity) - self.goal.amplitude).is_positive();
-        let proved = beyond && self.model.stable(&velocity);
-        let clearance = proved.then(|| self.clearance([lower; 2], values))??;
-        let row = Row::new(self.interval, Verdict::Stable);
-        Some(Row { lower: Some(lower), clearance: Some(clearance), ..row })
+        let ([lower, upper], touch, low) = self.tube()?;
+        prove(Row { lower: Some(lower), upper: Some(upper), touch: Some(touch), ..row }, low)
     }
 
-    fn tube(&self) -> Option<Row> {
+    /// A velocity above that at which motion leaves the window, or ceases to be stable otherwise.
+    fn last(&self, sight: &Sight) -> f64 {
+        let Family { nu, c, w, b, big_q, .. } = sight.family;
+        let grazing = self.oscillator.grazing_square(nu).sqrt();
+        let edge = (1.0 + 1.01 * self.statement.amplitude.ball().to_f64() / grazing) / (c * c + w * w).sqrt();
+        if b > 0.0 && big_q < 0.0 { edge.min(-1.01 * b / big_q) } else { edge }
+    }
+
+    /// Velocities to both sides of that at which motion touches the wall, when it does so, and the values of
+    /// the lower.
+    fn tube(&self) -> Option<([Witness<3>; 2], Witness<2>, [f64; 3])> {
         let in_middle = self.sights[1].contacts[0][1];
         let (fine, stable) = (self.interval.level >= FINE, self.all(|sight| sight.graze() > sight.limit));
         // At a point one contact is followed, even where another is made earlier, by as much as this.
@@ -253,35 +206,18 @@ impl<'a> Attempt<'a> {
             (false, Base::Middle) => 0.49,
             (false, _) => 0.22,
         };
-        let slope = self.model.amplitude_step_square([1 << WITNESS_BITS, 0, 0]).to_f64().sqrt();
-        let width = share * self.goal.width.to_f64() / slope;
-        let room = self.least(|sight| {
+        let half_widths = self.at_sights(|sight| {
+            let Family { nu, c, w, .. } = sight.family;
+            let slope = (self.oscillator.grazing_square(nu) * (c * c + w * w)).sqrt();
             let second = sight.contacts.get(1).map_or(f64::INFINITY, |contact| contact[0]);
             let next = (second - sight.graze()).min(sight.graze() - sight.limit);
-            0.1 * if is_point { sight.graze() } else { sight.graze().min(next) }
+            let room = if is_point { sight.graze() } else { sight.graze().min(next) };
+            (0.1 * room).min(share * self.statement.width().to_f64() / slope)
         });
-        let half_width = width.min(room);
+        let half_width = half_widths.into_iter().fold(f64::INFINITY, f64::min);
         let low = values.map(|value| value - excess - half_width);
-        let [lower, upper] = [low, values.map(|value| value + half_width)].map(|v| self.velocity(v));
-        let touch = self.time(times);
-        let step_square = self.model.amplitude_step_square(core::array::from_fn(|i| upper[i] - lower[i]));
-        let stable = stable && self.model.stable(&|at| at.witness(lower));
-        let proved = (self.goal.width * self.goal.width - step_square).is_positive()
-            && (stable || fine)
-            && self.model.beyond(&|at| at.witness(upper), touch);
-        let clearance = proved.then(|| self.clearance([lower, upper], low))??;
-        let verdict = match (stable, clearance.open) {
-            (true, 1) => Verdict::Stable,
-            (true, 2) | (false, 1) if fine => Verdict::Point(self.model.point(&clearance)?),
-            _ => return None,
-        };
-        Some(Row {
-            lower: Some(lower),
-            upper: Some(upper),
-            touch: Some(touch),
-            clearance: Some(clearance),
-            ..Row::new(self.interval, verdict)
-        })
+        let high = values.map(|value| value + half_width);
+        Some(([low, high].map(|values| self.polynomial(values, 0.0)), self.time(times), low))
     }
 
     /// Why nothing could be proved of the finest interval.
@@ -297,21 +233,35 @@ impl<'a> Attempt<'a> {
 }
 
 /// The rows that tile an interval, `left` being how much work may be done.
-pub fn rows(oscillator: &Oscillator, interval: Interval, goal: Goal, left: &mut usize) -> Vec<Row> {
+pub fn rows(
+    statement: &Statement,
+    oscillator: &Oscillator,
+    interval: Interval,
+    left: &mut usize,
+) -> Vec<Row> {
     let undecided = |reason| vec![Row::new(interval, Verdict::Undecided(reason))];
     if *left == 0 {
         return undecided("too many intervals were tried beside it");
     }
-    let attempt = Attempt::new(oscillator, interval, goal);
+    let attempt = Attempt::new(statement, oscillator, interval);
     let mut row = attempt.row();
-    *left = left.saturating_sub(attempt.work.get());
+    *left = left.saturating_sub(attempt.model.work.get());
     let resonance = interval.resonance().filter(|_| interval.p > 1 && interval.level >= FINE);
     if let (None, Some(base)) = (&row, resonance) {
-        row = Attempt::new(oscillator, Interval { base, ..interval }, goal).row();
+        row = Attempt::new(statement, oscillator, Interval { base, ..interval }).row();
     }
-    match row {
-        Some(row) => vec![row],
-        None if interval.level >= goal.finest => undecided(attempt.reason()),
-        None => interval.halves().into_iter().flat_map(|half| rows(oscillator, half, goal, left)).collect(),
+    if let Some(row) = row {
+        return vec![row];
+    }
+    if interval.level >= FINEST {
+        return undecided(attempt.reason());
+    }
+    let [first, second] = interval.halves().map(|half| rows(statement, oscillator, half, left));
+    match (&first[..], &second[..]) {
+        (
+            [Row { verdict: Verdict::Undecided(one), .. }],
+            [Row { verdict: Verdict::Undecided(other), .. }],
+        ) if one == other => undecided(one),
+        _ => [first, second].concat(),
     }
 }

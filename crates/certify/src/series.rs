@@ -111,9 +111,8 @@ impl Mul for Series {
 
 impl Number for Series {
     fn inverse(self) -> Self {
-        let first = self.0[0].inverse();
-        let square = first * first;
-        self.composed([first, -square, square * first, -(square * square)])
+        let first = Self::from(self.0[0].inverse());
+        first * (self * first).composed([Ball::ONE, -Ball::ONE, Ball::ONE, -Ball::ONE])
     }
 
     fn exp(self) -> Self {

@@ -5,6 +5,9 @@ use core::fmt;
 use crate::ball::Ball;
 use crate::orbit::Oscillator;
 
+/// Greatest width of the tubes around grazing curves, in amplitude: 10^-`WIDTH_PLACES`.
+pub const WIDTH_PLACES: u32 = 6;
+
 /// A decimal number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Decimal {
@@ -53,6 +56,11 @@ pub struct Statement {
 }
 
 impl Statement {
+    /// Greatest width of a tube, in amplitude.
+    pub fn width(&self) -> Ball {
+        Ball::ratio(1, 10_i64.pow(WIDTH_PLACES))
+    }
+
     /// The oscillator; nothing if it is not under-damped, or its restitution not positive.
     pub fn oscillator(&self) -> Option<Oscillator> {
         Oscillator::new(self.zeta.ball(), self.epsilon.ball())

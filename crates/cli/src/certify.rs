@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use grazing_certify::ball::Ball;
 use grazing_certify::resonance::Resonance;
-use grazing_certify::statement::{Decimal, Statement};
+use grazing_certify::statement::{Decimal, Statement, WIDTH_PLACES};
 use grazing_certify::{certificate, prove, summary};
 use grazing_claims::published::Published;
 use grazing_reproduction::StudyError;
@@ -66,7 +66,7 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
     terminal::say(&format!(
         "\n{} intervals; tubes around GZ curves are at most 1e-{} of A wide; {points} points where these end or meet, no others; {share:.1e} of nu is undecided.\n",
         rows.len(),
-        grazing_certify::WIDTH_PLACES,
+        WIDTH_PLACES,
     ));
 
     let (rows, numbers) = (certificate::rows(&rows), certificate::resonances(&resonances));
