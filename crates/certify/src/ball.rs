@@ -67,7 +67,12 @@ impl Ball {
 
     /// `n / d`, for a positive d, to within one unit.
     pub fn ratio(n: i64, d: i64) -> Self {
-        Self::from(n).over(d.into())
+        let (n, d) = (i128::from(n), i128::from(d));
+        // In two steps, none of which is too large.
+        let first = n.rem_euclid(d) << (BITS / 2);
+        let second = (first % d) << (BITS / 2);
+        let fraction = ((first / d) << (BITS / 2)) + second / d;
+        Self::dyadic(n.div_euclid(d), 0) + Self { middle: fraction, radius: u128::from(second % d != 0) }
     }
 
     /// All numbers of two balls, and between them.

@@ -28,9 +28,8 @@ use statement::Statement;
 /// Intervals of nu have width `2^-COARSEST` at first.
 const COARSEST: u32 = 6;
 
-/// How much is tried within one of the coarsest intervals at most, in periods cut into 64 cells. Figure 7
-/// needs less than half of it.
-const MOST_WORK: usize = 4_000;
+/// How many intervals are tried within one of the coarsest at most. Figure 7 needs less than half.
+const MOST_TRIED: usize = 2_000;
 
 /// The intervals that cover the window, in order, with what is proved of each. `step` is called when
 /// one of so many parts is done; `begin` is told before how many there are.
@@ -56,7 +55,7 @@ pub fn prove(
     intervals
         .into_par_iter()
         .flat_map_iter(|interval| {
-            let rows = rows(statement, oscillator, interval, &mut MOST_WORK.clone());
+            let rows = rows(statement, oscillator, interval, &mut MOST_TRIED.clone());
             step();
             rows
         })

@@ -1,8 +1,6 @@
 //! The inequalities that prove a row. Each holds for all ν of an interval by Taylor's theorem: three
 //! coefficients at its base, and the fourth over all of it.
 
-use core::cell::Cell;
-
 use crate::ball::{Ball, Number};
 use crate::orbit::{Family, Motion, Oscillator};
 use crate::row::{Base, Block, Clearance, Interval, Row, Verdict, WITNESS_BITS, Witness};
@@ -17,8 +15,6 @@ pub struct Model<'a> {
     over_all: At,
     /// The values of `u`.
     offset: Ball,
-    /// What proofs have cost, in cells of the largest size in a period.
-    pub work: Cell<usize>,
 }
 
 /// The motions as functions of ν, by their Taylor coefficients at one ν, or over an interval.
@@ -52,15 +48,6 @@ fn is_whole(turn: Witness<2>) -> bool {
     turn.map(|coefficient| coefficient & ((1 << WITNESS_BITS) - 1)) == [0; 2] && turn[1] == 0
 }
 
-/// Something that happens as the velocity increases from zero.
-#[derive(Clone, Copy)]
-enum Event<'b> {
-    /// Motion becomes stable.
-    Stability,
-    /// It touches the wall in a block.
-    Contact(&'b Block),
-}
-
 impl<'a> Model<'a> {
     /// Over an interval.
     pub fn over(oscillator: &'a Oscillator, interval: Interval) -> Self {
@@ -78,7 +65,7 @@ impl<'a> Model<'a> {
             let offset = variable - interval.origin().into();
             At { family: oscillator.family(interval.p, variable), offset }
         });
-        Self { oscillator, interval, at_origin, over_all, offset: all - origin, work: Cell::new(1) }
+        Self { oscillator, interval, at_origin, over_all, offset: all - origin }
     }
 
     /// The velocity above which motion is stable: `b/P`, where a multiplier is 1, if b is positive in the
@@ -116,18 +103,28 @@ impl<'a> Model<'a> {
         nearest: impl Fn(Turns) -> Witness<2>,
     ) -> Option<Row> {
         let side = |witness: Witness<3>| move |at: &At| at.witness(witness);
+        let clearance = |lower, upper| {
+            let velocities: [&Velocity<'_>; 2] = [&side(lower), &side(upper)];
+            CELLS.into_iter().find_map(|cells| self.clearance(velocities, cells, &nearest))
+        };
         if self.interval.base != Base::Middle && !self.crosses_at_resonance() {
             return None;
         }
         let Some(lower) = row.lower else {
             let none = match (row.upper, row.touch?) {
-                (Some(upper), touch) => self.unstable(&side(upper)) && self.beyond(&side(upper), touch, 2),
+                // One of the conditions, which are linear, fails at velocity 0 and at `upper`.
+                (Some(upper), touch) => {
+                    let [b, below, above] = self.conditions(&side(upper));
+                    let unstable =
+                        (b.is_positive() && below.is_negative()) || (b.is_negative() && above.is_negative());
+                    unstable && self.beyond(&side(upper), touch, 2)
+                }
                 // At a whole turn the distance is proportional to v: at `v = 1` is enough.
                 (None, turn) => is_whole(turn) && self.beyond(&|_| Ball::ONE.into(), turn, 1),
             };
             return none.then_some(Row { verdict: Verdict::None, ..row });
         };
-        let [_, b, below, above] = self.conditions(&side(lower));
+        let [b, below, above] = self.conditions(&side(lower));
         let stable = below.is_positive() && above.is_positive();
         let Some(upper) = row.upper else {
             // Where `Q < 0`, stability also ends at `−b/Q`.
@@ -135,14 +132,14 @@ impl<'a> Model<'a> {
             let begins = stable || (b.is_positive() && below.is_positive());
             let leaves = (self.amplitude(&side(lower)) - statement.amplitude.ball()).is_positive();
             let proved = begins && (ends || leaves);
-            let clearance = proved.then(|| self.clearance([&side(lower), &side(lower)], nearest))??;
+            let clearance = proved.then(|| clearance(lower, lower))??;
             return Some(Row { verdict: Verdict::Stable, clearance: Some(clearance), ..row });
         };
         let fine = self.interval.level >= FINE;
         let proved = (stable || fine)
             && self.is_narrow(core::array::from_fn(|i| upper[i] - lower[i]), statement.width())
             && self.beyond(&side(upper), row.touch?, 2);
-        let clearance = proved.then(|| self.clearance([&side(lower), &side(upper)], nearest))??;
+        let clearance = proved.then(|| clearance(lower, upper))??;
         let verdict = match (stable, clearance.open) {
             (true, 1) => Verdict::Stable,
             (true, 2) | (false, 1) if fine => Verdict::Point(self.point(&clearance)?),
@@ -151,19 +148,12 @@ impl<'a> Model<'a> {
         Some(Row { verdict, clearance: Some(clearance), ..row })
     }
 
-    /// `v`, `b`, and the conditions of stability `P v − b > 0` and `Q v + b > 0`.
-    fn conditions(&self, velocity: &Velocity<'_>) -> [Ball; 4] {
+    /// `b`, and the conditions of stability `P v − b > 0` and `Q v + b > 0`.
+    fn conditions(&self, velocity: &Velocity<'_>) -> [Ball; 3] {
         self.range(|at| {
             let (v, Family { b, big_p, big_q, .. }) = (velocity(at), at.family);
-            [v, b, big_p * v - b, big_q * v + b].map(|function| (function, 1))
+            [b, big_p * v - b, big_q * v + b].map(|function| (function, 1))
         })
-    }
-
-    /// Whether no motion with a velocity from 0 to this one is stable: one of the conditions, which
-    /// are linear, fails at both ends.
-    fn unstable(&self, velocity: &Velocity<'_>) -> bool {
-        let [_, b, below, above] = self.conditions(velocity);
-        (b.is_positive() && below.is_negative()) || (b.is_negative() && above.is_negative())
     }
 
     /// Whether the motion with this velocity is beyond the wall at a time between its impacts, where the
@@ -232,20 +222,9 @@ impl<'a> Model<'a> {
     /// there is one contact in each at most; and that at `lower` it touches it nowhere.
     fn clearance(
         &self,
-        velocities: [&Velocity<'_>; 2],
-        nearest: impl Fn(Turns) -> Witness<2>,
-    ) -> Option<Clearance> {
-        CELLS.into_iter().find_map(|cells| {
-            self.work.update(|work| work + (cells / CELLS[0]) as usize);
-            self.clearance_by(velocities, cells, &nearest)
-        })
-    }
-
-    fn clearance_by(
-        &self,
         [lower, upper]: [&Velocity<'_>; 2],
         cells: i64,
-        nearest: impl Fn(Turns) -> Witness<2>,
+        nearest: &dyn Fn(Turns) -> Witness<2>,
     ) -> Option<Clearance> {
         let motion = self.motion([lower, upper]);
         let bounds: Vec<[Ball; 3]> =
@@ -307,41 +286,38 @@ impl<'a> Model<'a> {
         (rise - distance) * rise.inverse()
     }
 
-    /// Which point a row with one open block, or two, may hold, if stability begins and contact is made, or
-    /// both contacts, at the same velocity at exactly one ν.
-    fn point(&self, clearance: &Clearance) -> Option<&'static str> {
-        let (events, name) = match &clearance.blocks[..clearance.open] {
-            [one] if self.begins_at_saddle_node() => ([Event::Stability, Event::Contact(one)], "SN-GZ"),
-            [one] => ([Event::Stability, Event::Contact(one)], "PD-GZ"),
-            [one, two] => ([Event::Contact(one), Event::Contact(two)], "GZ-GZ"),
+    /// The point that a row holds, if two events have another order at one end of the interval than at the
+    /// other, and the inverses of their velocities change with ν at different rates, so that they are one at
+    /// exactly one ν. The events are contact in a block, and contact in another or that stability begins
+    /// (`None`). Contact in a block is made at the inverse of the greatest ratio in it, which changes as
+    /// the ratio does at some time of contact.
+    fn point(&self, Clearance { cells, blocks, open, .. }: &Clearance) -> Option<&'static str> {
+        let (one, two, name) = match &blocks[..*open] {
+            [one] if self.begins_at_saddle_node() => (one, None, "SN-GZ"),
+            [one] => (one, None, "PD-GZ"),
+            [one, two] => (one, Some(two), "GZ-GZ"),
             _ => return None,
         };
-        self.changes_order_once(events, clearance.cells).then_some(name)
-    }
-
-    /// Whether two events have another order at one end of the interval than at the other, and the
-    /// inverses of their velocities change with ν at different rates, so that they are one at
-    /// exactly one ν. Contact in a block is made at the inverse of the greatest ratio in it, which
-    /// changes as the ratio does at some time of the block.
-    fn changes_order_once(&self, [one, two]: [Event<'_>; 2], cells: i64) -> bool {
         let limit = self.limit();
-        let rate = |event| match event {
-            Event::Stability => limit(&self.over_all).inverse().0[1],
-            Event::Contact(block) => self.ratio(&self.over_all, block.contact.into()).0[1],
+        let rate = |event: Option<&Block>| match event {
+            Some(block) => self.ratio(&self.over_all, block.contact.into()).0[1],
+            None => limit(&self.over_all).inverse().0[1],
         };
         let [left, right] = self.interval.ends().map(|nu| Self::at(self.oscillator, self.interval, nu));
-        // Whether one comes before the other. A block touches the wall at its time not before it does.
-        let before = |model: &Self, first, second| match (first, second) {
-            (Event::Stability, Event::Contact(block)) => model.minimum(&limit, block, cells)[0].is_positive(),
-            (Event::Contact(first), Event::Contact(second)) => {
-                let contact = |at: &At| self.ratio(at, at.witness(first.nearest)).inverse();
-                model.minimum(&contact, second, cells)[0].is_positive()
+        // Whether one event comes before the other. Motion is in contact at the time of a block not before the block is.
+        let before = |model: &Self, first: Option<&Block>, second: Option<&Block>| {
+            let velocity = |at: &At| match first {
+                Some(block) => self.ratio(at, at.witness(block.nearest)).inverse(),
+                None => limit(at),
+            };
+            match second {
+                Some(block) => model.minimum(&velocity, block, *cells)[0].is_positive(),
+                None => model.beyond(&limit, one.nearest, 2),
             }
-            (Event::Contact(block), Event::Stability) => model.beyond(&limit, block.nearest, 2),
-            (Event::Stability, Event::Stability) => false,
         };
-        (rate(one) - rate(two)).is_not_zero()
-            && ((before(&left, one, two) && before(&right, two, one))
-                || (before(&left, two, one) && before(&right, one, two)))
+        let swap =
+            |model: &Self, other: &Self| before(model, Some(one), two) && before(other, two, Some(one));
+        let once = (rate(Some(one)) - rate(two)).is_not_zero();
+        (once && (swap(&left, &right) || swap(&right, &left))).then_some(name)
     }
 }

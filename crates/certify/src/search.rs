@@ -64,14 +64,16 @@ fn contacts(oscillator: &Oscillator, p: i64, family: &Family<f64>) -> Vec<[f64; 
     if let Some(turn) = whole {
         return vec![[0.0, turn as f64]];
     }
-    let mut times: Vec<f64> = (1..p * 128).map(|n| n as f64 / 128.0).collect();
-    for turn in 1..p {
-        let near = (14..80).map(|n| libm::exp2(-0.5 * f64::from(n)));
-        times.extend(near.flat_map(|offset| [turn as f64 - offset, turn as f64 + offset]));
-    }
-    times.retain(|time| time.fract() != 0.0);
-    times.sort_by(f64::total_cmp);
-    times.dedup();
+    // As narrow as peaks next to whole turns may be.
+    let near = |n: i32| libm::exp2(-0.5 * f64::from(n));
+    let in_period: Vec<f64> = (15..80)
+        .rev()
+        .map(near)
+        .chain((1..128).map(|n| f64::from(n) / 128.0))
+        .chain((15..80).map(|n| 1.0 - near(n)))
+        .collect();
+    let times: Vec<f64> =
+        (0..p).flat_map(|turn| in_period.iter().map(move |time| turn as f64 + time)).collect();
     let ratios: Vec<f64> = times.iter().map(|&time| ratio(time)).collect();
     let peak = |index: usize| {
         let (mut low, mut high) = (times[index - 1], times[index + 1]);
@@ -232,7 +234,7 @@ impl<'a> Attempt<'a> {
     }
 }
 
-/// The rows that tile an interval, `left` being how much work may be done.
+/// The rows that tile an interval, `left` being how many intervals may be tried.
 pub fn rows(
     statement: &Statement,
     oscillator: &Oscillator,
@@ -245,7 +247,7 @@ pub fn rows(
     }
     let attempt = Attempt::new(statement, oscillator, interval);
     let mut row = attempt.row();
-    *left = left.saturating_sub(attempt.model.work.get());
+    *left -= 1;
     let resonance = interval.resonance().filter(|_| interval.p > 1 && interval.level >= FINE);
     if let (None, Some(base)) = (&row, resonance) {
         row = Attempt::new(statement, oscillator, Interval { base, ..interval }).row();
