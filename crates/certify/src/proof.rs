@@ -127,8 +127,7 @@ impl<'a> Model<'a> {
         let [b, below, above] = self.conditions(&side(lower));
         let stable = below.is_positive() && above.is_positive();
         let Some(upper) = row.upper else {
-            // Where `Q < 0`, stability also ends at `−b/Q`.
-            let ends = b.is_positive() && above.is_negative();
+            let ends = self.end_below(&side(lower)).is_some();
             let begins = stable || (b.is_positive() && below.is_positive());
             let leaves = (self.amplitude(&side(lower)) - statement.amplitude.ball()).is_positive();
             let proved = begins && (ends || leaves);
@@ -154,6 +153,14 @@ impl<'a> Model<'a> {
             let (v, Family { b, big_p, big_q, .. }) = (velocity(at), at.family);
             [b, big_p * v - b, big_q * v + b].map(|function| (function, 1))
         })
+    }
+
+    /// The amplitude at which stability ends, at a multiplier −1, if it does so below a velocity: that of
+    /// the velocity `−b/Q`, where `Q < 0 < b`.
+    pub fn end_below(&self, velocity: &Velocity<'_>) -> Option<Ball> {
+        let [b, _, above] = self.conditions(velocity);
+        let end = |at: &At| -at.family.b * at.family.big_q.inverse();
+        (b.is_positive() && above.is_negative()).then(|| self.amplitude(&end))
     }
 
     /// Whether the motion with this velocity is beyond the wall at a time between its impacts, where the

@@ -16,12 +16,17 @@ pub fn row_at(rows: &[Row], p: i64, nu: Ball) -> Option<&Row> {
     })
 }
 
-/// Where stable motion begins at one ν, and the two sides of the tube in which it ends, in amplitude;
-/// the second beyond the window at its edge, nothing where there is none.
-pub fn ends(oscillator: &Oscillator, row: &Row, nu: Ball) -> Option<[Ball; 3]> {
+/// Where stable motion begins at one ν, and two amplitudes between which it ends, the second missing
+/// where it goes on to the window's edge; nothing where there is none.
+pub fn ends(oscillator: &Oscillator, row: &Row, nu: Ball) -> Option<(Ball, Ball, Option<Ball>)> {
     let (model, lower) = (Model::at(oscillator, row.interval, nu), row.lower?);
-    let sides = [lower, row.upper.unwrap_or(lower)].map(|side| model.amplitude(&|at| at.witness(side)));
-    Some([model.amplitude(&model.limit()), sides[0], sides[1]])
+    let side = |side| model.amplitude(&move |at| at.witness(side));
+    let begins = model.amplitude(&model.limit());
+    Some(match (row.upper, model.end_below(&|at| at.witness(lower))) {
+        (Some(upper), _) => (begins, side(lower), Some(side(upper))),
+        (None, Some(end)) => (begins, end, Some(end)),
+        (None, None) => (begins, side(lower), None),
+    })
 }
 
 /// The points where GZ curves end or meet.
@@ -32,14 +37,12 @@ pub fn points(rows: &[Row]) -> impl Iterator<Item = (&'static str, &Row)> {
     })
 }
 
-/// Amplitudes among which a point is: those at which stability begins, or the sides of the tube.
+/// Amplitudes among which a point is: in the tube, and, but for GZ-GZ, where stability begins; the fewer.
 pub fn amplitudes(oscillator: &Oscillator, row: &Row) -> Ball {
     let model = Model::over(oscillator, row.interval);
     let side = |side: Option<_>| side.map_or(Ball::ANY, |side| model.amplitude(&|at| at.witness(side)));
-    match row.verdict {
-        Verdict::Point("GZ-GZ") => Ball::between(side(row.lower), side(row.upper)),
-        _ => model.amplitude(&model.limit()),
-    }
+    let (tube, limit) = (Ball::between(side(row.lower), side(row.upper)), model.amplitude(&model.limit()));
+    if row.verdict != Verdict::Point("GZ-GZ") && limit.radius() < tube.radius() { limit } else { tube }
 }
 
 /// From which frequency to which rows reach that are side by side.
@@ -76,7 +79,7 @@ pub fn sentence(oscillator: &Oscillator, stretch: &[Row]) -> String {
     let [low, high] = to_nine_places(frequencies(oscillator, stretch), !inwards);
     let holds = match verdict {
         Verdict::Stable => format!(
-            "one stable admissible {p}-loop MPS at each A between its SN or PD curve and its GZ curve or the window's edge, none at other A of the window"
+            "one stable admissible {p}-loop MPS at each A between the SN or PD curve where it becomes stable and its GZ curve, a PD curve or the window's edge, none at other A of the window"
         ),
         Verdict::None => format!("no stable admissible {p}-loop MPS at any A"),
         Verdict::Undecided(reason) => format!("UNDECIDED, {p}-loop MPSs: {reason}"),

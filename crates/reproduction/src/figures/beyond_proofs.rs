@@ -213,8 +213,9 @@ fn all_ends(oscillator: &Oscillator, rows: &[Row], [lowest, highest]: [f64; 2]) 
             .chain(places)
             .chain([(last, last.interval.ends()[1])]);
         all.extend(places.filter_map(|(row, nu)| {
-            let [begins, lower, upper] = ends(oscillator, row, nu)?.map(Ball::to_f64);
-            let upper = if row.upper.is_some() { upper } else { f64::NAN };
+            let (begins, lower, upper) = ends(oscillator, row, nu)?;
+            let [begins, lower] = [begins, lower].map(Ball::to_f64);
+            let upper = upper.map_or(f64::NAN, Ball::to_f64);
             let omega = (oscillator.omega_1 * nu.inverse()).to_f64();
             let at = begins_at(oscillator, p, nu);
             let log_width = libm::log10(upper - lower);
@@ -257,7 +258,9 @@ fn magnified(oscillator: &Oscillator, rows: &[Row], panels: u32) -> Vec<ProofMag
                 let omega = (oscillator.omega_1 * nu.inverse()).to_f64();
                 let shown = omega.clamp(secondary - reach, secondary + reach);
                 let nu = if omega == shown { nu } else { oscillator.omega_1 * Ball::from(shown).inverse() };
-                Some(row(ProofPart::Tube, arc, shown, ends(oscillator, one, nu)?.map(Ball::to_f64)))
+                let (begins, lower, upper) = ends(oscillator, one, nu)?;
+                let sides = [begins, lower, upper.unwrap_or(lower)].map(Ball::to_f64);
+                Some(row(ProofPart::Tube, arc, shown, sides))
             };
             let beside = run.iter().filter(|one| {
                 let [last, first] =

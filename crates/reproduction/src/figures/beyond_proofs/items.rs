@@ -24,12 +24,11 @@ impl Lookup<'_> {
     fn ends(&self, p: u32, omega: f64) -> Option<[f64; 4]> {
         let nu = self.nu(omega);
         let row = summary::row_at(self.rows, p.into(), nu)?;
-        let [begins, lower, upper] = ends(self.oscillator, row, nu)?.map(Ball::to_f64);
-        Some(match (row.verdict, row.upper) {
-            (_, None) => [begins, lower, f64::INFINITY, 0.0],
-            (Verdict::Point("SN-GZ" | "PD-GZ"), _) => [begins, lower, upper, 0.0],
-            _ => [begins, lower, upper, upper - lower],
-        })
+        let (begins, lower, upper) = ends(self.oscillator, row, nu)?;
+        let [begins, lower] = [begins, lower].map(Ball::to_f64);
+        let upper = upper.map_or(f64::INFINITY, Ball::to_f64);
+        let in_box = matches!(row.verdict, Verdict::Point("SN-GZ" | "PD-GZ")) || upper.is_infinite();
+        Some([begins, lower, upper, if in_box { 0.0 } else { upper - lower }])
     }
 
     /// The amplitude of a curve that is a closed form; nothing for a GZ curve.
