@@ -54,7 +54,7 @@ impl Ball {
     /// Of which nothing is known.
     pub const ANY: Self = Self { middle: 0, radius: u128::MAX };
     /// π: its first 22 hexadecimal digits after the point.
-    pub const PI: Self = Self { middle: 0x3_243F_6A88_85A3_08D3_1319_8A, radius: 1 };
+    pub const PI: Self = Self { middle: 0x0324_3F6A_8885_A308_D313_198A, radius: 1 };
 
     fn new(middle: i128, radius: u128) -> Self {
         if middle.unsigned_abs() < LIMIT && radius < LIMIT { Self { middle, radius } } else { Self::ANY }

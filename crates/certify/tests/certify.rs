@@ -248,7 +248,9 @@ fn drawn_regions_are_those_that_are_proved() {
 #[test]
 fn the_window_is_decided_and_what_is_false_is_refused() {
     assert!(ROWS.iter().all(|row| !matches!(row.verdict, Verdict::Undecided(_))));
-    let tubes = ROWS.iter().filter(|row| row.verdict == Verdict::Stable && row.upper.is_some());
+    // With one loop, some tubes are at the window's edge, and prove as much without an upper velocity.
+    let is_tube = |row: &&Row| row.verdict == Verdict::Stable && row.upper.is_some() && row.interval.p > 1;
+    let tubes = ROWS.iter().filter(is_tube);
     let mut tried = 0;
     for row in tubes.step_by(17) {
         let model = Model::over(&OSCILLATOR, row.interval);
