@@ -4,22 +4,25 @@
     pip install python-flint && python3 check.py [FOLDER]
 
 ../docs/proof.md says what each verdict states and why these inequalities prove it. Nothing here is taken from the program that
-writes the certificate: motion is written with the matrix of the free oscillation, its stability with the saltation matrix.
+writes the certificate: motion is the real part of two complex exponentials, its stability that of the saltation matrix.
 """
-import csv, itertools, pathlib, sys
+import collections, csv, pathlib, sys
 from fractions import Fraction
-from flint import arb, arb_series, ctx
+from flint import acb, acb_series, arb, arb_series, ctx
 
 ctx.prec, ctx.cap = 140, 4
-TURNS_TO_ANGLE = 2 * arb.pi()
+I, PI, UNIT = acb(0, 1), arb.pi(), arb(2) ** -64
+FILES = ("statement.csv", "resonances.csv", "rows.csv")
+# At how many times motion touches the wall, and at which of the two conditions its stability begins.
+POINTS = {"SN-GZ": (1, 0), "PD-GZ": (1, 1), "GZ-GZ": (2, None)}
+Block = collections.namedtuple("Block", "first last time curvature cells")
 
 
 class Refused(Exception):
     pass
 
 
-FILES = ("statement.csv", "resonances.csv", "rows.csv")
-FAILURES = (Refused, KeyError, ValueError, IndexError, ZeroDivisionError)
+FAILURES = (Refused, KeyError, ValueError, IndexError, ZeroDivisionError, TypeError)
 
 
 def require(condition, what):
@@ -27,240 +30,206 @@ def require(condition, what):
         raise Refused(what)
 
 
-def exact(text):
-    value = Fraction(text)
+def exact(number):
+    value = Fraction(number)
     return arb(value.numerator) / value.denominator
 
 
-def about_zero(radius):
-    return arb(0, radius)
+def real(x):
+    return arb_series([c.real for c in acb_series(x).coeffs()])
 
 
-def both(x, y):
-    """The ball of all numbers of x and y."""
-    return x.union(y)
+def imag(x):
+    return real(-I * x)
+
+
+def norm(x):
+    return real(x) ** 2 + imag(x) ** 2
 
 
 class Oscillator:
+    """Functions of nu, a Taylor series, of times in turns of the forcing, and of the velocity v at impact."""
+
     def __init__(self, zeta, epsilon):
         require(0 < zeta < 1 and epsilon > 0, "constants")
-        self.zeta, self.e = zeta, epsilon
-        self.omega_1 = (1 - zeta**2).sqrt()
-        self.k = zeta / self.omega_1
+        self.zeta, self.e, self.omega_1 = zeta, epsilon, (1 - zeta**2).sqrt()
+        self.mode = acb(-zeta / self.omega_1, 1)
 
     def free(self, nu, turns):
-        """What the free oscillation does to (h, dh/dθ) in this many turns of the forcing."""
-        decay = (-TURNS_TO_ANGLE * self.k * nu * turns).exp()
+        """exp(mode nu theta), the factor of a free oscillation."""
         sine, cosine = (2 * nu * turns).sin_cos_pi()
-        skew = self.k * sine
-        return (decay * (cosine + skew), decay * sine / nu,
-                -decay * sine * nu * (1 + self.k**2), decay * (cosine - skew))
+        return (2 * PI * self.mode.real * nu * turns).exp() * (cosine + I * sine)
 
     def motion(self, p, nu, v):
-        """The free part of motion with impact velocity v, by its jump at the impact: h(0), h'(0)."""
-        m11, m12, m21, m22 = self.free(nu, arb(p))
-        kick = -(1 + self.e) * v / ((1 - m11) * (1 - m22) - m12 * m21)
-        return kick * m12, kick * (1 - m11)
+        """F and H, such that x = -1 + Re(F exp(i theta) + H exp(mode nu theta)) is 0 at impacts, and x' is -e v after and v before."""
+        h = I * (1 + self.e) * v / (nu * (1 - self.free(nu, arb(p))))
+        return 1 - real(h) + I * (self.e * v + real(self.mode * nu * h)), h
+
+    def distance(self, nu, motion, turns, derivative=0):
+        """-x, or a derivative of it in theta."""
+        sine, cosine = (2 * turns).sin_cos_pi()
+        forced = motion[0] * I**derivative * (cosine + I * sine)
+        return (derivative == 0) - real(forced + motion[1] * (self.mode * nu) ** derivative * self.free(nu, turns))
 
     def conditions(self, p, nu, v):
-        """v (1 + D - T) and v (1 + D + T): trace T and determinant D of the derivative."""
-        m11, m12, m21, m22 = self.free(nu, arb(p))
-        h, g = self.motion(p, nu, v)
-        acceleration = h - 1 - 2 * self.k * nu * g - nu * nu * (1 + self.k**2) * h
-        force = acceleration - 2 * self.k * nu * self.e * v
-        trace = (1 + self.e) * m12 * force - self.e * v * (m11 + m22)
-        whole = v + v * self.e**2 * (m11 * m22 - m12 * m21)
-        return whole - trace, whole + trace
+        """v (1 + D - T) and v (1 + D + T), linear in v: determinant D and trace T of the derivative, from the saltation matrix."""
+        (f, h), whole = self.motion(p, nu, v), self.free(nu, arb(p))
+        force = real((self.mode * nu) ** 2 * h - f) + 2 * self.mode.real * nu * self.e * v
+        trace = (1 + self.e) * imag(whole) / nu * force - 2 * self.e * v * real(whole)
+        total = v + v * self.e**2 * norm(whole)
+        return total - trace, total + trace
 
     def limit(self, p, nu, which):
-        """The velocity at which a multiplier is 1 or -1: where the first or the second condition, linear in v, is zero."""
+        """The velocity at which one of the conditions is zero: a multiplier is 1, or -1."""
         at_0, at_1 = (self.conditions(p, nu, v + 0 * nu)[which] for v in (0, 1))
         return at_0 / (at_0 - at_1)
 
-    def distance(self, nu, motion, turns):
-        """-x, and its first three derivatives in θ; motion: h(0), h'(0)/ν + k h(0) and ε v + h'(0)."""
-        h0, e0, swing = motion
-        decay = (-TURNS_TO_ANGLE * self.k * nu * turns).exp()
-        free_sine, free_cosine = (2 * nu * turns).sin_cos_pi()
-        sine_half, cosine_half = turns.sin_cos_pi()
-        sine, cosine = 2 * sine_half * cosine_half, 1 - 2 * sine_half * sine_half
-        h = decay * (h0 * free_cosine + e0 * free_sine)
-        free = [h, nu * (decay * (e0 * free_cosine - h0 * free_sine) - self.k * h)]
-        for _ in range(2):
-            free.append(-2 * self.k * nu * free[-1] - nu * nu * (1 + self.k**2) * free[-2])
-        return (2 * sine_half * sine_half + h0 * cosine + swing * sine - free[0], (1 - h0) * sine + swing * cosine - free[1],
-                (1 - h0) * cosine - swing * sine - free[2], -(1 - h0) * sine - swing * cosine - free[3])
-
-    def grazing_square(self, nu):
+    def amplitude_square(self, nu, f):
         omega = self.omega_1 / nu
-        return (1 - omega * omega) * (1 - omega * omega) + 4 * self.zeta**2 * omega * omega
-
-    def amplitude_square(self, nu, motion):
-        h0, _, swing = motion
-        return self.grazing_square(nu) * ((1 - h0) * (1 - h0) + swing * swing)
+        return norm(1 - omega * omega + 2 * I * self.zeta * omega) * norm(f)
 
 
 class Line:
-    """A line of the certificate; its functions of u = ν - base hold on the whole interval by Taylor's theorem."""
+    """A line of the certificate. Functions of nu hold on its whole interval by Taylor's theorem."""
 
     def __init__(self, oscillator, row):
         self.o, self.row, self.p, self.base = oscillator, row, int(row["p"]), int(row["base"])
-        left, level = int(row["left"]), int(row["level"])
-        require(self.base in (0, 1, 2) and (self.base == 1 or self.p > 1), "base")
-        self.left, self.right = Fraction(left, 2**level), Fraction(left + 1, 2**level)
-        origin = Fraction(2 * left + self.base, 2 ** (level + 1))
-        require(self.base == 1 or (2 * origin).denominator == 1, "only at a resonance of one loop the base is an end")
-        self.origin, self.half = exact(origin), exact(Fraction(1, 2 ** (level + 1)))
-        middle = exact(Fraction(2 * left + 1, 2 ** (level + 1)))
-        self.all, self.open = middle + about_zero(self.half), []
-        self.offset = self.all - self.origin
-        self.series = [(arb_series([at, 1]), arb_series([at - self.origin, 1])) for at in (self.origin, self.all)]
-
-    def number(self, name):
-        return int(self.row[name])
-
-    def witness(self, name, terms, less=None):
-        """A polynomial in u, or the difference of two."""
-        numbers = [self.number(f"{name}_{i}") - (self.number(f"{less}_{i}") if less else 0) for i in range(terms)]
-        return lambda nu, u: sum((arb(n) * arb(2)**-64 * u**i for i, n in enumerate(numbers)), 0 * u)
+        left, scale = int(row["left"]), 2 ** int(row["level"])
+        self.left, self.right, origin = (Fraction(2 * left + i, 2 * scale) for i in (0, 2, self.base))
+        require(self.base == 1 or self.base in (0, 2) and self.p > 1 and (2 * origin).denominator == 1, "base")
+        self.origin, self.all = exact(origin), exact(self.left).union(exact(self.right))
 
     def range(self, functions, orders):
-        """Over the interval; at a resonance divided by |u| to the power of each order, as often as it vanishes there."""
-        at_origin, over_all = (functions(nu, u) for nu, u in self.series)
-        ranges = []
-        for near, far, order in zip(at_origin, over_all, orders):
+        """At a resonance divided by |nu - base| to the power of each order, as often as a function vanishes there."""
+        near_and_far = zip(*(functions(arb_series([nu, 1])) for nu in (self.origin, self.all)))
+        for (near, far), order in zip(near_and_far, orders):
             near, far = (list(x.coeffs()) + [arb(0)] * 4 for x in (near, far))
             order = 0 if self.base == 1 else order
             require(all(c == 0 and c.is_exact() for c in near[:order]), "does not vanish at the resonance")
             total = far[3]
             for c in reversed(near[order:3]):
-                total = c + self.offset * total
-            ranges.append(-total if self.base == 2 and order % 2 else total)
-        return ranges
+                total = c + (self.all - self.origin) * total
+            yield -total if self.base == 2 and order % 2 else total
 
-    def motion(self, velocity):
-        def at(nu, u):
-            v = velocity(nu, u)
-            h, g = self.o.motion(self.p, nu, v)
-            return h, g / nu + self.o.k * h, self.o.e * v + g
-        return at
+    def polynomial(self, coefficients):
+        return lambda nu: sum((c * UNIT * (nu - self.origin) ** i for i, c in enumerate(coefficients)), 0 * nu)
 
-    def stable(self, velocity):
-        low, high, v = self.range(lambda nu, u: (*self.o.conditions(self.p, nu, velocity(nu, u)), velocity(nu, u)), (1, 1, 1))
-        require(low > 0 and high > 0 and v > 0, "not stable")
+    def motion(self, nu, velocity):
+        return self.o.motion(self.p, nu, velocity(nu))
 
-    def unstable(self, velocity):
-        ends = lambda nu, u: (*self.o.conditions(self.p, nu, velocity(nu, u)),
-                              *self.o.conditions(self.p, nu, 0 * u), velocity(nu, u))
-        low, high, low_0, high_0, v = self.range(ends, (1,) * 5)
-        require(v > 0 and (low < 0 and low_0 < 0 or high < 0 and high_0 < 0), "perhaps stable")
+    def conditions(self, velocity):
+        return tuple(self.range(lambda nu: self.o.conditions(self.p, nu, velocity(nu)), (1, 1)))
 
     def beyond(self, velocity, time, order=2):
-        motion = self.motion(velocity)
-        at = lambda nu, u: (self.o.distance(nu, motion(nu, u), time(nu, u))[0], time(nu, u))
-        distance, time = self.range(at, (order, 0))
-        require(distance < 0 and 0 < time < self.p, "not beyond the wall")
+        functions = lambda nu: (self.o.distance(nu, self.motion(nu, velocity), time(nu)), velocity(nu), time(nu))
+        distance, v, time = self.range(functions, (order, order - 1, 0))
+        require(distance < 0 and v > 0 and 0 < time < self.p, "not beyond the wall")
 
-    def clear(self, lower, upper, touching=False):
-        """That motion with velocities between these touches the wall in blocks of cells alone, once in each at most, and not at
-        all with `lower`, unless it is `touching`. The blocks in which it may with `upper`."""
-        n, start, end = (self.number(x) for x in ("cells", "start", "end"))
+    def blocks(self, lower, upper, touching):
+        """That motion with velocities between these touches the wall in none but the first blocks of cells, so many, once in each
+        at most, and with `lower` in none."""
+        n, start, end = (int(self.row[x]) for x in ("cells", "start", "end"))
         blocks = [tuple(map(int, b.split(":"))) for b in self.row["blocks"].split(";") if b]
-        require(0 < start < end < self.p * n, "cells")
-        require(all(start <= first <= last < end for first, last, *_ in blocks), "block")
-        in_block = {cell for first, last, *_ in blocks for cell in range(first, last + 1)}
-        motion = [both(*x) for x in zip(*(self.range(self.motion(v), (0, 0, 0)) for v in (lower, upper)))]
-        curvatures = {}
+        require(0 < start < end < self.p * n and all(start <= b[0] <= b[1] < end for b in blocks), "cells")
+        parts = lambda v: self.range(lambda nu: [part(x) for x in self.motion(nu, v) for part in (real, imag)], (0,) * 4)
+        f, f_imag, h, h_imag = (x.union(y) for x, y in zip(parts(lower), parts(upper)))
+        motion, r, curvatures = (acb(f, f_imag), acb(h, h_imag)), arb(0, PI / n), []
         for cell in range(self.p * n):
             middle = exact(Fraction(2 * cell + 1, 2 * n))
-            value, slope, bend, _ = self.o.distance(self.all, motion, middle)
-            third = self.o.distance(self.all, motion, middle + about_zero(arb(1) / (2 * n)))[3]
-            r = about_zero(arb.pi() / n)
-            curvature = bend + r * third
+            near, far = (self.o.distance(self.all, motion, arb_series([turns, 1 / (2 * PI)]))
+                         for turns in (middle, middle + arb(0, arb(1) / (2 * n))))
+            slope, curvature = near[1] + r * (2 * near[2] + r * 3 * far[3]), 2 * near[2] + r * 6 * far[3]
+            curvatures.append(curvature.lower())
             if cell < start:
-                require(slope + r * (bend + r * third / 2) > 0 or (cell == 0 and curvature > 0), "leaves")
+                require(slope > 0 or (cell == 0 and curvature > 0), "leaves")
             elif cell >= end:
-                require(slope + r * (bend + r * third / 2) < 0 or (cell == self.p * n - 1 and curvature > 0), "returns")
-            elif cell in in_block:
-                require(curvature > 0, "curvature")
-                curvatures[cell] = curvature
-            else:
-                require(value + r * (slope + r / 2 * (bend + r / 3 * third)) > 0, "cell")
-        least = lambda block: [curvatures[cell] for cell in range(block[0], block[1] + 1)]
-        require(touching or all(self.minimum_is_clear(lower, block, least(block), n) for block in blocks), "minimum")
-        return n, [block for block in blocks if not self.minimum_is_clear(upper, block, least(block), n)]
+                require(slope < 0 or (cell == self.p * n - 1 and curvature > 0), "returns")
+            elif not any(b[0] <= cell <= b[1] for b in blocks):
+                require(near[0] + r * (near[1] + r * (near[2] + r * far[3])) > 0, "cell")
+        blocks = [Block(b[0], b[1], self.polynomial(b[2:]), min(curvatures[b[0]:b[1] + 1]), n) for b in blocks]
+        require(len(blocks) >= touching and all(self.minimum(lower, b)[0] > 0 for b in blocks), "minimum at lower")
+        require(all(self.minimum(upper, b)[0] > 0 for b in blocks[touching:]), "minimum at upper")
+        return blocks[:touching]
 
-    def minimum_is_clear(self, velocity, block, curvatures, n):
-        first, last, *nearest = block
-        motion, (t0, t1) = self.motion(velocity), (arb(x) * arb(2)**-64 for x in nearest)
-        at = lambda nu, u: (*self.o.distance(nu, motion(nu, u), t0 + t1 * u)[:2], t0 + t1 * u)
-        value, slope, time = self.range(at, (2, 1, 0))
-        require(first <= time * n <= last + 1, "time of a block")
-        return all(2 * value.lower() * curvature.lower() > slope.abs_upper() ** 2 for curvature in curvatures)
+    def minimum(self, velocity, block, end=None):
+        """The least distance in a block is at least f - g^2/(2 mu), at a time no farther than |g|/mu away."""
+        def functions(nu):
+            motion, time = self.motion(nu, velocity), block.time(nu)
+            return self.o.distance(nu, motion, time), self.o.distance(nu, motion, time, 1), velocity(nu), time
+        at_end = () if end is None else (x[0] for x in functions(arb_series([exact(end), 1])))
+        f, g, v, time = at_end or self.range(functions, (2, 1, 1, 0))
+        require(v > 0 and block.curvature > 0 and block.first <= time * block.cells <= block.last + 1, "block")
+        return (f - g.abs_upper() ** 2 / (2 * block.curvature)).lower(), time + arb(0, g.abs_upper() / (2 * PI * block.curvature))
 
-    def changes(self, velocity, block, n, rate):
-        """How the distance from the wall changes with ν in a block, times a factor."""
-        nu, motion, total = self.series[1][0], self.motion(velocity)(*self.series[1]), None
-        for cell in range(block[0], block[1] + 1):
-            time = exact(Fraction(2 * cell + 1, 2 * n)) + about_zero(arb(1) / (2 * n))
-            change = self.o.distance(nu, motion, arb_series([time]))[0][1] * rate(time)
-            total = change if total is None else both(total, change)
-        return total
+    def ratio(self, nu, time):
+        """psi/(1 - cos): the inverse of the velocity at which motion touches the wall at a time."""
+        rise, distance = (self.o.distance(nu, self.motion(nu, lambda nu: v + 0 * nu), time) for v in (0, 1))
+        return (rise - distance) / rise
 
-    def limit(self, nu, u):
-        """The velocity at which a multiplier is 1, or -1 if that one is positive."""
-        return self.o.limit(self.p, nu, 0 if self.o.free(self.all, arb(self.p))[1] < 0 else 1)
+    def changes_order_once(self, events, lower, upper, which):
+        """That at exactly one nu two events come at the same velocity: that stability begins (None), and contact in blocks."""
+        limit = lambda nu: self.o.limit(self.p, nu, which)
+        ratio = lambda nu, event, time: 1 / limit(nu) if event is None else self.ratio(nu, time)
+        if None in events:
+            require(self.conditions(lambda nu: 0 * nu)[which] < 0, "where stability begins")
+        rates = []
+        for event in events:
+            time = event and self.minimum(lower, event)[1].union(self.minimum(upper, event)[1])
+            rates.append(ratio(arb_series([self.all, 1]), event, arb_series([time]) if event else None)[1])
+        require(rates[0] < rates[1] or rates[0] > rates[1], "perhaps more than once")
+
+        def comes_first(one, two, end):
+            if two:
+                return self.minimum(lambda nu: 1 / ratio(nu, one, one and one.time(nu)), two, end)[0] > 0
+            nu = arb_series([exact(end), 1])
+            return self.o.distance(nu, self.motion(nu, limit), one.time(nu))[0] < 0 and limit(nu)[0] > 0
+        orders = [[comes_first(*pair, end) for pair in (events, events[::-1])] for end in (self.left, self.right)]
+        require(sorted(orders) == [[False, True], [True, False]], "perhaps not once")
 
     def check(self, width, amplitude):
         verdict = self.row["verdict"]
+        if verdict == "undecided":
+            return require(self.row["reason"], "no reason")
         if self.base != 1:
-            h, g = self.o.motion(self.p, self.origin, arb(1))
-            motion = h, g / self.origin + self.o.k * h, self.o.e + g
-            require(self.o.distance(self.origin, motion, arb(1))[1] != 0, "at the resonance motion may stay off the wall")
-        lower, upper, touch = (lambda: self.witness("lower", 3)), (lambda: self.witness("upper", 3)), (lambda: self.witness("touch", 2))
-        if verdict in ("tube", "double"):
-            self.stable(lower())
-            self.beyond(upper(), touch())
-            # dA/dv is at most A_graz |(h(0), ε v + h'(0))/v|, since A = A_graz |(1 - h(0), ε v + h'(0))|.
-            speed = lambda nu, u: self.motion(lambda *_: 1 + 0 * u)(nu, u)[::2]
-            between = self.witness("upper", 3, "lower")
-            wide = lambda nu, u: (self.o.grazing_square(nu) * sum(x * x for x in speed(nu, u)) * between(nu, u) ** 2,)
-            require(self.range(wide, (0,))[0] < width**2, "the tube is wider than stated")
-            n, self.open = self.clear(lower(), upper())
-            require(len(self.open) == (1 if verdict == "tube" else 2), "in how many blocks the wall is touched")
-            if verdict == "double":
-                # The velocity at which motion touches the wall in a block: its inverse is the greatest psi/(1 - cos) there.
-                one, two = (self.changes(lambda *_: 1, block, n, lambda time: 1 / (2 * (time.sin_pi() ** 2)))
-                            for block in self.open)
-                require(one < two or two < one, "contact changes perhaps more than once")
-            self.open = [(Fraction(block[0], n), Fraction(block[1] + 1, n)) for block in self.open]
-        elif verdict == "edge":
-            self.stable(lower())
-            self.clear(lower(), lower())
-            square = lambda nu, u: (self.o.amplitude_square(nu, self.motion(lower())(nu, u)),)
-            require(self.range(square, (0,))[0] > amplitude**2, "not beyond the window")
-        elif verdict == "empty":
-            self.unstable(upper())
-            self.beyond(upper(), touch())
-        elif verdict == "blocked":
-            require(0 < self.number("turn") < self.p, "turn")
-            self.beyond(lambda nu, u: 1 + 0 * u, lambda nu, u: self.number("turn") + 0 * u, 1)
-        elif verdict == "crossing":
-            require(self.range(lambda nu, u: (self.limit(nu, u),), (0,))[0] > 0 and self.o.free(self.all, arb(self.p))[1] != 0, "no limit")
-            above = lambda nu, u: self.limit(nu, u) * (1 + arb(2) ** -12)
-            n, self.open = self.clear(self.limit, above, True)
-            require(len(self.open) == 1 and self.changes(self.limit, self.open[0], n, lambda time: 1) != 0, "crosses perhaps twice")
-            self.beyond(above, lambda nu, u: (self.open[0][2] + self.open[0][3] * u) * arb(2) ** -64)
+            motion = self.o.motion(self.p, self.origin, arb(1))
+            require(self.o.distance(self.origin, motion, arb_series([1]), 1)[0] != 0, "at the resonance motion may stay off the wall")
+        witnesses = {name: [int(self.row[f"{name}_{i}"]) for i in range(terms)] if self.row[f"{name}_0"] else None
+                     for name, terms in (("lower", 3), ("upper", 3), ("touch", 2))}
+        lower, upper, touch = (numbers and self.polynomial(numbers) for numbers in witnesses.values())
+        if upper:
+            self.beyond(upper, touch)
+        if verdict == "none":
+            if upper:
+                fails = zip(self.conditions(upper), self.conditions(lambda nu: 0 * nu))
+                require(any(at_upper < 0 and at_0 < 0 for at_upper, at_0 in fails), "perhaps stable")
+            else:
+                require(witnesses["touch"][0] % 2**64 == 0 == witnesses["touch"][1], "not a whole turn")
+                self.beyond(lambda nu: 1 + 0 * nu, touch, 1)
+            return
+        touching, which = POINTS[verdict] if verdict != "stable" else (1 if upper else 0, None)
+        (low, high), (low_0, _) = self.conditions(lower), self.conditions(lambda nu: 0 * nu)
+        if upper:
+            require(which is not None or (low > 0 and high > 0), "not stable")
+            between = self.polynomial([a - b for a, b in zip(witnesses["upper"], witnesses["lower"])])
+            wide = lambda nu: (self.o.amplitude_square(nu, self.motion(nu, between)[0] - 1),)
+            require(next(self.range(wide, (0,))) < width**2, "the tube is wider than stated")
         else:
-            require(verdict == "undecided" and self.row["reason"], "verdict")
+            # From where the first condition holds on to where the second fails, or to amplitudes beyond the window.
+            require(verdict == "stable" and low > 0 and (high > 0 or low_0 < 0), "where stability begins")
+            square = lambda nu: (self.o.amplitude_square(nu, self.motion(nu, lower)[0]),)
+            require((high < 0 and low_0 < 0) or next(self.range(square, (0,))) > amplitude**2, "where stable motion ends")
+        blocks = self.blocks(lower, upper or lower, touching)
+        if verdict != "stable":
+            self.changes_order_once(blocks if which is None else [None, *blocks], lower, upper, which)
 
 
 def resonances(oscillator, text, loops, lowest, highest):
-    """That, where nothing is said not to be shown, every digit of these resonances is right, the hypotheses of Theorems 2.4 and 2.5 hold, and none is left out.
-    Coefficients are those of (omega - omega*)^2 in A - A_graz, along the motion at which a multiplier is 1 or -1."""
+    """That, where nothing is said not to be shown, every digit of these resonances is right, the hypotheses of Theorems 2.4 and
+    2.5 hold, and none is left out. Coefficients are those of (omega - omega*)^2 in A - A_graz, along the motion at which a
+    multiplier is 1 or -1."""
     rows = list(csv.DictReader(text.splitlines()))
-    places = lambda p, n: arb(n) / 2 if p == 1 else n + arb(1) / (2 * p)
-    omegas = {(p, n): oscillator.omega_1 / places(p, n) for p in loops for n in range(int(p == 1), 200)}
+    places = {(p, n): exact(Fraction(n, 2) if p == 1 else n + Fraction(1, 2 * p)) for p in loops for n in range(p == 1, 200)}
+    omegas = {which: oscillator.omega_1 / nu for which, nu in places.items()}
     require(all(omega < lowest for (p, n), omega in omegas.items() if n == 199), "a window with so many resonances")
     within = {which for which, omega in omegas.items() if not (omega < lowest or omega > highest)}
     require({(int(row["p"]), int(row["n"])) for row in rows} == within, "which resonances there are")
@@ -268,26 +237,24 @@ def resonances(oscillator, text, loops, lowest, highest):
         if row["not_shown"]:
             continue
         p, n = int(row["p"]), int(row["n"])
-        nu = arb_series([places(p, n), 1])
-        omega, grazing = oscillator.omega_1 / nu, oscillator.grazing_square(nu).sqrt()
-        (low_0, high_0), (low, high) = (oscillator.conditions(p, nu, v + 0 * nu) for v in (0, 1))
-        plus, minus = (low_0 - low)[0], (high - high_0)[0]
-        (a, b, c, d), whole = oscillator.free(nu[0], arb(1)), oscillator.free(nu, arb(p))
-        delta, tau, sigma = a * d - b * c, a + d, whole[0][0]
+        nu = arb_series([places[p, n], 1])
+        omega, once, whole = oscillator.omega_1 / nu, oscillator.free(nu, arb(1)), oscillator.free(nu, arb(p))
+        delta, tau, sigma = norm(once)[0], 2 * real(once)[0], real(whole)[0]
+        at_0, at_1 = (oscillator.conditions(p, nu, v + 0 * nu) for v in (0, 1))
+        plus, minus = (at_0[0] - at_1[0])[0], (at_1[1] - at_0[1])[0]
+        limits = (oscillator.motion(p, nu, oscillator.limit(p, nu, which)) for which in (0, 1))
+        amplitudes = [oscillator.amplitude_square(nu, f).sqrt() for f in (arb_series([1]), *(f for f, _ in limits))]
+        c_sn, c_pd = ((amplitude - amplitudes[0])[2] / omega[1] ** 2 for amplitude in amplitudes[1:])
         q = sigma * oscillator.e
-        coefficients = []
-        for which in (0, 1):
-            h, g = oscillator.motion(p, nu, oscillator.limit(p, nu, which))
-            swing = g + oscillator.e * oscillator.limit(p, nu, which)
-            coefficients.append((oscillator.amplitude_square(nu, (h, None, swing)).sqrt() - grazing)[2] / omega[1]**2)
-        proved = (omega[0], grazing[0], plus, minus, *coefficients, minus * (1 - q) * (1 + 3 * sigma + 3 * q + sigma * q))
-        for name, value in zip(("omega_star", "amplitude_graz", "s_plus", "s_minus", "c_sn", "c_pd", "criticality"), proved):
+        criticality = minus * (1 - q) * (1 + 3 * sigma + 3 * q + sigma * q)
+        names = ("omega_star", "amplitude_graz", "s_plus", "s_minus", "c_sn", "c_pd", "criticality")
+        for name, value in zip(names, (omega[0], amplitudes[0][0], plus, minus, c_sn, c_pd, criticality)):
             text = row[name]
             least, unit = abs(exact(text)), exact(Fraction(1, 10 ** len(text.partition(".")[2])))
             value = -value if text.startswith("-") else value
             require(least <= value <= least + unit, f"p = {p}, n = {n}: {name}")
-        hypotheses = 0 < delta < 1 and -1 - delta < tau < 1 + delta and plus != 0 and minus != 0 and whole[1][1] != 0
-        require(hypotheses and (p == 1 or b > 0), f"p = {p}, n = {n}: hypotheses")
+        hypotheses = 0 < delta < 1 and -1 - delta < tau < 1 + delta and plus != 0 and minus != 0 and imag(whole)[1] != 0
+        require(hypotheses and (p == 1 or imag(once)[0] > 0), f"p = {p}, n = {n}: hypotheses")
     return sum(not row["not_shown"] for row in rows)
 
 
@@ -296,22 +263,6 @@ def checksum(text):
     for byte in text.encode():
         total = (total * 257 + byte) % (2**61 - 1)
     return total
-
-
-def points_of(lines):
-    """For each group of crossings, or of doubles, whether exactly one point is in it. There are one or two side by side, with
-    one change at most in each: of the sign of v_GZ - v_min, or of which time of contact comes first as v increases."""
-    kinds = {"tube": "some", "double": "some", "edge": "some", "empty": "none", "blocked": "none"}
-    apart = lambda a, b: a[1] < b[0] or b[1] < a[0]
-    groups = [(verdict, list(group)) for verdict, group in itertools.groupby(lines, lambda line: line.row["verdict"])]
-    for (_, before), (verdict, group), (_, after) in zip(groups, groups[1:], groups[2:]):
-        before, after = before[-1], after[0]
-        if verdict == "crossing":
-            yield len(group) <= 2 and {kinds.get(line.row["verdict"]) for line in (before, after)} == {"some", "none"}
-        if verdict == "double":
-            first, last, side = group[0].open, group[-1].open, [x.open[0] if len(x.open) == 1 else None for x in (before, after)]
-            yield len(group) <= 2 and None not in side and apart(first[0], last[1]) and apart(first[1], last[0]) and any(
-                apart(side[0], first[two]) and apart(side[1], last[1 - two]) for two in (0, 1))
 
 
 def check(files):
@@ -323,24 +274,22 @@ def check(files):
     loops, window = list(map(int, statement["loops"].split())), [exact(statement[f"omega_{x}"]) for x in ("lowest", "highest")]
     shown = resonances(oscillator, resonances_text, loops, *window)
     lines = [Line(oscillator, row) for row in csv.DictReader(rows_text.splitlines())]
-    shares, passed, points = {}, 0, 0
+    require([line.p for line in lines] == sorted(line.p for line in lines) and {line.p for line in lines} == set(loops), "loops")
     for p in loops:
         mine = [line for line in lines if line.p == p]
-        require(exact(mine[0].left) <= oscillator.omega_1 / exact(statement["omega_highest"]), "window")
-        require(exact(mine[-1].right) >= oscillator.omega_1 / exact(statement["omega_lowest"]), "window")
         require(all(a.right == b.left for a, b in zip(mine, mine[1:])), "a gap")
-        for line in mine:
-            try:
-                line.check(exact(statement["width"]), exact(statement["amplitude"]))
-            except Refused as why:
-                raise Refused(f"p = {p}, nu = {float(line.left)}: {line.row['verdict']}: {why}")
-            verdict = line.row["verdict"]
-            shares[p, verdict] = shares.get((p, verdict), 0) + (line.right - line.left)
-            passed += 1
-        points += sum(points_of(mine))
+        first, last = (oscillator.omega_1 / omega for omega in reversed(window))
+        require(exact(mine[0].left) <= first and exact(mine[-1].right) >= last, "window")
+    shares = collections.Counter()
+    for line in lines:
+        try:
+            line.check(exact(statement["width"]), exact(statement["amplitude"]))
+        except Refused as why:
+            raise Refused(f"p = {line.p}, nu = {float(line.left)}: {line.row['verdict']}: {why}")
+        shares[line.p, line.row["verdict"]] += line.right - line.left
+    points = sum(line.row["verdict"] in POINTS for line in lines)
     require(points == int(statement["points"]), "how many points there are")
-    require(passed == len(lines), "lines of other p")
-    return shown, passed, points, shares
+    return shown, len(lines), points, shares
 
 
 if __name__ == "__main__":

@@ -19,7 +19,7 @@ FLINT = {"sin": lambda x, y: (2 * x).sin_pi(), "cos": lambda x, y: (2 * x).cos_p
 MPMATH = {"sin": lambda x, y: mpmath.sinpi(2 * x), "cos": lambda x, y: mpmath.cospi(2 * x), "exp": lambda x, y: mpmath.exp(x),
           "inverse": lambda x, y: 1 / x, "sqrt": lambda x, y: mpmath.sqrt(x), "add": lambda x, y: x + y, "sub": lambda x, y: x - y,
           "mul": lambda x, y: x * y}
-UNIT = arb(2)**-96
+UNIT = arb(2)**-88
 known, unknown = collections.Counter(), collections.Counter()
 for line in sys.stdin:
     name, *balls = line.rstrip("\n").split(";")
@@ -36,8 +36,8 @@ for line in sys.stdin:
         # Only what is certainly outside is wrong: flint's own error is far below the slack.
         if not distance <= arb(fmpz(t)) + SLACK * (1 + distance):
             sys.exit(f"not in the ball: {line}")
-    value = MPMATH[name](*(mpmath.ldexp(m, -96) for m in (a, b)))
-    if not abs(mpmath.ldexp(value, 96) - c) <= t + mpmath.ldexp(1 + abs(value), -100):
+    value = MPMATH[name](*(mpmath.ldexp(m, -88) for m in (a, b)))
+    if not abs(mpmath.ldexp(value, 88) - c) <= t + mpmath.ldexp(1 + abs(value), -100):
         sys.exit(f"not in the ball, by mpmath: {line}")
 for name in FLINT:
     print(f"{name}: {known[name]} balls hold, {unknown[name]} are unknown")

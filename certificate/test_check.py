@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Certificates with one digit changed, a hundred and at least three in every column, none of which check.py may accept; and how
-many changes of rows.csv it refuses for their inequalities alone, the checksum left aside."""
+"""Certificates with one digit changed, a hundred and at least three in every column, none of which check.py may accept; how many
+changes of rows.csv it refuses for their inequalities alone, the checksum left aside; and rows that claim something else than
+they prove."""
 import csv, pathlib, random
 import check
 
@@ -47,3 +48,17 @@ for name, text in files.items():
             assert refused(lambda: check.resonances(oscillator, changed, loops, *window)), (place, digit)
             by_inequality += 1
     print(f"{name}: all of {len(places)} changed digits are refused, {by_inequality} for their inequalities alone")
+
+rows, seen, tried = list(csv.DictReader(files["rows.csv"].splitlines())), {}, 0
+for row in rows:
+    kind = row["verdict"], row["upper_0"] != "", row["base"]
+    seen[kind] = row
+for (verdict, has_upper, _), row in seen.items():
+    side = lambda to, of: {f"{to}_{i}": row[f"{of}_{i}"] if of else "" for i in range(3)}
+    wrong = [{"verdict": other} for other in ("stable", "none", *check.POINTS) if other != verdict]
+    if row["lower_0"] and has_upper:
+        wrong += [side("lower", "upper"), side("upper", "lower"), side("lower", None), side("upper", None), {"blocks": ""}]
+    for change in wrong:
+        assert refused(lambda: check.Line(oscillator, {**row, **change}).check(width, amplitude)), (row, change)
+        tried += 1
+print(f"rows.csv: all of {tried} rows of {len(seen)} kinds that claim something else are refused")

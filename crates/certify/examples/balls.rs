@@ -1,11 +1,11 @@
 //! Prints what balls make of arguments, random ones and extreme ones, for `certificate/test_balls.py` to test: a line
-//! for each, with the operation and middles and radii in units of 2⁻⁹⁶, `-` for the ball of all numbers.
+//! for each, with the operation and middles and radii in units of 2⁻⁸⁸, `-` for the ball of all numbers.
 //!
 //! `cargo run --release -p grazing-certify --example balls -- 1000000`
 
 use std::io::{BufWriter, Write, stdout};
 
-use grazing_certify::ball::Ball;
+use grazing_certify::ball::{Ball, Number as _};
 
 /// A sequence that looks random, the same on every run.
 struct Random(u64);
@@ -16,21 +16,21 @@ impl Random {
         i128::from(self.0 >> 11) & ((1 << count) - 1)
     }
 
-    /// Of any size from 2⁻⁹⁶ to about 2²⁸, of either sign, often next to a multiple of 1/8.
+    /// Of any size from 2⁻⁸⁸ to about 2²⁸, of either sign, often next to a multiple of 1/8.
     fn number(&mut self) -> Ball {
         let bits = self.bits(7).min(124) as u32;
         let digits = (self.bits(53) << 53 | self.bits(53)) << 18 >> (124 - bits);
         let units = match self.bits(3) {
-            0 => (self.bits(9) << 93) + self.bits(2) - 1,
-            1 => self.bits(5) << 93,
+            0 => (self.bits(9) << 85) + self.bits(2) - 1,
+            1 => self.bits(5) << 85,
             _ => digits,
         };
-        Ball::dyadic(if self.bits(1) == 0 { units } else { -units }, 96)
+        Ball::dyadic(if self.bits(1) == 0 { units } else { -units }, 88)
     }
 
     fn ball(&mut self) -> Ball {
         let middle = self.number();
-        let radius = Ball::dyadic(self.bits(50) << 40 >> self.bits(7).min(100), 96);
+        let radius = Ball::dyadic(self.bits(50) << 40 >> self.bits(7).min(100), 88);
         if self.bits(1) == 0 { middle } else { Ball::between(middle - radius, middle + radius) }
     }
 }

@@ -1,4 +1,4 @@
-//! Intervals of real numbers as integers: a midpoint and a radius, in units of 2⁻⁹⁶.
+//! Intervals of real numbers as integers: a midpoint and a radius, in units of 2⁻⁸⁸.
 //!
 //! Every operation returns a ball that contains the results for all numbers of its arguments. There
 //! is no rounding mode and no floating point in what is proved. A result that does not fit is the
@@ -7,7 +7,7 @@
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// Binary digits after the point.
-const BITS: u32 = 96;
+const BITS: u32 = 88;
 const ONE: u128 = 1 << BITS;
 const LOW: u128 = u64::MAX as u128;
 /// Midpoints and radii stay below this.
@@ -20,33 +20,30 @@ pub struct Ball {
     radius: u128,
 }
 
-/// `⌊a b / 2⁹⁶⌋`, and whether that is not exact; nothing if it does not fit.
-fn product(a: u128, b: u128) -> Option<(u128, bool)> {
+/// What the closed forms need of a number.
+pub trait Number:
+    Copy + From<Ball> + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
+{
+    /// `1/x`.
+    fn inverse(self) -> Self;
+    /// `eˣ`.
+    fn exp(self) -> Self;
+    /// `sin(2πx)` and `cos(2πx)`.
+    fn turn(self) -> (Self, Self);
+}
+
+/// `⌊a b / 2⁸⁸⌋` and `⌈a b / 2⁸⁸⌉`; if these do not fit, 0 and the greatest integer.
+fn product(a: u128, b: u128) -> (u128, u128) {
     let (a1, a0, b1, b0) = (a >> 64, a & LOW, b >> 64, b & LOW);
     let (bottom, first, second) = (a0 * b0, a1 * b0, a0 * b1);
     let middle = (bottom >> 64) + (first & LOW) + (second & LOW);
     let low = (middle << 64) | (bottom & LOW);
     let high = a1 * b1 + (first >> 64) + (second >> 64) + (middle >> 64);
-    let fits = high >> (BITS - 2) == 0;
-    fits.then_some(((high << (128 - BITS)) | (low >> BITS), low & (ONE - 1) != 0))
-}
-
-/// `⌈a b / 2⁹⁶⌉`.
-fn product_up(a: u128, b: u128) -> Option<u128> {
-    product(a, b).map(|(product, inexact)| product + u128::from(inexact))
-}
-
-/// `arctan(1/n)` in units of 2⁻¹²⁰, to within one unit for each of its terms, of which there are
-/// fewer than 60.
-const fn inverse_tangent(n: i128) -> i128 {
-    let (mut power, mut sum, mut k) = ((1 << 120) / n, 0, 0);
-    while power != 0 {
-        let term = power / (2 * k + 1);
-        sum += if k % 2 == 0 { term } else { -term };
-        power /= n * n;
-        k += 1;
+    if high >> (BITS - 2) != 0 {
+        return (0, u128::MAX);
     }
-    sum
+    let floor = (high << (128 - BITS)) | (low >> BITS);
+    (floor, floor + u128::from(low & (ONE - 1) != 0))
 }
 
 impl Ball {
@@ -54,52 +51,38 @@ impl Ball {
     pub const ZERO: Self = Self { middle: 0, radius: 0 };
     /// One.
     pub const ONE: Self = Self { middle: ONE as i128, radius: 0 };
-    /// 1 + 2⁻¹².
-    pub const A_LITTLE_ABOVE_ONE: Self = Self { middle: (ONE + (ONE >> 12)) as i128, radius: 0 };
     /// Of which nothing is known.
     pub const ANY: Self = Self { middle: 0, radius: u128::MAX };
-    /// π = 16 arctan(1/5) − 4 arctan(1/239).
-    pub const PI: Self =
-        Self { middle: (16 * inverse_tangent(5) - 4 * inverse_tangent(239)) >> (120 - BITS), radius: 2 };
+    /// π: its first 22 hexadecimal digits after the point.
+    pub const PI: Self = Self { middle: 0x0324_3F6A_8885_A308_D313_198A, radius: 1 };
 
-    fn new(middle: Option<i128>, radius: Option<u128>) -> Self {
-        match (middle, radius) {
-            (Some(middle), Some(radius)) if middle.unsigned_abs() < LIMIT && radius < LIMIT => {
-                Self { middle, radius }
-            }
-            _ => Self::ANY,
-        }
+    fn new(middle: i128, radius: u128) -> Self {
+        if middle.unsigned_abs() < LIMIT && radius < LIMIT { Self { middle, radius } } else { Self::ANY }
     }
 
-    /// `n / 2^level`: exactly that if `level` is at most 96.
+    /// `n / 2^level`, exactly; the level is at most 88.
     pub fn dyadic(n: i128, level: u32) -> Self {
-        match BITS.checked_sub(level) {
-            Some(shift) if n.unsigned_abs() < LIMIT >> shift => Self { middle: n << shift, radius: 0 },
-            Some(_) => Self::ANY,
-            None => Self::new(Some(n >> (level - BITS).min(127)), Some(1)),
-        }
+        n.checked_mul(1 << (BITS - level)).map_or(Self::ANY, |middle| Self::new(middle, 0))
     }
 
     /// `n / d`, for a positive d, to within one unit.
     pub fn ratio(n: i64, d: i64) -> Self {
         let (n, d) = (i128::from(n), i128::from(d));
-        let rest = n.rem_euclid(d) << 64;
-        let last = (rest % d) << (BITS - 64);
-        let fraction = ((rest / d) << (BITS - 64)) + last / d;
-        let exact = Self::dyadic(n.div_euclid(d), 0) + Self { middle: fraction, radius: 0 };
-        exact.widened(Some(u128::from(last % d != 0)))
+        // In two steps, none of which is too large.
+        let first = n.rem_euclid(d) << (BITS / 2);
+        let second = (first % d) << (BITS / 2);
+        let fraction = ((first / d) << (BITS / 2)) + second / d;
+        Self::dyadic(n.div_euclid(d), 0) + Self { middle: fraction, radius: u128::from(second % d != 0) }
     }
 
     /// All numbers of two balls, and between them.
     pub fn between(a: Self, b: Self) -> Self {
-        let lower = a.lower().zip(b.lower()).map(|(a, b)| a.min(b));
-        let upper = a.upper().zip(b.upper()).map(|(a, b)| a.max(b));
-        let middle = lower.zip(upper).and_then(|(lower, upper)| Some(lower.checked_add(upper)? >> 1));
-        let radius = middle.zip(upper).map(|(middle, upper)| upper.abs_diff(middle) + 1);
-        Self::new(middle, radius)
+        let (lower, upper) = (a.lower().min(b.lower()), a.upper().max(b.upper()));
+        let middle = (lower + upper) >> 1;
+        Self::new(middle, upper.abs_diff(middle) + 1)
     }
 
-    /// Middle and radius in units of 2⁻⁹⁶; nothing for all numbers.
+    /// Middle and radius in units of 2⁻⁸⁸; nothing for all numbers.
     pub fn units(self) -> Option<(i128, u128)> {
         self.known().then_some((self.middle, self.radius))
     }
@@ -118,22 +101,22 @@ impl Ball {
         self.radius != u128::MAX
     }
 
-    fn lower(self) -> Option<i128> {
-        self.known().then(|| self.middle - self.radius as i128)
+    fn lower(self) -> i128 {
+        self.middle.saturating_sub_unsigned(self.radius)
     }
 
-    fn upper(self) -> Option<i128> {
-        self.known().then(|| self.middle + self.radius as i128)
+    fn upper(self) -> i128 {
+        self.middle.saturating_add_unsigned(self.radius)
     }
 
     /// Whether all its numbers are positive.
     pub fn is_positive(self) -> bool {
-        self.lower().is_some_and(|lower| lower > 0)
+        self.lower() > 0
     }
 
     /// Whether all its numbers are negative.
     pub fn is_negative(self) -> bool {
-        (-self).is_positive()
+        self.upper() < 0
     }
 
     /// Whether zero is none of them.
@@ -143,32 +126,27 @@ impl Ball {
 
     /// Whether all numbers of `other` lie in it.
     pub fn contains(self, other: Self) -> bool {
-        let within = |(a, b): (i128, i128), (c, d)| a <= c && d <= b;
-        match (self.lower().zip(self.upper()), other.lower().zip(other.upper())) {
-            (None, _) => true,
-            (Some(outer), Some(inner)) => within(outer, inner),
-            (Some(_), None) => false,
-        }
+        self.lower() <= other.lower() && other.upper() <= self.upper()
     }
 
     /// The ball around zero of all numbers no greater in size.
     pub fn size(self) -> Self {
-        Self::new(Some(0), self.known().then(|| self.middle.unsigned_abs() + self.radius))
+        Self::new(0, self.radius.saturating_add(self.middle.unsigned_abs()))
     }
 
     /// The greatest of its numbers.
     pub fn top(self) -> Self {
-        Self::new(self.upper(), Some(0))
+        Self::new(self.upper(), 0)
     }
 
     /// The least of its numbers.
     pub fn bottom(self) -> Self {
-        Self::new(self.lower(), Some(0))
+        Self::new(self.lower(), 0)
     }
 
     /// Around its middle, with this radius more.
-    fn widened(self, more: Option<u128>) -> Self {
-        Self::new(Some(self.middle), more.and_then(|more| self.radius.checked_add(more)))
+    fn widened(self, more: u128) -> Self {
+        Self::new(self.middle, self.radius.saturating_add(more))
     }
 
     fn middle(self) -> Self {
@@ -177,65 +155,68 @@ impl Ball {
 
     /// Divided by a positive integer.
     fn over(self, n: i128) -> Self {
-        if !self.known() {
-            return self;
-        }
         let inexact = u128::from(self.middle % n != 0);
-        Self { middle: self.middle / n, radius: self.radius.div_ceil(n as u128) + inexact }
-    }
-
-    /// `1/x`. With `y` near it and `e = 1 − x y`, `|e| ≤ 1/2`: `1/x = y/(1 − e)`, and
-    /// `|1/x − y| ≤ |y| |e| (1 + 2 |e|)`.
-    pub fn inverse(self) -> Self {
-        let guess = libm::scalbn(1.0 / self.to_f64(), BITS as i32);
-        if !(self.known() && guess.abs() < LIMIT as f64) {
-            return Self::ANY;
+        if self.known() {
+            Self { middle: self.middle / n, radius: self.radius.div_ceil(n as u128) + inexact }
+        } else {
+            Self::ANY
         }
-        let guess = Self::new(Some(guess as i128), Some(0));
-        let closer = (guess + guess * (Self::ONE - self.middle() * guess)).middle();
-        let error = (Self::ONE - self * closer).size();
-        if !error.known() || error.radius > ONE / 2 {
-            return Self::ANY;
-        }
-        let bound = closer.size() * error * (Self::ONE + error + error);
-        closer.widened(bound.known().then_some(bound.radius))
     }
 
     /// `√x`. With `y` near it, `|√x − y| ≤ |x − y²| / y`.
     pub fn sqrt(self) -> Self {
-        let root = libm::scalbn(self.to_f64().sqrt(), BITS as i32);
-        if !self.is_positive() || root < 1.0 {
+        if !self.is_positive() {
             return Self::ANY;
         }
-        let guess = Self::new(Some(root as i128), Some(0));
+        let guess = Self::from(self.to_f64().sqrt()).middle();
         let closer = (guess + self.middle() * guess.inverse()).over(2).middle();
-        let bound = (self - closer * closer).size() * closer.inverse().size();
-        closer.widened(bound.known().then_some(bound.radius))
+        closer.widened(((self - closer * closer).size() * closer.inverse().size()).radius)
+    }
+
+    /// Sine and cosine by their series: the angle is at most π/4, and what is left out less than
+    /// (π/4)²⁸/28! < 2⁻¹⁰⁷.
+    fn within_an_eighth(self) -> (Self, Self) {
+        let angle = (self + self) * Self::PI;
+        let square = angle * angle;
+        let series = |first: i128| {
+            let factor = |n: i128| (2 * n - 1 + first) * (2 * n + first);
+            let next = |sum, n| Self::ONE - (square * sum).over(factor(n));
+            (1..14).rev().fold(Self::ONE, next).widened(1)
+        };
+        (angle * series(1), series(0))
+    }
+}
+
+impl Number for Ball {
+    /// `1/x`. With `y` near it and `e = 1 − x y`, `|e| ≤ 1/2`: `1/x = y/(1 − e)`, and
+    /// `|1/x − y| ≤ |y| |e| (1 + 2 |e|)`.
+    fn inverse(self) -> Self {
+        let guess = Self::from(1.0 / self.to_f64()).middle();
+        let closer = (guess + guess * (Self::ONE - self.middle() * guess)).middle();
+        let error = (Self::ONE - self * closer).size();
+        if error.radius > ONE / 2 {
+            return Self::ANY;
+        }
+        closer.widened((closer.size() * error * (Self::ONE + error + error)).radius)
     }
 
     /// `eˣ`, for `|x| ≤ 32`: the series at `x/2⁸`, squared eight times. A radius `r ≤ 1` of `x` is a
     /// factor within `2 r` of one.
-    pub fn exp(self) -> Self {
-        if !self.known() || self.middle.unsigned_abs() > 32 * ONE || self.radius > ONE {
+    fn exp(self) -> Self {
+        if self.middle.unsigned_abs() > 32 * ONE || self.radius > ONE {
             return Self::ANY;
         }
         let small = self.middle().over(256);
+        let series = (1..18).rev().fold(Self::ONE, |sum, n| Self::ONE + (small * sum).over(n));
         // What is left out is less than (1/8)¹⁸/18! < 2⁻¹⁰⁶.
-        let mut sum = Self::ONE;
-        for n in (1..18).rev() {
-            sum = Self::ONE + (small * sum).over(n);
-        }
-        sum = sum.widened(Some(1));
-        for _ in 0..8 {
-            sum = sum * sum;
-        }
-        if self.radius == 0 { sum } else { sum * Self::ONE.widened(Some(2 * self.radius)) }
+        let power = (0..8).fold(series.widened(1), |power, _| power * power);
+        power * Self::ONE.widened(2 * self.radius)
     }
 
     /// `sin(2πx)` and `cos(2πx)`: whole turns and quarters are taken off exactly.
-    pub fn turn(self) -> (Self, Self) {
+    fn turn(self) -> (Self, Self) {
         let all = Self { middle: 0, radius: ONE };
-        if !self.known() || self.radius > ONE / 4 {
+        if self.radius > ONE / 4 {
             return (all, all);
         }
         let quarters = (self.middle + (ONE / 8) as i128) >> (BITS - 2);
@@ -249,21 +230,7 @@ impl Ball {
             _ => (-cosine, sine),
         };
         // 2π < 7.
-        let more = Some(7 * self.radius);
-        (sine.widened(more), cosine.widened(more))
-    }
-
-    /// Sine and cosine by their series: the angle is at most π/4, and what is left out less than
-    /// (π/4)²⁸/28! < 2⁻¹⁰⁷.
-    fn within_an_eighth(self) -> (Self, Self) {
-        let angle = (self + self) * Self::PI;
-        let square = angle * angle;
-        let (mut sine, mut cosine) = (Self::ONE, Self::ONE);
-        for n in (1..14).rev() {
-            cosine = Self::ONE - (square * cosine).over((2 * n - 1) * 2 * n);
-            sine = Self::ONE - (square * sine).over(2 * n * (2 * n + 1));
-        }
-        ((angle * sine).widened(Some(1)), cosine.widened(Some(1)))
+        (sine.widened(7 * self.radius), cosine.widened(7 * self.radius))
     }
 }
 
@@ -274,13 +241,14 @@ impl From<i64> for Ball {
 }
 
 impl From<f64> for Ball {
-    /// The rational number that it is.
+    /// The rational number that it is, to within one unit if it has more digits.
     fn from(x: f64) -> Self {
-        let (fraction, exponent) = libm::frexp(x);
-        if !x.is_finite() || exponent > 38 {
-            return Self::ANY;
+        let units = libm::scalbn(x, BITS as i32);
+        if units.abs() < LIMIT as f64 {
+            Self { middle: units as i128, radius: u128::from(units % 1.0 != 0.0) }
+        } else {
+            Self::ANY
         }
-        Self::dyadic(libm::scalbn(fraction, 53) as i128, (53 - exponent) as u32)
     }
 }
 
@@ -288,7 +256,7 @@ impl Neg for Ball {
     type Output = Self;
 
     fn neg(self) -> Self {
-        Self { middle: -self.middle, radius: self.radius }
+        Self { middle: -self.middle, ..self }
     }
 }
 
@@ -296,7 +264,7 @@ impl Add for Ball {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self::new(self.middle.checked_add(other.middle), self.radius.checked_add(other.radius))
+        Self::new(self.middle + other.middle, self.radius.saturating_add(other.radius))
     }
 }
 
@@ -320,42 +288,35 @@ impl Mul for Ball {
         }
         let (a, b) = (self.middle.unsigned_abs(), other.middle.unsigned_abs());
         let sign = (self.middle ^ other.middle).signum() | 1;
-        let multiplied = || {
-            let (middle, inexact) = product(a, b)?;
-            let radius = product_up(a, other.radius)?
-                .checked_add(product_up(self.radius, b.checked_add(other.radius)?)?)?;
-            Some((middle as i128 * sign, radius + u128::from(inexact)))
-        };
-        multiplied().map_or(Self::ANY, |(middle, radius)| Self::new(Some(middle), Some(radius)))
+        let (floor, ceiling) = product(a, b);
+        let by_radii = [product(a, other.radius), product(self.radius, b + other.radius)];
+        let radius = by_radii.into_iter().fold(ceiling - floor, |sum, (_, up)| sum.saturating_add(up));
+        Self::new(sign * floor as i128, radius)
     }
+}
+
+/// Units as a decimal number, with as many zeros before it as make all equally long.
+fn decimal(units: u128) -> String {
+    let mut rest = units;
+    let places = (0..26).map(|_| {
+        rest = 10 * (rest & (ONE - 1));
+        char::from(b'0' + (rest >> BITS) as u8)
+    });
+    format!("{:012}.{}", units >> BITS, places.collect::<String>())
 }
 
 /// All its decimal digits that are certain, twenty significant ones at most.
 impl core::fmt::Display for Ball {
     fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        let Some((lower, upper)) = self.lower().zip(self.upper()) else { return formatter.write_str("?") };
-        if (lower < 0) != (upper < 0) {
+        let [lower, upper] = [self.lower(), self.upper()].map(|end| decimal(end.unsigned_abs()));
+        let same = lower.bytes().zip(upper.bytes()).take_while(|(a, b)| a == b).count();
+        let (certain, point) = (&lower[..same], lower.find('.').unwrap_or_default());
+        if same <= point || (self.lower() < 0) != (self.upper() < 0) {
             return formatter.write_str("?");
         }
-        let digits = |end: i128| {
-            let (whole, mut rest) =
-                ((end.unsigned_abs() >> BITS).to_string(), end.unsigned_abs() & (ONE - 1));
-            let mut text = format!("{whole}.");
-            for _ in 0..26 {
-                rest *= 10;
-                text.push(char::from(b'0' + (rest >> BITS) as u8));
-                rest &= ONE - 1;
-            }
-            text
-        };
-        let (lower_digits, upper_digits) = (digits(lower), digits(upper));
-        if lower_digits.find('.') != upper_digits.find('.') {
-            return formatter.write_str("?");
-        }
-        let same = lower_digits.bytes().zip(upper_digits.bytes()).take_while(|(a, b)| a == b).count();
-        let leading = lower_digits.bytes().take_while(|byte| matches!(byte, b'0' | b'.')).count();
-        let point = usize::from(leading == 0);
-        let shown = lower_digits.get(..same.min(leading + 20 + point)).unwrap_or_default();
-        write!(formatter, "{}{shown}", if lower < 0 { "-" } else { "" })
+        let leading = certain.bytes().take_while(|byte| matches!(byte, b'0' | b'.')).count();
+        let end = same.min(leading + 20 + usize::from(leading < point));
+        let sign = if self.is_negative() { "-" } else { "" };
+        write!(formatter, "{sign}{}", &certain[leading.min(point - 1)..end])
     }
 }

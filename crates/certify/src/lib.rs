@@ -19,21 +19,17 @@ pub mod summary;
 
 use rayon::prelude::*;
 
-use ball::Ball;
+use ball::Number as _;
 use orbit::Oscillator;
 use row::{Base, Interval, Row};
-use search::{Goal, rows};
+use search::rows;
 use statement::Statement;
 
-/// Greatest width of the tubes around grazing curves, in amplitude: 10^-`WIDTH_PLACES`.
-pub const WIDTH_PLACES: u32 = 6;
-/// Intervals of nu have width `2^-COARSEST` at first, and are halved down to `2^-FINEST`.
+/// Intervals of nu have width `2^-COARSEST` at first.
 const COARSEST: u32 = 6;
-const FINEST: u32 = 32;
 
-/// How much is tried within one of the coarsest intervals at most, in periods cut into 64 cells. Figure 7
-/// needs less than half of it.
-const MOST_WORK: usize = 4_000;
+/// How many intervals are tried within one of the coarsest at most. Figure 7 needs less than half.
+const MOST_TRIED: usize = 2_000;
 
 /// The intervals that cover the window, in order, with what is proved of each. `step` is called when
 /// one of so many parts is done; `begin` is told before how many there are.
@@ -55,13 +51,11 @@ pub fn prove(
         .flat_map(|&p| (first.max(2) - 1..=end).map(move |left| (p, left)))
         .map(|(p, left)| Interval { p: p.into(), left, level: COARSEST, base: Base::Middle })
         .collect();
-    let width = Ball::ratio(1, 10_i64.pow(WIDTH_PLACES));
-    let goal = Goal { width, amplitude: statement.amplitude.ball(), finest: FINEST };
     begin(intervals.len() as u64);
     intervals
         .into_par_iter()
         .flat_map_iter(|interval| {
-            let rows = rows(oscillator, interval, goal, MOST_WORK);
+            let rows = rows(statement, oscillator, interval, &mut MOST_TRIED.clone());
             step();
             rows
         })

@@ -5,8 +5,7 @@
 //! is `ν = ω₁/ω`, in which the resonances are rational, and the velocity at impact is
 //! `v = dx/dθ = y/ω`.
 
-use crate::ball::Ball;
-use crate::series::Number;
+use crate::ball::{Ball, Number};
 
 /// The oscillator: what the closed forms take from its constants.
 #[derive(Debug, Clone, Copy)]
@@ -21,8 +20,7 @@ pub struct Oscillator {
     pub decay: Ball,
 }
 
-/// The motions with one impact in p periods at one ν, which differ in `v` alone:
-/// `x(θ) = −1 + (1 − c v) cos θ − w v sin θ + v e^(−kνθ) (c cos νθ + e sin νθ)`.
+/// The motions with one impact in p periods at one ν, which differ in `v` alone.
 #[derive(Debug, Clone, Copy)]
 pub struct Family<N> {
     /// `ω₁/ω`.
@@ -41,17 +39,16 @@ pub struct Family<N> {
     pub big_q: N,
 }
 
-/// One of these motions: `c v`, `e v` and `w v`.
+/// One of these motions:
+/// `x(θ) = −1 + f₁ cos θ + f₂ sin θ + e^(−kνθ) (h₁ cos νθ + h₂ sin νθ)`.
 #[derive(Debug, Clone, Copy)]
 pub struct Motion<N> {
     /// `ω₁/ω`.
     pub nu: N,
-    /// `c v`.
-    pub c: N,
-    /// `e v`.
-    pub e: N,
-    /// `w v`.
-    pub w: N,
+    /// `f₁ = 1 − c v` and `f₂ = −w v`.
+    pub forced: [N; 2],
+    /// `h₁ = c v` and `h₂ = e v`.
+    pub free: [N; 2],
 }
 
 impl Oscillator {
@@ -64,7 +61,7 @@ impl Oscillator {
     }
 
     /// `e^(−2πkν s)`, and the sine and cosine of `2πν s`.
-    fn free<N: Number>(&self, nu: N, turns: N) -> (N, N, N) {
+    pub fn free<N: Number>(&self, nu: N, turns: N) -> (N, N, N) {
         let decay = (N::from(-(Ball::PI + Ball::PI) * self.decay) * nu * turns).exp();
         let (sine, cosine) = (nu * turns).turn();
         (decay, sine, cosine)
@@ -86,24 +83,20 @@ impl Oscillator {
         Family { nu, c, e, w, b: c * delta, big_p, big_q }
     }
 
-    /// How far the motion is from the wall, `−x`, and the first three derivatives of that in θ.
-    pub fn distance<N: Number>(&self, motion: &Motion<N>, turns: N) -> [N; 4] {
-        let &Motion { nu, c, e, w } = motion;
-        let [one, k] = [Ball::ONE, self.decay].map(N::from);
+    /// How far the motion is from the wall, `−x`, or a derivative of that in θ.
+    pub fn distance<N: Number>(&self, motion: &Motion<N>, turns: N, derivative: usize) -> N {
+        let &Motion { nu, mut forced, mut free } = motion;
+        let k = N::from(self.decay);
+        for _ in 0..derivative {
+            forced = [forced[1], -forced[0]];
+            free = [nu * (free[1] - k * free[0]), -(nu * (k * free[1] + free[0]))];
+        }
         let (decay, free_sine, free_cosine) = self.free(nu, turns);
         let (sine, cosine) = turns.turn();
-        let along = |c: N, e: N| decay * (c * free_cosine + e * free_sine);
-        let derivative = |c: N, e: N| (nu * (e - k * c), -(nu * (k * e + c)));
-        let (c1, e1) = derivative(c, e);
-        let (c2, e2) = derivative(c1, e1);
-        let (c3, e3) = derivative(c2, e2);
-        let forced = one - c;
-        [
-            one - forced * cosine + w * sine - along(c, e),
-            forced * sine + w * cosine - along(c1, e1),
-            forced * cosine - w * sine - along(c2, e2),
-            -(forced * sine + w * cosine) - along(c3, e3),
-        ]
+        let constant = if derivative == 0 { Ball::ONE } else { Ball::ZERO };
+        N::from(constant)
+            - (forced[0] * cosine + forced[1] * sine)
+            - decay * (free[0] * free_cosine + free[1] * free_sine)
     }
 
     /// `A_graz² = (1 − ω²)² + 4 ζ² ω²`.
@@ -115,17 +108,17 @@ impl Oscillator {
         rest * rest + N::from(damping * damping) * square
     }
 
-    /// The square of the amplitude at which the motion has this velocity:
-    /// `A² = A_graz² ((1 − c v)² + (w v)²)`.
+    /// The square of the amplitude at which the motion has this velocity: `A² = A_graz² (f₁² + f₂²)`.
     pub fn amplitude_square<N: Number>(&self, motion: &Motion<N>) -> N {
-        let forced = N::from(Ball::ONE) - motion.c;
-        self.grazing_square(motion.nu) * (forced * forced + motion.w * motion.w)
+        let [cosine, sine] = motion.forced;
+        self.grazing_square(motion.nu) * (cosine * cosine + sine * sine)
     }
 }
 
 impl<N: Number> Family<N> {
     /// The motion with velocity `v` at impact.
     pub fn motion(&self, v: N) -> Motion<N> {
-        Motion { nu: self.nu, c: self.c * v, e: self.e * v, w: self.w * v }
+        let free = [self.c * v, self.e * v];
+        Motion { nu: self.nu, forced: [N::from(Ball::ONE) - free[0], -(self.w * v)], free }
     }
 }

@@ -1,10 +1,11 @@
 //! The inequalities that prove a row. Each holds for all ν of an interval by Taylor's theorem: three
-//! coefficients at its middle, and the fourth over all of it.
+//! coefficients at its base, and the fourth over all of it.
 
-use crate::ball::Ball;
+use crate::ball::{Ball, Number};
 use crate::orbit::{Family, Motion, Oscillator};
-use crate::row::{Base, Block, Clearance, Interval, WITNESS_BITS, Witness};
-use crate::series::{Number, Series, TERMS};
+use crate::row::{Base, Block, Clearance, Interval, Row, Verdict, WITNESS_BITS, Witness};
+use crate::series::Series;
+use crate::statement::Statement;
 
 /// The motions with one impact over an interval of ν.
 pub struct Model<'a> {
@@ -12,286 +13,318 @@ pub struct Model<'a> {
     interval: Interval,
     at_origin: At,
     over_all: At,
+    /// The values of `u`.
+    offset: Ball,
 }
 
-/// The series at one ν, or at all of an interval.
+/// The motions as functions of ν, by their Taylor coefficients at one ν, or over an interval.
+#[derive(Clone, Copy)]
 pub struct At {
     family: Family<Series>,
     offset: Series,
 }
 
 impl At {
-    fn new(oscillator: &Oscillator, interval: Interval, nu: Ball) -> Self {
-        let variable = Series::variable(nu);
-        let offset = variable - Series::from(interval.origin());
-        Self { family: oscillator.family(interval.p, variable), offset }
-    }
-
     /// A witness as a function of ν.
     pub fn witness<const N: usize>(&self, witness: Witness<N>) -> Series {
-        witness.iter().rev().fold(Series::from(Ball::ZERO), |sum, &coefficient| {
+        witness.iter().rev().fold(Ball::ZERO.into(), |sum: Series, &coefficient| {
             sum * self.offset + Ball::dyadic(coefficient, WITNESS_BITS).into()
         })
-    }
-
-    /// The motion with a velocity.
-    pub fn motion(&self, velocity: &Velocity) -> Motion<Series> {
-        self.family.motion(self.velocity(velocity))
-    }
-
-    fn velocity(&self, velocity: &Velocity) -> Series {
-        match *velocity {
-            Velocity::Witness(witness) => self.witness(witness),
-            Velocity::SaddleNode(factor) => self.family.b * self.family.big_p.inverse() * factor.into(),
-            Velocity::PeriodDoubling(factor) => -self.family.b * self.family.big_q.inverse() * factor.into(),
-        }
     }
 }
 
 /// A velocity at impact, as a function of ν.
-#[derive(Debug, Clone, Copy)]
-pub enum Velocity {
-    /// A polynomial.
-    Witness(Witness<3>),
-    /// That at which a multiplier is 1, times a factor.
-    SaddleNode(Ball),
-    /// That at which one is −1, likewise.
-    PeriodDoubling(Ball),
-}
+pub type Velocity<'v> = dyn Fn(&At) -> Series + 'v;
 
-/// Bounds that hold in a cell of time: of the distance from the wall and its derivatives.
-struct Cell {
-    distance: Ball,
-    slope: Ball,
-    curvature: Ball,
+/// A stretch of time, in turns.
+pub type Turns = [f64; 2];
+
+/// Intervals at most `2^-FINE` wide may hold a codimension-two point.
+pub const FINE: u32 = 24;
+/// Cells in a period that are tried.
+const CELLS: [i64; 3] = [64, 256, 1024];
+
+fn is_whole(turn: Witness<2>) -> bool {
+    turn.map(|coefficient| coefficient & ((1 << WITNESS_BITS) - 1)) == [0; 2] && turn[1] == 0
 }
 
 impl<'a> Model<'a> {
-    /// Over this interval.
-    pub fn new(oscillator: &'a Oscillator, interval: Interval) -> Self {
-        let at = |nu: Ball| At::new(oscillator, interval, nu);
-        Self { oscillator, interval, at_origin: at(interval.origin()), over_all: at(interval.all()) }
+    /// Over an interval.
+    pub fn over(oscillator: &'a Oscillator, interval: Interval) -> Self {
+        Self::new(oscillator, interval, interval.origin(), interval.all())
     }
 
-    /// The velocity above which motion is stable at one ν, times a factor.
-    pub fn limit(&self, nu: Ball, factor: Ball) -> Velocity {
-        let saddle_node = self.oscillator.family(self.interval.p, nu).b.is_positive();
-        if saddle_node { Velocity::SaddleNode(factor) } else { Velocity::PeriodDoubling(factor) }
+    /// At one ν of it.
+    pub fn at(oscillator: &'a Oscillator, interval: Interval, nu: Ball) -> Self {
+        Self { offset: Ball::ZERO, ..Self::new(oscillator, interval, nu, nu) }
+    }
+
+    fn new(oscillator: &'a Oscillator, interval: Interval, origin: Ball, all: Ball) -> Self {
+        let [at_origin, over_all] = [origin, all].map(|nu| {
+            let variable = Series::variable(nu);
+            let offset = variable - interval.origin().into();
+            At { family: oscillator.family(interval.p, variable), offset }
+        });
+        Self { oscillator, interval, at_origin, over_all, offset: all - origin }
+    }
+
+    /// The velocity above which motion is stable: `b/P`, where a multiplier is 1, if b is positive in the
+    /// middle; `−b/Q`, where one is −1, otherwise.
+    pub fn limit(&self) -> impl Fn(&At) -> Series {
+        let saddle_node = self.begins_at_saddle_node();
+        move |at| {
+            let Family { b, big_p, big_q, .. } = at.family;
+            if saddle_node { b * big_p.inverse() } else { -b * big_q.inverse() }
+        }
+    }
+
+    fn begins_at_saddle_node(&self) -> bool {
+        self.at_origin.family.b.0[0].is_positive()
     }
 
     /// What functions of ν may be anywhere in the interval. Each comes with its order: how often it
     /// vanishes at a resonance of one loop. There it is divided by that power of `|u|`.
-    pub fn range<const N: usize>(&self, functions: impl Fn(&At) -> [(Series, usize); N]) -> [Ball; N] {
+    fn range<const N: usize>(&self, functions: impl Fn(&At) -> [(Series, usize); N]) -> [Ball; N] {
         let (origin, all) = (functions(&self.at_origin), functions(&self.over_all));
-        let offset = self.interval.all() - self.interval.origin();
-        let (resonance, flip) = match self.interval.base {
-            Base::Left => (true, false),
-            Base::Middle => (false, false),
-            Base::Right => (true, true),
-        };
         core::array::from_fn(|i| {
-            let order = if resonance { origin[i].1 } else { 0 };
-            let (vanishing, rest) = origin[i].0.0[..TERMS - 1].split_at(order);
-            if vanishing.iter().any(|&coefficient| coefficient != Ball::ZERO) {
-                return Ball::ANY;
-            }
-            let last = all[i].0.0[TERMS - 1];
-            let sum = rest.iter().rev().fold(last, |sum, &coefficient| coefficient + offset * sum);
-            if flip && order % 2 == 1 { -sum } else { sum }
+            let order = if self.interval.base == Base::Middle { 0 } else { origin[i].1 };
+            let quotient = origin[i].0.with_remainder(all[i].0).divided(order);
+            let values = quotient.values(self.offset);
+            if self.interval.base == Base::Right && order % 2 == 1 { -values } else { values }
         })
     }
 
-    /// Whether the motion with this velocity is stable: `v > 0`, `P v − b > 0`, `Q v + b > 0`.
-    pub fn stable(&self, velocity: &Velocity) -> bool {
-        let conditions = self.range(|at| {
-            let (v, family) = (at.velocity(velocity), &at.family);
-            [(v, 1), (family.big_p * v - family.b, 1), (family.big_q * v + family.b, 1)]
+    /// Completes a row by what its witnesses prove, if they prove anything; `nearest` guesses when motion
+    /// with velocity `lower` is nearest to the wall in a block.
+    pub fn prove(
+        &self,
+        row: Row,
+        statement: &Statement,
+        nearest: impl Fn(Turns) -> Witness<2>,
+    ) -> Option<Row> {
+        let side = |witness: Witness<3>| move |at: &At| at.witness(witness);
+        let clearance = |lower, upper| {
+            let velocities: [&Velocity<'_>; 2] = [&side(lower), &side(upper)];
+            CELLS.into_iter().find_map(|cells| self.clearance(velocities, cells, &nearest))
+        };
+        if self.interval.base != Base::Middle && !self.crosses_at_resonance() {
+            return None;
+        }
+        let Some(lower) = row.lower else {
+            let none = match (row.upper, row.touch?) {
+                // One of the conditions, which are linear, fails at velocity 0 and at `upper`.
+                (Some(upper), touch) => {
+                    let [b, below, above] = self.conditions(&side(upper));
+                    let unstable =
+                        (b.is_positive() && below.is_negative()) || (b.is_negative() && above.is_negative());
+                    unstable && self.beyond(&side(upper), touch, 2)
+                }
+                // At a whole turn the distance is proportional to v: at `v = 1` is enough.
+                (None, turn) => is_whole(turn) && self.beyond(&|_| Ball::ONE.into(), turn, 1),
+            };
+            return none.then_some(Row { verdict: Verdict::None, ..row });
+        };
+        let [b, below, above] = self.conditions(&side(lower));
+        let stable = below.is_positive() && above.is_positive();
+        let Some(upper) = row.upper else {
+            let ends = self.end_below(&side(lower)).is_some();
+            let begins = stable || (b.is_positive() && below.is_positive());
+            let leaves = (self.amplitude(&side(lower)) - statement.amplitude.ball()).is_positive();
+            let proved = begins && (ends || leaves);
+            let clearance = proved.then(|| clearance(lower, lower))??;
+            return Some(Row { verdict: Verdict::Stable, clearance: Some(clearance), ..row });
+        };
+        let fine = self.interval.level >= FINE;
+        let proved = (stable || fine)
+            && self.is_narrow(core::array::from_fn(|i| upper[i] - lower[i]), statement.width())
+            && self.beyond(&side(upper), row.touch?, 2);
+        let clearance = proved.then(|| clearance(lower, upper))??;
+        let verdict = match (stable, clearance.open) {
+            (true, 1) => Verdict::Stable,
+            (true, 2) | (false, 1) if fine => Verdict::Point(self.point(&clearance)?),
+            _ => return None,
+        };
+        Some(Row { verdict, clearance: Some(clearance), ..row })
+    }
+
+    /// `b`, and the conditions of stability `P v − b > 0` and `Q v + b > 0`.
+    fn conditions(&self, velocity: &Velocity<'_>) -> [Ball; 3] {
+        self.range(|at| {
+            let (v, Family { b, big_p, big_q, .. }) = (velocity(at), at.family);
+            [b, big_p * v - b, big_q * v + b].map(|function| (function, 1))
+        })
+    }
+
+    /// The amplitude at which stability ends, at a multiplier −1, if it does so below a velocity: that of
+    /// the velocity `−b/Q`, where `Q < 0 < b`.
+    pub fn end_below(&self, velocity: &Velocity<'_>) -> Option<Ball> {
+        let [b, _, above] = self.conditions(velocity);
+        let end = |at: &At| -at.family.b * at.family.big_q.inverse();
+        (b.is_positive() && above.is_negative()).then(|| self.amplitude(&end))
+    }
+
+    /// Whether the motion with this velocity is beyond the wall at a time between its impacts, where the
+    /// distance is of this order. So are then all motions with greater velocities.
+    fn beyond(&self, velocity: &Velocity<'_>, touch: Witness<2>, order: usize) -> bool {
+        let [v, distance, time] = self.range(|at| {
+            let (v, time) = (velocity(at), at.witness(touch));
+            [(v, order - 1), (self.oscillator.distance(&at.family.motion(v), time, 0), order), (time, 0)]
         });
-        conditions.into_iter().all(Ball::is_positive)
-    }
-
-    /// Whether no motion with a velocity from 0 to this one is stable: one of the conditions, which
-    /// are linear, fails at both ends.
-    pub fn unstable(&self, velocity: &Velocity) -> bool {
-        let [v, b, below, above] = self.range(|at| {
-            let (v, family) = (at.velocity(velocity), &at.family);
-            let below = (family.big_p * v - family.b, 1);
-            [(v, 1), (family.b, 1), below, (family.big_q * v + family.b, 1)]
-        });
-        let saddle_node = b.is_positive() && below.is_negative();
-        let period_doubling = b.is_negative() && above.is_negative();
-        v.is_positive() && (saddle_node || period_doubling)
-    }
-
-    /// Whether the motion with this velocity is beyond the wall at the time `touch`, which lies
-    /// between its impacts. So are then all motions with greater velocities.
-    pub fn beyond(&self, velocity: &Velocity, touch: Witness<2>) -> bool {
-        self.beyond_at_order(velocity, touch, 2)
-    }
-
-    fn beyond_at_order(&self, velocity: &Velocity, touch: Witness<2>, order: usize) -> bool {
-        let [distance, time] = self.range(|at| {
-            let time = at.witness(touch);
-            [(self.oscillator.distance(&at.motion(velocity), time)[0], order), (time, 0)]
-        });
-        distance.is_negative() && time.is_positive() && (time - Ball::from(self.interval.p)).is_negative()
-    }
-
-    /// Whether all motions are beyond the wall at a whole turn: at `v = 1` is enough, since the
-    /// distance there is proportional to v.
-    pub fn blocked(&self, turn: i64) -> bool {
-        let one = Velocity::Witness([1 << WITNESS_BITS, 0, 0]);
-        (1..self.interval.p).contains(&turn)
-            && self.beyond_at_order(&one, [i128::from(turn) << WITNESS_BITS, 0], 1)
+        let rest = Ball::from(self.interval.p) - time;
+        distance.is_negative() && [v, time, rest].into_iter().all(Ball::is_positive)
     }
 
     /// At a resonance of one loop the wall is reached at the first whole turn whatever the velocity:
     /// whether all motions cross it there.
-    pub fn crosses_at_resonance(&self) -> bool {
+    fn crosses_at_resonance(&self) -> bool {
         let family = self.oscillator.family(self.interval.p, self.interval.origin());
-        let slope = self.oscillator.distance(&family.motion(Ball::ONE), Ball::ONE)[1];
-        slope.is_not_zero()
+        self.oscillator.distance(&family.motion(Ball::ONE), Ball::ONE, 1).is_not_zero()
     }
 
-    /// The amplitude at which motion has this velocity, all over the interval.
-    pub fn amplitude(&self, velocity: &Velocity) -> Ball {
-        let [square] = self.range(|at| [(self.oscillator.amplitude_square(&at.motion(velocity)), 0)]);
+    /// The amplitude at which motion has this velocity.
+    pub fn amplitude(&self, velocity: &Velocity<'_>) -> Ball {
+        let square = |at: &At| self.oscillator.amplitude_square(&at.family.motion(velocity(at)));
+        let [square] = self.range(|at| [(square(at), 0)]);
         square.sqrt()
     }
 
-    /// The same at one ν.
-    pub fn amplitude_at(&self, nu: Ball, velocity: &Velocity) -> Ball {
-        let motion = At::new(self.oscillator, self.interval, nu).motion(velocity);
-        self.oscillator.amplitude_square(&motion).0[0].sqrt()
-    }
-
-    /// An upper bound of the square of how much the amplitude changes from one velocity to another with
-    /// this difference: `dA/dv ≤ A_graz √(c² + w²)`.
-    pub fn amplitude_step_square(&self, difference: Witness<3>) -> Ball {
+    /// Whether the amplitude changes by less than a width between velocities with this difference:
+    /// `dA/dv ≤ A_graz √(c² + w²)`.
+    fn is_narrow(&self, difference: Witness<3>, width: Ball) -> bool {
         let [square] = self.range(|at| {
             let (Family { nu, c, w, .. }, step) = (at.family, at.witness(difference));
             [(self.oscillator.grazing_square(nu) * (c * c + w * w) * step * step, 0)]
         });
-        square.top()
+        (width * width - square).is_positive()
     }
 
-    /// The motion for all ν of the interval at once.
-    fn motion_over_all(&self, velocity: &Velocity) -> Motion<Ball> {
-        let [c, e, w] = self.range(|at| {
-            let Motion { c, e, w, .. } = at.motion(velocity);
-            [(c, 0), (e, 0), (w, 0)]
+    /// All motions with velocities from one to another, for all ν of the interval at once, as functions
+    /// of another variable.
+    fn motion(&self, velocities: [&Velocity<'_>; 2]) -> Motion<Series> {
+        let [a, b] = velocities.map(|velocity| {
+            self.range(|at| {
+                let Motion { forced, free, .. } = at.family.motion(velocity(at));
+                [forced[0], forced[1], free[0], free[1]].map(|function| (function, 0))
+            })
         });
-        Motion { nu: self.interval.all(), c, e, w }
+        let [cosine, sine, c, e] = core::array::from_fn(|i| Ball::between(a[i], b[i]).into());
+        Motion { nu: self.interval.all().into(), forced: [cosine, sine], free: [c, e] }
     }
 
-    fn cell(&self, motion: &Motion<Ball>, index: i64, cells: i64) -> Cell {
+    /// Bounds, in a cell of time, of the distance from the wall and its first two derivatives in θ.
+    fn cell(&self, motion: &Motion<Series>, index: i64, cells: i64) -> [Ball; 3] {
         let middle = Ball::ratio(2 * index + 1, 2 * cells);
         let all = middle + Ball::ratio(1, 2 * cells).size();
-        let [distance, slope, curvature, _] = self.oscillator.distance(motion, middle);
-        let [.., third] = self.oscillator.distance(motion, all);
-        let offset = (Ball::PI * Ball::ratio(1, cells)).size();
-        let [half, one_third] = [2, 3].map(|n| Ball::ratio(1, n));
-        Cell {
-            distance: distance + offset * (slope + offset * half * (curvature + offset * one_third * third)),
-            slope: slope + offset * (curvature + offset * half * third),
-            curvature: curvature + offset * third,
-        }
+        let [at_middle, over_all] = [middle, all].map(|turns| {
+            let in_angle = Series([turns, (Ball::PI + Ball::PI).inverse(), Ball::ZERO, Ball::ZERO]);
+            self.oscillator.distance(motion, in_angle, 0)
+        });
+        let distance = at_middle.with_remainder(over_all);
+        let (slope, offset) = (distance.derivative(), (Ball::PI * Ball::ratio(1, cells)).size());
+        [distance, slope, slope.derivative()].map(|function| function.values(offset))
     }
 
     /// Shows, if it can, that motion with velocities from `lower` to `upper` touches the wall nowhere
     /// between its impacts but in blocks, where the distance has a positive second derivative, so that
-    /// there is one contact in each at most; and that at `lower` it touches it nowhere. Each period is cut
-    /// into this many cells; `nearest` guesses when a block is nearest. With `crossing` the motion
-    /// with `lower` may touch the wall in the one block, see [`Model::crosses_once`].
-    pub fn clearance(
+    /// there is one contact in each at most; and that at `lower` it touches it nowhere.
+    fn clearance(
         &self,
-        [lower, upper]: [&Velocity; 2],
+        [lower, upper]: [&Velocity<'_>; 2],
         cells: i64,
-        nearest: impl Fn(i64, i64) -> Witness<2>,
-        crossing: bool,
+        nearest: &dyn Fn(Turns) -> Witness<2>,
     ) -> Option<Clearance> {
-        let [a, b] = [lower, upper].map(|velocity| self.motion_over_all(velocity));
-        let [c, e, w] = [(a.c, b.c), (a.e, b.e), (a.w, b.w)].map(|(a, b)| Ball::between(a, b));
-        let motion = Motion { c, e, w, ..a };
-        let bounds: Vec<Cell> =
+        let motion = self.motion([lower, upper]);
+        let bounds: Vec<[Ball; 3]> =
             (0..self.interval.p * cells).map(|index| self.cell(&motion, index, cells)).collect();
-        let clear = |cell: &Cell| cell.distance.is_positive();
+        let clear = |[distance, ..]: &[Ball; 3]| distance.is_positive();
         let start = bounds.iter().position(clear)?;
         let end = bounds.iter().rposition(clear)? + 1;
-        let leaves = bounds[..start]
-            .iter()
-            .enumerate()
-            .all(|(index, cell)| cell.slope.is_positive() || (index == 0 && cell.curvature.is_positive()));
-        let returns =
-            bounds[end..].iter().rev().enumerate().all(|(index, cell)| {
-                cell.slope.is_negative() || (index == 0 && cell.curvature.is_positive())
-            });
-        let mut blocks = Vec::new();
-        let mut index = start;
-        while index < end {
-            let length = bounds[index..end].iter().take_while(|cell| !clear(cell)).count();
-            if length > 0 {
-                let (first, last) = (index as i64, (index + length - 1) as i64);
-                let mut block = Block { first, last, nearest: nearest(first, last), open: true };
-                let curved = bounds[index..index + length].iter().all(|cell| cell.curvature.is_positive());
-                let cleared = curved && (crossing || self.block_is_clear(lower, &block, &bounds, cells));
-                block.open = cleared && !self.block_is_clear(upper, &block, &bounds, cells);
-                cleared.then(|| blocks.push(block))?;
-            }
-            index += length + 1;
+        let departs = |(index, [_, slope, curvature]): (usize, &[Ball; 3])| {
+            let at_impact = index == 0 || index + 1 == bounds.len();
+            let away = if index < start { slope.is_positive() } else { slope.is_negative() };
+            (start..end).contains(&index) || away || (at_impact && curvature.is_positive())
+        };
+        if !bounds.iter().enumerate().all(departs) {
+            return None;
         }
-        let (start, end) = (start as i64, end as i64);
-        (leaves && returns).then_some(Clearance { cells, start, end, blocks })
+        let (mut blocks, mut first) = (Vec::new(), start as i64);
+        for run in bounds[start..end].chunk_by(|a, b| clear(a) == clear(b)) {
+            let last = first + run.len() as i64 - 1;
+            if !clear(&run[0]) {
+                let curvature = run.iter().map(|bounds| bounds[2]).reduce(Ball::between)?.bottom();
+                let nearest = nearest([first, last + 1].map(|cell| cell as f64 / cells as f64));
+                let block = Block { first, last, nearest, curvature, contact: Ball::ANY };
+                let [[least, one], [_, other]] = [lower, upper].map(|v| self.minimum(v, &block, cells));
+                least
+                    .is_positive()
+                    .then(|| blocks.push(Block { contact: Ball::between(one, other), ..block }))?;
+            }
+            first = last + 1;
+        }
+        let is_open = |block: &Block| !self.minimum(upper, block, cells)[0].is_positive();
+        blocks.sort_by_key(|block| !is_open(block));
+        let open = blocks.iter().filter(|block| is_open(block)).count();
+        Some(Clearance { cells, start: start as i64, end: end as i64, blocks, open })
     }
 
-    /// In a block, where the second derivative is at least μ > 0, the distance is at least
-    /// `f − g²/(2μ)`, f and g being the distance and its derivative at a time of the block.
-    fn block_is_clear(&self, velocity: &Velocity, block: &Block, bounds: &[Cell], cells: i64) -> bool {
-        let [distance, slope, time] = self.range(|at| {
-            let time = at.witness(block.nearest);
-            let [distance, slope, ..] = self.oscillator.distance(&at.motion(velocity), time);
-            [(distance, 2), (slope, 1), (time, 0)]
+    /// The least distance from the wall in a block, at least, and when it is reached, in turns. Where the
+    /// second derivative is at least μ > 0, that is at least `f − g²/(2μ)`, no farther than `|g|/μ`
+    /// from a time of the block, f and g being the distance and its derivative then.
+    fn minimum(&self, velocity: &Velocity<'_>, block: &Block, cells: i64) -> [Ball; 2] {
+        let [v, distance, slope, time] = self.range(|at| {
+            let (v, time) = (velocity(at), at.witness(block.nearest));
+            let [distance, slope] = [0, 1].map(|n| self.oscillator.distance(&at.family.motion(v), time, n));
+            [(v, 1), (distance, 2), (slope, 1), (time, 0)]
         });
         let turns = time * Ball::from(cells);
-        let within = !(turns - Ball::from(block.first)).is_negative()
-            && Ball::between(Ball::from(block.first), Ball::from(block.last + 1)).contains(turns);
-        let slope = slope.size().top();
-        within
-            && bounds[block.first as usize..=block.last as usize].iter().all(|cell| {
-                let curvature = cell.curvature.bottom();
-                let twice = distance.bottom() * (curvature + curvature);
-                (twice - slope * slope).is_positive()
-            })
+        let [before, after] = [turns - Ball::from(block.first), Ball::from(block.last + 1) - turns];
+        if ![v, before, after, block.curvature].into_iter().all(Ball::is_positive) {
+            return [Ball::ANY; 2];
+        }
+        let (slope, curvature) = (slope.size(), block.curvature.inverse());
+        let away = slope * curvature * (Ball::PI + Ball::PI).inverse();
+        [distance - slope.top() * slope.top() * curvature * Ball::ratio(1, 2), time + away]
     }
 
-    /// Whether, along a stability limit, the distance from the wall increases or decreases with ν at
-    /// every time of a block, and a little above the limit motion is beyond the wall in it.
-    pub fn crosses_once(&self, [limit, above]: [&Velocity; 2], clearance: &Clearance) -> bool {
-        let [block] = clearance.blocks.as_slice() else { return false };
-        let [velocity, b] = self.range(|at| [(at.velocity(limit), 1), (at.family.b, 1)]);
-        let motion = self.over_all.motion(limit);
-        let change = block
-            .times(clearance.cells)
-            .map(|time| self.oscillator.distance(&motion, time.into())[0].0[1])
-            .reduce(Ball::between);
-        velocity.is_positive()
-            && b.is_not_zero()
-            && change.is_some_and(Ball::is_not_zero)
-            && self.beyond(above, block.nearest)
+    /// `ψ/(1 − cos θ)` at a time: the inverse of the velocity at which motion touches the wall then.
+    fn ratio(&self, at: &At, time: Series) -> Series {
+        let [rise, distance] =
+            [Ball::ZERO, Ball::ONE].map(|v| self.oscillator.distance(&at.family.motion(v.into()), time, 0));
+        (rise - distance) * rise.inverse()
     }
 
-    /// Where motion may touch the wall in two blocks: whether it does so at one ν at most. In each
-    /// block the greatest `ψ/(1 − cos θ)`, whose inverse is the velocity at which motion touches the
-    /// wall there, changes with ν as `ψ_ν/(1 − cos θ)` does at some time of the block: these are of
-    /// different size in the two.
-    pub fn changes_contact_once(&self, [one, two]: [&Block; 2], cells: i64) -> bool {
-        let motion = self.over_all.family.motion(Ball::ONE.into());
-        let rate = |time: Ball| {
-            let sine = (time * Ball::ratio(1, 2)).turn().0;
-            let change = -self.oscillator.distance(&motion, time.into())[0].0[1];
-            change * (sine * sine + sine * sine).inverse()
+    /// The point that a row holds, if two events have another order at one end of the interval than at the
+    /// other, and the inverses of their velocities change with ν at different rates, so that they are one at
+    /// exactly one ν. The events are contact in a block, and contact in another or that stability begins
+    /// (`None`). Contact in a block is made at the inverse of the greatest ratio in it, which changes as
+    /// the ratio does at some time of contact.
+    fn point(&self, Clearance { cells, blocks, open, .. }: &Clearance) -> Option<&'static str> {
+        let (one, two, name) = match &blocks[..*open] {
+            [one] if self.begins_at_saddle_node() => (one, None, "SN-GZ"),
+            [one] => (one, None, "PD-GZ"),
+            [one, two] => (one, Some(two), "GZ-GZ"),
+            _ => return None,
         };
-        let [one, two] = [one, two].map(|block| block.times(cells).map(rate).reduce(Ball::between));
-        one.zip(two).is_some_and(|(one, two)| (one - two).is_not_zero())
+        let limit = self.limit();
+        let rate = |event: Option<&Block>| match event {
+            Some(block) => self.ratio(&self.over_all, block.contact.into()).0[1],
+            None => limit(&self.over_all).inverse().0[1],
+        };
+        let [left, right] = self.interval.ends().map(|nu| Self::at(self.oscillator, self.interval, nu));
+        // Whether one event comes before the other. Motion is in contact at the time of a block not before the block is.
+        let before = |model: &Self, first: Option<&Block>, second: Option<&Block>| {
+            let velocity = |at: &At| match first {
+                Some(block) => self.ratio(at, at.witness(block.nearest)).inverse(),
+                None => limit(at),
+            };
+            match second {
+                Some(block) => model.minimum(&velocity, block, *cells)[0].is_positive(),
+                None => model.beyond(&limit, one.nearest, 2),
+            }
+        };
+        let swap =
+            |model: &Self, other: &Self| before(model, Some(one), two) && before(other, two, Some(one));
+        let once = (rate(Some(one)) - rate(two)).is_not_zero();
+        (once && (swap(&left, &right) || swap(&right, &left))).then_some(name)
     }
 }

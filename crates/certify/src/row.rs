@@ -79,20 +79,14 @@ pub struct Block {
     pub last: i64,
     /// A time, in turns, near which the distance is least.
     pub nearest: Witness<2>,
-    /// Whether motion may touch the wall in it.
-    pub open: bool,
+    /// A lower bound of the second derivative.
+    pub curvature: Ball,
+    /// Among which times, in turns, the distance is least, whatever the velocity.
+    pub contact: Ball,
 }
 
-impl Block {
-    /// The times of its cells, of which there are `cells` in a period.
-    pub fn times(&self, cells: i64) -> impl Iterator<Item = Ball> {
-        let ends = move |index| Ball::between(Ball::ratio(index, cells), Ball::ratio(index + 1, cells));
-        (self.first..=self.last).map(ends)
-    }
-}
-
-/// How it is shown that the motion with some velocity at impact stays off the wall between impacts:
-/// the time of p periods is cut into `p · cells` cells.
+/// How it is shown that motion stays off the wall between impacts: the time of p periods is cut into
+/// `p · cells` cells.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Clearance {
     /// Cells in a period.
@@ -101,76 +95,48 @@ pub struct Clearance {
     pub start: i64,
     /// From this one on it decreases.
     pub end: i64,
-    /// In the others it is positive: by its minimum in these blocks, cell by cell elsewhere.
+    /// In the others it is positive: by its minimum in these blocks, cell by cell elsewhere. First come
+    /// those in which motion may touch the wall at the upper of two velocities.
     pub blocks: Vec<Block>,
+    /// How many these are.
+    pub open: usize,
 }
 
-/// What holds for every ν of an interval. `v_GZ` is the velocity up to which the motion is
-/// admissible, `v_min` that above which it is stable.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// What holds for every ν of an interval. `v_GZ` is the velocity up to which motion is admissible,
+/// `v_min` that above which it is stable.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
-    /// `lower < v_GZ < upper`, and the motion is stable at `lower`.
-    Tube {
-        /// A velocity below `v_GZ`.
-        lower: Witness<3>,
-        /// A velocity above it.
-        upper: Witness<3>,
-        /// When motion is beyond the wall at `upper`.
-        touch: Witness<2>,
-        /// Why it is not at `lower`.
-        clearance: Clearance,
-        /// Whether it may touch the wall at two times at once.
-        double: bool,
-    },
-    /// `lower < v_GZ`, the motion is stable at `lower`, and its amplitude is beyond the window.
-    Edge {
-        /// A velocity below `v_GZ`.
-        lower: Witness<3>,
-        /// Why motion is not beyond the wall at it.
-        clearance: Clearance,
-    },
-    /// `v_GZ < upper < v_min`: no motion is both.
-    Empty {
-        /// A velocity between the two.
-        upper: Witness<3>,
-        /// When motion is beyond the wall at it.
-        touch: Witness<2>,
-    },
-    /// The motion is beyond the wall at whole turn `turn` whatever its velocity: `v_GZ = 0`.
-    Blocked {
-        /// Which whole turn.
-        turn: i64,
-    },
-    /// `v_GZ − v_min` changes its sign at most once: a codimension-two point. The one block is where
-    /// the motion touches the wall.
-    Crossing {
-        /// That the wall is touched in one block only.
-        clearance: Clearance,
-    },
+    /// `v_min < v_GZ`: stable admissible motion exists in an interval of amplitudes.
+    Stable,
+    /// `v_GZ < v_min`: no motion is both.
+    None,
+    /// It begins or ceases to exist at just one ν (SN-GZ, PD-GZ), or exists for all, and changes at just
+    /// one the time at which it touches the wall (GZ-GZ).
+    Point(&'static str),
     /// Nothing is stated, for this reason.
     Undecided(&'static str),
 }
 
-impl Verdict {
-    /// The word for it in the certificate.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::Tube { double: true, .. } => "double",
-            Self::Tube { .. } => "tube",
-            Self::Edge { .. } => "edge",
-            Self::Empty { .. } => "empty",
-            Self::Blocked { .. } => "blocked",
-            Self::Crossing { .. } => "crossing",
-            Self::Undecided(_) => "undecided",
-        }
-    }
-}
-
-/// An interval and what holds in it.
+/// An interval, what holds in it, and witnesses.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Row {
     /// The interval.
     pub interval: Interval,
     /// What holds in it.
     pub verdict: Verdict,
+    /// A velocity below `v_GZ`.
+    pub lower: Option<Witness<3>>,
+    /// One above `v_GZ`. Without it, amplitudes at `lower` are beyond the window, or `v_GZ` is zero.
+    pub upper: Option<Witness<3>>,
+    /// When motion is beyond the wall at `upper`.
+    pub touch: Option<Witness<2>>,
+    /// Why it is not at `lower`.
+    pub clearance: Option<Clearance>,
+}
+
+impl Row {
+    /// Without witnesses.
+    pub fn new(interval: Interval, verdict: Verdict) -> Self {
+        Self { interval, verdict, lower: None, upper: None, touch: None, clearance: None }
+    }
 }

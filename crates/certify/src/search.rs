@@ -1,28 +1,13 @@
 //! Finds, in floating point, the rows and witnesses that [`Model`] then proves.
 
-use core::cell::Cell;
+use crate::ball::{Ball, Number};
+use crate::orbit::{Family, Oscillator};
+use crate::proof::{FINE, Model, Turns};
+use crate::row::{Base, Interval, Row, Verdict, WITNESS_BITS, Witness};
+use crate::statement::Statement;
 
-use crate::ball::Ball;
-use crate::orbit::{Family, Motion, Oscillator};
-use crate::proof::{Model, Velocity};
-use crate::row::{Base, Clearance, Interval, Row, Verdict, WITNESS_BITS, Witness};
-use crate::series::Number;
-
-/// What is asked for.
-#[derive(Debug, Clone, Copy)]
-pub struct Goal {
-    /// Greatest width of a tube, in amplitude.
-    pub width: Ball,
-    /// The greatest amplitude of the window.
-    pub amplitude: Ball,
-    /// Intervals are halved down to width `2^-level`.
-    pub finest: u32,
-}
-
-/// Intervals at most `2^-FINE` wide may hold a codimension-two point.
-const FINE: u32 = 24;
-/// Cells in a period that are tried.
-const CELLS: [i64; 3] = [64, 256, 1024];
+/// Intervals are halved down to width `2^-FINEST`.
+const FINEST: u32 = 32;
 
 /// One ν, seen in floating point.
 struct Sight {
@@ -30,10 +15,8 @@ struct Sight {
     family: Family<f64>,
     /// The velocity above which motion is stable.
     limit: f64,
-    /// The velocity up to which it is admissible, 0 if there is none, infinite if all are.
-    graze: f64,
-    /// When it touches the wall then, in turns.
-    touch: f64,
+    /// The velocities at which motion with increasing velocity touches the wall, and when, in turns.
+    contacts: Vec<[f64; 2]>,
 }
 
 impl Sight {
@@ -47,31 +30,50 @@ impl Sight {
         } else {
             f64::INFINITY
         };
-        let (graze, touch) = grazing(oscillator, p, &family);
-        Self { nu, family, limit, graze, touch }
+        Self { nu, family, limit, contacts: contacts(oscillator, p, &family) }
+    }
+
+    /// The velocity up to which motion is admissible: 0 if there is none, infinite if all are.
+    fn graze(&self) -> f64 {
+        self.contacts[0][0]
+    }
+
+    /// A velocity that is greater than the last at which motion is admissible, and less than the first at
+    /// which it is stable: half-way to that, or nearer to it.
+    fn between(&self) -> f64 {
+        let limit = if self.limit.is_finite() { self.limit } else { 4.0 * self.graze() };
+        (0.5 * limit).max((limit * self.graze()).sqrt())
+    }
+
+    /// The contact whose time is nearest to this.
+    fn contact_near(&self, time: f64) -> [f64; 2] {
+        let nearer = |a: &&[f64; 2], b: &&[f64; 2]| (a[1] - time).abs().total_cmp(&(b[1] - time).abs());
+        self.contacts.iter().min_by(nearer).copied().unwrap_or(self.contacts[0])
     }
 }
 
-/// The greatest value of `psi/(1 - cos)` over the time between impacts, as its inverse and its time.
-fn grazing(oscillator: &Oscillator, p: i64, family: &Family<f64>) -> (f64, f64) {
+/// Where `psi/(1 - cos)` is greatest between impacts, as its inverse and its time.
+fn contacts(oscillator: &Oscillator, p: i64, family: &Family<f64>) -> Vec<[f64; 2]> {
     let motion = family.motion(1.0);
     let ratio = |turns: f64| {
         let half = (0.5 * turns).turn().0;
         let rise = 2.0 * half * half;
-        (rise - oscillator.distance(&motion, turns)[0]) / rise
+        (rise - oscillator.distance(&motion, turns, 0)) / rise
     };
-    let whole = (1..p).find(|&turn| oscillator.distance(&motion, turn as f64)[0] <= 0.0);
+    let whole = (1..p).find(|&turn| oscillator.distance(&motion, turn as f64, 0) <= 0.0);
     if let Some(turn) = whole {
-        return (0.0, turn as f64);
+        return vec![[0.0, turn as f64]];
     }
-    let mut times: Vec<f64> = (1..p * 128).map(|n| n as f64 / 128.0).collect();
-    for turn in 1..p {
-        let near = (14..80).map(|n| libm::exp2(-0.5 * f64::from(n)));
-        times.extend(near.flat_map(|offset| [turn as f64 - offset, turn as f64 + offset]));
-    }
-    times.retain(|time| time.fract() != 0.0);
-    times.sort_by(f64::total_cmp);
-    times.dedup();
+    // As narrow as peaks next to whole turns may be.
+    let near = |n: i32| libm::exp2(-0.5 * f64::from(n));
+    let in_period: Vec<f64> = (15..80)
+        .rev()
+        .map(near)
+        .chain((1..128).map(|n| f64::from(n) / 128.0))
+        .chain((15..80).map(|n| 1.0 - near(n)))
+        .collect();
+    let times: Vec<f64> =
+        (0..p).flat_map(|turn| in_period.iter().map(move |time| turn as f64 + time)).collect();
     let ratios: Vec<f64> = times.iter().map(|&time| ratio(time)).collect();
     let peak = |index: usize| {
         let (mut low, mut high) = (times[index - 1], times[index + 1]);
@@ -80,21 +82,12 @@ fn grazing(oscillator: &Oscillator, p: i64, family: &Family<f64>) -> (f64, f64) 
             if ratio(low + third) < ratio(high - third) { low += third } else { high -= third }
         }
         let touch = 0.5 * (low + high);
-        (ratio(touch), touch)
+        [1.0 / ratio(touch), touch]
     };
-    let peaks =
-        (1..times.len() - 1).filter(|&i| ratios[i] >= ratios[i - 1] && ratios[i] >= ratios[i + 1]).map(peak);
-    let (greatest, touch) = peaks.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, 0.5));
-    (if greatest > 0.0 { 1.0 / greatest } else { f64::INFINITY }, touch)
-}
-
-/// Where the distance is least between two times, by the zero of its slope.
-fn nearest(oscillator: &Oscillator, motion: &Motion<f64>, mut low: f64, mut high: f64) -> f64 {
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if oscillator.distance(motion, middle)[1] < 0.0 { low = middle } else { high = middle }
-    }
-    0.5 * (low + high)
+    let greatest = |&i: &usize| ratios[i] > 0.0 && ratios[i] >= ratios[i - 1] && ratios[i] >= ratios[i + 1];
+    let mut contacts: Vec<[f64; 2]> = (1..times.len() - 1).filter(greatest).map(peak).collect();
+    contacts.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    if contacts.is_empty() { vec![[f64::INFINITY, 0.5]] } else { contacts }
 }
 
 fn witness(x: f64) -> i128 {
@@ -103,36 +96,30 @@ fn witness(x: f64) -> i128 {
 
 /// The search over one interval.
 struct Attempt<'a> {
+    statement: &'a Statement,
     oscillator: &'a Oscillator,
     model: Model<'a>,
     interval: Interval,
-    goal: Goal,
     sights: [Sight; 3],
-    /// What it has cost, in the smallest number of cells.
-    work: Cell<usize>,
 }
 
 impl<'a> Attempt<'a> {
-    fn new(oscillator: &'a Oscillator, interval: Interval, goal: Goal) -> Self {
+    fn new(statement: &'a Statement, oscillator: &'a Oscillator, interval: Interval) -> Self {
         let [left, right] = interval.ends().map(Ball::to_f64);
-        let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
         // Three Chebyshev nodes.
-        let sights = [-0.75f64.sqrt(), 0.0, 0.75f64.sqrt()]
-            .map(|node| Sight::new(oscillator, interval.p, middle + node * half));
-        Self {
-            oscillator,
-            model: Model::new(oscillator, interval),
-            interval,
-            goal,
-            sights,
-            work: Cell::new(1),
-        }
+        let sights = [-0.75f64.sqrt(), 0.0, 0.75f64.sqrt()].map(|node| {
+            let nu = 0.5 * (left + right) + node * 0.5 * (right - left);
+            Sight::new(oscillator, interval.p, nu)
+        });
+        Self { statement, oscillator, model: Model::over(oscillator, interval), interval, sights }
     }
 
-    /// The quadratic through values at the three nodes; at a resonance, where they vanish, the line.
-    fn quadratic(&self, values: [f64; 3]) -> Witness<3> {
+    /// The polynomial through values at the three nodes. With the base at a resonance, where velocities
+    /// vanish and contact is at a whole turn, the line from `whole` to the value in the middle.
+    fn polynomial(&self, values: [f64; 3], whole: f64) -> Witness<3> {
         if self.interval.base != Base::Middle {
-            return [0, witness(values[1] / self.offset()), 0];
+            let offset = self.sights[1].nu - self.interval.origin().to_f64();
+            return [whole, (values[1] - whole) / offset, 0.0].map(witness);
         }
         let step = self.sights[2].nu - self.sights[1].nu;
         let slope = (values[2] - values[0]) / (2.0 * step);
@@ -140,155 +127,106 @@ impl<'a> Attempt<'a> {
         [values[1], slope, if self.interval.level >= FINE { 0.0 } else { bend }].map(witness)
     }
 
-    /// The line through values at the nodes; at a resonance, from an integer to that in the middle;
-    /// the value in the middle where contact jumps from one time to another.
-    fn line(&self, values: [f64; 3]) -> Witness<2> {
-        if self.interval.base != Base::Middle {
-            let whole = libm::rint(values[1]);
-            return [whole, (values[1] - whole) / self.offset()].map(witness);
-        }
-        let step = self.sights[2].nu - self.sights[1].nu;
-        let jumps = self.interval.level >= FINE && (values[2] - values[0]).abs() > 0.01;
-        let slope = if jumps { 0.0 } else { (values[2] - values[0]) / (2.0 * step) };
-        [values[1], slope].map(witness)
+    fn time(&self, values: [f64; 3]) -> Witness<2> {
+        let [constant, slope, _] = self.polynomial(values, libm::rint(values[1]));
+        [constant, slope]
     }
 
-    /// From the base to the middle.
-    fn offset(&self) -> f64 {
-        self.sights[1].nu - self.interval.origin().to_f64()
-    }
-
-    /// When motion with these velocities is nearest to the wall, between two times.
-    fn nearest(&self, velocities: [f64; 3], [low, high]: [f64; 2]) -> Witness<2> {
-        self.line(core::array::from_fn(|i| {
+    /// When motion with these velocities is nearest to the wall, not just at the ends of a stretch of time:
+    /// where the slope of the distance is zero.
+    fn nearest(&self, velocities: [f64; 3], [first, last]: Turns) -> Witness<2> {
+        self.time(core::array::from_fn(|i| {
             let motion = self.sights[i].family.motion(velocities[i]);
-            nearest(self.oscillator, &motion, low, high)
+            let margin = 1e-3 * (last - first);
+            let (mut low, mut high) = (first + margin, last - margin);
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                let falls = self.oscillator.distance(&motion, middle, 1) < 0.0;
+                if falls { low = middle } else { high = middle }
+            }
+            0.5 * (low + high)
         }))
     }
 
     fn at_sights(&self, value: impl Fn(&Sight) -> f64) -> [f64; 3] {
-        core::array::from_fn(|i| value(&self.sights[i]))
+        self.sights.each_ref().map(value)
     }
 
     fn all(&self, condition: impl Fn(&Sight) -> bool) -> bool {
         self.sights.iter().all(condition)
     }
 
-    /// Clearance at velocities, whose values at the sights are given also.
-    fn clearance(
-        &self,
-        velocities: [&Velocity; 2],
-        values: [f64; 3],
-        cells: i64,
-        crossing: bool,
-    ) -> Option<Clearance> {
-        self.work.update(|work| work + (cells / CELLS[0]) as usize);
-        let guess = |first: i64, last: i64| {
-            self.nearest(values, [first, last + 1].map(|cell| cell as f64 / cells as f64))
+    /// The row, if one can be proved at this width, with velocities a little above `low` where motion
+    /// is nearest to the wall.
+    fn row(&self) -> Option<Row> {
+        let row = Row::new(self.interval, Verdict::Undecided(""));
+        let prove = |row, low| self.model.prove(row, self.statement, |stretch| self.nearest(low, stretch));
+        let (in_middle, none) = (self.sights[1].contacts[0][1], [0.0; 3]);
+        if self.all(|sight| sight.graze() == 0.0) {
+            return prove(Row { touch: Some([witness(in_middle), 0]), ..row }, none);
+        }
+        if self.all(|sight| sight.graze() < sight.limit) {
+            let values = self.at_sights(Sight::between);
+            let touch = self.nearest(values, [in_middle - 0.125, in_middle + 0.125]);
+            let upper = Some(self.polynomial(values, 0.0));
+            return prove(Row { upper, touch: Some(touch), ..row }, none);
+        }
+        let last = self.at_sights(|sight| self.last(sight));
+        if (0..3).all(|i| self.sights[i].graze() > last[i]) {
+            let lower = Some(self.polynomial(last, 0.0));
+            return prove(Row { lower, ..row }, last);
+        }
+        let ([lower, upper], touch, low) = self.tube()?;
+        prove(Row { lower: Some(lower), upper: Some(upper), touch: Some(touch), ..row }, low)
+    }
+
+    /// A velocity above that at which motion leaves the window, or ceases to be stable otherwise.
+    fn last(&self, sight: &Sight) -> f64 {
+        let Family { nu, c, w, b, big_q, .. } = sight.family;
+        let grazing = self.oscillator.grazing_square(nu).sqrt();
+        let edge = (1.0 + 1.01 * self.statement.amplitude.ball().to_f64() / grazing) / (c * c + w * w).sqrt();
+        if b > 0.0 && big_q < 0.0 { edge.min(-1.01 * b / big_q) } else { edge }
+    }
+
+    /// Velocities to both sides of that at which motion touches the wall, when it does so, and the values of
+    /// the lower.
+    fn tube(&self) -> Option<([Witness<3>; 2], Witness<2>, [f64; 3])> {
+        let in_middle = self.sights[1].contacts[0][1];
+        let (fine, stable) = (self.interval.level >= FINE, self.all(|sight| sight.graze() > sight.limit));
+        // At a point one contact is followed, even where another is made earlier, by as much as this.
+        let contact = |i: usize| {
+            let sight = &self.sights[i];
+            if fine { sight.contact_near(in_middle) } else { sight.contacts[0] }
         };
-        self.model.clearance(velocities, cells, guess, crossing)
-    }
-
-    /// The verdict, if one can be proved at this width.
-    fn verdict(&self) -> Option<Verdict> {
-        if self.interval.base != Base::Middle && !self.model.crosses_at_resonance() {
-            return None;
-        }
-        let turn = self.sights[1].touch as i64;
-        if self.all(|sight| sight.graze == 0.0) && self.model.blocked(turn) {
-            return Some(Verdict::Blocked { turn });
-        }
-        if self.all(|sight| sight.graze < sight.limit) {
-            self.empty()
-        } else if self.all(|sight| sight.graze > sight.limit) {
-            self.edge().or_else(|| self.tube())
-        } else {
-            None
-        }
-        .or_else(|| if self.interval.level >= FINE { self.crossing() } else { None })
-    }
-
-    fn empty(&self) -> Option<Verdict> {
-        // Half-way to the limit, or nearer to it where that is not beyond the wall.
-        let values = self.at_sights(|sight| {
-            let limit = if sight.limit.is_finite() { sight.limit } else { 4.0 * sight.graze };
-            (0.5 * limit).max((limit * sight.graze).sqrt())
-        });
-        let upper = self.quadratic(values);
-        let middle = self.sights[1].touch;
-        let touch = self.nearest(values, [middle - 0.125, middle + 0.125]);
-        let velocity = Velocity::Witness(upper);
-        let proved = self.model.unstable(&velocity) && self.model.beyond(&velocity, touch);
-        proved.then_some(Verdict::Empty { upper, touch })
-    }
-
-    fn edge(&self) -> Option<Verdict> {
-        let amplitude = self.goal.amplitude.to_f64();
-        let values = self.at_sights(|sight| {
-            let Family { nu, c, w, .. } = sight.family;
-            let grazing = self.oscillator.grazing_square(nu).sqrt();
-            (1.0 + 1.01 * amplitude / grazing) / (c * c + w * w).sqrt()
-        });
-        if !(0..3).all(|i| values[i] < self.sights[i].graze) {
-            return None;
-        }
-        let lower = self.quadratic(values);
-        let velocity = Velocity::Witness(lower);
-        let beyond = (self.model.amplitude(&velocity) - self.goal.amplitude).is_positive();
-        let proved = beyond && self.model.stable(&velocity);
-        let clear = |cells| self.clearance([&velocity; 2], values, cells, false);
-        let clearance = proved.then(|| CELLS.into_iter().find_map(clear))??;
-        Some(Verdict::Edge { lower, clearance })
-    }
-
-    fn tube(&self) -> Option<Verdict> {
-        let smallest =
-            |value: &dyn Fn(&Sight) -> f64| self.at_sights(value).into_iter().fold(f64::INFINITY, f64::min);
+        let [values, times] = [0, 1].map(|of| core::array::from_fn(|i| contact(i)[of]));
+        let excess = (0..3).fold(0.0, |most, i| f64::max(most, values[i] - self.sights[i].graze()));
+        let is_point = excess > 0.0 || !stable;
         // At a resonance the tube is twice as wide at the end as in the middle.
-        let share = if self.interval.base == Base::Middle { 0.49 } else { 0.22 };
-        let slope = self.model.amplitude_step_square([1 << WITNESS_BITS, 0, 0]).to_f64().sqrt();
-        let width = share * self.goal.width.to_f64() / slope;
-        let room = smallest(&|sight| 0.1 * (sight.graze - sight.limit).min(sight.graze));
-        let half_width = width.min(room);
-        let values = self.at_sights(|sight| sight.graze);
-        let [lower, upper] =
-            [-half_width, half_width].map(|offset| self.quadratic(values.map(|value| value + offset)));
-        let touch = self.line(self.at_sights(|sight| sight.touch));
-        let velocities = [lower, upper].map(Velocity::Witness);
-        let step_square = self.model.amplitude_step_square(core::array::from_fn(|i| upper[i] - lower[i]));
-        let proved = (self.goal.width * self.goal.width - step_square).is_positive()
-            && self.model.stable(&velocities[0])
-            && self.model.beyond(&velocities[1], touch);
-        let values = values.map(|value| value - half_width);
-        let clear = |cells| {
-            let clearance = self.clearance(velocities.each_ref(), values, cells, false)?;
-            let open: Vec<_> = clearance.blocks.iter().filter(|block| block.open).collect();
-            let double = match open[..] {
-                [_] => false,
-                [one, two] => self.model.changes_contact_once([one, two], cells).then_some(true)?,
-                _ => return None,
-            };
-            Some(Verdict::Tube { lower, upper, touch, clearance, double })
+        let share = match (is_point, self.interval.base) {
+            (true, _) if !fine => return None,
+            (true, _) => 0.05,
+            (false, Base::Middle) => 0.49,
+            (false, _) => 0.22,
         };
-        proved.then(|| CELLS.into_iter().find_map(clear))?
-    }
-
-    fn crossing(&self) -> Option<Verdict> {
-        let factors = [Ball::ONE, Ball::A_LITTLE_ABOVE_ONE];
-        let limits = factors.map(|factor| self.model.limit(self.interval.middle(), factor));
-        CELLS.into_iter().find_map(|cells| {
-            let values = self.at_sights(|sight| sight.limit);
-            let clearance = self.clearance(limits.each_ref(), values, cells, true)?;
-            let proved = self.model.crosses_once(limits.each_ref(), &clearance);
-            proved.then_some(Verdict::Crossing { clearance })
-        })
+        let half_widths = self.at_sights(|sight| {
+            let Family { nu, c, w, .. } = sight.family;
+            let slope = (self.oscillator.grazing_square(nu) * (c * c + w * w)).sqrt();
+            let second = sight.contacts.get(1).map_or(f64::INFINITY, |contact| contact[0]);
+            let next = (second - sight.graze()).min(sight.graze() - sight.limit);
+            let room = if is_point { sight.graze() } else { sight.graze().min(next) };
+            (0.1 * room).min(share * self.statement.width().to_f64() / slope)
+        });
+        let half_width = half_widths.into_iter().fold(f64::INFINITY, f64::min);
+        let low = values.map(|value| value - excess - half_width);
+        let high = values.map(|value| value + half_width);
+        Some(([low, high].map(|values| self.polynomial(values, 0.0)), self.time(times), low))
     }
 
     /// Why nothing could be proved of the finest interval.
     fn reason(&self) -> &'static str {
         if self.all(|sight| sight.limit < 1e-6) {
             "a resonance of one loop: stability begins at velocity zero, and so does contact"
-        } else if self.all(|sight| (sight.graze - sight.limit).abs() < 1e-6) {
+        } else if self.all(|sight| (sight.graze() - sight.limit).abs() < 1e-6) {
             "motion touches the wall where it becomes stable"
         } else {
             "the bounds are too wide"
@@ -296,31 +234,36 @@ impl<'a> Attempt<'a> {
     }
 }
 
-/// The rows that tile an interval, of which with so much work at most.
-pub fn rows(oscillator: &Oscillator, interval: Interval, goal: Goal, mut work: usize) -> Vec<Row> {
-    let mut rows = Vec::new();
-    tile(oscillator, interval, goal, &mut rows, &mut work);
-    rows
-}
-
-fn tile(oscillator: &Oscillator, interval: Interval, goal: Goal, rows: &mut Vec<Row>, left: &mut usize) {
-    let mut undecided = |reason| rows.push(Row { interval, verdict: Verdict::Undecided(reason) });
+/// The rows that tile an interval, `left` being how many intervals may be tried.
+pub fn rows(
+    statement: &Statement,
+    oscillator: &Oscillator,
+    interval: Interval,
+    left: &mut usize,
+) -> Vec<Row> {
+    let undecided = |reason| vec![Row::new(interval, Verdict::Undecided(reason))];
     if *left == 0 {
         return undecided("too many intervals were tried beside it");
     }
-    let mut tried = |interval| {
-        let attempt = Attempt::new(oscillator, interval, goal);
-        let verdict = attempt.verdict();
-        *left = left.saturating_sub(attempt.work.get());
-        (attempt.reason(), verdict.map(|verdict| Row { interval, verdict }))
-    };
-    let (reason, mut row) = tried(interval);
-    if let Some(base) = interval.resonance().filter(|_| interval.p > 1 && interval.level >= FINE) {
-        row = row.or_else(|| tried(Interval { base, ..interval }).1);
+    let attempt = Attempt::new(statement, oscillator, interval);
+    let mut row = attempt.row();
+    *left -= 1;
+    let resonance = interval.resonance().filter(|_| interval.p > 1 && interval.level >= FINE);
+    if let (None, Some(base)) = (&row, resonance) {
+        row = Attempt::new(statement, oscillator, Interval { base, ..interval }).row();
     }
-    match row {
-        Some(row) => rows.push(row),
-        None if interval.level >= goal.finest => undecided(reason),
-        None => interval.halves().into_iter().for_each(|half| tile(oscillator, half, goal, rows, left)),
+    if let Some(row) = row {
+        return vec![row];
+    }
+    if interval.level >= FINEST {
+        return undecided(attempt.reason());
+    }
+    let [first, second] = interval.halves().map(|half| rows(statement, oscillator, half, left));
+    match (&first[..], &second[..]) {
+        (
+            [Row { verdict: Verdict::Undecided(one), .. }],
+            [Row { verdict: Verdict::Undecided(other), .. }],
+        ) if one == other => undecided(one),
+        _ => [first, second].concat(),
     }
 }

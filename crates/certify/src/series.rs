@@ -1,21 +1,9 @@
-//! Numbers of which the closed forms are made: `f64` to steer by, balls, and Taylor polynomials with
-//! balls for coefficients.
+//! Numbers other than balls of which the closed forms are made: `f64`, to steer by, and Taylor
+//! polynomials with balls for coefficients.
 
 use core::ops::{Add, Mul, Neg, Sub};
 
-use crate::ball::Ball;
-
-/// What the closed forms need of a number.
-pub trait Number:
-    Copy + From<Ball> + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
-{
-    /// `1/x`.
-    fn inverse(self) -> Self;
-    /// `eˣ`.
-    fn exp(self) -> Self;
-    /// `sin(2πx)` and `cos(2πx)`.
-    fn turn(self) -> (Self, Self);
-}
+use crate::ball::{Ball, Number};
 
 impl From<Ball> for f64 {
     fn from(x: Ball) -> Self {
@@ -39,26 +27,9 @@ impl Number for f64 {
     }
 }
 
-impl Number for Ball {
-    fn inverse(self) -> Self {
-        self.inverse()
-    }
-
-    fn exp(self) -> Self {
-        self.exp()
-    }
-
-    fn turn(self) -> (Self, Self) {
-        self.turn()
-    }
-}
-
-/// Terms of a [`Series`].
-pub const TERMS: usize = 4;
-
-/// The Taylor coefficients `f(ν)`, `f'(ν)`, `f''(ν)/2` and `f'''(ν)/6` of a function of ν.
+/// The Taylor coefficients `f(x)`, `f'(x)`, `f''(x)/2` and `f'''(x)/6` of a function.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Series(pub [Ball; TERMS]);
+pub struct Series(pub [Ball; 4]);
 
 impl Series {
     /// The variable itself.
@@ -66,30 +37,36 @@ impl Series {
         Self([at, Ball::ONE, Ball::ZERO, Ball::ZERO])
     }
 
-    /// `Σ a_k b_(n−k)` for k from `first` to n.
-    fn convolution(&self, other: &Self, n: usize, first: usize) -> Ball {
-        (first..=n).fold(Ball::ZERO, |sum, k| sum + self.0[k] * other.0[n - k])
+    /// The function of this one that has these Taylor coefficients where this begins.
+    fn composed(self, coefficients: [Ball; 4]) -> Self {
+        let [_, first, second, third] = self.0;
+        let rest = Self([Ball::ZERO, first, second, third]);
+        coefficients.into_iter().rev().fold(Ball::ZERO.into(), |sum, term| sum * rest + term.into())
     }
 
-    /// `k a_k`: the derivative, times the variable.
-    fn scaled_derivative(&self) -> Self {
-        Self(core::array::from_fn(|k| Ball::from(k as i64) * self.0[k]))
+    /// A polynomial that is the function all over an interval, for some number of the ball that is its
+    /// last coefficient (Taylor): from the coefficients at one place, and all over the interval.
+    pub fn with_remainder(self, over_all: Self) -> Self {
+        let ([first, second, third, _], [.., last]) = (self.0, over_all.0);
+        Self([first, second, third, last])
     }
 
-    /// Series that solve `n y_n = Σ k x_k z_(n−k)`, k from 1 to n.
-    fn solved<const M: usize>(
-        &self,
-        mut solution: [Self; M],
-        right: impl Fn(&[Self; M], usize) -> Self,
-    ) -> [Self; M] {
-        let slope = self.scaled_derivative();
-        for n in 1..TERMS {
-            let over_n = Ball::ratio(1, n as i64);
-            for which in 0..M {
-                solution[which].0[n] = over_n * slope.convolution(&right(&solution, which), n, 1);
-            }
-        }
-        solution
+    /// The derivative of a polynomial.
+    pub fn derivative(self) -> Self {
+        let [_, first, second, third] = self.0;
+        Self([first, Ball::from(2) * second, Ball::from(3) * third, Ball::ZERO])
+    }
+
+    /// A polynomial divided by a power of its variable; of any value unless that is exact.
+    pub fn divided(mut self, power: usize) -> Self {
+        let exact = self.0[..power].iter().all(|&coefficient| coefficient == Ball::ZERO);
+        self.0.rotate_left(power);
+        if exact { self } else { Ball::ANY.into() }
+    }
+
+    /// The values of a polynomial.
+    pub fn values(self, variable: Ball) -> Ball {
+        self.0.into_iter().rev().fold(Ball::ZERO, |sum, coefficient| coefficient + variable * sum)
     }
 }
 
@@ -127,33 +104,29 @@ impl Mul for Series {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        Self(core::array::from_fn(|n| self.convolution(&other, n, 0)))
+        let terms = |n: usize| (0..=n).map(move |k| self.0[k] * other.0[n - k]);
+        Self(core::array::from_fn(|n| terms(n).fold(Ball::ZERO, Ball::add)))
     }
 }
 
 impl Number for Series {
     fn inverse(self) -> Self {
-        let first = self.0[0].inverse();
-        let mut inverse = Self::from(first);
-        for n in 1..TERMS {
-            inverse.0[n] = -(first * self.convolution(&inverse, n, 1));
-        }
-        inverse
+        let first = Self::from(self.0[0].inverse());
+        first * (self * first).composed([Ball::ONE, -Ball::ONE, Ball::ONE, -Ball::ONE])
     }
 
     fn exp(self) -> Self {
-        let [exponential] = self.solved([Self::from(self.0[0].exp())], |[exponential], _| *exponential);
-        exponential
+        let first = self.0[0].exp();
+        self.composed([1, 1, 2, 6].map(|factorial| Ball::ratio(1, factorial) * first))
     }
 
     fn turn(self) -> (Self, Self) {
         let (sine, cosine) = self.0[0].turn();
         let angle = self * Self::from(Ball::PI + Ball::PI);
-        let [sine, cosine] =
-            angle.solved(
-                [sine.into(), cosine.into()],
-                |[sine, cosine], which| if which == 0 { *cosine } else { -*sine },
-            );
-        (sine, cosine)
+        let [half, sixth] = [2, 6].map(|factorial| Ball::ratio(1, factorial));
+        (
+            angle.composed([sine, cosine, -(half * sine), -(sixth * cosine)]),
+            angle.composed([cosine, -sine, -(half * cosine), sixth * sine]),
+        )
     }
 }

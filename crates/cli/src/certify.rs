@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use grazing_certify::ball::Ball;
 use grazing_certify::resonance::Resonance;
-use grazing_certify::statement::{Decimal, Statement};
+use grazing_certify::statement::{Decimal, Statement, WIDTH_PLACES};
 use grazing_certify::{certificate, prove, summary};
 use grazing_claims::published::Published;
 use grazing_reproduction::StudyError;
@@ -55,19 +55,18 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
         terminal::say(&(summary::resonance(resonance).join("\n") + "\n"));
         printed(&statement, published, resonance).iter().for_each(|line| terminal::say(line));
     }
-    let stretches = summary::stretches(&oscillator, &rows);
-    for stretches in stretches.chunk_by(|a, b| a.rows[0].interval.p == b.rows[0].interval.p) {
-        terminal::say(&format!("\np = {}\n", stretches[0].rows[0].interval.p));
-        for stretch in stretches {
+    for rows in rows.chunk_by(|a, b| a.interval.p == b.interval.p) {
+        terminal::say(&format!("\np = {}\n", rows[0].interval.p));
+        for stretch in summary::stretches(rows) {
             terminal::say(&format!("  {}\n", summary::sentence(&oscillator, stretch)));
         }
     }
-    let points = stretches.iter().filter(|stretch| stretch.exactly_one).count();
+    let points = summary::points(&rows).count();
     let share = summary::undecided_share(&rows);
     terminal::say(&format!(
         "\n{} intervals; tubes around GZ curves are at most 1e-{} of A wide; {points} points where these end or meet, no others; {share:.1e} of nu is undecided.\n",
         rows.len(),
-        grazing_certify::WIDTH_PLACES,
+        WIDTH_PLACES,
     ));
 
     let (rows, numbers) = (certificate::rows(&rows), certificate::resonances(&resonances));

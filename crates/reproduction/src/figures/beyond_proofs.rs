@@ -3,13 +3,15 @@
 mod ink;
 mod items;
 
-use grazing_certify::ball::Ball;
+use core::slice;
+
+use grazing_certify::ball::{Ball, Number as _};
 use grazing_certify::orbit::Oscillator;
+use grazing_certify::prove;
 use grazing_certify::resonance::Resonance;
 use grazing_certify::row::{Row, Verdict};
 use grazing_certify::statement::{Decimal, Statement};
-use grazing_certify::summary::{Kind, Stretch, ends, sentence, stretches};
-use grazing_certify::{prove, summary};
+use grazing_certify::summary::{self, ends, sentence, stretches};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::{Frame, rows, tables, words};
 use grazing_source::kind::count;
@@ -123,15 +125,14 @@ impl PaperFigure for BeyondProofs {
         let rows =
             prove(&statement, &oscillator, |parts| progress.begin(what, parts), || progress.step(what));
         progress.end(what);
-        let stretches = stretches(&oscillator, &rows);
         let window = figure.window();
-        let undecided = stretches.iter().filter(|stretch| matches!(stretch.kind, Kind::Undecided(_)));
+        let undecided = stretches(&rows).filter(|rows| matches!(rows[0].verdict, Verdict::Undecided(_)));
         Ok(Proofs {
-            items: items::items(study, &statement, &oscillator, &rows, &stretches)?,
+            items: items::items(study, &statement, &oscillator, &rows)?,
             ends: all_ends(&oscillator, &rows, window.secondary),
-            magnified: magnified(&oscillator, &rows, &stretches, self.panels),
+            magnified: magnified(&oscillator, &rows, self.panels),
             frame: window.into(),
-            undecided: undecided.map(|stretch| sentence(&oscillator, stretch)).collect(),
+            undecided: undecided.map(|rows| sentence(&oscillator, rows)).collect(),
         })
     }
 
@@ -182,7 +183,7 @@ pub fn oscillator(statement: &Statement) -> Result<Oscillator, StudyError> {
 
 /// The rows in which there is motion, in runs side by side.
 fn runs(rows: &[Row]) -> impl Iterator<Item = &[Row]> {
-    let moves = |row: &Row| matches!(Kind::of(row), Kind::Stable | Kind::Double);
+    let moves = |row: &Row| matches!(row.verdict, Verdict::Stable | Verdict::Point("GZ-GZ"));
     let together = move |a: &Row, b: &Row| a.interval.p == b.interval.p && moves(a) && moves(b);
     rows.chunk_by(together).filter(move |run| moves(&run[0]))
 }
@@ -212,8 +213,9 @@ fn all_ends(oscillator: &Oscillator, rows: &[Row], [lowest, highest]: [f64; 2]) 
             .chain(places)
             .chain([(last, last.interval.ends()[1])]);
         all.extend(places.filter_map(|(row, nu)| {
-            let [begins, lower, upper] = ends(oscillator, row, nu)?.map(Ball::to_f64);
-            let upper = if matches!(row.verdict, Verdict::Edge { .. }) { f64::NAN } else { upper };
+            let (begins, lower, upper) = ends(oscillator, row, nu)?;
+            let [begins, lower] = [begins, lower].map(Ball::to_f64);
+            let upper = upper.map_or(f64::NAN, Ball::to_f64);
             let omega = (oscillator.omega_1 * nu.inverse()).to_f64();
             let at = begins_at(oscillator, p, nu);
             let log_width = libm::log10(upper - lower);
@@ -224,19 +226,14 @@ fn all_ends(oscillator: &Oscillator, rows: &[Row], [lowest, highest]: [f64; 2]) 
 }
 
 /// Tubes beside the first point of each kind, and its box.
-fn magnified(
-    oscillator: &Oscillator,
-    rows: &[Row],
-    found: &[Stretch<'_>],
-    panels: u32,
-) -> Vec<ProofMagnified> {
-    let of = |kind: &str| found.iter().find(|one| one.exactly_one && one.point(oscillator) == Some(kind));
-    let kinds = ["SN-GZ", "PD-GZ", "GZ-GZ"].into_iter().filter_map(|kind| Some((kind, of(kind)?)));
+fn magnified(oscillator: &Oscillator, rows: &[Row], panels: u32) -> Vec<ProofMagnified> {
+    let of = |kind: &str| summary::points(rows).find(|(name, _)| *name == kind);
+    let kinds = ["SN-GZ", "PD-GZ", "GZ-GZ"].into_iter().filter_map(of);
     let mut all = Vec::new();
     for (panel, (kind, point)) in (1..=panels).zip(kinds) {
-        let p = point.rows[0].interval.p;
-        let [low, high] = point.omega.map(Ball::to_f64);
-        let (secondary, primary) = (0.5 * (low + high), point.amplitude.to_f64());
+        let (p, amplitudes) = (point.interval.p, summary::amplitudes(oscillator, point));
+        let [low, high] = summary::frequencies(oscillator, slice::from_ref(point)).map(Ball::to_f64);
+        let (secondary, primary) = (0.5 * (low + high), amplitudes.to_f64());
         let offset = |amplitude: f64| (amplitude - primary) * 1e6;
         let row = |part, arc, omega: f64, [begins, lower, upper]: [f64; 3]| ProofMagnified {
             panel,
@@ -251,7 +248,7 @@ fn magnified(
             lower: offset(lower),
             upper: offset(upper),
         };
-        let radius = point.amplitude.radius();
+        let radius = amplitudes.radius();
         let sides = [f64::NAN, primary - radius, primary + radius];
         all.extend([low, high].map(|omega| row(ProofPart::Box, 0, omega, sides)));
         let of_p: Vec<_> = runs(rows).filter(|run| run[0].interval.p == p).collect();
@@ -261,7 +258,9 @@ fn magnified(
                 let omega = (oscillator.omega_1 * nu.inverse()).to_f64();
                 let shown = omega.clamp(secondary - reach, secondary + reach);
                 let nu = if omega == shown { nu } else { oscillator.omega_1 * Ball::from(shown).inverse() };
-                Some(row(ProofPart::Tube, arc, shown, ends(oscillator, one, nu)?.map(Ball::to_f64)))
+                let (begins, lower, upper) = ends(oscillator, one, nu)?;
+                let sides = [begins, lower, upper.unwrap_or(lower)].map(Ball::to_f64);
+                Some(row(ProofPart::Tube, arc, shown, sides))
             };
             let beside = run.iter().filter(|one| {
                 let [last, first] =

@@ -24,12 +24,11 @@ impl Lookup<'_> {
     fn ends(&self, p: u32, omega: f64) -> Option<[f64; 4]> {
         let nu = self.nu(omega);
         let row = summary::row_at(self.rows, p.into(), nu)?;
-        let [begins, lower, upper] = ends(self.oscillator, row, nu)?.map(Ball::to_f64);
-        Some(match row.verdict {
-            Verdict::Edge { .. } => [begins, lower, f64::INFINITY, 0.0],
-            Verdict::Tube { .. } => [begins, lower, upper, upper - lower],
-            _ => [begins, lower, upper, 0.0],
-        })
+        let (begins, lower, upper) = ends(self.oscillator, row, nu)?;
+        let [begins, lower] = [begins, lower].map(Ball::to_f64);
+        let upper = upper.map_or(f64::INFINITY, Ball::to_f64);
+        let in_box = matches!(row.verdict, Verdict::Point("SN-GZ" | "PD-GZ")) || upper.is_infinite();
+        Some([begins, lower, upper, if in_box { 0.0 } else { upper - lower }])
     }
 
     /// The amplitude of a curve that is a closed form; nothing for a GZ curve.
@@ -51,14 +50,13 @@ pub(super) fn items(
     statement: &Statement,
     oscillator: &Oscillator,
     rows: &[Row],
-    stretches: &[Stretch<'_>],
 ) -> Result<Vec<ProofItem>, StudyError> {
     let (diagram, axes) = (study.diagram()?, Axes::of_the_paper());
     let (curves, points) = (plane::curves(&axes, diagram), plane::points(&axes, diagram));
     let (regions, look) = (plane::regions(&axes, &diagram.regions), Lookup { oscillator, rows });
     let curves = curves.chunk_by(|a, b| a.arc == b.arc).map(|curve| of_curve(&look, curve));
     let points = (1..).zip(&points).map(|(number, point)| {
-        let (from, to, amplitude, statement) = of_point(oscillator, statement, stretches, point);
+        let (from, to, amplitude, statement) = of_point(oscillator, statement, rows, point);
         let within = (point.secondary - 0.5 * (from + to)).abs() <= 0.5 * (to - from) + ROUNDING
             && (point.primary - amplitude.to_f64()).abs() <= amplitude.radius() + ROUNDING;
         let SpecialPoint { kind, loops, n, .. } = *point;
@@ -80,7 +78,7 @@ pub(super) fn items(
         }
     });
     let regions = regions.chunk_by(|a, b| a.region == b.region);
-    let regions = regions.map(|region| of_region(&look, region, stretches, diagram.scope.window));
+    let regions = regions.map(|region| of_region(&look, region, diagram.scope.window));
     Ok(curves.chain(points).chain(regions).collect())
 }
 
@@ -139,7 +137,7 @@ fn of_curve(look: &Lookup<'_>, curve: &[PlanePoint]) -> ProofItem {
 fn of_point(
     oscillator: &Oscillator,
     statement: &Statement,
-    stretches: &[Stretch<'_>],
+    rows: &[Row],
     point: &SpecialPoint,
 ) -> (f64, f64, Ball, String) {
     let nothing = (f64::NAN, f64::NAN, Ball::ANY, "nothing".to_owned());
@@ -150,24 +148,20 @@ fn of_point(
         let (omega, radius) = (found.omega.to_f64(), found.omega.radius());
         return (omega - radius, omega + radius, found.amplitude, summary::resonance(found).join("; "));
     }
-    let found = stretches.iter().find(|one| {
-        let [low, high] = one.omega.map(Ball::to_f64);
+    let found = summary::points(rows).find_map(|(name, row)| {
+        let [low, high] = summary::frequencies(oscillator, slice::from_ref(row)).map(Ball::to_f64);
         let here = low - ROUNDING <= point.secondary && point.secondary <= high + ROUNDING;
-        one.exactly_one
-            && here
-            && one.point(oscillator) == Some(point.kind.name())
-            && one.rows[0].interval.p == i64::from(point.loops)
+        let found = here && name == point.kind.name() && row.interval.p == i64::from(point.loops);
+        found.then(|| (low, high, summary::amplitudes(oscillator, row)))
     });
-    found.map_or(nothing, |one| {
-        let [low, high] = one.omega.map(Ball::to_f64);
-        (low, high, one.amplitude, "exactly one such point in this interval, none beside it".to_owned())
+    found.map_or(nothing, |(low, high, amplitudes)| {
+        (low, high, amplitudes, "exactly one such point in this interval, none beside it".to_owned())
     })
 }
 
 fn of_region(
     look: &Lookup<'_>,
     region: &[RegionVertex],
-    stretches: &[Stretch<'_>],
     window: grazing_continuation::curve::Window,
 ) -> ProofItem {
     let RegionVertex { region: number, kind, loops, n, .. } = region[0];
@@ -189,10 +183,10 @@ fn of_region(
         });
         within += u32::from(holds);
     }
-    let open = stretches.iter().any(|one| {
-        let [low, high] = one.omega.map(Ball::to_f64);
+    let open = look.rows.iter().any(|row| {
+        let [low, high] = summary::frequencies(look.oscillator, slice::from_ref(row)).map(Ball::to_f64);
         let beside = high <= from || to <= low;
-        matches!(one.kind, Kind::Undecided(_)) && one.rows[0].interval.p == i64::from(loops) && !beside
+        matches!(row.verdict, Verdict::Undecided(_)) && row.interval.p == i64::from(loops) && !beside
     });
     let statement = match (loops, open) {
         (0, _) => {
