@@ -1,13 +1,11 @@
 //! Tables, which leave by Arrow's C interface.
 
 use std::iter::once;
-use std::sync::Arc;
 
+use grazing_cli::tables::columns;
 use grazing_results::{Cell, Table as Rows};
-use polars_arrow::array::{
-    Array, BooleanArray, Float64Array, NullArray, StructArray, UInt32Array, Utf8Array,
-};
-use polars_arrow::datatypes::{ArrowDataType, Field};
+use polars_arrow::array::{Array, StructArray};
+use polars_arrow::datatypes::Field;
 use polars_arrow::ffi::export_iterator;
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
@@ -24,43 +22,7 @@ pub(crate) struct Table {
 
 impl Table {
     pub(crate) fn new(rows: Rows) -> Self {
-        let arrays: Vec<Box<dyn Array>> = (0..rows.columns.len()).map(|place| column(&rows, place)).collect();
-        let field = |place: usize| {
-            let told = [
-                ("unit", rows.units[place].as_str()),
-                ("symbol", &rows.symbols[place]),
-                ("meaning", rows.columns[place].meaning()),
-                ("equations", rows.columns[place].equations),
-            ];
-            let told = told.into_iter().filter(|(_, text)| !text.is_empty());
-            let metadata = told.map(|(key, text)| (key.into(), text.into())).collect();
-            let field = Field::new(rows.headers[place].as_str().into(), arrays[place].dtype().clone(), true);
-            Field { metadata: Some(Arc::new(metadata)), ..field }
-        };
-        let fields = (0..arrays.len()).map(field).collect();
-        let columns = StructArray::new(ArrowDataType::Struct(fields), rows.rows.len(), arrays, None);
-        Self { rows, columns }
-    }
-}
-
-/// A column as an array; its first cell tells of what.
-fn column(table: &Rows, place: usize) -> Box<dyn Array> {
-    let cells = table.rows.iter().map(|row| &row[place]);
-    match cells.clone().next() {
-        None => NullArray::new(ArrowDataType::Null, 0).boxed(),
-        Some(Cell::Text(_)) => {
-            let text = cells.map(|cell| if let Cell::Text(text) = cell { Some(&**text) } else { None });
-            Utf8Array::<i64>::from_iter(text).boxed()
-        }
-        Some(Cell::Integer(_)) => {
-            let count = cells.map(|cell| if let Cell::Integer(count) = cell { Some(*count) } else { None });
-            UInt32Array::from_iter(count).boxed()
-        }
-        Some(Cell::Number(_)) => Float64Array::from_iter(cells.map(Cell::number)).boxed(),
-        Some(Cell::Flag(_)) => {
-            let flag = cells.map(|cell| if let Cell::Flag(yes) = cell { Some(*yes) } else { None });
-            BooleanArray::from_iter(flag).boxed()
-        }
+        Self { columns: columns(&rows), rows }
     }
 }
 

@@ -13,6 +13,7 @@ import numpy
 import pandas
 import polars
 import pyarrow
+import pyarrow.parquet
 import pytest
 
 import grazing
@@ -106,12 +107,14 @@ def test_coefficients_measured_on_the_curves_are_those_of_the_closed_form(paper)
 
 
 def test_results_are_those_of_the_command_line(file, duffing, diagram, tmp_path):
-    ran = program("unfold", file, "--at", "0.9,0.8", "--output", tmp_path)
+    ran = program("unfold", file, "--at", "0.9,0.8", "--format", "svg,parquet", "--output", tmp_path)
     assert ran.returncode == 0, ran.stderr
     place = duffing.at((0.9, 0.8))
     for results in (diagram, place):
         for name in results:
             same(results[name], tmp_path / "data" / f"{name}.csv")
+            read = pyarrow.parquet.read_table(tmp_path / "data" / f"{name}.parquet")
+            assert read.equals(pyarrow.table(results[name]), check_metadata=True), name
         for name, figure in results.figures.items():
             assert figure == (tmp_path / f"{name}.svg").read_text()
     # Nothing that it writes is missing here.

@@ -108,7 +108,7 @@ pub struct Reproduce {
 /// What figures are made as.
 #[derive(Debug, Args)]
 pub struct Look {
-    /// Formats, separated by commas; tex: LaTeX tables, and figures.tex to include all, with PDF
+    /// Formats, separated by commas; tex: LaTeX tables, and figures.tex to include all, with PDF; parquet: tables, beside CSV
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg")]
     pub format: Vec<Format>,
     /// Width of the figures: as in the paper, one column (86 mm) or two (178 mm) of a journal

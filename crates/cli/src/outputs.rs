@@ -131,6 +131,8 @@ impl<Source> Output<Source> {
         let figure = self.is_figure.then(|| self.figure_file());
         let figures = figure.iter().flat_map(|figure| edition.figure_paths(figure));
         let tables = self.tables.iter().map(|table| tables::path(table.name));
+        let parquet = self.tables.iter().filter(|_| edition.has(Format::Parquet));
+        let tables = tables.chain(parquet.map(|table| tables::parquet_path(table.name)));
         let printed = self.printed.iter().filter(|_| edition.has(Format::Tex));
         figures.chain(tables).chain(printed.map(|(table, _)| latex::table_path(table))).collect()
     }
@@ -223,6 +225,9 @@ impl ComputedOutput {
         }
         for table in &self.tables {
             files.push(tables::file(table, "tables")?);
+            if edition.has(Format::Parquet) {
+                files.push(tables::parquet_file(table, "tables")?);
+            }
         }
         for ((name, columns), caption) in self.printed.iter().filter(|_| has_latex) {
             let table = self.tables.iter().find(|table| table.name == *name);

@@ -1,9 +1,18 @@
-//! Tables as CSV by way of data frames, the same bytes on every machine.
+//! Tables as arrays of Arrow, and from these as CSV and as Parquet, the same bytes on every machine.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use grazing_results::{Cell, Table};
-use polars::prelude::{AnyValue, Column, CsvWriter, DataFrame, PolarsResult, SerWriter, Series};
+use polars::prelude::{Column, CsvWriter, DataFrame, PolarsResult, SerWriter, Series};
+use polars_arrow::array::{
+    Array, BooleanArray, Float64Array, NullArray, StructArray, UInt32Array, Utf8Array,
+};
+use polars_arrow::datatypes::{ArrowDataType, ArrowSchema, Field};
+use polars_arrow::record_batch::RecordBatchT;
+use polars_parquet::write::{
+    CompressionOptions, Encoding, FileWriter, StatisticsOptions, Version, WriteOptions, row_group_iter,
+};
 
 use crate::failure::{Failure, computation};
 use crate::folder::{DATA, OutputFile};
@@ -12,14 +21,53 @@ use crate::folder::{DATA, OutputFile};
 /// numbers apart.
 const DECIMALS: usize = 16;
 
-/// The table as CSV: a header, `.` decimals, computed numbers with 17 significant digits, `-0.0` as
-/// `0.0`, and an empty cell for what is missing or not a finite number.
-pub fn csv(table: &Table) -> PolarsResult<Vec<u8>> {
-    let column = |(place, name): (usize, &String)| {
-        let values: Vec<AnyValue<'_>> = table.rows.iter().map(|row| value(&row[place])).collect();
-        Series::from_any_values(name.into(), &values, true).map(Column::from)
+/// The columns as arrays, each with unit, symbol, meaning and equations as metadata of its field. What is missing or not a finite
+/// number is null.
+pub fn columns(table: &Table) -> StructArray {
+    let arrays: Vec<Box<dyn Array>> = (0..table.columns.len()).map(|place| array(table, place)).collect();
+    let field = |place: usize| {
+        let told = [
+            ("unit", table.units[place].as_str()),
+            ("symbol", &table.symbols[place]),
+            ("meaning", table.columns[place].meaning()),
+            ("equations", table.columns[place].equations),
+        ];
+        let told = told.into_iter().filter(|(_, text)| !text.is_empty());
+        let metadata = told.map(|(key, text)| (key.into(), text.into())).collect();
+        let field = Field::new(table.headers[place].as_str().into(), arrays[place].dtype().clone(), true);
+        Field { metadata: Some(Arc::new(metadata)), ..field }
     };
-    let columns = table.headers.iter().enumerate().map(column).collect::<PolarsResult<_>>()?;
+    let fields = (0..arrays.len()).map(field).collect();
+    StructArray::new(ArrowDataType::Struct(fields), table.rows.len(), arrays, None)
+}
+
+/// A column as an array; its first cell tells of what.
+fn array(table: &Table, place: usize) -> Box<dyn Array> {
+    let cells = table.rows.iter().map(|row| &row[place]);
+    match cells.clone().next() {
+        None => NullArray::new(ArrowDataType::Null, 0).boxed(),
+        Some(Cell::Text(_)) => {
+            let text = cells.map(|cell| if let Cell::Text(text) = cell { Some(&**text) } else { None });
+            Utf8Array::<i64>::from_iter(text).boxed()
+        }
+        Some(Cell::Integer(_)) => {
+            let count = cells.map(|cell| if let Cell::Integer(count) = cell { Some(*count) } else { None });
+            UInt32Array::from_iter(count).boxed()
+        }
+        Some(Cell::Number(_)) => Float64Array::from_iter(cells.map(Cell::number)).boxed(),
+        Some(Cell::Flag(_)) => {
+            let flag = cells.map(|cell| if let Cell::Flag(yes) = cell { Some(*yes) } else { None });
+            BooleanArray::from_iter(flag).boxed()
+        }
+    }
+}
+
+/// The table as CSV: a header, `.` decimals, computed numbers with 17 significant digits, `-0.0` as
+/// `0.0`, and an empty cell for what is null.
+pub fn csv(table: &Table) -> PolarsResult<Vec<u8>> {
+    let (fields, _, arrays, _) = columns(table).into_data();
+    let column = |(field, array)| Series::try_from((field, vec![array])).map(Column::from);
+    let columns = fields.iter().zip(arrays).map(column).collect::<PolarsResult<_>>()?;
     let mut bytes = Vec::new();
     CsvWriter::new(&mut bytes)
         .include_header(true)
@@ -29,10 +77,35 @@ pub fn csv(table: &Table) -> PolarsResult<Vec<u8>> {
     Ok(bytes)
 }
 
+/// The table as Parquet, not compressed: that would need a compiler of C, and a table has a few thousand rows.
+pub fn parquet(table: &Table) -> PolarsResult<Vec<u8>> {
+    let (fields, length, arrays, _) = columns(table).into_data();
+    let options = WriteOptions {
+        statistics: StatisticsOptions::default(),
+        version: Version::V1,
+        compression: CompressionOptions::Uncompressed,
+        data_page_size: None,
+    };
+    let encodings = vec![vec![Encoding::Plain]; fields.len()].into();
+    let schema: ArrowSchema = fields.into_iter().map(|field| (field.name.clone(), field)).collect();
+    let mut writer = FileWriter::try_new(Vec::new(), schema.clone(), options)?;
+    let types = writer.parquet_schema().fields().to_vec();
+    let rows = RecordBatchT::new(length, Arc::new(schema), arrays);
+    writer.write(length as u64, row_group_iter(rows, encodings, types, options))?;
+    writer.end(None)?;
+    Ok(writer.into_inner())
+}
+
 /// The file of a table, made for this output.
 pub(crate) fn file(table: &Table, output: &'static str) -> Result<OutputFile, Failure> {
     let content = csv(table).map_err(|error| computation(output, &error))?;
     Ok(OutputFile { path: path(table.name), content })
+}
+
+/// The same as Parquet.
+pub(crate) fn parquet_file(table: &Table, output: &'static str) -> Result<OutputFile, Failure> {
+    let content = parquet(table).map_err(|error| computation(output, &error))?;
+    Ok(OutputFile { path: parquet_path(table.name), content })
 }
 
 /// Where a table lies in the output folder.
@@ -40,11 +113,7 @@ pub(crate) fn path(name: &str) -> PathBuf {
     Path::new(DATA).join(format!("{name}.csv"))
 }
 
-fn value(cell: &Cell) -> AnyValue<'_> {
-    match cell {
-        Cell::Text(words) => AnyValue::String(words),
-        Cell::Integer(count) => AnyValue::UInt32(*count),
-        Cell::Number(_) => cell.number().map_or(AnyValue::Null, AnyValue::Float64),
-        Cell::Flag(yes) => AnyValue::Boolean(*yes),
-    }
+/// Where it lies as Parquet.
+pub(crate) fn parquet_path(name: &str) -> PathBuf {
+    path(name).with_extension("parquet")
 }

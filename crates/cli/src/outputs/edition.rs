@@ -19,6 +19,8 @@ pub enum Format {
     Png,
     /// Tables as LaTeX, and a snippet that includes them and the figures as PDF.
     Tex,
+    /// Tables as Parquet beside CSV, with units and meanings of columns as metadata.
+    Parquet,
 }
 
 impl Format {
@@ -110,7 +112,7 @@ impl Edition {
 
     /// The files of a figure, given that of the SVG.
     pub(crate) fn figure_paths(&self, svg: &str) -> impl Iterator<Item = PathBuf> {
-        let formats = self.formats.iter().filter(|format| **format != Format::Tex);
+        let formats = self.formats.iter().filter(|format| !matches!(format, Format::Tex | Format::Parquet));
         formats.map(move |format| Path::new(svg).with_extension(format.name()))
     }
 
@@ -126,7 +128,7 @@ impl Edition {
                 Format::Svg => svg.clone().into_bytes(),
                 Format::Pdf => Drawing::read(&svg)?.pdf(&unmarked(&sheet.title))?,
                 Format::Png => Drawing::read(&svg)?.png(f64::from(self.dpi))?,
-                Format::Tex => continue,
+                Format::Tex | Format::Parquet => continue,
             };
             files.push(OutputFile { path, content });
         }

@@ -1,16 +1,22 @@
-//! Tables as CSV.
+//! Tables as CSV and as Parquet. That other programs read the latter is tested in python/tests.
 
-use grazing_cli::tables::csv;
+use std::io::Cursor;
+
+use grazing_cli::tables::{csv, parquet};
 use grazing_results::columns::{BIFURCATION, LOOPS, STABLE, X};
 use grazing_results::{Cell, Column, Names, Table};
 
 const COLUMNS: &[Column] = &[BIFURCATION, LOOPS, X, STABLE];
 
-/// What is written of rows of a word, a whole number, a number and a truth value.
-fn written(rows: Vec<[Cell; 4]>) -> String {
+/// A table of a word, a whole number, a number and a truth value.
+fn table(rows: Vec<[Cell; 4]>) -> Table {
     let rows = rows.into_iter().map(Vec::from).collect();
-    let table = Table::of_cells("sample", COLUMNS, &Names::of_the_paper(), rows);
-    String::from_utf8(csv(&table).expect("the table can be written")).expect("CSV is text")
+    Table::of_cells("sample", COLUMNS, &Names::of_the_paper(), rows)
+}
+
+/// What is written of it as CSV.
+fn written(rows: Vec<[Cell; 4]>) -> String {
+    String::from_utf8(csv(&table(rows)).expect("the table can be written")).expect("CSV is text")
 }
 
 fn row(number: f64) -> [Cell; 4] {
@@ -42,4 +48,24 @@ fn negative_zero_is_zero_and_what_is_not_a_number_is_empty() {
 #[test]
 fn a_table_without_rows_has_its_header() {
     assert_eq!(written(Vec::new()), "kind,p,x,stable\n");
+}
+
+#[test]
+fn parquet_says_what_columns_hold() {
+    for rows in [vec![row(1.5), row(f64::NAN), row(-0.0)], Vec::new()] {
+        let table = table(rows);
+        let bytes = parquet(&table).expect("the table can be written");
+        assert_eq!(bytes, parquet(&table).expect("the table can be written"));
+        let read = polars_parquet::read::read_metadata(&mut Cursor::new(&bytes)).expect("it is Parquet");
+        assert_eq!(read.num_rows, table.rows.len());
+        let schema = polars_parquet::read::infer_schema(&read).expect("it has columns");
+        assert_eq!(schema.len(), COLUMNS.len());
+        for (field, column) in schema.iter_values().zip(COLUMNS) {
+            let told =
+                |key: &str| field.metadata.as_ref().and_then(|told| told.get(key)).map(|text| text.as_str());
+            assert_eq!(field.name.as_str(), column.name);
+            assert_eq!(told("meaning"), Some(column.meaning()));
+            assert_eq!(told("equations").unwrap_or_default(), column.equations);
+        }
+    }
 }
