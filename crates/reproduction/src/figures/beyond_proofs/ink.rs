@@ -26,6 +26,8 @@ const BELOW: f64 = 31.0;
 const GAP: f64 = 14.0;
 /// Between magnifications, with the numbers of their axes.
 const NUMBERS: f64 = 30.0;
+/// What ends at a box does so up to this factor.
+const ROUNDING: f64 = 1.0 + 1e-6;
 /// The share of the height that the window takes, and of the width beside the widths of tubes.
 const SHARES: [f64; 2] = [0.64, 0.68];
 /// log₁₀ of the widths that are shown.
@@ -152,7 +154,11 @@ fn draw_magnified(
 ) -> Result<(), DrawingError> {
     let ProofMagnified { kind, loops, .. } = &rows[0];
     let (boxed, tubes): (Vec<_>, Vec<_>) = rows.iter().partition(|row| row.part == ProofPart::Box);
-    let (across, up) = (REACH * boxed[0].upper.abs(), 2.0 * REACH * boxed[0].omega.abs());
+    let high = boxed[0].omega.abs();
+    // The box is wide in sight, and so are tubes that end at it.
+    let beside = tubes.iter().filter(|row| row.omega.abs() <= ROUNDING * high);
+    let sides = beside.flat_map(|row| [row.lower.abs(), row.upper.abs()]);
+    let (across, up) = (REACH * sides.fold(boxed[0].upper, f64::max), 2.0 * REACH * high);
     let panel = Panel::new(canvas, Frame { x: [-across, across], y: [-up, up] }, bounds);
     for run in tubes.chunk_by(|a, b| a.arc == b.arc) {
         let side = |of: fn(&ProofMagnified) -> f64| run.iter().map(move |row| (of(row), row.omega));
