@@ -22,7 +22,7 @@ use crate::figure::prelude::*;
 /// Frequencies at which the grazing curve, a closed form, is shown.
 const SAMPLES: u32 = 200;
 /// A panel reaches this many times as far from its middle as the box of its point and the tubes at it.
-const REACH: f64 = 1.8;
+const REACH: f64 = 2.0;
 
 keys! {
     /// What is proved of Figure 7.
