@@ -36,7 +36,8 @@ const alone = (path, body) =>
   new Promise((resolve) => {
     const events = [];
     const text = (bytes) => new TextDecoder().decode(bytes);
-    told = ({ event, status, kind, content }) => {
+    told = ({ lost, event, status, kind, content }) => {
+      assert.ok(!lost, path);
       if (event) events.push(text(event));
       else resolve({ status, kind, content: events.length > 0 ? events.join("") : text(content) });
     };

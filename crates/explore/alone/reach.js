@@ -32,11 +32,11 @@ export async function reach(path, { body, signal }) {
     const abort = () => fail(new DOMException("it was aborted", "AbortError"));
     signal?.addEventListener("abort", abort, { once: true });
     worker.onerror = () => fail(new Error(LOST));
-    worker.onmessage = ({ data: { event, status, kind, content } }) => {
+    worker.onmessage = ({ data: { lost, event, status, kind, content } }) => {
+      if (lost) return fail(new Error(LOST));
       if (event) {
         events.enqueue(event);
-        resolve(new Response(stream));
-        return;
+        return resolve(new Response(stream));
       }
       signal?.removeEventListener("abort", abort);
       idle.push(worker);

@@ -30,7 +30,12 @@ async function start(compiled) {
 }
 
 globalThis.onmessage = async ({ data }) => {
-  running ??= start(data.compiled);
-  const answered = await running;
-  postMessage(answered(data));
+  try {
+    running ??= start(data.compiled);
+    const answered = await running;
+    postMessage(answered(data));
+  } catch {
+    // What fails in a promise the page would never hear of.
+    postMessage({ lost: true });
+  }
 };
