@@ -1,5 +1,8 @@
 //! The page and its parts, and the examples in its menu.
 
+use std::borrow::Cow;
+use std::iter;
+
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -62,15 +65,15 @@ pub(crate) fn page(name: &str) -> Option<(&'static str, Vec<u8>)> {
     let name = if name.is_empty() { "index.html" } else { name };
     let (_, ending) = name.rsplit_once('.')?;
     let (_, kind) = KINDS.iter().find(|(known, _)| *known == ending)?;
-    let content = files().find(|(known, _)| *known == name)?.1;
-    Some((kind, content))
+    let (_, content) = files().find(|(known, _)| *known == name)?;
+    Some((kind, content.into_owned()))
 }
 
 /// All files of the page.
-fn files() -> impl Iterator<Item = (&'static str, Vec<u8>)> {
+fn files() -> impl Iterator<Item = (&'static str, Cow<'static, [u8]>)> {
     let fixed = [PAGE, STYLES, FONTS].into_iter().flatten();
-    let fixed = fixed.map(|(name, content)| (*name, content.to_vec()));
-    fixed.chain([("kinds.js", kinds::script().into_bytes())])
+    let fixed = fixed.map(|(name, content)| (*name, Cow::Borrowed(*content)));
+    fixed.chain(iter::once_with(|| ("kinds.js", kinds::script().into_bytes().into())))
 }
 
 /// The files of a page that needs no server, with their names: beside them belongs the program
@@ -78,6 +81,7 @@ fn files() -> impl Iterator<Item = (&'static str, Vec<u8>)> {
 pub fn alone(program: &str, menu: &[Example]) -> Vec<(&'static str, Vec<u8>)> {
     let own = || ALONE.iter().map(|(name, content)| (*name, content.to_vec()));
     let rest = files().filter(|(name, _)| ALONE.iter().all(|(own, _)| own != name));
+    let rest = rest.map(|(name, content)| (name, content.into_owned()));
     own().chain(rest).chain([(EXAMPLES, examples(program, menu).to_string().into_bytes())]).collect()
 }
 
