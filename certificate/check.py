@@ -136,16 +136,16 @@ class Line:
         motion, r, curvatures = (acb(f, f_imag), acb(h, h_imag)), arb(0, PI / n), []
         for cell in range(self.p * n):
             middle = exact(Fraction(2 * cell + 1, 2 * n))
-            near, far = (self.o.distance(self.all, motion, arb_series([turns, 1 / (2 * PI)]))
-                         for turns in (middle, middle + arb(0, arb(1) / (2 * n))))
-            slope, curvature = near[1] + r * (2 * near[2] + r * 3 * far[3]), 2 * near[2] + r * 6 * far[3]
+            near = [self.o.distance(self.all, motion, middle, order)[0] for order in range(3)]
+            third = self.o.distance(self.all, motion, middle + arb(0, arb(1) / (2 * n)), 3)[0]
+            slope, curvature = near[1] + r * (near[2] + r * third / 2), near[2] + r * third
             curvatures.append(curvature.lower())
             if cell < start:
                 require(slope > 0 or (cell == 0 and curvature > 0), "leaves")
             elif cell >= end:
                 require(slope < 0 or (cell == self.p * n - 1 and curvature > 0), "returns")
             elif not any(b[0] <= cell <= b[1] for b in blocks):
-                require(near[0] + r * (near[1] + r * (near[2] + r * far[3])) > 0, "cell")
+                require(near[0] + r * (near[1] + r * (near[2] + r * third / 3) / 2) > 0, "cell")
         blocks = [Block(b[0], b[1], self.polynomial(b[2:]), min(curvatures[b[0]:b[1] + 1]), n) for b in blocks]
         require(len(blocks) >= touching and all(self.minimum(lower, b)[0] > 0 for b in blocks), "minimum at lower")
         require(all(self.minimum(upper, b)[0] > 0 for b in blocks[touching:]), "minimum at upper")

@@ -88,7 +88,7 @@ pub fn at_place(
     (place, [primary, secondary]): (u32, [f64; 2]),
     progress: &dyn Progress,
 ) -> Option<AtPlace> {
-    let here = oscillator.with_parameters([primary / units.primary, secondary / units.secondary]);
+    let here = oscillator.with_parameters(units.without_dimensions([primary, secondary]));
     let starts = Starts { lattice: LATTICE, ..Starts::default() };
     let found = Place::compute(&here, loops, &starts, progress)?;
     let (length, velocity) = (units.length, units.velocity());

@@ -34,6 +34,9 @@ pub trait Number:
 
 /// `⌊a b / 2⁸⁸⌋` and `⌈a b / 2⁸⁸⌉`; if these do not fit, 0 and the greatest integer.
 fn product(a: u128, b: u128) -> (u128, u128) {
+    if a == 0 || b == 0 {
+        return (0, 0);
+    }
     let (a1, a0, b1, b0) = (a >> 64, a & LOW, b >> 64, b & LOW);
     let (bottom, first, second) = (a0 * b0, a1 * b0, a0 * b1);
     let middle = (bottom >> 64) + (first & LOW) + (second & LOW);

@@ -83,20 +83,21 @@ impl Oscillator {
         Family { nu, c, e, w, b: c * delta, big_p, big_q }
     }
 
-    /// How far the motion is from the wall, `−x`, or a derivative of that in θ.
-    pub fn distance<N: Number>(&self, motion: &Motion<N>, turns: N, derivative: usize) -> N {
+    /// How far the motion is from the wall, `−x`, and the first derivatives of that in θ.
+    pub fn distance<N: Number, const ORDERS: usize>(&self, motion: &Motion<N>, turns: N) -> [N; ORDERS] {
         let &Motion { nu, mut forced, mut free } = motion;
-        let k = N::from(self.decay);
-        for _ in 0..derivative {
-            forced = [forced[1], -forced[0]];
-            free = [nu * (free[1] - k * free[0]), -(nu * (k * free[1] + free[0]))];
-        }
+        let (k, mut constant) = (N::from(self.decay), N::from(Ball::ONE));
         let (decay, free_sine, free_cosine) = self.free(nu, turns);
         let (sine, cosine) = turns.turn();
-        let constant = if derivative == 0 { Ball::ONE } else { Ball::ZERO };
-        N::from(constant)
-            - (forced[0] * cosine + forced[1] * sine)
-            - decay * (free[0] * free_cosine + free[1] * free_sine)
+        core::array::from_fn(|_| {
+            let distance = constant
+                - (forced[0] * cosine + forced[1] * sine)
+                - decay * (free[0] * free_cosine + free[1] * free_sine);
+            constant = Ball::ZERO.into();
+            forced = [forced[1], -forced[0]];
+            free = [nu * (free[1] - k * free[0]), -(nu * (k * free[1] + free[0]))];
+            distance
+        })
     }
 
     /// `A_graz² = (1 − ω²)² + 4 ζ² ω²`.

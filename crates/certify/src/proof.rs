@@ -168,7 +168,8 @@ impl<'a> Model<'a> {
     fn beyond(&self, velocity: &Velocity<'_>, touch: Witness<2>, order: usize) -> bool {
         let [v, distance, time] = self.range(|at| {
             let (v, time) = (velocity(at), at.witness(touch));
-            [(v, order - 1), (self.oscillator.distance(&at.family.motion(v), time, 0), order), (time, 0)]
+            let [distance] = self.oscillator.distance(&at.family.motion(v), time);
+            [(v, order - 1), (distance, order), (time, 0)]
         });
         let rest = Ball::from(self.interval.p) - time;
         distance.is_negative() && [v, time, rest].into_iter().all(Ball::is_positive)
@@ -178,7 +179,8 @@ impl<'a> Model<'a> {
     /// whether all motions cross it there.
     fn crosses_at_resonance(&self) -> bool {
         let family = self.oscillator.family(self.interval.p, self.interval.origin());
-        self.oscillator.distance(&family.motion(Ball::ONE), Ball::ONE, 1).is_not_zero()
+        let [_, slope] = self.oscillator.distance(&family.motion(Ball::ONE), Ball::ONE);
+        slope.is_not_zero()
     }
 
     /// The amplitude at which motion has this velocity.
@@ -198,28 +200,24 @@ impl<'a> Model<'a> {
         (width * width - square).is_positive()
     }
 
-    /// All motions with velocities from one to another, for all ν of the interval at once, as functions
-    /// of another variable.
-    fn motion(&self, velocities: [&Velocity<'_>; 2]) -> Motion<Series> {
+    /// All motions with velocities from one to another, for all ν of the interval at once.
+    fn motion(&self, velocities: [&Velocity<'_>; 2]) -> Motion<Ball> {
         let [a, b] = velocities.map(|velocity| {
             self.range(|at| {
                 let Motion { forced, free, .. } = at.family.motion(velocity(at));
                 [forced[0], forced[1], free[0], free[1]].map(|function| (function, 0))
             })
         });
-        let [cosine, sine, c, e] = core::array::from_fn(|i| Ball::between(a[i], b[i]).into());
-        Motion { nu: self.interval.all().into(), forced: [cosine, sine], free: [c, e] }
+        let [cosine, sine, c, e] = core::array::from_fn(|i| Ball::between(a[i], b[i]));
+        Motion { nu: self.interval.all(), forced: [cosine, sine], free: [c, e] }
     }
 
     /// Bounds, in a cell of time, of the distance from the wall and its first two derivatives in θ.
-    fn cell(&self, motion: &Motion<Series>, index: i64, cells: i64) -> [Ball; 3] {
+    fn cell(&self, motion: &Motion<Ball>, index: i64, cells: i64) -> [Ball; 3] {
         let middle = Ball::ratio(2 * index + 1, 2 * cells);
-        let all = middle + Ball::ratio(1, 2 * cells).size();
-        let [at_middle, over_all] = [middle, all].map(|turns| {
-            let in_angle = Series([turns, (Ball::PI + Ball::PI).inverse(), Ball::ZERO, Ball::ZERO]);
-            self.oscillator.distance(motion, in_angle, 0)
-        });
-        let distance = at_middle.with_remainder(over_all);
+        let [value, first, second] = self.oscillator.distance(motion, middle);
+        let [_, _, _, third] = self.oscillator.distance(motion, middle + Ball::ratio(1, 2 * cells).size());
+        let distance = Series::of_derivatives([value, first, second, third]);
         let (slope, offset) = (distance.derivative(), (Ball::PI * Ball::ratio(1, cells)).size());
         [distance, slope, slope.derivative()].map(|function| function.values(offset))
     }
@@ -273,7 +271,7 @@ impl<'a> Model<'a> {
     fn minimum(&self, velocity: &Velocity<'_>, block: &Block, cells: i64) -> [Ball; 2] {
         let [v, distance, slope, time] = self.range(|at| {
             let (v, time) = (velocity(at), at.witness(block.nearest));
-            let [distance, slope] = [0, 1].map(|n| self.oscillator.distance(&at.family.motion(v), time, n));
+            let [distance, slope] = self.oscillator.distance(&at.family.motion(v), time);
             [(v, 1), (distance, 2), (slope, 1), (time, 0)]
         });
         let turns = time * Ball::from(cells);
@@ -288,8 +286,8 @@ impl<'a> Model<'a> {
 
     /// `ψ/(1 − cos θ)` at a time: the inverse of the velocity at which motion touches the wall then.
     fn ratio(&self, at: &At, time: Series) -> Series {
-        let [rise, distance] =
-            [Ball::ZERO, Ball::ONE].map(|v| self.oscillator.distance(&at.family.motion(v.into()), time, 0));
+        let [[rise], [distance]] = [Ball::ZERO, Ball::ONE]
+            .map(|v| self.oscillator.distance(&at.family.motion(v.into()), time));
         (rise - distance) * rise.inverse()
     }
 

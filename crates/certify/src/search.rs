@@ -58,9 +58,13 @@ fn contacts(oscillator: &Oscillator, p: i64, family: &Family<f64>) -> Vec<[f64; 
     let ratio = |turns: f64| {
         let half = (0.5 * turns).turn().0;
         let rise = 2.0 * half * half;
-        (rise - oscillator.distance(&motion, turns, 0)) / rise
+        let [distance] = oscillator.distance(&motion, turns);
+        (rise - distance) / rise
     };
-    let whole = (1..p).find(|&turn| oscillator.distance(&motion, turn as f64, 0) <= 0.0);
+    let whole = (1..p).find(|&turn| {
+        let [distance] = oscillator.distance(&motion, turn as f64);
+        distance <= 0.0
+    });
     if let Some(turn) = whole {
         return vec![[0.0, turn as f64]];
     }
@@ -141,8 +145,8 @@ impl<'a> Attempt<'a> {
             let (mut low, mut high) = (first + margin, last - margin);
             for _ in 0..60 {
                 let middle = 0.5 * (low + high);
-                let falls = self.oscillator.distance(&motion, middle, 1) < 0.0;
-                if falls { low = middle } else { high = middle }
+                let [_, slope] = self.oscillator.distance(&motion, middle);
+                if slope < 0.0 { low = middle } else { high = middle }
             }
             0.5 * (low + high)
         }))

@@ -37,11 +37,16 @@ impl Series {
         Self([at, Ball::ONE, Ball::ZERO, Ball::ZERO])
     }
 
-    /// The function of this one that has these Taylor coefficients where this begins.
-    fn composed(self, coefficients: [Ball; 4]) -> Self {
+    /// From a value and the first derivatives.
+    pub fn of_derivatives([value, first, second, third]: [Ball; 4]) -> Self {
+        Self([value, first, Ball::ratio(1, 2) * second, Ball::ratio(1, 6) * third])
+    }
+
+    /// The function of this one that has this Taylor series where this begins.
+    fn composed(self, outer: Self) -> Self {
         let [_, first, second, third] = self.0;
         let rest = Self([Ball::ZERO, first, second, third]);
-        coefficients.into_iter().rev().fold(Ball::ZERO.into(), |sum, term| sum * rest + term.into())
+        outer.0.into_iter().rev().fold(Ball::ZERO.into(), |sum, term| sum * rest + term.into())
     }
 
     /// A polynomial that is the function all over an interval, for some number of the ball that is its
@@ -112,21 +117,19 @@ impl Mul for Series {
 impl Number for Series {
     fn inverse(self) -> Self {
         let first = Self::from(self.0[0].inverse());
-        first * (self * first).composed([Ball::ONE, -Ball::ONE, Ball::ONE, -Ball::ONE])
+        first * (self * first).composed(Self([Ball::ONE, -Ball::ONE, Ball::ONE, -Ball::ONE]))
     }
 
     fn exp(self) -> Self {
-        let first = self.0[0].exp();
-        self.composed([1, 1, 2, 6].map(|factorial| Ball::ratio(1, factorial) * first))
+        self.composed(Self::of_derivatives([self.0[0].exp(); 4]))
     }
 
     fn turn(self) -> (Self, Self) {
         let (sine, cosine) = self.0[0].turn();
         let angle = self * Self::from(Ball::PI + Ball::PI);
-        let [half, sixth] = [2, 6].map(|factorial| Ball::ratio(1, factorial));
         (
-            angle.composed([sine, cosine, -(half * sine), -(sixth * cosine)]),
-            angle.composed([cosine, -sine, -(half * cosine), sixth * sine]),
+            angle.composed(Self::of_derivatives([sine, cosine, -sine, -cosine])),
+            angle.composed(Self::of_derivatives([cosine, -sine, -cosine, sine])),
         )
     }
 }

@@ -133,8 +133,8 @@ fn the_trace_is_that_of_the_saltation_matrix() {
             let decay = (-(Ball::PI + Ball::PI) * k * nu * turns).exp();
             let (sine, cosine) = (nu * turns).turn();
             for v in [1, 2].map(Ball::from) {
-                let acceleration = -OSCILLATOR.distance(&family.motion(v), Ball::ZERO, 2);
-                let force = acceleration - (k + k) * nu * epsilon * v;
+                let [_, _, departure] = OSCILLATOR.distance(&family.motion(v), Ball::ZERO);
+                let force = -departure - (k + k) * nu * epsilon * v;
                 let diagonal = -(epsilon * v * (decay * cosine + decay * cosine));
                 let scaled_trace = diagonal + (one + epsilon) * decay * sine * nu.inverse() * force;
                 let determinant = epsilon * epsilon * decay * decay;

@@ -7,6 +7,7 @@ use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 
 use grazing_claims::ledger::ClaimKind;
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_description::Limits;
 use grazing_drawing::SheetWidth;
 use grazing_source::Setting;
@@ -41,9 +42,9 @@ pub enum Command {
     /// Compute all figures and tables, or check those that are there
     #[command(after_long_help = help!("reproduce", "exit_codes"))]
     Reproduce(Reproduce),
-    /// Hold computed values against those that the paper prints
+    /// Compare values with the paper's, or curves with another program's
     #[command(after_long_help = help!("compare", "exit_codes"))]
-    Compare(ParameterFile),
+    Compare(Compare),
     /// Test what the paper states, label by label
     #[command(after_long_help = help!("claims", "exit_codes"))]
     Claims(Claims),
@@ -178,6 +179,30 @@ pub struct Claims {
     pub write_errata: bool,
     #[command(flatten)]
     pub(crate) parameters: ParameterFile,
+}
+
+/// The arguments of `grazing compare`.
+#[derive(Debug, Args)]
+pub struct Compare {
+    /// CSV of bifurcation curves from another program [default: the values that the paper prints]
+    #[arg(value_name = "CSV", requires = "oscillator")]
+    pub curves: Option<PathBuf>,
+    /// The oscillator that these curves are of, as a text file
+    #[arg(long, value_name = "FILE", requires = "curves", conflicts_with = "file")]
+    pub oscillator: Option<PathBuf>,
+    /// The column in which NAME stands: a parameter, seen or p; may be given several times
+    #[arg(long = "column", value_name = "NAME=COLUMN", requires = "curves", value_parser = column)]
+    pub columns: Vec<(String, String)>,
+    /// What all the curves are, if no column says so, as SN:2 (kind, number of loops)
+    #[arg(long, value_name = "KIND:P", requires = "curves", value_parser = curve)]
+    pub curve: Option<(Bifurcation, Option<u32>)>,
+    /// The greatest distance that is near, as a share of the ranges
+    #[arg(long, value_name = "SHARE", requires = "curves", default_value_t = 1e-3, value_parser = positive)]
+    pub within: f64,
+    #[command(flatten)]
+    pub(crate) parameters: ParameterFile,
+    #[command(flatten)]
+    pub(crate) threads: Threads,
 }
 
 /// The arguments of `grazing certify`.
@@ -415,6 +440,24 @@ fn place(text: &str) -> Result<[f64; 2], String> {
     let numbers = numbers.ok().and_then(|numbers| <[f64; 2]>::try_from(numbers).ok());
     let finite = numbers.filter(|numbers| numbers.iter().all(|number| number.is_finite()));
     finite.ok_or_else(|| "it must be two numbers with a comma between them, as 0.9,0.8".to_owned())
+}
+
+/// A name, and a column in which it stands.
+fn column(text: &str) -> Result<(String, String), String> {
+    let parts = text.split_once('=').map(|(name, column)| (name.trim(), column.trim()));
+    let named = parts.filter(|(name, column)| !name.is_empty() && !column.is_empty());
+    let (name, column) =
+        named.ok_or_else(|| "it must be a name and a column, as omega=freq".to_owned())?;
+    Ok((name.to_owned(), column.to_owned()))
+}
+
+/// A kind of curve, with the number of loops if there is one.
+fn curve(text: &str) -> Result<(Bifurcation, Option<u32>), String> {
+    let (word, loops) = text.split_once(':').map_or((text, None), |(word, loops)| (word, Some(loops)));
+    let kind = Bifurcation::ALL.into_iter().find(|kind| kind.name() == word);
+    let loops = loops.map(str::parse).transpose().ok();
+    let both = kind.zip(loops);
+    both.ok_or_else(|| "it must be graz, SN, PD, GZ, NS or PF, and a number of loops, as SN:2".to_owned())
 }
 
 /// A date.

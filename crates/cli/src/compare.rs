@@ -1,13 +1,22 @@
-//! `grazing compare`: the published values with the computed ones beside them.
+//! `grazing compare`: the published values with the computed ones beside them, and curves of another
+//! program beside those of an oscillator.
 
 use std::fmt::Write;
+use std::path::Path;
 
 use grazing_claims::published::{Comparison, Published, Rounding, Tally};
+use grazing_description::Limits;
+use grazing_measured::read::{self, Foreign};
+use grazing_measured::{Apart, apart};
 use grazing_reproduction::Study;
 
-use crate::arguments::ParameterFile;
+use crate::arguments::{Compare, ParameterFile};
 use crate::failure::{Failure, computation};
-use crate::{project, terminal};
+use crate::limits::ended;
+use crate::oscillator::{OscillatorFile, parameter_names, settings};
+use crate::unfold::analysis::analyse;
+use crate::unfold::layout::aligned;
+use crate::{limits, project, terminal};
 
 /// How many digits more than the print has are shown of a computed value.
 const DIGITS_BEYOND_PRINT: usize = 4;
@@ -17,8 +26,59 @@ const GAP: &str = "  ";
 /// Prints the comparison.
 ///
 /// # Errors
-/// A value is not met, or there is nothing to compare.
-pub(crate) fn run(file: &ParameterFile) -> Result<(), Failure> {
+/// A value is not met, a curve is elsewhere, or there is nothing to compare.
+pub(crate) fn run(arguments: &Compare) -> Result<(), Failure> {
+    match (&arguments.curves, &arguments.oscillator) {
+        (Some(curves), Some(oscillator)) => foreign(curves, oscillator, arguments),
+        _ => print(&arguments.parameters),
+    }
+}
+
+/// How far the points of another program's curves are from those of an oscillator.
+fn foreign(curves: &Path, oscillator: &Path, arguments: &Compare) -> Result<(), Failure> {
+    let of = OscillatorFile::read(oscillator, &settings(&arguments.parameters.set), Limits::USUAL)?;
+    let Compare { columns, curve, within, .. } = arguments;
+    let foreign = Foreign { columns: columns.clone(), curve: *curve };
+    let points = read::curves(curves, parameter_names(&of.description), &foreign);
+    let points = points.map_err(|error| Failure::input(error.to_string()))?;
+    arguments.threads.start()?;
+    limits::listen();
+    let (unfolded, met) = analyse(&of, of.description.limits(), &|_| ())?;
+    if met.is_some() {
+        return Err(ended(oscillator, met, "nothing was compared"));
+    }
+    let kinds = apart(&points, &unfolded.axes, &unfolded.diagram, *within);
+    let row = |Apart { curve, points, outside, far, farthest: (distance, line) }: &Apart| {
+        let farthest = match distance {
+            0.0 => String::new(),
+            distance if distance.is_infinite() => "no such curve".to_owned(),
+            distance => format!("{distance:.1e}"),
+        };
+        [curve.words(), points.to_string(), outside.to_string(), far.to_string(), farthest, line.to_string()].into()
+    };
+    let heads = ["curve", "points", "outside", "too far", "farthest", "line"];
+    terminal::say(&aligned(&heads, kinds.iter().map(row)));
+    let total = |count: fn(&Apart) -> u32| kinds.iter().map(count).sum::<u32>();
+    let (all, far) = (total(|kind| kind.points), total(|kind| kind.far));
+    match (all, far) {
+        (0, _) => Err(Failure::input(format!(
+            "{}: no point of a bifurcation curve lies within the ranges of {}",
+            curves.display(),
+            oscillator.display()
+        ))),
+        (_, 0) => {
+            terminal::say(&format!("\nAll {all} points lie within {within:e} of the ranges.\n"));
+            Ok(())
+        }
+        _ => Err(Failure::check(format!(
+            "{}: {far} of {all} points lie farther than {within:e} of the ranges from every admissible part of such a curve",
+            curves.display()
+        ))),
+    }
+}
+
+/// The values that the paper prints.
+fn print(file: &ParameterFile) -> Result<(), Failure> {
     crate::limits::leave_nothing_behind();
     let parameters = project::parameters(file)?;
     let comparisons = published(&Study::new(&parameters))?;

@@ -124,7 +124,7 @@ pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
 fn solution(description: &Description, at: [f64; 2], watch: &Watch) -> Result<(Solution, String), Failure> {
     let units = description.units();
     let [mu, eta] = at;
-    let oscillator = description.counted([mu / units.primary, eta / units.secondary], &units, &watch.stop());
+    let oscillator = description.counted(units.without_dimensions([mu, eta]), &units, &watch.stop());
     let starts = Starts { states: 0, ..Starts::default() };
     let found = Place::compute(&oscillator, description.loops(), &starts, &Silent);
     let mut solutions = found.map_or(Vec::new(), |place| place.solutions);

@@ -15,7 +15,7 @@ use crate::arguments;
 use crate::failure::Failure;
 use crate::folder::{self, summary};
 use crate::limits::{self, Watch, ended};
-use crate::oscillator::{OscillatorFile, settings, with_loops};
+use crate::oscillator::{OscillatorFile, parameter_names, settings, with_loops};
 use crate::progress::Display;
 use crate::unfold::layout::{aligned, wrapped};
 use crate::unfold::numbers::significant;
@@ -79,11 +79,6 @@ pub(crate) fn run(arguments: &arguments::Identify) -> Result<(), Failure> {
     terminal::say(&listing(file, &names, &fit, &identified, unused));
     terminal::say(&format!("\n{}{:.1} s\n", summary(&written), began.elapsed().as_secs_f64()));
     Ok(())
-}
-
-/// The names of both parameters in the file.
-pub(crate) fn parameter_names(description: &Description) -> [&str; 2] {
-    [description.primary().name(), description.secondary().name()]
 }
 
 /// The values of the constants that are free, as the file has them.

@@ -40,6 +40,11 @@ pub(crate) fn noted(text: &str, settings: &[Setting]) -> String {
     set.chain([text.to_owned()]).collect()
 }
 
+/// The names of both parameters in the file.
+pub(crate) fn parameter_names(description: &Description) -> [&str; 2] {
+    [description.primary().name(), description.secondary().name()]
+}
+
 /// The last part of a path, as text.
 pub(crate) fn file_name(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()

@@ -139,8 +139,8 @@ pub fn associate(
     let mut all = Vec::new();
     for Observation { line, at, errors, seen } in observations {
         let Seen::Bifurcation { kind, loops } = *seen else { continue };
-        let without = |[primary, secondary]: [f64; 2]| [primary / units.primary, secondary / units.secondary];
-        let (at, metric) = (without(*at), Metric::new(without(*errors), &diagram.scope.window));
+        let [at, errors] = [at, errors].map(|place| units.without_dimensions(*place));
+        let metric = Metric::new(errors, &diagram.scope.window);
         let near = nearest(diagram, (kind, loops), at, &metric).ok_or_else(|| (*line, seen.words()))?;
         let condition = match kind {
             Bifurcation::NonImpactingGrazing => Condition::ImpactVelocity(0.0),

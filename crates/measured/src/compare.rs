@@ -68,6 +68,47 @@ pub fn compare(observations: &[Observation], axes: &Axes, diagram: &Diagram, sto
     Comparison { points, counts: counts.into_values().collect() }
 }
 
+/// Another program's curves of a kind beside those of a diagram.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Apart {
+    /// What they are.
+    pub curve: Seen,
+    /// Points of them within the ranges.
+    pub points: u32,
+    /// Points beyond the ranges, which are not looked at.
+    pub outside: u32,
+    /// Those that are too far from every such curve.
+    pub far: u32,
+    /// The greatest distance of a point from the nearest such curve, as a share of the ranges, and its line;
+    /// infinite if there is no such curve.
+    pub farthest: (f64, u32),
+}
+
+/// How far points of another program's curves are from the admissible part of those of a diagram, kind by kind;
+/// `within` is the greatest distance that is near, as a share of the ranges.
+pub fn apart(points: &[Observation], axes: &Axes, diagram: &Diagram, within: f64) -> Vec<Apart> {
+    let window = &diagram.scope.window;
+    let mut all: BTreeMap<String, Apart> = BTreeMap::new();
+    for &Observation { line, at, seen, .. } in points {
+        let Seen::Bifurcation { kind, loops } = seen else { continue };
+        let none = Apart { curve: seen, points: 0, outside: 0, far: 0, farthest: (0.0, line) };
+        let of = all.entry(seen.words()).or_insert(none);
+        let at = axes.units.without_dimensions(at);
+        if !window.contains(at) {
+            of.outside += 1;
+            continue;
+        }
+        let near = nearest(diagram, (kind, loops), at, &Metric::new([0.0; 2], window));
+        let distance = near.map_or(f64::INFINITY, |near| near.distance);
+        of.points += 1;
+        of.far += u32::from(distance > within);
+        if distance > of.farthest.0 {
+            of.farthest = (distance, line);
+        }
+    }
+    all.into_values().collect()
+}
+
 struct Beside<'a> {
     axes: &'a Axes,
     diagram: &'a Diagram,
@@ -75,10 +116,6 @@ struct Beside<'a> {
 }
 
 impl Beside<'_> {
-    fn without_dimensions(&self, [primary, secondary]: [f64; 2]) -> [f64; 2] {
-        [primary / self.axes.units.primary, secondary / self.axes.units.secondary]
-    }
-
     /// The regions that hold a place, with their numbers.
     fn regions(&self, at: [f64; 2]) -> impl Iterator<Item = (u32, &Region)> {
         (1..).zip(&self.diagram.regions).filter(move |(_, region)| region.contains(at))
@@ -89,7 +126,7 @@ impl Beside<'_> {
         if let Seen::Bifurcation { kind, loops } = one.seen {
             return vec![(0, kind.name().to_owned(), loops.unwrap_or(0))];
         }
-        let at = self.without_dimensions(one.at);
+        let at = self.axes.units.without_dimensions(one.at);
         let named =
             |(number, region): (u32, &Region)| (number, region.kind().name().to_owned(), region.loops);
         let held: Vec<_> = self.regions(at).map(named).collect();
@@ -97,7 +134,7 @@ impl Beside<'_> {
     }
 
     fn point(&self, one: &Observation) -> MeasuredPoint {
-        let at = self.without_dimensions(one.at);
+        let at = self.axes.units.without_dimensions(one.at);
         let inside = self.diagram.scope.window.contains(at);
         let mut distance = f64::NAN;
         let (agreement, reason) = match one.seen {
@@ -157,7 +194,7 @@ impl Beside<'_> {
 
     fn motion(&self, one: &Observation, at: [f64; 2], loops: u32) -> Verdict {
         let here = self.at(at, loops);
-        let errors = self.without_dimensions(one.errors);
+        let errors = self.axes.units.without_dimensions(one.errors);
         if here.0 == Agreement::Agrees || errors == [0.0; 2] {
             return here;
         }
@@ -175,7 +212,7 @@ impl Beside<'_> {
         let Seen::Bifurcation { kind, loops } = one.seen else {
             return (Agreement::Silent, String::new());
         };
-        let metric = Metric::new(self.without_dimensions(one.errors), &self.diagram.scope.window);
+        let metric = Metric::new(self.axes.units.without_dimensions(one.errors), &self.diagram.scope.window);
         let Some(near) = nearest(self.diagram, (kind, loops), at, &metric) else {
             let asked = loops.is_none_or(|loops| loops == 0 || self.diagram.scope.loops.contains(&loops));
             let verdict = if asked { Agreement::Disagrees } else { Agreement::Silent };

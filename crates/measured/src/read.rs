@@ -110,6 +110,16 @@ pub const RECORD: Columns = &[
     ("velocity_error", "standard error of the speeds"),
 ];
 
+/// How curves of another program stand in its file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Foreign {
+    /// Names of [`POINTS`], each with the column in which it stands; all other columns but those that are
+    /// called as in [`POINTS`] mean nothing.
+    pub columns: Vec<(String, String)>,
+    /// What curves they are, if no column says so.
+    pub curve: Option<(Bifurcation, Option<u32>)>,
+}
+
 /// More rows than this nobody measured by hand, and curves have not so many points.
 const MOST_ROWS: usize = 10_000;
 /// The most characters of a value that a message repeats.
@@ -133,13 +143,40 @@ pub fn record(path: &Path, names: [&str; 2]) -> Result<Vec<Series>, MeasurementE
     record_of(&read_file(path)?, &path.display().to_string(), names)
 }
 
+/// The points of another program's curves in a file, with the names of both parameters.
+///
+/// # Errors
+/// As [`points`].
+pub fn curves(
+    path: &Path,
+    names: [&str; 2],
+    foreign: &Foreign,
+) -> Result<Vec<Observation>, MeasurementError> {
+    curves_of(&read_file(path)?, &path.display().to_string(), names, foreign)
+}
+
 /// The measurements in a text; `file` is the name that messages use.
 ///
 /// # Errors
 /// The first thing that is not right.
 pub fn points_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<Observation>, MeasurementError> {
-    let table = Table::read(text, file, names, POINTS, &["{primary}", "{secondary}", "seen"])?;
-    table.rows.iter().map(|row| table.observation(row)).collect()
+    let table = Table::read(text, file, names, POINTS, &["{primary}", "{secondary}", "seen"], None)?;
+    table.rows.iter().map(|row| table.observation(row, None)).collect()
+}
+
+/// The points of another program's curves in a text.
+///
+/// # Errors
+/// The first thing that is not right.
+pub fn curves_of(
+    text: &str,
+    file: &str,
+    names: [&str; 2],
+    foreign: &Foreign,
+) -> Result<Vec<Observation>, MeasurementError> {
+    let needed = &["{primary}", "{secondary}", "seen"][..if foreign.curve.is_some() { 2 } else { 3 }];
+    let table = Table::read(text, file, names, POINTS, needed, Some(&foreign.columns))?;
+    table.rows.iter().map(|row| table.observation(row, foreign.curve)).collect()
 }
 
 /// The record of impacts in a text; `file` is the name that messages use.
@@ -148,7 +185,7 @@ pub fn points_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<Observa
 /// The first thing that is not right.
 pub fn record_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<Series>, MeasurementError> {
     let needed = ["{primary}", "{secondary}", "time", "velocity_before", "time_error", "velocity_error"];
-    let table = Table::read(text, file, names, RECORD, &needed)?;
+    let table = Table::read(text, file, names, RECORD, &needed, None)?;
     let mut all: Vec<(&str, Series)> = Vec::new();
     for row in &table.rows {
         let (at, series) = (table.place(row)?, row.cell(table.position("series")));
@@ -245,6 +282,7 @@ impl<'t> Table<'t> {
         names: [&'t str; 2],
         columns: Columns,
         needed: &[&str],
+        foreign: Option<&'t [(String, String)]>,
     ) -> Result<Self, MeasurementError> {
         let at = |line: u32, reason: String| {
             let place = if line == 0 { file.to_owned() } else { format!("{file}:{line}") };
@@ -260,10 +298,24 @@ impl<'t> Table<'t> {
             let is = "cells are separated by commas here, and decimals are written with a point";
             return Err(at(line, is.to_owned()));
         }
-        let header = cells(header);
+        let mut header = cells(header);
+        let list: Vec<&str> = known.iter().map(String::as_str).collect();
+        for (name, column) in foreign.unwrap_or_default() {
+            if !list.contains(&name.as_str()) {
+                let near = suggestion(nearest(name, &list));
+                return Err(at(0, format!("nothing is called {name}{near} The names are {}", list.join(", "))));
+            }
+            let is = format!("there is no column {column} in it, in which {name} is to stand");
+            let place = header.iter().position(|known| known == column).ok_or_else(|| at(line, is))?;
+            // What else is called like this means something else to the other program.
+            header.iter_mut().filter(|known| *known == name).for_each(|known| *known = "");
+            header[place] = name;
+        }
         for (place, name) in header.iter().enumerate() {
-            let list: Vec<&str> = known.iter().map(String::as_str).collect();
             if !list.contains(name) {
+                if foreign.is_some() {
+                    continue;
+                }
                 let near = suggestion(nearest(name, &list));
                 let name = shortened(name, SHOWN);
                 return Err(at(
@@ -351,13 +403,21 @@ impl<'t> Table<'t> {
         Ok([number("{primary}")?, number("{secondary}")?])
     }
 
-    fn observation(&self, row: &Row<'_>) -> Result<Observation, MeasurementError> {
+    fn observation(
+        &self,
+        row: &Row<'_>,
+        otherwise: Option<(Bifurcation, Option<u32>)>,
+    ) -> Result<Observation, MeasurementError> {
         let error = |column| match row.cell(self.position(column)) {
             "" => Ok(0.0),
             _ => self.number(row, column, |value| value >= 0.0, "the standard error, which is not negative,"),
         };
         let errors = [error("{primary}_error")?, error("{secondary}_error")?];
-        Ok(Observation { line: row.line, at: self.place(row)?, errors, seen: self.seen(row)? })
+        let seen = match otherwise {
+            Some((kind, loops)) => Seen::Bifurcation { kind, loops },
+            None => self.seen(row)?,
+        };
+        Ok(Observation { line: row.line, at: self.place(row)?, errors, seen })
     }
 
     fn seen(&self, row: &Row<'_>) -> Result<Seen, MeasurementError> {

@@ -13,6 +13,7 @@ use std::{fs, io};
 
 use rayon::prelude::*;
 use serde::Deserialize;
+use sha2::{Digest, Sha256};
 
 use crate::errors::armed::{REACHED, SWITCH, VARIABLE, armed};
 
@@ -340,8 +341,10 @@ impl<'a> Copy<'a> {
     fn reaching(&self, test: &TestProgram, index: usize) -> io::Result<Vec<String>> {
         let program = self.root.join(&test.program);
         let record = program.with_extension("reached");
-        let built = fs::metadata(&program)?.modified()?;
-        if !fs::metadata(&record).is_ok_and(|record| record.modified().is_ok_and(|at| at >= built)) {
+        // Of this very program: one that is built anew is the same if its source is.
+        let digest = Sha256::digest(fs::read(&program)?);
+        let of = digest.iter().map(|byte| format!("{byte:02x}")).chain(["\n".to_owned()]).collect::<String>();
+        if !fs::read_to_string(&record).is_ok_and(|record| record.starts_with(&of)) {
             let listed = self.run(test, "unlimited").args(["--list", "--format", "terse"]).output()?;
             let listed = String::from_utf8_lossy(&listed.stdout);
             let names: Vec<&str> = listed.lines().filter_map(|line| line.strip_suffix(": test")).collect();
@@ -354,7 +357,7 @@ impl<'a> Copy<'a> {
                 Ok(format!("{name}\t{numbers}\n"))
             };
             let all = names.par_iter().enumerate().map(reached).collect::<io::Result<String>>()?;
-            fs::write(&record, all)?;
+            fs::write(&record, of + &all)?;
         }
         let number = (index + 1).to_string();
         let reaches = |line: &str| {

@@ -265,8 +265,7 @@ impl Sides {
             let mut beyond = middle;
             // As far to the other side of the curve as the MPSs lie on theirs.
             beyond[unknown::PRIMARY] -= solutions[1][unknown::PRIMARY] - middle[unknown::PRIMARY];
-            let attracts = Suspect::of(&equations.oscillator_at(&beyond), point.loops(), &beyond).attracts();
-            attracts.map(|attracts| !attracts)
+            Suspect::of(&equations.oscillator_at(&beyond), point.loops(), &beyond).leaves()
         } else {
             Some(true)
         };

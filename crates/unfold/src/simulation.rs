@@ -141,4 +141,9 @@ impl<'a, O: ImpactOscillator> Suspect<'a, O> {
         }
         None
     }
+
+    /// Whether motion that begins beside the impact goes elsewhere; `None` as [`attracts`](Self::attracts).
+    pub fn leaves(&self) -> Option<bool> {
+        self.attracts().map(|attracts| !attracts)
+    }
 }

@@ -462,7 +462,7 @@ mod tests {
         unfolded.diagram.regions.retain(|region| region.doubt.is_none());
         assert!(!results(&description, &unfolded).contains("Not decided"));
         let units = unfolded.axes.units;
-        let corner = |primary: f64, secondary: f64| [primary / units.primary, secondary / units.secondary];
+        let corner = |primary: f64, secondary: f64| units.without_dimensions([primary, secondary]);
         for doubt in [Doubt::Disagreement, Doubt::UnnamedChange, Doubt::ManyBranches, Doubt::Unseen] {
             let ring = vec![corner(0.5, 0.625), corner(0.75, 0.625), corner(0.75, 0.6875)];
             let region = Region { loops: 1, n: 3, rings: vec![ring], doubt: Some(doubt.clone()) };

@@ -155,7 +155,7 @@ fn mean_force_at_wall(description: &Description, [mu, eta]: [f64; 2]) -> f64 {
 /// Whether the oscillator rests in front of the wall.
 fn rests_in_front(description: &Description, [mu, eta]: [f64; 2]) -> bool {
     let units = description.units();
-    let place = [mu / units.primary, eta / units.secondary];
+    let place = units.without_dimensions([mu, eta]);
     !rest_positions(&description.counted(place, &units, &Stop::default())).is_empty()
 }
 

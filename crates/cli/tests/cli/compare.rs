@@ -2,6 +2,7 @@
 //! the paper's.
 
 use std::collections::BTreeMap;
+use std::fs;
 
 use crate::program::{DEFAULT, edited, grazing, project, repository, snapshots};
 use grazing_claims::published::Published;
@@ -62,4 +63,32 @@ fn another_damping_ratio_misses_the_print_and_fails() {
         "{}",
         outcome.messages
     );
+}
+
+/// The curves of Figure 7 are those of the closed form; here motion is integrated from a text file.
+#[test]
+fn curves_of_another_program_are_held_against_those_of_an_oscillator() {
+    let folder = project("");
+    let table = repository().join("figures/data/fig07_curves.csv").display().to_string();
+    let example = repository().join("examples/paper.toml").display().to_string();
+    let named = |file| ["compare", file, "--oscillator", &example, "--column", "A=amplitude"];
+    let same = grazing(folder.path(), &[&named(&table)[..], &["--column", "seen=kind"]].concat());
+    assert_eq!(same.code, Some(0), "{}{}", same.output, same.messages);
+    for curve in ["graz", "SN of p = 2", "PD of p = 3", "GZ of p = 1"] {
+        assert!(same.output.contains(curve), "{curve} is missing in {}", same.output);
+    }
+    // A place beside a curve, with columns of other names.
+    let moved = "amplitude,omega\n0.5024,0.7\n";
+    fs::write(folder.path().join("moved.csv"), moved).expect("the folder is ours");
+    let within = |share| {
+        let line = [&named("moved.csv")[..], &["--curve", "GZ:1", "--within", share]].concat();
+        grazing(folder.path(), &line)
+    };
+    let (near, far) = (within("1"), within("1e-9"));
+    assert_eq!(near.code, Some(0), "{}{}", near.output, near.messages);
+    assert_eq!(far.code, Some(1), "{}{}", far.output, far.messages);
+    assert!(far.errors().contains("1 of 1 points lie farther"), "{}", far.messages);
+    let none = grazing(folder.path(), &[&named("moved.csv")[..], &["--column", "seen=kind"]].concat());
+    assert_eq!(none.code, Some(2), "{}", none.messages);
+    assert!(none.errors().contains("no column kind in it, in which seen is to stand"), "{}", none.messages);
 }

@@ -84,6 +84,11 @@ impl Units {
     pub fn parameters(&self, [primary, secondary]: [f64; 2]) -> [f64; 2] {
         [primary * self.primary, secondary * self.secondary]
     }
+
+    /// The other way round: parameters without dimensions from those in the oscillator's own units.
+    pub fn without_dimensions(&self, [primary, secondary]: [f64; 2]) -> [f64; 2] {
+        [primary / self.primary, secondary / self.secondary]
+    }
 }
 
 /// The power of four next to a positive number.

@@ -299,7 +299,7 @@ fn a_slice_does_not_step_over_both_sides_of_the_tip_of_a_region() {
     let own = scope(ranges[0], ranges[1], &[1]).without_dimensions(&units);
     let oscillator = model.counted([1.2, 1.075], &units, &Stop::default());
     let diagram = Diagram::located(&oscillator, &own, &Silent).expect("there is grazing");
-    let stays_off = |[a, b]: [f64; 2]| stays_off(&diagram, [a / units.primary, b / units.secondary]);
+    let stays_off = |place: [f64; 2]| stays_off(&diagram, units.without_dimensions(place));
     // By integration of another kind: multipliers -1.008 and -0.631 at the third place. At omega =
     // 0.832 motion is doubled for A from 0.36886 to 0.43449.
     assert!(stays_off([0.36, 0.832]) && stays_off([0.375, 0.85]));
@@ -381,7 +381,7 @@ fn solutions_that_are_faster_than_any_that_is_known_are_found() {
     // Simulation returns to solutions with impact velocities from 2.7 to 3.4 there; those that are
     // known have 1 at most.
     for here in [[0.57, 1.07], [0.575, 1.05], [0.575, 1.15]] {
-        let here = [here[0] / units.primary, here[1] / units.secondary];
+        let here = units.without_dimensions(here);
         let shaded = |region: &Region| region.kind() == RegionKind::Mps && region.contains(here);
         assert!(diagram.regions.iter().any(shaded), "{here:?}");
     }

@@ -1,10 +1,12 @@
 //! What is said of theorem, curve and simulation where one of them has its difficulties.
 
 use grazing_continuation::bifurcation::Pair;
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::{EventTimes, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::sides::{Inconclusive, Sides, Simulated, simulate};
-use grazing_unfold::simulation::ReturnOutcome;
+use grazing_unfold::simulation::{ReturnOutcome, Suspect};
 use grazing_unfold::verdict::{Coefficient, Obstacle, Verdict, coefficients};
 use grazing_unfold::{Diagram, Scope};
 
@@ -99,6 +101,31 @@ fn a_difference_beyond_the_errors_contradicts_and_a_value_without_digits_is_not_
         period_doubling.theorem.error = error;
         let verdict = period_doubling.verdict();
         assert!(matches!(verdict, Verdict::NotMeasurable(Obstacle::NearlyDegenerate { .. })), "{verdict:?}");
+    }
+}
+
+#[test]
+fn motion_goes_elsewhere_beyond_a_saddle_node_and_beside_an_unstable_solution_alone() {
+    let point = linear(ZETA, 1, 3);
+    let Simulated::AsPredicted(sides) = simulated(&point, &coefficients(&point))[0] else {
+        panic!("it is as predicted here")
+    };
+    assert_eq!(sides.gone_beyond, Some(true));
+    let (equations, saddle_node) = (point.equations(), Pair::CONDITIONS.saddle_node);
+    let find = |conditions, near| {
+        locate(equations, conditions, near, &mut EventTimes::default()).expect("there is a solution")
+    };
+    let direction = point.direction(saddle_node);
+    let near = point.unknowns() + direction * (sides.velocity / direction[unknown::VELOCITY]);
+    let fold = find([saddle_node, Condition::ImpactVelocity(sides.velocity)], near);
+    assert_ne!(sides.predicted[0], sides.predicted[1]);
+    for (share, stable) in [0.9, 1.1].into_iter().zip(sides.predicted) {
+        let mut near = fold;
+        near[unknown::VELOCITY] *= share;
+        let velocity = Condition::ImpactVelocity(near[unknown::VELOCITY]);
+        let solution = find([Condition::Secondary(fold[unknown::SECONDARY]), velocity], near);
+        let oscillator = equations.oscillator_at(&solution);
+        assert_eq!(Suspect::of(&oscillator, 1, &solution).leaves(), Some(!stable), "{share}");
     }
 }
 
