@@ -286,8 +286,8 @@ impl<'a> Model<'a> {
 
     /// `ψ/(1 − cos θ)` at a time: the inverse of the velocity at which motion touches the wall then.
     fn ratio(&self, at: &At, time: Series) -> Series {
-        let [[rise], [distance]] = [Ball::ZERO, Ball::ONE]
-            .map(|v| self.oscillator.distance(&at.family.motion(v.into()), time));
+        let [[rise], [distance]] =
+            [Ball::ZERO, Ball::ONE].map(|v| self.oscillator.distance(&at.family.motion(v.into()), time));
         (rise - distance) * rise.inverse()
     }
 

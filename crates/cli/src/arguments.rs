@@ -446,8 +446,7 @@ fn place(text: &str) -> Result<[f64; 2], String> {
 fn column(text: &str) -> Result<(String, String), String> {
     let parts = text.split_once('=').map(|(name, column)| (name.trim(), column.trim()));
     let named = parts.filter(|(name, column)| !name.is_empty() && !column.is_empty());
-    let (name, column) =
-        named.ok_or_else(|| "it must be a name and a column, as omega=freq".to_owned())?;
+    let (name, column) = named.ok_or_else(|| "it must be a name and a column, as omega=freq".to_owned())?;
     Ok((name.to_owned(), column.to_owned()))
 }
 

@@ -54,7 +54,8 @@ fn foreign(curves: &Path, oscillator: &Path, arguments: &Compare) -> Result<(), 
             distance if distance.is_infinite() => "no such curve".to_owned(),
             distance => format!("{distance:.1e}"),
         };
-        [curve.words(), points.to_string(), outside.to_string(), far.to_string(), farthest, line.to_string()].into()
+        [curve.words(), points.to_string(), outside.to_string(), far.to_string(), farthest, line.to_string()]
+            .into()
     };
     let heads = ["curve", "points", "outside", "too far", "farthest", "line"];
     terminal::say(&aligned(&heads, kinds.iter().map(row)));

@@ -303,7 +303,10 @@ impl<'t> Table<'t> {
         for (name, column) in foreign.unwrap_or_default() {
             if !list.contains(&name.as_str()) {
                 let near = suggestion(nearest(name, &list));
-                return Err(at(0, format!("nothing is called {name}{near} The names are {}", list.join(", "))));
+                return Err(at(
+                    0,
+                    format!("nothing is called {name}{near} The names are {}", list.join(", ")),
+                ));
             }
             let is = format!("there is no column {column} in it, in which {name} is to stand");
             let place = header.iter().position(|known| known == column).ok_or_else(|| at(line, is))?;
