@@ -473,6 +473,32 @@ mod tests {
     }
 
     #[test]
+    fn columns_of_another_program_are_found_by_the_names_that_are_given() {
+        let foreign = |columns: &[(&str, &str)]| Foreign {
+            columns: columns
+                .iter()
+                .map(|(name, column)| [name, column].map(|it| (*it).to_owned()).into())
+                .collect(),
+            curve: Some((Bifurcation::SaddleNode, Some(2))),
+        };
+        let text = "freq,A,amp,T\n0.8,99,0.25,3\n";
+        let read = |columns| curves_of(text, "curve.csv", NAMES, &foreign(columns));
+        let found = read(&[("omega", "freq"), ("A", "amp")]).unwrap();
+        assert_eq!((found[0].at, found[0].seen.words()), ([0.25, 0.8], "SN of p = 2".to_owned()));
+        for (columns, part) in [
+            (&[("omga", "freq")][..], "nothing is called omga: did you mean `omega`?"),
+            (
+                &[("omega", "frequency")],
+                "curve.csv:1: there is no column frequency in it, in which omega is to stand",
+            ),
+            (&[("A", "amp")], "the column omega is missing"),
+        ] {
+            let message = read(columns).unwrap_err().to_string();
+            assert!(message.contains(part), "{message}");
+        }
+    }
+
+    #[test]
     fn mistakes_are_named_with_file_line_column_value_and_remedy() {
         for (text, parts) in [
             ("", vec!["rig.csv: it is empty"]),
