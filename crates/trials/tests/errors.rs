@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use grazing_trials::errors::{DeliberateError, Seen, list, table};
+use grazing_trials::errors::{DeliberateError, Seen, TABLE, list, table};
 
 #[test]
 fn every_error_can_be_put_in() {
@@ -11,9 +11,24 @@ fn every_error_can_be_put_in() {
     let list = list(&root).unwrap_or_else(|error| panic!("{error}"));
     assert!(list.len() >= 150);
     assert!(list.iter().all(|error| error.find != error.replace));
-    let trust = std::fs::read_to_string(root.join("docs/trust.md")).expect("it is there");
-    let words = format!("{} errors introduced into", list.len());
-    assert!(trust.contains(&words), "docs/trust.md does not say `{words}`");
+    let read = |file: &str| std::fs::read_to_string(root.join(file)).expect("it is there");
+    let (trust, tried) = (read("docs/trust.md"), read(TABLE));
+    // By whom: `3 claims: ...`, `1 test: ...`; frozen tests alone are not enough.
+    let seen: Vec<&str> =
+        tried.lines().filter_map(|line| line.trim_end_matches(" |").rsplit_once(" | ")?.1.into()).collect();
+    let by = |who: &str| {
+        seen.iter().filter(|cell| cell.split(' ').nth(1).is_some_and(|it| it.starts_with(who))).count()
+    };
+    let (claims, tests) = (by("claim"), by("test"));
+    let trial = "`cargo run --release -p grazing-trials -- errors` with the numbers of the others";
+    assert_eq!(claims + tests, list.len(), "some errors were not tried out, or are not seen: {trial}");
+    let words = [
+        format!("{} errors introduced into", list.len()),
+        format!("all are caught, {claims} by claims, the others by tests"),
+    ];
+    for words in words {
+        assert!(trust.contains(&words), "docs/trust.md does not say `{words}`");
+    }
 }
 
 #[test]
