@@ -9,7 +9,6 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// Binary digits after the point.
 const BITS: u32 = 88;
 const ONE: u128 = 1 << BITS;
-const LOW: u128 = u64::MAX as u128;
 /// Midpoints and radii stay below this.
 const LIMIT: u128 = 1 << 126;
 
@@ -34,14 +33,7 @@ pub trait Number:
 
 /// `⌊a b / 2⁸⁸⌋` and `⌈a b / 2⁸⁸⌉`; if these do not fit, 0 and the greatest integer.
 fn product(a: u128, b: u128) -> (u128, u128) {
-    if a == 0 || b == 0 {
-        return (0, 0);
-    }
-    let (a1, a0, b1, b0) = (a >> 64, a & LOW, b >> 64, b & LOW);
-    let (bottom, first, second) = (a0 * b0, a1 * b0, a0 * b1);
-    let middle = (bottom >> 64) + (first & LOW) + (second & LOW);
-    let low = (middle << 64) | (bottom & LOW);
-    let high = a1 * b1 + (first >> 64) + (second >> 64) + (middle >> 64);
+    let (low, high) = a.carrying_mul(b, 0);
     if high >> (BITS - 2) != 0 {
         return (0, u128::MAX);
     }
@@ -120,11 +112,6 @@ impl Ball {
     /// Whether all its numbers are negative.
     pub fn is_negative(self) -> bool {
         self.upper() < 0
-    }
-
-    /// Whether zero is none of them.
-    pub fn is_not_zero(self) -> bool {
-        self.is_positive() || self.is_negative()
     }
 
     /// Whether all numbers of `other` lie in it.

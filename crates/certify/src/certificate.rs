@@ -1,7 +1,7 @@
 //! The certificate as text: what is stated, and a row for each interval with its witnesses. Its
 //! README, in `certificate/`, has the columns.
 
-use crate::resonance::Resonance;
+use crate::resonance::{NAMES, Resonance};
 use crate::row::{Block, Clearance, Row, Verdict, Witness};
 use crate::statement::{Statement, WIDTH_PLACES};
 
@@ -53,7 +53,7 @@ fn checksum(text: &str) -> u64 {
 /// `statement.csv`: constants and window, how many points there are where GZ curves end or meet, and a
 /// checksum of all that is in the three files.
 pub fn statement(statement: &Statement, points: usize, resonances: &str, rows: &str) -> String {
-    let Statement { zeta, epsilon, frequency: [lowest, highest], amplitude, loops } = statement;
+    let Statement { zeta, epsilon, frequency: [lowest, highest], amplitude, loops, .. } = statement;
     let loops: Vec<String> = loops.iter().map(u32::to_string).collect();
     let stated = format!(
         "name,value\nzeta,{zeta}\nepsilon,{epsilon}\nomega_lowest,{lowest}\nomega_highest,{highest}\n\
@@ -66,9 +66,8 @@ pub fn statement(statement: &Statement, points: usize, resonances: &str, rows: &
 /// `resonances.csv`: the digits of each number that are certain, and no more than twenty.
 pub fn resonances(resonances: &[Resonance]) -> String {
     let line = |found: &Resonance| {
-        let numbers = found.numbers().map(|(_, number)| number.to_string()).join(",");
+        let numbers = found.numbers.map(|number| number.to_string()).join(",");
         format!("{},{},{numbers},{}", found.p, found.n, found.missing.join("; "))
     };
-    let columns = "p,n,omega_star,amplitude_graz,s_plus,s_minus,c_sn,c_pd,criticality,not_shown";
-    lines(columns, resonances.iter().map(line))
+    lines(&format!("p,n,{},not_shown", NAMES.join(",")), resonances.iter().map(line))
 }

@@ -19,8 +19,6 @@ pub mod summary;
 
 use rayon::prelude::*;
 
-use ball::Number as _;
-use orbit::Oscillator;
 use row::{Base, Interval, Row};
 use search::rows;
 use statement::Statement;
@@ -33,14 +31,9 @@ const MOST_TRIED: usize = 2_000;
 
 /// The intervals that cover the window, in order, with what is proved of each. `step` is called when
 /// one of so many parts is done; `begin` is told before how many there are.
-pub fn prove(
-    statement: &Statement,
-    oscillator: &Oscillator,
-    begin: impl Fn(u64),
-    step: impl Fn() + Sync,
-) -> Vec<Row> {
+pub fn prove(statement: &Statement, begin: impl Fn(u64), step: impl Fn() + Sync) -> Vec<Row> {
     let [lowest, highest] =
-        statement.frequency.map(|frequency| oscillator.omega_1 * frequency.ball().inverse());
+        statement.frequency.map(|frequency| statement.oscillator.omega_1_over(frequency.ball()));
     let parts = libm::scalbn(1.0, COARSEST as i32);
     let first = libm::floor(highest.bottom().to_f64() * parts) as i64;
     let end = libm::ceil(lowest.top().to_f64() * parts) as i64;
@@ -55,7 +48,7 @@ pub fn prove(
     intervals
         .into_par_iter()
         .flat_map_iter(|interval| {
-            let rows = rows(statement, oscillator, interval, &mut MOST_TRIED.clone());
+            let rows = rows(statement, interval, &mut MOST_TRIED.clone());
             step();
             rows
         })

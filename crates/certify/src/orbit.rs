@@ -60,6 +60,11 @@ impl Oscillator {
         valid.then_some(Self { zeta, epsilon, omega_1, decay })
     }
 
+    /// `ω₁/x`: ν of ω, and ω of ν.
+    pub fn omega_1_over<N: Number>(&self, x: N) -> N {
+        N::from(self.omega_1) * x.inverse()
+    }
+
     /// `e^(−2πkν s)`, and the sine and cosine of `2πν s`.
     pub fn free<N: Number>(&self, nu: N, turns: N) -> (N, N, N) {
         let decay = (N::from(-(Ball::PI + Ball::PI) * self.decay) * nu * turns).exp();
@@ -102,11 +107,16 @@ impl Oscillator {
 
     /// `A_graz² = (1 − ω²)² + 4 ζ² ω²`.
     pub fn grazing_square<N: Number>(&self, nu: N) -> N {
-        let omega = N::from(self.omega_1) * nu.inverse();
+        let omega = self.omega_1_over(nu);
         let square = omega * omega;
         let rest = N::from(Ball::ONE) - square;
         let damping = self.zeta + self.zeta;
         rest * rest + N::from(damping * damping) * square
+    }
+
+    /// `A_graz² (c² + w²)`: the square of `dA/dv` is nowhere greater.
+    pub fn steepness_square<N: Number>(&self, Family { nu, c, w, .. }: &Family<N>) -> N {
+        self.grazing_square(*nu) * (*c * *c + *w * *w)
     }
 
     /// The square of the amplitude at which the motion has this velocity: `A² = A_graz² (f₁² + f₂²)`.
@@ -117,6 +127,16 @@ impl Oscillator {
 }
 
 impl<N: Number> Family<N> {
+    /// The velocity at which a multiplier is 1.
+    pub fn saddle_node(&self) -> N {
+        self.b * self.big_p.inverse()
+    }
+
+    /// The velocity at which a multiplier is −1.
+    pub fn period_doubling(&self) -> N {
+        -(self.b * self.big_q.inverse())
+    }
+
     /// The motion with velocity `v` at impact.
     pub fn motion(&self, v: N) -> Motion<N> {
         let free = [self.c * v, self.e * v];

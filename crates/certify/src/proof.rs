@@ -2,39 +2,23 @@
 //! coefficients at its base, and the fourth over all of it.
 
 use crate::ball::{Ball, Number};
-use crate::orbit::{Family, Motion, Oscillator};
+use crate::orbit::{Family, Motion};
 use crate::row::{Base, Block, Clearance, Interval, Row, Verdict, WITNESS_BITS, Witness};
 use crate::series::Series;
 use crate::statement::Statement;
 
-/// The motions with one impact over an interval of ν.
+/// The motions with one impact over an interval of ν, as functions of ν.
 pub struct Model<'a> {
-    oscillator: &'a Oscillator,
-    interval: Interval,
-    at_origin: At,
-    over_all: At,
-    /// The values of `u`.
-    offset: Ball,
-}
-
-/// The motions as functions of ν, by their Taylor coefficients at one ν, or over an interval.
-#[derive(Clone, Copy)]
-pub struct At {
+    /// What is to be proved.
+    pub statement: &'a Statement,
+    /// The interval.
+    pub interval: Interval,
     family: Family<Series>,
+    /// `u = ν − m`, m the base.
     offset: Series,
+    /// Whether motion becomes stable at a multiplier 1, not at −1.
+    saddle_node: bool,
 }
-
-impl At {
-    /// A witness as a function of ν.
-    pub fn witness<const N: usize>(&self, witness: Witness<N>) -> Series {
-        witness.iter().rev().fold(Ball::ZERO.into(), |sum: Series, &coefficient| {
-            sum * self.offset + Ball::dyadic(coefficient, WITNESS_BITS).into()
-        })
-    }
-}
-
-/// A velocity at impact, as a function of ν.
-pub type Velocity<'v> = dyn Fn(&At) -> Series + 'v;
 
 /// A stretch of time, in turns.
 pub type Turns = [f64; 2];
@@ -50,95 +34,83 @@ fn is_whole(turn: Witness<2>) -> bool {
 
 impl<'a> Model<'a> {
     /// Over an interval.
-    pub fn over(oscillator: &'a Oscillator, interval: Interval) -> Self {
-        Self::new(oscillator, interval, interval.origin(), interval.all())
+    pub fn over(statement: &'a Statement, interval: Interval) -> Self {
+        Self::new(statement, interval, [interval.origin(), interval.all()])
     }
 
     /// At one ν of it.
-    pub fn at(oscillator: &'a Oscillator, interval: Interval, nu: Ball) -> Self {
-        Self { offset: Ball::ZERO, ..Self::new(oscillator, interval, nu, nu) }
+    pub fn at(statement: &'a Statement, interval: Interval, nu: Ball) -> Self {
+        Self::new(statement, interval, [nu; 2])
     }
 
-    fn new(oscillator: &'a Oscillator, interval: Interval, origin: Ball, all: Ball) -> Self {
-        let [at_origin, over_all] = [origin, all].map(|nu| {
-            let variable = Series::variable(nu);
-            let offset = variable - interval.origin().into();
-            At { family: oscillator.family(interval.p, variable), offset }
-        });
-        Self { oscillator, interval, at_origin, over_all, offset: all - origin }
+    fn new(statement: &'a Statement, interval: Interval, [at, over_all]: [Ball; 2]) -> Self {
+        let nu = Series::variable(at, over_all);
+        let family = statement.oscillator.family(interval.p, nu);
+        let saddle_node = family.b.0[0][0].is_positive();
+        Self { statement, interval, family, offset: nu - interval.origin().into(), saddle_node }
+    }
+
+    /// A witness as a function of ν.
+    pub fn witness<const N: usize>(&self, witness: Witness<N>) -> Series {
+        let coefficients = witness.map(|coefficient| Ball::dyadic(coefficient, WITNESS_BITS).into());
+        coefficients.into_iter().rev().fold(Ball::ZERO.into(), |sum, term| sum * self.offset + term)
     }
 
     /// The velocity above which motion is stable: `b/P`, where a multiplier is 1, if b is positive in the
     /// middle; `−b/Q`, where one is −1, otherwise.
-    pub fn limit(&self) -> impl Fn(&At) -> Series {
-        let saddle_node = self.begins_at_saddle_node();
-        move |at| {
-            let Family { b, big_p, big_q, .. } = at.family;
-            if saddle_node { b * big_p.inverse() } else { -b * big_q.inverse() }
+    pub fn limit(&self) -> Series {
+        if self.saddle_node { self.family.saddle_node() } else { self.family.period_doubling() }
+    }
+
+    /// What a function of ν may be anywhere in the interval, with its order: how often it vanishes at a
+    /// resonance of one loop. There it is divided by that power of `|u|`; of any value unless that is exact.
+    fn values(&self, function: Series, order: usize) -> Ball {
+        let ([near, far], [at, over_all]) = (function.0, self.family.nu.0);
+        let (order, offset) =
+            (if self.interval.base == Base::Middle { 0 } else { order }, over_all[0] - at[0]);
+        if near[..order] != [Ball::ZERO; 4][..order] {
+            return Ball::ANY;
         }
-    }
-
-    fn begins_at_saddle_node(&self) -> bool {
-        self.at_origin.family.b.0[0].is_positive()
-    }
-
-    /// What functions of ν may be anywhere in the interval. Each comes with its order: how often it
-    /// vanishes at a resonance of one loop. There it is divided by that power of `|u|`.
-    fn range<const N: usize>(&self, functions: impl Fn(&At) -> [(Series, usize); N]) -> [Ball; N] {
-        let (origin, all) = (functions(&self.at_origin), functions(&self.over_all));
-        core::array::from_fn(|i| {
-            let order = if self.interval.base == Base::Middle { 0 } else { origin[i].1 };
-            let quotient = origin[i].0.with_remainder(all[i].0).divided(order);
-            let values = quotient.values(self.offset);
-            if self.interval.base == Base::Right && order % 2 == 1 { -values } else { values }
-        })
+        let values = near[order..3].iter().rev().fold(far[3], |sum, &term| term + offset * sum);
+        if self.interval.base == Base::Right && order % 2 == 1 { -values } else { values }
     }
 
     /// Completes a row by what its witnesses prove, if they prove anything; `nearest` guesses when motion
     /// with velocity `lower` is nearest to the wall in a block.
-    pub fn prove(
-        &self,
-        row: Row,
-        statement: &Statement,
-        nearest: impl Fn(Turns) -> Witness<2>,
-    ) -> Option<Row> {
-        let side = |witness: Witness<3>| move |at: &At| at.witness(witness);
-        let clearance = |lower, upper| {
-            let velocities: [&Velocity<'_>; 2] = [&side(lower), &side(upper)];
-            CELLS.into_iter().find_map(|cells| self.clearance(velocities, cells, &nearest))
-        };
+    pub fn prove(&self, row: Row, nearest: impl Fn(Turns) -> Witness<2>) -> Option<Row> {
+        let [lower, upper] = [row.lower, row.upper].map(|side| side.map(|side| self.witness(side)));
+        let clearance =
+            |velocities| CELLS.into_iter().find_map(|cells| self.clearance(velocities, cells, &nearest));
         if self.interval.base != Base::Middle && !self.crosses_at_resonance() {
             return None;
         }
-        let Some(lower) = row.lower else {
-            let none = match (row.upper, row.touch?) {
+        let Some(lower) = lower else {
+            let none = match (upper, row.touch?) {
                 // One of the conditions, which are linear, fails at velocity 0 and at `upper`.
                 (Some(upper), touch) => {
-                    let [b, below, above] = self.conditions(&side(upper));
+                    let [b, below, above] = self.conditions(upper);
                     let unstable =
                         (b.is_positive() && below.is_negative()) || (b.is_negative() && above.is_negative());
-                    unstable && self.beyond(&side(upper), touch, 2)
+                    unstable && self.beyond(upper, touch, 2)
                 }
                 // At a whole turn the distance is proportional to v: at `v = 1` is enough.
-                (None, turn) => is_whole(turn) && self.beyond(&|_| Ball::ONE.into(), turn, 1),
+                (None, turn) => is_whole(turn) && self.beyond(Ball::ONE.into(), turn, 1),
             };
             return none.then_some(Row { verdict: Verdict::None, ..row });
         };
-        let [b, below, above] = self.conditions(&side(lower));
+        let [b, below, above] = self.conditions(lower);
         let stable = below.is_positive() && above.is_positive();
-        let Some(upper) = row.upper else {
-            let ends = self.end_below(&side(lower)).is_some();
+        let Some(upper) = upper else {
+            let leaves = self.amplitude(lower) - self.statement.amplitude.ball();
+            let ends = leaves.is_positive() || self.end_below(lower).is_some();
             let begins = stable || (b.is_positive() && below.is_positive());
-            let leaves = (self.amplitude(&side(lower)) - statement.amplitude.ball()).is_positive();
-            let proved = begins && (ends || leaves);
-            let clearance = proved.then(|| clearance(lower, lower))??;
+            let clearance = (begins && ends).then(|| clearance([lower; 2]))??;
             return Some(Row { verdict: Verdict::Stable, clearance: Some(clearance), ..row });
         };
         let fine = self.interval.level >= FINE;
-        let proved = (stable || fine)
-            && self.is_narrow(core::array::from_fn(|i| upper[i] - lower[i]), statement.width())
-            && self.beyond(&side(upper), row.touch?, 2);
-        let clearance = proved.then(|| clearance(lower, upper))??;
+        let proved =
+            (stable || fine) && self.is_narrow(row.lower?, row.upper?) && self.beyond(upper, row.touch?, 2);
+        let clearance = proved.then(|| clearance([lower, upper]))??;
         let verdict = match (stable, clearance.open) {
             (true, 1) => Verdict::Stable,
             (true, 2) | (false, 1) if fine => Verdict::Point(self.point(&clearance)?),
@@ -148,78 +120,78 @@ impl<'a> Model<'a> {
     }
 
     /// `b`, and the conditions of stability `P v − b > 0` and `Q v + b > 0`.
-    fn conditions(&self, velocity: &Velocity<'_>) -> [Ball; 3] {
-        self.range(|at| {
-            let (v, Family { b, big_p, big_q, .. }) = (velocity(at), at.family);
-            [b, big_p * v - b, big_q * v + b].map(|function| (function, 1))
-        })
+    fn conditions(&self, v: Series) -> [Ball; 3] {
+        let Family { b, big_p, big_q, .. } = self.family;
+        [b, big_p * v - b, big_q * v + b].map(|function| self.values(function, 1))
     }
 
     /// The amplitude at which stability ends, at a multiplier −1, if it does so below a velocity: that of
     /// the velocity `−b/Q`, where `Q < 0 < b`.
-    pub fn end_below(&self, velocity: &Velocity<'_>) -> Option<Ball> {
-        let [b, _, above] = self.conditions(velocity);
-        let end = |at: &At| -at.family.b * at.family.big_q.inverse();
-        (b.is_positive() && above.is_negative()).then(|| self.amplitude(&end))
+    pub fn end_below(&self, v: Series) -> Option<Ball> {
+        let [b, _, above] = self.conditions(v);
+        (b.is_positive() && above.is_negative()).then(|| self.amplitude(self.family.period_doubling()))
     }
 
     /// Whether the motion with this velocity is beyond the wall at a time between its impacts, where the
     /// distance is of this order. So are then all motions with greater velocities.
-    fn beyond(&self, velocity: &Velocity<'_>, touch: Witness<2>, order: usize) -> bool {
-        let [v, distance, time] = self.range(|at| {
-            let (v, time) = (velocity(at), at.witness(touch));
-            let [distance] = self.oscillator.distance(&at.family.motion(v), time);
-            [(v, order - 1), (distance, order), (time, 0)]
-        });
+    fn beyond(&self, v: Series, touch: Witness<2>, order: usize) -> bool {
+        let time = self.witness(touch);
+        let [distance] = self.distance(v, time);
+        let (v, time) = (self.values(v, order - 1), self.values(time, 0));
         let rest = Ball::from(self.interval.p) - time;
-        distance.is_negative() && [v, time, rest].into_iter().all(Ball::is_positive)
+        self.values(distance, order).is_negative() && [v, time, rest].into_iter().all(Ball::is_positive)
+    }
+
+    /// How far the motion with a velocity is from the wall at a time, and the derivatives of that in θ.
+    fn distance<const ORDERS: usize>(&self, v: Series, time: Series) -> [Series; ORDERS] {
+        self.statement.oscillator.distance(&self.family.motion(v), time)
     }
 
     /// At a resonance of one loop the wall is reached at the first whole turn whatever the velocity:
     /// whether all motions cross it there.
     fn crosses_at_resonance(&self) -> bool {
-        let family = self.oscillator.family(self.interval.p, self.interval.origin());
-        let [_, slope] = self.oscillator.distance(&family.motion(Ball::ONE), Ball::ONE);
-        slope.is_not_zero()
+        let [_, slope] = self.distance(Ball::ONE.into(), Ball::ONE.into());
+        !slope.0[0][0].contains(Ball::ZERO)
     }
 
     /// The amplitude at which motion has this velocity.
-    pub fn amplitude(&self, velocity: &Velocity<'_>) -> Ball {
-        let square = |at: &At| self.oscillator.amplitude_square(&at.family.motion(velocity(at)));
-        let [square] = self.range(|at| [(square(at), 0)]);
-        square.sqrt()
+    pub fn amplitude(&self, v: Series) -> Ball {
+        self.values(self.statement.oscillator.amplitude_square(&self.family.motion(v)), 0).sqrt()
     }
 
-    /// Whether the amplitude changes by less than a width between velocities with this difference:
-    /// `dA/dv ≤ A_graz √(c² + w²)`.
-    fn is_narrow(&self, difference: Witness<3>, width: Ball) -> bool {
-        let [square] = self.range(|at| {
-            let (Family { nu, c, w, .. }, step) = (at.family, at.witness(difference));
-            [(self.oscillator.grazing_square(nu) * (c * c + w * w) * step * step, 0)]
-        });
-        (width * width - square).is_positive()
+    /// Whether the amplitude changes by less than the width of a tube from one velocity to another:
+    /// `dA/dv ≤ A_graz √(c² + w²)`. Their difference is that of their coefficients, lest it be bounded as if they
+    /// were anywhere in their ranges.
+    fn is_narrow(&self, lower: Witness<3>, upper: Witness<3>) -> bool {
+        let step = self.witness::<3>(core::array::from_fn(|i| upper[i] - lower[i]));
+        let steepness = self.statement.oscillator.steepness_square(&self.family);
+        let width = self.statement.width();
+        (width * width - self.values(steepness * step * step, 0)).is_positive()
     }
 
     /// All motions with velocities from one to another, for all ν of the interval at once.
-    fn motion(&self, velocities: [&Velocity<'_>; 2]) -> Motion<Ball> {
-        let [a, b] = velocities.map(|velocity| {
-            self.range(|at| {
-                let Motion { forced, free, .. } = at.family.motion(velocity(at));
-                [forced[0], forced[1], free[0], free[1]].map(|function| (function, 0))
-            })
+    fn motion(&self, velocities: [Series; 2]) -> Motion<Ball> {
+        let all = velocities.map(|v| {
+            let Motion { forced, free, .. } = self.family.motion(v);
+            [forced, free].map(|parts| parts.map(|function| self.values(function, 0)))
         });
-        let [cosine, sine, c, e] = core::array::from_fn(|i| Ball::between(a[i], b[i]));
-        Motion { nu: self.interval.all(), forced: [cosine, sine], free: [c, e] }
+        let [forced, free] = [0, 1].map(|i| [0, 1].map(|j| Ball::between(all[0][i][j], all[1][i][j])));
+        Motion { nu: self.interval.all(), forced, free }
     }
 
     /// Bounds, in a cell of time, of the distance from the wall and its first two derivatives in θ.
     fn cell(&self, motion: &Motion<Ball>, index: i64, cells: i64) -> [Ball; 3] {
+        let oscillator = &self.statement.oscillator;
         let middle = Ball::ratio(2 * index + 1, 2 * cells);
-        let [value, first, second] = self.oscillator.distance(motion, middle);
-        let [_, _, _, third] = self.oscillator.distance(motion, middle + Ball::ratio(1, 2 * cells).size());
-        let distance = Series::of_derivatives([value, first, second, third]);
-        let (slope, offset) = (distance.derivative(), (Ball::PI * Ball::ratio(1, cells)).size());
-        [distance, slope, slope.derivative()].map(|function| function.values(offset))
+        let [value, first, second] = oscillator.distance(motion, middle);
+        let [_, _, _, third] = oscillator.distance(motion, middle + Ball::ratio(1, 2 * cells).size());
+        let offset = (Ball::PI * Ball::ratio(1, cells)).size();
+        let [half, third_part] = [2, 3].map(|n| offset * Ball::ratio(1, n));
+        [
+            value + offset * (first + half * (second + third_part * third)),
+            first + offset * (second + half * third),
+            second + offset * third,
+        ]
     }
 
     /// Shows, if it can, that motion with velocities from `lower` to `upper` touches the wall nowhere
@@ -227,7 +199,7 @@ impl<'a> Model<'a> {
     /// there is one contact in each at most; and that at `lower` it touches it nowhere.
     fn clearance(
         &self,
-        [lower, upper]: [&Velocity<'_>; 2],
+        [lower, upper]: [Series; 2],
         cells: i64,
         nearest: &dyn Fn(Turns) -> Witness<2>,
     ) -> Option<Clearance> {
@@ -268,26 +240,24 @@ impl<'a> Model<'a> {
     /// The least distance from the wall in a block, at least, and when it is reached, in turns. Where the
     /// second derivative is at least μ > 0, that is at least `f − g²/(2μ)`, no farther than `|g|/μ`
     /// from a time of the block, f and g being the distance and its derivative then.
-    fn minimum(&self, velocity: &Velocity<'_>, block: &Block, cells: i64) -> [Ball; 2] {
-        let [v, distance, slope, time] = self.range(|at| {
-            let (v, time) = (velocity(at), at.witness(block.nearest));
-            let [distance, slope] = self.oscillator.distance(&at.family.motion(v), time);
-            [(v, 1), (distance, 2), (slope, 1), (time, 0)]
-        });
+    fn minimum(&self, v: Series, block: &Block, cells: i64) -> [Ball; 2] {
+        let time = self.witness(block.nearest);
+        let [distance, slope] = self.distance(v, time);
+        let (distance, slope) = (self.values(distance, 2), self.values(slope, 1).size());
+        let (v, time) = (self.values(v, 1), self.values(time, 0));
         let turns = time * Ball::from(cells);
         let [before, after] = [turns - Ball::from(block.first), Ball::from(block.last + 1) - turns];
         if ![v, before, after, block.curvature].into_iter().all(Ball::is_positive) {
             return [Ball::ANY; 2];
         }
-        let (slope, curvature) = (slope.size(), block.curvature.inverse());
+        let curvature = block.curvature.inverse();
         let away = slope * curvature * (Ball::PI + Ball::PI).inverse();
         [distance - slope.top() * slope.top() * curvature * Ball::ratio(1, 2), time + away]
     }
 
     /// `ψ/(1 − cos θ)` at a time: the inverse of the velocity at which motion touches the wall then.
-    fn ratio(&self, at: &At, time: Series) -> Series {
-        let [[rise], [distance]] =
-            [Ball::ZERO, Ball::ONE].map(|v| self.oscillator.distance(&at.family.motion(v.into()), time));
+    fn ratio(&self, time: Series) -> Series {
+        let [[rise], [distance]] = [Ball::ZERO, Ball::ONE].map(|v| self.distance(v.into(), time));
         (rise - distance) * rise.inverse()
     }
 
@@ -298,31 +268,31 @@ impl<'a> Model<'a> {
     /// the ratio does at some time of contact.
     fn point(&self, Clearance { cells, blocks, open, .. }: &Clearance) -> Option<&'static str> {
         let (one, two, name) = match &blocks[..*open] {
-            [one] if self.begins_at_saddle_node() => (one, None, "SN-GZ"),
-            [one] => (one, None, "PD-GZ"),
+            [one] => (one, None, if self.saddle_node { "SN-GZ" } else { "PD-GZ" }),
             [one, two] => (one, Some(two), "GZ-GZ"),
             _ => return None,
         };
-        let limit = self.limit();
-        let rate = |event: Option<&Block>| match event {
-            Some(block) => self.ratio(&self.over_all, block.contact.into()).0[1],
-            None => limit(&self.over_all).inverse().0[1],
+        let rate = |event: Option<&Block>| {
+            let inverse = match event {
+                Some(block) => self.ratio(block.contact.into()),
+                None => self.limit().inverse(),
+            };
+            inverse.0[1][1]
         };
-        let [left, right] = self.interval.ends().map(|nu| Self::at(self.oscillator, self.interval, nu));
+        let at = |nu| Self { saddle_node: self.saddle_node, ..Self::at(self.statement, self.interval, nu) };
+        let [left, right] = self.interval.ends().map(at);
         // Whether one event comes before the other. Motion is in contact at the time of a block not before the block is.
         let before = |model: &Self, first: Option<&Block>, second: Option<&Block>| {
-            let velocity = |at: &At| match first {
-                Some(block) => self.ratio(at, at.witness(block.nearest)).inverse(),
-                None => limit(at),
-            };
+            let contact = |block: &Block| model.ratio(model.witness(block.nearest)).inverse();
+            let velocity = first.map_or_else(|| model.limit(), contact);
             match second {
-                Some(block) => model.minimum(&velocity, block, *cells)[0].is_positive(),
-                None => model.beyond(&limit, one.nearest, 2),
+                Some(block) => model.minimum(velocity, block, *cells)[0].is_positive(),
+                None => model.beyond(model.limit(), one.nearest, 2),
             }
         };
         let swap =
             |model: &Self, other: &Self| before(model, Some(one), two) && before(other, two, Some(one));
-        let once = (rate(Some(one)) - rate(two)).is_not_zero();
+        let once = !(rate(Some(one)) - rate(two)).contains(Ball::ZERO);
         (once && (swap(&left, &right) || swap(&right, &left))).then_some(name)
     }
 }

@@ -4,6 +4,13 @@ use crate::ball::{Ball, Number as _};
 use crate::orbit::Oscillator;
 use crate::series::Series;
 
+/// The numbers of a resonance: its frequency; the grazing amplitude there; `s_p^+` and `s_p^-`, whose signs say
+/// on which side of the SN curve and of the PD curve motion is stable; `c_SN,p` and `c_PD,p`; and `C s⁻`: near the
+/// resonance period doubling is supercritical just if it is negative. `docs/beyond.md`, section 2, derives that,
+/// with the limit map's `r = a φ²`, `k = α² ξ_p` and `d`.
+pub const NAMES: [&str; 7] =
+    ["omega_star", "amplitude_graz", "s_plus", "s_minus", "c_sn", "c_pd", "criticality"];
+
 /// A resonance, with what is proved of it.
 #[derive(Debug, Clone)]
 pub struct Resonance {
@@ -11,21 +18,8 @@ pub struct Resonance {
     pub p: u32,
     /// Its index.
     pub n: u32,
-    /// Its frequency.
-    pub omega: Ball,
-    /// The grazing amplitude there.
-    pub amplitude: Ball,
-    /// `s_p^+`: its sign says on which side of the SN curve motion is stable.
-    pub s_plus: Ball,
-    /// `s_p^-`, likewise for the PD curve.
-    pub s_minus: Ball,
-    /// `c_SN,p`.
-    pub saddle_node: Ball,
-    /// `c_PD,p`.
-    pub period_doubling: Ball,
-    /// `C s⁻`: near the resonance period doubling is supercritical just if it is negative.
-    /// `docs/beyond.md`, section 2, with the limit map's `r = a φ²`, `k = α² ξ_p` and `d`.
-    pub criticality: Ball,
+    /// Its numbers, which [`NAMES`] names.
+    pub numbers: [Ball; NAMES.len()],
     /// The hypotheses of Theorem 2.4 or 2.5 that could not be shown: none if all hold.
     pub missing: Vec<&'static str>,
 }
@@ -36,10 +30,10 @@ impl Resonance {
     /// `eq:impFormula1even`, `eq:impFormulap`).
     pub fn new(oscillator: &Oscillator, p: u32, n: u32) -> Self {
         let (one, two, loops) = (Ball::ONE, Ball::from(2), i64::from(p));
-        let Oscillator { epsilon, omega_1, .. } = *oscillator;
+        let epsilon = oscillator.epsilon;
         let index = i64::from(n);
         let nu = if p == 1 { Ball::ratio(index, 2) } else { Ball::ratio(2 * loops * index + 1, 2 * loops) };
-        let omega = omega_1 * nu.inverse();
+        let omega = oscillator.omega_1_over(nu);
         let amplitude = oscillator.grazing_square(nu).sqrt();
         // The resonance is where the free oscillation makes whole or half turns in p periods, and is
         // multiplied by σ: a₂₂ for p = 1, −δ^(p/2) for p ≥ 2.
@@ -59,63 +53,34 @@ impl Resonance {
         let (decay, sine, cosine) = oscillator.free(nu, one);
         let (delta, tau) = (decay * decay, two * decay * cosine);
         let trapesium = [delta, one - delta, one + delta - tau, one + delta + tau];
-        let off_diagonal = oscillator.family(loops, Series::variable(nu)).b;
+        let off_diagonal = oscillator.family(loops, Series::variable(nu, nu)).b;
         let beta = (one + delta - tau) * amplitude.inverse();
         let hypotheses = [
             ("(tau, delta) in T", trapesium.into_iter().all(Ball::is_positive)),
             ("alpha > 0, or a_12 alpha > 0", if p == 1 { alpha } else { sine * alpha }.is_positive()),
-            ("beta, not zero", beta.is_not_zero()),
-            ("a_12' or kappa_p', not zero", off_diagonal.0[1].is_not_zero()),
-            ("s^+ and s^-, not zero", s_plus.is_not_zero() && s_minus.is_not_zero()),
+            ("beta, not zero", !beta.contains(Ball::ZERO)),
+            ("a_12' or kappa_p', not zero", !off_diagonal.0[0][1].contains(Ball::ZERO)),
+            ("s^+ and s^-, not zero", !s_plus.contains(Ball::ZERO) && !s_minus.contains(Ball::ZERO)),
         ];
-        let missing = hypotheses.into_iter().filter(|(_, holds)| !holds).map(|(name, _)| name).collect();
-        let criticality = s_minus * criticality;
-        let mut found = Self {
-            p,
-            n,
-            omega,
-            amplitude,
-            s_plus,
-            s_minus,
-            saddle_node,
-            period_doubling,
-            criticality,
-            missing,
-        };
-        if found.numbers().iter().any(|(_, number)| number.units().is_none()) {
-            found.missing.push("a number is too large for the balls");
-        }
-        found
-    }
-
-    /// Its numbers, by their names.
-    pub fn numbers(&self) -> [(&'static str, Ball); 7] {
-        [
-            ("omega*", self.omega),
-            ("A_graz", self.amplitude),
-            ("s^+", self.s_plus),
-            ("s^-", self.s_minus),
-            ("c_SN", self.saddle_node),
-            ("c_PD", self.period_doubling),
-            ("C s^-", self.criticality),
-        ]
+        let numbers =
+            [omega, amplitude, s_plus, s_minus, saddle_node, period_doubling, s_minus * criticality];
+        let fit =
+            ("a number is too large for the balls", numbers.iter().all(|number| number.units().is_some()));
+        let missing = hypotheses.into_iter().chain([fit]).filter(|(_, holds)| !holds).map(|(name, _)| name);
+        Self { p, n, numbers, missing: missing.collect() }
     }
 
     /// Those of some numbers of loops in a window, by frequency.
     pub fn in_window(oscillator: &Oscillator, loops: &[u32], [lowest, highest]: [Ball; 2]) -> Vec<Self> {
-        let mut found: Vec<Self> = Vec::new();
-        for &p in loops {
-            for n in u32::from(p == 1).. {
-                let resonance = Self::new(oscillator, p, n);
-                if (lowest - resonance.omega).is_positive() {
-                    break;
-                }
-                if !(resonance.omega - highest).is_positive() {
-                    found.push(resonance);
-                }
-            }
-        }
-        found.sort_by(|a, b| a.omega.to_f64().total_cmp(&b.omega.to_f64()));
+        // The greater n, the lower the frequency.
+        let of = |&p: &u32| {
+            (u32::from(p == 1)..)
+                .map(move |n| Self::new(oscillator, p, n))
+                .skip_while(|above| (above.numbers[0] - highest).is_positive())
+                .take_while(|within| !(lowest - within.numbers[0]).is_positive())
+        };
+        let mut found: Vec<Self> = loops.iter().flat_map(of).collect();
+        found.sort_by(|a, b| a.numbers[0].to_f64().total_cmp(&b.numbers[0].to_f64()));
         found
     }
 }

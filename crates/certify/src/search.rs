@@ -22,13 +22,10 @@ struct Sight {
 impl Sight {
     fn new(oscillator: &Oscillator, p: i64, nu: f64) -> Self {
         let family = oscillator.family(p, nu);
-        let Family { b, big_p, big_q, .. } = family;
-        let limit = if b > 0.0 {
-            b / big_p
-        } else if big_q > 0.0 {
-            -b / big_q
-        } else {
-            f64::INFINITY
+        let limit = match (family.b > 0.0, family.big_q > 0.0) {
+            (true, _) => family.saddle_node(),
+            (_, true) => family.period_doubling(),
+            _ => f64::INFINITY,
         };
         Self { nu, family, limit, contacts: contacts(oscillator, p, &family) }
     }
@@ -44,29 +41,19 @@ impl Sight {
         let limit = if self.limit.is_finite() { self.limit } else { 4.0 * self.graze() };
         (0.5 * limit).max((limit * self.graze()).sqrt())
     }
-
-    /// The contact whose time is nearest to this.
-    fn contact_near(&self, time: f64) -> [f64; 2] {
-        let nearer = |a: &&[f64; 2], b: &&[f64; 2]| (a[1] - time).abs().total_cmp(&(b[1] - time).abs());
-        self.contacts.iter().min_by(nearer).copied().unwrap_or(self.contacts[0])
-    }
 }
 
 /// Where `psi/(1 - cos)` is greatest between impacts, as its inverse and its time.
 fn contacts(oscillator: &Oscillator, p: i64, family: &Family<f64>) -> Vec<[f64; 2]> {
     let motion = family.motion(1.0);
+    let distance = |turns: f64| oscillator.distance::<f64, 1>(&motion, turns)[0];
     let ratio = |turns: f64| {
         let half = (0.5 * turns).turn().0;
         let rise = 2.0 * half * half;
-        let [distance] = oscillator.distance(&motion, turns);
-        (rise - distance) / rise
+        (rise - distance(turns)) / rise
     };
-    let whole = (1..p).find(|&turn| {
-        let [distance] = oscillator.distance(&motion, turn as f64);
-        distance <= 0.0
-    });
-    if let Some(turn) = whole {
-        return vec![[0.0, turn as f64]];
+    if let Some(turn) = (1..p).map(|turn| turn as f64).find(|&turn| distance(turn) <= 0.0) {
+        return vec![[0.0, turn]];
     }
     // As narrow as peaks next to whole turns may be.
     let near = |n: i32| libm::exp2(-0.5 * f64::from(n));
@@ -100,35 +87,33 @@ fn witness(x: f64) -> i128 {
 
 /// The search over one interval.
 struct Attempt<'a> {
-    statement: &'a Statement,
-    oscillator: &'a Oscillator,
     model: Model<'a>,
-    interval: Interval,
     sights: [Sight; 3],
 }
 
 impl<'a> Attempt<'a> {
-    fn new(statement: &'a Statement, oscillator: &'a Oscillator, interval: Interval) -> Self {
+    fn new(statement: &'a Statement, interval: Interval) -> Self {
         let [left, right] = interval.ends().map(Ball::to_f64);
         // Three Chebyshev nodes.
         let sights = [-0.75f64.sqrt(), 0.0, 0.75f64.sqrt()].map(|node| {
             let nu = 0.5 * (left + right) + node * 0.5 * (right - left);
-            Sight::new(oscillator, interval.p, nu)
+            Sight::new(&statement.oscillator, interval.p, nu)
         });
-        Self { statement, oscillator, model: Model::over(oscillator, interval), interval, sights }
+        Self { model: Model::over(statement, interval), sights }
     }
 
     /// The polynomial through values at the three nodes. With the base at a resonance, where velocities
     /// vanish and contact is at a whole turn, the line from `whole` to the value in the middle.
     fn polynomial(&self, values: [f64; 3], whole: f64) -> Witness<3> {
-        if self.interval.base != Base::Middle {
-            let offset = self.sights[1].nu - self.interval.origin().to_f64();
+        let Interval { base, level, .. } = self.model.interval;
+        if base != Base::Middle {
+            let offset = self.sights[1].nu - self.model.interval.origin().to_f64();
             return [whole, (values[1] - whole) / offset, 0.0].map(witness);
         }
         let step = self.sights[2].nu - self.sights[1].nu;
         let slope = (values[2] - values[0]) / (2.0 * step);
         let bend = (values[2] - 2.0 * values[1] + values[0]) / (2.0 * step * step);
-        [values[1], slope, if self.interval.level >= FINE { 0.0 } else { bend }].map(witness)
+        [values[1], slope, if level >= FINE { 0.0 } else { bend }].map(witness)
     }
 
     fn time(&self, values: [f64; 3]) -> Witness<2> {
@@ -145,7 +130,7 @@ impl<'a> Attempt<'a> {
             let (mut low, mut high) = (first + margin, last - margin);
             for _ in 0..60 {
                 let middle = 0.5 * (low + high);
-                let [_, slope] = self.oscillator.distance(&motion, middle);
+                let [_, slope] = self.model.statement.oscillator.distance(&motion, middle);
                 if slope < 0.0 { low = middle } else { high = middle }
             }
             0.5 * (low + high)
@@ -163,8 +148,8 @@ impl<'a> Attempt<'a> {
     /// The row, if one can be proved at this width, with velocities a little above `low` where motion
     /// is nearest to the wall.
     fn row(&self) -> Option<Row> {
-        let row = Row::new(self.interval, Verdict::Undecided(""));
-        let prove = |row, low| self.model.prove(row, self.statement, |stretch| self.nearest(low, stretch));
+        let row = Row::new(self.model.interval, Verdict::Undecided(""));
+        let prove = |row, low| self.model.prove(row, |stretch| self.nearest(low, stretch));
         let (in_middle, none) = (self.sights[1].contacts[0][1], [0.0; 3]);
         if self.all(|sight| sight.graze() == 0.0) {
             return prove(Row { touch: Some([witness(in_middle), 0]), ..row }, none);
@@ -187,8 +172,9 @@ impl<'a> Attempt<'a> {
     /// A velocity above that at which motion leaves the window, or ceases to be stable otherwise.
     fn last(&self, sight: &Sight) -> f64 {
         let Family { nu, c, w, b, big_q, .. } = sight.family;
-        let grazing = self.oscillator.grazing_square(nu).sqrt();
-        let edge = (1.0 + 1.01 * self.statement.amplitude.ball().to_f64() / grazing) / (c * c + w * w).sqrt();
+        let Statement { oscillator, amplitude, .. } = self.model.statement;
+        let grazing = oscillator.grazing_square(nu).sqrt();
+        let edge = (1.0 + 1.01 * amplitude.ball().to_f64() / grazing) / (c * c + w * w).sqrt();
         if b > 0.0 && big_q < 0.0 { edge.min(-1.01 * b / big_q) } else { edge }
     }
 
@@ -196,29 +182,29 @@ impl<'a> Attempt<'a> {
     /// the lower.
     fn tube(&self) -> Option<([Witness<3>; 2], Witness<2>, [f64; 3])> {
         let in_middle = self.sights[1].contacts[0][1];
-        let (fine, stable) = (self.interval.level >= FINE, self.all(|sight| sight.graze() > sight.limit));
-        // At a point one contact is followed, even where another is made earlier, by as much as this.
-        let contact = |i: usize| {
-            let sight = &self.sights[i];
-            if fine { sight.contact_near(in_middle) } else { sight.contacts[0] }
-        };
-        let [values, times] = [0, 1].map(|of| core::array::from_fn(|i| contact(i)[of]));
+        let Model { statement, interval, .. } = self.model;
+        let (fine, stable) = (interval.level >= FINE, self.all(|sight| sight.graze() > sight.limit));
+        // At a point one contact is followed, even where another is made earlier, by as much as `excess`.
+        let away = |contact: &[f64; 2]| (contact[1] - in_middle).abs();
+        let nearest =
+            |sight: &Sight| sight.contacts.iter().copied().min_by(|a, b| away(a).total_cmp(&away(b)));
+        let followed = |sight: &Sight| nearest(sight).filter(|_| fine).unwrap_or(sight.contacts[0]);
+        let [values, times] = [0, 1].map(|of| self.at_sights(|sight| followed(sight)[of]));
         let excess = (0..3).fold(0.0, |most, i| f64::max(most, values[i] - self.sights[i].graze()));
         let is_point = excess > 0.0 || !stable;
         // At a resonance the tube is twice as wide at the end as in the middle.
-        let share = match (is_point, self.interval.base) {
+        let share = match (is_point, interval.base) {
             (true, _) if !fine => return None,
             (true, _) => 0.05,
             (false, Base::Middle) => 0.49,
             (false, _) => 0.22,
         };
         let half_widths = self.at_sights(|sight| {
-            let Family { nu, c, w, .. } = sight.family;
-            let slope = (self.oscillator.grazing_square(nu) * (c * c + w * w)).sqrt();
+            let slope = statement.oscillator.steepness_square(&sight.family).sqrt();
             let second = sight.contacts.get(1).map_or(f64::INFINITY, |contact| contact[0]);
             let next = (second - sight.graze()).min(sight.graze() - sight.limit);
             let room = if is_point { sight.graze() } else { sight.graze().min(next) };
-            (0.1 * room).min(share * self.statement.width().to_f64() / slope)
+            (0.1 * room).min(share * statement.width().to_f64() / slope)
         });
         let half_width = half_widths.into_iter().fold(f64::INFINITY, f64::min);
         let low = values.map(|value| value - excess - half_width);
@@ -239,35 +225,18 @@ impl<'a> Attempt<'a> {
 }
 
 /// The rows that tile an interval, `left` being how many intervals may be tried.
-pub fn rows(
-    statement: &Statement,
-    oscillator: &Oscillator,
-    interval: Interval,
-    left: &mut usize,
-) -> Vec<Row> {
+pub fn rows(statement: &Statement, interval: Interval, left: &mut usize) -> Vec<Row> {
     let undecided = |reason| vec![Row::new(interval, Verdict::Undecided(reason))];
     if *left == 0 {
         return undecided("too many intervals were tried beside it");
     }
-    let attempt = Attempt::new(statement, oscillator, interval);
-    let mut row = attempt.row();
     *left -= 1;
+    let attempt = Attempt::new(statement, interval);
     let resonance = interval.resonance().filter(|_| interval.p > 1 && interval.level >= FINE);
-    if let (None, Some(base)) = (&row, resonance) {
-        row = Attempt::new(statement, oscillator, Interval { base, ..interval }).row();
-    }
-    if let Some(row) = row {
-        return vec![row];
-    }
-    if interval.level >= FINEST {
-        return undecided(attempt.reason());
-    }
-    let [first, second] = interval.halves().map(|half| rows(statement, oscillator, half, left));
-    match (&first[..], &second[..]) {
-        (
-            [Row { verdict: Verdict::Undecided(one), .. }],
-            [Row { verdict: Verdict::Undecided(other), .. }],
-        ) if one == other => undecided(one),
-        _ => [first, second].concat(),
+    let at_resonance = |base| Attempt::new(statement, Interval { base, ..interval }).row();
+    match attempt.row().or_else(|| resonance.and_then(at_resonance)) {
+        Some(row) => vec![row],
+        None if interval.level >= FINEST => undecided(attempt.reason()),
+        None => interval.halves().into_iter().flat_map(|half| rows(statement, half, left)).collect(),
     }
 }

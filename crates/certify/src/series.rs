@@ -1,6 +1,7 @@
-//! Numbers other than balls of which the closed forms are made: `f64`, to steer by, and Taylor
-//! polynomials with balls for coefficients.
+//! Numbers other than balls of which the closed forms are made: `f64`, to steer by, and functions on an
+//! interval.
 
+use core::array::from_fn;
 use core::ops::{Add, Mul, Neg, Sub};
 
 use crate::ball::{Ball, Number};
@@ -27,57 +28,37 @@ impl Number for f64 {
     }
 }
 
-/// The Taylor coefficients `f(x)`, `f'(x)`, `f''(x)/2` and `f'''(x)/6` of a function.
+/// A function f by its Taylor coefficients `f(x)`, `f'(x)`, `f''(x)/2` and `f'''(x)/6`: at one x, and all over
+/// an interval. By Taylor's theorem the first three at one x and the last over all bound it everywhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Series(pub [Ball; 4]);
+pub struct Series(pub [[Ball; 4]; 2]);
 
 impl Series {
     /// The variable itself.
-    pub fn variable(at: Ball) -> Self {
-        Self([at, Ball::ONE, Ball::ZERO, Ball::ZERO])
+    pub fn variable(at: Ball, over_all: Ball) -> Self {
+        Self([at, over_all].map(|x| [x, Ball::ONE, Ball::ZERO, Ball::ZERO]))
     }
 
-    /// From a value and the first derivatives.
-    pub fn of_derivatives([value, first, second, third]: [Ball; 4]) -> Self {
-        Self([value, first, Ball::ratio(1, 2) * second, Ball::ratio(1, 6) * third])
+    fn constants(values: [Ball; 2]) -> Self {
+        Self(values.map(|x| [x, Ball::ZERO, Ball::ZERO, Ball::ZERO]))
     }
 
-    /// The function of this one that has this Taylor series where this begins.
-    fn composed(self, outer: Self) -> Self {
-        let [_, first, second, third] = self.0;
-        let rest = Self([Ball::ZERO, first, second, third]);
-        outer.0.into_iter().rev().fold(Ball::ZERO.into(), |sum, term| sum * rest + term.into())
+    /// The function of this one that has these coefficients where this one begins.
+    fn composed(self, outer: [[Ball; 4]; 2]) -> Self {
+        let rest = Self(self.0.map(|[_, first, second, third]| [Ball::ZERO, first, second, third]));
+        let term = |k: usize| Self::constants(outer.map(|coefficients| coefficients[k]));
+        (0..4).rev().fold(Ball::ZERO.into(), |sum, k| sum * rest + term(k))
     }
+}
 
-    /// A polynomial that is the function all over an interval, for some number of the ball that is its
-    /// last coefficient (Taylor): from the coefficients at one place, and all over the interval.
-    pub fn with_remainder(self, over_all: Self) -> Self {
-        let ([first, second, third, _], [.., last]) = (self.0, over_all.0);
-        Self([first, second, third, last])
-    }
-
-    /// The derivative of a polynomial.
-    pub fn derivative(self) -> Self {
-        let [_, first, second, third] = self.0;
-        Self([first, Ball::from(2) * second, Ball::from(3) * third, Ball::ZERO])
-    }
-
-    /// A polynomial divided by a power of its variable; of any value unless that is exact.
-    pub fn divided(mut self, power: usize) -> Self {
-        let exact = self.0[..power].iter().all(|&coefficient| coefficient == Ball::ZERO);
-        self.0.rotate_left(power);
-        if exact { self } else { Ball::ANY.into() }
-    }
-
-    /// The values of a polynomial.
-    pub fn values(self, variable: Ball) -> Ball {
-        self.0.into_iter().rev().fold(Ball::ZERO, |sum, coefficient| coefficient + variable * sum)
-    }
+/// Coefficients from a value and three derivatives.
+fn taylor([value, first, second, third]: [Ball; 4]) -> [Ball; 4] {
+    [value, first, Ball::ratio(1, 2) * second, Ball::ratio(1, 6) * third]
 }
 
 impl From<Ball> for Series {
     fn from(x: Ball) -> Self {
-        Self([x, Ball::ZERO, Ball::ZERO, Ball::ZERO])
+        Self::constants([x; 2])
     }
 }
 
@@ -85,7 +66,7 @@ impl Neg for Series {
     type Output = Self;
 
     fn neg(self) -> Self {
-        Self(self.0.map(Ball::neg))
+        Self(self.0.map(|coefficients| coefficients.map(Ball::neg)))
     }
 }
 
@@ -93,7 +74,7 @@ impl Add for Series {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self(core::array::from_fn(|k| self.0[k] + other.0[k]))
+        Self(from_fn(|i| from_fn(|k| self.0[i][k] + other.0[i][k])))
     }
 }
 
@@ -109,27 +90,27 @@ impl Mul for Series {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        let terms = |n: usize| (0..=n).map(move |k| self.0[k] * other.0[n - k]);
-        Self(core::array::from_fn(|n| terms(n).fold(Ball::ZERO, Ball::add)))
+        let terms = |i: usize, n: usize| (0..=n).map(move |k| self.0[i][k] * other.0[i][n - k]);
+        Self(from_fn(|i| from_fn(|n| terms(i, n).fold(Ball::ZERO, Ball::add))))
     }
 }
 
 impl Number for Series {
     fn inverse(self) -> Self {
-        let first = Self::from(self.0[0].inverse());
-        first * (self * first).composed(Self([Ball::ONE, -Ball::ONE, Ball::ONE, -Ball::ONE]))
+        let first = Self::constants(self.0.map(|[x, ..]| x.inverse()));
+        first * (self * first).composed([[Ball::ONE, -Ball::ONE, Ball::ONE, -Ball::ONE]; 2])
     }
 
     fn exp(self) -> Self {
-        self.composed(Self::of_derivatives([self.0[0].exp(); 4]))
+        self.composed(self.0.map(|[x, ..]| taylor([x.exp(); 4])))
     }
 
     fn turn(self) -> (Self, Self) {
-        let (sine, cosine) = self.0[0].turn();
+        let begin = self.0.map(|[x, ..]| x.turn());
         let angle = self * Self::from(Ball::PI + Ball::PI);
         (
-            angle.composed(Self::of_derivatives([sine, cosine, -sine, -cosine])),
-            angle.composed(Self::of_derivatives([cosine, -sine, -cosine, sine])),
+            angle.composed(begin.map(|(sine, cosine)| taylor([sine, cosine, -sine, -cosine]))),
+            angle.composed(begin.map(|(sine, cosine)| taylor([cosine, -sine, -cosine, sine]))),
         )
     }
 }

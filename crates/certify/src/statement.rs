@@ -35,12 +35,14 @@ impl fmt::Display for Decimal {
 }
 
 /// What is to be proved.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Statement {
     /// The damping ratio.
     pub zeta: Decimal,
     /// The coefficient of restitution.
     pub epsilon: Decimal,
+    /// The oscillator with these constants.
+    pub oscillator: Oscillator,
     /// The frequencies of the window.
     pub frequency: [Decimal; 2],
     /// Its greatest amplitude.
@@ -50,13 +52,19 @@ pub struct Statement {
 }
 
 impl Statement {
+    /// Of an oscillator, in a window; nothing if it is not under-damped, or its restitution not positive.
+    pub fn new(
+        [zeta, epsilon]: [Decimal; 2],
+        frequency: [Decimal; 2],
+        amplitude: Decimal,
+        loops: Vec<u32>,
+    ) -> Option<Self> {
+        let oscillator = Oscillator::new(zeta.ball(), epsilon.ball())?;
+        Some(Self { zeta, epsilon, oscillator, frequency, amplitude, loops })
+    }
+
     /// Greatest width of a tube, in amplitude.
     pub fn width(&self) -> Ball {
         Ball::ratio(1, 10_i64.pow(WIDTH_PLACES))
-    }
-
-    /// The oscillator; nothing if it is not under-damped, or its restitution not positive.
-    pub fn oscillator(&self) -> Option<Oscillator> {
-        Oscillator::new(self.zeta.ball(), self.epsilon.ball())
     }
 }

@@ -2,11 +2,11 @@
 
 use core::iter;
 
-use crate::ball::{Ball, Number as _};
-use crate::orbit::Oscillator;
+use crate::ball::Ball;
 use crate::proof::Model;
-use crate::resonance::Resonance;
+use crate::resonance::{NAMES, Resonance};
 use crate::row::{Row, Verdict};
+use crate::statement::Statement;
 
 /// The row of a number of loops that holds a ν.
 pub fn row_at(rows: &[Row], p: i64, nu: Ball) -> Option<&Row> {
@@ -18,11 +18,11 @@ pub fn row_at(rows: &[Row], p: i64, nu: Ball) -> Option<&Row> {
 
 /// Where stable motion begins at one ν, and two amplitudes between which it ends, the second missing
 /// where it goes on to the window's edge; nothing where there is none.
-pub fn ends(oscillator: &Oscillator, row: &Row, nu: Ball) -> Option<(Ball, Ball, Option<Ball>)> {
-    let (model, lower) = (Model::at(oscillator, row.interval, nu), row.lower?);
-    let side = |side| model.amplitude(&move |at| at.witness(side));
-    let begins = model.amplitude(&model.limit());
-    Some(match (row.upper, model.end_below(&|at| at.witness(lower))) {
+pub fn ends(statement: &Statement, row: &Row, nu: Ball) -> Option<(Ball, Ball, Option<Ball>)> {
+    let (model, lower) = (Model::at(statement, row.interval, nu), row.lower?);
+    let side = |side| model.amplitude(model.witness(side));
+    let begins = model.amplitude(model.limit());
+    Some(match (row.upper, model.end_below(model.witness(lower))) {
         (Some(upper), _) => (begins, side(lower), Some(side(upper))),
         (None, Some(end)) => (begins, end, Some(end)),
         (None, None) => (begins, side(lower), None),
@@ -38,17 +38,17 @@ pub fn points(rows: &[Row]) -> impl Iterator<Item = (&'static str, &Row)> {
 }
 
 /// Amplitudes among which a point is: in the tube, and, but for GZ-GZ, where stability begins; the fewer.
-pub fn amplitudes(oscillator: &Oscillator, row: &Row) -> Ball {
-    let model = Model::over(oscillator, row.interval);
-    let side = |side: Option<_>| side.map_or(Ball::ANY, |side| model.amplitude(&|at| at.witness(side)));
-    let (tube, limit) = (Ball::between(side(row.lower), side(row.upper)), model.amplitude(&model.limit()));
+pub fn amplitudes(statement: &Statement, row: &Row) -> Ball {
+    let model = Model::over(statement, row.interval);
+    let side = |side: Option<_>| side.map_or(Ball::ANY, |side| model.amplitude(model.witness(side)));
+    let (tube, limit) = (Ball::between(side(row.lower), side(row.upper)), model.amplitude(model.limit()));
     if row.verdict != Verdict::Point("GZ-GZ") && limit.radius() < tube.radius() { limit } else { tube }
 }
 
 /// From which frequency to which rows reach that are side by side.
-pub fn frequencies(oscillator: &Oscillator, rows: &[Row]) -> [Ball; 2] {
+pub fn frequencies(statement: &Statement, rows: &[Row]) -> [Ball; 2] {
     let ends = [rows[rows.len() - 1].interval.ends()[1], rows[0].interval.ends()[0]];
-    ends.map(|nu| oscillator.omega_1 * nu.inverse())
+    ends.map(|nu| statement.oscillator.omega_1_over(nu))
 }
 
 /// Rows side by side in which the same holds, by decreasing frequency for each number of loops; each point
@@ -72,11 +72,11 @@ fn to_nine_places([low, high]: [Ball; 2], outwards: bool) -> [f64; 2] {
 }
 
 /// What is proved in a stretch.
-pub fn sentence(oscillator: &Oscillator, stretch: &[Row]) -> String {
+pub fn sentence(statement: &Statement, stretch: &[Row]) -> String {
     let Row { interval, verdict, .. } = &stretch[0];
     let p = interval.p;
     let inwards = matches!(verdict, Verdict::Stable | Verdict::None);
-    let [low, high] = to_nine_places(frequencies(oscillator, stretch), !inwards);
+    let [low, high] = to_nine_places(frequencies(statement, stretch), !inwards);
     let holds = match verdict {
         Verdict::Stable => format!(
             "one stable admissible {p}-loop MPS at each A between the SN or PD curve where it becomes stable and its GZ curve, a PD curve or the window's edge, none at other A of the window"
@@ -84,7 +84,7 @@ pub fn sentence(oscillator: &Oscillator, stretch: &[Row]) -> String {
         Verdict::None => format!("no stable admissible {p}-loop MPS at any A"),
         Verdict::Undecided(reason) => format!("UNDECIDED, {p}-loop MPSs: {reason}"),
         Verdict::Point(name) => {
-            let amplitudes = amplitudes(oscillator, &stretch[0]);
+            let amplitudes = amplitudes(statement, &stretch[0]);
             let [least, most] = to_nine_places([amplitudes.bottom(), amplitudes.top()], true);
             format!("exactly one codimension-two point, {name}, p = {p}, with {least:.9} <= A <= {most:.9}")
         }
@@ -101,25 +101,23 @@ pub fn undecided_share(rows: &[Row]) -> f64 {
 }
 
 /// What is proved of a resonance.
-pub fn resonance(resonance: &Resonance) -> Vec<String> {
-    let Resonance { p, n, criticality, missing, .. } = resonance;
+pub fn resonance(Resonance { p, n, numbers, missing }: &Resonance) -> Vec<String> {
     let theorem = if *p == 1 { "2.4" } else { "2.5" };
     let holds = if missing.is_empty() {
         format!("all hypotheses of Theorem {theorem} hold")
     } else {
         format!("NOT SHOWN of Theorem {theorem}: {}", missing.join(", "))
     };
+    let [.., criticality] = numbers;
     let doubling = if criticality.is_negative() {
         "negative: period doubling is supercritical next to the resonance (docs/beyond.md, 2)"
     } else if criticality.is_positive() {
         "positive: period doubling is subcritical next to the resonance (docs/beyond.md, 2)"
     } else {
-        "its sign is NOT SHOWN: nothing is stated of criticality"
+        "not shown to have a sign: nothing is stated of criticality"
     };
-    let numbers = resonance.numbers().map(|(name, number)| format!("  {name} = {number}"));
-    let [numbers @ .., criticality] = numbers;
     iter::once(format!("p = {p}, n = {n}: {holds}"))
-        .chain(numbers)
-        .chain([format!("{criticality}, {doubling}")])
+        .chain(NAMES.iter().zip(numbers).map(|(name, number)| format!("  {name} = {number}")))
+        .chain([format!("  which is {doubling}")])
         .collect()
 }

@@ -5,12 +5,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use grazing_certify::ball::Ball;
-use grazing_certify::resonance::Resonance;
+use grazing_certify::resonance::{NAMES, Resonance};
 use grazing_certify::statement::{Decimal, Statement, WIDTH_PLACES};
 use grazing_certify::{certificate, prove, summary};
 use grazing_claims::published::Published;
 use grazing_reproduction::StudyError;
-use grazing_reproduction::figures::beyond_proofs::{oscillator, statement};
+use grazing_reproduction::figures::beyond_proofs::statement;
 use grazing_unfold::progress::Progress as _;
 
 use crate::arguments::Certify;
@@ -42,12 +42,11 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
         folder::ensure_writable(&folder, &names)?;
     }
     arguments.threads.start()?;
-    let oscillator = oscillator(&statement).map_err(failed)?;
 
     let frequency = statement.frequency.map(Decimal::ball);
-    let resonances = Resonance::in_window(&oscillator, &statement.loops, frequency);
+    let resonances = Resonance::in_window(&statement.oscillator, &statement.loops, frequency);
     let (display, what) = (Display::new(), "proofs over the window");
-    let rows = prove(&statement, &oscillator, |parts| display.begin(what, parts), || display.step(what));
+    let rows = prove(&statement, |parts| display.begin(what, parts), || display.step(what));
     display.end(what);
 
     let published = Published::printed();
@@ -58,7 +57,7 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
     for rows in rows.chunk_by(|a, b| a.interval.p == b.interval.p) {
         terminal::say(&format!("\np = {}\n", rows[0].interval.p));
         for stretch in summary::stretches(rows) {
-            terminal::say(&format!("  {}\n", summary::sentence(&oscillator, stretch)));
+            terminal::say(&format!("  {}\n", summary::sentence(&statement, stretch)));
         }
     }
     let points = summary::points(&rows).count();
@@ -98,10 +97,9 @@ fn printed(statement: &Statement, published: &Published, resonance: &Resonance) 
     if !(is("zeta", statement.zeta) && is("epsilon", statement.epsilon)) {
         return Vec::new();
     }
-    let Resonance { p, n, omega, saddle_node, period_doubling, .. } = resonance;
-    let quantities = [("omega", omega), ("c_sn", saddle_node), ("c_pd", period_doubling)];
+    let Resonance { p, n, numbers, .. } = resonance;
     let line = |(name, proved): (&str, &Ball)| {
-        let value = find(&format!("{name}_p{p}_n{n}"))?;
+        let value = find(&format!("{}_p{p}_n{n}", name.trim_end_matches("_star")))?;
         let print = Decimal::new(value.printed.parse().ok()?)?.ball();
         let half_a_unit = Ball::ratio(5, 10_i64.pow(value.decimals() as u32 + 1)).size();
         let verdict = if half_a_unit.contains(*proved - print) { "as proved" } else { "NOT AS PROVED" };
@@ -110,7 +108,7 @@ fn printed(statement: &Statement, published: &Published, resonance: &Resonance) 
             value.quantity, value.printed
         ))
     };
-    quantities.into_iter().filter_map(line).collect()
+    NAMES.into_iter().zip(numbers).filter_map(line).collect()
 }
 
 /// That a file is there with this content.

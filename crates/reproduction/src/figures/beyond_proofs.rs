@@ -5,8 +5,7 @@ mod items;
 
 use core::slice;
 
-use grazing_certify::ball::{Ball, Number as _};
-use grazing_certify::orbit::Oscillator;
+use grazing_certify::ball::Ball;
 use grazing_certify::prove;
 use grazing_certify::resonance::Resonance;
 use grazing_certify::row::{Row, Verdict};
@@ -120,19 +119,17 @@ impl PaperFigure for BeyondProofs {
     fn compute(&self, study: &Study) -> Result<Proofs, StudyError> {
         let figure: Figure7 = study.parameters.section()?;
         let statement = statement(&study.parameters)?;
-        let oscillator = oscillator(&statement)?;
         let (progress, what) = (&study.progress, "proofs over the window");
-        let rows =
-            prove(&statement, &oscillator, |parts| progress.begin(what, parts), || progress.step(what));
+        let rows = prove(&statement, |parts| progress.begin(what, parts), || progress.step(what));
         progress.end(what);
         let window = figure.window();
         let undecided = stretches(&rows).filter(|rows| matches!(rows[0].verdict, Verdict::Undecided(_)));
         Ok(Proofs {
-            items: items::items(study, &statement, &oscillator, &rows)?,
-            ends: all_ends(&oscillator, &rows, window.secondary),
-            magnified: magnified(&oscillator, &rows, self.panels),
+            items: items::items(study, &statement, &rows)?,
+            ends: all_ends(&statement, &rows, window.secondary),
+            magnified: magnified(&statement, &rows, self.panels),
             frame: window.into(),
-            undecided: undecided.map(|rows| sentence(&oscillator, rows)).collect(),
+            undecided: undecided.map(|rows| sentence(&statement, rows)).collect(),
         })
     }
 
@@ -152,7 +149,7 @@ impl PaperFigure for BeyondProofs {
 /// What is to be proved: Figure 7's window and the constants, as decimal numbers.
 ///
 /// # Errors
-/// A section is not right, or one of the numbers has too many digits.
+/// A section is not right, one of the numbers has too many digits, or balls cannot hold the constants.
 pub fn statement(parameters: &Parameters) -> Result<Statement, StudyError> {
     let (figure, oscillator) = (parameters.section::<Figure7>()?, parameters.oscillator()?);
     let decimal = |key: &str, x: f64| {
@@ -161,21 +158,16 @@ pub fn statement(parameters: &Parameters) -> Result<Statement, StudyError> {
     };
     let window = figure.window();
     let [lowest, highest] = window.secondary;
-    Ok(Statement {
-        zeta: decimal("oscillator.zeta", oscillator.damping_ratio())?,
-        epsilon: decimal("oscillator.epsilon", oscillator.coefficient_of_restitution())?,
-        frequency: [decimal("fig07.frequency", lowest)?, decimal("fig07.frequency", highest)?],
-        amplitude: decimal("fig07.amplitude", window.primary[1])?,
-        loops: figure.loops,
-    })
-}
-
-/// The oscillator of a statement.
-///
-/// # Errors
-/// Balls cannot hold its constants.
-pub fn oscillator(statement: &Statement) -> Result<Oscillator, StudyError> {
-    statement.oscillator().ok_or_else(|| {
+    Statement::new(
+        [
+            decimal("oscillator.zeta", oscillator.damping_ratio())?,
+            decimal("oscillator.epsilon", oscillator.coefficient_of_restitution())?,
+        ],
+        [decimal("fig07.frequency", lowest)?, decimal("fig07.frequency", highest)?],
+        decimal("fig07.amplitude", window.primary[1])?,
+        figure.loops,
+    )
+    .ok_or_else(|| {
         let what = "oscillator.zeta: must be large enough for integers of 128 bits, and below 1";
         StudyError::Failed(what.to_owned())
     })
@@ -189,18 +181,18 @@ fn runs(rows: &[Row]) -> impl Iterator<Item = &[Row]> {
 }
 
 /// Which curve motion begins at.
-fn begins_at(oscillator: &Oscillator, p: i64, nu: Ball) -> Bifurcation {
-    let saddle_node = oscillator.family(p, nu).b.to_f64() > 0.0;
+fn begins_at(statement: &Statement, p: i64, nu: Ball) -> Bifurcation {
+    let saddle_node = statement.oscillator.family(p, nu).b.to_f64() > 0.0;
     if saddle_node { Bifurcation::SaddleNode } else { Bifurcation::PeriodDoubling }
 }
 
 /// Where motion begins and ends at the middle of each interval, and at the ends of each run.
-fn all_ends(oscillator: &Oscillator, rows: &[Row], [lowest, highest]: [f64; 2]) -> Vec<ProofEnds> {
+fn all_ends(statement: &Statement, rows: &[Row], [lowest, highest]: [f64; 2]) -> Vec<ProofEnds> {
     let mut all: Vec<ProofEnds> = (0..=SAMPLES)
         .map(|k| {
             let omega = lowest + f64::from(k) / f64::from(SAMPLES) * (highest - lowest);
-            let nu = oscillator.omega_1 * Ball::from(omega).inverse();
-            let begins = oscillator.grazing_square(nu).sqrt().to_f64();
+            let nu = statement.oscillator.omega_1_over(Ball::from(omega));
+            let begins = statement.oscillator.grazing_square(nu).sqrt().to_f64();
             let (at, log_width) = (Bifurcation::NonImpactingGrazing, f64::NAN);
             ProofEnds { loops: 0, arc: 0, omega, at, begins, lower: begins, upper: begins, log_width }
         })
@@ -213,11 +205,11 @@ fn all_ends(oscillator: &Oscillator, rows: &[Row], [lowest, highest]: [f64; 2]) 
             .chain(places)
             .chain([(last, last.interval.ends()[1])]);
         all.extend(places.filter_map(|(row, nu)| {
-            let (begins, lower, upper) = ends(oscillator, row, nu)?;
+            let (begins, lower, upper) = ends(statement, row, nu)?;
             let [begins, lower] = [begins, lower].map(Ball::to_f64);
             let upper = upper.map_or(f64::NAN, Ball::to_f64);
-            let omega = (oscillator.omega_1 * nu.inverse()).to_f64();
-            let at = begins_at(oscillator, p, nu);
+            let omega = (statement.oscillator.omega_1_over(nu)).to_f64();
+            let at = begins_at(statement, p, nu);
             let log_width = libm::log10(upper - lower);
             Some(ProofEnds { loops: p as u32, arc, omega, at, begins, lower, upper, log_width })
         }));
@@ -226,13 +218,13 @@ fn all_ends(oscillator: &Oscillator, rows: &[Row], [lowest, highest]: [f64; 2]) 
 }
 
 /// Tubes beside the first point of each kind, and its box.
-fn magnified(oscillator: &Oscillator, rows: &[Row], panels: u32) -> Vec<ProofMagnified> {
+fn magnified(statement: &Statement, rows: &[Row], panels: u32) -> Vec<ProofMagnified> {
     let of = |kind: &str| summary::points(rows).find(|(name, _)| *name == kind);
     let kinds = ["SN-GZ", "PD-GZ", "GZ-GZ"].into_iter().filter_map(of);
     let mut all = Vec::new();
     for (panel, (kind, point)) in (1..=panels).zip(kinds) {
-        let (p, amplitudes) = (point.interval.p, summary::amplitudes(oscillator, point));
-        let [low, high] = summary::frequencies(oscillator, slice::from_ref(point)).map(Ball::to_f64);
+        let (p, amplitudes) = (point.interval.p, summary::amplitudes(statement, point));
+        let [low, high] = summary::frequencies(statement, slice::from_ref(point)).map(Ball::to_f64);
         let (secondary, primary) = (0.5 * (low + high), amplitudes.to_f64());
         let offset = |amplitude: f64| (amplitude - primary) * 1e6;
         let row = |part, arc, omega: f64, [begins, lower, upper]: [f64; 3]| ProofMagnified {
@@ -255,16 +247,17 @@ fn magnified(oscillator: &Oscillator, rows: &[Row], panels: u32) -> Vec<ProofMag
         for (arc, run) in (1..).zip(of_p) {
             let reach = 8.0 * (high - low);
             let clamped = |(one, nu): (&Row, Ball)| {
-                let omega = (oscillator.omega_1 * nu.inverse()).to_f64();
+                let omega = (statement.oscillator.omega_1_over(nu)).to_f64();
                 let shown = omega.clamp(secondary - reach, secondary + reach);
-                let nu = if omega == shown { nu } else { oscillator.omega_1 * Ball::from(shown).inverse() };
-                let (begins, lower, upper) = ends(oscillator, one, nu)?;
+                let nu =
+                    if omega == shown { nu } else { statement.oscillator.omega_1_over(Ball::from(shown)) };
+                let (begins, lower, upper) = ends(statement, one, nu)?;
                 let sides = [begins, lower, upper.unwrap_or(lower)].map(Ball::to_f64);
                 Some(row(ProofPart::Tube, arc, shown, sides))
             };
             let beside = run.iter().filter(|one| {
                 let [last, first] =
-                    one.interval.ends().map(|nu| (oscillator.omega_1 * nu.inverse()).to_f64());
+                    one.interval.ends().map(|nu| (statement.oscillator.omega_1_over(nu)).to_f64());
                 first <= secondary + reach && secondary - reach <= last
             });
             all.extend(beside.flat_map(|one| one.interval.ends().map(|nu| (one, nu))).filter_map(clamped));

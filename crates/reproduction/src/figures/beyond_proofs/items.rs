@@ -10,13 +10,13 @@ const ROUNDING: f64 = 2e-9;
 
 /// What is proved, to be looked up.
 struct Lookup<'a> {
-    oscillator: &'a Oscillator,
+    statement: &'a Statement,
     rows: &'a [Row],
 }
 
 impl Lookup<'_> {
     fn nu(&self, omega: f64) -> Ball {
-        self.oscillator.omega_1 * Ball::from(omega).inverse()
+        self.statement.oscillator.omega_1_over(Ball::from(omega))
     }
 
     /// Where motion begins, the two sides between which it ends, and how wide the tube is, 0 in the box
@@ -24,7 +24,7 @@ impl Lookup<'_> {
     fn ends(&self, p: u32, omega: f64) -> Option<[f64; 4]> {
         let nu = self.nu(omega);
         let row = summary::row_at(self.rows, p.into(), nu)?;
-        let (begins, lower, upper) = ends(self.oscillator, row, nu)?;
+        let (begins, lower, upper) = ends(self.statement, row, nu)?;
         let [begins, lower] = [begins, lower].map(Ball::to_f64);
         let upper = upper.map_or(f64::INFINITY, Ball::to_f64);
         let in_box = matches!(row.verdict, Verdict::Point("SN-GZ" | "PD-GZ")) || upper.is_infinite();
@@ -33,14 +33,14 @@ impl Lookup<'_> {
 
     /// The amplitude of a curve that is a closed form; nothing for a GZ curve.
     fn closed_form(&self, kind: Bifurcation, p: u32, omega: f64) -> Option<f64> {
-        let family = self.oscillator.family(p.max(1).into(), self.nu(omega));
+        let family = self.statement.oscillator.family(p.max(1).into(), self.nu(omega));
         let velocity = match kind {
             Bifurcation::NonImpactingGrazing => Ball::ZERO,
-            Bifurcation::SaddleNode => family.b * family.big_p.inverse(),
-            Bifurcation::PeriodDoubling => -family.b * family.big_q.inverse(),
+            Bifurcation::SaddleNode => family.saddle_node(),
+            Bifurcation::PeriodDoubling => family.period_doubling(),
             _ => return None,
         };
-        Some(self.oscillator.amplitude_square(&family.motion(velocity)).sqrt().to_f64())
+        Some(self.statement.oscillator.amplitude_square(&family.motion(velocity)).sqrt().to_f64())
     }
 }
 
@@ -48,15 +48,14 @@ impl Lookup<'_> {
 pub(super) fn items(
     study: &Study,
     statement: &Statement,
-    oscillator: &Oscillator,
     rows: &[Row],
 ) -> Result<Vec<ProofItem>, StudyError> {
     let (diagram, axes) = (study.diagram()?, Axes::of_the_paper());
     let (curves, points) = (plane::curves(&axes, diagram), plane::points(&axes, diagram));
-    let (regions, look) = (plane::regions(&axes, &diagram.regions), Lookup { oscillator, rows });
+    let (regions, look) = (plane::regions(&axes, &diagram.regions), Lookup { statement, rows });
     let curves = curves.chunk_by(|a, b| a.arc == b.arc).map(|curve| of_curve(&look, curve));
     let points = (1..).zip(&points).map(|(number, point)| {
-        let (from, to, amplitude, statement) = of_point(oscillator, statement, rows, point);
+        let (from, to, amplitude, statement) = of_point(statement, rows, point);
         let within = (point.secondary - 0.5 * (from + to)).abs() <= 0.5 * (to - from) + ROUNDING
             && (point.primary - amplitude.to_f64()).abs() <= amplitude.radius() + ROUNDING;
         let SpecialPoint { kind, loops, n, .. } = *point;
@@ -134,25 +133,22 @@ fn of_curve(look: &Lookup<'_>, curve: &[PlanePoint]) -> ProofItem {
 }
 
 /// From which frequency to which a point is proved to lie, among which amplitudes, and more.
-fn of_point(
-    oscillator: &Oscillator,
-    statement: &Statement,
-    rows: &[Row],
-    point: &SpecialPoint,
-) -> (f64, f64, Ball, String) {
+fn of_point(statement: &Statement, rows: &[Row], point: &SpecialPoint) -> (f64, f64, Ball, String) {
     let nothing = (f64::NAN, f64::NAN, Ball::ANY, "nothing".to_owned());
-    let resonances = Resonance::in_window(oscillator, &[point.loops], statement.frequency.map(Decimal::ball));
+    let window = statement.frequency.map(Decimal::ball);
+    let resonances = Resonance::in_window(&statement.oscillator, &[point.loops], window);
     if let Some(found) =
         resonances.iter().find(|found| point.kind.name() == "resonance" && found.n == point.n)
     {
-        let (omega, radius) = (found.omega.to_f64(), found.omega.radius());
-        return (omega - radius, omega + radius, found.amplitude, summary::resonance(found).join("; "));
+        let [omega, amplitude, ..] = found.numbers;
+        let (omega, radius) = (omega.to_f64(), omega.radius());
+        return (omega - radius, omega + radius, amplitude, summary::resonance(found).join("; "));
     }
     let found = summary::points(rows).find_map(|(name, row)| {
-        let [low, high] = summary::frequencies(oscillator, slice::from_ref(row)).map(Ball::to_f64);
+        let [low, high] = summary::frequencies(statement, slice::from_ref(row)).map(Ball::to_f64);
         let here = low - ROUNDING <= point.secondary && point.secondary <= high + ROUNDING;
         let found = here && name == point.kind.name() && row.interval.p == i64::from(point.loops);
-        found.then(|| (low, high, summary::amplitudes(oscillator, row)))
+        found.then(|| (low, high, summary::amplitudes(statement, row)))
     });
     found.map_or(nothing, |(low, high, amplitudes)| {
         (low, high, amplitudes, "exactly one such point in this interval, none beside it".to_owned())
@@ -184,7 +180,7 @@ fn of_region(
         within += u32::from(holds);
     }
     let open = look.rows.iter().any(|row| {
-        let [low, high] = summary::frequencies(look.oscillator, slice::from_ref(row)).map(Ball::to_f64);
+        let [low, high] = summary::frequencies(look.statement, slice::from_ref(row)).map(Ball::to_f64);
         let beside = high <= from || to <= low;
         matches!(row.verdict, Verdict::Undecided(_)) && row.interval.p == i64::from(loops) && !beside
     });
