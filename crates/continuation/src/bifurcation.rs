@@ -34,6 +34,14 @@ impl Bifurcation {
         Self::Pitchfork,
     ];
 
+    /// Their names, as messages list them.
+    pub const NAMES: &str = "graz, SN, PD, GZ, NS or PF";
+
+    /// That with a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.name() == name)
+    }
+
     /// Where a condition is met by solutions with p loops, 0 without impacts; none if that is no
     /// bifurcation.
     pub fn of(condition: Condition, loops: u32) -> Option<Self> {
@@ -193,5 +201,17 @@ impl<T> Pair<T> {
     /// Each with its bifurcation, that of the SN curve first.
     pub fn named(self) -> [(Bifurcation, T); 2] {
         Pair::BIFURCATIONS.zip(self).into_array()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_kind_has_its_name_and_all_are_listed() {
+        let [others @ .., last] = Bifurcation::ALL.map(Bifurcation::name);
+        assert_eq!(Bifurcation::NAMES, format!("{} or {last}", others.join(", ")));
+        assert!(Bifurcation::ALL.into_iter().all(|kind| Bifurcation::named(kind.name()) == Some(kind)));
     }
 }

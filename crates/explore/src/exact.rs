@@ -38,7 +38,7 @@ pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<Value, Prob
     let Prepared { oscillator, scope, axes, .. } = of;
     let units = axes.units;
     let unknown = || Problem::wrong(format!("{kind} is no kind of curve of {p} loops"));
-    let kind = Bifurcation::ALL.into_iter().find(|known| known.name() == kind).ok_or_else(unknown)?;
+    let kind = Bifurcation::named(kind).ok_or_else(unknown)?;
     let moderate = first.abs().max(second.abs()) <= FARTHEST;
     if !(moderate && scope.window.contains([primary, secondary])) {
         return Err(Problem::wrong("the place lies outside the view, or motion there is violent"));

@@ -283,13 +283,12 @@ impl Table<'_> {
                 Ok(Seen::Periodic { periods: needed("periods", 1)?, impacts: needed("impacts", 1)? })
             }
             "irregular" => Ok(Seen::Irregular),
-            word => match Bifurcation::ALL.into_iter().find(|kind| kind.name() == word) {
+            word => match Bifurcation::named(word) {
                 Some(kind) => Ok(Seen::Bifurcation { kind, loops: self.count(row, "p", 0, None)? }),
-                None => Err(self.refusal(
-                    row,
-                    "seen",
-                    "write none, periodic, irregular, or a bifurcation: graz, SN, PD, GZ, NS or PF",
-                )),
+                None => {
+                    let what = "write none, periodic, irregular, or a bifurcation";
+                    Err(self.refusal(row, "seen", &format!("{what}: {}", Bifurcation::NAMES)))
+                }
             },
         }
     }

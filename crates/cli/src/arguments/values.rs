@@ -21,10 +21,9 @@ pub(super) fn column(text: &str) -> Result<(String, String), String> {
 /// A kind of curve, with the number of loops if there is one.
 pub(super) fn curve(text: &str) -> Result<(Bifurcation, Option<u32>), String> {
     let (word, loops) = text.split_once(':').map_or((text, None), |(word, loops)| (word, Some(loops)));
-    let kind = Bifurcation::ALL.into_iter().find(|kind| kind.name() == word);
     let loops = loops.map(str::parse).transpose().ok();
-    let both = kind.zip(loops);
-    both.ok_or_else(|| "it must be graz, SN, PD, GZ, NS or PF, and a number of loops, as SN:2".to_owned())
+    let both = Bifurcation::named(word).zip(loops);
+    both.ok_or_else(|| format!("it must be {}, and a number of loops, as SN:2", Bifurcation::NAMES))
 }
 
 /// A date.

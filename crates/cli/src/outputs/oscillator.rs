@@ -219,10 +219,7 @@ fn two_parameters(
 
 /// How a file wants its figures to be drawn.
 fn look(style: &FigureStyle, columns: SheetWidth) -> Look {
-    let coloured = |(name, colour): &(String, [u8; 3])| {
-        let kind = Bifurcation::ALL.into_iter().find(|kind| kind.name() == name)?;
-        Some((kind, *colour))
-    };
+    let coloured = |(name, colour): &(String, [u8; 3])| Some((Bifurcation::named(name)?, *colour));
     let named = |what| style.names.contains(&what);
     Look {
         columns,
