@@ -13,8 +13,8 @@ from flint import acb, acb_series, arb, arb_series, ctx
 ctx.prec, ctx.cap = 140, 4
 I, PI, UNIT = acb(0, 1), arb.pi(), arb(2) ** -64
 FILES = ("statement.csv", "resonances.csv", "rows.csv")
-# At how many times motion touches the wall, and at which of the two conditions its stability begins.
-POINTS = {"SN-GZ": (1, 0), "PD-GZ": (1, 1), "GZ-GZ": (2, None)}
+# At how many times motion touches the wall, at which of the two conditions its stability begins or ends, and which.
+POINTS = {"SN-GZ": (1, 0, "begins"), "PD-GZ": (1, 1, "begins"), "GZ-PD": (1, 1, "ends"), "GZ-GZ": (2, None, None)}
 Block = collections.namedtuple("Block", "first last time curvature cells")
 
 
@@ -167,11 +167,9 @@ class Line:
         return (rise - distance) / rise
 
     def changes_order_once(self, events, lower, upper, which):
-        """That at exactly one nu two events come at the same velocity: that stability begins (None), and contact in blocks."""
+        """That at exactly one nu two events come at the same velocity: that stability begins or ends (None), and contact in blocks."""
         limit = lambda nu: self.o.limit(self.p, nu, which)
         ratio = lambda nu, event, time: 1 / limit(nu) if event is None else self.ratio(nu, time)
-        if None in events:
-            require(self.conditions(lambda nu: 0 * nu)[which] < 0, "where stability begins")
         rates = []
         for event in events:
             time = event and self.minimum(lower, event)[1].union(self.minimum(upper, event)[1])
@@ -196,28 +194,32 @@ class Line:
         witnesses = {name: [int(self.row[f"{name}_{i}"]) for i in range(terms)] if self.row[f"{name}_0"] else None
                      for name, terms in (("lower", 3), ("upper", 3), ("touch", 2))}
         lower, upper, touch = (numbers and self.polynomial(numbers) for numbers in witnesses.values())
-        if upper:
+        if upper and touch:
             self.beyond(upper, touch)
+        beyond_window = lambda v: next(self.range(lambda nu: (self.o.amplitude_square(nu, self.motion(nu, v)[0]),), (0,))) > amplitude**2
         if verdict == "none":
             if upper:
-                fails = zip(self.conditions(upper), self.conditions(lambda nu: 0 * nu))
-                require(any(at_upper < 0 and at_0 < 0 for at_upper, at_0 in fails), "perhaps stable")
+                at_upper, at_0 = self.conditions(upper), self.conditions(lambda nu: 0 * nu)
+                require(any(x < 0 and y < 0 for x, y in zip(at_upper, at_0)), "perhaps stable")
+                require(touch or (at_upper[0] > 0 and beyond_window(upper)), "perhaps admissible")
             else:
                 require(witnesses["touch"][0] % 2**64 == 0 == witnesses["touch"][1], "not a whole turn")
                 self.beyond(lambda nu: 1 + 0 * nu, touch, 1)
             return
-        touching, which = POINTS[verdict] if verdict != "stable" else (1 if upper else 0, None)
-        (low, high), (low_0, _) = self.conditions(lower), self.conditions(lambda nu: 0 * nu)
+        touching, which, change = POINTS[verdict] if verdict != "stable" else (1 if upper else 0, None, None)
+        (low, high), at_0 = self.conditions(lower), self.conditions(lambda nu: 0 * nu)
         if upper:
-            require(which is not None or (low > 0 and high > 0), "not stable")
+            require(touch, "no time of contact")
+            require(change == "begins" or (low > 0 and high > 0), "not stable")
+            require(verdict in ("PD-GZ", "GZ-PD") or self.conditions(upper)[1] > 0, "perhaps not stable up to the wall")
+            require(not change or (at_0[which] < 0 if change == "begins" else at_0[which] > 0), "where stability changes")
             between = self.polynomial([a - b for a, b in zip(witnesses["upper"], witnesses["lower"])])
             wide = lambda nu: (self.o.amplitude_square(nu, self.motion(nu, between)[0] - 1),)
             require(next(self.range(wide, (0,))) < width**2, "the tube is wider than stated")
         else:
             # From where the first condition holds on to where the second fails, or to amplitudes beyond the window.
-            require(verdict == "stable" and low > 0 and (high > 0 or low_0 < 0), "where stability begins")
-            square = lambda nu: (self.o.amplitude_square(nu, self.motion(nu, lower)[0]),)
-            require((high < 0 and low_0 < 0) or next(self.range(square, (0,))) > amplitude**2, "where stable motion ends")
+            require(verdict == "stable" and low > 0 and (high > 0 or at_0[0] < 0), "where stability begins")
+            require((high < 0 and at_0[0] < 0) or beyond_window(lower), "where stable motion ends")
         blocks = self.blocks(lower, upper or lower, touching)
         if verdict != "stable":
             self.changes_order_once(blocks if which is None else [None, *blocks], lower, upper, which)
@@ -300,4 +302,4 @@ if __name__ == "__main__":
         sys.exit(f"refused: {why}")
     for (p, verdict), share in sorted(shares.items()):
         print(f"p = {p}: {verdict:9} {float(share):.9f} of nu")
-    print(f"{shown} resonances and {passed} lines hold, with {points} points where GZ curves end or meet, and no others but where nothing is stated")
+    print(f"{shown} resonances and {passed} lines hold; points where GZ curves end or meet: {points}, and no others but where nothing is stated")

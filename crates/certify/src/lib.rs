@@ -26,8 +26,8 @@ use statement::Statement;
 /// Intervals of nu have width `2^-COARSEST` at first.
 const COARSEST: u32 = 6;
 
-/// How many intervals are tried within one of the coarsest at most. Figure 7 needs less than half.
-const MOST_TRIED: usize = 2_000;
+/// How many intervals are tried within one of the coarsest at most. Figure 7 needs less than a quarter.
+const MOST_TRIED: usize = 6_000;
 
 /// The intervals that cover the window, in order, with what is proved of each. `step` is called when
 /// one of so many parts is done; `begin` is told before how many there are.

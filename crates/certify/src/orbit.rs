@@ -127,14 +127,9 @@ impl Oscillator {
 }
 
 impl<N: Number> Family<N> {
-    /// The velocity at which a multiplier is 1.
-    pub fn saddle_node(&self) -> N {
-        self.b * self.big_p.inverse()
-    }
-
-    /// The velocity at which a multiplier is −1.
-    pub fn period_doubling(&self) -> N {
-        -(self.b * self.big_q.inverse())
+    /// The velocity at which a multiplier is 1 or −1.
+    pub fn velocity_at(&self, multiplier: i8) -> N {
+        if multiplier > 0 { self.b * self.big_p.inverse() } else { -(self.b * self.big_q.inverse()) }
     }
 
     /// The motion with velocity `v` at impact.

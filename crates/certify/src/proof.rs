@@ -16,21 +16,15 @@ pub struct Model<'a> {
     family: Family<Series>,
     /// `u = ν − m`, m the base.
     offset: Series,
-    /// Whether motion becomes stable at a multiplier 1, not at −1.
-    saddle_node: bool,
 }
 
-/// A stretch of time, in turns.
-pub type Turns = [f64; 2];
+/// Guesses when motion is nearest to the wall in a stretch of time, in turns.
+pub type Guess<'g> = dyn Fn([f64; 2]) -> Witness<2> + 'g;
 
 /// Intervals at most `2^-FINE` wide may hold a codimension-two point.
 pub const FINE: u32 = 24;
 /// Cells in a period that are tried.
 const CELLS: [i64; 3] = [64, 256, 1024];
-
-fn is_whole(turn: Witness<2>) -> bool {
-    turn.map(|coefficient| coefficient & ((1 << WITNESS_BITS) - 1)) == [0; 2] && turn[1] == 0
-}
 
 impl<'a> Model<'a> {
     /// Over an interval.
@@ -46,8 +40,7 @@ impl<'a> Model<'a> {
     fn new(statement: &'a Statement, interval: Interval, [at, over_all]: [Ball; 2]) -> Self {
         let nu = Series::variable(at, over_all);
         let family = statement.oscillator.family(interval.p, nu);
-        let saddle_node = family.b.0[0][0].is_positive();
-        Self { statement, interval, family, offset: nu - interval.origin().into(), saddle_node }
+        Self { statement, interval, family, offset: nu - interval.origin().into() }
     }
 
     /// A witness as a function of ν.
@@ -59,7 +52,7 @@ impl<'a> Model<'a> {
     /// The velocity above which motion is stable: `b/P`, where a multiplier is 1, if b is positive in the
     /// middle; `−b/Q`, where one is −1, otherwise.
     pub fn limit(&self) -> Series {
-        if self.saddle_node { self.family.saddle_node() } else { self.family.period_doubling() }
+        self.family.velocity_at(if self.family.b.0[0][0].is_positive() { 1 } else { -1 })
     }
 
     /// What a function of ν may be anywhere in the interval, with its order: how often it vanishes at a
@@ -77,32 +70,35 @@ impl<'a> Model<'a> {
 
     /// Completes a row by what its witnesses prove, if they prove anything; `nearest` guesses when motion
     /// with velocity `lower` is nearest to the wall in a block.
-    pub fn prove(&self, row: Row, nearest: impl Fn(Turns) -> Witness<2>) -> Option<Row> {
+    pub fn prove(&self, row: Row, nearest: &Guess<'_>) -> Option<Row> {
         let [lower, upper] = [row.lower, row.upper].map(|side| side.map(|side| self.witness(side)));
         let clearance =
-            |velocities| CELLS.into_iter().find_map(|cells| self.clearance(velocities, cells, &nearest));
+            |velocities| CELLS.into_iter().find_map(|cells| self.clearance(velocities, cells, nearest));
         if self.interval.base != Base::Middle && !self.crosses_at_resonance() {
             return None;
         }
         let Some(lower) = lower else {
-            let none = match (upper, row.touch?) {
+            let none = match (upper, row.touch) {
                 // One of the conditions, which are linear, fails at velocity 0 and at `upper`.
                 (Some(upper), touch) => {
                     let [b, below, above] = self.conditions(upper);
                     let unstable =
                         (b.is_positive() && below.is_negative()) || (b.is_negative() && above.is_negative());
-                    unstable && self.beyond(upper, touch, 2)
+                    let outside = || below.is_positive() && self.leaves(upper);
+                    unstable && touch.map_or_else(outside, |touch| self.beyond(upper, touch, 2))
                 }
                 // At a whole turn the distance is proportional to v: at `v = 1` is enough.
-                (None, turn) => is_whole(turn) && self.beyond(Ball::ONE.into(), turn, 1),
+                (None, Some([turn, 0])) if turn % (1 << WITNESS_BITS) == 0 => {
+                    self.beyond(Ball::ONE.into(), [turn, 0], 1)
+                }
+                _ => false,
             };
             return none.then_some(Row { verdict: Verdict::None, ..row });
         };
         let [b, below, above] = self.conditions(lower);
         let stable = below.is_positive() && above.is_positive();
         let Some(upper) = upper else {
-            let leaves = self.amplitude(lower) - self.statement.amplitude.ball();
-            let ends = leaves.is_positive() || self.end_below(lower).is_some();
+            let ends = self.leaves(lower) || self.end_below(lower).is_some();
             let begins = stable || (b.is_positive() && below.is_positive());
             let clearance = (begins && ends).then(|| clearance([lower; 2]))??;
             return Some(Row { verdict: Verdict::Stable, clearance: Some(clearance), ..row });
@@ -111,12 +107,17 @@ impl<'a> Model<'a> {
         let proved =
             (stable || fine) && self.is_narrow(row.lower?, row.upper?) && self.beyond(upper, row.touch?, 2);
         let clearance = proved.then(|| clearance([lower, upper]))??;
-        let verdict = match (stable, clearance.open) {
-            (true, 1) => Verdict::Stable,
-            (true, 2) | (false, 1) if fine => Verdict::Point(self.point(&clearance)?),
+        let [_, _, above] = self.conditions(upper);
+        let verdict = match (stable, above.is_positive(), clearance.open) {
+            (true, true, 1) => Verdict::Stable,
+            (true, true, 2) => Verdict::Point("GZ-GZ"),
+            (true, false, 1) if b.is_positive() => Verdict::Point("GZ-PD"),
+            (false, true, 1) if b.is_positive() => Verdict::Point("SN-GZ"),
+            (false, _, 1) if b.is_negative() => Verdict::Point("PD-GZ"),
             _ => return None,
         };
-        Some(Row { verdict, clearance: Some(clearance), ..row })
+        let holds = verdict == Verdict::Stable || (fine && self.is_point(verdict, &clearance));
+        holds.then_some(Row { verdict, clearance: Some(clearance), ..row })
     }
 
     /// `b`, and the conditions of stability `P v − b > 0` and `Q v + b > 0`.
@@ -129,7 +130,7 @@ impl<'a> Model<'a> {
     /// the velocity `−b/Q`, where `Q < 0 < b`.
     pub fn end_below(&self, v: Series) -> Option<Ball> {
         let [b, _, above] = self.conditions(v);
-        (b.is_positive() && above.is_negative()).then(|| self.amplitude(self.family.period_doubling()))
+        (b.is_positive() && above.is_negative()).then(|| self.amplitude(self.family.velocity_at(-1)))
     }
 
     /// Whether the motion with this velocity is beyond the wall at a time between its impacts, where the
@@ -157,6 +158,11 @@ impl<'a> Model<'a> {
     /// The amplitude at which motion has this velocity.
     pub fn amplitude(&self, v: Series) -> Ball {
         self.values(self.statement.oscillator.amplitude_square(&self.family.motion(v)), 0).sqrt()
+    }
+
+    /// Whether that is beyond the window. Where `P v > b` it increases with v.
+    fn leaves(&self, v: Series) -> bool {
+        (self.amplitude(v) - self.statement.amplitude.ball()).is_positive()
     }
 
     /// Whether the amplitude changes by less than the width of a tube from one velocity to another:
@@ -197,12 +203,7 @@ impl<'a> Model<'a> {
     /// Shows, if it can, that motion with velocities from `lower` to `upper` touches the wall nowhere
     /// between its impacts but in blocks, where the distance has a positive second derivative, so that
     /// there is one contact in each at most; and that at `lower` it touches it nowhere.
-    fn clearance(
-        &self,
-        [lower, upper]: [Series; 2],
-        cells: i64,
-        nearest: &dyn Fn(Turns) -> Witness<2>,
-    ) -> Option<Clearance> {
+    fn clearance(&self, [lower, upper]: [Series; 2], cells: i64, nearest: &Guess<'_>) -> Option<Clearance> {
         let motion = self.motion([lower, upper]);
         let bounds: Vec<[Ball; 3]> =
             (0..self.interval.p * cells).map(|index| self.cell(&motion, index, cells)).collect();
@@ -261,38 +262,32 @@ impl<'a> Model<'a> {
         (rise - distance) * rise.inverse()
     }
 
-    /// The point that a row holds, if two events have another order at one end of the interval than at the
-    /// other, and the inverses of their velocities change with ν at different rates, so that they are one at
-    /// exactly one ν. The events are contact in a block, and contact in another or that stability begins
-    /// (`None`). Contact in a block is made at the inverse of the greatest ratio in it, which changes as
-    /// the ratio does at some time of contact.
-    fn point(&self, Clearance { cells, blocks, open, .. }: &Clearance) -> Option<&'static str> {
-        let (one, two, name) = match &blocks[..*open] {
-            [one] => (one, None, if self.saddle_node { "SN-GZ" } else { "PD-GZ" }),
-            [one, two] => (one, Some(two), "GZ-GZ"),
-            _ => return None,
+    /// Whether a row holds exactly one point: two events have another order at one end of the interval than
+    /// at the other, and the inverses of their velocities change with ν at different rates, so that they are
+    /// one at exactly one ν. The events are contact in a block, and contact in another or that stability begins
+    /// or ends (`None`). Contact in a block is made at the inverse of the greatest ratio in it, which changes
+    /// as the ratio does at some time of contact.
+    fn is_point(&self, verdict: Verdict, Clearance { cells, blocks, open, .. }: &Clearance) -> bool {
+        let (one, two) = (&blocks[0], blocks[..*open].get(1));
+        let multiplier = if verdict == Verdict::Point("SN-GZ") { 1 } else { -1 };
+        let limit = |model: &Self| model.family.velocity_at(multiplier);
+        let rate = |event: Option<&Block>| match event {
+            Some(block) => self.ratio(block.contact.into()).0[1][1],
+            None => limit(self).inverse().0[1][1],
         };
-        let rate = |event: Option<&Block>| {
-            let inverse = match event {
-                Some(block) => self.ratio(block.contact.into()),
-                None => self.limit().inverse(),
-            };
-            inverse.0[1][1]
-        };
-        let at = |nu| Self { saddle_node: self.saddle_node, ..Self::at(self.statement, self.interval, nu) };
-        let [left, right] = self.interval.ends().map(at);
+        let [left, right] = self.interval.ends().map(|nu| Self::at(self.statement, self.interval, nu));
         // Whether one event comes before the other. Motion is in contact at the time of a block not before the block is.
         let before = |model: &Self, first: Option<&Block>, second: Option<&Block>| {
             let contact = |block: &Block| model.ratio(model.witness(block.nearest)).inverse();
-            let velocity = first.map_or_else(|| model.limit(), contact);
+            let velocity = first.map_or_else(|| limit(model), contact);
             match second {
                 Some(block) => model.minimum(velocity, block, *cells)[0].is_positive(),
-                None => model.beyond(model.limit(), one.nearest, 2),
+                None => model.beyond(limit(model), one.nearest, 2),
             }
         };
         let swap =
             |model: &Self, other: &Self| before(model, Some(one), two) && before(other, two, Some(one));
         let once = !(rate(Some(one)) - rate(two)).contains(Ball::ZERO);
-        (once && (swap(&left, &right) || swap(&right, &left))).then_some(name)
+        once && (swap(&left, &right) || swap(&right, &left))
     }
 }

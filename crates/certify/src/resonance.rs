@@ -29,9 +29,8 @@ impl Resonance {
     /// `eq:resonancep`), with the coefficients of Propositions 3.2 and 3.3 (`eq:impFormula1odd`,
     /// `eq:impFormula1even`, `eq:impFormulap`).
     pub fn new(oscillator: &Oscillator, p: u32, n: u32) -> Self {
-        let (one, two, loops) = (Ball::ONE, Ball::from(2), i64::from(p));
+        let (one, two, loops, index) = (Ball::ONE, Ball::from(2), i64::from(p), i64::from(n));
         let epsilon = oscillator.epsilon;
-        let index = i64::from(n);
         let nu = if p == 1 { Ball::ratio(index, 2) } else { Ball::ratio(2 * loops * index + 1, 2 * loops) };
         let omega = oscillator.omega_1_over(nu);
         let amplitude = oscillator.grazing_square(nu).sqrt();

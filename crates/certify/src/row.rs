@@ -108,10 +108,10 @@ pub struct Clearance {
 pub enum Verdict {
     /// `v_min < v_GZ`: stable admissible motion exists in an interval of amplitudes.
     Stable,
-    /// `v_GZ < v_min`: no motion is both.
+    /// No motion in the window is both: `v_GZ < v_min`, or motion becomes stable beyond it.
     None,
-    /// It begins or ceases to exist at just one ν (SN-GZ, PD-GZ), or exists for all, and changes at just
-    /// one the time at which it touches the wall (GZ-GZ).
+    /// It begins or ceases to exist at just one ν (SN-GZ, PD-GZ), or exists for all, and changes at just one where it
+    /// ends: the time at which it touches the wall (GZ-GZ), or from contact to period doubling (GZ-PD).
     Point(&'static str),
     /// Nothing is stated, for this reason.
     Undecided(&'static str),
@@ -126,9 +126,10 @@ pub struct Row {
     pub verdict: Verdict,
     /// A velocity below `v_GZ`.
     pub lower: Option<Witness<3>>,
-    /// One above `v_GZ`. Without it, amplitudes at `lower` are beyond the window, or `v_GZ` is zero.
+    /// One above `v_GZ`. Without it, stable motion at `lower` is beyond the window or ends below it, or `v_GZ` is
+    /// zero.
     pub upper: Option<Witness<3>>,
-    /// When motion is beyond the wall at `upper`.
+    /// When motion is beyond the wall at `upper`. Without it, that is beyond the window.
     pub touch: Option<Witness<2>>,
     /// Why it is not at `lower`.
     pub clearance: Option<Clearance>,

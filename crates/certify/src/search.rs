@@ -2,7 +2,7 @@
 
 use crate::ball::{Ball, Number};
 use crate::orbit::{Family, Oscillator};
-use crate::proof::{FINE, Model, Turns};
+use crate::proof::{FINE, Model};
 use crate::row::{Base, Interval, Row, Verdict, WITNESS_BITS, Witness};
 use crate::statement::Statement;
 
@@ -15,6 +15,8 @@ struct Sight {
     family: Family<f64>,
     /// The velocity above which motion is stable.
     limit: f64,
+    /// That above which it is no longer; infinite if there is none.
+    end: f64,
     /// The velocities at which motion with increasing velocity touches the wall, and when, in turns.
     contacts: Vec<[f64; 2]>,
 }
@@ -22,17 +24,25 @@ struct Sight {
 impl Sight {
     fn new(oscillator: &Oscillator, p: i64, nu: f64) -> Self {
         let family = oscillator.family(p, nu);
-        let limit = match (family.b > 0.0, family.big_q > 0.0) {
-            (true, _) => family.saddle_node(),
-            (_, true) => family.period_doubling(),
-            _ => f64::INFINITY,
+        let [saddle_node, doubling] = [1, -1].map(|multiplier| family.velocity_at(multiplier));
+        let (limit, end) = match (family.b > 0.0, family.big_q > 0.0) {
+            (true, true) => (saddle_node, f64::INFINITY),
+            (true, false) => (saddle_node, doubling),
+            (false, true) => (doubling, f64::INFINITY),
+            (false, false) => (f64::INFINITY, f64::INFINITY),
         };
-        Self { nu, family, limit, contacts: contacts(oscillator, p, &family) }
+        Self { nu, family, limit, end, contacts: contacts(oscillator, p, &family) }
     }
 
     /// The velocity up to which motion is admissible: 0 if there is none, infinite if all are.
     fn graze(&self) -> f64 {
         self.contacts[0][0]
+    }
+
+    /// A velocity above that at which motion is stable and has left the window, at `edge`, or ceases to be stable
+    /// before it touches the wall.
+    fn last(&self, edge: f64) -> f64 {
+        edge.max(1.01 * self.limit).min(1.01 * self.end).min(0.5 * (self.end + self.graze()))
     }
 
     /// A velocity that is greater than the last at which motion is admissible, and less than the first at
@@ -123,7 +133,7 @@ impl<'a> Attempt<'a> {
 
     /// When motion with these velocities is nearest to the wall, not just at the ends of a stretch of time:
     /// where the slope of the distance is zero.
-    fn nearest(&self, velocities: [f64; 3], [first, last]: Turns) -> Witness<2> {
+    fn nearest(&self, velocities: [f64; 3], [first, last]: [f64; 2]) -> Witness<2> {
         self.time(core::array::from_fn(|i| {
             let motion = self.sights[i].family.motion(velocities[i]);
             let margin = 1e-3 * (last - first);
@@ -149,7 +159,7 @@ impl<'a> Attempt<'a> {
     /// is nearest to the wall.
     fn row(&self) -> Option<Row> {
         let row = Row::new(self.model.interval, Verdict::Undecided(""));
-        let prove = |row, low| self.model.prove(row, |stretch| self.nearest(low, stretch));
+        let prove = |row, low| self.model.prove(row, &|stretch| self.nearest(low, stretch));
         let (in_middle, none) = (self.sights[1].contacts[0][1], [0.0; 3]);
         if self.all(|sight| sight.graze() == 0.0) {
             return prove(Row { touch: Some([witness(in_middle), 0]), ..row }, none);
@@ -160,22 +170,24 @@ impl<'a> Attempt<'a> {
             let upper = Some(self.polynomial(values, 0.0));
             return prove(Row { upper, touch: Some(touch), ..row }, none);
         }
-        let last = self.at_sights(|sight| self.last(sight));
+        let edges = self.at_sights(|sight| self.edge(sight));
+        if (0..3).all(|i| self.sights[i].limit > 2.0 * edges[i]) {
+            return prove(Row { upper: Some(self.polynomial(edges, 0.0)), ..row }, none);
+        }
+        let last = core::array::from_fn(|i| self.sights[i].last(edges[i]));
         if (0..3).all(|i| self.sights[i].graze() > last[i]) {
-            let lower = Some(self.polynomial(last, 0.0));
-            return prove(Row { lower, ..row }, last);
+            return prove(Row { lower: Some(self.polynomial(last, 0.0)), ..row }, last);
         }
         let ([lower, upper], touch, low) = self.tube()?;
         prove(Row { lower: Some(lower), upper: Some(upper), touch: Some(touch), ..row }, low)
     }
 
-    /// A velocity above that at which motion leaves the window, or ceases to be stable otherwise.
-    fn last(&self, sight: &Sight) -> f64 {
-        let Family { nu, c, w, b, big_q, .. } = sight.family;
+    /// A velocity from which on amplitudes are beyond the window.
+    fn edge(&self, sight: &Sight) -> f64 {
+        let Family { nu, c, w, .. } = sight.family;
         let Statement { oscillator, amplitude, .. } = self.model.statement;
         let grazing = oscillator.grazing_square(nu).sqrt();
-        let edge = (1.0 + 1.01 * amplitude.ball().to_f64() / grazing) / (c * c + w * w).sqrt();
-        if b > 0.0 && big_q < 0.0 { edge.min(-1.01 * b / big_q) } else { edge }
+        (1.0 + 1.01 * amplitude.ball().to_f64() / grazing) / (c * c + w * w).sqrt()
     }
 
     /// Velocities to both sides of that at which motion touches the wall, when it does so, and the values of
@@ -191,7 +203,7 @@ impl<'a> Attempt<'a> {
         let followed = |sight: &Sight| nearest(sight).filter(|_| fine).unwrap_or(sight.contacts[0]);
         let [values, times] = [0, 1].map(|of| self.at_sights(|sight| followed(sight)[of]));
         let excess = (0..3).fold(0.0, |most, i| f64::max(most, values[i] - self.sights[i].graze()));
-        let is_point = excess > 0.0 || !stable;
+        let is_point = excess > 0.0 || !stable || !self.all(|sight| sight.graze() < sight.end);
         // At a resonance the tube is twice as wide at the end as in the middle.
         let share = match (is_point, interval.base) {
             (true, _) if !fine => return None,
@@ -202,7 +214,8 @@ impl<'a> Attempt<'a> {
         let half_widths = self.at_sights(|sight| {
             let slope = statement.oscillator.steepness_square(&sight.family).sqrt();
             let second = sight.contacts.get(1).map_or(f64::INFINITY, |contact| contact[0]);
-            let next = (second - sight.graze()).min(sight.graze() - sight.limit);
+            let next = second.min(sight.end) - sight.graze();
+            let next = next.min(sight.graze() - sight.limit);
             let room = if is_point { sight.graze() } else { sight.graze().min(next) };
             (0.1 * room).min(share * statement.width().to_f64() / slope)
         });

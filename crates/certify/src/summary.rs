@@ -29,9 +29,10 @@ pub fn ends(statement: &Statement, row: &Row, nu: Ball) -> Option<(Ball, Ball, O
     })
 }
 
-/// The points where GZ curves end or meet.
+/// The points where GZ curves end or meet, each by its kind: a PD-GZ point is where stability begins, or ends.
 pub fn points(rows: &[Row]) -> impl Iterator<Item = (&'static str, &Row)> {
     rows.iter().filter_map(|row| match row.verdict {
+        Verdict::Point("GZ-PD") => Some(("PD-GZ", row)),
         Verdict::Point(name) => Some((name, row)),
         _ => None,
     })
@@ -42,7 +43,11 @@ pub fn amplitudes(statement: &Statement, row: &Row) -> Ball {
     let model = Model::over(statement, row.interval);
     let side = |side: Option<_>| side.map_or(Ball::ANY, |side| model.amplitude(model.witness(side)));
     let (tube, limit) = (Ball::between(side(row.lower), side(row.upper)), model.amplitude(model.limit()));
-    if row.verdict != Verdict::Point("GZ-GZ") && limit.radius() < tube.radius() { limit } else { tube }
+    if matches!(row.verdict, Verdict::Point("SN-GZ" | "PD-GZ")) && limit.radius() < tube.radius() {
+        limit
+    } else {
+        tube
+    }
 }
 
 /// From which frequency to which rows reach that are side by side.
@@ -62,13 +67,9 @@ pub fn stretches(rows: &[Row]) -> impl Iterator<Item = &[Row]> {
 
 /// To nine places: rounded outwards, or inwards.
 fn to_nine_places([low, high]: [Ball; 2], outwards: bool) -> [f64; 2] {
-    let [low, high] = [low, high].map(|end| end.to_f64() * 1e9);
-    let [low, high] = if outwards {
-        [libm::floor(low - 1e-3), libm::ceil(high + 1e-3)]
-    } else {
-        [libm::ceil(low + 1e-3), libm::floor(high - 1e-3)]
-    };
-    [low / 1e9, high / 1e9]
+    let scale = if outwards { 1e9 } else { -1e9 };
+    [libm::floor(scale * low.to_f64() - 1e-3), libm::ceil(scale * high.to_f64() + 1e-3)]
+        .map(|end| end / scale)
 }
 
 /// What is proved in a stretch.
@@ -81,9 +82,10 @@ pub fn sentence(statement: &Statement, stretch: &[Row]) -> String {
         Verdict::Stable => format!(
             "one stable admissible {p}-loop MPS at each A between the SN or PD curve where it becomes stable and its GZ curve, a PD curve or the window's edge, none at other A of the window"
         ),
-        Verdict::None => format!("no stable admissible {p}-loop MPS at any A"),
+        Verdict::None => format!("no stable admissible {p}-loop MPS at any A of the window"),
         Verdict::Undecided(reason) => format!("UNDECIDED, {p}-loop MPSs: {reason}"),
-        Verdict::Point(name) => {
+        Verdict::Point(_) => {
+            let name: String = points(stretch).map(|(name, _)| name).collect();
             let amplitudes = amplitudes(statement, &stretch[0]);
             let [least, most] = to_nine_places([amplitudes.bottom(), amplitudes.top()], true);
             format!("exactly one codimension-two point, {name}, p = {p}, with {least:.9} <= A <= {most:.9}")
@@ -109,12 +111,10 @@ pub fn resonance(Resonance { p, n, numbers, missing }: &Resonance) -> Vec<String
         format!("NOT SHOWN of Theorem {theorem}: {}", missing.join(", "))
     };
     let [.., criticality] = numbers;
-    let doubling = if criticality.is_negative() {
-        "negative: period doubling is supercritical next to the resonance (docs/beyond.md, 2)"
-    } else if criticality.is_positive() {
-        "positive: period doubling is subcritical next to the resonance (docs/beyond.md, 2)"
-    } else {
-        "not shown to have a sign: nothing is stated of criticality"
+    let doubling = match (criticality.is_negative(), criticality.is_positive()) {
+        (true, _) => "negative: period doubling is supercritical next to the resonance (docs/beyond.md, 2)",
+        (_, true) => "positive: period doubling is subcritical next to the resonance (docs/beyond.md, 2)",
+        _ => "not shown to have a sign: nothing is stated of criticality",
     };
     iter::once(format!("p = {p}, n = {n}: {holds}"))
         .chain(NAMES.iter().zip(numbers).map(|(name, number)| format!("  {name} = {number}")))

@@ -239,6 +239,37 @@ fn drawn_regions_are_those_that_are_proved() {
     assert!(tested.iter().all(|&count| count > 10_000) && beside < 20, "{tested:?}, {beside} beside");
 }
 
+/// Beyond the paper's window stable motion may end at a second PD curve, which a GZ curve meets, and may begin
+/// beyond the window: both are decided.
+#[test]
+fn motion_that_ends_or_begins_elsewhere_is_decided() {
+    let decimal = |x: f64| Decimal::new(x).expect("few digits");
+    let constants = [0.0286, 0.975].map(decimal);
+    let statement = Statement::new(constants, [2.05, 2.6].map(decimal), decimal(4.0), vec![1, 2]);
+    let statement = statement.expect("under-damped");
+    let rows = prove(&statement, |_| (), || ());
+    assert!(rows.iter().all(|row| !matches!(row.verdict, Verdict::Undecided(_))));
+    let points: Vec<&Row> = summary::points(&rows).map(|(_, row)| row).collect();
+    assert!(matches!(points[..], [Row { verdict: Verdict::Point("GZ-PD"), .. }]), "{points:?}");
+    // At greater frequencies motion ends at a PD velocity, in closed form; at others in a tube.
+    let ends = points[0].interval.ends().map(|nu| {
+        let beside = nu + Ball::from(nu.to_f64() - points[0].interval.middle().to_f64()) * Ball::from(1000);
+        let row = summary::row_at(&rows, 2, beside).expect("the window is covered");
+        row.upper.is_some()
+    });
+    assert_eq!(ends, [false, true]);
+    let outside = |row: &&Row| row.verdict == Verdict::None && row.upper.is_some() && row.touch.is_none();
+    let outside: Vec<&Row> = rows.iter().filter(outside).collect();
+    assert!(!outside.is_empty());
+    for row in outside {
+        let omega = statement.oscillator.omega_1_over(row.interval.middle());
+        let family = statement.oscillator.family(row.interval.p, row.interval.middle());
+        let begins = family.motion(family.velocity_at(-1));
+        let amplitude = statement.oscillator.amplitude_square(&begins).sqrt().to_f64();
+        assert!(family.big_q.is_negative() || amplitude > 4.0, "omega = {omega}: A = {amplitude}");
+    }
+}
+
 /// Every row of the window is decided, and a row whose witnesses are exchanged or left out is not proved.
 #[test]
 fn the_window_is_decided_and_what_is_false_is_refused() {
@@ -256,7 +287,7 @@ fn the_window_is_decided_and_what_is_false_is_refused() {
             Row { upper: None, ..row.clone() },
             Row { lower: None, upper: None, ..row.clone() },
         ] {
-            assert_eq!(model.prove(wrong, |_| touch), None);
+            assert_eq!(model.prove(wrong, &|_| touch), None);
         }
         tried += 1;
     }

@@ -36,8 +36,8 @@ impl Lookup<'_> {
         let family = self.statement.oscillator.family(p.max(1).into(), self.nu(omega));
         let velocity = match kind {
             Bifurcation::NonImpactingGrazing => Ball::ZERO,
-            Bifurcation::SaddleNode => family.saddle_node(),
-            Bifurcation::PeriodDoubling => family.period_doubling(),
+            Bifurcation::SaddleNode => family.velocity_at(1),
+            Bifurcation::PeriodDoubling => family.velocity_at(-1),
             _ => return None,
         };
         Some(self.statement.oscillator.amplitude_square(&family.motion(velocity)).sqrt().to_f64())
