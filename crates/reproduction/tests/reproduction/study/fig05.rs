@@ -1,6 +1,7 @@
 //! Figure 5: is the shaded region where it should be?
 
 use core::f64::consts::TAU;
+use std::sync::LazyLock;
 
 use grazing_model::State;
 use grazing_model::orbit::{FlightEnd, Orbit as Simulation};
@@ -11,26 +12,22 @@ use grazing_theorems::Resonance;
 use super::{closed_forms, forced, made, numbers, theory, words};
 use grazing_trials::closed_form::{self, Orbit};
 
-fn figure() -> UnfoldingSketch {
-    Study::new(&made().parameters).shown::<Figure5>().expect("figure 5 can be computed")
-}
-
-fn resonance() -> Resonance {
-    let shown = made().parameters.section::<Figure5>().expect("it is right");
-    theory().resonance(shown.loops, shown.n).unwrap()
-}
+static SHOWN: LazyLock<Figure5> = LazyLock::new(|| made().parameters.section().expect("it is right"));
+static FIGURE: LazyLock<UnfoldingSketch> =
+    LazyLock::new(|| Study::new(&made().parameters).shown::<Figure5>().expect("figure 5 can be computed"));
+static RESONANCE: LazyLock<Resonance> =
+    LazyLock::new(|| theory().resonance(SHOWN.loops, SHOWN.n).expect("a resonance"));
 
 /// Amplitude and frequency at (μ, η).
 fn parameters_at(mu: f64, eta: f64) -> (f64, f64) {
-    let omega = resonance().forcing_frequency() + eta;
-    (resonance().grazing().oscillator().grazing(omega).unwrap().amplitude() + mu, omega)
+    let omega = RESONANCE.forcing_frequency() + eta;
+    (RESONANCE.grazing().oscillator().grazing(omega).unwrap().amplitude() + mu, omega)
 }
 
 /// The MPSs in closed form at (μ, η), virtual and inadmissible ones left out.
 fn solutions(mu: f64, eta: f64) -> Vec<Orbit> {
     let (amplitude, omega) = parameters_at(mu, eta);
-    let parameters = &made().parameters;
-    let all = closed_forms(amplitude, omega, parameters.section::<Figure5>().expect("it is right").loops);
+    let all = closed_forms(amplitude, omega, SHOWN.loops);
     all.into_iter().filter(Orbit::admissible).collect()
 }
 
@@ -52,22 +49,22 @@ fn inside(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
 
 /// A grid over the middle of the cells of the window.
 fn grid(cells: u32) -> Vec<[f64; 2]> {
-    let shown = made().parameters.section::<Figure5>().expect("it is right");
+    let shown = &*SHOWN;
     let at = |[low, high]: [f64; 2], k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(cells);
     (0..cells).flat_map(|i| (0..cells).map(move |j| [at(shown.mu, i), at(shown.eta, j)])).collect()
 }
 
 /// Distance in μ, over the width of the window, from the boundary of the shaded region.
 fn margin([mu, eta]: [f64; 2]) -> f64 {
-    let (sn, pd) = (resonance().saddle_node_coefficient(), resonance().period_doubling_coefficient());
+    let (sn, pd) = (RESONANCE.saddle_node_coefficient(), RESONANCE.period_doubling_coefficient());
     let boundary = if eta * saddle_node_side() > 0.0 { sn } else { pd } * eta * eta;
-    let [low, high] = made().parameters.section::<Figure5>().expect("it is right").mu;
+    let [low, high] = SHOWN.mu;
     (mu - boundary).abs() / (high - low)
 }
 
 /// The sign of η on the saddle-node curve of the frame.
 fn saddle_node_side() -> f64 {
-    let figure = figure();
+    let figure = &*FIGURE;
     let kinds = words(&figure.curves, "kind");
     let last = kinds.iter().rposition(|kind| kind == "SN").expect("there is an SN curve");
     numbers(&figure.curves, "eta")[last].signum()
@@ -75,7 +72,7 @@ fn saddle_node_side() -> f64 {
 
 #[test]
 fn it_is_the_case_of_the_caption_with_the_curves_on_opposite_sides() {
-    let (figure, resonance) = (figure(), resonance());
+    let (figure, resonance) = (&*FIGURE, &*RESONANCE);
     assert!(resonance.saddle_node_coefficient() < 0.0 && resonance.period_doubling_coefficient() > 0.0);
     assert!(resonance.grazing().transversality() > 0.0);
     let kinds = words(&figure.curves, "kind");
@@ -119,7 +116,7 @@ fn every_resonance_of_the_linear_oscillator_is_of_that_case() {
 fn an_mps_is_stable_in_the_shaded_region_and_nowhere_else() {
     // The region is right to leading order: mismatches lie in a band about its boundary whose
     // width, relative to a window that shrinks like (η, μ) → (sη, s²μ), falls like s.
-    let shaded = region(&figure(), "mps");
+    let shaded = region(&FIGURE, "mps");
     let band = |s: f64| {
         let mut widest = 0.0_f64;
         let mut stable = 0;
@@ -142,7 +139,7 @@ fn an_mps_is_stable_in_the_shaded_region_and_nowhere_else() {
 
 #[test]
 fn both_solutions_are_stable_in_the_overlap_of_the_two_regions() {
-    let figure = figure();
+    let figure = &*FIGURE;
     let [light, dark, both] = ["non-impacting", "mps", "both"].map(|kind| region(&figure, kind));
     let mut overlap = 0;
     for point in grid(60) {
@@ -156,10 +153,9 @@ fn both_solutions_are_stable_in_the_overlap_of_the_two_regions() {
 /// The impacts (velocity, phase) of an orbit that starts close to an MPS, in the last of many of
 /// its periods.
 fn last_impacts(mu: f64, eta: f64, from: &Orbit, closeness: f64) -> Vec<[f64; 2]> {
-    let parameters = &made().parameters;
     let (amplitude, omega) = parameters_at(mu, eta);
     let oscillator = forced(amplitude, omega);
-    let period = f64::from(parameters.section::<Figure5>().expect("it is right").loops) * TAU / omega;
+    let period = f64::from(SHOWN.loops) * TAU / omega;
     let start = State::on_wall(from.velocity * (1.0 + closeness), from.phase);
     let periods = 400.0;
     // Half a period on, so that no impact falls on the end.
@@ -178,7 +174,7 @@ fn last_impacts(mu: f64, eta: f64, from: &Orbit, closeness: f64) -> Vec<[f64; 2]
 
 #[test]
 fn simulated_orbits_settle_on_the_mps_in_the_shaded_region_and_leave_it_outside() {
-    let shaded = region(&figure(), "mps");
+    let shaded = region(&FIGURE, "mps");
     let (mut settled, mut left) = (0, 0);
     for [mu, eta] in grid(14) {
         if margin([mu, eta]) < 0.05 {
@@ -204,11 +200,11 @@ fn simulated_orbits_settle_on_the_mps_in_the_shaded_region_and_leave_it_outside(
 
 #[test]
 fn the_non_impacting_solution_attracts_where_it_is_said_to() {
-    let light = region(&figure(), "non-impacting");
+    let light = region(&FIGURE, "non-impacting");
     for [mu, eta] in grid(8) {
         let (amplitude, omega) = parameters_at(mu, eta);
         let oscillator = forced(amplitude, omega);
-        let top = resonance().grazing().oscillator().grazing(omega).unwrap().phase();
+        let top = RESONANCE.grazing().oscillator().grazing(omega).unwrap().phase();
         let State { position, velocity, phase } = oscillator.non_impacting_solution(top);
         assert_eq!(position < 0.0, inside(&light, [mu, eta]));
         if position < 0.0 {
@@ -226,7 +222,7 @@ fn the_non_impacting_solution_attracts_where_it_is_said_to() {
 fn closed_form_solutions_are_those_of_the_branch_expansion() {
     // μ = k₂y² + k₃ηy of eq:ZM, on which the argument for the region rests: at the turning point
     // y = Υ⁺η the two MPSs merge.
-    let (shown, resonance) = (made().parameters.section::<Figure5>().expect("it is right"), resonance());
+    let (shown, resonance) = (&*SHOWN, &*RESONANCE);
     let branch = resonance.resonant_point().branch_expansion();
     assert!(branch.k_2 > 0.0);
     let edge = if saddle_node_side() < 0.0 { shown.eta[0] } else { shown.eta[1] };
