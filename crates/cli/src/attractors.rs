@@ -16,11 +16,11 @@ use serde::{Deserialize, Serialize};
 use crate::arguments;
 use crate::failure::{Failure, computation};
 use crate::folder::{self, summary};
+use crate::layout::aligned;
 use crate::outputs::edition::{Edition, Format};
 use crate::outputs::{Output, latex, paper};
 use crate::part::{self, Divided, Joined};
 use crate::progress::Display;
-use crate::unfold::layout::aligned;
 use crate::{data_page, limits, project, terminal};
 
 /// The folder of the results, unless another one is named.

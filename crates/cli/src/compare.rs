@@ -1,7 +1,6 @@
 //! `grazing compare`: the published values with the computed ones beside them, and curves of another
 //! program beside those of an oscillator.
 
-use std::fmt::Write;
 use std::path::Path;
 
 use grazing_claims::published::{Comparison, Published, Rounding, Tally};
@@ -12,16 +11,14 @@ use grazing_reproduction::Study;
 
 use crate::arguments::{Compare, ParameterFile};
 use crate::failure::{Failure, computation};
+use crate::layout::aligned;
 use crate::limits::ended;
 use crate::oscillator::{OscillatorFile, parameter_names, settings};
 use crate::unfold::analysis::analyse;
-use crate::unfold::layout::aligned;
 use crate::{limits, project, terminal};
 
 /// How many digits more than the print has are shown of a computed value.
 const DIGITS_BEYOND_PRINT: usize = 4;
-/// The space between columns.
-const GAP: &str = "  ";
 
 /// Prints the comparison.
 ///
@@ -100,29 +97,12 @@ pub(crate) fn published(study: &Study) -> Result<Vec<Comparison<'static>>, Failu
 
 /// The comparisons as a table with aligned columns, one line each.
 pub fn table(comparisons: &[Comparison<'_>], coloured: bool) -> String {
-    let header = ["quantity", "printed", "computed", "difference", "verdict", "where"].map(str::to_owned);
-    let mut rows = vec![(header, None)];
-    rows.extend(comparisons.iter().map(|comparison| (cells(comparison), Some(comparison.is_met()))));
-    let width = |column: usize| rows.iter().map(|(cells, _)| cells[column].len()).max().unwrap_or(0);
-    let [w0, w1, w2, w3, w4] = [0, 1, 2, 3, 4].map(width);
-    let mut table = String::new();
-    for ([quantity, printed, computed, difference, verdict, place], met) in &rows {
-        let verdict = match met.filter(|_| coloured) {
-            Some(true) => format!("\x1b[32m{verdict:w4$}\x1b[0m"),
-            Some(false) => format!("\x1b[1;31m{verdict:w4$}\x1b[0m"),
-            None => format!("{verdict:w4$}"),
-        };
-        // Writing to a string cannot fail.
-        let _ = writeln!(
-            table,
-            "{quantity:w0$}{GAP}{printed:>w1$}{GAP}{computed:>w2$}{GAP}{difference:>w3$}{GAP}{verdict}{GAP}{place}",
-        );
-    }
-    table
+    let header = ["<quantity", "printed", "computed", "difference", "<verdict", "<where"];
+    aligned(&header, comparisons.iter().map(|comparison| cells(comparison, coloured).into()))
 }
 
 /// Quantity, printed, computed, difference, verdict, place.
-fn cells(comparison: &Comparison<'_>) -> [String; 6] {
+fn cells(comparison: &Comparison<'_>, coloured: bool) -> [String; 6] {
     let published = comparison.published;
     let decimals = published.decimals() + DIGITS_BEYOND_PRINT;
     let computed = comparison.computed.map(|computed| match published.rounding {
@@ -137,12 +117,14 @@ fn cells(comparison: &Comparison<'_>) -> [String; 6] {
         Some(_) => "OFF",
         None => "NOT COMPUTED",
     };
+    let colour = if comparison.is_met() { "32" } else { "1;31" };
+    let verdict = if coloured { format!("\x1b[{colour}m{verdict}\x1b[0m") } else { verdict.to_owned() };
     [
         published.quantity.clone(),
         published.printed.clone(),
         computed.unwrap_or_default(),
         difference.unwrap_or_default(),
-        verdict.to_owned(),
+        verdict,
         format!("{} ({})", published.place, published.label),
     ]
 }

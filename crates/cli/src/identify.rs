@@ -14,10 +14,10 @@ use grazing_source::{nearest, suggestion};
 use crate::arguments;
 use crate::failure::Failure;
 use crate::folder::{self, summary};
+use crate::layout::{aligned, wrapped};
 use crate::limits::{self, Watch, ended};
 use crate::oscillator::{OscillatorFile, parameter_names, settings, with_loops};
 use crate::progress::Display;
-use crate::unfold::layout::{aligned, wrapped};
 use crate::unfold::numbers::significant;
 use crate::{data_page, tables, terminal};
 

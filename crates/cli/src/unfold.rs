@@ -3,7 +3,6 @@
 pub(crate) mod analysis;
 mod explanation;
 mod keeper;
-pub(crate) mod layout;
 pub(crate) mod listing;
 mod measured;
 pub(crate) mod numbers;

@@ -8,7 +8,7 @@ use grazing_results::Names;
 use grazing_results::brief;
 use grazing_results::family::{Family, Member, Resonance};
 
-use crate::unfold::layout::{aligned, headed};
+use crate::layout::{aligned, headed};
 use crate::variation::Part;
 
 /// Digits of numbers.

@@ -8,8 +8,8 @@ use grazing_results::brief;
 use grazing_theorems::{ResonantPoint, Unfolding};
 
 use super::analysis::Analysis;
-use super::layout::{KEPT, wrapped};
 use super::reason::place;
+use crate::layout::{KEPT, wrapped};
 
 const DIGITS: usize = 9;
 

@@ -19,9 +19,9 @@ use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::Verdict;
 
 use super::analysis::Analysis;
-use super::layout::{KEPT, aligned, headed, wrapped};
 use super::numbers::{fixed, range, significant};
 use super::reason::place;
+use crate::layout::{KEPT, aligned, headed, wrapped};
 use crate::outputs::oscillator::of_one_parameter;
 pub(crate) use gaps::incomplete;
 use gaps::{missing, odd_ends, thin, undecided, unfinished};

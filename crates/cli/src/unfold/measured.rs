@@ -3,7 +3,7 @@
 use grazing_results::brief;
 use grazing_results::measured::{Agreement, Comparison, MeasuredCount, MeasuredPoint};
 
-use super::layout::{aligned, headed};
+use crate::layout::{aligned, headed};
 
 /// Digits of places.
 const DIGITS: usize = 6;

@@ -3,7 +3,7 @@
 use grazing_results::place::{AtPlace, PlaceAttractor};
 use grazing_results::{Names, brief};
 
-use super::layout::aligned;
+use crate::layout::aligned;
 
 /// Digits of parameters, and of exponents.
 const DIGITS: usize = 6;

@@ -10,8 +10,8 @@ use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::grazing::GrazingEnd;
 use grazing_unfold::levels::LevelCurve;
 
+use crate::layout::headed;
 use crate::unfold::analysis::Analysis;
-use crate::unfold::layout::headed;
 use crate::unfold::reason::{self, place};
 
 /// Resonances that could not be located, or whose curves could not be followed.

@@ -2,8 +2,8 @@
 
 use grazing_unfold::units::InUnits;
 
+use crate::layout::{KEPT, headed};
 use crate::unfold::analysis::Analysis;
-use crate::unfold::layout::{KEPT, headed};
 use grazing_results::brief;
 
 /// Ranges that would show more, as the command line takes them.

@@ -5,25 +5,34 @@ use std::fmt::Write;
 /// The widest line.
 const WIDTH: usize = 100;
 
-/// Columns as wide as they must be, numbers and words to the right.
+/// Columns as wide as they must be, to the right, or to the left under a heading that begins with `<`. Colours take no room.
 pub(crate) fn aligned(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
-    let lines: Vec<Vec<String>> =
-        std::iter::once(header.iter().map(|&word| word.to_owned()).collect()).chain(rows).collect();
-    let width = |column: usize| lines.iter().map(|line| line[column].len()).max().unwrap_or(0);
+    let words = header.iter().map(|word| word.trim_start_matches('<').to_owned());
+    let lines: Vec<Vec<String>> = std::iter::once(words.collect()).chain(rows).collect();
+    let width = |column: usize| lines.iter().map(|line| shown(&line[column])).max().unwrap_or(0);
     let widths: Vec<usize> = (0..header.len()).map(width).collect();
     let mut text = String::new();
     for line in &lines {
-        for (cell, width) in line.iter().zip(&widths) {
-            // Writing to a string cannot fail.
-            let _ = write!(text, "  {cell:>width$}");
+        let mut whole = String::new();
+        for ((cell, width), heading) in line.iter().zip(&widths).zip(header) {
+            let room = " ".repeat(width - shown(cell));
+            let [before, after] = if heading.starts_with('<') { ["", &room] } else { [&room, ""] };
+            whole.extend(["  ", before, cell, after]);
         }
+        text.push_str(whole.trim_end());
         text.push('\n');
     }
     text
 }
 
+/// How many places a cell takes.
+fn shown(cell: &str) -> usize {
+    let colours = cell.split('\x1b').skip(1).filter_map(|after| Some(after.find('m')? + 2));
+    cell.chars().count() - colours.sum::<usize>()
+}
+
 /// A space at which no line ends.
-pub(super) const KEPT: &str = "\u{a0}";
+pub(crate) const KEPT: &str = "\u{a0}";
 
 /// Words after a mark, on as many lines as they need, all with the mark's indent.
 pub(crate) fn wrapped(mark: &str, content: &str) -> String {
@@ -55,6 +64,16 @@ pub(crate) fn headed(heading: &str, entries: impl IntoIterator<Item = (String, S
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn columns_are_as_wide_as_what_is_seen() {
+        let row = |cells: [&str; 3]| Vec::from(cells.map(str::to_owned));
+        let rows = [row(["\x1b[32mmet\x1b[0m", "1.5", "µm"]), row(["not met", "-0.25", "m"])];
+        let text = aligned(&["<verdict", "value", "unit"], rows.into_iter());
+        let lines =
+            ["  verdict  value  unit", "  \x1b[32mmet\x1b[0m        1.5    µm", "  not met  -0.25     m"];
+        assert_eq!(text.lines().collect::<Vec<_>>(), lines);
+    }
 
     #[test]
     fn words_are_wrapped_under_the_first() {
