@@ -2,6 +2,12 @@
 
 use grazing_continuation::curve::Window;
 
+/// The least and the greatest of some numbers; infinite, and the wrong way round, if there are none.
+pub fn span(numbers: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    let none = [f64::INFINITY, f64::NEG_INFINITY];
+    numbers.into_iter().fold(none, |[low, high], number| [low.min(number), high.max(number)])
+}
+
 /// A rectangle of data space, shown by one panel, in the units of the data.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {

@@ -41,6 +41,6 @@ mod table;
 
 pub use cell::{Cell, brief};
 pub use columns::Column;
-pub use frame::Frame;
+pub use frame::{Frame, span};
 pub use names::{GREEK, Names, UnitNames, VARIED, directs, raised, symbol};
 pub use table::{Row, Table, TablePlan, Tables};

@@ -2,6 +2,7 @@
 //! the others are its holes.
 
 use grazing_continuation::curve::Window;
+use grazing_results::span;
 use i_overlay::core::fill_rule::FillRule;
 use i_overlay::float::simplify::SimplifyShape;
 use i_overlay::float::slice::FloatSlice;
@@ -48,16 +49,9 @@ pub(crate) fn chords(face: &Face, secondary: f64) -> Vec<[f64; 2]> {
     crossings.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect()
 }
 
-/// The least and the greatest of some numbers; infinite, and the wrong way round, if there are
-/// none.
-pub(crate) fn range(numbers: impl IntoIterator<Item = f64>) -> [f64; 2] {
-    let none = [f64::INFINITY, f64::NEG_INFINITY];
-    numbers.into_iter().fold(none, |[low, high], number| [low.min(number), high.max(number)])
-}
-
 /// The least and the greatest η of a face, or of a line.
 pub(crate) fn extent(face: &[Vec<Point>]) -> [f64; 2] {
-    range(face.iter().flatten().map(|point| point[1]))
+    span(face.iter().flatten().map(|point| point[1]))
 }
 
 /// Whether a point lies in a face.

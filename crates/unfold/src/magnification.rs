@@ -7,10 +7,10 @@ use grazing_continuation::locate::same_point;
 use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint};
 use grazing_model::ImpactOscillator;
 use grazing_results::plane::CurveSource;
+use grazing_results::span;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 
 use crate::diagram::{Diagram, DiagramCurve, route};
-use crate::faces::range;
 use crate::grazing::{GrazingCurve, interpolated};
 use crate::resonances::Resonance;
 
@@ -169,7 +169,7 @@ pub fn window_about(diagram: &Diagram, resonance: &Resonance, point: &ResonantGr
     let curves = own.iter().map(|curve| curve.curve.parameters());
     let grazing = diagram.grazing.iter().map(|curve| close_to(curve, shown));
     let inside = curves.chain(grazing).flatten().filter(|at| shown.contains(*at));
-    let extent = range(inside.map(|[primary, _]| primary));
+    let extent = span(inside.map(|[primary, _]| primary));
     let margin = 0.05 * (extent[1] - extent[0]);
     let [least, most] = whole.primary;
     Window { primary: [(extent[0] - margin).max(least), (extent[1] + margin).min(most)], secondary }

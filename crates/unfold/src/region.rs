@@ -107,7 +107,7 @@ impl Region {
     /// The least and the greatest (μ, η).
     pub fn extent(&self) -> [[f64; 2]; 2] {
         let [primary, secondary] =
-            [0, 1].map(|k| faces::range(self.rings.iter().flatten().map(|point| point[k])));
+            [0, 1].map(|k| grazing_results::span(self.rings.iter().flatten().map(|point| point[k])));
         [0, 1].map(|end| [primary[end], secondary[end]])
     }
 

@@ -7,6 +7,7 @@
 //! nothing relaxes that begins at rest.
 
 use core::f64::consts::TAU;
+use grazing_results::span;
 
 use grazing_continuation::curve::Window;
 use grazing_continuation::locate::{Condition, locate_within};
@@ -17,7 +18,6 @@ use nalgebra::Vector2;
 use rayon::prelude::*;
 
 use crate::Scope;
-use crate::faces::range;
 use crate::grazing::HighestPoint;
 use crate::progress::Progress;
 use crate::tolerances::BETWEEN_ZEROS;
@@ -293,7 +293,7 @@ fn parted(
     found: &mut Vec<(usize, [Unknowns; 2])>,
 ) {
     let ranges =
-        |index: usize| [0, 1].map(|component| range(corners.iter().map(|values| values[index][component])));
+        |index: usize| [0, 1].map(|component| span(corners.iter().map(|values| values[index][component])));
     let changes = |[least, greatest]: [f64; 2], bend: f64| least <= bend && -greatest < bend;
     // Functions that may vanish in the cell, were they to go on as they do along it.
     let near = |index: &usize| ranges(*index).into_iter().all(|range| changes(range, range[1] - range[0]));

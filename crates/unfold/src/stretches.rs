@@ -4,8 +4,7 @@
 use grazing_continuation::curve::{Curve, Event};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, LoopEquations, PeriodicSolution};
-
-use crate::faces::range;
+use grazing_results::span;
 
 /// A piece of a branch on which stability and admissibility do not change.
 #[derive(Clone, Copy, Debug)]
@@ -80,7 +79,7 @@ pub(crate) fn stretches<'a>(equations: &LoopEquations, branch: &'a Curve) -> (Ve
                 vertex.event.is_some_and(|it| it.condition == Condition::InteriorGrazing)
             };
             let extent = |k: usize| {
-                let [least, greatest] = range(all.iter().map(|vertex| vertex.solution.parameters()[k]));
+                let [least, greatest] = span(all.iter().map(|vertex| vertex.solution.parameters()[k]));
                 greatest - least
             };
             let reach = (!all.iter().any(grazes)).then(|| [0, 1].map(extent));

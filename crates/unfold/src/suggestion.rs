@@ -1,9 +1,9 @@
 //! A better window for a diagram that is lost in its own.
 
 use grazing_continuation::curve::Window;
+use grazing_results::span;
 
 use crate::Diagram;
-use crate::faces::range;
 
 /// A diagram that fills this share of a range or less is hard to read.
 const LITTLE: f64 = 0.1;
@@ -44,7 +44,7 @@ impl Diagram {
             landmarks(&curve.curve.parameters().into_iter().map(share).collect::<Vec<_>>())
         });
         let inside = grazing.chain(points).chain(curves).filter(|share| (0.0..=1.0).contains(share));
-        let [from, to] = range(inside);
+        let [from, to] = span(inside);
         (from <= to).then_some([from, to])
     }
 }

@@ -3,8 +3,8 @@
 use core::f64::consts::TAU;
 
 use grazing_description::Description;
-use grazing_results::Frame;
 use grazing_results::family::{Family, Panel, Resonance, Shows};
+use grazing_results::{Frame, span};
 
 use super::record::{Destination, Way};
 use super::{Plan, Record};
@@ -156,9 +156,7 @@ const MARGIN: f64 = 0.06;
 
 /// From the least to the largest with some room; none without two different numbers.
 fn padded(values: impl Iterator<Item = f64>, margin: f64) -> Option<[f64; 2]> {
-    let finite = values.filter(|value| value.is_finite());
-    let (low, high) = finite
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+    let [low, high] = span(values.filter(|value| value.is_finite()));
     let room = (high - low) * margin;
     (low < high).then_some([low - room, high + room])
 }

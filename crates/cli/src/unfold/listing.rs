@@ -11,7 +11,7 @@ use grazing_continuation::mps::PeriodicSolution;
 use grazing_description::{Axis, Description};
 use grazing_model::smooth::Units;
 use grazing_results::branches::OneParameter;
-use grazing_results::brief;
+use grazing_results::{brief, span};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::resonances;
 use grazing_unfold::sides::Simulated;
@@ -95,10 +95,7 @@ fn grazing_curves(description: &Description, unfolded: &Analysis) -> String {
     let (primary, secondary) = (description.primary().name(), description.secondary().name());
     let words = |(arc, curve): (usize, &GrazingCurve)| {
         let points: Vec<[f64; 2]> = curve.parameters().map(|at| units.parameters(at)).collect();
-        let extent = |index: usize| {
-            let values = points.iter().map(|point| point[index]);
-            range([values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max)])
-        };
+        let extent = |index: usize| range(span(points.iter().map(|point| point[index])));
         let content = format!(
             "{secondary} from {}, {primary} from {}, {} points; {}; {}",
             extent(1),
@@ -294,13 +291,7 @@ fn own_curves(description: &Description, unfolded: &Analysis) -> String {
             let places = points.clone().filter(|solution| shown(solution));
             let places: Vec<[f64; 2]> =
                 places.map(|solution| units.parameters(solution.parameters())).collect();
-            let along = |axis: usize| {
-                let values = places.iter().map(|place| place[axis]);
-                range([
-                    values.clone().fold(f64::INFINITY, f64::min),
-                    values.fold(f64::NEG_INFINITY, f64::max),
-                ])
-            };
+            let along = |axis: usize| range(span(places.iter().map(|place| place[axis])));
             (!places.is_empty())
                 .then(|| format!("{} from {}, {} from {}", names[1], along(1), names[0], along(0)))
         };

@@ -2,9 +2,9 @@
 
 use core::f64::consts::PI;
 
-use grazing_results::Frame;
 use grazing_results::kinds::{IRREGULAR, PERIODIC};
 use grazing_results::place::{AtPlace, BasinState, PlaceAttractor, PlaceMotion};
+use grazing_results::{Frame, span};
 
 use crate::error::DrawingError;
 use crate::geometry::clip::checked;
@@ -53,8 +53,7 @@ fn pen(attractor: &PlaceAttractor, width: f64) -> Pen {
 
 /// The least interval that holds all, with some room.
 fn extent(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    let [low, high] = values
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)]);
+    let [low, high] = span(values);
     let room = if high > low { ROOM * (high - low) } else { 1.0 };
     if low <= high { [low - room, high + room] } else { [-1.0, 1.0] }
 }

@@ -1,9 +1,9 @@
 //! Clipping in data space: a curve leaves the frame where it really crosses it, at its own slope.
 
-use grazing_results::Frame;
+use grazing_results::{Frame, span};
 
 use crate::error::DrawingError;
-use crate::geometry::sheet::{fractions_inside, span};
+use crate::geometry::sheet::fractions_inside;
 
 /// The frame, if both its ranges are finite and increasing; `name` is what an error calls it.
 pub fn checked(frame: Frame, name: &str) -> Result<Frame, DrawingError> {

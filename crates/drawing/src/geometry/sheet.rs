@@ -1,6 +1,8 @@
 //! Geometry on the sheet that the placing of labels needs: spots, boxes, polylines and polygons, in
 //! points.
 
+use grazing_results::span;
+
 /// A point of the sheet, in points to the right and downwards.
 pub type Spot = (f64, f64);
 
@@ -112,11 +114,6 @@ pub(crate) fn fractions_inside(x: [f64; 2], y: [f64; 2], a: (f64, f64), b: (f64,
         }
     }
     (enter <= leave).then_some((enter, leave))
-}
-
-/// The least and the greatest number, as a range; the wrong way round if there is none.
-pub fn span(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
 }
 
 /// Curves are thinned to segments of at least this length (points): labels need no finer picture of

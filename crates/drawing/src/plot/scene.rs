@@ -3,13 +3,13 @@
 //! The rows hold the projected coordinates and the order of painting; here they are scaled to the
 //! sheet. Of two curves that cross on the sheet the farther one is interrupted.
 
-use grazing_results::Frame;
 use grazing_results::space::{CurveKind, Mark, Scene, SurfaceKind, Vertex};
+use grazing_results::{Frame, span};
 
 use crate::error::DrawingError;
 use crate::geometry::clip::checked;
 use crate::geometry::passing::{Course, interrupted};
-use crate::geometry::sheet::{Bounds, Spot, length, span};
+use crate::geometry::sheet::{Bounds, Spot, length};
 use crate::ink::arrow::{arrow, head_on};
 use crate::ink::canvas::Canvas;
 use crate::ink::labels::{Labels, Site};

@@ -1,6 +1,7 @@
 //! Branches as what is drawn of them: x on Π, loop by loop.
 
 use core::f64::consts::TAU;
+use grazing_results::span;
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, Event};
@@ -14,7 +15,6 @@ use grazing_model::phase::centred;
 use grazing_results::branches::{BranchBifurcation, BranchPoint};
 use nalgebra::Vector2;
 
-use crate::faces::range;
 use crate::stretches::{Vertex, vertices};
 
 /// A branch of periodic solutions at one η.
@@ -159,7 +159,7 @@ impl Branch {
         };
         let mut stretches = Vec::new();
         for run in places.chunk_by(|a, b| shown(a) == shown(b)) {
-            let [low, high] = range(run.iter().map(|at| at.solution.parameters()[0]));
+            let [low, high] = span(run.iter().map(|at| at.solution.parameters()[0]));
             if shown(&run[0]) && low < high {
                 stretches.push([low, high]);
             }

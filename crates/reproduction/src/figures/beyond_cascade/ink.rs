@@ -2,11 +2,12 @@
 
 use core::iter::repeat_n;
 
-use grazing_drawing::geometry::sheet::{Bounds, span};
+use grazing_drawing::geometry::sheet::Bounds;
 use grazing_drawing::ink::canvas::{Anchor, Canvas};
 use grazing_drawing::ink::style::{BLACK, GREY, LABEL_SIZE, Pen, SMALL_LABEL_SIZE};
 use grazing_drawing::plot::axes::Panel;
 use grazing_drawing::plot::cloud::draw_cloud;
+use grazing_results::span;
 use grazing_results::{Frame, Names};
 
 use super::{CascadePoint, Cascades, SHOWN};

@@ -81,11 +81,6 @@ pub(super) fn items(
     Ok(curves.chain(points).chain(regions).collect())
 }
 
-/// The least and greatest frequency of what is drawn.
-fn range(omegas: impl Iterator<Item = f64>) -> [f64; 2] {
-    omegas.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], omega| [low.min(omega), high.max(omega)])
-}
-
 fn of_curve(look: &Lookup<'_>, curve: &[PlanePoint]) -> ProofItem {
     let PlanePoint { kind, loops, n, arc, .. } = curve[0];
     let (mut within, mut width) = (0, 0.0_f64);
@@ -99,7 +94,7 @@ fn of_curve(look: &Lookup<'_>, curve: &[PlanePoint]) -> ProofItem {
         };
         within += u32::from(holds);
     }
-    let [from, to] = range(curve.iter().map(|point| point.secondary));
+    let [from, to] = span(curve.iter().map(|point| point.secondary));
     let statement = match kind {
         Bifurcation::NonImpactingGrazing => {
             "closed form at every omega: motion without impacts, always stable, is admissible just up to it"
@@ -161,7 +156,7 @@ fn of_region(
     window: grazing_continuation::curve::Window,
 ) -> ProofItem {
     let RegionVertex { region: number, kind, loops, n, .. } = region[0];
-    let [from, to] = range(region.iter().map(|vertex| vertex.secondary));
+    let [from, to] = span(region.iter().map(|vertex| vertex.secondary));
     let (mut within, mut width) = (0, 0.0_f64);
     for vertex in region {
         let (omega, amplitude) = (vertex.secondary, vertex.primary);

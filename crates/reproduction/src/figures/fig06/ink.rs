@@ -2,7 +2,7 @@
 
 use grazing_drawing::POINTS_PER_MM;
 use grazing_drawing::geometry::clip::checked;
-use grazing_drawing::geometry::sheet::{Bounds, Spot, span};
+use grazing_drawing::geometry::sheet::{Bounds, Spot};
 use grazing_drawing::ink::arrow::{arrow, double_arrow};
 use grazing_drawing::ink::canvas::{Anchor, Canvas};
 use grazing_drawing::ink::style::{
@@ -10,6 +10,7 @@ use grazing_drawing::ink::style::{
     WALL_HATCHING,
 };
 use grazing_results::Frame;
+use grazing_results::span;
 
 use super::{Part, PartPoint, Schematic};
 use crate::figure::prelude::*;

@@ -1,7 +1,7 @@
 //! Figure 10: the path of the proof of Theorem 2.3.
 
 use grazing_drawing::geometry::clip::checked;
-use grazing_drawing::geometry::sheet::{Bounds, Spot, distance, inside, span};
+use grazing_drawing::geometry::sheet::{Bounds, Spot, distance, inside};
 use grazing_drawing::ink::arrow::head_on;
 use grazing_drawing::ink::canvas::Canvas;
 use grazing_drawing::ink::labels::{Labels, Site};
@@ -10,6 +10,7 @@ use grazing_drawing::ink::style::{
 };
 use grazing_drawing::plot::axes::{Marker, Panel};
 use grazing_results::Frame;
+use grazing_results::span;
 
 use super::{Visit, VisitPath};
 use crate::figure::prelude::*;

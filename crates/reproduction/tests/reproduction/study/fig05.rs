@@ -140,7 +140,7 @@ fn an_mps_is_stable_in_the_shaded_region_and_nowhere_else() {
 #[test]
 fn both_solutions_are_stable_in_the_overlap_of_the_two_regions() {
     let figure = &*FIGURE;
-    let [light, dark, both] = ["non-impacting", "mps", "both"].map(|kind| region(&figure, kind));
+    let [light, dark, both] = ["non-impacting", "mps", "both"].map(|kind| region(figure, kind));
     let mut overlap = 0;
     for point in grid(60) {
         let in_both = inside(&light, point) && inside(&dark, point);
