@@ -51,7 +51,7 @@ class Oscillator:
     """Functions of nu, a Taylor series, of times in turns of the forcing, and of the velocity v at impact."""
 
     def __init__(self, zeta, epsilon):
-        require(0 < zeta < 1 and epsilon > 0, "constants")
+        require(0 < zeta < 1 and 0 < epsilon <= 1, "constants")
         self.zeta, self.e, self.omega_1 = zeta, epsilon, (1 - zeta**2).sqrt()
         self.mode = acb(-zeta / self.omega_1, 1)
 
@@ -167,7 +167,8 @@ class Line:
         return (rise - distance) / rise
 
     def changes_order_once(self, events, lower, upper, which):
-        """That at exactly one nu two events come at the same velocity: that stability begins or ends (None), and contact in blocks."""
+        """That at exactly one nu two events come at the same velocity: that stability begins or ends (None), and contact in blocks,
+        whose curvatures are those of motion with velocities up to `upper`."""
         limit = lambda nu: self.o.limit(self.p, nu, which)
         ratio = lambda nu, event, time: 1 / limit(nu) if event is None else self.ratio(nu, time)
         rates = []
@@ -177,9 +178,10 @@ class Line:
         require(rates[0] < rates[1] or rates[0] > rates[1], "perhaps more than once")
 
         def comes_first(one, two, end):
-            if two:
-                return self.minimum(lambda nu: 1 / ratio(nu, one, one and one.time(nu)), two, end)[0] > 0
             nu = arb_series([exact(end), 1])
+            if two:
+                velocity = lambda nu: 1 / ratio(nu, one, one and one.time(nu))
+                return (upper(nu) - velocity(nu))[0] > 0 and self.minimum(velocity, two, end)[0] > 0
             return self.o.distance(nu, self.motion(nu, limit), one.time(nu))[0] < 0 and limit(nu)[0] > 0
         orders = [[comes_first(*pair, end) for pair in (events, events[::-1])] for end in (self.left, self.right)]
         require(sorted(orders) == [[False, True], [True, False]], "perhaps not once")
@@ -302,4 +304,4 @@ if __name__ == "__main__":
         sys.exit(f"refused: {why}")
     for (p, verdict), share in sorted(shares.items()):
         print(f"p = {p}: {verdict:9} {float(share):.9f} of nu")
-    print(f"{shown} resonances and {passed} lines hold; points where GZ curves end or meet: {points}, and no others but where nothing is stated")
+    print(f"{shown} resonances and {passed} lines hold; points away from resonances where GZ curves that bound stable motion end or meet: {points}, no others in the window but where nothing is stated")

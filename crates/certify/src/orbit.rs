@@ -52,11 +52,12 @@ pub struct Motion<N> {
 }
 
 impl Oscillator {
-    /// With these constants; nothing if they are not within 0 < ζ < 1 and 0 < ε.
+    /// With these constants; nothing if they are not within 0 < ζ < 1 and 0 < ε ≤ 1, so that motion contracts areas.
     pub fn new(zeta: Ball, epsilon: Ball) -> Option<Self> {
         let omega_1 = (Ball::ONE - zeta * zeta).sqrt();
         let decay = zeta * omega_1.inverse();
-        let valid = zeta.is_positive() && omega_1.is_positive() && epsilon.is_positive();
+        let contracts = !(Ball::ONE - epsilon).bottom().is_negative();
+        let valid = [zeta, omega_1, epsilon].into_iter().all(Ball::is_positive) && contracts;
         valid.then_some(Self { zeta, epsilon, omega_1, decay })
     }
 

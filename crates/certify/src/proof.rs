@@ -59,8 +59,8 @@ impl<'a> Model<'a> {
     /// resonance of one loop. There it is divided by that power of `|u|`; of any value unless that is exact.
     fn values(&self, function: Series, order: usize) -> Ball {
         let ([near, far], [at, over_all]) = (function.0, self.family.nu.0);
-        let (order, offset) =
-            (if self.interval.base == Base::Middle { 0 } else { order }, over_all[0] - at[0]);
+        let at_resonance = self.interval.base != Base::Middle && self.offset.0[0][0] == Ball::ZERO;
+        let (order, offset) = (if at_resonance { order } else { 0 }, over_all[0] - at[0]);
         if near[..order] != [Ball::ZERO; 4][..order] {
             return Ball::ANY;
         }
@@ -74,7 +74,7 @@ impl<'a> Model<'a> {
         let [lower, upper] = [row.lower, row.upper].map(|side| side.map(|side| self.witness(side)));
         let clearance =
             |velocities| CELLS.into_iter().find_map(|cells| self.clearance(velocities, cells, nearest));
-        if self.interval.base != Base::Middle && !self.crosses_at_resonance() {
+        if self.interval.base != Base::Middle && (self.interval.p == 1 || !self.crosses_at_resonance()) {
             return None;
         }
         let Some(lower) = lower else {
@@ -116,7 +116,7 @@ impl<'a> Model<'a> {
             (false, _, 1) if b.is_negative() => Verdict::Point("PD-GZ"),
             _ => return None,
         };
-        let holds = verdict == Verdict::Stable || (fine && self.is_point(verdict, &clearance));
+        let holds = verdict == Verdict::Stable || (fine && self.is_point(verdict, row.upper?, &clearance));
         holds.then_some(Row { verdict, clearance: Some(clearance), ..row })
     }
 
@@ -267,7 +267,8 @@ impl<'a> Model<'a> {
     /// one at exactly one ν. The events are contact in a block, and contact in another or that stability begins
     /// or ends (`None`). Contact in a block is made at the inverse of the greatest ratio in it, which changes
     /// as the ratio does at some time of contact.
-    fn is_point(&self, verdict: Verdict, Clearance { cells, blocks, open, .. }: &Clearance) -> bool {
+    fn is_point(&self, verdict: Verdict, upper: Witness<3>, clearance: &Clearance) -> bool {
+        let Clearance { cells, blocks, open, .. } = clearance;
         let (one, two) = (&blocks[0], blocks[..*open].get(1));
         let multiplier = if verdict == Verdict::Point("SN-GZ") { 1 } else { -1 };
         let limit = |model: &Self| model.family.velocity_at(multiplier);
@@ -276,14 +277,16 @@ impl<'a> Model<'a> {
             None => limit(self).inverse().0[1][1],
         };
         let [left, right] = self.interval.ends().map(|nu| Self::at(self.statement, self.interval, nu));
-        // Whether one event comes before the other. Motion is in contact at the time of a block not before the block is.
+        // Whether one event comes before the other. Motion is in contact at the time of a block not before the block is,
+        // whose curvature is that of motion with velocities up to `upper`.
         let before = |model: &Self, first: Option<&Block>, second: Option<&Block>| {
             let contact = |block: &Block| model.ratio(model.witness(block.nearest)).inverse();
             let velocity = first.map_or_else(|| limit(model), contact);
-            match second {
-                Some(block) => model.minimum(velocity, block, *cells)[0].is_positive(),
-                None => model.beyond(limit(model), one.nearest, 2),
-            }
+            let room = model.values(model.witness(upper) - velocity, 0);
+            second.map_or_else(
+                || model.beyond(limit(model), one.nearest, 2),
+                |block| room.is_positive() && model.minimum(velocity, block, *cells)[0].is_positive(),
+            )
         };
         let swap =
             |model: &Self, other: &Self| before(model, Some(one), two) && before(other, two, Some(one));

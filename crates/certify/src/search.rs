@@ -167,8 +167,7 @@ impl<'a> Attempt<'a> {
         if self.all(|sight| sight.graze() < sight.limit) {
             let values = self.at_sights(Sight::between);
             let touch = self.nearest(values, [in_middle - 0.125, in_middle + 0.125]);
-            let upper = Some(self.polynomial(values, 0.0));
-            return prove(Row { upper, touch: Some(touch), ..row }, none);
+            return prove(Row { upper: Some(self.polynomial(values, 0.0)), touch: Some(touch), ..row }, none);
         }
         let edges = self.at_sights(|sight| self.edge(sight));
         if (0..3).all(|i| self.sights[i].limit > 2.0 * edges[i]) {
@@ -184,10 +183,9 @@ impl<'a> Attempt<'a> {
 
     /// A velocity from which on amplitudes are beyond the window.
     fn edge(&self, sight: &Sight) -> f64 {
-        let Family { nu, c, w, .. } = sight.family;
         let Statement { oscillator, amplitude, .. } = self.model.statement;
-        let grazing = oscillator.grazing_square(nu).sqrt();
-        (1.0 + 1.01 * amplitude.ball().to_f64() / grazing) / (c * c + w * w).sqrt()
+        let grazing = oscillator.grazing_square(sight.nu).sqrt();
+        (grazing + 1.01 * amplitude.ball().to_f64()) / oscillator.steepness_square(&sight.family).sqrt()
     }
 
     /// Velocities to both sides of that at which motion touches the wall, when it does so, and the values of

@@ -52,7 +52,7 @@ pub struct Statement {
 }
 
 impl Statement {
-    /// Of an oscillator, in a window; nothing if it is not under-damped, or its restitution not positive.
+    /// Of an oscillator, in a window; nothing if it is not under-damped, or its restitution not within 0 < ε ≤ 1.
     pub fn new(
         [zeta, epsilon]: [Decimal; 2],
         frequency: [Decimal; 2],

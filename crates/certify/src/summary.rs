@@ -5,7 +5,7 @@ use core::iter;
 use crate::ball::Ball;
 use crate::proof::Model;
 use crate::resonance::{NAMES, Resonance};
-use crate::row::{Row, Verdict};
+use crate::row::{Interval, Row, Verdict};
 use crate::statement::Statement;
 
 /// The row of a number of loops that holds a ν.
@@ -38,15 +38,16 @@ pub fn points(rows: &[Row]) -> impl Iterator<Item = (&'static str, &Row)> {
     })
 }
 
-/// Amplitudes among which a point is: in the tube, and, but for GZ-GZ, where stability begins; the fewer.
+/// Amplitudes among which a point is: in the tube, where amplitudes increase with the velocity; or, fewer, where
+/// stability begins, which at an SN-GZ point is where they do no longer decrease.
 pub fn amplitudes(statement: &Statement, row: &Row) -> Ball {
     let model = Model::over(statement, row.interval);
     let side = |side: Option<_>| side.map_or(Ball::ANY, |side| model.amplitude(model.witness(side)));
     let (tube, limit) = (Ball::between(side(row.lower), side(row.upper)), model.amplitude(model.limit()));
-    if matches!(row.verdict, Verdict::Point("SN-GZ" | "PD-GZ")) && limit.radius() < tube.radius() {
-        limit
-    } else {
-        tube
+    match row.verdict {
+        Verdict::Point("SN-GZ") => limit,
+        Verdict::Point("PD-GZ") if limit.radius() < tube.radius() => limit,
+        _ => tube,
     }
 }
 
@@ -74,8 +75,7 @@ fn to_nine_places([low, high]: [Ball; 2], outwards: bool) -> [f64; 2] {
 
 /// What is proved in a stretch.
 pub fn sentence(statement: &Statement, stretch: &[Row]) -> String {
-    let Row { interval, verdict, .. } = &stretch[0];
-    let p = interval.p;
+    let Row { interval: Interval { p, .. }, verdict, .. } = &stretch[0];
     let inwards = matches!(verdict, Verdict::Stable | Verdict::None);
     let [low, high] = to_nine_places(frequencies(statement, stretch), !inwards);
     let holds = match verdict {
@@ -88,7 +88,7 @@ pub fn sentence(statement: &Statement, stretch: &[Row]) -> String {
             let name: String = points(stretch).map(|(name, _)| name).collect();
             let amplitudes = amplitudes(statement, &stretch[0]);
             let [least, most] = to_nine_places([amplitudes.bottom(), amplitudes.top()], true);
-            format!("exactly one codimension-two point, {name}, p = {p}, with {least:.9} <= A <= {most:.9}")
+            format!("in a part of it exactly one point, {name}, p = {p}, with {least:.9} <= A <= {most:.9}")
         }
     };
     format!("{low:.9} <= omega <= {high:.9}: {holds}")

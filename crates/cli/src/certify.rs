@@ -63,7 +63,7 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
     let points = summary::points(&rows).count();
     let share = summary::undecided_share(&rows);
     terminal::say(&format!(
-        "\n{} intervals; tubes around GZ curves are at most 1e-{} of A wide; points where these end or meet: {points}, no others; {share:.1e} of nu is undecided.\n",
+        "\n{} intervals; tubes around GZ curves are at most 1e-{} of A wide; points away from resonances where those that bound stable motion end or meet: {points}, no others in the window; {share:.1e} of nu is undecided.\n",
         rows.len(),
         WIDTH_PLACES,
     ));

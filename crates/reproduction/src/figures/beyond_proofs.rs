@@ -168,7 +168,7 @@ pub fn statement(parameters: &Parameters) -> Result<Statement, StudyError> {
         figure.loops,
     )
     .ok_or_else(|| {
-        let what = "oscillator.zeta: must be large enough for integers of 128 bits, and below 1";
+        let what = "oscillator.zeta must be large enough for integers of 128 bits, and below 1, oscillator.epsilon at most 1";
         StudyError::Failed(what.to_owned())
     })
 }
