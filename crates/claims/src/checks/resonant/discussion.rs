@@ -145,7 +145,7 @@ checks! {
                 cases.see(place.solution(&near).admissible() == ((side > 0.0) == upwards));
             }
         }
-    } => cases.outcome("the frequencies of the seven resonances of Figure 7, and the sides to which their curves leave");
+    } => cases.outcome("the frequencies of seven of the eight resonances of Figure 7, and the sides to which their curves leave");
     /// Impacts elsewhere leave P_global smooth, as seen at MPSs that graze between their impacts.
     impacts_elsewhere: over(of_figure_7()?) |place; orders: Vec<Observed>| {
         for curve in place.resonance.unfold(&ROUTE)?.grazing {
