@@ -199,9 +199,10 @@ class Line:
         if upper and touch:
             self.beyond(upper, touch)
         beyond_window = lambda v: next(self.range(lambda nu: (self.o.amplitude_square(nu, self.motion(nu, v)[0]),), (0,))) > amplitude**2
+        at_0 = self.conditions(lambda nu: 0 * nu)
         if verdict == "none":
             if upper:
-                at_upper, at_0 = self.conditions(upper), self.conditions(lambda nu: 0 * nu)
+                at_upper = self.conditions(upper)
                 require(any(x < 0 and y < 0 for x, y in zip(at_upper, at_0)), "perhaps stable")
                 require(touch or (at_upper[0] > 0 and beyond_window(upper)), "perhaps admissible")
             else:
@@ -209,7 +210,7 @@ class Line:
                 self.beyond(lambda nu: 1 + 0 * nu, touch, 1)
             return
         touching, which, change = POINTS[verdict] if verdict != "stable" else (1 if upper else 0, None, None)
-        (low, high), at_0 = self.conditions(lower), self.conditions(lambda nu: 0 * nu)
+        low, high = self.conditions(lower)
         if upper:
             require(touch, "no time of contact")
             require(change == "begins" or (low > 0 and high > 0), "not stable")

@@ -50,7 +50,7 @@ fn checksum(text: &str) -> u64 {
     text.bytes().fold(0, |sum, byte| (sum * 257 + u128::from(byte)) % prime) as u64
 }
 
-/// `statement.csv`: constants and window, how many points there are where GZ curves end or meet, and a
+/// `statement.csv`: constants and window, how many points there are ([`points`](crate::summary::points)), and a
 /// checksum of all that is in the three files.
 pub fn statement(statement: &Statement, points: usize, resonances: &str, rows: &str) -> String {
     let Statement { zeta, epsilon, frequency: [lowest, highest], amplitude, loops, .. } = statement;

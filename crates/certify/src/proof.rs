@@ -282,10 +282,10 @@ impl<'a> Model<'a> {
         let before = |model: &Self, first: Option<&Block>, second: Option<&Block>| {
             let contact = |block: &Block| model.ratio(model.witness(block.nearest)).inverse();
             let velocity = first.map_or_else(|| limit(model), contact);
-            let room = model.values(model.witness(upper) - velocity, 0);
+            let room = || model.values(model.witness(upper) - velocity, 0);
             second.map_or_else(
                 || model.beyond(limit(model), one.nearest, 2),
-                |block| room.is_positive() && model.minimum(velocity, block, *cells)[0].is_positive(),
+                |block| room().is_positive() && model.minimum(velocity, block, *cells)[0].is_positive(),
             )
         };
         let swap =

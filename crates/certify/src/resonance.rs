@@ -6,7 +6,7 @@ use crate::series::Series;
 
 /// The numbers of a resonance: its frequency; the grazing amplitude there; `s_p^+` and `s_p^-`, whose signs say
 /// on which side of the SN curve and of the PD curve motion is stable; `c_SN,p` and `c_PD,p`; and `C s⁻`: near the
-/// resonance period doubling is supercritical just if it is negative. `docs/beyond.md`, section 2, derives that,
+/// resonance period doubling is supercritical exactly if it is negative. `docs/beyond.md`, section 2, derives that,
 /// with the limit map's `r = a φ²`, `k = α² ξ_p` and `d`.
 pub const NAMES: [&str; 7] =
     ["omega_star", "amplitude_graz", "s_plus", "s_minus", "c_sn", "c_pd", "criticality"];

@@ -29,7 +29,7 @@ pub fn ends(statement: &Statement, row: &Row, nu: Ball) -> Option<(Ball, Ball, O
     })
 }
 
-/// The points where GZ curves end or meet, each by its kind: a PD-GZ point is where stability begins, or ends.
+/// The points, away from resonances, where GZ curves that bound stable motion end or meet, each by its kind: a PD-GZ point is where stability begins, or ends.
 pub fn points(rows: &[Row]) -> impl Iterator<Item = (&'static str, &Row)> {
     rows.iter().filter_map(|row| match row.verdict {
         Verdict::Point("GZ-PD") => Some(("PD-GZ", row)),

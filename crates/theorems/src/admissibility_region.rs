@@ -2,8 +2,8 @@
 //! whole trapesium. Not in the paper, which has this for τ > h_p(δ), a₁₂α > 0.
 //!
 //! To first order in μ the visits of the p-loop MPS are at x⁽ʲ⁾ = (βμ/S_p) u⁽ʲ⁾, `eq:ujwj`, and its impact velocity
-//! is y = (γ det K/(α a₁₂ ω S_p)) μ with det K of the sign of β, `eq:yStarpcodim1proof`. So y > 0 just if βμ/S_p
-//! has the sign of a₁₂α, and **the MPS is admissible just if a₁₂α u⁽ʲ⁾ < 0 for 0 < j < p**
+//! is y = (γ det K/(α a₁₂ ω S_p)) μ with det K of the sign of β, `eq:yStarpcodim1proof`. So y > 0 exactly if βμ/S_p
+//! has the sign of a₁₂α, and **the MPS is admissible exactly if a₁₂α u⁽ʲ⁾ < 0 for 0 < j < p**
 //! ([`admissibility_margin`]); it is then on the side of βμ a₁₂α S_p > 0.
 //!
 //! # As δ → 1
@@ -15,7 +15,7 @@
 //! u⁽ʲ⁾ sin 2πx = − sin(πpx) sin(πjx) sin(π(p − j)x)/sin²(πx).
 //! ```
 //!
-//! sin πjx has the sign of (−1)^⌊jx⌋, and ⌊jx⌋ + ⌊(p − j)x⌋ is ⌊px⌋ or one less. So the MPS is admissible just if it is
+//! sin πjx has the sign of (−1)^⌊jx⌋, and ⌊jx⌋ + ⌊(p − j)x⌋ is ⌊px⌋ or one less. So the MPS is admissible exactly if it is
 //! never one less, that is, with { } for fractional parts,
 //!
 //! ```text

@@ -60,7 +60,7 @@
 //!   region of σ < 0 is M_GZ − M_SN = 4(1 + ε²σ³)²/((1 − σ)(1 − εσ)⁴(1 + εσ²)²) wide.
 //! - **σ < 0, k ≥ 3: never.** Let s = |σ|. For odd k, C > 0 at j = 2; and j = 1 needs 2(1 + sᵏ) < ksᵏ⁻¹(1 − s²), which is less than 2. For
 //!   even k, C < 0 at j = 1, and C > 0 at j = 2, since (1 − sᵏ)/(1 − s²) = 1 + s² + … + sᵏ⁻² ≥ ½k s^(k/2−1).
-//! - **σ > 0, k ≥ 3: on the side m = 1, from the PD curve to where the last visit touches, just if**
+//! - **σ > 0, k ≥ 3: on the side m = 1, from the PD curve to where the last visit touches, exactly if**
 //!
 //! ```text
 //! kσ (1 − (1 + ε)σᵏ⁻¹ + εσᵏ)² < 2 (1 − εσᵏ)² (k − 1 − kσ + σᵏ).

@@ -67,7 +67,7 @@
 //! The derivative of one step is (rY/Y', G/Y'; −rY/Y', d − G/Y') with G = kV + 1 and the determinant
 //! rdY/Y'. So over both impacts the determinant is (rd)², and the trace T times Y₁Y₂ is linear in g²:
 //! (1 − T + r²d²) Y₁Y₂ = −¼ (1 − d)s⁻ C g², which has to be 0 at g = 0. So **the period doubling is
-//! supercritical just if C s⁻ < 0**; all two-impact orbits begin stable, or none, and none has a
+//! supercritical exactly if C s⁻ < 0**; all two-impact orbits begin stable, or none, and none has a
 //! saddle-node. For the linear oscillator, with q = σε,
 //!
 //! ```text
@@ -81,7 +81,7 @@
 //! all visits of a loop are at the wall to first order in η, and those of second decide: x⁽ʲ⁾ = S_j (a₁₂ w + …) +
 //! (Aʲ)₁₁ x⁽⁰⁾ + b₁ⱼ μ is positive at j = 0 and p. Its differences in j are those of a spiral over half a
 //! turn at most, whose sign changes once, so that it falls and then rises: the first to touch is j = 1 or
-//! p − 1. With Aʲ and b₁ⱼ of `eq:Ap`, `eq:b1pb2p`, E = δ^{p/2}, x⁽ᵖ⁾ = y²/(2γ) and x⁽⁰⁾ = φ²E²x⁽ᵖ⁾ it is p − 1 just if
+//! p − 1. With Aʲ and b₁ⱼ of `eq:Ap`, `eq:b1pb2p`, E = δ^{p/2}, x⁽ᵖ⁾ = y²/(2γ) and x⁽⁰⁾ = φ²E²x⁽ᵖ⁾ it is p − 1 exactly if
 //!
 //! ```text
 //! (δ/E − (δ − τ + 1)/(1 + E)) (1 + φ²E³) > τφ²E².

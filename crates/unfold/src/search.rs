@@ -7,13 +7,13 @@
 //! nothing relaxes that begins at rest.
 
 use core::f64::consts::TAU;
-use grazing_results::span;
 
 use grazing_continuation::curve::Window;
 use grazing_continuation::locate::{Condition, locate_within};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, flight_time, unknown};
 use grazing_model::motion::Motion;
 use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
+use grazing_results::span;
 use nalgebra::Vector2;
 use rayon::prelude::*;
 

@@ -1,7 +1,6 @@
 //! Branches as what is drawn of them: x on Π, loop by loop.
 
 use core::f64::consts::TAU;
-use grazing_results::span;
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, Event};
@@ -13,6 +12,7 @@ use grazing_model::OnWall;
 use grazing_model::maps::virtual_map;
 use grazing_model::phase::centred;
 use grazing_results::branches::{BranchBifurcation, BranchPoint};
+use grazing_results::span;
 use nalgebra::Vector2;
 
 use crate::stretches::{Vertex, vertices};

@@ -7,8 +7,7 @@ use grazing_drawing::ink::canvas::{Anchor, Canvas};
 use grazing_drawing::ink::style::{BLACK, GREY, LABEL_SIZE, Pen, SMALL_LABEL_SIZE};
 use grazing_drawing::plot::axes::Panel;
 use grazing_drawing::plot::cloud::draw_cloud;
-use grazing_results::span;
-use grazing_results::{Frame, Names};
+use grazing_results::{Frame, Names, span};
 
 use super::{CascadePoint, Cascades, SHOWN};
 use crate::figure::prelude::*;

@@ -9,8 +9,7 @@ use grazing_drawing::ink::style::{
     BLACK, GREY, LABEL_SIZE, Paint, Pen, SMALL_LABEL_SIZE, TICK_SIZE, TITLE_SIZE, WALL, WALL_FACE,
     WALL_HATCHING,
 };
-use grazing_results::Frame;
-use grazing_results::span;
+use grazing_results::{Frame, span};
 
 use super::{Part, PartPoint, Schematic};
 use crate::figure::prelude::*;

@@ -9,8 +9,7 @@ use grazing_drawing::ink::style::{
     BLACK, Colour, DISC_RADIUS, LABEL_SIZE, Paint, Pen, SMALL_LABEL_SIZE, THRESHOLD,
 };
 use grazing_drawing::plot::axes::{Marker, Panel};
-use grazing_results::Frame;
-use grazing_results::span;
+use grazing_results::{Frame, span};
 
 use super::{Visit, VisitPath};
 use crate::figure::prelude::*;
