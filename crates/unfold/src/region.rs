@@ -4,6 +4,7 @@ use core::fmt;
 
 use grazing_continuation::curve::Window;
 use grazing_results::plane::RegionKind;
+use grazing_results::span;
 
 use crate::faces;
 use crate::slices::MOST_BRANCHES;
@@ -106,8 +107,7 @@ impl Region {
 
     /// The least and the greatest (μ, η).
     pub fn extent(&self) -> [[f64; 2]; 2] {
-        let [primary, secondary] =
-            [0, 1].map(|k| grazing_results::span(self.rings.iter().flatten().map(|point| point[k])));
+        let [primary, secondary] = [0, 1].map(|k| span(self.rings.iter().flatten().map(|point| point[k])));
         [0, 1].map(|end| [primary[end], secondary[end]])
     }
 

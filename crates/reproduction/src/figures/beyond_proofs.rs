@@ -175,7 +175,7 @@ pub fn statement(parameters: &Parameters) -> Result<Statement, StudyError> {
 
 /// The rows in which there is motion, in runs side by side.
 fn runs(rows: &[Row]) -> impl Iterator<Item = &[Row]> {
-    let moves = |row: &Row| matches!(row.verdict, Verdict::Stable | Verdict::Point("GZ-GZ"));
+    let moves = |row: &Row| matches!(row.verdict, Verdict::Stable | Verdict::Point("GZ-GZ" | "GZ-PD"));
     let together = move |a: &Row, b: &Row| a.interval.p == b.interval.p && moves(a) && moves(b);
     rows.chunk_by(together).filter(move |run| moves(&run[0]))
 }
@@ -208,7 +208,7 @@ fn all_ends(statement: &Statement, rows: &[Row], [lowest, highest]: [f64; 2]) ->
             let (begins, lower, upper) = ends(statement, row, nu)?;
             let [begins, lower] = [begins, lower].map(Ball::to_f64);
             let upper = upper.map_or(f64::NAN, Ball::to_f64);
-            let omega = (statement.oscillator.omega_1_over(nu)).to_f64();
+            let omega = statement.oscillator.omega_1_over(nu).to_f64();
             let at = begins_at(statement, p, nu);
             let log_width = libm::log10(upper - lower);
             Some(ProofEnds { loops: p as u32, arc, omega, at, begins, lower, upper, log_width })
@@ -247,7 +247,7 @@ fn magnified(statement: &Statement, rows: &[Row], panels: u32) -> Vec<ProofMagni
         for (arc, run) in (1..).zip(of_p) {
             let reach = 8.0 * (high - low);
             let clamped = |(one, nu): (&Row, Ball)| {
-                let omega = (statement.oscillator.omega_1_over(nu)).to_f64();
+                let omega = statement.oscillator.omega_1_over(nu).to_f64();
                 let shown = omega.clamp(secondary - reach, secondary + reach);
                 let nu =
                     if omega == shown { nu } else { statement.oscillator.omega_1_over(Ball::from(shown)) };
@@ -257,7 +257,7 @@ fn magnified(statement: &Statement, rows: &[Row], panels: u32) -> Vec<ProofMagni
             };
             let beside = run.iter().filter(|one| {
                 let [last, first] =
-                    one.interval.ends().map(|nu| (statement.oscillator.omega_1_over(nu)).to_f64());
+                    one.interval.ends().map(|nu| statement.oscillator.omega_1_over(nu).to_f64());
                 first <= secondary + reach && secondary - reach <= last
             });
             all.extend(beside.flat_map(|one| one.interval.ends().map(|nu| (one, nu))).filter_map(clamped));
