@@ -2,20 +2,21 @@
 //! programs have made are not merged.
 
 use std::path::{Path, PathBuf};
-use std::{fs, io};
+use std::process::Command;
+use std::{env, fs, io};
 
 use sha2::{Digest, Sha256};
 
 /// The sources of these crates, and the libraries and the compiler that build them.
 const CRATES: [&str; 8] =
     ["continuation", "description", "model", "reproduction", "results", "source", "theorems", "unfold"];
-const FILES: [&str; 2] = ["Cargo.lock", "rust-toolchain.toml"];
+const LOCK: &str = "Cargo.lock";
 /// The first digits tell programs apart.
 const DIGITS: usize = 16;
 
 fn main() -> io::Result<()> {
     let root = Path::new("../..");
-    let mut paths = FILES.map(PathBuf::from).to_vec();
+    let mut paths = vec![PathBuf::from(LOCK)];
     for name in CRATES {
         let folder = Path::new("crates").join(name).join("src");
         // Cargo looks at everything in a folder.
@@ -23,17 +24,28 @@ fn main() -> io::Result<()> {
         collect(root, &folder, &mut paths)?;
     }
     paths.sort();
+    let compiler = compiler()?;
     let mut digest = Sha256::new();
+    digest.update(&compiler);
     for path in &paths {
         let content = fs::read(root.join(path))?;
         let name: Vec<_> = path.components().map(|part| part.as_os_str().to_string_lossy()).collect();
         digest.update(format!("{} {}\n", name.join("/"), content.len()));
         digest.update(content);
     }
-    FILES.iter().for_each(|file| println!("cargo::rerun-if-changed={}", root.join(file).display()));
+    println!("cargo::rerun-if-changed={}", root.join(LOCK).display());
+    println!("cargo::rustc-env=GRAZING_COMPILER={compiler}");
     let digits: String = digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
     println!("cargo::rustc-env=GRAZING_SOURCE={}", &digits[..DIGITS]);
     Ok(())
+}
+
+/// The version of the compiler, as `rustc 1.95.0 (…)` has it in its second word.
+fn compiler() -> io::Result<String> {
+    let compiler = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let said = Command::new(compiler).arg("--version").output()?.stdout;
+    let version = String::from_utf8_lossy(&said).split(' ').nth(1).map(str::to_owned);
+    version.ok_or_else(|| io::Error::other("the compiler does not say its version"))
 }
 
 /// Adds all files in a folder, by path from the root.

@@ -1,4 +1,4 @@
-//! Prints what balls make of arguments, random ones and extreme ones, for `certificate/test_balls.py` to test: a line
+//! Prints what balls make of arguments, random ones and extreme ones, for `expected/certificate/test_balls.py` to test: a line
 //! for each, with the operation and middles and radii in units of 2⁻⁸⁸, `-` for the ball of all numbers.
 //!
 //! `cargo run --release -p grazing-certify --example balls -- 1000000`

@@ -3,7 +3,7 @@
 //! For motion with one impact in p periods everything but one number is in closed form; that one,
 //! the velocity up to which motion stays off the wall between impacts, is enclosed. [`prove`] cuts
 //! the window into intervals of `nu = omega_1/omega` and finds for each what holds in all of it, with
-//! witnesses; `certificate/check.py` checks them with formulas of its own. `docs/proof.md` has
+//! witnesses; `expected/certificate/check.py` checks them with formulas of its own. `docs/proof.md` has
 //! theorem, lemma, and what is trusted.
 
 pub mod ball;

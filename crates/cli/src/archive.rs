@@ -13,13 +13,11 @@ use crate::folder::{self, MOST_BYTES, OutputFile, with_slashes};
 use crate::{codecheck, outputs, project, terminal, versions};
 
 /// What is taken in a clone, from its root.
-const OF_THE_PAPER: [&str; 11] = [
+const OF_THE_PAPER: [&str; 9] = [
     "CITATION.cff",
-    "ERRATA.md",
     "LICENSE-APACHE",
     "LICENSE-MIT",
     "README.md",
-    "certificate",
     "codecheck.yml",
     "docs",
     "examples",

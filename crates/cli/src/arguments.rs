@@ -325,7 +325,7 @@ pub struct Explore {
     /// Write the page as a folder of files that needs no server but one for files
     #[arg(long, value_name = "DIR", requires = "program", conflicts_with_all = ["port", "no_browser"])]
     pub static_files: Option<PathBuf>,
-    /// The program compiled to WebAssembly, as `web/run` makes it, for these files
+    /// The program compiled to WebAssembly, as `packaging/web/run` makes it, for these files
     #[arg(long, value_name = "WASM", requires = "static_files")]
     pub program: Option<PathBuf>,
 }

@@ -20,7 +20,7 @@ use crate::progress::Display;
 use crate::{project, terminal};
 
 /// The default folder, from the root of the repository.
-const CERTIFICATE: &str = "certificate";
+const CERTIFICATE: &str = "expected/certificate";
 /// That of proofs with settings over the parameter file.
 const VARIED: &str = "varied/certificate";
 

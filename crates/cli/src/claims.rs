@@ -20,7 +20,7 @@ use crate::progress::Display;
 use crate::{project, terminal};
 
 /// The page of misprints, from the root of the repository.
-const ERRATA: &str = "ERRATA.md";
+const ERRATA: &str = "docs/ERRATA.md";
 
 /// Tests the claims that were asked for and prints what came of it.
 ///
@@ -109,7 +109,7 @@ fn misprints(findings: &[Finding<'_>], write: bool) -> Result<(), Failure> {
         Ok(present) if present == content => Ok(()),
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(Failure::file(&path, &error)),
         _ => Err(Failure::check(
-            "ERRATA.md is not what the ledger makes: mend it with `cargo xtask claims --write-errata`",
+            "docs/ERRATA.md is not what the ledger makes: mend it with `cargo xtask claims --write-errata`",
         )),
     }
 }

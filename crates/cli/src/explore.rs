@@ -61,7 +61,7 @@ fn write(folder: &Path, program: &Path, examples: &[Example]) -> Result<(), Fail
         .map_err(|reason| Failure::file(program, &reason))?;
     if !content.starts_with(WASM) {
         return Err(Failure::input(format!(
-            "{}: this is no program in WebAssembly; web/run makes one",
+            "{}: this is no program in WebAssembly; packaging/web/run makes one",
             program.display()
         )));
     }

@@ -1,4 +1,4 @@
-//! `scripts/figure7.m`, run in Octave. (`figure7.jl` is not run: it says so.)
+//! `examples/scripts/figure7.m`, run in Octave. (`figure7.jl` is not run: it says so.)
 
 use std::fs;
 use std::io::{self, Write};
@@ -12,14 +12,14 @@ fn octave_draws_figure_7_and_finds_the_coefficients_on_its_curves() {
     let picture = folder.path().join("fig07.svg");
     let run = Command::new("octave-cli")
         .args(["--norc", "--path"])
-        .arg(repository().join("scripts").canonicalize().expect("it is there"))
+        .arg(repository().join("examples/scripts").canonicalize().expect("it is there"))
         .args(["--eval", &format!("figure7('{}')", picture.display())])
         .output();
     let run = match run {
         Ok(run) => run,
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
             // Straight to the stream, which the test harness does not hold back.
-            writeln!(io::stderr(), "SKIPPED: there is no Octave, scripts/figure7.m was not run")
+            writeln!(io::stderr(), "SKIPPED: there is no Octave, examples/scripts/figure7.m was not run")
                 .expect("a message can be written");
             return;
         }

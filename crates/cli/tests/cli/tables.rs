@@ -1,4 +1,4 @@
-//! Tables as CSV and as Parquet. That other programs read the latter is tested in python/tests.
+//! Tables as CSV and as Parquet. That other programs read the latter is tested in packaging/python/tests.
 
 use std::io::Cursor;
 

@@ -1,4 +1,4 @@
-//! The Snakemake workflow in workflows/, run on this machine with two workers.
+//! The Snakemake workflow in examples/workflow/, run on this machine with two workers.
 
 use std::fs;
 use std::io::Write;
@@ -14,7 +14,7 @@ fn snakemake(folder: &Path, keys: &[&str]) -> Option<()> {
     let run = Command::new("snakemake")
         .current_dir(folder)
         .arg("--snakefile")
-        .arg(repository().join("workflows/Snakefile").canonicalize().expect("it is there"))
+        .arg(repository().join("examples/workflow/Snakefile").canonicalize().expect("it is there"))
         .args(["--cores", "2", "--config", &program, "parts=3", "output=out"])
         .args(keys)
         .output();

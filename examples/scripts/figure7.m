@@ -8,7 +8,7 @@ function figure7(picture, data)
 % stands what the curve of Figure 7 says: the limit of (A - A_graz(omega)) / (omega - omega*)^2 as the impact velocity goes to 0,
 % with the closed form of A_graz (eq:Agraz).
 if nargin < 2
-    data = fullfile(fileparts(mfilename('fullpath')), '..', 'figures', 'data');
+    data = fullfile(fileparts(mfilename('fullpath')), '..', '..', 'figures', 'data');
 end
 zeta = 0.02; % figures/parameters.toml
 grazing = @(omega) hypot(1 - omega.^2, 2 * zeta * omega);

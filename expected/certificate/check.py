@@ -3,7 +3,7 @@
 
     pip install python-flint && python3 check.py [FOLDER]
 
-../docs/proof.md says what each verdict states and why these inequalities prove it. Nothing here is taken from the program that
+../../docs/proof.md says what each verdict states and why these inequalities prove it. Nothing here is taken from the program that
 writes the certificate: motion is the real part of two complex exponentials, its stability that of the saltation matrix.
 """
 import collections, csv, pathlib, sys

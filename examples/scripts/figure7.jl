@@ -1,6 +1,6 @@
 # Draws Figure 7 from the tables in figures/data, and checks the coefficients in them, as figure7.m does:
 #
-#   julia scripts/figure7.jl fig07.svg
+#   julia examples/scripts/figure7.jl fig07.svg
 #
 # with CSV, DataFrames and Plots. No Julia was at hand when this was written: it has been read, not run.
 using CSV, DataFrames, Plots, Printf

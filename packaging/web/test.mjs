@@ -1,6 +1,6 @@
 // Holds the page without a server against the server: the same requests get the same answers, byte for byte; and, where there is a
 // Chromium, the page comes up and draws.
-// node web/test.mjs FOLDER GRAZING: the folder of the page, and the program.
+// node packaging/web/test.mjs FOLDER GRAZING: the folder of the page, and the program.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { readFile } from "node:fs/promises";
@@ -9,7 +9,7 @@ import { extname, join } from "node:path";
 import { pathToFileURL } from "node:url";
 
 const [folder, program] = process.argv.slice(2);
-const duffing = await readFile(new URL("../examples/duffing.toml", import.meta.url), "utf8");
+const duffing = await readFile(new URL("../../examples/duffing.toml", import.meta.url), "utf8");
 
 /** A program that ends with this one. */
 function begun(name, flags, stdio) {

@@ -23,7 +23,7 @@ try:
 except ImportError:
     import tomli as tomllib
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 #: Without its one-parameter diagram, which takes most of the time.
 TEXT = (ROOT / "examples" / "duffing.toml").read_text().split("[[diagrams]]")[0]
 PARAMETERS = tomllib.loads((ROOT / "figures" / "parameters.toml").read_text())
@@ -268,11 +268,11 @@ def test_what_is_missing_is_warned_of(block):
 
 
 def test_the_gallery_is_what_its_lines_make(tmp_path, monkeypatch):
-    gallery = (ROOT / "python" / "README.md").read_text().split("## Gallery")[1]
+    gallery = (ROOT / "packaging" / "python" / "README.md").read_text().split("## Gallery")[1]
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     monkeypatch.chdir(tmp_path)
     exec(gallery.split("```python\n")[1].split("```")[0], {"grazing": grazing})
-    pictures = [ROOT / "python" / path for path in re.findall(r"!\[[^]]*\]\(([^)]+)\)", gallery)]
+    pictures = [ROOT / "packaging" / "python" / path for path in re.findall(r"!\[[^]]*\]\(([^)]+)\)", gallery)]
     assert len(pictures) == 4
     for picture in pictures:
         assert (tmp_path / picture.name).read_text() == picture.read_text(), picture.name
@@ -282,7 +282,7 @@ def test_the_notebook_runs():
     import nbformat
     from nbclient import NotebookClient
 
-    notebook = nbformat.read(ROOT / "python" / "notebooks" / "paper.ipynb", as_version=4)
+    notebook = nbformat.read(ROOT / "packaging" / "python" / "notebooks" / "paper.ipynb", as_version=4)
     NotebookClient(notebook, timeout=None, kernel_name="python3").execute()
     shown = [output for cell in notebook.cells if cell.cell_type == "code" for output in cell.outputs if "data" in output]
     pictures = [output for output in shown if {"image/svg+xml", "image/png"} & set(output["data"])]
