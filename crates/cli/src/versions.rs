@@ -74,7 +74,8 @@ mod tests {
 
     #[test]
     fn the_compiler_is_at_least_the_one_that_the_workspace_asks_for() {
-        let parts = |version: &str| -> Vec<u32> { version.split('.').filter_map(|part| part.parse().ok()).collect() };
+        let parts =
+            |version: &str| -> Vec<u32> { version.split('.').filter_map(|part| part.parse().ok()).collect() };
         assert!(parts(COMPILER) >= parts(env!("CARGO_PKG_RUST_VERSION")), "{COMPILER}");
     }
 }
