@@ -14,7 +14,7 @@ fn main() {
 /// Forcing periods in one run.
 const PERIODS: u32 = 10_000;
 
-/// One item is one forcing period, with whatever impacts fall into it.
+/// Forcing periods per item: one item is one forcing period, with all impacts in it.
 #[divan::bench]
 fn forcing_period_with_impacts(bencher: Bencher<'_, '_>) {
     let oscillator = LinearOscillator::new(0.02, 0.9, 0.3, 0.855).unwrap();

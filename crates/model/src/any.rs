@@ -9,13 +9,13 @@ use crate::motion::{Crossing, Kinematics, Maximum, Motion};
 use crate::oscillator::ImpactOscillator;
 use crate::state::{OnWall, State};
 
-/// Any [`ImpactOscillator`] as a value of one type: what is built on it is compiled once, and takes
-/// whatever comes.
+/// Any [`ImpactOscillator`] as a value of one type: code built on it is compiled once and accepts
+/// every oscillator.
 #[derive(Clone)]
 pub struct AnyOscillator(Arc<dyn Erased>);
 
 impl AnyOscillator {
-    /// The oscillator as such a value.
+    /// Wraps an oscillator.
     pub fn new<O: ImpactOscillator<Motion: 'static> + 'static>(oscillator: O) -> Self {
         Self(Arc::new(oscillator))
     }
@@ -27,16 +27,16 @@ impl fmt::Debug for AnyOscillator {
     }
 }
 
-/// Any [`Motion`] as a value, as those of [`AnyOscillator`] are.
+/// Any [`Motion`] as a value of one type: the motion of an [`AnyOscillator`].
 pub struct AnyMotion(Box<dyn ErasedMotion>);
 
 impl AnyMotion {
-    /// The motion as such a value.
+    /// Wraps a motion.
     pub fn new(motion: impl Motion + 'static) -> Self {
         Self(Box::new(motion))
     }
 
-    /// The motion again, if it is of this type.
+    /// The wrapped motion, if it is of this type.
     pub fn downcast_ref<M: 'static>(&self) -> Option<&M> {
         self.0.as_any().downcast_ref()
     }
@@ -100,7 +100,7 @@ impl<O: ImpactOscillator<Motion: 'static> + 'static> Erased for O {
         match (motion.downcast_ref(), order) {
             (Some(motion), 2..) => O::flow_along::<2>(self, motion, from, duration),
             (Some(motion), _) => O::flow_along::<1>(self, motion, from, duration),
-            // The motion of another oscillator says nothing of this one.
+            // The motion belongs to another oscillator and cannot be used here.
             (None, 2..) => O::flow::<2>(self, from, duration),
             (None, _) => O::flow::<1>(self, from, duration),
         }

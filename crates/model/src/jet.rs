@@ -2,8 +2,8 @@
 //!
 //! Every map of the paper between the surfaces Σ and Π sends two coordinates to two coordinates and
 //! depends on the two parameters (μ, η), so one type, [`MapJet`], serves them all, and composition
-//! is one function. From which surface to which a map leads is part of the type, so that only maps
-//! that meet can be composed. The order that is wanted is a constant: with `ORDER = 1` the second
+//! is one function. The surfaces at which a map starts and ends are part of the type, so that only
+//! maps that fit can be composed. The order is a constant parameter: with `ORDER = 1` the second
 //! derivatives are left at zero and cost nothing.
 
 use core::marker::PhantomData;
@@ -13,7 +13,7 @@ use nalgebra::{Matrix2, Matrix2x4, Matrix2x6, Matrix4, Matrix6, Vector2};
 use crate::state::Surface;
 
 /// Jet of a map `(u, w; μ, η) ↦ (u', w')` at one point, from the surface `A` to the surface `B`;
-/// where it does not matter which these are, they are left out.
+/// these parameters are left out where the surfaces do not matter.
 ///
 /// The four variables are, in this order, the two coordinates ([`OnWall`](crate::OnWall),
 /// [`AtRest`](crate::AtRest), [`AtPhase`](crate::AtPhase)), the primary parameter μ and the
@@ -61,7 +61,7 @@ impl<A, B> MapJet<A, B> {
         B::at(self.value)
     }
 
-    /// The same without its surfaces.
+    /// The jet without its surfaces.
     #[inline]
     pub fn plain(&self) -> MapJet {
         MapJet::new(self.value, self.jacobian, self.hessians)
@@ -101,7 +101,7 @@ impl<A, B> MapJet<A, B> {
         self.jacobian.fixed_columns::<2>(0).into_owned()
     }
 
-    /// The jet of the inverse map at the image, parameters held.
+    /// The jet of the inverse map at the image, with the parameters fixed.
     ///
     /// Returns `None` where the derivative with respect to the coordinates is singular.
     pub fn inverse<const ORDER: usize>(&self, preimage: A) -> Option<MapJet<B, A>>

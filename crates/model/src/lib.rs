@@ -3,15 +3,16 @@
 //! The general class is the trait [`ImpactOscillator`] (section 2.1 of the paper, eq:F to
 //! eq:resetLaw); its first member is the [`LinearOscillator`] (section 3, eq:oscf, eq:oscResetLaw),
 //! whose flow is known in closed form; any other is given by its force and reset law ([`smooth`]),
-//! and its flow is integrated. The maps of sections 2 and 4 stand in [`maps`], the search for
-//! maxima and impacts in [`motion`], and orbits with impacts in [`orbit`]; third derivatives, for
-//! the criticality of bifurcations, come with [`ThirdOrder`].
+//! and its flow is integrated. The maps of sections 2 and 4 are in [`maps`], the search for maxima
+//! and impacts in [`motion`], and orbits with impacts in [`orbit`]; third derivatives, for the
+//! criticality of bifurcations, come from [`ThirdOrder`].
 //!
-//! All quantities are dimensionless; [`smooth::Dimensionless`] makes an oscillator in other units
-//! so. Nothing here reads, writes or prints; all transcendental functions come from `libm`, so that
-//! the same input gives the same bits on every machine.
+//! All quantities are dimensionless; [`smooth::Dimensionless`] nondimensionalises an oscillator
+//! given in other units. This crate does no I/O and never prints; all transcendental functions come
+//! from `libm`, so that the same input gives the same bits on every machine.
 //!
-//! An oscillator of one's own is its force, frequency and reset law; orbits with impacts follow:
+//! A user's own oscillator is defined by its force, frequency and reset law; orbits with impacts
+//! follow:
 //!
 //! ```
 //! use grazing_model::orbit::{FlightEnd, Orbit};

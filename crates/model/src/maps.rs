@@ -2,12 +2,12 @@
 //!
 //! Σ is the plane x = 0 with coordinates (y, z); Π is the part of the plane y = 0 near the grazing
 //! point, with coordinates (x, z) (sections 2.1, 2.2 and 4.1 of the paper). All maps ignore the
-//! wall. Phases are not reduced modulo 2π except that P_global takes one turn off, as the paper
-//! does, so that grazing is a fixed point.
+//! wall. Phases are not reduced modulo 2π except that P_global subtracts one turn, as in the paper,
+//! so that grazing is a fixed point.
 //!
-//! A map that ends on Π has to find the time of a zero of the velocity. That time is returned
-//! beside the jet, and can be given as a guess the next time: "the next maximum" is ambiguous once
-//! a loop has grown a second one, a continued time is not.
+//! A map that ends on Π has to find the time of a zero of the velocity. That time is returned with
+//! the jet, and can be passed as a guess to the next call: "the next maximum" is ambiguous once a
+//! loop has grown a second one, a continued time is not.
 
 use core::f64::consts::TAU;
 
@@ -19,7 +19,7 @@ use crate::oscillator::ImpactOscillator;
 use crate::state::{AtPhase, AtRest, OnWall, State, Surface, flow_variable as flow};
 use crate::tolerances::{LAST_STEP_TO_SECTION, LAST_STEP_TO_WALL, MOST_ITERATIONS, MOST_PERIODS};
 
-/// A map is not defined at a point.
+/// The reason why a map is not defined at a point.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum MapError {
     /// The orbit does not come to rest near the expected time.
@@ -42,7 +42,7 @@ pub enum MapError {
         /// The time after which it comes.
         time: f64,
     },
-    /// Symmetric motion was asked for of an oscillator without symmetry, or with impacts.
+    /// The symmetry of an oscillator without symmetry, or of motion with impacts, was requested.
     #[error("motion of this kind has no symmetry")]
     NotSymmetric,
     /// P_virt⁻¹ was asked for at x < 0, or did not reach the wall.
@@ -62,8 +62,8 @@ pub struct Landing<A> {
     pub time: f64,
 }
 
-/// Over a hill beyond the wall motion may take longer than a forcing period to turn back; after so
-/// many it is carried off.
+/// Limit on the evolution time of P_virt, in forcing periods: over a hill beyond the wall motion
+/// may take longer than one period to turn back; after this many it is carried off.
 const LONGEST_VIRTUAL: f64 = 2.0;
 
 /// P_virt: from (y, z) on Σ along the flow to (x', z') on Π, forwards in time for y > 0 and
@@ -125,7 +125,7 @@ pub fn virtual_preimage<O: ImpactOscillator>(oscillator: &O, top: AtRest) -> Res
         if time.is_nan() || time >= 0.0 {
             return Err(below);
         }
-        // Or x is zero to rounding, which for small x says less about the time.
+        // Or x is zero to rounding, which for small x determines the time less accurately.
         if step.abs() <= LAST_STEP_TO_WALL * time.abs() || here.position.abs() <= 4.0 * f64::EPSILON {
             return Ok(OnWall::new(motion.at(time).velocity, phase + frequency * time));
         }
@@ -150,8 +150,8 @@ pub fn global_map<O: ImpactOscillator, const ORDER: usize>(
     land_on_section::<O, ORDER, _>(oscillator, from.into(), time, TAU)
 }
 
-/// The next point at which motion visits Π: P_global, as far as it leads to a maximum that comes
-/// more than half a forcing period later.
+/// The next point at which motion visits Π: P_global, restricted to maxima that come more than half
+/// a forcing period later.
 ///
 /// # Errors
 /// There is no such maximum near the guessed time.
@@ -203,7 +203,7 @@ pub fn discontinuity_map<O: ImpactOscillator, const ORDER: usize>(
     Ok(recoil.jet.after::<ORDER, _>(&reset).after::<ORDER, _>(&inverse))
 }
 
-/// The flow from a state, whose motion is at hand, to the plane of constant phase `target`, with
+/// The flow from a state, whose motion is available, to the plane of constant phase `target`, with
 /// coordinates (x, y).
 ///
 /// The state is given by a point of Σ, (y, z), or of the plane of phase zero, (x, y). Defined
@@ -250,7 +250,7 @@ fn land_on_section<O: ImpactOscillator, const ORDER: usize, A: Surface>(
         let newton = here.velocity / here.acceleration;
         let step = newton / (1.0 - 0.5 * newton * here.jerk / here.acceleration);
         time -= step;
-        // NaN is far as well.
+        // NaN counts as far as well.
         let near = (time - guess).abs() <= farthest;
         if !near {
             break;

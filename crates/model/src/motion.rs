@@ -1,7 +1,7 @@
 //! Motion between impacts and the exact location of its events.
 //!
-//! Generic event detection evaluates at steps and misses what happens within one, such as an impact
-//! of low velocity followed at once by the way back. Here each cell between two evaluations is
+//! Generic event detection evaluates at steps and misses events within one, such as an impact of
+//! low velocity that is followed at once by the return. Here each cell between two evaluations is
 //! *proved* free of events from bounds on the derivatives, or narrowed down until the event is
 //! isolated between two evaluations and solved for: local maxima first, then the crossing before
 //! the maximum.

@@ -9,8 +9,8 @@ use crate::tolerances::CHATTER_VELOCITY;
 /// A flight between two events of an orbit.
 #[derive(Clone, Debug)]
 pub struct Flight<M> {
-    /// Time at which the flight begins, counted from the start of the orbit; impacts may take time,
-    /// too.
+    /// Time at which the flight begins, counted from the start of the orbit; impacts may take time
+    /// as well.
     pub start: f64,
     /// State in which the flight begins, its phase reduced to [0, 2π).
     pub from: State,
@@ -27,7 +27,7 @@ pub struct Flight<M> {
 pub enum FlightEnd {
     /// An impact: the state on the incoming set, just before the reset law acts.
     Impact(State),
-    /// The orbit was followed for as long as was asked.
+    /// The orbit was followed for the whole requested time.
     TimeIsUp(State),
 }
 
@@ -49,9 +49,9 @@ pub enum OrbitEnd {
     Chattering {
         /// Time of the last impact that was resolved.
         time: f64,
-        /// Its phase.
+        /// Phase at the last impact that was resolved.
         phase: f64,
-        /// Number of impacts up to there.
+        /// Number of impacts up to that time.
         impacts: usize,
     },
     /// The number of impacts reached its limit.
@@ -65,8 +65,8 @@ pub enum OrbitEnd {
 
 /// An orbit with impacts as an iterator over its flights.
 ///
-/// After the iterator has ended, [`end`](Self::end) says why. Phases are reduced modulo 2π at every
-/// impact (eq:z).
+/// After the iterator has ended, [`end`](Self::end) gives the reason. Phases are reduced modulo 2π
+/// at every impact (eq:z).
 #[derive(Clone, Debug)]
 pub struct Orbit<'a, O> {
     oscillator: &'a O,

@@ -7,9 +7,9 @@ use crate::state::{OnWall, State};
 /// A one-degree-of-freedom oscillator ẍ = F(x, ẋ, t; μ, η) with a wall at x = 0 and a smooth reset
 /// law.
 ///
-/// Paper: eq:F, eq:f, eq:R, eq:resetLaw. An implementor brings its flow, ignoring the wall, and its
-/// reset law, both with derivatives in all arguments and in the two parameters; everything else
-/// (P_virt, P_global, P_disc, orbits with impacts, continuation) is written once against this
+/// Paper: eq:F, eq:f, eq:R, eq:resetLaw. An implementor provides the flow, with the wall ignored,
+/// and the reset law, both with derivatives in all arguments and in the two parameters; everything
+/// else (P_virt, P_global, P_disc, orbits with impacts, continuation) is written once against this
 /// trait.
 pub trait ImpactOscillator: Clone + Send + Sync {
     /// Motion between impacts as a function of time; the search for events works on it.
@@ -18,17 +18,18 @@ pub trait ImpactOscillator: Clone + Send + Sync {
     /// The primary parameter μ and the secondary parameter η.
     fn parameters(&self) -> [f64; 2];
 
-    /// The same oscillator at other parameters (μ, η).
+    /// This oscillator at other parameters (μ, η).
     fn with_parameters(&self, parameters: [f64; 2]) -> Self;
 
-    /// The same with motion to some seven digits, and bounds that are estimates, where that takes
-    /// less time: for whoever looks around and solves for what is seen afterwards.
+    /// This oscillator with motion computed to some seven digits, and bounds that are estimates,
+    /// where that takes less time: for exploration whose results are solved for accurately
+    /// afterwards.
     fn roughly(&self) -> Self {
         self.clone()
     }
 
-    /// The same with motion integrated in shorter steps, where it is integrated: what changes then
-    /// is the error of integration.
+    /// This oscillator with motion integrated in shorter steps, or `None` where motion is not
+    /// integrated: the change in a result is its error of integration.
     fn finely(&self) -> Option<Self> {
         None
     }
@@ -45,8 +46,8 @@ pub trait ImpactOscillator: Clone + Send + Sync {
         self.flow_along::<ORDER>(&self.motion(from), from, duration)
     }
 
-    /// The flow from a state whose motion is at hand, so that what is known of it need not be
-    /// computed again.
+    /// The flow from a state whose motion is available, so that its steps need not be computed
+    /// again.
     fn flow_along<const ORDER: usize>(&self, motion: &Self::Motion, from: State, duration: f64) -> FlowJet;
 
     /// The reset law R of eq:R as a function of (y, z; μ, η), extended smoothly to y < 0;

@@ -1,8 +1,8 @@
-//! Numbers that a force can be evaluated with: plain ones, jets, time series, intervals.
+//! Number types with which a force can be evaluated: plain numbers, jets, time series, intervals.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Sum, difference and negative of what is an array of numbers, entry by entry.
+/// Sum, difference and negative of an array of numbers, entry by entry.
 macro_rules! entrywise {
     ([$($generics:tt)*] $type:ty) => {
         impl<$($generics)*> core::ops::Add for $type {
@@ -110,11 +110,11 @@ pub enum Function {
 }
 
 impl Function {
-    /// All of them.
+    /// All functions.
     pub const ALL: [Self; 8] =
         [Self::Sin, Self::Cos, Self::Tan, Self::Tanh, Self::Atan, Self::Exp, Self::Ln, Self::Sqrt];
 
-    /// The value at any kind of number, with the first and second derivative, which follow from it.
+    /// The function's value and first and second derivative at a number of any type.
     #[inline]
     pub(crate) fn derivatives<S: Scalar>(self, x: S) -> [S; 3] {
         let value = x.apply(self);
@@ -165,13 +165,13 @@ pub trait Scalar:
         self * Self::constant(factor)
     }
 
-    /// The sum with another number times a plain one.
+    /// The sum with a multiple of another number.
     #[inline]
     fn plus(self, factor: f64, other: &Self) -> Self {
         self + other.scale(factor)
     }
 
-    /// The square; an interval's is tighter than the product with itself.
+    /// The square; for an interval it is tighter than the product with itself.
     #[inline]
     fn square(self) -> Self {
         self * self
@@ -211,7 +211,7 @@ pub trait Scalar:
     }
 }
 
-/// A number whose functions come with their derivatives: what a series can be made of.
+/// A number whose functions come with their derivatives, as the coefficients of a series need.
 pub(crate) trait Coefficient: Scalar {
     /// The function with its first and second derivative.
     fn derivatives(self, function: Function) -> [Self; 3];
@@ -243,7 +243,7 @@ impl Coefficient for f64 {
     #[inline]
     fn derivatives(self, function: Function) -> [Self; 3] {
         match function {
-            // Both at once.
+            // `sincos` computes both at once.
             Function::Sin | Function::Cos => {
                 let (sin, cos) = libm::sincos(self);
                 if function == Function::Sin { [sin, cos, -sin] } else { [cos, -sin, -cos] }

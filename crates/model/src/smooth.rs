@@ -1,5 +1,4 @@
-//! Oscillators that are given by their force and reset law: the flow is integrated, with its
-//! derivatives.
+//! Oscillators defined by their force and reset law: the flow is integrated, with its derivatives.
 //!
 //! An implementor of [`SmoothOscillator`] writes F, ω, Φ and Ψ once, generically in the kind of
 //! number ([`Scalar`]); [`Integrated`] makes an [`ImpactOscillator`](crate::ImpactOscillator) of
@@ -13,7 +12,7 @@
 //! one more evaluation of F at each of the six points, which is made at several points side by
 //! side. An explicit method of the same accuracy takes many times as many.
 //!
-//! **Why no library.** Control of the step in those that we know goes through `std`'s powers, so
+//! **Why no library.** The step control of the libraries we know goes through `std`'s powers, so
 //! that the bits would depend on the machine; and none carries variational equations of second
 //! order along with the solution.
 //!
@@ -22,8 +21,8 @@
 //! through the computed nodes, by Picard's criterion: a box that the integral operator maps into
 //! itself holds the solution. Rounding is ignored in intervals (they are not rounded outwards), and
 //! so is the error of the nodes, which is controlled and not proved: about 10⁻¹³ over a period for
-//! forces that vary on scales of order one. Below such errors an event that is only just one can be
-//! missed. Of rough motion nothing is proved: its bounds are those of the polynomials on its steps.
+//! forces that vary on scales of order one. A marginal event can be missed below such errors. For
+//! rough motion nothing is proved: its bounds are those of the polynomials on its steps.
 //!
 //! A solution that ceases to exist is NaN from there on, and no event is found beyond.
 

@@ -1,4 +1,4 @@
-//! Taylor polynomials of third degree in one variable: what third derivatives along a curve need.
+//! Taylor polynomials of third degree in one variable, for third derivatives along a curve.
 
 use core::ops::{Div, Mul};
 
@@ -31,14 +31,14 @@ impl Taylor {
         self.0[0]
     }
 
-    /// The same without its value: how far the number moves from where it is at s = 0.
+    /// The polynomial without its constant term: the displacement from the value at s = 0.
     pub fn movement(&self) -> Self {
         let mut movement = *self;
         movement.0[0] = 0.0;
         movement
     }
 
-    /// The function whose value and derivatives up to the third at c₀ are given.
+    /// The composition with a function whose value and derivatives up to the third at c₀ are given.
     fn compose(&self, [value, slope, curvature, third]: [f64; Self::ORDER + 1]) -> Self {
         let [_, c1, c2, c3] = self.0;
         Self([
@@ -126,8 +126,8 @@ mod tests {
         }
     }
 
-    /// Every operation and function along a curved path, against automatic differentiation by other
-    /// means.
+    /// Compares every operation and function along a curved path with automatic differentiation by
+    /// an independent library.
     #[test]
     fn coefficients_are_those_of_automatic_differentiation() {
         for function in Function::ALL {

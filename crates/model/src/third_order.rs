@@ -8,8 +8,8 @@ use crate::taylor::Taylor;
 ///
 /// The criticality of bifurcations needs third derivatives, but only in one direction at a time:
 /// with arguments that move along a curve, [`Taylor`] polynomials in its parameter s, the images do
-/// as well. What the curves, the theorems and simulation need is [`ImpactOscillator`], for which
-/// second derivatives in all directions are enough.
+/// do as well. Curves, theorems and simulation need [`ImpactOscillator`] alone, for which second
+/// derivatives in all directions are enough.
 pub trait ThirdOrder: ImpactOscillator {
     /// The flow of eq:f, the wall ignored: position and velocity after a time `duration` of either
     /// sign from the state (x₀, y₀, z₀), the parameters (μ, η) held; NaN if the solution does not
@@ -22,7 +22,7 @@ pub trait ThirdOrder: ImpactOscillator {
 
     /// The flow from (y, z) on Σ to the plane of constant phase `target`, with coordinates (x, y).
     ///
-    /// What [`maps::to_phase`](crate::maps::to_phase) is for derivatives in all directions.
+    /// Counterpart of [`maps::to_phase`](crate::maps::to_phase) along curves.
     fn to_phase_series(&self, [velocity, phase]: [Taylor; 2], target: f64) -> [Taylor; 2] {
         let duration = (Taylor::constant(target) - phase).scale(1.0 / self.forcing_frequency().value);
         self.flow_series([Taylor::constant(0.0), velocity, phase], duration)

@@ -1,5 +1,6 @@
-//! What counts as zero, as lost and as too long in motion of the order of one. What merely shapes a
-//! method stands beside it: the step of the collocation, the choice of units.
+//! Thresholds for motion of the order of one: which numbers count as zero, as lost and as too long.
+//! Constants that belong to a single method are defined beside it: the step of the collocation, the
+//! choice of units.
 
 /// Below this width two zeros of the velocity count as one (empirical: far above rounding, far
 /// below any motion).
@@ -10,13 +11,13 @@ pub(crate) const NARROWEST_CELL: f64 = 1e-9;
 /// as well.
 pub(crate) const LAST_STEP_TO_EVENT: f64 = 1e-6;
 
-/// Bisection alone empties a bracket of doubles in at most about 60 steps near 1; twice that is
-/// ample.
+/// Upper bound on the iterations towards an event: bisection alone empties a bracket of doubles in
+/// at most about 60 steps near 1; twice that is ample.
 pub(crate) const STEPS_TO_EVENT: usize = 128;
 
-/// How many cells the search for a zero of the velocity looks at. Motion that is one to the eye
-/// needs some hundred; where the oscillator has come to rest but for rounding, or the forcing
-/// hardly moves, there would be no end of them (empirical: some milliseconds).
+/// Upper bound on the cells that the search for a zero of the velocity examines. Motion visible to
+/// the eye needs some hundred; where the oscillator is at rest except for rounding, or the forcing
+/// hardly moves, the search would never end (empirical: some milliseconds).
 pub(crate) const MOST_CELLS: u32 = 100_000;
 
 /// A step of Halley's method this short is the last on the way to Π: its error is of third order,
@@ -27,8 +28,8 @@ pub(crate) const LAST_STEP_TO_SECTION: f64 = 1e-5;
 /// evolution time: what is left is of the order of its square.
 pub(crate) const LAST_STEP_TO_WALL: f64 = 1e-9;
 
-/// An event time this many forcing periods from where it was expected is none: at rest, say, any
-/// time would do.
+/// An event time this many forcing periods from where it was expected is rejected: an oscillator at
+/// rest, for instance, satisfies the equation at any time.
 pub(crate) const MOST_PERIODS: f64 = 20.0;
 
 /// Either method for an event time converges within this many steps or is lost.
@@ -39,12 +40,12 @@ pub(crate) const MOST_ITERATIONS: usize = 50;
 /// accelerations of order one).
 pub(crate) const CHATTER_VELOCITY: f64 = 1e-6;
 
-/// A motion in closed form has ended after so many strides: no orbit is followed for more than some
-/// thousand forcing periods, which are as many strides at a thousandth of the natural frequency, and
-/// to walk through them takes a tenth of a second.
+/// A motion in closed form ends after this many strides: no orbit is followed for more than some
+/// thousand forcing periods, which are as many strides at a thousandth of the natural frequency,
+/// and walking through them takes a tenth of a second.
 pub(crate) const MOST_STRIDES: usize = 10_000_000;
 
-/// A motion of so many steps has ended: a few hundred make a period of a spring sixty times as fast
+/// A motion ends after this many steps: a few hundred make a period of a spring sixty times as fast
 /// as its forcing, and ten thousand of one that is a thousand times as fast; a hundred thousand
 /// take fifteen megabytes and some tenths of a second.
 pub(crate) const MOST_STEPS: usize = 100_000;

@@ -15,7 +15,7 @@ pub struct LinearMotion {
     transient: [f64; 2],
     forced: [f64; 2],
     stride: Stride,
-    /// The time after which it has ended, in either direction.
+    /// The time after which the motion has ended, in either direction.
     reach: f64,
 }
 
@@ -53,7 +53,8 @@ impl LinearMotion {
         let position = from.position + 1.0 - oscillator.amplitude * response.value[0];
         let velocity = from.velocity - oscillator.amplitude * response.value[1];
         let stride = oscillator.stride;
-        // Of what is no motion, or so large that nothing about it can be bounded, nothing follows.
+        // A motion that does not exist, or is so large that nothing about it can be bounded, has no
+        // reach.
         let exists = (position * position + velocity * velocity).is_finite();
         let reach = if exists { MOST_STRIDES as f64 * stride.length } else { 0.0 };
         Self {
@@ -133,7 +134,7 @@ impl Enclosure for Amplitudes<'_> {
 
     #[inline]
     fn bounds_between(&self, from: f64, to: f64) -> Bounds {
-        // Forwards nothing grows, so that these bounds hold for ever.
+        // The transient does not grow forwards in time, so these bounds hold for ever.
         let earliest = from.min(to);
         if earliest >= 0.0 || earliest >= self.horizon { self.bounds } else { Bounds::UNKNOWN }
     }
@@ -168,7 +169,8 @@ mod tests {
     fn no_search_for_events_goes_on_for_ever() {
         let linear = LinearOscillator::new(0.03, 0.9, 0.3, 0.8).unwrap();
         let from = State::at_rest(-1.0, 0.0);
-        // Without forcing to speak of, far beyond what anybody waits for, and of no motion at all.
+        // Almost without forcing, far beyond any time of practical interest, and for no motion at
+        // all.
         for frequency in [0.0, -1.0, f64::NAN] {
             let motion = linear.with_parameters([0.3, frequency]).motion(from);
             let horizon = core::f64::consts::TAU / frequency;
@@ -180,7 +182,8 @@ mod tests {
             assert_eq!((motion.first_crossing(1e9), motion.highest_maximum(1e9)), (None, None));
             assert!(motion.at(1.0).position.is_nan());
         }
-        // It ends far beyond two thousand forcing periods a hundred times as long as the oscillator's own.
+        // The motion ends far beyond two thousand forcing periods a hundred times as long as the
+        // oscillator's own.
         let slow = linear.with_parameters([0.3, 0.01]);
         assert!(slow.motion(from).at(2000.0 * slow.forcing_period()).position.is_finite());
     }

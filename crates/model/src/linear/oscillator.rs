@@ -1,4 +1,4 @@
-//! The oscillator with what is computed once for it.
+//! The linear oscillator with the quantities that are computed once for it.
 
 use super::response::{Response, Stride};
 use crate::state::State;
@@ -40,8 +40,7 @@ impl LinearOscillator {
     /// The oscillator with damping ratio ζ, coefficient of restitution ε, forcing amplitude 𝒜 and
     /// frequency ω.
     ///
-    /// A wall that returns more than it takes, ε > 1, is allowed: the class of systems asks for Φ >
-    /// 0 only (eq:R).
+    /// A wall that adds energy, ε > 1, is allowed: the class of systems requires only Φ > 0 (eq:R).
     ///
     /// # Errors
     /// ζ outside (0, 1), ε or ω not positive and finite, or 𝒜 not finite.

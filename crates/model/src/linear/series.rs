@@ -15,8 +15,8 @@ impl LinearOscillator {
 }
 
 impl ThirdOrder for LinearOscillator {
-    /// eq:flow: w(s) = E (w₀ + e₁ − 𝒜 f(z₀)) − e₁ + 𝒜 f(z₀ + ωs), with the notation of the flow's
-    /// other derivatives.
+    /// The flow eq:flow, w(s) = E (w₀ + e₁ − 𝒜 f(z₀)) − e₁ + 𝒜 f(z₀ + ωs), in the notation of the
+    /// flow's other derivatives.
     fn flow_series(&self, [position, velocity, phase]: [Taylor; 3], duration: Taylor) -> [Taylor; 2] {
         let zeta = self.damping_ratio;
         let decay = duration.scale(-zeta).apply(Function::Exp);

@@ -22,7 +22,7 @@ pub struct Crossing {
     pub velocity: f64,
 }
 
-/// Two evaluations of a motion with nothing known in between but the bounds.
+/// Two evaluations of a motion; in between only the bounds are known.
 #[derive(Clone, Copy)]
 pub(super) struct Cell {
     start: f64,
@@ -32,7 +32,7 @@ pub(super) struct Cell {
     bounds: Bounds,
 }
 
-/// What the velocity does in a cell, as far as the bounds can prove it.
+/// The behaviour of the velocity in a cell, as far as the bounds can prove it.
 pub(super) enum Course {
     /// The velocity has no zero.
     Monotone,
@@ -71,13 +71,13 @@ impl Cell {
         Course::Open
     }
 
-    /// No point of the cell lies above this.
+    /// An upper bound of x on the cell.
     fn ceiling(&self) -> f64 {
         self.first.position.max(self.last.position)
             + self.width() * self.width() / 8.0 * self.bounds.acceleration
     }
 
-    /// Both halves; nothing if the motion ceases to exist between them.
+    /// Both halves; `None` if the motion ceases to exist between them.
     fn halves(&self, motion: &impl BoundedMotion) -> Option<[Cell; 2]> {
         let time = 0.5 * (self.start + self.end);
         let middle = motion.kinematics_at(time);
@@ -191,8 +191,8 @@ impl Cell {
         threshold
     }
 
-    /// First zero of the velocity in this cell, in the cell's direction of time; none if `patience`
-    /// is at an end, the number of times that a cell may be halved.
+    /// First zero of the velocity in this cell, in the cell's direction of time; `None` if
+    /// `patience`, the number of times that a cell may be halved, is used up.
     pub(super) fn rest(&self, motion: &impl BoundedMotion, patience: &mut u32) -> Option<f64> {
         let changes = self.first.velocity * self.last.velocity <= 0.0;
         match self.course() {

@@ -16,7 +16,7 @@ pub struct Kinematics {
 }
 
 impl Kinematics {
-    /// The state, where the forcing has this phase.
+    /// The state at this phase of the forcing.
     pub fn state(&self, phase: f64) -> State {
         State { position: self.position, velocity: self.velocity, phase }
     }
@@ -45,16 +45,16 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// Nothing is known, so that nothing can be proved.
+    /// Bounds where nothing is known, so that nothing can be proved.
     pub(crate) const UNKNOWN: Self = Self::all(f64::INFINITY);
-    /// Over no time at all nothing happens.
+    /// Bounds over an interval of zero length, in which nothing happens.
     pub(crate) const NO_TIME: Self = Self::all(0.0);
 
     const fn all(bound: f64) -> Self {
         Self { acceleration: bound, jerk: bound, snap: bound }
     }
 
-    /// Bounds that hold wherever one of the two does.
+    /// Bounds that hold on both intervals.
     pub(crate) fn joined(&self, other: &Self) -> Self {
         Self {
             acceleration: self.acceleration.max(other.acceleration),
@@ -64,8 +64,8 @@ impl Bounds {
     }
 }
 
-/// A smooth motion x(t), t being the time since it began, whose derivatives can be bounded;
-/// whatever is such a motion is a [`Motion`](super::Motion) by the search for events.
+/// A smooth motion x(t), t being the time since it began, whose derivatives can be bounded; every
+/// such motion is a [`Motion`](super::Motion) by the search for events.
 pub trait BoundedMotion {
     /// The motion at a time of either sign; NaN where it has ceased to exist.
     fn kinematics_at(&self, time: f64) -> Kinematics;
@@ -73,8 +73,8 @@ pub trait BoundedMotion {
     /// The derivatives bounded from the beginning to a horizon, which may lie in the past.
     fn enclose(&self, horizon: f64) -> impl Enclosure;
 
-    /// How far bounds are worth having when the first event may come sooner; all the way, where
-    /// they cost nothing.
+    /// How far ahead bounds are worth computing when the first event may come sooner; infinite
+    /// where they cost nothing.
     #[inline]
     fn foresight(&self) -> f64 {
         f64::INFINITY
@@ -84,19 +84,19 @@ pub trait BoundedMotion {
 /// The time from a motion's beginning to a horizon, over which its derivatives have been bounded:
 /// the only source of bounds.
 ///
-/// It is divided into strides, such that the motion is cheap to evaluate between two.
+/// The interval is divided into strides, between which the motion is cheap to evaluate.
 pub trait Enclosure {
-    /// Bounds for all of it, as far as the motion exists.
+    /// Bounds for the whole enclosure, as far as the motion exists.
     fn bounds(&self) -> Bounds;
 
-    /// The bound of |ẍ| for all of it; those of higher derivatives may cost more.
+    /// The bound of |ẍ| for the whole enclosure; those of higher derivatives may cost more.
     #[inline]
     fn acceleration(&self) -> f64 {
         self.bounds().acceleration
     }
 
-    /// Bounds between two times, in this order; infinite outside of the enclosure. Those for all of
-    /// it will do where they are about as good.
+    /// Bounds between two times, in this order; infinite outside the enclosure. An implementation
+    /// may return those for the whole enclosure where they are about as good.
     fn bounds_between(&self, from: f64, to: f64) -> Bounds;
 
     /// The length of the longest stride.
@@ -105,14 +105,14 @@ pub trait Enclosure {
     /// The number of whole strides in the enclosure.
     fn strides(&self) -> usize;
 
-    /// The time after so many strides, at most [`strides`](Self::strides).
+    /// The time after `strides` strides, at most [`strides`](Self::strides).
     fn time_after(&self, strides: usize) -> f64;
 
     /// A walk through the times after 0, 1, 2, … strides, standing at 0.
     fn walk(&self) -> impl Walk;
 }
 
-/// A walk along a motion in strides: the position at once, the derivatives when they are asked for.
+/// A walk along a motion in strides: the position is available at once, the derivatives on request.
 pub trait Walk: Copy {
     /// x.
     fn position(&self) -> f64;

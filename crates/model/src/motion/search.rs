@@ -62,7 +62,7 @@ pub(super) fn first_crossing(motion: &impl BoundedMotion, horizon: f64) -> Optio
     loop {
         let enclosure = motion.enclose(reach);
         let crossing = cells_above(motion, &enclosure, reach, 0.0).find_map(|cell| cell.crossing(motion));
-        // It is not if the horizon is no number.
+        // NaN as the horizon ends the search as well.
         let more = reach < horizon;
         if crossing.is_some() || !more {
             return crossing;

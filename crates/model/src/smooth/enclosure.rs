@@ -47,14 +47,14 @@ const ROOM: f64 = 0.05;
 /// Ranges that were too small, or may be, grow by this share (empirical, likewise).
 const WIDENED: f64 = 0.1;
 
-/// A box is tried and grown this often before the interval of time is halved.
+/// Number of times that a box is tried and grown before the interval of time is halved.
 const TRIALS: usize = 8;
 
-/// An interval of time is halved this often at most: what cannot be enclosed for so short a time
-/// escapes.
+/// Limit on the halvings of an interval of time: a motion that cannot be enclosed for so short a
+/// time escapes.
 const HALVINGS: u32 = 12;
 
-/// What is known of the motion between two nodes.
+/// An enclosure of the motion between two nodes, as a box or as bounds of the derivatives.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Cage {
     /// A box of positions, velocities and accelerations that the motion does not leave in an
@@ -73,8 +73,8 @@ impl Cage {
         }
     }
 
-    /// The bounds of all derivatives, which are made when they are first asked for: most boxes lie
-    /// too far from where events are for these to matter.
+    /// The bounds of all derivatives, which are computed on the first request: most boxes lie too
+    /// far from any event for these to matter.
     pub(super) fn bounds<M: SmoothOscillator>(
         &mut self,
         oscillator: &Integrated<M>,
@@ -100,8 +100,7 @@ pub(super) fn enclose<M: SmoothOscillator>(
     boxed(oscillator, node, next).or_else(|| halved(oscillator, node, next, HALVINGS).map(Cage::Bounds))
 }
 
-/// What the step that led to a node shows of the motion on it, without proof; `None` if that is not
-/// finite.
+/// A cage estimated, without proof, from the step that led to a node; `None` if it is not finite.
 pub(super) fn estimate(next: &Node) -> Option<Cage> {
     let bounds = next.last.as_ref()?.bounds();
     (bounds.acceleration + bounds.jerk + bounds.snap).is_finite().then_some(Cage::Bounds(bounds))
@@ -146,7 +145,7 @@ fn boxed<M: SmoothOscillator>(oscillator: &Integrated<M>, node: &Node, next: &No
     let duration = Interval::new(0.0, next.time - node.time);
     let start = node.state.map(Interval::constant);
     let mut force = oscillator.model.force_at(time, mu, eta);
-    // F over a box that holds both ends, grown for what a box of this F would reach beyond.
+    // F over a box that holds both ends, grown to include where a box with this F would reach.
     let [x, y] = [0, 1].map(|i| Interval::new(node.state[i], next.state[i]).grown(ROOM));
     let velocity = start[1] + duration * force(x, y).grown(WIDENED);
     let mut guess = [start[0] + duration * velocity.joined(&y), velocity.joined(&y)];
@@ -158,7 +157,8 @@ fn boxed<M: SmoothOscillator>(oscillator: &Integrated<M>, node: &Node, next: &No
             let [x, y] = reached;
             return acceleration.modulus().is_finite().then_some(Cage::Box([x, y, acceleration], time));
         }
-        // Only what is too small grows: the one that is large enough would drive the other on.
+        // Only the component that is too small grows: growing the other as well would make both
+        // grow without end.
         for (guess, reached) in guess.iter_mut().zip(&reached) {
             if !guess.holds(reached) {
                 *guess = guess.joined(reached).grown(WIDENED);

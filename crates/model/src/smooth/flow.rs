@@ -39,7 +39,7 @@ impl<M: SmoothOscillator> Integrated<M> {
         jet
     }
 
-    /// The flow's jet, with nothing yet in the place of the phase.
+    /// The jet of the flow, with the columns of the phase still empty.
     fn integrate<const LENGTH: usize>(
         &self,
         motion: &IntegratedMotion<M>,
@@ -92,8 +92,8 @@ impl<M: SmoothOscillator> Integrated<M> {
 
     /// Adds the derivatives in the phase z₀ to a jet that has all others.
     ///
-    /// A motion that begins ε later on its own way arrives where it did when it ends ε later: with
-    /// F₀ = F at the start (y₀ ∂x₀ + F₀ ∂y₀ + ω ∂z₀ − ∂s) φ = 0, identically, so that every
+    /// A motion that begins ε later on its own path and ends ε later arrives at the same point:
+    /// with F₀ = F at the start (y₀ ∂x₀ + F₀ ∂y₀ + ω ∂z₀ − ∂s) φ = 0, identically, so that every
     /// derivative of this is zero as well.
     fn add_phase<const LENGTH: usize>(&self, from: State, jet: &mut FlowJet) {
         let [mu, eta] = self.parameter_jets::<FIRST>();

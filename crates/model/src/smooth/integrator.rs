@@ -36,7 +36,7 @@ pub(super) struct Node {
     pub(super) last: Option<Step>,
 }
 
-/// Size of the two highest coefficients on a step that is allowed: of the acceleration, relative to
+/// Size that is allowed of the two highest coefficients on a step: of the acceleration, relative to
 /// the motion's scale, and of h² F_x and h F_y. Gauss's points make the error at the end of a step
 /// a product of two neglected coefficients, of degree six and above: of the acceleration, or its
 /// derivative, and of the solution of the variational equations. Coefficients fall fast, so both
@@ -46,11 +46,11 @@ const TOLERANCE: f64 = 1e-5;
 /// Size that is allowed of a coefficient of degree twelve, of the acceleration relative to the
 /// motion's scale and of h² F_x and h F_y, the first that is neglected by itself and not in a
 /// product, as far as the lower ones show ([`tail`]). It matters where coefficients are small but
-/// fall slowly: the force comes in pulses, or bends by little and within a short way, as drag that
-/// turns about at v = 0, and derivatives of second order are the first to be wrong (empirical: with
-/// this size those are right to 10⁻¹¹ under tanh(50 ẋ), and to 10⁻⁸ under drag with a branch
-/// point 0.1 beside the real velocities, whose coefficients fall so slowly beside larger ones that
-/// no six values show them).
+/// slowly: the force comes in pulses, or bends by little and within a short way, as drag that
+/// reverses at v = 0, and derivatives of second order are the first to be wrong (empirical: with
+/// this size those are right to 10⁻¹¹ under tanh(50 ẋ), and to 10⁻⁸ under drag with a branch point
+/// 0.1 beside the real velocities, whose coefficients fall so slowly beside larger ones that no six
+/// values show them).
 const TAIL: f64 = 3e-14;
 /// The largest h r on a step, r being the fastest rate at which neighbouring motion turns or
 /// decays: where F_x and F_y are constant nothing else shows how fast the variational equations
@@ -60,41 +60,44 @@ const SWING: f64 = 0.85;
 /// A step is solved again if h r is larger by more than this share: its error is four times as
 /// large.
 const OVERSWING: f64 = 0.1;
-/// And if it is rougher by more than this share: its error is then two and a half times as large.
+/// A step is solved again if it is rougher by more than this share: its error is then two and a
+/// half times as large.
 const OVERROUGH: f64 = 0.6;
 /// The new step is this share of what the coefficients suggest, and changes by these factors at
 /// most (empirical).
 const SAFETY: f64 = 0.9;
 const SHRINK: f64 = 0.3;
 const GROW: f64 = 2.0;
-/// What h r suggests is followed this far: slopes far from the motion, where a step that is too
-/// long ends, mean little.
+/// Smallest factor by which h r may shorten a step: slopes far from the motion, where a step that
+/// is too long ends, mean little.
 const PLUNGE: f64 = 0.1;
 /// A step this short, in units of 1/ω, means that the solution is not smooth, or escapes. It is
-/// made as it is, which leads past a place where the force bends; where steps become shorter still
-/// by this factor, as on the way into a pole, the solution ends.
+/// taken without control, which leads past a place where the force bends; where steps become
+/// shorter still by this factor, as on the way into a pole, the solution ends.
 const SHORTEST: f64 = 1e-9;
 const VANISHING: f64 = 1e-3;
 /// The stages are solved for within this many iterations or the step is too long.
 const ITERATIONS: usize = 12;
-/// A correction this small, relative to what F is a sum of, lets the matrix stand; the next ones
-/// are smaller by about as much, and cost less than a matrix (empirical).
+/// A correction this small, relative to the terms of which F is a sum, leaves the matrix unchanged;
+/// the next corrections are smaller by about as much, and cost less than a matrix (empirical).
 const NEAR: f64 = 0.2;
 /// A correction is the last if it is this small, or if the next one would be below rounding.
 const CONVERGED: f64 = 1e-12;
 const ROUNDING: f64 = 1e-15;
-/// Rough motion is allowed coefficients so many times as large, and a swing: with order 12 its
-/// errors are some 10⁵ times as large, about 10⁻⁸, and so much more is left in the stages.
+/// Rough motion is allowed coefficients this many times as large, and a larger swing: with order 12
+/// its errors are some 10⁵ times as large, about 10⁻⁸, and the stages are solved to correspondingly
+/// fewer digits.
 const ROUGHER: f64 = 100.0;
 const WIDER: f64 = 2.0;
 const LOOSER: f64 = 1e5;
-/// Steps of fine motion are two thirds as long, coefficients of order five so much smaller, and
-/// errors of order twelve 10⁻² as large.
+/// Factor of the step of fine motion: with steps two thirds as long, coefficients of order five are
+/// smaller by the fifth power of this, and errors of order twelve by 10⁻².
 const NARROWER: f64 = 2.0 / 3.0;
 const FINER: f64 = NARROWER * NARROWER * NARROWER * NARROWER * NARROWER;
 
-/// Room for what a polynomial of degree five leaves out of the acceleration on a rough step, and of
-/// its derivatives (its last coefficients are 10⁻³ of the whole at most).
+/// Factor by which bounds on a rough step exceed those of its polynomial of degree five, to allow
+/// for the part of the acceleration and of its derivatives that it leaves out (its last
+/// coefficients are 10⁻³ of the whole at most).
 const ROOM: f64 = 1.1;
 
 /// The coefficients of degrees five and four of a function in Legendre polynomials on a step, taken
@@ -104,15 +107,14 @@ fn highest(values: &Stages) -> [f64; 2] {
     [size(0) + 0.1 * size(1), size(2) + 0.1 * size(3)]
 }
 
-/// The coefficient of degree twelve, if coefficients go on falling as they do here.
+/// The coefficient of degree twelve, extrapolated from the rate at which coefficients fall here.
 fn tail([high, low]: [f64; 2]) -> f64 {
-    // None of either is NaN, which counts as one.
+    // Zero over zero is NaN, which counts as one.
     let fall = (high / low).min(1.0);
     high * fall * fall * fall * fall.sqrt()
 }
 
-/// The larger of what is of order 5 in the step, and of what is of order 12 as if it were of
-/// order 5.
+/// The larger of a size of order 5 in the step, and of one of order 12 converted to order 5.
 fn of_order_five(five: f64, twelve: f64) -> f64 {
     // Roots take time, and most tails are far too small to matter.
     if twelve < (five * five * five).min(1.0) {
@@ -122,7 +124,7 @@ fn of_order_five(five: f64, twelve: f64) -> f64 {
     five.max(third * third.sqrt() * third.sqrt().sqrt())
 }
 
-/// What F_x and F_y say about a step.
+/// F_x and F_y on a step, with their spread and the rate of motion that they imply.
 #[derive(Clone, Copy, Debug)]
 struct Slopes {
     /// F_x and F_y at the stages.
@@ -154,12 +156,12 @@ impl Slopes {
     }
 }
 
-/// The size of h² times something of F_x and h times the same of F_y.
+/// The sum of a size of F_x times h² and the same size of F_y times h.
 fn together([by_position, by_velocity]: [f64; 2], length: f64) -> f64 {
     by_position * length * length + by_velocity * length.abs()
 }
 
-/// No zero of r² − F_y r − F_x is larger than this, for such moduli of F_x and F_y.
+/// Upper bound of the zeros of r² − F_y r − F_x, for these moduli of F_x and F_y.
 fn fastest_rate(stiffness: f64, loss: f64) -> f64 {
     0.5 * (loss + (loss * loss + 4.0 * stiffness).sqrt())
 }
@@ -195,8 +197,8 @@ impl Step {
         lower.into_iter().rev().fold(from, |value, coefficient| value * at + Stages::constant(coefficient))
     }
 
-    /// Bounds of the derivatives of x on the step, those of its polynomial with some room for what
-    /// that leaves out.
+    /// Bounds of the derivatives of x on the step: those of its polynomial, widened for the part
+    /// that the polynomial leaves out.
     pub(super) fn bounds(&self) -> Bounds {
         let sizes = self.accelerations.through(&POWERS).0.map(f64::abs);
         let slope = 2.0 / self.length.abs();
@@ -210,16 +212,17 @@ impl Step {
         Bounds { acceleration, jerk, snap }
     }
 
-    /// The size of accelerations where so fast a rate turns the state at which the step begins.
+    /// The size of accelerations where motion at this rate turns the state at which the step
+    /// begins.
     ///
-    /// What is far below it moves nothing, and may be no more than rounding: near rest the terms of
-    /// F cancel.
+    /// An acceleration far below it has no effect, and may be no more than rounding: near rest the
+    /// terms of F cancel.
     fn scale(&self, [x, y]: Pair<f64>, rate: f64) -> f64 {
         self.accelerations.modulus() + rate * (y.abs() + rate * x.abs())
     }
 }
 
-/// A size relative to a scale, both of which may vanish.
+/// A size relative to a scale, zero where both vanish.
 fn relative(size: f64, scale: f64) -> f64 {
     if size == 0.0 { 0.0 } else { size / scale }
 }
@@ -235,8 +238,8 @@ impl<M: SmoothOscillator> Integrated<M> {
         }
     }
 
-    /// Solves for the accelerations of a step by Newton's method, and says what F_x and F_y say
-    /// about it; `None` if it does not converge.
+    /// Solves for the accelerations of a step by Newton's method, and returns F_x and F_y on it;
+    /// `None` if the iteration does not converge.
     fn solve(&self, from: Pair<f64>, time: f64, step: &mut Step) -> Option<Slopes> {
         let h = step.length;
         let [mu, eta] = self.parameters.map(Stages::constant);
@@ -253,7 +256,7 @@ impl<M: SmoothOscillator> Integrated<M> {
             let (mut value, slopes) = (jet.value(), [jet.first(0), jet.first(1)]);
             let factors = Factors::new(&[slopes[0].scale(h * h), slopes[1].scale(h)]);
             let slopes = Slopes::new(slopes, h);
-            // The matrix stands from where it is near.
+            // The matrix is kept once the iterate is near.
             loop {
                 iterations.next()?;
                 let correction = factors.solve(value - step.accelerations);
@@ -289,15 +292,15 @@ impl<M: SmoothOscillator> Integrated<M> {
         [force.first(0).scale(h * h), force.first(1).scale(h)]
     }
 
-    /// A part of a step that has been solved, as long as `share` of it, from where it begins at a
-    /// share of it.
+    /// A part of a step that has been solved: it begins at the fraction `begin` of the step and is
+    /// as long as the fraction `share`.
     fn part(&self, from: Pair<f64>, time: f64, step: &Step, [begin, share]: [f64; 2]) -> Option<Step> {
         let length = step.length * share;
         let mut part = Step { length, accelerations: step.guess(begin, length) };
         self.solve(from, time + begin * step.length, &mut part).map(|_| part)
     }
 
-    /// The node after this one, `longest` away at most in time; `None` if the solution cannot be
+    /// The node after this one, at most `longest` away in time; `None` if the solution cannot be
     /// continued.
     pub(super) fn next_node(&self, node: &Node, longest: f64) -> Option<Node> {
         let mut trial = if node.proposal.abs() <= longest.abs() { node.proposal } else { longest };
@@ -324,7 +327,7 @@ impl<M: SmoothOscillator> Integrated<M> {
             let mut step = Step { length: trial, accelerations };
             let Some(slopes) = self.solve(node.state, node.time, &mut step) else {
                 trial *= SHRINK;
-                // NaN and infinity become no shorter.
+                // Shortening does not help NaN and infinity.
                 if !(shortest..f64::INFINITY).contains(&trial.abs()) {
                     return None;
                 }
@@ -341,7 +344,7 @@ impl<M: SmoothOscillator> Integrated<M> {
             let eighth = roughness.sqrt().sqrt().sqrt();
             let factor = (SAFETY / (eighth * eighth.sqrt())).clamp(SHRINK, GROW).min(1.0 / swing).max(PLUNGE);
             if (roughness <= 1.0 + OVERROUGH && swing <= 1.0 + OVERSWING) || trial.abs() < shortest {
-                // A step that was cut at the end says nothing against the proposal.
+                // A step that was cut at the end is no evidence against the proposal.
                 let cut = trial == longest && longest.abs() < node.proposal.abs() && factor >= 1.0;
                 let proposal = if cut { node.proposal } else { trial * factor };
                 let longest = self.longest_step();
@@ -384,8 +387,7 @@ mod tests {
     use crate::scalar::Function;
     use crate::state::State;
 
-    /// Driven by pulses, the narrower the sharper they are: a pendulum, or a spring that does not
-    /// bend.
+    /// Forcing in pulses, narrower with increasing sharpness: a pendulum, or a linear spring.
     #[derive(Clone)]
     struct Driven {
         sharpness: f64,
@@ -412,7 +414,7 @@ mod tests {
         }
     }
 
-    /// Position and velocity at some time by so many steps of one length.
+    /// Position and velocity at a time by `count` steps of equal length.
     fn by_equal_steps(oscillator: &Integrated<Driven>, end: f64, count: u32) -> Pair<f64> {
         let length = end / f64::from(count);
         (0..count).fold([-0.4, 0.7], |state, k| {
@@ -443,7 +445,7 @@ mod tests {
         let fine = usual.finely().unwrap();
         let period = usual.forcing_period();
         let exact = by_equal_steps(&usual, period, 400);
-        // The second of two ways in turn begins a step at any phase, so that no error is small by
+        // The second of two ways in turn begins steps at all phases, so that no error is small by
         // chance.
         let error = |oscillator: &Integrated<Driven>| {
             let parted = |k: u32| {
@@ -457,8 +459,8 @@ mod tests {
             (1..50).map(parted).fold(0.0, f64::max)
         };
         let [usual, fine] = [error(&usual), error(&fine)];
-        // Without a look at the acceleration's own tail the first is 7.9e-14, with it 2.9e-14; what
-        // is left of the second is rounding.
+        // Without the check of the acceleration's own tail the first is 7.9e-14, with it 2.9e-14;
+        // the remainder of the second is rounding.
         assert!(usual < 5e-14 && fine < 0.5 * usual, "{usual:e} {fine:e}");
     }
 }

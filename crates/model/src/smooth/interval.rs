@@ -12,7 +12,7 @@ pub(super) struct Interval {
     pub(super) upper: f64,
 }
 
-/// Nothing known.
+/// The interval that excludes nothing.
 const UNKNOWN: Interval = Interval { lower: f64::NEG_INFINITY, upper: f64::INFINITY };
 
 impl Interval {
@@ -37,7 +37,8 @@ impl Interval {
         Self { lower: self.lower.min(other.lower), upper: self.upper.max(other.upper) }
     }
 
-    /// Grown by a share of its width, and by a little more than rounding, as it may have none.
+    /// The interval grown by a share of its width, and by slightly more than rounding, as its width
+    /// may be zero.
     pub(super) fn grown(&self, share: f64) -> Self {
         let by = share * (self.upper - self.lower) + 1e-12 * self.modulus();
         Self { lower: self.lower - by, upper: self.upper + by }
@@ -95,7 +96,7 @@ impl Mul for Interval {
     fn mul(self, other: Self) -> Self {
         let (a, b) = (self.lower * other.lower, self.lower * other.upper);
         let (c, d) = (self.upper * other.lower, self.upper * other.upper);
-        // Also where infinities of both signs meet, of which nothing is known either.
+        // This includes sums of infinities of both signs, about which nothing is known either.
         if (a + b + c + d).is_nan() {
             return UNKNOWN;
         }

@@ -1,6 +1,6 @@
 //! Jets in four variables: a value with its first, or first and second, derivatives.
 //!
-//! They are of plain numbers, or of numbers at all stages of a step.
+//! Coefficients are plain numbers, or numbers at all stages of a step.
 
 use core::ops::{Div, Mul};
 
@@ -9,7 +9,7 @@ use crate::scalar::{Coefficient, Function, Scalar, entrywise, with_plain_numbers
 /// The variables of jets, by number.
 ///
 /// The phase needs no place in the jets that are integrated: the flow's derivatives in z₀ follow
-/// from the others. Where there is no position, it takes the place of that.
+/// from the others. In jets without a position the phase has the number of the position.
 pub(super) mod variable {
     pub(crate) const POSITION: usize = 0;
     pub(crate) const PHASE: usize = 0;
@@ -30,7 +30,7 @@ pub(super) const SECOND: usize = FIRST + VARIABLES * (VARIABLES + 1) / 2;
 pub(super) const PAIRS: [[usize; 2]; SECOND - FIRST] =
     [[0, 0], [0, 1], [0, 2], [0, 3], [1, 1], [1, 2], [2, 2], [2, 3], [1, 3], [3, 3]];
 
-/// The place of each second derivative among them.
+/// The index of each second derivative in [`PAIRS`].
 const PLACES: [[usize; VARIABLES]; VARIABLES] = {
     let mut places = [[0; VARIABLES]; VARIABLES];
     let mut k = 0;

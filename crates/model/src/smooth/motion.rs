@@ -10,24 +10,24 @@ use crate::motion::{BoundedMotion, Bounds, Enclosure, Kinematics, Walk};
 use crate::state::State;
 use crate::tolerances::MOST_STEPS;
 
-/// Nodes of the solution from a state in one direction of time, found when they are needed.
+/// Nodes of the solution from a state in one direction of time, computed on demand.
 #[derive(Debug)]
 struct Course {
     nodes: Vec<Node>,
-    /// What is known of the motion between a node and the next.
+    /// The cage of the motion between each node and the next.
     cages: Vec<Cage>,
     /// The solution cannot be continued beyond the last node.
     ended: bool,
 }
 
 impl Course {
-    /// How many nodes lie before a time or at it, times being counted away from the start.
+    /// The number of nodes before a time or at it, times being counted away from the start.
     fn nodes_until(&self, start: f64, time: f64) -> usize {
         self.nodes.partition_point(|node| (node.time - start).abs() <= time)
     }
 
-    /// The cages between two times, likewise, as far as they have been made, with the nodes at
-    /// their ends.
+    /// The cages between two times, counted likewise, as far as they have been computed, with the
+    /// nodes at their ends.
     fn cages_between(
         &mut self,
         start: f64,
@@ -42,13 +42,13 @@ impl Course {
 
 /// A motion of an [`Integrated`] oscillator.
 ///
-/// It exists up to where its solution escapes; beyond, all is NaN.
+/// The motion exists up to where its solution escapes; beyond, all values are NaN.
 #[derive(Debug)]
 pub struct IntegratedMotion<M> {
     oscillator: Integrated<M>,
-    /// The time t = z/ω at which it begins.
+    /// The time t = z/ω at which the motion begins.
     start: f64,
-    /// Forwards and backwards.
+    /// The course forwards in time, then the one backwards.
     courses: [RefCell<Course>; 2],
 }
 
@@ -66,7 +66,7 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
         &self.courses[usize::from(time < 0.0)]
     }
 
-    /// Makes nodes until the time is passed.
+    /// Adds nodes until the time is passed.
     fn extend(&self, course: &mut Course, time: f64) {
         while !course.ended {
             let last = course.nodes[course.nodes.len() - 1];
@@ -80,10 +80,10 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
         }
     }
 
-    /// Makes nodes until the time is passed, and cages between them, which for rough motion are
+    /// Adds nodes until the time is passed, and cages between them, which for rough motion are
     /// estimates.
     ///
-    /// Where there is none the solution is about to escape, and counts as ended.
+    /// The solution counts as ended where there is no cage, as it is about to escape.
     fn make_cages(&self, course: &mut Course, time: f64) {
         self.extend(course, time);
         for k in course.cages.len()..course.nodes.len() - 1 {
@@ -100,12 +100,12 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
         }
     }
 
-    /// The number of the last node before or at a time since the start, nodes being made until the
+    /// The index of the last node before or at a time since the start, nodes being added until the
     /// time is passed; `None` if the solution does not get that far.
     fn node_before(&self, course: &mut Course, time: f64) -> Option<usize> {
         self.extend(course, time);
         let passed = course.nodes_until(self.start, time.abs());
-        // None is passed at a time that is NaN.
+        // No node is passed at a time that is NaN.
         (0 < passed && passed < course.nodes.len()).then(|| passed - 1)
     }
 
@@ -118,7 +118,8 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
         step.map_or([f64::NAN; 2], |step| step.end(node.state))
     }
 
-    /// Calls `visit` with the beginning and the solution of each step up to a time since the start.
+    /// Calls `visit` with the start time and the solution of each step up to a time since the
+    /// start.
     pub(super) fn for_each_step(&self, time: f64, mut visit: impl FnMut(f64, &Step)) -> Option<()> {
         if time == 0.0 {
             return Some(());
@@ -154,8 +155,8 @@ impl<M: SmoothOscillator> BoundedMotion for IntegratedMotion<M> {
         Boxes { motion: self, course, horizon: horizon.abs() }
     }
 
-    /// Up to the first node beyond the wall: what the force is farther on is not asked for, as
-    /// nobody may have thought of it.
+    /// The time to the first node beyond the wall: the force farther on is not evaluated, as its
+    /// author may not have considered it.
     fn foresight(&self) -> f64 {
         let period = core::f64::consts::TAU / self.oscillator.frequency;
         let mut course = self.courses[0].borrow_mut();
@@ -230,7 +231,7 @@ impl<M: SmoothOscillator> Enclosure for Boxes<'_, M> {
     }
 }
 
-/// A walk along the motion from node to node, within what is known of it.
+/// A walk along the motion from node to node, within the part that is enclosed.
 #[derive(Debug)]
 struct Nodes<'a, M> {
     motion: &'a IntegratedMotion<M>,

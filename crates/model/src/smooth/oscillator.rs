@@ -1,4 +1,4 @@
-//! What an implementor writes, and the oscillator that is made of it.
+//! The trait to implement for a smooth oscillator, and the integrated oscillator built from it.
 
 use super::jet::{Jet, variable};
 use crate::scalar::Scalar;
@@ -10,11 +10,11 @@ pub trait SmoothOscillator: Clone + Send + Sync {
     /// The force F(x, y, t; μ, η) per mass.
     fn force<S: Scalar>(&self, x: S, y: S, t: S, mu: S, eta: S) -> S;
 
-    /// The force at one time, as a function of position and velocity, which may be of another kind
-    /// of number: jets, say, at a time that is plain.
+    /// The force at one time as a function of position and velocity, which may be of another number
+    /// type: jets, for instance, at a plain time.
     ///
-    /// The integrator asks for it again and again at the same times: an implementor saves most of
-    /// its work who computes here, once, what depends on time and parameters alone.
+    /// The integrator calls this many times at the same times: an implementor saves most of the
+    /// work by computing everything that depends on time and parameters alone here, once.
     fn force_at<T: Scalar, S: Scalar + From<T>>(&self, t: T, mu: T, eta: T) -> impl FnMut(S, S) -> S {
         let [t, mu, eta] = [t, mu, eta].map(S::from);
         move |x, y| self.force(x, y, t, mu, eta)
@@ -26,7 +26,7 @@ pub trait SmoothOscillator: Clone + Send + Sync {
     /// The restitution Φ(y, z; μ, η).
     fn restitution<S: Scalar>(&self, y: S, z: S, mu: S, eta: S) -> S;
 
-    /// Ψ(y, z; μ, η): the phase that passes during an impact, over the impact velocity.
+    /// Ψ(y, z; μ, η): the phase that passes during an impact, divided by the impact velocity.
     fn impact_duration<S: Scalar>(&self, y: S, z: S, mu: S, eta: S) -> S;
 }
 
@@ -39,14 +39,14 @@ pub struct Integrated<M> {
     pub(super) accuracy: Accuracy,
 }
 
-/// How long steps are.
+/// The length of integration steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Accuracy {
-    /// Longer ones, with which motion is right to some seven digits.
+    /// Longer steps, with which motion is right to some seven digits.
     Rough,
-    /// Those with which it is right to some thirteen.
+    /// Steps with which motion is right to some thirteen digits.
     Usual,
-    /// Shorter ones, with which errors are some hundred times smaller.
+    /// Shorter steps, with which errors are some hundred times smaller.
     Fine,
 }
 
@@ -72,7 +72,7 @@ impl<M: SmoothOscillator> Integrated<M> {
         [Jet::variable(variable::PRIMARY, mu), Jet::variable(variable::SECONDARY, eta)]
     }
 
-    /// No step is longer, so that the search for events has cells of a reasonable size (empirical).
+    /// The longest step, which gives the search for events cells of a reasonable size (empirical).
     pub(super) fn longest_step(&self) -> f64 {
         core::f64::consts::TAU / (if self.accuracy == Accuracy::Rough { 5.0 } else { 10.0 } * self.frequency)
     }

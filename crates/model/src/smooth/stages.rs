@@ -1,4 +1,4 @@
-//! Numbers at all stages of a step at once: what is done with one is done with six, side by side.
+//! Numbers at all stages of a step at once: each operation acts on all six, side by side.
 
 use core::ops::{Div, Mul};
 

@@ -1,12 +1,12 @@
-//! Ending a computation early: a mark that anybody can set, and oscillators that cease to move once
-//! it is.
+//! Ending a computation early: a flag that any thread can set, and oscillators that cease to move
+//! once it is set.
 //!
-//! An analysis is loops in loops, and the innermost of all is a step of the integration, or a motion
-//! in closed form. So it is the force that asks, or the motion: once an end is asked for it is NaN,
-//! no step can be made, and whatever waits for a motion finds that there is none. Every loop then ends within moments by the way it has
-//! anyway for motion that does not exist, and nothing that Newton's method, the continuation or the
-//! search for events do has to know of it. What was being computed at that moment is worth nothing
-//! and is left out by whoever asks [`Stop::is_asked`] afterwards.
+//! An analysis is loops in loops, and the innermost of all is a step of the integration, or a
+//! motion in closed form. So the flag is read by the force, or by the motion: once the computation
+//! is cancelled it is NaN, no step can be made, and no motion is found. Every loop then ends within
+//! moments in the same way as for motion that does not exist, and Newton's method, the continuation
+//! and the search for events need no code for it. The result that was being computed at that moment
+//! is meaningless; the caller checks [`Stop::is_asked`] afterwards and leaves it out.
 
 use core::cell::Cell;
 use core::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -19,8 +19,8 @@ use crate::oscillator::ImpactOscillator;
 use crate::scalar::Scalar;
 use crate::state::{OnWall, State};
 
-/// A mark that asks a computation to end; clones share it. It counts the steps of integration as
-/// well, and motions in closed form.
+/// A flag that cancels a computation; clones share it. It also counts the steps of integration, and
+/// motions in closed form.
 #[derive(Clone, Debug)]
 pub struct Stop(Arc<Shared>);
 
@@ -29,19 +29,19 @@ struct Shared {
     asked: AtomicBool,
     steps: AtomicU64,
     most: u64,
-    /// The steps are not limited any more.
+    /// Whether the limit of steps has been lifted.
     lifted: AtomicBool,
 }
 
 impl Default for Stop {
-    /// A mark that nobody sets but by hand.
+    /// A flag that is set only by hand.
     fn default() -> Self {
         Self::after(u64::MAX)
     }
 }
 
-/// Every thread adds its steps to the common count in lots of this size: a count that threads
-/// shared step by step would cost them more than the step.
+/// Number of steps that a thread makes before it adds them to the common count: updating a shared
+/// count at every step would cost more than the step.
 const LOT: u64 = 256;
 
 thread_local! {
@@ -49,31 +49,31 @@ thread_local! {
 }
 
 impl Stop {
-    /// A mark that is set after about so many steps of integration.
+    /// A flag that is set after about this many steps of integration.
     pub fn after(steps: u64) -> Self {
         let (asked, lifted) = (AtomicBool::new(false), AtomicBool::new(false));
         Self(Arc::new(Shared { asked, steps: AtomicU64::new(0), most: steps, lifted }))
     }
 
-    /// Asks for the end.
+    /// Cancels the computation.
     pub fn ask(&self) {
         self.0.asked.store(true, Ordering::Relaxed);
     }
 
-    /// Clears the request, and the limit of steps with it: everything moves again, for whoever
-    /// writes down what was finished.
+    /// Clears the request, and the limit of steps with it: everything moves again, so that finished
+    /// results can be written.
     pub fn withdraw(&self) {
         self.0.lifted.store(true, Ordering::Relaxed);
         self.0.asked.store(false, Ordering::Relaxed);
     }
 
-    /// Whether the end is asked for.
+    /// Whether the computation is cancelled.
     #[inline]
     pub fn is_asked(&self) -> bool {
         self.0.asked.load(Ordering::Relaxed)
     }
 
-    /// The number of steps of integration so far, those of the last moment left out.
+    /// The number of steps of integration so far, without the last few of each thread.
     pub fn steps(&self) -> u64 {
         self.0.steps.load(Ordering::Relaxed)
     }
@@ -99,8 +99,8 @@ impl Stop {
     }
 }
 
-/// A [`SmoothOscillator`] whose force is NaN once an end is asked for, or an [`ImpactOscillator`]
-/// of which no motion begins any more then.
+/// A [`SmoothOscillator`] whose force is NaN once the computation is cancelled, or an
+/// [`ImpactOscillator`] in which no motion begins after that.
 #[derive(Clone, Debug)]
 pub struct Stoppable<M> {
     model: M,
@@ -108,7 +108,7 @@ pub struct Stoppable<M> {
 }
 
 impl<M> Stoppable<M> {
-    /// The oscillator, to be ended by this mark.
+    /// The oscillator, cancelled by this flag.
     pub fn new(model: M, stop: Stop) -> Self {
         Self { model, stop }
     }
@@ -123,7 +123,7 @@ impl<M: SmoothOscillator> SmoothOscillator for Stoppable<M> {
     #[inline]
     fn force_at<T: Scalar, S: Scalar + From<T>>(&self, t: T, mu: T, eta: T) -> impl FnMut(S, S) -> S {
         self.stop.count();
-        // What is computed once for many places may be most of the work.
+        // The part that is computed once for many places may be most of the work.
         let mut force = (!self.stop.is_asked()).then(|| self.model.force_at(t, mu, eta));
         move |x, y| match &mut force {
             Some(force) if !self.stop.is_asked() => force(x, y),
@@ -149,13 +149,14 @@ impl<M: ImpactOscillator<Motion: BoundedMotion>> Stoppable<M> {
         Self { model, stop: self.stop.clone() }
     }
 
-    /// The state in which a motion begins, if it may.
+    /// The state in which a motion begins, NaN once the computation is cancelled.
     fn beginning(&self, from: State) -> State {
         if self.stop.is_asked() { State { position: f64::NAN, velocity: f64::NAN, ..from } } else { from }
     }
 }
 
-/// A motion that is NaN once an end is asked for, in the middle of a search for events as well.
+/// A motion that is NaN once the computation is cancelled, even in the middle of a search for
+/// events.
 #[derive(Clone, Debug)]
 pub struct StoppableMotion<M> {
     motion: M,
@@ -249,7 +250,7 @@ mod tests {
         }
     }
 
-    /// The spring, to be ended by a mark.
+    /// The spring, cancelled by a flag.
     fn spring(stop: &Stop) -> Integrated<Stoppable<Spring>> {
         Integrated::new(Stoppable::new(Spring, stop.clone()), [0.0, 1.0])
     }
@@ -286,10 +287,10 @@ mod tests {
         stop.ask();
         let motion = oscillator.motion(from);
         assert!(motion.at(0.0).position.is_nan() && oscillator.flow::<1>(from, 1.0).value[0].is_nan());
-        // However far it would have gone, nothing is walked through.
+        // However far the horizon, no cell is walked through.
         assert_eq!((motion.first_crossing(1e300), motion.highest_maximum(1e300)), (None, None));
         assert_eq!((motion.local_maxima(1e300).len(), motion.first_rest(true, 1e300)), (0, None));
-        // So it is with one that began before.
+        // A motion that began before the request ends as well.
         assert!(begun.at(1.0).position.is_nan());
         stop.withdraw();
         assert_eq!(oscillator.motion(from).first_crossing(50.0), before);

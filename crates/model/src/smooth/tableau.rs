@@ -2,9 +2,10 @@
 //!
 //! Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd
 //! edition, section II.7; the nodes are the zeros of the Legendre polynomial of degree six, shifted
+//! edition, section II.7; the nodes are the zeros of the Legendre polynomial of degree six, shifted
 //! to the unit interval, and the other coefficients integrals of Lagrange's polynomials on them,
-//! computed to 50 digits and rounded, or products of such. Tests hold them to the conditions that
-//! define them.
+//! computed to 50 digits and rounded, or products of such. Tests check the conditions that define
+//! them.
 
 use super::stages::{Lanes, Matrix, STAGES, Stages};
 
@@ -131,8 +132,8 @@ pub(super) const LEGENDRE: [[f64; STAGES]; 4] = {
     rows
 };
 
-/// The coefficients of the polynomial through values at the stages, in powers of 2c − 1, from that
-/// of degree zero on.
+/// The coefficients of the polynomial through values at the stages, in powers of 2c − 1, in
+/// ascending order.
 pub(super) const POWERS: Matrix = {
     let mut columns = [Lanes([0.0; STAGES]); STAGES];
     let mut j = 0;

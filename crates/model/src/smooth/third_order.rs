@@ -8,9 +8,9 @@ use crate::taylor::Taylor;
 use crate::third_order::ThirdOrder;
 
 impl<M: SmoothOscillator> ThirdOrder for Integrated<M> {
-    /// The steps between start and end at s = 0 stay where plain numbers have put them, and the
-    /// forcing moves over them as the phase does; after the last the solution is continued by as
-    /// much as the duration moves along the curve.
+    /// The flow along a curve: the steps between start and end at s = 0 stay where the integration
+    /// on plain numbers has put them, and the forcing is shifted over them with the phase; after
+    /// the last step the solution is continued by the variation of the duration along the curve.
     fn flow_series(&self, [position, velocity, phase]: [Taylor; 3], duration: Taylor) -> [Taylor; 2] {
         let from = State { position: position.value(), velocity: velocity.value(), phase: phase.value() };
         let delay = phase.movement().scale(1.0 / self.frequency);

@@ -1,11 +1,11 @@
 //! Units in which an oscillator's motion is of the order of one.
 //!
-//! Tolerances, first guesses and step lengths are made for such motion. Any [`SmoothOscillator`]
-//! becomes one of this kind by a change of variables, [`Dimensionless`]. Its [`Units`] are looked
-//! for in the force alone: length and time are those of the balance between what pushes the
-//! oscillator away from the wall and what holds it, be that a spring or inertia. They are powers of
-//! four, so that nothing is rounded on the way there and back, and motion that is of the order of
-//! one already keeps its numbers.
+//! Tolerances, first guesses and step lengths are chosen for such motion. Any [`SmoothOscillator`]
+//! is brought into this form by a change of variables, [`Dimensionless`]. Its [`Units`] follow from
+//! the force alone: length and time are those of the balance between what pushes the oscillator
+//! away from the wall and what holds it, be that a spring or inertia. They are powers of four, so
+//! that nothing is rounded on the way there and back, and motion that is of the order of one
+//! already keeps its numbers.
 
 use core::f64::consts::TAU;
 
@@ -13,7 +13,7 @@ use super::oscillator::SmoothOscillator;
 use crate::scalar::Scalar;
 use crate::taylor::Taylor;
 
-/// What one of each dimensionless quantity is in the oscillator's own units.
+/// The oscillator's own units in which one of each dimensionless quantity is measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Units {
     /// The unit of positions.
@@ -26,30 +26,32 @@ pub struct Units {
     pub secondary: f64,
 }
 
-/// Instants of a forcing period at which the force is looked at.
+/// Number of instants of a forcing period at which the force is evaluated.
 const INSTANTS: u32 = 16;
-/// Both ranges are looked at at these shares.
+/// Fractions of both parameter ranges at which the force is evaluated.
 const SHARES: [f64; 3] = [0.0, 0.5, 1.0];
-/// Of the mean force at the wall and the forcing, what is below this share of the other is what
-/// rounding leaves of none.
+/// Relative size below which the mean force at the wall, or the forcing, counts as zero beside the
+/// other: it is then a residue of rounding.
 const NO_LOAD: f64 = 1e-12;
-/// Units lie between 4⁻⁶⁰ and 4⁶⁰: products of a few of them are numbers still.
+/// Units lie between 4⁻⁶⁰ and 4⁶⁰: products of a few of them do not overflow.
 const MOST: f64 = 60.0;
-/// The length is looked for from that at which inertia balances the load down to 2⁻¹²⁰ of it.
+/// Number of halvings in the search for the length, from that at which inertia balances the load
+/// down to 2⁻¹²⁰ of it.
 const DOUBLINGS: i32 = 120;
-/// After so many the length is known to a thousandth, far better than units are rounded.
+/// Number of bisections after which the length is known to a thousandth, far better than units are
+/// rounded.
 const BISECTIONS: u32 = 10;
 
 impl Units {
-    /// Those of motion that is of the order of one.
+    /// The units of motion that is of the order of one already.
     pub const ONE: Self = Self { length: 1.0, time: 1.0, primary: 1.0, secondary: 1.0 };
 
     /// Units for an oscillator in ranges of μ and η.
     ///
-    /// They are the medians of what is seen at nine places. The load is the mean force at the wall,
-    /// or, where that does not point away from the wall, the amplitude of the forcing if there is
-    /// one. The length is the shortest over which the mean force changes by the load, or inertia at
-    /// the forcing frequency balances it; the square of the time is length over load. A unit of a
+    /// Each unit is the median over nine places. The load is the mean force at the wall, or, where
+    /// that does not point away from the wall, the amplitude of the forcing if there is one. The
+    /// length is the shortest over which the mean force changes by the load, or inertia at the
+    /// forcing frequency balances it; the square of the time is length over load. A unit of a
     /// parameter changes the force by the load, or the frequency by one.
     pub fn of<M: SmoothOscillator>(model: &M, ranges: [[f64; 2]; 2]) -> Self {
         let at = |[low, high]: [f64; 2], share: f64| low * (1.0 - share) + high * share;
@@ -85,7 +87,7 @@ impl Units {
         [primary * self.primary, secondary * self.secondary]
     }
 
-    /// The other way round: parameters without dimensions from those in the oscillator's own units.
+    /// Nondimensional parameters from those in the oscillator's own units.
     pub fn without_dimensions(&self, [primary, secondary]: [f64; 2]) -> [f64; 2] {
         [primary / self.primary, secondary / self.secondary]
     }
@@ -98,12 +100,12 @@ fn power_of_four(value: f64) -> f64 {
     if exponent.is_nan() { 1.0 } else { libm::ldexp(1.0, 2 * exponent.clamp(-MOST, MOST) as i32) }
 }
 
-/// Length, time, and what changes the force by the load or the frequency by its unit in μ and in η
-/// (infinite if nothing does); nothing at a place without load or frequency.
+/// Length, time, and the changes in μ and in η that change the force by the load or the frequency
+/// by its unit (infinite if there are none); `None` at a place without load or frequency.
 fn sizes<M: SmoothOscillator>(model: &M, [mu, eta]: [f64; 2]) -> Option<[f64; 4]> {
     let frequency = model.forcing_frequency(mu, eta).abs();
     let instants = move || (0..INSTANTS).map(|k| TAU * f64::from(k) / f64::from(INSTANTS));
-    // What depends on time alone is computed once for all positions.
+    // The part that depends on time alone is computed once for all positions.
     let mut forces: Vec<_> =
         instants().map(|phase| model.force_at::<f64, f64>(phase / frequency, mu, eta)).collect();
     let mut at = |x: f64| -> Vec<f64> { forces.iter_mut().map(|force| force(x, 0.0)).collect() };
@@ -115,14 +117,14 @@ fn sizes<M: SmoothOscillator>(model: &M, [mu, eta]: [f64; 2]) -> Option<[f64; 4]
     if !(load > 0.0 && load.is_finite() && frequency > 0.0 && frequency.is_finite()) {
         return None;
     }
-    // Where the force is NaN it holds as well.
+    // A force that is NaN counts as holding.
     let mut held = |length: f64| {
         let change = (mean(&at(-length)) - at_wall).abs();
         change.is_nan() || change >= load
     };
     let inertial = load / (frequency * frequency);
     let mut lengths = (-DOUBLINGS..0).map(|k| libm::ldexp(inertial, k));
-    // Where the force is NaN next to the wall nothing is known of lengths.
+    // If the force is NaN right beside the wall, no length can be determined.
     if lengths.next().is_some_and(&mut held) {
         return None;
     }
@@ -150,18 +152,17 @@ fn sizes<M: SmoothOscillator>(model: &M, [mu, eta]: [f64; 2]) -> Option<[f64; 4]
     Some([length, time, unit([moving[0], still[1]]), unit([still[0], moving[1]])])
 }
 
-/// A [`SmoothOscillator`] whose positions, times and parameters are counted in [`Units`] of its
-/// own.
+/// A [`SmoothOscillator`] whose positions, times and parameters are measured in [`Units`].
 #[derive(Clone, Debug)]
 pub struct Dimensionless<M> {
     model: M,
     units: Units,
-    /// Nothing is to be done.
+    /// Whether the units are all one, so that no conversion is needed.
     plain: bool,
 }
 
 impl<M> Dimensionless<M> {
-    /// The oscillator, counted in these units.
+    /// The oscillator, measured in these units.
     pub fn new(model: M, units: Units) -> Self {
         Self { model, units, plain: units == Units::ONE }
     }
@@ -280,7 +281,7 @@ mod tests {
         // A gap of a millimetre, 300 radians a second.
         let found = units([90.0, 9e4, 0.0], [[0.0, 100.0], [100.0, 250.0]]);
         assert_near(found, [1e-3, 1.0 / 300.0, 90.0, 300.0]);
-        // However far the range of the forcing goes.
+        // The range of the forcing does not matter.
         let found = units([90.0, 9e4, 0.0], [[0.0, 1e9], [100.0, 250.0]]);
         assert_near(found, [1e-3, 1.0 / 300.0, 90.0, 300.0]);
         // c x³ = g at x = 0.1.

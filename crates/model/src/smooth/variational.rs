@@ -1,6 +1,6 @@
 //! The variational equations of first and second order, along a step that has been solved.
 //!
-//! The derivatives are those of the numerical solution, its steps held. At the stages the
+//! The derivatives are those of the numerical solution with its steps fixed. At the stages the
 //! accelerations k of a step obey k = F, and each derivative of this is a system with the same
 //! matrix, that of Newton's method:
 //!
@@ -21,7 +21,7 @@ use super::stages::{Lanes, STAGES, Stages};
 use super::tableau::{MATRIX, NODES, POSITION_WEIGHTS, SQUARE, WEIGHTS};
 use crate::scalar::Scalar;
 
-/// What F depends on besides position and velocity, as jets: the time origin's shift and the
+/// The arguments of F besides position and velocity, as jets: the shift of the time origin and the
 /// parameters.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Surroundings<const LENGTH: usize> {
@@ -29,8 +29,8 @@ pub(super) struct Surroundings<const LENGTH: usize> {
     pub(super) parameters: [Jet<LENGTH>; 2],
 }
 
-/// F is evaluated with jets at so many stages at once: as many as one instruction takes (empirical:
-/// more are slower).
+/// Number of stages at which F is evaluated with jets at once: as many as one instruction takes
+/// (empirical: more are slower).
 const SIDE_BY_SIDE: usize = 2;
 
 /// The linear system of a step.
@@ -48,8 +48,8 @@ struct Response {
 }
 
 impl Variation {
-    /// The derivative whose value at the beginning of the step is (x, y), with this on the system's
-    /// right.
+    /// The derivative whose value at the beginning of the step is (x, y), for this right-hand side
+    /// of the system.
     #[inline(always)]
     fn response(&self, [x, y]: Pair<f64>, right: Stages) -> Response {
         let (h, [by_position, by_velocity]) = (self.length, self.slopes);
@@ -143,7 +143,7 @@ fn bends<const LENGTH: usize>(
     first: &[Pair<Stages>; VARIABLES],
 ) -> [Stages; PAIRS.len()] {
     let zero = Stages::constant(0.0);
-    // The gradient of F changes so in the direction of each variable.
+    // Change of the gradient of F in the direction of each variable.
     let mut turned = [[zero; VARIABLES]; VARIABLES];
     for (b, (turned, [x, y])) in turned.iter_mut().zip(first).enumerate() {
         for (r, entry) in turned.iter_mut().enumerate() {

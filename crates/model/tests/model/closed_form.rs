@@ -1,4 +1,4 @@
-//! The linear oscillator, integrated, against its closed form.
+//! The linear oscillator, integrated, compared with its closed form.
 
 use grazing_model::maps::{self, global_map, virtual_map};
 use grazing_model::motion::{BoundedMotion, Enclosure, Motion, Walk};
@@ -22,7 +22,7 @@ fn flow_and_its_derivatives_are_those_of_the_closed_form() {
             assert!((a.hessians[i] - b.hessians[i]).amax() < TOLERANCE, "{duration}");
         }
         let first = integrated.flow::<1>(FROM, duration);
-        // One iteration of Newton's method less; the first has left no more than rounding.
+        // One iteration of Newton's method fewer; the first has left no more than rounding.
         assert!((first.value - a.value).amax() < 1e-14);
         assert!((first.jacobian - a.jacobian).amax() < TOLERANCE);
         assert!(first.hessians.iter().all(|hessian| hessian.amax() == 0.0));
@@ -33,7 +33,7 @@ fn flow_and_its_derivatives_are_those_of_the_closed_form() {
 fn flow_along_a_motion_is_the_flow() {
     let (integrated, _) = both();
     let motion = integrated.motion(FROM);
-    // The motion is known farther than it is needed, and in the other direction.
+    // The motion is already known beyond the time that is needed, and in the other direction.
     assert!(motion.at(30.0).position.is_finite() && motion.at(-20.0).position.is_finite());
     for duration in [-6.0, 0.0, 0.4, 9.0] {
         let along = integrated.flow_along::<2>(&motion, FROM, duration);
@@ -45,7 +45,7 @@ fn flow_along_a_motion_is_the_flow() {
 fn motion_is_that_of_the_closed_form_in_both_directions_of_time() {
     let (integrated, closed) = both();
     let (a, b) = (integrated.motion(FROM), closed.motion(FROM));
-    // In no order, as nodes are made when they are needed.
+    // In arbitrary order, as nodes are computed on demand.
     for time in [3.1, -2.0, 0.0, 11.0, 0.7, -9.0, 10.9] {
         let [a, b] = [a.at(time), b.at(time)];
         assert!((a.position - b.position).abs() < TOLERANCE);

@@ -1,4 +1,4 @@
-//! The hand-written flow and its derivatives against the printed solution under automatic
+//! The hand-written flow and its derivatives, compared with the printed solution under automatic
 //! differentiation.
 
 use grazing_model::{ImpactOscillator, LinearOscillator, State};

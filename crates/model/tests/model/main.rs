@@ -1,5 +1,5 @@
-//! The model: flows, motions, maps, orbits and reset laws, of the linear oscillator in closed form
-//! and of others by integration.
+//! Tests of the model: flows, motions, maps, orbits and reset laws, of the linear oscillator in
+//! closed form and of others by integration.
 
 mod closed_form;
 mod escape;

@@ -118,7 +118,7 @@ fn grazing_is_a_fixed_point_of_the_global_map() {
     }
 }
 
-/// Central differences of a map in all four variables, of sixth order, with the noise of the values
+/// Central differences of a map in all four variables, of sixth order, and the noise of the values
 /// divided by the step.
 fn differences<A: Copy, B: Copy>(map: impl Fn([f64; 4]) -> MapJet<A, B>, at: [f64; 4]) -> [MapJet<A, B>; 2] {
     let step = 4e-4;
@@ -146,8 +146,8 @@ fn differences<A: Copy, B: Copy>(map: impl Fn([f64; 4]) -> MapJet<A, B>, at: [f6
     [exact, approximate]
 }
 
-/// First derivatives are held against differences of values, second ones against differences of
-/// first ones.
+/// Compares first derivatives with differences of values, second ones with differences of first
+/// ones.
 ///
 /// Tolerance: the differences' own error is about step⁶ times a seventh derivative (which for
 /// P_disc is large) plus 1e-15/step.

@@ -3,8 +3,8 @@
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator};
 use grazing_model::{LinearOscillator, State};
 
-/// A force alone, of a new type or of one with fields; the parameters are the forcing's amplitude
-/// and frequency, impacts are elastic.
+/// Defines an oscillator by its force alone, as a new type or one with fields; the parameters are
+/// the forcing's amplitude and frequency, impacts are elastic.
 macro_rules! forced {
     ($(#[$doc:meta])* $name:ident, |$x:ident, $y:ident, $forcing:ident| $force:expr) => {
         $(#[$doc])*
@@ -109,10 +109,10 @@ impl SmoothOscillator for Lasting {
     }
 }
 
-/// A state that is special in no way.
+/// A generic state.
 pub(crate) const FROM: State = State { position: -0.4, velocity: 0.7, phase: 1.1 };
 
-/// The paper's oscillator, given by its force and in closed form.
+/// The paper's oscillator, defined by its force and in closed form.
 pub(crate) fn both() -> (Integrated<Linear>, LinearOscillator) {
     let parameters = [0.3, 0.8];
     let closed = LinearOscillator::new(0.02, 1.0, parameters[0], parameters[1]).unwrap();

@@ -1,4 +1,4 @@
-//! Nonlinear forces: what holds without a closed form.
+//! Nonlinear forces: properties that need no closed form.
 
 use grazing_model::motion::{BoundedMotion, Enclosure, Motion};
 use grazing_model::smooth::{Integrated, SmoothOscillator};
@@ -6,7 +6,7 @@ use grazing_model::{ImpactOscillator, State, flow_variable};
 
 use crate::models::{Conservative, Dragged, Duffing, FROM, Saturating};
 
-/// Derivatives of the flow against central differences of one order less.
+/// Compares derivatives of the flow with central differences of one order less.
 fn assert_derivatives<M: SmoothOscillator>(oscillator: &Integrated<M>) {
     // Differences of order h²: the error is 1e-12 times third derivatives (up to a few hundred),
     // rounding 1e-14/h = 1e-8.
@@ -53,7 +53,7 @@ fn flow_of_a_sum_of_times_is_the_composition() {
     let between = State { position: half[0], velocity: half[1], phase: FROM.phase + 3.3 * 0.76 };
     let rest = oscillator.flow::<1>(between, 4.7).value;
     let back = oscillator.flow::<1>(between, -3.3).value;
-    // Different steps: what they agree on is right.
+    // The two use different steps: the digits that they share are right.
     assert!((whole - rest).amax() < 1e-12);
     assert!((back[0] - FROM.position).abs().max((back[1] - FROM.velocity).abs()) < 1e-12);
 }
@@ -71,14 +71,15 @@ fn energy_of_a_conservative_oscillator_is_kept_over_a_hundred_periods() {
     }
 }
 
-/// Sampled derivatives stay within the proved bounds, and these are not idle.
+/// Checks that sampled derivatives stay within the proved bounds, and that these are tight enough
+/// to be useful.
 fn assert_bounded<M: SmoothOscillator>(oscillator: &Integrated<M>) {
     for (from, to) in [(0.0, 12.0), (0.0, -2.5), (4.0, 5.0)] {
         let motion = oscillator.motion(FROM);
         let enclosure = motion.enclose(to);
         let bounds = enclosure.bounds_between(from, to);
         assert!(from != 0.0 || bounds == enclosure.bounds());
-        // Nothing is known of what lies outside, though the motion itself is known there.
+        // No bounds are known outside, though the motion itself is known there.
         for outside in [[0.0, 1.01 * to], [0.0, -0.1 * to]] {
             assert!(motion.at(outside[1]).position.is_finite());
             assert_eq!(enclosure.bounds_between(outside[0], outside[1]).acceleration, f64::INFINITY);
@@ -96,8 +97,8 @@ fn assert_bounded<M: SmoothOscillator>(oscillator: &Integrated<M>) {
         }
         for (bound, sampled) in [bounds.acceleration, bounds.jerk, bounds.snap].into_iter().zip(largest) {
             assert!(sampled <= bound + 1e-6, "{sampled} exceeds {bound}");
-            // Boxes a tenth of a period long: intervals forget how position and velocity hang
-            // together.
+            // Boxes are a tenth of a period long: intervals lose the relation between position and
+            // velocity.
             assert!(bound < 40.0 * sampled, "{bound} for {sampled}");
         }
     }

@@ -1,4 +1,4 @@
-//! Orbits with impacts: no event is stepped over, and every orbit comes to a named end.
+//! Orbits with impacts: no event is stepped over, and every orbit ends for a named reason.
 
 use grazing_model::motion::{BoundedMotion, Enclosure, Motion};
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
@@ -58,7 +58,8 @@ fn maxima_of_the_non_impacting_solution_are_one_a_period() {
     assert!((highest.position - height).abs() < 1e-14);
 }
 
-/// Sampling far finer than any motion here: what it sees, the exact search must have seen.
+/// The first crossing in samples far finer than any motion here; the exact search must find it as
+/// well.
 fn sampled_crossing(motion: &impl Motion, horizon: f64) -> Option<f64> {
     (1..=200_000).map(|k| horizon * f64::from(k) / 200_000.0).find(|time| motion.at(*time).position > 0.0)
 }
@@ -143,7 +144,7 @@ fn impacts_that_last_take_their_time() {
         let contact = pair[1].start - pair[0].start - pair[0].duration;
         assert!((contact - Lasting::PSI * impact.velocity / 0.8).abs() < 1e-12 * horizon);
     }
-    // So that time and phase go together.
+    // Time and phase advance together.
     for flight in &flights {
         let turns = (1.0 + 0.8 * flight.start - flight.from.phase) / core::f64::consts::TAU;
         assert!((turns - libm::rint(turns)).abs() < 1e-11);

@@ -1,5 +1,5 @@
-//! Reset laws, and with them the derivatives of every operation and function, against automatic
-//! differentiation.
+//! Reset laws, and with them the derivatives of every operation and function, compared with
+//! automatic differentiation.
 
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator};
 use grazing_model::{ImpactOscillator, OnWall};
@@ -30,7 +30,7 @@ impl SmoothOscillator for Law {
     }
 }
 
-/// The same law in dual numbers.
+/// The image under the law, in dual numbers.
 fn image(function: Function, [y, z, mu, eta]: [Dual; 4]) -> [Dual; 2] {
     let constant = Dual::from_re;
     let inner = y * z + mu;

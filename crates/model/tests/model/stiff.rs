@@ -24,8 +24,8 @@ forced!(impl Stiff { rate, size }, |x, y, forcing| {
 });
 
 impl Stiff {
-    /// The units of x, y, z, s, μ, η in those of the paper's oscillator, in the order of a flow's
-    /// variables.
+    /// The units of x, y, z, s, μ, η in terms of those of the paper's oscillator, in the order of a
+    /// flow's variables.
     fn units(&self) -> [f64; 6] {
         let mut units = [1.0; 6];
         units[flow_variable::POSITION] = self.size;
@@ -35,7 +35,7 @@ impl Stiff {
         units
     }
 
-    /// A jet of the flow in the units of the paper's oscillator.
+    /// A jet of the flow converted to the units of the paper's oscillator.
     fn converted(&self, jet: &FlowJet) -> FlowJet {
         let units = self.units();
         FlowJet {
@@ -52,9 +52,9 @@ impl Stiff {
 const AMPLITUDE: f64 = 0.7;
 const SHARE_OF_PERIOD: f64 = 0.83;
 
-/// An oscillator in both forms, the duration of its flight, and what an error may be relative to
-/// the largest of its kind: 2e-14 for each radian of unforced motion, as the steps allow, and
-/// roundings.
+/// An oscillator in both forms, the duration of its flight, and the error that is allowed relative
+/// to the largest value of its kind: 2e-14 for each radian of unforced motion, as the steps allow,
+/// and rounding.
 fn flights(rate: f64, size: f64) -> (Integrated<Stiff>, LinearOscillator, f64, f64) {
     let stiff = Integrated::new(Stiff { rate, size }, [AMPLITUDE, 0.9]);
     let closed = LinearOscillator::new(ZETA, 1.0, AMPLITUDE, 0.9 / rate).unwrap();

@@ -1,5 +1,5 @@
-//! Derivatives along curves to third order: the closed form against automatic differentiation, the
-//! integrated flow against the closed form and against differences.
+//! Derivatives along curves to third order: the closed form compared with automatic
+//! differentiation, the integrated flow with the closed form and with differences.
 
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator, Taylor};
 use grazing_model::{ImpactOscillator, OnWall, State, ThirdOrder, maps};
@@ -9,15 +9,14 @@ use num_dual::{Dual3_64, third_derivative};
 use crate::models::{Bouncing, Dragged, Duffing, FROM, Saturating, Sticking, both};
 use crate::printed::printed_flow;
 
-/// Curves of (x₀, y₀, z₀, s), coefficients of the first to the third order: bent, and special in no
-/// way.
+/// Curves of (x₀, y₀, z₀, s): generic coefficients of the first to the third order.
 const CURVES: [[[f64; 4]; 3]; 3] = [
     [[0.3, -0.5, 0.7, 0.4], [0.0; 4], [0.0; 4]],
     [[-0.2, 0.6, 0.1, -0.8], [0.5, 0.2, -0.4, 0.3], [0.1, -0.6, 0.2, 0.5]],
     [[0.0, 0.4, -0.9, 0.0], [0.3, 0.0, 0.7, -0.2], [0.0, 0.2, 0.0, 0.4]],
 ];
 
-/// Times of either sign, and none at all.
+/// Times of either sign, and zero.
 const DURATIONS: [f64; 5] = [-5.0, -0.3, 0.0, 1.3, 9.0];
 
 /// (x₀, y₀, z₀, s) along a curve.
@@ -68,8 +67,8 @@ fn integrated_flow_is_that_of_the_closed_form() {
             let [a, b] = [series(&integrated, duration, curve), series(&closed, duration, curve)];
             for (a, b) in a.iter().zip(&b) {
                 for (a, b) in a.coefficients().into_iter().zip(b.coefficients()) {
-                    // As derivatives of the first two orders, which this integrator has to 1e-12
-                    // over a period.
+                    // The tolerance of derivatives of the first two orders, which this integrator
+                    // has to 1e-12 over a period.
                     assert!((a - b).abs() < 1e-12, "{duration}: {a} {b}");
                 }
             }
@@ -77,8 +76,8 @@ fn integrated_flow_is_that_of_the_closed_form() {
     }
 }
 
-/// Coefficients along straight lines: the first two orders against the exact derivatives in all
-/// directions, the third against central differences of the exact second one.
+/// Compares coefficients along straight lines: the first two orders with the exact derivatives in
+/// all directions, the third with central differences of the exact second one.
 fn assert_series<M: SmoothOscillator>(oscillator: &Integrated<M>) {
     let direction = Vector4::new(0.3, -0.5, 0.7, 0.4);
     let line = [direction.into(), [0.0; 4], [0.0; 4]];
@@ -99,7 +98,7 @@ fn assert_series<M: SmoothOscillator>(oscillator: &Integrated<M>) {
         let computed = series(oscillator, duration, &line);
         for (i, component) in computed.iter().enumerate() {
             let [value, first, second, third] = component.coefficients();
-            // Whole steps and parts of them: as exact as either.
+            // The steps are whole ones and parts of them: as exact as either.
             assert!((value - here.value[i]).abs() < 1e-13);
             assert!((first - (here.jacobian.row(i) * q)[0]).abs() < 1e-12);
             assert!((second - bend(0.0, i)).abs() < 1e-11);
@@ -120,8 +119,8 @@ fn third_derivatives_of_nonlinear_flows_are_those_of_differences() {
     assert_series(&Integrated::new(Saturating, [0.6, 0.76]));
 }
 
-/// The flow for a time that moves along a curve against that in many short flights, which move
-/// along it as well and take steps of their own; and to second order against the derivatives in all
+/// Compares the flow for a time that moves along a curve with the flow in many short flights, which
+/// also move along it and take steps of their own; to second order also with the derivatives in all
 /// directions.
 fn assert_composition<M: SmoothOscillator>(oscillator: &Integrated<M>, tolerance: f64) {
     const FLIGHTS: u32 = 200;
@@ -169,7 +168,7 @@ fn flow_along_a_curve_is_that_of_many_short_flights() {
     assert_composition(&Integrated::new(Dragged, [0.6, 0.76]), 1e-10);
 }
 
-/// A reset law that bends in both arguments.
+/// A reset law that is nonlinear in both arguments.
 #[derive(Clone, Debug)]
 struct Bent;
 
@@ -212,7 +211,7 @@ fn impact_and_flight_to_a_plane_of_constant_phase_agree_with_differences() {
     for (i, component) in computed.iter().enumerate() {
         let [.., second, third] = component.coefficients();
         assert!((second - bend(0.0, i)).abs() < 1e-11);
-        // As for the Duffing oscillator's flow, with a longer step.
+        // Same method as for the Duffing oscillator's flow, with a longer step.
         let difference = |h: f64| (bend(h, i) - bend(-h, i)) / (2.0 * h) / 3.0;
         let h = 1e-3;
         let extrapolated = (4.0 * difference(0.5 * h) - difference(h)) / 3.0;

@@ -8,7 +8,7 @@ use crate::smooth::stages::{Lanes, Matrix, STAGES, Stages};
 use crate::smooth::tableau::{MATRIX, NODES, POSITION_WEIGHTS, SQUARE, WEIGHTS};
 use crate::taylor::Taylor;
 
-/// Parts of a step: with order 12, three take five and a half digits off an error.
+/// Number of parts of a step: with order 12, three take five and a half digits off an error.
 const PARTS: u32 = 3;
 
 /// Taylor polynomials at the stages, order by order.
@@ -41,9 +41,9 @@ impl<M: SmoothOscillator> Integrated<M> {
         Some(state)
     }
 
-    /// The solution that passes `from` at `time`, a while later that vanishes at s = 0.
+    /// The solution that passes `from` at `time`, continued for a time that vanishes at s = 0.
     ///
-    /// The step has no length but along the curve, where the collocation is exact far beyond third
+    /// The step has length only along the curve, where the collocation is exact far beyond third
     /// order.
     pub(in crate::smooth) fn series_shifted(
         &self,
@@ -53,7 +53,7 @@ impl<M: SmoothOscillator> Integrated<M> {
     ) -> Pair<Taylor> {
         let [x, y] = from.map(|component| component.value());
         let accelerations = Stages::constant(self.force(x, y, time.value()));
-        // Newton's matrix of a step without length is the identity.
+        // Newton's matrix of a step of length zero is the identity.
         let factors = Factors::new(&[Stages::constant(0.0); 2]);
         self.series_step(from, [time, by], accelerations, &factors)
     }
@@ -92,7 +92,7 @@ impl<M: SmoothOscillator> Integrated<M> {
     }
 }
 
-/// What a matrix makes of Taylor polynomials at the stages.
+/// The product of a matrix and the Taylor polynomials at the stages.
 fn at_stages(orders: &Orders, matrix: &Matrix) -> [Taylor; STAGES] {
     let sums = orders.map(|order| order.through(matrix));
     core::array::from_fn(|i| Taylor::new(sums.map(|order| order.0[i])))
