@@ -18,17 +18,17 @@ pub trait ImpactOscillator: Clone + Send + Sync {
     /// The primary parameter μ and the secondary parameter η.
     fn parameters(&self) -> [f64; 2];
 
-    /// This oscillator at other parameters (μ, η).
+    /// The oscillator at other parameters (μ, η).
     fn with_parameters(&self, parameters: [f64; 2]) -> Self;
 
-    /// This oscillator with motion computed to some seven digits, and bounds that are estimates,
+    /// The oscillator with motion computed to some seven digits, and bounds that are estimates,
     /// where that takes less time: for exploration whose results are solved for accurately
     /// afterwards.
     fn roughly(&self) -> Self {
         self.clone()
     }
 
-    /// This oscillator with motion integrated in shorter steps, or `None` where motion is not
+    /// The oscillator with motion integrated in shorter steps, or `None` where motion is not
     /// integrated: the change in a result is its error of integration.
     fn finely(&self) -> Option<Self> {
         None

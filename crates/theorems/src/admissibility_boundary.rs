@@ -73,8 +73,8 @@ fn increasing_root((mut low, mut high): (f64, f64), value_and_slope: impl Fn(f64
             high = point;
         }
         let step = -value / slope;
-        // The bracket lies in [-1, 1]: the error left after a Newton step of this size is below the
-        // last digit.
+        // The bracket lies in [-1, 1]: the error that remains after a Newton step of this size is
+        // below the last digit.
         if step.abs() <= 2.0 * f64::EPSILON {
             return (point + step).clamp(low, high);
         }

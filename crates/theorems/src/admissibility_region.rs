@@ -63,8 +63,8 @@ pub fn admissibility_margin(p: u32, tau: f64, delta: f64, factor: Side) -> (f64,
     nearest
 }
 
-/// Whether `p` returns bring a rotation by `x` turns nearer to a whole number of turns, from below, than fewer
-/// do: {jx} ≤ {px} for 0 < j < p.
+/// Whether `p` returns bring a rotation by `x` turns nearer to a whole number of turns, from below,
+/// than any smaller number of returns: {jx} ≤ {px} for 0 < j < p.
 pub fn is_closest_return(p: u32, x: f64) -> bool {
     let part = |j: u32| (f64::from(j) * x).fract();
     (1..p).all(|j| part(j) <= part(p))
@@ -80,7 +80,8 @@ pub struct AdmissibilityRegion {
     pub turns: u32,
 }
 
-/// Traces at which the margin is looked at to find where it is largest, and halvings of an interval.
+/// Number of traces at which the margin is evaluated to find its maximum, and number of halvings of
+/// an interval.
 const SAMPLES: u32 = 64;
 const HALVINGS: u32 = 52;
 
@@ -96,24 +97,24 @@ impl AdmissibilityRegion {
         (1..self.loops).find(|q| self.turns * q % self.loops == 1)
     }
 
-    /// The rotations x between which it lies at δ = 1: l and m/p.
+    /// The rotations x between which the region lies at δ = 1: l and m/p.
     pub fn rotations(&self) -> [f64; 2] {
         let q = self.inverse().unwrap_or(1);
         let left = (self.turns * q - 1) / self.loops;
         [f64::from(left) / f64::from(q), f64::from(self.turns) / f64::from(self.loops)]
     }
 
-    /// The number of the visit that touches the wall on its boundary, p − q.
+    /// The number of the visit that touches the wall on the boundary of the region, p − q.
     pub fn touching_visit(&self) -> u32 {
         self.loops - self.inverse().unwrap_or(1)
     }
 
-    /// The sign of a₁₂α.
+    /// The sign of a₁₂α in the region.
     pub fn factor(&self) -> Side {
         if 2 * self.turns <= self.loops { Side::Positive } else { Side::Negative }
     }
 
-    /// The traces between which it lies at all: rotations as at δ = 1, and the slanted sides.
+    /// Traces between which the region must lie: rotations as at δ = 1, and the slanted sides.
     fn bracket(&self, delta: f64) -> [f64; 2] {
         let trace = |x: f64| match x {
             0.0 => 1.0 + delta,
@@ -131,7 +132,8 @@ impl AdmissibilityRegion {
         let step = (high - low) / f64::from(SAMPLES);
         let samples = (0..=SAMPLES).map(|k| low + step * f64::from(k));
         let best = samples.max_by(|a, b| margin(a).total_cmp(&margin(b))).unwrap_or(low);
-        // The least of smooth functions has a kink there: thirds of what is left.
+        // The least of several smooth functions has a kink at its maximum, so the interval shrinks
+        // by thirds.
         let (mut from, mut to) = ((best - step).max(low), (best + step).min(high));
         for _ in 0..HALVINGS {
             let third = (to - from) / 3.0;
@@ -143,8 +145,9 @@ impl AdmissibilityRegion {
         candidates.into_iter().max_by(|a, b| margin(a).total_cmp(&margin(b))).unwrap_or(best)
     }
 
-    /// The traces between which it lies at 0 < `delta` < 1, if it reaches down to there, each with the number of the visit that
-    /// touches the wall there; none at a slanted side of the trapesium.
+    /// The traces between which the region lies at 0 < `delta` < 1, if it reaches that far down,
+    /// each with the number of the visit that touches the wall there; `None` for the visit at a
+    /// slanted side of the trapesium.
     pub fn traces(&self, delta: f64) -> Option<[(f64, Option<u32>); 2]> {
         let middle = self.deepest(delta);
         let margin = |tau: f64| admissibility_margin(self.loops, tau, delta, self.factor());
@@ -163,7 +166,7 @@ impl AdmissibilityRegion {
         })
     }
 
-    /// The determinant at which it ends; 0 where it reaches all the way down.
+    /// The determinant at the lower end of the region; 0 where it reaches all the way down.
     pub fn lowest_determinant(&self) -> f64 {
         let [left, _] = self.rotations();
         if left == 0.0 || left == 0.5 {

@@ -1,8 +1,8 @@
 //! The auxiliary functions of the trace `tau` and the determinant `delta` that decide which maximal
 //! periodic solutions exist (sections 2.4 and 4.2 and appendix A of the paper).
 //!
-//! Everything here is real arithmetic: the sums over eigenvalues are evaluated by recurrences in
-//! `tau` and `delta`, so double and complex eigenvalues need no special case.
+//! All arithmetic is real: the sums over eigenvalues are evaluated by recurrences in `tau` and
+//! `delta`, so double and complex eigenvalues need no special case.
 
 use core::f64::consts::PI;
 

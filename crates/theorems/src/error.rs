@@ -1,4 +1,4 @@
-//! What can be wrong with an argument.
+//! Errors for arguments outside the domain of a formula.
 
 use thiserror::Error;
 
@@ -32,7 +32,7 @@ pub enum TheoryError {
         /// det(J): zero, or NaN.
         determinant: f64,
     },
-    /// No resonance has a limit map with such numbers.
+    /// No resonance has a limit map with these numbers.
     #[error("no resonance has a limit map with such numbers")]
     NoLimitMap,
     /// The damping ratio lies outside the open interval (0, 1).
@@ -71,16 +71,16 @@ pub enum TheoryError {
         /// The highest forcing frequency of the window.
         highest: f64,
     },
-    /// The window reaches so far down that it holds more resonances than can be listed.
+    /// The window reaches so far down that it contains more resonances than can be listed.
     #[error(
         "the frequency window holds about {count:.3e} resonances with p = {loops}; at most {limit} are listed"
     )]
     TooManyResonances {
         /// The number of loops, p.
         loops: u32,
-        /// About how many resonances of this p lie in the window.
+        /// The approximate number of resonances of this p in the window.
         count: f64,
-        /// How many of one p are listed at most.
+        /// The largest number of resonances of one p that is listed.
         limit: u32,
     },
 }

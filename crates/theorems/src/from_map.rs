@@ -1,6 +1,6 @@
 //! The quantities of section 2 read off the numerical global map of any oscillator.
 //!
-//! Nothing here knows a closed form: the grazing orbit is found by Newton's method on P_global, and
+//! No closed form is used here: the grazing orbit is found by Newton's method on P_global, and
 //! every coefficient is a first or second derivative of P_global. For the linear oscillator the
 //! results agree with [`linear_oscillator`](crate::linear_oscillator).
 
@@ -29,11 +29,12 @@ pub enum GrazingOrbitError {
     },
 }
 
-/// A longer step of Newton's method, in radians and units of the primary parameter, leads nowhere:
-/// all quantities are of order one.
+/// Longest step of Newton's method, in radians and units of the primary parameter: all quantities
+/// are of order one, so a longer one diverges.
 const LONGEST_STEP: f64 = 1e3;
 
-/// Where the grazing curve is at one value of the secondary parameter η, and where it leads.
+/// A point of the grazing curve at one value of the secondary parameter η, with the direction of
+/// the curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GrazingPlace {
     /// z_graz, in radians.
@@ -66,7 +67,7 @@ impl GrazingPlace {
             };
             phase -= step[0];
             primary -= step[1];
-            // Quadratic convergence: after such a step the next is lost in rounding.
+            // Quadratic convergence: the step after one of this size is lost in rounding.
             if step.norm() <= 1e-8 {
                 return Ok(Self { phase, parameters: [primary, eta], slopes: slopes(&map) });
             }
@@ -74,7 +75,7 @@ impl GrazingPlace {
         Err(GrazingOrbitError::NoConvergence { eta, residual })
     }
 
-    /// The place at another value of η, which is near.
+    /// The place at a nearby value of η.
     ///
     /// # Errors
     /// P_global is not defined at an iterate, or there is no convergence.
@@ -134,7 +135,7 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
         Ok(Self { oscillator, phase, slopes: slopes(&map), map })
     }
 
-    /// Where it is on the grazing curve.
+    /// The place of the orbit on the grazing curve.
     pub fn place(&self) -> GrazingPlace {
         GrazingPlace { phase: self.phase, parameters: self.oscillator.parameters(), slopes: self.slopes }
     }
@@ -186,8 +187,8 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
         self.derivative_along(&Vector3::new(self.slopes[0], self.slopes[1], 1.0))
     }
 
-    /// The derivative of A along a tangent (z, μ, η) of the grazing curve, which exists at its
-    /// folds too.
+    /// The derivative of A along a tangent (z, μ, η) of the grazing curve, which exists at folds as
+    /// well.
     pub fn derivative_along(&self, tangent: &Vector3<f64>) -> Matrix2<f64> {
         Matrix2::from_fn(|i, j| {
             let hessian = &self.map.hessians[i];
@@ -195,8 +196,8 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
         })
     }
 
-    /// What vanishes at a resonance, with its derivative along a direction in which A changes by
-    /// `rate`.
+    /// The function that vanishes at a resonance, with its derivative along a direction in which A
+    /// changes at the rate `rate`.
     ///
     /// a₁₂ for p = 1; κ_p = τ − g_p(δ) for p ≥ 2, which is NaN where δ ≤ 0. Paper: eq:gp, section
     /// 2.6.
@@ -224,7 +225,7 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
         Ok(global_iterate::<O, 2>(&self.oscillator, loops, AtRest::new(0.0, self.phase))?.hessians[0][(1, 1)])
     }
 
-    /// Everything that the formulas for c_SN,p and c_PD,p need. Paper: section 2.6.
+    /// All quantities in the formulas for c_SN,p and c_PD,p. Paper: section 2.6.
     ///
     /// a₁₂' for p = 1; for p ≥ 2 κ_p' = τ' − cos(π/p) δ'/√δ.
     ///

@@ -1,4 +1,4 @@
-//! On which side of a generic grazing bifurcation the maximal periodic solutions exist:
+//! The side of a generic grazing bifurcation on which the maximal periodic solutions exist:
 //! theorems 2.2 and 2.3 of the paper (section 2.5).
 
 use crate::admissibility_boundary::admissibility_boundary;
@@ -6,7 +6,7 @@ use crate::auxiliary::detuning;
 use crate::grazing::GrazingPoint;
 use crate::hypothesis::{Condition, HypothesesViolated, Hypothesis, Quantity, Theorem, check};
 
-/// A side of the bifurcation: the sign of a parameter.
+/// A side of the bifurcation, as the sign of a parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Side {
     /// The parameter is negative.
@@ -37,7 +37,7 @@ impl Side {
 /// `th:codim1p` for `p >= 2`.
 ///
 /// The smoothness of `F` and `R` and assumption 2.1 (a periodic orbit that touches the wall once
-/// per period) cannot be seen from numbers at one point and are up to the caller.
+/// per period) cannot be checked with numbers at one point and are up to the caller.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GenericGrazing {
     hypotheses: Vec<Hypothesis>,
@@ -47,10 +47,10 @@ pub struct GenericGrazing {
 impl GenericGrazing {
     /// Checks the hypotheses of theorem 2.2 (for `p = 1`) or 2.3 (otherwise).
     ///
-    /// Theorem 2.2: `(tau, delta)` in the trapesium, `alpha > 0`, `a12 beta != 0`. Theorem 2.3:
-    /// `p >= 2`, `(tau, delta)` in the trapesium, `a12 alpha > 0`, `tau > h_p(delta)`, `beta
-    /// kappa_p != 0`. For both also what the class of systems implies: `omega > 0`, `gamma > 0`,
-    /// `phi > 0`.
+    /// Theorem 2.2: `(tau, delta)` in the trapesium, `alpha > 0`, `a12 beta != 0`. Theorem 2.3: `p
+    /// >= 2`, `(tau, delta)` in the trapesium, `a12 alpha > 0`, `tau > h_p(delta)`, `beta kappa_p
+    /// != 0`. Both also require what the class of systems implies: `omega > 0`, `gamma > 0`, `phi >
+    /// 0`.
     ///
     /// # Errors
     /// [`HypothesesViolated`] names each hypothesis that fails, with its value. `tau > h_p(delta)`

@@ -7,7 +7,7 @@ use crate::auxiliary::{geometric_sum_determinant, lucas_sequence};
 use crate::error::TheoryError;
 use crate::spectrum::LinearisedMap;
 
-/// What the theorems need to know about a grazing point.
+/// The quantities of a grazing point that enter the theorems.
 ///
 /// Paper: section 2, eq. (6) to (8) for the map and eq. (18), `eq:phipsigamma`, for `phi`, `psi`,
 /// `gamma`.
@@ -42,8 +42,8 @@ pub struct VirtualMap {
 }
 
 impl VirtualMap {
-    /// The point `(x, z)` on `Pi`, to leading order, that belongs to the velocity `y` and the phase
-    /// `z` (radians, any origin) on `Sigma`.
+    /// The point `(x, z)` on `Pi`, to leading order, for the velocity `y` and the phase `z`
+    /// (radians, any origin) on `Sigma`.
     pub fn apply(&self, y: f64, z: f64) -> Vector2<f64> {
         Vector2::new(self.x_coefficient * y * y, z + self.z_coefficient * y)
     }
@@ -103,8 +103,8 @@ impl GrazingPoint {
     /// `x^(0) = phi^2 x_hat`, `z^(0) = z_hat - (alpha omega sqrt(2) / sqrt(gamma)) sqrt(x_hat)`.
     /// Paper: section 4, eq. (5) and (6), `eq:Pdisc`.
     ///
-    /// `x_hat`: position on `Pi` beyond the wall, not negative (NaN otherwise: the square root is
-    /// the point of it); `z_hat`: phase, radians, any origin. Returns `(x^(0), z^(0))`.
+    /// `x_hat`: position on `Pi` beyond the wall, not negative (NaN otherwise, because of the
+    /// square root); `z_hat`: phase, radians, any origin. Returns `(x^(0), z^(0))`.
     pub fn discontinuity_map(&self, x_hat: f64, z_hat: f64) -> Vector2<f64> {
         let square_root = (2.0 * x_hat / self.gamma).sqrt();
         Vector2::new(self.phi * self.phi * x_hat, z_hat - self.alpha() * self.forcing_frequency * square_root)
@@ -149,7 +149,7 @@ impl GrazingPoint {
         self.map.iterate(p).transversality()
     }
 
-    /// The same determinant as the product of `beta` and a factor that is positive in the
+    /// The determinant `det(K)` as the product of `beta` and a factor that is positive in the
     /// trapesium.
     ///
     /// `det(K) = beta (1 - lambda_1^p) (1 - lambda_2^p) / ((1 - lambda_1) (1 - lambda_2))`. Paper:
@@ -195,7 +195,7 @@ impl GrazingPoint {
 /// The first-order terms in `mu` of a `p`-loop maximal periodic solution near a generic grazing
 /// bifurcation.
 ///
-/// Made by [`GrazingPoint::emerging_orbit`].
+/// Computed by [`GrazingPoint::emerging_orbit`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EmergingOrbit {
     map: LinearisedMap,

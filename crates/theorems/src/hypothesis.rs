@@ -1,11 +1,12 @@
-//! Hypotheses of the theorems: a named quantity, the value it has, and what the theorem asks of it.
+//! Hypotheses of the theorems: a named quantity, its value, and the condition that the theorem
+//! imposes on it.
 
 use core::fmt;
 
 use thiserror::Error;
 
-/// Enumerations that are shown in words, each variant with its own, and what more there is to say
-/// of it.
+/// Defines enumerations that are displayed in words: each variant with its own words, and an
+/// optional comment.
 macro_rules! shown {
     ($($(#[$meta:meta])* $name:ident { $($(#[$doc:meta])* $variant:ident = $words:literal,)+ })+) => {$(
         $(#[$meta])*
@@ -33,7 +34,7 @@ shown! {
         ResonantMultiLoop = "theorem 2.5 (resonant grazing, p >= 2)",
     }
 
-    /// A quantity about which a theorem makes a hypothesis; shown as its symbol.
+    /// A quantity about which a theorem makes a hypothesis; displayed as its symbol.
     Quantity {
         /// The number of loops.
         Loops = "p",
@@ -66,7 +67,7 @@ shown! {
     }
 }
 
-/// What a theorem asks of a quantity.
+/// A condition that a theorem imposes on a quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Condition {
     /// At least this number.
@@ -75,21 +76,21 @@ pub enum Condition {
     Positive,
     /// Finite and not zero.
     NonZero,
-    /// Zero, as far as floating-point numbers can say: its modulus is at most `tolerance`.
+    /// Zero to the accuracy of floating-point numbers: the modulus is at most `tolerance`.
     Zero {
         /// The largest modulus that counts as zero.
         tolerance: f64,
     },
 }
 
-/// A quantity, its value, and what the theorem asks of it.
+/// A quantity, its value, and the condition that the theorem imposes on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hypothesis {
     /// The quantity.
     pub quantity: Quantity,
-    /// The value it has.
+    /// The value of the quantity.
     pub value: f64,
-    /// What the theorem asks.
+    /// The condition that the theorem imposes.
     pub condition: Condition,
 }
 
@@ -106,8 +107,8 @@ impl Hypothesis {
         Self::new(quantity, value, Condition::NonZero)
     }
 
-    /// The same with the quantity counted in other units, of which one of the present ones is
-    /// `unit`.
+    /// The hypothesis with the quantity in other units: one of the present units is `unit` of the
+    /// new ones.
     pub fn in_units_of(&self, unit: f64) -> Self {
         let condition = match self.condition {
             Condition::Zero { tolerance } => Condition::Zero { tolerance: tolerance * unit },
@@ -116,7 +117,7 @@ impl Hypothesis {
         Self { value: self.value * unit, condition, ..*self }
     }
 
-    /// What the theorem asks, as "a12 alpha > 0".
+    /// The condition as text, such as "a12 alpha > 0".
     pub fn statement(&self) -> String {
         let quantity = self.quantity;
         match self.condition {
@@ -127,7 +128,7 @@ impl Hypothesis {
         }
     }
 
-    /// Whether the value is as the theorem asks; NaN never is.
+    /// Whether the value satisfies the condition; NaN never does.
     pub fn holds(&self) -> bool {
         self.value.is_finite()
             && match self.condition {
@@ -150,8 +151,8 @@ impl fmt::Display for Hypothesis {
     }
 }
 
-/// The answer when a theorem says nothing about a point: the theorem and all of its hypotheses, of
-/// which at least one fails.
+/// The reason why a theorem does not apply to a point: the theorem and all of its hypotheses, at
+/// least one of which fails.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{theorem} does not apply: it needs {}", list(self.violated()))]
 pub struct HypothesesViolated {
@@ -172,7 +173,7 @@ fn list<'a>(hypotheses: impl Iterator<Item = &'a Hypothesis>) -> String {
     hypotheses.map(ToString::to_string).collect::<Vec<_>>().join("; ")
 }
 
-/// The hypotheses back if all of them hold, otherwise the answer that names those that fail.
+/// Returns the hypotheses if all of them hold, otherwise an error that names those that fail.
 pub(crate) fn check(
     theorem: Theorem,
     hypotheses: Vec<Hypothesis>,

@@ -13,8 +13,8 @@
 //! A^k,   b_k,   a12' (a11^k - a22^k) / (a11 - a22),   xi_k,
 //! ```
 //!
-//! as far as curves and stability go. What the iterate does not know of is the wall: the MPS must
-//! not reach it at the visits x⁽ʲ⁾ to Π, 0 < j < k. To leading order these are
+//! as far as curves and stability go. The iterate does not include the wall: the MPS must not reach
+//! it at the visits x⁽ʲ⁾ to Π, 0 < j < k. To leading order these are
 //!
 //! ```text
 //! theta_0 = -alpha omega y / ((1 - a22^k) gamma),     theta_(j+1) = a22 theta_j,
@@ -22,15 +22,16 @@
 //! ```
 //!
 //! where theta is the phase less z_graz(η), and μ = k₂ y² + k₃ η y on the branch: each x⁽ʲ⁾ is y
-//! times a linear form in y and η ([`VisitHeight`]). Stability is a pair of such forms, too. So
+//! times a linear form in y and η ([`VisitHeight`]). Stability is a pair of such forms as well. So
 //! on either side of η the stable, admissible MPSs of k loops, if there are any, are those with
 //! y/|η| in one interval ([`IteratedResonance::emerging`]), bounded by curves that all leave the
-//! resonance, tangent to the grazing curve: between them lies a region however thin.
+//! resonance, tangent to the grazing curve: between them lies a region, however thin.
 //!
 //! # Closed forms
 //!
-//! Count as in [`limit_map`](crate::limit_map): y = hY, x = h²X/(2γ), μ = h²M/(2γb₁), with r = aφ² and phases V after the
-//! recoil; impacts have mY > 0, m = sgn h. Between impacts V goes on to dV and X to aX + kV² + 2V + M.
+//! Scale as in [`limit_map`](crate::limit_map): y = hY, x = h²X/(2γ), μ = h²M/(2γb₁), with r = aφ²
+//! and phases V after the recoil; impacts have mY > 0, m = sgn h. Between impacts V goes on to dV
+//! and X to aX + kV² + 2V + M.
 //!
 //! *Two loops, any oscillator.* V = −Y/(1 − d²), and X₂ = Y² eliminates M:
 //!
@@ -43,7 +44,8 @@
 //! c_2GZ ([`doubled_grazing_coefficient`](ResonantPoint::doubled_grazing_coefficient)). They are stable from αω(a + d)a₁₂'/s₂^∓ on: on
 //! that side the PD curve bounds them if a + d > 0, the SN curve if not.
 //!
-//! *Any k, linear oscillator.* a = d = σ, and the k-th iterate has σᵏ in the place of σ, and kσᵏ⁻¹h in that of h:
+//! *Any k, linear oscillator.* a = d = σ, and for the k-th iterate σ is replaced by σᵏ and h by
+//! kσᵏ⁻¹h:
 //!
 //! ```text
 //! V = −Y/(1 − σᵏ),   M = (1 − σ)/(1 − σᵏ)² ((1 + εσᵏ)² Y² + 2kσᵏ⁻¹ Y),
@@ -89,23 +91,23 @@ pub struct VisitHeight {
     pub by_eta: f64,
 }
 
-/// Where the stable, admissible MPSs that leave a resonance end.
+/// The event at which the stable, admissible MPSs that leave a resonance end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Boundary {
-    /// At a saddle-node bifurcation.
+    /// A saddle-node bifurcation.
     SaddleNode,
-    /// Where a multiplier is −1.
+    /// A multiplier of −1.
     PeriodDoubling,
-    /// Where the visit of this number touches the wall.
+    /// The visit of this number touches the wall.
     Visit(u32),
 }
 
 /// An end of an interval of impact velocities.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VelocityBound {
-    /// What happens there.
+    /// The event at this end.
     pub boundary: Boundary,
-    /// The impact velocity there per unit of η; it has the sign of the side of η.
+    /// The impact velocity at this end per unit of η; it has the sign of the side of η.
     pub velocity_slope: f64,
 }
 
@@ -117,8 +119,8 @@ pub struct EmergingSolutions {
     pub side: Side,
     /// The least impact velocity.
     pub slowest: VelocityBound,
-    /// The greatest one; none where faster ones are stable and admissible as far as leading terms
-    /// tell.
+    /// The greatest impact velocity; `None` where faster solutions are stable and admissible to
+    /// leading order.
     pub fastest: Option<VelocityBound>,
 }
 
@@ -131,8 +133,8 @@ pub struct IteratedResonance {
 }
 
 impl IteratedResonance {
-    /// What the k = `loops` ≥ 1 loop MPSs do at the one-loop resonance `resonance`, where a₁₂ = 0 is
-    /// taken for granted.
+    /// The k = `loops` ≥ 1 loop MPSs near the one-loop resonance `resonance`, to leading order; a₁₂
+    /// = 0 is not checked.
     pub fn new(resonance: &ResonantPoint, loops: u32) -> Self {
         let GrazingPoint { map, forcing_frequency, gamma, phi, .. } = resonance.grazing;
         let (a11, a22) = (map.a.m11, map.a.m22);
@@ -166,8 +168,8 @@ impl IteratedResonance {
         Self { loops, point, visits }
     }
 
-    /// The k-loop MPSs of a linear oscillator with this σ and ε, counted as in the limit map: velocities per η are Y, parameters
-    /// per η² are M, and the sign of η is m.
+    /// The k-loop MPSs of a linear oscillator with this σ and ε, in the scales of the limit map:
+    /// velocities per η are Y, parameters per η² are M, and the sign of η is m.
     pub fn of_linear_oscillator(loops: u32, sigma: f64, epsilon: f64) -> Self {
         let map = LinearisedMap { a: Matrix2::from_diagonal_element(sigma), b: Vector2::new(0.5, 0.0) };
         let grazing = GrazingPoint { map, forcing_frequency: 1.0, gamma: 1.0, phi: epsilon, psi: 0.0 };
@@ -184,8 +186,8 @@ impl IteratedResonance {
         self.loops
     }
 
-    /// The same resonance as one of the k-th iterate of P_global, with one loop: what Theorem 2.4
-    /// asks about.
+    /// The resonance as a one-loop resonance of the k-th iterate of P_global, to which Theorem 2.4
+    /// applies.
     pub fn point(&self) -> &ResonantPoint {
         &self.point
     }
@@ -202,10 +204,10 @@ impl IteratedResonance {
 
     /// The stable, admissible MPSs, for either side of η on which there are some.
     ///
-    /// With V = y/|η| they are those at which s⁺V < ±αω a₁₂', s⁻V > ±αω a₁₂' (section 5, after
+    /// In terms of V = y/|η|, they satisfy s⁺V < ±αω a₁₂', s⁻V > ±αω a₁₂' (section 5, after
     /// `eq:Upsilon1`, with the quantities of the iterate), and all visits lie before the wall. As V
-    /// tends to zero one of the first two fails, so that there is a least velocity. None where b₁ =
-    /// 0, or for a map that is not contracting.
+    /// tends to zero one of the first two conditions fails, so that there is a least velocity.
+    /// Empty where b₁ = 0, or for a map that is not contracting.
     pub fn emerging(&self) -> Vec<EmergingSolutions> {
         let contracting = self.point.grazing.map.determinant().abs() < 1.0;
         let sides = [Side::Negative, Side::Positive].into_iter();
@@ -216,7 +218,7 @@ impl IteratedResonance {
         let stability = self.point.stability_coefficients();
         let grazing = &self.point.grazing;
         let turn = grazing.alpha() * grazing.forcing_frequency * self.point.off_diagonal_slope();
-        // Linear forms in V and the sign of η that are positive where all is well.
+        // Linear forms in V and the sign of η that are positive where the condition holds.
         let stable = [
             (Boundary::SaddleNode, -stability.plus, turn),
             (Boundary::PeriodDoubling, stability.minus, -turn),
@@ -233,11 +235,11 @@ impl IteratedResonance {
             }
             let faster = |known: &VelocityBound| known.velocity_slope.abs() > velocity;
             match (by_velocity > 0.0, velocity > 0.0) {
-                // Well at all velocities.
+                // The condition holds at all velocities.
                 (true, false) => {}
                 (true, true) => slowest = Some(slowest.filter(faster).unwrap_or(bound)),
                 (false, true) => fastest = Some(fastest.filter(|known| !faster(known)).unwrap_or(bound)),
-                // At none.
+                // The condition holds at no velocity.
                 (false, false) => return None,
             }
         }
@@ -248,8 +250,9 @@ impl IteratedResonance {
     }
 }
 
-/// The right-hand side less the left-hand one of the condition on which stable, admissible MPSs of k = `loops` ≥ 2 loops leave the
-/// resonances with σ > 0 of a linear oscillator with 0 < ε ≤ 1: 2(1 − εσᵏ)²(k − 1 − kσ + σᵏ) − kσ(1 − (1 + ε)σᵏ⁻¹ + εσᵏ)².
+/// The right-hand side minus the left-hand side of the condition on which stable, admissible MPSs
+/// of k = `loops` ≥ 2 loops leave the resonances with σ > 0 of a linear oscillator with 0 < ε ≤ 1:
+/// 2(1 − εσᵏ)²(k − 1 − kσ + σᵏ) − kσ(1 − (1 + ε)σᵏ⁻¹ + εσᵏ)².
 pub fn last_visit_margin(loops: u32, sigma: f64, epsilon: f64) -> f64 {
     let k = f64::from(loops);
     let before = libm::pow(sigma, k - 1.0);

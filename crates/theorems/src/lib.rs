@@ -2,13 +2,13 @@
 //!
 //! "The paper" is D. J. W. Simpson and I. Ghosh, *Resonant grazing bifurcations revisited*, arXiv
 //! 2602.22797. Every formula of its sections 2 and 3, and those of section 4, section 5 and the
-//! appendices that they rest on, is one public function, named by its meaning; its docs say which
-//! label it is. Equation numbers start anew in each section of the paper, so they are cited with
-//! the section. The crate reads and writes nothing and holds no parameter values.
+//! appendices on which they depend, is one public function, named by its meaning; its docs cite the
+//! label. Equation numbers restart in each section of the paper, so they are cited with the
+//! section. The crate does no I/O and contains no parameter values.
 //!
 //! A theorem is a type, [`GenericGrazing`] or [`ResonantGrazing`], of which a value exists only if
 //! the hypotheses hold; it keeps them, with their values, and gives the conclusion. When a
-//! hypothesis fails, the answer is a [`HypothesesViolated`] that names it.
+//! hypothesis fails, the result is a [`HypothesesViolated`] error that names it.
 //!
 //! ```
 //! use grazing_theorems::{LinearOscillator, ResonantGrazing};
@@ -42,12 +42,12 @@
 //! and the stability of its zeros in crate `grazing_continuation`. `expected/claims.toml` names the
 //! functions of every label, which tests look up: `cargo xtask claims eq:gp --explain`.
 //!
-//! # Where the code departs from the print
+//! # Where the code departs from the paper
 //!
-//! Misprints stand in `ERRATA.md`, each with the computation that decides it. Here they concern
-//! `s_p^+-` in `eq:impFormulap`; `f_p`, and `a12'` in `eq:yT1`, which are derivatives along the
-//! grazing curve ([`ResonantPoint::off_diagonal_slope`]); and the condition of `eq:Sp2`, which the
-//! functions here do not need.
+//! Misprints are listed in `ERRATA.md`, each with the computation that decides it. Those relevant
+//! here are in `s_p^+-` in `eq:impFormulap`; `f_p`, and `a12'` in `eq:yT1`, which are derivatives
+//! along the grazing curve ([`ResonantPoint::off_diagonal_slope`]); and the condition of `eq:Sp2`,
+//! which the functions here do not need.
 
 pub mod admissibility_boundary;
 pub mod admissibility_region;

@@ -4,8 +4,8 @@
 //! # Derivation
 //!
 //! An orbit is followed from impact to impact. Let y be the impact velocity and w = z⁽⁰⁾ − z_graz,η
-//! the phase of the virtual maximum before the recoil (Fig. 9 of the paper). Section 5 has what
-//! happens in p loops if y, w and η are of one order and x⁽⁰⁾, μ of its square:
+//! the phase of the virtual maximum before the recoil (Fig. 9 of the paper). Section 5 describes
+//! the p loops if y, w and η are of one order and x⁽⁰⁾, μ of its square:
 //!
 //! 1. x⁽⁰⁾ = φ² y²/(2γ), by `eq:x0z0`.
 //! 2. x⁽ᵖ⁾ = a x⁽⁰⁾ + b₁ₚ μ + f_p η w + ½ ξ_p w² and z⁽ᵖ⁾ = z_graz,η + d w, by `eq:codim21proof1` and
@@ -16,23 +16,23 @@
 //!    `eq:xHatzHat`. So y'² = 2γ x⁽ᵖ⁾.
 //! 4. After it, by `eq:x0z0`, w' = z' − z_graz,η + ω(1 − α)y'/γ = d w − αωy'/γ.
 //!
-//! Now let h = αω f_p η, and count y = h Y, w = (αω/γ) h V, μ = h²/(2γ b₁ₚ) M ([`LimitScale`]). With
-//! r = aφ² and k = α²ω² ξ_p/γ all else cancels:
+//! Now let h = αω f_p η, and scale y = h Y, w = (αω/γ) h V, μ = h²/(2γ b₁ₚ) M ([`LimitScale`]).
+//! With r = aφ² and k = α²ω² ξ_p/γ all else cancels:
 //!
 //! ```text
 //! Y'² = r Y² + k V² + 2 V + M,     V' = d V − Y'.
 //! ```
 //!
-//! This is the limit map ([`LimitMap`]); the system's own is as near to it as a constant times η
-//! while velocities stay away from 0. The side of the resonance, m = sgn h, is in Y: impacts have
-//! m Y > 0. (Counted in |h|, impacts have Y > 0 on both sides, and 2V becomes 2mV.)
+//! This is the limit map ([`LimitMap`]); the system's own map differs from it by at most a constant
+//! times η while velocities stay away from 0. The side of the resonance, m = sgn h, is in Y:
+//! impacts have m Y > 0. (Scaled with |h|, impacts have Y > 0 on both sides, and 2V becomes 2mV.)
 //!
 //! **Admissibility**, to leading order. The map holds as long as Y'² > 0, or else the wall is not
-//! reached after p loops; and for p ≥ 2 as long as the visits in between stay before the wall: x⁽ʲ⁾ =
-//! a₁₂ S_j w + O(η²) by `eq:admp9`, with S_j > 0, so all do as long as m V < 0, as a₁₂α > 0. For p =
-//! 1 there are no visits in between; motion that misses the wall goes on by line 2 with x⁽¹⁾ in the place
-//! of x⁽⁰⁾ and may come back: with x = h²/(2γ) X at visits, X' = aX₀ + kV² + 2V + M, where X₀ = X and V
-//! goes on to dV as long as X < 0, and X₀ = φ²X and V is less by Y = m√X where X > 0.
+//! reached after p loops; and for p ≥ 2 as long as the visits in between stay before the wall: x⁽ʲ⁾
+//! = a₁₂ S_j w + O(η²) by `eq:admp9`, with S_j > 0, so all do as long as m V < 0, as a₁₂α > 0. For
+//! p = 1 there are no visits in between; motion that misses the wall goes on by line 2 with x⁽¹⁾
+//! instead of x⁽⁰⁾ and may come back: with x = h²/(2γ) X at visits, X' = aX₀ + kV² + 2V + M, where
+//! X₀ = X and V goes on to dV as long as X < 0, and X₀ = φ²X and V is less by Y = m√X where X > 0.
 //!
 //! **The linear oscillator** has a = d = σ, σ = −E_p but for p = 1 and even n, where σ = E₁; γ = ω²,
 //! α = 1 + ε, ξ_p = σ² − σ by `eq:xi1proof2` and `eq:xipproof2`. So it has two numbers, σ and ε: r =
@@ -74,7 +74,8 @@
 //! s⁺ = −(1 + q)²,  s⁻ = (1 − q)²,  C = (1 − q)(1 + 3σ + 3q + σq).
 //! ```
 //!
-//! Where C = 0 all two-impact orbits sit at one M: what they do then is of the next order in η.
+//! Where C = 0 all two-impact orbits are at one M: their behaviour is then decided by the next
+//! order in η.
 //!
 //! *Grazing of two-impact orbits.* For p = 1 one of the impacts loses its velocity: g = 2/((1 + d)s⁻).
 //! For p ≥ 2 velocities are dV₂ − V₁ with d < 0, so that a phase reaches 0 first: g = 2/((1 − d)s⁻). There
@@ -107,15 +108,15 @@ impl<T: Num + Neg<Output = T> + Copy> Number for T {}
 /// An impact in the limit: velocity Y and phase V after the recoil.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LimitImpact<T = f64> {
-    /// Y, of the sign of the side of the resonance.
+    /// The velocity Y, with the sign of the side of the resonance.
     pub velocity: T,
-    /// V.
+    /// The phase V.
     pub phase: T,
 }
 
 /// The map (Y, V) ↦ (Y', V') with Y'² = r Y² + k V² + 2 V + M, V' = d V − Y'.
 ///
-/// Numbers may be exact (rational) as well as floating-point ones. All are dimensionless.
+/// Numbers may be exact (rational) as well as floating-point. All are dimensionless.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LimitMap<T = f64> {
     loops: u32,
@@ -153,7 +154,7 @@ impl<T: Number> LimitMap<T> {
         let (zero, one) = (T::zero(), T::one());
         let map = Self { loops, r, k, d };
         let turns = -one < d && d < one && (loops == 1 || (loops > 1 && d < zero));
-        // False of what is not a number.
+        // The comparison is false for NaN.
         let simple = map.stability().into_iter().all(|s| square(s) > zero);
         if turns && simple && square(r * d) != one { Ok(map) } else { Err(TheoryError::NoLimitMap) }
     }
@@ -172,23 +173,23 @@ impl<T: Number> LimitMap<T> {
         if epsilon > T::zero() { Ok(map) } else { Err(TheoryError::NoLimitMap) }
     }
 
-    /// r, k and d.
+    /// The numbers r, k and d.
     pub fn numbers(&self) -> [T; 3] {
         [self.r, self.k, self.d]
     }
 
-    /// Y'²; impacts follow where it is positive.
+    /// Y'², the square of the next impact velocity; there is a next impact where it is positive.
     pub fn next_square(&self, parameter: T, from: LimitImpact<T>) -> T {
         let LimitImpact { velocity, phase } = from;
         self.r * square(velocity) + self.k * square(phase) + phase + phase + parameter
     }
 
-    /// V' from Y'.
+    /// The next phase V' from the next velocity Y'.
     pub fn next_phase(&self, from: LimitImpact<T>, velocity: T) -> T {
         self.d * from.phase - velocity
     }
 
-    /// s⁺ and s⁻, (1 ∓ d)(r ∓ 1) + k/(1 − d). Paper: `eq:c1`, `eq:cp`.
+    /// The coefficients s⁺ and s⁻, (1 ∓ d)(r ∓ 1) + k/(1 − d). Paper: `eq:c1`, `eq:cp`.
     pub fn stability(&self) -> [T; 2] {
         let one = T::one();
         let Self { r, k, d, .. } = *self;
@@ -196,7 +197,7 @@ impl<T: Number> LimitMap<T> {
         [(one - d) * (r - one) + bend, (one + d) * (r + one) + bend]
     }
 
-    /// The fixed point with a velocity, and the M at which it is one.
+    /// The fixed point with a given velocity, and the M at which it is one.
     pub fn fixed_point(&self, velocity: T) -> (LimitImpact<T>, T) {
         let [plus, _] = self.stability();
         let turn = T::one() - self.d;
@@ -204,7 +205,7 @@ impl<T: Number> LimitMap<T> {
         (LimitImpact { velocity, phase: -velocity / turn }, parameter)
     }
 
-    /// Trace and determinant of the derivative at the fixed point with a velocity.
+    /// Trace and determinant of the derivative at the fixed point with a given velocity.
     pub fn multipliers(&self, velocity: T) -> [T; 2] {
         let Self { r, k, d, .. } = *self;
         [r + d + k / (T::one() - d) - T::one() / velocity, r * d]
@@ -222,19 +223,19 @@ impl<T: Number> LimitMap<T> {
         [velocity, self.fixed_point(velocity).1]
     }
 
-    /// C: M of two-impact orbits is M_PD + ¼ C g².
+    /// The coefficient C: M of two-impact orbits is M_PD + ¼ C g².
     pub fn bend_of_doubled(&self) -> T {
         let one = T::one();
         (one - self.r) * square(one + self.d) - self.k
     }
 
-    /// M of the two-impact orbits whose phases lie g apart, from g².
+    /// The M of the two-impact orbits whose phases lie g apart, from g².
     pub fn doubled_parameter(&self, squared_gap: T) -> T {
         self.period_doubling()[1] + half(half(self.bend_of_doubled() * squared_gap))
     }
 
-    /// The impacts of the two-impact orbit whose phases lie g apart, first the one of the greater phase
-    /// if g > 0.
+    /// The impacts of the two-impact orbit whose phases lie g apart; if g > 0, the one with the
+    /// greater phase comes first.
     pub fn doubled_impacts(&self, gap: T) -> [LimitImpact<T>; 2] {
         let middle = -self.period_doubling()[0] / (T::one() - self.d);
         let [one, other] = [middle + half(gap), middle - half(gap)];
@@ -242,14 +243,14 @@ impl<T: Number> LimitMap<T> {
         [impact(other, one), impact(one, other)]
     }
 
-    /// T of the two-impact orbit whose phases lie g apart.
+    /// The trace T of the two-impact orbit whose phases lie g apart.
     pub fn doubled_trace(&self, gap: T) -> T {
         let Self { r, k, d, .. } = *self;
         let impacts = self.doubled_impacts(gap);
         // Half the derivative of Y'² by V, from each impact to the next.
         let [g_1, g_2] = impacts.map(|impact| k * impact.phase + T::one());
         let [y_1, y_2] = impacts.map(|impact| impact.velocity);
-        // Of the product of (rY/Y', g/Y'; −rY/Y', d − g/Y') over both.
+        // The trace of the product of (rY/Y', g/Y'; −rY/Y', d − g/Y') over both impacts.
         square(r) + (d - g_1 / y_2) * (d - g_2 / y_1) - r * (g_2 / y_2 + g_1 / y_1)
     }
 
@@ -260,9 +261,9 @@ impl<T: Number> LimitMap<T> {
         (velocity + velocity) / if self.loops == 1 { one + self.d } else { one - self.d }
     }
 
-    /// g² where the two-impact orbit doubles its period, by (1 + T + r²d²) Y₁Y₂ = 0:
-    /// 2 (1 + r²d²)/s⁻² over ½ (1 + r²d²)(1 + d)² − ¼ (1 − d)s⁻ C. An orbit is there before it grazes
-    /// if that is positive and less than the squared [`grazing_gap`](Self::grazing_gap).
+    /// g² where the two-impact orbit doubles its period, by (1 + T + r²d²) Y₁Y₂ = 0: 2 (1 +
+    /// r²d²)/s⁻² over ½ (1 + r²d²)(1 + d)² − ¼ (1 − d)s⁻ C. The orbit doubles before it grazes if
+    /// that is positive and less than the squared [`grazing_gap`](Self::grazing_gap).
     pub fn second_doubling(&self) -> T {
         let one = T::one();
         let [_, minus] = self.stability();
@@ -277,7 +278,8 @@ impl<T: Number> LimitMap<T> {
         self.doubled_parameter(gap * gap)
     }
 
-    /// M at which the two-impact orbits double their period, if they do before they graze.
+    /// M at which the two-impact orbits double their period; `None` unless they do so before they
+    /// graze.
     pub fn doubled_doubling(&self) -> Option<T>
     where
         T: PartialOrd,
@@ -286,8 +288,8 @@ impl<T: Number> LimitMap<T> {
         (T::zero() < at && at < gap * gap).then(|| self.doubled_parameter(at))
     }
 
-    /// y² c of the period doubling's normal form, with λs + cs³ counted in the impact velocity:
-    /// −(1 − d)s⁻C/(4(1 + d)²(1 − r²d²)). Positive: supercritical.
+    /// The coefficient y² c of the period doubling's normal form λs + cs³, with s measured in the
+    /// impact velocity: −(1 − d)s⁻C/(4(1 + d)²(1 − r²d²)). Positive: supercritical.
     ///
     /// By M = M_PD + ¼Cg² and Y₁ − Y₂ = −(1 + d)g, or from the map's derivatives up to the third.
     pub fn criticality(&self) -> T {
@@ -299,7 +301,8 @@ impl<T: Number> LimitMap<T> {
 }
 
 impl LimitMap {
-    /// For p = 1 the next visit (X, V), before its recoil if it is an impact, X > 0, or misses the wall; `entry` is a₁₁.
+    /// The next visit (X, V) for p = 1, before its recoil: an impact if X > 0, otherwise a miss of
+    /// the wall; `entry` is a₁₁.
     pub fn next_visit(
         &self,
         side: Side,
@@ -315,9 +318,9 @@ impl LimitMap {
     /// The next impact.
     ///
     /// # Errors
-    /// Why the map does not hold for this flight; `from` has to be on the side.
+    /// The reason why the map does not hold for this flight; `from` has to be on the side.
     pub fn step(&self, side: Side, parameter: f64, from: LimitImpact) -> Result<LimitImpact, Departure> {
-        // What is not a number has departed as well.
+        // NaN counts as departed as well.
         let before_the_wall = self.loops == 1 || from.phase * side.signum() < 0.0;
         let next = self.next_square(parameter, from);
         match (before_the_wall, next > 0.0) {
@@ -331,8 +334,7 @@ impl LimitMap {
     }
 }
 
-/// What the limit map's numbers are counted in: y = `velocity` η Y, w = `phase` η V, μ = `parameter` η²
-/// M.
+/// The scales of the limit map: y = `velocity` η Y, w = `phase` η V, μ = `parameter` η² M.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LimitScale {
     /// αω f_p.
@@ -341,23 +343,23 @@ pub struct LimitScale {
     pub phase: f64,
     /// (αω f_p)²/(2γ b₁ₚ).
     pub parameter: f64,
-    /// The impact phase less w, per impact velocity: ω(α − 1)/γ.
+    /// The impact phase minus w, per impact velocity: ω(α − 1)/γ.
     pub lag: f64,
 }
 
 impl LimitScale {
-    /// m: the side of the resonance on which η lies.
+    /// The side m of the resonance on which η lies.
     pub fn side(&self, eta: f64) -> Side {
         Side::of(self.velocity * eta)
     }
 
-    /// The impact (y, z − z_graz,η).
+    /// The impact (y, z − z_graz,η) that corresponds to an impact of the limit map.
     pub fn impact(&self, eta: f64, impact: LimitImpact) -> [f64; 2] {
         let velocity = self.velocity * eta * impact.velocity;
         [velocity, self.phase * eta * impact.phase + self.lag * velocity]
     }
 
-    /// The impact of (y, z − z_graz,η).
+    /// The impact of the limit map that corresponds to the impact (y, z − z_graz,η).
     pub fn limit(&self, eta: f64, [velocity, phase]: [f64; 2]) -> LimitImpact {
         LimitImpact {
             velocity: velocity / (self.velocity * eta),
@@ -367,7 +369,8 @@ impl LimitScale {
 }
 
 impl ResonantPoint {
-    /// a, d and b₁ₚ: the diagonal of Aᵖ at the resonance, and the derivative of x⁽ᵖ⁾ in μ.
+    /// The numbers a, d and b₁ₚ: the diagonal of Aᵖ at the resonance, and the derivative of x⁽ᵖ⁾ in
+    /// μ.
     fn power(&self) -> [f64; 3] {
         let map = &self.grazing.map;
         match self.loops() {
@@ -389,7 +392,7 @@ impl ResonantPoint {
         LimitMap { loops: self.loops(), r: a * phi * phi, k, d }
     }
 
-    /// What its numbers are counted in.
+    /// The scales of the limit map.
     pub fn limit_scale(&self) -> LimitScale {
         let GrazingPoint { forcing_frequency, gamma, .. } = self.grazing;
         let alpha = self.grazing.alpha();
@@ -403,8 +406,8 @@ impl ResonantPoint {
         }
     }
 
-    /// c_2GZ: two-impact orbits, which begin at the period doubling, graze at μ = c_2GZ η² + O(η³), on
-    /// the side of η where the period doubling is.
+    /// The coefficient c_2GZ: two-impact orbits, which begin at the period doubling, graze at μ =
+    /// c_2GZ η² + O(η³), on the side of η where the period doubling is.
     ///
     /// For the linear oscillator, in units of (αω f_p)²/(2γ b₁ₚ) and with q = σε:
     /// 4(1 + 2σ(1 − q + q²) + σ²q²)/((1 − σ)(1 + σ)²(1 − q)⁴) for p = 1, 4(1 − σq²)/((1 − σ)²(1 − q)⁴) for p ≥ 2.

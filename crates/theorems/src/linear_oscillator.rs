@@ -13,9 +13,9 @@ pub use resonance::Resonance;
 
 use crate::error::TheoryError;
 
-/// How many resonances of one `p` are listed at most by [`LinearOscillator::resonances`]. They
+/// The largest number of resonances of one `p` that [`LinearOscillator::resonances`] lists. They
 /// accumulate at frequency zero, where the decay over one period makes their coefficients vanish;
-/// nobody draws so many.
+/// longer lists have no use.
 const LARGEST_LIST: u32 = 100_000;
 
 /// The linear impact oscillator: its damping ratio and its coefficient of restitution.
@@ -29,7 +29,7 @@ impl LinearOscillator {
     /// An oscillator with damping ratio `zeta` in (0, 1) and coefficient of restitution `epsilon`,
     /// positive and finite, both dimensionless.
     ///
-    /// The theorems ask for `phi > 0` only, and the paper speaks of `epsilon = 1 / E_p`, which is
+    /// The theorems require only `phi > 0`, and the paper considers `epsilon = 1 / E_p`, which is
     /// greater than 1.
     ///
     /// # Errors
@@ -77,9 +77,8 @@ impl LinearOscillator {
     /// `omega_1 / omega = n / 2` for `p = 1`, `omega_1 / omega = n + 1 / (2 p)` for `p >= 2`.
     /// Paper: section 3, eq. (12) and (13), `eq:resonance1`, `eq:resonancep` with the plus sign.
     ///
-    /// `p >= 1`. `n >= 1` for `p = 1`; `n >= 0` for `p >= 2`, where proposition 3.3 asks for `n >=
-    /// 1` but nothing in its proof does: `n = 0`, `omega = 2 p omega_1`, is a resonance like the
-    /// others.
+    /// `p >= 1`. `n >= 1` for `p = 1`; `n >= 0` for `p >= 2`, where proposition 3.3 requires `n >=
+    /// 1` but its proof does not: `n = 0`, `omega = 2 p omega_1`, is a resonance like the others.
     ///
     /// # Errors
     /// [`TheoryError::TooFewLoops`], [`TheoryError::ResonanceIndex`] for smaller `p` or `n`.
@@ -141,7 +140,7 @@ impl LinearOscillator {
             if !(count <= f64::from(LARGEST_LIST) && last < f64::from(u32::MAX)) {
                 return Err(TheoryError::TooManyResonances { loops: p, count, limit: LARGEST_LIST });
             }
-            // One index more at either end than the quotients say: membership is decided on the
+            // One index more at either end than the quotients give: membership is decided by the
             // frequency itself.
             let first = (omega_1 / highest / spacing - 1.0).max(0.0) as u32;
             for n in first.max(Resonance::smallest_index(p))..=last as u32 {

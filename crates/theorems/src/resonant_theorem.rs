@@ -39,8 +39,8 @@ impl BifurcationCurve {
 /// A value of this type exists only if the hypotheses hold. Paper: `th:codim21` for `p = 1`,
 /// `th:codim2p` for `p >= 2`.
 ///
-/// The smoothness of `F` and `R` and assumption 2.2 (grazing occurs at `mu = 0` for all `eta`
-/// near 0) cannot be seen from numbers at one point and are up to the caller.
+/// The smoothness of `F` and `R` and assumption 2.2 (grazing occurs at `mu = 0` for all `eta` near
+/// 0) cannot be checked with numbers at one point and are up to the caller.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ResonantGrazing {
     theorem: Theorem,
@@ -56,13 +56,13 @@ impl ResonantGrazing {
     ///
     /// Theorem 2.4: `(tau, delta)` in the trapesium, `alpha > 0`, `beta != 0`, `a12 = 0`, `a12' !=
     /// 0`, `s_1^+- != 0`. Theorem 2.5: `p >= 2`, `(tau, delta)` in the trapesium, `a12 alpha > 0`,
-    /// `beta != 0`, `kappa_p = 0`, `kappa_p' != 0`, `s_p^+- != 0`. For both also what the class of
-    /// systems implies: `omega > 0`, `gamma > 0`, `phi > 0`.
+    /// `beta != 0`, `kappa_p = 0`, `kappa_p' != 0`, `s_p^+- != 0`. Both also require what the class
+    /// of systems implies: `omega > 0`, `gamma > 0`, `phi > 0`.
     ///
     /// `resonance_tolerance` is the largest `|a12|` (`p = 1`, position per radian) or `|kappa_p|`
     /// (`p >= 2`, dimensionless) that counts as zero. It should be the error with which the point
-    /// is known: some 1e-12 for closed forms, the residual that the root-finding leaves otherwise.
-    /// The formulas are evaluated at the given point, so the coefficients are off by an amount
+    /// (`p >= 2`, dimensionless) that counts as zero. It should be the error with which the point
+    /// is known: some 1e-12 for closed forms, otherwise the residual of the root-finding.
     /// proportional to it. Negative or NaN: no point passes.
     ///
     /// # Errors
@@ -120,7 +120,7 @@ impl ResonantGrazing {
         })
     }
 
-    /// Which theorem it is.
+    /// The theorem that applies.
     pub fn theorem(&self) -> Theorem {
         self.theorem
     }
@@ -141,7 +141,7 @@ impl ResonantGrazing {
         self.saddle_node
     }
 
-    /// The curve where a stability multiplier is -1, in generic situations of period-doubling
+    /// The curve where a stability multiplier is -1, generically a curve of period-doubling
     /// bifurcations: `sgn(eta) = sgn(a12' s_1^-)` or `sgn(kappa_p' s_p^-)`.
     pub fn period_doubling(&self) -> BifurcationCurve {
         self.period_doubling

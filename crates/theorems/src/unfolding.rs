@@ -6,9 +6,9 @@ use core::f64::consts::PI;
 use crate::auxiliary::{lucas_partial_sum, modulus_power};
 use crate::grazing::GrazingPoint;
 
-/// Which resonance it is, and how fast the second parameter `eta` moves the system through it.
+/// The type of a resonance, and how fast the second parameter `eta` moves the system through it.
 ///
-/// The derivatives are total ones along the curve of grazing bifurcations: the grazing phase
+/// The derivatives are total derivatives along the curve of grazing bifurcations: the grazing phase
 /// `z_graz` varies with `eta` and is followed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unfolding {
@@ -20,10 +20,10 @@ pub struct Unfolding {
     pub derivative: f64,
 }
 
-/// A resonant grazing bifurcation and what is needed to unfold it.
+/// A resonant grazing bifurcation and the quantities that unfold it.
 ///
-/// The methods evaluate the formulas of the paper as they stand and check nothing; the hypotheses
-/// under which they mean something are checked by
+/// The methods evaluate the formulas of the paper as printed and check nothing; the hypotheses
+/// under which they are meaningful are checked by
 /// [`ResonantGrazing`](crate::resonant_theorem::ResonantGrazing). Where a denominator is zero
 /// (`s^+- = 0`, `beta = 0`) the result is infinite or NaN.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,7 +33,7 @@ pub struct ResonantPoint {
     /// `xi_p = d^2 P_global,1^p / d z^2` at the grazing point; section 2, eq. (19), `eq:xi`.
     /// Position per radian squared.
     pub second_phase_derivative: f64,
-    /// Which resonance it is, and its derivative in `eta`.
+    /// The type of the resonance, and its derivative in `eta`.
     pub unfolding: Unfolding,
 }
 

@@ -11,7 +11,7 @@ use crate::spectrum::LinearisedMap;
 
 /// The linear oscillator at the grazing bifurcation of its non-impacting periodic solution.
 ///
-/// Made by [`LinearOscillator::grazing`]. All quantities are non-dimensional.
+/// Computed by [`LinearOscillator::grazing`]. All quantities are non-dimensional.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GrazingState {
     oscillator: LinearOscillator,
@@ -43,10 +43,11 @@ impl GrazingState {
         libm::hypot(self.stiffness_deficit(), 2.0 * self.oscillator.zeta * self.omega)
     }
 
-    /// The oscillator with this forcing, so that it can be moved, simulated and continued.
+    /// The oscillator with the forcing amplitude and frequency at grazing, for simulation and
+    /// continuation.
     ///
-    /// The only way from this crate's oscillator, which has no forcing, to that of `grazing_model`,
-    /// which has.
+    /// This is the only conversion from this crate's oscillator, which has no forcing, to that of
+    /// `grazing_model`, which has.
     ///
     /// # Panics
     /// The forcing amplitude is infinite, as it is beyond `omega = 1e154`.
@@ -135,7 +136,7 @@ impl GrazingState {
         (self.determinant() - self.trace() + 1.0) / self.amplitude()
     }
 
-    /// What the theorems need to know about the grazing point.
+    /// The quantities of the grazing point that enter the theorems.
     ///
     /// `phi = epsilon`, `psi = 0`, `gamma = omega^2`, so that `alpha = 1 + epsilon`. Paper: section
     /// 3, eq. (7) and (8), `eq:oscphipsigamma`, `eq:oscalpha`.

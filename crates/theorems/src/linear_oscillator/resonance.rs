@@ -1,5 +1,5 @@
-//! The resonances of the linear oscillator, and the coefficients there as propositions 3.2 and 3.3
-//! print them.
+//! The resonances of the linear oscillator, and the coefficients there as printed in propositions
+//! 3.2 and 3.3.
 
 use core::f64::consts::PI;
 
@@ -10,7 +10,7 @@ use crate::unfolding::{ResonantPoint, StabilityCoefficients, Unfolding};
 /// A resonant grazing bifurcation of the linear oscillator, with `mu = A - A_graz(omega)` and
 /// `eta = omega - omega*`.
 ///
-/// Made by [`LinearOscillator::resonance`] and [`LinearOscillator::resonances`].
+/// Computed by [`LinearOscillator::resonance`] and [`LinearOscillator::resonances`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resonance {
     grazing: GrazingState,
@@ -164,9 +164,9 @@ impl Resonance {
         -numerator * bracket / (denominator * denominator) * self.saddle_node_coefficient()
     }
 
-    /// What the general formulas need: `A`, `b`, `phi`, `psi`, `gamma` of section 3, the second
-    /// derivative `xi_p` in its general form (section B, eq. (6) and (10)), and the derivative that
-    /// unfolds the resonance.
+    /// The arguments of the general formulas: `A`, `b`, `phi`, `psi`, `gamma` of section 3, the
+    /// second derivative `xi_p` in its general form (section B, eq. (6) and (10)), and the
+    /// derivative that unfolds the resonance.
     pub fn resonant_point(&self) -> ResonantPoint {
         ResonantPoint {
             grazing: self.grazing.grazing_point(),
@@ -175,7 +175,7 @@ impl Resonance {
         }
     }
 
-    /// How far the free oscillation turns in `p` forcing periods.
+    /// The rotation of the free oscillation in `p` forcing periods.
     fn rotation(&self) -> Rotation {
         if self.loops == 1 && self.index.is_multiple_of(2) {
             Rotation::WholeTurns
@@ -197,7 +197,7 @@ impl Resonance {
 }
 
 /// The angle by which the free oscillation turns in `p` forcing periods, `2 pi p omega_1 / omega`:
-/// the cosine of it is what distinguishes the formulas for even `n` from the others.
+/// its cosine distinguishes the formulas for even `n` from the others.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Rotation {
     /// An odd number of half turns, cosine -1: `p = 1` with odd `n`, and all `p >= 2`.

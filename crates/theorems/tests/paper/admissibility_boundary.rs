@@ -32,7 +32,7 @@ proptest! {
         let tau = boundary(5, delta);
         let cubic = ((tau + delta) * tau + delta * (delta - 2.0)) * tau + delta * delta * (delta - 1.0);
         let slope = (3.0 * tau + 2.0 * delta) * tau + delta * (delta - 2.0);
-        // One more Newton step moves the root by no more than the roundings of the terms allow.
+        // One more Newton step moves the root by no more than the rounding of the terms.
         prop_assert!((cubic / slope).abs() <= 4e-15 * delta.sqrt());
     }
 }

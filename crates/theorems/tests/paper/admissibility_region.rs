@@ -1,4 +1,4 @@
-//! Where p-loop solutions are admissible over the whole trapesium. Not in the paper.
+//! Regions of admissible p-loop solutions in the whole trapesium. Not in the paper.
 
 use core::f64::consts::PI;
 
@@ -14,7 +14,7 @@ use crate::{assert_within, deterministic};
 
 const SIDES: [Side; 2] = [Side::Positive, Side::Negative];
 
-/// The regions that hold a place of the trapesium.
+/// The number of regions that contain a point of the trapesium.
 fn holding(p: u32, tau: f64, delta: f64, factor: Side) -> usize {
     let holds = |region: &AdmissibilityRegion| {
         let found = region.traces(delta).filter(|_| region.factor() == factor);
@@ -48,7 +48,7 @@ proptest! {
 
     #[test]
     fn without_contraction_solutions_are_admissible_at_closest_returns(p in 2..=40_u32, x in 0.001..0.999_f64) {
-        // Away from fractions of whole numbers, where a margin vanishes.
+        // Away from rational numbers with small denominators, where a margin vanishes.
         let nearest = (1..=p).map(|j| (f64::from(j) * x - libm::round(f64::from(j) * x)).abs());
         prop_assume!(nearest.fold(f64::INFINITY, f64::min) > 1e-4 && (x - 0.5).abs() > 1e-3);
         let factor = Side::of(0.5 - x);
@@ -66,7 +66,7 @@ fn the_region_of_one_turn_is_that_of_theorem_2_3() {
         for delta in [0.05, 0.5, 0.9, 0.999] {
             let [(low, visit), (high, side)] = region.traces(delta).expect("it reaches down to 0");
             assert_within(low, admissibility_boundary(p, delta).expect("in the domain"), 1e-12);
-            // H_p belongs to the last visit but one.
+            // H_p is the condition of the last visit but one.
             assert_eq!((high, visit, side), (1.0 + delta, Some(p - 1), None));
         }
     }
@@ -89,7 +89,7 @@ fn others_lie_beside_the_stable_non_impacting_motion_without_a_resonance() {
             }
         }
         assert!(region.traces(lowest - 1e-9).is_none(), "{region:?}");
-        // There the curve of the one visit that touches turns.
+        // The curve of the visit that touches turns there.
         if lowest > 0.0 {
             let width = |above: f64| region.traces(lowest + above).map(|[from, to]| to.0 - from.0);
             let [near, far] = [1e-9, 4e-9].map(|above| width(above).expect("just above"));

@@ -38,7 +38,7 @@ fn side_of_many_loops_changes_at_the_resonance() {
     let two = GenericGrazing::check(&generic(), 2).expect("the hypotheses hold");
     let three = GenericGrazing::check(&generic(), 3).expect("the hypotheses hold");
     assert_eq!((two.side(), three.side()), (Side::Positive, Side::Negative));
-    // A parameter that counts the other way mirrors both.
+    // Reversing the direction of the parameter mirrors both.
     let mut reversed = generic();
     reversed.map.b = -reversed.map.b;
     assert_eq!(GenericGrazing::check(&reversed, 2).expect("the hypotheses hold").side(), Side::Negative);
@@ -70,7 +70,7 @@ fn each_violated_hypothesis_is_named_alone() {
     let slow = GrazingPoint { psi: 4.0, ..base };
     assert_eq!(violations(&slow, 1), [Quantity::SquareRootFactor]);
     assert_eq!(violations(&slow, 2), [Quantity::OffDiagonalTimesSquareRootFactor]);
-    // a12 < 0 harms only theorem 2.3.
+    // a12 < 0 violates only theorem 2.3.
     let mirrored = with_matrix(Matrix2::new(0.3, -0.4, 0.5, 0.2));
     assert_eq!(violations(&mirrored, 2), [Quantity::OffDiagonalTimesSquareRootFactor]);
     // tau = -1/2 < h_3 = -delta = -0.26
@@ -78,7 +78,7 @@ fn each_violated_hypothesis_is_named_alone() {
         violations(&with_matrix(Matrix2::new(-0.7, 0.4, -1.0, 0.2)), 3),
         [Quantity::AdmissibilityMargin]
     );
-    // The deciding products.
+    // The products that decide the side.
     let mut still = base;
     still.map.b = Vector2::zeros();
     assert_eq!(violations(&still, 1), [Quantity::OffDiagonalTimesTransversality]);

@@ -1,11 +1,12 @@
 //! The algebra of the paper's proofs, for all p at once.
 //!
-//! p enters through symbols: λ₁^p and λ₂^p, or the factors of modulus and argument, E_p, or p itself. What holds for
-//! every p follows by induction from an identity between rational functions of these symbols, and such an identity is
-//! proved by exact fractions: once cleared of its denominators it says that a polynomial is zero, and a polynomial
-//! that is zero at all points of a grid with more values of each variable than its degree in that variable is the
-//! zero polynomial. Grids keep off the zeros of denominators. Trigonometric functions are written with `z = e^{iθ}`;
-//! as identities between Laurent polynomials in z they are tested at rational z.
+//! p enters through symbols: λ₁^p and λ₂^p, or the factors of modulus and argument, E_p, or p
+//! itself. A statement for every p follows by induction from an identity between rational functions
+//! of these symbols, and such an identity is proved by exact fractions: once cleared of its
+//! denominators it states that a polynomial is zero, and a polynomial that is zero at all points of
+//! a grid with more values of each variable than its degree in that variable is the zero
+//! polynomial. Grids avoid the zeros of denominators. Trigonometric functions are written with `z =
+//! e^{iθ}`; as identities between Laurent polynomials in z they are tested at rational z.
 
 use num_rational::Ratio;
 
@@ -15,7 +16,8 @@ fn whole(n: i128) -> Exact {
     Exact::from_integer(n)
 }
 
-/// That both sides agree on a grid, for each variable from its first value on with as many more as its degree.
+/// Checks that both sides agree on a grid, which has for each variable one value more than its
+/// degree, from its first value on.
 fn identity<const N: usize, const M: usize>(
     variables: [(i128, i128); N],
     sides: impl Fn([Exact; N]) -> [[Exact; M]; 2],
@@ -33,30 +35,30 @@ fn identity<const N: usize, const M: usize>(
     }
 }
 
-/// S_p, with λ₁, λ₂ and their p-th powers.
+/// The sum S_p, from λ₁, λ₂ and their p-th powers.
 fn s([a, b]: [Exact; 2], [p, q]: [Exact; 2]) -> Exact {
     (p - q) / (a - b)
 }
 
-/// T_p by eq:Tp3.
+/// The sum T_p by eq:Tp3.
 fn t([a, b]: [Exact; 2], [p, q]: [Exact; 2]) -> Exact {
     let one = whole(1);
     (a - b - (p - q) + b * p - a * q) / ((one - a) * (one - b) * (a - b))
 }
 
-/// H_p by eq:Hp3.
+/// The sum H_p by eq:Hp3.
 fn h([a, b]: [Exact; 2], [p, q]: [Exact; 2]) -> Exact {
     let one = whole(1);
     let (before, last) = ([p / a, q / b], p * q / (a * b));
     (last * (a - b) - (p - q) + (before[0] - before[1])) / ((one - a) * (one - b) * (a - b) * last / (a * b))
 }
 
-/// The powers for p + 1.
+/// The powers for p + 1 from those for p.
 fn next([a, b]: [Exact; 2], [p, q]: [Exact; 2]) -> [Exact; 2] {
     [a * p, b * q]
 }
 
-/// Variables λ₁, λ₂, λ₁^p, λ₂^p, and the degrees that the sums have in them.
+/// The variables λ₁, λ₂, λ₁^p, λ₂^p, each with its first value and the degree of the sums in it.
 const POWERS: [(i128, i128); 4] = [(2, 10), (-13, 10), (14, 5), (-22, 5)];
 
 #[test]
@@ -147,7 +149,7 @@ fn visits_are_as_stated() {
     });
 }
 
-/// 2 i sin and 2 cos of an angle, by `z = e^{iθ}`.
+/// 2 i sin of an angle, by `z = e^{iθ}`.
 fn sine(z: Exact) -> Exact {
     z - whole(1) / z
 }
@@ -206,7 +208,7 @@ fn complex_eigenvalues_give_the_forms_with_sines() {
     });
 }
 
-/// s^±, eq:c1; for p ≥ 2 (eq:cp) both diagonal entries are −δ^(p/2).
+/// The coefficient s^±, eq:c1; for p ≥ 2 (eq:cp) both diagonal entries are −δ^(p/2).
 fn stability([a11, a22, phi, alpha, omega, gamma, xi]: [Exact; 7], sign: Exact) -> Exact {
     let one = whole(1);
     (one - sign * a22) * (a11 * phi * phi - sign) + alpha * alpha * omega * omega * xi / ((one - a22) * gamma)
@@ -215,8 +217,9 @@ fn stability([a11, a22, phi, alpha, omega, gamma, xi]: [Exact; 7], sign: Exact) 
 #[test]
 fn expansions_give_the_coefficients_of_both_curves() {
     let (one, two) = (whole(1), whole(2));
-    // eq:k1231 and, with a₁₁ = a₂₂ = −δ^(p/2), T_p β for b₁ and f_p for a₁₂', eq:k123p: X₁ = X₂ = X₃ = 0, and the
-    // coefficients of y Ψ^± are those of eq:Upsilon1 and eq:Upsilonp.
+    // eq:k1231 and, with a₁₁ = a₂₂ = −δ^(p/2), T_p β instead of b₁ and f_p instead of a₁₂',
+    // eq:k123p: X₁ = X₂ = X₃ = 0, and the coefficients of y Ψ^± are those of eq:Upsilon1 and
+    // eq:Upsilonp.
     let variables = [(3, 2), (2, 4), (1, 2), (2, 4), (1, 3), (1, 4), (1, 1), (1, 1), (1, 1)];
     identity(variables, |[a11, a22, phi, alpha, omega, gamma, xi, b1, slope]| {
         let numbers = [a11, a22, phi, alpha, omega, gamma, xi];

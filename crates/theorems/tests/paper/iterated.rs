@@ -18,7 +18,7 @@ fn whole(n: i32) -> Exact {
     Exact::from_integer(n.into())
 }
 
-/// X at the visits of k loops, the last being the next impact.
+/// The positions X at the visits of k loops; the last is the next impact.
 fn visits(loops: u32, [a, d, k]: [Exact; 3], start: [Exact; 2], parameter: Exact) -> Vec<Exact> {
     let (mut here, mut found) = (start, Vec::new());
     for _ in 0..loops {
@@ -156,8 +156,8 @@ fn one_loop_is_the_case_of_theorem_2_4() {
 
 #[test]
 fn the_last_visit_is_the_next_impact() {
-    // One visit more than there is: x of the point beyond the wall from which the orbit comes to the
-    // impact, y² / (2 gamma), whatever eta is.
+    // One visit more than the MPS has: x of the point beyond the wall from which the orbit comes to
+    // the impact, y² / (2 gamma), for any eta.
     for n in 1..=6 {
         let point = resonance(n);
         for loops in 2..=5 {

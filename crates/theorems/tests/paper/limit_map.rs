@@ -10,7 +10,7 @@ use proptest::prelude::*;
 
 use crate::{assert_close, assert_within, deterministic};
 
-/// Exact fractions: what holds at so many of them, of numbers drawn at random, is an identity.
+/// Exact fractions: a relation that holds at this many of them, drawn at random, is an identity.
 type Exact = Ratio<i128>;
 
 fn whole(n: i128) -> Exact {
@@ -26,7 +26,7 @@ fn share() -> impl Strategy<Value = Exact> {
     (1..=6_i128).prop_flat_map(|n| (n + 1..=7).prop_map(move |denominator| Exact::new(n, denominator)))
 }
 
-/// (r, k, d) with p = 1, or p = 2 and d < 0.
+/// Maps with random (r, k, d) and p = 1, or p = 2 and d < 0.
 fn maps() -> impl Strategy<Value = LimitMap<Exact>> {
     let numbers = (1..=2_u32, fraction(5), fraction(9), share());
     numbers.prop_filter_map("outside of the domain", |(loops, r, k, d)| {
@@ -89,7 +89,7 @@ proptest! {
         let turn = (one - d) * (one - d);
         let [_, second] = map.doubled_impacts(-map.grazing_gap());
         let [first, _] = map.doubled_impacts(map.grazing_gap());
-        // Of one loop d > 0 here.
+        // For one loop d > 0 here.
         prop_assert_eq!(if d > whole(0) { first.velocity } else { first.phase }, whole(0));
         prop_assert_eq!(if d > whole(0) { second.velocity } else { second.phase }, whole(0));
         let expected = if d > whole(0) {
@@ -133,7 +133,7 @@ proptest! {
     }
 }
 
-/// A resonance of no oscillator in particular.
+/// A generic resonance, of no particular oscillator.
 fn general(loops: u32) -> ResonantPoint {
     let a = if loops == 1 { Matrix2::new(0.3, 0.0, -0.5, 0.2) } else { Matrix2::new(-0.2, 0.4, -0.5, 0.2) };
     let map = LinearisedMap { a, b: Vector2::new(0.7, 0.1) };
@@ -142,7 +142,7 @@ fn general(loops: u32) -> ResonantPoint {
     ResonantPoint { grazing, second_phase_derivative: 0.3, unfolding }
 }
 
-/// Twelve digits.
+/// Relative tolerance: twelve digits.
 const DIGITS: f64 = 1e-12;
 
 fn assert_gives_the_coefficients(point: &ResonantPoint) {
@@ -229,7 +229,7 @@ fn motion_departs_where_it_is_not_admissible() {
     assert!(one.step(Side::Positive, 1.0, behind).is_ok());
     assert_eq!(more.step(Side::Positive, 1.0, behind), Err(Departure::EarlyVisit));
     assert_eq!(one.step(Side::Positive, -9.0, behind), Err(Departure::Missed));
-    // To the other side of the resonance all signs are the others.
+    // On the other side of the resonance all signs are reversed.
     let mirrored = LimitImpact { velocity: -1.0, phase: 0.1 };
     let next = more.step(Side::Negative, 1.0, mirrored).unwrap();
     assert!(next.velocity < 0.0);

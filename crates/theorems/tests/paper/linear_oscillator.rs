@@ -1,5 +1,5 @@
-//! The linear oscillator: which resonances lie in a window, and parameters outside of their
-//! domains; its closed forms are checked by the ledger of claims.
+//! The linear oscillator: the resonances in a window, and parameters outside their domains; its
+//! closed forms are checked by the ledger of claims.
 
 use proptest::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Tests of what the ledger of claims (`crates/claims`) does not check: domains, hypotheses, digits
+//! Tests of what the ledger of claims (`crates/claims`) does not cover: domains, hypotheses, digits
 //! and lists.
 //!
 //! Property tests run with a fixed seed and keep no files, so that every run draws the same cases.

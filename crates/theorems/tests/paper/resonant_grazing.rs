@@ -17,12 +17,12 @@ fn point(a: Matrix2<f64>, unfolding: Unfolding) -> ResonantPoint {
     ResonantPoint { grazing, second_phase_derivative: 0.3, unfolding }
 }
 
-/// a12 = 0, delta = 0.06, tau = 1/2.
+/// A point with a12 = 0, delta = 0.06, tau = 1/2.
 fn one_loop() -> ResonantPoint {
     point(Matrix2::new(0.3, 0.0, -0.5, 0.2), Unfolding { loops: 1, derivative: 0.5 })
 }
 
-/// tau = 0 = g_2, delta = 0.16.
+/// A point with tau = 0 = g_2, delta = 0.16.
 fn two_loops() -> ResonantPoint {
     let unfolding = Unfolding { loops: 2, derivative: 0.5 };
     point(Matrix2::new(-0.2, 0.4, -0.5, 0.2), unfolding)

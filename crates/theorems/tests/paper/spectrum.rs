@@ -1,4 +1,4 @@
-//! Eigenvalues of the linearised map where digits could be lost, and where there is no answer; the
+//! Eigenvalues of the linearised map where digits could be lost, and where there is no result; the
 //! rest is checked by the ledger of claims.
 
 use nalgebra::{Matrix2, Vector2};
