@@ -1,6 +1,6 @@
 //! Continuation of MPSs: time per point of a branch and of a bifurcation curve.
 //!
-//! A point is a converged one with its multipliers and its admissibility over the whole orbit;
+//! A point includes its correction, its multipliers and its admissibility over the whole orbit;
 //! events and the ends of the curve are located along the way.
 
 use core::hint::black_box;
@@ -36,7 +36,7 @@ impl<O: ImpactOscillator> Start<O> {
         curve.clone().follow(*point, *direction, EventTimes::default(), route).unwrap()
     }
 
-    /// One item is one point of the curve.
+    /// Benchmark in which one item is one point of the curve.
     fn bench(&self, bencher: Bencher<'_, '_>) {
         let points = self.follow().points.len();
         bencher.counter(ItemsCount::new(points)).bench(|| black_box(self).follow());
@@ -82,7 +82,7 @@ fn point_of_a_one_parameter_branch(bencher: Bencher<'_, '_>, &Loops(p): &Loops) 
     one_parameter_branch(bencher, p, Formulation::Vivid);
 }
 
-/// The same branch, compared on a plane of constant phase.
+/// The branch of p-loop MPSs at ω = 0.855, with the maps compared on a plane of constant phase.
 #[divan::bench(args = [Loops(1), Loops(2), Loops(3)])]
 fn point_of_a_one_parameter_branch_at_fixed_phase(bencher: Bencher<'_, '_>, &Loops(p): &Loops) {
     one_parameter_branch(bencher, p, Formulation::FixedPhase);
@@ -157,7 +157,7 @@ impl SmoothOscillator for Duffing {
     }
 }
 
-/// A formulation that can be listed.
+/// A formulation as a benchmark argument.
 struct Way(Formulation);
 
 impl core::fmt::Display for Way {

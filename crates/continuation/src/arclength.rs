@@ -8,9 +8,9 @@
 //! └ tᵀ    ┘      └ tᵀ(u − u₀) − s   ┘
 //! ```
 //!
-//! It stays regular at folds. The engine knows nothing of what the curve means: events and
-//! diagnostics are the caller's, who advances it point by point, or has it followed from end to end
-//! ([`Walk`]).
+//! The system stays regular at folds. The engine has no notion of what the curve means: the caller
+//! handles events and diagnostics, and either advances the curve point by point or has it followed
+//! from end to end ([`Walk`]).
 
 use core::f64::consts::TAU;
 use core::fmt;
@@ -23,9 +23,10 @@ use crate::tolerances::{self, CORRECTIONS, EVALUATIONS, FARTHEST_CORRECTION};
 
 /// N − 1 smooth equations in N unknowns.
 pub trait CurveEquations<const N: usize> {
-    /// What the equations carry from point to point along the curve, such as the times of events.
+    /// State that the equations carry from point to point along the curve, such as the times of
+    /// events.
     type Carried: Clone;
-    /// Why the equations can be undefined at a point.
+    /// The reason why the equations can be undefined at a point.
     type Failure: Copy;
 
     /// The equations in the first N − 1 rows; the last row is zero and is filled by the engine.
@@ -38,30 +39,30 @@ pub trait CurveEquations<const N: usize> {
         carried: &mut Self::Carried,
     ) -> Result<Linearisation<N>, Self::Failure>;
 
-    /// Whether what is carried from the last evaluation may be something else a correction further,
-    /// so that a rough point is not enough.
+    /// Whether the state carried from the last evaluation may change with one more correction, so
+    /// that a rough point is not enough.
     fn is_unsettled(&self, _carried: &Self::Carried) -> bool {
         false
     }
 
-    /// The unit in which each unknown is counted in lengths of steps and in turns.
+    /// The unit of each unknown in lengths of steps and in turns.
     fn units(&self) -> SVector<f64, N> {
         SVector::repeat(1.0)
     }
 
-    /// Called with every accepted point, to bring what is carried up to it.
+    /// Called with every accepted point, to bring the carried state up to it.
     fn settle(&self, _point: &SVector<f64, N>, _carried: &mut Self::Carried) {}
 }
 
-/// Control of the step length. All lengths are in the Euclidean norm of the unknowns, each counted
-/// in its unit.
+/// Control of the step length. All lengths are in the Euclidean norm of the unknowns, each divided
+/// by its unit.
 #[derive(Clone, Copy, Debug)]
 pub struct StepControl {
     /// Length of the first step.
     pub first: f64,
     /// Steps never get longer than this.
     pub longest: f64,
-    /// A step that would have to be shorter than this ends the curve; longer than
+    /// A step that would have to be shorter than this ends the curve; it must exceed
     /// [`tolerances::STEP`], below which the corrector cannot judge a step.
     pub shortest: f64,
     /// The tangent turns by about this angle from point to point, in radians.
@@ -76,8 +77,8 @@ impl StepControl {
     pub const DRAWING: Self =
         Self { first: 1e-3, longest: 0.02, shortest: 1e-6, turn: 0.035, tolerance: tolerances::STEP };
 
-    /// Whether points are so rough that no more is to be computed of them than serves to find what
-    /// happens along a curve.
+    /// Whether points are rough, so that only the quantities that reveal events along a curve are
+    /// computed at them.
     pub fn sketches(&self) -> bool {
         self.tolerance > tolerances::STEP
     }
@@ -88,32 +89,32 @@ impl StepControl {
 pub struct Station<const N: usize, M> {
     /// The unknowns.
     pub point: SVector<f64, N>,
-    /// The tangent, pointing onwards, of length one where each unknown is counted in its unit.
+    /// The tangent, pointing onwards, of length one with each unknown divided by its unit.
     pub tangent: SVector<f64, N>,
-    /// What the equations carry there.
+    /// The state that the equations carry at this point.
     pub carried: M,
 }
 
-/// No further point could be found.
+/// The error that no further point could be found.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("step length {step:.1e}: {failure}")]
 pub struct Stall<E> {
-    /// The shortest step that was tried.
+    /// The length of the shortest step that was tried.
     pub step: f64,
-    /// What happened in it.
+    /// The reason why that step failed.
     pub failure: NewtonFailure<E>,
 }
 
-/// A curve in the course of being followed.
+/// A continuation in progress.
 #[derive(Clone, Debug)]
 pub struct Continuation<'a, const N: usize, C: CurveEquations<N>> {
     equations: &'a C,
     control: StepControl,
-    /// What each unknown is counted in: all lengths are taken after division by these.
+    /// The unit of each unknown: all lengths are taken after division by these.
     units: SVector<f64, N>,
     here: Station<N, C::Carried>,
     step: f64,
-    /// The last point and its tangent, and those before.
+    /// The last point and its tangent, in these units, and the previous ones.
     counted: Tangent<N>,
     past: Option<Tangent<N>>,
 }
@@ -121,15 +122,16 @@ pub struct Continuation<'a, const N: usize, C: CurveEquations<N>> {
 /// A new station and the angle by which the tangent turned on the way.
 type Attempt<const N: usize, M> = (Station<N, M>, f64);
 
-/// A step is taken again if the tangent turns by more than so many times the angle that is aimed at
+/// A step is repeated if the tangent turns by more than this multiple of the target angle
 /// (empirical).
 const OVERTURN: f64 = 3.0;
-/// A new step is as long as the turn suggests, within these factors of the last (empirical).
+/// Bounds of the ratio of a new step, chosen by the turn, to the last one (empirical).
 const GROWTH: [f64; 2] = [0.5, 1.6];
-/// What is left of a step if the tangent turns too far in it, and if no point is found (empirical).
+/// Factors by which a step shrinks if the tangent turns too far in it, and if no point is found
+/// (empirical).
 const TURNED: f64 = 0.5;
 const NOT_FOUND: f64 = 0.25;
-/// Steps this few times as long as the shortest are not taken again for the sake of the turn
+/// Steps up to this many times as long as the shortest are not repeated because of the turn
 /// (empirical).
 const SHORT: f64 = 4.0;
 
@@ -137,7 +139,7 @@ impl<'a, const N: usize, C: CurveEquations<N>> Continuation<'a, N, C>
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
-    /// Starts at a point of the curve, heading to the side of `direction`.
+    /// Starts at a point of the curve, in the direction closer to `direction`.
     ///
     /// # Errors
     /// The equations are undefined at the start, or the curve has no unique tangent there.
@@ -175,7 +177,7 @@ where
         &self.here
     }
 
-    /// Lets the next step be no longer than this.
+    /// Limits the length of the next step.
     pub fn limit(&mut self, longest: f64) {
         self.step = self.step.min(longest).max(self.control.shortest);
     }
@@ -190,7 +192,7 @@ where
                 Ok((next, angle))
                     if angle <= OVERTURN * self.control.turn || self.step < SHORT * self.control.shortest =>
                 {
-                    // Where nothing turns, without a division by zero.
+                    // Avoids a division by zero where nothing turns.
                     let growth =
                         (self.control.turn / angle.max(f64::MIN_POSITIVE)).clamp(GROWTH[0], GROWTH[1]);
                     self.step = (self.step * growth).clamp(self.control.shortest, self.control.longest);
@@ -215,8 +217,8 @@ where
         }
     }
 
-    /// The cubic through the last two points with their tangents, extrapolated to the plane that
-    /// the corrector works in.
+    /// The cubic through the last two points with their tangents, extrapolated to the plane of the
+    /// corrector.
     fn predict(&self) -> SVector<f64, N> {
         let (point, tangent) = &self.counted;
         let step = self.step;
@@ -229,8 +231,8 @@ where
         point + tangent * (step - tangent.dot(&bend)) + bend
     }
 
-    /// One predictor and corrector; the new station, counted in units, and the angle between the
-    /// two tangents.
+    /// One predictor and corrector: the new station, with its unknowns divided by their units, and
+    /// the angle between the two tangents.
     fn attempt(&self) -> Result<Attempt<N, C::Carried>, NewtonFailure<C::Failure>> {
         let (origin, along) = &self.counted;
         let mut carried = self.here.carried.clone();
@@ -254,7 +256,7 @@ where
     }
 }
 
-/// The equations at a point whose unknowns are counted in units.
+/// The equations at a point whose unknowns are divided by their units.
 fn in_units<const N: usize, C: CurveEquations<N>>(
     equations: &C,
     units: &SVector<f64, N>,
@@ -268,8 +270,8 @@ fn in_units<const N: usize, C: CurveEquations<N>>(
     Ok(linearisation)
 }
 
-/// The point of a curve near another in the plane across a direction that goes through a third;
-/// none where Newton's method fails.
+/// The point of a curve near `near`, in the plane through another point across a direction; `None`
+/// where Newton's method fails.
 pub fn across<const N: usize, C: CurveEquations<N, Carried: Default>>(
     equations: &C,
     near: SVector<f64, N>,
@@ -287,8 +289,9 @@ where
     found.ok()
 }
 
-/// What is found on a curve between two of its points where a number that `measure` finds along with it
-/// vanishes; none if it has one sign at both, or is not found.
+/// The value that `measure` returns at the point, between two points of a curve, where the number
+/// returned with it vanishes; `None` if that number has the same sign at both, or the point is not
+/// found.
 pub(crate) fn zero_on<const N: usize, T, C: CurveEquations<N, Carried: Default>>(
     equations: &C,
     [a, b]: [SVector<f64, N>; 2],
@@ -309,12 +312,12 @@ where
     zero_between(values, |share| at(share).ok_or(()), |_, value| value.abs() <= enough).ok()
 }
 
-/// How a curve ends that is followed through a window.
+/// The end of a curve that is followed through a window.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum WalkEnd<E> {
-    /// It leaves the window.
+    /// The curve leaves the window.
     LeftWindow,
-    /// It is closed: the last point is the first.
+    /// The curve is closed: the last point is the first.
     Closed,
     /// No further point was found.
     Stalled(Stall<E>),
@@ -323,7 +326,7 @@ pub enum WalkEnd<E> {
 }
 
 impl<E: fmt::Display> WalkEnd<E> {
-    /// Why the curve was followed no further; nothing where that is as it should be.
+    /// The reason why the curve was not followed further; `None` where it ends as it should.
     pub fn lost(&self) -> Option<String> {
         match self {
             Self::LeftWindow | Self::Closed => None,
@@ -336,20 +339,21 @@ impl<E: fmt::Display> WalkEnd<E> {
 /// A point of a curve and the unit tangent there.
 pub type Tangent<const N: usize> = (SVector<f64, N>, SVector<f64, N>);
 
-/// What a curve is followed with from end to end.
+/// The settings with which a curve is followed from end to end.
 #[derive(Clone, Copy, Debug)]
 pub struct Walk<'a, const N: usize, C> {
     /// The curve's equations.
     pub equations: &'a C,
     /// Control of the step length.
     pub control: StepControl,
-    /// A curve of this many points goes nowhere.
+    /// A curve with this many points is abandoned.
     pub step_limit: usize,
-    /// The unknown that is an angle, if there is one: the same up to whole turns.
+    /// The index of the unknown that is an angle, if there is one: its values are equal up to whole
+    /// turns.
     pub angle: Option<usize>,
 }
 
-/// A closed curve has more points than this: its tangent turns once round, by a few degrees from
+/// Lower bound on the points of a closed curve: its tangent turns once round, by a few degrees from
 /// point to point.
 pub const FEWEST_OF_A_LOOP: usize = 10;
 
@@ -360,11 +364,11 @@ impl<const N: usize, C: CurveEquations<N, Carried: Default>> Walk<'_, N, C>
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
-    /// The points from `start` to both sides, in the order of `direction`, and how they end before
-    /// the first and after the last.
+    /// The points on both sides of `start`, in the order of `direction`, and the ends before the
+    /// first and after the last point.
     ///
-    /// `leaves` gets the last point and the next with its tangent. Where the curve leaves the
-    /// window between the two it gives the point on the edge.
+    /// `leaves` receives the last point and the next with its tangent. Where the curve leaves the
+    /// window between the two, it returns the point on the edge.
     ///
     /// # Errors
     /// The curve cannot be started.
@@ -379,7 +383,7 @@ where
             return Ok((after, [last, last]));
         }
         let (mut points, first) = self.one_way(start, -direction, &leaves)?;
-        // The start stands in both; tangents point onwards.
+        // The start is in both lists; tangents point onwards.
         points.reverse();
         points.pop();
         points.iter_mut().for_each(|(_, tangent)| *tangent = -*tangent);
@@ -419,8 +423,9 @@ where
     }
 }
 
-/// The start of a curve, if the curve comes back to it between two of its points; with the unknown
-/// that is an angle as far on as it is then. `onwards` is where the curve went from the start.
+/// The start of a curve, if the curve returns to it between two of its points, with the angle among
+/// the unknowns increased by the whole turns made since. `onwards` is the direction in which the
+/// curve left the start.
 pub fn back_at<const N: usize>(
     (start, onwards): Tangent<N>,
     [before, after]: [&SVector<f64, N>; 2],
@@ -445,8 +450,8 @@ pub fn back_at<const N: usize>(
     })
 }
 
-/// The unit null vector of the first N − 1 rows of a matrix, at an acute angle with its last row;
-/// from the matrix's factors.
+/// The unit null vector of the first N − 1 rows of a matrix, at an acute angle with its last row,
+/// computed from the matrix's factors.
 fn tangent<const N: usize>(factors: &LU<f64, Const<N>, Const<N>>) -> Option<SVector<f64, N>>
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,

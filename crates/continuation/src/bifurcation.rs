@@ -1,4 +1,4 @@
-//! The words for what happens along curves and at points: bifurcations of codimension one and two.
+//! Bifurcations of codimension one and two, with their names.
 
 use crate::locate::Condition;
 
@@ -15,8 +15,8 @@ pub enum Bifurcation {
     Grazing,
     /// Torus (Neimark-Sacker): a pair of complex multipliers has absolute value 1.
     ///
-    /// Their product D is 1 there, so that there is none where motion contracts areas: for the
-    /// paper's oscillator D is ε² e^{−4πζp/ω}.
+    /// The product D of the multipliers is 1 there, so there is none where motion contracts areas:
+    /// for the paper's oscillator D is ε² e^{−4πζp/ω}.
     Torus,
     /// Pitchfork of symmetric motion without impacts: a multiplier is 1 without a fold, and two
     /// motions begin that are each other's images.
@@ -24,7 +24,7 @@ pub enum Bifurcation {
 }
 
 impl Bifurcation {
-    /// All of them.
+    /// All bifurcations of codimension one.
     pub const ALL: [Self; 6] = [
         Self::NonImpactingGrazing,
         Self::SaddleNode,
@@ -34,16 +34,16 @@ impl Bifurcation {
         Self::Pitchfork,
     ];
 
-    /// Their names, as messages list them.
+    /// The names of all bifurcations, as messages list them.
     pub const NAMES: &str = "graz, SN, PD, GZ, NS or PF";
 
-    /// That with a name.
+    /// The bifurcation with a given name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.name() == name)
     }
 
-    /// Where a condition is met by solutions with p loops, 0 without impacts; none if that is no
-    /// bifurcation.
+    /// The bifurcation at which solutions with p loops (0 without impacts) satisfy a condition;
+    /// `None` if it is no bifurcation.
     pub fn of(condition: Condition, loops: u32) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| {
             kind.condition() == condition
@@ -52,7 +52,7 @@ impl Bifurcation {
         })
     }
 
-    /// What holds there.
+    /// The condition that holds at the bifurcation.
     pub const fn condition(self) -> Condition {
         match self {
             Self::SaddleNode => Condition::SADDLE_NODE,
@@ -63,7 +63,7 @@ impl Bifurcation {
         }
     }
 
-    /// `graz`, `SN`, `PD`, `GZ`, `NS` or `PF`.
+    /// The name: `graz`, `SN`, `PD`, `GZ`, `NS` or `PF`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::NonImpactingGrazing => "graz",
@@ -94,14 +94,14 @@ pub enum CodimensionTwo {
     SaddleNodeTorus,
     /// An NS curve ends on a PD curve: both multipliers are −1.
     PeriodDoublingTorus,
-    /// An NS curve ends on a PF curve: both multipliers are 1, over half a period −1.
+    /// An NS curve ends on a PF curve: both multipliers are 1, and over half a period −1.
     PitchforkTorus,
     /// An NS and a GZ curve meet.
     TorusGrazing,
 }
 
 impl CodimensionTwo {
-    /// All of them.
+    /// All bifurcations of codimension two.
     pub const ALL: [Self; 9] = [
         Self::Resonance,
         Self::SaddleNodeGrazing,
@@ -114,7 +114,7 @@ impl CodimensionTwo {
         Self::TorusGrazing,
     ];
 
-    /// Where two curves meet of which one at least is a GZ or an NS curve.
+    /// The bifurcation at which two curves meet, at least one of which is a GZ or an NS curve.
     pub fn of_meeting(one: Bifurcation, other: Bifurcation) -> Self {
         use Bifurcation::{PeriodDoubling, Pitchfork, SaddleNode, Torus};
         match (one, other) {
@@ -128,7 +128,8 @@ impl CodimensionTwo {
         }
     }
 
-    /// `resonance`, `SN-GZ`, `PD-GZ`, `GZ-GZ`, `cusp`, `SN-NS`, `PD-NS`, `PF-NS` or `NS-GZ`.
+    /// The name: `resonance`, `SN-GZ`, `PD-GZ`, `GZ-GZ`, `cusp`, `SN-NS`, `PD-NS`, `PF-NS` or
+    /// `NS-GZ`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Resonance => "resonance",
@@ -144,12 +145,12 @@ impl CodimensionTwo {
     }
 }
 
-/// Something of the SN curve at a resonance, and the same of the PD curve.
+/// A value for the SN curve at a resonance, and one for the PD curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair<T> {
-    /// Of the saddle-node curve.
+    /// The value for the saddle-node curve.
     pub saddle_node: T,
-    /// Of the period-doubling curve.
+    /// The value for the period-doubling curve.
     pub period_doubling: T,
 }
 
@@ -160,23 +161,23 @@ impl Pair<Bifurcation> {
 }
 
 impl Pair<Condition> {
-    /// What holds on the two curves.
+    /// The conditions that hold on the two curves.
     pub const CONDITIONS: Self =
         Self { saddle_node: Condition::SADDLE_NODE, period_doubling: Condition::PERIOD_DOUBLING };
 }
 
 impl<T> Pair<T> {
-    /// Both, changed.
+    /// The pair with a function applied to both values.
     pub fn map<U>(self, mut change: impl FnMut(T) -> U) -> Pair<U> {
         Pair { saddle_node: change(self.saddle_node), period_doubling: change(self.period_doubling) }
     }
 
-    /// Both, borrowed.
+    /// The pair with both values borrowed.
     pub const fn as_ref(&self) -> Pair<&T> {
         Pair { saddle_node: &self.saddle_node, period_doubling: &self.period_doubling }
     }
 
-    /// Both with those of another pair.
+    /// The pair of both values with those of another pair.
     pub fn zip<U>(self, other: Pair<U>) -> Pair<(T, U)> {
         Pair {
             saddle_node: (self.saddle_node, other.saddle_node),
@@ -184,12 +185,12 @@ impl<T> Pair<T> {
         }
     }
 
-    /// First that of the SN curve.
+    /// Both values, that of the SN curve first.
     pub fn into_array(self) -> [T; 2] {
         self.starting_with(Bifurcation::SaddleNode)
     }
 
-    /// That of one curve first, that of the other after it.
+    /// Both values, that of the given bifurcation first.
     pub fn starting_with(self, kind: Bifurcation) -> [T; 2] {
         let Self { saddle_node, period_doubling } = self;
         match kind {
@@ -198,7 +199,7 @@ impl<T> Pair<T> {
         }
     }
 
-    /// Each with its bifurcation, that of the SN curve first.
+    /// Both values with their bifurcations, that of the SN curve first.
     pub fn named(self) -> [(Bifurcation, T); 2] {
         Pair::BIFURCATIONS.zip(self).into_array()
     }

@@ -1,6 +1,7 @@
-//! Period doubling after period doubling in the limit map at a resonance
-//! ([`limit_map`](grazing_theorems::limit_map)): where orbits with 2, 4, 8, … impacts begin as M moves
-//! away from where the MPS is stable, and what keeps the next from beginning.
+//! Period-doubling cascades in the limit map at a resonance
+//! ([`limit_map`](grazing_theorems::limit_map)): the M at which orbits with 2, 4, 8, … impacts
+//! begin as M moves away from where the MPS is stable, and the reason why the next one does not
+//! begin.
 //!
 //! Orbits with N impacts are the solutions of N equations of second degree between successive phases,
 //! Y' = dV − V' being the velocity:
@@ -9,10 +10,10 @@
 //! (d Vᵢ − Vᵢ₊₁)² = r (d Vᵢ₋₁ − Vᵢ)² + k Vᵢ² + 2 Vᵢ + M,     i = 1, …, N, cyclic.
 //! ```
 //!
-//! They say nothing of admissibility, so that they go smoothly on where an impact loses its velocity.
-//! With the derivative taken to change sign once round, its determinant is zero where a multiplier is −1,
-//! and its kernel is the direction in which orbits with 2N impacts leave. These are followed in the gap
-//! between the two phases that have been one.
+//! The equations do not include admissibility, so that their solutions continue smoothly where an
+//! impact loses its velocity. With the derivative taken to change sign once round, its determinant
+//! is zero where a multiplier is −1, and its kernel is the direction in which orbits with 2N
+//! impacts leave. These are followed in the gap between the two phases that coincide at the onset.
 
 use grazing_theorems::limit_map::LimitImpact;
 use grazing_theorems::{LimitMap, Side};
@@ -20,24 +21,24 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::regula_falsi::zero_between;
 
-/// Why no further orbit begins.
+/// The reason why no further orbit begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stop {
-    /// The last doubling that there is creates unstable orbits.
+    /// The last doubling creates unstable orbits.
     Subcritical,
     /// The last orbits leave the map before they double: an impact loses its velocity, or a visit before an impact is at
     /// the wall.
     Grazing,
-    /// They end at a saddle-node.
+    /// The last orbits end at a saddle-node.
     SaddleNode,
-    /// They go on to where they were not looked for any more.
+    /// The last orbits continue beyond the range of the search.
     Lost,
-    /// As many have begun as were asked for.
+    /// The requested number of orbits has begun.
     Enough,
 }
 
 impl Stop {
-    /// What it is called in tables.
+    /// The name used in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Subcritical => "subcritical",
@@ -49,12 +50,12 @@ impl Stop {
     }
 }
 
-/// The orbits that begin stable one after the other.
+/// A sequence of orbits that begin stable, one after the other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cascade {
     /// M at which orbits with 2, 4, 8, … impacts begin.
     pub onsets: Vec<f64>,
-    /// Why no more do.
+    /// The reason why no more begin.
     pub stop: Stop,
 }
 
@@ -65,25 +66,26 @@ struct Cycle {
     parameter: f64,
 }
 
-/// Steps in the gap, in units of the velocity at the first doubling; further families are shorter by
-/// about the ratio that one-dimensional maps have in the limit.
+/// Step in the gap, in units of the velocity at the first doubling, and factor by which it is
+/// shorter for each further family, about the ratio that one-dimensional maps have in the limit.
 const STEP: f64 = 0.05;
 const SHORTER: f64 = 0.4;
-/// Steps of a family, and of Newton's method.
+/// Largest number of steps of a family, and of Newton's method.
 const MOST_STEPS: usize = 200;
 const MOST_ITERATIONS: usize = 20;
 /// The last step of Newton's method, in units of the orbit's phases.
 const SOLVED: f64 = 1e-12;
-/// How much of a step the place of a doubling may be off.
+/// Error allowed in the location of a doubling, as a fraction of a step.
 const LOCATED: f64 = 1e-11;
 
 impl Cascade {
-    /// M at which orbits with 2^(`place` + 1) impacts begin, in units of the first doubling's; NaN if they do not.
+    /// M at which orbits with 2^(`place` + 1) impacts begin, divided by the M of the first
+    /// doubling; NaN if they do not begin.
     pub fn fraction(&self, place: usize) -> f64 {
         self.onsets.get(place).map_or(f64::NAN, |onset| onset / self.onsets[0])
     }
 
-    /// The orbits of a map, as far as those with 2^`most` impacts.
+    /// The cascade of a map, up to orbits with 2^`most` impacts.
     pub fn of(map: &LimitMap, most: usize) -> Self {
         let mut onsets = Vec::new();
         let stop = follow(map, most, &mut onsets).err().unwrap_or(Stop::Enough);
@@ -114,14 +116,14 @@ impl Cycle {
         self.phases[index % self.phases.len()]
     }
 
-    /// The impact of an index, which is 1 at least.
+    /// The impact with an index, which is at least 1.
     fn impact(&self, map: &LimitMap, index: usize) -> LimitImpact {
         let [_, _, d] = map.numbers();
         let phase = self.phase(index);
         LimitImpact { velocity: d * self.phase(index - 1) - phase, phase }
     }
 
-    /// The equations, and their derivative by phases, which changes by a factor once round.
+    /// The equations, and their derivative in the phases, which changes by a factor once round.
     fn equations(&self, map: &LimitMap, turn: f64) -> (DVector<f64>, DMatrix<f64>) {
         let (count, [r, k, d]) = (self.phases.len(), map.numbers());
         let mut residual = DVector::zeros(count);
@@ -137,13 +139,13 @@ impl Cycle {
         (residual, derivative)
     }
 
-    /// Positive before the orbit doubles its period, where velocities are all of one sign: det(DF + 1) times the
-    /// product of velocities.
+    /// A function that is positive before the orbit doubles its period, where velocities are all of
+    /// one sign: det(DF + 1) times the product of velocities.
     fn flip(&self, map: &LimitMap) -> f64 {
         self.equations(map, -1.0).1.determinant()
     }
 
-    /// Whether it is one of the map, on the side of the velocity at the first doubling.
+    /// Whether the cycle is an orbit of the map, on the side of the velocity at the first doubling.
     fn is_admissible(&self, map: &LimitMap) -> bool {
         let side = Side::of(map.period_doubling()[0]);
         (1..=self.phases.len()).all(|index| {
@@ -152,7 +154,7 @@ impl Cycle {
         })
     }
 
-    /// The orbit near this one whose first phase is so much more than the one half round.
+    /// The orbit near this one whose first phase exceeds the phase half-way round by `gap`.
     fn solved(mut self, map: &LimitMap, gap: f64) -> Option<Self> {
         let count = self.phases.len();
         for _ in 0..MOST_ITERATIONS {
@@ -172,8 +174,8 @@ impl Cycle {
         None
     }
 
-    /// The orbit with twice as many impacts that leaves this one, which doubles its period, by a gap: it first
-    /// opens where it opens most.
+    /// The orbit with twice as many impacts, at a given gap, that leaves this orbit at its period
+    /// doubling; the gap is first opened where the kernel is largest.
     fn opened(&self, map: &LimitMap, gap: f64) -> Option<Self> {
         let count = self.phases.len();
         let (_, mut system) = self.equations(map, -1.0);
@@ -191,8 +193,8 @@ impl Cycle {
         Some(Self { phases: (most..most + 2 * count).map(round).collect(), parameter: self.parameter })
     }
 
-    /// The next orbit that doubles its period, of those with twice as many impacts that leave this one, which
-    /// does; an onset is added if they begin stable and as long as more are asked for.
+    /// The next period doubling, of the orbits with twice as many impacts that leave this one at
+    /// its own; an onset is added if they begin stable and more are requested.
     fn next_doubling(
         &self,
         map: &LimitMap,

@@ -1,4 +1,4 @@
-//! The normal form of period doublings of MPSs: what they create, and on which side.
+//! The normal form of period doublings of MPSs: the orbits that they create, and on which side.
 //!
 //! The impacts (y, z) of orbits with p loops from each to the next follow a map U. The two maps of
 //! a [`LoopPair`] define it implicitly: L(U(X)) = R(X), where R leads through recoil and loops to
@@ -15,14 +15,13 @@
 //! where A = DU, B = D²U, C = D³U at X₀, A q = −q, Aᵀp = −p and ⟨p, q⟩ = 1.
 //!
 //! Source: Yu. A. Kuznetsov, *Elements of Applied Bifurcation Theory*, chapter 5, centre manifolds
-//! of maps. The paper speaks of criticality without a formula, in section 6.
+//! of maps. The paper mentions criticality without a formula, in section 6.
 //!
 //! **Domain.** y ≠ 0: towards a resonance the pair of maps stays smooth, but DL becomes singular
-//! and all of U is compressed into
-//! |s| of the order of y, so that y² c tends to a limit, the limit map's
-//! [`criticality`](grazing_theorems::LimitMap::criticality). Digits of c are then lost in proportion to 1/y. The formulas
-//! know of no impact but those of the MPS; where an orbit meets the wall in between, as near a
-//! grazing bifurcation of the MPS, they hold for the smaller s.
+//! and all of U is compressed into |s| of the order of y, so that y² c tends to a limit, the limit
+//! map's [`criticality`](grazing_theorems::LimitMap::criticality). Digits of c are then lost in
+//! proportion to 1/y. The formulas include no impact but those of the MPS; where an orbit meets the
+//! wall in between, as near a grazing bifurcation of the MPS, they hold for smaller s.
 
 mod normal_form;
 
@@ -37,7 +36,7 @@ use crate::newton::Solution;
 use crate::tolerances::LOCATED;
 use normal_form::{Germ, ImplicitMap};
 
-/// The normal form of a period doubling was not found.
+/// The reason why the normal form of a period doubling was not found.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum CriticalityError {
     /// y = 0: an MPS has no multipliers there.
@@ -54,13 +53,13 @@ pub enum CriticalityError {
     /// The MPS does not have the multiplier −1.
     #[error("the multiplier next to -1 is {distance:.1e} away from it")]
     NotABifurcation {
-        /// How far the MPS's own is from it, to leading order.
+        /// The distance of the nearest multiplier from −1, to leading order.
         distance: f64,
     },
     /// Both multipliers lie on the unit circle: a bifurcation of higher codimension.
     #[error("both multipliers lie on the unit circle: -1 and {other}")]
     Degenerate {
-        /// The other one.
+        /// The other multiplier.
         other: f64,
     },
 }
@@ -68,24 +67,25 @@ pub enum CriticalityError {
 /// The normal form of a period doubling: g(s) = λ s + c s³.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PeriodDoubling {
-    /// q, the eigenvector to the multiplier −1 in (y, z), of length one and with q_y ≥ 0.
+    /// The eigenvector q for the multiplier −1 in (y, z), of length one and with q_y ≥ 0.
     pub direction: Vector2<f64>,
-    /// c; positive where the bifurcation is supercritical.
+    /// The coefficient c, positive where the bifurcation is supercritical.
     pub coefficient: f64,
 }
 
 impl PeriodDoubling {
-    /// Stable orbits of double period are created beside the unstable MPS; otherwise unstable ones
-    /// beside the stable MPS.
+    /// Whether stable orbits of double period are created beside the unstable MPS, rather than
+    /// unstable ones beside the stable MPS.
     ///
-    /// Stability is along the curve X(s): across it the other multiplier decides, for both alike.
+    /// Stability is along the curve X(s): across it the other multiplier decides, in the same way
+    /// for both.
     pub fn supercritical(&self) -> bool {
         self.coefficient > 0.0
     }
 }
 
-/// The places on a curve of period doublings at which criticality changes (generalised period doublings),
-/// in its order. Two within one step are not seen.
+/// The points of a curve of period doublings at which criticality changes (generalised period
+/// doublings), in the order of the curve. Two within one step are missed.
 pub fn changes<O: ThirdOrder>(equations: &LoopEquations<O>, curve: &Curve) -> Vec<PeriodicSolution> {
     let equations = equations.with_formulation(Formulation::FixedPhase);
     let flips = SolutionCurve { equations: equations.clone(), condition: Condition::PERIOD_DOUBLING };
@@ -98,7 +98,7 @@ pub fn changes<O: ThirdOrder>(equations: &LoopEquations<O>, curve: &Curve) -> Ve
     let change = |pair: &[CurvePoint]| {
         let ends = [0, 1].map(|k: usize| pair[k].solution.unknowns);
         let (point, value) = zero_on(&flips, ends, measure, 0.0)?;
-        // It may change sign through infinity, too.
+        // The coefficient may also change sign through infinity.
         (value.abs() < LOCATED).then(|| equations.solution(&point))
     };
     curve.points.windows(2).filter_map(change).collect()

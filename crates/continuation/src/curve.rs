@@ -58,7 +58,7 @@ pub struct Window {
 }
 
 impl Window {
-    /// A point (μ, η) lies inside or on the edge.
+    /// Whether a point (μ, η) lies inside or on the edge.
     pub fn contains(&self, [primary, secondary]: [f64; 2]) -> bool {
         let within = |[low, high]: [f64; 2], value: f64| low <= value && value <= high;
         within(self.primary, primary) && within(self.secondary, secondary)
@@ -69,20 +69,20 @@ impl Window {
         [self.primary, self.secondary].map(|[low, high]| high - low)
     }
 
-    /// The parameters (μ, η) at shares of their ranges: 0 at the lower end, 1 at the upper one.
+    /// The parameters (μ, η) at fractions of their ranges: 0 at the lower end, 1 at the upper one.
     pub fn parameters(&self, shares: [f64; 2]) -> [f64; 2] {
         let at = |[low, high]: [f64; 2], share: f64| low + (high - low) * share;
         [at(self.primary, shares[0]), at(self.secondary, shares[1])]
     }
 
-    /// The shares of their ranges at which parameters (μ, η) lie.
+    /// The fractions of their ranges at which parameters (μ, η) lie.
     pub fn shares(&self, [primary, secondary]: [f64; 2]) -> [f64; 2] {
         let share = |[low, high]: [f64; 2], value: f64| (value - low) / (high - low);
         [share(self.primary, primary), share(self.secondary, secondary)]
     }
 }
 
-/// Where and how a curve is to be followed.
+/// The window, step control and limits with which a curve is followed.
 #[derive(Clone, Copy)]
 pub struct Route<'a> {
     /// The curve ends at the first point outside.
@@ -94,50 +94,50 @@ pub struct Route<'a> {
     /// The curve ends at the first event; otherwise events are listed and passed. At y = 0 it ends
     /// in any case.
     pub stop_at_events: bool,
-    /// How far it may go in a step besides, and where it is left; as far as the control lets it
-    /// where there is none.
+    /// An additional limit on the length of steps, which can also end the curve; if `None`, the
+    /// control alone limits steps.
     pub pace: Option<&'a Pace<'a>>,
 }
 
-/// From the points of a curve so far and the tangent at the last: the longest next step, in lengths
-/// of its control; none where the curve is to be left.
+/// The longest next step, in lengths of the step control, for the points of a curve so far and the
+/// tangent at the last; `None` ends the curve.
 pub type Pace<'a> = dyn Fn(&[CurvePoint], &Unknowns) -> Option<f64> + Sync + 'a;
 
-/// Something happens to the solution at a point of the curve besides the curve's own condition.
+/// An event: a further condition holds at a point of the curve besides the curve's own.
 #[derive(Clone, Debug)]
 pub struct Event {
-    /// The further condition that holds there.
+    /// The further condition that holds at the event.
     pub condition: Condition,
-    /// The solution there, located by Newton's method on both conditions.
+    /// The solution at the event, located by Newton's method on both conditions.
     pub solution: PeriodicSolution,
     /// Index of the first point of the curve beyond the event.
     pub index: usize,
-    /// The event times there: another curve can start from them.
+    /// The event times at the event: another curve can start from them.
     pub times: EventTimes,
 }
 
-/// How a curve ends.
+/// The end of a curve.
 #[derive(Clone, Debug)]
 pub enum CurveEnd {
-    /// It left the window.
+    /// The curve left the window.
     LeftWindow,
     /// The impact velocity reached zero; the last point of the curve lies there.
     Grazing,
-    /// It came back to its first point, which is its last as well.
+    /// The curve returned to its first point, which is also its last.
     Closed,
     /// An event, which is the last point of the curve.
     Event(Box<Event>),
     /// An event was seen between the last two points, and could not be located.
     EventNotLocated {
-        /// The further condition that holds there.
+        /// The further condition that holds at the event.
         condition: Condition,
-        /// What happened in the attempt.
+        /// The reason why the attempt failed.
         failure: LocateFailure,
     },
     /// No further point was found, in either formulation.
     Stalled(Stall<MapError>),
-    /// The step limit was reached, which is lower for a sketch among violent motion; or the curve
-    /// was left by its pace.
+    /// The step limit was reached, which is lower for a sketch among violent motion; or the pace
+    /// ended the curve.
     StepLimit,
 }
 
@@ -146,22 +146,22 @@ pub enum CurveEnd {
 pub struct CurvePoint {
     /// The solution.
     pub solution: PeriodicSolution,
-    /// The event times there.
+    /// The event times at the point.
     pub times: EventTimes,
 }
 
 /// A curve of periodic solutions that has been followed to its end.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// The condition that holds along it.
+    /// The condition that holds along the curve.
     pub condition: Condition,
-    /// Its points in order, the start included.
+    /// The points in order, the start included.
     pub points: Vec<CurvePoint>,
-    /// The events it passed, in order.
+    /// The events on the curve, in order.
     pub events: Vec<Event>,
-    /// Why it ends.
+    /// The reason why the curve ends.
     pub end: CurveEnd,
-    /// Why it begins where it does, if that was not given but found:
+    /// The reason why the curve begins where it does, if its beginning was found rather than given:
     /// [`SolutionCurve::follow_both_ways`].
     pub beginning: Option<CurveEnd>,
 }
@@ -172,9 +172,9 @@ impl Curve {
         self.points.iter().map(|point| point.solution.parameters()).collect()
     }
 
-    /// Why it was followed no further than its first point, and than its last; nothing where that is
-    /// as it should be: at the edge of the window, at a point of codimension two, or where the curve
-    /// was begun.
+    /// The reasons why the curve was not followed beyond its first and its last point; `None` where
+    /// it ends as it should: at the edge of the window, at a point of codimension two, or where the
+    /// curve was started.
     pub fn lost(&self) -> [Option<String>; 2] {
         [self.beginning.as_ref(), Some(&self.end)].map(|end| end.and_then(|end| self.why_lost(end)))
     }

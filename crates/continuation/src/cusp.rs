@@ -1,8 +1,8 @@
-//! Cusps of saddle-node curves: where a curve that is smooth in (y, z, μ, η) turns back in the
-//! plane of the parameters.
+//! Cusps of saddle-node curves: points at which a curve that is smooth in (y, z, μ, η) turns back
+//! in the plane of the parameters.
 //!
-//! There three MPSs come together, and the branch at fixed η that has its fold there is no parabola
-//! any more. The tangent lies in the plane of (y, z): its part in (μ, η) is zero, and has opposite
+//! Three MPSs meet at a cusp, and the branch at fixed η that has its fold there is no longer a
+//! parabola. The tangent lies in the plane of (y, z): its part in (μ, η) is zero, and has opposite
 //! directions before and after.
 
 use grazing_model::ImpactOscillator;
@@ -15,7 +15,7 @@ use crate::mps::{EventTimes, LoopEquations, Unknowns, unknown};
 use crate::newton::Solution;
 use crate::tolerances::{AT_CUSP, IN_THE_PLANE};
 
-/// The cusps of a saddle-node curve, in its order. Two within one step are not seen.
+/// The cusps of a saddle-node curve, in the order of the curve. Two within one step are missed.
 pub fn cusps<O: ImpactOscillator>(equations: &LoopEquations<O>, curve: &Curve) -> Vec<Event> {
     let points: Vec<Unknowns> = curve.points.iter().map(|point| point.solution.unknowns).collect();
     let forwards = |k: usize| in_plane(&(points[k + 1] - points[k]));
@@ -45,6 +45,6 @@ fn turning_point<O: ImpactOscillator>(
         Some(((solution.point, tangent), tangent.dot(forwards)))
     };
     let (point, tangent) = zero_on(&folds, points, measure, IN_THE_PLANE)?;
-    // Where the curve turns about within a step, and does not turn back, it goes on across there.
+    // Where the curve turns sharply within a step without a cusp, it continues across there.
     (tangent.norm() <= AT_CUSP).then_some(point)
 }

@@ -13,15 +13,15 @@ use crate::mps::{
 use crate::newton::{self, Linearisation};
 use crate::resonance::LocatedResonance;
 
-/// (y₁, z₁, y₂, z₂, μ) at fixed η.
+/// The unknowns (y₁, z₁, y₂, z₂, μ) at fixed η.
 type Pair = SVector<f64, 5>;
 
 /// The condition that picks an orbit of the family.
 #[derive(Clone, Copy)]
 enum Pick {
-    /// y₁ − y₂.
+    /// The difference y₁ − y₂ has this value.
     Difference(f64),
-    /// y₂ = 0.
+    /// The second impact has no velocity: y₂ = 0.
     Stopped,
     /// The maximum of x near a time after an impact, 0 or 1, is at the wall.
     Touch(usize, f64),
@@ -35,8 +35,8 @@ pub struct Doubled {
 }
 
 impl Doubled {
-    /// The one whose phases lie g apart in the limit map of a resonance, to leading order at a distance η
-    /// from it; the second impact is the one with the greater phase if g > 0.
+    /// The orbit whose phases lie g apart in the limit map of a resonance, to leading order at a
+    /// distance η from it; the second impact is the one with the greater phase if g > 0.
     ///
     /// # Errors
     /// There is no grazing orbit at that η.
@@ -70,7 +70,8 @@ impl Doubled {
     }
 }
 
-/// Where secants begin, in units of the gap that the limit map has, and how many there are.
+/// The first two guesses of the secant method, in units of the gap in the limit map, and the number
+/// of iterations.
 const BESIDE: [f64; 2] = [0.98, 1.02];
 const SECANTS: usize = 8;
 
@@ -78,7 +79,7 @@ const SECANTS: usize = 8;
 pub struct DoubledEquations<O>(LoopEquations<O>);
 
 impl<O: ImpactOscillator> DoubledEquations<O> {
-    /// Those that branch off the MPSs of these equations.
+    /// The equations of the orbits that branch off the MPSs of these equations.
     pub fn new(equations: &LoopEquations<O>) -> Self {
         // The form without virtual points: it is defined all along the curves.
         Self(equations.with_formulation(Formulation::FixedPhase))
@@ -91,7 +92,7 @@ impl<O: ImpactOscillator> DoubledEquations<O> {
         Ok([self.0.pair::<1>(&first, &mut times)?, self.0.pair::<1>(&second, &mut times)?])
     }
 
-    /// The condition's residual, and its derivatives in the unknowns.
+    /// The residual of the condition, and its derivatives in the unknowns.
     fn condition(&self, doubled: &Doubled, pick: &mut Pick) -> Result<(f64, Pair), MapError> {
         Ok(match pick {
             Pick::Difference(value) => {
@@ -132,7 +133,7 @@ impl<O: ImpactOscillator> DoubledEquations<O> {
         Some(Doubled { point: solution.point, ..start })
     }
 
-    /// The orbit with this difference of velocities, beside a multiplier −1.
+    /// The orbit with this difference of velocities, beside a point with a multiplier −1.
     pub fn near(&self, flip: &Unknowns, difference: f64) -> Option<Doubled> {
         let pair = self.0.pair::<1>(flip, &mut EventTimes::default()).ok()?;
         let direction = pair.direction(-1.0)?;
@@ -160,11 +161,11 @@ impl<O: ImpactOscillator> DoubledEquations<O> {
         both.max_by(|(_, one), (_, other)| one.position.total_cmp(&other.position))
     }
 
-    /// The member of the family that grazes, near a guess, with the number of the visit of its loop that
-    /// touches the wall; 0 if it is the second impact, which has no velocity.
+    /// The member of the family that grazes, near a guess, with the number of the visit of its loop
+    /// that touches the wall; 0 if the second impact has no velocity.
     ///
-    /// The whole orbit is in front of the wall: a maximum is brought to it, and if another is above it
-    /// then, that one was first.
+    /// The whole orbit lies in front of the wall: a maximum is brought to the wall, and if another
+    /// one is then above it, that one touches first.
     pub fn grazing(&self, guess: Doubled) -> Option<(Doubled, u32)> {
         let one_loop = self.0.loops() == 1;
         let mut here = if one_loop { self.solve(guess, Pick::Stopped)? } else { guess };
@@ -181,8 +182,8 @@ impl<O: ImpactOscillator> DoubledEquations<O> {
         found.filter(|_| self.highest(&here).is_none_or(inside)).map(|visit| (here, visit))
     }
 
-    /// The member of the family at a distance η from a resonance that doubles its period, near where the limit map
-    /// has it.
+    /// The member of the family at a distance η from a resonance that doubles its period, near its
+    /// counterpart in the limit map.
     pub fn flip(&self, resonance: &LocatedResonance<O>, eta: f64) -> Option<Doubled> {
         let at = |gap: f64| {
             let doubled = self.solved(Doubled::near_resonance(resonance, eta, gap).ok()?)?;

@@ -13,24 +13,23 @@ use crate::locate::{Condition, locate};
 use crate::mps::{EventTimes, Formulation, LoopEquations, Unknowns, parameters, unknown};
 use crate::resonance::{LocatedResonance, ResonanceError};
 
-/// Impact velocities at which a GZ curve is looked for beside a resonance, one after the other: the
-/// first where leading terms are good enough for Newton's method, the last where rounding of
-/// positions, of the order of their squares, is still far below (empirical: the first does nearly
-/// always).
+/// Impact velocities at which a GZ curve is looked for beside a resonance, in this order: at the
+/// first leading terms are good enough for Newton's method, at the last rounding of positions, of
+/// the order of their squares, is still far below (empirical: the first almost always suffices).
 const VELOCITIES: [f64; 4] = [1e-2, 3e-3, 1e-3, 3e-4];
-/// A solution found there is the one that was looked for if its impact velocity and its distance
-/// from the resonance in η are off by no more than this share.
+/// Largest relative error in impact velocity and in distance from the resonance in η at which a
+/// solution counts as the one that was sought.
 const OFF: f64 = 0.3;
 
 impl<O: ImpactOscillator> LocatedResonance<O> {
-    /// What the MPSs of `loops` loops do at this resonance, to leading order; none unless it is one
-    /// of p = 1.
+    /// The behaviour of the MPSs of `loops` loops at this resonance, to leading order; `None`
+    /// unless it is a resonance of p = 1.
     pub fn iterated(&self, loops: u32) -> Option<IteratedResonance> {
         (self.loops() == 1).then(|| IteratedResonance::new(self.resonant_point(), loops))
     }
 
     /// The curves between which MPSs of `loops` ≥ 2 loops are stable and admissible beside this
-    /// resonance, by theory; none unless it is one of p = 1.
+    /// resonance, by theory; empty unless it is a resonance of p = 1.
     pub fn leaving_iterated(&self, loops: u32) -> Vec<LeavingCurve<'_, O>> {
         let Some(iterated) = self.iterated(loops) else { return Vec::new() };
         let oscillator = self.orbit().oscillator().clone();
@@ -55,8 +54,8 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         bounds.flatten().map(curve).collect()
     }
 
-    /// These curves, and why others are missing. A GZ curve of which the window has next to nothing
-    /// is not followed.
+    /// The curves that bound MPSs of `loops` loops, and the reasons why others are missing. A GZ
+    /// curve of which the window contains next to nothing is not followed.
     pub fn unfold_iterated(&self, loops: u32, route: &Route<'_>) -> (Vec<Curve>, Vec<ResonanceError>) {
         let (mut curves, mut missing) = (Vec::new(), Vec::new());
         for leaving in self.leaving_iterated(loops) {
@@ -73,8 +72,8 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
     }
 
     /// The GZ curve along which a visit touches the wall. At the resonance its equations are
-    /// singular, since all visits touch the wall along the whole grazing curve: it is located a
-    /// little beside, and followed to both sides.
+    /// singular, since all visits touch the wall along the whole grazing curve: it is located at a
+    /// small distance, and followed in both directions.
     fn visit_curve(
         &self,
         leaving: &LeavingCurve<'_, O>,
@@ -85,7 +84,7 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         let &LeavingCurve { ref equations, condition, leading, .. } = leaving;
         let (mut is_outside, mut reason) =
             (false, "no solution with a visit that touches the wall was found beside it".to_owned());
-        // Held at its η or, where motion hardly loses energy, at its velocity: there η differs by
+        // Held at its η or, where motion hardly loses energy, at its velocity: η then differs by
         // orders of magnitude less, and the height hardly changes with the velocity.
         for (velocity, at_velocity) in VELOCITIES.into_iter().flat_map(|it| [(it, false), (it, true)]) {
             let eta = velocity / leading.impact_velocity_slope;
@@ -124,8 +123,8 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
 }
 
 impl<O: ImpactOscillator> LoopEquations<O> {
-    /// The times of an MPS near the grazing orbit whose visit of this number, near its phase, is to
-    /// touch the wall.
+    /// The event times of an MPS near the grazing orbit whose visit with the number `visit`, near
+    /// the grazing phase, is to touch the wall.
     pub(crate) fn touching_at_visit(&self, near: &Unknowns, grazing_phase: f64, visit: u32) -> EventTimes {
         let until_visit = grazing_phase + TAU * f64::from(visit) - self.departure(near).phase;
         EventTimes::default().touching(until_visit / self.oscillator_at(near).forcing_frequency().value)

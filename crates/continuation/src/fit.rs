@@ -1,5 +1,5 @@
-//! Curves that leave a resonance in straightened coordinates, and their quadratic coefficients
-//! measured.
+//! Curves that leave a resonance in straightened coordinates, and measurement of their quadratic
+//! coefficients.
 //!
 //! An SN or PD curve is smooth in the impact velocity y, and so through y = 0 and the resonance:
 //! with η(y) and μ(y) = primary − primary_graz(η), measured from the resonance,
@@ -22,8 +22,8 @@
 //! ```
 //!
 //! whose relative error is the same at all scales ([`Straightened::at`]). That holds for any
-//! oscillator, integrated or not, since it takes nothing but solutions at moderate y. GZ curves that
-//! leave a resonance are such curves, too.
+//! oscillator, integrated or not, since only solutions at moderate y are used. GZ curves that leave
+//! a resonance are such curves as well.
 
 use core::f64::consts::PI;
 
@@ -36,21 +36,21 @@ use crate::locate::{Condition, LocateFailure, locate};
 use crate::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use crate::resonance::{LocatedResonance, ResonanceError, ResonantGrazingPoint};
 
-/// A coefficient could not be measured.
+/// The reason why a coefficient could not be measured.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum FitError {
     /// A point of the curve was not found.
     #[error("no point of the curve at impact velocity {velocity:.1e}: {failure}")]
     NoPoint {
-        /// The impact velocity asked for.
+        /// The requested impact velocity.
         velocity: f64,
-        /// What happened.
+        /// The reason why the point was not found.
         failure: LocateFailure,
     },
     /// The grazing orbit at the point's η was not found.
     #[error(transparent)]
     GrazingOrbit(#[from] GrazingOrbitError),
-    /// Whoever measured was asked to end.
+    /// The computation was cancelled.
     #[error("an end was asked for before it was measured")]
     NotFinished,
 }
@@ -71,28 +71,28 @@ pub struct LeavingCurve<'a, O = AnyOscillator> {
     pub resonance: &'a LocatedResonance<O>,
     /// The equations of the MPSs, which may have more loops than those of the resonance.
     pub equations: LoopEquations<O>,
-    /// What holds along it.
+    /// The condition that holds along the curve.
     pub condition: Condition,
-    /// Its leading terms, by theory.
+    /// The leading terms of the curve, by theory.
     pub leading: BifurcationCurve,
     /// The number of the visit to Π that touches the wall, on a GZ curve.
     pub visit: Option<u32>,
 }
 
-/// What was measured on a curve at its resonance.
+/// The quantities measured on a curve at its resonance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measurement {
-    /// lim μ/η².
+    /// The quadratic coefficient lim μ/η².
     pub coefficient: Estimate,
-    /// e₁ and e₂ of η = e₁ y + e₂ y² + ….
+    /// The coefficients e₁ and e₂ of η = e₁ y + e₂ y² + ….
     pub eta: [f64; 2],
-    /// m₂ and m₃ of μ = m₂ y² + m₃ y³ + ….
+    /// The coefficients m₂ and m₃ of μ = m₂ y² + m₃ y³ + ….
     pub mu: [f64; 2],
-    /// The greatest impact velocity at which it was measured.
+    /// The greatest impact velocity used.
     pub velocity: f64,
 }
 
-/// lim μ/η² along the SN or PD curve as it runs into the resonance.
+/// The quadratic coefficient lim μ/η² of the SN or PD curve at the resonance.
 ///
 /// # Errors
 /// A point of the curve or its grazing orbit was not found, even close to the resonance.
@@ -103,29 +103,29 @@ pub fn quadratic_coefficient<O: ImpactOscillator>(
     measure(resonance, condition).map(|measurement| measurement.coefficient)
 }
 
-/// Nodes of an interpolant, an even number so that none is y = 0.
+/// Number of nodes of an interpolant, even so that none is y = 0.
 const NODES: usize = 20;
-/// Coefficients at the end of an interpolant that are taken for its error: what is in them is
-/// truncation and rounding.
+/// Number of coefficients at the end of an interpolant that are taken for its error: they consist
+/// of truncation and rounding.
 const TAIL: usize = 4;
-/// The first nodes reach to this part of the velocity up to which the curve is known to stay near
-/// its tangent ([`scale`]).
+/// The first nodes reach to this fraction of the velocity up to which the curve is known to stay
+/// near its tangent ([`scale`]).
 const FIRST: f64 = 0.25;
-/// No nodes are nearer to y = 0 than 2⁻³⁰ of the first: there nothing is left of μ but rounding.
+/// No nodes are nearer to y = 0 than 2⁻³⁰ of the first: at that distance μ is lost in rounding.
 const DEEPEST: f64 = 1e-9;
 /// Halving the distance of the nodes divides truncation, of order eight at least, by hundreds, and
 /// leaves rounding as it is.
 const FALLING: f64 = 0.25;
-/// The nodes come nearer by this factor at least: what is far from y = 0 says little of what is
-/// near.
+/// The nodes approach y = 0 by at least this factor from level to level: points far from y = 0
+/// carry little information about points near it.
 const LONGEST: f64 = 1.0 / 16.0;
-/// An error that has grown from level to level this often grows for good.
+/// An error that has grown from level to level this many times keeps growing.
 const GROWING: usize = 3;
-/// Rounding scatters, and a tail may be small by chance: the error is this many times what the tail
-/// says (empirical: the calibration in the tests of `unfold`).
+/// Rounding scatters, and a tail may be small by chance: the error is this many times the estimate
+/// from the tail (empirical: the calibration in the tests of `unfold`).
 const SAFETY: f64 = 3.0;
 
-/// The coefficient of the quadratic term and those next to it.
+/// The coefficient of the quadratic term and the neighbouring ones.
 ///
 /// # Errors
 /// A point of the curve or its grazing orbit was not found, even close to the resonance.
@@ -137,7 +137,8 @@ pub fn measure<O: ImpactOscillator>(
 }
 
 impl<O: ImpactOscillator> LeavingCurve<'_, O> {
-    /// Follows the curve from the resonance. A GZ curve cannot be: its equations are singular there.
+    /// Follows the curve from the resonance, which is impossible for a GZ curve: its equations are
+    /// singular there.
     ///
     /// # Errors
     /// The curve cannot be started.
@@ -149,7 +150,7 @@ impl<O: ImpactOscillator> LeavingCurve<'_, O> {
             .map_err(|stall| ResonanceError::not_started(condition, stall.to_string()))
     }
 
-    /// The direction in which theory lets it leave with y > 0.
+    /// The direction in which, by theory, the curve leaves with y > 0.
     ///
     /// (y, z, primary, η) grow like (Υ', z_graz' + k₁Υ', primary_graz', 1) η, with the sign of η
     /// that makes y positive. Paper: eq:Upsilon1, eq:Upsilonp, eq:ZM.
@@ -163,7 +164,7 @@ impl<O: ImpactOscillator> LeavingCurve<'_, O> {
     /// The curve with η and μ as interpolants in y.
     ///
     /// From level to level the nodes come nearer to y = 0, as far as the terms beyond the
-    /// interpolant ask for, until these vanish in rounding. The level with the least error is kept.
+    /// interpolant require, until these vanish in rounding. The level with the least error is kept.
     ///
     /// # Errors
     /// A point of the curve or its grazing orbit was not found, even close to the resonance.
@@ -196,11 +197,11 @@ impl<O: ImpactOscillator> LeavingCurve<'_, O> {
         }
         match (levels.get(best), failure) {
             (Some(level), _) => {
-                // Rounding is the same nearer to y = 0: where the tail is small by chance here, it
-                // is not there as well.
+                // Rounding is the same nearer to y = 0: a tail that is small by chance here is not
+                // small there as well.
                 let nearer = levels.get(best + 1).unwrap_or(level);
                 let tails = [0, 1].map(|k| level.tails[k].max(nearer.tails[k]));
-                // Differences without any scatter are all zero: far below rounding.
+                // Tails without any scatter are exactly zero, far below rounding.
                 let tails = [0, 1].map(|k| if tails[k] > 0.0 { tails[k] } else { rounding[k] });
                 let mut level = Level { tails, ..level.clone() };
                 let mut measurement = level.measured(tails);
@@ -223,8 +224,8 @@ impl<O: ImpactOscillator> LeavingCurve<'_, O> {
     }
 
     /// The velocity up to which a curve may stay near its tangent: γ/ω, the scale of the motion at
-    /// the wall, and no further than to where, at the tangent's η, the map P_global has become
-    /// another one.
+    /// the wall, limited to the range of η in which, at the tangent's η, the map P_global has not
+    /// changed by its own size.
     fn scale(&self) -> f64 {
         let grazing = &self.resonance.resonant_point().grazing;
         let turn = grazing.map.a.norm() / self.resonance.orbit().derivative_of_map().norm();
@@ -244,7 +245,7 @@ impl<O: ImpactOscillator> LeavingCurve<'_, O> {
         }
     }
 
-    /// The interpolants through nodes up to `reach`, by solutions of these equations.
+    /// The interpolants through nodes up to `reach`, computed from solutions of these equations.
     fn level(&self, equations: &LoopEquations<O>, reach: f64) -> Result<Level, FitError> {
         let (origin, orbit) = (self.resonance.unknowns(), self.resonance.orbit());
         let direction = self.direction();
@@ -278,10 +279,10 @@ impl<O: ImpactOscillator> LeavingCurve<'_, O> {
     }
 }
 
-/// A curve near its resonance, with as many digits at any scale.
+/// A curve near its resonance, with the same number of digits at any scale.
 #[derive(Clone, Debug)]
 pub struct Straightened {
-    /// What is measured at the resonance.
+    /// The measurement at the resonance.
     pub measurement: Measurement,
     level: Level,
     /// The relative error of integration.
@@ -289,8 +290,8 @@ pub struct Straightened {
 }
 
 impl Straightened {
-    /// μ/η² at this η, measured from the resonance; none where the curve, with y > 0, is not there or
-    /// leaves the nodes.
+    /// μ/η² at this η, measured from the resonance; `None` where the curve, with y > 0, does not
+    /// exist or leaves the nodes.
     pub fn at(&self, eta: f64) -> Option<Estimate> {
         let mut share = 0.0;
         // η = s E(s) with s = y/`reach`; at the resonance a straight line.
@@ -311,7 +312,8 @@ impl Straightened {
     }
 }
 
-/// Fixed-point iterations for y: where more are needed the curve turns within the nodes.
+/// Largest number of fixed-point iterations for y: where more are needed the curve turns within the
+/// nodes.
 const ITERATIONS: u32 = 200;
 
 /// η and μ as functions of y/`reach`.
@@ -320,23 +322,23 @@ struct Level {
     reach: f64,
     eta: Interpolant,
     mu: Interpolant,
-    /// The size of the coefficients of η and of μ that are in error.
+    /// The size of the errors in the coefficients of η and of μ.
     tails: [f64; 2],
 }
 
 impl Level {
-    /// The factor by which the nodes have to come nearer for the tails to come down to rounding: a
-    /// half at most.
+    /// The factor by which the nodes have to come nearer for the tails to fall to rounding, at most
+    /// a half.
     fn remedy(&self, rounding: [f64; 2]) -> f64 {
         let excess = (self.tails[0] / rounding[0]).max(self.tails[1] / rounding[1]);
-        // The tail begins with lower powers than this: it is not overdone.
+        // The tail begins with lower powers than this, so the factor is not too small.
         libm::pow(excess, -1.0 / NODES as f64).clamp(LONGEST, 0.5)
     }
 
-    /// Nothing but rounding is left in the tails, as in those of a level that is farther away.
+    /// Whether only rounding remains in the tails, as in those of a level that is farther away.
     fn settles(&self, farther: &Self) -> bool {
         let stays = |k: usize| self.tails[k] > FALLING * farther.tails[k];
-        // η is a straight line there, or at most a parabola.
+        // η is a straight line at this level, or at most a parabola.
         stays(0) && stays(1) && self.tails[0] < 1e-3 * self.eta.size()
     }
 
@@ -353,8 +355,8 @@ impl Level {
     /// μ/η² at a share of the reach.
     fn distance(&self, share: f64) -> Estimate {
         let [[_, slope, ..], [_, _, curvature, _]] = self.quotients(share);
-        // The weights in E and in M of the first coefficient that is left out, larger than those
-        // that are not: at the resonance, and by the polynomial's size elsewhere.
+        // The weights in E and in M of the first coefficient that is neglected, larger than those
+        // of the others: at the resonance, and by the polynomial's size elsewhere.
         let [of_eta, of_mu] = self.degrees(self.tails).map(|degree| (degree + 1) as f64);
         let of_slope = of_eta.min(2.0 / share) * self.tails[0];
         let of_curvature = (0.5 * of_mu * of_mu).min((2.0 + of_mu * share) / (share * share)) * self.tails[1];
@@ -375,12 +377,12 @@ impl Level {
     }
 }
 
-/// The nodes in (−1, 1), from the right to the left.
+/// A node in (−1, 1); indices run from right to left.
 fn node(index: usize) -> f64 {
     libm::cos(PI * (index as f64 + 0.5) / NODES as f64)
 }
 
-/// Coefficients of Chebyshev's polynomials.
+/// An interpolant, as coefficients of Chebyshev polynomials.
 #[derive(Clone, Debug)]
 struct Interpolant([f64; NODES]);
 
@@ -395,17 +397,17 @@ impl Interpolant {
         }))
     }
 
-    /// The degree above which no coefficient stands out of the tail.
+    /// The degree above which no coefficient exceeds the tail.
     fn degree(&self, tail: f64) -> usize {
         self.0.iter().rposition(|coefficient| coefficient.abs() > tail).unwrap_or(0)
     }
 
-    /// The value f(x), and what is left of it divided by x, once, twice and three times: (f(x) −
-    /// f(0))/x is the first, and the others follow from the one before in the same way. At zero
-    /// these are the terms of the expansion about zero.
+    /// The value f(x), and its successive quotients by x, once, twice and three times: (f(x) −
+    /// f(0))/x is the first, and each of the others follows from the previous one in the same way.
+    /// At zero these are the terms of the expansion about zero.
     ///
     /// No difference is taken: from T_(k+1) = 2x T_k − T_(k−1) follows the same recurrence for the
-    /// quotients, with those before in place of x T_k.
+    /// quotients, with those of the previous order instead of x T_k.
     fn quotients(&self, degree: usize, x: f64) -> [f64; 4] {
         let (mut before, mut here) = ([0.0; 4], [1.0, 0.0, 0.0, 0.0]);
         let mut sum = [0.0; 4];

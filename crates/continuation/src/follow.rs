@@ -15,10 +15,10 @@ use crate::tolerances::{LOST_MULTIPLIERS, LOST_POINTS, NO_VELOCITY, ON_TWO_CURVE
 use events::{CurveStation, EVENTS, INADMISSIBLE, Signs, Step, changes, signs, vanishing};
 
 impl<O: ImpactOscillator> SolutionCurve<O> {
-    /// Follows the curve from `start`, to the side of `direction`, until it ends.
+    /// Follows the curve from `start`, in the direction closer to `direction`, until it ends.
     ///
-    /// In the formulation of the equations, [`FixedPhase`](crate::mps::Formulation::FixedPhase) as
-    /// a rule: where VIVID ends, the curve ends.
+    /// The formulation is that of the equations, usually
+    /// [`FixedPhase`](crate::mps::Formulation::FixedPhase): where VIVID ends, the curve ends.
     ///
     /// # Errors
     /// The curve cannot be started: the equations are undefined or have no unique tangent at
@@ -49,8 +49,8 @@ impl<O: ImpactOscillator> SolutionCurve<O> {
         Ok(follower.curve)
     }
 
-    /// Follows the curve through a point of it to both sides: first to the side of `direction`,
-    /// then to the other, in one list.
+    /// Follows the curve through one of its points in both directions, first that of `direction`,
+    /// then the other, and returns one list.
     ///
     /// # Errors
     /// As [`follow`](Self::follow).
@@ -68,10 +68,10 @@ impl<O: ImpactOscillator> SolutionCurve<O> {
         let after = self.clone().follow(through, -direction, times.clone(), route)?;
         let condition =
             self.bifurcation_between(before.points.get(1), &before.points[0], after.points.get(1));
-        // The point stands in both.
+        // The point is in both lists.
         let mut shared = before.points.len() - 1;
         before.points.reverse();
-        // An event lies before the point of its index, and beyond it once the order is turned.
+        // An event lies before the point of its index, and beyond it once the order is reversed.
         before.events.reverse();
         before.events.iter_mut().for_each(|event| event.index = shared + 1 - event.index);
         if let Some(condition) = condition
@@ -87,10 +87,11 @@ impl<O: ImpactOscillator> SolutionCurve<O> {
         Ok(before)
     }
 
-    /// The bifurcation that a point of a one-parameter branch is itself, by which its neighbours on
-    /// the branch differ.
+    /// The bifurcation at which a point of a one-parameter branch itself lies, by which its
+    /// neighbours on the branch differ.
     ///
-    /// To neither side a sign changes beyond it, so that it is not seen on the way.
+    /// No sign changes beyond the point in either direction, so the bifurcation is not detected on
+    /// the way.
     fn bifurcation_between(
         &self,
         before: Option<&CurvePoint>,
@@ -115,7 +116,7 @@ impl<O: ImpactOscillator> SolutionCurve<O> {
         EVENTS.into_iter().find(vanishes)
     }
 
-    /// A one-parameter branch.
+    /// Whether the curve is a one-parameter branch.
     fn is_branch(&self) -> bool {
         matches!(self.condition, Condition::Primary(_) | Condition::Secondary(_))
     }
@@ -131,7 +132,7 @@ impl<O: ImpactOscillator> SolutionCurve<O> {
     }
 }
 
-/// A curve in the making.
+/// A curve while it is being followed.
 struct Follower<'a, O> {
     followed: &'a SolutionCurve<O>,
     route: &'a Route<'a>,
@@ -140,11 +141,11 @@ struct Follower<'a, O> {
 }
 
 impl<O: ImpactOscillator> Follower<'_, O> {
-    /// Goes on until the curve ends (`None`) or no further point is found.
+    /// Continues until the curve ends (`None`) or no further point is found.
     fn walk(&mut self, mut here: CurveStation) -> Option<Stall<MapError>> {
         let control = self.route.control;
         let SolutionCurve { equations, condition } = self.followed;
-        // What happens on a sketch is located by itself, with all digits.
+        // Events on a sketch are located separately, with all digits.
         let rough = control
             .sketches()
             .then(|| SolutionCurve { equations: equations.roughly(), condition: *condition });
@@ -181,7 +182,7 @@ impl<O: ImpactOscillator> Follower<'_, O> {
             && points.iter().rev().take(LOST_POINTS).all(violent)
     }
 
-    /// Takes in the next point, unless the curve ends before it.
+    /// Appends the next point, unless the curve ends before it.
     fn accept(&mut self, before: &CurveStation, after: CurveStation) -> ControlFlow<CurveEnd> {
         let equations = &self.followed.equations;
         let step = Step { followed: self.followed, control: self.route.control, before, after: &after };
@@ -212,8 +213,8 @@ impl<O: ImpactOscillator> Follower<'_, O> {
         ControlFlow::Continue(())
     }
 
-    /// The MPS at a point and the signs there; if the curve is sketched, as the corrector has left
-    /// them, and admissibility only where it or the one before is stable.
+    /// The MPS at a point and the signs there; on a sketch with the values left by the corrector,
+    /// and admissibility only where this solution or the previous one is stable.
     fn solution_and_signs(&self, station: &CurveStation) -> (PeriodicSolution, Signs) {
         let SolutionCurve { equations, condition } = self.followed;
         match station.carried.stability.filter(|_| self.route.control.sketches()) {
@@ -232,8 +233,8 @@ impl<O: ImpactOscillator> Follower<'_, O> {
         }
     }
 
-    /// Whether something happens before the next point that is to be located: on a sketch a single
-    /// event between two MPSs neither of which is stable and admissible is not.
+    /// Whether an event before the next point is to be located: on a sketch a single event between
+    /// two MPSs neither of which is stable and admissible is not.
     fn matters(&self, past: Signs, now: Signs, next: &PeriodicSolution) -> bool {
         let either =
             || next.attracts() || self.curve.points.last().is_some_and(|point| point.solution.attracts());
@@ -244,8 +245,8 @@ impl<O: ImpactOscillator> Follower<'_, O> {
         }
     }
 
-    /// The first point, if the curve passes it between two of its points; with the phase as far on
-    /// as it is then.
+    /// The first point, if the curve passes it between two of its points, with the phase increased
+    /// by the whole turns made since.
     fn back_at_the_start(&self, step: &Step<'_, O>) -> Option<CurvePoint> {
         let [first, second, ..] = self.curve.points.as_slice() else { return None };
         if self.curve.points.len() <= FEWEST_OF_A_LOOP {
@@ -261,7 +262,7 @@ impl<O: ImpactOscillator> Follower<'_, O> {
         Some(point)
     }
 
-    /// Lists the events on a step at whose end there is this solution.
+    /// Appends the events on a step that ends at this solution.
     fn locate_events(
         &mut self,
         step: &Step<'_, O>,
@@ -273,17 +274,18 @@ impl<O: ImpactOscillator> Follower<'_, O> {
             Ok(located) => located,
             Err(end) => return ControlFlow::Break(end),
         };
-        // What lies beyond the edge is not on the curve, which ends there.
+        // Events beyond the edge are not on the curve, which ends there.
         let inside = |event: &Event| self.route.window.contains(event.solution.parameters());
         for event in located.into_iter().filter(inside) {
             self.curve.events.push(event.clone());
-            // Beyond it the product of real multipliers is 1, which is nothing.
+            // Beyond it the product of real multipliers is 1, which is no bifurcation.
             let ends =
                 self.followed.condition == Condition::TORUS && event.condition != Condition::InteriorGrazing;
             if self.route.stop_at_events || ends {
                 let mut times = event.times.clone();
                 if self.followed.condition == event.condition {
-                    // Those of the event are the other curve's, on which another maximum touches the wall.
+                    // The times of the event belong to the other curve, on which another maximum
+                    // touches the wall.
                     core::mem::swap(&mut times.grazing_time, &mut times.second_grazing_time);
                 }
                 self.curve.points.push(CurvePoint { solution: event.solution, times });

@@ -2,11 +2,11 @@
 //!
 //! An MPS is a zero of two smooth equations in (y, z, μ, η), impact velocity, impact phase and the
 //! two parameters ([`mps`]): the VIVID function of the paper (section 4.3), or a form without
-//! virtual points, in which curves are followed. One more [`Condition`](locate::Condition) makes a
-//! curve: a fixed η a one-parameter branch, a multiplier ±1 a curve of saddle-node or
+//! virtual points, in which curves are followed. A further [`Condition`](locate::Condition) defines
+//! a curve: a fixed η a one-parameter branch, a multiplier ±1 a curve of saddle-node or
 //! period-doubling bifurcations, a product 1 of complex multipliers one of torus bifurcations, an
-//! interior maximum at the wall a curve of grazing bifurcations. A second condition makes a point: a
-//! bifurcation on a branch, a codimension-two point on a curve, a resonance.
+//! interior maximum at the wall a curve of grazing bifurcations. A second condition defines a
+//! point: a bifurcation on a branch, a codimension-two point on a curve, a resonance.
 //!
 //! ```text
 //! tolerances                 what counts as zero, as equal and as lost

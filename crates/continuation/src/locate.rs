@@ -8,13 +8,13 @@ use crate::mps::{EventTimes, LoopEquations, LoopPair, Unknowns, stack, unknown};
 use crate::newton::{self, Linearisation, NewtonFailure};
 use crate::tolerances::{self, EVALUATIONS, FARTHEST, SAME_POINT};
 
-/// A scalar condition on an MPS. One condition makes a curve in (y, z, μ, η), two make a point.
+/// A scalar condition on an MPS. One condition defines a curve in (y, z, μ, η), two define a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Condition {
     /// A stability multiplier equals this: 1 at a saddle-node bifurcation, −1 at a period doubling.
     Multiplier(f64),
-    /// Of symmetric motion without impacts a multiplier over half a period is −1: a pitchfork. Motion
-    /// that is not symmetric does not meet it.
+    /// A multiplier of symmetric motion without impacts over half a period is −1: a pitchfork.
+    /// Motion that is not symmetric does not satisfy it.
     SymmetryBreaking,
     /// The product of both multipliers equals this: 1 at a torus bifurcation, where they are complex
     /// and so e^{±iθ}.
@@ -24,10 +24,10 @@ pub enum Condition {
     InteriorGrazing,
     /// A second interior maximum touches the wall, where one does already.
     SecondInteriorGrazing,
-    /// The impact velocity has this value; 0 is where the MPS meets the non-impacting solution.
+    /// The impact velocity has this value; at 0 the MPS meets the non-impacting solution.
     ImpactVelocity(f64),
-    /// Where the forcing is at this phase, counted on from that of the recoil, the MPS is at this
-    /// position.
+    /// The MPS is at this position when the forcing is at this phase, counted from that of the
+    /// recoil.
     Position {
         /// The phase of the forcing, in radians.
         phase: f64,
@@ -80,8 +80,8 @@ impl Condition {
         })
     }
 
-    /// What holds a point in its place on the surface of solutions, where it is carried to another
-    /// η: y and η, or without impacts μ and η.
+    /// The conditions that fix a point on the surface of solutions when it is carried to another η:
+    /// y and η, or μ and η without impacts.
     pub fn beside<O: ImpactOscillator>(equations: &LoopEquations<O>, point: &Unknowns) -> [Self; 2] {
         let held = match equations.has_impacts() {
             true => Self::ImpactVelocity(point[unknown::VELOCITY]),
@@ -102,19 +102,19 @@ impl Condition {
         matches!(self, Self::Multiplier(_) | Self::SymmetryBreaking | Self::Product(_))
     }
 
-    /// One multiplier is 1 or −1 all along the curve.
+    /// Whether one multiplier is 1 or −1 all along the curve.
     pub(crate) fn fixes_a_multiplier(self) -> bool {
         matches!(self, Self::SADDLE_NODE | Self::PERIOD_DOUBLING | Self::SymmetryBreaking)
     }
 }
 
-/// A point was not located.
+/// The reason why a point was not located.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum LocateFailure {
     /// Newton's method failed.
     #[error(transparent)]
     Newton(#[from] NewtonFailure<MapError>),
-    /// Newton's method went away from where the point must lie.
+    /// Newton's method left the region where the point must lie.
     #[error("the point found lies {distance:.1e} away, on a step of length {step:.1e}")]
     Elsewhere {
         /// Distance from the expected place.
@@ -124,7 +124,7 @@ pub enum LocateFailure {
     },
 }
 
-/// V = 0 and the condition, stacked; the last row is left to be filled.
+/// V = 0 and the condition, stacked; the last row is left empty.
 pub(crate) fn conditioned<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     condition: Condition,
@@ -146,7 +146,7 @@ pub(crate) fn conditioned<O: ImpactOscillator>(
     Ok((stack(pair.difference(), scalar), pair))
 }
 
-/// Why an iteration ends.
+/// The reason why an iteration ends.
 #[derive(Clone, Copy)]
 enum Stop {
     Undefined(MapError),
@@ -157,7 +157,7 @@ use Stop::{Lost, Undefined};
 /// The MPS near `start` at which both conditions hold.
 ///
 /// # Errors
-/// Newton's method failed; the cause says where.
+/// Newton's method failed; the cause gives the iteration.
 pub fn locate<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     conditions: [Condition; 2],
@@ -167,7 +167,7 @@ pub fn locate<O: ImpactOscillator>(
     locate_within(FARTHEST * (1.0 + start.norm()), equations, conditions, start, times)
 }
 
-/// The same, given up as soon as an iterate is farther from the start than `reach`.
+/// Like [`locate`], but given up as soon as an iterate is farther from the start than `reach`.
 ///
 /// # Errors
 /// As [`locate`].
@@ -178,7 +178,7 @@ pub fn locate_within<O: ImpactOscillator>(
     start: Unknowns,
     times: &mut EventTimes,
 ) -> Result<Unknowns, LocateFailure> {
-    // What asks for symmetry comes first, as it is a matter of the equations, too.
+    // The condition that requires symmetry comes first, as it also changes the equations.
     let mut conditions = conditions;
     if conditions[1] == Condition::SymmetryBreaking {
         conditions.swap(0, 1);
@@ -187,7 +187,7 @@ pub fn locate_within<O: ImpactOscillator>(
     let mut farthest = 0.0;
     let solution = newton::solve(start, EVALUATIONS, |point| {
         farthest = (point - start).norm();
-        // NaN is far as well.
+        // NaN counts as far as well.
         if farthest.is_nan() || farthest > reach {
             return Err(Lost);
         }
@@ -213,13 +213,13 @@ pub fn locate_within<O: ImpactOscillator>(
     Ok(solution.point)
 }
 
-/// Two located points are the same codimension-two point.
+/// Whether two located points are the same codimension-two point.
 pub fn same_point(a: &Unknowns, b: &Unknowns) -> bool {
     let gap = |index: usize| (a[index] - b[index]).abs();
     gap(unknown::PRIMARY).max(gap(unknown::SECONDARY)) < SAME_POINT
 }
 
-/// The point at which a curve of interior grazing runs into y = 0.
+/// Locates the point at which a curve of interior grazing reaches y = 0.
 ///
 /// With y = 0 all loops coincide with the grazing orbit, so the interior maximum lies on the wall
 /// for every η and the equations of [`locate`] are singular. The curve branches off this trivial

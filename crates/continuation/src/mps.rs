@@ -3,13 +3,13 @@
 //!
 //! A p-loop MPS has one impact, at velocity y and phase z, and returns to it after p forcing
 //! periods. Two maps lead from (y, z) to one surface: one through the recoil and p loops, the other
-//! straight from the impact, the wall ignored. The MPS is where they agree; its stability
-//! multipliers are the eigenvalues of the one's derivative times the inverse of the other's. The
-//! choice of the surface gives the [`Formulation`].
+//! straight from the impact, with the wall ignored. The MPS is where they agree; its stability
+//! multipliers are the eigenvalues of the first one's derivative times the inverse of the second
+//! one's. The choice of the surface gives the [`Formulation`].
 //!
 //! A periodic solution without impacts is the case p = 0: from (x, y) at phase zero the flow leads
-//! round one forcing period, and the straight way is to stay. All else is the same: two equations,
-//! multipliers from the two ways, a highest maximum.
+//! round one forcing period, and the other map is the identity. Everything else is the same: two
+//! equations, multipliers from the two maps, a highest maximum.
 
 mod pair;
 mod symmetry;
@@ -31,21 +31,21 @@ pub(crate) use crate::solution::Stability;
 pub use crate::solution::{Multipliers, PeriodicSolution, Unknowns, parameters, unknown};
 use crate::tolerances::{FAR, RECURS, REST, UNSURE_HEIGHT};
 
-/// The impact of a point.
+/// The impact at a point.
 fn impact(point: &Unknowns) -> OnWall {
     OnWall::new(point[unknown::VELOCITY], point[unknown::PHASE])
 }
 
-/// The state at phase zero of a point without impacts.
+/// The state at phase zero for a point without impacts.
 fn at_phase_zero(point: &Unknowns) -> AtPhase {
     AtPhase::new(point[0], point[1])
 }
 
-/// A maximum within this share of a flight from either of its ends is that end, which is located as
-/// all maxima are, to some 10⁻⁸.
+/// Fraction of a flight: a maximum nearer to one of its ends than this is that end, which is
+/// located like all maxima to some 10⁻⁸.
 const END: f64 = 1e-4;
 
-/// The surface on which the way through recoil and loops is compared with the straight way from the
+/// The surface on which the map through recoil and loops is compared with the direct map from the
 /// impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Formulation {
@@ -55,13 +55,13 @@ pub enum Formulation {
     /// met with ẍ ≥ 0.
     Vivid,
     /// The plane of constant phase through the impact: flow for p forcing periods from the impact
-    /// phase, less what the recoil takes. It has no virtual points and is defined everywhere, and
-    /// one landing serves all loops: curves are followed with it.
+    /// phase, less the duration of the recoil. It has no virtual points and is defined everywhere,
+    /// and one landing serves all loops: curves are followed with it.
     FixedPhase,
 }
 
-/// What the equations carry along a curve: event times, so that "the next maximum" is never
-/// ambiguous, and the phase of the comparison plane.
+/// State carried along a curve: event times, so that "the next maximum" is never ambiguous, and the
+/// phase of the comparison plane.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct EventTimes {
     /// Evolution times of P_virt from the impact and from the recoil.
@@ -72,16 +72,17 @@ pub struct EventTimes {
     reference_phase: Option<f64>,
     /// Time from the recoil to the interior maximum that a grazing curve holds at the wall.
     pub(crate) grazing_time: f64,
-    /// The same for a second interior maximum, where two touch the wall.
+    /// Time from the recoil to a second interior maximum, where two touch the wall.
     pub(crate) second_grazing_time: f64,
-    /// What the last evaluation along a curve said of stability,
+    /// The stability found by the last evaluation along a curve.
     pub(crate) stability: Option<Stability>,
-    /// and whether the next one may say something else.
+    /// Whether the next evaluation may find another stability.
     pub(crate) unsettled: bool,
 }
 
 impl EventTimes {
-    /// The same with the time from the recoil to the interior maximum that is held at the wall.
+    /// The event times with the time from the recoil to the interior maximum that is held at the
+    /// wall.
     #[must_use]
     pub fn touching(self, time: f64) -> Self {
         Self { grazing_time: time, ..self }
@@ -95,34 +96,34 @@ pub struct LoopEquations<O = AnyOscillator> {
     oscillator: O,
     loops: u32,
     formulation: Formulation,
-    /// What μ and η are counted in where lengths are taken.
+    /// The units of μ and η in lengths.
     units: [f64; 2],
     /// The symmetry of motion without impacts.
     symmetry: Option<Symmetry>,
-    /// The equations are those of symmetric motion over half a period.
+    /// Whether the equations are those of symmetric motion over half a period.
     halved: bool,
 }
 
 impl<O: ImpactOscillator> LoopEquations<O> {
-    /// The equations of MPSs with `loops` = p ≥ 1 loops, or, whatever the formulation, of periodic
+    /// The equations of MPSs with `loops` = p ≥ 1 loops, or, for any formulation, of periodic
     /// solutions without impacts (p = 0); the oscillator's own parameters do not matter.
     pub fn new(oscillator: O, loops: u32, formulation: Formulation) -> Self {
         Self { oscillator, loops, formulation, units: [1.0; 2], symmetry: None, halved: false }
     }
 
-    /// The equations of periodic solutions without impacts; in lengths of steps μ and η are counted
-    /// in these units.
+    /// The equations of periodic solutions without impacts; in lengths of steps μ and η are
+    /// measured in these units.
     pub fn without_impacts(oscillator: O, units: [f64; 2]) -> Self {
         Self { units, ..Self::new(oscillator, 0, Formulation::FixedPhase) }
     }
 
-    /// The same equations where motion without impacts has this symmetry, if any.
+    /// The equations with the symmetry of motion without impacts, if any.
     #[must_use]
     pub fn with_symmetry(self, symmetry: Option<Symmetry>) -> Self {
         Self { symmetry, ..self }
     }
 
-    /// The equations of symmetric motion: a half of the forcing period, mirrored, leads back. None
+    /// The equations of symmetric motion: half a forcing period and the mirror lead back; `None`
     /// where there is no symmetry.
     pub fn halved(&self) -> Option<Self> {
         self.symmetry.map(|_| Self { halved: true, ..self.clone() })
@@ -133,22 +134,22 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         self.loops
     }
 
-    /// There is an impact in p forcing periods.
+    /// Whether there is an impact in p forcing periods.
     pub fn has_impacts(&self) -> bool {
         self.loops > 0
     }
 
-    /// The unknown that is an angle: the impact phase.
+    /// The index of the unknown that is an angle: the impact phase.
     pub fn angle(&self) -> Option<usize> {
         self.has_impacts().then_some(unknown::PHASE)
     }
 
-    /// What the unknowns are counted in where lengths are taken.
+    /// The units of the unknowns in lengths.
     pub fn units(&self) -> Unknowns {
         Unknowns::new(1.0, 1.0, self.units[0], self.units[1])
     }
 
-    /// The way from one point to another, counted in these units, phases modulo 2π.
+    /// The displacement from one point to another, with phases modulo 2π.
     pub fn gap(&self, from: &Unknowns, to: &Unknowns) -> Unknowns {
         let mut gap = to - from;
         if let Some(angle) = self.angle() {
@@ -162,18 +163,18 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         self.formulation
     }
 
-    /// The same equations in another formulation.
+    /// The equations in another formulation.
     pub fn with_formulation(&self, formulation: Formulation) -> Self {
         Self { formulation, ..self.clone() }
     }
 
-    /// The same equations with motion to fewer digits, where that takes less time.
+    /// The equations with motion computed to fewer digits, where that takes less time.
     #[must_use]
     pub fn roughly(&self) -> Self {
         Self { oscillator: self.oscillator.roughly(), ..self.clone() }
     }
 
-    /// The same equations with motion integrated in shorter steps, where it is integrated.
+    /// The equations with motion integrated in shorter steps; `None` where it is not integrated.
     pub fn finely(&self) -> Option<Self> {
         Some(Self { oscillator: self.oscillator.finely()?, ..self.clone() })
     }
@@ -183,7 +184,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         self.oscillator.with_parameters(parameters(point))
     }
 
-    /// The state in which the flight begins: just after the impact, (0, y_rec, z_rec), or without
+    /// The state in which the flight begins: just after the impact, (0, y_rec, z_rec); without
     /// impacts at phase zero, (x, y, 0).
     pub fn departure(&self, point: &Unknowns) -> State {
         match self.has_impacts() {
@@ -231,9 +232,9 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         }
     }
 
-    /// The two maps to the plane of constant phase `plane`, the motion of the flight being at hand.
-    /// Without impacts they are the flow over a forcing period, or with a mirror over half of it, and
-    /// the identity, and there are none where motion goes far away.
+    /// The two maps to the plane of constant phase `plane`, given the motion of the flight. Without
+    /// impacts they are the flow over a forcing period, or over half of it with a mirror, and the
+    /// identity; they are undefined where motion goes far away.
     fn pair_along<const ORDER: usize>(
         &self,
         point: &Unknowns,
@@ -251,14 +252,14 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             None => to(TAU),
         };
         let size = around.value.norm();
-        // NaN is far as well.
+        // NaN counts as far as well.
         if size.is_nan() || size > FAR {
             return Err(MapError::NoRest { near: oscillator.forcing_period(), velocity: size });
         }
         Ok(LoopPair::of(&around, &MapJet::identity(from)))
     }
 
-    /// The same of an MPS, whose maps exist at every point.
+    /// The two maps of an MPS to the plane of constant phase `plane`, which exist at every point.
     pub(crate) fn fixed_phase_pair<const ORDER: usize>(
         &self,
         point: &Unknowns,
@@ -275,7 +276,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         LoopPair::of(&around.after::<ORDER, _>(&reset), &ahead)
     }
 
-    /// Brings what is carried up to an accepted point: the comparison plane moves to its phase.
+    /// Updates the carried state at an accepted point: the comparison plane moves to its phase.
     pub(crate) fn settle(&self, point: &Unknowns, times: &mut EventTimes) {
         times.reference_phase = Some(point[unknown::PHASE]);
     }
@@ -321,7 +322,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         Ok((jet.value[0], jet.jacobian.row(0).transpose()))
     }
 
-    /// The position x of the flight where the forcing is at a phase, counted on from that of the
+    /// The position x of the flight when the forcing is at a phase, counted from that of the
     /// recoil, with its first derivatives in the unknowns.
     pub fn position_at(&self, point: &Unknowns, phase: f64) -> (f64, Vector4<f64>) {
         let oscillator = self.oscillator_at(point);
@@ -333,14 +334,16 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         (jet.value[0], jet.jacobian.row(0).transpose())
     }
 
-    /// The orbit that a zero of the equations is: multipliers, maxima, stability, admissibility.
+    /// The periodic solution at a zero of the equations: multipliers, maxima, stability,
+    /// admissibility.
     ///
-    /// Needs no virtual points, whatever the formulation.
+    /// No virtual points are needed, for any formulation.
     pub fn solution(&self, point: &Unknowns) -> PeriodicSolution {
         self.solution_and_stability(point).0
     }
 
-    /// The same with what its multipliers were read off.
+    /// The periodic solution at a zero of the equations, with the stability from which its
+    /// multipliers follow.
     pub(crate) fn solution_and_stability(&self, point: &Unknowns) -> (PeriodicSolution, Stability) {
         let motion = self.motion(point);
         let stability = self.symmetric_stability(point, &motion).unwrap_or_else(|| {
@@ -357,8 +360,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         (pair.difference().0.norm() < RECURS).then(|| pair.stability().of_the_square())
     }
 
-    /// The same at a point with y = 0 that is approached along a curve with the given tangent,
-    /// where the multipliers are limits.
+    /// The periodic solution at a point with y = 0 that is approached along a curve with the given
+    /// tangent; its multipliers are limits.
     pub fn limiting_solution(&self, point: &Unknowns, tangent: &Unknowns) -> PeriodicSolution {
         let motion = self.motion(point);
         let pair = self.fixed_phase_pair::<2>(point, point[unknown::PHASE], &motion);
@@ -377,8 +380,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         }
     }
 
-    /// The same to fewer digits, with multipliers that are known; its maxima are looked for only
-    /// where they are asked for.
+    /// The periodic solution to fewer digits, with known multipliers; its maxima are computed only
+    /// on request.
     pub(crate) fn sketch(
         &self,
         point: &Unknowns,
@@ -430,23 +433,23 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     }
 }
 
-/// The time from the recoil to the impact of a solution with p loops, p T − (z_rec − z)/ω, from the
-/// phases of impact and recoil.
+/// The time from the recoil to the impact of a solution with p loops, p T − (z_rec − z)/ω, computed
+/// from the phases of impact and recoil.
 pub fn flight_time<O: ImpactOscillator>(oscillator: &O, loops: u32, impact: f64, recoil: f64) -> f64 {
     let lag = (recoil - impact) / oscillator.forcing_frequency().value;
     f64::from(loops) * oscillator.forcing_period() - lag
 }
 
-/// Instants of a period at which rest is recognised: no motion is slow at all of them.
+/// Number of instants of a period at which rest is recognised: no motion is slow at all of them.
 const INSTANTS: u32 = 32;
 
-/// The highest point of periodic motion; its first if it is at rest.
+/// The highest point of periodic motion; the first point if it is at rest.
 fn highest_point(motion: &impl Motion, period: f64) -> Maximum {
     let at_rest = (0..=INSTANTS).all(|instant| {
         let here = motion.at(period * f64::from(instant) / f64::from(INSTANTS));
         here.velocity.abs() * period <= REST && here.acceleration.abs() * period * period <= REST
     });
-    // A little more than a period, so that a maximum at phase zero lies inside.
+    // Slightly more than a period, so that a maximum at phase zero lies inside.
     let highest = if at_rest { None } else { motion.highest_maximum(1.25 * period) };
     highest.unwrap_or_else(|| Maximum { time: 0.0, position: motion.at(0.0).position })
 }

@@ -14,7 +14,7 @@ pub struct Linearisation<const N: usize> {
 }
 
 impl<const N: usize> Linearisation<N> {
-    /// The same with the residual and the gradient of one more equation in the last row.
+    /// The linearisation with the residual and the gradient of one more equation in the last row.
     #[must_use]
     pub fn bordered(mut self, residual: f64, gradient: &SVector<f64, N>) -> Self {
         self.residual[N - 1] = residual;
@@ -23,7 +23,7 @@ impl<const N: usize> Linearisation<N> {
     }
 }
 
-/// Newton's method did not reach a solution.
+/// The reason why Newton's method did not reach a solution.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum NewtonFailure<E> {
     /// The equations are not defined at an iterate.
@@ -31,7 +31,7 @@ pub enum NewtonFailure<E> {
     Undefined {
         /// Number of the iteration, from 1.
         iteration: usize,
-        /// Why the equations are not defined.
+        /// The reason why the equations are not defined.
         cause: E,
     },
     /// The Jacobian is singular to rounding.
@@ -66,7 +66,7 @@ where
     pub point: SVector<f64, N>,
     /// Euclidean norm of the residual at the last iterate but one, less than the tolerance away.
     pub residual: f64,
-    /// The factors of the Jacobian there.
+    /// The factors of the Jacobian at the last iterate but one.
     pub factors: LU<f64, Const<N>, Const<N>>,
     /// Number of evaluations.
     pub iterations: usize,
@@ -88,8 +88,8 @@ where
     solve_within(f64::INFINITY, tolerances::STEP, start, limit, equations)
 }
 
-/// The same with another length of the last step, given up as soon as an iterate is farther from
-/// the start than `reach`.
+/// Like [`solve`], with another length of the last step, and given up as soon as an iterate is
+/// farther from the start than `reach`.
 ///
 /// # Errors
 /// As [`solve`].

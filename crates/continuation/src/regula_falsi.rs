@@ -2,12 +2,11 @@
 
 use crate::tolerances::FALSE_POSITIONS;
 
-/// What was found at the last share of the way from 0 to 1, by the Illinois variant of regula
-/// falsi.
+/// The result at the zero of a function on [0, 1], by the Illinois variant of regula falsi.
 ///
-/// `at` returns what is found at a share with the function's value there, `values` are those at
-/// both ends. The search ends as soon as `enough` says so of what was found and its value, or when
-/// nothing is left to try.
+/// `at` returns a result with the function's value at a fraction of the interval, `values` are
+/// those at both ends. The search ends as soon as `enough` returns true for a result and its value,
+/// or when no evaluation is left.
 ///
 /// # Errors
 /// `at` fails.
@@ -24,7 +23,7 @@ pub fn zero_between<T, E>(
         if enough(&found, value) || share == high || evaluation == FALSE_POSITIONS {
             return Ok(found);
         }
-        // The end that stays counts half, so that both ends come close.
+        // The value at the end that stays is halved, so that both ends come close.
         if value * at_high < 0.0 {
             (low, at_low) = (high, at_high);
         } else {

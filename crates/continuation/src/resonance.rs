@@ -1,5 +1,5 @@
-//! Resonant grazing points: located numerically, and the curves that leave them and the
-//! codimension-two points at which these end.
+//! Resonant grazing points, located numerically, the curves that leave them and the codimension-two
+//! points at which these end.
 
 use core::ops::Deref;
 
@@ -17,7 +17,7 @@ use crate::locate::{Condition, LocateFailure, locate, same_point};
 use crate::mps::{EventTimes, Formulation, LoopEquations, PeriodicSolution, Unknowns, unknown};
 use crate::tolerances::{AT_RESONANCE, OFF_RESONANCE};
 
-/// A resonant grazing point could not be analysed.
+/// The reason why a resonant grazing point could not be analysed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ResonanceError {
     /// Newton's method for det J = 0 on the grazing curve failed.
@@ -32,8 +32,7 @@ pub enum ResonanceError {
     /// A theorem's hypothesis does not hold.
     #[error(transparent)]
     Hypotheses(#[from] HypothesesViolated),
-    /// Motion is damped so much that nothing of a small difference is left after a forcing period,
-    /// to rounding.
+    /// Damping is so strong that a small difference vanishes in rounding within a forcing period.
     #[error(
         "small differences are forgotten within a forcing period, to rounding: resonances cannot be told from none"
     )]
@@ -41,15 +40,15 @@ pub enum ResonanceError {
     /// The theory gives a direction in which the numerical equations have no curve.
     #[error("the {curve} curve cannot be started: {reason}")]
     NotStarted {
-        /// Which curve.
+        /// The curve.
         curve: &'static str,
-        /// Why not.
+        /// The reason.
         reason: String,
     },
 }
 
 impl ResonanceError {
-    /// The curve with a condition cannot be started.
+    /// The error that the curve of a condition cannot be started.
     pub(crate) fn not_started(condition: Condition, reason: String) -> Self {
         let curve = match condition {
             Condition::InteriorGrazing => "interior grazing",
@@ -70,7 +69,7 @@ pub struct LocatedResonance<O = AnyOscillator> {
     point: ResonantPoint,
 }
 
-/// Steps of Newton's method from a saddle-node that is nearly the resonance.
+/// Number of Newton steps from a saddle-node that is nearly the resonance.
 const POLISHING: usize = 5;
 
 impl<O: ImpactOscillator> LocatedResonance<O> {
@@ -83,19 +82,19 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         let [primary, secondary] = oscillator.parameters();
         let conditions = [Condition::SADDLE_NODE, Condition::ImpactVelocity(0.0)];
         let start = Unknowns::new(0.0, near, primary, secondary);
-        // Once more from the point found, which is one step more: where damping is strong, E_p and
-        // with it the coefficients change so fast with η that what the last step leaves would be
-        // seen.
+        // A second solution from the point found adds one step: where damping is strong, E_p and
+        // with it the coefficients change so fast with η that the error of the last step would be
+        // visible.
         let mut located = start;
         for _ in 0..2 {
             located = locate(&equations, conditions, located, &mut EventTimes::default())
                 .map_err(ResonanceError::NotLocated)?;
-            // Rounding may leave it beside zero, where an impact has another virtual point.
+            // Rounding may leave it slightly off zero, where an impact has another virtual point.
             located[unknown::VELOCITY] = 0.0;
         }
         let mut orbit = GrazingOrbit::find(&equations.oscillator_at(&located), located[unknown::PHASE])?;
         // Where motion is almost forgotten within p periods a saddle-node at y = 0 is hard to
-        // distinguish from others: there a₁₂ or κ_p itself is solved for, along the grazing curve.
+        // distinguish from others: a₁₂ or κ_p itself is then solved for, along the grazing curve.
         for _ in 0..POLISHING {
             let [detuning, slope] = orbit.detuning(loops, &orbit.derivative_of_map());
             let [_, secondary] = orbit.oscillator().parameters();
@@ -120,7 +119,7 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         &self.orbit
     }
 
-    /// What the theorem asks about.
+    /// The quantities to which the theorem applies.
     pub fn resonant_point(&self) -> &ResonantPoint {
         &self.point
     }
@@ -130,13 +129,14 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         &self.equations
     }
 
-    /// (0, z_graz, μ_graz, η*) as unknowns.
+    /// The resonance (0, z_graz, μ_graz, η*) as unknowns.
     pub fn unknowns(&self) -> Unknowns {
         let [primary, secondary] = self.orbit.oscillator().parameters();
         Unknowns::new(0.0, self.orbit.phase(), primary, secondary)
     }
 
-    /// (y, z, μ, η) of an impact of the limit map, at its parameter M and a distance η from the resonance.
+    /// The unknowns (y, z, μ, η) of an impact of the limit map, at its parameter M and a distance η
+    /// from the resonance.
     ///
     /// # Errors
     /// There is no grazing orbit at that η.
@@ -163,7 +163,7 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
     }
 }
 
-/// What a located resonance may leave of a₁₂ or κ_p, which changes so fast with η.
+/// Largest |a₁₂| or |κ_p| that is accepted at a located resonance, for this rate of change with η.
 fn off_resonance(secondary: f64, slope: f64) -> f64 {
     AT_RESONANCE + OFF_RESONANCE * (secondary * slope).abs()
 }
@@ -204,8 +204,8 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
         Pair { saddle_node: theorem.saddle_node(), period_doubling: theorem.period_doubling() }
     }
 
-    /// The SN (`multiplier` 1) or PD (−1) curve that leaves the resonance, with what theory knows of
-    /// it.
+    /// The SN (`multiplier` 1) or PD (−1) curve that leaves the resonance, with its leading terms
+    /// by theory.
     pub fn leaving(&self, condition: Condition) -> LeavingCurve<'_, O> {
         let leading = match condition {
             Condition::Multiplier(multiplier) if multiplier < 0.0 => self.theorem.period_doubling(),
@@ -215,7 +215,7 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
         LeavingCurve { resonance, equations, condition, leading, visit: None }
     }
 
-    /// The direction in which theory lets the SN or PD curve leave with y > 0.
+    /// The direction in which, by theory, the SN or PD curve leaves with y > 0.
     pub fn direction(&self, condition: Condition) -> Unknowns {
         self.leaving(condition).direction()
     }
@@ -256,18 +256,18 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
 }
 
 impl<O: ImpactOscillator> LoopEquations<O> {
-    /// Follows the other curve of a codimension-two point at which one curve ends: GZ to the side
-    /// where the MPS is stable, SN and PD to the side where it is admissible.
+    /// Follows the other curve of a codimension-two point at which one curve ends: GZ in the
+    /// direction in which the MPS is stable, SN and PD in that in which it is admissible.
     ///
     /// # Errors
-    /// There is no such side, or the curve cannot be started.
+    /// There is no such direction, or the curve cannot be started.
     pub fn branch_off(&self, point: &Event, route: &Route<'_>) -> Result<Curve, ResonanceError> {
         let condition = point.condition;
         let bounds = |solution: &PeriodicSolution| {
             !solution.touches() && (condition != Condition::InteriorGrazing || solution.stable())
         };
-        // A curve to the inadmissible side of a point at which two maxima touch the wall ends there
-        // at once.
+        // On the inadmissible side of a point at which two maxima touch the wall a curve ends at
+        // once.
         let onwards = |solution: &PeriodicSolution| {
             bounds(solution) && !same_point(&solution.unknowns, &point.solution.unknowns)
         };
@@ -286,8 +286,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         Err(ResonanceError::not_started(condition, reason))
     }
 
-    /// What a curve leads to from its start: its second point, or the middle where that is an event,
-    /// at which a solution does not count as stable.
+    /// The solution next to the start of a curve: its second point, or the middle if that point is
+    /// an event, where a solution does not count as stable.
     fn beside_start(&self, curve: &Curve) -> Option<PeriodicSolution> {
         let (start, next) = (curve.points.first()?, &curve.points.get(1)?.solution);
         if curve.points.len() > 2 || !matches!(curve.end, CurveEnd::Event(_)) {
@@ -303,18 +303,18 @@ impl<O: ImpactOscillator> LoopEquations<O> {
 /// The curves at one resonance.
 #[derive(Clone, Debug)]
 pub struct UnfoldedResonance {
-    /// Saddle-node bifurcations.
+    /// The curve of saddle-node bifurcations.
     pub saddle_node: Curve,
-    /// Period-doubling bifurcations.
+    /// The curve of period-doubling bifurcations.
     pub period_doubling: Curve,
-    /// Grazing bifurcations of the MPS.
+    /// The curves of grazing bifurcations of the MPS.
     pub grazing: Vec<Curve>,
-    /// Why there is no GZ curve from a codimension-two point where there should be one.
+    /// The reasons why a GZ curve is missing at a codimension-two point where there should be one.
     pub missing: Vec<ResonanceError>,
 }
 
 impl UnfoldedResonance {
-    /// All of them, the SN curve first and then the PD curve.
+    /// All curves, the SN curve first and then the PD curve.
     pub fn curves(&self) -> impl Iterator<Item = &Curve> {
         [&self.saddle_node, &self.period_doubling].into_iter().chain(&self.grazing)
     }

@@ -1,4 +1,4 @@
-//! What is known of a periodic solution: multipliers, stability, highest maximum, admissibility.
+//! The properties of a periodic solution: multipliers, stability, highest maximum, admissibility.
 
 use grazing_model::motion::Maximum;
 use nalgebra::Vector4;
@@ -9,7 +9,7 @@ use crate::tolerances::{self, STABILITY, UNSETTLED_MULTIPLIERS};
 /// without impacts (x, y, μ, η), position and velocity at phase zero.
 pub type Unknowns = Vector4<f64>;
 
-/// Positions of the unknowns.
+/// Indices of the unknowns.
 pub mod unknown {
     /// Impact velocity y; without impacts x at phase zero.
     pub const VELOCITY: usize = 0;
@@ -30,26 +30,26 @@ pub fn parameters(point: &Unknowns) -> [f64; 2] {
 /// eq:TD).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Multipliers {
-    /// T.
+    /// The trace T.
     pub trace: f64,
-    /// D.
+    /// The determinant D.
     pub determinant: f64,
 }
 
 impl Multipliers {
-    /// Both multipliers lie inside the unit circle: |T| − 1 < D < 1.
+    /// Whether both multipliers lie inside the unit circle: |T| − 1 < D < 1.
     ///
     /// On the boundary the MPS does not count as stable.
     pub fn stable(&self) -> bool {
         self.trace.abs() - 1.0 < self.determinant - STABILITY && self.determinant < 1.0 - STABILITY
     }
 
-    /// They are a pair of complex numbers that are not real.
+    /// Whether the multipliers are a pair of complex numbers that are not real.
     pub fn complex(&self) -> bool {
         self.trace * self.trace < 4.0 * self.determinant
     }
 
-    /// The larger of |T| and |D|, which says how violent the motion is.
+    /// The larger of |T| and |D|, a measure of how violent the motion is.
     pub fn size(&self) -> f64 {
         self.trace.abs().max(self.determinant.abs())
     }
@@ -59,18 +59,19 @@ impl Multipliers {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Stability {
     pub(crate) multipliers: Multipliers,
-    /// The [`characteristic`](crate::mps::LoopPair::characteristic) of the multiplier 1, and of −1.
+    /// The [`characteristic`](crate::mps::LoopPair::characteristic) for the multiplier 1; the next
+    /// field is for −1.
     pub(crate) saddle_node: f64,
     pub(crate) period_doubling: f64,
-    /// Of symmetric motion, the characteristic of −1 over half a period; the other ones are those of
-    /// half a period as well, as far as they may vanish.
+    /// The characteristic for the multiplier −1 over half a period, for symmetric motion; the other
+    /// fields then also belong to half a period, where they can vanish.
     pub(crate) pitchfork: Option<f64>,
     /// The [`product_less`](crate::mps::LoopPair::product_less).
     pub(crate) torus: f64,
 }
 
 impl Stability {
-    /// Of motion that goes far away.
+    /// The stability of motion that goes far away.
     pub(crate) const UNKNOWN: Self = Self {
         multipliers: Multipliers { trace: f64::NAN, determinant: f64::NAN },
         saddle_node: f64::NAN,
@@ -79,7 +80,7 @@ impl Stability {
         torus: f64::NAN,
     };
 
-    /// From that of half a period that of a whole one, whose multipliers are squares.
+    /// The stability over a whole period from that over half a period: multipliers are squared.
     pub(crate) fn of_the_square(self) -> Self {
         let Multipliers { trace, determinant } = self.multipliers;
         let multipliers =
@@ -89,8 +90,8 @@ impl Stability {
         Self { multipliers, period_doubling, pitchfork: Some(self.period_doubling), ..self }
     }
 
-    /// Whether something has changed by more than itself, so that a correction as large as the last
-    /// one may change its sign.
+    /// Whether some function has changed by more than its own size, so that a correction as large
+    /// as the last one may change its sign.
     pub(crate) fn is_unsettled_since(&self, before: &Self) -> bool {
         let changed = |of: fn(&Self) -> f64| (of(self) - of(before)).abs() >= of(self).abs();
         self.multipliers.size() < UNSETTLED_MULTIPLIERS
@@ -104,10 +105,10 @@ impl Stability {
 pub struct PeriodicSolution {
     /// The number of loops p; 0 without impacts.
     pub loops: u32,
-    /// (y, z, μ, η), or (x, y, μ, η) without impacts.
+    /// The unknowns (y, z, μ, η), or (x, y, μ, η) without impacts.
     pub unknowns: Unknowns,
-    /// Trace and determinant of U; infinite or NaN at y = 0. Without impacts those of the flow over
-    /// a forcing period.
+    /// Trace and determinant of U; infinite or NaN at y = 0. Without impacts these belong to the
+    /// flow over a forcing period.
     pub multipliers: Multipliers,
     /// The highest local maximum of x between the recoil and the next impact, if there is one;
     /// without impacts the highest point.
@@ -115,7 +116,7 @@ pub struct PeriodicSolution {
 }
 
 impl PeriodicSolution {
-    /// An interior maximum this little above the wall touches it.
+    /// Height above the wall up to which an interior maximum counts as touching it.
     pub const TOUCH: f64 = tolerances::TOUCH;
 
     /// The impact velocity y; 0 without impacts.
@@ -123,7 +124,7 @@ impl PeriodicSolution {
         if self.has_impacts() { self.unknowns[unknown::VELOCITY] } else { 0.0 }
     }
 
-    /// There is an impact in p forcing periods.
+    /// Whether there is an impact in p forcing periods.
     pub fn has_impacts(&self) -> bool {
         self.loops > 0
     }
@@ -138,23 +139,24 @@ impl PeriodicSolution {
         self.highest_interior_maximum.map_or(f64::NEG_INFINITY, |maximum| maximum.position)
     }
 
-    /// A valid solution of the hybrid system: y > 0 if there are impacts, and no interior maximum
-    /// of x above the wall, wherever it lies.
+    /// Whether this is a valid solution of the hybrid system: y > 0 if there are impacts, and no
+    /// interior maximum of x above the wall at any time.
     pub fn admissible(&self) -> bool {
         (!self.has_impacts() || self.impact_velocity() > 0.0) && self.ceiling() <= Self::TOUCH
     }
 
-    /// An interior maximum of x lies above the wall.
+    /// Whether an interior maximum of x lies above the wall.
     pub(crate) fn touches(&self) -> bool {
         self.ceiling() > Self::TOUCH
     }
 
-    /// Stable and admissible: motion may settle on it.
+    /// Whether the solution is stable and admissible: motion may settle on it.
     pub fn attracts(&self) -> bool {
         self.stable() && self.admissible()
     }
 
-    /// Asymptotically stable as a solution of the hybrid system, admissibility aside.
+    /// Whether the solution is asymptotically stable in the hybrid system, regardless of
+    /// admissibility.
     pub fn stable(&self) -> bool {
         self.multipliers.stable()
     }
@@ -174,7 +176,7 @@ mod tests {
         };
         assert!(solution(1, 0.1).admissible() && solution(1, 0.1).attracts());
         assert!(!solution(1, -0.1).admissible() && !solution(2, 0.0).admissible());
-        // The position at phase zero, of motion without impacts.
+        // This is the position at phase zero of motion without impacts.
         assert!(solution(0, -0.1).admissible());
     }
 }

@@ -1,21 +1,21 @@
-//! The normal form of a planar map that is given by a pair of others, L(X') = R(X), at a fixed
-//! point with the multiplier −1.
+//! The normal form of a planar map defined by two other maps, L(X') = R(X), at a fixed point with
+//! the multiplier −1.
 
 use grazing_model::smooth::Taylor;
 use nalgebra::{Matrix2, Vector2};
 
 use super::PeriodDoubling;
 
-/// A curve in the plane at a point of it: Taylor polynomials in its parameter s.
+/// A curve in the plane near one of its points: Taylor polynomials in its parameter s.
 pub(super) type Germ = [Taylor; 2];
 
 /// The map X ↦ X' with L(X') = R(X) near a point X₀ that it leaves fixed.
 pub(super) struct ImplicitMap<F> {
-    /// X₀.
+    /// The fixed point X₀.
     pub(super) point: Vector2<f64>,
-    /// DR and DL at X₀.
+    /// The derivatives DR and DL at X₀.
     pub(super) derivatives: [Matrix2<f64>; 2],
-    /// R and L along a curve through X₀.
+    /// The maps R and L along a curve through X₀.
     pub(super) along: F,
 }
 
@@ -28,13 +28,13 @@ impl<F: Fn(Germ) -> [Germ; 2]> ImplicitMap<F> {
         // s²: DR h + R₂ = DL h + L₂, where R₂ and L₂ are the coefficients along the straight line.
         let [r2, l2] = self.coefficients(2, [direction, Vector2::zeros()]);
         let bend = solved(&(r - l), l2 - r2);
-        // s³: DR k + R₃ = c DL q − DL k − L₃ for the third coefficient k of X(s), of which ℓ takes
-        // out c.
+        // s³: DR k + R₃ = c DL q − DL k − L₃ for the third coefficient k of X(s); multiplication by
+        // ℓ isolates c.
         let [r3, l3] = self.coefficients(3, [direction, bend]);
         PeriodDoubling { direction, coefficient: covector.dot(&(r3 + l3)) }
     }
 
-    /// q of length one with (DR + DL) q = 0, and ℓ with ℓᵀ(DR + DL) = 0 and ℓᵀ DL q = 1.
+    /// The vector q of length one with (DR + DL) q = 0, and ℓ with ℓᵀ(DR + DL) = 0 and ℓᵀ DL q = 1.
     fn null_vectors(&self) -> [Vector2<f64>; 2] {
         let [r, l] = self.derivatives;
         let m = r + l;
@@ -48,14 +48,14 @@ impl<F: Fn(Germ) -> [Germ; 2]> ImplicitMap<F> {
         [direction, covector / covector.dot(&(l * direction))]
     }
 
-    /// The coefficients of s to a power in R and L along X₀ + q s + h s².
+    /// The coefficients of a power of s in R and L along X₀ + q s + h s².
     fn coefficients(&self, power: usize, [q, h]: [Vector2<f64>; 2]) -> [Vector2<f64>; 2] {
         let curve = [0, 1].map(|i| Taylor::new([self.point[i], q[i], h[i], 0.0]));
         (self.along)(curve).map(|image| Vector2::from(image.map(|component| component.coefficients()[power])))
     }
 }
 
-/// M⁻¹ b by Cramer's rule; not finite if M is singular.
+/// The solution M⁻¹ b by Cramer's rule; not finite if M is singular.
 fn solved(m: &Matrix2<f64>, b: Vector2<f64>) -> Vector2<f64> {
     let determinant = m[(0, 0)] * m[(1, 1)] - m[(0, 1)] * m[(1, 0)];
     Vector2::new(m[(1, 1)] * b[0] - m[(0, 1)] * b[1], m[(0, 0)] * b[1] - m[(1, 0)] * b[0]) / determinant
@@ -81,8 +81,8 @@ mod tests {
         ImplicitMap { point, derivatives, along }
     }
 
-    /// u ↦ r u (1 − u) beside v ↦ v/2 + u²: its period doubling at r = 3 has c = ¼ f''² = 9, as
-    /// f''' = 0.
+    /// The map u ↦ r u (1 − u) beside v ↦ v/2 + u²: its period doubling at r = 3 has c = ¼ f''² =
+    /// 9, as f''' = 0.
     fn logistic(r: f64) -> impl Fn(Germ) -> Germ {
         move |[u, v]| [(u * (Taylor::constant(1.0) - u)).scale(r), v.scale(0.5) + u.square()]
     }
@@ -93,8 +93,8 @@ mod tests {
     fn logistic_map_has_its_known_coefficient() {
         let map = logistic(3.0);
         let flip = implicit(Vector2::from(LOGISTIC_FIXED), |x| [map(x), x]).flip();
-        // Along q = (1, m): −m = m/2 + 2u, so that |q|² = 1 + m² and c is smaller by it, being
-        // measured along q.
+        // Along q = (1, m): −m = m/2 + 2u, so that |q|² = 1 + m² and c, which is measured along q,
+        // is smaller by this factor.
         let slope: f64 = -2.0 * LOGISTIC_FIXED[0] / 1.5;
         let expected = 9.0 / (1.0 + slope * slope);
         assert!((flip.coefficient - expected).abs() < 1e-14 * expected, "{flip:?}");
@@ -111,7 +111,7 @@ mod tests {
         }
     }
 
-    /// A change of coordinates that leaves no second or third derivative as it was.
+    /// A change of coordinates that changes all second and third derivatives.
     fn bent([u, v]: Germ) -> Germ {
         let w = v + u.square().scale(0.7) - u.scale(0.4);
         [u + (w - u).apply(Function::Sin).scale(0.3), w.apply(Function::Exp).scale(0.6) + u * w]
@@ -135,8 +135,8 @@ mod tests {
             [bent(map(x)), bent(x)]
         });
         let flip = other.flip();
-        // s is length along q, and lengths change by |D bent q|: c is the same once both measure
-        // with one length.
+        // s is length along q, and lengths change by |D bent q|: c is the same once both are
+        // measured in one length.
         let q = [0, 1].map(|i| Taylor::new([at[i], flip.direction[i], 0.0, 0.0]));
         let image = Vector2::from(coordinates(q).map(|component| component.coefficients()[1]));
         let expected = plain.coefficient * image.norm_squared();

@@ -1,5 +1,4 @@
-//! What happens to the solution along a curve: the functions that vanish at bifurcations, and their
-//! zeros on a step.
+//! Events along a curve: the functions that vanish at bifurcations, and their zeros on a step.
 
 use grazing_model::ImpactOscillator;
 
@@ -12,7 +11,7 @@ use crate::tolerances::{CUTS, FARTHEST_EVENT, FARTHEST_ITERATE, NO_VELOCITY, ON_
 
 pub(super) type CurveStation = Station<4, EventTimes>;
 
-/// What can happen to the solution along a curve.
+/// The events that can occur along a curve.
 pub(super) const EVENTS: [Condition; 5] = [
     Bifurcation::SaddleNode.condition(),
     Bifurcation::PeriodDoubling.condition(),
@@ -20,19 +19,19 @@ pub(super) const EVENTS: [Condition; 5] = [
     Bifurcation::Torus.condition(),
     Bifurcation::Pitchfork.condition(),
 ];
-/// The place of admissibility in [`Signs`].
+/// The index of admissibility in [`Signs`].
 pub(super) const INADMISSIBLE: usize = 2;
 
-/// Signs of the functions that vanish at the [`EVENTS`]; unknown where that was not looked at.
+/// Signs of the functions that vanish at the [`EVENTS`]; `None` where they were not computed.
 pub(super) type Signs = [Option<bool>; EVENTS.len()];
 
-/// So many maxima may come to the wall one after the other within a step.
+/// Largest number of maxima that may reach the wall one after the other within a step.
 const MAXIMA: usize = 16;
-/// So far along the tangent the maxima of loops that touch the wall at y = 0 have left it by more
-/// than the tangent is off, and by more than rounding.
+/// Distance along the tangent at which the maxima of loops that touch the wall at y = 0 have left
+/// it by more than the error of the tangent, and by more than rounding.
 const BESIDE_GRAZING: f64 = 1e-6;
 
-/// What vanishes at a bifurcation that multipliers show.
+/// The function that vanishes at a bifurcation detected by multipliers.
 pub(super) fn vanishing(event: Condition, stability: &Stability) -> Option<f64> {
     match event {
         Condition::SADDLE_NODE => Some(stability.saddle_node),
@@ -43,8 +42,9 @@ pub(super) fn vanishing(event: Condition, stability: &Stability) -> Option<f64> 
     }
 }
 
-/// On a curve of fixed multiplier the other multiplier is positive or negative throughout: only
-/// grazing can happen there. On one of fixed product both can become 1 or −1.
+/// The signs at a solution. On a curve of fixed multiplier the other multiplier is positive or
+/// negative throughout: only grazing can occur there. On one of fixed product both can become 1 or
+/// −1.
 pub(super) fn signs(along: Condition, stability: &Stability, solution: &PeriodicSolution) -> Signs {
     EVENTS.map(|event| match event {
         Condition::InteriorGrazing => Some(solution.touches()),
@@ -53,14 +53,14 @@ pub(super) fn signs(along: Condition, stability: &Stability, solution: &Periodic
     })
 }
 
-/// The places in [`EVENTS`] of those between which signs differ.
+/// The indices of the [`EVENTS`] at which two sets of signs differ.
 pub(super) fn changes(past: Signs, now: Signs) -> impl Iterator<Item = usize> {
     let differ = |a: Option<bool>, b: Option<bool>| a.is_some_and(|a| b.is_some_and(|b| a != b));
     (0..EVENTS.len()).filter(move |event| differ(past[*event], now[*event]))
 }
 
 impl<O: ImpactOscillator> SolutionCurve<O> {
-    /// Whether a point of the curve is one of the grazing curve, with y = 0.
+    /// Whether a point lies on the grazing curve, with y = 0.
     pub(super) fn is_at_grazing(&self, point: &Unknowns) -> bool {
         self.equations.has_impacts() && point[unknown::VELOCITY] == 0.0
     }
@@ -71,12 +71,12 @@ impl<O: ImpactOscillator> SolutionCurve<O> {
         let (mut solution, stability) = self.equations.solution_and_stability(&first.point);
         let at_grazing = self.is_at_grazing(&first.point);
         if at_grazing {
-            // The maxima of all loops touch the wall there; where they go from there is to be seen
-            // a little farther on.
+            // The maxima of all loops touch the wall there; in which direction they leave it is
+            // decided a little farther on.
             solution = self.equations.solution(&(first.point + first.tangent * BESIDE_GRAZING));
         }
         let clear = match self.condition {
-            // Where another maximum touches the wall its sign is a toss-up.
+            // Where another maximum touches the wall its sign is arbitrary.
             along if along.fixes_a_multiplier() => at_grazing || solution.ceiling().abs() > TOUCHES_TOO,
             _ => {
                 let others = EVENTS.iter().filter(|event| **event != self.condition);
@@ -111,11 +111,11 @@ impl<O: ImpactOscillator> Step<'_, O> {
             let condition = EVENTS[event];
             let found = self.event(condition, beyond);
             match found.or_else(|failure| self.event_closer(event, past[event]).ok_or(failure)) {
-                // Of real multipliers a product of 1 is nothing.
+                // For real multipliers a product of 1 is no bifurcation.
                 Ok((solution, _)) if condition == Condition::TORUS && !solution.multipliers.complex() => {}
                 Ok((solution, times)) => located.push(Event { condition, solution, index, times }),
-                // Where branches cross for the sake of a symmetry, or rest touches the wall, motion
-                // without impacts goes on.
+                // Where branches cross because of a symmetry, or the rest position touches the
+                // wall, motion without impacts continues.
                 Err(_) if !self.followed.equations.has_impacts() || condition == Condition::TORUS => {}
                 Err(failure) => return Err(CurveEnd::EventNotLocated { condition, failure }),
             }
@@ -157,7 +157,7 @@ impl<O: ImpactOscillator> Step<'_, O> {
         }
         let mut point = self.located_near(sought, near, &mut times)?;
         let mut solution = equations.solution(&point);
-        // Where that one touches the wall another may be beyond it, which touched it before.
+        // Where this maximum touches the wall another may be beyond it, which touched it earlier.
         for _ in 0..MAXIMA {
             let beyond = solution.highest_interior_maximum.filter(|maximum| maximum.position > TOUCHES_TOO);
             let Some(maximum) = beyond.filter(|_| condition == Condition::InteriorGrazing) else { break };
@@ -172,8 +172,8 @@ impl<O: ImpactOscillator> Step<'_, O> {
         Ok((solution, times))
     }
 
-    /// Locates an event that Newton's method does not find from the middle of the step: the step is
-    /// cut about it, over and over.
+    /// Locates an event that Newton's method does not find from the middle of the step, by cutting
+    /// the step about it repeatedly.
     fn event_closer(&self, event: usize, past: Option<bool>) -> Option<(PeriodicSolution, EventTimes)> {
         let equations = &self.followed.equations;
         let comes_later = |middle: &CurveStation| {
@@ -186,7 +186,7 @@ impl<O: ImpactOscillator> Step<'_, O> {
         })
     }
 
-    /// Cuts the step about a place that lies in it until the place is located.
+    /// Cuts the step repeatedly about a point that lies in it until that point is located.
     fn cut<T>(
         &self,
         comes_later: impl Fn(&CurveStation) -> bool,
@@ -215,7 +215,7 @@ impl<O: ImpactOscillator> Step<'_, O> {
         None
     }
 
-    /// Where the impact velocity vanishes on the step.
+    /// The point on the step where the impact velocity vanishes.
     pub(super) fn grazing(&self) -> Result<(Unknowns, EventTimes), LocateFailure> {
         let located = |step: &Step<'_, O>| {
             let near = step.on_chord(unknown::VELOCITY, 0.0);
@@ -235,7 +235,7 @@ impl<O: ImpactOscillator> Step<'_, O> {
         })
     }
 
-    /// The point of the curve with a further condition that lies on the step, or next to it.
+    /// The point of the curve with a further condition that lies on the step or close to it.
     pub(super) fn located_near(
         &self,
         condition: Condition,
@@ -252,7 +252,7 @@ impl<O: ImpactOscillator> Step<'_, O> {
         (self.after.point - self.before.point).norm()
     }
 
-    /// A point that was looked for on the step, from near it, unless it lies elsewhere.
+    /// Returns a point that was sought on the step, from near it, unless it lies elsewhere.
     fn holds(&self, point: Unknowns, near: Unknowns) -> Result<Unknowns, LocateFailure> {
         let (distance, step) = ((point - near).norm(), self.length());
         if distance > FARTHEST_EVENT * step {

@@ -1,27 +1,28 @@
-//! The two ways from an impact to the surface of comparison, and what follows from them: the
-//! equations, and the stability of their zeros.
+//! The two maps from an impact to the surface of comparison, and their consequences: the equations,
+//! and the stability of their zeros.
 
 use grazing_model::MapJet;
 use nalgebra::{Matrix2, SMatrix, Vector2, Vector4};
 
 use crate::solution::{Multipliers, Stability, Unknowns};
 
-/// The two ways from (y, z; μ, η) to the surface of comparison.
+/// The two maps from (y, z; μ, η) to the surface of comparison.
 #[derive(Clone, Copy, Debug)]
 pub struct LoopPair {
-    /// Through recoil and loops: (x⁽ᵖ⁾, z⁽ᵖ⁾) = P_global^p ∘ P_virt ∘ R for VIVID.
+    /// The map through recoil and loops: (x⁽ᵖ⁾, z⁽ᵖ⁾) = P_global^p ∘ P_virt ∘ R for VIVID.
     pub round_trip: MapJet,
-    /// Straight from the impact: (x̂, ẑ) = P_virt for VIVID.
+    /// The map straight from the impact: (x̂, ẑ) = P_virt for VIVID.
     pub impact: MapJet,
 }
 
 impl LoopPair {
-    /// Two maps that lead to one surface.
+    /// The pair of two maps that lead to one surface.
     pub fn of<A, B>(round_trip: &MapJet<A, B>, impact: &MapJet<A, B>) -> Self {
         Self { round_trip: round_trip.plain(), impact: impact.plain() }
     }
 
-    /// V and its derivatives in (y, z, μ, η): the zeros are MPSs. Paper: eq:V.
+    /// The difference V of the two maps and its derivatives in (y, z, μ, η): its zeros are MPSs.
+    /// Paper: eq:V.
     pub fn difference(&self) -> (Vector2<f64>, SMatrix<f64, 2, 4>) {
         (self.round_trip.value - self.impact.value, self.round_trip.jacobian - self.impact.jacobian)
     }
@@ -58,7 +59,7 @@ impl LoopPair {
         (round_trip.0 - product * impact.0, round_trip.1 - impact.1 * product)
     }
 
-    /// What the maps say of stability.
+    /// The stability that follows from the two maps.
     pub(crate) fn stability(&self) -> Stability {
         let [saddle_node, period_doubling] = [1.0, -1.0].map(|multiplier| {
             (self.round_trip.derivative() - self.impact.derivative() * multiplier).determinant()
@@ -72,7 +73,7 @@ impl LoopPair {
     /// Trace and determinant of U = D(P_global^p ∘ P_disc). Paper: eq:U, eq:TD.
     pub fn multipliers(&self) -> Multipliers {
         let (l, r) = (self.round_trip.derivative(), self.impact.derivative());
-        // Both vanish like y.
+        // Both vanish in proportion to y.
         let (numerators, denominator) = ([(l * adjugate(r)).trace(), l.determinant()], r.determinant());
         Multipliers { trace: numerators[0] / denominator, determinant: numerators[1] / denominator }
     }
@@ -96,8 +97,8 @@ impl LoopPair {
     }
 }
 
-/// The determinant of a derivative in the first two unknowns, whose entry (i, j) changes so much
-/// with the k-th unknown, and its gradient.
+/// The determinant of a derivative in the first two unknowns, and its gradient; `d` gives the
+/// change of entry (i, j) with the k-th unknown.
 fn determinant(m: &Matrix2<f64>, d: impl Fn(usize, usize, usize) -> f64) -> (f64, Vector4<f64>) {
     let determinant = m[(0, 0)] * m[(1, 1)] - m[(0, 1)] * m[(1, 0)];
     let gradient = Vector4::from_fn(|k, _| {

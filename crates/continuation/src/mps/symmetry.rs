@@ -7,20 +7,20 @@ use crate::solution::parameters;
 
 /// A symmetry of an oscillator without its wall: with x(t), 2c − x(t + T/2) is a motion as well.
 ///
-/// Motion that is its own image recurs, mirrored, after half a forcing period. The map H over half a
-/// period, followed by the mirror, has it as a fixed point; the flow over the whole period is H², and
-/// its multipliers are squares. Where a multiplier of H is −1 that of the flow is 1: a pitchfork, at
-/// which two motions begin that are each other's images.
+/// Motion that is its own image recurs, mirrored, after half a forcing period: it is a fixed point
+/// of the map H over half a period followed by the mirror. The flow over the whole period is H²,
+/// and its multipliers are squares. Where a multiplier of H is −1 that of the flow is 1: a
+/// pitchfork, at which two motions begin that are each other's images.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Symmetry {
     /// The centre c where both parameters vanish.
     pub centre: f64,
-    /// Its slopes in μ and η.
+    /// The slopes of the centre in μ and η.
     pub slopes: [f64; 2],
 }
 
 impl Symmetry {
-    /// What mirrors a map to (x, ẋ) at these parameters leads to: (2c − x, −ẋ).
+    /// The mirror image (2c − x, −ẋ) of a map to (x, ẋ), at the parameters of a point.
     pub(super) fn mirrored<A, B>(&self, map: MapJet<A, B>, at: &Unknowns) -> MapJet<A, B> {
         let mut mirrored = map;
         mirrored.value.neg_mut();

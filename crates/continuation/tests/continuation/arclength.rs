@@ -6,15 +6,15 @@ use nalgebra::{Matrix2, Vector2};
 
 use crate::specimens::assert_within;
 
-/// A plane curve F(x, y) = 0 where `defined` holds; it remembers how many points were accepted.
+/// A plane curve F(x, y) = 0 on the domain `defined`; it counts the accepted points.
 #[derive(Debug)]
 struct PlaneCurve {
-    /// F, ∂F/∂x, ∂F/∂y.
+    /// The values F, ∂F/∂x, ∂F/∂y.
     function: fn(f64, f64) -> [f64; 3],
     defined: fn(f64, f64) -> bool,
 }
 
-/// Where a [`PlaneCurve`] is not defined.
+/// The error outside the domain of a [`PlaneCurve`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Outside;
 
@@ -62,7 +62,7 @@ const CONTROL: StepControl =
 #[test]
 fn no_step_is_shorter_than_the_shortest_however_much_the_curve_turns() {
     let circle = PlaneCurve::everywhere(|x, y| [x * x + y * y - 1.0, 2.0 * x, 2.0 * y]);
-    // Such a step turns the tangent by half a radian, fifteen times what is wished.
+    // Such a step turns the tangent by half a radian, fifteen times the target.
     let control = StepControl { first: 0.5, longest: 1.0, shortest: 0.5, ..CONTROL };
     let mut walker = circle.start(control, [1.0, 0.0], [0.0, 1.0]).unwrap();
     for _ in 0..30 {
@@ -124,7 +124,7 @@ fn steps_on_a_straight_line_grow_to_the_longest_and_no_further() {
     }
     assert_within(steps[0], CONTROL.first, 1e-15);
     assert_within(steps[29], CONTROL.longest, 1e-13);
-    // By less than doubling each, so that one flat place does not lead to a leap.
+    // Steps grow by less than doubling each, so that one flat place does not lead to a leap.
     assert!(steps.windows(2).all(|pair| pair[1] <= 2.0 * pair[0]), "{steps:?}");
     assert!(steps.windows(2).all(|pair| pair[1] >= pair[0] * (1.0 - 1e-12)), "{steps:?}");
 }
@@ -140,8 +140,8 @@ fn both_folds_of_a_cubic_are_passed() {
         let after = walker.advance().unwrap().clone();
         assert!(after.point[1] > before.point[1], "x must grow all along the curve");
         let [mu, x] = [after.point[0], after.point[1]];
-        // A last Newton step of 1e-7 with second derivative 6x ≤ 12: half of 12e-14, and roundings
-        // of six.
+        // A last Newton step of 1e-7 with second derivative 6x ≤ 12: half of 12e-14, and rounding
+        // errors of six.
         assert_within(x * x * x - x, mu, 7e-14);
         let angle = libm::acos(before.tangent.dot(&after.tangent).min(1.0));
         assert!(angle <= 3.0 * CONTROL.turn + 1e-7, "the tangent turned by {angle} at once");
@@ -163,8 +163,8 @@ fn both_folds_of_a_cubic_are_passed() {
 #[test]
 fn a_sharp_bend_is_met_with_short_steps() {
     // The hyperbola xy = 10⁻³ bends with a radius of √(2·10⁻³) = 0.045. Its other branch is 0.09
-    // away there, and steps have to be shorter than that: nothing but the step length keeps a
-    // corrector from the other branch.
+    // away there, and steps have to be shorter than that: only the step length keeps a corrector
+    // away from the other branch.
     let bend = PlaneCurve::everywhere(|x, y| [x * y - 1e-3, y, x]);
     let control = StepControl { longest: 0.05, ..CONTROL };
     let mut walker = bend.start(control, [1.0, 1e-3], [-1.0, 0.0]).unwrap();
@@ -173,7 +173,7 @@ fn a_sharp_bend_is_met_with_short_steps() {
         let before = walker.here().clone();
         let after = walker.advance().unwrap();
         assert!(after.point[0] > 0.0 && after.point[1] > 0.0, "the other branch was jumped to");
-        // The control's own rule, with the tolerance of the tangents.
+        // The rule of the step control, with the tolerance of the tangents.
         assert!(libm::acos(before.tangent.dot(&after.tangent).min(1.0)) <= 3.0 * CONTROL.turn + 1e-7);
         shortest = shortest.min((after.point - before.point).norm());
     }
@@ -238,7 +238,7 @@ fn an_undefined_start_is_refused_with_its_cause() {
 fn the_direction_decides_which_way_the_curve_is_followed() {
     let circle = PlaneCurve::everywhere(|x, y| [x * x + y * y - 1.0, 2.0 * x, 2.0 * y]);
     for side in [1.0, -1.0] {
-        // The direction is far from tangent; only its side counts.
+        // The direction is far from tangent; only its side matters.
         let mut walker = circle.start(CONTROL, [1.0, 0.0], [5.0, side]).unwrap();
         assert!(side * walker.advance().unwrap().point[1] > 0.0);
     }
@@ -247,11 +247,11 @@ fn the_direction_decides_which_way_the_curve_is_followed() {
 #[test]
 fn the_memory_of_failed_attempts_is_dropped() {
     let circle = PlaneCurve::everywhere(|x, y| [x * x + y * y - 1.0, 2.0 * x, 2.0 * y]);
-    // A first step of half a turn is refused a few times before one is accepted.
+    // A first step of half a turn is rejected a few times before one is accepted.
     let control = StepControl { first: 2.0, longest: 2.0, ..CONTROL };
     let mut walker = circle.start(control, [1.0, 0.0], [0.0, 1.0]).unwrap();
     for accepted in 1..=5 {
-        // One more than the points after the start: the start itself was settled too.
+        // One more than the points after the start: the start itself was settled as well.
         assert_eq!(walker.here().carried, accepted);
         walker.advance().unwrap();
     }

@@ -1,4 +1,4 @@
-//! Cascades of the limit map, against its own orbits and those of the system.
+//! Cascades of the limit map, compared with its own orbits and those of the system.
 
 use grazing_continuation::cascade::{Cascade, Stop};
 use grazing_continuation::doubled::DoubledEquations;
@@ -11,12 +11,12 @@ use grazing_theorems::{LimitMap, Side};
 
 use crate::specimens::{DUFFING, EPSILON, ZETA, assert_vanishes, duffing, located};
 
-/// The places half-way between the onsets of the first four, with the number of impacts there.
+/// The parameters half-way between the first four onsets, with the number of impacts there.
 fn between(onsets: &[f64]) -> impl Iterator<Item = (f64, usize)> {
     onsets.windows(2).zip([2, 4, 8]).map(|(pair, impacts)| (0.5 * (pair[0] + pair[1]), impacts))
 }
 
-/// The orbit with two impacts at a parameter, of which others begin.
+/// The orbit with two impacts at a parameter, as a start for orbits that others begin from.
 fn start(map: &LimitMap, parameter: f64) -> (f64, LimitImpact) {
     let gap = (4.0 * (parameter - map.period_doubling()[1]) / map.bend_of_doubled()).sqrt();
     let [mut first, _] = map.doubled_impacts(gap);
@@ -24,7 +24,7 @@ fn start(map: &LimitMap, parameter: f64) -> (f64, LimitImpact) {
     (gap, first)
 }
 
-/// After how many impacts the last of these velocities come again, to a part in ten thousand.
+/// The number of impacts after which the last of these velocities recur, to a part in ten thousand.
 fn period(velocities: &[f64]) -> Option<usize> {
     let last = &velocities[velocities.len() - 64..];
     (1..=32).find(|&count| (0..64 - count).all(|i| (last[i + count] / last[i] - 1.0).abs() < 1e-4))
@@ -67,7 +67,8 @@ fn a_cascade_says_why_it_stops() {
         let Cascade { onsets, stop } = Cascade::of(&map, 4);
         assert_eq!((onsets.len(), stop), (begun, why), "{loops} {sigma}");
         let Some(&last) = onsets.get(1) else { continue };
-        // Orbits go on to where the last ones leave, and leave there.
+        // Orbits continue to the parameter at which the last ones leave the map, and leave it
+        // there.
         let leaves = |parameter: f64| {
             let (_, mut here) = start(&map, parameter);
             (0..20_000).any(|_| match map.step(Side::Positive, parameter, here) {
@@ -82,7 +83,7 @@ fn a_cascade_says_why_it_stops() {
     }
 }
 
-/// The simulated velocities of impacts that come p periods after each other.
+/// The simulated velocities of impacts that follow each other p periods apart.
 fn simulated<O: ImpactOscillator>(
     resonance: &LocatedResonance<O>,
     size: f64,
@@ -106,7 +107,7 @@ fn simulated<O: ImpactOscillator>(
     velocities
 }
 
-/// μ/η² where orbits with two impacts that are solved for double their period, in units of the map.
+/// μ/η² at which computed orbits with two impacts double their period, in units of the map.
 fn second_doubling<O: ImpactOscillator>(resonance: &LocatedResonance<O>, size: f64) -> Option<f64> {
     let point = resonance.resonant_point();
     let (map, scale) = (point.limit_map(), point.limit_scale());
@@ -137,7 +138,8 @@ fn near_resonances_the_system_doubles_as_the_map() {
     assert_the_system_does_as_the_map(&duffing(loops, near), 1e-4);
 }
 
-/// From each simulated impact the map's visits lead to the next one, after as many periods.
+/// Checks that from each simulated impact the map's visits lead to the next one, after the same
+/// number of periods.
 fn assert_motion_that_misses_is_the_map_s<O: ImpactOscillator>(resonance: &LocatedResonance<O>) {
     let point = resonance.resonant_point();
     let (map, scale) = (point.limit_map(), point.limit_scale());
@@ -179,7 +181,8 @@ fn motion_that_misses_the_wall_comes_back_as_in_the_map() {
     assert_motion_that_misses_is_the_map_s(&duffing(loops, near));
 }
 
-/// The most impacts, a power of two, after which followed motion comes again before it departs.
+/// The largest number of impacts, a power of two, after which followed motion recurs before it
+/// departs.
 fn followed(map: &LimitMap) -> usize {
     let [velocity, doubling] = map.period_doubling();
     let (mut here, _) = map.fixed_point(velocity);
@@ -218,7 +221,8 @@ fn followed_motion_doubles_as_often_as_the_atlas_says() {
         }
         let map = LimitMap::of_linear_oscillator(loops, sigma, epsilon).unwrap();
         let most = followed(&map);
-        // After a subcritical doubling it may jump to other orbits that stay; 16 impacts may be there for less than a step.
+        // After a subcritical doubling motion may jump to other orbits that persist; 16 impacts may
+        // exist for less than a step.
         let as_said = match (loops, begun[1]) {
             (1, 1) => most >= 2,
             (_, 4) => most >= 8,
@@ -240,7 +244,7 @@ fn motion_of_one_loop_stays_near_the_resonance() {
         let [velocity, doubling] = map.period_doubling();
         let (mut fixed, _) = map.fixed_point(velocity);
         fixed.velocity *= 1.01;
-        // Impacts in a period, as the limit map has it and the system.
+        // Impacts in a period, in the limit map and in the system.
         let mut visit = [fixed.velocity * fixed.velocity, fixed.phase + fixed.velocity];
         let next = |_| {
             visit = map.next_visit(Side::Positive, part * doubling, point.grazing.map.a.m11, visit);

@@ -1,4 +1,5 @@
-//! The general formulas fed with the numerical P_global against the closed forms of section 3.
+//! The general formulas evaluated with the numerical P_global, compared with the closed forms of
+//! section 3.
 
 use grazing_model::ImpactOscillator;
 use grazing_theorems::Resonance;
@@ -6,11 +7,12 @@ use grazing_theorems::from_map::GrazingOrbit;
 
 use crate::specimens::{assert_close, assert_within, oscillator_at, resonances};
 
-/// (ζ, ε): the figures' own, light and heavy damping, and the elastic and a soft wall.
+/// Values of (ζ, ε): those of the figures, light and heavy damping, and the elastic and a soft
+/// wall.
 const OSCILLATORS: [[f64; 2]; 5] = [[0.02, 0.9], [0.005, 0.95], [0.1, 0.9], [0.05, 1.0], [0.03, 0.5]];
 
-/// Every resonance with p = 1, …, 4 and 0.3 < ω < 2, with the grazing orbit found by Newton's
-/// method from a little off.
+/// Runs a check at every resonance with p = 1, …, 4 and 0.3 < ω < 2, with the grazing orbit found
+/// by Newton's method from a slightly displaced start.
 fn compare(check: impl Fn(&Resonance, &GrazingOrbit<grazing_model::LinearOscillator>)) {
     for [zeta, epsilon] in OSCILLATORS {
         let list = resonances(zeta, epsilon, &[1, 2, 3, 4], [0.3, 2.0]);
@@ -25,8 +27,9 @@ fn compare(check: impl Fn(&Resonance, &GrazingOrbit<grazing_model::LinearOscilla
     }
 }
 
-/// Everything here is a sum of at most some hundred rounded products of the flow's derivatives,
-/// which for p = 4 and ω = 0.3 are taken at phases and times up to a hundred: 10² · 10² · 10⁻¹⁶.
+/// Tolerance for rounding: each value is a sum of at most some hundred rounded products of the
+/// flow's derivatives, which for p = 4 and ω = 0.3 are taken at phases and times up to a hundred:
+/// 10² · 10² · 10⁻¹⁶.
 const ROUNDING: f64 = 1e-12;
 
 #[test]
@@ -81,7 +84,7 @@ fn second_derivative_of_the_iterated_map() {
 fn derivative_that_unfolds_the_resonance() {
     compare(|resonance, orbit| {
         let numerical = orbit.resonant_point(resonance.loops()).unwrap();
-        // It contains dz_graz/dω: same bound.
+        // The derivative contains dz_graz/dω: same bound.
         assert_close(numerical.unfolding.derivative, resonance.unfolding().derivative, 100.0 * ROUNDING);
     });
 }

@@ -1,4 +1,4 @@
-//! The normal form of period doublings of MPSs against the orbits that are created there.
+//! The normal form of period doublings of MPSs, compared with the orbits that are created there.
 
 mod invariance;
 mod period_doublings;

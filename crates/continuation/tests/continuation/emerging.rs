@@ -1,5 +1,5 @@
-//! Curves of solutions with more loops that leave a one-loop resonance: where theory lets them leave,
-//! and where they end.
+//! Curves of solutions with more loops that leave a one-loop resonance: the directions in which
+//! they leave, by theory, and their ends.
 
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint};
 use grazing_continuation::locate::{Condition, locate, same_point};
@@ -10,7 +10,7 @@ use grazing_theorems::iterated::{Boundary, VelocityBound};
 
 use crate::specimens::{DUFFING, EPSILON, ZETA, duffing, located, resonances, route};
 
-/// The curves of solutions with `loops` loops, each with the bound that theory has for it.
+/// The curves of solutions with `loops` loops, each with its bound by theory.
 fn curves<O: ImpactOscillator>(
     resonance: &LocatedResonance<O>,
     loops: u32,
@@ -30,8 +30,8 @@ fn curves<O: ImpactOscillator>(
     bounds.into_iter().zip(curves).map(|(bound, curve)| (bound, equations.clone(), curve)).collect()
 }
 
-/// How far the ratio of impact velocity to η on a curve, at this η less that of the resonance, is
-/// from what theory has at the resonance.
+/// The difference between the ratio of impact velocity to η on a curve, at this distance in η from
+/// the resonance, and the limit of that ratio by theory.
 fn deviation<O: ImpactOscillator>(
     resonance: &LocatedResonance<O>,
     (bound, equations, curve): &(VelocityBound, LoopEquations<O>, Curve),
@@ -51,7 +51,7 @@ fn deviation<O: ImpactOscillator>(
 fn assert_leaves_as_theory_has_it<O: ImpactOscillator>(resonance: &LocatedResonance<O>, loops: u32) -> usize {
     let all = curves(resonance, loops);
     for curve in &all {
-        // The relative error is of first order in η, but for what is of second order.
+        // The relative error is of first order in η, up to terms of second order.
         let slope = curve.0.velocity_slope;
         let etas = curve.2.points.iter().map(|point| point.solution.parameters()[1]);
         let reach =
@@ -59,7 +59,7 @@ fn assert_leaves_as_theory_has_it<O: ImpactOscillator>(resonance: &LocatedResona
         let far = (4e-3 / slope.abs()).min(0.2 * reach).copysign(slope);
         let [far, near] = [far, 0.5 * far].map(|eta| deviation(resonance, curve, eta));
         assert!(far.abs() < 0.2 && near.abs() < 0.7 * far.abs() + 1e-4, "{:?}: {far} {near}", curve.0);
-        // GZ curves are followed both ways and end in the resonance; others begin there.
+        // GZ curves are followed in both directions and end in the resonance; others begin there.
         let at_resonance = match curve.0.boundary {
             Boundary::Visit(_) => {
                 assert!(matches!(curve.2.end, CurveEnd::Grazing), "{:?}", curve.2.end);
@@ -77,7 +77,7 @@ fn curves_of_two_loops_leave_one_loop_resonances_as_theory_has_it() {
     for closed_form in resonances(ZETA, EPSILON, &[1], [0.3, 1.02]) {
         assert_eq!(assert_leaves_as_theory_has_it(&located(&closed_form), 2), 2);
     }
-    // Nothing is linear, and impacts take time.
+    // Everything is nonlinear here, and impacts take time.
     let (loops, place) = DUFFING[0];
     assert_eq!(assert_leaves_as_theory_has_it(&duffing(loops, place), 2), 2);
 }

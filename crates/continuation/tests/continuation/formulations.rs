@@ -24,10 +24,10 @@ struct Specimen {
     delta: f64,
 }
 
-/// A point on a branch of p-loop MPSs that was followed from grazing with VIVID; `share` says how
-/// far along.
+/// A point on a branch of p-loop MPSs that was followed from grazing with VIVID, at a fraction
+/// `share` of the branch.
 ///
-/// None if the branch has no point with y > 0.01: below, the multipliers are of order 1/y and so
+/// `None` if the branch has no point with y > 0.01: below, the multipliers are of order 1/y and so
 /// are their errors.
 fn specimen([zeta, epsilon, omega]: [f64; 3], loops: u32, share: f64) -> Option<Specimen> {
     let (grazing, _) = at_grazing(zeta, epsilon, omega);
@@ -109,8 +109,8 @@ fn both_give_the_same_multipliers() {
     }
 }
 
-/// T and D are numbers of order 1/y ≤ 100, divided by det D P_virt of order y: 10⁻¹⁵ · 10⁴,
-/// relative to T.
+/// Tolerance for T and D, which are of order 1/y ≤ 100, divided by det D P_virt of order y: 10⁻¹⁵ ·
+/// 10⁴, relative to T.
 fn noise(multipliers: &Multipliers) -> f64 {
     1e-11 * (1.0 + multipliers.trace.abs())
 }
@@ -141,7 +141,7 @@ fn characteristic_is_the_characteristic_polynomial_times_a_factor_without_zeros(
     }
 }
 
-/// What vanishes at a bifurcation, with its gradient.
+/// A function that vanishes at a bifurcation, with its gradient.
 type Vanishing = fn(&LoopPair) -> (f64, Unknowns);
 
 #[test]
@@ -150,7 +150,7 @@ fn gradients_of_what_vanishes_at_bifurcations_agree_with_differences() {
     for Specimen { equations, point, times, .. } in specimens() {
         for formulation in [Formulation::Vivid, Formulation::FixedPhase] {
             let equations = equations.with_formulation(formulation);
-            // The times holds the plane of constant phase while the phase is varied.
+            // The event times hold the plane of constant phase while the phase is varied.
             let mut times = times.clone();
             let pair = equations.pair::<2>(point, &mut times).unwrap();
             let functions: [Vanishing; 4] = [

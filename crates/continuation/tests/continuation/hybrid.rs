@@ -34,9 +34,9 @@ fn next_impact(oscillator: &LinearOscillator, solution: &PeriodicSolution) -> [f
 /// Fails unless the orbit from the impact of an admissible MPS impacts next after p forcing periods
 /// with the same velocity.
 ///
-/// This is one impact in p periods and a return to (y, z). The position is back at the wall to some
-/// 10⁻¹⁴: a zero with its multiplier of order 1/y; velocity and time of the impact are off by that
-/// over y.
+/// There is then one impact in p periods and a return to (y, z). The position is back at the wall
+/// to some 10⁻¹⁴: a zero with its multiplier of order 1/y; velocity and time of the impact are off
+/// by that over y.
 #[track_caller]
 pub(crate) fn assert_returns(oscillator: &LinearOscillator, solution: &PeriodicSolution) {
     let [time, impact_velocity] = next_impact(oscillator, solution);
@@ -46,7 +46,7 @@ pub(crate) fn assert_returns(oscillator: &LinearOscillator, solution: &PeriodicS
     assert_within(impact_velocity, velocity, bound);
 }
 
-/// The orbit from the impact of an MPS is stopped by the wall before p forcing periods are over.
+/// Whether the orbit from the impact of an MPS reaches the wall before p forcing periods are over.
 pub(crate) fn impacts_early(oscillator: &LinearOscillator, solution: &PeriodicSolution) -> bool {
     next_impact(oscillator, solution)[0] < duration(oscillator, solution) - 1e-6
 }
@@ -68,7 +68,7 @@ pub(crate) fn assert_touches(oscillator: &LinearOscillator, solution: &PeriodicS
 /// The stroboscopic map over p forcing periods from a displacement off an MPS, half a period after
 /// its impact.
 ///
-/// None if there is not exactly one impact.
+/// `None` if there is not exactly one impact.
 fn strobe(
     oscillator: &LinearOscillator,
     solution: &PeriodicSolution,
@@ -93,7 +93,7 @@ fn strobe(
 /// Trace and determinant of the derivative of the stroboscopic map, by central differences with
 /// steps ±h.
 ///
-/// None if an orbit does not have exactly one impact.
+/// `None` if an orbit does not have exactly one impact.
 pub(crate) fn simulated_multipliers(
     oscillator: &LinearOscillator,
     solution: &PeriodicSolution,
@@ -131,7 +131,7 @@ fn unhindered_return(
 /// Fails unless a zero of the equations comes back to its impact after p forcing periods with the
 /// wall ignored in between, with the right trace and determinant of the derivative of this return.
 ///
-/// For solutions that are not admissible, and so none of the hybrid system.
+/// For solutions that are not admissible and so do not exist in the hybrid system.
 #[track_caller]
 pub(crate) fn assert_returns_unhindered(oscillator: &LinearOscillator, solution: &PeriodicSolution) {
     const H: f64 = 1e-6;

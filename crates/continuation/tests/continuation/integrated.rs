@@ -1,4 +1,4 @@
-//! Oscillators that are given by their force, through everything that the closed form goes through.
+//! Oscillators defined by their force, in all the tests that the closed form passes.
 
 use grazing_continuation::curve::Curve;
 use grazing_continuation::cusp::cusps;
@@ -33,7 +33,7 @@ fn the_linear_oscillator_given_by_its_force_has_the_curves_of_the_closed_form() 
                 let unknowns = point.solution.unknowns;
                 let conditions = [theirs.condition, Condition::ImpactVelocity(unknowns[0])];
                 let mut times = point.times.clone();
-                // At y = 0, and at folds in y, these conditions do not make a point.
+                // At y = 0, and at folds in y, these conditions do not define a point.
                 let Ok(found) = locate(integrated.equations(), conditions, unknowns, &mut times) else {
                     continue;
                 };
@@ -63,7 +63,7 @@ fn coefficients_of_a_duffing_oscillator_are_those_of_the_theorem() {
             (Condition::PERIOD_DOUBLING, theorem.period_doubling()),
         ] {
             let fitted = fit::quadratic_coefficient(&resonance, condition).unwrap();
-            // Six digits, and no more than the extrapolation itself leaves open.
+            // Six digits, and no more than the error of the extrapolation.
             assert_close(fitted.value, curve.coefficient, 1e-6);
             assert!(fitted.error < 1e-5 * fitted.value.abs());
         }
@@ -94,8 +94,8 @@ fn a_branch_is_no_parabola_where_its_saddle_node_curve_turns_back_in_a_cusp() {
     };
     let [before, after] = [cusps[0].index - 1, cusps[0].index + 1]
         .map(|index| curvature(&curves.saddle_node.points[index].solution));
-    // It changes by its own size within a step; what is left is rounding over the square of the
-    // step, and its square.
+    // The curvature changes by its own size within a step; the remainder is rounding over the
+    // square of the step, and its square.
     assert!(before * after < 0.0, "{before} {after}");
     assert_within(curvature(&cusps[0].solution) / (before - after), 0.0, 1e-3);
 }
@@ -112,7 +112,7 @@ fn a_flight_takes_what_the_impact_leaves_of_the_periods() {
         let point = locate(equations, conditions, origin + offset, &mut EventTimes::default()).unwrap();
         let oscillator = equations.oscillator_at(&point);
         let (departure, flight) = (equations.departure(&point), equations.flight(&point));
-        // An impact takes Ψ y, some 0.0025 rad here; the flight ends at the wall all the same.
+        // An impact takes Ψ y, some 0.0025 rad here; the flight still ends at the wall.
         let lag = departure.phase - point[unknown::PHASE];
         assert!(lag > 1e-3);
         let end = oscillator.motion(departure).at(flight);

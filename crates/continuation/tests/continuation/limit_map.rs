@@ -1,4 +1,5 @@
-//! The limit map at a resonance against the system itself, at decreasing distances from the resonance.
+//! The limit map at a resonance, compared with the system itself at decreasing distances from the
+//! resonance.
 
 use core::f64::consts::TAU;
 
@@ -14,12 +15,12 @@ use grazing_theorems::limit_map::Departure;
 
 use crate::specimens::{DUFFING, EPSILON, ZETA, assert_vanishes, duffing, located, resonances};
 
-/// Impacts in a row.
+/// Number of impacts in a row.
 const IMPACTS: usize = 4;
 
-/// How far simulated impacts are from those of the limit map, until either departs, which both have to do
-/// at the same flight. They begin beside its fixed point with so many times the velocity at the bifurcation
-/// of this side, at so many times its phase; `size` is about that of y.
+/// The deviation of simulated impacts from those of the limit map until either departs, which both
+/// must do at the same flight. They begin beside its fixed point at `times` times the velocity at
+/// the bifurcation of this side and `phase` times its phase; `size` is about that of y.
 fn deviation<O: ImpactOscillator>(
     resonance: &LocatedResonance<O>,
     (side, times, phase): (Side, f64, f64),
@@ -39,7 +40,7 @@ fn deviation<O: ImpactOscillator>(
     let horizon = f64::from(resonance.loops()) * oscillator.forcing_period();
     let mut worst = 0.0_f64;
     for flight in Orbit::new(&oscillator, from, 2.0 * IMPACTS as f64 * horizon, usize::MAX).take(IMPACTS) {
-        // It may never come back.
+        // Motion may never return.
         let (FlightEnd::Impact(simulated) | FlightEnd::TimeIsUp(simulated)) = flight.end;
         let late = flight.duration / horizon - 1.0;
         let departed = 0.25 / f64::from(resonance.loops());
@@ -61,14 +62,14 @@ fn assert_orbits_tend_to_the_map_s<O: ImpactOscillator>(resonance: &LocatedReson
     for start in
         [(plus, 1.3, 1.003), (minus, 1.5, 1.003), (plus, 2.0, 0.9), (plus, 0.7, 1.2), (minus, 1.5, -0.3)]
     {
-        // Impacts are of first order, and what is left of second; times are located with an error of 1/y
-        // roundings.
+        // Impacts are of first order, and the difference of second; times are located with an error
+        // of 1/y roundings.
         assert_vanishes(3.0, 1e-15, |size| Some(size * deviation(resonance, start, size)?));
         assert!(deviation(resonance, start, 1e-5).is_some(), "{start:?} {:?}", resonance.resonant_point());
     }
 }
 
-/// The coefficient μ/η² at which the orbit with two impacts grazes that is solved for where the period
+/// The coefficient μ/η² at which the computed orbit with two impacts grazes, where the period
 /// doubling has an impact velocity of about `size`.
 fn grazing_coefficient<O: ImpactOscillator>(resonance: &LocatedResonance<O>, size: f64) -> Option<f64> {
     let point = resonance.resonant_point();
@@ -76,13 +77,13 @@ fn grazing_coefficient<O: ImpactOscillator>(resonance: &LocatedResonance<O>, siz
     let eta = size / (scale.velocity * map.period_doubling()[0]);
     let guess = Doubled::near_resonance(resonance, eta, map.grazing_gap()).unwrap();
     let (grazing, visit) = DoubledEquations::new(resonance.equations()).grazing(guess)?;
-    // For one loop it is the impact.
+    // For one loop the impact itself grazes.
     assert_eq!(visit, resonance.loops() - 1, "{size}");
     let place = resonance.near(eta, 0.0, map.fixed_point(0.0).0).unwrap();
     Some((grazing.primary() - place[unknown::PRIMARY]) / (eta * eta))
 }
 
-/// The error is of first order in η.
+/// Checks that the error of the grazing coefficient is of first order in η.
 fn assert_doubled_orbits_graze_at_the_map_s<O: ImpactOscillator>(resonance: &LocatedResonance<O>) {
     let expected = resonance.resonant_point().doubled_grazing_coefficient();
     let error = |size| Some(grazing_coefficient(resonance, size)? / expected - 1.0);
@@ -90,7 +91,8 @@ fn assert_doubled_orbits_graze_at_the_map_s<O: ImpactOscillator>(resonance: &Loc
     assert!(error(1e-4).expect("it grazes").abs() < 0.1);
 }
 
-/// The traces of the derivative over both impacts of orbits that are solved for.
+/// Compares the traces of the derivative over both impacts of computed orbits with those of the
+/// map.
 fn assert_doubled_orbits_are_as_stable_as_the_map_s<O: ImpactOscillator>(resonance: &LocatedResonance<O>) {
     let point = resonance.resonant_point();
     let (map, scale) = (point.limit_map(), point.limit_scale());
@@ -109,7 +111,8 @@ fn assert_doubled_orbits_are_as_stable_as_the_map_s<O: ImpactOscillator>(resonan
     }
 }
 
-/// y² c of the normal form, from third derivatives of the flow, less that of the map.
+/// Checks that y² c of the normal form, from third derivatives of the flow, tends to that of the
+/// map.
 fn assert_criticality_tends_to_the_map_s<O: ThirdOrder>(resonance: &LocatedResonance<O>) {
     let map = resonance.resonant_point().limit_map();
     let scale = resonance.resonant_point().limit_scale();

@@ -45,7 +45,7 @@ fn curves_leave_in_the_direction_of_the_theory() {
             let curve = SolutionCurve { equations: located.equations().clone(), condition };
             let direction = located.direction(condition);
             let start = located.unknowns();
-            // Started far from the theory's direction, but to its side.
+            // Started far from the theory's direction, but on its side.
             let aside = direction + nalgebra::Vector4::new(0.3, -0.2, 0.1, 0.0) * direction[0].signum();
             let walker =
                 Continuation::new(&curve, StepControl::DRAWING, start, aside, EventTimes::default()).unwrap();

@@ -1,5 +1,5 @@
-//! Tests of the continuation: the engine, the equations, and whole curves against closed forms and
-//! simulation; what the paper states of them is the ledger's.
+//! Tests of the continuation: the engine, the equations, and whole curves compared with closed
+//! forms and simulation; statements of the paper are checked by the ledger of claims.
 //!
 //! Property tests run with a fixed seed and keep no files, so that every run draws the same cases.
 

@@ -1,4 +1,4 @@
-//! Newton's method: how fast it converges, and how it says that it does not.
+//! Newton's method: its rate of convergence, and the errors that it returns.
 
 use grazing_continuation::newton::{Linearisation, NewtonFailure, solve};
 use grazing_continuation::tolerances::STEP;
@@ -6,7 +6,7 @@ use nalgebra::{Matrix1, Matrix2, Vector1, Vector2};
 
 use crate::specimens::assert_within;
 
-/// x² + y² = 4 and xy = 1.
+/// The equations x² + y² = 4 and xy = 1.
 fn circle_and_hyperbola(u: &Vector2<f64>) -> Linearisation<2> {
     let [x, y] = [u[0], u[1]];
     Linearisation {

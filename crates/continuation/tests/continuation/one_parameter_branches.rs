@@ -1,4 +1,5 @@
-//! One-parameter branches: through grazing, through folds, with their events, and where VIVID ends.
+//! One-parameter branches: through grazing, through folds, with their events, and the ends of
+//! VIVID.
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, Route, SolutionCurve};
@@ -24,9 +25,8 @@ fn branches_cross_the_grazing_bifurcation_smoothly() {
             let conditions = [Condition::ImpactVelocity(y), Condition::Secondary(OMEGA)];
             locate(&equations, conditions, start, &mut EventTimes::default()).ok()
         };
-        // The third difference across y = 0 of a smooth curve is of third order. One of 𝒜(y) or
-        // z(y) that is only once differentiable at y = 0, with a term y|y|, would leave it of
-        // second order.
+        // The third difference across y = 0 of a smooth curve is of third order. If 𝒜(y) or z(y)
+        // were only once differentiable at y = 0, with a term y|y|, it would be of second order.
         for coordinate in [1, 2] {
             assert_vanishes(3.0, 1e-14, |size| {
                 let [a, b, c, d] =
@@ -67,7 +67,7 @@ fn every_admissible_point_of_a_branch_is_an_orbit_of_the_hybrid_system() {
             let oscillator = equations.oscillator_at(&solution.unknowns);
             assert_returns(&oscillator, solution);
             // As on the two-parameter curves; where the solution is very unstable, the displaced
-            // orbits go astray.
+            // orbits diverge.
             let step = (1e-3 * solution.impact_velocity() * solution.impact_velocity()).min(1e-6);
             let multipliers = solution.multipliers;
             let scale = 1.0 + multipliers.trace.abs();
@@ -141,7 +141,7 @@ fn events_are_the_same_in_both_formulations() {
         assert_eq!(events[0].len(), events[1].len());
         for (a, b) in events[0].iter().zip(&events[1]) {
             assert_eq!(a.condition, b.condition);
-            // As for the ends of the branches above.
+            // Same tolerance as for the ends of the branches above.
             assert_within((a.solution.unknowns - b.solution.unknowns).norm(), 0.0, 1e-11);
         }
     }
@@ -164,7 +164,7 @@ fn a_bifurcation_from_which_a_branch_is_followed_is_one_of_its_events() {
             let met: Vec<_> = met.collect();
             let [event] = met.as_slice() else { panic!("p = {loops}: {met:?}") };
             assert_eq!(event.condition, start.condition);
-            // Where the index says the multiplier passes, and all events stand in the order of the
+            // The multiplier passes at the index given, and all events are in the order of the
             // branch.
             let side = |index: usize| {
                 let multipliers = both.points[index].solution.multipliers;
@@ -185,7 +185,8 @@ fn a_bifurcation_from_which_a_branch_is_followed_is_one_of_its_events() {
 
 #[test]
 fn where_two_maxima_come_to_the_wall_within_a_step_the_first_is_the_grazing_bifurcation() {
-    // Beside the point at which two GZ curves of p = 2 meet; in long steps, as where nothing is drawn.
+    // Beside the point at which two GZ curves of p = 2 meet; in long steps, as where nothing is
+    // drawn.
     let control = StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.07, tolerance: 1e-4 };
     let mut met = 0;
     for k in 0..20 {
@@ -210,7 +211,7 @@ fn what_happens_beyond_the_edge_of_the_window_is_not_on_the_branch() {
     let whole = follow(0.4);
     let first = whole.events.first().expect("the period doubling of Figure 2");
     let [amplitude, _] = first.solution.parameters();
-    // Far less than a step before it, and behind it.
+    // Far less than a step before it, and after it.
     for (edge, events) in [(amplitude - 1e-6, 0), (amplitude + 1e-6, 1)] {
         let cut = follow(edge);
         assert!(matches!(cut.end, CurveEnd::LeftWindow), "{:?}", cut.end);

@@ -16,11 +16,12 @@ pub(crate) const ZETA: f64 = 0.02;
 pub(crate) const EPSILON: f64 = 0.9;
 pub(crate) const OMEGA: f64 = 0.855;
 
-/// The paper's oscillator, given by its force, with a spring of cubic stiffness κ besides.
+/// The paper's oscillator, defined by its force, with an additional spring of cubic stiffness κ.
 #[derive(Clone, Debug)]
 pub(crate) struct Spring {
     pub(crate) kappa: f64,
-    /// Φ falls with the impact velocity and varies with the phase, and an impact takes time.
+    /// Whether Φ falls with the impact velocity and varies with the phase, and an impact takes
+    /// time.
     pub(crate) varying: bool,
     /// The unit of positions.
     pub(crate) length: f64,
@@ -29,11 +30,11 @@ pub(crate) struct Spring {
 impl Spring {
     /// The paper's oscillator.
     pub(crate) const LINEAR: Self = Self { kappa: 0.0, varying: false, length: 1.0 };
-    /// One that is linear in nothing.
+    /// An oscillator that is nonlinear in every respect.
     pub(crate) const DUFFING: Self = Self { kappa: 0.1, varying: true, length: 1.0 };
 }
 
-/// Resonances of [`Spring::DUFFING`], as p and where Newton's method starts (empirical, by homotopy
+/// Resonances of [`Spring::DUFFING`], as p and a start for Newton's method (empirical, by homotopy
 /// from the linear oscillator's with n = 3 and n = 1).
 pub(crate) const DUFFING: [(u32, [f64; 3]); 2] =
     [(1, [0.0668, 0.6734, 0.7597]), (2, [0.0868, 0.3983, 0.9134])];
@@ -86,8 +87,8 @@ pub(crate) fn at_grazing(zeta: f64, epsilon: f64, omega: f64) -> (GrazingState, 
     (grazing, grazing.model())
 }
 
-/// The closed forms of all resonances with the given numbers of loops and forcing frequencies
-/// between the two.
+/// The closed forms of all resonances with the given numbers of loops and forcing frequencies in
+/// the given range.
 pub(crate) fn resonances(
     zeta: f64,
     epsilon: f64,
@@ -103,7 +104,7 @@ pub(crate) fn oscillator_at(resonance: &Resonance) -> LinearOscillator {
     resonance.grazing().model()
 }
 
-/// The resonance located numerically, from a start that is a little off.
+/// The resonance located numerically, from a slightly displaced start.
 pub(crate) fn located(resonance: &Resonance) -> ResonantGrazingPoint<LinearOscillator> {
     let oscillator = oscillator_at(resonance);
     let [amplitude, omega] = oscillator.parameters();
@@ -122,7 +123,7 @@ pub(crate) fn route(amplitudes: [f64; 2], frequencies: [f64; 2], stop_at_events:
     }
 }
 
-/// The branch of p-loop MPSs at fixed frequency that leaves the grazing bifurcation, to y > 0
+/// The branch of p-loop MPSs at fixed frequency that leaves the grazing bifurcation, towards y > 0
 /// (`side` 1) or y < 0 (−1).
 pub(crate) fn branch(
     [zeta, epsilon, omega]: [f64; 3],
@@ -147,10 +148,10 @@ pub(crate) fn order([coarse, fine]: [f64; 2]) -> f64 {
 
 /// Fails unless an error vanishes with at least the stated order in a size.
 ///
-/// The sizes fall by halves from 2⁻⁷ to 2⁻²⁰. The order is read off the two smallest at which the
-/// error, where there is one, still stands a hundredfold above its `rounding`, with slack for the
-/// next order there (much for p = 1 and even n, where s⁻ is small); an error that never does is
-/// none.
+/// The sizes fall by halves from 2⁻⁷ to 2⁻²⁰. The order is measured at the two smallest at which
+/// the error, where there is one, still exceeds its `rounding` a hundredfold, with slack for the
+/// next order there (large for p = 1 and even n, where s⁻ is small); an error that never does
+/// counts as none.
 #[track_caller]
 pub(crate) fn assert_vanishes(stated: f64, rounding: f64, error: impl Fn(f64) -> Option<f64>) {
     let mut size = libm::exp2(-7.0);

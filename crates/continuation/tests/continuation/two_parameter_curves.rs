@@ -1,5 +1,5 @@
-//! The curves from all resonances of the two-parameter diagram: how they end, where they meet, and
-//! every point of them against the simulated hybrid system.
+//! The curves from all resonances of the two-parameter diagram: their ends, where they meet, and a
+//! comparison of every point with the simulated hybrid system.
 
 use std::sync::OnceLock;
 
@@ -49,14 +49,14 @@ impl Unfolded {
     }
 }
 
-/// The kinds of ends that a curve can have in good order.
+/// The kinds of ends that a curve can have if all is well.
 #[derive(Debug, PartialEq)]
 enum Kind {
-    /// At an interior grazing: SN-GZ or PD-GZ.
+    /// An end at an interior grazing: SN-GZ or PD-GZ.
     InteriorGrazing,
-    /// Of a GZ curve at a period doubling: PD-GZ.
+    /// The end of a GZ curve at a period doubling: PD-GZ.
     PeriodDoubling,
-    /// At y = 0 on the grazing curve.
+    /// An end at y = 0 on the grazing curve.
     Grazing,
     Edge,
 }
@@ -168,7 +168,7 @@ fn every_point_fulfils_the_condition_of_its_curve() {
             {
                 let multipliers = solution.multipliers;
                 match curve.condition {
-                    // The points solve det(L − λR) = 0 to 10⁻¹⁴ or so; T and D come from it by
+                    // The points solve det(L − λR) = 0 to 10⁻¹⁴ or so; T and D follow from it by
                     // division by y ≥ 10⁻⁴.
                     Condition::Multiplier(value) => {
                         assert_within(1.0 - value * multipliers.trace + multipliers.determinant, 0.0, 1e-9);

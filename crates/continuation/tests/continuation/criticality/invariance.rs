@@ -1,4 +1,4 @@
-//! What normal forms do not depend on, and where there is none.
+//! Invariance of normal forms, and points without one.
 
 use core::f64::consts::TAU;
 
@@ -24,7 +24,7 @@ fn another_unit_of_length_changes_coefficients_as_it_must() {
             point[unknown::VELOCITY] /= length;
             point
         };
-        // How long a unit vector of the one is in the other.
+        // The length in one oscillator of a unit vector of the other.
         let stretch = |q: Vector2<f64>| Vector2::new(length * q[0], q[1]).norm();
         for y in [0.02, 0.1] {
             let flip = at_velocity(&resonance, Condition::PERIOD_DOUBLING, y);
@@ -71,12 +71,11 @@ fn points_that_are_no_simple_bifurcation_have_no_normal_form() {
     let Err(CriticalityError::NotABifurcation { distance }) = period_doubling(equations, &fold) else {
         panic!("a saddle-node is taken for a period doubling");
     };
-    // With the multipliers 1 and D, 2 (1 + D) is what 1 + T + D is, and the one at 1 is no nearer.
+    // With the multipliers 1 and D, 1 + T + D is 2 (1 + D), and the multiplier 1 is no nearer.
     let determinant = equations.solution(&fold).multipliers.determinant;
     assert_within(distance, 2.0 * (1.0 + determinant) / (1.0 - determinant), 1e-6);
 
-    // With a restitution that makes up for the loss of energy, D = 1, both multipliers are −1
-    // there.
+    // With a restitution that compensates the loss of energy, D = 1, both multipliers are −1 there.
     let omega = flip[unknown::SECONDARY];
     let elastic = libm::exp(TAU * ZETA / omega);
     let mut point = flip;

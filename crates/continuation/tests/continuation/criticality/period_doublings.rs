@@ -1,4 +1,4 @@
-//! Period doublings against the doubled orbits, and towards resonances.
+//! Period doublings, compared with the doubled orbits, and their limits at resonances.
 
 use grazing_continuation::criticality::{changes, period_doubling};
 use grazing_continuation::doubled::DoubledEquations;
@@ -9,12 +9,12 @@ use grazing_model::ThirdOrder;
 use super::specimens::{BY_EXTRAPOLATION, curves, extrapolated, spread};
 use crate::specimens::{DUFFING, EPSILON, ZETA, assert_within, duffing, located, resonances};
 
-/// c from the stability of the doubled orbits.
+/// The coefficient c from the stability of the doubled orbits.
 ///
-/// The impacts of a doubled orbit are X(±s), 2qs apart but for terms of third order, so that their
-/// velocities are 2 q_y s apart. With −s = λs +
-/// c s³ the derivative of g∘g there, (λ + 3cs²)² = 1 − 4cs² + …, makes c from 1 − T + D, in which
-/// the other multiplier is the square of the MPS's. Returns y² times the difference.
+/// The impacts of a doubled orbit are X(±s), 2qs apart up to terms of third order, so that their
+/// velocities are 2 q_y s apart. With −s = λs + c s³ the derivative of g∘g there, (λ + 3cs²)² = 1 −
+/// 4cs² + …, gives c from 1 − T + D, in which the other multiplier is the square of the MPS's.
+/// Returns y² times the difference.
 fn difference_from_doubled_orbits<O: ThirdOrder>(equations: &LoopEquations<O>, flip: &Unknowns) -> f64 {
     let normal_form = period_doubling(equations, flip).unwrap();
     let determinant = equations.solution(flip).multipliers.determinant;

@@ -1,4 +1,4 @@
-//! Resonances and bifurcations whose normal forms are tested, and ways to measure.
+//! Resonances and bifurcations for tests of normal forms, and functions that measure them.
 
 use grazing_continuation::curve::Curve;
 use grazing_continuation::locate::{Condition, locate};
@@ -46,7 +46,7 @@ pub(super) fn extrapolated([coarse, fine]: [f64; 2]) -> f64 {
     (4.0 * fine - coarse) / 3.0
 }
 
-/// What extrapolation leaves is of fourth order in s/y = 1/32. Rounding is 10⁻¹⁴ (y/s)²/y or so,
-/// for impact velocities of 0.03 and more. Values of y² c are 10⁻³ and more, but next to a change
-/// of sign.
+/// Tolerance after extrapolation: the remainder is of fourth order in s/y = 1/32. Rounding is 10⁻¹⁴
+/// (y/s)²/y or so, for impact velocities of 0.03 and more. Values of y² c are 10⁻³ and more, except
+/// next to a change of sign.
 pub(super) const BY_EXTRAPOLATION: f64 = 1e-6;
