@@ -224,7 +224,7 @@ impl<O: ImpactOscillator> LeavingCurve<'_, O> {
     }
 
     /// The velocity up to which a curve may stay near its tangent: γ/ω, the scale of the motion at
-    /// the wall, limited to the range of η in which, at the tangent's η, the map P_global has not
+    /// the wall, limited to velocities at which, at the tangent's η, the map P_global has not
     /// changed by its own size.
     fn scale(&self) -> f64 {
         let grazing = &self.resonance.resonant_point().grazing;

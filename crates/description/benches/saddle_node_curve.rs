@@ -1,7 +1,7 @@
-//! Time per point of the saddle-node curves of `examples/duffing.toml`, next to the same oscillator
-//! in compiled Rust.
+//! Time per point of the saddle-node curves of `examples/duffing.toml`, compared with the same
+//! oscillator in compiled Rust.
 //!
-//! A point is a converged one with its multipliers and its admissibility over the whole orbit; the
+//! A point includes its correction, its multipliers and its admissibility over the whole orbit; the
 //! end of the curve is located along the way.
 
 use core::hint::black_box;
@@ -21,7 +21,7 @@ fn main() {
     divan::main();
 }
 
-/// What the file says, in Rust.
+/// The oscillator of the file, in Rust.
 #[derive(Clone)]
 struct Duffing {
     zeta: f64,
@@ -59,13 +59,13 @@ impl SmoothOscillator for Duffing {
     }
 }
 
-/// The file's oscillator.
+/// The oscillator as read from the file.
 fn written() -> Description {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/duffing.toml");
     Description::from_file(&path).unwrap()
 }
 
-/// The same with the force compiled.
+/// The oscillator of the file with a compiled force.
 fn compiled() -> Duffing {
     let written = written();
     let constant = |wanted: &str| written.constants().find(|(name, _)| *name == wanted).unwrap().1;
@@ -73,7 +73,7 @@ fn compiled() -> Duffing {
     Duffing { zeta: constant("zeta"), kappa: constant("kappa"), epsilon }
 }
 
-/// Where Newton's method for a p-loop resonance starts: phase, amplitude and frequency.
+/// The start of Newton's method for a p-loop resonance: phase, amplitude and frequency.
 struct Place {
     loops: u32,
     near: [f64; 3],
@@ -85,15 +85,15 @@ impl core::fmt::Display for Place {
     }
 }
 
-/// Found by homotopy from the linear oscillator's resonances with the largest regions (n = 3, 1, 1;
-/// empirical).
+/// Starts found by homotopy from the linear oscillator's resonances with the largest regions (n =
+/// 3, 1, 1; empirical).
 const PLACES: [Place; 3] = [
     Place { loops: 1, near: [0.0668, 0.6734, 0.7597] },
     Place { loops: 2, near: [0.0868, 0.3983, 0.9134] },
     Place { loops: 3, near: [0.1242, 0.2857, 0.9781] },
 ];
 
-/// The window that the file names.
+/// A route through the window of the file.
 fn route() -> Route<'static> {
     let file = written();
     Route {
@@ -105,7 +105,7 @@ fn route() -> Route<'static> {
     }
 }
 
-/// One item is one point of the curve.
+/// Benchmark in which one item is one point of the curve.
 fn follow<M: SmoothOscillator>(bencher: Bencher<'_, '_>, model: M, place: &Place) {
     let [phase, amplitude, omega] = place.near;
     let oscillator = Integrated::new(model, [amplitude, omega]);

@@ -1,5 +1,5 @@
-//! Checks at samples of the ranges: what the theorems assume of F, ω, Φ and Ψ, and that the wall
-//! moves with the forcing.
+//! Checks at samples of the ranges: the assumptions of the theorems about F, ω, Φ and Ψ, and that
+//! the wall moves with the forcing.
 //!
 //! A sample proves nothing, but a wrong sign, a pole in the range or a forgotten factor shows at
 //! almost every point.
@@ -11,7 +11,7 @@ use grazing_model::smooth::{SmoothOscillator, Stop, Units};
 use crate::description::{Description, Expressions};
 use crate::error::{DescriptionError, KeyPlace, rounded};
 
-/// Points along the range of either parameter, both ends included.
+/// Number of points along the range of either parameter, both ends included.
 const ALONG: u32 = 7;
 /// Positions and velocities at which the force is sampled, in the oscillator's [`Units`];
 /// empirical. At the wall and close to it, from `-NEAR` on, it must be finite; far from it a force
@@ -19,13 +19,13 @@ const ALONG: u32 = 7;
 const POSITIONS: [f64; 4] = [-1.0, -0.37, -0.01, 0.0];
 const NEAR: f64 = 0.01;
 const VELOCITIES: [f64; 3] = [-0.83, 0.0, 0.61];
-/// Impact velocities, likewise, at which the reset law is sampled: the theorems are about slow
-/// impacts.
+/// Impact velocities, also in [`Units`], at which the reset law is sampled: the theorems are about
+/// slow impacts.
 const IMPACT_VELOCITIES: [f64; 5] = [0.0, 0.01, 0.1, 0.5, 1.0];
-/// A natural frequency that so many times exceeds those of the forcing, or the other way round, is
-/// rarely meant: resonances of low order lie nearer; empirical.
+/// Ratio of the natural frequency to the forcing frequencies, or its inverse, beyond which the
+/// description is probably a mistake: resonances of low order lie nearer; empirical.
 const FAR: f64 = 15.0;
-/// Phases, as shares of the period, that no symmetry relates.
+/// Phases, as fractions of the period, that are not related by any symmetry.
 const SHARES: [f64; 5] = [0.0, 0.137, 0.361, 0.592, 0.823];
 /// The relative change over one period that rounding may cause: the phase's error, a few units in
 /// the last place, is magnified by the derivative with respect to it, which is far below 1e6 for
@@ -34,8 +34,8 @@ const ROUNDING: f64 = 1e-9;
 
 type Checked = Result<(), DescriptionError>;
 
-/// Checks frequency, force and reset law at samples, in the order of the file, until an end is
-/// asked for; what is allowed and may not be meant.
+/// Checks frequency, force and reset law at samples, in the order of the file, until the
+/// computation is cancelled; returns notes on values that are allowed but perhaps not intended.
 pub(crate) fn samples(
     description: &Description,
     places: &Expressions<KeyPlace>,
@@ -89,7 +89,7 @@ impl Sampler<'_> {
             .collect()
     }
 
-    /// The parameters and more variables by name.
+    /// The parameters and further variables as text, by name.
     fn point(&self, [mu, eta]: [f64; 2], variables: &[(&str, f64)]) -> String {
         let axes = [(self.description.primary().name(), mu), (self.description.secondary().name(), eta)];
         let values =
@@ -130,7 +130,7 @@ impl Sampler<'_> {
         let place = &self.places.force;
         let period = TAU / self.description.forcing_frequency(mu, eta);
         let near = NEAR * self.units.length;
-        // What depends on time alone is computed once for all positions and velocities.
+        // The part that depends on time alone is computed once for all positions and velocities.
         let force_at = |t: f64| self.description.force_at::<f64, f64>(t, mu, eta);
         let mut instants =
             SHARES.map(|share| share * period).map(|t| (t, [force_at(t), force_at(t + period)]));
@@ -159,7 +159,7 @@ impl Sampler<'_> {
         })
     }
 
-    /// What is to be said of a restitution above one.
+    /// A note if the restitution exceeds one.
     fn lively(&self, [mu, eta]: [f64; 2]) -> Option<String> {
         let samples = self.impact_velocities().into_iter().flat_map(|y| SHARES.map(|share| (y, share * TAU)));
         let (y, z, value) = samples
@@ -186,7 +186,7 @@ impl Sampler<'_> {
         sum.map(|sum| sum / SHARES.len() as f64)
     }
 
-    /// What is to be said of a force that grows with the velocity.
+    /// A note if the force grows with the velocity.
     fn undamped(&self, parameters: [f64; 2]) -> Option<String> {
         let slope = self.slopes(parameters)[1];
         (slope * self.units.time > ROUNDING).then(|| {
@@ -200,7 +200,7 @@ impl Sampler<'_> {
         })
     }
 
-    /// What is to be said of a frequency that is a parameter in hertz.
+    /// A note if the frequency is a parameter in hertz.
     fn in_hertz(&self, [mu, eta]: [f64; 2]) -> Option<String> {
         let frequency = self.description.forcing_frequency(mu, eta);
         let axes = [(self.description.primary(), mu), (self.description.secondary(), eta)];
@@ -212,8 +212,8 @@ impl Sampler<'_> {
         ))
     }
 
-    /// What is to be said of a natural frequency, of small motion beside the wall, that is far from
-    /// those of the forcing.
+    /// A note if the natural frequency, of small motion beside the wall, is far from those of the
+    /// forcing.
     fn far<'p>(&self, parameters: impl Iterator<Item = &'p [f64; 2]>) -> Option<String> {
         let ([mut low, mut slowest], [mut high, mut fastest]) = ([f64::INFINITY; 2], [0.0_f64; 2]);
         for &[mu, eta] in parameters {
@@ -279,7 +279,7 @@ fn not_finite(place: &KeyPlace, value: f64, at: &str) -> DescriptionError {
     wrong(place, format!("the value is {value} at {at}: it must be a finite number {domain}"))
 }
 
-/// Checks a value, which is of the order of `unit`, and the one a period of t or z later.
+/// Checks a value, which is of the order of `unit`, against the one a period of t or z later.
 fn finite_and_periodic(
     place: &KeyPlace,
     [value, after]: [f64; 2],

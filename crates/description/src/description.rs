@@ -1,4 +1,4 @@
-//! The checked description and the oscillator that it is.
+//! The checked description, and the oscillator that it defines.
 
 use std::sync::{Arc, OnceLock};
 
@@ -8,15 +8,15 @@ use grazing_model::smooth::{Dimensionless, Integrated, Scalar, SmoothOscillator,
 use crate::expression::Expression;
 use crate::file::{Analysis, Axis, FigureStyle, File, Limits, MOST_DIAGRAMS, Ordinate, Side};
 
-/// An oscillator with a wall, as a file describes it; a clone shares everything with the original.
+/// An oscillator with a wall, as described by a file; a clone shares everything with the original.
 ///
-/// Paper: eq:F, eq:R. All quantities are as the file has them, dimensionless or not.
+/// Paper: eq:F, eq:R. All quantities are in the units of the file, dimensionless or not.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Description(pub(crate) Arc<Content>);
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Content {
-    /// The file as it is written, but for the constants, which are in the order of the alphabet.
+    /// The file as written, except that the constants are in alphabetical order.
     pub(crate) file: File,
     pub(crate) formulas: Formulas,
     pub(crate) texts: Expressions<String>,
@@ -25,44 +25,44 @@ pub(crate) struct Content {
     pub(crate) curves: Vec<OwnCurve>,
     pub(crate) diagrams: Vec<OneParameter>,
     pub(crate) notes: Vec<String>,
-    /// The units, once they have been looked for.
+    /// The units, once they have been determined.
     pub(crate) units: OnceLock<Units>,
 }
 
-/// What is computed with; the force is that seen from the wall.
+/// The formulas for computation; the force is that seen from the wall.
 pub(crate) type Formulas = Expressions<Expression, Wall>;
 
-/// A one-parameter diagram that the file asks for.
+/// A one-parameter diagram that the file requests.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OneParameter {
-    /// It is the primary parameter that is held, not the secondary one.
+    /// Whether the primary parameter is held, rather than the secondary one.
     pub primary_is_fixed: bool,
     /// The value of the parameter that is held, inside its range.
     pub at: f64,
-    /// The values of the other one, inside its range.
+    /// The range of the other parameter, inside its range in the file.
     pub range: [f64; 2],
     /// Values in that range at which phase portraits are drawn, in increasing order.
     pub portraits: Vec<f64>,
     /// The seed of random initial states.
     pub seed: u64,
-    /// What stands on the vertical axis.
+    /// The quantity on the vertical axis.
     pub ordinate: Ordinate,
-    /// Motion is followed as the parameter goes up and down.
+    /// Whether motion is followed as the parameter goes up and down.
     pub sweeps: bool,
 }
 
-/// A curve that the file asks for, on which MPSs have a property.
+/// A curve that the file requests, on which MPSs have a property.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OwnCurve {
-    /// What it is called.
+    /// The name of the curve.
     pub name: String,
     /// The numbers of loops p, among those of the analysis.
     pub loops: Vec<u32>,
-    /// What holds along it.
+    /// The property that holds along the curve.
     pub property: Property,
 }
 
-/// What holds along a curve; all numbers are positive, in the units of the file.
+/// A property that holds along a curve; all numbers are positive, in the units of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Property {
     /// The impact velocity.
@@ -78,22 +78,22 @@ pub enum Property {
     },
 }
 
-/// The wall, and how its coordinates, in which the oscillator is one of the paper, lead to those of
-/// the file.
+/// The wall, and the conversion from its coordinates, in which the oscillator has the form of the
+/// paper, to those of the file.
 ///
 /// With the wall at W(t), u = x − W for motion below it and W − x for motion above it: u ≤ 0, and
 /// impacts have the relative velocity u̇ > 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wall {
     pub(crate) side: Side,
-    /// x and v, expressions in u, u̇, t, μ, η.
+    /// The position x and velocity v as expressions in u, u̇, t, μ, η.
     pub(crate) outside: [Expression; 2],
 }
 
 impl Wall {
-    /// It stands still at x = 0 with the motion below it, as where the file says nothing of it.
+    /// Whether the wall stands still at x = 0 with the motion below it, the default of a file.
     pub fn is_usual(&self) -> bool {
-        // x and v are u and u̇ then, which takes no instruction.
+        // x and v are then u and u̇, which takes no instruction.
         self.side == Side::Below && self.outside.iter().all(|coordinate| coordinate.instructions() == 0)
     }
 
@@ -102,20 +102,20 @@ impl Wall {
         self.side
     }
 
-    /// Position x and velocity v, as the file has them, of motion that is at u with u̇ seen from
-    /// the wall.
+    /// Position x and velocity v, in the coordinates of the file, of motion that is at u with u̇
+    /// seen from the wall.
     pub fn outside(&self, [u, velocity]: [f64; 2], time: f64, [mu, eta]: [f64; 2]) -> [f64; 2] {
         self.outside.each_ref().map(|coordinate| coordinate.evaluate(&[u, velocity, time, mu, eta]))
     }
 
-    /// u and u̇ of motion with position x and velocity v.
+    /// Coordinates u and u̇, seen from the wall, of motion with position x and velocity v.
     pub fn inside(&self, [x, v]: [f64; 2], time: f64, parameters: [f64; 2]) -> [f64; 2] {
         let [position, velocity] = self.outside([0.0, 0.0], time, parameters);
         [self.side.sign() * (x - position), self.side.sign() * (v - velocity)]
     }
 }
 
-/// What there is of each expression of a file, as its text.
+/// A value for each expression of a file, such as its text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Expressions<T, W = T> {
     /// The force F.
@@ -143,27 +143,27 @@ impl<T> Expressions<T> {
 }
 
 impl Description {
-    /// The most one-parameter diagrams.
+    /// The largest number of one-parameter diagrams.
     pub const MOST_DIAGRAMS: usize = MOST_DIAGRAMS;
 
-    /// The oscillator at parameters (μ, η), as the file counts them.
+    /// The oscillator at parameters (μ, η), in the units of the file.
     pub fn oscillator(&self, parameters: [f64; 2]) -> AnyOscillator {
         self.counted(parameters, &Units::ONE, &Stop::default())
     }
 
-    /// The oscillator at parameters (μ, η) that are counted in these units, as its motion is;
-    /// nothing moves any more once an end is asked for.
+    /// The oscillator at parameters (μ, η) in these units, as is its motion; nothing moves once the
+    /// computation is cancelled.
     pub fn counted(&self, parameters: [f64; 2], units: &Units, stop: &Stop) -> AnyOscillator {
         let model = Stoppable::new(Dimensionless::new(self.clone(), *units), stop.clone());
         AnyOscillator::new(Integrated::new(model, parameters))
     }
 
-    /// What the oscillator is called.
+    /// The name of the oscillator.
     pub fn name(&self) -> &str {
         &self.0.file.name
     }
 
-    /// The constants with their values, in the order of the alphabet.
+    /// The constants with their values, in alphabetical order.
     pub fn constants(&self) -> impl Iterator<Item = (&str, f64)> {
         self.0.file.parameters.iter().map(|(name, value)| (name.as_str(), *value))
     }
@@ -178,7 +178,7 @@ impl Description {
         &self.0.file.secondary
     }
 
-    /// The names of the units of length, time and mass, as far as the file has them.
+    /// The names of the units of length, time and mass that the file gives.
     pub fn unit_names(&self) -> [Option<&str>; 3] {
         let Some(units) = &self.0.file.units else { return [None; 3] };
         [&units.length, &units.time, &units.mass].map(Option::as_deref)
@@ -189,30 +189,30 @@ impl Description {
         &self.0.formulas.wall
     }
 
-    /// The formulas that are computed with: the force seen from the [`Wall`], in u, u̇, t, μ, η; ω
-    /// in μ, η; Φ and Ψ in y, z, μ, η.
+    /// The formulas for computation: the force seen from the [`Wall`], in u, u̇, t, μ, η; ω in μ,
+    /// η; Φ and Ψ in y, z, μ, η.
     pub fn formulas(&self) -> [&Expression; 4] {
         let Formulas { force, frequency, restitution, duration, .. } = &self.0.formulas;
         [force, frequency, restitution, duration]
     }
 
-    /// The expressions as the file has them, for whoever wants to see what was read.
+    /// The expressions as written in the file.
     pub fn texts(&self) -> &Expressions<String> {
         &self.0.texts
     }
 
-    /// u and u̇ at time zero from which the non-impacting motion is looked for, if the file gives
+    /// The start (u, u̇) at time zero of the search for the non-impacting motion, if the file gives
     /// position and velocity; seen from the wall where it is in the middle of the ranges.
     pub fn start(&self) -> Option<[f64; 2]> {
         self.0.start
     }
 
-    /// What is allowed but may not be meant, in words.
+    /// Notes on values that are allowed but perhaps not intended.
     pub fn notes(&self) -> &[String] {
         &self.0.notes
     }
 
-    /// What the analysis may use; all are positive.
+    /// The limits of the analysis; all are positive.
     pub fn limits(&self) -> Limits {
         let Analysis { time_limit: time, memory_limit: memory, step_limit: steps, .. } = self.0.file.analysis;
         Limits { time, memory, steps }
@@ -223,19 +223,20 @@ impl Description {
         *self.0.units.get_or_init(|| self.units_until(&Stop::default()))
     }
 
-    /// The same, which are worth nothing once an end is asked for.
+    /// Units in which the motion is of the order of one; meaningless once the computation is
+    /// cancelled.
     pub(crate) fn units_until(&self, stop: &Stop) -> Units {
         let ranges = [self.primary().range(), self.secondary().range()];
         Units::of(&Stoppable::new(self.clone(), stop.clone()), ranges)
     }
 
-    /// The numbers of loops p to analyse: at least one, each 1 or more, none twice, as ordered in
-    /// the file.
+    /// The numbers of loops p to analyse: at least one, each 1 or more, without repetition, in the
+    /// order of the file.
     pub fn loops(&self) -> &[u32] {
         &self.0.file.analysis.loops
     }
 
-    /// How its two-parameter diagram and magnifications are to be drawn.
+    /// The style of the two-parameter diagram and its magnifications.
     pub fn figure(&self) -> &FigureStyle {
         &self.0.file.figure
     }
@@ -253,12 +254,12 @@ impl Description {
         [mass * (1.0 + restitution) * y, 0.5 * mass * (1.0 - restitution * restitution) * y * y]
     }
 
-    /// The own curves that are asked for.
+    /// The own curves that the file requests.
     pub fn curves(&self) -> &[OwnCurve] {
         &self.0.curves
     }
 
-    /// The one-parameter diagrams that are asked for.
+    /// The one-parameter diagrams that the file requests.
     pub fn diagrams(&self) -> &[OneParameter] {
         &self.0.diagrams
     }

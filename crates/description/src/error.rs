@@ -1,4 +1,4 @@
-//! What can be wrong with a description.
+//! Errors in a description.
 
 use std::ops::Range;
 
@@ -8,34 +8,34 @@ use thiserror::Error;
 use crate::expression::ExpressionError;
 use crate::file::REQUIREMENTS;
 
-/// The first thing in a description that is not right, and what would be.
+/// The first error in a description, with its remedy.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum DescriptionError {
-    /// The file cannot be read, is no TOML, or has a key or value that is not right.
+    /// The file cannot be read, is not TOML, or has a wrong key or value.
     #[error(transparent)]
     Source(#[from] SourceError),
-    /// An expression is not right.
+    /// An expression is wrong.
     #[error("{place}: {problem}\n{excerpt}")]
     Expression {
-        /// Where it stands.
+        /// The key and place of the expression.
         place: Box<KeyPlace>,
-        /// What is wrong, and what would be right.
+        /// The error and its remedy.
         problem: String,
-        /// The line of the expression with a mark under what is wrong.
+        /// The line of the expression with a mark under the error.
         excerpt: String,
     },
-    /// An expression has a value that it must not have.
+    /// An expression has a value that is not allowed.
     #[error("{place}: {problem}")]
     Value {
-        /// Where it stands.
+        /// The key and place of the expression.
         place: KeyPlace,
-        /// What is wrong and where in the ranges, and what would be right.
+        /// The error, its place in the ranges, and its remedy.
         problem: String,
     },
-    /// An end was asked for before the file was read and checked.
+    /// The reading was cancelled before the file was read and checked.
     #[error("it was not checked to its end")]
     Ended,
-    /// Numbers of loops that were asked for instead of the file's are not right.
+    /// Numbers of loops that replace those of the file are wrong.
     #[error("loops {}: {}", loops.iter().map(u32::to_string).collect::<Vec<_>>().join(","), REQUIREMENTS.of("analysis.loops"))]
     Loops {
         /// The numbers.
@@ -66,8 +66,8 @@ impl KeyPlace {
     }
 }
 
-/// The value to six digits, without zeros at the end, and with an exponent where there were many in
-/// it.
+/// The value to six digits, without trailing zeros, and with an exponent where there would be many
+/// zeros.
 pub(crate) fn rounded(value: f64) -> String {
     let value: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     let plain = value == 0.0 || (1e-5..1e9).contains(&value.abs()) || !value.is_finite();
@@ -81,7 +81,7 @@ impl From<DescriptionError> for Mistake {
 }
 
 impl DescriptionError {
-    /// What is wrong and where, apart.
+    /// The message and its place, separately.
     pub fn mistake(&self) -> Mistake {
         match self {
             Self::Source(error) => error.mistake(),
@@ -91,7 +91,7 @@ impl DescriptionError {
         }
     }
 
-    /// The error of an expression that stands in a file.
+    /// The error of an expression in a file.
     pub(crate) fn in_expression(
         section: &Section<'_>,
         name: &str,
@@ -106,7 +106,7 @@ impl DescriptionError {
     }
 }
 
-/// The most characters of a line that are shown.
+/// The largest number of characters of a line that are shown.
 const SHOWN: usize = 120;
 
 /// The line of the text in which the span begins, with a mark under the span.
@@ -119,7 +119,7 @@ fn excerpt(text: &str, span: &Range<usize>) -> String {
     }
     let before = text[start..span.start].chars().count();
     let marked = text[span.start..span.end.min(end).max(span.start)].chars().count().max(1);
-    // Of a long line the part about the mark.
+    // A long line is cut to the part about the mark.
     let skipped = if line.chars().count() > SHOWN { before.saturating_sub(SHOWN / 3) } else { 0 };
     let (left, right) =
         [skipped > 0, line.chars().count() > skipped + SHOWN].map(|cut| if cut { "..." } else { "" }).into();

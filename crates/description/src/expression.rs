@@ -1,25 +1,25 @@
 //! A smooth expression in named variables, evaluated over any kind of number.
 //!
 //! # The parser
-//! The text is parsed by [nanoexpr](https://docs.rs/nanoexpr), which hands every operation to a
-//! number type of the caller's as it reads; ours builds a graph instead of computing. Why this one:
-//! its precedence is that of mathematics (`-x^2` is −(x²), `2^-1` and `2^3^2` work, `a/b/c` is
-//! (a/b)/c); every error has its place in the text; names and functions are asked of the caller, so
-//! that none is known but ours; its licence is MIT; without its arithmetic, which is not used, it
-//! brings along no other crate and compiles in about a second. It is young (October 2026), but
-//! tested with random input, and small enough to be kept by whoever keeps this. Of the others,
-//! exmex reads `-x^2` as (−x)² and tells no places; the trees of mathlex and mathexpr have no
-//! places either, and the former, made for LaTeX and tensors, is six times as large; fasteval and
-//! meval have had no release for years; evalexpr is under the AGPL.
+//! The text is parsed by [nanoexpr](https://docs.rs/nanoexpr), which passes every operation to a
+//! number type of the caller's as it reads; ours builds a graph instead of computing. Reasons for
+//! this choice: its precedence is that of mathematics (`-x^2` is −(x²), `2^-1` and `2^3^2` work,
+//! `a/b/c` is (a/b)/c); every error has its place in the text; names and functions are supplied by
+//! the caller, so that only ours are known; its licence is MIT; without its arithmetic, which is
+//! not used, it has no dependencies and compiles in about a second. It is young (October 2026), but
+//! tested with random input, and small enough to be maintained here. Of the others, exmex reads
+//! `-x^2` as (−x)² and reports no places; the trees of mathlex and mathexpr have no places either,
+//! and the former, made for LaTeX and tensors, is six times as large; fasteval and meval have had
+//! no release for years; evalexpr is under the AGPL.
 //!
 //! # The tape
 //! Constants are folded while the text is read, equal parts become one node, whole powers are
-//! products, and a sum with all its constant factors is one instruction, for choosing the next
-//! instruction takes longer than arithmetic. What is left is a short list of instructions, each of
-//! which adds one value to a list that begins with those of the variables. [`Expression::evaluate`]
-//! runs it over plain numbers, jets or intervals alike. Instructions that need none of the
-//! variables that move stand first, so that [`Expression::hold`] can run them once for many values
-//! of those.
+//! products, and a sum with all its constant factors is one instruction, because choosing the next
+//! instruction takes longer than arithmetic. The result is a short list of instructions, each of
+//! which appends one value to a list that begins with those of the variables.
+//! [`Expression::evaluate`] runs it over plain numbers, jets or intervals alike. Instructions that
+//! do not depend on the moving variables come first, so that [`Expression::hold`] can run them once
+//! for many values of those variables.
 
 mod assemble;
 mod derivative;
@@ -41,17 +41,17 @@ use thiserror::Error;
 pub(crate) use function::{is_function, variable};
 pub(crate) use parse::{expression as parse_with_uses, from_the_wall};
 
-/// The most results of instructions that an evaluation keeps on the stack; an expression with more
-/// of them allocates.
+/// The largest number of instruction results that an evaluation keeps on the stack; an expression
+/// with more of them allocates.
 pub const MOST_VALUES_ON_STACK: usize = 24;
 
-/// The first thing in an expression that is not right.
+/// The first error in an expression.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{problem}")]
 pub struct ExpressionError {
-    /// The bytes of the text that are not right; empty at the text's end.
+    /// The byte range of the error in the text; empty at the text's end.
     pub span: Range<usize>,
-    /// What is wrong with them, and what would be right.
+    /// The error and its remedy.
     pub problem: String,
 }
 
@@ -65,15 +65,14 @@ pub struct Expression(Arc<Tape>);
 struct Tape {
     variables: Vec<String>,
     whole: Code,
-    /// The number of instructions that need no variable that moves; they come first.
+    /// The number of instructions that do not depend on the moving variables; they come first.
     held: usize,
     /// The number of variables that move; they come first.
     moving: usize,
-    /// The slots of what the other instructions need of these and of the variables that do not
-    /// move,
+    /// The slots of the held variables and results on which the other instructions depend.
     needed: Vec<Slot>,
-    /// and the other instructions; on their list the values of those slots take the place of what
-    /// they came from.
+    /// The other instructions; on their list the values of those slots replace the values from
+    /// which they were computed.
     rest: Code,
 }
 
@@ -91,11 +90,11 @@ struct Code {
 /// instruction.
 type Slot = usize;
 
-/// What one instruction computes.
+/// The computation of one instruction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Instruction {
     Plain(Operation<Slot>),
-    /// A constant and values times numbers, which stand in the list of terms from `start` to before
+    /// A constant plus multiples of values, which are in the list of terms from `start` to before
     /// `end`.
     Sum {
         start: usize,
@@ -104,13 +103,13 @@ enum Instruction {
     },
 }
 
-/// An operation on operands that are given by number: of a node in the graph, of a value's slot on
-/// the tape.
+/// An operation on operands that are given by number: of a node in the graph, or of a value's slot
+/// on the tape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Operation<P> {
     Constant(f64),
     Add(P, P),
-    /// A number added to the operand.
+    /// The operand plus a number.
     Shift(P, f64),
     Subtract(P, P),
     Negate(P),
@@ -131,8 +130,8 @@ impl<P: Copy> Operation<P> {
         operands
     }
 
-    /// What distinguishes it from others of its kind on the same operands: the bits of its number,
-    /// or which power or function it is.
+    /// A key that distinguishes the operation from others of its kind on the same operands: the
+    /// bits of its number, or the power or function.
     fn detail(&self) -> u64 {
         match *self {
             Operation::Constant(value) | Operation::Shift(_, value) | Operation::Scale(_, value) => {
@@ -144,7 +143,7 @@ impl<P: Copy> Operation<P> {
         }
     }
 
-    /// The same operation on other operands.
+    /// The operation on other operands.
     fn on<Q>(&self, mut slot: impl FnMut(P) -> Q) -> Operation<Q> {
         match *self {
             Operation::Constant(value) => Operation::Constant(value),
@@ -187,7 +186,7 @@ impl Operation<Slot> {
     }
 }
 
-/// Writes a result to its slot. It is a call of its own so that the compiler knows the slots to
+/// Writes a result to its slot. It is a separate function so that the compiler knows the slots to
 /// differ, and copies nothing.
 #[inline(never)]
 fn into<S, T>(result: &mut S, a: &S, b: &T, compute: impl Fn(&S, &T) -> S) {
@@ -195,14 +194,14 @@ fn into<S, T>(result: &mut S, a: &S, b: &T, compute: impl Fn(&S, &T) -> S) {
 }
 
 impl Expression {
-    /// The expression that a text gives, in these variables and constants.
+    /// Parses an expression in these variables and constants.
     ///
     /// `variables` are the names whose values [`Expression::evaluate`] takes, in this order;
-    /// `constants` are names with their values; `pi` and `e` are known besides. Operators are
-    /// `+ - * / ^`; every function takes one argument.
+    /// `constants` are names with their values; `pi` and `e` are known as well. Operators are `+ -
+    /// * / ^`; every function takes one argument.
     ///
     /// # Errors
-    /// [`ExpressionError`], the first thing in the text that is not right, with its place.
+    /// [`ExpressionError`], the first error in the text, with its place.
     pub fn parse(
         text: &str,
         variables: &[&str],
@@ -235,8 +234,8 @@ impl Expression {
         })
     }
 
-    /// The expression as a function of the variables that move, with these values of the others,
-    /// which may be of a simpler kind of number.
+    /// The expression as a function of the variables that move, for these values of the others,
+    /// which may be of a simpler number type.
     ///
     /// # Panics
     /// With fewer values than there are variables that do not move.
@@ -262,7 +261,7 @@ impl Expression {
     }
 }
 
-/// Gives space for a list of so many values.
+/// Provides space for a list of `count` values to a computation.
 #[inline(always)]
 fn with_space<S: Scalar, R>(count: usize, compute: impl FnOnce(&mut [S]) -> R) -> R {
     let zero = S::constant(0.0);
@@ -274,7 +273,7 @@ fn with_space<S: Scalar, R>(count: usize, compute: impl FnOnce(&mut [S]) -> R) -
     }
 }
 
-/// The value at a slot: of one of the first variables, so many as are `free`, or one on the list.
+/// The value at a slot: one of the first `free` variables, or one on the list.
 #[inline(always)]
 fn value<'v, S, V: Borrow<S>>(slot: Slot, variables: &'v [V], free: usize, list: &'v [S]) -> &'v S {
     match slot.checked_sub(free) {
@@ -283,10 +282,10 @@ fn value<'v, S, V: Borrow<S>>(slot: Slot, variables: &'v [V], free: usize, list:
     }
 }
 
-/// Writes the sum of values times numbers and a constant to its slot.
+/// Writes a constant plus multiples of values to its slot.
 ///
-/// Factors of one and minus one change no bit, and no branch is faster than one that is guessed
-/// wrong.
+/// Factors of one and minus one change no bit, and having no branch is faster than a mispredicted
+/// one.
 #[inline(never)]
 fn add_up<'v, S: Scalar + 'v>(
     result: &mut S,
@@ -303,8 +302,8 @@ fn add_up<'v, S: Scalar + 'v>(
 }
 
 impl Code {
-    /// Runs some of the instructions, in order; so many values stand on the list before the
-    /// results.
+    /// Runs a range of the instructions, in order, on a list that already holds some values before
+    /// the results.
     fn run<S: Scalar, V: Borrow<S>>(
         &self,
         which: Range<usize>,

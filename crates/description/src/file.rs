@@ -1,4 +1,4 @@
-//! The keys of a file, each with what it means and what it must hold.
+//! The keys of a file, each with its meaning and its requirement.
 
 use std::sync::LazyLock;
 
@@ -7,31 +7,31 @@ use grazing_source::kind::{
 };
 use grazing_source::{Keys, Requirements, Section, SourceError, keys};
 
-/// The largest number of loops: higher ones do not relate to resonant grazing, and their curves are
-/// not told apart.
+/// The largest number of loops: higher ones do not relate to resonant grazing, and their curves
+/// cannot be distinguished.
 pub(crate) const MOST_LOOPS: u32 = 12;
 
-/// More one-parameter diagrams nobody looks at.
+/// The largest number of one-parameter diagrams.
 pub(crate) const MOST_DIAGRAMS: usize = 8;
 
-/// More own curves nobody tells apart.
+/// The largest number of own curves: more could not be distinguished.
 const MOST_CURVES: usize = 8;
 
-/// The most characters of the name of a curve: it stands beside the curve.
+/// The largest number of characters of the name of a curve, which is written beside the curve.
 const LONGEST_NAME: usize = 24;
 
-/// More portraits in one diagram nobody looks at.
+/// The largest number of portraits in one diagram.
 const MOST_PORTRAITS: usize = 6;
 
-/// The most characters of a unit: it stands beside a name on an axis.
+/// The largest number of characters of a unit, which is written beside a name on an axis.
 const LONGEST_UNIT: usize = 20;
 
-/// What the keys of a file must hold.
+/// The keys of a description with their requirements.
 pub(crate) static REQUIREMENTS: LazyLock<Requirements> =
     LazyLock::new(|| Requirements::new("see examples/ for what belongs here").with_keys(File::list));
 
 keys! {
-    /// A description as it is written.
+    /// A description as written.
     pub(crate) struct File {
         /// What the oscillator is called.
         name: String = value().map(name),
@@ -95,7 +95,7 @@ keys! {
 }
 
 keys! {
-    /// What moves the oscillator.
+    /// The equation of motion between impacts.
     pub(crate) struct Motion {
         /// The force F per mass.
         force: String = value(),
@@ -119,7 +119,7 @@ keys! {
 }
 
 keys! {
-    /// What an impact does.
+    /// The reset law, and the mass.
     pub(crate) struct Impact {
         /// The restitution Φ.
         restitution: String = value(),
@@ -134,7 +134,7 @@ keys! {
 }
 
 keys! {
-    /// What is computed.
+    /// The numbers of loops, the start and the limits of the analysis.
     pub(crate) struct Analysis {
         /// The numbers of loops p.
         loops: Vec<u32> = counts(1..=MOST_LOOPS),
@@ -226,14 +226,14 @@ keys! {
 }
 
 impl FigureStyle {
-    /// That of a file that says nothing of it: the paper's.
+    /// The default style, that of the paper.
     fn usual() -> Self {
         let (names, colours) = (Named::ALL.to_vec(), Vec::new());
         Self { swap: false, shading: true, names, width: None, height: None, colours }
     }
 }
 
-/// What may have its name in a figure.
+/// A kind of object whose name may be written in a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Named {
     /// Curves, by their kinds.
@@ -247,11 +247,11 @@ pub enum Named {
 }
 
 impl Named {
-    /// All of them.
+    /// All kinds of objects.
     pub const ALL: [Self; 4] = [Self::Curves, Self::Regions, Self::Magnifications, Self::Diagrams];
 }
 
-/// What stands on the vertical axis of a one-parameter diagram.
+/// A quantity on the vertical axis of a one-parameter diagram.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ordinate {
     /// x on the Poincaré section.
@@ -269,7 +269,7 @@ pub enum Ordinate {
 }
 
 impl Ordinate {
-    /// It asks for the mass.
+    /// Whether the quantity needs the mass.
     pub const fn needs_mass(self) -> bool {
         matches!(self, Self::Impulse | Self::Force | Self::Power)
     }
@@ -303,7 +303,7 @@ impl Axis {
         self.range
     }
 
-    /// The name of its unit, if the file has one.
+    /// The name of the parameter's unit, if the file has one.
     pub fn unit(&self) -> Option<&str> {
         self.unit.as_deref()
     }
@@ -319,7 +319,7 @@ pub enum Side {
 }
 
 impl Side {
-    /// `below` or `above`.
+    /// The name, `below` or `above`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Below => "below",
@@ -327,7 +327,7 @@ impl Side {
         }
     }
 
-    /// s = ±1 in u = s(x − W).
+    /// The sign s = ±1 in u = s(x − W).
     pub(crate) const fn sign(self) -> f64 {
         match self {
             Self::Below => 1.0,
@@ -336,7 +336,7 @@ impl Side {
     }
 }
 
-/// What an analysis may use before it ends with what it has.
+/// The limits at which an analysis ends with the results that it has.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
     /// Seconds of CPU time, of all threads together.
@@ -348,8 +348,8 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// Those of a file that has none: the examples take seconds and 50 MB, and whoever waits for
-    /// ten minutes wants to see something. The steps are more than two cores do in that time.
+    /// The default limits: the examples take seconds and 50 MB, and a user who has waited for ten
+    /// minutes wants to see a result. The steps are more than two cores make in that time.
     pub const USUAL: Self = Self { time: 600.0, memory: 2000.0, steps: 1e10 };
 }
 
@@ -361,13 +361,13 @@ const POSITIVE: &str =
 const NAME: &str = "a name is made of the letters a to z and A to Z, digits and _, and does not begin with a digit, as \"omega\"";
 const UNIT: &str = "the name of a unit must be up to 20 Latin or Greek letters, digits, blanks or / ^ * - . ( ) %, in quotation marks, as \"rad/s\"; it may be left out and changes no number";
 
-/// The name of the oscillator without blanks about it.
+/// The name of the oscillator without surrounding blanks.
 fn name(written: String, section: &Section<'_>, key: &str) -> Result<String, SourceError> {
     let name = written.trim();
     if name.is_empty() { Err(section.refusal(key)) } else { Ok(name.to_owned()) }
 }
 
-/// What can stand in a figure beside a curve.
+/// Whether a name can be written beside a curve in a figure.
 fn curve_name(name: &str) -> bool {
     let shown = |character: char| character.is_ascii_alphanumeric() || " =.,-+()/".contains(character);
     !name.trim().is_empty() && name.chars().count() <= LONGEST_NAME && name.chars().all(shown)
@@ -410,7 +410,7 @@ fn portraits(mut values: Vec<f64>, section: &Section<'_>, name: &str) -> Result<
     if right { Ok(values) } else { Err(section.refusal(name)) }
 }
 
-/// What has its name in a figure, by the words for it.
+/// The kinds of objects whose names are written in a figure, from their words.
 fn named(words: Vec<String>, section: &Section<'_>, key: &str) -> Result<Vec<Named>, SourceError> {
     let word = |named: Named| match named {
         Named::Curves => "curves",
@@ -432,9 +432,9 @@ fn colour(written: String, section: &Section<'_>, kind: &str) -> Result<[u8; 3],
     }
 }
 
-/// The name of a unit, if there is one.
+/// A key that may hold the name of a unit.
 fn unit() -> Kind<Option<String>> {
-    // Those that the fonts of the figures have.
+    // Greek letters in the fonts of the figures.
     let greek = |character: char| ('α'..='ω').contains(&character) || ('Α'..='Ω').contains(&character);
     let shown = move |character: char| {
         character.is_ascii_alphanumeric() || greek(character) || " /^*-.()°µ%·²³⁻¹".contains(character)

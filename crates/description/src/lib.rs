@@ -1,10 +1,10 @@
-//! An impact oscillator that is written in a text file.
+//! Impact oscillators described by text files.
 //!
-//! A [`Description`] is made from a TOML file that passed every check: it names constants and the
-//! two parameters μ and η, and gives the force F(x, v, t), the forcing frequency ω, the restitution
-//! Φ(y, z) and the impact duration Ψ(y, z) as expressions ([`Expression`]). It is a
-//! [`SmoothOscillator`](grazing_model::smooth::SmoothOscillator), as any oscillator that is written
-//! in Rust.
+//! A [`Description`] is read from a TOML file and has passed every check: the file names constants
+//! and the two parameters μ and η, and gives the force F(x, v, t), the forcing frequency ω, the
+//! restitution Φ(y, z) and the impact duration Ψ(y, z) as expressions ([`Expression`]). It is a
+//! [`SmoothOscillator`](grazing_model::smooth::SmoothOscillator), like any oscillator that is
+//! written in Rust.
 //!
 //! ```
 //! use grazing_description::Description;
@@ -35,8 +35,8 @@
 //! # Ok::<(), grazing_description::DescriptionError>(())
 //! ```
 //!
-//! Whatever is wrong with a file is told as a [`DescriptionError`]: file, line, key, the expression
-//! with a mark under the place, what is wrong and what would be right.
+//! Errors in a file are reported as a [`DescriptionError`]: file, line, key, the expression with a
+//! mark under the place, the error and its remedy.
 
 mod checks;
 mod description;
@@ -52,7 +52,7 @@ pub use error::DescriptionError;
 pub use expression::{Expression, ExpressionError, MOST_VALUES_ON_STACK};
 pub use file::{Axis, FigureStyle, Limits, Named, Ordinate, Side};
 
-/// Every key that a file can have, with what it means and what it must hold.
+/// All keys that a file can have, with their meanings and requirements.
 pub fn keys() -> &'static [grazing_source::Key] {
     file::REQUIREMENTS.keys()
 }

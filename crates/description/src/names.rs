@@ -1,11 +1,11 @@
-//! The names in a description: none may mean two things.
+//! The names in a description: each must have a single meaning.
 
 use grazing_source::{Section, SourceError};
 
 use crate::expression::{is_function, variable};
 use crate::file::{File, REQUIREMENTS};
 
-/// What a name means before any file says anything.
+/// The meaning of a name that is reserved, independently of any file.
 fn own_meaning(name: &str) -> Option<&'static str> {
     variable(name).or_else(|| {
         Some(match name {
@@ -44,7 +44,7 @@ pub(crate) fn check(section: &Section<'_>, file: &File) -> Result<(), SourceErro
     Ok(())
 }
 
-/// What is wrong with a name, and what would be right, after these names with their meanings.
+/// The error in a name, with its remedy, given the names seen before with their meanings.
 fn wrong(name: &str, meaning: &str, seen: &[(&str, &'static str)]) -> Option<String> {
     if !is_name(name) {
         return Some(REQUIREMENTS.of("primary.name").to_owned());

@@ -1,4 +1,4 @@
-//! Descriptions from texts, and others made from these.
+//! Descriptions read from texts, and variants of them.
 
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
@@ -13,10 +13,10 @@ use crate::file::{MOST_LOOPS, REQUIREMENTS};
 use crate::{checks, validate};
 
 impl Description {
-    /// Reads and checks a description; its path appears in messages as it is given here.
+    /// Reads and checks a description; messages show its path as given here.
     ///
     /// # Errors
-    /// [`DescriptionError`], the first thing in the file that is not right, with its line.
+    /// [`DescriptionError`], the first error in the file, with its line.
     pub fn from_file(path: &Path) -> Result<Description, DescriptionError> {
         Description::parse(&grazing_source::read_file(path)?, &path.display().to_string())
     }
@@ -26,17 +26,17 @@ impl Description {
     /// Φ > 0, ω > 0 and the periods of F, Φ and Ψ are checked at samples of the ranges.
     ///
     /// # Errors
-    /// [`DescriptionError`], the first thing in the text that is not right, with its line.
+    /// [`DescriptionError`], the first error in the text, with its line.
     pub fn parse(text: &str, file: &str) -> Result<Description, DescriptionError> {
         Description::parse_with(&Text::new(text, &[]), file, &Stop::default())
     }
 
-    /// As [`parse`](Self::parse), with settings that take the place of values in the text, until
-    /// an end is asked for.
+    /// Reads a description like [`parse`](Self::parse), with settings that replace values in the
+    /// text; stops once the computation is cancelled.
     ///
     /// # Errors
-    /// As [`parse`](Self::parse), and for settings of keys that mean nothing or are not there;
-    /// [`DescriptionError::Ended`] once an end is asked for.
+    /// As for [`parse`](Self::parse), and for settings of unknown or missing keys;
+    /// [`DescriptionError::Ended`] once the computation is cancelled.
     pub fn parse_with(text: &Text, file: &str, stop: &Stop) -> Result<Description, DescriptionError> {
         let source = Source::new(text, file, &REQUIREMENTS);
         let (mut description, places) = source
@@ -49,11 +49,11 @@ impl Description {
         Ok(description)
     }
 
-    /// The same oscillator with another value of a constant; a name that is no constant's changes
-    /// nothing. What the theorems assume is not checked again.
+    /// The oscillator with another value of a constant; any other name changes nothing. The
+    /// assumptions of the theorems are not checked again.
     ///
     /// # Errors
-    /// An expression has no value with it, as 1/kappa for kappa = 0.
+    /// An expression has no value with it, such as 1/kappa for kappa = 0.
     pub fn with_constant(&self, name: &str, value: f64) -> Result<Description, ExpressionError> {
         let mut content = (*self.0).clone();
         let constants = content.file.parameters.iter_mut();
@@ -65,11 +65,11 @@ impl Description {
         Ok(Description(Arc::new(content)))
     }
 
-    /// The same oscillator with other numbers of loops p to analyse.
+    /// The oscillator with other numbers of loops p to analyse.
     ///
     /// # Errors
     /// [`DescriptionError::Loops`] unless there is at least one number, all lie between 1 and 12,
-    /// and none stands twice.
+    /// and none is repeated.
     pub fn with_loops(&self, loops: &[u32]) -> Result<Description, DescriptionError> {
         let twice = (1..loops.len()).any(|index| loops[..index].contains(&loops[index]));
         if loops.is_empty() || twice || !loops.iter().all(|number| (1..=MOST_LOOPS).contains(number)) {
@@ -100,7 +100,7 @@ mod tests {
         assert_ne!(sizes(), [1.0; 2]);
         stop.ask();
         assert_eq!(checks::samples(&description, &places, &stop), Err(DescriptionError::Ended));
-        // They are those of an oscillator of which nothing is known.
+        // The units are the default ones of an oscillator about which nothing is known.
         assert_eq!(sizes(), [1.0; 2]);
         let read = Description::parse_with(&text, "shaking-table.toml", &stop);
         assert_eq!(read, Err(DescriptionError::Ended));

@@ -1,4 +1,4 @@
-//! From the file as written to a description that can be computed with.
+//! From the file as written to a description for computation.
 
 use std::sync::{Arc, OnceLock};
 
@@ -13,11 +13,11 @@ use crate::expression::{Expression, ExpressionError, from_the_wall, parse_with_u
 use crate::file::{Axis, File, Side, WrittenCurve, WrittenDiagram, WrittenWall};
 use crate::names;
 
-/// More constants than this nobody names; every name in an expression is looked for among them.
+/// The largest number of constants; every name in an expression is looked up among them.
 const MOST_CONSTANTS: usize = 1000;
 
-/// The key of an expression with the variables that it may use beside the parameters, and how many
-/// of them, the first ones, move while the others are held.
+/// The key of an expression, the variables that it may use besides the parameters, and the number
+/// of these, the first ones, that move while the others are held.
 type Kind = (&'static str, &'static [&'static str], usize);
 
 const FORCE: Kind = ("motion.force", &["x", "v", "t"], 2);
@@ -27,7 +27,7 @@ const RESTITUTION: Kind = ("impact.restitution", &["y", "z"], 2);
 const MASS: Kind = ("impact.mass", &[], 0);
 const DURATION: Kind = ("impact.duration", &["y", "z"], 2);
 
-/// The names of the parameters, and the constants; and what ends the reading.
+/// The names of the parameters, the constants, and the flag that cancels the reading.
 struct Known<'a>([&'a str; 2], Vec<(&'a str, f64)>, &'a Stop);
 
 impl<'a> Known<'a> {
@@ -69,9 +69,9 @@ pub(crate) fn mass(file: &File, stop: &Stop) -> Result<Option<Expression>, Expre
     file.impact.mass.as_ref().map(|text| Ok(known.parse(text, MASS)?.0)).transpose()
 }
 
-/// Checks everything that can be checked without evaluating an expression; once an end is asked
-/// for there is some error. Where there is no wall
-/// in the file, its expression stands where that of the force does.
+/// Checks everything that can be checked without evaluating an expression; returns some error once
+/// the computation is cancelled. If the file has no wall, the place of the wall's expression is
+/// that of the force.
 pub(crate) fn description(
     section: &Section<'_>,
     stop: &Stop,
@@ -104,7 +104,7 @@ pub(crate) fn description(
         duration: checked(&file.impact.duration, DURATION)?,
     };
     let (texts, places) = (checked.map(|(text, _)| text.clone()), checked.map(|(_, place)| place.clone()));
-    // Each by itself is right.
+    // Each text is correct by itself.
     let formulas = formulas(&texts, side, &file, stop)
         .map_err(|error| DescriptionError::Value { place: places.wall.clone(), problem: error.problem })?;
     for ((used, key), axis) in used.into_iter().zip(["primary.name", "secondary.name"]).zip(axes) {
@@ -151,7 +151,7 @@ pub(crate) fn description(
     Ok((Description(Arc::new(content)), places))
 }
 
-/// Refuses too many constants.
+/// Rejects too many constants.
 fn check_number(section: &Section<'_>, file: &File) -> Result<(), SourceError> {
     let count = file.parameters.len();
     match file.parameters.last() {

@@ -33,8 +33,8 @@ impl Source<'_> {
         read(document)
     }
 
-    /// Refuses a setting for a name that the file would have to bring in: any may stand in its
-    /// table, and this one does not.
+    /// Rejects a setting for a name that the file would have to introduce: any name may stand in
+    /// its table, and this one does not.
     fn must_be_there(
         &self,
         setting: &Setting,
@@ -57,7 +57,7 @@ impl Source<'_> {
     /// The whole file, read by `read`.
     ///
     /// # Errors
-    /// [`SourceError`]: no TOML, or an unknown key; and whatever `read` finds wrong.
+    /// [`SourceError`]: no TOML, or an unknown key; and any error returned by `read`.
     pub fn whole<T, E: From<SourceError>>(
         &self,
         read: impl FnOnce(Section<'_>) -> Result<T, E>,
@@ -76,10 +76,11 @@ impl Source<'_> {
         self.document(|document| self.refuse_unknown(document.get_ref(), "", false))
     }
 
-    /// One table of the top level, read by `read`; what stands in the others does not matter.
+    /// One table of the top level, read by `read`; the other tables are ignored.
     ///
     /// # Errors
-    /// [`SourceError`]: no TOML, no such table, or an unknown key in it; and whatever `read` finds wrong.
+    /// [`SourceError`]: no TOML, no such table, or an unknown key in it; and any error returned by
+    /// `read`.
     pub fn section<T, E: From<SourceError>>(
         &self,
         name: &str,
@@ -97,8 +98,7 @@ impl Source<'_> {
         })
     }
 
-    /// Refuses a key of the table that is not known, or, as far down as it is to be looked at, of
-    /// those in it.
+    /// Rejects an unknown key of the table or, if `deep`, of the tables in it.
     fn refuse_unknown(&self, table: &DeTable<'_>, path: &str, deep: bool) -> Result<(), SourceError> {
         let Some(unknown) = first_unknown_key(table, path, self.requirements, deep) else { return Ok(()) };
         let UnknownKey { position, table, name } = unknown;
@@ -107,15 +107,15 @@ impl Source<'_> {
     }
 }
 
-/// A key that means nothing in its table.
+/// A key that has no meaning in its table.
 struct UnknownKey {
     position: usize,
     table: String,
     name: String,
 }
 
-/// The unknown key that stands first in the text. The reader would find it too, but not before a
-/// missing one: of a table whose name is misspelt it would say that it is missing.
+/// The unknown key that comes first in the text. The reader would find it as well, but only after a
+/// missing one: for a table with a misspelt name it would report a missing table.
 fn first_unknown_key(
     table: &DeTable<'_>,
     path: &str,
@@ -133,7 +133,7 @@ fn first_unknown_key(
             }
             let path = joined(path, &name);
             if !deep || requirements.known_keys(&path).is_empty() {
-                // What is not to be a table is refused as a whole.
+                // A value that should not be a table is rejected as a whole.
                 return None;
             }
             match value.get_ref() {

@@ -1,20 +1,20 @@
-//! What can be wrong with a file.
+//! Errors in a file.
 
 use std::fmt::{self, Display};
 
 use crate::words::suggestion;
 
-/// The first thing in a file that is not right, and what would be.
+/// The first error in a file, with its remedy.
 ///
 /// Keys are written with dots, members of a list of tables counted from 1: `fig08.panels[2].loops`.
-/// Values are given as the file writes them.
+/// Values are given as written in the file.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SourceError {
-    /// The file is not there, is no text, or may not be read.
+    /// The file does not exist, is not a text, or may not be read.
     Unreadable {
         /// The file.
         file: String,
-        /// What the system says.
+        /// The message of the operating system.
         reason: String,
     },
     /// The file is not TOML.
@@ -25,45 +25,45 @@ pub enum SourceError {
         line: usize,
         /// The character in the line, from 1.
         column: usize,
-        /// What the TOML reader says.
+        /// The message of the TOML reader.
         reason: String,
     },
-    /// A key that means nothing here, most often a misspelt one.
+    /// A key without meaning here, most often a misspelt one.
     UnknownKey {
         /// The file, or the setting.
         file: String,
         /// The line, from 1; 0 for a setting.
         line: usize,
-        /// The key with all that leads to it.
+        /// The key with its full path.
         key: String,
         /// The known key that is spelt like it, if there is one.
         nearest: Option<String>,
-        /// All keys that are known in this place.
+        /// All keys that are known here.
         known: Vec<String>,
     },
-    /// A key that must be there and is not.
+    /// A required key that is missing.
     MissingKey {
         /// The file.
         file: String,
         /// The line, from 1, of the table that lacks the key, which is 1 at the top level; the last
         /// line for a table that is missing itself.
         line: usize,
-        /// The key with all that leads to it.
+        /// The key with its full path.
         key: String,
-        /// What has to be written there.
+        /// The requirement of the key.
         allowed: String,
     },
-    /// A value of the wrong type, outside its domain, or at odds with another value.
+    /// A value of the wrong type, outside its domain, or inconsistent with another value.
     Forbidden {
         /// The file, or the setting.
         file: String,
         /// The line, from 1; 0 for a setting.
         line: usize,
-        /// The key with all that leads to it.
+        /// The key with its full path.
         key: String,
-        /// The value as the file writes it.
+        /// The value as written in the file.
         value: String,
-        /// What is allowed.
+        /// The values that are allowed.
         allowed: String,
     },
 }
@@ -81,7 +81,7 @@ impl Display for SourceError {
 }
 
 impl SourceError {
-    /// What is wrong, without its place.
+    /// The error without its place.
     fn reason(&self) -> String {
         match self {
             Self::Unreadable { reason, .. } => format!("cannot be read: {reason}"),
@@ -95,7 +95,7 @@ impl SourceError {
         }
     }
 
-    /// Where it is wrong.
+    /// The place of the error.
     fn place(&self) -> Place {
         let (file, line, span) = match self {
             Self::Unreadable { file, .. } => (file, 0, None),
@@ -107,17 +107,17 @@ impl SourceError {
         Place { file: file.clone(), line, span }
     }
 
-    /// What is wrong and where, apart.
+    /// The message and its place, separately.
     pub fn mistake(&self) -> Mistake {
         self.place().mistake(self.reason())
     }
 }
 
-/// A mistake for whoever shows the file: what is wrong, and the line (from 1) and the characters of
-/// it (from 0) that are to blame, as far as they are known.
+/// A mistake for display beside the file: the message, and the line (from 1) and the characters in
+/// it (from 0) that are wrong, as far as they are known.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mistake {
-    /// What is wrong; the place is part of it only where there is no line, as for a setting.
+    /// The message; it includes the place only where there is no line, as for a setting.
     pub message: String,
     /// The line.
     pub line: Option<usize>,
@@ -126,13 +126,13 @@ pub struct Mistake {
 }
 
 impl Mistake {
-    /// One without a place.
+    /// A mistake without a place.
     pub fn new(message: impl Into<String>) -> Self {
         Self { message: message.into(), line: None, span: None }
     }
 }
 
-/// Where something stands in a file; a setting has no line.
+/// A place in a file; a setting has no line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place {
     pub(crate) file: String,
@@ -142,7 +142,7 @@ pub struct Place {
 }
 
 impl Place {
-    /// A mistake that is here.
+    /// A mistake at this place.
     pub fn mistake(&self, message: String) -> Mistake {
         match self.line {
             0 => Mistake::new(format!("{self}: {message}")),

@@ -1,4 +1,4 @@
-//! Reading files: regular ones alone, of a size that can be expected, and without waiting.
+//! Reading files: only regular ones, of a plausible size, and without waiting.
 
 use std::fs::{FileType, Metadata, OpenOptions};
 use std::io::{self, Read};
@@ -6,7 +6,7 @@ use std::path::Path;
 
 use crate::error::SourceError;
 
-/// A file with more bytes than this was not written by a person.
+/// The largest number of bytes of a file: a longer one was not written by a person.
 const MOST_BYTES: u64 = 1_000_000;
 
 /// The text of a file of reasonable size.
@@ -23,11 +23,11 @@ pub fn read_file(path: &Path) -> Result<String, SourceError> {
     })
 }
 
-/// The content of a regular file of at most so many bytes. Whatever else stands there is refused at
-/// once: devices may never end, and a named pipe waits for somebody to write.
+/// The content of a regular file of at most `most` bytes. Anything else is rejected at once:
+/// devices may never end, and a named pipe waits for a writer.
 ///
 /// # Errors
-/// It is not there, is no regular file, is longer, or cannot be read.
+/// The file does not exist, is not a regular file, is longer, or cannot be read.
 pub fn read_bytes(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     regular(&path.metadata()?)?;
     let mut options = OpenOptions::new();
@@ -38,7 +38,7 @@ pub fn read_bytes(path: &Path, most: u64) -> io::Result<Vec<u8>> {
         options.custom_flags(libc::O_NONBLOCK | libc::O_NOCTTY);
     }
     let file = options.open(path)?;
-    // Something else may have come into its place in between.
+    // The file may have been replaced in between.
     regular(&file.metadata()?)?;
     let mut bytes = Vec::new();
     file.take(most + 1).read_to_end(&mut bytes)?;
@@ -56,7 +56,7 @@ fn regular(data: &Metadata) -> io::Result<()> {
     Err(io::Error::other(format!("it is {}, not a regular file", what_is(data.file_type()))))
 }
 
-/// What stands in the place of a file, in words.
+/// The name of a type of file, in words.
 pub fn what_is(kind: FileType) -> &'static str {
     #[cfg(unix)]
     {

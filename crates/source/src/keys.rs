@@ -1,18 +1,18 @@
 //! The keys of a kind of file.
 
-/// A key as it is declared.
+/// A declared key.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Key {
-    /// The key with all that leads to it; members of lists of tables are without their number, as
+    /// The key with its full path; members of lists of tables are without their number, as in
     /// `fig08.panels.loops`, and `*` stands for any name in a table.
     pub path: String,
-    /// What it must hold, in words for error messages.
+    /// The requirement on the value, in words for error messages.
     pub requirement: String,
-    /// What it means.
+    /// The meaning of the key.
     pub meaning: String,
 }
 
-/// The keys of a kind of file.
+/// The keys of a kind of file, with their requirements.
 #[derive(Debug, Clone)]
 pub struct Requirements {
     keys: Vec<Key>,
@@ -20,19 +20,19 @@ pub struct Requirements {
 }
 
 impl Requirements {
-    /// None yet; `otherwise` is what is said of any other key.
+    /// An empty list; `otherwise` is the requirement reported for any other key.
     pub const fn new(otherwise: &'static str) -> Self {
         Self { keys: Vec::new(), otherwise }
     }
 
-    /// With the keys of the top level, as [`Keys::list`](crate::Keys::list) has them.
+    /// Adds the keys of the top level, as listed by [`Keys::list`](crate::Keys::list).
     #[must_use]
     pub fn with_keys(mut self, list: impl Fn(&str, &mut Vec<Key>)) -> Self {
         list("", &mut self.keys);
         self
     }
 
-    /// With a table, and what is said of it if it is missing.
+    /// Adds a table, with the requirement reported if it is missing.
     #[must_use]
     pub fn with_table(mut self, name: &str, requirement: &str, list: impl Fn(&str, &mut Vec<Key>)) -> Self {
         let (path, requirement) = (name.to_owned(), requirement.to_owned());
@@ -46,8 +46,8 @@ impl Requirements {
         &self.keys
     }
 
-    /// What the key must hold; the numbers of list members in the key do not matter. A key inside a
-    /// value that is no table is wrong because of that value.
+    /// The requirement of a key; the numbers of list members in the key do not matter. For a key
+    /// inside a value that is not a table, the requirement is that of the value.
     pub fn of(&self, key: &str) -> &str {
         let plain = without_numbers(key);
         let mut key = plain.as_str();
@@ -64,7 +64,7 @@ impl Requirements {
     }
 
     /// The keys that are known in a table, in the order of the declaration; the top level is the
-    /// table with the empty name. `*` is a table's only key where any name may stand.
+    /// table with the empty name. If any name may stand in a table, `*` is its only key.
     pub fn known_keys(&self, table: &str) -> Vec<&str> {
         let plain = without_numbers(table);
         let name = |key: &'_ Key| match key.path.rsplit_once('.') {
@@ -80,7 +80,7 @@ impl Requirements {
     }
 }
 
-/// `fig08.panels` for `fig08.panels[2]`.
+/// The key without numbers of list members: `fig08.panels` for `fig08.panels[2]`.
 fn without_numbers(key: &str) -> String {
     key.split('[').map(|part| part.split_once(']').map_or(part, |(_, rest)| rest)).collect()
 }

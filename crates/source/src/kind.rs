@@ -1,4 +1,4 @@
-//! Keys are declared once, each with the kind of its value: how it is read, and what it must be.
+//! Keys are declared once, each with the kind of its value: how it is read, and its requirement.
 
 use std::fmt::Display;
 use std::ops::{Bound, RangeBounds, RangeInclusive};
@@ -20,14 +20,14 @@ pub trait Keys: Sized {
     /// hold what it must.
     fn read(section: &Section<'_>) -> Result<Self, SourceError>;
 
-    /// Adds the keys of the table, which is called `table`, and of those in it.
+    /// Adds the keys of the table, whose name is `table`, and of those in it.
     fn list(table: &str, keys: &mut Vec<Key>);
 }
 
 /// Declares a table of a file as a struct that is read from it ([`Keys`]): a field for each key,
-/// with what it means, its type, how it is read ([`Kind`](crate::kind::Kind)), and what it must
-/// hold, where the limits take the place of `{}`. Checks that tie several keys together stand where
-/// the struct is used.
+/// with its meaning, its type, how it is read ([`Kind`](crate::kind::Kind)), and its requirement,
+/// in which the limits replace `{}`. Checks that involve several keys are made where the struct is
+/// used.
 ///
 /// ```
 /// use grazing_source::{keys, kind::{count, number}};
@@ -68,10 +68,10 @@ macro_rules! keys {
     };
 }
 
-/// How the value of a key is read.
+/// The way in which the value of a key is read.
 pub struct Kind<V> {
     read: Reader<V>,
-    /// Its limits, in the order in which `{}` stands for them in what the key must hold.
+    /// The limits of the value, in the order in which they replace `{}` in the requirement.
     limits: Vec<String>,
     list: Lister,
 }
@@ -97,7 +97,7 @@ impl<V: 'static> Kind<V> {
         Self { list: Box::new(list), ..self }
     }
 
-    /// A value that passes a test besides.
+    /// Restricts the values to those that pass a test.
     #[must_use]
     pub fn such(self, test: impl Fn(&V) -> bool + 'static) -> Self {
         self.map(
@@ -105,7 +105,7 @@ impl<V: 'static> Kind<V> {
         )
     }
 
-    /// What a function makes of the value, if it can be.
+    /// Converts the value by a function, which may fail.
     #[must_use]
     pub fn map<U: 'static>(
         self,
@@ -118,12 +118,12 @@ impl<V: 'static> Kind<V> {
     /// Reads the value of a key.
     ///
     /// # Errors
-    /// [`SourceError`]: it is missing, or not what it must be.
+    /// [`SourceError`]: the key is missing, or its value is not allowed.
     pub fn read(&self, section: &Section<'_>, name: &str) -> Result<V, SourceError> {
         (self.read)(section, name)
     }
 
-    /// Adds a key in a table, with what it means and must hold, and the keys in it if it is a table
+    /// Adds a key in a table, with its meaning and requirement, and the keys in it if it is a table
     /// itself.
     #[doc(hidden)]
     pub fn list(&self, table: &str, [name, meaning, requirement]: [&str; 3], keys: &mut Vec<Key>) {
@@ -133,7 +133,7 @@ impl<V: 'static> Kind<V> {
     }
 }
 
-/// Anything of a type.
+/// Any value of a type.
 pub fn value<T: DeserializeOwned + 'static>() -> Kind<T> {
     Kind::new(|section, name| section.value(name))
 }
@@ -144,12 +144,12 @@ pub fn number(range: impl RangeBounds<f64> + Clone + 'static) -> Kind<f64> {
     value::<f64>().such(move |number| number.is_finite() && inside.contains(number)).within(&range)
 }
 
-/// Numbers strictly between two.
+/// The range of numbers strictly between two.
 pub const fn strictly(from: f64, to: f64) -> (Bound<f64>, Bound<f64>) {
     (Bound::Excluded(from), Bound::Excluded(to))
 }
 
-/// Numbers above one and at most another.
+/// The range of numbers above one and at most another.
 pub const fn above(from: f64, to: f64) -> (Bound<f64>, Bound<f64>) {
     (Bound::Excluded(from), Bound::Included(to))
 }
@@ -157,7 +157,7 @@ pub const fn above(from: f64, to: f64) -> (Bound<f64>, Bound<f64>) {
 /// A list of N finite numbers.
 pub fn numbers<const N: usize>() -> Kind<[f64; N]> {
     Kind::new(|section, name| {
-        // For an array the reader would take the first N numbers and drop the rest.
+        // For an array the reader would take the first N numbers and ignore the rest.
         let numbers = <[f64; N]>::try_from(section.value::<Vec<f64>>(name)?).ok();
         let finite = numbers.filter(|list| list.iter().all(|number| number.is_finite()));
         finite.ok_or_else(|| section.refusal(name))
@@ -179,7 +179,7 @@ pub fn count(range: RangeInclusive<u32>) -> Kind<u32> {
     value().such(move |count| allowed.contains(count)).within(&range)
 }
 
-/// A list of different whole numbers, one at least.
+/// A list of different whole numbers, at least one.
 pub fn counts(range: RangeInclusive<u32>) -> Kind<Vec<u32>> {
     let allowed = range.clone();
     let kind = Kind::new(move |section, name| {
@@ -199,7 +199,7 @@ pub fn counts(range: RangeInclusive<u32>) -> Kind<Vec<u32>> {
     kind.within(&range)
 }
 
-/// One of several words, each for a value.
+/// One of several words, each of which stands for a value.
 pub fn choice<T: Clone + 'static>(words: &'static [(&'static str, T)]) -> Kind<T> {
     Kind::new(|section, name| {
         let written: String = section.value(name)?;
@@ -215,7 +215,7 @@ pub fn maybe<V: 'static>(Kind { read, limits, list }: Kind<V>) -> Kind<Option<V>
     Kind { read: Box::new(read), limits, list }
 }
 
-/// A key that may be left out and has this value then.
+/// A key that may be left out and then has this value.
 pub fn or<V: Clone + 'static>(kind: Kind<V>, usual: V) -> Kind<V> {
     maybe(kind).map(move |given, _, _| Ok(given.unwrap_or_else(|| usual.clone())))
 }
@@ -225,7 +225,8 @@ pub fn table<T: Keys + 'static>() -> Kind<T> {
     Kind::new(|section, name| T::read(&section.table(name)?)).listed(list_table::<T>)
 }
 
-/// A list of tables, as `[[fig08.panels]]`; none where no table need be and the key is not there.
+/// A list of tables, such as `[[fig08.panels]]`; empty if the key is missing and no table is
+/// required.
 pub fn tables<T: Keys + 'static>(range: RangeInclusive<usize>) -> Kind<Vec<T>> {
     let allowed = range.clone();
     let kind = Kind::new(move |section, name| {
@@ -247,7 +248,8 @@ fn list_table<T: Keys>(key: Key, keys: &mut Vec<Key>) {
     T::list(&path, keys);
 }
 
-/// A table in which any names may stand, each with a value of a kind; and what each must hold.
+/// A table in which any names may stand, each with a value of a kind; `requirement` is that of each
+/// value.
 pub fn any_names<V: 'static>(kind: Kind<V>, requirement: &'static str) -> Kind<Vec<(String, V)>> {
     let read = move |section: &Section<'_>, name: &str| {
         let table = section.table(name)?;
@@ -261,7 +263,7 @@ pub fn any_names<V: 'static>(kind: Kind<V>, requirement: &'static str) -> Kind<V
     })
 }
 
-/// What is made of other keys of the same table, as of the constants of an oscillator.
+/// A value computed from other keys of the same table, such as the constants of an oscillator.
 pub fn derived<T: Keys + 'static, V: 'static>(
     make: impl Fn(T, &Section<'_>) -> Result<V, SourceError> + 'static,
 ) -> Kind<V> {
@@ -270,8 +272,8 @@ pub fn derived<T: Keys + 'static, V: 'static>(
     })
 }
 
-/// No key at all: a field that is filled when the keys have been read, and holds the usual value
-/// until then.
+/// A field without a key, which is filled after the keys have been read, and holds the default
+/// value until then.
 pub fn unwritten<V: Default + 'static>() -> Kind<V> {
     Kind::new(|_, _| Ok(V::default())).listed(|_, _| {})
 }

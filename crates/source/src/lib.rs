@@ -1,11 +1,9 @@
-//! TOML files that people write: the way back from a mistake to file, line, key, value and what
-//! would be right.
+//! TOML files that people write: mistakes are reported with file, line, key, value and remedy.
 //!
 //! The keys of a kind of file are declared once, as structs ([`keys!`](keys)) whose fields have a
 //! [`kind`]. A [`Source`] is a file's text with the [`Requirements`] of its keys. Its tables are
-//! read as such structs, or key by key ([`Section`]), and whatever is wrong becomes a
-//! [`SourceError`]. The parameters of the figures and the descriptions of oscillators are read
-//! through it.
+//! read as such structs, or key by key ([`Section`]), and every error becomes a [`SourceError`].
+//! The parameters of the figures and the descriptions of oscillators are read in this way.
 
 mod document;
 mod error;

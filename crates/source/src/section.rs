@@ -11,13 +11,13 @@ use crate::setting::steps;
 use crate::source::Source;
 use crate::words::joined;
 
-/// A table of a file, whose keys are known ones. Values are read one by one, each as what it is to
-/// be, so that whoever checks them needs no other record of where they stand. What is missing, of
-/// the wrong type or fails its test is a [`SourceError`].
+/// A table of a file, whose keys are all known. Values are read one by one, each as its own type,
+/// so that code that checks them needs no other record of their places. A value that is missing,
+/// has the wrong type or fails its test is a [`SourceError`].
 #[derive(Debug, Clone)]
 pub struct Section<'d> {
     source: &'d Source<'d>,
-    /// The key of the table with all that leads to it.
+    /// The full path of the table.
     key: String,
     span: Range<usize>,
     table: &'d DeTable<'d>,
@@ -29,7 +29,7 @@ impl<'d> Section<'d> {
         Self { source, key: String::new(), span: 0..0, table }
     }
 
-    /// The table that a value is.
+    /// The table that is stored in a value.
     pub(crate) fn of(
         source: &'d Source<'d>,
         key: String,
@@ -41,12 +41,12 @@ impl<'d> Section<'d> {
         }
     }
 
-    /// The key in this table with all that leads to it.
+    /// The full path of a key in this table.
     pub fn key(&self, name: &str) -> String {
         joined(&self.key, name)
     }
 
-    /// Whether the key is there.
+    /// Whether the key exists.
     pub fn has(&self, name: &str) -> bool {
         self.table.contains_key(name)
     }
@@ -62,7 +62,7 @@ impl<'d> Section<'d> {
         self.table.get(name).ok_or_else(|| self.lack(name))
     }
 
-    /// Where a value stands.
+    /// The span of a value in the text.
     fn span(&self, name: &str) -> Range<usize> {
         // A name in quotation marks may look like a path.
         if let Some(value) = self.table.get(name) {
@@ -87,7 +87,7 @@ impl<'d> Section<'d> {
         let value = self.find(name)?;
         T::deserialize(ValueDeserializer::from(value.clone())).map_err(|error| {
             let span = error.span().unwrap_or_else(|| value.span());
-            // A table where a value should be is named as a member of its list.
+            // A table in place of a value is named as a member of its list.
             let members = (1..).zip(value.get_ref().as_array().into_iter().flat_map(|list| list.iter()));
             let mut tables = members.filter(|(_, member)| member.get_ref().is_table());
             let key = match tables.find(|(_, member)| member.span().contains(&span.start)) {
@@ -103,7 +103,7 @@ impl<'d> Section<'d> {
         Self::of(self.source, self.key(name), self.find(name)?)
     }
 
-    /// The tables of a list, as `[[fig08.panels]]`.
+    /// The tables of a list, such as `[[fig08.panels]]`.
     pub fn tables(&self, name: &str) -> Result<Vec<Self>, SourceError> {
         let value = self.find(name)?;
         let DeValue::Array(members) = value.get_ref() else { return Err(self.refusal(name)) };
@@ -113,33 +113,33 @@ impl<'d> Section<'d> {
             .collect()
     }
 
-    /// The lack of a key.
+    /// The error that a key is missing.
     pub fn lack(&self, name: &str) -> SourceError {
         self.source.missing(&self.key, name, self.span.start)
     }
 
-    /// The refusal of a value, with what its key must hold; names may lead to it through tables and
-    /// lists, as `orbits[2].phase`.
+    /// The error that a value does not meet its requirement; names may lead to it through tables
+    /// and lists, as in `orbits[2].phase`.
     pub fn refusal(&self, name: &str) -> SourceError {
         self.refusal_at(name, self.span(name))
     }
 
-    /// The refusal of a part of a value, with what its key must hold.
+    /// The error that a part of a value does not meet its requirement.
     pub(crate) fn refusal_at(&self, name: &str, span: Range<usize>) -> SourceError {
         self.source.refusal(&self.key(name), span)
     }
 
-    /// The refusal of a value; `allowed` says what would be right.
+    /// The error that a value is not allowed; `allowed` gives the remedy.
     pub fn forbid(&self, name: &str, allowed: String) -> SourceError {
         self.source.forbid_at(&self.key(name), self.span(name), allowed)
     }
 
-    /// Where a value stands.
+    /// The place of a value.
     pub fn place(&self, name: &str) -> Place {
         self.source.place(self.span(name).start)
     }
 
-    /// Where a part of the text that a value is stands, its characters marked unless escapes or a
+    /// The place of a part of the text stored in a value, its characters marked unless escapes or a
     /// line end lie among them.
     pub fn place_in(&self, name: &str, text: &str, part: &Range<usize>) -> Place {
         let span = self.span(name);
@@ -153,7 +153,8 @@ impl<'d> Section<'d> {
         }
     }
 
-    /// A value with its place and key, as messages begin: `file:line: key = value`.
+    /// A value with its place and key, in the form in which messages begin: `file:line: key =
+    /// value`.
     pub fn shown(&self, name: &str) -> String {
         format!("{}: {} = {}", self.place(name), self.key(name), self.source.raw(self.span(name)))
     }

@@ -1,4 +1,4 @@
-//! Values that a command line sets in the place of a file's.
+//! Values that the command line sets instead of those in a file.
 
 use std::ops::Range;
 use std::str::FromStr;
@@ -18,7 +18,7 @@ pub struct Setting {
     value: String,
 }
 
-/// What was written is no setting, and why not.
+/// The reason why a text is not a setting.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{0}")]
 pub struct SettingError(String);
@@ -37,7 +37,7 @@ impl FromStr for Setting {
             SettingError("write KEY=VALUE, as oscillator.zeta=0.05 or analysis.loops=[1,2]".to_owned())
         })?;
         let (key, value) = (checked(key.trim())?, value.trim().to_owned());
-        // A line end could bring in keys that nobody asks about.
+        // A line end could introduce unwanted keys.
         let single = padded(&value, ASSIGNED.len());
         if value.contains(['\n', '\r']) || parsed(&single).is_none() {
             return Err(SettingError(format!(
@@ -54,7 +54,7 @@ impl std::fmt::Display for Setting {
     }
 }
 
-/// The key, if it is one.
+/// The key, if it is valid.
 fn checked(key: &str) -> Result<String, SettingError> {
     match steps(key) {
         Some(_) => Ok(key.to_owned()),
@@ -68,12 +68,12 @@ impl Setting {
     /// A value for a key.
     ///
     /// # Errors
-    /// The key is none.
+    /// The key is not valid.
     pub fn new(key: &str, value: impl Into<toml::Value>) -> Result<Setting, SettingError> {
         Ok(Setting { key: checked(key)?, value: value.into().to_string() })
     }
 
-    /// The key with all that leads to it.
+    /// The full path of the key.
     pub fn key(&self) -> &str {
         &self.key
     }
@@ -83,18 +83,18 @@ impl Setting {
         &self.value
     }
 
-    /// The same for a key in a table.
+    /// The setting for the same key in a table.
     pub fn within(&self, table: &str) -> Setting {
         Setting { key: format!("{table}.{}", self.key), value: self.value.clone() }
     }
 
-    /// The text that [`apply`](Self::apply) reads the value from, for a setting that is written at
+    /// The text from which [`apply`](Self::apply) reads the value, for a setting that is written at
     /// a position of a longer text.
     pub(crate) fn padded(&self, position: usize) -> String {
         padded(&self.value, position + self.key.len() + 1)
     }
 
-    /// Puts the value into a document, in whose text the setting is written from `position` on.
+    /// Puts the value into a document, in whose text the setting begins at `position`.
     pub(crate) fn apply<'d>(
         &self,
         document: &mut DeTable<'d>,
@@ -109,8 +109,8 @@ impl Setting {
     }
 }
 
-/// Puts a value where the steps lead from a table with this key, as if it stood in the text at the
-/// span.
+/// Puts a value at the end of the steps from a table with this key, as if it stood in the text at
+/// the span.
 fn put<'d>(
     table: &mut DeTable<'d>,
     steps: &[Step],
@@ -124,7 +124,7 @@ fn put<'d>(
     let refuse = |key: String, allowed: &str| Err(Refusal { key, allowed: allowed.to_owned() });
     let named = || Spanned::new(span.clone(), name.to_owned().into());
     if step.member.is_none() && rest.is_empty() {
-        // The key goes as well, so that the place of the new one is that of the setting.
+        // The key is removed as well, so that the place of the new one is that of the setting.
         table.remove(name);
         table.insert(named(), value);
         return Ok(());
@@ -152,19 +152,20 @@ fn put<'d>(
     }
 }
 
-/// Why a setting cannot be applied: where on its way, and what is in the way.
+/// The reason why a setting cannot be applied: the key at which it fails, and what is allowed
+/// there.
 pub(crate) struct Refusal {
     pub(crate) key: String,
     pub(crate) allowed: String,
 }
 
-/// A part of a key, perhaps with the number of a member, from 1.
+/// A part of a key, with the number of a member, from 1, if there is one.
 pub(crate) struct Step {
     pub(crate) name: String,
     pub(crate) member: Option<usize>,
 }
 
-/// The parts of a key; none if it has an empty part or a member number that is none.
+/// The parts of a key; `None` if it has an empty part or an invalid member number.
 pub(crate) fn steps(key: &str) -> Option<Vec<Step>> {
     let step = |part: &str| {
         let (name, member) = match part.split_once('[') {
@@ -177,12 +178,12 @@ pub(crate) fn steps(key: &str) -> Option<Vec<Step>> {
     key.split('.').map(step).collect()
 }
 
-/// What a value is assigned to when it is read by itself.
+/// The assignment under which a value is read by itself.
 const ASSIGNED: &str = "v=";
 const ASSIGNED_KEY: &str = "v";
 
-/// A text in which the value stands as it does in a longer one at `position`, and nothing before it
-/// but its assignment.
+/// A text in which the value stands at the same position as in a longer one, preceded only by its
+/// assignment.
 fn padded(value: &str, position: usize) -> String {
     format!("{}{ASSIGNED}{value}", " ".repeat(position - ASSIGNED.len()))
 }

@@ -1,5 +1,5 @@
-//! A file with what its keys must hold, and the way back from a place in its text to line, key and
-//! value.
+//! A file with the requirements of its keys, and the conversion from a position in its text to
+//! line, key and value.
 
 use std::ops;
 
@@ -8,10 +8,10 @@ use crate::keys::Requirements;
 use crate::text::Text;
 use crate::words::{joined, nearest, shortened};
 
-/// The most characters of a value or a name that a message repeats.
+/// The largest number of characters of a value or a name that a message repeats.
 pub(crate) const SHOWN: usize = 100;
 
-/// A file's text with the name that messages use for it, and what its keys must hold.
+/// A file's text with the name that messages use for it, and the requirements of its keys.
 #[derive(Debug, Clone, Copy)]
 pub struct Source<'a> {
     pub(crate) text: &'a Text,
@@ -25,7 +25,7 @@ impl<'a> Source<'a> {
         Source { text, file, requirements }
     }
 
-    /// The file with the line of a position in the text, or the setting that stands there.
+    /// The file with the line of a position in the text, or the setting at that position.
     pub(crate) fn place(&self, position: usize) -> Place {
         let set = self.text.settings.iter().any(|(start, _)| *start <= position);
         let (file, line) = if set { ("--set", 0) } else { (self.file, self.line(position)) };
@@ -41,7 +41,7 @@ impl<'a> Source<'a> {
         Place { span, ..self.place(part.start) }
     }
 
-    /// The refusal of the value at a place, with what its key must hold.
+    /// The error that the value at a place does not meet its requirement.
     pub(crate) fn refusal(&self, key: &str, span: ops::Range<usize>) -> SourceError {
         self.forbid_at(key, span, self.requirements.of(key).to_owned())
     }
@@ -51,12 +51,12 @@ impl<'a> Source<'a> {
         SourceError::Forbidden { file, line, key: key.to_owned(), value: self.written(span), allowed }
     }
 
-    /// The text of a place as the file has it.
+    /// The text of a place as in the file.
     pub(crate) fn raw(&self, span: ops::Range<usize>) -> &'a str {
         &self.text.whole[span]
     }
 
-    /// The text of a place on one line, as the file has it but for line breaks.
+    /// The text of a place on one line, as in the file except for line breaks.
     fn written(&self, span: ops::Range<usize>) -> String {
         shortened(&self.text.whole[span].split_whitespace().collect::<Vec<_>>().join(" "), SHOWN)
     }
@@ -66,7 +66,7 @@ impl<'a> Source<'a> {
         1 + self.text.whole[..position].matches('\n').count()
     }
 
-    /// Where the line of a position begins.
+    /// The position at which the line of a position begins.
     fn line_start(&self, position: usize) -> usize {
         self.text.whole[..position].rfind('\n').map_or(0, |newline| newline + 1)
     }
@@ -82,8 +82,8 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// What is wrong with a line that is not TOML: what people mean by it most often, or else what
-    /// the reader says.
+    /// The error in a line that is not TOML: the most common mistake that fits, or else the message
+    /// of the reader.
     fn syntax_problem(&self, error: &toml::de::Error, line_start: usize) -> String {
         let place = error.span().map_or("", |span| self.text.whole.get(span).unwrap_or_default());
         if error.message().starts_with("duplicate key") {
@@ -117,7 +117,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The refusal of a key, of which `name` is the last part, where others are known.
+    /// The error that a key, of which `name` is the last part, is unknown.
     pub(crate) fn unknown(&self, position: usize, key: String, name: &str, known: &[&str]) -> SourceError {
         let Place { file, line, .. } = self.place(position);
         let nearest = nearest(name, known).map(str::to_owned);
@@ -125,7 +125,7 @@ impl<'a> Source<'a> {
         SourceError::UnknownKey { file, line, key, nearest, known }
     }
 
-    /// The lack of a key in the table that stands at a position.
+    /// The error that a key is missing in the table at a position.
     pub(crate) fn missing(&self, table: &str, name: &str, position: usize) -> SourceError {
         let key = joined(table, name);
         let Place { file, line, .. } = self.place(position);

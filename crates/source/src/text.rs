@@ -2,19 +2,19 @@
 
 use crate::setting::Setting;
 
-/// The text of a file with the settings that take the place of some of its values.
+/// The text of a file with the settings that replace some of its values.
 #[derive(Debug, Clone)]
 pub struct Text {
-    /// The file's text, and after it a line for each setting.
+    /// The file's text, followed by a line for each setting.
     pub(crate) whole: String,
-    /// Where the file's text ends.
+    /// The position at which the file's text ends.
     pub(crate) end: usize,
-    /// The settings, with the places at which they stand in the whole text.
+    /// The settings, with their positions in the whole text.
     pub(crate) settings: Vec<(usize, Setting)>,
 }
 
 impl Text {
-    /// The text of a file, with settings of which later ones go before earlier ones.
+    /// The text of a file, with settings; later ones override earlier ones.
     pub fn new(text: &str, settings: &[Setting]) -> Text {
         let mut whole = text.to_owned();
         let mut placed = Vec::new();

@@ -1,7 +1,7 @@
-//! Words of messages: what was meant, and not too much of what was written.
+//! Words in messages: suggestions for misspelt names, and shortened texts.
 
-/// The known name that is spelt like `name`: the nearest one, the first of equals, if it can have
-/// been meant.
+/// The known name that is spelt like `name`: the nearest one, the first of equals, if it is a
+/// plausible correction.
 ///
 /// Few letters may differ, a third of them at most; or one name begins with the whole of the other.
 pub fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
@@ -20,13 +20,12 @@ pub fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
     best.map(|(_, name)| name)
 }
 
-/// What follows an unknown name in a message: a question if there is a name that can have been
-/// meant.
+/// The end of a message about an unknown name: a question if there is a plausible correction.
 pub fn suggestion(nearest: Option<&str>) -> String {
     nearest.map_or(".".to_owned(), |nearest| format!(": did you mean `{nearest}`?"))
 }
 
-/// A text of at most about so many characters: of a longer one the beginning and the end.
+/// A text shortened to about `most` characters: its beginning and its end.
 pub fn shortened(text: &str, most: usize) -> String {
     let count = text.chars().count();
     if count <= most {
@@ -37,7 +36,7 @@ pub fn shortened(text: &str, most: usize) -> String {
     format!("{start} ... {end}")
 }
 
-/// A key in a table.
+/// The path of a key in a table.
 pub(crate) fn joined(table: &str, name: &str) -> String {
     if table.is_empty() { name.to_owned() } else { format!("{table}.{name}") }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::graph::Node;
 use super::{Code, Expression, Instruction, Operation, Slot, Tape};
 
-/// What is computed for one node, with the numbers of the nodes, or the slots, it is computed from.
+/// The computation for one node, from other nodes by number, or from slots.
 enum Plan {
     /// Nothing: a variable, or a part of a sum that is computed with it.
     Nothing,
@@ -23,7 +23,7 @@ impl Plan {
     }
 }
 
-/// The expression of nodes of which each stands after those it is made of, and the last one is the
+/// The expression of a list of nodes, each of which comes after its operands; the last one is the
 /// whole.
 pub(super) fn expression(variables: Vec<String>, moving: usize, nodes: &[Node]) -> Expression {
     let plans = plans(nodes);
@@ -34,7 +34,7 @@ pub(super) fn expression(variables: Vec<String>, moving: usize, nodes: &[Node]) 
             Node::Operation(_) => plan.operands().iter().any(|&operand| moves[operand]),
         };
     }
-    // Nodes of which nothing is computed have no slot.
+    // Nodes without a computation have no slot.
     let mut slots: Vec<Slot> = vec![Slot::MAX; nodes.len()];
     let (mut whole, mut held) = (Code::default(), 0);
     for pass in [false, true] {
@@ -54,7 +54,7 @@ pub(super) fn expression(variables: Vec<String>, moving: usize, nodes: &[Node]) 
 }
 
 impl Tape {
-    /// The tape of a code of which so many instructions need no variable that moves.
+    /// The tape of a code, whose first `held` instructions do not depend on the moving variables.
     pub(super) fn new(variables: Vec<String>, moving: usize, whole: Code, held: usize) -> Self {
         let plans: Vec<Plan> = whole.instructions[held..].iter().map(|made| whole.plan(made)).collect();
         let results = variables.len() + held;
@@ -77,7 +77,7 @@ impl Tape {
 }
 
 impl Code {
-    /// What an instruction computes, from slots.
+    /// The computation of an instruction, from slots.
     fn plan(&self, instruction: &Instruction) -> Plan {
         match *instruction {
             Instruction::Plain(operation) => Plan::Plain(operation),
@@ -85,7 +85,7 @@ impl Code {
         }
     }
 
-    /// Adds the instruction of a plan; false if there is none.
+    /// Adds the instruction of a plan; returns false if there is none.
     fn add(&mut self, plan: &Plan, slot: impl Fn(usize) -> Slot) -> bool {
         self.instructions.push(match plan {
             Plan::Nothing => return false,
@@ -100,7 +100,7 @@ impl Code {
     }
 }
 
-/// What is computed for each node, sums with all their parts that nothing else needs in one go.
+/// The computation for each node; a sum includes all its parts that are not needed elsewhere.
 fn plans(nodes: &[Node]) -> Vec<Plan> {
     let mut uses = vec![0_u32; nodes.len()];
     for node in nodes {
@@ -138,7 +138,7 @@ impl Parts<'_> {
         }
     }
 
-    /// The terms of a sum of which at least one part is absorbed, and its constant.
+    /// The terms of a sum that absorbs at least one part, and its constant.
     fn sum(&self, whole: usize, absorbed: &mut [bool]) -> Option<(Vec<(f64, usize)>, f64)> {
         let mut terms = Vec::new();
         let mut constant = 0.0;
@@ -183,7 +183,8 @@ impl Parts<'_> {
         Some((terms, constant))
     }
 
-    /// A number times a node, with the node's own factor if nothing else needs the product.
+    /// A number times a node; the node's own factor is included if the product is not needed
+    /// elsewhere.
     fn term(&self, sign: f64, index: usize, taken: &mut Vec<usize>) -> (f64, usize) {
         let (factor, operand) = match self.operation(index) {
             Some(Operation::Scale(a, factor)) if self.uses[index] == 1 => (factor, a),

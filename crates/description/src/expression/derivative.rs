@@ -1,4 +1,4 @@
-//! Derivatives of expressions, as parts of the same graph.
+//! Derivatives of expressions, as parts of one graph.
 
 use grazing_model::smooth::{Function, Stop};
 use nanoexpr::{ErrorKind, Number};
@@ -13,7 +13,7 @@ impl Graph {
     /// The derivative of a term with respect to a variable.
     ///
     /// # Errors
-    /// A constant in it is too large to be computed with, or an end is asked for.
+    /// A constant in it is too large for computation, or the computation is cancelled.
     pub(super) fn derivative<'g>(
         &'g self,
         of: Term<'g>,
@@ -21,7 +21,7 @@ impl Graph {
         stop: &Stop,
     ) -> Result<Term<'g>, ErrorKind> {
         let Term::Node(_, root) = of else { return Ok(ZERO) };
-        // Operands have been made before what is made of them.
+        // Operands come before the nodes that use them.
         let mut slopes: Vec<Term<'g>> = Vec::with_capacity(root + 1);
         for index in 0..=root {
             if stop.is_asked() {
@@ -40,7 +40,8 @@ impl Graph {
         Ok(slopes[root])
     }
 
-    /// The derivative of an operation, whose result is `whole`, from those of its operands.
+    /// The derivative of an operation, whose result is `whole`, from the derivatives of its
+    /// operands.
     fn slope<'g>(
         &'g self,
         operation: Operation<usize>,

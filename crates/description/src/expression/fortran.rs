@@ -1,12 +1,12 @@
-//! Expressions as Fortran, for programs that are not ours.
+//! Expressions as Fortran, for other programs.
 
 use grazing_model::smooth::Function;
 
 use super::{Expression, Instruction, Operation, Slot};
 
 impl Expression {
-    /// A function of Fortran 2003 that computes it from the values of its variables, in the order of
-    /// [`variables`](Self::variables): `FUNCTION name(a)`.
+    /// A Fortran 2003 function that computes the expression from the values of its variables, in
+    /// the order of [`variables`](Self::variables): `FUNCTION name(a)`.
     pub fn fortran(&self, name: &str) -> String {
         let code = &self.0.whole;
         let variables = self.0.variables.len();
@@ -57,7 +57,7 @@ fn number(value: f64) -> String {
     format!("{value:e}").replace('e', "d")
 }
 
-/// What Fortran calls a function.
+/// The Fortran name of a function.
 fn of(function: Function) -> &'static str {
     match function {
         Function::Sin => "sin",

@@ -1,11 +1,11 @@
-//! The functions that an expression may use, and those that it may not.
+//! The functions that an expression may use, and those that it must not.
 
 use grazing_model::smooth::Function;
 use nanoexpr::{ErrorKind, Number};
 
 use super::graph::Term;
 
-/// What a name followed by a parenthesis computes.
+/// The computation of a named function.
 type Compute = for<'g> fn(Term<'g>) -> Result<Term<'g>, ErrorKind>;
 
 const KNOWN: [(&str, Compute); 10] = [
@@ -13,8 +13,8 @@ const KNOWN: [(&str, Compute); 10] = [
     ("cos", |x| x.apply(Function::Cos)),
     ("tan", |x| x.apply(Function::Tan)),
     ("atan", |x| x.apply(Function::Atan)),
-    // As the product of these two it is exact near 0 as well, where the difference of exponentials
-    // is not.
+    // As the product of these two it is also exact near 0, where the difference of exponentials is
+    // not.
     ("sinh", |x| x.apply(Function::Tanh)?.multiply(cosh(x)?)),
     ("cosh", cosh),
     ("tanh", |x| x.apply(Function::Tanh)),
@@ -61,7 +61,7 @@ pub(crate) fn is_function(name: &str) -> bool {
     functions().any(|known| known == name) || is_not_smooth(name)
 }
 
-/// Whether the name is that of a function which is refused because it is not smooth.
+/// Whether the name is that of a function that is rejected because it is not smooth.
 pub(super) fn is_not_smooth(name: &str) -> bool {
     NOT_SMOOTH.contains(&name)
 }
@@ -81,7 +81,7 @@ fn cosh(argument: Term<'_>) -> Result<Term<'_>, ErrorKind> {
     growing.add(falling)?.multiply(Term::Number(0.5))
 }
 
-/// What the name of a variable of force or reset law means.
+/// The meaning of a variable of force or reset law.
 pub(crate) fn variable(name: &str) -> Option<&'static str> {
     Some(match name {
         "x" => "the position",

@@ -17,8 +17,8 @@ pub(super) enum Node {
     Operation(Operation<usize>),
 }
 
-/// What equal nodes have in common and no others: the kind of operation, operands, and detail; a
-/// variable has its number.
+/// A key that is the same for equal nodes only: the kind of operation, operands, and detail; for a
+/// variable its number.
 type Key = (Option<Discriminant<Operation<usize>>>, Vec<usize>, u64);
 
 impl Node {
@@ -32,11 +32,11 @@ impl Node {
     }
 }
 
-/// All nodes made so far, none twice.
+/// All nodes created so far, without repetition.
 #[derive(Default)]
 pub(super) struct Graph {
     nodes: RefCell<Vec<Node>>,
-    /// The number of each.
+    /// The number of each node.
     numbers: RefCell<HashMap<Key, usize>>,
 }
 
@@ -46,7 +46,7 @@ impl Graph {
         self.term(Node::Variable(number))
     }
 
-    /// A node that has been made.
+    /// The node with a number.
     pub(super) fn node(&self, index: usize) -> Node {
         self.nodes.borrow()[index]
     }
@@ -72,13 +72,13 @@ impl Graph {
         }
     }
 
-    /// The parts that `root` is made of, each once, operands first and the left one before the
+    /// The parts on which `root` depends, each once, operands first and the left one before the
     /// right one.
     pub(super) fn parts(&self, root: usize) -> Vec<Node> {
         let nodes = self.nodes.borrow();
         let mut numbers = vec![None; nodes.len()];
         let mut parts: Vec<Node> = Vec::new();
-        // A stack of our own: sums of thousands of terms are deep to the left.
+        // An explicit stack: sums of thousands of terms are deep to the left.
         let mut waiting = vec![(root, false)];
         while let Some((index, ready)) = waiting.pop() {
             if numbers[index].is_some() {
@@ -102,7 +102,7 @@ impl Graph {
     }
 }
 
-/// What the parser computes with: a number, or a node of the graph.
+/// A value for the parser's arithmetic: a number, or a node of the graph.
 #[derive(Clone, Copy)]
 pub(super) enum Term<'g> {
     Number(f64),
@@ -115,7 +115,7 @@ impl Default for Term<'_> {
     }
 }
 
-/// A constant that came out of constants; what it was computed from is to blame if it is none.
+/// A constant computed from constants, or the error that it is not finite.
 fn number<'g>(value: f64) -> Result<Term<'g>, ErrorKind> {
     if value.is_finite() {
         Ok(Term::Number(value))
@@ -157,7 +157,7 @@ impl Term<'_> {
         }
     }
 
-    /// exp(exponent · ln(self)).
+    /// The power exp(exponent · ln(self)).
     fn real_power(self, exponent: Self) -> Result<Self, ErrorKind> {
         exponent.multiply(self.apply(Function::Ln)?)?.apply(Function::Exp)
     }
@@ -171,7 +171,7 @@ impl Term<'_> {
             0.5 => self.apply(Function::Sqrt),
             1.0 => Ok(self),
             2.0 => Ok(graph.operation(Operation::Square(a))),
-            // Beyond it, no power of a double is of use.
+            // No power of a double beyond this is of use.
             whole if whole == whole.trunc() && whole.abs() <= 1024.0 => {
                 Ok(graph.operation(Operation::Power(a, whole as i32)))
             }

@@ -11,19 +11,20 @@ use nanoexpr::{Context, ErrorKind, Evaluator, Number};
 use super::graph::{Graph, Term, parts};
 use super::{Expression, ExpressionError, assemble, function};
 
-/// Parentheses in parentheses beyond which nobody can read an expression.
+/// The largest depth of nested parentheses: deeper expressions are unreadable.
 const MOST_DEPTH: usize = 100;
 
-/// An expression of more bytes than this comes from no person: some ten thousand terms.
+/// The largest number of bytes of an expression, some ten thousand terms: no person writes a longer
+/// one.
 const MOST_BYTES: usize = 100_000;
 
-/// The most characters of a part of an expression that a message repeats.
+/// The largest number of characters of a part of an expression that a message repeats.
 const SHOWN: usize = 60;
 
 /// The numbers that are known by name everywhere.
 const NUMBERS: [(&str, f64); 2] = [("pi", consts::PI), ("e", consts::E)];
 
-/// What the names in a text mean.
+/// The meanings of the names in a text.
 struct Names<'g, 'n> {
     variables: &'n [(&'n str, Term<'g>)],
     constants: &'n [(&'n str, f64)],
@@ -32,7 +33,7 @@ struct Names<'g, 'n> {
 }
 
 impl<'g> Context<Term<'g>> for Names<'g, '_> {
-    /// Once an end is asked for no name is known, so that the text is read no further.
+    /// No name is known once the computation is cancelled, so that the text is read no further.
     fn variable(&self, name: &str) -> Option<Term<'g>> {
         if self.stop.is_asked() {
             return None;
@@ -59,7 +60,7 @@ impl Names<'_, '_> {
         self.variables.iter().map(|(name, _)| *name).chain(numbers).collect()
     }
 
-    /// What is wrong at a place of the text, and what would be right.
+    /// The error at a place of the text, with its remedy.
     fn problem(&self, text: &str, kind: ErrorKind, span: Range<usize>) -> String {
         let written = &text[span.clone()];
         let shown = shortened(written, SHOWN);
@@ -140,10 +141,10 @@ impl Names<'_, '_> {
     }
 }
 
-/// The most names that a message lists.
+/// The largest number of names that a message lists.
 const LISTED: usize = 30;
 
-/// Names, the first ones if they are many.
+/// Names, separated by commas; only the first ones if there are many.
 fn listed(names: &[&str]) -> String {
     let rest = if names.len() > LISTED { ", ..." } else { "" };
     format!("{}{rest}", names[..names.len().min(LISTED)].join(", "))
@@ -163,8 +164,9 @@ fn is_value(character: char) -> bool {
     character.is_alphanumeric() || character == '_' || character == '.'
 }
 
-/// The expression with the numbers of the variables that its text names; the first so many `moving`
-/// ones are those that [`Expression::hold`] leaves free. An error once an end is asked for.
+/// The expression, with the numbers of the variables that its text names; the first `moving`
+/// variables are those that [`Expression::hold`] leaves free. An error once the computation is
+/// cancelled.
 pub(crate) fn expression(
     text: &str,
     variables: &[&str],
@@ -177,7 +179,7 @@ pub(crate) fn expression(
     Ok((assembled(term, variables, moving), uses))
 }
 
-/// Variables that mean themselves.
+/// The variables as terms of the graph, each with its own number.
 pub(super) fn numbered<'g, 'n>(graph: &'g Graph, variables: &[&'n str]) -> Vec<(&'n str, Term<'g>)> {
     variables.iter().enumerate().map(|(number, name)| (*name, graph.variable(number))).collect()
 }
@@ -187,7 +189,8 @@ pub(super) fn assembled(term: Term<'_>, variables: &[&str], moving: usize) -> Ex
     assemble::expression(variables, moving, &parts(term))
 }
 
-/// What a text gives if its variables are these terms, and the numbers of those that it names.
+/// The term of a text in which variables stand for these terms, and the numbers of the variables
+/// that it names.
 pub(super) fn term<'g>(
     text: &str,
     variables: &[(&str, Term<'g>)],
@@ -216,8 +219,8 @@ pub(super) fn term<'g>(
 /// su, Ẇ + su̇, t) − Ẅ).
 ///
 /// # Errors
-/// The first thing that is not right in one of the texts; if that is none by itself, the two
-/// together have numbers that are too large. Any, once an end is asked for.
+/// The first error in one of the texts; if each is correct by itself, the two together have numbers
+/// that are too large. Any error, once the computation is cancelled.
 pub(crate) fn from_the_wall(
     force: &str,
     wall: &str,

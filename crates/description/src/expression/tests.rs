@@ -1,4 +1,4 @@
-//! The tape against its expression, node by node, over several kinds of number.
+//! Comparison of the tape with its expression, node by node, over several number types.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use super::graph::{Graph, Node, parts};
 use super::{Expression, parse};
 
-/// All numbers from the first to the second.
+/// The interval of all numbers from the first to the second.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Range(f64, f64);
 
@@ -80,7 +80,7 @@ fn polynomial() -> impl Strategy<Value = String> {
     })
 }
 
-/// The same with functions and quotients.
+/// A polynomial expression with functions and quotients.
 fn formula() -> impl Strategy<Value = String> {
     (
         polynomial(),
@@ -92,12 +92,12 @@ fn formula() -> impl Strategy<Value = String> {
 
 const NAMES: [&str; 3] = ["x", "v", "t"];
 
-/// The expression; none where the text asks for a function of a constant outside its domain.
+/// The expression; `None` where the text applies a function to a constant outside its domain.
 fn read(text: &str, moving: usize) -> Option<Expression> {
     parse::expression(text, &NAMES, moving, &[], &Stop::default()).ok().map(|(expression, _)| expression)
 }
 
-/// The value node by node.
+/// The value computed node by node.
 fn plain<S: Scalar>(text: &str, variables: &[S]) -> S {
     let graph = Graph::default();
     let (term, _) = parse::term(text, &parse::numbered(&graph, &NAMES), &[], &Stop::default())
@@ -117,14 +117,14 @@ fn plain<S: Scalar>(text: &str, variables: &[S]) -> S {
     *values.last().expect("an expression has a part")
 }
 
-/// The values at the first point with none, some and all of the variables held, after those at the
-/// second.
+/// The values at the first point with none, some and all of the variables held, computed after
+/// those at the second.
 fn all_ways<S: Scalar>(text: &str, [first, second]: [[S; 3]; 2]) -> Vec<S> {
     let held = (0..=3).filter_map(|moving| {
         let expression = read(text, moving)?;
         let mut function = expression.hold(&first[moving..]);
         let [first, second] = [&first, &second].map(|values| values.each_ref());
-        // What was computed for other values is forgotten.
+        // Results for other values must be discarded.
         function(&second[..moving]);
         Some(function(&first[..moving]))
     });
@@ -132,11 +132,11 @@ fn all_ways<S: Scalar>(text: &str, [first, second]: [[S; 3]; 2]) -> Vec<S> {
 }
 
 fn bits<const N: usize>(values: [f64; N]) -> [u64; N] {
-    // One NaN is as good as another.
+    // All NaNs count as equal.
     values.map(|value| if value.is_nan() { 0 } else { value.to_bits() })
 }
 
-/// Whole numbers far below 2^53 are exact in any order.
+/// Whether all values are whole numbers far below 2^53, which are exact in any order.
 fn exact(values: &[f64]) -> bool {
     values.iter().all(|value| value.abs() < 1e12)
 }

@@ -1,8 +1,8 @@
-//! What expressions evaluate to, against the same formulas in Rust.
+//! Values of expressions, compared with the same formulas in Rust.
 
 use grazing_description::{Expression, MOST_VALUES_ON_STACK};
 
-/// Points that no symmetry relates; positive, for roots and logarithms.
+/// Points that are not related by any symmetry; positive, for roots and logarithms.
 fn points() -> impl Iterator<Item = [f64; 3]> {
     (0..200).map(|i| {
         let i = f64::from(i);
@@ -19,8 +19,9 @@ fn value(text: &str) -> f64 {
     parse(text).evaluate(&[0.0, 0.0, 0.0])
 }
 
-/// Folding and sharing reorder a few roundings, and powers of series are not those of `pow`; each
-/// operation costs half a unit in the last place, and these formulas have less than twenty.
+/// Tolerance: folding and sharing reorder a few rounded operations, and powers of series are not
+/// those of `pow`; each operation costs half a unit in the last place, and these formulas have less
+/// than twenty.
 const ROUNDING: f64 = 20.0 * f64::EPSILON;
 
 #[test]

@@ -1,4 +1,4 @@
-//! The examples load, and are the oscillators that they say.
+//! The example files load, and are the oscillators that they describe.
 
 use std::f64::consts::TAU;
 use std::fs;
@@ -60,7 +60,7 @@ fn the_force_at_one_time_is_the_force() {
             let mut force = description.force_at(t, mu, eta);
             for [x, v] in [[-0.4, 0.7], [0.0, 0.0], [-1.1, -0.3]] {
                 let [x, v] = [x * units.length, v * units.velocity()];
-                // The same instructions in another order.
+                // The instructions are the same in another order.
                 assert_eq!(force(x, v), description.force(x, v, t, mu, eta), "{}", path.display());
             }
         }
@@ -109,7 +109,7 @@ fn the_forces_of_the_examples_are_those_of_their_comments() {
 }
 
 /// Fails unless the force of the example, seen from its wall, is this acceleration of x at fifty
-/// states near rest; `wanted` gets x, v, t and both parameters.
+/// states near rest; `wanted` receives x, v, t and both parameters.
 fn assert_force(name: &str, wanted: impl Fn(&dyn Fn(&str) -> f64, [f64; 5]) -> f64) {
     let description = example(name);
     let (units, sign) =

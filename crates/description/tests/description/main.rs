@@ -1,5 +1,4 @@
-//! Descriptions of oscillators: what a text may say, what is said of its mistakes, and what the
-//! examples come to.
+//! Descriptions of oscillators: accepted texts, messages about mistakes, and the examples.
 
 mod evaluation;
 mod examples;

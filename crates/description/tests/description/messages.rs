@@ -1,11 +1,11 @@
-//! Whatever is wrong with a description is told with its place and what would be right.
+//! Every error in a description is reported with its place and its remedy.
 
 use std::fmt::Write as _;
 use std::path::Path;
 
 use grazing_description::Description;
 
-/// A description that is right.
+/// A correct description.
 const RIGHT: &str = r#"name = "Invented"
 [parameters]
 zeta = 0.1
@@ -26,7 +26,7 @@ duration = "0"
 loops = [1, 2, 3]
 "#;
 
-/// What is done to it: after which table the line of which key becomes which line.
+/// Edits of the description: the table, the key whose line is replaced, and the new line.
 const EDITS: &[(&str, &str, &str)] = &[
     // The file.
     ("", "name", "name = Invented"),
@@ -60,7 +60,7 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("[primary]", "range", "range = [0.0, 1.5]\nunit = \"\""),
     ("", "[impact]", "[units]\nlength = \"<b>mm</b>\"\n[impact]"),
     ("", "[impact]", "[units]\ncharge = \"C\"\n[impact]"),
-    // What people write.
+    // Common mistakes.
     ("[parameters]", "zeta", "zeta = {a = 1}"),
     ("[parameters]", "zeta", "zeta = [0.1]"),
     ("[parameters]", "zeta", "zeta = 0.1 N s/m"),
@@ -179,7 +179,7 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("[analysis]", "loops", "loops = [1]\n[figure.colours]\nsn = \"#1946be\""),
 ];
 
-/// The right description with one line changed.
+/// The correct description with one line changed.
 fn edited(table: &str, key: &str, line: &str) -> String {
     let mut inside = table.is_empty();
     let mut done = false;
@@ -248,7 +248,7 @@ fn a_long_expression_is_read_in_time_and_not_repeated_whole() {
     let force = |terms: &str| format!("force = \"-x - 1 + A*cos(omega*t) - {terms}\"");
     let parse = |line: &str| Description::parse(&edited("[motion]", "force", line), "long.toml");
     assert!(parse(&force(&terms(4000))).is_ok());
-    // Terms that differ all, where quadratic work would take minutes.
+    // Terms that are all different, where quadratic work would take minutes.
     let different: String = (0..9000).map(|k| format!("+{k}*x*v")).collect();
     assert!(parse(&force(&different[1..])).is_ok());
 

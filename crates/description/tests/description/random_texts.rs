@@ -1,4 +1,4 @@
-//! Random texts are read as what they say.
+//! Random texts are read correctly.
 
 use grazing_description::Expression;
 use proptest::prelude::*;

@@ -1,8 +1,8 @@
-//! What reading costs grows no faster than the text.
+//! The cost of reading grows no faster than the text.
 
 use grazing_description::Description;
 
-/// A description whose wall stands at a chain of these parts.
+/// A description whose wall position is a chain of these parts.
 fn described(part: fn(u32) -> String, operator: &str, count: u32) -> Description {
     let chain = (1..=count).map(part).collect::<Vec<_>>().join(operator);
     let text = format!(
@@ -33,9 +33,9 @@ fn the_acceleration_of_a_wall_has_instructions_in_proportion_to_its_position() {
                 let [force, ..] = described.formulas();
                 force.instructions()
             });
-            // All but the first few operations are like those before them.
+            // All but the first few operations are like the ones before.
             assert!(large <= 2 * small + 20, "{number} {operator}: {small} {large}");
-            // Each operation has a few for either derivative.
+            // Each operation adds a few instructions for either derivative.
             assert!(large <= 80 * 5 * 12, "{number} {operator}: {large}");
         }
     }

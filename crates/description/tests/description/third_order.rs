@@ -11,7 +11,7 @@ fn example(name: &str) -> Description {
     Description::from_file(&path).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Curves of (x₀, y₀, z₀) and of the duration, bent, and special in no way.
+/// Curves of (x₀, y₀, z₀) and of the duration, with generic coefficients of all orders.
 fn curve() -> ([Taylor; 3], Taylor) {
     let state = [
         Taylor::new([-0.4, 0.3, 0.1, -0.2]),
@@ -33,7 +33,7 @@ fn third_derivatives_of_the_papers_oscillator_are_those_of_the_closed_form() {
     let [a, b] = [written.flow_series(from, duration), closed.flow_series(from, duration)];
     for (a, b) in a.iter().zip(&b) {
         for (a, b) in a.coefficients().into_iter().zip(b.coefficients()) {
-            // As derivatives of the first two orders.
+            // Same tolerance as for derivatives of the first two orders.
             assert!((a - b).abs() < 1e-12 * (1.0 + b.abs()), "{a} {b}");
         }
     }
@@ -67,8 +67,8 @@ fn third_derivatives_of_the_flow_are_those_of_many_short_flights() {
         }
         for (whole, parts) in whole.iter().zip([x, y]) {
             for (a, b) in whole.coefficients().into_iter().zip(parts.coefficients()) {
-                // The drag bends within a velocity of 0.05: each order of derivatives is worse than
-                // the one before.
+                // The drag bends within a velocity of 0.05: each order of derivatives is less
+                // accurate than the one before.
                 assert!((a - b).abs() < 1e-9 * (1.0 + b.abs()), "{name}: {a} {b}");
             }
         }

@@ -1,4 +1,4 @@
-//! Walls that stand elsewhere, on the other side, or move: the same oscillator written in other
+//! Walls at other positions, on the other side, or in motion: the same oscillator written in other
 //! coordinates.
 
 use grazing_description::{Description, Side};
@@ -31,7 +31,7 @@ fn an_oscillator_whose_base_moves_with_its_wall_is_that_of_the_paper_with_the_fo
     let moving = "[wall]\nposition = \"B*cos(omega*t)\"";
     let base = described("-2*zeta*(v + B*omega*sin(omega*t)) - (x - B*cos(omega*t)) - 1", moving).unwrap();
     assert!(difference(&paper, &base) < 1e-14);
-    // Coordinates lead there and back.
+    // The conversions of coordinates are inverse to each other.
     let (from, time, parameters) = ([-0.7, 0.2], 1.7, [0.9, 0.6]);
     let outside = base.wall().outside(from, time, parameters);
     assert!((outside[0] - (-0.7 + 0.9 * libm::cos(0.6 * 1.7))).abs() < 1e-15);

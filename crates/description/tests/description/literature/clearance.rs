@@ -2,8 +2,8 @@
 //! closed form.
 //!
 //! An orbit with one impact in n forcing periods, their (1, n) orbit, is an n-loop MPS. Orbits,
-//! bifurcations and resonances are found here by continuation from the grazing orbit, and the
-//! formulas are used for the comparison only.
+//! bifurcations and resonances are found here by continuation from the grazing orbit; the formulas
+//! are used only for comparison.
 
 use core::f64::consts::PI;
 
@@ -21,7 +21,7 @@ use super::published::{Published, assert_within, description, text};
 
 const EXAMPLE: &str = "clearance.toml";
 
-/// The example with another damping.
+/// The example with a different damping.
 fn with_damping(alpha: f64) -> Description {
     let written = text(EXAMPLE);
     let line = written.lines().find(|line| line.starts_with("alpha = ")).expect("the damping has its line");
@@ -198,12 +198,12 @@ fn with_damping_the_theorems_hold_and_tend_to_the_published_formulas() {
             (Condition::PERIOD_DOUBLING, resonance.theorem().period_doubling()),
         ] {
             let fitted = fit::quadratic_coefficient(&resonance, condition).expect("the curve is there");
-            // Six digits; the extrapolation itself leaves no more open.
+            // Six digits, the accuracy of the extrapolation itself.
             assert_within(fitted.value, curve.coefficient, 1e-6 * curve.coefficient.abs());
         }
         let defect = |alpha| unfolded(with_damping(alpha)).theorem().saddle_node().coefficient / limit - 1.0;
         let [coarse, fine] = [defect(2e-4), defect(1e-4)];
-        // Of the first order in the damping: halved with it, but for the second order.
+        // The defect is of first order in the damping: halved with it, up to the second order.
         assert_within(fine / coarse, 0.5, 0.01);
     }
 }

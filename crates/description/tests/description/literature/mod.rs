@@ -1,5 +1,5 @@
-//! What other publications give for the examples, in `expected/published_examples.toml`, against
-//! what is computed here.
+//! Published results for the examples, from `expected/published_examples.toml`, compared with
+//! computed ones.
 
 mod clearance;
 mod published;

@@ -1,4 +1,4 @@
-//! The list of what other publications give, and the examples that it is about.
+//! The list of published results, and the examples to which they refer.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -11,7 +11,7 @@ fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// `expected/published_examples.toml`.
+/// The content of `expected/published_examples.toml`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Published {
@@ -70,15 +70,15 @@ impl Published {
         toml::from_str(&text).unwrap_or_else(|error| panic!("expected/published_examples.toml: {error}"))
     }
 
-    /// The published formula with the name, at these values of its letters.
+    /// The published formula with this name, at these values of its letters.
     ///
-    /// The formulas are evaluated in the order of the list, each with all before it, up to the one
-    /// asked for.
+    /// The formulas are evaluated in the order of the list, each with all preceding ones, up to the
+    /// requested one.
     pub(crate) fn formula(&self, example: &str, id: &str, letters: &[(&str, f64)]) -> f64 {
         let mut known = letters.to_vec();
         for formula in self.formula.iter().filter(|formula| formula.example == example) {
-            // A formula with a letter that has no value here, as one for a given clearance, is not
-            // asked for.
+            // A formula with a letter that has no value here, such as one for a given clearance, is
+            // skipped.
             let Ok(expression) = Expression::parse(&formula.expression, &[], &known) else {
                 continue;
             };
@@ -97,7 +97,7 @@ pub(crate) fn text(example: &str) -> String {
     fs::read_to_string(repository().join("examples").join(example)).expect("an example is text")
 }
 
-/// An example.
+/// The description of an example.
 pub(crate) fn description(example: &str) -> Description {
     Description::parse(&text(example), example).unwrap_or_else(|error| panic!("{error}"))
 }

@@ -1,7 +1,7 @@
 //! Bifurcations of the paper's oscillator as Ghosh and Simpson computed them with their own
 //! program.
 //!
-//! They are looked for here without virtual points, not by VIVID as there.
+//! They are located here without virtual points, rather than by VIVID as there.
 
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
@@ -10,10 +10,11 @@ use grazing_model::smooth::Integrated;
 
 use super::published::{Bifurcation, Kind, Published, assert_within, description, number};
 
-/// How far the start of Newton's method lies from the print; it converges from farther away.
+/// Distance between the start of Newton's method and the printed orbit; it converges from farther
+/// away.
 const OFF: f64 = 1e-4;
 
-/// The equations of a printed orbit, and the orbit as a start that is a little off.
+/// The equations of a printed orbit, and the orbit as a slightly displaced start.
 fn printed(row: &Bifurcation) -> (LoopEquations<Integrated<Description>>, Unknowns) {
     let [velocity, time, primary, secondary] =
         [&row.impact_velocity, &row.impact_time, &row.primary, &row.secondary].map(|text| number(text));
@@ -34,7 +35,7 @@ fn printed_orbits_have_the_printed_amplitudes_phases_and_multipliers() {
         // The residual that the authors allow, 1e-10, magnified by the inverse of their derivative.
         assert_within(found[unknown::PRIMARY], number(&row.primary), 1e-10);
         assert_within(found[unknown::PHASE], start[unknown::PHASE] - OFF, 1e-9);
-        // Their derivatives are divided by the impact velocity, of 0.06 and more.
+        // The derivatives of the multipliers are divided by the impact velocity, of 0.06 and more.
         let multipliers = equations.solution(&found).multipliers;
         let [a, b] = [&row.multipliers[0], &row.multipliers[1]].map(|text| number(text));
         assert_within(multipliers.trace, a + b, 1e-8);
