@@ -14,7 +14,7 @@ fn main() {
     divan::main();
 }
 
-/// Grazing curve, resonances, bifurcation curves and regions, for the loops that the file names.
+/// Grazing curve, resonances, bifurcation curves and regions, for the loops in the file.
 #[divan::bench(sample_count = 10)]
 fn diagram_from_the_text_file(bencher: Bencher<'_, '_>) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/duffing.toml");

@@ -1,10 +1,10 @@
-//! Curves that run close together, as polylines between which faces have their true order.
+//! Polylines of curves that run close together, between which faces have their true order.
 //!
-//! Curves are drawn by chords that leave them by some 10⁻⁴ of the window. Where two curves are
-//! closer than that, as those that leave a resonance tangent to each other, chords with vertices in
-//! different places would cross and cut the strip between them into pieces. So such curves get
-//! vertices at the same values of μ or η, and at those of the slices by which the strip is judged;
-//! each is located by Newton's method.
+//! Curves are drawn by chords that deviate from them by some 10⁻⁴ of the window. Where two curves
+//! are closer than that, such as those that leave a resonance tangent to each other, chords with
+//! vertices at different places would cross and cut the strip between them into pieces. Such curves
+//! therefore get vertices at the same values of μ or η, and at those of the slices by which the
+//! strip is judged; each is located by Newton's method.
 
 use grazing_continuation::curve::Window;
 use grazing_continuation::locate::{Condition, locate_within};
@@ -15,22 +15,22 @@ use rayon::prelude::*;
 use crate::curves::DiagramCurve;
 use crate::faces::Point;
 
-/// Curves closer to each other than this, in shares of the ranges, run alongside: so far chords are
-/// certain not to leave them.
+/// Curves closer to each other than this, as a fraction of the ranges, run alongside; chords
+/// deviate from them by less.
 const ALONGSIDE: f64 = 1e-3;
-/// A segment that rises by less than this share of the range of η for one of that of μ is flat: the
-/// little by which it leaves its curve is much along a slice.
+/// A segment that rises by less than this fraction of the range of η for one of that of μ is flat:
+/// its small deviation from the curve is large along a slice.
 const FLAT: f64 = 0.1;
-/// Chords leave their curves by no more than about this share of the ranges. In a window that is
-/// long and narrow those by which curves are drawn may leave them by more.
+/// Chords deviate from their curves by no more than about this fraction of the ranges. In a window
+/// that is long and narrow the chords by which curves are drawn may deviate by more.
 const SAG: f64 = 1e-4;
-/// A chord is cut into no more parts than this.
+/// The largest number of parts into which a chord is cut.
 const MOST_PARTS: f64 = 20.0;
 /// Vertices closer than this are one.
 const SAME_LEVEL: f64 = 1e-9;
 
-/// A place between two vertices of a curve at which it gets another: the unknown (μ or η) whose
-/// value is given, and how far between.
+/// A place between two vertices of a curve at which it gets another vertex: the unknown (μ or η)
+/// whose value is given, and the fraction of the segment.
 #[derive(Clone, Copy)]
 struct Place {
     segment: usize,
@@ -39,7 +39,7 @@ struct Place {
     way: f64,
 }
 
-/// A vertex of a curve in shares of the ranges.
+/// A vertex of a curve, in fractions of the ranges.
 struct Vertex {
     shares: Point,
     curve: usize,
@@ -65,16 +65,16 @@ pub(crate) fn polylines(
     curves.par_iter().zip(places).map(polyline).collect()
 }
 
-/// How far between two numbers a value lies, if it lies inside.
+/// The fraction of the interval between two numbers at which a value lies, if it lies inside.
 fn way([from, to]: [f64; 2], value: f64) -> Option<f64> {
     let way = (value - from) / (to - from);
     (SAME_LEVEL..=1.0 - SAME_LEVEL).contains(&way).then_some(way)
 }
 
-/// The unknown with each of the two parameters.
+/// The unknown that is each of the two parameters.
 const UNKNOWN: [usize; 2] = [unknown::PRIMARY, unknown::SECONDARY];
 
-/// For each curve the places beside vertices of others.
+/// The places of each curve beside vertices of others.
 fn beside_vertices(curves: &[Vec<Point>], window: Window) -> Vec<Vec<Place>> {
     let sorted = [0, 1].map(|axis| {
         let points = |(curve, points): (usize, &Vec<Point>)| {
@@ -107,8 +107,8 @@ fn beside_vertices(curves: &[Vec<Point>], window: Window) -> Vec<Vec<Place>> {
     curves.iter().enumerate().map(places).collect()
 }
 
-/// The places at which a curve leaves its chords by too much, as far as the angles between these
-/// tell: by an eighth of their length times the angle.
+/// The places at which a curve deviates too much from its chords, estimated from the angles between
+/// them: an eighth of their length times the angle.
 fn where_bent(points: &[Point], window: Window) -> Vec<Place> {
     let chords: Vec<Vector2<f64>> =
         points.windows(2).map(|pair| Vector2::from(pair[1]) - Vector2::from(pair[0])).collect();
@@ -126,7 +126,7 @@ fn where_bent(points: &[Point], window: Window) -> Vec<Place> {
     places.collect()
 }
 
-/// For each curve the places at levels of η where another one is close, or where it is flat.
+/// The places of each curve at levels of η where another curve is close, or where it is flat.
 fn at_levels(curves: &[Vec<Point>], window: Window, levels: &[f64]) -> Vec<Vec<Place>> {
     let mut places: Vec<Vec<Place>> = vec![Vec::new(); curves.len()];
     for &value in levels {
@@ -159,7 +159,7 @@ fn at_levels(curves: &[Vec<Point>], window: Window, levels: &[f64]) -> Vec<Vec<P
     places
 }
 
-/// The polyline of a curve with vertices at further places, as far as they are found.
+/// The polyline of a curve with vertices at further places, as far as these can be located.
 fn refined(
     equations: &LoopEquations,
     curve: &DiagramCurve,
@@ -181,7 +181,8 @@ fn refined(
                 _ => Condition::Secondary(place.value),
             };
             let conditions = [curve.curve.condition, level];
-            // As far as the curve may leave its chord, and no farther than the next vertices.
+            // The reach covers the deviation of the curve from its chord, but no more than the next
+            // vertices.
             let reach = (ends[1] - ends[0]).norm();
             let found =
                 locate_within(reach, equations, conditions, near, &mut point.times.clone()).map(|found| {
@@ -189,7 +190,7 @@ fn refined(
                     at[place.unknown - unknown::PRIMARY] = place.value;
                     at
                 });
-            // What is bent leaves its chord by less than a quarter of its length.
+            // A bent curve deviates from its chord by less than a quarter of its length.
             let [from, to] = ends.map(|end| Vector2::from(window.shares(parameters(&end))));
             let aside = ALONGSIDE.max(0.25 * (to - from).norm());
             let is_close = |at: &Point| {

@@ -1,5 +1,5 @@
 //! Bifurcation curves beyond their ends on GZ curves: solutions along them may become admissible
-//! again, beside islands so small that no slice need cross them.
+//! again, beside islands so small that no slice may cross them.
 
 use grazing_continuation::curve::{Curve, CurvePoint, Route, SolutionCurve};
 use grazing_continuation::locate::Condition;
@@ -7,11 +7,11 @@ use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns};
 
 use crate::dips;
 
-/// A curve that has gone on for so many points has lost its way.
+/// A continued curve with this many points is lost.
 const FARTHEST: usize = 2_000;
 
-/// The pieces of a curve that ends where its solutions graze on which they are admissible again,
-/// farther on. The last two points before that end lead there.
+/// The pieces of a curve, beyond the end where its solutions graze, on which they are admissible
+/// again. The last two points before that end give the direction.
 pub(crate) fn admissible_again(
     equations: &LoopEquations,
     condition: Condition,

@@ -10,11 +10,11 @@ use grazing_continuation::mps::{LoopEquations, Unknowns, unknown};
 
 use crate::beyond;
 
-/// A curve of this many points has lost its way.
+/// A curve with this many points is lost.
 const STEP_LIMIT: usize = 20_000;
 
-/// Ends at y = 0 closer than this are at one resonance: so much may GZ curves be off where waves of
-/// an integrated oscillator are short (4 · 10⁻⁷ was seen), and resonances lie farther apart.
+/// Ends at y = 0 closer than this are at one resonance: GZ curves may be off by as much where waves
+/// of an integrated oscillator are short (4 · 10⁻⁷ was seen), and resonances lie farther apart.
 const AT_ONE_RESONANCE: f64 = 1e-5;
 
 /// The route through a window to the first event.
@@ -25,32 +25,33 @@ pub fn route(window: Window, control: StepControl) -> Route<'static> {
 /// A bifurcation curve of the diagram.
 #[derive(Clone, Debug)]
 pub struct DiagramCurve {
-    /// What happens along it.
+    /// The bifurcation along the curve.
     pub kind: Bifurcation,
     /// Number of loops p.
     pub loops: u32,
     /// The integer n of the resonance from which the curve, or the point at which it starts, was
-    /// reached; 0 if from none.
+    /// reached; 0 if it was reached from none.
     pub n: u32,
     /// The curve.
     pub curve: Curve,
 }
 
 impl DiagramCurve {
-    /// Whether it is another one, perhaps followed from its other end.
+    /// Whether two curves are the same, perhaps followed from different ends.
     pub fn is_same(&self, other: &Self) -> bool {
         let ([first, last], [start, end]) = (self.ends(), other.ends());
         let same = |a, b| same_point(&first, a) && same_point(&last, b);
         self.kind == other.kind && self.loops == other.loops && (same(&start, &end) || same(&end, &start))
     }
 
-    /// The pieces of it that cross a window, each with its first point outside at either end.
+    /// The pieces of the curve that cross a window, each with its first point outside at either
+    /// end.
     pub(crate) fn within(&self, window: Window) -> Vec<Self> {
         within(&self.curve, window).into_iter().map(|curve| Self { curve, ..*self }).collect()
     }
 
-    /// Takes an end of a GZ curve at y = 0 to that of a curve of another kind, where both leave one
-    /// resonance: its own is a simple zero of a determinant, in which more digits are lost.
+    /// Moves an end of a GZ curve at y = 0 to that of a curve of another kind, where both leave one
+    /// resonance: its own end is a simple zero of a determinant, which is known to fewer digits.
     fn end_with(&mut self, other: &Self) {
         if self.kind != Bifurcation::Grazing || other.kind == Bifurcation::Grazing {
             return;
@@ -67,7 +68,7 @@ impl DiagramCurve {
         }
     }
 
-    /// First and last point.
+    /// The first and the last point.
     pub(crate) fn ends(&self) -> [Unknowns; 2] {
         let points = &self.curve.points;
         [points[0].solution.unknowns, points[points.len() - 1].solution.unknowns]
@@ -102,7 +103,8 @@ fn crosses(window: Window, ends: [[f64; 2]; 2]) -> bool {
     let [from, to] = ends.map(|end| window.shares(end));
     let mut part = [0.0, 1.0];
     for k in 0..2 {
-        // Where it enters and leaves; of a chord that runs along an edge nothing is asked.
+        // Fractions at which the chord enters and leaves; a chord parallel to an edge does not
+        // cross it.
         let at = [0.0, 1.0].map(|edge| (edge - from[k]) / (to[k] - from[k]));
         if to[k] != from[k] {
             part = [f64::max(part[0], at[0].min(at[1])), f64::min(part[1], at[0].max(at[1]))];
@@ -116,30 +118,31 @@ fn crosses(window: Window, ends: [[f64; 2]; 2]) -> bool {
 /// A codimension-two point other than a resonance.
 #[derive(Clone, Debug)]
 pub struct CodimensionTwoPoint {
-    /// What happens there.
+    /// The bifurcation at the point.
     pub kind: CodimensionTwo,
     /// Number of loops p.
     pub loops: u32,
-    /// The integer n of the resonance from which it was reached; 0 if from none.
+    /// The integer n of the resonance from which the point was reached; 0 if it was reached from
+    /// none.
     pub n: u32,
-    /// The event on the curve on which it was reached: its end, but for cusps.
+    /// The event on the curve on which the point was reached: its end, except for cusps.
     pub event: Event,
 }
 
 impl CodimensionTwoPoint {
-    /// (y, z, μ, η).
+    /// The unknowns (y, z, μ, η).
     pub fn unknowns(&self) -> Unknowns {
         self.event.solution.unknowns
     }
 }
 
-/// The curves of one p, 0 without impacts, as far as they are known.
+/// The known curves of one p, 0 without impacts.
 #[derive(Clone, Debug)]
 pub(crate) struct Net {
     pub(crate) equations: LoopEquations,
     pub(crate) curves: Vec<DiagramCurve>,
     pub(crate) meetings: Vec<CodimensionTwoPoint>,
-    /// How many of the codimension-two points have been looked at for further curves.
+    /// The number of codimension-two points from which further curves have been followed.
     grown: usize,
 }
 
@@ -152,7 +155,7 @@ impl Net {
         self.equations.loops()
     }
 
-    /// Adds a curve unless it is one of those that are there, followed from its other end.
+    /// Adds a curve, unless it is one of the known curves followed from its other end.
     pub(crate) fn add(&mut self, mut new: DiagramCurve) {
         for known in &mut self.curves {
             new.end_with(known);
@@ -194,15 +197,15 @@ impl Net {
         }
     }
 
-    /// Follows what is missing of the two curves that meet at each codimension-two point, and so on
-    /// from where that ends.
+    /// Follows the missing ones of the two curves that meet at each codimension-two point, and
+    /// continues from their ends.
     pub(crate) fn grow(&mut self, route: &Route<'_>) {
         while let Some(CodimensionTwoPoint { kind: meeting, loops, n, event }) =
             self.meetings.get(self.grown).cloned()
         {
             self.grown += 1;
             let kind = Bifurcation::of(event.condition, loops);
-            // Through these the other curve goes on.
+            // The other curve passes through these points.
             let passed = [
                 CodimensionTwo::Cusp,
                 CodimensionTwo::SaddleNodeTorus,
@@ -225,7 +228,7 @@ impl Net {
         }
     }
 
-    /// Adds what lies farther on of the SN and PD curves that end at a point of a GZ curve.
+    /// Adds the farther pieces of the SN and PD curves that end at a point of a GZ curve.
     fn grow_beyond(&mut self, corner: &Unknowns, route: &Route<'_>) {
         let mut farther = Vec::new();
         for ended in &self.curves {

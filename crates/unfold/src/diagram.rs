@@ -20,22 +20,23 @@ use crate::resonances::{self, Resonance, Unlocated};
 use crate::unfinished::Unfinished;
 use crate::{Scope, UnfoldError};
 
-/// A resonance one of whose curves, or all of them, could not be followed.
+/// A resonance with curves that could not be followed.
 #[derive(Clone, Debug)]
 pub struct NotUnfolded {
     /// Number of loops p of the resonance.
     pub loops: u32,
-    /// Its integer n.
+    /// The integer n of the resonance.
     pub n: u32,
-    /// Number of loops of the solutions; not p where they are those of more loops that leave a
+    /// Number of loops of the solutions; it differs from p for solutions of more loops that leave a
     /// one-loop resonance.
     pub solutions: u32,
-    /// What happened.
+    /// The reason.
     pub reason: ResonanceError,
 }
 
 impl NotUnfolded {
-    /// What could not be followed, as `p = 1, n = 3` or `p = 1, n = 3, solutions of 2 loops`.
+    /// The name of the curves that could not be followed, such as `p = 1, n = 3` or `p = 1, n = 3,
+    /// solutions of 2 loops`.
     pub fn name(&self) -> String {
         let Self { loops, n, solutions, .. } = self;
         let of = if solutions == loops { String::new() } else { format!(", solutions of {solutions} loops") };
@@ -43,79 +44,81 @@ impl NotUnfolded {
     }
 }
 
-/// What came of following the curves from a resonance.
+/// The curves followed from a resonance.
 #[derive(Clone, Debug)]
 pub struct Followed {
-    /// The place of the resonance in the diagram's list.
+    /// The index of the resonance in the diagram's list.
     pub resonance: usize,
-    /// Its curves.
+    /// The curves that were found.
     pub curves: Vec<DiagramCurve>,
-    /// Why others are not there.
+    /// The reasons why others are missing.
     pub missing: Vec<ResonanceError>,
 }
 
-/// Everything in the diagram.
+/// The two-parameter diagram.
 #[derive(Clone, Debug)]
 pub struct Diagram {
-    /// What was asked for.
+    /// The scope of the analysis.
     pub scope: Scope,
     /// The oscillator, whose own parameters do not matter.
     pub oscillator: AnyOscillator,
     /// The pieces of the curve of grazing bifurcations of the non-impacting solution.
     pub grazing: Vec<GrazingCurve>,
-    /// The same of motion without impacts over two forcing periods, four, and so on, as far as
-    /// solutions with impacts begin there.
+    /// Grazing curves of motion without impacts over two forcing periods, four, and so on, as far
+    /// as solutions with impacts begin there.
     pub doubled: Vec<GrazingCurve>,
-    /// Why there are none, if there are none.
+    /// The reason why there is no grazing curve, if there is none.
     pub no_grazing: Option<UnfoldError>,
-    /// All resonances on it, by p and along the curve.
+    /// All resonances on the grazing curves, by p and along the curve.
     pub resonances: Vec<Resonance>,
-    /// Those of one loop where p = 1 was not asked for: solutions of more loops leave them, too.
+    /// Resonances of one loop where p = 1 is not in the scope: solutions of more loops leave them
+    /// as well.
     pub one_loop: Vec<Resonance>,
     /// Folds and period doublings of non-impacting motion (p = 0); then SN, PD and GZ curves of the
     /// MPSs, by p.
     pub curves: Vec<DiagramCurve>,
     /// Codimension-two points other than resonances.
     pub codimension_two: Vec<CodimensionTwoPoint>,
-    /// Where solutions are stable, and where that is not decided.
+    /// Regions in which solutions are stable, and regions in which this is undecided.
     pub regions: Vec<Region>,
-    /// Curves that are asked for,
+    /// The requested curves with a property.
     pub asked: Vec<Level>,
-    /// and what was found of them.
+    /// The curves with these properties that were found.
     pub levels: Levels,
-    /// Resonances that were seen and could not be located.
+    /// Resonances that were detected but could not be located.
     pub unlocated: Vec<Unlocated>,
     /// Resonances whose curves could not be followed.
     pub not_unfolded: Vec<NotUnfolded>,
-    /// What was not finished when an end was asked for.
+    /// Parts that were not finished when the computation was cancelled.
     pub unfinished: Vec<Unfinished>,
 }
 
 /// The stage in which curves are followed from the resonances.
 const CURVES: &str = "bifurcation curves";
 
-/// Regions and curves of a window that is narrower than this are parts of those of one that is not:
-/// curves that touch at a resonance are too close to each other there for slices to be
-/// distinguished from rounding, as branches begin at impact velocities of the order of the root of its width.
+/// In a window narrower than this, regions and curves are taken from a wider one: curves that touch
+/// at a resonance are too close to each other there for slices to distinguish them from rounding,
+/// as branches begin at impact velocities of the order of the root of its width.
 const UNDECIDABLE_WIDTH: f64 = 1e-7;
 
-/// The route of curves that are drawn: in a small window steps are small, too, down to where curves
+/// The route of curves that are drawn: in a small window steps are also small, down to where curves
 /// are straight.
 fn drawn(window: Window) -> Route<'static> {
     let control = StepControl::DRAWING;
     let [across, up] = window.widths();
-    // Across the shorter side of a long window a chord of long steps would leave its curve too far.
+    // A chord of long steps across the shorter side of a long window would deviate too far from its
+    // curve.
     let size = across.max(up).min(LONG_WINDOW * across.min(up));
     let longest = control.longest * size.min(1.0);
     route(window, StepControl { longest: longest.max(LEAST_STEPS * control.shortest), ..control })
 }
 
-/// A window is long whose sides have a greater ratio.
+/// Ratio of the sides above which a window is long.
 const LONG_WINDOW: f64 = 2.0;
-/// Steps are at least so many times as long as the shortest.
+/// Smallest ratio of the longest steps to the shortest.
 const LEAST_STEPS: f64 = 10.0;
 
-/// The window about a narrow one in which curves are found and regions decided.
+/// The window around a narrow one in which curves are found and regions decided.
 fn widened(window: Window) -> Option<Window> {
     let about = |[low, high]: [f64; 2]| {
         let room = (0.5 * (UNDECIDABLE_WIDTH - (high - low))).max(0.0);
@@ -123,7 +126,7 @@ fn widened(window: Window) -> Option<Window> {
     };
     let [across, up] = window.widths();
     let wide = Window { primary: about(window.primary), secondary: about(window.secondary) };
-    // Not once more because of rounding.
+    // Not widened again because of rounding.
     (across.min(up) < 0.5 * UNDECIDABLE_WIDTH).then_some(wide)
 }
 
@@ -146,11 +149,11 @@ impl Diagram {
         located.with(followed, progress).found()
     }
 
-    /// The diagram, if there is something in it to show: a grazing curve, or what MPSs do where
-    /// none is, as beside a piece of one of their curves in a small window.
+    /// The diagram, if it contains a grazing curve, or curves or regions of MPSs without one, as
+    /// beside a piece of one of their curves in a small window.
     ///
-    /// # Errors
-    /// Why there is no grazing, if there is no curve of MPSs and no region either.
+    /// # Errors The reason why there is no grazing, if there is no curve of MPSs and no region
+    /// either.
     pub fn found(self) -> Result<Self, UnfoldError> {
         match self.nothing() {
             Some(reason) => Err(reason.clone()),
@@ -158,7 +161,7 @@ impl Diagram {
         }
     }
 
-    /// Why there is no grazing, if there is no curve of MPSs and no region either.
+    /// The reason why there is no grazing, if there is no curve of MPSs and no region either.
     pub fn nothing(&self) -> Option<&UnfoldError> {
         let is_empty = self.curves.iter().all(|curve| curve.loops == 0)
             && self.regions.iter().all(|region| region.loops == 0 || region.doubt.is_some());
@@ -168,16 +171,17 @@ impl Diagram {
     /// The diagram, if there is a grazing curve.
     ///
     /// # Errors
-    /// There is none, with what was seen instead.
+    /// There is no grazing curve; the error describes the motion that was seen.
     pub fn with_grazing(self) -> Result<Self, UnfoldError> {
         self.no_grazing.clone().map_or(Ok(self), Err)
     }
 
-    /// The first half of [`compute`](Self::compute): grazing curves and resonances, no bifurcation
-    /// curve yet. Where the ranges hold no grazing the curves of MPSs may cross them still.
+    /// The first half of [`compute`](Self::compute): grazing curves and resonances, but no
+    /// bifurcation curves. If the ranges contain no grazing the curves of MPSs may still cross
+    /// them.
     ///
     /// # Errors
-    /// An end was asked for before anything was found.
+    /// The computation was cancelled before anything was found.
     pub fn located(
         oscillator: &AnyOscillator,
         scope: &Scope,
@@ -222,15 +226,15 @@ impl Diagram {
         Ok(diagram)
     }
 
-    /// The diagram for which these curves are asked, too.
+    /// The diagram with requests for further curves.
     #[must_use]
     pub fn asking_for(self, levels: Vec<Level>) -> Self {
         Self { asked: levels, ..self }
     }
 
-    /// The diagram with what came of following the curves from its resonances, in the order of
-    /// their list, and all that follows from these: the curves that begin where they end, those to
-    /// which no resonance leads, and the regions.
+    /// The diagram with the curves followed from its resonances, in the order of their list, and
+    /// everything that follows from them: the curves that begin where they end, those to which no
+    /// resonance leads, and the regions.
     pub fn with(mut self, followed: Vec<Followed>, progress: &dyn Progress) -> Self {
         let known = self.nets(followed);
         let mut nets = known.clone();
@@ -245,7 +249,7 @@ impl Diagram {
         }
         for ((net, known), found) in nets.iter_mut().zip(known).zip(of_mps) {
             let (regions, levels) = found.unwrap_or_else(|| {
-                // What was under way when the end was asked for is worth nothing.
+                // The part in progress at the moment of cancellation is meaningless.
                 *net = known;
                 (vec![Region::not_finished(self.scope.window, net.loops())], Levels::default())
             });
@@ -260,7 +264,7 @@ impl Diagram {
                 let wide = wide.asking_for(self.asked.clone());
                 let followed = wide.follow(progress, &|_, _| ());
                 let wide = wide.with(followed, progress);
-                // So are curves, to which no resonance in the window need lead.
+                // The same holds for curves, to which no resonance in the window need lead.
                 let window = self.scope.window;
                 self.regions = wide.regions.iter().flat_map(|region| region.within(window)).collect();
                 self.curves = wide.curves.iter().flat_map(|curve| curve.within(window)).collect();
@@ -279,7 +283,7 @@ impl Diagram {
     }
 
     /// The diagram with these curves and those that begin where they end, but without regions, and
-    /// so without curves to which no resonance leads.
+    /// therefore without curves to which no resonance leads.
     pub fn with_curves(mut self, followed: Vec<Followed>) -> Self {
         let mut nets = self.nets(followed);
         let followed: Vec<usize> = nets.iter().map(|net| net.curves.len()).collect();
@@ -289,7 +293,7 @@ impl Diagram {
         self
     }
 
-    /// The curves that were followed, by p; what is missing is noted.
+    /// The curves that were followed, by p; missing ones are recorded.
     fn nets(&mut self, followed: Vec<Followed>) -> Vec<Net> {
         let cut = self.resonances.iter().enumerate().filter(|(index, resonance)| {
             resonance.theorem.is_ok() && followed.iter().all(|followed| followed.resonance != *index)
@@ -333,8 +337,8 @@ impl Diagram {
         nets.iter_mut().for_each(|net| net.grow(&route));
     }
 
-    /// Takes curves and codimension-two points: first all that come from resonances, as they are
-    /// listed while others are being followed.
+    /// Stores curves and codimension-two points: first all that come from resonances, in the order
+    /// in which they are listed while others are being followed.
     fn take(&mut self, nets: Vec<Net>, followed: &[usize]) {
         let (mut first, mut then) = (Vec::new(), Vec::new());
         for (mut net, followed) in nets.into_iter().zip(followed) {
@@ -354,20 +358,20 @@ impl Diagram {
         }
     }
 
-    /// The resonances at which a theorem holds, with their places in the list of all.
+    /// The resonances at which a theorem holds, with the theorem.
     pub fn unfolding(&self) -> impl Iterator<Item = (&Resonance, &ResonantGrazingPoint)> {
         self.resonances.iter().filter_map(|resonance| Some((resonance, resonance.theorem.as_ref().ok()?)))
     }
 
-    /// The grazing phase z_graz at a value of η; none where no grazing curve is.
+    /// The grazing phase z_graz at a value of η; `None` where there is no grazing curve.
     pub fn grazing_phase(&self, secondary: f64) -> Option<f64> {
         self.grazing.iter().find_map(|curve| curve.at(secondary)).map(|place| place.phase)
     }
 
-    /// The curves from every resonance at which a theorem holds, each resonance by itself, in the
-    /// order of the list; without those that were not finished when an end was asked for.
-    /// `finished` hears of the curves of each resonance, by its place in the list, as soon as they
-    /// are done: those of others may take a while.
+    /// The curves from every resonance at which a theorem holds, each resonance separately, in the
+    /// order of the list; those that were not finished when the computation was cancelled are left
+    /// out. `finished` receives the curves of each resonance, by its index in the list, as soon as
+    /// they are complete: others may take longer.
     pub fn follow(
         &self,
         progress: &dyn Progress,

@@ -1,4 +1,4 @@
-//! Pairs of bifurcations that a curve has stepped over: signs at both ends of a step are the same.
+//! Pairs of bifurcations that a curve has stepped over: signs are the same at both ends of a step.
 
 use grazing_continuation::curve::{Curve, CurvePoint};
 use grazing_continuation::locate::{Condition, locate, locate_within};
@@ -6,23 +6,24 @@ use grazing_continuation::mps::{EventTimes, LoopEquations, Multipliers, Unknowns
 
 use crate::tolerances::BETWEEN_BIFURCATIONS;
 
-/// A bifurcation, where it is, and the event times there.
+/// A bifurcation, its location, and the event times there.
 pub(crate) type Located = (Condition, Unknowns, EventTimes);
 
-/// What may happen to a stable, admissible solution,
+/// The ways in which a stable, admissible solution can lose stability or admissibility.
 const LOSSES: [Condition; 4] =
     [Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING, Condition::TORUS, Condition::InteriorGrazing];
 
-/// and what vanishes there: 1 − T + D, 1 + T + D, 1 − D and the distance of the highest maximum
-/// from the wall, all positive where a solution is stable and admissible.
+/// The functions that vanish at the [`LOSSES`]: 1 − T + D, 1 + T + D, 1 − D and the distance of the
+/// highest maximum from the wall, all positive where a solution is stable and admissible.
 fn margins(point: &CurvePoint) -> [f64; LOSSES.len()] {
     let Multipliers { trace, determinant } = point.solution.multipliers;
     [1.0 - trace + determinant, 1.0 + trace + determinant, 1.0 - determinant, -point.solution.ceiling()]
 }
 
-/// The bifurcations between which solutions are not stable and admissible within a step with such
-/// solutions at both ends. They are looked for where a margin, taken on straight through the points
-/// to either side of the step, would vanish on it: a convex one lies above that.
+/// The bifurcations between which solutions are not stable and admissible within a step with
+/// stable, admissible solutions at both ends. They are looked for where a margin, extrapolated
+/// linearly through the points on either side of the step, would vanish on it: a convex margin lies
+/// above that.
 pub(crate) fn stepped_over(equations: &LoopEquations, branch: &Curve) -> Vec<Located> {
     let mut all = Vec::new();
     for four in branch.points.windows(4) {
@@ -57,8 +58,8 @@ pub(crate) fn come_up(equations: &LoopEquations, curve: &Curve) -> Vec<(Unknowns
     curve.points.windows(4).filter_map(within).collect()
 }
 
-/// The two zeros of the second condition's margin, which has these values at four points, on the step
-/// between the second and the third.
+/// The two zeros of the second condition's margin, which has these values at four points, on the
+/// step between the second and the third.
 fn pair(
     equations: &LoopEquations,
     [along, condition]: [Condition; 2],
@@ -75,8 +76,9 @@ fn pair(
     (equations.gap(&first.1, &last.1).norm() > BETWEEN_BIFURCATIONS).then_some([first, last])
 }
 
-/// The value at which the line through the first two of four points meets that through the last two,
-/// if the one falls and the other rises, and they meet between the points; infinite otherwise.
+/// The value at which the line through the first two of four points meets that through the last
+/// two, if the first line falls, the second rises, and they meet between the points; infinite
+/// otherwise.
 fn least([a, b, c, d]: [f64; 4], [before, step, after]: [f64; 3]) -> f64 {
     let (fall, rise) = ((a - b) / before, (d - c) / after);
     let way = (b - c + rise * step) / (fall + rise);
@@ -137,7 +139,7 @@ mod tests {
         let found = come_up(&equations, &beyond);
         let [(found, _)] = found.as_slice() else { panic!("{found:?}") };
         let solution = equations.solution(found);
-        // Not only just.
+        // With a clear margin.
         assert!(solution.ceiling() < -1e-5 && (0.496..0.4965).contains(&solution.parameters()[1]));
     }
 
@@ -147,7 +149,7 @@ mod tests {
         let parabola = |bottom: f64| [-1.5, -0.5, 0.5, 1.5].map(|x: f64| x * x + bottom);
         assert!(least(parabola(0.0), lengths) < -0.5);
         assert!(least(parabola(1.0), lengths) > 0.0);
-        // Nothing falls to it from both sides.
+        // No line falls towards the step from both sides.
         assert_eq!(least([4.0, 3.0, 2.0, 1.0], lengths), f64::INFINITY);
         assert_eq!(least(parabola(0.0).map(|value| -value), lengths), f64::INFINITY);
     }

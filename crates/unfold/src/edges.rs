@@ -1,10 +1,10 @@
-//! Where curves leave the ranges, which are counted in shares of them.
+//! Points at which curves leave the ranges, in unknowns that are fractions of the ranges.
 
 use grazing_continuation::arclength::{self, CurveEquations};
 use nalgebra::{Const, DimMin, SVector};
 
-/// Where a chord first leaves 0 to 1 in one of these unknowns, if it does: the share of the chord,
-/// the unknown, and 0 or 1.
+/// The point at which a chord first leaves the interval from 0 to 1 in one of these unknowns, if it
+/// does: the fraction of the chord, the unknown, and 0 or 1.
 fn leaves<const N: usize>(
     unknowns: impl IntoIterator<Item = usize>,
     [before, after]: [&SVector<f64, N>; 2],
@@ -17,8 +17,8 @@ fn leaves<const N: usize>(
     crossed.min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-/// The point at which a curve leaves 0 to 1 in one of these unknowns between two of its points, if
-/// it does, and the unknown.
+/// The point at which a curve leaves the interval from 0 to 1 in one of these unknowns between two
+/// of its points, if it does, and the unknown.
 pub(crate) fn on_the_edge<const N: usize, C: CurveEquations<N, Carried: Default>>(
     equations: &C,
     unknowns: impl IntoIterator<Item = usize>,

@@ -1,41 +1,41 @@
-//! Why there is nothing to unfold.
+//! Reasons why there is nothing to unfold.
 
 use crate::escape::Escape;
 use crate::non_impacting::Height;
 
-/// The search for a grazing curve found none.
+/// The reason why no grazing curve was found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum UnfoldError {
-    /// An end was asked for before anything was found.
+    /// The computation was cancelled before anything was found.
     #[error("the search was ended during this: {stage}")]
     Stopped {
-        /// What was being done.
+        /// The stage that was running.
         stage: &'static str,
     },
-    /// Motion without the wall runs away from wherever it was begun.
+    /// Motion without the wall runs away from every start that was tried.
     #[error("without the wall all motion that was tried runs away or ends, at {:?} for one", escape.parameters)]
     RunsAway {
-        /// How one of the motions ends.
+        /// The end of one of the motions.
         escape: Escape,
     },
     /// No periodic motion with the period of the forcing was found.
     #[error("no periodic motion with the period of the forcing was found without the wall")]
     NoOrbit,
-    /// Periodic motion stays on one side of the wall wherever in the ranges it was followed.
+    /// Periodic motion stays on one side of the wall wherever it was followed in the ranges.
     #[error("periodic motion touches the wall nowhere in the ranges as far as it was followed: its highest points lie between x = {} and x = {}", lowest.position, highest.position)]
     NoGrazing {
         /// The lowest of the highest points.
         lowest: Height,
         /// The highest of them.
         highest: Height,
-        /// Every periodic motion that was met was followed through the whole range of the primary
-        /// parameter.
+        /// Whether every periodic motion that was found was followed through the whole range of the
+        /// primary parameter.
         whole: bool,
     },
-    /// Where periodic motion comes to the wall it is not turned back.
+    /// Periodic motion is not turned back where it reaches the wall.
     #[error("the wall is touched with F = {} at {:?}, which must be negative", at.acceleration, at.parameters)]
     Pushed {
-        /// Where it touches.
+        /// The point at which it touches the wall.
         at: Height,
     },
 }

@@ -1,32 +1,32 @@
-//! Where a motion ceases to exist: it runs away, or comes to where the force has no value.
+//! The end of a motion that runs away, or reaches a point where the force has no value.
 
 use grazing_model::motion::Motion;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
 
-/// The last that is known of a motion without the wall that does not last for a forcing period.
+/// The last known point of a motion without the wall that does not last for a forcing period.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Escape {
     /// The parameters (μ, η).
     pub parameters: [f64; 2],
-    /// The time t since phase zero at which it was last seen.
+    /// The time t since phase zero of the last known point.
     pub time: f64,
     /// Position x there.
     pub position: f64,
     /// Velocity there.
     pub velocity: f64,
-    /// The force there; if it cannot be computed right behind, its value there, which is not
-    /// finite.
+    /// The force there; if it cannot be computed immediately behind this point, its value there,
+    /// which is not finite.
     pub force: f64,
 }
 
-/// The time of the end is narrowed down by this many halvings of the period.
+/// Number of halvings of the period by which the time of the end is narrowed down.
 const HALVINGS: u32 = 40;
-/// How far behind the end the force is looked at, as shares of the period: a step of the
+/// Times behind the end at which the force is evaluated, as fractions of the period: a step of the
 /// integration, and less.
 const BEHIND: [f64; 4] = [1e-6, 1e-4, 1e-2, 1e-1];
 
 impl Escape {
-    /// What becomes of the motion from a state at phase zero within a forcing period.
+    /// The end of the motion from a state at phase zero within a forcing period.
     pub fn of(oscillator: &AnyOscillator, [position, velocity]: [f64; 2]) -> Self {
         let from = State { position, velocity, phase: 0.0 };
         let frequency = oscillator.forcing_frequency().value;
@@ -44,7 +44,7 @@ impl Escape {
         let force = |state: State| oscillator.acceleration(state);
         let last = if known > 0.0 { motion.at(known).state(frequency * known) } else { from };
         let mut value = force(last);
-        // Straight on from there, over the way that a step of the integration would take.
+        // Straight on from there, over the distance of a step of the integration.
         for share in BEHIND {
             let time = share * period;
             let ahead = State {
@@ -68,7 +68,7 @@ mod tests {
 
     #[test]
     fn the_place_is_that_beyond_which_the_force_has_no_value() {
-        // There is nothing in x < −2.
+        // The force is undefined in x < −2.
         let edge = crate::specimens::unforced("-sqrt(x + 2) - 1");
         let escape = Escape::of(&edge.oscillator([0.0, 1.0]), [-1.0, 0.0]);
         // The integration ends with a step of a billionth, next to the place.

@@ -13,8 +13,8 @@ pub(crate) type Point = [f64; 2];
 /// Part of the plane: its rings, even-odd.
 pub(crate) type Face = Vec<Vec<Point>>;
 
-/// The faces into which polylines cut a window; what ends inside a face without cutting it is left
-/// out.
+/// The faces into which polylines cut a window; a line that ends inside a face without cutting it
+/// is left out.
 ///
 /// Ends of polylines that meet must be equal.
 pub(crate) fn cut(window: Window, lines: &[Vec<Point>]) -> Vec<Face> {
@@ -24,7 +24,7 @@ pub(crate) fn cut(window: Window, lines: &[Vec<Point>]) -> Vec<Face> {
     part(&vec![rectangle], &lines)
 }
 
-/// The parts into which polylines that cross it cut a face.
+/// The parts into which polylines that cross a face cut it.
 pub(crate) fn part(face: &Face, lines: &[Vec<Point>]) -> Vec<Face> {
     if lines.is_empty() {
         vec![face.clone()]

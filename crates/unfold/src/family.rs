@@ -11,8 +11,8 @@
 //! which is followed by arclength, so that it may turn back in c: there a₁₂' or κ_p' vanishes and
 //! two resonances are one. Where another quantity in the hypotheses of Theorem 2.4 or 2.5 is zero,
 //! the resonance is degenerate: c_SN is infinite where s_p⁺ is zero, c_PD where s_p⁻ is, both where
-//! β is. A quantity may change its sign there, or touch zero from one side, as s_p⁺ = −(1 − ϵE_p)²
-//! of the linear oscillator does.
+//! β is. A quantity may change its sign there, or touch zero from one side, as does s_p⁺ = −(1 −
+//! ϵE_p)² of the linear oscillator.
 
 use core::f64::consts::TAU;
 
@@ -32,43 +32,43 @@ use crate::resonances::Resonance;
 use crate::tolerances::BETWEEN_RESONANCES;
 use crate::{Diagram, Scope};
 
-/// The oscillator at a share of the way from one member to the next, with whatever primary and
-/// secondary parameter; none where it does not exist.
+/// The oscillator at a fraction of the way from one member to the next, with arbitrary primary and
+/// secondary parameters; `None` where it does not exist.
 pub type Between<'a> = &'a (dyn Fn(f64) -> Option<AnyOscillator> + Sync);
 
 /// A resonance followed from one member towards another.
 #[derive(Clone, Debug)]
 pub struct Arc {
-    /// Its place in the list of the member's resonances.
+    /// The index of the resonance in the member's list.
     pub resonance: usize,
     /// The resonance along the way, the first point at the member itself.
     pub points: Vec<ArcPoint>,
-    /// Where and how it ends.
+    /// The end of the arc.
     pub end: ArcEnd,
 }
 
 /// A resonance on the way from one member to another.
 #[derive(Clone, Debug)]
 pub struct ArcPoint {
-    /// The share of the way.
+    /// The fraction of the way.
     pub way: f64,
     /// The grazing orbit.
     pub orbit: GrazingOrbit,
-    /// What the theorem asks about.
+    /// The quantities to which the theorem applies.
     pub point: ResonantPoint,
     /// A quantity in the theorem's hypotheses that is zero here: the resonance is degenerate.
     pub zero: Option<Quantity>,
 }
 
-/// How a resonance ends that is followed from one member towards another.
+/// The end of a resonance that is followed from one member towards another.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ArcEnd {
-    /// It comes to the other member.
+    /// The resonance reaches the other member.
     Across,
-    /// It turns back to its own member, as the resonance at this place in the list, if that is
-    /// known.
+    /// The resonance turns back to its own member, as the resonance with this index in the list, if
+    /// that is known.
     Back(Option<usize>),
-    /// It leaves the ranges of the parameters.
+    /// The resonance leaves the ranges of the parameters.
     LeftWindow,
     /// Another maximum of the grazing orbit touches the wall.
     Inadmissible,
@@ -76,41 +76,42 @@ pub enum ArcEnd {
     Lost(String),
 }
 
-/// Steps in z (radians), the shares of both ranges and the share of the way; coefficients, which
-/// are drawn, may bend where the curve does not.
+/// Steps in z (radians), the fractions of both ranges and the fraction of the way; coefficients,
+/// which are drawn, may bend where the curve does not.
 const STEPS: StepControl =
     StepControl { first: 0.02, longest: 0.08, shortest: 1e-5, turn: 0.05, ..StepControl::DRAWING };
-/// A curve of this many points between two members goes nowhere.
+/// A curve with this many points between two members is abandoned.
 const STEP_LIMIT: usize = 2_000;
-/// Differences in the share of the way for the derivative with respect to it, of which only the
-/// direction of steps depends: their error, the square of this and a rounding over it, is no larger
-/// than 1e-9.
+/// Differences in the fraction of the way for the derivative with respect to it, which affects only
+/// the direction of steps: its error, the square of this and a rounding over it, is no larger than
+/// 1e-9.
 const DIFFERENCE: f64 = 1e-5;
-/// Rates of change along the curve are differences over this length to both sides. Values are right
-/// to 1e-13, and so rates to 1e-10; the place at which a rate is zero is off by the square of this.
+/// Length, on either side, of the differences that give rates of change along the curve. Values are
+/// right to 1e-13, and so rates to 1e-10; the location of a zero of a rate is off by the square of
+/// this.
 const RATE: f64 = 1e-3;
-/// A quantity touches zero where its least modulus is this share of the values at both ends, or a
-/// rounding of terms of order one: the square of that error in its place is less.
+/// A quantity touches zero where its least modulus is this fraction of the values at both ends, or
+/// a rounding of terms of order one: the square of that error in its location is less.
 const DOUBLE_ZERO: f64 = 1e-9;
 const ROUNDING: f64 = 1e-12;
-/// A zero is located when this share of the values at both ends is left; where more than the second
-/// is left the quantity has a pole.
+/// A zero is located when this fraction of the values at both ends remains; where more than the
+/// second fraction remains the quantity has a pole.
 const ZERO: f64 = 1e-11;
 const POLE: f64 = 1e-6;
 
-/// The resonances of a member, followed towards another. What turns back to its own member is
-/// listed once.
+/// The resonances of a member, followed towards another. An arc that turns back to its own member
+/// is listed once.
 pub fn arcs(diagram: &Diagram, between: Between<'_>) -> Vec<Arc> {
     let followed = diagram.resonances.iter().enumerate().filter_map(|(index, resonance)| {
         let path = Path { between, scope: &diagram.scope, loops: resonance.loops };
         let arc = path.follow(index, resonance, &diagram.resonances)?;
-        // The same way back again is that of the other one.
+        // The same path in the opposite direction belongs to the other resonance.
         (!matches!(arc.end, ArcEnd::Back(Some(other)) if other < index)).then_some(arc)
     });
     followed.collect()
 }
 
-/// The way of one resonance.
+/// The path of one resonance.
 struct Path<'a> {
     between: Between<'a>,
     scope: &'a Scope,
@@ -146,7 +147,7 @@ impl CurveEquations<4> for Path<'_> {
     }
 }
 
-/// There is nothing to evaluate at a point.
+/// The reason why nothing can be evaluated at a point.
 #[derive(Clone, Copy, Debug, thiserror::Error)]
 enum Missing {
     #[error("there is no such oscillator")]
@@ -155,7 +156,7 @@ enum Missing {
     Orbit(#[from] GrazingOrbitError),
 }
 
-/// A point of the curve, by z, the shares of both ranges and the share of the way.
+/// A point of the curve, as z, the fractions of both ranges and the fraction of the way.
 type Coordinates = Vector4<f64>;
 
 impl Path<'_> {
@@ -164,7 +165,7 @@ impl Path<'_> {
         Ok(GrazingOrbit::at(self.scope.oscillator_at(&oscillator, [point[1], point[2]]), point[0])?)
     }
 
-    /// What vanishes at a resonance.
+    /// The functions that vanish at a resonance.
     fn residual(&self, orbit: &GrazingOrbit, phase: f64) -> Vector3<f64> {
         let value = orbit.map().value;
         let [detuning, _] = orbit.detuning(self.loops, &Default::default());
@@ -177,7 +178,7 @@ impl Path<'_> {
         Some(ArcPoint { way: point[3], orbit, point: resonant, zero: None })
     }
 
-    /// The zero of a function of the point, which has these values at the ends of a chord; nothing
+    /// The zero of a function of the point, which has these values at the ends of a chord; `None`
     /// at a pole.
     fn zero(
         &self,
@@ -261,8 +262,8 @@ impl Path<'_> {
         gap.norm() < BETWEEN_RESONANCES
     }
 
-    /// Where the curve leaves the ranges, or comes to either member, between two of its points, if
-    /// it does.
+    /// The point at which the curve leaves the ranges, or reaches either member, between two of its
+    /// points, if it does.
     fn leaves(&self, before: &Coordinates, after: &Coordinates) -> Option<(Coordinates, ArcEnd)> {
         let (point, unknown) = on_the_edge(self, [1, 2, 3], [before, after])?;
         let end = match (unknown, point[unknown]) {
@@ -273,8 +274,8 @@ impl Path<'_> {
         Some((point, end))
     }
 
-    /// The highest maximum of the grazing orbit beside that at the wall; far below it if there is
-    /// none.
+    /// The highest maximum of the grazing orbit other than that at the wall; far below it if there
+    /// is none.
     fn height(&self, point: &Coordinates) -> Option<f64> {
         let orbit = self.orbit(point).ok()?;
         let oscillator = orbit.oscillator();
@@ -282,7 +283,7 @@ impl Path<'_> {
         Some(motion.highest_maximum(oscillator.forcing_period()).map_or(-1.0, |maximum| maximum.position))
     }
 
-    /// What the theorem asks at a point with a tangent.
+    /// The quantities in the theorem's hypotheses at a point with a tangent.
     fn known(&self, place: &Coordinates, tangent: &Coordinates) -> Option<Vec<QuantityTrend>> {
         let at = |step: f64| Some(asked(&self.at(&(place + tangent * step))?.point));
         let (here, before, after) = (at(0.0)?, at(-RATE)?, at(RATE)?);
@@ -326,7 +327,7 @@ impl Path<'_> {
     }
 }
 
-/// A quantity at a point of the curve, and by how much it changes there from one side to the other.
+/// A quantity at a point of the curve, and its change there from one side to the other.
 struct QuantityTrend {
     quantity: Quantity,
     value: f64,
@@ -334,14 +335,14 @@ struct QuantityTrend {
 }
 
 impl QuantityTrend {
-    /// Whether the quantity would be zero before a point so far onwards if it went on as it does
-    /// here: what touches zero is twice as fast.
+    /// Whether the quantity, extrapolated linearly, would be zero within a distance `length`
+    /// onwards: a quantity that touches zero falls twice as fast.
     fn falls(&self, length: f64) -> bool {
         self.value * self.rate * length < 0.0 && (self.rate * length).abs() > 2.0 * RATE * self.value.abs()
     }
 }
 
-/// The quantities whose zeros are of interest: all that must be positive, or not zero.
+/// The quantities whose zeros are of interest: all that must be positive, or non-zero.
 fn asked(point: &ResonantPoint) -> Vec<Hypothesis> {
     let mut hypotheses = match ResonantGrazing::check(point, f64::INFINITY) {
         Ok(theorem) => theorem.hypotheses().to_vec(),
@@ -351,7 +352,7 @@ fn asked(point: &ResonantPoint) -> Vec<Hypothesis> {
     hypotheses
 }
 
-/// The value of one of them.
+/// The value of one of the quantities.
 fn value_of(asked: &[Hypothesis], quantity: Quantity) -> Option<f64> {
     Some(asked.iter().find(|asked| asked.quantity == quantity)?.value)
 }

@@ -2,7 +2,8 @@
 //!
 //! The grazing orbit is a zero of P_global(0, z; μ, η) − (0, z) in (z, μ, η): a curve, followed by
 //! arclength with folds in μ and η passed like any other point. Paper: Assumption 2.2, made true by
-//! the change of parameter μ ↦ μ − μ_graz(η).
+//! arclength with folds in μ and η passed like any other point. Paper: Assumption 2.2, satisfied
+//! after
 
 use core::f64::consts::TAU;
 
@@ -24,43 +25,44 @@ use crate::edges::on_the_edge;
 pub struct GrazingState {
     /// The grazing orbit, with P_global to second order.
     pub orbit: GrazingOrbit,
-    /// The curve's tangent (z, μ, η) there, a unit vector once μ and η are counted in their ranges.
+    /// The curve's tangent (z, μ, η) there, a unit vector when μ and η are measured in units of
+    /// their ranges.
     pub tangent: Vector3<f64>,
-    /// Without the wall the orbit is asymptotically stable.
+    /// Whether the orbit is asymptotically stable without the wall.
     pub stable: bool,
-    /// No other maximum of the orbit lies above the wall.
+    /// Whether no other maximum of the orbit lies above the wall.
     pub admissible: bool,
 }
 
-/// How a grazing curve ends: where it leaves the ranges of the parameters, closes, or goes no
-/// further, as where the deceleration at the wall vanishes.
+/// The end of a grazing curve: it leaves the ranges of the parameters, closes, or stops, as where
+/// the deceleration at the wall vanishes.
 pub type GrazingEnd = WalkEnd<MapError>;
 
 /// A connected piece of the curve of grazing bifurcations.
 #[derive(Clone, Debug)]
 pub struct GrazingCurve {
-    /// Its points in order; η is less at the first than at the last.
+    /// The points in order; η is less at the first than at the last.
     pub states: Vec<GrazingState>,
-    /// How it ends before the first point and after the last.
+    /// The ends before the first point and after the last.
     pub ends: [GrazingEnd; 2],
     /// The number of forcing periods after which the motion recurs; phases are divided by it.
     pub periods: u32,
 }
 
-/// Steps in z (radians) and the shares of both ranges.
+/// Steps in z (radians) and the fractions of both ranges.
 const STEPS: StepControl =
     StepControl { first: 1e-3, longest: 0.01, shortest: 1e-6, turn: 0.035, ..StepControl::DRAWING };
-/// A curve of this many points goes nowhere.
+/// A curve with this many points is abandoned.
 const STEP_LIMIT: usize = 20_000;
 /// The angle in radians by which A turns between neighbouring points: a cubic follows a sine this
 /// far to two parts in ten thousand, so that the resonances between are separated.
 const TURN: f64 = 0.5;
-/// How often the way between two points is halved at most.
+/// Largest number of halvings of the interval between two points.
 const HALVINGS: u32 = 12;
 
 impl GrazingCurve {
-    /// The curve through a grazing orbit, followed to both sides until it leaves the ranges; the
-    /// orbit's oscillator counts so many forcing periods as one.
+    /// The curve through a grazing orbit, followed in both directions until it leaves the ranges;
+    /// one period of the orbit's oscillator is `periods` forcing periods.
     ///
     /// # Errors
     /// The curve has no unique tangent at the orbit.
@@ -88,12 +90,12 @@ impl GrazingCurve {
         self.states.iter().map(|state| state.orbit.oscillator().parameters())
     }
 
-    /// The first place of the curve at a value of η, if it comes there.
+    /// The first place of the curve at a value of η, if it reaches that value.
     pub fn at(&self, secondary: f64) -> Option<GrazingPlace> {
         self.all_at(secondary).next()
     }
 
-    /// The places of the curve at a value of η, in its order.
+    /// The places of the curve at a value of η, in the order of the curve.
     pub fn all_at(&self, secondary: f64) -> impl Iterator<Item = GrazingPlace> {
         let parameters = |state: &GrazingState| state.orbit.oscillator().parameters();
         let around = move |pair: &&[GrazingState]| {
@@ -117,7 +119,7 @@ impl GrazingCurve {
     }
 }
 
-/// The place at a value of η between those of two neighbouring points of a curve.
+/// The place at a value of η between two neighbouring points of a curve.
 pub(crate) fn interpolated(neighbours: &[GrazingState], secondary: f64) -> Option<GrazingPlace> {
     let [first, last] = [neighbours.first()?, neighbours.last()?].map(|state| &state.orbit);
     let [[a, from], [b, to]] = [first, last].map(|orbit| orbit.oscillator().parameters());
@@ -129,19 +131,19 @@ pub(crate) fn interpolated(neighbours: &[GrazingState], secondary: f64) -> Optio
 /// The highest point of periodic motion without impacts.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct HighestPoint {
-    /// Its height above the wall.
+    /// The height of the point above the wall.
     pub(crate) height: f64,
     pub(crate) phase: f64,
-    /// (μ, η).
+    /// The parameters (μ, η).
     pub(crate) parameters: [f64; 2],
 }
 
-/// An orbit that Newton's method finds farther than this in phase and shares of the ranges from
-/// where it was looked for is another one.
+/// An orbit that Newton's method finds farther than this, in phase and fractions of the ranges,
+/// from its start is another one.
 const NEARBY: f64 = 0.5;
 
 impl HighestPoint {
-    /// The highest point of the same height near this place, one of the parameters held.
+    /// The highest point of the same height near this place, with one of the parameters held.
     pub(crate) fn located(&self, oscillator: &AnyOscillator, scope: &Scope, held: usize) -> Option<Self> {
         let Self { height, phase, parameters } = *self;
         let equations = GrazingEquations { oscillator, scope, height };
@@ -156,8 +158,8 @@ impl HighestPoint {
         (here && turns_back && found.is_highest(&oscillator)).then_some(found)
     }
 
-    /// Whether the motion of an oscillator with these parameters comes no higher in a forcing
-    /// period.
+    /// Whether the motion of an oscillator with these parameters reaches no greater height in a
+    /// forcing period.
     fn is_highest(&self, oscillator: &AnyOscillator) -> bool {
         let motion = oscillator.motion(State::at_rest(self.height, self.phase));
         motion
@@ -165,7 +167,7 @@ impl HighestPoint {
             .is_none_or(|maximum| maximum.position <= self.height + PeriodicSolution::TOUCH)
     }
 
-    /// Where a grazing orbit touches the wall.
+    /// The point at which a grazing orbit touches the wall.
     fn of(orbit: &GrazingOrbit) -> Self {
         Self { height: 0.0, phase: orbit.phase(), parameters: orbit.oscillator().parameters() }
     }
@@ -176,15 +178,15 @@ impl HighestPoint {
     }
 }
 
-/// A point of the curve lies no farther than this from the chord between two neighbours: an eighth
-/// of the longest step times the angle by which the tangent turns, several times over.
+/// Largest distance of a point of the curve from the chord between two neighbours: an eighth of the
+/// longest step times the angle by which the tangent turns, several times over.
 const CHORD: f64 = 3e-4;
 
-/// An orbit on the edge of the ranges lies at the end of the curve, give or take rounding.
+/// An orbit on the edge of the ranges lies at the end of the curve, up to rounding.
 const ENDS: f64 = 1e-6;
 
-/// The equations of the curve, or of one on which the highest point lies at some other height:
-/// unknowns are z and the shares of the ranges of μ and η.
+/// The equations of the curve, or of one on which the highest point lies at another height:
+/// unknowns are z and the fractions of the ranges of μ and η.
 struct GrazingEquations<'a> {
     oscillator: &'a AnyOscillator,
     scope: &'a Scope,
@@ -217,8 +219,8 @@ impl CurveEquations<3> for GrazingEquations<'_> {
 }
 
 impl GrazingState {
-    /// About the angle by which A turns on a way of some length in z and the shares of the ranges,
-    /// in radians.
+    /// The approximate angle, in radians, by which A turns over a length in z and the fractions of
+    /// the ranges.
     ///
     /// A and its derivative along the curve are compared in units of x in which a₁₂ and a₂₁ are
     /// equally large.
@@ -231,7 +233,7 @@ impl GrazingState {
             let [p, q, r, s] = [m[(0, 0)], m[(0, 1)], m[(1, 0)], m[(1, 1)]];
             p * p + s * s + q * q * unit + r * r / unit
         };
-        // NaN where there is no turning: that is no reason for points between.
+        // NaN where nothing turns, which requires no points in between.
         (size(change) / size(a)).sqrt()
     }
 }
@@ -241,7 +243,7 @@ impl GrazingEquations<'_> {
         self.scope.oscillator_at(self.oscillator, [point[1], point[2]])
     }
 
-    /// The unit tangent at a point of the curve, to the side of `onwards`.
+    /// The unit tangent at a point of the curve, in the direction closer to `onwards`.
     fn tangent(&self, point: &Vector3<f64>, onwards: &Vector3<f64>) -> Option<Vector3<f64>> {
         let jacobian = self.evaluate(point, &mut None).ok()?.jacobian;
         let across = jacobian.row(0).transpose().cross(&jacobian.row(1).transpose());
@@ -249,7 +251,7 @@ impl GrazingEquations<'_> {
         Some(if tangent.dot(onwards) < 0.0 { -tangent } else { tangent })
     }
 
-    /// All that is known at the points, and at more between them where A turns far from one to the
+    /// The states at the points, and at more points between them where A turns far from one to the
     /// next.
     fn states(&self, points: &[Tangent<3>]) -> Vec<GrazingState> {
         let mut states: Vec<GrazingState> = Vec::with_capacity(points.len());
@@ -263,7 +265,7 @@ impl GrazingEquations<'_> {
         states
     }
 
-    /// Adds a point and those between it and the next.
+    /// Adds a point and the points between it and the next.
     fn fill(&self, from: GrazingState, to: &GrazingState, halvings: u32, states: &mut Vec<GrazingState>) {
         let gap = self.scope.place(&to.orbit) - self.scope.place(&from.orbit);
         let turn = from.turn(gap.norm()).max(to.turn(gap.norm()));
@@ -273,7 +275,7 @@ impl GrazingEquations<'_> {
         self.fill(middle, to, halvings - 1, states);
     }
 
-    /// The point of the curve half the way on from a point.
+    /// The point of the curve half-way on from a point.
     fn middle(&self, from: &GrazingState, gap: &Vector3<f64>) -> Option<GrazingState> {
         let half = self.scope.place(&from.orbit) + gap * 0.5;
         let point = across(self, half, gap, &half)?.point;
@@ -283,20 +285,20 @@ impl GrazingEquations<'_> {
         self.state(&point, &self.tangent(&point, gap)?)
     }
 
-    /// All that is known at a point; nothing where P_global has no second derivatives, or motion is
-    /// not turned back from the wall.
+    /// The state at a point; `None` where P_global has no second derivatives, or motion is not
+    /// turned back from the wall.
     fn state(&self, point: &Vector3<f64>, tangent: &Vector3<f64>) -> Option<GrazingState> {
         let mut orbit = GrazingOrbit::at(self.oscillator_at(point), point[0]).ok()?;
         let admissible = |orbit: &GrazingOrbit| HighestPoint::of(orbit).is_highest(orbit.oscillator());
-        // In wide ranges the last digits of a share may be seen in the next maximum, which is the
-        // same one.
+        // In wide ranges the last digits of a fraction may appear as a difference in the next
+        // maximum, which is the same one.
         if !admissible(&orbit) {
             orbit = GrazingOrbit::find(orbit.oscillator(), orbit.phase()).unwrap_or(orbit);
         }
         let GrazingPoint { gamma, .. } = orbit.grazing_point();
         let [primary, secondary] = self.scope.window.widths();
         let admissible = admissible(&orbit);
-        // Where integration has come to its limit there are none, and what came before is not sure.
+        // At the limit of integration steps there are no values, and earlier ones are uncertain.
         let multipliers = multipliers(&orbit);
         (gamma > 0.0 && multipliers.trace.is_finite()).then(|| GrazingState {
             tangent: Vector3::new(tangent[0], tangent[1] * primary, tangent[2] * secondary),
@@ -307,8 +309,8 @@ impl GrazingEquations<'_> {
     }
 }
 
-/// The multipliers of a grazing orbit, the wall ignored, by the flow over a period: the entries of
-/// P_global's derivative grow as 1/γ.
+/// The multipliers of a grazing orbit, with the wall ignored, from the flow over a period: the
+/// entries of P_global's derivative grow as 1/γ.
 fn multipliers(orbit: &GrazingOrbit) -> Multipliers {
     let oscillator = orbit.oscillator();
     let flow = oscillator.flow::<1>(State::at_rest(0.0, orbit.phase()), oscillator.forcing_period());

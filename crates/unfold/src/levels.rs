@@ -1,9 +1,9 @@
-//! Curves of the diagram on which MPSs have a property that is asked for: an impact velocity, a
-//! modulus of the multipliers, a distance from the wall at a phase of the forcing.
+//! Curves of the diagram on which MPSs have a requested property: an impact velocity, a modulus of
+//! the multipliers, a distance from the wall at a phase of the forcing.
 //!
-//! They are followed as bifurcation curves are. Each begins where a branch of a slice or of a
-//! column, or a bifurcation curve, has the property between two of its points. They bound no
-//! regions, and go on where solutions are unstable or inadmissible.
+//! They are followed in the same way as bifurcation curves. Each begins where a branch of a slice
+//! or of a column, or a bifurcation curve, has the property between two of its points. They bound
+//! no regions, and continue where solutions are unstable or inadmissible.
 
 use core::f64::consts::TAU;
 use core::fmt;
@@ -19,19 +19,20 @@ use crate::curves::route;
 use crate::progress::Progress;
 use crate::slices::{CARRIED_OFF, Slicer};
 
-/// At slower impacts nothing is looked for (empirical: multipliers grow like 1/y towards grazing).
+/// Impacts slower than this are not searched (empirical: multipliers grow like 1/y towards
+/// grazing).
 const BESIDE_GRAZING: f64 = 1e-4;
 
-/// What is asked of an MPS.
+/// A property requested of an MPS.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Property {
     /// The impact velocity y > 0.
     ImpactVelocity(f64),
-    /// The larger modulus of its two multipliers: by this factor motion beside it changes in p
-    /// forcing periods. The curve consists of pieces on which one multiplier is this, or minus this,
-    /// or both are complex with the square of this as their product.
+    /// The larger modulus of the two multipliers: the factor by which displacements change in p
+    /// forcing periods. The curve consists of pieces on which one multiplier is this, or minus
+    /// this, or both are complex with the square of this as their product.
     Modulus(f64),
-    /// The distance from the wall, in one of its p periods, where the forcing is at a phase.
+    /// The distance from the wall, in one of the p periods, when the forcing is at a phase.
     Distance {
         /// The phase, in radians.
         phase: f64,
@@ -40,21 +41,21 @@ pub enum Property {
     },
 }
 
-/// Curves that are asked for.
+/// A request for curves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Level {
-    /// What they are called.
+    /// The name of the curves.
     pub name: String,
-    /// Of MPSs with these numbers of loops p.
+    /// The numbers of loops p of the MPSs.
     pub loops: Vec<u32>,
-    /// What holds along them.
+    /// The property that holds along the curves.
     pub property: Property,
 }
 
-/// A curve that was asked for.
+/// A curve that was requested.
 #[derive(Clone, Debug)]
 pub struct LevelCurve {
-    /// The place of the level in the list.
+    /// The index of the request in the list.
     pub level: usize,
     /// Number of loops p.
     pub loops: u32,
@@ -62,29 +63,29 @@ pub struct LevelCurve {
     pub curve: Curve,
 }
 
-/// A place that a curve must pass that was not located.
+/// A point on a requested curve that was not located.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LostLevel {
-    /// The place of the level in the list.
+    /// The index of the request in the list.
     pub level: usize,
     /// Number of loops p.
     pub loops: u32,
-    /// About the parameters (μ, η).
+    /// The approximate parameters (μ, η).
     pub near: [f64; 2],
-    /// Why.
+    /// The reason.
     pub reason: LocateFailure,
 }
 
-/// What was found of the curves that are asked for.
+/// The requested curves that were found.
 #[derive(Clone, Debug, Default)]
 pub struct Levels {
     /// The curves.
     pub curves: Vec<LevelCurve>,
-    /// What is missing.
+    /// The points that were not located.
     pub lost: Vec<LostLevel>,
 }
 
-/// Between two points of a curve it has the property.
+/// A crossing: between two points of a curve its solutions have the property.
 struct Crossing<'a> {
     along: Condition,
     condition: Condition,
@@ -93,7 +94,7 @@ struct Crossing<'a> {
     times: &'a EventTimes,
 }
 
-/// As `impact velocity = 0.1`.
+/// The property as text, such as `impact velocity = 0.1`.
 impl fmt::Display for Property {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -107,7 +108,7 @@ impl fmt::Display for Property {
 }
 
 impl Property {
-    /// Under these conditions solutions about this one may have the property.
+    /// The conditions under which solutions near this one may have the property.
     fn conditions(self, equations: &LoopEquations, about: &PeriodicSolution) -> Vec<Condition> {
         match self {
             Self::ImpactVelocity(velocity) => vec![Condition::ImpactVelocity(velocity)],
@@ -125,8 +126,8 @@ impl Property {
         }
     }
 
-    /// By how much more than nothing a solution has the property that it has under a condition:
-    /// negative where another multiplier is larger, or multipliers are real.
+    /// The margin by which a solution has the property under a condition: negative where another
+    /// multiplier is larger, or multipliers are real.
     fn margin(self, condition: Condition, solution: &PeriodicSolution) -> f64 {
         let multipliers = &solution.multipliers;
         match (self, condition) {
@@ -136,7 +137,7 @@ impl Property {
         }
     }
 
-    /// The condition that holds as well where the margin vanishes.
+    /// The condition that also holds where the margin vanishes.
     fn corner(self, condition: Condition, solution: &PeriodicSolution) -> Option<Condition> {
         let Self::Modulus(modulus) = self else { return None };
         let multipliers = &solution.multipliers;
@@ -147,7 +148,7 @@ impl Property {
     }
 }
 
-/// What vanishes where a condition holds.
+/// The function that vanishes where a condition holds.
 fn excess(equations: &LoopEquations, condition: Condition, solution: &PeriodicSolution) -> f64 {
     let (point, multipliers) = (&solution.unknowns, &solution.multipliers);
     match condition {
@@ -159,7 +160,7 @@ fn excess(equations: &LoopEquations, condition: Condition, solution: &PeriodicSo
         Condition::Position { phase, position } => {
             let recoil = equations.departure(point).phase;
             let impact = point[unknown::PHASE] + TAU * f64::from(equations.loops());
-            // Where the flight begins and ends it is at the wall.
+            // At the beginning and the end of the flight the position is that of the wall.
             let flies = (recoil..impact).contains(&phase);
             if flies { equations.position_at(point, phase).0 - position } else { -position }
         }
@@ -167,7 +168,7 @@ fn excess(equations: &LoopEquations, condition: Condition, solution: &PeriodicSo
     }
 }
 
-/// Both are pieces of one kind.
+/// Whether both conditions belong to pieces of one kind.
 fn alike(one: Condition, other: Condition) -> bool {
     match (one, other) {
         (Condition::Multiplier(one), Condition::Multiplier(other)) => one == other,
@@ -175,7 +176,7 @@ fn alike(one: Condition, other: Condition) -> bool {
     }
 }
 
-/// The curves of a level among the solutions of a slicer, which the sources cross.
+/// The curves of a request among the solutions of a slicer, found from the curves that cross them.
 pub(crate) fn find(
     slicer: &Slicer,
     sources: &[&Curve],
@@ -212,14 +213,14 @@ pub(crate) fn find(
             }
         }
     }
-    // What another crossing has led to is not missing.
+    // Points that other crossings have reached are not missing.
     let Levels { curves, lost } = &mut found;
     lost.retain(|lost| !curves.iter().any(|known| passes_near(&known.curve, lost.near, slicer)));
     found
 }
 
-/// The curve in a window through a solution of these equations, on which the property is what it is
-/// there, in pieces.
+/// The curve in a window through a solution of these equations, on which the property has its value
+/// at the solution, in pieces.
 pub fn through(
     equations: &LoopEquations,
     window: Window,
@@ -233,7 +234,7 @@ pub fn through(
     begun.flat_map(|begun| followed(&slicer, &route, property, begun, &[])).collect()
 }
 
-/// A solution lies on a piece that is known.
+/// Whether a solution lies on a known piece.
 fn is_known(known: &[LevelCurve], slicer: &Slicer, condition: Condition, at: &Unknowns) -> bool {
     let mut same = known.iter().filter(|known| alike(known.curve.condition, condition));
     same.any(|known| slicer.passes(&known.curve, at))
@@ -270,7 +271,7 @@ fn followed(
     all
 }
 
-/// Where a curve has a property between two of its points.
+/// The points between which a curve has a property.
 fn crossed<'a>(equations: &LoopEquations, source: &'a Curve, property: Property) -> Vec<Crossing<'a>> {
     let mut crossings = Vec::new();
     for pair in source.points.windows(2) {
@@ -295,7 +296,7 @@ fn crossed<'a>(equations: &LoopEquations, source: &'a Curve, property: Property)
     crossings
 }
 
-/// The solution at a point of a curve, or, if that has no impact velocity and so no multipliers, one
+/// The solution at a point of a curve or, if that has no impact velocity and so no multipliers, one
 /// close to it on the way to the next.
 fn off_grazing(
     equations: &LoopEquations,
@@ -312,7 +313,7 @@ fn off_grazing(
     beside.ok().map(|beside| equations.solution(&beside))
 }
 
-/// The curve with what happens along it among its points.
+/// The curve with its events inserted among its points.
 fn with_events(mut curve: Curve) -> Curve {
     for Event { solution, index, times, .. } in curve.events.drain(..).rev() {
         curve.points.insert(index.min(curve.points.len()), CurvePoint { solution, times });
@@ -320,7 +321,7 @@ fn with_events(mut curve: Curve) -> Curve {
     curve
 }
 
-/// The parts of a curve on which its solutions have the property, each to where it ends.
+/// The parts of a curve on which its solutions have the property, each up to its end.
 fn parts(equations: &LoopEquations, property: Property, whole: Curve) -> Vec<Curve> {
     let condition = whole.condition;
     let inside = |point: &CurvePoint| property.margin(condition, &point.solution) >= 0.0;
@@ -358,8 +359,8 @@ fn parts(equations: &LoopEquations, property: Property, whole: Curve) -> Vec<Cur
     parts
 }
 
-/// The corner between two points of a curve of which one has the property, and what happens there;
-/// none where it was not located.
+/// The corner between two points of a curve of which one has the property, and the event there;
+/// `None` where it was not located.
 fn corner_between(
     equations: &LoopEquations,
     property: Property,
@@ -381,9 +382,9 @@ fn corner_between(
     })
 }
 
-/// A curve passes a place as near as it can be drawn.
+/// Whether a curve passes a place within the accuracy of drawing.
 fn passes_near(curve: &Curve, place: [f64; 2], slicer: &Slicer) -> bool {
-    /// In shares of the ranges.
+    /// The distance as a fraction of the ranges.
     const NEAR: f64 = 1e-2;
     let [x, y] = slicer.window.shares(place);
     curve.parameters().iter().any(|at| {

@@ -1,5 +1,5 @@
-//! From an oscillator alone to its two-parameter diagram: nothing is known beforehand, neither a
-//! grazing orbit nor a resonance.
+//! From an oscillator alone to its two-parameter diagram: neither a grazing orbit nor a resonance
+//! need be known in advance.
 //!
 //! ```text
 //! non_impacting  periodic motion without the wall, followed in the primary parameter until it touches the wall
@@ -14,14 +14,14 @@
 //!                  └─ one_parameter   branches on a line of the plane, with simulation (long_time) and phase portraits
 //! ```
 //!
-//! All of this counts in units in which motion is of the order of one:
-//! [`Dimensionless`](grazing_model::smooth::Dimensionless) makes any oscillator so, and [`units`]
-//! leads back.
+//! All quantities are in units in which motion is of the order of one:
+//! [`Dimensionless`](grazing_model::smooth::Dimensionless) converts any oscillator to this form,
+//! and [`units`] converts results back.
 //!
-//! Everything takes [`AnyOscillator`](grazing_model::AnyOscillator): the paper's oscillator with
-//! its closed form and one that is integrated from a text file differ in their flow alone.
+//! All functions take [`AnyOscillator`](grazing_model::AnyOscillator): the paper's oscillator with
+//! its closed form and one that is integrated from a text file differ only in their flow.
 //!
-//! An oscillator of your own is its force, frequency and reset law:
+//! A user's own oscillator is defined by its force, frequency and reset law:
 //!
 //! ```
 //! use grazing_continuation::curve::Window;

@@ -1,8 +1,8 @@
-//! What orbits come to in the long run: simulated motion after its transient.
+//! Long-term behaviour of orbits: simulated motion after its transient.
 //!
 //! Diagrams, places of the plane and phase portraits all follow orbits by [`LongOrbit::follow`].
-//! Whether an orbit has settled is decided in one place: it has where Newton's method leads from it
-//! to a periodic solution beside it ([`Cycle`]) that attracts by its multipliers.
+//! Whether an orbit has settled is decided in one place: it has if Newton's method leads from it to
+//! a neighbouring periodic solution ([`Cycle`]) that attracts according to its multipliers.
 
 mod cycle;
 mod derivative;
@@ -21,12 +21,12 @@ pub use exponent::Exponent;
 pub use orbit::{Fate, Horizon, LONGEST_TRANSIENT, LongOrbit, MotionKind, Patience};
 pub use samples::{Trajectory, sampled, sampled_solution, time_of_phase};
 
-/// A random point of Π: x uniform between a lowest one and the wall, the phase uniform.
+/// A random point of Π: x uniform between `lowest` and the wall, the phase uniform.
 pub fn random_start(lowest: f64, random: &mut Pcg64) -> State {
     State::at_rest(lowest * uniform(random), TAU * uniform(random))
 }
 
-/// Uniform in [0, 1), with 53 random bits.
+/// A number uniform in [0, 1), with 53 random bits.
 fn uniform(random: &mut Pcg64) -> f64 {
     (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
 }

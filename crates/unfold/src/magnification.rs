@@ -1,4 +1,4 @@
-//! The diagram close to one resonance, with the quadratic approximations that the theorem gives.
+//! The diagram close to one resonance, with the quadratic approximations of the theorem.
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
@@ -17,24 +17,24 @@ use crate::resonances::Resonance;
 /// A polyline of a magnification, as points (μ, η).
 #[derive(Clone, Debug)]
 pub struct Polyline {
-    /// What happens along it,
+    /// The bifurcation along the polyline.
     pub kind: Bifurcation,
-    /// to solutions with so many loops p; 0 is the non-impacting one.
+    /// The number of loops p of the solutions; 0 is the non-impacting one.
     pub loops: u32,
-    /// The integer n of the resonance that it leaves; 0 without one.
+    /// The integer n of the resonance that the curve leaves; 0 without one.
     pub n: u32,
-    /// Where it comes from.
+    /// The source of the curve.
     pub source: CurveSource,
-    /// Its points in order.
+    /// The points in order.
     pub points: Vec<[f64; 2]>,
 }
 
-/// Short steps, for curves seen at thirty times the scale of the diagram.
+/// Short steps, for curves at thirty times the scale of the diagram.
 const MAGNIFIED: StepControl =
     StepControl { first: 1e-4, longest: 4e-3, shortest: 1e-6, turn: 0.02, ..StepControl::DRAWING };
 
-/// Samples of a quadratic approximation from the resonance to the edge of the window, and of the
-/// grazing curve across it.
+/// Number of samples of a quadratic approximation from the resonance to the edge of the window, and
+/// of the grazing curve across it.
 const SAMPLES: u32 = 100;
 
 /// The curves in a window about a resonance: grazing, the resonance's own, its neighbours',
@@ -63,7 +63,7 @@ pub fn magnify(
         Some(continued(Bifurcation::of(curve.condition, loops)?, [loops, n], curve.parameters()))
     };
     list.extend(unfolded.curves().filter_map(own));
-    // The resonance's own curves are there already; one of them may begin outside and come in
+    // The resonance's own curves are included already; one of them may begin outside and enter
     // again.
     let start = |curve: &Curve| (curve.condition, curve.points[0].solution.unknowns);
     let starts: Vec<_> = unfolded.curves().map(start).collect();
@@ -89,7 +89,7 @@ pub fn magnify(
     Ok(list)
 }
 
-/// The part of a grazing curve with η in the window, with points close enough for it.
+/// The part of a grazing curve with η in the window, with points spaced for it.
 fn close_to(curve: &GrazingCurve, window: Window) -> Vec<[f64; 2]> {
     let [low, high] = window.secondary;
     let spacing = (high - low) / f64::from(SAMPLES);
@@ -100,7 +100,7 @@ fn close_to(curve: &GrazingCurve, window: Window) -> Vec<[f64; 2]> {
             continue;
         }
         let ends = [a[1].clamp(low, high), b[1].clamp(low, high)];
-        // One where the window is so low that the quotient is NaN.
+        // One part where the window is so low that the quotient is NaN.
         let parts = libm::ceil((ends[1] - ends[0]).abs() / spacing).max(1.0).min(f64::from(SAMPLES)) as u32;
         for part in 0..=parts {
             let share = f64::from(part) / f64::from(parts);
@@ -112,8 +112,8 @@ fn close_to(curve: &GrazingCurve, window: Window) -> Vec<[f64; 2]> {
     points
 }
 
-/// primary = primary_graz(η) + c η² from the resonance to the edge of the window, on the side of η
-/// that theory gives.
+/// The parabola primary = primary_graz(η) + c η² from the resonance to the edge of the window, on
+/// the side of η given by theory.
 pub fn approximation(point: &ResonantGrazingPoint, curve: BifurcationCurve, window: Window) -> Vec<[f64; 2]> {
     let [_, origin] = point.orbit().oscillator().parameters();
     let edge = if curve.eta_side.signum() < 0.0 { window.secondary[0] } else { window.secondary[1] };
@@ -138,8 +138,8 @@ pub fn approximation(point: &ResonantGrazingPoint, curve: BifurcationCurve, wind
 /// compared.
 ///
 /// Its half-height in η is where the terms beyond the quadratic one are some fifth of it on the
-/// curve that bends sooner, or a little beyond, but not more than half the way to the next
-/// resonance of the same p; across it holds all that is drawn, with a margin.
+/// curve that bends sooner, or slightly beyond, but not more than half the way to the next
+/// resonance of the same p; its width holds everything that is drawn, with a margin.
 pub fn window_about(diagram: &Diagram, resonance: &Resonance, point: &ResonantGrazingPoint) -> Window {
     let whole = diagram.scope.window;
     let [_, origin] = point.orbit().oscillator().parameters();
@@ -160,8 +160,8 @@ pub fn window_about(diagram: &Diagram, resonance: &Resonance, point: &ResonantGr
     let faithful = own.iter().map(|curve| faithful(point, curve.kind, &curve.curve.parameters()));
     let [least, most] = faithful
         .fold([f64::INFINITY, 0.0], |[least, most], reach| [f64::min(least, reach), f64::max(most, reach)]);
-    // Between both curves, nearer to the one that bends sooner: beside it little could be seen of a
-    // much steeper one.
+    // Between both curves, nearer to the one that bends sooner: little of it would be visible
+    // beside a much steeper one.
     let middle = libm::cbrt(least * least * most);
     reach = reach.min(1.2 * middle);
     let secondary = [(origin - reach).max(whole.secondary[0]), (origin + reach).min(whole.secondary[1])];
@@ -175,8 +175,8 @@ pub fn window_about(diagram: &Diagram, resonance: &Resonance, point: &ResonantGr
     Window { primary: [(extent[0] - margin).max(least), (extent[1] + margin).min(most)], secondary }
 }
 
-/// How far from the resonance in η a curve stays within a fifth of its quadratic approximation, or
-/// how far it goes.
+/// The distance from the resonance in η within which a curve stays within a fifth of its quadratic
+/// approximation, or the extent of the curve if that is less.
 fn faithful(point: &ResonantGrazingPoint, kind: Bifurcation, curve: &[[f64; 2]]) -> f64 {
     let [BifurcationCurve { coefficient, .. }, _] = point.leading().starting_with(kind);
     let [_, origin] = point.orbit().oscillator().parameters();

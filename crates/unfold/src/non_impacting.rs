@@ -1,8 +1,9 @@
 //! Non-impacting motion in the whole window: its grazing curves, its folds and period doublings,
-//! and where it is stable.
+//! and its regions of stability.
 //!
-//! It is surveyed as MPSs are (`survey`), p being 0. What is its own is how its first solutions and
-//! its grazing are found: motion is left to relax, and grazing is looked for on lattices.
+//! The survey is the same as for MPSs (`survey`), with p = 0. Only the search for the first
+//! solutions and for grazing differs: motion is left to relax, and grazing is looked for on
+//! lattices.
 
 mod relaxation;
 mod rest;
@@ -30,27 +31,27 @@ use crate::tolerances::BETWEEN_HEIGHTS;
 use crate::unfinished::Unfinished;
 use crate::{Scope, UnfoldError, search};
 
-/// What there is of motion without impacts.
+/// The results for motion without impacts.
 #[derive(Clone, Debug)]
 pub(crate) struct NonImpacting {
     pub(crate) grazing: Vec<GrazingCurve>,
     /// Grazing of motion over two forcing periods, four, and so on.
     pub(crate) doubled: Vec<GrazingCurve>,
-    /// Why there is none, if there is none.
+    /// The reason why there is no grazing, if there is none.
     pub(crate) no_grazing: Option<UnfoldError>,
     pub(crate) curves: Vec<DiagramCurve>,
     pub(crate) regions: Vec<Region>,
-    /// What was not finished when an end was asked for.
+    /// Parts that were not finished when the computation was cancelled.
     pub(crate) unfinished: Vec<Unfinished>,
 }
 
-/// The stage of the search.
+/// The name of the stage.
 const STAGE: &str = "motion without impacts";
 
-/// Looks for grazing of the non-impacting solutions and for their regions.
+/// Finds grazing of the non-impacting solutions and their regions.
 ///
 /// # Errors
-/// An end was asked for before any was found.
+/// The computation was cancelled before any was found.
 pub(crate) fn find(
     oscillator: &AnyOscillator,
     scope: &Scope,
@@ -65,7 +66,7 @@ pub(crate) fn find(
         .during(STAGE, relaxed.len() as u64, || on_slices(oscillator, scope, &relaxed, &between, progress))
 }
 
-/// The same from slices on which motion is left to relax from rest, and others between them.
+/// The results from slices on which motion is left to relax from rest, and others between them.
 fn on_slices(
     oscillator: &AnyOscillator,
     scope: &Scope,
@@ -87,15 +88,15 @@ fn on_slices(
     for (secondary, motion) in relaxed.iter().zip(&motions) {
         survey.add_slice(Slice::new(*secondary, motion.branches.clone()));
     }
-    // From the middle outwards: a curve is reported once, from where it is met first.
+    // From the middle outwards: a curve is reported once, from the first slice that meets it.
     let mut order: Vec<usize> = (0..motions.len()).collect();
     order.sort_by_key(|k| k.abs_diff(motions.len() / 2));
     for orbit in order.into_iter().flat_map(|k| &motions[k].grazing) {
         survey.add_grazing(orbit);
     }
     survey.follow_columns(progress);
-    // Grazing to which nothing that is known leads, and the branches through the range of η on
-    // which it lies.
+    // Grazing to which no known curve leads, and the branches through the range of η on which it
+    // lies.
     for highest in search::grazing(oscillator, scope, progress) {
         if let Some(orbit) = highest.grazing(oscillator)
             && survey.add_grazing(&orbit)
@@ -120,7 +121,7 @@ fn on_slices(
 }
 
 /// Grazing of the motion over two forcing periods that leaves the period doublings of motion over
-/// one, and so on, as long as solutions with an impact of some p asked for may begin there.
+/// one, and so on, as long as solutions with one impact for a requested p may begin there.
 fn doubled(
     oscillator: &AnyOscillator,
     scope: &Scope,
@@ -143,7 +144,7 @@ fn doubled(
     grazing
 }
 
-/// Why no survey has seen grazing.
+/// The reason why no survey has found grazing.
 fn explanation(equations: &LoopEquations, motions: &[PeriodicMotion]) -> UnfoldError {
     if let Some(at) = motions.iter().flat_map(|motion| &motion.pushed).next() {
         return UnfoldError::Pushed { at: *at };

@@ -1,10 +1,11 @@
-//! One-parameter diagrams: what there is on a line of the parameter plane, along which one
-//! parameter changes and the other is held.
+//! One-parameter diagrams: the solutions on a line of the parameter plane, along which one
+//! parameter varies and the other is held.
 //!
-//! Branches of non-impacting motion and of p-loop MPSs, bifurcations on them, the long-time
-//! behaviour of the hybrid system from random states, and orbits at chosen places. Everything is
-//! shown by x on the Poincaré section Π. The oscillator is turned ([`oriented`]) so that the
-//! parameter across is the first one, called μ below; rows have both parameters as they are.
+//! They contain branches of non-impacting motion and of p-loop MPSs, bifurcations on them, the
+//! long-term behaviour of the hybrid system from random states, and orbits at chosen places.
+//! Solutions are shown by x on the Poincaré section Π. The oscillator is oriented ([`oriented`]) so
+//! that the parameter across is the first one, called μ below; rows contain both parameters in
+//! their own roles.
 
 mod branches;
 mod oriented;
@@ -39,51 +40,51 @@ use visits::{Sampled, long_time_behaviour};
 /// A line of the parameter plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
-    /// The number of its diagram.
+    /// The number of the diagram of this line.
     pub diagram: u32,
-    /// The primary parameter is held, and the secondary one across.
+    /// Whether the primary parameter is held, and the secondary one is across.
     pub primary_is_fixed: bool,
     /// The value of the parameter that is held.
     pub at: f64,
-    /// The values of the other one that are shown, inside those of the scope, through which
-    /// branches are followed.
+    /// The values of the other parameter that are shown, inside the range of the scope, through
+    /// which branches are followed.
     pub range: [f64; 2],
 }
 
 /// The branches on a line.
 pub struct Cut {
-    /// The parameter across is its primary one.
+    /// The oscillator, oriented so that the parameter across is its primary one.
     oscillator: AnyOscillator,
     scope: Scope,
     line: Line,
-    /// Those of motion without impacts first.
+    /// The branches, those of motion without impacts first.
     branches: Vec<Branch>,
 }
 
-/// The stage.
+/// The name of the stage.
 const BRANCHES: &str = "branches of a one-parameter diagram";
 
-/// Motion without impacts is looked for that has its highest point here, the wall's distance from
-/// rest being of order one.
+/// Heights of the highest point at which motion without impacts is looked for, the wall's distance
+/// from rest being of order one.
 const HEIGHTS: [f64; 4] = [0.0, -0.25, -0.5, -0.75];
-/// MPSs are looked for by solving for them at so many values of μ, from end to end.
+/// Number of values of μ, from end to end, at which MPSs are looked for by solving for them.
 const PLACES: u32 = 9;
-/// Steps along branches without impacts are at most this part of the range that is shown.
+/// Longest step along branches without impacts, as a fraction of the range that is shown.
 const STEP: f64 = 0.02;
-/// And no shorter than this part of the whole one.
+/// Lower bound of this longest step, as a fraction of the whole range.
 const LEAST_STEP: f64 = 1e-3;
-/// And it is left to relax from rest at these positions, as in another well.
+/// Further positions at rest from which motion is left to relax, as in another well.
 const POSITIONS: [f64; 4] = [-1.5, -2.0, -3.0, -4.0];
-/// Random states are looked for this far from the wall at least, which is of the order of one away
-/// from rest: those farther off swing faster.
+/// Least depth of random states below the wall, which is at a distance of the order of one from
+/// rest: those farther off oscillate faster.
 const LEAST_DEPTH: f64 = 2.0;
 
 impl Cut {
-    /// The branches of an oscillator on a line, the ranges and the numbers of loops being those of
-    /// the scope; that of the parameter that is held does not matter. Curves of the two-parameter
-    /// diagram that are known lead to branches, but need not be there.
+    /// The branches of an oscillator on a line, with the ranges and the numbers of loops of the
+    /// scope; the range of the held parameter does not matter. Known curves of the two-parameter
+    /// diagram lead to branches, but are not required.
     ///
-    /// `None` if an end was asked for before they were known.
+    /// `None` if the computation was cancelled before they were known.
     pub fn follow(
         oscillator: &AnyOscillator,
         scope: &Scope,
@@ -125,20 +126,20 @@ impl Cut {
         &self.branches
     }
 
-    /// The diagram with its branches and bifurcations alone.
+    /// The diagram with only its branches and bifurcations.
     pub fn diagram(&self) -> OneParameter {
         self.placed(self.oriented())
     }
 
-    /// A diagram whose rows are in the roles of the line: the parameters as they are, in a frame as
-    /// high as it needs.
+    /// A diagram with rows in the roles of the line: both parameters in their own roles, and a
+    /// frame of the height that it needs.
     fn placed(&self, mut diagram: OneParameter) -> OneParameter {
         let Line { diagram: number, primary_is_fixed, .. } = self.line;
         diagram.each_row(&mut |row| row.place(number, primary_is_fixed));
         diagram.fitted()
     }
 
-    /// The same with the parameter across as the primary one.
+    /// The diagram with the parameter across as the primary one.
     fn oriented(&self) -> OneParameter {
         let Line { diagram, primary_is_fixed, at, range } = self.line;
         let (mut strands, mut bifurcations) = (Vec::<Strand>::new(), Vec::<BranchBifurcation>::new());
@@ -194,15 +195,15 @@ impl Cut {
         rows
     }
 
-    /// The sampling with a transient in which motion without impacts settles.
+    /// The sampling with a transient that is long enough for motion without impacts to settle.
     fn long_enough(&self, sampling: &Sampling) -> Sampling {
         let free = self.branches.iter().filter(|branch| !branch.equations.has_impacts());
         let points = free.flat_map(|branch| &branch.curve.points);
         sampling.as_long_as_it_takes(points.map(|point| point.solution.multipliers.determinant))
     }
 
-    /// The diagram with long-time behaviour and phase portraits, too; without them if an end was
-    /// asked for.
+    /// The diagram with long-term behaviour and phase portraits, or without them if the computation
+    /// was cancelled.
     pub fn simulated(
         &self,
         sampling: &Sampling,
@@ -250,7 +251,7 @@ impl Cut {
 }
 
 /// The branches of MPSs of all p at one η: those from grazing (z, μ), those that known curves
-/// cross, and those that are found by solving for MPSs.
+/// cross, and those found by solving for MPSs.
 fn mps_branches(
     oscillator: &AnyOscillator,
     scope: &Scope,

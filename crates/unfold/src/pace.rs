@@ -1,4 +1,4 @@
-//! How far a branch of motion without impacts may go in a step, and where it is left.
+//! Limits on the steps along a branch of motion without impacts, and on the branch itself.
 
 use grazing_continuation::curve::{CurvePoint, Window};
 use grazing_continuation::mps::{LoopEquations, Multipliers, Unknowns, unknown};
@@ -6,32 +6,32 @@ use grazing_model::ImpactOscillator;
 
 use crate::winding::angle_in_a_period;
 
-/// A branch that has passed the wall is left where a multiplier exceeds this (empirical): beyond
-/// the wall it matters only for where it may come back, and next to a force that pulls into a pole
-/// motion grows without bounds, which makes every solution there a search by itself.
+/// A branch that has passed the wall is abandoned where a multiplier exceeds this (empirical):
+/// beyond the wall it matters only if it may return, and next to a force that pulls into a pole
+/// motion grows without bounds, so that every solution there is expensive to find.
 const LOST_MULTIPLIERS: f64 = 1e4;
-/// So far beyond the wall, whose distance from rest is of order one, a branch through the range of
-/// η is left: what is behind a resonance is reached from there.
+/// Height above the wall, whose distance from rest is of order one, at which a branch through the
+/// range of η is abandoned: the branch behind a resonance is reached from there.
 const HIGH: f64 = 10.0;
-/// Multipliers turn in a step by this share of their distance from ±1,
+/// Largest turn of multipliers in a step, as a fraction of their distance from ±1.
 const PART: f64 = 0.3;
-/// and the step in the share of η need not be shorter than this: without damping a resonance has no
-/// width.
+/// Smallest step required by this rule, as a fraction of the range of η: without damping a
+/// resonance has no width.
 const LEAST_WAY: f64 = 1e-4;
 
-/// Whether a branch has come above the wall, where it is so unstable that no motion stays near it.
+/// Whether a branch has risen above the wall, where it is so unstable that no motion stays near it.
 pub(crate) fn is_lost(points: &[CurvePoint]) -> bool {
     points[1..].last().is_some_and(|last| {
         !last.solution.admissible() && last.solution.multipliers.size() > LOST_MULTIPLIERS
     })
 }
 
-/// How far a branch through the range of η may go without passing over a resonance of motion
-/// without impacts, which is as narrow as the damping is small.
+/// The longest step of a branch through the range of η that does not pass over a resonance of
+/// motion without impacts, which is as narrow as the damping is small.
 ///
 /// The multipliers λ of small motion about an orbit turn as η changes, and at a resonance pass 1 or
-/// −1 at a distance that the damping leaves. So a step may turn them by a share of their distance
-/// from there.
+/// −1 at a distance that depends on the damping. A step may therefore turn them by a fraction of
+/// their distance from there.
 pub(crate) struct Pace<'a> {
     equations: &'a LoopEquations,
     /// The width of the range of η.
@@ -47,7 +47,7 @@ impl<'a> Pace<'a> {
         Self { equations, width: window.widths()[1], rate: turned / oscillator.forcing_period() }
     }
 
-    /// The longest step on from the last of some points of a branch; none where it is left.
+    /// The longest step from the last of some points of a branch; `None` where it is abandoned.
     pub(crate) fn longest(&self, points: &[CurvePoint], tangent: &Unknowns, size: f64) -> Option<f64> {
         let last = points.last()?;
         let high = points.len() > 1 && last.solution.ceiling() > HIGH * size;
@@ -55,7 +55,7 @@ impl<'a> Pace<'a> {
         (!high && !is_lost(points)).then(|| self.way(points) / along)
     }
 
-    /// The longest way in the share of η.
+    /// The longest step as a fraction of the range of η.
     fn way(&self, points: &[CurvePoint]) -> f64 {
         let turned = |back: usize| match points.len().checked_sub(back + 2) {
             Some(before) => {
@@ -67,7 +67,7 @@ impl<'a> Pace<'a> {
         };
         let solution = &points[points.len() - 1].solution;
         let Multipliers { trace, determinant } = solution.multipliers;
-        // |1 − λ| and |1 + λ| of one of two that are complex.
+        // 1 − λ| and |1 + λ| of either multiplier of a complex pair.
         let distances = [1.0 - trace + determinant, 1.0 + trace + determinant].map(|c| c.abs().sqrt());
         let oscillator = self.equations.oscillator_at(&solution.unknowns);
         let frequency = oscillator.forcing_frequency();
@@ -78,7 +78,7 @@ impl<'a> Pace<'a> {
         if step.is_nan() { f64::INFINITY } else { step.max(LEAST_WAY) }
     }
 
-    /// The share of η, but for a constant, and the angle of λ, between 0 and π.
+    /// The fraction of the range of η, up to a constant, and the angle of λ, between 0 and π.
     fn share_and_angle(&self, point: &CurvePoint) -> [f64; 2] {
         let Multipliers { trace, determinant } = point.solution.multipliers;
         let angle = libm::acos((0.5 * trace / determinant.sqrt()).clamp(-1.0, 1.0));

@@ -1,5 +1,5 @@
-//! What an oscillator does at one pair of parameters: its periodic solutions, and what motion comes
-//! to in the long run.
+//! The behaviour of an oscillator at one pair of parameters: its periodic solutions, and its
+//! attractors.
 
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Multipliers, Unknowns, unknown};
@@ -24,55 +24,55 @@ use crate::tolerances::BETWEEN_ORBITS;
 pub struct Solution {
     /// Number of loops p; 0 for the non-impacting solution.
     pub loops: u32,
-    /// Velocity and phase (y, z) of its impact; not numbers without one.
+    /// Velocity and phase (y, z) of the impact; NaN without one.
     pub impact: [f64; 2],
-    /// Its multipliers.
+    /// The multipliers of the solution.
     pub multipliers: Multipliers,
-    /// Nothing of it lies beyond the wall but its impact.
+    /// Whether no part of the solution except its impact lies beyond the wall.
     pub admissible: bool,
-    /// (t, x, y) along a period; the phase is zero at t = 0.
+    /// The orbit (t, x, y) along a period; the phase is zero at t = 0.
     pub orbit: Vec<[f64; 3]>,
 }
 
-/// What some of the initial states come to.
+/// An attractor of some of the initial states.
 #[derive(Clone, Debug)]
 pub struct Attractor {
-    /// How many of them.
+    /// The number of initial states that approach it.
     pub states: u32,
-    /// What it is.
+    /// The long-term behaviour on the attractor.
     pub fate: Fate,
     /// The largest Lyapunov exponent.
     pub exponent: Exponent,
-    /// Its flights, (t, x, y) along each; the phase is zero at t = 0.
+    /// The flights, (t, x, y) along each; the phase is zero at t = 0.
     pub flights: Vec<Vec<[f64; 3]>>,
-    /// Phase, in [0, 2π), and velocity of its impacts.
+    /// Phase, in [0, 2π), and velocity of the impacts.
     pub strikes: Vec<[f64; 2]>,
-    /// A state of it, from which it can be followed to a place nearby.
+    /// A state on the attractor, from which it can be followed to a nearby place.
     pub state: State,
 }
 
-/// What was found at a place nearby.
+/// The solutions and attractors found at a nearby place.
 #[derive(Clone, Debug)]
 pub struct Nearby {
     /// The number of loops p of MPSs, with velocity and phase of their impacts.
     pub solutions: Vec<(u32, [f64; 2])>,
-    /// States of attractors, and how many initial states have come to each.
+    /// States on attractors, and the number of initial states that approach each.
     pub attractors: Vec<(u32, State)>,
 }
 
-/// Random initial states, and for how long motion from them is followed.
+/// Random initial states, and the time for which motion from them is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Starts {
-    /// How many.
+    /// The number of states.
     pub states: u32,
-    /// Their seed.
+    /// The seed of the random states.
     pub seed: u64,
-    /// For how long motion is followed.
+    /// The time for which motion is followed.
     pub horizon: Horizon,
-    /// They lie between the wall and this x.
+    /// The least x of the states.
     pub lowest: f64,
-    /// So many phases and so many positions of further states, on a lattice, of which it is told what
-    /// each comes to.
+    /// The number of phases and the number of positions of further states, on a lattice, whose
+    /// attractors are reported individually.
     pub lattice: [u32; 2],
 }
 
@@ -98,28 +98,28 @@ impl Default for Starts {
     }
 }
 
-/// What there is at one pair of parameters.
+/// The solutions and attractors at one pair of parameters.
 #[derive(Clone, Debug)]
 pub struct Place {
     /// Periodic solutions, by p.
     pub solutions: Vec<Solution>,
-    /// What random initial states come to, the most frequent first.
+    /// The attractors of random initial states, the most frequent first.
     pub attractors: Vec<Attractor>,
     /// The forcing period.
     pub period: f64,
-    /// The states of the lattice, and which of the attractors each comes to.
+    /// The states of the lattice, each with the index of its attractor.
     pub basins: Vec<(State, usize)>,
 }
 
-/// The stage.
+/// The name of the stage.
 const BASINS: &str = "basins of attraction";
 
-/// MPSs are looked for up to this impact velocity: motion is of the order of one.
+/// Largest impact velocity at which MPSs are looked for: motion is of the order of one.
 const FASTEST: f64 = 2.5;
-/// MPSs of impacts slower than this are not distinguished from grazing.
+/// Impact velocity below which MPSs are not distinguished from grazing.
 const SLOWEST: f64 = BETWEEN_ORBITS * FASTEST;
 
-/// Motion from an attractor nearby has not far to go.
+/// The horizon for motion from a nearby attractor, which needs little time.
 const FOLLOWED: Horizon = Horizon::drifting(100, 32);
 
 impl Solution {
@@ -137,7 +137,7 @@ impl Solution {
     }
 }
 
-/// The orbit from a state, judged where there is time.
+/// The orbit from a state; its exponent is judged if the horizon allows.
 fn long_orbit(oscillator: &AnyOscillator, start: State, horizon: Horizon) -> LongOrbit {
     let orbit = LongOrbit::follow(oscillator, start, horizon);
     if horizon.patience == Patience::Unsettled { orbit.judged(oscillator) } else { orbit }
@@ -146,20 +146,20 @@ fn long_orbit(oscillator: &AnyOscillator, start: State, horizon: Horizon) -> Lon
 /// An attractor in numbers alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen {
-    /// How many of the initial states come to it.
+    /// The number of initial states that approach it.
     pub states: u32,
-    /// What it is.
+    /// The long-term behaviour on the attractor.
     pub fate: Fate,
     /// The largest Lyapunov exponent.
     pub exponent: Exponent,
 }
 
-/// What motion comes to from some states, in numbers alone: each attractor once, as far as they are
-/// told apart, in the order in which states come to them.
+/// The attractors of some states, in numbers alone: each attractor once, as far as they are
+/// distinguished, in the order in which states approach them.
 ///
-/// All are followed shortly first, and only what is like nothing that is known for as long as is said
-/// and until its exponent has converged: motion that has not settled shortly counts as irregular motion
-/// that is known.
+/// All states are first followed for a short time, and only those unlike any known attractor for
+/// the whole horizon and until their exponent has converged: motion that has not settled in the
+/// short time counts as known irregular motion, if there is any.
 pub fn seen(oscillator: &AnyOscillator, states: &[State], horizon: Horizon) -> Vec<Seen> {
     let mut found: Vec<(Outcome, Seen)> = Vec::new();
     let shortly = Horizon { patience: Patience::Drifting, ..horizon };
@@ -185,7 +185,7 @@ pub fn seen(oscillator: &AnyOscillator, states: &[State], horizon: Horizon) -> V
     found.into_iter().map(|(_, seen)| seen).collect()
 }
 
-/// What is kept of an orbit from a state, to be compared with others.
+/// The properties of an orbit from a state that are compared with those of others.
 struct Outcome {
     start: State,
     fate: Fate,
@@ -210,7 +210,7 @@ impl Outcome {
         Self { start, fate: orbit.fate, impacts: orbit.impacts.clone(), at_phase_zero, highest }
     }
 
-    /// Whether it looks like another one.
+    /// Whether the outcome looks like another one.
     fn is_like(&self, other: &Self) -> bool {
         let (a, b) = (&self.fate, &other.fate);
         if (a.kind, a.periods) != (b.kind, b.periods) {
@@ -228,7 +228,7 @@ impl Outcome {
 }
 
 impl Attractor {
-    /// What so many states come to, one of which this is.
+    /// The attractor that `states` initial states approach, computed from one of them.
     fn of(oscillator: &AnyOscillator, states: u32, start: State, horizon: Horizon) -> Self {
         let orbit = long_orbit(oscillator, start, horizon);
         let period = oscillator.forcing_period();
@@ -260,7 +260,7 @@ impl Attractor {
 }
 
 impl Place {
-    /// What there is at the oscillator's own parameters; none if an end was asked for.
+    /// The place at the oscillator's own parameters; `None` if the computation was cancelled.
     pub fn compute(
         oscillator: &AnyOscillator,
         loops: &[u32],
@@ -271,15 +271,15 @@ impl Place {
             let mut random = Pcg64::new(u128::from(starts.seed), u128::from(state));
             (1, random_start(starts.lowest, &mut random))
         };
-        // Those of the lattice stand for nothing: shares are those of random states.
+        // States of the lattice have no weight: fractions are those of random states.
         let states = (0..starts.states).map(start).chain(starts.on_lattice().map(|state| (0, state)));
         let states: Vec<(u32, State)> = states.collect();
         let found = || search::at(oscillator, loops, [SLOWEST, FASTEST]);
         Self::of(oscillator, &states, starts.horizon, progress, found)
     }
 
-    /// What has become of that which was found nearby, which takes a small part of the time: what
-    /// is new here is not seen.
+    /// The continuation of the solutions and attractors of a nearby place, which takes little time;
+    /// new ones are not found.
     pub fn followed(oscillator: &AnyOscillator, nearby: &Nearby, progress: &dyn Progress) -> Option<Self> {
         let found = || {
             let mut found: Vec<(u32, Unknowns)> = Vec::new();
@@ -295,7 +295,7 @@ impl Place {
         Self::of(oscillator, &nearby.attractors, FOLLOWED, progress, found)
     }
 
-    /// What motion comes to from some states, each of which stands for so many, and these MPSs.
+    /// The place with the attractors of some states, each with a weight, and these MPSs.
     fn of(
         oscillator: &AnyOscillator,
         starts: &[(u32, State)],
@@ -304,7 +304,7 @@ impl Place {
         found: impl FnOnce() -> Vec<(u32, Unknowns)>,
     ) -> Option<Self> {
         let period = oscillator.forcing_period();
-        // Of the lattice most have soon come to what others come to as well.
+        // Most states of the lattice soon approach attractors that others approach as well.
         let outcomes = starts.par_iter().map(|&(states, from)| {
             let horizon = if states == 0 { FOLLOWED } else { horizon };
             let outcome = (!progress.stopped()).then(|| (states, Outcome::of(oscillator, from, horizon)));
@@ -325,7 +325,7 @@ impl Place {
         let free = non_impacting(oscillator, outcomes.iter().map(|(_, outcome)| outcome));
         let mut found: Vec<(u32, Unknowns)> =
             free.into_iter().map(|point| (0, point)).chain(found()).collect();
-        // What motion comes to is a solution, too, even if nothing else led to it.
+        // A periodic attractor is a solution as well, even if no other search has found it.
         for (_, one) in &outcomes {
             let near = one.fate.loops().filter(|loops| *loops > 0).zip(one.impacts.first());
             let Some((loops, impact)) = near else { continue };
@@ -391,8 +391,8 @@ fn is_known(found: &[(u32, Unknowns)], loops: u32, impact: &Vector2<f64>) -> boo
         .any(|(other, point)| *other == loops && same_impact(BETWEEN_ORBITS, &impact_of(point), impact))
 }
 
-/// The solution with an impact near another; for p = 0 with position and velocity at phase zero
-/// near others.
+/// The solution with an impact near another; for p = 0 the one whose position and velocity at phase
+/// zero are near others.
 fn solved(oscillator: &AnyOscillator, loops: u32, impact: &Vector2<f64>) -> Option<Unknowns> {
     let [primary, secondary] = oscillator.parameters();
     let equations = equations(oscillator, loops);

@@ -1,24 +1,24 @@
-//! How far long work has come.
+//! Reports of the progress of long computations.
 
 use grazing_model::smooth::Stop;
 
-/// Hears of the progress of a computation; called from any thread.
+/// A receiver of the progress of a computation; called from any thread.
 pub trait Progress: Sync {
-    /// Work of a number of steps begins.
+    /// Called when work in a number of steps begins.
     fn begin(&self, what: &str, steps: u64);
-    /// One step is done.
+    /// Called when one step is complete.
     fn step(&self, what: &str);
-    /// The work is done.
+    /// Called when the work is complete.
     fn end(&self, what: &str);
-    /// Whether nothing more is to be begun, as when time is up: long loops ask this and end with
-    /// what they have.
+    /// Whether nothing more is to be started, as when time is up: long loops check this and end
+    /// with the results that they have.
     fn stopped(&self) -> bool {
         false
     }
 }
 
 impl dyn Progress + '_ {
-    /// Does work of a number of steps, each of which is reported when it is done.
+    /// Performs work in a number of steps, each of which is reported when it is complete.
     pub fn during<T>(&self, what: &str, steps: u64, work: impl FnOnce() -> T) -> T {
         self.begin(what, steps);
         let done = work();
@@ -27,7 +27,7 @@ impl dyn Progress + '_ {
     }
 }
 
-/// Hears nothing.
+/// A receiver that ignores all reports.
 #[derive(Clone, Copy, Debug)]
 pub struct Silent;
 
@@ -37,7 +37,7 @@ impl Progress for Silent {
     fn end(&self, _: &str) {}
 }
 
-/// Nobody hears of the progress, and long loops end when an end is asked for.
+/// Ignores all reports; long loops end once the computation is cancelled.
 impl Progress for Stop {
     fn begin(&self, _: &str, _: u64) {}
     fn step(&self, _: &str) {}

@@ -1,4 +1,4 @@
-//! A region, and what is known of it.
+//! A region of the parameter plane, and whether it is decided.
 
 use core::fmt;
 
@@ -9,7 +9,7 @@ use grazing_results::span;
 use crate::faces;
 use crate::slices::MOST_BRANCHES;
 
-/// Why it is not decided whether solutions are stable and admissible.
+/// The reason why it is undecided whether solutions are stable and admissible.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Doubt {
     /// Along a slice solutions gain or lose stability or admissibility where no curve runs.
@@ -23,7 +23,7 @@ pub enum Doubt {
     ManyBranches,
     /// No slice was made.
     Unseen,
-    /// An end was asked for before it was decided.
+    /// The computation was cancelled before it was decided.
     NotFinished,
 }
 
@@ -47,7 +47,8 @@ impl fmt::Display for Doubt {
     }
 }
 
-/// Regions thinner than this share of the ranges cannot be seen: curves are drawn to about as much.
+/// Regions thinner than this fraction of the ranges cannot be seen: curves are drawn to about this
+/// accuracy.
 const THIN: f64 = 1e-4;
 
 /// A region, as points (μ, η).
@@ -58,22 +59,23 @@ pub struct Region {
     /// The integer n of a resonance whose curves bound it; 0 without one, and for the non-impacting
     /// solution.
     pub n: u32,
-    /// Its border and those of its holes, vertex by vertex: a point lies inside if a ray from it
-    /// crosses them an odd number of times.
+    /// The border of the region and those of its holes, vertex by vertex: a point lies inside if a
+    /// ray from it crosses them an odd number of times.
     pub rings: Vec<Vec<[f64; 2]>>,
-    /// Why it is not decided whether solutions are stable and admissible; where it is, they are.
+    /// The reason why it is undecided whether solutions are stable and admissible; `None` if they
+    /// are.
     pub doubt: Option<Doubt>,
 }
 
 impl Region {
-    /// The whole window, where nothing was decided in time.
+    /// The whole window as undecided, because the computation was cancelled.
     pub(crate) fn not_finished(window: Window, loops: u32) -> Self {
         let ([left, right], [low, high]) = (window.primary, window.secondary);
         let border = vec![[left, low], [right, low], [right, high], [left, high]];
         Self { loops, n: 0, rings: vec![border], doubt: Some(Doubt::NotFinished) }
     }
 
-    /// What is known of it.
+    /// The kind of the region.
     pub fn kind(&self) -> RegionKind {
         match (&self.doubt, self.loops) {
             (Some(_), _) => RegionKind::Undecided,
@@ -82,7 +84,7 @@ impl Region {
         }
     }
 
-    /// What of it lies in a window.
+    /// The parts of the region inside a window.
     pub(crate) fn within(&self, window: Window) -> impl Iterator<Item = Self> {
         let ([left, right], [low, high]) = (window.primary, window.secondary);
         let [from, to] = self.extent();
@@ -96,8 +98,8 @@ impl Region {
         faces::part(&self.rings, &[across, up].concat()).into_iter().map(part).filter(inside)
     }
 
-    /// Whether it is decided and thinner than curves are drawn: twice its area is less than this share
-    /// of the ranges times the length of its border.
+    /// Whether the region is decided and thinner than the accuracy of drawn curves: twice its area
+    /// is less than this fraction of the ranges times the length of its border.
     pub fn is_thin(&self, window: Window) -> bool {
         let shares: Vec<Vec<[f64; 2]>> =
             self.rings.iter().map(|ring| ring.iter().map(|at| window.shares(*at)).collect()).collect();

@@ -1,9 +1,9 @@
 //! Regions of stability in the plane of the two parameters (μ, η), decided face by face.
 //!
-//! The curves of one p cut the window into faces. In every face the solutions are looked at along
-//! slices of constant η: a face in which every slice sees a stable, admissible solution all along
-//! is shaded, one in which none does is not, and where slices do not agree, or a branch could not
-//! be followed, that is said.
+//! The curves of one p cut the window into faces. In every face the solutions are examined along
+//! slices of constant η: a face in which every slice has a stable, admissible solution along its
+//! whole length is shaded, one in which none does is not, and where slices disagree, or a branch
+//! could not be followed, the face is reported as undecided.
 
 mod judge;
 mod wanted;
@@ -25,21 +25,21 @@ use crate::survey::Survey;
 use self::judge::{FaceVerdict, Judge};
 pub use crate::region::{Doubt, Region};
 
-/// What has less than this share of the window's area is what rounding leaves between curves that
-/// meet: they are located to some 10⁻¹⁰.
+/// Faces with less than this fraction of the window's area are residues of rounding between curves
+/// that meet: they are located to some 10⁻¹⁰.
 const NOTHING: f64 = 1e-12;
-/// Undecided faces with less than this share of the window's area are left out: the chords of two
-/// curves that cross at a small angle leave such between them.
+/// Undecided faces with less than this fraction of the window's area are left out: the chords of
+/// two curves that cross at a small angle leave such faces between them.
 const SPECK: f64 = 1e-7;
-/// Slices of the whole window to begin with.
+/// Number of intervals between the first slices of the whole window.
 const SLICES: u32 = 16;
-/// How often slices are added where they are needed.
+/// Largest number of rounds in which slices are added where they are needed.
 const ROUNDS: usize = 8;
-/// So many slices cross a curve at which branches begin: what begins there and comes to an end on
-/// both sides is as high as a share of the curve.
+/// Number of slices that cross a curve at which branches begin: a region that begins there and ends
+/// on both sides may be as high as a fraction of the curve.
 const ABOUT_BEGINNINGS: u32 = 5;
 
-/// The values of η at which slices are laid to begin with.
+/// The values of η of the first slices.
 pub(crate) fn levels(window: Window) -> Vec<f64> {
     (0..=SLICES).map(|k| window.parameters([0.0, f64::from(k) / f64::from(SLICES)])[1]).collect()
 }
@@ -47,8 +47,8 @@ pub(crate) fn levels(window: Window) -> Vec<f64> {
 /// The stage in which regions of MPSs are decided.
 pub(crate) const STAGE: &str = "regions";
 
-/// The regions of the MPSs of each p with the curves of levels, none where an end was asked for
-/// meanwhile; bifurcation curves that are found to be missing on the way are added.
+/// The regions of the MPSs of each p with the requested curves, empty if the computation was
+/// cancelled meanwhile; bifurcation curves found to be missing on the way are added.
 pub(crate) fn of_mps(
     oscillator: &AnyOscillator,
     (scope, asked): (&Scope, &[Level]),
@@ -95,8 +95,8 @@ pub(crate) fn decided(
     judge.regions(&lines, survey.curves(), survey.loops())
 }
 
-/// Takes a survey of which no regions are wanted across all its curves, and across those at which its
-/// branches begin.
+/// Completes a survey without regions: lays slices across all its curves, and across those at which
+/// its branches begin.
 pub(crate) fn crossed(window: Window, survey: &mut Survey<'_>, levels: &[f64], progress: &dyn Progress) {
     refined(window, survey, levels, progress, |judge, survey, lines| {
         judge.affordable(Vec::new(), &across_curves(judge, survey, lines))
@@ -107,7 +107,7 @@ fn across_curves(judge: &Judge, survey: &Survey<'_>, lines: &[Vec<Point>]) -> Ve
     [judge.uncrossed(lines, 1), judge.uncrossed(&survey.beginnings(), ABOUT_BEGINNINGS)].concat()
 }
 
-/// Lays slices at some values of η, and at those that are wanted once these are known, and so on.
+/// Lays slices at some values of η, then at those that are wanted once these are known, and so on.
 fn refined(
     window: Window,
     survey: &mut Survey<'_>,
@@ -130,7 +130,7 @@ fn refined(
 }
 
 impl Judge {
-    /// Horizontal lines that part the slices at which there is trouble from the others.
+    /// Horizontal lines that separate the slices with trouble from the others.
     fn bands(&self, judged: &FaceVerdict) -> Vec<Vec<Point>> {
         let levels: Vec<f64> = self.sights.iter().map(|sight| sight.secondary).collect();
         let mut cuts: Vec<f64> = Vec::new();
@@ -151,8 +151,8 @@ impl Judge {
         cuts.into_iter().map(|level| vec![[left, level], [right, level]]).collect()
     }
 
-    /// Judges a face that has trouble again in bands, each about one of the slices at which there
-    /// is some; a band that no slice meets is as doubtful as the whole.
+    /// Judges a face with trouble again in bands, each about one of the slices with trouble; a band
+    /// that no slice meets is as doubtful as the whole.
     fn parted(&self, judged: FaceVerdict) -> Vec<FaceVerdict> {
         let Err(doubt) = &judged.verdict else { return vec![judged] };
         let bands = self.bands(&judged);
@@ -187,13 +187,15 @@ impl Judge {
         regions
     }
 
-    /// Less than can be seen or drawn: where the chords of two curves that touch cross each other.
+    /// Whether a face is too small to be seen or drawn: the chords of two curves that touch cross
+    /// there.
     fn speck(&self, face: &Face) -> bool {
         let [width, height] = self.window.widths();
         faces::area(face) < SPECK * width * height
     }
 
-    /// The first saddle-node curve on the border of a region, or else the first curve.
+    /// The index of the first saddle-node curve on the border of a region, or else of the first
+    /// curve.
     fn bordering(&self, face: &Face, curves: &[DiagramCurve]) -> Option<usize> {
         let on_border = |curve: &DiagramCurve| {
             let points = curve.curve.parameters();
@@ -211,17 +213,17 @@ impl Judge {
     }
 }
 
-/// Ends of curves closer than this share of the ranges meet there; they were located to about
+/// Ends of curves closer than this fraction of the ranges meet there; they were located to about
 /// 10⁻¹⁰.
 const MEET: f64 = 1e-7;
 
-/// The distance of two points in shares of the ranges.
+/// The distance of two points in fractions of the ranges.
 fn gap(window: Window, a: Point, b: Point) -> f64 {
     let [width, height] = window.widths();
     ((a[0] - b[0]) / width).abs().max(((a[1] - b[1]) / height).abs())
 }
 
-/// The lines with ends that meet made equal.
+/// The lines, with ends that meet made equal.
 fn joined(window: Window, mut lines: Vec<Vec<Point>>) -> Vec<Vec<Point>> {
     let mut ends: Vec<Point> = Vec::new();
     for line in &mut lines {
@@ -229,7 +231,7 @@ fn joined(window: Window, mut lines: Vec<Vec<Point>>) -> Vec<Vec<Point>> {
         for index in [0, last] {
             let Some(point) = line.get_mut(index) else { continue };
             for (value, [low, high]) in point.iter_mut().zip([window.primary, window.secondary]) {
-                // An end on the edge of the window, give or take rounding, cuts it.
+                // An end on the edge of the window, up to rounding, cuts it.
                 let edge = [low, high].into_iter().find(|edge| ((*value - edge) / (high - low)).abs() < MEET);
                 *value = edge.unwrap_or(*value);
             }
@@ -252,7 +254,7 @@ mod tests {
     #[test]
     fn a_slice_that_differs_is_not_outvoted() {
         let window = Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] };
-        // A sliver that chords of curves have left open where it ends.
+        // A sliver that the chords of curves have left open at its end.
         let [left, right] = [0.4, 0.42];
         let block = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.4], [right, 0.4]];
         let sliver = [[right, 0.6], [left, 0.6], [left, 0.4], [0.0, 0.4]];
@@ -285,7 +287,7 @@ mod tests {
         let judge =
             |witnesses: Vec<Point>| Judge { window, sights: [0.2, 0.5, 0.8].map(nothing).into(), witnesses };
         assert_eq!(judge(Vec::new()).judge(square.clone()).verdict, Ok(false));
-        // As near to the border as a curve is drawn, it may belong to the other side.
+        // As near to the border as the accuracy of drawing, it may belong to the other side.
         assert_eq!(judge(vec![[1e-4, 0.3]]).judge(square.clone()).verdict, Ok(false));
         let judge = judge(vec![[0.4, 0.3]]);
         assert_eq!(judge.contradicted(&square), [0.3]);
@@ -305,7 +307,7 @@ mod tests {
         Sight { secondary, good: good.to_vec(), doubts, everywhere: None }
     }
 
-    /// What becomes of the whole window, cut by no curve.
+    /// The regions of the whole window, cut by no curve.
     fn whole(sights: Vec<Sight>) -> Vec<(RegionKind, Option<Doubt>)> {
         let regions = Judge { window: UNIT, sights, witnesses: Vec::new() }.regions(&[], &[], 1);
         regions.into_iter().map(|region| (region.kind(), region.doubt)).collect()

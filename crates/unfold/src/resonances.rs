@@ -1,4 +1,4 @@
-//! Resonances on a grazing curve: found, located, numbered, and held against the hypotheses of
+//! Resonances on a grazing curve: found, located, numbered, and checked against the hypotheses of
 //! Theorems 2.4 and 2.5.
 
 use core::f64::consts::TAU;
@@ -25,18 +25,18 @@ pub struct Resonance {
     pub n: u32,
     /// The resonance as located.
     pub located: LocatedResonance,
-    /// The theorem that holds there, or the hypotheses of which some fail.
+    /// The theorem that holds there, or its hypotheses if some fail.
     pub theorem: Result<ResonantGrazingPoint, HypothesesViolated>,
 }
 
-/// A resonance that was seen between two points of the grazing curve and could not be located.
+/// A resonance that was detected between two points of the grazing curve but could not be located.
 #[derive(Clone, Debug)]
 pub struct Unlocated {
     /// Number of loops p.
     pub loops: u32,
-    /// The parameters (μ, η) near which it was seen.
+    /// The parameters (μ, η) near which it was detected.
     pub near: [f64; 2],
-    /// What happened.
+    /// The reason.
     pub reason: ResonanceError,
 }
 
@@ -46,7 +46,7 @@ pub const STAGE: &str = "resonances on the grazing curve";
 /// The resonances of all p of the scope on the admissible part of a grazing curve: by p, and in the
 /// order of the curve for each.
 ///
-/// Once an end is asked for, those that are missing are neither found nor lost.
+/// Once the computation is cancelled, missing resonances are reported neither as found nor as lost.
 pub fn on_curve(
     curve: &GrazingCurve,
     scope: &Scope,
@@ -86,8 +86,8 @@ pub fn on_curve(
     (found, lost)
 }
 
-/// The same without those that were found more than once, as on two grazing curves that touch, or
-/// on both sides of a point of one.
+/// The resonances without duplicates, as found on two grazing curves that touch, or on both sides
+/// of a point of one.
 pub(crate) fn distinct(found: Vec<Resonance>, window: Window) -> Vec<Resonance> {
     let mut all: Vec<Resonance> = Vec::new();
     for new in found {
@@ -103,7 +103,7 @@ impl Resonance {
         let orbits = [self, other].map(|resonance| resonance.located.orbit());
         let [here, there] = orbits.map(|orbit| orbit.oscillator().parameters());
         let widths = window.widths();
-        // In a narrow window rounding is much of its width.
+        // In a narrow window rounding is a large part of its width.
         let near = |k: usize| {
             (here[k] - there[k]).abs() <= BETWEEN_RESONANCES * widths[k].max(LEAST * here[k].abs())
         };
@@ -112,7 +112,7 @@ impl Resonance {
     }
 }
 
-/// A window is taken to be as wide as this part of its parameters at least.
+/// Least width of a window in this comparison, as a fraction of its parameters.
 const LEAST: f64 = 1e-2;
 
 fn numbered(located: LocatedResonance) -> Resonance {
@@ -120,10 +120,10 @@ fn numbered(located: LocatedResonance) -> Resonance {
     Resonance { loops, n: winding::index(located.orbit(), loops), theorem: located.checked(), located }
 }
 
-/// Where eigenvalues are smaller than this Newton's method need not find where a₁₂ or κ_p vanishes:
+/// Size of eigenvalues below which Newton's method may fail to locate the zero of a₁₂ or κ_p:
 /// entries of A are computed to some 10⁻¹⁵ (empirical: for p = 1 it failed from 2·10⁻¹² on).
 const FORGOTTEN: f64 = 5e-12;
-/// Parts of a stretch in which bisection begins.
+/// Number of parts of a stretch in which bisection begins.
 const PARTS: u32 = 8;
 
 /// The grazing curve between two neighbouring points, and a₁₂ or κ_p along it as a cubic with the
@@ -131,7 +131,7 @@ const PARTS: u32 = 8;
 struct Stretch<'a> {
     ends: [&'a GrazingState; 2],
     values: [f64; 2],
-    /// Derivatives with respect to the share of the way.
+    /// Derivatives with respect to the fraction of the way.
     slopes: [f64; 2],
 }
 
@@ -146,7 +146,7 @@ impl<'a> Stretch<'a> {
         Self { ends, values: [at[0][0], at[1][0]], slopes: [at[0][1], at[1][1]] }
     }
 
-    /// Eigenvalues of A are rounding at both ends.
+    /// Whether the eigenvalues of A are rounding at both ends.
     fn is_forgotten(&self) -> bool {
         let radius = |state: &GrazingState| {
             let map = state.orbit.grazing_point().map;
@@ -155,7 +155,7 @@ impl<'a> Stretch<'a> {
         self.ends.iter().all(|state| radius(state) < FORGOTTEN)
     }
 
-    /// Hermite's cubic.
+    /// The value of Hermite's cubic.
     fn at(&self, way: f64) -> f64 {
         let rest = 1.0 - way;
         let [a, b] = self.values;
@@ -163,15 +163,15 @@ impl<'a> Stretch<'a> {
         rest * rest * ((1.0 + 2.0 * way) * a + way * da) + way * way * ((1.0 + 2.0 * rest) * b - rest * db)
     }
 
-    /// The shares of the way between which the cubic has one zero at most: its extrema and the ends
-    /// of the parts, in order.
+    /// The fractions of the way between which the cubic has at most one zero: its extrema and the
+    /// ends of the parts, in order.
     fn brackets(&self) -> Vec<f64> {
         let [a, b] = self.values;
         let [da, db] = self.slopes;
-        // The derivative is q₂ w² + q₁ w + q₀ at the share w of the way.
+        // The derivative is q₂ w² + q₁ w + q₀ at the fraction w of the way.
         let [q2, q1, q0] = [6.0 * (a - b) + 3.0 * (da + db), 6.0 * (b - a) - 4.0 * da - 2.0 * db, da];
         let root = (q1 * q1 - 4.0 * q2 * q0).sqrt();
-        // Without cancellation; not numbers where there are no extrema.
+        // Without cancellation; NaN where there are no extrema.
         let half = -0.5 * (q1 + root.copysign(q1));
         let mut points: Vec<f64> = (0..=PARTS).map(|k| f64::from(k) / f64::from(PARTS)).collect();
         points.extend([half / q2, q0 / half].into_iter().filter(|way| *way > 0.0 && *way < 1.0));
@@ -179,7 +179,7 @@ impl<'a> Stretch<'a> {
         points
     }
 
-    /// The shares of the way at which the cubic changes its sign.
+    /// The fractions of the way at which the cubic changes its sign.
     fn zeros(&self) -> Vec<f64> {
         let mut found = Vec::new();
         for bracket in self.brackets().windows(2) {
@@ -292,8 +292,8 @@ mod tests {
 
     #[test]
     fn neighbouring_stretches_share_a_zero_at_their_common_end_between_them() {
-        // One step ends where the next begins: the zero belongs to one of them, whatever its sign
-        // of rounding.
+        // One step ends where the next begins: the zero belongs to one of them, for either sign of
+        // its rounding error.
         let scope = Scope {
             window: Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] },
             loops: vec![1],

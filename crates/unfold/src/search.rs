@@ -1,10 +1,10 @@
-//! Periodic solutions looked for by solving for them on lattices of impacts, or of states at rest:
-//! what nothing that is known leads to.
+//! The search for periodic solutions on lattices of impacts, or of states at rest: it finds
+//! solutions to which no known curve leads.
 //!
-//! Slices know branches of p-loop MPSs that begin at grazing, on a neighbouring slice or on a known
-//! curve. A sheet of MPSs may be joined to none of these inside the window, as one between two
-//! points of its edge. Motion without impacts may have branches that are closed, and on which
-//! nothing relaxes that begins at rest.
+//! Slices contain branches of p-loop MPSs that begin at grazing, on a neighbouring slice or on a
+//! known curve. A sheet of MPSs may be connected to none of these inside the window, such as one
+//! between two points of its edge. Motion without impacts may have branches that are closed, and on
+//! which no motion relaxes that begins at rest.
 
 use core::f64::consts::TAU;
 
@@ -22,39 +22,40 @@ use crate::grazing::HighestPoint;
 use crate::progress::Progress;
 use crate::tolerances::BETWEEN_ZEROS;
 
-/// Cells of a lattice along y, μ or η, and along z,
+/// Number of cells of a lattice along y, μ or η, and along z.
 const CELLS: [usize; 2] = [20, 30];
-/// and along y where that is large.
+/// Number of cells along y where y is large.
 const FAST_CELLS: usize = 10;
-/// Newton's method does not leave the neighbouring cells, counted in diagonals of a cell.
+/// Reach of Newton's method, which does not leave the neighbouring cells, in diagonals of a cell.
 const REACH: f64 = 1.5;
-/// A cell is parted so often at most,
+/// Largest number of times that a cell is divided.
 const PARTINGS: u32 = 3;
-/// where a function leaves the straight course from corner to corner by more than this share of its
-/// range there (empirical), so that it may vanish twice in between.
+/// Deviation of a function from a straight line between corners, as a fraction of its range there,
+/// above which a cell is divided (empirical), since the function may vanish twice in between.
 const STRAIGHT: f64 = 0.25;
-/// A function with a greater slope is not looked at more closely, whatever the window (empirical):
-/// stable solutions are the fewer, and the dearer to look for, the more sensitive motion is.
+/// Slope of a function above which a cell is not divided, in any window (empirical): the more
+/// sensitive motion is, the fewer stable solutions there are, and the more expensive the search.
 const VIOLENT: f64 = 100.0;
-/// How often velocities up to twice as great are looked at, at least, and as long as there are
-/// solutions; the same in every window, whatever is known there,
+/// Least number of doublings of the impact velocity in the search, which also continues as long as
+/// there are solutions; it is the same in every window, whatever is known there.
 const DOUBLINGS: usize = 3;
-/// and where there are none at all: a small window may hold nothing but fast ones.
+/// Number of doublings where no solution is found: a small window may contain only fast ones.
 const MOST_DOUBLINGS: usize = 6;
-/// The parts into which the ranges are cut by the lines along which grazing is looked for.
+/// Number of parts into which the ranges are cut by the lines along which grazing is looked for.
 const PARTS: u32 = 8;
-/// The golden ratio: its multiples are spread evenly, whole numbers left out.
+/// The golden ratio: the fractional parts of its multiples are evenly spread.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
-/// The share of the usual impact velocities at which MPSs are looked for on the whole of a slice:
-/// what begins at grazing, of motion of whatever period, has such velocities not far from there.
+/// Fraction of the usual impact velocities at which MPSs are looked for along the whole of a slice:
+/// solutions that begin at grazing, of motion of any period, have such velocities not far from
+/// there.
 const SLOW: f64 = 0.05;
 
-/// MPSs are looked for up to this impact velocity first: motion is of order one where the wall's
+/// Largest impact velocity in the first search for MPSs: motion is of order one where the wall's
 /// distance from rest is.
 const USUAL_VELOCITY: f64 = 2.0;
 
-/// MPSs of some numbers of loops p, each with its p: on every slice at both ends, at one μ between and
-/// at one small impact velocity.
+/// MPSs of some numbers of loops p, each with its p: on every slice at both ends, at one μ between
+/// and at one small impact velocity.
 pub(crate) fn on_slices(
     oscillator: &AnyOscillator,
     loops: &[u32],
@@ -64,13 +65,13 @@ pub(crate) fn on_slices(
 ) -> Vec<(u32, Unknowns)> {
     let places = slices.iter().enumerate().flat_map(|(k, secondary)| {
         let turns = GOLDEN * (k as f64 + 1.0);
-        // What an edge cuts off may be met by no slice but there.
+        // A sheet cut off by an edge may be met by slices only there.
         [0.0, 1.0, turns - libm::floor(turns)].map(|share| [window.parameters([share, 0.0])[0], *secondary])
     });
     on_lattices(oscillator, loops, window, (&places.collect::<Vec<_>>(), slices), progress)
 }
 
-/// The same on one slice, at so many values of μ from end to end and at one small impact velocity.
+/// MPSs on one slice, at `places` values of μ from end to end and at one small impact velocity.
 pub(crate) fn on_slice(
     oscillator: &AnyOscillator,
     loops: &[u32],
@@ -83,8 +84,8 @@ pub(crate) fn on_slice(
     on_lattices(oscillator, loops, window, (&places.collect::<Vec<_>>(), &[secondary]), progress)
 }
 
-/// The MPSs at some places, of greater and greater impact velocities, and on some slices at one small
-/// impact velocity.
+/// The MPSs at some places, at increasing impact velocities, and on some slices at one small impact
+/// velocity.
 fn on_lattices(
     oscillator: &AnyOscillator,
     loops: &[u32],
@@ -95,7 +96,7 @@ fn on_lattices(
     let on = |lattices: Vec<Lattice>| -> Vec<(u32, Unknowns)> {
         let found = lattices.par_iter().map(|lattice| match progress.stopped() {
             true => Vec::new(),
-            // Virtual impacts, which leave the wall, are none.
+            // Virtual impacts, which leave the wall, do not count.
             false => lattice.zeros(oscillator, loops, 0.0),
         });
         found.collect::<Vec<_>>().concat()
@@ -115,7 +116,7 @@ fn on_lattices(
     found
 }
 
-/// Periodic motion without impacts, with its highest point at some height, at an η.
+/// Periodic motion without impacts, with its highest point at a given height and η.
 pub(crate) fn highest_at(
     oscillator: &AnyOscillator,
     scope: &Scope,
@@ -141,7 +142,7 @@ pub(crate) fn grazing(
     found.collect::<Vec<_>>().concat()
 }
 
-/// The MPSs of an oscillator with impact velocities between two, as far as a lattice of impacts
+/// The MPSs of an oscillator with impact velocities in an interval, as far as a lattice of impacts
 /// separates them.
 pub(crate) fn at(
     oscillator: &AnyOscillator,
@@ -153,31 +154,31 @@ pub(crate) fn at(
 
 /// A lattice of impacts, or of states at rest, of all phases.
 struct Lattice {
-    /// Its first corner.
+    /// The first corner of the lattice.
     start: Unknowns,
-    /// The unknown that varies besides the phase,
+    /// The unknown that varies besides the phase.
     side: usize,
-    /// and how far.
+    /// The length of the range of that unknown.
     length: f64,
-    /// in so many cells.
+    /// The number of cells along it.
     cells: usize,
 }
 
 impl Lattice {
-    /// At a pair of parameters, impact velocities up to some value.
+    /// A lattice at a pair of parameters, with impact velocities up to `fastest`.
     fn slow([primary, secondary]: [f64; 2], fastest: f64) -> Self {
         let start = Unknowns::new(0.0, 0.0, primary, secondary);
         Self { start, side: unknown::VELOCITY, length: fastest, cells: CELLS[0] }
     }
 
-    /// The same, from that value to twice as much.
+    /// A lattice with impact velocities from `from` to twice that value.
     fn fast(place: [f64; 2], from: f64) -> Self {
         let mut lattice = Self { cells: FAST_CELLS, ..Self::slow(place, from) };
         lattice.start[unknown::VELOCITY] = from;
         lattice
     }
 
-    /// At an η and one impact velocity, through the range of μ.
+    /// A lattice at an η and one impact velocity, through the range of μ.
     fn lying(window: Window, secondary: f64, velocity: f64) -> Self {
         let [left, right] = window.primary;
         let start = Unknowns::new(velocity, 0.0, left, secondary);
@@ -191,11 +192,11 @@ impl Lattice {
         cell
     }
 
-    /// Cells with a zero inside, as far as the lattice shows, of each of several functions: the first
-    /// corner and the sides of each.
+    /// Cells that, as far as the lattice shows, contain a zero of one of several functions: the
+    /// index of the function, the first corner and the sides of each.
     ///
-    /// There both components change sign between the corners. A cell is parted into four where a
-    /// function may change sign twice between them.
+    /// In such a cell both components change sign between the corners. A cell is divided into four
+    /// where a function may change sign twice between them.
     fn cells(
         &self,
         functions: usize,
@@ -227,9 +228,9 @@ impl Lattice {
         found
     }
 
-    /// The MPSs that are faster than `slowest`, as far as the lattice separates them: zeros of how
-    /// much an impact is missed by motion that begins with it, p forcing periods later and the wall
-    /// ignored meanwhile, (x, ẋ − y).
+    /// The MPSs that are faster than `slowest`, as far as the lattice separates them: zeros of (x,
+    /// ẋ − y), the distance by which motion that begins with an impact misses it after p forcing
+    /// periods, with the wall ignored meanwhile.
     fn zeros(&self, oscillator: &AnyOscillator, loops: &[u32], slowest: f64) -> Vec<(u32, Unknowns)> {
         let Self { start, side, .. } = *self;
         let held = match side {
@@ -237,7 +238,7 @@ impl Lattice {
             _ => Condition::ImpactVelocity(start[unknown::VELOCITY]),
         };
         let here = [held, Condition::Secondary(start[unknown::SECONDARY])];
-        // Only their signs are asked for.
+        // Only the signs are needed.
         let rough = oscillator.roughly();
         let mut found: Vec<(u32, Unknowns)> = Vec::new();
         for (index, [first, cell]) in self.cells(loops.len(), |impact| misses(&rough, loops, impact)) {
@@ -263,7 +264,7 @@ impl Lattice {
         found
     }
 
-    /// Periodic motion without impacts with its highest point at some height.
+    /// Periodic motion without impacts with its highest point at a given height.
     fn at_rest(&self, oscillator: &AnyOscillator, scope: &Scope, height: f64) -> Vec<HighestPoint> {
         let rough = oscillator.roughly();
         let held = if self.side == unknown::PRIMARY { unknown::SECONDARY } else { unknown::PRIMARY };
@@ -282,7 +283,8 @@ impl Lattice {
     }
 }
 
-/// Adds the cells with zeros of some of the functions inside a cell with these values at its corners.
+/// Adds the cells with zeros of some of the functions inside a cell with these values at its
+/// corners.
 fn parted(
     first: Unknowns,
     [across, up]: [Unknowns; 2],
@@ -295,7 +297,7 @@ fn parted(
     let ranges =
         |index: usize| [0, 1].map(|component| span(corners.iter().map(|values| values[index][component])));
     let changes = |[least, greatest]: [f64; 2], bend: f64| least <= bend && -greatest < bend;
-    // Functions that may vanish in the cell, were they to go on as they do along it.
+    // Functions that may vanish in the cell if they continue as they do along it.
     let near = |index: &usize| ranges(*index).into_iter().all(|range| changes(range, range[1] - range[0]));
     let functions: Vec<usize> = functions.iter().copied().filter(near).collect();
     if functions.is_empty() {
@@ -344,7 +346,8 @@ fn same(a: &Unknowns, b: &Unknowns) -> bool {
     gap.norm() < BETWEEN_ZEROS
 }
 
-/// By how much motion that begins with an impact misses it some numbers of forcing periods later.
+/// The distances by which motion that begins with an impact misses it after some numbers of forcing
+/// periods.
 fn misses(oscillator: &AnyOscillator, loops: &[u32], impact: &Unknowns) -> Vec<Vector2<f64>> {
     let [velocity, phase, primary, secondary] = (*impact).into();
     let oscillator = oscillator.with_parameters([primary, secondary]);
@@ -390,7 +393,7 @@ mod tests {
     fn a_sheet_of_fast_solutions_beside_the_hill_of_a_pendulum_is_found_in_windows_of_several_sizes() {
         let pendulum = crate::specimens::forced("-0.04*v - 4*sin(x/4 + 0.4)", 0.8).oscillator([1.2, 0.9]);
         for width in [0.002, 0.01, 0.05, 0.3] {
-            // Right of a saddle-node at 1.19 there are two, and each leads to the other.
+            // There are two to the right of a saddle-node at 1.19, and each leads to the other.
             let window = Window { primary: [1.2 - width, 1.2 + width], secondary: [0.9, 0.95] };
             let found = on_slices(&pendulum, &[1], window, &[0.9], &Silent);
             let fast = found.iter().filter(|(_, zero)| (7.5..9.0).contains(&zero[unknown::VELOCITY]));
@@ -414,18 +417,19 @@ mod tests {
             };
             found.iter().filter(|(_, other)| near(other)).count()
         };
-        // It lies in the middle of the last row.
+        // The zero lies in the middle of the last row.
         let rows = lattice.cells as f64;
         let last = Lattice::slow([0.5, 0.9], zero[0] * rows / (rows - 0.5));
         assert_eq!(count(&last), 1);
-        // And with the seam of the phases in the middle of its cell, and at the cell's both edges.
+        // Likewise with the seam of the phases in the middle of its cell, and at both edges of the
+        // cell.
         for share in [-1.0, -0.5, -0.01, 0.0, 0.01, 0.5] {
             let mut seam = Lattice::slow([0.5, 0.9], 2.0);
             seam.start[unknown::PHASE] = zero[unknown::PHASE] + share * seam.cell()[unknown::PHASE];
             assert_eq!(count(&seam), 1, "{share}");
         }
         assert!(same(&zero, &(zero + Unknowns::y() * TAU)) && !same(&zero, &(zero + Unknowns::y())));
-        // Zeros with y < 0 are there, beyond grazing, and are left out.
+        // Zeros with y < 0 exist, beyond grazing, and are left out.
         let mut behind = Lattice::slow([0.5, 0.9], 4.0);
         behind.start[unknown::VELOCITY] = -2.0;
         let zeros = |slowest: f64| behind.zeros(&oscillator, &[1, 2, 3], slowest);

@@ -1,14 +1,15 @@
-//! Whether the hybrid system, simulated from event to event, does on either side of a bifurcation
-//! curve what theory predicts.
+//! A comparison of the hybrid system, simulated from event to event, with theory on either side of
+//! a bifurcation curve.
 //!
 //! Close to the resonance two MPSs are taken at the η of a point of the curve, a slower and a
 //! faster one. With Υ± the impact velocities on both curves at this η, 1 − T + D has the sign of
-//! s_p⁺ (Υ⁺ − y) and 1 + T + D that of s_p⁻ (y − Υ⁻) (eq:Psi, eq:Upsilon1, eq:Upsilonp), which says
-//! which of the two is stable. Simulation starts at their impacts: both must return, and the stable
-//! one alone must attract. Beyond the saddle-node no MPS is left, and motion must go elsewhere.
+//! s_p⁺ (Υ⁺ − y) and 1 + T + D that of s_p⁻ (y − Υ⁻) (eq:Psi, eq:Upsilon1, eq:Upsilonp), which
+//! decides which of the two is stable. Simulation starts at their impacts: both must return, and
+//! only the stable one must attract. Beyond the saddle-node no MPS is left, and motion must go
+//! elsewhere.
 //!
-//! All this is to leading order. How far along the curve the leading terms decide is read off the
-//! expansions that were measured there.
+//! All this is to leading order. The distance along the curve up to which the leading terms decide
+//! follows from the expansions that were measured there.
 
 use core::fmt;
 
@@ -21,38 +22,39 @@ use grazing_continuation::resonance::ResonantGrazingPoint;
 use crate::simulation::{MOST_RETURNS, ReturnOutcome, Suspect};
 use crate::verdict::Coefficient;
 
-/// What theory predicts of a slower and a faster MPS beside a bifurcation curve, and what the
-/// simulated hybrid system does.
+/// The prediction for a slower and a faster MPS beside a bifurcation curve, and the result of
+/// simulating the hybrid system.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sides {
     /// Impact velocity on the curve.
     pub velocity: f64,
     /// Whether the slower and the faster MPS are stable, by the theorem.
     pub predicted: [bool; 2],
-    /// What comes of their impacts.
+    /// The outcomes of simulation from their impacts.
     pub seen: [ReturnOutcome; 2],
-    /// Whether motion beside them comes nearer; `None` if this is undecided after many returns.
+    /// Whether motion beside them approaches them; `None` if this is undecided after many returns.
     pub attracts: [Option<bool>; 2],
-    /// Whether motion beyond a saddle-node goes elsewhere, `None` if this is undecided; of other
-    /// curves nothing is asked.
+    /// Whether motion beyond a saddle-node goes elsewhere, `None` if this is undecided; true for
+    /// other curves.
     pub gone_beyond: Option<bool>,
 }
 
-/// What comes of simulating to both sides of a curve.
+/// The result of simulating on both sides of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Simulated {
     /// Motion does what the theorem predicts.
     AsPredicted(Sides),
-    /// It does something else at all velocities that were tried, of which this one is the smallest.
+    /// Motion contradicts the theorem at all velocities that were tried, of which this one is the
+    /// smallest.
     Against(Sides),
-    /// Neither can be said.
+    /// The simulation is inconclusive.
     Undecided(Inconclusive),
 }
 
-/// Why simulation decides nothing.
+/// The reason why simulation is inconclusive.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Inconclusive {
-    /// Where the leading terms decide, impacts are too slow to be told from rounding.
+    /// Where the leading terms decide, impacts are too slow to be distinguished from rounding.
     #[error(
         "the leading terms decide up to impact velocity {leading:.0e} only, and from {least:.0e} on it can be simulated"
     )]
@@ -62,7 +64,7 @@ pub enum Inconclusive {
         /// The least impact velocity that is simulated.
         least: f64,
     },
-    /// The curve was not measured, so that nobody knows how far the leading terms decide.
+    /// The curve was not measured, so that the range of the leading terms is unknown.
     #[error("the curves were not measured, so that it is unknown how far the leading terms decide")]
     NotMeasured,
     /// No MPS was found beside the curve.
@@ -70,21 +72,21 @@ pub enum Inconclusive {
     NoSolution {
         /// The impact velocity on the curve.
         velocity: f64,
-        /// What happened.
+        /// The reason why it was not found.
         failure: LocateFailure,
     },
-    /// Motion beside an MPS comes neither nearer nor gets away.
+    /// Motion beside an MPS neither approaches it nor gets away.
     #[error(
         "slow convergence: at impact velocity {velocity:.0e} motion comes neither nearer nor gets away in {returns} returns"
     )]
     SlowConvergence {
         /// The impact velocity on the curve.
         velocity: f64,
-        /// After so many returns.
+        /// The number of returns.
         returns: usize,
     },
-    /// Motion is not as predicted, but it could not be seen at enough smaller velocities to say
-    /// that it never is.
+    /// Motion is not as predicted, but it could not be simulated at enough smaller velocities to
+    /// conclude that it never is.
     #[error(
         "not as predicted at impact velocity {velocity:.0e}, but nearer to the resonance it cannot be simulated often enough"
     )]
@@ -95,7 +97,7 @@ pub enum Inconclusive {
 }
 
 impl Simulated {
-    /// Whether motion is as predicted, in a word.
+    /// Whether motion is as predicted, in one word.
     pub const fn name(&self) -> &'static str {
         match self {
             Self::AsPredicted(_) => "yes",
@@ -104,7 +106,8 @@ impl Simulated {
         }
     }
 
-    /// Why it is not as predicted or why that is undecided, in words; empty where it is.
+    /// The reason why motion is not as predicted or why that is undecided, in words; empty if it
+    /// is.
     pub fn reason(&self) -> String {
         match self {
             Self::AsPredicted(_) => String::new(),
@@ -115,20 +118,21 @@ impl Simulated {
 }
 
 /// The largest and the least impact velocity that is simulated, in units of γ/ω, the scale of
-/// motion at the wall (empirical): positions are known to some 10⁻¹⁵, velocities so to 10⁻¹⁵ over
-/// the velocity itself, and the displacements that are followed, down to some 10⁻⁵ of it, are to be
-/// larger.
+/// motion at the wall (empirical): positions are known to some 10⁻¹⁵, velocities therefore to 10⁻¹⁵
+/// over the velocity itself, and the displacements that are followed, down to some 10⁻⁵ of it, must
+/// be larger.
 const LARGEST: f64 = 0.02;
 const LEAST: f64 = 2e-5;
-/// Terms of next order may be this share of the leading ones.
+/// Largest ratio of the terms of next order to the leading ones.
 const SHARE: f64 = 0.2;
-/// The two MPSs lie this share of the gap between both curves aside, and of the velocity itself.
+/// Displacement of the two MPSs, as a fraction of the gap between both curves, and of the velocity
+/// itself.
 const ASIDE: f64 = 0.4;
-/// So many velocities are tried, each a quarter of the one before: theory speaks of a limit, and
-/// motion is against it only if it is at all of them.
+/// Number of velocities that are tried, each a quarter of the previous one: theory describes a
+/// limit, and motion contradicts it only if it does so at all of them.
 const VELOCITIES: usize = 3;
 
-/// Simulates the hybrid system to both sides of the SN or PD curve close to its resonance, where
+/// Simulates the hybrid system on both sides of the SN or PD curve close to its resonance, where
 /// `coefficients` were measured.
 pub fn simulate(
     point: &ResonantGrazingPoint,
@@ -168,8 +172,9 @@ pub fn simulate(
     Simulated::Undecided(doubt)
 }
 
-/// The impact velocity up to which the terms of next order are small: in η along the own curve,
-/// against the way aside; in η along the other curve, against the gap between both; in μ.
+/// The impact velocity up to which the terms of next order are small: in η along the curve itself,
+/// compared with the displacement; in η along the other curve, compared with the gap between both;
+/// in μ.
 fn leading(own: &Measurement, other: &Measurement) -> f64 {
     let gap = (other.eta[0] - own.eta[0]).abs();
     let aside = ASIDE * gap.min(own.eta[0].abs());
@@ -177,7 +182,7 @@ fn leading(own: &Measurement, other: &Measurement) -> f64 {
     SHARE * limits.into_iter().fold(f64::INFINITY, f64::min)
 }
 
-/// What is seen instead of what is predicted.
+/// The observed behaviour where it differs from the prediction.
 impl fmt::Display for Sides {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut differences = Vec::new();
@@ -209,7 +214,7 @@ impl fmt::Display for Sides {
 }
 
 impl Sides {
-    /// Simulation lands on the predicted side; `None` if that is undecided.
+    /// Whether simulation agrees with the prediction; `None` if that is undecided.
     pub fn as_predicted(&self) -> Option<bool> {
         let against = |(predicted, seen): (&bool, &Option<bool>)| seen.is_some_and(|seen| seen != *predicted);
         if self.seen != [ReturnOutcome::Returns; 2]
@@ -221,7 +226,7 @@ impl Sides {
         (!self.attracts.contains(&None) && self.gone_beyond.is_some()).then_some(true)
     }
 
-    /// Simulates to both sides of the point of the curve with this impact velocity.
+    /// Simulates on both sides of the point of the curve with this impact velocity.
     fn at(point: &ResonantGrazingPoint, kind: Bifurcation, velocity: f64) -> Result<Self, LocateFailure> {
         let [own, other] = Pair::CONDITIONS.starting_with(kind);
         let slope = |condition| {
@@ -263,7 +268,7 @@ impl Sides {
         let suspects = [0, 1].map(|k| Suspect::of(&oscillators[k], point.loops(), &solutions[k]));
         let gone_beyond = if kind == Bifurcation::SaddleNode {
             let mut beyond = middle;
-            // As far to the other side of the curve as the MPSs lie on theirs.
+            // As far on the other side of the curve as the MPSs lie on theirs.
             beyond[unknown::PRIMARY] -= solutions[1][unknown::PRIMARY] - middle[unknown::PRIMARY];
             Suspect::of(&equations.oscillator_at(&beyond), point.loops(), &beyond).leaves()
         } else {

@@ -1,9 +1,9 @@
-//! What slices show of the regions that they cross.
+//! The good solutions and doubts that slices show in the regions that they cross.
 
 use crate::region::Doubt;
 use crate::slices::{MOST_BRANCHES, Slice};
 
-/// What a slice of constant η shows.
+/// The good solutions and doubts on a slice of constant η.
 #[derive(Clone, Debug)]
 pub(crate) struct Sight {
     pub(crate) secondary: f64,
@@ -14,8 +14,7 @@ pub(crate) struct Sight {
 }
 
 impl Sight {
-    /// Nothing yet of a slice, but that it has more branches than can be distinguished, if that is
-    /// so.
+    /// An empty sight of a slice, with a doubt if it has more branches than can be distinguished.
     pub(crate) fn of(slice: &Slice) -> Self {
         let everywhere = (slice.branches.len() >= MOST_BRANCHES).then_some(Doubt::ManyBranches);
         Self { secondary: slice.secondary, good: Vec::new(), doubts: Vec::new(), everywhere }
@@ -34,12 +33,12 @@ impl Sight {
         self.good.push(joined);
     }
 
-    /// A doubt, and the μ near which it was met.
+    /// Adds a doubt, with the μ near which it was met.
     pub(crate) fn doubt(&mut self, primary: f64, doubt: Doubt) {
         self.doubts.push((primary, doubt));
     }
 
-    /// The share of an interval in which there are good solutions.
+    /// The fraction of an interval in which there are good solutions.
     pub(crate) fn share(&self, [from, to]: [f64; 2]) -> f64 {
         let common = self.good.iter().map(|[low, high]| (high.min(to) - low.max(from)).max(0.0));
         common.sum::<f64>() / (to - from)

@@ -1,4 +1,4 @@
-//! What the hybrid system does, simulated from event to event.
+//! The behaviour of the hybrid system, simulated from event to event.
 
 use core::f64::consts::TAU;
 
@@ -9,7 +9,7 @@ use nalgebra::{Matrix2, Vector2};
 
 use crate::tolerances::BETWEEN_RETURNS;
 
-/// What comes of an impact that belongs to an MPS if there is one.
+/// The outcome of an impact that may belong to an MPS.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReturnOutcome {
     /// The next impact comes after p forcing periods, and is the same one: an MPS of the hybrid
@@ -17,13 +17,13 @@ pub enum ReturnOutcome {
     Returns,
     /// The impact velocity is not positive: no orbit of the hybrid system begins like this.
     NoImpact,
-    /// The wall is met before p forcing periods are over: the solution is virtual.
+    /// The wall is reached before p forcing periods are over: the solution is virtual.
     MeetsTheWall,
-    /// No impact when it is due, or another one.
+    /// There is no impact when it is due, or another one.
     GoesElsewhere,
 }
 
-/// An impact (y, z) at which an MPS is to be looked for.
+/// An impact (y, z) that may belong to an MPS.
 #[derive(Clone, Copy, Debug)]
 pub struct Suspect<'a, O> {
     /// The oscillator.
@@ -36,11 +36,11 @@ pub struct Suspect<'a, O> {
     pub phase: f64,
 }
 
-/// Displacements are this part of the scale on which the motion changes.
+/// Displacements are this fraction of the scale on which the motion changes.
 const PART: f64 = 3e-4;
 
-/// How often a perturbed orbit is followed through p forcing periods before its fate counts as
-/// undecided.
+/// Number of times that a perturbed orbit is followed through p forcing periods before its fate
+/// counts as undecided.
 pub const MOST_RETURNS: usize = 5_000;
 
 impl<'a, O: ImpactOscillator> Suspect<'a, O> {
@@ -49,8 +49,7 @@ impl<'a, O: ImpactOscillator> Suspect<'a, O> {
         Self { oscillator, loops, velocity: point[unknown::VELOCITY], phase: point[unknown::PHASE] }
     }
 
-    /// Time from recoil to impact if it is an MPS: p forcing periods less what passes during the
-    /// impact.
+    /// Time from recoil to impact of an MPS: p forcing periods minus the duration of the impact.
     fn flight(&self) -> f64 {
         let reset = self.oscillator.reset::<1>(OnWall::new(self.velocity, self.phase)).value;
         flight_time(self.oscillator, self.loops, self.phase, reset[1])
@@ -64,8 +63,8 @@ impl<'a, O: ImpactOscillator> Suspect<'a, O> {
         let due = self.flight();
         let from = State::on_wall(self.velocity, self.phase);
         let mut orbit = Orbit::new(self.oscillator, from, 1.5 * due, 2);
-        // The least that can differ is of the size of the impact: its velocity, and the time that
-        // this takes to vanish.
+        // The smallest possible difference is of the size of the impact: its velocity, and the time
+        // in which this vanishes.
         let stop = self.velocity / self.oscillator.acceleration(from).abs();
         match orbit.next().map(|flight| (flight.duration, flight.end)) {
             Some((time, FlightEnd::Impact(impact))) => {
@@ -83,8 +82,8 @@ impl<'a, O: ImpactOscillator> Suspect<'a, O> {
         }
     }
 
-    /// How far from (y, z) the next impact is, if it begins at (y, z) + `by` and comes when it is
-    /// due up to a quarter of a forcing period.
+    /// The displacement of the next impact from (y, z), if the orbit begins at (y, z) + `by` and
+    /// the impact comes when it is due, up to a quarter of a forcing period.
     ///
     /// In (y, z) the map from impact to impact is smooth.
     fn displaced(&self, by: Vector2<f64>) -> Option<Vector2<f64>> {
@@ -100,8 +99,8 @@ impl<'a, O: ImpactOscillator> Suspect<'a, O> {
             .then(|| Vector2::new(impact.velocity - self.velocity, by[1] + late * TAU / period))
     }
 
-    /// Whether an orbit displaced by a small part of y² is farther away at the next impact, or has
-    /// it at another time.
+    /// Whether an orbit displaced by a small fraction of y² is farther away at the next impact, or
+    /// has it at another time.
     ///
     /// y² is the scale on which orbits beside an MPS far from resonance miss the wall.
     pub fn repels_at_once(&self) -> bool {
@@ -111,7 +110,7 @@ impl<'a, O: ImpactOscillator> Suspect<'a, O> {
     }
 
     /// Trace and determinant of the derivative of the map from impact to impact, by central
-    /// differences with a small part of y; `None` if an orbit does not come back when it is due.
+    /// differences with a small fraction of y; `None` if an orbit does not return when it is due.
     ///
     /// y is the scale on which this map varies near a resonance.
     pub fn multipliers(&self) -> Option<[f64; 2]> {
@@ -124,11 +123,12 @@ impl<'a, O: ImpactOscillator> Suspect<'a, O> {
         Some([derivative.trace(), derivative.determinant()])
     }
 
-    /// Whether an orbit that is displaced by a small part of y comes ten times nearer in the long
-    /// run (yes), or gets as far as y/3 away or does not come back when it is due (no). `None` if
+    /// Whether an orbit that is displaced by a small fraction of y comes ten times nearer in the
+    /// long run (yes), or gets as far as y/3 away or does not return when it is due (no). `None` if
     /// neither has happened after many returns.
     ///
-    /// For MPSs near a resonance. Beside a fold a displacement can grow a lot before it shrinks.
+    /// For MPSs near a resonance. Beside a fold a displacement can grow considerably before it
+    /// shrinks.
     pub fn attracts(&self) -> Option<bool> {
         let size = PART * self.velocity;
         let mut displacement = Vector2::new(0.6, -0.8) * size;
@@ -142,7 +142,8 @@ impl<'a, O: ImpactOscillator> Suspect<'a, O> {
         None
     }
 
-    /// Whether motion that begins beside the impact goes elsewhere; `None` as [`attracts`](Self::attracts).
+    /// Whether motion that begins beside the impact goes elsewhere; `None` as for
+    /// [`attracts`](Self::attracts).
     pub fn leaves(&self) -> Option<bool> {
         self.attracts().map(|attracts| !attracts)
     }

@@ -3,10 +3,9 @@
 //!
 //! A branch of MPSs begins on the grazing curve, where y = 0, on the edge of the window, or is
 //! closed. Those from the grazing curve are followed from there. The others have neighbours in the
-//! slices beside: (y, η) are coordinates of the surface of MPSs, so that an MPS is carried from
-//! slice to slice with its y held. And they are met where a known bifurcation curve crosses the
-//! slice. Without impacts branches pass the grazing curve, and solutions are carried with their μ
-//! held.
+//! adjacent slices: (y, η) are coordinates of the surface of MPSs, so that an MPS is carried from
+//! slice to slice at constant y. They are also found where a known bifurcation curve crosses the
+//! slice. Without impacts branches pass the grazing curve, and solutions are carried at constant μ.
 
 mod leads;
 
@@ -28,17 +27,17 @@ use crate::pace::{Pace, is_lost};
 use crate::progress::Progress;
 use crate::tolerances::BETWEEN_BIFURCATIONS;
 
-/// The branches at one η, and how far they have been worked on.
+/// The branches at one η, and the progress of the work on them.
 #[derive(Clone, Debug)]
 pub(crate) struct Slice {
     pub(crate) secondary: f64,
     pub(crate) branches: Vec<Curve>,
-    /// The η of the neighbours below and above, and how many of their branches have been carried
-    /// here.
+    /// The η of the neighbours below and above, and the number of their branches that have been
+    /// carried here.
     taken: [(f64, usize); 2],
-    /// The number of branches whose bifurcations have been looked at.
+    /// The number of branches whose bifurcations have been examined.
     looked_at: usize,
-    /// The numbers of curves and of columns that have been looked at for branches.
+    /// The numbers of curves and of columns that have been examined for branches.
     curves: usize,
     columns: usize,
 }
@@ -57,9 +56,10 @@ impl Slice {
 }
 
 /// Carries branches from slice to slice, in the order of η, until none has one that its neighbours
-/// do not know.
+/// lack.
 ///
-/// `carry` adds what the first slice has and the second lacks, and says whether there was any.
+/// `carry` adds the branches of the first slice that the second lacks, and returns whether there
+/// were any.
 pub(crate) fn spread(
     slices: &mut [Slice],
     progress: &dyn Progress,
@@ -78,17 +78,17 @@ pub(crate) fn spread(
     }
 }
 
-/// Steps along branches that need not be drawn: rough points are enough for the signs of what
-/// happens between them, and that is located by itself (empirical: neighbouring folds and grazings
-/// of the oscillators that were tried lie much farther apart, and the error of a point, some 10⁻⁸,
-/// is far below what is read off it).
+/// Steps along branches that need not be drawn: rough points are enough for the signs of events
+/// between them, which are located separately (empirical: neighbouring folds and grazings of the
+/// oscillators that were tried lie much farther apart, and the error of a point, some 10⁻⁸, is far
+/// below the accuracy required).
 const STEPS: StepControl =
     StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.07, tolerance: 1e-4 };
-/// In a window narrower than this the error of a rough point would be seen: there points have all
-/// their digits.
+/// In a window narrower than this the error of a rough point would be visible: points there have
+/// all their digits.
 const ROUGHLY_SEEN: f64 = 1e-3;
-/// Steps along branches without impacts, in (x, y, shares of the ranges), that do not jump over the
-/// highest point's changes (empirical).
+/// Steps along branches without impacts, in (x, y, fractions of the ranges), that do not jump over
+/// changes of the highest point (empirical).
 pub(crate) const FREE_STEPS: StepControl = StepControl { turn: 0.2, ..precise(STEPS) };
 
 const fn precise(control: StepControl) -> StepControl {
@@ -99,33 +99,33 @@ const fn precise(control: StepControl) -> StepControl {
 pub(crate) fn steps(window: Window) -> StepControl {
     if window.widths()[0] < ROUGHLY_SEEN { precise(STEPS) } else { STEPS }
 }
-/// A branch with as many points as the longest steps would make of this length has lost its way,
-/// and so has one of so many points.
+/// A branch is lost if it has as many points as the longest steps would make of this length, or
+/// this many points.
 const LONGEST_BRANCH: f64 = 500.0;
 const MOST_POINTS: usize = 25_000;
-/// From free motion larger than this steps are as much longer: fast forcing makes the unit of
-/// length small beside the wall's distance from rest.
+/// Size of free motion above which steps become longer in proportion: fast forcing makes the unit
+/// of length small compared with the wall's distance from rest.
 const LARGE: f64 = 16.0;
-/// An MPS this close to the chord between two points of a branch, as a share of its length, lies on
-/// the branch: that leaves the chord by an eighth of the angle by which it turns, which is three
-/// times that of the step control at most.
+/// An MPS this close to the chord between two points of a branch, as a fraction of its length, lies
+/// on the branch: the branch deviates from the chord by an eighth of the angle by which it turns,
+/// which is at most three times that of the step control.
 const ON_BRANCH: f64 = 0.05;
 const ON_FREE_BRANCH: f64 = 0.15;
 
-/// A solution that Newton's method finds farther than this from where it was carried to is another
-/// one (empirical; wherever the wall's distance from rest is of order one).
+/// A solution that Newton's method finds farther than this from the carried one is another one
+/// (empirical; wherever the wall's distance from rest is of order one).
 pub(crate) const CARRIED_OFF: f64 = 0.5;
-/// No slice has more branches than this, or it is not distinguished from one without end, as of a
-/// pendulum that may have turned any number of times.
+/// Largest number of branches of a slice: a slice with more is not distinguished from one with
+/// infinitely many, as of a pendulum that may have turned any number of times.
 pub(crate) const MOST_BRANCHES: usize = 50;
 
-/// What finds slices.
+/// The search for the branches of slices.
 pub(crate) struct Slicer {
     pub(crate) equations: LoopEquations,
     pub(crate) window: Window,
     /// Steps along branches.
     pub(crate) control: StepControl,
-    /// The equations of solutions of half the period, from whose period doublings branches begin.
+    /// The equations of solutions of half the period, at whose period doublings branches begin.
     pub(crate) halved: Option<LoopEquations>,
 }
 
@@ -134,7 +134,7 @@ impl Slicer {
         Self { equations, window, control, halved: None }
     }
 
-    /// The solution without impacts that has a highest point.
+    /// The solution without impacts that has this highest point.
     pub(crate) fn with_highest(&self, highest: &HighestPoint) -> Option<Unknowns> {
         let [primary, secondary] = highest.parameters;
         let oscillator = self.equations.oscillator_at(&Unknowns::new(0.0, 0.0, primary, secondary));
@@ -146,8 +146,8 @@ impl Slicer {
             .ok()
     }
 
-    /// Whether a point in or near the window is a solution with an impact, or one without that does
-    /// not recur after half its period.
+    /// Whether a point in or near the window is a solution with an impact, or one without impacts
+    /// that does not recur after half its period.
     pub(crate) fn is_real(&self, point: &Unknowns) -> bool {
         if self.equations.has_impacts() {
             return point[unknown::VELOCITY] > 0.0;
@@ -174,8 +174,8 @@ impl Slicer {
         slice.branches.iter().any(|branch| self.passes(branch, at))
     }
 
-    /// The branches of a slice without those that are part of another, which they were begun beyond
-    /// the end of.
+    /// The branches of a slice without those that are part of another one, beyond whose end they
+    /// were started.
     pub(crate) fn distinct(&self, slice: Slice) -> Vec<Curve> {
         let mut distinct: Vec<Curve> = Vec::new();
         let part = |inner: &Curve, whole: &Curve| {
@@ -201,7 +201,7 @@ impl Slicer {
     }
 
     /// Adds a bifurcation to a branch that has stepped over it, as over both of two that lie close
-    /// to each other.
+    /// together.
     fn insert(&self, branch: &mut Curve, condition: Condition, through: &Unknowns, times: EventTimes) {
         let distance = |of: &Unknowns| self.equations.gap(of, through).norm();
         let known = |event: &Event| {
@@ -227,21 +227,21 @@ impl Slicer {
         branch.events.insert(place, Event { condition, solution, index, times });
     }
 
-    /// The solution at the place of `near` on the surface of all, if it lies in the window and
-    /// nearby.
+    /// The solution that corresponds to `near` on the surface of solutions, if it lies in the
+    /// window and nearby.
     fn at(&self, equations: &LoopEquations, near: Unknowns, times: &mut EventTimes) -> Option<Unknowns> {
         let beside = Condition::beside(equations, &near);
         let found = locate_within(CARRIED_OFF, equations, beside, near, times).ok()?;
         (!self.equations.has_impacts() || self.window.contains(parameters(&found))).then_some(found)
     }
 
-    /// Follows the branch through a solution, to greater velocities or to both sides, unless it is
-    /// known.
+    /// Follows the branch through a solution, to greater velocities or in both directions, unless
+    /// it is known.
     pub(crate) fn add(&self, slice: &mut Slice, through: Unknowns, times: &EventTimes, both: bool) {
         if slice.branches.len() >= MOST_BRANCHES || !self.is_real(&through) || self.knows(slice, &through) {
             return;
         }
-        // No branch leaves its own η.
+        // A branch does not leave its own η.
         let window = Window { secondary: [f64::NEG_INFINITY, f64::INFINITY], ..self.window };
         let (curve, route) = self.branch(Condition::Secondary(slice.secondary), window, &through);
         let followed = if !self.equations.has_impacts() {
@@ -258,7 +258,7 @@ impl Slicer {
             curve.follow(through, Unknowns::x(), times.clone(), &route)
         };
         slice.branches.extend(followed.map(|branch| self.whole(branch)));
-        // Curves that were looked at may cross the new one.
+        // Curves that were examined may cross the new branch.
         slice.curves = 0;
     }
 
@@ -277,7 +277,7 @@ impl Slicer {
         (curve, Route { window, control, step_limit, stop_at_events: false, pace: None })
     }
 
-    /// A branch with the bifurcations that it has stepped over two at a time.
+    /// A branch with the pairs of bifurcations that it has stepped over.
     fn whole(&self, mut branch: Curve) -> Curve {
         for (condition, through, times) in dips::stepped_over(&self.equations, &branch) {
             self.insert(&mut branch, condition, &through, times);
@@ -306,7 +306,7 @@ impl Slicer {
         branches
     }
 
-    /// The branch through a solution at the μ that it has.
+    /// The branch through a solution at constant μ.
     pub(crate) fn upwards(&self, through: &Unknowns, times: &EventTimes) -> Option<Curve> {
         let window = Window { primary: [f64::NEG_INFINITY, f64::INFINITY], ..self.window };
         let (curve, route) = self.branch(Condition::Primary(through[unknown::PRIMARY]), window, through);
@@ -322,12 +322,12 @@ impl Slicer {
     }
 }
 
-/// How many times as large as usual motion from a state is.
+/// The ratio of the size of motion from a state to the usual one, at least 1.
 fn size(through: &Unknowns) -> f64 {
     (through.fixed_rows::<2>(0).norm() / LARGE).max(1.0)
 }
 
-/// Where a chord of a curve takes a value of one of the unknowns.
+/// A point at which a chord of a curve has a given value of one of the unknowns.
 pub(crate) struct Crossing {
     /// The curve's condition.
     condition: Condition,
@@ -339,7 +339,7 @@ pub(crate) struct Crossing {
     times: EventTimes,
 }
 
-/// Where the chords of a curve take a value of one of the unknowns.
+/// The points at which the chords of a curve have a given value of one of the unknowns.
 pub(crate) fn crossings(curve: &Curve, unknown: usize, value: f64) -> impl Iterator<Item = Crossing> {
     curve.points.windows(2).filter_map(move |pair| {
         let chord @ [a, b] = [0, 1].map(|k| pair[k].solution.unknowns);
@@ -350,7 +350,8 @@ pub(crate) fn crossings(curve: &Curve, unknown: usize, value: f64) -> impl Itera
     })
 }
 
-/// Whether the origin lies nearer to a chord that begins at `start` than a share of its length.
+/// Whether the distance of the origin from a chord that begins at `start` is less than a fraction
+/// of its length.
 pub(crate) fn near_chord<const N: usize>(
     start: &SVector<f64, N>,
     chord: &SVector<f64, N>,

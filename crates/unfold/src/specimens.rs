@@ -14,7 +14,7 @@ pub(crate) fn unforced(force: &str) -> Description {
     forced(force, 1.0)
 }
 
-/// The same with a coefficient of restitution.
+/// An impact oscillator with this force, μ cos ηt and a coefficient of restitution.
 pub(crate) fn forced(force: &str, restitution: f64) -> Description {
     let text = format!(
         "name = \"Test\"\n[parameters]\n[primary]\nname = \"mu\"\nrange = [0, 1]\n[secondary]\nname = \"eta\"\n\

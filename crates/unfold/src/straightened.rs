@@ -1,12 +1,13 @@
 //! The curves that leave a resonance in straightened coordinates: their distance from the grazing
-//! curve over η², for η over many orders of magnitude.
+//! curve divided by η², for η over many orders of magnitude.
 //!
-//! All these curves are tangent to the grazing curve, so that nothing can be seen of them near the
-//! resonance, nor computed as a difference of places. In the coordinates (μ − μ_graz(η))/η² against η
-//! each goes to a constant of its own, which theory gives. Near the resonance the distance comes from
-//! interpolants in the impact velocity ([`Straightened`]), which keep their digits at any scale;
-//! farther out it is a difference of solutions. Both come with an estimate of their error; the
-//! smaller decides, and where they differ by more than both the difference is the error.
+//! All these curves are tangent to the grazing curve, so that near the resonance they can be
+//! neither distinguished nor computed as a difference of places. In the coordinates (μ −
+//! μ_graz(η))/η² against η each tends to a constant of its own, which theory gives. Near the
+//! resonance the distance comes from interpolants in the impact velocity ([`Straightened`]), which
+//! keep their digits at any scale; farther out it is a difference of solutions. Both come with an
+//! estimate of their error; the smaller decides, and where they differ by more than both the
+//! difference is the error.
 
 use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::curve::CurvePoint;
@@ -22,33 +23,33 @@ use crate::diagram::Diagram;
 /// A point of a curve in straightened coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StraightPoint {
-    /// η, measured from the resonance.
+    /// The distance η from the resonance.
     pub eta: f64,
-    /// (μ − μ_graz)/η².
+    /// The scaled distance (μ − μ_graz)/η².
     pub distance: Estimate,
 }
 
 /// A curve that leaves a resonance.
 #[derive(Clone, Debug)]
 pub struct StraightCurve {
-    /// What happens along it,
+    /// The bifurcation along the curve.
     pub kind: Bifurcation,
-    /// to solutions with so many loops p.
+    /// The number of loops p of the solutions.
     pub loops: u32,
     /// The limit of (μ − μ_graz)/η², by theory.
     pub coefficient: f64,
-    /// Its points from the resonance on.
+    /// The points of the curve from the resonance on.
     pub points: Vec<StraightPoint>,
 }
 
-/// Roundings in the difference of two places, each found by Newton's method.
+/// Number of roundings in the difference of two places, each found by Newton's method.
 const ROUNDINGS: f64 = 16.0;
 
-/// The curves that bound the stable MPSs beside a resonance and leave it, each at those of the given
-/// |η|, in increasing order, that it reaches before it ends or turns back, and where it does.
+/// The curves that bound the stable MPSs beside a resonance and leave it, each at those of the
+/// given |η|, in increasing order, that it reaches before it ends or turns back, and at its end.
 ///
-/// These are the SN and PD curves of its own p, whose interpolants are given, and at a resonance of
-/// p = 1 the SN, PD and GZ curves of solutions with more loops
+/// These are the SN and PD curves of the resonance's own p, whose interpolants are given, and at a
+/// resonance of p = 1 the SN, PD and GZ curves of solutions with more loops
 /// ([`leaving_iterated`](grazing_continuation::resonance::LocatedResonance::leaving_iterated)). A
 /// curve that is not in the diagram is left out.
 pub fn straighten(
@@ -105,7 +106,7 @@ fn along(
     Some(StraightCurve { kind, loops, coefficient: curve.leading.coefficient, points })
 }
 
-/// What rounding of places leaves of a difference of them over η², and that of η* of η.
+/// Effect of rounding: of places on their difference divided by η², and of η* on η.
 fn rounding(curve: &LeavingCurve<'_>, eta: f64) -> f64 {
     let orbit = curve.resonance.orbit();
     let [primary, secondary] = orbit.oscillator().parameters();
@@ -138,8 +139,8 @@ fn outwards<'a>(diagram: &'a Diagram, curve: &LeavingCurve<'_>) -> Option<Vec<&'
     })
 }
 
-/// The distance as a difference of places, with rounding and what integration in shorter steps
-/// changes for its error; `near` is a place on the grazing curve, and becomes that at η.
+/// The distance as a difference of places; its error consists of rounding and of the change under
+/// integration in shorter steps. `near` is a place on the grazing curve, and becomes that at η.
 fn far(
     curve: &LeavingCurve<'_>,
     outwards: &[&CurvePoint],
@@ -153,7 +154,8 @@ fn far(
     let [from, to] = [pair[0], pair[1]].map(|point| point.solution.unknowns);
     let conditions = [curve.condition, Condition::Secondary(secondary)];
     let mut distance = |equations: &LoopEquations| {
-        // What touches the wall has no time at the resonance, but at the next point.
+        // The maximum that touches the wall has no time at the resonance, but has one at the next
+        // point.
         let mut times = pair[1].times.clone();
         let found = locate(equations, conditions, from + (to - from) * way, &mut times).ok()?;
         *near = near.moved(&equations.oscillator_at(&found), secondary).ok()?;

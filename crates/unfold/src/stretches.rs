@@ -1,5 +1,5 @@
-//! Stretches of branches: where solutions are stable and admissible, what lies between, and where a
-//! branch breaks off.
+//! Stretches of branches on which solutions are stable and admissible, the borders between them,
+//! and the points where a branch breaks off.
 
 use grazing_continuation::curve::{Curve, Event};
 use grazing_continuation::locate::{Condition, locate};
@@ -11,22 +11,22 @@ use grazing_results::span;
 pub(crate) struct Stretch {
     /// The primary parameter at its ends.
     pub(crate) primary: [f64; 2],
-    /// The MPSs are stable and admissible.
+    /// Whether the MPSs are stable and admissible.
     pub(crate) good: bool,
 }
 
-/// Where MPSs begin or cease to be stable or admissible.
+/// A point at which MPSs begin or cease to be stable or admissible.
 #[derive(Clone, Debug)]
 pub(crate) struct Border<'a> {
     pub(crate) primary: f64,
-    /// The bifurcation; none was located where it is missing.
+    /// The bifurcation; `None` where it was not located.
     pub(crate) event: Option<&'a Event>,
-    /// How far the stable, admissible MPSs beside it extend in both parameters, unless grazing
+    /// The extent in both parameters of the stable, admissible MPSs beside it, unless grazing
     /// bounds them.
     pub(crate) reach: Option<[f64; 2]>,
 }
 
-/// A point of a branch: one of the curve's, or an event.
+/// A point of a branch: one of the curve's points, or an event.
 pub(crate) struct Vertex<'a> {
     pub(crate) solution: &'a PeriodicSolution,
     pub(crate) event: Option<&'a Event>,
@@ -49,8 +49,8 @@ pub(crate) fn vertices(branch: &Curve) -> Vec<Vertex<'_>> {
     vertices
 }
 
-/// The stretches of a branch and what lies between them, if MPSs are stable and admissible on one
-/// of both.
+/// The stretches of a branch and the borders between them, where MPSs are stable and admissible on
+/// one of both sides.
 pub(crate) fn stretches<'a>(equations: &LoopEquations, branch: &'a Curve) -> (Vec<Stretch>, Vec<Border<'a>>) {
     let vertices = vertices(branch);
     let status = |pair: &[Vertex<'_>]| {
@@ -58,7 +58,7 @@ pub(crate) fn stretches<'a>(equations: &LoopEquations, branch: &'a Curve) -> (Ve
         match [a.event, b.event] {
             [None, _] => a.solution.attracts(),
             [_, None] => b.solution.attracts(),
-            // Two events in a row: what lies between is looked at.
+            // Between two successive events the solution in the middle decides.
             _ => middle_of(equations, a.solution, b.solution).is_some_and(|solution| solution.attracts()),
         }
     };
@@ -74,7 +74,7 @@ pub(crate) fn stretches<'a>(equations: &LoopEquations, branch: &'a Curve) -> (Ve
         end += run.len();
         if run[0].good {
             let all = &vertices[start..=end];
-            // Grazing may bound as little, and matters.
+            // Grazing may bound as short a stretch, and is kept.
             let grazes = |vertex: &Vertex<'_>| {
                 vertex.event.is_some_and(|it| it.condition == Condition::InteriorGrazing)
             };
@@ -94,7 +94,7 @@ pub(crate) fn stretches<'a>(equations: &LoopEquations, branch: &'a Curve) -> (Ve
     (stretches, borders)
 }
 
-/// The solution half the way between two neighbours on a branch.
+/// The solution half-way between two neighbours on a branch.
 fn middle_of(
     equations: &LoopEquations,
     a: &PeriodicSolution,
@@ -107,13 +107,12 @@ fn middle_of(
 }
 
 /// A branch whose multipliers exceed this may end anywhere: it runs into motion that escapes, over
-/// a hill of a potential say, and in its neighbourhood parameters matter so much that what stable
-/// stretches there may be are shorter than a diagram is drawn (empirical: none was seen by
-/// simulation).
+/// a hill of a potential for instance, and nearby solutions are so sensitive to parameters that any
+/// stable stretches are shorter than a diagram shows (empirical: none was seen by simulation).
 const BROKEN_BY_VIOLENCE: f64 = 1e3;
 
-/// The primary parameters at which a branch could not be followed to its end, with what happened;
-/// beyond the wall motion without impacts matters no more.
+/// The primary parameters at which a branch could not be followed to its end, with the reason;
+/// motion without impacts beyond the wall is ignored.
 pub(crate) fn broken_at(branch: &Curve) -> impl Iterator<Item = (f64, String)> {
     let ends = [branch.points.first(), branch.points.last()].into_iter().zip(branch.lost());
     ends.filter_map(|(point, reason)| {

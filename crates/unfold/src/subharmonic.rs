@@ -1,8 +1,8 @@
 //! Motion without impacts that recurs after several periods of the forcing.
 //!
-//! What is forced with a period is forced with every multiple of it: motion over k periods is
-//! motion over one period of an oscillator whose forcing is taken to recur k times more seldom. All
-//! that serves motion over one period serves it so, with ω/k for ω and z/k for z.
+//! A forcing with one period also has every multiple of it as a period: motion over k periods is
+//! motion over one period of an oscillator whose forcing is taken to recur k times less often. The
+//! same code therefore serves both, with ω/k for ω and z/k for z.
 
 use grazing_model::{
     AnyMotion, AnyOscillator, FlowJet, ImpactOscillator, MapJet, OnWall, ParameterJet, State, flow_variable,
@@ -24,7 +24,7 @@ impl OverPeriods {
         Self { oscillator, ..*self }
     }
 
-    /// The state with its phase as the oscillator counts it.
+    /// The state with the phase of the original oscillator.
     fn counted(&self, state: State) -> State {
         State { phase: self.periods * state.phase, ..state }
     }

@@ -1,22 +1,21 @@
-//! A better window for a diagram that is lost in its own.
+//! A suggestion of a better window for a diagram that fills little of its own.
 
 use grazing_continuation::curve::Window;
 use grazing_results::span;
 
 use crate::Diagram;
 
-/// A diagram that fills this share of a range or less is hard to read.
+/// A diagram that fills this fraction of a range or less is hard to read.
 const LITTLE: f64 = 0.1;
-/// What is left free on either side, as a share of what is filled.
+/// Margin on either side, as a fraction of the filled part.
 const MARGIN: f64 = 0.5;
-/// Less than this is a point or a straight line, from which no width follows.
+/// A filled part smaller than this is a point or a straight line, which determines no width.
 const NOTHING: f64 = 1e-6;
 
 impl Diagram {
-    /// A narrower window if what was found fills a tenth of a range or less: grazing curves,
-    /// codimension-two points, and bifurcation curves as far as something happens on them. A curve
-    /// that runs to the edge fills a range no further than to its last turn: a few of them do in
-    /// every window, however wide it is.
+    /// A narrower window, if the results fill a tenth of a range or less: grazing curves,
+    /// codimension-two points, and bifurcation curves between their landmarks. A curve that runs to
+    /// the edge counts only up to its last turn: in every window, however wide, a few curves do so.
     pub fn suggested_window(&self) -> Option<Window> {
         if !self.unfinished.is_empty() {
             return None;
@@ -35,7 +34,7 @@ impl Diagram {
         })
     }
 
-    /// The shares of a range between which something is found.
+    /// The fractions of a range between which there are results.
     fn filled(&self, axis: usize) -> Option<[f64; 2]> {
         let share = |parameters: [f64; 2]| self.scope.window.shares(parameters)[axis];
         let grazing = self.grazing.iter().flat_map(|curve| curve.parameters()).map(share);
@@ -49,11 +48,11 @@ impl Diagram {
     }
 }
 
-/// The values at which a curve turns, and those at its ends which lie inside.
+/// The values at which a curve turns, and those at its ends that lie inside.
 fn landmarks(values: &[f64]) -> Vec<f64> {
     let turns = values.windows(3).filter(|three| (three[1] - three[0]) * (three[2] - three[1]) <= 0.0);
     let ends = [values.first(), values.last()].into_iter().flatten();
-    // Where it left the window a curve ends at the edge or beyond.
+    // A curve that left the window ends at the edge or beyond.
     let inside = ends.filter(|value| (1e-9..=1.0 - 1e-9).contains(*value));
     turns.map(|three| three[1]).chain(inside.copied()).collect()
 }

@@ -1,8 +1,8 @@
-//! Whether the curves of one p are all there: slices of the plane in which every bifurcation must
-//! lie on a known curve.
+//! A survey that checks whether the curves of one p are complete: slices of the plane in which
+//! every bifurcation must lie on a known curve.
 //!
-//! One that does not starts a new curve, until none is left unexplained. Solutions without impacts,
-//! p = 0, are surveyed like all others; their grazing is the grazing curve.
+//! A bifurcation that does not starts a new curve, until none is left unexplained. Solutions
+//! without impacts, p = 0, are surveyed like all others; their grazing is the grazing curve.
 
 mod explain;
 
@@ -34,8 +34,8 @@ pub(crate) struct Survey<'a> {
     pub(crate) slicer: Slicer,
     scope: &'a Scope,
     route: Route<'static>,
-    /// The grazing curves at which branches begin; without impacts those that are found on the way
-    /// are added.
+    /// The grazing curves at which branches begin; without impacts those found on the way are
+    /// added.
     pub(crate) grazing: Vec<GrazingCurve>,
     /// The number of forcing periods after which motion without impacts recurs.
     periods: u32,
@@ -44,23 +44,23 @@ pub(crate) struct Survey<'a> {
     slices: Vec<Slice>,
     /// Branches at constant μ, through the range of η.
     columns: Vec<Curve>,
-    /// Columns have been followed.
+    /// Whether columns have been followed.
     crossed: bool,
-    /// MPSs on the slices to begin with to which nothing may lead.
+    /// MPSs on the first slices to which no known curve may lead.
     found: Vec<Unknowns>,
 }
 
-/// Columns of constant μ divide the range of μ into so many parts; the first and the last are the
-/// window's edges.
+/// Number of parts into which columns of constant μ divide its range; the first and the last are
+/// the window's edges.
 const COLUMNS: u32 = 8;
-/// Without impacts into so many: in the steps that the narrowest resonance asks for they take
-/// longer. They find what lies between slices, such resonances and folds to which no slice comes
-/// near.
+/// Number of parts without impacts: in the steps that the narrowest resonance requires columns take
+/// longer. They find structures between slices, such as these resonances and folds that no slice
+/// comes near.
 const FREE_COLUMNS: u32 = 2;
-/// Impact velocities, or positions at phase zero, by which good solutions beside a curve are looked
-/// for: from where they are next to the curve to where they may belong to another face.
+/// Displacements in impact velocity, or in position at phase zero, at which good solutions beside a
+/// curve are looked for: from close to the curve to where they may belong to another face.
 const ASIDE: [f64; 6] = [1e-3, 3e-3, 1e-2, 3e-2, -1e-3, -1e-2];
-/// An orbit on the edge lies inside, give or take rounding.
+/// Tolerance for an orbit on the edge, which lies inside up to rounding.
 const ON_THE_EDGE: f64 = 1e-9;
 
 impl<'a> Survey<'a> {
@@ -72,7 +72,7 @@ impl<'a> Survey<'a> {
     ) -> Self {
         let has_impacts = net.equations.has_impacts();
         let control = if has_impacts { steps(scope.window) } else { FREE_STEPS };
-        // Without impacts curves go on beyond the wall.
+        // Without impacts curves continue beyond the wall.
         let route = Route { stop_at_events: has_impacts, ..route(scope.window, StepControl::DRAWING) };
         let slicer = Slicer::new(net.equations.clone(), scope.window, control);
         let loops = net.loops();
@@ -92,7 +92,8 @@ impl<'a> Survey<'a> {
         }
     }
 
-    /// A survey of motion without impacts over so many forcing periods, twice as many as of another.
+    /// A survey of motion without impacts over `periods` forcing periods, twice as many as that of
+    /// `halved`.
     pub(crate) fn of_doubled(net: &'a mut Net, scope: &'a Scope, periods: u32, halved: &'a Net) -> Self {
         let mut survey = Self::new(net, scope, &[], Vec::new());
         survey.periods = periods;
@@ -111,7 +112,7 @@ impl<'a> Survey<'a> {
         self.slices.push(slice);
     }
 
-    /// Adds slices at more values of η, and all curves that these show to be missing.
+    /// Adds slices at more values of η, and all curves that they show to be missing.
     pub(crate) fn look_at(&mut self, levels: &[f64], progress: &dyn Progress) {
         let begun = |level: &f64| {
             let places = self.grazing.iter().flat_map(|curve| {
@@ -128,7 +129,7 @@ impl<'a> Survey<'a> {
         self.complete(progress);
     }
 
-    /// Takes branches to all slices and starts the curves that are missing, until neither is left.
+    /// Carries branches to all slices and starts missing curves, until there are none of either.
     fn complete(&mut self, progress: &dyn Progress) {
         loop {
             spread(&mut self.slices, progress, |from, to| self.slicer.carry(from, to));
@@ -142,7 +143,7 @@ impl<'a> Survey<'a> {
             let has_impacts = self.net.equations.has_impacts();
             let through = |slice: &mut Slice| {
                 let by_curves = slicer.through_curves(slice, curves);
-                // Without impacts a column is met by the slices that it was begun on.
+                // Without impacts a column is met by the slices on which it was started.
                 has_impacts && slicer.through_columns(slice, columns) || by_curves
             };
             let fresh: Vec<bool> = self.slices.par_iter_mut().map(through).collect();
@@ -153,10 +154,10 @@ impl<'a> Survey<'a> {
                 if self.found.is_empty() {
                     break;
                 }
-                // Only now that all are known to which something leads.
+                // Only now that all solutions with a known lead are found.
                 let found = core::mem::take(&mut self.found);
                 self.follow_edges(&found, progress);
-                // Those on slices are to be followed across as well.
+                // Branches through these solutions are to be followed across as well.
                 self.crossed = false;
                 self.slices.par_iter_mut().for_each(|slice| {
                     let secondary = slice.secondary;
@@ -168,7 +169,7 @@ impl<'a> Survey<'a> {
     }
 
     /// Follows the branches of slices through the range of η where they meet a column, MPSs once,
-    /// and starts curves at what happens on them.
+    /// and starts curves at the events on them.
     pub(crate) fn follow_columns(&mut self, progress: &dyn Progress) {
         let parts = match self.net.equations.has_impacts() {
             true if self.crossed => return,
@@ -186,8 +187,8 @@ impl<'a> Survey<'a> {
         found.into_iter().flatten().for_each(|column| self.add_column(column, progress));
     }
 
-    /// Follows the edges of the window at which μ is least or greatest through solutions there to
-    /// which nothing may lead: what a corner cuts off may lie between two slices.
+    /// Follows the edges of the window with the least and the greatest μ through solutions there to
+    /// which no curve may lead: a sheet cut off by a corner may lie between two slices.
     fn follow_edges(&mut self, found: &[Unknowns], progress: &dyn Progress) {
         let on_an_edge = |solution: &&Unknowns| {
             let [share, _] = self.scope.window.shares(parameters(solution));
@@ -233,7 +234,7 @@ impl<'a> Survey<'a> {
         }
     }
 
-    /// Adds the grazing curve through an orbit unless it is known, and says whether it did.
+    /// Adds the grazing curve through an orbit unless it is known, and returns whether it did.
     pub(crate) fn add_grazing(&mut self, orbit: &GrazingOrbit) -> bool {
         let shares = self.scope.window.shares(orbit.oscillator().parameters());
         if shares.iter().all(|share| (-ON_THE_EDGE..=1.0 + ON_THE_EDGE).contains(share))
@@ -247,7 +248,7 @@ impl<'a> Survey<'a> {
         false
     }
 
-    /// What cuts the window, as polylines.
+    /// The lines that cut the window, as polylines.
     pub(crate) fn lines(&self) -> Vec<Vec<Point>> {
         let curves = &self.net.curves;
         let has_impacts = self.loops() > 0;
@@ -272,13 +273,13 @@ impl<'a> Survey<'a> {
         lines
     }
 
-    /// Where period doublings are at which branches begin.
+    /// The curves of period doublings at which branches begin.
     fn doublings(&self) -> impl Iterator<Item = Vec<Point>> {
         let doublings = self.halved.iter().filter(|curve| curve.kind == Bifurcation::PeriodDoubling);
         doublings.map(|curve| curve.curve.parameters())
     }
 
-    /// Curves at which branches begin, but for grazing of motion over one forcing period.
+    /// Curves at which branches begin, except grazing of motion over one forcing period.
     pub(crate) fn beginnings(&self) -> Vec<Vec<Point>> {
         let grazing = self.grazing.iter().filter(|curve| curve.periods > 1);
         grazing.map(|curve| curve.parameters().collect()).chain(self.doublings()).collect()
@@ -289,7 +290,7 @@ impl<'a> Survey<'a> {
         &self.net.curves
     }
 
-    /// The curves of levels: along them the solutions have a property that is asked for.
+    /// The requested curves, along which the solutions have a property.
     pub(crate) fn levels(&self, asked: &[Level], progress: &dyn Progress) -> Levels {
         let branches = self.slices.iter().flat_map(|slice| &slice.branches).chain(&self.columns);
         let sources: Vec<&Curve> = branches.chain(self.net.curves.iter().map(|curve| &curve.curve)).collect();
@@ -304,8 +305,8 @@ impl<'a> Survey<'a> {
         all
     }
 
-    /// Places beside the middles of curves at which a solution is stable and admissible: a curve
-    /// knows of one of its sides what there is.
+    /// Places beside the middles of curves at which a solution is stable and admissible: each curve
+    /// gives information about one of its sides.
     pub(crate) fn witnesses(&self) -> Vec<Point> {
         let equations = &self.net.equations;
         let window = self.scope.window;
@@ -330,7 +331,7 @@ impl<'a> Survey<'a> {
         self.net.curves.par_iter().filter_map(beside).collect()
     }
 
-    /// What every slice shows.
+    /// The sights of all slices.
     pub(crate) fn sights(&self) -> Vec<Sight> {
         let sight = |slice: &Slice| {
             let mut sight = Sight::of(slice);
@@ -353,7 +354,7 @@ impl<'a> Survey<'a> {
     }
 }
 
-/// Makes an end of one line that lies on another a vertex of that, too.
+/// Makes an end of one line that lies on another a vertex of the other as well.
 fn meet(lines: &mut [Vec<Point>], end: Point, window: Window) {
     let place = |at: Point| Vector2::from(window.shares(at)) - Vector2::from(window.shares(end));
     let distance = |pair: &[Point]| {
@@ -370,13 +371,14 @@ fn meet(lines: &mut [Vec<Point>], end: Point, window: Window) {
     }
 }
 
-/// Curves are drawn to this share of the ranges.
+/// Accuracy of drawn curves, as a fraction of the ranges.
 const DRAWN: f64 = 1e-4;
-/// What lies farther from them in shares of the ranges is on the side on which it is drawn.
+/// A point farther from curves than this, in fractions of the ranges, is on the side on which it is
+/// drawn.
 pub(crate) const CLEAR: f64 = 3.0 * DRAWN;
 
 /// Whether one curve lies on another in the plane, as do those of motion in both wells of a
-/// symmetric force: between them there would be nothing but slivers.
+/// symmetric force: only slivers would lie between them.
 fn covers(scope: &Scope, known: &DiagramCurve, other: &DiagramCurve) -> bool {
     let places = |curve: &DiagramCurve| -> Vec<Vector2<f64>> {
         let places = curve.curve.parameters().into_iter();
@@ -404,8 +406,8 @@ mod tests {
     use crate::search;
     use crate::subharmonic::over_periods;
 
-    /// What is seen of p-loop MPSs on slices through a random oscillator to which nothing leads
-    /// from grazing, and the number of curves.
+    /// The sights of p-loop MPSs on slices of a random oscillator to which nothing leads from
+    /// grazing, and the number of curves.
     fn seen(number: u64, seed: u64, loops: u32, window: Window, levels: &[f64]) -> (usize, Vec<Sight>) {
         let text = grazing_trials::oscillators::description(seed, number);
         let model = Description::parse(&text, "two wells").expect("what is made at random is right");
@@ -424,7 +426,7 @@ mod tests {
         // Two wells: inside this window nothing leads from grazing to these MPSs.
         let window = Window { primary: [0.7, 0.7616], secondary: [0.4483, 0.4917] };
         let (lines, sights) = seen(2, 1, 1, window, &[0.48, 0.4917]);
-        // The last cuts off a corner.
+        // The last slice cuts off a corner.
         assert_eq!(lines, 4);
         // Simulation settles on a solution with one loop here.
         assert!(sights.iter().all(|sight| sight.share([0.73, 0.736]) == 1.0), "{sights:?}");

@@ -1,4 +1,5 @@
-//! What was not finished, because an end was asked for ([`Stop`](grazing_model::smooth::Stop)).
+//! Parts of an analysis that were not finished because the computation was cancelled
+//! ([`Stop`](grazing_model::smooth::Stop)).
 
 use std::borrow::Cow;
 
@@ -6,10 +7,10 @@ use grazing_model::ImpactOscillator;
 
 use crate::resonances::Resonance;
 
-/// A part of the analysis that was not finished, because an end was asked for.
+/// A part of the analysis that was not finished because the computation was cancelled.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unfinished {
-    /// What was being done, or would have been.
+    /// The stage that was running, or that would have followed.
     pub stage: Cow<'static, str>,
     /// The numbers p and n of the resonance it belongs to, if it belongs to one.
     pub resonance: Option<[u32; 2]>,

@@ -1,4 +1,4 @@
-//! From results without dimensions to the oscillator's own units.
+//! Conversion of nondimensional results to the oscillator's own units.
 
 use grazing_continuation::curve::Window;
 use grazing_continuation::fit::{Estimate, FitError, Measurement};
@@ -18,7 +18,7 @@ use crate::verdict::Coefficient;
 use crate::{Scope, UnfoldError};
 
 impl Scope {
-    /// The same, which is in an oscillator's own units, without dimensions.
+    /// The nondimensional scope, from one in an oscillator's own units.
     #[must_use]
     pub fn without_dimensions(&self, units: &Units) -> Self {
         let window = Window {
@@ -31,7 +31,7 @@ impl Scope {
 }
 
 impl Line {
-    /// The same, which is in an oscillator's own units, without dimensions.
+    /// The nondimensional line, from one in an oscillator's own units.
     #[must_use]
     pub fn without_dimensions(&self, units: &Units) -> Self {
         let Units { primary, secondary, .. } = *units;
@@ -40,9 +40,9 @@ impl Line {
     }
 }
 
-/// What was computed without dimensions.
+/// A nondimensional result that can be converted.
 pub trait InUnits {
-    /// The same in the oscillator's own units.
+    /// The result in the oscillator's own units.
     #[must_use]
     fn in_units(&self, units: &Units) -> Self;
 }
@@ -80,20 +80,20 @@ impl InUnits for Property {
     }
 }
 
-/// All that follows by formulas is in the oscillator's own units then.
+/// All quantities computed by formulas are then in the oscillator's own units.
 impl InUnits for ResonantPoint {
     fn in_units(&self, units: &Units) -> Self {
         let mut own = *self;
         own.grazing = self.grazing.in_units(units);
         own.second_phase_derivative *= units.length;
-        // a₁₂ is a length, κ_p a number.
+        // The dimension of a₁₂ is a length; κ_p is a number.
         let length = if own.unfolding.loops == 1 { units.length } else { 1.0 };
         own.unfolding.derivative *= length / units.secondary;
         own
     }
 }
 
-/// Whether it holds stays what it is.
+/// The conversion does not change whether the hypothesis holds.
 impl InUnits for Hypothesis {
     fn in_units(&self, units: &Units) -> Self {
         let Units { length, primary, secondary, .. } = *units;

@@ -1,5 +1,5 @@
-//! Whether the theorem's quadratic coefficients are those of the continued curves, and where that
-//! is unknown.
+//! A comparison of the theorem's quadratic coefficients with those of the continued curves,
+//! including whether they can be compared.
 
 use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::fit::{Estimate, FitError, Measurement, Straightened};
@@ -13,32 +13,32 @@ use nalgebra::Matrix2;
 /// A quadratic coefficient by Theorem 2.4 or 2.5, and measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coefficient {
-    /// s_p⁺ for c_SN, s_p⁻ for c_PD, in whose reciprocal the coefficient is.
+    /// The number s_p⁺ for c_SN, s_p⁻ for c_PD, whose reciprocal occurs in the coefficient.
     pub stability: f64,
-    /// By the theorem, with the error that the quantities in its formula leave.
+    /// The value by the theorem, with the error due to the quantities in its formula.
     pub theorem: Estimate,
     /// The limit of μ/η² on the continued curve.
     pub fit: Result<Measurement, FitError>,
 }
 
-/// What comes of comparing the two.
+/// The result of comparing theorem and curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Verdict {
-    /// They agree within their errors, which are small.
+    /// The values agree within their errors, which are small.
     Agree,
-    /// One of them is not known well enough.
+    /// One of the values is not known well enough.
     NotMeasurable(Obstacle),
-    /// They differ by more than their errors.
+    /// The values differ by more than their errors.
     Contradict,
 }
 
-/// Why a coefficient cannot be compared.
+/// The reason why a coefficient cannot be compared.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Obstacle {
     /// The curve could not be followed close to the resonance.
     #[error("the curve could not be followed to the resonance: {0}")]
     NoCurve(FitError),
-    /// Where μ stands clear of rounding it is not yet quadratic in η: the measured value has this
+    /// Where μ is clear of rounding it is not yet quadratic in η: the measured value has this
     /// relative error at best.
     #[error(
         "where the term in eta^2 leads it is lost in rounding: measured up to |eta| = {eta:.1e}, the value has a relative error of {error:.1e}"
@@ -46,7 +46,7 @@ pub enum Obstacle {
     Rounding {
         /// The relative error.
         error: f64,
-        /// |η| up to which it was measured.
+        /// The largest |η| at which it was measured.
         eta: f64,
     },
     /// A quantity in the theorem's formula, most likely s_p^±, is so near to zero that its value
@@ -63,7 +63,7 @@ pub enum Obstacle {
 }
 
 impl Verdict {
-    /// In a word or two.
+    /// The verdict in a word or two.
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Agree => "agree",
@@ -72,7 +72,7 @@ impl Verdict {
         }
     }
 
-    /// Why it is not better, in words; empty where they agree.
+    /// The reason for the verdict in words; empty where theorem and curve agree.
     pub fn reason(&self) -> String {
         match self {
             Self::Agree => String::new(),
@@ -82,18 +82,18 @@ impl Verdict {
     }
 }
 
-/// A larger error than this share of the value would make an agreement mean little: two digits are
-/// the least.
+/// Relative error above which an agreement would mean little: two digits are the least.
 const LARGEST_SHARE: f64 = 0.01;
 
 impl Coefficient {
-    /// What is measured on the curve; no numbers where nothing is.
+    /// The value measured on the curve; NaN if there is none.
     pub fn measured(&self) -> Estimate {
         self.fit.as_ref().map_or(Estimate { value: f64::NAN, error: f64::NAN }, |fit| fit.coefficient)
     }
 
-    /// What is measured, and how many digits it has in common with the theorem's value, 0 to 15:
-    /// the order of magnitude of their relative difference. Nothing where they cannot be compared.
+    /// The measured value, and the number of digits that it has in common with the theorem's value,
+    /// 0 to 15: the order of magnitude of their relative difference. `None` where they cannot be
+    /// compared.
     pub fn compared(&self) -> Option<(f64, u32)> {
         let (theorem, measured) = (self.theorem.value, self.measured().value);
         let difference = (theorem - measured).abs() / theorem.abs().max(measured.abs());
@@ -110,7 +110,7 @@ impl Coefficient {
         };
         let measured = fit.coefficient;
         let larger = theorem.value.abs().max(measured.value.abs());
-        // What is measured may be nothing but rounding, and far below what is to be measured.
+        // The measured value may be nothing but rounding, far below the true one.
         let shares = [theorem.error / larger, measured.error / measured.value.abs()];
         // NaN counts as too large.
         let known = shares.map(|share| share <= LARGEST_SHARE);
@@ -130,7 +130,7 @@ impl Coefficient {
     }
 }
 
-/// c_SN and c_PD at a resonance.
+/// The coefficients c_SN and c_PD at a resonance.
 pub fn coefficients(point: &ResonantGrazingPoint) -> Pair<Coefficient> {
     coefficients_on(point, &near(point))
 }
@@ -140,7 +140,7 @@ pub fn near(point: &ResonantGrazingPoint) -> Pair<Result<Straightened, FitError>
     Pair::CONDITIONS.map(|condition| point.leaving(condition).straightened())
 }
 
-/// c_SN and c_PD at a resonance near which the curves are known.
+/// The coefficients c_SN and c_PD at a resonance near which the curves are known.
 pub fn coefficients_on(
     point: &ResonantGrazingPoint,
     near: &Pair<Result<Straightened, FitError>>,
@@ -155,13 +155,13 @@ pub fn coefficients_on(
     })
 }
 
-/// Relative errors that first derivatives of the flow, and differences of them, have at best
-/// (empirical: integrated motion is right to some 10⁻¹³).
+/// Best relative errors of first derivatives of the flow, and of differences of them (empirical:
+/// integrated motion is right to some 10⁻¹³).
 const FIRST_DERIVATIVES: f64 = 1e-12;
 const DIFFERENCES: f64 = 1e-10;
 
-/// How far c_SN and c_PD move when what they are computed from moves by its error, one quantity
-/// after the other.
+/// The errors of c_SN and c_PD that follow from the errors of the quantities in their formulas,
+/// varied one after the other.
 fn theorem_errors(point: &ResonantGrazingPoint) -> Pair<f64> {
     let known = point.resonant_point();
     let values =
@@ -197,20 +197,20 @@ fn theorem_errors(point: &ResonantGrazingPoint) -> Pair<f64> {
     Pair { saddle_node, period_doubling }
 }
 
-/// Differences are taken over these parts of a radian, and of the way in η on which P_global
-/// becomes another map: wide ones lose least to rounding, narrow ones stay where maps are defined,
-/// as near a fold of the grazing curve.
+/// Widths of differences, as fractions of a radian, and of the distance in η over which P_global
+/// changes by its own size: wide ones lose least to rounding, narrow ones stay where maps are
+/// defined, as near a fold of the grazing curve.
 const WIDTHS: [f64; 3] = [3e-3, 3e-4, 3e-5];
 
-/// The curve's own derivatives are in error as those at the resonance are, and in other places: the
-/// errors of these are taken as often.
+/// Factor on the errors of second derivatives: the curve's own derivatives have errors like those
+/// at the resonance, but at other places.
 const ELSEWHERE: f64 = 3.0;
 
-/// The errors of ξ_p and of a₁₂' or κ_p': how far differences of first derivatives are from them.
-/// Infinite where maps beside the resonance are not defined.
+/// The errors of ξ_p and of a₁₂' or κ_p', as their deviations from differences of first
+/// derivatives. Infinite where maps beside the resonance are not defined.
 ///
-/// Steps of integrated motion are chosen for its values, and where the force bends within a step
-/// second derivatives suffer first.
+/// The steps of integrated motion are chosen for its values, and where the force bends within a
+/// step second derivatives lose accuracy first.
 fn second_derivative_errors(point: &ResonantGrazingPoint) -> [f64; 2] {
     let (orbit, known, loops) = (point.orbit(), point.resonant_point(), point.loops());
     let slope = |phase: f64| {

@@ -1,11 +1,10 @@
-//! The integer n of a resonance: how often neighbouring motion swings about the grazing orbit in a
-//! forcing period.
+//! The integer n of a resonance: the number of oscillations of neighbouring motion about the
+//! grazing orbit in a forcing period.
 //!
 //! For the paper's oscillator n is known from the closed form (Propositions 3.2 and 3.3). For any
 //! oscillator the variation (u, u̇) of the motion along the grazing orbit that begins with (0, 1)
-//! turns about zero. At a resonance it stands, after p periods, at a zero of u: after one period it
-//! has made n half-turns (p = 1), or n whole turns and π/p more or less (p ≥ 2; less where a₁₂ α
-//! < 0).
+//! turns about zero. At a resonance it is, after p periods, at a zero of u: after one period it has
+//! made n half-turns (p = 1), or n whole turns plus or minus π/p (p ≥ 2; minus where a₁₂ α < 0).
 
 use core::f64::consts::{PI, TAU};
 
@@ -13,14 +12,14 @@ use grazing_model::motion::Motion;
 use grazing_model::{AnyOscillator, ImpactOscillator, State, flow_variable as flow};
 use grazing_theorems::from_map::GrazingOrbit;
 
-/// Instants of a period at which the variation is looked at; it must not make half a turn between
-/// two.
+/// Number of instants of a period at which the variation is evaluated; it must not make half a turn
+/// between two.
 const SAMPLES: u32 = 256;
 
 /// The integer n of the resonance at a grazing orbit.
 pub(crate) fn index(orbit: &GrazingOrbit, loops: u32) -> u32 {
     let angle = angle_in_a_period(orbit.oscillator(), State::on_wall(0.0, orbit.phase()));
-    // A floating-point number becomes the nearest integer that there is: no turn, or very many.
+    // The conversion to an integer saturates: no turn, or very many.
     libm::round(angle / if loops == 1 { PI } else { TAU }) as u32
 }
 

@@ -1,4 +1,4 @@
-//! What shows that an orbit has settled: a cycle that attracts, found from it.
+//! Evidence that an orbit has settled: an attracting cycle, found from the orbit.
 
 use core::f64::consts::TAU;
 
@@ -11,35 +11,37 @@ use nalgebra::{Matrix2, Vector2};
 use super::derivative::from_impact_to_impact;
 use crate::tolerances::BETWEEN_ORBITS;
 
-/// Motion that comes again to within this may be about to settle.
+/// Motion that recurs to within this may be about to settle.
 const NEARLY: f64 = 0.1;
-/// No cycle is looked for that has more impacts.
+/// Largest number of impacts of a cycle in the search.
 const LONGEST_CYCLE: usize = 24;
-/// No cycle without impacts is looked for that takes more forcing periods.
+/// Largest number of forcing periods of a cycle without impacts in the search.
 pub(super) const MOST_PERIODS: u32 = 16;
-/// No orbit has more than a few impacts a period; sticking and chattering end it by themselves.
+/// Limit on the impacts of an orbit, which has only a few a period; sticking and chattering end it
+/// by themselves.
 pub(super) const MOST_IMPACTS: usize = 1_000_000;
-/// Newton's method converges within a few steps from what is about to settle.
+/// Limit on the steps of Newton's method, which converges within a few from motion that is about to
+/// settle.
 const STEPS: u32 = 12;
-/// What it leaves.
+/// Last step of Newton's method.
 const SOLVED: f64 = 1e-11;
 
 /// A periodic solution that attracts, with impacts or without.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cycle {
-    /// A state of it: on the incoming set, before an impact, if there is one.
+    /// A state on the cycle: on the incoming set, before an impact, if there is one.
     pub from: State,
-    /// Its impacts; 0 for motion without.
+    /// The number of impacts on the cycle; 0 for motion without impacts.
     pub impacts: usize,
-    /// The forcing periods that it takes.
+    /// The duration of the cycle in forcing periods.
     pub periods: u32,
-    /// Its multipliers, over that time.
+    /// The multipliers of the cycle, over that time.
     pub multipliers: Multipliers,
 }
 
 impl Cycle {
-    /// The cycle to which an orbit comes that ends with these flights, if its last impacts nearly
-    /// come again, and Newton's method leads from them to a cycle beside them that attracts.
+    /// The cycle approached by an orbit that ends with these flights, if its last impacts nearly
+    /// recur, and Newton's method leads from them to a neighbouring cycle that attracts.
     pub(super) fn with_impacts(
         oscillator: &AnyOscillator,
         flights: &[Flight<AnyMotion>],
@@ -52,12 +54,13 @@ impl Cycle {
         })
     }
 
-    /// The cycle of as many impacts beside these, once round which takes no longer than so long.
+    /// The cycle near these impacts with the same number of impacts, which takes no longer than
+    /// `longest` once round.
     fn beside(oscillator: &AnyOscillator, before: &[Vector2<f64>], longest: f64) -> Option<Self> {
         let count = before.len();
         let round = |impact| Round::of(oscillator, impact, count, longest);
         let (from, Round { derivative, periods, .. }) = solved(*before.last()?, 1.0, round)?;
-        // The last one is that from which a round begins, and with which it ends.
+        // The last impact is that from which a round begins, and with which it ends.
         let on_cycle = round(from)?.impacts;
         let beside = on_cycle.iter().zip(before).all(|(a, b)| same_impact(BETWEEN_ORBITS, a, b));
         beside.then_some(())?;
@@ -65,7 +68,7 @@ impl Cycle {
         Self { from, impacts: count, periods, multipliers: multipliers(&derivative) }.if_attracting()
     }
 
-    /// The cycle without impacts to which a flight comes that counts from time zero on, likewise.
+    /// The cycle without impacts approached by a flight, of which the time from zero on counts.
     pub(super) fn without_impacts(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>) -> Option<Self> {
         (1..=MOST_PERIODS).find_map(|periods| Self::of_free(oscillator, flight, periods))
     }
@@ -73,7 +76,7 @@ impl Cycle {
     fn of_free(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>, periods: u32) -> Option<Self> {
         let period = oscillator.forcing_period();
         let duration = f64::from(periods) * period;
-        // A flight that ends with the time that counts may be shorter by rounding.
+        // A flight that ends at the end of the counted time may be shorter by rounding.
         if duration > (flight.duration + flight.start.min(0.0)) * (1.0 + f64::EPSILON * 8.0) {
             return None;
         }
@@ -101,8 +104,8 @@ impl Cycle {
         self.multipliers.stable().then_some(self)
     }
 
-    /// The mean rate at which small displacements from it grow, which is negative: the logarithm of
-    /// its larger multiplier over its time.
+    /// The mean rate at which small displacements from the cycle grow, which is negative: the
+    /// logarithm of its larger multiplier divided by its duration.
     pub(super) fn exponent(&self, period: f64) -> f64 {
         let Multipliers { trace, determinant } = self.multipliers;
         let square = 0.25 * trace * trace - determinant;
@@ -115,7 +118,7 @@ fn multipliers(derivative: &Matrix2<f64>) -> Multipliers {
     Multipliers { trace: derivative.trace(), determinant: derivative.determinant() }
 }
 
-/// Once round what may be a cycle.
+/// One round of a possible cycle.
 struct Round {
     image: Vector2<f64>,
     derivative: Matrix2<f64>,
@@ -125,8 +128,8 @@ struct Round {
 }
 
 impl Round {
-    /// From an impact (y, z) to the one that is so many later, its phase counted from that of the
-    /// first, within the longest time.
+    /// The round from an impact (y, z) to the impact with number `count` after it, whose phase is
+    /// counted from that of the first, within the longest time.
     fn of(oscillator: &AnyOscillator, from: Vector2<f64>, count: usize, longest: f64) -> Option<Self> {
         let mut impact = State::on_wall(from[0], from[1]);
         let (mut derivative, mut time) = (Matrix2::identity(), 0.0);
@@ -147,7 +150,7 @@ impl Round {
 }
 
 /// The fixed point of a map near a point, and the round from it; differences of the second
-/// coordinate count by a scale.
+/// coordinate are divided by a scale.
 fn solved(
     mut at: Vector2<f64>,
     scale: f64,
@@ -159,7 +162,7 @@ fn solved(
         let step = (Matrix2::identity() - there.derivative).try_inverse()? * (there.image - at);
         at += step;
         let size = |by: Vector2<f64>| libm::hypot(by[0], by[1] * scale);
-        // Not if it is no number, either.
+        // NaN ends the search as well.
         (size(at - begin) < NEARLY).then_some(())?;
         if size(step) < SOLVED {
             return Some((at, there));
@@ -168,7 +171,7 @@ fn solved(
     None
 }
 
-/// The numbers of impacts after which impacts (y, z) nearly come again, the least first.
+/// The numbers of impacts after which impacts (y, z) nearly recur, in increasing order.
 pub(super) fn cycle_lengths(impacts: &[Vector2<f64>]) -> impl Iterator<Item = usize> {
     let nearly =
         |length: &usize| impacts.iter().zip(&impacts[*length..]).all(|(a, b)| same_impact(NEARLY, a, b));
@@ -181,7 +184,7 @@ pub(super) fn state_at(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>, t
     flight.motion.at(time).state(phase)
 }
 
-/// Whether two impacts (y, z) are no farther apart than this, in y counted in y where that is above
+/// Whether two impacts (y, z) differ by no more than `distance`, relative to y where that exceeds
 /// one.
 pub fn same_impact(distance: f64, a: &Vector2<f64>, b: &Vector2<f64>) -> bool {
     (a[0] - b[0]).abs() <= distance * a[0].max(1.0) && libm::remainder(a[1] - b[1], TAU).abs() <= distance

@@ -7,8 +7,8 @@ use nalgebra::{Matrix2, Vector2};
 /// The derivative of the map (y, z) ↦ (y′, z′) from an impact to the end of the flight that follows
 /// it.
 ///
-/// A displaced orbit hits the wall earlier by δx/ẋ: what x is off by at the time of the impact is
-/// made up for by the time.
+/// A displaced orbit hits the wall earlier by δx/ẋ: a displacement in x at the time of the impact
+/// is compensated by the time.
 pub(super) fn from_impact_to_impact(
     oscillator: &AnyOscillator,
     impact: State,

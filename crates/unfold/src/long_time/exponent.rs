@@ -8,29 +8,29 @@ use super::cycle::{MOST_PERIODS, state_at};
 use super::derivative::from_impact_to_impact;
 use super::orbit::{LongOrbit, MotionKind};
 
-/// The mean rate at which a small displacement grows, of the dimension of a reciprocal time.
+/// The mean rate at which a small displacement grows, with the dimension of a reciprocal time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exponent {
-    /// Over all the time that counts; not a number where motion rests or cannot be followed.
+    /// The mean over the whole counted time; NaN where motion rests or cannot be followed.
     pub mean: f64,
-    /// Its standard error, from parts of that time; 0 for a cycle, from its multipliers.
+    /// The standard error, from parts of that time; 0 for a cycle, from its multipliers.
     pub error: f64,
 }
 
 impl Exponent {
     const NONE: Self = Self { mean: f64::NAN, error: f64::NAN };
 
-    /// It has converged, and displacements grow.
+    /// Whether the exponent has converged, and displacements grow.
     pub fn is_positive(&self) -> bool {
         self.mean > SURE * self.error
     }
 }
 
-/// Standard errors between what is measured and zero.
+/// Number of standard errors by which a positive exponent must exceed zero.
 const SURE: f64 = 4.0;
-/// Forcing periods in which an exponent converges.
+/// Number of forcing periods in which an exponent converges.
 const COUNTED: u32 = 512;
-/// Parts of the time, of the rates of which the standard error is taken.
+/// Number of parts of the time, from whose rates the standard error is computed.
 const PARTS: usize = 8;
 
 impl LongOrbit {
@@ -46,7 +46,7 @@ impl LongOrbit {
         on
     }
 
-    /// The largest Lyapunov exponent: of a cycle from its multipliers, of other motion from the
+    /// The largest Lyapunov exponent: for a cycle from its multipliers, for other motion from the
     /// derivatives of the maps from impact to impact, or of the flow.
     pub fn exponent(&self, oscillator: &AnyOscillator) -> Exponent {
         let period = oscillator.forcing_period();
@@ -64,7 +64,7 @@ impl LongOrbit {
             (libm::log(size), duration)
         };
         let grown: Vec<(f64, f64)> = match self.free_flight() {
-            // As many whole periods as it lasts, up to some.
+            // The number of whole periods of the flight, up to a limit.
             Some(flight) => (1..=MOST_PERIODS.min((flight.duration / period) as u32))
                 .rev()
                 .map(|left| {

@@ -1,4 +1,4 @@
-//! An orbit that is followed for a long time, and what it comes to.
+//! An orbit that is followed for a long time, and its long-term behaviour.
 
 use grazing_model::orbit::{Flight, FlightEnd, Orbit, OrbitEnd};
 use grazing_model::phase::turned;
@@ -8,34 +8,34 @@ use nalgebra::Vector2;
 use super::cycle::{Cycle, MOST_IMPACTS, MOST_PERIODS, cycle_lengths, state_at};
 
 grazing_results::words! {
-    /// What motion comes to.
+    /// The kind of long-term behaviour.
     #[derive(PartialOrd, Ord)]
     MotionKind {
         /// A periodic solution that does not reach the wall.
         NonImpacting = "non-impacting",
-        /// One with impacts.
+        /// A periodic solution with impacts.
         Periodic = "periodic",
-        /// Neither, as far as it was followed.
+        /// Motion that has not settled on a cycle within the time for which it was followed.
         Unsettled = "unsettled",
-        /// Neither, with a Lyapunov exponent that is positive and has converged.
+        /// Motion that has not settled, with a positive Lyapunov exponent that has converged.
         Chaotic = "chaotic",
-        /// It comes to rest at the wall for a while, or for good.
+        /// Motion that comes to rest at the wall for a while, or for good.
         Resting = "resting",
-        /// It cannot be followed.
+        /// Motion that cannot be followed.
         Escaping = "escaping",
     }
 }
 
-/// What an orbit comes to, in numbers.
+/// The long-term behaviour of an orbit in numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fate {
-    /// What it is.
+    /// The kind of behaviour.
     pub kind: MotionKind,
-    /// The forcing periods after which it comes again, if it does.
+    /// The number of forcing periods after which the motion recurs, if it does.
     pub periods: Option<u32>,
     /// Impacts in a forcing period, on average.
     pub impacts: f64,
-    /// The forcing periods for which it was followed.
+    /// The number of forcing periods for which it was followed.
     pub followed: u32,
 }
 
@@ -53,60 +53,61 @@ impl Fate {
     }
 }
 
-/// What orbits are followed on for where they have not settled in time.
+/// The orbits that are followed further where they have not settled in time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Patience {
-    /// Those that nearly come again.
+    /// Orbits that nearly recur.
     Drifting,
-    /// All.
+    /// All orbits that have not settled.
     Unsettled,
 }
 
-/// For how long an orbit is followed, in forcing periods.
+/// The time for which an orbit is followed, in forcing periods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Horizon {
-    /// Those before motion counts; more where it has not settled by then.
+    /// The number of periods before motion counts; more where it has not settled by then.
     pub transient: u32,
-    /// Those in which it counts.
+    /// The number of periods in which motion counts.
     pub counted: u32,
-    /// What is followed on.
+    /// The orbits that are followed further.
     pub patience: Patience,
-    /// No motion is waited for longer than about so many.
+    /// The approximate total number of periods after which no motion is followed further.
     pub longest: u32,
 }
 
 impl Horizon {
-    /// Motion that drifts is waited for, up to the usual length.
+    /// A horizon at which drifting motion is followed further, up to the usual length.
     pub const fn drifting(transient: u32, counted: u32) -> Self {
         Self { transient, counted, patience: Patience::Drifting, longest: LONGEST_TRANSIENT }
     }
 }
 
-/// For how long motion is waited for by default, in forcing periods.
+/// The default limit on the time for which motion is followed, in forcing periods.
 pub const LONGEST_TRANSIENT: u32 = 2_000;
-/// Flights that are shown of an orbit that does not come again.
+/// Number of flights that are shown of an orbit that does not recur.
 const SHOWN: usize = 40;
 
-/// An orbit after its transient, times being counted from the end of that; on its cycle, if it has
-/// settled.
+/// An orbit after its transient, with times counted from the end of the transient; on its cycle, if
+/// it has settled.
 pub struct LongOrbit {
-    /// What it comes to.
+    /// The long-term behaviour of the orbit.
     pub fate: Fate,
-    /// The cycle that it has come to.
+    /// The cycle on which the orbit has settled.
     pub cycle: Option<Cycle>,
     /// The flights that begin after the transient.
     pub flights: Vec<Flight<AnyMotion>>,
     /// The impacts (y, z) at which these end.
     pub impacts: Vec<Vector2<f64>>,
-    /// The flight in which the transient ends, as long as none follows it.
+    /// The flight in which the transient ends, as long as no flight follows it.
     last: Option<Flight<AnyMotion>>,
-    /// Its state when time is up, unless it came to rest at the wall or cannot be followed.
+    /// The state at the end of the time, unless the orbit came to rest at the wall or cannot be
+    /// followed.
     pub(super) end: Option<State>,
 }
 
 impl LongOrbit {
-    /// The orbit from a state, with a longer transient where it has not settled, as far as that is
-    /// waited for.
+    /// The orbit from a state, with a longer transient where it has not settled, within the limits
+    /// of the horizon.
     pub fn follow(oscillator: &AnyOscillator, mut from: State, horizon: Horizon) -> Self {
         let Horizon { mut transient, counted, patience, longest } = horizon;
         let mut followed = 0;
@@ -170,7 +171,7 @@ impl LongOrbit {
         Self { fate, cycle: None, flights, impacts, last, end }
     }
 
-    /// The flight in which motion is that has no impact after the transient.
+    /// The flight of motion that has no impact after the transient.
     pub(super) fn free_flight(&self) -> Option<&Flight<AnyMotion>> {
         let free = self.flights.last().or(self.last.as_ref());
         free.filter(|_| self.impacts.is_empty() && self.end.is_some())
@@ -182,14 +183,14 @@ impl LongOrbit {
         Some(state_at(oscillator, flight, (-flight.start).max(0.0)))
     }
 
-    /// A state of what it has come to, from which it can be followed elsewhere; none if it has come
-    /// to rest or cannot be followed.
+    /// A state on the attractor, from which it can be followed elsewhere; `None` if the orbit has
+    /// come to rest or cannot be followed.
     pub fn state(&self, oscillator: &AnyOscillator) -> Option<State> {
         self.end?;
         self.at_phase_zero(oscillator).or(self.flights.last().map(|flight| flight.from))
     }
 
-    /// The state of motion without impacts when it has last passed phase zero.
+    /// The state of motion without impacts at its last passage of phase zero.
     pub fn at_phase_zero(&self, oscillator: &AnyOscillator) -> Option<State> {
         let flight = self.free_flight()?;
         let frequency = oscillator.forcing_frequency().value;
@@ -199,7 +200,7 @@ impl LongOrbit {
         Some(State { phase: 0.0, ..state_at(oscillator, flight, flight.duration - past) })
     }
 
-    /// The flights of one cycle, or some of them where they do not come again.
+    /// The flights of one cycle, or some flights of an orbit that does not recur.
     pub fn shown(&self) -> &[Flight<AnyMotion>] {
         let Fate { periods, impacts, .. } = self.fate;
         let cycle =
@@ -207,8 +208,8 @@ impl LongOrbit {
         &self.flights[..cycle.min(self.flights.len())]
     }
 
-    /// The state from which motion without impacts comes again, or some periods of it, and for how
-    /// many it is followed.
+    /// The state from which motion without impacts recurs, or covers some periods if it does not,
+    /// and the number of periods.
     pub fn free_cycle(&self, oscillator: &AnyOscillator) -> Option<(State, f64)> {
         let flight = self.free_flight()?;
         let periods = f64::from(self.fate.periods.unwrap_or(MOST_PERIODS));

@@ -1,4 +1,4 @@
-//! Orbits as curves.
+//! Orbits as sampled curves.
 
 use core::f64::consts::TAU;
 
@@ -8,7 +8,7 @@ use grazing_model::motion::Motion;
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
 use grazing_model::{AnyOscillator, ImpactOscillator};
 
-/// Samples of an orbit per forcing period.
+/// Number of samples of an orbit per forcing period.
 const SAMPLES: f64 = 200.0;
 
 /// Samples (t, x, y) of a motion in a flight that begins at time `start`, close enough for a curve
@@ -23,19 +23,20 @@ pub fn sampled(motion: &impl Motion, start: f64, duration: f64, period: f64) -> 
     (0..=steps as u32).map(at).collect()
 }
 
-/// An orbit as it is seen from a state on.
+/// An orbit from a state on, in a form for display.
 #[derive(Clone, Debug)]
 pub struct Trajectory {
-    /// Its flights, (t, x, y) along each; the phase is zero at t = 0.
+    /// The flights, (t, x, y) along each; the phase is zero at t = 0.
     pub flights: Vec<Vec<[f64; 3]>>,
-    /// Time, phase and velocity of its impacts.
+    /// Time, phase and velocity of the impacts.
     pub impacts: Vec<[f64; 3]>,
-    /// How it ends.
+    /// The end of the orbit.
     pub end: OrbitEnd,
 }
 
 impl Trajectory {
-    /// The orbit from a state at time `begin`, which has its phase, for a time, or until so many impacts.
+    /// The orbit from a state at time `begin`, which corresponds to its phase, for a time or up to
+    /// a number of impacts.
     pub fn follow(
         oscillator: &AnyOscillator,
         from: State,
@@ -63,7 +64,7 @@ pub fn sampled_solution(equations: &LoopEquations, point: &Unknowns, start: f64)
     sampled(&motion, start, equations.flight(point), oscillator.forcing_period())
 }
 
-/// The first time from zero on at which the phase is this one.
+/// The first time from zero on at which the forcing has this phase.
 pub fn time_of_phase(phase: f64, period: f64) -> f64 {
     let turns = phase / TAU;
     (turns - libm::floor(turns)) * period

@@ -2,8 +2,8 @@
 //!
 //! A periodic solution is a fixed point of the flow over one forcing period. The first ones are
 //! found by letting the motion relax, as a damped oscillator does; then they are followed through
-//! the range of the primary parameter, folds included. Where the highest point of the orbit comes
-//! to the wall there is grazing.
+//! the range of the primary parameter, folds included. Grazing occurs where the highest point of
+//! the orbit reaches the wall.
 
 use grazing_continuation::curve::{Curve, CurveEnd};
 use grazing_continuation::locate::{Condition, locate};
@@ -20,14 +20,14 @@ use crate::slices::{FREE_STEPS, Slice, Slicer};
 use crate::tolerances::BETWEEN_GRAZING_ORBITS;
 use crate::{Scope, search};
 
-/// What was seen of periodic motion without the wall at one η, and where it grazes.
+/// Periodic motion without the wall at one η, and its grazing.
 #[derive(Clone, Debug)]
 pub struct PeriodicMotion {
     /// Grazing orbits, each touching the wall with its highest point.
     pub grazing: Vec<GrazingOrbit>,
     /// Orbits that touch the wall without being turned back, with F ≥ 0 there.
     pub pushed: Vec<Height>,
-    /// How motion from one of the starts ran away.
+    /// The end of motion from one of the starts that ran away.
     pub ran_away: Option<Escape>,
     /// The branches of solutions.
     pub(crate) branches: Vec<Curve>,
@@ -36,7 +36,7 @@ pub struct PeriodicMotion {
 /// The highest point of a periodic orbit without the wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Height {
-    /// x.
+    /// The position x.
     pub position: f64,
     /// The parameters (μ, η).
     pub parameters: [f64; 2],
@@ -45,7 +45,7 @@ pub struct Height {
 }
 
 impl Height {
-    /// That of a solution without impacts.
+    /// The highest point of a solution without impacts.
     pub(crate) fn of(equations: &LoopEquations, solution: &PeriodicSolution) -> Self {
         let point = &solution.unknowns;
         let motion = equations.oscillator_at(point).motion(equations.departure(point));
@@ -55,36 +55,37 @@ impl Height {
     }
 }
 
-/// Where the search begins: shares of the range of μ, and positions at rest, besides those where
-/// the oscillator rests: that may be in a well in which none of these lies.
+/// Starts of the search: fractions of the range of μ, and positions at rest, in addition to the
+/// oscillator's own rest positions, which may be in a well that contains none of these.
 const SHARES: [f64; 3] = [0.0, 1.0, LAST_RESORT];
-/// The share from which a search begins if there is nothing at the ends.
+/// The fraction from which a search begins if nothing is found at the ends.
 const LAST_RESORT: f64 = 0.5;
 const POSITIONS: [f64; 3] = [-1.0, 0.0, -0.25];
 
-/// Forcing periods for which motion is left to relax; Newton's method starts from wherever it is
-/// then.
+/// Number of forcing periods for which motion is left to relax; Newton's method then starts from
+/// the state reached.
 const LONGEST_RELAXATION: usize = 200;
 /// Newton's method takes over when a period changes the state by less than this.
 const RELAXED: f64 = 1e-3;
 
-/// Motion that relaxes this far from the wall, whose distance from rest is of order one, is not looked
-/// at, whether there is other motion or not: a pendulum may turn any number of times before it does,
-/// and motion about each of its rest positions is the same but for those turns.
+/// Motion that relaxes this far from the wall, whose distance from rest is of order one, is
+/// ignored, whether or not there is other motion: a pendulum may turn any number of times before it
+/// relaxes, and motion about each of its rest positions is the same except for those turns.
 const CARRIED_AWAY: f64 = 10.0;
-/// Motion from a start that is itself far off is not carried away within this many times as far.
+/// Motion from a start that is itself far off is not carried away within this multiple of its
+/// distance.
 const AS_FAR: f64 = 2.0;
 
-/// Looks for grazing of periodic motion without the wall over the whole range of μ at η =
-/// `secondary`.
+/// Finds grazing of periodic motion without the wall over the whole range of μ at η = `secondary`.
 pub fn periodic_motion(oscillator: &AnyOscillator, scope: &Scope, secondary: f64) -> PeriodicMotion {
     let equations = super::equations(oscillator, scope.window);
     let slicer = Slicer::new(equations, scope.window, FREE_STEPS);
     motion(oscillator, scope, &slicer, secondary, &[], &[0.0])
 }
 
-/// As [`periodic_motion`], in steps of one's own; with motion that comes from rest at some more
-/// positions, or has its highest point at one of some heights, should none of the rest lead to it.
+/// Like [`periodic_motion`], with the steps of a given slicer; motion may also start from rest at
+/// more positions, or have its highest point at one of some heights, in case the other starts do
+/// not lead to it.
 pub(crate) fn motion(
     oscillator: &AnyOscillator,
     scope: &Scope,
@@ -140,7 +141,7 @@ fn relaxed(
         let from = State { position: state[0], velocity: state[1], phase: 0.0 };
         let end = oscillator.motion(from).at(period);
         let next = Vector2::new(end.position, end.velocity);
-        // NaN is far as well.
+        // NaN counts as far as well.
         if next.norm().is_nan() || next.norm() > FAR {
             return Err(Escape::of(&oscillator, state.into()));
         }
@@ -154,14 +155,14 @@ fn relaxed(
     Ok(locate(equations, Condition::beside(equations, &near), near, &mut EventTimes::default()).ok())
 }
 
-/// Whether a branch was followed to the edges of the range to both sides.
+/// Whether a branch was followed to the edges of the range in both directions.
 pub(crate) fn is_whole(branch: &Curve) -> bool {
     let mut ends = [branch.beginning.as_ref(), Some(&branch.end)].into_iter().flatten();
     ends.all(|end| matches!(end, CurveEnd::LeftWindow | CurveEnd::Closed))
 }
 
 impl PeriodicMotion {
-    /// Records where the branches come to the wall.
+    /// Records where the branches reach the wall.
     fn look_for_grazing(&mut self, equations: &LoopEquations, scope: &Scope) {
         for branch in &self.branches {
             for (index, pair) in (1..).zip(branch.points.windows(2)) {

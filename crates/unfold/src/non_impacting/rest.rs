@@ -1,37 +1,37 @@
-//! Where an oscillator rests in front of the wall.
+//! Rest positions of an oscillator in front of the wall.
 //!
-//! Where attraction at the wall exceeds the spring, as in adhesion, motion that begins near the wall
-//! may run away, or settle in another well behind the wall, while motion from the rest position
-//! relaxes as ever. That position may be hundreds of units of length away, since the unit is how
-//! fast the force changes at the wall.
+//! Where attraction at the wall exceeds the spring, as in adhesion, motion that begins near the
+//! wall may run away, or settle in another well behind the wall, while motion from the rest
+//! position still relaxes. That position may be hundreds of units of length away, since the unit
+//! depends on how fast the force changes at the wall.
 
 use core::f64::consts::TAU;
 
 use grazing_continuation::regula_falsi::zero_between;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
 
-/// Instants of a forcing period at which the force is looked at.
+/// Number of instants of a forcing period at which the force is evaluated.
 const INSTANTS: u32 = 16;
-/// Rest positions are looked for between the wall and so many distances from it,
+/// Number of distances from the wall between which rest positions are looked for.
 const DISTANCES: u32 = 80;
-/// of which this is the first,
+/// The first of these distances.
 const FIRST: f64 = 1.0 / 256.0;
-/// and each is this many times the one before. They end at some 3600 units of length (empirical):
-/// a unit is the distance from rest or, where the force is steep at the wall, down to a thousandth
-/// of it.
+/// The ratio of each distance to the previous one. The last is some 3600 units of length
+/// (empirical): a unit is the distance from rest or, where the force is steep at the wall, down to
+/// a thousandth of it.
 const RATIO: f64 = 1.19;
-/// What lies farther off than this many times the nearest is left out: a pendulum has rest
-/// positions without end, which differ in its turns alone.
+/// Positions farther off than this multiple of the nearest one are left out: a pendulum has
+/// infinitely many rest positions, which differ only in its turns.
 const REACH: f64 = 4.0;
-/// Rest positions are known to [`ENOUGH`] only, and forces of the order of one that are the same to
-/// a little more.
+/// Largest difference of forces that count as equal: rest positions are known only to [`ENOUGH`],
+/// and equal forces of the order of one therefore to slightly less.
 const SAME_FORCE: f64 = 0.02;
-/// Motion relaxes from beside a rest position as well: where the mean force is this share of what
-/// it is around.
+/// Accuracy of a rest position, as the ratio of the mean force there to that around it: motion
+/// relaxes from beside a rest position as well.
 const ENOUGH: f64 = 1e-3;
 
-/// The stable rest positions in front of the wall, from there on: where the force at rest, on
-/// average over a forcing period, is zero and drives back to there.
+/// The stable rest positions in front of the wall, in the order of their distance: the force at
+/// rest, averaged over a forcing period, is zero there and drives back to there.
 pub fn positions(oscillator: &AnyOscillator) -> Vec<f64> {
     let stable = zeros(oscillator).into_iter().filter_map(|(position, stable)| stable.then_some(position));
     let mut found: Vec<f64> = stable.collect();
@@ -51,7 +51,8 @@ pub(super) fn all_positions(oscillator: &AnyOscillator) -> Vec<f64> {
     found.into_iter().map(|(position, _)| position).collect()
 }
 
-/// The rest positions in front of the wall, from there on, and whether the force drives back to them.
+/// The rest positions in front of the wall, in the order of their distance, and whether the force
+/// drives back to them.
 fn zeros(oscillator: &AnyOscillator) -> Vec<(f64, bool)> {
     let mean = |position: f64| {
         let phases = (0..INSTANTS).map(|k| TAU * f64::from(k) / f64::from(INSTANTS));
@@ -84,7 +85,7 @@ fn zeros(oscillator: &AnyOscillator) -> Vec<(f64, bool)> {
 }
 
 /// Whether the force is the same a turn further on: motion about rest positions that differ by
-/// turns is the same, and only that next to the wall matters, on whichever side.
+/// turns is the same, and only that next to the wall matters, on either side.
 fn is_period(oscillator: &AnyOscillator, from: f64, turn: f64) -> bool {
     const SHARES: [f64; 5] = [0.0, 0.137, 0.361, 0.592, 0.823];
     SHARES.iter().zip(SHARES.iter().rev()).all(|(place, phase)| {
@@ -106,7 +107,7 @@ mod tests {
         let cases: [(&str, &[f64]); 5] = [
             ("-x - 1", &[-1.0]),
             ("1 - x", &[]),
-            // Two wells with a hill between them, and a pendulum, which has one and its turns.
+            // Two wells with a hill between them, and a pendulum, which has one well and its turns.
             ("-(x + 1)*(x + 2)*(x + 3)", &[-1.0, -3.0]),
             ("-sin(x + 0.4)", &[-0.4]),
             // The attraction is twice the spring at the wall, and a millionth of it where it rests.
@@ -114,7 +115,7 @@ mod tests {
         ];
         for (force, expected) in cases {
             let found = positions(&crate::specimens::unforced(force).oscillator([0.0, 1.0]));
-            // Where the force is a thousandth of that beside it the place is wrong by no more.
+            // Where the force is a thousandth of that beside it the position has no larger error.
             let near = |(found, expected): (&f64, &f64)| (found / expected - 1.0).abs() < ENOUGH;
             assert!(
                 found.len() == expected.len() && found.iter().zip(expected).all(near),

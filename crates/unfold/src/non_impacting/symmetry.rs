@@ -1,4 +1,4 @@
-//! Whether an oscillator is symmetric but for its wall.
+//! Detection of the symmetry of an oscillator without its wall.
 
 use core::f64::consts::{PI, TAU};
 
@@ -9,14 +9,16 @@ use grazing_model::{AnyOscillator, ImpactOscillator, State};
 
 use super::rest;
 
-/// How far to either side of a centre, as shares of its distance from the wall, it is looked for.
+/// Displacements to either side of a centre in the search for it, as fractions of its distance from
+/// the wall.
 const ASIDE: [f64; 2] = [0.0, 0.31];
-/// Forces at mirrored places cancel to this share of themselves: expressions are exact to rounding.
+/// Forces at mirrored places cancel to this fraction of themselves: expressions are exact to
+/// rounding.
 const CANCELS: f64 = 1e-9;
-/// Places of the window at which the symmetry must hold, as shares of its sides; the first three say
-/// where its centre is.
+/// Places of the window at which the symmetry must hold, as fractions of its sides; the first three
+/// determine its centre.
 const PLACES: [[f64; 2]; 5] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [0.37, 0.61]];
-/// A centre that moves by less than this through the window does not move.
+/// A centre that moves by less than this through the window counts as fixed.
 const STAYS: f64 = 1e-12;
 
 /// The equations of motion without impacts in a window.
@@ -52,8 +54,8 @@ fn symmetry(oscillator: &AnyOscillator, window: Window) -> Option<Symmetry> {
     })
 }
 
-/// The centre beside a rest position, if there is one: where forces at rest cancel half a period
-/// apart, there or, where the spring is ever so soft at the centre, to either side of it.
+/// The centre beside a rest position, if there is one: forces at rest half a period apart cancel
+/// there or, where the spring is very soft at the centre, on either side of it.
 fn centre(oscillator: &AnyOscillator, near: f64) -> Option<f64> {
     let beside = |aside: f64| {
         let both = |position: f64| -> f64 {
@@ -74,7 +76,7 @@ fn centre(oscillator: &AnyOscillator, near: f64) -> Option<f64> {
     ASIDE.into_iter().find_map(beside)
 }
 
-/// Whether the force at places that mirror each other is opposite.
+/// Whether forces at places that mirror each other are opposite.
 fn is_centre(oscillator: &AnyOscillator, centre: f64) -> bool {
     const SHARES: [[f64; 3]; 6] = [
         [0.0, 0.0, 0.13],

@@ -1,4 +1,4 @@
-//! Branches as what is drawn of them: x on Π, loop by loop.
+//! Branches in the form in which they are drawn: x on Π, loop by loop.
 
 use core::f64::consts::TAU;
 
@@ -22,26 +22,26 @@ use crate::stretches::{Vertex, vertices};
 pub struct Branch {
     /// The equations, in the formulation in which the branch was begun.
     pub equations: LoopEquations,
-    /// Its points and bifurcations.
+    /// The points and bifurcations of the branch.
     pub curve: Curve,
 }
 
 /// One loop of the solutions of a branch: its points in order.
 pub(super) type Strand = Vec<BranchPoint>;
 
-/// V of a solution whose visits to Π are the right ones is at most this (empirical: Newton's method
-/// leaves some 10⁻¹⁰; another maximum is farther away than this by orders of magnitude).
+/// Largest V of a solution whose visits to Π are the right ones (empirical: Newton's method leaves
+/// some 10⁻¹⁰; another maximum is farther away than this by orders of magnitude).
 const CLOSED: f64 = 1e-6;
-/// From point to point of a branch a visit's phase changes by less than this (empirical: a step of
-/// a curve that is drawn turns by two degrees).
+/// Largest change of a visit's phase from point to point of a branch (empirical: a step of a curve
+/// that is drawn turns by two degrees).
 const LARGEST_TURN: f64 = 0.3;
 
 impl Branch {
-    /// The points (x, z) at which the solutions meet Π, loop by loop; NaN where that is not known.
+    /// The points (x, z) at which the solutions meet Π, loop by loop; NaN where they are unknown.
     ///
     /// The times of the maxima are carried from point to point, and visits count only if the last
-    /// is the virtual point of the impact, as that of an MPS is. That one is known in any case.
-    /// Motion without impacts has its highest point.
+    /// is the virtual point of the impact, as for an MPS. That point is always known. For motion
+    /// without impacts the visit is its highest point.
     fn visits(&self, places: &[Vertex<'_>]) -> Vec<Vec<Vector2<f64>>> {
         if !self.equations.has_impacts() {
             let highest = |at: &Vertex<'_>| {
@@ -52,7 +52,7 @@ impl Branch {
             return places.iter().map(highest).collect();
         }
         let vivid = self.equations.with_formulation(Formulation::Vivid);
-        // The maximum that is next to the impact.
+        // The maximum next to the impact.
         let landing = |point: &Unknowns| {
             let impact = OnWall::new(point[unknown::VELOCITY], point[unknown::PHASE]);
             let landing = virtual_map::<_, 1>(&self.equations.oscillator_at(point), impact, None);
@@ -81,7 +81,7 @@ impl Branch {
         visits.collect()
     }
 
-    /// What is drawn of the branch. Strands have no numbers yet.
+    /// The strands and bifurcations of the branch that are drawn. Strands have no numbers yet.
     pub(super) fn shown(&self) -> (Vec<Strand>, Vec<BranchBifurcation>) {
         let places = vertices(&self.curve);
         let visits = self.visits(&places);
@@ -94,7 +94,7 @@ impl Branch {
             let mut phase = f64::NAN;
             for (k, (at, visits)) in places.iter().zip(&visits).enumerate() {
                 let [x, z] = visits[visit as usize].into();
-                // Where another maximum is taken for the visit, the strand begins anew.
+                // Where another maximum is taken for the visit, a new strand begins.
                 if libm::remainder(z - phase, TAU).abs() > turn {
                     strands.push(core::mem::take(&mut points));
                 }
@@ -139,8 +139,8 @@ impl Branch {
 
     /// Whether the solutions are stable; at y = 0 they are not.
     pub(super) fn stable(&self, places: &[Vertex<'_>]) -> Vec<bool> {
-        // With a multiplier on the unit circle a solution is taken for what it is beyond the
-        // bifurcation.
+        // At a multiplier on the unit circle a solution is given the stability that it has beyond
+        // the bifurcation.
         let critical = |event: &Event| matches!(event.condition, Condition::Multiplier(_) | Condition::TORUS);
         let own = |k: usize| match places[k].event {
             Some(event) if critical(event) => None,
@@ -207,7 +207,7 @@ pub(super) fn within<T: Clone>(
     runs.map(|run| strand[run[0]..=run[run.len() - 1]].to_vec()).collect()
 }
 
-/// Whether two bifurcations are one, parameters being no farther apart than this.
+/// Whether two bifurcations are the same, with parameters no farther apart than `distance`.
 pub(super) fn same_bifurcation(a: &BranchBifurcation, b: &BranchBifurcation, distance: f64) -> bool {
     (a.kind, a.loops) == (b.kind, b.loops)
         && (a.primary - b.primary).abs() <= distance

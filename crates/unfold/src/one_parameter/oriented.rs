@@ -1,5 +1,5 @@
-//! An oscillator as a line of the parameter plane sees it: the parameter across first, then the one
-//! that is held.
+//! An oscillator with the parameter across a line of the parameter plane first, then the one that
+//! is held.
 
 use grazing_continuation::curve::Window;
 use grazing_continuation::mps::{EventTimes, unknown};
@@ -11,11 +11,11 @@ use nalgebra::SMatrix;
 use crate::Scope;
 use crate::curves::DiagramCurve;
 
-/// An oscillator with its parameters (μ, η) in each other's role.
+/// An oscillator with its parameters (μ, η) exchanged.
 #[derive(Clone)]
 struct Exchanged(AnyOscillator);
 
-/// The oscillator, or the same with its parameters exchanged.
+/// The oscillator, with its parameters exchanged if required.
 pub fn oriented(oscillator: &AnyOscillator, exchanged: bool) -> AnyOscillator {
     if exchanged { AnyOscillator::new(Exchanged(oscillator.clone())) } else { oscillator.clone() }
 }
@@ -79,7 +79,7 @@ impl ImpactOscillator for Exchanged {
 }
 
 impl Scope {
-    /// The same for the oscillator whose parameters are exchanged.
+    /// The scope for the oscillator with exchanged parameters.
     #[must_use]
     pub(super) fn exchanged(&self) -> Self {
         let Window { primary, secondary } = self.window;
@@ -87,12 +87,12 @@ impl Scope {
     }
 }
 
-/// Curves of a diagram with the parameters in each other's role.
+/// Curves of a diagram with exchanged parameters.
 pub(super) fn exchanged(curves: &[DiagramCurve]) -> Vec<DiagramCurve> {
     let mut curves = curves.to_vec();
     for point in curves.iter_mut().flat_map(|curve| &mut curve.curve.points) {
         point.solution.unknowns.swap_rows(unknown::PRIMARY, unknown::SECONDARY);
-        // What the equations carry says nothing of parameters.
+        // The carried state is unrelated to the roles of the parameters; it starts anew.
         point.times = EventTimes::default();
     }
     curves

@@ -1,4 +1,5 @@
-//! Orbits in the (x, y) plane: the stable solutions at some μ, and what simulation finds besides.
+//! Orbits in the (x, y) plane: the stable solutions at some μ, and further ones found by
+//! simulation.
 
 use grazing_continuation::mps::Unknowns;
 use grazing_model::{AnyOscillator, ImpactOscillator};
@@ -14,26 +15,26 @@ use crate::long_time::{
 use crate::progress::Progress;
 use crate::tolerances::{BETWEEN_ORBITS, BETWEEN_WANDERING_ORBITS};
 
-/// A phase portrait that is asked for.
+/// A phase portrait that is requested.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Subject {
     /// The value of the parameter across.
     pub across: f64,
-    /// The one orbit that is shown: a stable solution of p loops, or for 0 one without impacts or,
-    /// if there is none, what simulation comes to. All that are there if it is missing.
+    /// The single orbit that is shown: a stable solution of p loops, or for 0 one without impacts
+    /// or, if there is none, an attractor found by simulation. `None` shows all orbits.
     pub loops: Option<u32>,
 }
 
-/// Forcing periods of an attractor.
+/// Number of forcing periods of an attractor.
 const ATTRACTOR_PERIODS: u32 = 40;
-/// Forcing periods of motion that does not reach the wall.
+/// Number of forcing periods of motion that does not reach the wall.
 const FREE_PERIODS: f64 = 8.0;
-/// Random states at each μ.
+/// Number of random states at each μ.
 const STARTS: u32 = 8;
 /// Impacts (y, z) of an orbit that has settled.
 type Impacts = Vec<Vector2<f64>>;
 
-/// What orbits are looked for in.
+/// The oscillator, branches and settings of the search for orbits.
 pub(super) struct Scene<'a> {
     pub(super) oscillator: &'a AnyOscillator,
     pub(super) branches: &'a [Branch],
@@ -44,7 +45,7 @@ pub(super) struct Scene<'a> {
     pub(super) seed: u64,
 }
 
-/// A portrait in order of time, an empty row after each flight; it has no number yet.
+/// A portrait in order of time, with an empty row after each flight; it has no number yet.
 pub(super) type Portrait = Vec<PortraitPoint>;
 
 fn portrait(
@@ -68,7 +69,7 @@ fn portrait(
 }
 
 impl Scene<'_> {
-    /// The portraits of all subjects, those of each together.
+    /// The portraits of all subjects, grouped by subject.
     pub(super) fn of_all(&self, subjects: &[Subject], progress: &dyn Progress) -> Vec<Portrait> {
         let numbered: Vec<(u128, &Subject)> = (0..).zip(subjects).collect();
         let found = numbered
@@ -77,12 +78,12 @@ impl Scene<'_> {
         found.collect::<Vec<_>>().concat()
     }
 
-    /// The portraits of a subject, which has a place in their list; none if the orbit is not there,
-    /// or comes to rest at the wall.
+    /// The portraits of a subject with a given index; empty if the orbit does not exist, or comes
+    /// to rest at the wall.
     fn of(&self, place: u128, subject: &Subject) -> Vec<Portrait> {
         let (all, patience) = match subject.loops {
             None => (true, Patience::Unsettled),
-            // Any part of an orbit that wanders about shows it.
+            // Any part of an irregular orbit is sufficient.
             Some(_) => (false, Patience::Drifting),
         };
         let mut portraits = self.at(place, subject.across, patience);
@@ -90,7 +91,7 @@ impl Scene<'_> {
             return portraits;
         }
         let chosen = portraits.iter().position(|portrait| Some(portrait[0].loops) == subject.loops);
-        // Where simulation comes to nothing but MPSs, one of these is what there is of p = 0.
+        // If simulation finds nothing but MPSs, one of these is shown for p = 0.
         let chosen = chosen.or((subject.loops == Some(0) && !portraits.is_empty()).then_some(0));
         chosen.map(|chosen| portraits.swap_remove(chosen)).into_iter().collect()
     }
@@ -125,14 +126,14 @@ impl Scene<'_> {
         let attractor = |flights| portrait(PortraitKind::Attractor, 0, parameters, flights);
         let mut seen: Vec<Impacts> = Vec::new();
         let (mut aperiodic, mut free_known) = (false, !free.is_empty());
-        // None of the numbers of the grid.
+        // A stream of random numbers that the grid does not use.
         let mut random = Pcg64::new(u128::from(self.seed), (place + 1) << 64);
         let horizon = Horizon { patience, ..Horizon::drifting(self.transient, ATTRACTOR_PERIODS) };
         for _ in 0..STARTS {
             let start = random_start(self.lowest, &mut random);
             let orbit = LongOrbit::follow(&oscillator, start, horizon);
             if let Some(state) = orbit.free_state(&oscillator) {
-                // Motion of several times the forcing's period, or what no branch leads to.
+                // Motion with several times the forcing period, or motion to which no branch leads.
                 if !core::mem::replace(&mut free_known, true) {
                     let duration = FREE_PERIODS * period;
                     portraits.push(attractor(vec![sampled(
@@ -169,7 +170,7 @@ fn contains(impacts: &Impacts, impact: &Vector2<f64>) -> bool {
     impacts.iter().any(|other| same_impact(BETWEEN_ORBITS, other, impact))
 }
 
-/// Whether every impact of an attractor lies beside one of another.
+/// Whether every impact of an attractor lies near one of another attractor.
 fn near(all: &Impacts, impacts: &Impacts) -> bool {
     impacts.iter().all(|impact| all.iter().any(|other| same_impact(BETWEEN_WANDERING_ORBITS, other, impact)))
 }

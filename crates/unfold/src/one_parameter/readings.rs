@@ -1,4 +1,4 @@
-//! What is read off solutions and simulated motion besides x on Π.
+//! Quantities of solutions and simulated motion other than x on Π.
 
 use grazing_continuation::mps::{PeriodicSolution, flight_time};
 use grazing_model::maps::virtual_map;
@@ -14,13 +14,13 @@ use crate::long_time::LongOrbit;
 use crate::progress::Progress;
 use crate::stretches::{Vertex, vertices};
 
-/// Between so many instants of a forcing period turning points are bracketed: of those that lie
-/// closer together x differs by nothing that could be read.
+/// Number of instants of a forcing period between which turning points are bracketed: at turning
+/// points closer together x has no visible difference.
 const INSTANTS: f64 = 64.0;
-/// A turning point is halved down to rounding of its position.
+/// Number of halvings, down to rounding of the position of a turning point.
 const HALVINGS: u32 = 30;
 
-/// The stage.
+/// The name of the stage.
 const SWEEPS: &str = "sweeps of a one-parameter diagram";
 
 /// Lowest and highest position of a motion until a time.
@@ -95,7 +95,7 @@ impl Branch {
 }
 
 impl Cut {
-    /// What is read off the solutions on its branches.
+    /// The readings of the solutions on the branches.
     pub fn readings(&self) -> Vec<Reading> {
         let found: Vec<Vec<Reading>> = self.branches.par_iter().map(Branch::readings).collect();
         let strands = found.iter().flat_map(|branch| within(branch, |row| row.primary, self.line.range));
@@ -107,11 +107,11 @@ impl Cut {
         self.in_place(rows)
     }
 
-    /// What is read off motion as the parameter across goes up and down, each time from what it has
-    /// come to at the value before.
+    /// Readings of motion as the parameter across goes up and down, each time from the long-term
+    /// state at the previous value.
     ///
     /// A sweep begins at rest, a unit of length from the wall. Where motion comes to rest at the
-    /// wall, or cannot be followed, it goes on from the last state before that.
+    /// wall, or cannot be followed, it continues from the last state before that.
     pub fn sweeps(&self, sampling: &Sampling, progress: &dyn Progress) -> Vec<MotionReading> {
         let sampling = &self.long_enough(sampling);
         let [low, high] = self.line.range;
@@ -140,8 +140,8 @@ impl Cut {
     }
 }
 
-/// The impacts of an orbit on its cycle, or of all that is recorded of it, or one row of motion without impacts; none of motion
-/// that has come to rest.
+/// Readings of the impacts of an orbit on its cycle, or of all recorded impacts, or one row for
+/// motion without impacts; none for motion that has come to rest.
 pub(super) fn readings_of(
     oscillator: &AnyOscillator,
     orbit: &LongOrbit,
@@ -175,7 +175,7 @@ pub(super) fn readings_of(
     }
     let extents = orbit.flights.iter().map(|flight| extent(&flight.motion, flight.duration, period));
     let [low, high] = extents.fold([f64::INFINITY, 0.0], |all, one| [all[0].min(one[0]), all[1].max(one[1])]);
-    // Those of one cycle, if there is one.
+    // The impacts of one cycle, if there is one.
     let cycle =
         orbit.fate.periods.map(|periods| libm::round(orbit.fate.impacts * f64::from(periods)) as usize);
     let rows = orbit.impacts.iter().take(cycle.unwrap_or(usize::MAX)).map(|impact| {

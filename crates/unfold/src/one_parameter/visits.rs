@@ -1,4 +1,4 @@
-//! Long-time behaviour of the hybrid system from random states, as x on Π.
+//! Long-term behaviour of the hybrid system from random states, as x on Π.
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_model::maps::{next_visit, virtual_map};
@@ -13,43 +13,43 @@ use super::readings::readings_of;
 use crate::long_time::{Horizon, LONGEST_TRANSIENT, LongOrbit, random_start};
 use crate::progress::Progress;
 
-/// How long-time behaviour is sampled.
+/// Settings for the sampling of long-term behaviour.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sampling {
-    /// Values of the parameter across, evenly spaced, at least 2.
+    /// Number of values of the parameter across, evenly spaced, at least 2.
     pub values: u32,
-    /// They lie between the first bifurcations of these kinds, or there are none; otherwise in the
-    /// whole range.
+    /// The kinds of bifurcations between the first of which the values lie, or there are none;
+    /// `None` for the whole range.
     pub between: Option<[Bifurcation; 2]>,
-    /// Orbits at each, from random states.
+    /// Number of orbits at each value, from random states.
     pub orbits: u32,
-    /// The forcing periods before an orbit counts; more where damping is weak.
+    /// Number of forcing periods before an orbit counts; more where damping is weak.
     pub transient: u32,
-    /// The forcing periods for which it counts then.
+    /// Number of forcing periods for which it then counts.
     pub recorded: u32,
-    /// Initial states lie between the wall and this x; as low as what is shown if there is none.
+    /// The least x of initial states; `None` for the least x that is shown.
     pub lowest: Option<f64>,
     /// The seed of the random states.
     pub seed: u64,
-    /// More than x is read off motion.
+    /// Whether quantities other than x are read as well.
     pub readings: bool,
 }
 
-/// Motion without impacts has settled when what it began with is this small a part of what it was:
-/// far less than a dot.
+/// Motion without impacts has settled when its transient is this small a fraction of its initial
+/// size: far less than a dot.
 const SETTLED: f64 = 1e-5;
 
-/// The stage.
+/// The name of the stage.
 const LONG_TIME: &str = "long-time behaviour";
 
 impl Sampling {
-    /// For how long an orbit is followed.
+    /// The time for which an orbit is followed.
     pub(super) const fn horizon(&self) -> Horizon {
         Horizon::drifting(self.transient, self.recorded)
     }
 
-    /// The same with a transient in which motion beside orbits without impacts settles, of whose
-    /// multipliers these are the products δ.
+    /// The sampling with a transient in which motion beside orbits without impacts settles;
+    /// `products` are the products δ of their multipliers.
     ///
     /// A period shrinks areas about an orbit by δ, and so lengths by √δ, if the multipliers are
     /// complex.
@@ -61,8 +61,8 @@ impl Sampling {
     }
 }
 
-/// x on Π at the visits of an orbit after its transient; none if it has come to rest at the wall by
-/// then.
+/// The values of x on Π at the visits of an orbit after its transient; empty if it has come to rest
+/// at the wall by then.
 fn long_time_visits(oscillator: &AnyOscillator, orbit: &LongOrbit, counted: u32) -> Vec<f64> {
     if let Some(state) = orbit.free_state(oscillator) {
         return highest_points(oscillator, state, counted);
@@ -72,14 +72,14 @@ fn long_time_visits(oscillator: &AnyOscillator, orbit: &LongOrbit, counted: u32)
     visits
 }
 
-/// What random states come to.
+/// The long-term behaviour from random states.
 #[derive(Default)]
 pub(super) struct Sampled {
-    /// (μ, x) at the visits.
+    /// The points (μ, x) of the visits.
     pub(super) visits: Vec<[f64; 2]>,
-    /// What else is read off, if that is asked for.
+    /// Further readings, if they are requested.
     pub(super) readings: Vec<MotionReading>,
-    /// How many orbits left no visit, and how many there are.
+    /// The number of orbits without a visit, and the total number.
     pub(super) resting: [u32; 2],
 }
 
@@ -97,7 +97,7 @@ fn highest_points(oscillator: &AnyOscillator, from: State, periods: u32) -> Vec<
     core::iter::once(first).chain(points).map(|maximum| maximum.position).collect()
 }
 
-/// What settled orbits show over a range of μ.
+/// The long-term behaviour of orbits over a range of μ.
 pub(super) fn long_time_behaviour(
     oscillator: &AnyOscillator,
     secondary: f64,
@@ -138,8 +138,7 @@ pub(super) fn long_time_behaviour(
 }
 
 /// The x-values at which a flight meets Π: the iterates of P_global from the virtual point of its
-/// recoil for as long as they lie within the flight, and the virtual top beyond the wall with which
-/// it ends.
+/// recoil while they lie within the flight, and the virtual maximum beyond the wall at its end.
 fn visits_of(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>, visits: &mut Vec<f64>) {
     let State { position, velocity, phase } = flight.from;
     let mut here = match velocity {

@@ -1,4 +1,4 @@
-//! What decides a face: the slices that cross it.
+//! The judgement of a face by the slices that cross it.
 
 use grazing_continuation::curve::Window;
 
@@ -7,19 +7,19 @@ use crate::region::Doubt;
 use crate::sight::Sight;
 use crate::survey::CLEAR;
 
-/// Along chords shorter than this share of the window a face may seem mixed: curves are drawn by
+/// Along chords shorter than this fraction of the window a face may seem mixed: curves are drawn by
 /// chords of their own.
 const SHORT: f64 = 2e-3;
-/// A face all of whose chords are shorter than this is thinner than curves are drawn: the majority
-/// of its slices decides.
+/// A face all of whose chords are shorter than this is thinner than the accuracy of drawn curves:
+/// the majority of its slices decides.
 const THIN: f64 = 5e-4;
-/// Along a chord of a face there are good solutions on none or all of it, give or take what the
-/// curves' chords leave.
+/// Tolerance for the fraction of a chord of a face with good solutions, which is 0 or 1 up to the
+/// error of the curves' chords.
 const PURE: f64 = 0.1;
-/// However long a chord, no more than this share of the window may differ from the rest of it.
+/// Largest fraction of the window that may differ from the rest of a chord, however long.
 const STRETCH: f64 = 1e-3;
 
-/// A face and what was found in it.
+/// A face and its verdict.
 pub(super) struct FaceVerdict {
     pub(super) face: Face,
     pub(super) verdict: Result<bool, Doubt>,
@@ -27,11 +27,11 @@ pub(super) struct FaceVerdict {
     pub(super) trouble: Vec<f64>,
 }
 
-/// What decides faces.
+/// The information by which faces are judged.
 pub(super) struct Judge {
     pub(super) window: Window,
     pub(super) sights: Vec<Sight>,
-    /// Where a solution is known to be stable and admissible, beside curves.
+    /// Points beside curves at which a solution is known to be stable and admissible.
     pub(super) witnesses: Vec<Point>,
 }
 
@@ -57,8 +57,8 @@ impl Judge {
                 let known = known.or(sight.everywhere.as_ref());
                 let lesser = share.min(1.0 - share);
                 let mixed = lesser > PURE && length > SHORT || lesser * length > STRETCH;
-                // Where there are good solutions all along, nothing that is unknown of others
-                // matters.
+                // Where there are good solutions along the whole chord, doubts about others do not
+                // matter.
                 let known = known.filter(|_| share < 1.0 - PURE);
                 if let Some(reason) = known {
                     doubt.get_or_insert(reason.clone());
@@ -84,7 +84,7 @@ impl Judge {
             }
         }
         if !majority {
-            // What is known beside a curve is not outvoted either.
+            // Known solutions beside a curve are not outvoted either.
             let known = trouble.len();
             trouble.extend(self.witnesses_in(&face));
             if trouble.len() > known {

@@ -1,29 +1,30 @@
-//! Where slices are wanted: at faces that none crosses, between verdicts that differ, beside loose
-//! ends of curves and across curves.
+//! Places where slices are wanted: at faces that none crosses, between verdicts that differ, beside
+//! loose ends of curves and across curves.
 
 use super::judge::Judge;
 use crate::faces::{Face, Point, extent};
 
-/// Values of η in a face at which the longest chord is looked for.
+/// Number of values of η in a face at which the longest chord is looked for.
 const TRIALS: u32 = 15;
-/// A face's slice is good enough if its chord has this share of the longest one.
+/// A face's slice is good enough if its chord has at least this fraction of the longest one.
 const LONG_ENOUGH: f64 = 0.25;
-/// Slices are no closer than this share of the range of η,
+/// Smallest distance of slices, as a fraction of the range of η.
 const NEAREST: f64 = 1e-3;
-/// but for faces that none crosses, which may be as low as so many times this share,
+/// Smallest distance, in multiples of [`NEAREST`], for faces that no slice crosses, which may be
+/// very low.
 const LEAST_APART: f64 = 1e-7;
-/// and no more than this. Where motion is violent, as near the top of a pendulum, each shows
-/// changes that the others do not, and what they leave is undecided.
+/// Largest number of slices. Where motion is violent, as near the top of a pendulum, each shows
+/// changes that the others do not, and the rest is undecided.
 const MOST_SLICES: usize = 200;
-/// A curve on which η changes by less than this share of its range runs along a slice, on which
-/// nothing would be seen but it.
+/// A curve on which η changes by less than this fraction of its range runs along a slice, on which
+/// only the curve would be seen.
 const ALONG: f64 = 1e-9;
-/// Shares of the range of η at which slices are laid beside a loose end.
+/// Displacements of slices beside a loose end, as fractions of the range of η.
 const BESIDE: [f64; 4] = [-0.02, -0.003, 0.003, 0.02];
 
 impl Judge {
-    /// The η at which a slice is needed to judge a face, if none of those that there are will do,
-    /// and how near to it another one would do as well.
+    /// The η at which a slice is needed to judge a face, if no existing slice is sufficient, and
+    /// the distance within which another one would also suffice.
     pub(super) fn unseen(&self, face: &Face) -> Option<[f64; 2]> {
         let [low, high] = extent(face);
         let trial = |k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(TRIALS);
@@ -39,9 +40,9 @@ impl Judge {
         (!seen && length > 0.0 && apart > LEAST_APART * height).then_some([best, apart])
     }
 
-    /// Values of η that are not so close to one another or to a slice that another one would add
-    /// nothing: evenly fewer than there are where slices would become too many. Those at which a
-    /// face is `unseen` may be closer, each as it says.
+    /// The wanted values of η without those so close to one another or to a slice that they would
+    /// add nothing, thinned out evenly where slices would become too many. Those at which a face is
+    /// `unseen` may be closer, each by its own distance.
     pub(super) fn affordable(&self, unseen: Vec<[f64; 2]>, wanted: &[f64]) -> Vec<f64> {
         let nearest = NEAREST * self.window.widths()[1];
         let mut all = unseen;
@@ -58,8 +59,8 @@ impl Judge {
         (0..apart.len().min(left)).map(|k| apart[k * apart.len() / apart.len().min(left)]).collect()
     }
 
-    /// Values of η half the way between neighbouring slices one of which is in trouble in a face
-    /// and the other is not: what is missing ends between them.
+    /// Values of η half-way between neighbouring slices one of which has trouble in a face and the
+    /// other has not: a missing curve ends between them.
     pub(super) fn between_verdicts(&self, face: Face) -> Vec<f64> {
         let trouble = self.judge(face).trouble;
         if trouble.is_empty() {
@@ -73,8 +74,9 @@ impl Judge {
         pairs.map(|pair| 0.5 * (pair[0] + pair[1])).collect()
     }
 
-    /// Values of η beside ends of curves inside the window at which no other curve ends and, if so
-    /// asked, half the way from one to the next: a curve is missing there, which may lead to that.
+    /// Values of η beside ends of curves inside the window at which no other curve ends and, if
+    /// requested, half-way from one to the next: a curve is missing there, which may lead to the
+    /// next end.
     pub(super) fn beside_loose_ends(&self, lines: &[Vec<Point>], to_next: bool) -> Vec<f64> {
         let ends: Vec<Point> =
             lines.iter().filter_map(|line| Some([*line.first()?, *line.last()?])).flatten().collect();
@@ -95,8 +97,8 @@ impl Judge {
             .collect()
     }
 
-    /// Values of η along curves that fewer slices cross than so many, half the way where that is
-    /// one: what else begins beside them has not been seen.
+    /// Values of η along curves that fewer than `slices` slices cross, half-way if that is one:
+    /// other branches that begin beside them have not been seen.
     pub(super) fn uncrossed(&self, lines: &[Vec<Point>], slices: u32) -> Vec<f64> {
         let extents = lines.iter().map(|line| extent(core::slice::from_ref(line)));
         let crossed = |[low, high]: &[f64; 2]| {
@@ -162,7 +164,7 @@ mod tests {
         assert_eq!(judge.beside_loose_ends(&pair, true), []);
         let levels = judge.beside_loose_ends(&[loose.clone(), pair[0].clone(), pair[1].clone()], true);
         assert_eq!(levels, BESIDE.map(|share| 0.6 + share));
-        // What leads from there to another loose end lies between.
+        // A curve from there to another loose end lies between.
         let levels = judge.beside_loose_ends(&[loose.clone(), line(&[[0.0, 0.8], [0.4, 0.7]])], true);
         assert!(levels.contains(&(0.5 * (0.6 + 0.7))), "{levels:?}");
         let [first, second] = pair;

@@ -1,5 +1,5 @@
-//! What leads to the branches of a slice: where they begin, slices beside, curves and columns that
-//! cross it, and solutions.
+//! The sources of the branches of a slice: their beginnings, adjacent slices, curves and columns
+//! that cross it, and solutions.
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, CurvePoint};
@@ -10,23 +10,23 @@ use super::{CARRIED_OFF, Crossing, MOST_BRANCHES, Slice, Slicer, crossings};
 use crate::curves::DiagramCurve;
 use crate::grazing::HighestPoint;
 
-/// Branches from the grazing curve begin at this impact velocity, beside the singular point
-/// (empirical; what lies between is narrower than y² in μ), and in a window that is not much wider
-/// than that at this share of the root of its width.
+/// Impact velocity at which branches from the grazing curve begin, beside the singular point
+/// (empirical; the part in between is narrower than y² in μ), and its fraction of the root of the
+/// width of a window that is not much wider than that.
 const BESIDE_GRAZING: f64 = 1e-4;
 const BESIDE_SHARE: f64 = 0.01;
-/// Each begins unstable, as its trace is infinite at y = 0. Where motion is strongly damped that ends closer
-/// to the singular point: at impact velocities as many times smaller.
+/// Factors of this velocity that are tried: a branch begins unstable, as its trace is infinite at y
+/// = 0, and where motion is strongly damped this ends closer to the singular point.
 const CLOSER: [f64; 4] = [1.0, 1e-2, 1e-4, 1e-6];
-/// Branches of twice the period begin so far in (x, y) from where the period doubles; the square is
-/// the distance in μ. Those of twice the half of one are farther from the branch of symmetric motion
-/// than what counts as on it.
+/// Distances in (x, y) from a period doubling at which branches of twice the period begin; the
+/// square is the distance in μ. Those of twice the half of a period are farther from the branch of
+/// symmetric motion than the tolerance for lying on it.
 const BESIDE_DOUBLING: [f64; 3] = [1e-3, 1e-2, 5e-2];
-/// Solutions of a branch that are carried to a neighbouring slice.
+/// Number of solutions of a branch that are carried to a neighbouring slice.
 const CARRIED: usize = 8;
 
 impl Slicer {
-    /// The branches at some η that begin on the grazing curve, or pass it, at points (z, μ) of it.
+    /// The branches at some η that begin on the grazing curve, or pass it, at its points (z, μ).
     pub(crate) fn beginning_at_grazing(
         &self,
         secondary: f64,
@@ -90,8 +90,8 @@ impl Slicer {
         }
     }
 
-    /// Adds the branches of a slice that a neighbouring slice leads to, and says whether there are
-    /// any; a branch is carried to a neighbour once.
+    /// Adds the branches of a slice to which a neighbouring slice leads, and returns whether there
+    /// are any; a branch is carried to a neighbour once.
     pub(crate) fn carry(&self, from: &Slice, to: &mut Slice) -> bool {
         let before = to.branches.len();
         if before >= MOST_BRANCHES {
@@ -100,7 +100,7 @@ impl Slicer {
         let taken = &mut to.taken[usize::from(from.secondary > to.secondary)];
         let (neighbour, count) = core::mem::replace(taken, (from.secondary, from.branches.len()));
         let known = if neighbour == from.secondary { count } else { 0 };
-        // Most solutions lead to branches that are known, which few digits show.
+        // Most solutions lead to known branches, for which few digits are enough.
         let rough = self.control.sketches().then(|| self.equations.roughly());
         for branch in &from.branches[known..] {
             let every = (branch.points.len() / CARRIED).max(1);
@@ -121,8 +121,8 @@ impl Slicer {
         to.branches.len() > before
     }
 
-    /// Adds the branches of a slice to which curves that cross it lead, and says whether there are
-    /// any; a curve's bifurcation belongs to the branch on which it lies.
+    /// Adds the branches of a slice to which curves that cross it lead, and returns whether there
+    /// are any; a curve's bifurcation is added to the branch on which it lies.
     pub(crate) fn through_curves(&self, slice: &mut Slice, curves: &[DiagramCurve]) -> bool {
         let before = slice.branches.len();
         let secondary = slice.secondary;
@@ -132,7 +132,8 @@ impl Slicer {
         for Crossing { condition, chord, place: near, mut times } in
             known.flat_map(|curve| crossings(curve, unknown::SECONDARY, secondary))
         {
-            // The curve's own point may lie on a branch that has stepped over it; at a pitchfork, on two.
+            // The curve's point may lie on a branch that has stepped over it; at a pitchfork, on
+            // two.
             let passing = |slice: &Slice| -> Vec<usize> {
                 let all = slice.branches.iter().enumerate();
                 let passing = all.filter(|(_, branch)| self.passes(branch, &near)).map(|(index, _)| index);
@@ -164,8 +165,8 @@ impl Slicer {
         slice.branches.len() > before
     }
 
-    /// Adds the branches of a slice to which stable, admissible solutions on columns lead that cross
-    /// it, and says whether there are any.
+    /// Adds the branches of a slice to which stable, admissible solutions on columns that cross it
+    /// lead, and returns whether there are any.
     pub(crate) fn through_columns(&self, slice: &mut Slice, columns: &[Curve]) -> bool {
         let before = slice.branches.len();
         let new = core::mem::replace(&mut slice.columns, columns.len());
@@ -189,8 +190,8 @@ impl Slicer {
         slice.branches.len() > before
     }
 
-    /// Adds the branches through MPSs on a slice that are not known; but none on which no MPS is
-    /// stable, if the one that it was found by is not admissible.
+    /// Adds the unknown branches through MPSs on a slice; a branch without a stable MPS is left out
+    /// if the MPS from which it was found is not admissible.
     pub(crate) fn through(&self, slice: &mut Slice, solutions: impl Iterator<Item = Unknowns>) {
         let mut dismissed: Vec<Curve> = Vec::new();
         for solution in solutions {
@@ -238,7 +239,7 @@ mod tests {
         // Steps are counted in lots.
         assert!(!(0..20).any(|_| slicer.carry(&from, &mut to)));
         assert_eq!(stop.steps(), taken);
-        // Slices that come between are other neighbours.
+        // Slices that are inserted between are other neighbours.
         for k in 1..20 {
             let between = Slice { secondary: 0.8 + 1e-3 * f64::from(k), ..from.clone() };
             slicer.carry(&between, &mut to);
@@ -262,7 +263,7 @@ mod tests {
             let mut slice = Slice::new(crossing[unknown::SECONDARY], Vec::new());
             assert!(slicer.through_curves(&mut slice, &curves));
             assert!(slice.branches.iter().any(|branch| slicer.passes(branch, &crossing)), "{crossing}");
-            // They are looked at once.
+            // Curves are examined once.
             assert!(!slicer.through_curves(&mut slice, &curves));
         }
     }

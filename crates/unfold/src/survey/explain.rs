@@ -10,15 +10,15 @@ use crate::curves::{DiagramCurve, Net};
 use crate::stretches::{Border, stretches};
 use crate::tolerances::BETWEEN_BIFURCATIONS;
 
-/// Where good solutions extend no farther than this share of the ranges, which is how well curves
-/// are drawn, nothing is looked for that bounds them, and nothing is left undecided for want of it:
-/// beside the way over a hill of the potential there is any number of such slivers, one thinner
-/// than the other. Where they are wider other slices see them.
+/// Extent of good solutions, as a fraction of the ranges and about the accuracy of drawn curves,
+/// below which no curve is looked for that bounds them, and nothing is left undecided without it:
+/// beside the way over a hill of the potential there is any number of such slivers, each thinner
+/// than the last. Where they are wider other slices see them.
 const SLIVER: f64 = 1e-4;
-/// A bifurcation this far from a chord between two points of a curve may be one of the curve.
+/// A bifurcation this close to a chord between two points of a curve may belong to the curve.
 const NEAR_CURVE: f64 = 0.05;
 
-/// Whether the good solutions beside a border extend farther than can be drawn, or grazing bounds
+/// Whether the good solutions beside a border have an extent that can be drawn, or grazing bounds
 /// them.
 pub(super) fn is_wide(border: &Border<'_>, window: Window) -> bool {
     let widths = window.widths();
@@ -67,10 +67,10 @@ pub(super) fn explained(net: &Net, kind: Bifurcation, event: &Event, window: Win
     })
 }
 
-/// Follows the curve through a bifurcation that lies on none that is known.
+/// Follows the curve through a bifurcation that lies on no known curve.
 pub(super) fn start(net: &mut Net, kind: Bifurcation, event: &Event, route: &Route<'_>) {
     let curve = SolutionCurve { equations: net.equations.clone(), condition: event.condition };
-    // Across the slice, but where the curve runs along it.
+    // Across the slice, except where the curve runs along it.
     let upwards = if net.equations.has_impacts() { Unknowns::w() } else { -Unknowns::w() };
     let follow = |direction| {
         curve.clone().follow_both_ways(event.solution.unknowns, direction, &event.times, route).ok()
@@ -83,8 +83,8 @@ pub(super) fn start(net: &mut Net, kind: Bifurcation, event: &Event, route: &Rou
     }
 }
 
-/// A curve that goes on to nowhere begins at no fold: two branches meet there, as for the sake of a
-/// symmetry.
+/// Whether a curve stalls: then it begins at no fold but where two branches meet, for instance
+/// because of a symmetry.
 fn stalls(curve: &Curve) -> bool {
     let mut ends = [curve.beginning.as_ref(), Some(&curve.end)].into_iter().flatten();
     ends.any(|end| matches!(end, CurveEnd::Stalled(_)))

@@ -1,7 +1,7 @@
-//! The errors of measured coefficients are what they claim to be: at random resonances theorem and
-//! curve differ by less.
+//! The errors of measured coefficients are correct: at random resonances theorem and curve differ
+//! by less.
 //!
-//! As many as you like, in the time that takes (a thousand: some minutes):
+//! The number of resonances can be chosen (a thousand take some minutes):
 //!
 //! ```sh
 //! GRAZING_RESONANCES=1000 cargo test --release -p grazing-unfold --test unfold calibration -- --nocapture
@@ -19,14 +19,14 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 use rayon::prelude::*;
 
-/// Resonances where nobody asks for more.
+/// Default number of resonances.
 const FEW: usize = 60;
 
-/// Of so many resonances one is that of an integrated oscillator, which takes a hundred times as
-/// long.
+/// Number of resonances of linear oscillators for each one of an integrated oscillator, which takes
+/// a hundred times as long.
 const INTEGRATED: usize = 5;
 
-/// Seeded numbers.
+/// A seeded source of random numbers.
 struct Source(Pcg64Mcg);
 
 impl Source {
@@ -34,7 +34,7 @@ impl Source {
         low + (high - low) * (self.0.next_u64() >> 11) as f64 * libm::ldexp(1.0, -53)
     }
 
-    /// As likely in any decade.
+    /// A random number that is equally likely in any decade.
     fn scaled(&mut self, [low, high]: [f64; 2]) -> f64 {
         libm::exp(self.between([libm::log(low), libm::log(high)]))
     }
@@ -44,8 +44,8 @@ fn asked() -> usize {
     std::env::var("GRAZING_RESONANCES").map_or(FEW, |count| count.parse().expect("it is a number"))
 }
 
-/// Fails unless deviations are within errors in at least 95 of 100 cases and nowhere contradict,
-/// and errors small where there is something to measure.
+/// Fails unless deviations are within errors in at least 95 of 100 cases and never contradict, and
+/// errors are small where the coefficient can be measured.
 fn assert_calibrated(what: &str, measured: &[Coefficient]) {
     let mut relative: Vec<f64> = Vec::new();
     let (mut within, mut unmeasured, mut contradictions) = (0, 0, Vec::new());
@@ -108,8 +108,8 @@ fn errors_of_coefficients_of_random_linear_oscillators_hold() {
     }
 }
 
-/// A spring that is not linear, drag that is not, or neither, with an impact that varies and takes
-/// time.
+/// An oscillator with a nonlinear spring, nonlinear drag, or neither, and an impact that varies and
+/// takes time.
 fn description(source: &mut Source, kind: usize) -> Description {
     let zeta = source.scaled([0.003, 0.3]);
     let bent = match kind % 3 {

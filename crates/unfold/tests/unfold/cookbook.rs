@@ -1,4 +1,4 @@
-//! Examples that are the linear oscillator in other coordinates, against its closed form.
+//! Examples that are the linear oscillator in other coordinates, compared with its closed form.
 
 use core::f64::consts::TAU;
 
@@ -10,9 +10,9 @@ use crate::specimens::{
     EPSILON, ZETA, assert_closed_form, assert_within, constant, counted, grazing_curve, resonances,
 };
 
-/// Resonances and coefficients of an example, in units of the paper, are those of the closed form:
-/// `scaled` has ω*, the grazing value of μ, c_SN and c_PD, in the units of the file, and gives
-/// those of the amplitude of the force over frequency.
+/// Checks that resonances and coefficients of an example, in units of the paper, are those of the
+/// closed form: `scaled` receives ω*, the grazing value of μ, c_SN and c_PD, in the units of the
+/// file, and returns those of the amplitude of the force over frequency.
 fn assert_linear(name: &str, unit_of_frequency: f64, scaled: impl Fn([f64; 4]) -> [f64; 4]) {
     let (oscillator, scope, units) = counted(name);
     let unit = units.primary / (units.secondary * units.secondary);
@@ -38,8 +38,8 @@ fn the_rig_in_si_units_is_the_oscillator_of_the_paper() {
     });
 }
 
-/// 𝒜 = B ω²: a curve B = B_graz(ω) + c (ω − ω*)² + ... is 𝒜 = 𝒜_graz(ω) + c ω*² (ω − ω*)² + ...,
-/// since ω² changes at higher orders only.
+/// The conversion 𝒜 = B ω²: a curve B = B_graz(ω) + c (ω − ω*)² + ... is 𝒜 = 𝒜_graz(ω) + c ω*² (ω −
+/// ω*)² + ..., since ω² changes at higher orders only.
 #[test]
 fn the_oscillator_in_a_moving_frame_has_the_resonances_of_the_paper() {
     assert_linear("base-excitation.toml", 1.0, |[omega, amplitude, c_sn, c_pd]| {
@@ -57,7 +57,7 @@ fn the_mass_over_the_shaking_table_grazes_at_its_height_and_has_the_resonances_o
     let [f0, gap] = ["f0", "gap"].map(|name| constant("shaking-table.toml", name));
     let curve = grazing_curve(&oscillator, &scope);
     for [mu, _] in curve.parameters() {
-        // It is never moved: what is left is rounding.
+        // The parameter never moves: the difference is rounding.
         assert_within(mu * units.primary, gap, 1e-12 * gap);
     }
     let force = |f: f64| {
@@ -70,8 +70,8 @@ fn the_mass_over_the_shaking_table_grazes_at_its_height_and_has_the_resonances_o
     });
 }
 
-/// The response to each harmonic is known, and the highest point of their sum is looked for on a
-/// fine grid.
+/// The response to each harmonic is known, and the highest point of their sum is located on a fine
+/// grid.
 #[test]
 fn two_harmonics_graze_where_the_sum_of_their_responses_does_and_resonate_where_one_does() {
     let (oscillator, scope, units) = counted("two-harmonics.toml");

@@ -1,5 +1,5 @@
-//! The examples: what the theorems say at every resonance, what is measured there, and what
-//! simulation does.
+//! The examples: the theorems at every resonance, the coefficients measured there, and the results
+//! of simulation.
 
 use std::fmt::Write;
 
@@ -15,13 +15,13 @@ use rayon::prelude::*;
 
 use crate::specimens::{self, counted, example, file};
 
-/// All resonances of an example, and the units in which they are counted.
+/// All resonances of an example, and the units in which they are measured.
 fn resonances(name: &str) -> (Vec<Resonance>, Units) {
     let (oscillator, scope, units) = counted(name);
     let found = specimens::resonances(&oscillator, &scope);
     for resonance in &found {
-        // Where a theorem fails it is for the reason of Proposition 3.3: solutions on the other
-        // side of ω₁/ω = n are virtual.
+        // Where a theorem fails the reason is that of Proposition 3.3: solutions on the other side
+        // of ω₁/ω = n are virtual.
         if let Err(violated) = &resonance.theorem {
             let quantities: Vec<_> = violated.violated().map(|hypothesis| hypothesis.quantity).collect();
             assert_eq!(quantities, [Quantity::OffDiagonalTimesSquareRootFactor], "{name}: {violated}");
@@ -30,8 +30,8 @@ fn resonances(name: &str) -> (Vec<Resonance>, Units) {
     (found, units)
 }
 
-/// Theorem and fit agree within their errors and to five digits, and simulation lands on the
-/// predicted side of both curves.
+/// Checks that theorem and fit agree within their errors and to five digits, and that simulation
+/// agrees with the prediction on both sides of both curves.
 fn assert_theory_holds(name: &str, resonances: &[Resonance]) {
     let failures: Vec<String> = resonances
         .par_iter()
@@ -58,7 +58,7 @@ fn assert_theory_holds(name: &str, resonances: &[Resonance]) {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// The snapshot bears the name of the example after `example_`.
+/// Compares an example with its snapshot, which is named after it, prefixed by `example_`.
 fn assert_unfolds(snapshot: &str) {
     let name = snapshot.trim_start_matches("example_");
     let (found, units) = resonances(&format!("{name}.toml"));

@@ -1,4 +1,4 @@
-//! Resonances from one member of a family to another, against the closed form of the linear
+//! Resonances from one member of a family to another, compared with the closed form of the linear
 //! oscillator.
 
 use std::f64::consts::PI;
@@ -25,7 +25,7 @@ fn linear(frequency: &str, [low, high]: [f64; 2]) -> Description {
     Description::parse(&text, "test.toml").unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// The same with another force and restitution, in a window about the resonance p = 1, n = 3.
+/// An oscillator with a given force and restitution, in a window about the resonance p = 1, n = 3.
 fn written(force: &str, restitution: &str) -> Description {
     let text = format!(
         "name = \"Test\"\n[parameters]\nc = 0\n[primary]\nname = \"A\"\nrange = [-0.3, 1.5]\n\
@@ -37,7 +37,7 @@ fn written(force: &str, restitution: &str) -> Description {
 
 type Found = Vec<Arc>;
 
-/// The resonances of an oscillator with one value of a constant, and the way they take to another.
+/// The resonances of an oscillator with one value of a constant, and their arcs to another value.
 fn followed(description: &Description, name: &str, [from, to]: [f64; 2]) -> (Diagram, Found) {
     let at = |way: f64| {
         let there = description.with_constant(name, from + (to - from) * way).ok()?;
@@ -65,7 +65,7 @@ fn resonances_and_coefficients_along_the_way_are_those_of_the_closed_form() {
         for at in &arc.points {
             let [primary, secondary] = at.orbit.oscillator().parameters();
             let exact = LinearOscillator::new(zeta(at.way), 0.9).unwrap();
-            // Those with a negative a12 alpha for p >= 2 have no closed form in the paper.
+            // Resonances with a negative a12 alpha for p >= 2 have no closed form in the paper.
             let Ok(exact) = exact.resonance(resonance.loops, resonance.n) else { continue };
             if (exact.forcing_frequency() - secondary).abs() > 0.01 {
                 continue;
@@ -111,7 +111,7 @@ fn two_resonances_that_meet_are_one_curve_and_the_place_is_that_of_the_closed_fo
     let (loops, n) = (2, 1);
     let own: Vec<_> = arcs.iter().filter(|arc| diagram.resonances[arc.resonance].loops == loops).collect();
     assert_eq!(diagram.resonances.iter().filter(|resonance| resonance.loops == loops).count(), 2);
-    // The way back is not listed once more.
+    // The way back is not listed separately.
     let [arc] = own[..] else { panic!("{} arcs", own.len()) };
     let ArcEnd::Back(Some(other)) = arc.end else { panic!("{:?}", arc.end) };
     assert!(other > arc.resonance && diagram.resonances[other].loops == loops);
@@ -125,13 +125,13 @@ fn two_resonances_that_meet_are_one_curve_and_the_place_is_that_of_the_closed_fo
 
 #[test]
 fn a_resonance_ends_where_another_maximum_of_its_orbit_touches_the_wall() {
-    // As the second harmonic takes over, the lower of two maxima comes to the wall where A = 0.
+    // When the second harmonic dominates, the lower of two maxima reaches the wall where A = 0.
     let description = written("-0.04*v - x - 1 + A*cos(eta*t) + c*cos(2*eta*t + 0.3)", "0.9");
     let (_, arcs) = followed(&description, "c", [0.0, 1.5]);
     let [arc] = &arcs[..] else { panic!("{} arcs", arcs.len()) };
     assert_eq!(arc.end, ArcEnd::Inadmissible);
     let second = |orbit: &GrazingOrbit<AnyOscillator>| {
-        // From the maximum at the wall once round, without it.
+        // From the maximum at the wall once round, excluding it.
         let motion = orbit.oscillator().motion(State::on_wall(0.0, orbit.phase()));
         let period = orbit.oscillator().forcing_period();
         let inner = motion.local_maxima(period).into_iter();
@@ -139,7 +139,7 @@ fn a_resonance_ends_where_another_maximum_of_its_orbit_touches_the_wall() {
         inner.map(|maximum| maximum.position).fold(f64::NEG_INFINITY, f64::max)
     };
     let (last, before) = arc.points.split_last().expect("there are points");
-    // Located to 1e-11 of the change on a step, and no orbit before goes through the wall.
+    // Located to 1e-11 of the change on a step; no earlier orbit passes through the wall.
     assert!(second(&last.orbit).abs() < 1e-9, "{}", second(&last.orbit));
     assert!(!before.is_empty() && before.iter().all(|at| second(&at.orbit) < 1e-9));
     assert!(0.0 < last.way && last.way < 1.0, "{}", last.way);
@@ -157,7 +157,7 @@ fn an_extremum_is_a_double_zero_only_if_it_is_zero() {
         let found: Vec<_> = arc.points.iter().filter(|at| at.zero == Some(Quantity::Restitution)).collect();
         assert_eq!(found.len(), zeros, "{least}");
         for at in found {
-            // The square root of what a double zero is known to.
+            // The square root of the accuracy of a double zero.
             assert!((at.way - 0.5).abs() < 1e-4 && at.point.grazing.phi < 1e-7, "{}", at.way);
         }
     }
@@ -178,7 +178,7 @@ fn a_resonance_leaves_the_window_at_either_edge_before_the_other_member() {
         assert_eq!(arc.end, ArcEnd::LeftWindow, "{frequency}");
         let last = arc.points.last().expect("it has points");
         assert!((last.orbit.oscillator().parameters()[1] - edge).abs() < 1e-9);
-        // The frequency there is what it was, and c has moved by the way to the edge.
+        // The frequency there is unchanged, and c has moved by the distance to the edge.
         assert!((0.3 * last.way - (edge - at).abs()).abs() < 1e-9, "{frequency}: {}", last.way);
     }
 }

@@ -1,4 +1,4 @@
-//! Curves that are asked for, against simulation, closed forms and one-parameter branches.
+//! Requested curves, compared with simulation, closed forms and one-parameter branches.
 
 use core::f64::consts::{PI, TAU};
 
@@ -52,7 +52,7 @@ fn along_curves_of_an_impact_velocity_simulated_orbits_hit_the_wall_at_it() {
         let mut followed = 0;
         for (oscillator, solution) in solutions(&diagram, &diagram.levels.curves) {
             assert_eq!(solution.impact_velocity(), 0.1);
-            // Where the solution grazes simulation meets the wall.
+            // Where the solution grazes simulation hits the wall.
             if solution.admissible() && solution.ceiling() < -1e-9 {
                 let suspect = Suspect::of(&oscillator, solution.loops, &solution.unknowns);
                 assert_eq!(suspect.follow(), ReturnOutcome::Returns, "{solution:?}");
@@ -65,7 +65,7 @@ fn along_curves_of_an_impact_velocity_simulated_orbits_hit_the_wall_at_it() {
 
 #[test]
 fn curves_of_an_impact_velocity_cross_a_line_where_branches_have_it() {
-    // Between the slices to begin with.
+    // Between the first slices.
     let at = 0.7113;
     let velocity = 0.3;
     let diagram = diagram(&oscillator(), &scope(&[1, 2]), Property::ImpactVelocity(velocity));
@@ -95,7 +95,7 @@ fn curves_of_an_impact_velocity_cross_a_line_where_branches_have_it() {
         assert!(!expected.is_empty());
         assert_eq!(expected.len(), found.len(), "{loops}: {expected:?} {found:?}");
         for (expected, found) in expected.iter().zip(&found) {
-            // Chords of curves that are drawn.
+            // The tolerance of chords of drawn curves.
             assert!((expected - found).abs() < 1e-3, "{loops}: {expected} {found}");
         }
     }

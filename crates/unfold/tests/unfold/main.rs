@@ -1,5 +1,5 @@
-//! What is found of an oscillator that nothing is known about, against oscillators of which it is
-//! known otherwise.
+//! Diagrams found without prior knowledge of the oscillator, compared with results known by other
+//! means.
 
 mod calibration;
 mod cookbook;

@@ -1,4 +1,4 @@
-//! One-parameter diagrams against Figure 2, against simulation, and against each other.
+//! One-parameter diagrams compared with Figure 2, with simulation, and with each other.
 
 use std::fs;
 
@@ -15,7 +15,7 @@ use grazing_unfold::progress::Silent;
 use crate::paper::PARAMETERS;
 use crate::specimens::{example, file};
 
-/// That of Figure 2.
+/// The frequency of Figure 2.
 fn frequency() -> f64 {
     PARAMETERS["fig02"]["frequency"].as_float().expect("it is a number")
 }
@@ -29,7 +29,7 @@ fn line(at: f64, range: [f64; 2]) -> Line {
     Line { diagram: 1, primary_is_fixed: false, at, range }
 }
 
-/// What there is on a line; known curves do not help.
+/// The diagram on a line, without the help of known curves.
 fn on(
     oscillator: &AnyOscillator,
     scope: &Scope,
@@ -94,7 +94,7 @@ fn where_only_mps_attract_simulation_stays_on_their_branches() {
     // Both loops of p = 2 are visited everywhere.
     let mut visited = 0;
     for dot in &diagram.attractor {
-        // Between points of a branch lies a chord.
+        // A chord lies between points of a branch.
         let near = at(&diagram, 2, dot.primary)
             .into_iter()
             .find(|point| point.stable && (point.x - dot.x).abs() < 1e-4);
@@ -132,7 +132,7 @@ fn a_point_is_on_the_branches_of_either_diagram_that_passes_it() {
         for (a, b) in one.iter().zip(&other) {
             assert_eq!((a.visit, a.stable, a.admissible), (b.visit, b.stable, b.admissible));
             assert_eq!((a.secondary, b.primary), (frequency(), amplitude));
-            // What is between points lies on a chord.
+            // Values between points lie on a chord.
             let velocities = (a.impact_velocity, b.impact_velocity);
             for (a, b) in [(a.x, b.x), velocities, (a.impact_phase, b.impact_phase)] {
                 let turn = libm::remainder(a - b, core::f64::consts::TAU);
@@ -144,7 +144,7 @@ fn a_point_is_on_the_branches_of_either_diagram_that_passes_it() {
 
 #[test]
 fn exchanged_parameters_are_those_of_a_file_that_names_them_in_the_other_order() {
-    // What moves: wall and restitution as well as the force and the frequency depend on both
+    // Everything moves: wall and restitution as well as the force and the frequency depend on both
     // parameters.
     let text = |primary: &str, secondary: &str| {
         format!(
@@ -165,7 +165,7 @@ fn exchanged_parameters_are_those_of_a_file_that_names_them_in_the_other_order()
     assert_eq!(moved.forcing_frequency(), other.forcing_frequency());
     let (from, impact) = (State { position: -0.4, velocity: 0.3, phase: 1.2 }, OnWall::new(0.5, 0.8));
     let [a, b] = [moved.flow::<2>(from, 1.7), other.flow::<2>(from, 1.7)];
-    // The same integration, but for sums in another order.
+    // The integration is the same, except for the order of sums.
     let near =
         |a: &[f64], b: &[f64]| a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-11);
     assert!(
@@ -203,15 +203,15 @@ fn portraits_are_of_stable_solutions_and_of_what_simulation_finds_besides() {
     assert!(free[0].loops == 0 && free[0].kind == PortraitKind::Periodic && flights(free) == 1);
     let (first, last) = (&free[0], &free[free.len() - 2]);
     assert!((first.x - last.x).abs() + (first.y - last.y).abs() < 1e-9);
-    // Between GZ and PD no MPS is stable, and something attracts.
+    // Between GZ and PD no MPS is stable, and there is another attractor.
     assert!(at(0.3).count() > 0 && at(0.3).all(|portrait| portrait[0].kind == PortraitKind::Attractor));
-    // Then there is p = 2 alone, from its recoil to its impact.
+    // Then p = 2 alone is stable, from its recoil to its impact.
     let [double] = at(0.34).collect::<Vec<_>>()[..] else { panic!("one attracts") };
     assert!(double[0].loops == 2 && double[0].kind == PortraitKind::Periodic);
     assert!(double[0].y < 0.0 && double[double.len() - 2].x.abs() < 1e-8);
 }
 
-/// The diagram of an oscillator from a text.
+/// The diagram of an oscillator defined by a text.
 fn described(text: &str, line: Line) -> OneParameter {
     let model = Description::parse(text, "described").expect("it is right");
     let [primary, secondary] = [model.primary(), model.secondary()].map(|axis| axis.range());
@@ -232,8 +232,9 @@ fn x_of_a_loop_is_not_that_of_the_impact() {
             here.iter().filter(move |point| point.visit == visit && (point.impact_velocity > 0.15) == fast);
         own.map(|point| point.x).collect::<Vec<_>>()
     };
-    // On the fast solution the one maximum between the impacts comes 0.35 periods before one of them, and that of the impact is no
-    // other; on the slow one it comes 1.11 periods after one, by simulation at -1.003688.
+    // On the fast solution the only maximum between the impacts comes 0.35 periods before one of
+    // them, and the maximum of the impact is a different one; on the slow one it comes 1.11 periods
+    // after one, by simulation at -1.003688.
     let near = |heights: Vec<f64>, height: f64| {
         !heights.is_empty() && heights.iter().all(|x| (x - height).abs() < 1e-5)
     };
@@ -275,10 +276,11 @@ fn sweeps_leave_motion_without_impacts_at_grazing_and_come_back_to_it_elsewhere(
         let rows = found.iter().filter(move |row| row.sweep == sweep && row.motion == "non-impacting");
         rows.map(|row| row.primary).fold(f64::NEG_INFINITY, f64::max)
     };
-    // Upwards it goes on to grazing.
+    // Upwards it continues to grazing.
     let last = free(Sweep::Up);
     assert!(last <= grazing.amplitude() && grazing.amplitude() - last <= step, "{last}");
-    // Downwards it is met again where the solution of three loops ends that motion had come to.
+    // Downwards it is reached again where the three-loop solution, to which motion had jumped,
+    // ends.
     let folds = cut.diagram().bifurcations.into_iter();
     let fold = folds.filter(|found| found.kind == Bifurcation::SaddleNode && found.loops == 3);
     let fold = fold.map(|found| found.primary).next().expect("Figure 2 has one");
@@ -286,7 +288,7 @@ fn sweeps_leave_motion_without_impacts_at_grazing_and_come_back_to_it_elsewhere(
     let periodic = down.filter(|row| row.motion == "periodic").map(|row| row.primary);
     let last = periodic.fold(f64::INFINITY, f64::min);
     assert!(last >= fold && last - fold <= step, "{last} {fold}");
-    // Next to the fold motion takes long to leave what is left of the solution.
+    // Next to the fold motion takes long to leave the remains of the solution.
     let back = free(Sweep::Down);
     assert!(back < fold && fold - back <= 2.0 * step, "{back} {fold}");
     let between = |row: &&MotionReading| (fold..grazing.amplitude()).contains(&row.primary);

@@ -1,9 +1,9 @@
-//! The paper's oscillator from its text file, integrated, against its closed form: Figures 2, 7 and
-//! 8 to 10⁻⁸.
+//! The paper's oscillator from its text file, integrated, compared with its closed form: Figures 2,
+//! 7 and 8 to 10⁻⁸.
 //!
-//! Both go through the same search, continuation and magnification. Every point that the integrated
-//! oscillator gives is then solved for with the closed form, with that one of y, μ and η held that
-//! changes most along the curve.
+//! Both go through the same search, continuation and magnification. Every point of the integrated
+//! oscillator is then solved for with the closed form, holding that one of y, μ and η that changes
+//! most along the curve.
 
 use std::sync::LazyLock;
 
@@ -26,7 +26,8 @@ use rayon::prelude::*;
 
 use crate::specimens::{EPSILON, ZETA, assert_within, closed_form, example, file, grazing_at};
 
-/// Integration and Newton's method leave far less, magnified where a curve is ill-conditioned.
+/// Tolerance: integration and Newton's method leave far less, magnified where a curve is
+/// ill-conditioned.
 const AGREEMENT: f64 = 1e-8;
 
 pub(crate) static PARAMETERS: LazyLock<toml::Table> =
@@ -80,7 +81,7 @@ fn assert_same(integrated: &Unknowns, closed: &Unknowns) {
     assert_within(gap.amax(), 0.0, AGREEMENT);
 }
 
-/// The conditions that hold y, μ or η, the one that changes most along the curve at a point first.
+/// The conditions that hold y, μ or η, first the one that changes most along the curve at a point.
 fn held(before: &Unknowns, here: &Unknowns, after: &Unknowns) -> [Condition; 3] {
     let change = (after - before).abs();
     let mut held = [
@@ -92,7 +93,8 @@ fn held(before: &Unknowns, here: &Unknowns, after: &Unknowns) -> [Condition; 3] 
     held.map(|(_, condition)| condition)
 }
 
-/// Every point of a curve with y > 0 lies on the curve of the closed form; their number.
+/// Checks that every point of a curve with y > 0 lies on the curve of the closed form; returns
+/// their number.
 ///
 /// Integrated motion is followed without virtual points all the way.
 fn assert_on_closed_form(curve: &Curve, loops: u32) -> usize {
@@ -167,7 +169,7 @@ fn curves_of_figure_7_lie_on_those_of_the_closed_form() {
     let compared: usize =
         integrated.curves.par_iter().map(|curve| assert_on_closed_form(&curve.curve, curve.loops)).sum();
     let points: usize = integrated.curves.iter().map(|curve| curve.curve.points.len()).sum();
-    // Two ends a curve at most have y = 0.
+    // At most two ends of a curve have y = 0.
     assert!(compared + 2 * integrated.curves.len() >= points);
     for (ours, theirs) in integrated.curves.iter().zip(&closed.curves) {
         assert_eq!(std::mem::discriminant(&ours.curve.end), std::mem::discriminant(&theirs.curve.end));
@@ -205,19 +207,19 @@ fn points_of_figure_7_are_the_committed_ones() {
         let name = row[..3].join(" ");
         let at: [f64; 2] = [3, 4].map(|place| row[place].parse().unwrap());
         let distance = |place: &[f64; 2]| libm::hypot(place[0] - at[0], place[1] - at[1]);
-        // Several points have one name where they belong to no resonance of their own p.
+        // Several points have the same name where they belong to no resonance of their own p.
         let named = ours.iter().filter(|(known, _)| *known == name).map(|(_, place)| distance(place));
         assert_within(named.fold(f64::INFINITY, f64::min), 0.0, AGREEMENT);
     }
 }
 
-/// A resonance of a diagram and what the theorem says there.
+/// A resonance of a diagram and the theorem that holds there.
 fn resonance(diagram: &Diagram, loops: u32, n: u32) -> (&Resonance, &ResonantGrazingPoint) {
     diagram.unfolding().find(|(found, _)| (found.loops, found.n) == (loops, n)).unwrap()
 }
 
-/// The points of a polyline lie on one of the curves of a kind in closed form, of which many points
-/// are known.
+/// Checks that the points of a polyline lie on one of the curves of a kind in closed form, of which
+/// many points are known; returns the number of points compared.
 fn assert_near(polyline: &Polyline, condition: Condition, known: &[&Curve], loops: u32) -> usize {
     let mut compared = 0;
     for (index, here) in polyline.points.iter().enumerate() {
@@ -265,7 +267,7 @@ fn magnified_curves_of_figure_8_lie_on_those_of_the_closed_form() {
         let closed_lines = magnify(closed, theirs, closed_point, window).unwrap();
         let shape = |lines: &[Polyline]| -> Vec<_> { lines.iter().map(|l| (l.kind, l.source)).collect() };
         assert_eq!(shape(&ours), shape(&closed_lines));
-        // Steps that leave Newton's method a short way from the nearest point.
+        // Steps such that Newton's method has a short way from the nearest point.
         let control =
             StepControl { first: 1e-4, longest: 4e-3, shortest: 1e-9, turn: 0.02, ..StepControl::DRAWING };
         let unfolded = closed_point.unfold(&route(window, control)).unwrap();
@@ -294,7 +296,8 @@ fn magnified_curves_of_figure_8_lie_on_those_of_the_closed_form() {
                 }
                 (kind, CurveSource::Continuation) => kind,
             };
-            // After a resonance's own curves come its neighbours', which are curves of Figure 7.
+            // A resonance's own curves are followed by its neighbours', which are curves of Figure
+            // 7.
             let Some(place) = own.iter().position(|own| *own == kind) else { continue };
             own.remove(place);
             let (condition, known): (_, Vec<&Curve>) = match kind {
@@ -331,7 +334,7 @@ fn branches_and_bifurcations_of_figure_2_are_those_of_the_closed_form() {
     let branches: Vec<_> = loops(figure).into_par_iter().map(|loops| (loops, follow(loops))).collect();
     let mut bifurcations = vec![("graz".to_owned(), 0, grazing.amplitude(), 0.0)];
     for (loops, curve) in &branches {
-        // All but the start.
+        // All points but the start.
         assert_eq!(assert_on_closed_form(curve, *loops), curve.points.len() - 1);
         let equations = LoopEquations::new(closed_form(), *loops, Formulation::Vivid);
         let written = LoopEquations::new(integrated.clone(), *loops, Formulation::Vivid);
@@ -340,7 +343,7 @@ fn branches_and_bifurcations_of_figure_2_are_those_of_the_closed_form() {
                 written.visits(&point.solution.unknowns, &point.times),
                 equations.visits(&point.solution.unknowns, &point.times),
             ];
-            // Beyond the end of VIVID a loop has no point on Π, in either.
+            // Beyond the end of VIVID a loop has no point on Π in either form.
             assert_eq!(ours.is_ok(), theirs.is_ok());
             for (ours, theirs) in ours.into_iter().flatten().zip(theirs.into_iter().flatten()) {
                 assert_within((ours - theirs).amax(), 0.0, AGREEMENT);

@@ -1,4 +1,4 @@
-//! Pitchforks of symmetric motion without impacts, against motion that has settled.
+//! Pitchforks of symmetric motion without impacts, compared with motion that has settled.
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::locate::{Condition, LocateFailure, locate};
@@ -24,13 +24,13 @@ fn specimens() -> [(AnyOscillator, Scope, f64); 2] {
     })
 }
 
-/// Pitchforks in the plane.
+/// The pitchforks as points of the plane.
 fn pitchforks(diagram: &Diagram) -> Vec<[f64; 2]> {
     let curves = diagram.curves.iter().filter(|curve| curve.kind == Bifurcation::Pitchfork);
     curves.flat_map(|curve| curve.curve.parameters()).collect()
 }
 
-/// How far motion that has settled, the wall ignored, is from its own mirror image after half a
+/// The distance of settled motion, with the wall ignored, from its own mirror image after half a
 /// period.
 fn asymmetry(oscillator: &AnyOscillator, at: [f64; 2], from: [f64; 2], centre: f64) -> f64 {
     let oscillator = oscillator.with_parameters(at);
@@ -57,8 +57,8 @@ fn motion_is_symmetric_on_one_side_of_a_pitchfork_and_not_on_the_other() {
     for [primary, secondary] in places.into_iter().step_by(20) {
         let settled =
             |shift: f64| asymmetry(&oscillator, [primary + shift, secondary], [centre, 0.0], centre);
-        // So near to it asymmetry takes hundreds of periods to die out; beyond, it grows like the root
-        // of the distance.
+        // This close to it asymmetry takes hundreds of periods to die out; beyond, it grows like
+        // the root of the distance.
         assert!(settled(-2e-3) < 1e-4, "at {primary}, {secondary}: {}", settled(-2e-3));
         assert!(settled(2e-3) > 1e-2, "at {primary}, {secondary}: {}", settled(2e-3));
     }

@@ -1,4 +1,4 @@
-//! What motion comes to at places of Figure 7: named only where it has been shown to have settled.
+//! Attractors at places of Figure 7: motion is named only where it has been shown to have settled.
 
 use grazing_model::orbit::Orbit;
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, State};
@@ -18,7 +18,7 @@ fn attractors(at: [f64; 2], horizon: Horizon) -> Vec<(MotionKind, u32, u32)> {
     let place = Place::compute(&oscillator(at), &[1], &starts, &Silent).unwrap();
     let named = place.attractors.into_iter().map(|Attractor { fate, exponent, .. }| {
         assert_eq!(exponent.is_positive(), fate.kind == MotionKind::Chaotic);
-        // A cycle has an exact one, and attracts.
+        // A cycle has an exact exponent, and attracts.
         assert_eq!(exponent.mean < 0.0 && exponent.error == 0.0, fate.periods.is_some());
         let periods = fate.periods.unwrap_or(0);
         (fate.kind, libm::round(fate.impacts * f64::from(periods)) as u32, periods)
@@ -32,12 +32,13 @@ fn motion_is_named_when_it_has_settled_and_each_attractor_once() {
     for (at, kind, impacts, periods) in [
         // Transients of over a thousand periods.
         ([0.265, 0.8541], MotionKind::NonImpacting, 0, 1),
-        // Motion that comes so slowly to its cycle that it looks like one of twice the length.
+        // Motion that approaches its cycle so slowly that it looks like a cycle of twice the
+        // length.
         ([0.3, 0.8541], MotionKind::Periodic, 3, 6),
         ([0.25, 0.87], MotionKind::Periodic, 2, 6),
     ] {
         assert_eq!(attractors(at, usual), [(kind, impacts, periods)], "{at:?}");
-        // By simulation alone, for long.
+        // By simulation alone, for a long time.
         let oscillator = oscillator(at);
         let period = oscillator.forcing_period();
         let mut orbit = Orbit::new(&oscillator, State::at_rest(-0.3, 1.0), 20_000.0 * period, usize::MAX);

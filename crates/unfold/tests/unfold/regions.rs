@@ -1,5 +1,5 @@
-//! Regions of stability against all maximal periodic solutions in closed form, which a quadratic
-//! equation gives.
+//! Regions of stability, compared with all maximal periodic solutions in closed form, from a
+//! quadratic equation.
 
 use grazing_continuation::curve::CurveEnd;
 use grazing_description::Description;
@@ -15,10 +15,10 @@ use grazing_unfold::{Diagram, Scope};
 
 use crate::specimens::{EPSILON, ZETA, constant, counted, described, example, grazing_at, linear, scope};
 
-/// Cells of the lattice of points, each way.
+/// Number of cells of the lattice of points in each direction.
 const LATTICE: u32 = 40;
 
-/// The distance of a point from the border of a polygon, in shares of the ranges.
+/// The distance of a point from the border of a polygon, in fractions of the ranges.
 fn distance(region: &Region, at: [f64; 2], scope: &Scope) -> f64 {
     let [primary, secondary] = [scope.window.primary, scope.window.secondary];
     let place = |p: [f64; 2]| {
@@ -34,7 +34,7 @@ fn distance(region: &Region, at: [f64; 2], scope: &Scope) -> f64 {
             let [a, b] = [place(*a), place(vertices[(k + 1) % vertices.len()])];
             let [u, v] = [b[0] - a[0], b[1] - a[1]];
             let along = (((x - a[0]) * u + (y - a[1]) * v) / (u * u + v * v)).clamp(0.0, 1.0);
-            // Where two vertices are one there is no edge.
+            // Where two vertices coincide there is no edge.
             let along = if along.is_nan() { 0.0 } else { along };
             least = least.min(libm::hypot(a[0] + along * u - x, a[1] + along * v - y));
         }
@@ -42,7 +42,7 @@ fn distance(region: &Region, at: [f64; 2], scope: &Scope) -> f64 {
     least
 }
 
-/// Points of the polygon on a lattice over its extent, those on its very border left out.
+/// Points of the polygon on a lattice over its extent, except those on its border.
 fn points_of(region: &Region, scope: &Scope) -> Vec<[f64; 2]> {
     let extent = |axis: usize| {
         let values = region.rings.iter().flatten().map(|vertex| vertex[axis]);
@@ -52,15 +52,14 @@ fn points_of(region: &Region, scope: &Scope) -> Vec<[f64; 2]> {
     let [across, up] = [extent(0), extent(1)];
     let at = |[low, high]: [f64; 2], k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(LATTICE);
     let lattice = (0..LATTICE).flat_map(|i| (0..LATTICE).map(move |j| [at(across, i), at(up, j)]));
-    // The chords of curves whose steps turn by two degrees leave them by less than this.
+    // The chords of curves whose steps turn by two degrees deviate from them by less than this.
     lattice.filter(|point| region.contains(*point) && distance(region, *point, scope) > 1e-4).collect()
 }
 
-/// In every polygon there is a stable, admissible solution, to which simulation from event to event
-/// returns.
+/// Checks that in every polygon there is a stable, admissible solution, to which simulation from
+/// event to event returns.
 ///
-/// `reduced` gives the amplitude and the frequency at which the linear oscillator is the one that
-/// was looked at.
+/// `reduced` gives the amplitude and the frequency at which the linear oscillator is equivalent.
 fn assert_stable_inside(
     diagram: &Diagram,
     [zeta, epsilon]: [f64; 2],
@@ -69,7 +68,7 @@ fn assert_stable_inside(
     let mut found = Vec::new();
     for polygon in &diagram.regions {
         assert!(polygon.doubt.is_none(), "{:?}", polygon.doubt);
-        // Slivers have no points that are not on their border (`slivers`).
+        // Slivers have points only on their border (`slivers`).
         if polygon.is_thin(diagram.scope.window) {
             continue;
         }
@@ -100,7 +99,7 @@ fn assert_stable_inside(
 
 #[test]
 fn solutions_are_stable_and_admissible_inside_the_polygons_of_the_linear_oscillator() {
-    // The window and the loops of Figure 7 are of this kind.
+    // This is the type of the window and the loops of Figure 7.
     let scope = scope([0.0, 1.3], [0.35, 1.02], &[1, 2, 3]);
     let diagram = Diagram::compute(&crate::specimens::closed_form(), &scope, &Silent).unwrap();
     let found = assert_stable_inside(&diagram, [ZETA, EPSILON], |at| at);
@@ -124,7 +123,7 @@ fn solutions_are_stable_and_admissible_inside_the_polygons_where_the_clearance_i
     let [alpha, r] = ["alpha", "r"].map(|name| constant("clearance.toml", name));
     let scope = scope([0.05, 1.0], [1.7, 2.3], &[1]);
     let diagram = Diagram::compute(&oscillator, &scope, &Silent).unwrap();
-    // A greater clearance leads away from the wall.
+    // A greater clearance increases the distance from the wall.
     for state in &diagram.grazing[0].states {
         assert!(state.orbit.grazing_point().map.transversality() < 0.0);
     }
@@ -149,7 +148,7 @@ fn narrow_windows_about_a_resonance_are_shaded_as_the_closed_form_says() {
         let [primary, secondary] = point.orbit().oscillator().parameters().map(about);
         let narrow = scope(primary, secondary, &[resonance.loops]);
         let regions = Diagram::compute(&oscillator, &narrow, &Silent).unwrap().regions;
-        // Where a region says that it is not decided, nothing is claimed.
+        // An undecided region makes no claim.
         let undecided = |region: &Region| region.doubt.is_some();
         if regions.iter().any(undecided) {
             continue;
@@ -159,7 +158,7 @@ fn narrow_windows_about_a_resonance_are_shaded_as_the_closed_form_says() {
             for up in [0.2, 0.5, 0.8] {
                 let at = narrow.window.parameters([share, up]);
                 let grazing = grazing_at(ZETA, at[1]).amplitude();
-                // Nearer than this to the curve rounding is all that is left.
+                // Closer to the curve than this only rounding remains.
                 if (at[0] - grazing).abs() < 0.1 * half {
                     continue;
                 }
@@ -246,13 +245,13 @@ fn a_region_on_the_edge_to_which_only_inadmissible_solutions_lead_is_found_and_n
     let suspect = Suspect { oscillator: &simulated, loops: 1, velocity: 0.711, phase: 0.922 };
     assert_eq!(suspect.follow(), ReturnOutcome::Returns);
     assert!(diagram.regions.iter().any(|region| region.kind() == RegionKind::Mps && region.contains(here)));
-    // Slices meet other branches on saddle-node curves that are known: these begin at bifurcations.
+    // Slices meet other branches on known saddle-node curves: these begin at bifurcations.
     let undecided = diagram.regions.iter().filter(|region| region.doubt.is_some());
     assert_eq!(undecided.count(), 0);
 }
 
 /// A linear oscillator with a little of the second harmonic, damping across: at half its own
-/// frequency that resonates, on a hundredth of the way from one slice to the next.
+/// frequency it resonates, within a hundredth of the distance between slices.
 #[test]
 fn a_resonance_of_motion_without_impacts_that_is_narrower_than_slices_are_apart_is_found() {
     let ranges = [[0.001, 0.6], [0.4, 1.3]];
@@ -268,19 +267,19 @@ fn a_resonance_of_motion_without_impacts_that_is_narrower_than_slices_are_apart_
             .any(|found| { found.n == 4 && near(found.located.orbit().oscillator().parameters()) })
     );
     let stays_off = |at| stays_off(&diagram, at);
-    // There motion passes the wall by 1.59, and beside the tongue it does not reach it.
+    // There motion passes the wall by 1.59; beside the tongue it does not reach it.
     assert!(!stays_off([0.005, 0.5]) && stays_off([0.05, 0.5]) && stays_off([0.005, 0.55]));
 }
 
-/// A pendulum whose length changes, the wall's position across, which motion without impacts does
-/// not depend on.
+/// A pendulum whose length changes, the wall's position across, on which motion without impacts
+/// does not depend.
 #[test]
 fn a_fold_along_a_slice_and_motion_that_no_slice_shows_bound_regions() {
     let ranges = [[-0.4, 1.6], [0.5, 2.4]];
     let force = "-0.1*v - (1 + 0.35*cos(2*eta*t))*sin(x) + 0.3*cos(eta*t + 0.4)";
     let diagram = located(forced(force, "mu", 0.8, ranges), ranges);
     let stays_off = |at| stays_off(&diagram, at);
-    // Small motion, highest at 0.8, is stable up to a fold at omega = 0.7957, whatever b is; other
+    // Small motion, highest at 0.8, is stable up to a fold at omega = 0.7957, for any b; other
     // motion, highest at 1.24 there, from 0.794 to 0.877.
     assert!([0.9, 1.3, 1.5, 1.58].into_iter().all(|b| stays_off([b, 0.78])));
     assert!(stays_off([1.4, 0.86]) && !stays_off([1.2, 0.86]));
@@ -289,8 +288,8 @@ fn a_fold_along_a_slice_and_motion_that_no_slice_shows_bound_regions() {
 /// A layer that attracts and then repels (Morse).
 const LAYER: &str = "0.3*4*(exp(4*(x + 0.25)) - exp(8*(x + 0.25)))";
 
-/// A spring with such a layer, in which motion is doubled: along one slice the tip of that region is less than a step wide, and its border is a curve that is
-/// known.
+/// A spring with such a layer, in which motion is doubled: along one slice the tip of that region
+/// is less than a step wide, and its border is a known curve.
 #[test]
 fn a_slice_does_not_step_over_both_sides_of_the_tip_of_a_region() {
     let ranges = [[0.0, 1.2], [0.6, 1.075]];
@@ -300,16 +299,16 @@ fn a_slice_does_not_step_over_both_sides_of_the_tip_of_a_region() {
     let oscillator = model.counted([1.2, 1.075], &units, &Stop::default());
     let diagram = Diagram::located(&oscillator, &own, &Silent).expect("there is grazing");
     let stays_off = |place: [f64; 2]| stays_off(&diagram, units.without_dimensions(place));
-    // By integration of another kind: multipliers -1.008 and -0.631 at the third place. At omega =
-    // 0.832 motion is doubled for A from 0.36886 to 0.43449.
+    // By integration with another method: multipliers -1.008 and -0.631 at the third place. At
+    // omega = 0.832 motion is doubled for A from 0.36886 to 0.43449.
     assert!(stays_off([0.36, 0.832]) && stays_off([0.375, 0.85]));
     assert!([0.375, 0.39, 0.42].into_iter().all(|a| !stays_off([a, 0.832])));
 }
 
 #[test]
 fn a_region_that_ends_at_a_resonance_where_waves_are_short_is_closed_there() {
-    // The same force. Between a PD curve and one of grazing, which both end at the resonance p = 1, n = 6, but not in the
-    // same digits.
+    // The force is the same. The region lies between a PD curve and one of grazing, which both end
+    // at the resonance p = 1, n = 6, but with different digits.
     let ranges = [[0.8, 1.0], [0.4, 0.43]];
     let model = forced(&format!("-0.06*v - (x + 1) + {LAYER} + mu*cos(eta*t)"), "0", 0.7, ranges);
     let scope = scope(ranges[0], ranges[1], &[2]);
@@ -324,7 +323,7 @@ fn a_region_that_ends_at_a_resonance_where_waves_are_short_is_closed_there() {
     };
     for eta in [0.412, 0.419_876] {
         let [[from, to]] = strip(eta)[..] else { panic!("{eta}: {:?}", strip(eta)) };
-        // What random motion settles on with two loops, inside alone.
+        // The two-loop solution on which random motion settles, only inside the region.
         let settles = |mu: f64| {
             let oscillator = model.oscillator([mu, eta]);
             let mut random = Random::new(27);
@@ -361,7 +360,7 @@ fn grazing_of_a_closed_branch_between_two_slices_is_found() {
     let ranges = [[0.05, 1.6], [0.63, 1.63]];
     let force = "-(0.14 - 0.3*v^2 + 0.15*v^4)*v - x + 0.01*cos(eta*t)";
     let diagram = located(forced(force, "mu", 0.8, ranges), ranges);
-    // By integration of another kind (Runge-Kutta of order eight) and shooting.
+    // By integration with another method (Runge-Kutta of order eight) and shooting.
     for known in [[1.180_427_91, 0.999_503_67], [0.982_820_35, 0.999_699_88]] {
         let near = |at: [f64; 2]| (at[0] - known[0]).abs().max((at[1] - known[1]).abs()) < 1e-8;
         let places = diagram.resonances.iter().map(|found| found.located.orbit().oscillator().parameters());
@@ -378,8 +377,8 @@ fn solutions_that_are_faster_than_any_that_is_known_are_found() {
     let own = scope(ranges[0], ranges[1], &[1]);
     let oscillator = description.counted([0.3, 1.0], &units, &Stop::default());
     let diagram = Diagram::compute(&oscillator, &own.without_dimensions(&units), &Silent).unwrap();
-    // Simulation returns to solutions with impact velocities from 2.7 to 3.4 there; those that are
-    // known have 1 at most.
+    // Simulation returns to solutions with impact velocities from 2.7 to 3.4 there; the other known
+    // ones have 1 at most.
     for here in [[0.57, 1.07], [0.575, 1.05], [0.575, 1.15]] {
         let here = units.without_dimensions(here);
         let shaded = |region: &Region| region.kind() == RegionKind::Mps && region.contains(here);
@@ -387,7 +386,7 @@ fn solutions_that_are_faster_than_any_that_is_known_are_found() {
     }
 }
 
-/// Damping without swings.
+/// Damping strong enough to prevent oscillation.
 #[test]
 fn motion_that_is_forgotten_within_a_period_is_stable() {
     let ranges = [[0.0, 8.0], [0.1, 2.0]];
@@ -422,7 +421,7 @@ fn every_small_region_of_slow_forcing_is_shaded() {
     assert!(seen.iter().all(|count| *count > 50), "{seen:?}");
 }
 
-/// Beside the way over the hill of a spring that softens there is any number of folds.
+/// Beside the path over the hill of a softening spring there is any number of folds.
 #[test]
 fn no_curve_beside_a_hill_is_followed_without_end() {
     let ranges = [[0.0, 1.2], [0.4, 1.2]];

@@ -1,4 +1,4 @@
-//! Resonances on the grazing curve of the linear oscillator, of which all are known.
+//! Resonances on the grazing curve of the linear oscillator, all of which are known.
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::resonance::ResonanceError;
@@ -41,7 +41,7 @@ fn assert_all_found(secondary: [f64; 2], loops: &[u32]) {
         for (frequency, n, holds) in expected(loops, secondary) {
             let next = listed.next().unwrap_or_else(|| panic!("p = {loops}, n = {n} is missing"));
             assert_eq!((next.loops, next.n, next.theorem.is_ok()), (loops, n, holds), "near {frequency}");
-            // Newton's method on smooth equations.
+            // The accuracy of Newton's method on smooth equations.
             assert_within(next.located.orbit().oscillator().parameters()[1], frequency, 1e-10);
         }
     }
@@ -55,7 +55,8 @@ fn all_resonances_in_a_wide_window_are_found_once_with_their_n() {
 
 #[test]
 fn all_resonances_at_low_frequencies_are_found_once_with_their_n() {
-    // Steps as for the wide window would be longer here than the resonances are apart.
+    // Steps as long as for the wide window would be longer here than the distance between
+    // resonances.
     assert_all_found([0.12, 0.4], &[6, 1]);
 }
 
@@ -64,8 +65,8 @@ fn all_resonances_at_high_frequencies_are_found_once_with_their_n() {
     assert_all_found([1.0, 4.2], &[2, 1, 5]);
 }
 
-/// The resonances of the integrated oscillator of `examples/paper.toml`: all that the closed form
-/// knows, with all that it says.
+/// Checks the resonances of the integrated oscillator of `examples/paper.toml` against all
+/// properties known in closed form.
 fn assert_integrated(secondary: [f64; 2], loops: &[u32]) {
     let (oscillator, mut scope) = example("paper.toml");
     (scope.window.secondary, scope.loops) = (secondary, loops.to_vec());
@@ -96,7 +97,7 @@ fn resonances_in_the_stiffness_lie_where_the_free_frequency_is_in_step() {
     for (resonance, (loops, n, ratio, holds)) in found.iter().zip(wanted) {
         assert_eq!((resonance.loops, resonance.n, resonance.theorem.is_ok()), (loops, n, holds));
         let stiffness = 0.64 * ratio * ratio + DAMPED * DAMPED;
-        // Integration and Newton's method.
+        // The accuracy of integration and Newton's method.
         assert_within(resonance.located.orbit().oscillator().parameters()[1], stiffness, 1e-10);
         let Ok(point) = &resonance.theorem else { continue };
         for coefficient in coefficients(point).into_array() {
@@ -114,7 +115,7 @@ fn resonances_of_motion_that_is_forgotten_within_a_period_are_told_once() {
     let lost: Vec<_> = diagram.unlocated.iter().map(|lost| &lost.reason).collect();
     assert_eq!(lost, [&ResonanceError::Forgotten]);
     // Multipliers are exp(−0.3 π/η) in size, 5·10⁻¹² at this η; the other resonances are located as
-    // ever.
+    // usual.
     let forgotten = 0.3 * core::f64::consts::PI / -libm::log(5e-12);
     assert!(diagram.unlocated[0].near[1] < forgotten);
     let known: Vec<f64> = Theory::new(0.15, EPSILON)
@@ -152,7 +153,7 @@ fn resonances_are_found_where_motion_is_almost_forgotten_within_p_periods() {
 
 #[test]
 fn the_highest_maximum_at_a_resonance_is_at_the_wall_where_motion_has_lower_ones_as_well() {
-    // Two maxima in a period, of which one grazes.
+    // Two maxima in a period, one of which grazes.
     let ranges = [[0.1, 3.0], [0.3, 0.45]];
     let model =
         described(["-0.04*v - x - 1 + mu*(cos(eta*t) + 2*cos(3*eta*t + 1))", "eta", "0"], EPSILON, ranges);

@@ -1,5 +1,5 @@
-//! The search for grazing of motion without the wall: what it finds, and what it says where there
-//! is none.
+//! The search for grazing of motion without the wall: its results, and the errors where there is
+//! none.
 
 use core::f64::consts::{PI, TAU};
 
@@ -18,10 +18,10 @@ use crate::specimens::{
     scope, written,
 };
 
-/// Integration and Newton's method leave some 10⁻¹² each.
+/// Tolerance: integration and Newton's method leave some 10⁻¹² each.
 const EXACT: f64 = 1e-11;
 
-/// Every point is a grazing orbit inside the ranges, and what is said about it holds.
+/// Checks that every point is a grazing orbit inside the ranges, with the reported properties.
 #[track_caller]
 fn assert_grazes(curve: &GrazingCurve, scope: &Scope) {
     assert!(curve.states.len() > 10);
@@ -44,7 +44,7 @@ fn assert_grazes(curve: &GrazingCurve, scope: &Scope) {
     }
 }
 
-/// The force of the paper's oscillator at an amplitude and in the phase of the forcing.
+/// The force of the paper's oscillator with a given amplitude and phase of the forcing.
 fn linear(amplitude: &str, phase: &str) -> String {
     format!("-2*zeta*v - x - 1 + ({amplitude})*cos({phase})")
 }
@@ -77,8 +77,8 @@ fn the_grazing_curve_of_the_linear_oscillator_is_that_of_the_closed_form() {
     assert!(curve.at(3.1).is_none());
 }
 
-/// With so little damping A hardly changes where the phase turns by half a circle, and one of the
-/// values of omega at which grazing is looked for lies there.
+/// With so little damping A hardly changes where the phase turns by half a circle; this happens at
+/// one of the values of omega at which grazing is looked for.
 #[test]
 fn a_grazing_curve_is_found_once_though_its_phase_turns_at_one_frequency() {
     let oscillator = crate::specimens::linear(1e-4, EPSILON, [0.5, 0.8]);
@@ -142,7 +142,7 @@ fn the_secondary_parameter_may_be_the_stiffness() {
     let curve = grazing_curve(&written(force, "0.8", &scope), &scope);
     assert_grazes(&curve, &scope);
     for [mu, stiffness] in curve.parameters() {
-        // The response to the forcing is as great as the distance of the wall from rest.
+        // The response to the forcing is as large as the distance of the wall from rest.
         let response = libm::hypot(stiffness - 0.64, 2.0 * DAMPED * 0.8);
         assert_within(mu, response / stiffness, EXACT);
     }
@@ -161,7 +161,7 @@ fn a_grazing_curve_ends_where_motion_is_no_longer_turned_back() {
 }
 
 /// A linear oscillator whose forcing is as strong as at grazing on the circle of radius 0.3 about
-/// (0, 0), stronger inside.
+/// (0, 0), and stronger inside.
 fn circle(scope: &Scope) -> GrazingCurve {
     let strongest = grazing_at(DAMPED, 0.7).amplitude() + 0.09;
     let force = linear(&format!("{strongest:?} - mu^2 - eta^2"), "0.7*t");
@@ -172,7 +172,7 @@ fn circle(scope: &Scope) -> GrazingCurve {
 fn assert_on_circle(curve: &GrazingCurve) {
     for state in &curve.states {
         let [mu, eta] = state.orbit.oscillator().parameters();
-        // The radius is a fifth as sensitive as the amplitude at least.
+        // The radius is at least a fifth as sensitive as the amplitude.
         assert_within(libm::hypot(mu, eta), 0.3, 5.0 * EXACT);
         // The tangent comes from Jacobians at the last iterate but one, which is 10⁻⁷ away at most.
         let [_, tangent_mu, tangent_eta] = state.tangent.into();
@@ -208,7 +208,7 @@ fn a_closed_grazing_curve_is_followed_once_round() {
 
 #[test]
 fn folds_of_the_grazing_curve_in_either_parameter_are_passed() {
-    // The left half of the circle turns back in μ, the right half too; the upper one in η.
+    // The left half of the circle turns back in μ, as does the right half; the upper one in η.
     for (primary, secondary, axis) in
         [([-0.5, 0.0], [-0.5, 0.5], 0), ([0.0, 0.5], [-0.5, 0.5], 0), ([-0.5, 0.5], [0.0, 0.5], 1)]
     {
@@ -218,7 +218,7 @@ fn folds_of_the_grazing_curve_in_either_parameter_are_passed() {
         assert_on_circle(&curve);
         assert_eq!(curve.ends, [GrazingEnd::LeftWindow; 2]);
         let reached = curve.parameters().map(|at| at[axis].abs()).fold(0.0, f64::max);
-        // Half a step from the fold at most: 0.005 in units of the ranges, squared over the
+        // At most half a step from the fold: 0.005 in units of the ranges, squared over the
         // diameter.
         assert_within(reached, 0.3, 1e-4);
         let ends = [&curve.states[0], &curve.states[curve.states.len() - 1]];
@@ -229,8 +229,8 @@ fn folds_of_the_grazing_curve_in_either_parameter_are_passed() {
     }
 }
 
-/// A spring that stiffens about the position of rest, so far that there are two stable motions at
-/// one amplitude.
+/// A spring that stiffens about the position of rest, so strongly that there are two stable motions
+/// at one amplitude.
 const BISTABLE: &str = "-0.08*v - (x + 1) - 0.8*(x + 1)^3 + mu*cos(eta*t)";
 
 #[test]
@@ -250,9 +250,9 @@ fn grazing_on_the_upper_branch_of_a_bistable_oscillator_is_found_beyond_two_fold
     assert!(in_trapesium(map.trace(), map.determinant()));
 }
 
-/// Attraction that exceeds the spring at the wall but not a little farther off, with ranges in which
-/// forcing turns motion back from the wall all the same: with a pole behind the wall, and with
-/// another well there that holds what falls into it.
+/// Attraction that exceeds the spring at the wall but not slightly farther off, with ranges in
+/// which forcing nevertheless turns motion back from the wall: with a pole behind the wall, and
+/// with another well there that captures motion.
 const ADHESIVE: [(&str, [[f64; 2]; 2]); 2] = [
     ("25*(0.5/(0.5 - x))^2", [[5.0, 25.0], [1.7, 1.8]]),
     ("22/(1 + ((x - 0.1)/0.1)^2)", [[1.0, 9.0], [1.2, 1.3]]),
@@ -287,8 +287,8 @@ fn a_grazing_curve_loses_its_stability_where_the_free_motion_folds() {
     let changes: Vec<_> = (1..stable.len()).filter(|k| stable[*k] != stable[k - 1]).collect();
     let [change] = changes.as_slice() else { panic!("{} changes", changes.len()) };
     assert!(stable[0] && !stable[stable.len() - 1]);
-    // β = det(A − I) is zero where a multiplier of the free motion is one; its sign says on which
-    // side of the fold we are.
+    // β = det(A − I) is zero where a multiplier of the free motion is one; its sign gives the side
+    // of the fold.
     for state in &curve.states {
         let map = state.orbit.grazing_point().map;
         assert_eq!(state.stable, 1.0 - map.trace() + map.determinant() > 0.0);
@@ -311,7 +311,7 @@ fn motion_that_runs_away_is_said_to() {
 
 #[test]
 fn motion_that_drifts_has_no_periodic_orbit() {
-    // So slowly that it seems to have settled.
+    // The drift is so slow that the motion seems to have settled.
     let scope = scope([0.0, 1.0], [0.5, 1.0], &[]);
     let error = grazing_curves(&written("1e-4 - v + mu*cos(eta*t)", "eta", &scope), &scope).unwrap_err();
     assert_eq!(error, UnfoldError::NoOrbit);
@@ -342,7 +342,7 @@ fn motion_that_stays_beyond_the_wall_is_described_by_its_highest_points() {
 
 #[test]
 fn motion_that_cannot_be_followed_through_the_range_is_not_said_to_have_been() {
-    // It swings to where the force has no value, x = −2.2, before it comes to the wall.
+    // The motion reaches x = −2.2, where the force has no value, before it reaches the wall.
     let scope = scope([0.0, 1.2], [0.5, 1.1], &[]);
     let force = "-2*zeta*v - ln(x + 2.2) - 1 + mu*cos(eta*t)";
     let error = grazing_curves(&written(force, "eta", &scope), &scope).unwrap_err();
@@ -352,12 +352,12 @@ fn motion_that_cannot_be_followed_through_the_range_is_not_said_to_have_been() {
 
 #[test]
 fn rest_that_is_carried_through_the_wall_does_not_graze() {
-    // Nothing is forced: the position of rest is μ, and where it comes to the wall F = 0.
+    // There is no forcing: the position of rest is μ, and where it reaches the wall F = 0.
     let scope = scope([-0.5, 0.55], [0.5, 1.0], &[]);
     let error = grazing_curves(&written("-0.1*v - x + mu", "eta", &scope), &scope).unwrap_err();
     let UnfoldError::Pushed { at } = error else { panic!("{error}") };
     assert_within(at.acceleration, 0.0, EXACT);
-    // The nearer of two points of the branch, one step of it apart.
+    // The nearer of two points of the branch, one step apart.
     assert_within(at.parameters[0], 0.0, 0.05);
 }
 

@@ -1,4 +1,4 @@
-//! Regions however narrow, in windows and in parts of them, against the closed form.
+//! Regions, however narrow, in windows and in parts of them, compared with the closed form.
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
@@ -18,7 +18,7 @@ fn diagram(window: Window, loops: &[u32]) -> Diagram {
 
 #[test]
 fn slivers_of_two_loops_are_found_in_any_window_and_without_p_1() {
-    // Where they lie, by an independent program: from the resonances of n = 5 and 3.
+    // Their locations, by an independent program: from the resonances of n = 5 and 3.
     let slivers = [[0.399937, 0.406456], [0.666553, 0.675530]];
     let small = Window { primary: [0.4, 0.8], secondary: [0.6, 0.7] };
     for (window, loops) in [(FIGURE_7, &[1, 2, 3][..]), (FIGURE_7, &[2]), (small, &[2, 3])] {
@@ -29,7 +29,7 @@ fn slivers_of_two_loops_are_found_in_any_window_and_without_p_1() {
                 let exact = lines::exact(0.02, 0.9, window.primary, omega, 2).expect("there is a sliver");
                 let [shaded, _] = lines::shown(&diagram.regions, 2, omega);
                 let is_there = |[from, to]: &[f64; 2]| {
-                    // To the chords between vertices at which curves were located.
+                    // Up to the chords between vertices at which curves were located.
                     (from - exact[0]).abs().max((to - exact[1]).abs()) < 1e-4
                         && ((to - from) / (exact[1] - exact[0]) - 1.0).abs() < 0.1
                 };
@@ -56,7 +56,8 @@ fn what_is_found_in_a_part_of_a_window_is_what_the_closed_form_has_there() {
 
 #[test]
 fn regions_that_begin_as_good_as_at_grazing_are_found_where_motion_is_strongly_damped() {
-    // Saddle-nodes at impact velocities below 1e-6: their curve is the grazing curve but for 1e-12.
+    // Saddle-nodes at impact velocities below 1e-6: their curve differs from the grazing curve by
+    // 1e-12.
     let cases = [
         ([0.23437, 0.7167], [0.5164, 0.8869], [0.4578, 0.4799]),
         ([0.13219, 0.7928], [0.5, 1.2], [0.305, 0.33]),
@@ -98,8 +99,8 @@ fn a_window_on_a_curve_far_from_grazing_shows_the_curve_and_the_region() {
 
 #[test]
 fn a_tongue_that_comes_in_and_goes_out_at_the_edge_within_a_step_is_found() {
-    // Of period-doubled motion; along the edge 1 + T + D is negative by 5e-5, between two points of
-    // a branch at which it is positive.
+    // A tongue of period-doubled motion; along the edge 1 + T + D is negative by 5e-5, between two
+    // points of a branch at which it is positive.
     let window = Window {
         primary: [0.771862183388759, 1.0540204522049585],
         secondary: [0.6791468505514304, 1.0638965454289793],
@@ -111,8 +112,8 @@ fn a_tongue_that_comes_in_and_goes_out_at_the_edge_within_a_step_is_found() {
 
 #[test]
 fn an_island_beyond_the_end_of_a_curve_is_found_where_no_slice_crosses_it() {
-    // Along the PD curve motion of two loops hits the wall in between from omega = 0.4946 to 0.4980, but for this island, which is
-    // bounded by the curve and by grazing.
+    // Along the PD curve motion of two loops hits the wall in between from omega = 0.4946 to
+    // 0.4980, except in this island, which is bounded by the curve and by grazing.
     let window = Window { primary: [0.77, 1.2], secondary: [0.325, 0.51] };
     let oscillator = LinearOscillator::new(0.00767, 0.5847, 1.0, 0.4).expect("it is in the domain");
     let scope = Scope { window, loops: vec![2], start: None };
@@ -131,7 +132,8 @@ fn an_island_beyond_the_end_of_a_curve_is_found_where_no_slice_crosses_it() {
 
 #[test]
 fn a_sliver_between_two_grazing_curves_is_one_region_up_to_their_corner() {
-    // It is bounded by a PD curve and by GZ curves of two maxima, which meet at an angle of less than 1e-3.
+    // The sliver is bounded by a PD curve and by GZ curves of two maxima, which meet at an angle of
+    // less than 1e-3.
     let window = Window { primary: [0.0, 2.0], secondary: [0.25, 1.3] };
     let oscillator = LinearOscillator::new(0.0069, 0.8293, 1.0, 0.4).expect("it is in the domain");
     let scope = Scope { window, loops: vec![2], start: None };

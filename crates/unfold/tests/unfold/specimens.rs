@@ -1,4 +1,4 @@
-//! Oscillators to look at, and what they are looked at with.
+//! Oscillators for tests, and functions that analyse them.
 
 use std::path::{Path, PathBuf};
 
@@ -16,7 +16,7 @@ use grazing_unfold::{Diagram, Scope, UnfoldError};
 pub(crate) const ZETA: f64 = 0.02;
 pub(crate) const EPSILON: f64 = 0.9;
 
-/// A damping ratio at which motion settles soon.
+/// A damping ratio at which motion settles quickly.
 pub(crate) const DAMPED: f64 = 0.1;
 
 /// A file of the repository.
@@ -43,12 +43,12 @@ pub(crate) fn grazing_at(zeta: f64, frequency: f64) -> GrazingState {
     grazing_theorems::LinearOscillator::new(zeta, EPSILON).unwrap().grazing(frequency).unwrap()
 }
 
-/// An example as its file describes it.
+/// The description of an example from its file.
 pub(crate) fn described_example(name: &str) -> Description {
     Description::from_file(&file("examples").join(name)).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// The oscillator of an example, and all that its file asks for.
+/// The oscillator of an example, and the scope that its file requests.
 pub(crate) fn example(name: &str) -> (AnyOscillator, Scope) {
     let description = described_example(name);
     let [primary, secondary] = [description.primary(), description.secondary()].map(|axis| axis.range());
@@ -57,7 +57,7 @@ pub(crate) fn example(name: &str) -> (AnyOscillator, Scope) {
     (description.oscillator([primary[1], secondary[1]]), scope)
 }
 
-/// As [`example`], without dimensions, with the units in which it counts.
+/// The nondimensional oscillator and scope of an [`example`], with its units.
 pub(crate) fn counted(name: &str) -> (AnyOscillator, Scope, Units) {
     let (description, (_, scope)) = (described_example(name), example(name));
     let units = description.units();
@@ -87,7 +87,7 @@ pub(crate) fn described(
     Description::parse(&text, "test.toml").unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// The same with the wall at x = 0.
+/// An oscillator with a given force and frequency and the wall at x = 0.
 pub(crate) fn written(force: &str, frequency: &str, scope: &Scope) -> AnyOscillator {
     let Window { primary, secondary } = scope.window;
     let description = described([force, frequency, "0"], EPSILON, [primary, secondary]);
@@ -103,7 +103,7 @@ pub(crate) fn grazing_curves(
     Diagram::compute(oscillator, &only_grazing, &Silent).map(|diagram| diagram.grazing)
 }
 
-/// The grazing curve, which is in one piece.
+/// The grazing curve, which has one piece.
 #[track_caller]
 pub(crate) fn grazing_curve(oscillator: &AnyOscillator, scope: &Scope) -> GrazingCurve {
     let mut curves = grazing_curves(oscillator, scope).unwrap_or_else(|error| panic!("{error}"));
@@ -111,7 +111,7 @@ pub(crate) fn grazing_curve(oscillator: &AnyOscillator, scope: &Scope) -> Grazin
     curves.remove(0)
 }
 
-/// The resonances on the grazing curve, of which all are located.
+/// The resonances on the grazing curve, all of which are located.
 #[track_caller]
 pub(crate) fn resonances(oscillator: &AnyOscillator, scope: &Scope) -> Vec<Resonance> {
     let (found, lost) = on_curve(&grazing_curve(oscillator, scope), scope, &Silent);
@@ -119,8 +119,9 @@ pub(crate) fn resonances(oscillator: &AnyOscillator, scope: &Scope) -> Vec<Reson
     found
 }
 
-/// Every resonance that the closed form knows in a range is among those found, with what the closed
-/// form says of it to nine digits: ω*, 𝒜_graz, c_SN and c_PD, which `scaled` takes to its units.
+/// Checks that every resonance known in closed form in a range is among those found, with the same
+/// values to nine digits: ω*, 𝒜_graz, c_SN and c_PD, which `scaled` converts to the units of the
+/// test.
 ///
 /// Integration leaves 1e-11 over sixty turns of neighbouring motion.
 #[track_caller]

@@ -1,5 +1,5 @@
-//! Curves in straightened coordinates, against the quadratic equation of the linear oscillator solved
-//! with twice the digits, and against theory.
+//! Curves in straightened coordinates, compared with the quadratic equation of the linear
+//! oscillator solved with twice the digits, and with theory.
 
 mod double;
 
@@ -12,7 +12,7 @@ use grazing_unfold::{Diagram, Scope, progress::Silent};
 use crate::specimens::{EPSILON, ZETA, closed_form, example, scope};
 use double::Double;
 
-/// |η| from 1e-9 to 1e-1.
+/// Values of |η| from 1e-9 to 1e-1.
 fn etas() -> Vec<f64> {
     let decade = |power: i32| ["1", "2", "5"].map(|digit| format!("{digit}e{power}").parse().unwrap());
     (-9..=-2).flat_map(decade).chain([0.1]).collect()
@@ -35,8 +35,9 @@ fn assert_known(Estimate { value, error }: Estimate, wanted: f64, digits: f64, p
     assert!((value / wanted - 1.0).abs() <= digits, "{place:?}: {value} instead of {wanted}");
 }
 
-/// (𝒜 − 𝒜_graz)/η² on the SN or PD curve of p loops at ω = ω* + η: 𝒜² is a quadratic function of the
-/// impact velocity, whose least value is at the fold; −1 is a multiplier where a linear one vanishes.
+/// The value of (𝒜 − 𝒜_graz)/η² on the SN or PD curve of p loops at ω = ω* + η: 𝒜² is a quadratic
+/// function of the impact velocity, whose least value is at the fold; −1 is a multiplier where a
+/// linear one vanishes.
 fn wanted(kind: Bifurcation, [loops, n]: [u32; 2], eta: f64) -> f64 {
     let [zeta, epsilon, one] = [ZETA, EPSILON, 1.0].map(Double::from);
     let omega_1 = (one - zeta * zeta).sqrt();
@@ -53,7 +54,7 @@ fn wanted(kind: Bifurcation, [loops, n]: [u32; 2], eta: f64) -> f64 {
     let (m11, m22) = (c + zeta * q, c - zeta * q);
     let (stiffness, loss) = (one - omega * omega, Double::from(2.0) * zeta * omega);
     let square = stiffness * stiffness + loss * loss;
-    // Where the response has to be at the impact: (1 − M)⁻¹ (0, y (1 + ε m22) + …), here per y.
+    // The displacement of the response at the impact: (1 − M)⁻¹ (0, y (1 + ε m22) + …), here per y.
     let determinant = (one - m11) * (one - m22) + q * q;
     let kick = [epsilon * q, one + epsilon * m22];
     let x = ((one - m22) * kick[0] + q * kick[1]) / determinant;
@@ -125,18 +126,18 @@ fn curves_of_a_nonlinear_oscillator_go_to_theorys_constants_with_as_many_digits_
     {
         let place = (resonance, kind, loops);
         own += usize::from(loops == resonance[0]);
-        // Of two loops at a resonance of one.
+        // GZ curves belong to two loops at a resonance of one.
         grazing += usize::from(kind == Bifurcation::Grazing);
         let nearest = &points[..points.len().min(7)];
         assert_eq!(nearest[0].eta.abs(), 1e-9, "{place:?}");
-        // Theory's constant has an error of its own, of second derivatives of integrated motion.
+        // Theory's constant has an error of its own, from second derivatives of integrated motion.
         let limit = nearest[0].distance.value;
         assert!((limit / coefficient - 1.0).abs() < 2e-5, "{place:?}: {limit} {coefficient}");
         let departure = |point: &StraightPoint| point.distance.value / limit - 1.0;
         let from = nearest[0].eta;
         let slope = departure(&nearest[6]) / (nearest[6].eta - from);
         for point in nearest {
-            // What is left beyond the constant is linear in η, to the error at every η.
+            // The remainder beyond the constant is linear in η, up to the error at every η.
             let error = 2.0 * point.distance.error / coefficient.abs();
             let bent = 1e-2 * (slope * point.eta).abs();
             let rest = (departure(point) - slope * (point.eta - from)).abs();

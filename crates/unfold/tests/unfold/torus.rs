@@ -1,5 +1,5 @@
-//! Torus bifurcations, against an oscillator of which they are known in closed form, and of a
-//! self-excited one.
+//! Torus bifurcations, compared with those of an oscillator for which they are known in closed
+//! form, and of a self-excited one.
 
 use core::f64::consts::TAU;
 
@@ -23,14 +23,14 @@ fn damped() -> (AnyOscillator, Scope) {
     (model.oscillator([0.5, 0.1]), scope(ranges[0], ranges[1], &[1]))
 }
 
-/// The damping at which areas are kept in p forcing periods, with so many impacts: det = ε²ⁿ
-/// e^(−ηpT).
+/// The damping at which areas are preserved in p forcing periods, with n = 0 or 1 impacts: det =
+/// ε²ⁿ e^(−ηpT).
 fn neutral(loops: u32) -> f64 {
     let impacts = if loops == 0 { 0.0 } else { 1.0 };
     2.0 * impacts * libm::log(RESTITUTION) / (f64::from(loops.max(1)) * TAU / FREQUENCY)
 }
 
-/// Whether something is shaded for p at a place, and nothing hatched.
+/// Whether a stable region contains a place for p, and no undecided one does.
 fn stable(diagram: &Diagram, loops: u32, at: [f64; 2]) -> bool {
     let here = |region: &&Region| region.loops == loops && region.contains(at);
     let found = diagram.regions.iter().find(here);
@@ -54,9 +54,9 @@ fn solutions_lose_stability_at_a_torus_bifurcation_where_areas_are_no_longer_con
             assert!((damping - neutral(loops)).abs() < 1e-9, "p = {loops}: {damping}");
         }
     }
-    // Forced with 0.3 motion does not come to the wall.
+    // Forced with 0.3 motion does not reach the wall.
     assert!(stable(&diagram, 0, [0.3, 1e-5]) && !stable(&diagram, 0, [0.3, -1e-5]));
-    // With 0.62 it meets it.
+    // Forced with 0.62 it hits the wall.
     let neutral = neutral(1);
     assert!(stable(&diagram, 1, [0.62, neutral + 0.008]) && !stable(&diagram, 1, [0.62, neutral - 0.008]));
 }
@@ -73,7 +73,7 @@ fn a_one_parameter_diagram_shows_torus_bifurcations() {
     assert!(motion.clone().count() == 1 && motion.clone().all(|damping| damping.abs() < 1e-9), "{found:?}");
 }
 
-/// Van der Pol's oscillator, which swings without being forced: forced weakly it does not follow.
+/// Van der Pol's oscillator, which oscillates without forcing: it does not follow weak forcing.
 #[test]
 fn nothing_of_self_excited_motion_without_impacts_is_undecided() {
     let ranges = [[0.02, 1.5], [0.5, 1.6]];
@@ -83,8 +83,8 @@ fn nothing_of_self_excited_motion_without_impacts_is_undecided() {
     let diagram = Diagram::located(&model.oscillator([0.5, 1.0]), &scope, &Silent).expect("it grazes");
     assert!(diagram.curves.iter().any(|curve| curve.kind == Bifurcation::Torus));
     assert!(diagram.regions.iter().all(|region| region.doubt.is_none()));
-    // Far from the resonance motion follows the force where its amplitude exceeds about 0.7 of what
-    // it swings with alone: x = μ/(1 − ω²), and the mean damping changes its sign at 1/√2.
+    // Far from the resonance motion follows the force where its amplitude exceeds about 0.7 of its
+    // amplitude without forcing: x = μ/(1 − ω²), and the mean damping changes its sign at 1/√2.
     let amplitude = |omega: f64, share: f64| share * libm::sqrt(0.5) * (omega * omega - 1.0);
     assert!(
         stable(&diagram, 0, [amplitude(1.5, 1.1), 1.5]) && !stable(&diagram, 0, [amplitude(1.5, 0.9), 1.5])

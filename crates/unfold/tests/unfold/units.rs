@@ -29,7 +29,7 @@ fn stretched(length: f64, time: f64, frequencies: [f64; 2]) -> Description {
     Description::parse(&text, "test.toml").unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// ω*, 𝒜_graz, c_SN and c_PD are those of the closed form at all resonances.
+/// Checks that ω*, 𝒜_graz, c_SN and c_PD are those of the closed form at all resonances.
 fn assert_closed_form([length, time]: [f64; 2], frequencies: [f64; 2], loops: &[u32]) {
     let description = stretched(length, time, frequencies);
     let units = description.units();
@@ -65,7 +65,7 @@ fn stretched_oscillators_have_the_resonances_of_the_closed_form() {
     assert_closed_form([1e-3, 1e-3], [0.0165, 0.0169], &[2, 3]);
 }
 
-/// No two of them, and none of their products that stand for a unit, are the same.
+/// Units no two of which, and no two of whose products that stand for a unit, are the same.
 const UNITS: Units = Units { length: 3.0, time: 5.0, primary: 7.0, secondary: 11.0 };
 
 #[test]
@@ -100,7 +100,7 @@ fn coefficients_and_simulations_are_in_the_units_of_the_file() {
         fit: Ok(Measurement { coefficient: estimate(unit), eta: [e1, e2], mu: [m2, m3], velocity }),
     };
     let found = coefficient(1.0, [1.0, 1.0], [1.0, 1.0], 1.0).in_units(&UNITS);
-    // μ/η², and η = e₁ y + e₂ y², μ = m₂ y² + m₃ y³.
+    // The coefficient of μ/η², and those of η = e₁ y + e₂ y², μ = m₂ y² + m₃ y³.
     let wanted = coefficient(
         7.0 / 121.0,
         [11.0 / velocity, 11.0 / velocity / velocity],

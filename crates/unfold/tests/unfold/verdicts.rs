@@ -1,4 +1,4 @@
-//! What is said of theorem, curve and simulation where one of them has its difficulties.
+//! Verdicts on theorem, curve and simulation where one of them is difficult.
 
 use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::locate::{Condition, locate};
@@ -96,7 +96,7 @@ fn a_difference_beyond_the_errors_contradicts_and_a_value_without_digits_is_not_
     assert_eq!(saddle_node.verdict(), Verdict::Agree);
     saddle_node.theorem.value *= 1.0 + 1e-6;
     assert_eq!(saddle_node.verdict(), Verdict::Contradict);
-    // As where s_p^- is zero to rounding.
+    // This is the error where s_p^- is zero to rounding.
     for error in [0.1 * period_doubling.theorem.value, f64::INFINITY, f64::NAN] {
         period_doubling.theorem.error = error;
         let verdict = period_doubling.verdict();

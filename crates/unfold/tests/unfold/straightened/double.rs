@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// high + low, |low| being at most half a unit in the last place of high.
+/// The number high + low, where |low| is at most half a unit in the last place of high.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Double {
     high: f64,
@@ -24,7 +24,7 @@ impl Double {
         near + (self - near * near) / (near + near)
     }
 
-    /// e^x, by Taylor's series for x/2¹⁰.
+    /// The exponential e^x, by Taylor's series for x/2¹⁰.
     pub(super) fn exp(self) -> Self {
         let mut power = (self.halved(10)).series(1.0, |k| k);
         for _ in 0..10 {
@@ -33,7 +33,8 @@ impl Double {
         power
     }
 
-    /// sin x and cos x, by Taylor's series for x/2¹⁰: 1 − cos is doubled, which keeps its digits.
+    /// The sine and cosine of x, by Taylor's series for x/2¹⁰: 1 − cos is doubled, which keeps its
+    /// digits.
     pub(super) fn sin_cos(self) -> (Self, Self) {
         let one = Self::from(1.0);
         let turns = libm::round(self.high / Self::TAU.high);
@@ -53,7 +54,7 @@ impl Double {
         Self { high: libm::ldexp(self.high, -times), low: libm::ldexp(self.low, -times) }
     }
 
-    /// The sum of terms of which the k-th is the one before times x over `divisor`(k).
+    /// The sum of terms, the k-th of which is the previous one times x over `divisor`(k).
     fn series(self, first: f64, divisor: impl Fn(f64) -> f64) -> Self {
         let (mut term, mut sum) = (Self::from(first), Self::from(first));
         for k in 1..20 {
