@@ -197,8 +197,8 @@ impl Expression {
     /// Parses an expression in these variables and constants.
     ///
     /// `variables` are the names whose values [`Expression::evaluate`] takes, in this order;
-    /// `constants` are names with their values; `pi` and `e` are known as well. Operators are `+ -
-    /// * / ^`; every function takes one argument.
+    /// `constants` are names with their values; `pi` and `e` are known as well. Operators are
+    /// `+ - * / ^`; every function takes one argument.
     ///
     /// # Errors
     /// [`ExpressionError`], the first error in the text, with its place.

@@ -8,7 +8,7 @@ use crate::taylor::Taylor;
 ///
 /// The criticality of bifurcations needs third derivatives, but only in one direction at a time:
 /// with arguments that move along a curve, [`Taylor`] polynomials in its parameter s, the images do
-/// do as well. Curves, theorems and simulation need [`ImpactOscillator`] alone, for which second
+/// as well. Curves, theorems and simulation need [`ImpactOscillator`] alone, for which second
 /// derivatives in all directions are enough.
 pub trait ThirdOrder: ImpactOscillator {
     /// The flow of eq:f, the wall ignored: position and velocity after a time `duration` of either

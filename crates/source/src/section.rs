@@ -153,8 +153,8 @@ impl<'d> Section<'d> {
         }
     }
 
-    /// A value with its place and key, in the form in which messages begin: `file:line: key =
-    /// value`.
+    /// A value with its place and key, in the form in which messages begin:
+    /// `file:line: key = value`.
     pub fn shown(&self, name: &str) -> String {
         format!("{}: {} = {}", self.place(name), self.key(name), self.source.raw(self.span(name)))
     }

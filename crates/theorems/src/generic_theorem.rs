@@ -47,10 +47,10 @@ pub struct GenericGrazing {
 impl GenericGrazing {
     /// Checks the hypotheses of theorem 2.2 (for `p = 1`) or 2.3 (otherwise).
     ///
-    /// Theorem 2.2: `(tau, delta)` in the trapesium, `alpha > 0`, `a12 beta != 0`. Theorem 2.3: `p
-    /// >= 2`, `(tau, delta)` in the trapesium, `a12 alpha > 0`, `tau > h_p(delta)`, `beta kappa_p
-    /// != 0`. Both also require what the class of systems implies: `omega > 0`, `gamma > 0`, `phi >
-    /// 0`.
+    /// Theorem 2.2: `(tau, delta)` in the trapesium, `alpha > 0`, `a12 beta != 0`. Theorem 2.3:
+    /// `p >= 2`, `(tau, delta)` in the trapesium, `a12 alpha > 0`, `tau > h_p(delta)`,
+    /// `beta kappa_p != 0`. Both also require what the class of systems implies: `omega > 0`,
+    /// `gamma > 0`, `phi > 0`.
     ///
     /// # Errors
     /// [`HypothesesViolated`] names each hypothesis that fails, with its value. `tau > h_p(delta)`

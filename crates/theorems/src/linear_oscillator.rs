@@ -77,8 +77,9 @@ impl LinearOscillator {
     /// `omega_1 / omega = n / 2` for `p = 1`, `omega_1 / omega = n + 1 / (2 p)` for `p >= 2`.
     /// Paper: section 3, eq. (12) and (13), `eq:resonance1`, `eq:resonancep` with the plus sign.
     ///
-    /// `p >= 1`. `n >= 1` for `p = 1`; `n >= 0` for `p >= 2`, where proposition 3.3 requires `n >=
-    /// 1` but its proof does not: `n = 0`, `omega = 2 p omega_1`, is a resonance like the others.
+    /// `p >= 1`. `n >= 1` for `p = 1`; `n >= 0` for `p >= 2`, where proposition 3.3 requires
+    /// `n >= 1` but its proof does not: `n = 0`, `omega = 2 p omega_1`, is a resonance like the
+    /// others.
     ///
     /// # Errors
     /// [`TheoryError::TooFewLoops`], [`TheoryError::ResonanceIndex`] for smaller `p` or `n`.

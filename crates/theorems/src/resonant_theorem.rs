@@ -61,8 +61,8 @@ impl ResonantGrazing {
     ///
     /// `resonance_tolerance` is the largest `|a12|` (`p = 1`, position per radian) or `|kappa_p|`
     /// (`p >= 2`, dimensionless) that counts as zero. It should be the error with which the point
-    /// (`p >= 2`, dimensionless) that counts as zero. It should be the error with which the point
-    /// is known: some 1e-12 for closed forms, otherwise the residual of the root-finding.
+    /// is known: some 1e-12 for closed forms, otherwise the residual of the root-finding. The
+    /// formulas are evaluated at the given point, so the coefficients are off by an amount
     /// proportional to it. Negative or NaN: no point passes.
     ///
     /// # Errors

@@ -35,8 +35,8 @@ pub struct NotUnfolded {
 }
 
 impl NotUnfolded {
-    /// The name of the curves that could not be followed, such as `p = 1, n = 3` or `p = 1, n = 3,
-    /// solutions of 2 loops`.
+    /// The name of the curves that could not be followed, such as `p = 1, n = 3` or
+    /// `p = 1, n = 3, solutions of 2 loops`.
     pub fn name(&self) -> String {
         let Self { loops, n, solutions, .. } = self;
         let of = if solutions == loops { String::new() } else { format!(", solutions of {solutions} loops") };
@@ -152,8 +152,8 @@ impl Diagram {
     /// The diagram, if it contains a grazing curve, or curves or regions of MPSs without one, as
     /// beside a piece of one of their curves in a small window.
     ///
-    /// # Errors The reason why there is no grazing, if there is no curve of MPSs and no region
-    /// either.
+    /// # Errors
+    /// The reason why there is no grazing, if there is no curve of MPSs and no region either.
     pub fn found(self) -> Result<Self, UnfoldError> {
         match self.nothing() {
             Some(reason) => Err(reason.clone()),

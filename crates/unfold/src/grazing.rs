@@ -1,9 +1,8 @@
 //! Curves of grazing bifurcations of the non-impacting solution in the plane of both parameters.
 //!
 //! The grazing orbit is a zero of P_global(0, z; μ, η) − (0, z) in (z, μ, η): a curve, followed by
-//! arclength with folds in μ and η passed like any other point. Paper: Assumption 2.2, made true by
 //! arclength with folds in μ and η passed like any other point. Paper: Assumption 2.2, satisfied
-//! after
+//! after the change of parameter μ ↦ μ − μ_graz(η).
 
 use core::f64::consts::TAU;
 

@@ -46,7 +46,7 @@ const TOLERANCE: f64 = 1e-5;
 /// Size that is allowed of a coefficient of degree twelve, of the acceleration relative to the
 /// motion's scale and of h² F_x and h F_y, the first that is neglected by itself and not in a
 /// product, as far as the lower ones show ([`tail`]). It matters where coefficients are small but
-/// slowly: the force comes in pulses, or bends by little and within a short way, as drag that
+/// fall slowly: the force comes in pulses, or bends by little and within a short way, as drag that
 /// reverses at v = 0, and derivatives of second order are the first to be wrong (empirical: with
 /// this size those are right to 10⁻¹¹ under tanh(50 ẋ), and to 10⁻⁸ under drag with a branch point
 /// 0.1 beside the real velocities, whose coefficients fall so slowly beside larger ones that no six

@@ -59,8 +59,8 @@ impl<C: Coefficient> Scalar for Series<C> {
 mod tests {
     use super::*;
 
-    /// Compares the coefficients of a series with those of a function of t, by differences at t =
-    /// 0.
+    /// Compares the coefficients of a series with the derivatives of a function of t, computed by
+    /// differences at t = 0.
     #[test]
     fn coefficients_are_derivatives() {
         fn expression<S: Scalar>(t: S, function: Function) -> S {

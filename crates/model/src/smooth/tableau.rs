@@ -2,7 +2,6 @@
 //!
 //! Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd
 //! edition, section II.7; the nodes are the zeros of the Legendre polynomial of degree six, shifted
-//! edition, section II.7; the nodes are the zeros of the Legendre polynomial of degree six, shifted
 //! to the unit interval, and the other coefficients integrals of Lagrange's polynomials on them,
 //! computed to 50 digits and rounded, or products of such. Tests check the conditions that define
 //! them.

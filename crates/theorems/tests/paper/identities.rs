@@ -5,8 +5,8 @@
 //! of these symbols, and such an identity is proved by exact fractions: once cleared of its
 //! denominators it states that a polynomial is zero, and a polynomial that is zero at all points of
 //! a grid with more values of each variable than its degree in that variable is the zero
-//! polynomial. Grids avoid the zeros of denominators. Trigonometric functions are written with `z =
-//! e^{iθ}`; as identities between Laurent polynomials in z they are tested at rational z.
+//! polynomial. Grids avoid the zeros of denominators. Trigonometric functions are written with
+//! `z = e^{iθ}`; as identities between Laurent polynomials in z they are tested at rational z.
 
 use num_rational::Ratio;
 

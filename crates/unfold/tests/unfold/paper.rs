@@ -296,8 +296,8 @@ fn magnified_curves_of_figure_8_lie_on_those_of_the_closed_form() {
                 }
                 (kind, CurveSource::Continuation) => kind,
             };
-            // A resonance's own curves are followed by its neighbours', which are curves of Figure
-            // 7.
+            // A resonance's own curves are followed by those of its neighbours, which are curves of
+            // Figure 7.
             let Some(place) = own.iter().position(|own| *own == kind) else { continue };
             own.remove(place);
             let (condition, known): (_, Vec<&Curve>) = match kind {
