@@ -187,7 +187,7 @@ pub fn locate_within<O: ImpactOscillator>(
     let mut farthest = 0.0;
     let solution = newton::solve(start, EVALUATIONS, |point| {
         farthest = (point - start).norm();
-        // NaN counts as far as well.
+        // NaN counts as far away as well.
         if farthest.is_nan() || farthest > reach {
             return Err(Lost);
         }

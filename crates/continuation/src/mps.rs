@@ -252,7 +252,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             None => to(TAU),
         };
         let size = around.value.norm();
-        // NaN counts as far as well.
+        // NaN counts as far away as well.
         if size.is_nan() || size > FAR {
             return Err(MapError::NoRest { near: oscillator.forcing_period(), velocity: size });
         }

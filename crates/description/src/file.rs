@@ -254,7 +254,7 @@ impl Named {
 /// A quantity on the vertical axis of a one-parameter diagram.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ordinate {
-    /// x on the Poincaré section.
+    /// The position x on the Poincaré section.
     X,
     /// The impact velocity.
     ImpactVelocity,

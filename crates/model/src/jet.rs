@@ -24,7 +24,7 @@ pub struct MapJet<A = (), B = ()> {
     pub value: Vector2<f64>,
     /// First derivatives; row = component of the image, column = variable.
     pub jacobian: Matrix2x4<f64>,
-    /// Second derivatives of either component; zero where only the first order was asked for.
+    /// Second derivatives of either component; zero where only the first order was requested.
     pub hessians: [Matrix4<f64>; 2],
     surfaces: PhantomData<(A, B)>,
 }
@@ -154,7 +154,7 @@ pub struct FlowJet {
     pub value: Vector2<f64>,
     /// First derivatives; columns as in [`flow_variable`](crate::flow_variable).
     pub jacobian: Matrix2x6<f64>,
-    /// Second derivatives of x and of y; zero where only the first order was asked for.
+    /// Second derivatives of x and of y; zero where only the first order was requested.
     pub hessians: [Matrix6<f64>; 2],
 }
 

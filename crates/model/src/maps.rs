@@ -45,10 +45,10 @@ pub enum MapError {
     /// The symmetry of an oscillator without symmetry, or of motion with impacts, was requested.
     #[error("motion of this kind has no symmetry")]
     NotSymmetric,
-    /// P_virt⁻¹ was asked for at x < 0, or did not reach the wall.
+    /// P_virt⁻¹ was requested at x < 0, or did not reach the wall.
     #[error("no orbit from the wall comes to rest at x = {position}")]
     BelowTheWall {
-        /// The position asked for.
+        /// The requested position.
         position: f64,
     },
 }
@@ -250,7 +250,7 @@ fn land_on_section<O: ImpactOscillator, const ORDER: usize, A: Surface>(
         let newton = here.velocity / here.acceleration;
         let step = newton / (1.0 - 0.5 * newton * here.jerk / here.acceleration);
         time -= step;
-        // NaN counts as far as well.
+        // NaN counts as far away as well.
         let near = (time - guess).abs() <= farthest;
         if !near {
             break;

@@ -74,9 +74,9 @@ pub fn is_closest_return(p: u32, x: f64) -> bool {
 /// Where l = ½ its width goes as δᵖ⁻², which rounding hides for the least δ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AdmissibilityRegion {
-    /// p, at least 2.
+    /// The number of loops p, at least 2.
     pub loops: u32,
-    /// m: between 0 and p, without a divisor in common with it.
+    /// The number of turns m: between 0 and p, without a divisor in common with it.
     pub turns: u32,
 }
 

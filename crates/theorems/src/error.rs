@@ -23,13 +23,13 @@ pub enum TheoryError {
     /// 1 is an eigenvalue of `A`, so `I - A` has no inverse.
     #[error("the non-impacting orbit has no unique continuation: det(I - A) = {determinant}")]
     UnitEigenvalue {
-        /// det(I - A) = delta - tau + 1: zero, or NaN.
+        /// The value of det(I - A) = delta - tau + 1: zero, or NaN.
         determinant: f64,
     },
     /// The Jacobian matrix of the VIVID function has no inverse, as happens at a resonance.
     #[error("the VIVID function cannot be solved for y and z: det(J) = {determinant}")]
     SingularVividJacobian {
-        /// det(J): zero, or NaN.
+        /// The value of det(J): zero, or NaN.
         determinant: f64,
     },
     /// No resonance has a limit map with these numbers.

@@ -37,12 +37,12 @@ const LONGEST_STEP: f64 = 1e3;
 /// the curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GrazingPlace {
-    /// z_graz, in radians.
+    /// The grazing phase z_graz, in radians.
     pub phase: f64,
-    /// primary_graz and η.
+    /// The parameters primary_graz and η.
     pub parameters: [f64; 2],
-    /// d(z_graz, primary_graz)/dη, right to some seven digits; not numbers at a fold of the grazing
-    /// curve.
+    /// The slopes d(z_graz, primary_graz)/dη, right to some seven digits; NaN at a fold of the
+    /// grazing curve.
     slopes: Vector2<f64>,
 }
 
@@ -93,7 +93,7 @@ fn by_phase_and_primary(map: &MapJet<AtRest, AtRest>) -> Matrix2<f64> {
     jacobian
 }
 
-/// d(z_graz, primary_graz)/dη.
+/// The slopes d(z_graz, primary_graz)/dη.
 fn slopes(map: &MapJet<AtRest, AtRest>) -> Vector2<f64> {
     let by_eta = map.jacobian.column(3).into_owned();
     -by_phase_and_primary(map).lu().solve(&by_eta).unwrap_or(Vector2::repeat(f64::NAN))
@@ -108,7 +108,7 @@ pub struct GrazingOrbit<O = AnyOscillator> {
     oscillator: O,
     phase: f64,
     map: MapJet<AtRest, AtRest>,
-    /// d(z_graz, primary_graz)/dη.
+    /// The slopes d(z_graz, primary_graz)/dη.
     slopes: Vector2<f64>,
 }
 
@@ -155,12 +155,12 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
         self.oscillator.parameters()[0]
     }
 
-    /// d z_graz/dη.
+    /// The slope d z_graz/dη.
     pub fn phase_slope(&self) -> f64 {
         self.slopes[0]
     }
 
-    /// d primary_graz/dη.
+    /// The slope d primary_graz/dη.
     pub fn primary_slope(&self) -> f64 {
         self.slopes[1]
     }
@@ -182,7 +182,7 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
         }
     }
 
-    /// dA/dη along the grazing curve: z_graz and the primary parameter move with η.
+    /// The derivative dA/dη along the grazing curve: z_graz and the primary parameter move with η.
     pub fn derivative_of_map(&self) -> Matrix2<f64> {
         self.derivative_along(&Vector3::new(self.slopes[0], self.slopes[1], 1.0))
     }

@@ -55,7 +55,7 @@ pub enum Obstacle {
         "the theorem's own value has a relative error of {error:.1e}: s = {stability:.1e} is too near to 0, or a derivative in the formula is not known well enough"
     )]
     NearlyDegenerate {
-        /// s_p⁺ or s_p⁻.
+        /// The coefficient s_p⁺ or s_p⁻.
         stability: f64,
         /// The relative error.
         error: f64,

@@ -27,7 +27,7 @@ impl LoopPair {
         (self.round_trip.value - self.impact.value, self.round_trip.jacobian - self.impact.jacobian)
     }
 
-    /// det(D round trip − λ D impact) and its gradient in the unknowns.
+    /// The determinant det(D round trip − λ D impact) and its gradient in the unknowns.
     ///
     /// Zero when λ is a stability multiplier: λ = 1 at a saddle-node, λ = −1 at a period-doubling
     /// bifurcation. In contrast to the multipliers it stays smooth through y = 0; up to a smooth
@@ -49,7 +49,7 @@ impl LoopPair {
         longest.try_normalize(0.0)
     }
 
-    /// det(D round trip) − d det(D impact) and its gradient in the unknowns.
+    /// The difference det(D round trip) − d det(D impact) and its gradient in the unknowns.
     ///
     /// Zero when the product of the multipliers is d; smooth through y = 0, as
     /// [`characteristic`](Self::characteristic) is, and of the same order there.

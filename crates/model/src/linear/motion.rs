@@ -6,7 +6,7 @@ use crate::motion::{BoundedMotion, Bounds, Enclosure, Kinematics, Walk};
 use crate::state::State;
 use crate::tolerances::MOST_STRIDES;
 
-/// x(t) = e^{−ζt}(p cos ω₁t + q sin ω₁t) + u cos ωt + v sin ωt − 1.
+/// The motion x(t) = e^{−ζt}(p cos ω₁t + q sin ω₁t) + u cos ωt + v sin ωt − 1.
 #[derive(Clone, Copy, Debug)]
 pub struct LinearMotion {
     damping_ratio: f64,

@@ -74,7 +74,7 @@ pub(super) fn multiply(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Stride {
     pub(super) length: f64,
-    /// e^{(−ζ+iω₁)h} and e^{iωh}.
+    /// The factors e^{(−ζ+iω₁)h} and e^{iωh}.
     pub(super) turn: [[f64; 2]; 2],
 }
 

@@ -5,13 +5,13 @@ use crate::state::State;
 /// Position and its first three derivatives at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kinematics {
-    /// x.
+    /// Position x.
     pub position: f64,
-    /// y = ẋ.
+    /// Velocity y = ẋ.
     pub velocity: f64,
-    /// ẍ.
+    /// Acceleration ẍ.
     pub acceleration: f64,
-    /// d³x/dt³.
+    /// Jerk d³x/dt³.
     pub jerk: f64,
 }
 
@@ -114,10 +114,10 @@ pub trait Enclosure {
 
 /// A walk along a motion in strides: the position is available at once, the derivatives on request.
 pub trait Walk: Copy {
-    /// x.
+    /// The position x.
     fn position(&self) -> f64;
 
-    /// x and its derivatives.
+    /// The position x and its derivatives.
     fn kinematics(&self) -> Kinematics;
 
     /// Goes on by one stride.

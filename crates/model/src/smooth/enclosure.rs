@@ -9,7 +9,7 @@ use super::series::Series;
 use crate::motion::Bounds;
 use crate::scalar::Scalar;
 
-/// d²x/dt² and d³x/dt³ at a point of the motion.
+/// The derivatives d²x/dt² and d³x/dt³ at a point of the motion.
 #[inline]
 pub(super) fn derivatives<M: SmoothOscillator>(
     oscillator: &Integrated<M>,

@@ -282,7 +282,7 @@ impl<M: SmoothOscillator> Integrated<M> {
         }
     }
 
-    /// h² F_x and h F_y at the stages of a step.
+    /// The slopes h² F_x and h F_y at the stages of a step.
     fn slopes(&self, from: Pair<f64>, time: f64, step: &Step) -> [Stages; 2] {
         let h = step.length;
         let parameters = self.parameters.map(Jet::<PLANAR, Stages>::constant);

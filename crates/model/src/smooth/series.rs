@@ -4,7 +4,7 @@ use core::ops::{Div, Mul};
 
 use crate::scalar::{Coefficient, Function, Scalar, entrywise, with_plain_numbers};
 
-/// c₀ + c₁ t + c₂ t² + c₃ ε, with products of t and ε left out.
+/// The series c₀ + c₁ t + c₂ t² + c₃ ε, with products of t and ε left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Series<C>(pub(super) [C; 4]);
 

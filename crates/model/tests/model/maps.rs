@@ -22,7 +22,8 @@ fn order(errors: [f64; 2]) -> f64 {
     libm::log2(errors[0] / errors[1])
 }
 
-/// y, z − z_graz and μ all of the size ε, as the O(·) terms of Lemma 4.1 have them.
+/// An oscillator near grazing, with y, z − z_graz and μ all of the size ε, as in the O(·) terms of
+/// Lemma 4.1.
 fn near_grazing(size: f64) -> (LinearOscillator, f64, f64, f64) {
     let (oscillator, graz) = at_grazing(OMEGA);
     let [amplitude, omega] = oscillator.parameters();

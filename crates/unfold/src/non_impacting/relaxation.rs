@@ -141,7 +141,7 @@ fn relaxed(
         let from = State { position: state[0], velocity: state[1], phase: 0.0 };
         let end = oscillator.motion(from).at(period);
         let next = Vector2::new(end.position, end.velocity);
-        // NaN counts as far as well.
+        // NaN counts as far away as well.
         if next.norm().is_nan() || next.norm() > FAR {
             return Err(Escape::of(&oscillator, state.into()));
         }
