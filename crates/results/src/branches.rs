@@ -6,10 +6,10 @@ use crate::readings::{MotionReading, Ordinate, Reading};
 use crate::{Frame, Names, Table, Tables, rows, tables, words};
 
 words! {
-    /// What a phase portrait shows.
+    /// The kinds of phase portraits.
     PortraitKind {
         Periodic = "periodic",
-        /// What an orbit comes to in the long run.
+        /// An attractor: the long-term behaviour of an orbit.
         Attractor = "attractor",
     }
 }
@@ -63,16 +63,15 @@ rows! {
     }
 }
 
-/// A row of a one-parameter diagram, whatever it is.
+/// A row of a one-parameter diagram, of any type.
 pub trait DiagramRow {
     /// Primary and secondary parameter.
     fn parameters(&self) -> [f64; 2];
 
-    /// Puts others in their place.
+    /// Replaces the primary and the secondary parameter.
     fn set_parameters(&mut self, parameters: [f64; 2]);
 
-    /// Puts it into the diagram of a number, and its parameters into each other's place if they are
-    /// exchanged.
+    /// Assigns the row to the diagram with this number, and exchanges its two parameters if `exchanged`.
     fn place(&mut self, diagram: u32, exchanged: bool);
 }
 
@@ -102,49 +101,51 @@ diagram_rows!(BranchPoint, BranchBifurcation, AttractorPoint, PortraitPoint, Rea
 tables! {
     /// A one-parameter diagram of an oscillator; Figure 2 is one.
     OneParameter {
-        /// Those of p = 0 are non-impacting. Points that follow each other with equal p and branch
-        /// are one curve.
+        /// Branches with p = 0 are non-impacting. Consecutive points with equal p and branch form one
+        /// curve.
         branches: BranchPoint = "diagram_branches",
             "a point of a branch of a one-parameter diagram, on one loop of the solution",
-        /// They are of admissible solutions.
+        /// Only bifurcations of admissible solutions are listed.
         bifurcations: BranchBifurcation = "diagram_bifurcations", "a bifurcation on such a branch",
         attractor: AttractorPoint = "diagram_attractor",
             "a visit to Π of an orbit that has settled, from a random state",
-        /// Points are in order of time; one that is NaN breaks the line. There may be none.
+        /// Points are in order of time; a point that is NaN breaks the line. The list may be empty.
         portraits: PortraitPoint = "diagram_portraits",
             "a point of an orbit in a phase portrait of a one-parameter diagram",
         ;
-        /// Its number, from 1.
+        /// The number of the diagram, from 1.
         diagram: u32,
-        /// The primary parameter is held, and the secondary one across.
+        /// Whether the primary parameter is fixed and the secondary one is on the horizontal axis.
         primary_is_fixed: bool,
-        /// The value of the parameter that is held.
+        /// The value of the fixed parameter.
         at: f64,
-        /// The other parameter across and x on Π up.
+        /// The part that is shown: the varying parameter on the horizontal axis, x on Π on the vertical
+        /// one.
         frame: Frame,
-        /// The part of it that is magnified beside it, if any.
+        /// The part of the frame that is magnified beside it, if any.
         magnified: Option<Frame>,
-        /// x is counted from the wall, which is another one than x = 0 with the motion below it.
+        /// Whether x is measured from the wall because the wall is not at x = 0 with the motion below it.
         from_the_wall: bool,
-        /// What is on its vertical axis,
+        /// The quantity on the vertical axis.
         ordinate: Ordinate,
-        /// and what can be, along branches and of simulated motion, where that is asked for.
+        /// The quantities that can be on the vertical axis, along branches; empty unless requested.
         readings: Vec<Reading>,
-        /// Rows with equal sweep, parameters and orbit are one orbit.
+        /// The same quantities for simulated motion; rows with equal sweep, parameters and orbit form one
+        /// orbit.
         motion: Vec<MotionReading>,
-        /// The number of simulated orbits that left no point, as they came to rest or could not be
-        /// followed, and of all; none if simulation was not finished.
+        /// The number of simulated orbits without a point, because they came to rest or could not be
+        /// followed, and the number of all simulated orbits; none if the simulation was not completed.
         resting: Option<[u32; 2]>,
-        /// Where a branch of MPSs could not be followed to its end: p, the parameter across, and
-        /// what happened.
+        /// Branches of MPSs that could not be followed to their end: p, the varying parameter there, and
+        /// the reason.
         broken: Vec<(u32, f64, String)>,
-        /// What is shown elsewhere than asked for, or not at all, in sentences.
+        /// Sentences about items that are shown elsewhere than requested, or not at all.
         notes: Vec<String>,
     }
 }
 
 tables! {
-    /// What else is read off one-parameter diagrams.
+    /// Further quantities along the branches of one-parameter diagrams and in simulated motion.
     Readings {
         readings: Reading = "diagram_readings", "a solution on a branch of a one-parameter diagram, with what is read off it",
         motion: MotionReading = "diagram_motion",
@@ -152,8 +153,7 @@ tables! {
     }
 }
 
-/// Room below the lowest and above the highest point that is shown, as a part of the height
-/// between.
+/// Room below the lowest and above the highest point shown, as a fraction of the height between them.
 const MARGIN: f64 = 0.06;
 
 impl OneParameter {
@@ -168,19 +168,18 @@ impl OneParameter {
         ]
     }
 
-    /// Of what belongs to the primary and the secondary parameter: first that of the one across,
-    /// then that of the one that is held. And back.
+    /// Reorders a pair from (primary, secondary) to (varying, fixed) parameter, or back.
     pub fn exchanged<T>(&self, [first, second]: [T; 2]) -> [T; 2] {
         if self.primary_is_fixed { [second, first] } else { [first, second] }
     }
 
-    /// The parameter across of a row.
+    /// The value in a row of the parameter on the horizontal axis.
     pub fn across(&self, row: &impl DiagramRow) -> f64 {
         let [across, _] = self.exchanged(row.parameters());
         across
     }
 
-    /// Changes all rows.
+    /// Applies a change to every row.
     pub fn each_row(&mut self, change: &mut dyn FnMut(&mut dyn DiagramRow)) {
         self.branches.iter_mut().for_each(|row| change(row));
         self.bifurcations.iter_mut().for_each(|row| change(row));
@@ -190,7 +189,7 @@ impl OneParameter {
         self.motion.iter_mut().for_each(|row| change(row));
     }
 
-    /// The same with a frame that is as high as what it shows needs; lengths have no dimension.
+    /// The diagram with the height of its frame fitted to the points shown; lengths are dimensionless.
     #[must_use]
     pub fn fitted(mut self) -> Self {
         let [low, high] = self.frame.x;

@@ -1,4 +1,4 @@
-//! What stands in a cell of a table.
+//! Cells of tables.
 
 use std::borrow::Cow;
 
@@ -7,7 +7,7 @@ use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 /// One cell.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
-    /// Words.
+    /// Text.
     Text(Cow<'static, str>),
     /// A count or an index.
     Integer(u32),
@@ -18,7 +18,7 @@ pub enum Cell {
 }
 
 impl Cell {
-    /// The number, if it is one and finite. Negative zero is zero.
+    /// The number, if the cell is a finite number. Negative zero becomes zero.
     pub fn number(&self) -> Option<f64> {
         match self {
             Self::Number(value) => value.is_finite().then_some(value + 0.0),
@@ -27,7 +27,7 @@ impl Cell {
     }
 }
 
-/// What becomes which kind of cell.
+/// Conversions of values into cells.
 macro_rules! cells {
     ($($type:ty: |$value:ident| $cell:expr,)+) => {$(
         impl From<$type> for Cell {
@@ -48,8 +48,8 @@ cells! {
     CodimensionTwo: |kind| kind.name().into(),
 }
 
-/// Enumerations whose variants stand in tables as words, which say what they mean unless there is
-/// more to say.
+/// Enumerations whose variants appear in tables as words. The word documents the variant; further
+/// documentation is optional.
 #[macro_export]
 macro_rules! words {
     ($($(#[$meta:meta])* $name:ident { $($(#[$about:meta])* $variant:ident = $word:literal,)+ })+) => {$(
@@ -75,8 +75,7 @@ macro_rules! words {
     )+};
 }
 
-/// The value with this many significant digits at most, without zeros at the end, as `0.5` or
-/// `-1.25e-9`.
+/// The value with at most this many significant digits and no trailing zeros, as `0.5` or `-1.25e-9`.
 pub fn brief(value: f64, digits: usize) -> String {
     let rounded: f64 = format!("{value:.*e}", digits - 1).parse().unwrap_or(value);
     // Adding zero turns -0 into 0.

@@ -1,28 +1,28 @@
 //! All columns of all tables, each declared once.
 //!
-//! In names `{primary}` and `{secondary}` stand for the names of the two parameters, in units for
-//! their units. Length, velocity and time are those in which an oscillator is described; the
-//! paper's oscillator is without dimensions, so that all its units are 1. A unit of 1 is left out.
+//! In names, `{primary}` and `{secondary}` stand for the names of the two parameters; in units, for their
+//! units. Length, velocity and time are those in which an oscillator is described. The paper's oscillator
+//! is dimensionless, so all its units are 1. A unit of 1 is omitted.
 
 use crate::Names;
 
 /// A column of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Column {
-    /// Its header.
+    /// The header, before the names of the parameters are inserted.
     pub name: &'static str,
-    /// Its symbol in LaTeX, without dollars; empty if the header serves as one.
+    /// The symbol of the column in LaTeX, without dollars; empty if the header serves as the symbol.
     symbol: &'static str,
     /// The unit of its numbers.
     pub unit: &'static str,
-    /// What it holds.
+    /// A description of the values in the column.
     meaning: &'static str,
     /// Labels in the paper, separated by commas.
     pub equations: &'static str,
 }
 
 impl Column {
-    /// The header with the names of the parameters.
+    /// The header with the names of the parameters inserted.
     pub fn header(&self, names: &Names) -> String {
         names.put_into(self.name)
     }
@@ -32,12 +32,12 @@ impl Column {
         names.symbols_put_into(self.symbol)
     }
 
-    /// Its unit, as far as a file tells units; empty where there is none.
+    /// The unit of the numbers, if the file names its units; empty where there is none.
     pub fn unit(&self, names: &Names) -> String {
         if self.unit == "1" || !names.have_units() { String::new() } else { names.unit(self.unit) }
     }
 
-    /// What it holds, in words.
+    /// A description of the values in the column.
     pub fn meaning(&self) -> &'static str {
         self.meaning.trim_start()
     }
@@ -61,7 +61,7 @@ mod measured;
 pub use beyond::*;
 pub use measured::*;
 
-// The two parameters, and what solutions are counted by.
+// The two parameters, and the numbers that identify solutions.
 columns! {
     /// the primary parameter μ; for the paper's oscillator the forcing amplitude 𝒜
     PRIMARY = "{primary}", "{primary}", "{primary}", "eq:oscf";
@@ -129,7 +129,7 @@ columns! {
     SCALED_LIMIT = "scaled_limit", r"\lim_{\eta\to0}", "{primary}/{secondary}^2", "eq:coeffs1, eq:coeffsp";
 }
 
-// What is read off motion.
+// Quantities read off motion.
 columns! {
     /// highest less lowest position from impact to impact, of simulated motion of all that is recorded; the wall is the highest where there are impacts
     PEAK_TO_PEAK = "peak_to_peak", "", "length";
@@ -171,7 +171,7 @@ columns! {
     X_OF_IMPACT = "x", "x", "length";
 }
 
-// Own curves.
+// Curves that a file requests.
 columns! {
     /// the name that the file gives the curve
     CURVE_NAME = "name", "", "1";
@@ -179,8 +179,8 @@ columns! {
     PROPERTY = "property", "", "1";
 }
 
-// Families: what varies from member to member. A family with fewer constants has no columns for the
-// first ones.
+// Families: the constants that vary from member to member. A family with fewer than three constants has
+// no columns for the first ones.
 columns! {
     /// a constant of the oscillator that varies
     VARIED_1 = "{varied1}", "{varied1}", "as in the file";
@@ -210,7 +210,7 @@ columns! {
     FAILING = "failing", "", "1";
 }
 
-// Coefficients and what they are made of.
+// Coefficients and the quantities in their formulas.
 columns! {
     /// s_p⁺, whose sign says to which side of the SN curve solutions are stable
     S_PLUS = "s_plus", "s_p^+", "1", "eq:c1, eq:cp";

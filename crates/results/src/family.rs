@@ -10,13 +10,13 @@ words! {
     /// How a resonance of a member was found.
     #[derive(Serialize, Deserialize)]
     FoundBy {
-        /// Along the grazing curve of the member.
+        /// By searching along the grazing curve of the member.
         Search = "search",
-        /// From the member before.
+        /// By continuation from the previous member.
         Continuation = "continuation",
     }
 
-    /// What it means that a quantity in the hypotheses of Theorem 2.4 or 2.5 is zero.
+    /// The consequences of a zero of a quantity in the hypotheses of Theorem 2.4 or 2.5.
     #[derive(Serialize, Deserialize)]
     Degeneracy {
         /// s_p⁺ is zero.
@@ -25,20 +25,21 @@ words! {
         InfinitePeriodDoubling = "c_PD is infinite",
         /// β is zero.
         Infinite = "c_SN and c_PD are infinite",
-        /// a₁₂' or κ_p' is zero: beyond there is no resonance.
+        /// a₁₂' or κ_p' is zero: beyond this point the resonance does not exist.
         Meeting = "two resonances meet: c_SN and c_PD are zero",
-        /// Anything else.
+        /// Another quantity is zero.
         NoTheorem = "the theorem ceases to hold",
     }
 }
 
-/// Rows of members, with the values of their constants.
+/// Row types of members, which begin with the values of the constants that vary.
 macro_rules! of_members {
     ($($(#[$meta:meta])* $row:ident { $($field:ident: $type:ty = $column:ident,)* })+) => {$(
         $(#[$meta])*
         #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
         pub struct $row {
-            /// The constants that vary: of fewer than three the last ones, and NaN before.
+            /// The values of the constants that vary; with fewer than three constants the first entries
+            /// are NaN.
             pub varied: [f64; VARIED],
             $(
                 #[doc = concat!("[`", stringify!($column), "`](columns::", stringify!($column), ")")]
@@ -99,7 +100,7 @@ of_members! {
         failing: String = FAILING,
     }
 
-    /// A codimension-two point of a member that is no resonance.
+    /// A codimension-two point of a member other than a resonance.
     Point {
         kind: CodimensionTwo = CODIMENSION_TWO,
         loops: u32 = LOOPS,
@@ -109,7 +110,7 @@ of_members! {
         impact_velocity: f64 = IMPACT_VELOCITY,
     }
 
-    /// A resonance on its way from one member to the next.
+    /// A resonance on its curve between one member and the next.
     CurvePoint {
         loops: u32 = LOOPS,
         n: u32 = RESONANCE_INDEX,
@@ -141,13 +142,13 @@ of_members! {
 pub struct Panel {
     /// Number of loops p.
     pub loops: u32,
-    /// What is shown.
+    /// The quantity on the vertical axis.
     pub shows: Shows,
     /// The part of the plane.
     pub frame: Frame,
 }
 
-/// What a panel shows of resonances.
+/// The quantity that a panel shows for resonances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shows {
     /// The secondary parameter at resonances and at other codimension-two points.
@@ -159,7 +160,7 @@ pub enum Shows {
 }
 
 tables! {
-    /// All that is known of a family.
+    /// All results for a family.
     Family {
         members: Member = "family_members", "a member of the family, with values of the constants that vary",
         resonances: Resonance = "family_resonances", "a resonance of a member",
@@ -169,7 +170,7 @@ tables! {
         ;
         /// The panels of the figure.
         panels: Vec<Panel>,
-        /// The number of members at which something was seen that could not be located or followed.
+        /// The number of members with an object that was detected but could not be located or followed.
         incomplete: u32,
     }
 }

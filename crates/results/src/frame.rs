@@ -1,8 +1,8 @@
-//! What a panel shows.
+//! The rectangle of data space that a panel shows.
 
 use grazing_continuation::curve::Window;
 
-/// The least and the greatest of some numbers; infinite, and the wrong way round, if there are none.
+/// The least and the greatest of some numbers; [∞, −∞] if there are none.
 pub fn span(numbers: impl IntoIterator<Item = f64>) -> [f64; 2] {
     let none = [f64::INFINITY, f64::NEG_INFINITY];
     numbers.into_iter().fold(none, |[low, high], number| [low.min(number), high.max(number)])
@@ -18,7 +18,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// Its corners, the first one twice.
+    /// The corners of the rectangle, with the first one repeated at the end.
     pub fn outline(&self) -> [(f64, f64); 5] {
         let ([left, right], [low, high]) = (self.x, self.y);
         [(left, low), (right, low), (right, high), (left, high), (left, low)]
@@ -30,14 +30,14 @@ impl Frame {
         Self { x: self.y, y: self.x }
     }
 
-    /// True if the point is inside or on the edge; false for NaN.
+    /// Whether the point is inside or on the edge; false for NaN.
     pub fn contains(&self, (x, y): (f64, f64)) -> bool {
         self.x[0] <= x && x <= self.x[1] && self.y[0] <= y && y <= self.y[1]
     }
 }
 
 impl From<Window> for Frame {
-    /// The primary parameter across and the secondary one up.
+    /// The primary parameter on the horizontal axis and the secondary one on the vertical axis.
     fn from(window: Window) -> Self {
         Self { x: window.primary, y: window.secondary }
     }

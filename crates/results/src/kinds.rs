@@ -1,5 +1,5 @@
-//! What each kind of curve, point and region is called, and how it looks: one table, which the
-//! figures, the report and the explorer read.
+//! Names and appearance of each kind of curve, point and region: one table, read by the figures, the
+//! report and the explorer.
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 
@@ -9,34 +9,35 @@ use crate::plane::RegionKind;
 /// Red, green and blue.
 pub type Colour = [u8; 3];
 
-/// What a curve of a kind is called, and how it is drawn.
+/// The description of a kind of curve, and how it is drawn.
 ///
-/// The colours are the paper's, but lightness and strokes differ as well, so that kinds can be told
-/// apart without colour.
+/// The colours are the paper's; lightness and strokes differ as well, so that kinds can be distinguished
+/// without colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurveLook {
-    /// What the curve is.
+    /// A description of the curve in words.
     pub meaning: &'static str,
-    /// On light and on dark ground.
+    /// The colours on light and on dark ground.
     pub colours: [Colour; 2],
-    /// Its quadratic approximation on dark ground; on light ground see
+    /// The colour of the quadratic approximation on dark ground; for light ground see
     /// [`approximation`](Self::approximation).
     approximation_on_dark: Colour,
-    /// Its label on light ground: the line's colour, darker where that would be too light for text.
+    /// The colour of the label on light ground: that of the line, darker where it would be too light for
+    /// text.
     pub text: Colour,
-    /// In points.
+    /// The width of the line in points.
     pub width: f64,
-    /// Lengths of ink and gap in turn, in points; none for a solid line.
+    /// Lengths of dashes and gaps in turn, in points; empty for a solid line.
     pub dashes: &'static [f64],
 }
 
 impl CurveLook {
     /// The width of an approximation, in points.
     pub const APPROXIMATION_WIDTH: f64 = 0.9;
-    /// Its dashes. Plain dashes are left to approximations.
+    /// The dashes of an approximation. Plain dashes are reserved for approximations.
     pub const APPROXIMATION_DASHES: &'static [f64] = &[3.2, 2.0];
 
-    /// The width of dots along a grazing curve on which what grazes is unstable, in points.
+    /// The width of dots along a grazing curve where the grazing solution is unstable, in points.
     pub const DOT: f64 = 1.1;
     /// Lengths of dots and of the gaps between them.
     pub const DOTS: &'static [f64] = &[1.1, 2.2];
@@ -100,14 +101,14 @@ impl CurveLook {
         }
     }
 
-    /// The colours of its quadratic approximation, on light ground darker than the curve, so that
-    /// it shows on top of that.
+    /// The colours of the quadratic approximation on light and on dark ground; on light ground it is
+    /// darker than the curve, so that it is visible on top of it.
     pub const fn approximation(&self) -> [Colour; 2] {
         [darker(self.colours[0]), self.approximation_on_dark]
     }
 }
 
-/// The colour of an approximation on light ground to a curve of a colour.
+/// The colour, on light ground, of an approximation to a curve of this colour.
 pub const fn darker([red, green, blue]: Colour) -> Colour {
     const fn channel(channel: u8) -> u8 {
         (channel as u16 * 11 / 20) as u8
@@ -115,13 +116,13 @@ pub const fn darker([red, green, blue]: Colour) -> Colour {
     [channel(red), channel(green), channel(blue)]
 }
 
-/// Curves that a file asks for, on light and on dark ground.
+/// The colours of curves that a file requests, on light and on dark ground.
 pub const OWN: [Colour; 2] = [[162, 108, 216], [117, 207, 162]];
-/// The width of one in points, and where solutions are not stable.
+/// The widths of such a curve in points where solutions are stable, and where they are not.
 pub const OWN_WIDTHS: [f64; 2] = [1.15, 0.5];
 
-/// How a region of a kind is filled or hatched, on light and on dark ground: colour and opacity.
-/// Regions that overlap come out darker.
+/// The fill or hatching of a kind of region on light and on dark ground: colour and opacity. Overlapping
+/// regions appear darker.
 pub const fn region_inks(kind: RegionKind) -> [(Colour, f64); 2] {
     match kind {
         RegionKind::NonImpacting => [([233, 233, 233], 1.0), ([43, 47, 54], 1.0)],
@@ -130,13 +131,13 @@ pub const fn region_inks(kind: RegionKind) -> [(Colour, f64); 2] {
     }
 }
 
-/// Codimension-two points, and their rims, on light and on dark ground.
+/// The colour of codimension-two points on light and on dark ground.
 pub const MARKER: [Colour; 2] = [[0, 0, 0], [242, 240, 234]];
-/// See [`MARKER`].
+/// The colour of the rim of codimension-two points, on light and on dark ground.
 pub const MARKER_RIM: [Colour; 2] = [[255, 255, 255], [27, 30, 35]];
 
-/// Solutions by their number of loops, on light and on dark ground: first motion without impacts;
-/// the last are those of so many loops or more.
+/// The colours of solutions by number of loops, on light and on dark ground: first those of motion
+/// without impacts; the last entry is for that number of loops or more.
 pub const LOOPS: [[Colour; 2]; 5] = [
     [[0, 0, 0], [242, 240, 234]],
     [[222, 132, 14], [255, 168, 101]],
@@ -151,15 +152,15 @@ pub const fn loops_colours(p: u32) -> [Colour; 2] {
     LOOPS[if (p as usize) < last { p as usize } else { last }]
 }
 
-/// Periodic motion that is no MPS, and motion that is not periodic or not soon, on light and on
-/// dark ground.
+/// The colours of periodic motion other than an MPS, on light and on dark ground.
 pub const PERIODIC: [Colour; 2] = [[169, 167, 147], [96, 96, 108]];
-/// See [`PERIODIC`].
+/// The colours of motion that is not periodic, or not within the time followed, on light and on dark
+/// ground.
 pub const IRREGULAR: [Colour; 2] = [[58, 53, 64], [168, 192, 204]];
-/// A place that is pointed at, on light and on dark ground.
+/// The colours of a place that is pointed at, on light and on dark ground.
 pub const PLACE: [Colour; 2] = [[220, 44, 144], [244, 33, 146]];
 
-/// What a point of a kind is.
+/// The description of a kind of codimension-two point.
 pub const fn point_meaning(kind: CodimensionTwo) -> &'static str {
     match kind {
         CodimensionTwo::Resonance => "resonant grazing bifurcation",
@@ -174,7 +175,7 @@ pub const fn point_meaning(kind: CodimensionTwo) -> &'static str {
     }
 }
 
-/// What is known in a region of a kind.
+/// The description of a kind of region.
 pub const fn region_meaning(kind: RegionKind) -> &'static str {
     match kind {
         RegionKind::NonImpacting => "the non-impacting solution is stable",
@@ -184,7 +185,7 @@ pub const fn region_meaning(kind: RegionKind) -> &'static str {
     }
 }
 
-/// What a phase portrait of a kind shows.
+/// The description of a kind of phase portrait.
 pub const fn portrait_meaning(kind: PortraitKind) -> &'static str {
     match kind {
         PortraitKind::Periodic => "periodic solution",
@@ -192,8 +193,8 @@ pub const fn portrait_meaning(kind: PortraitKind) -> &'static str {
     }
 }
 
-/// The words by which tables call kinds of curves, points and portraits, and regions of MPSs, with
-/// what they mean.
+/// The words for kinds of curves, points and portraits, and for regions of MPSs, as in tables, with their
+/// meanings.
 pub fn meanings() -> Vec<(&'static str, &'static str)> {
     let points = CodimensionTwo::ALL;
     let portraits = [PortraitKind::Periodic, PortraitKind::Attractor];
@@ -209,8 +210,8 @@ pub fn meanings() -> Vec<(&'static str, &'static str)> {
 mod tests {
     use super::*;
 
-    /// What colours become to eyes without one kind of cones, for linear red, green and blue:
-    /// Machado, Oliveira and Fernandes (2009), at full severity; first to eyes with all.
+    /// Linear maps of red, green and blue that simulate missing one kind of cones, at full severity
+    /// (Machado, Oliveira and Fernandes 2009); the first is normal vision.
     const EYES: [[[f64; 3]; 3]; 4] = [
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
@@ -218,7 +219,7 @@ mod tests {
         [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.3039]],
     ];
 
-    /// A colour in CIE L*a*b*, as eyes of a kind see it.
+    /// The colour in CIE L*a*b*, after one of these maps of vision.
     fn seen(colour: Colour, eyes: &[[f64; 3]; 3]) -> [f64; 3] {
         let linear = colour.map(|channel| {
             let share = f64::from(channel) / 255.0;
@@ -235,7 +236,8 @@ mod tests {
         [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
     }
 
-    /// Differences below some 2 are hardly seen side by side; thin lines need more.
+    /// The least admitted difference: below about 2, colours are hardly distinguishable side by side, and
+    /// thin lines need more.
     const APART: f64 = 14.0;
 
     #[test]

@@ -1,13 +1,13 @@
 //! Results as rows of tables.
 //!
-//! Whoever computes makes rows of these types, whoever draws or shows takes them, and the CSV files
-//! are made of them. A column is declared once, in [`columns`], with name, symbol, unit, meaning
-//! and the paper's equation; a row type lists its columns ([`Row::COLUMNS`]). Headers, the pages
-//! that explain the data, headings and tooltips of the report, LaTeX tables and the names that
-//! parameters must not have follow from that. Rows that nobody draws (coefficients, hypotheses,
-//! quantities along the grazing curve, the theorems in action) are what is computed, with a column
-//! for each thing that is told of it ([`row!`]). What is made together, as all that a figure shows,
-//! is declared together ([`tables!`]).
+//! Crates that compute produce rows of these types, crates that draw or display take them, and the CSV
+//! files are written from them. A column is declared once, in [`columns`], with name, symbol, unit,
+//! meaning and the paper's equation; a row type lists its columns ([`Row::COLUMNS`]). From this follow
+//! the headers, the pages that explain the data, headings and tooltips of the report, LaTeX tables and
+//! the names that are forbidden for parameters. Rows that are not drawn (coefficients, hypotheses,
+//! quantities along the grazing curve, the theorems in action) are the computed values themselves, with a
+//! column for each quantity reported ([`row!`]). Tables that are computed together, such as all tables of
+//! one figure, are declared together ([`tables!`]).
 //!
 //! | module | rows and tables of |
 //! |---|---|
@@ -15,14 +15,14 @@
 //! | [`branches`] | Figure 2 |
 //! | [`family`] | resonances as constants of an oscillator vary |
 //! | [`measured`] | measurements beside a diagram, and what is identified from them |
-//! | [`place`] | what an oscillator does at one place of the parameter plane |
+//! | [`place`] | the behaviour of an oscillator at one point of the parameter plane |
 //! | [`space`] | Figures 1, 3 and 9 |
 //!
-//! Rows of one figure alone stand with that figure.
+//! Row types used by only one figure are defined with that figure.
 //!
-//! [`kinds`] says what kinds of curves, points and regions are called and how they look.
+//! [`kinds`] has the names and appearance of the kinds of curves, points and regions.
 
-// What the macros write names this crate, here and elsewhere.
+// The macros refer to this crate by its name, here and in other crates.
 extern crate self as grazing_results;
 
 pub mod branches;

@@ -1,36 +1,36 @@
-//! Measurements beside a two-parameter diagram, and what was identified from them.
+//! Measurements beside a two-parameter diagram, and the constants identified from them.
 
 use crate::{rows, tables, words};
 
 words! {
-    /// Whether what a rig did is what is computed.
+    /// The result of comparing measured with computed behaviour.
     Agreement {
-        /// It is, at the very place.
+        /// The computed behaviour at the measured place agrees.
         Agrees = "agrees",
-        /// It is at a place within two standard errors.
+        /// The computed behaviour agrees at some place within two standard errors.
         WithinError = "within error",
         Disagrees = "disagrees",
-        /// It is not decided what there is.
+        /// The computed behaviour there is not decided.
         Undecided = "undecided",
-        /// Nothing is computed of such motion, or at such a place.
+        /// Nothing is computed for such motion, or for such a place.
         Silent = "silent",
     }
 
-    /// What a rig was seen to do, as far as marks tell it.
+    /// The kinds of measured behaviour that measurements distinguish.
     SeenKind {
-        /// It did not reach the wall.
+        /// The oscillator did not reach the wall.
         NonImpacting = "no impacts",
-        /// It hit the wall once in p forcing periods.
+        /// The oscillator hit the wall once in p forcing periods.
         Loops = "one impact in p periods",
-        /// Several impacts in its period, or none.
+        /// Any other motion: several impacts in a period, or none.
         Other = "other motion",
-        /// It changed there.
+        /// The behaviour changed at the measured place.
         Bifurcation = "bifurcation",
     }
 }
 
 rows! {
-    /// What a rig was seen to do, beside what is computed there.
+    /// A measurement at a place of the parameter plane, with the computed behaviour there.
     MeasuredPoint {
         line: u32 = LINE,
         secondary: f64 = SECONDARY,
@@ -46,7 +46,8 @@ rows! {
         reason: String = REASON,
     }
 
-    /// How many measurements in a region, or of bifurcations of a kind, agree.
+    /// The numbers of measurements in a region, or of bifurcations of a kind, that agree, disagree or are
+    /// undecided.
     MeasuredCount {
         region: u32 = COUNTED_REGION,
         kind: String = COUNTED_KIND,
@@ -67,14 +68,14 @@ rows! {
         start: f64 = START,
     }
 
-    /// The correlation of two of them.
+    /// The correlation of two identified constants.
     Correlation {
         constant: String = CONSTANT,
         other: String = OTHER_CONSTANT,
         correlation: f64 = CORRELATION,
     }
 
-    /// What is left of a measured number.
+    /// The residual of a measured number.
     Residual {
         source: String = MEASURED_SOURCE,
         line: u32 = LINE,
@@ -82,7 +83,7 @@ rows! {
         residual: f64 = RESIDUAL,
     }
 
-    /// A resonance with the uncertainty that follows from that of the constants.
+    /// A resonance with the uncertainty that follows from the uncertainties of the constants.
     IdentifiedResonance {
         loops: u32 = LOOPS,
         n: u32 = RESONANCE_INDEX,
@@ -102,7 +103,7 @@ tables! {
             "a region of the diagram in which something was measured, or a kind of bifurcation that was, with how many agree",
     }
 
-    /// What was identified.
+    /// The results of an identification.
     Identified {
         constants: IdentifiedConstant = "constants", "a constant that was identified",
         correlations: Correlation = "correlations", "two of them, with their correlation",

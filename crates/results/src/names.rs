@@ -1,4 +1,4 @@
-//! Names of parameters, and the symbols that they become.
+//! Names of parameters, and their symbols.
 
 /// Greek letters by their names in LaTeX.
 pub const GREEK: [(&str, char); 49] = [
@@ -53,24 +53,24 @@ pub const GREEK: [(&str, char); 49] = [
     ("Omega", 'Ω'),
 ];
 
-/// The most constants that vary in a family.
+/// The greatest number of constants that vary in a family.
 pub const VARIED: usize = 3;
 
-/// The names of the two parameters, and of constants that vary beside them.
+/// The names of the two parameters, and of further constants that vary.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Names {
-    /// Of the primary parameter μ.
+    /// The name of the primary parameter μ.
     pub primary: String,
-    /// Of the secondary parameter η.
+    /// The name of the secondary parameter η.
     pub secondary: String,
-    /// The symbol of the primary parameter, that at grazing, and the symbol of the secondary one.
+    /// The symbols of the primary parameter, of its value at grazing, and of the secondary parameter.
     symbols: [String; 3],
     units: UnitNames,
     /// Names and symbols of the constants that vary in a family, the last one last.
     varied: Vec<[String; 2]>,
 }
 
-/// What units are called, as far as that is known.
+/// The names of units, as far as they are known.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct UnitNames {
     /// The unit of lengths.
@@ -85,7 +85,7 @@ pub struct UnitNames {
     pub secondary: Option<String>,
 }
 
-/// A unit in markup of labels, its powers raised: `m/s^2` and `m/s²` are `m/s$^{2}$`.
+/// A unit in label markup, with raised powers: `m/s^2` and `m/s²` become `m/s$^{2}$`.
 pub fn raised(unit: &str) -> String {
     const RAISED: [(char, char); 4] = [('¹', '1'), ('²', '2'), ('³', '3'), ('⁻', '-')];
     let mut text = String::new();
@@ -111,7 +111,7 @@ pub fn raised(unit: &str) -> String {
 }
 
 impl Names {
-    /// Names as a file has them.
+    /// Names as they are in a file.
     pub fn new(primary: &str, secondary: &str) -> Self {
         let at_grazing = Symbol::read(primary).map(|symbol| symbol.lowered(&["graz"]).latex());
         let symbols = [symbol(primary), at_grazing, symbol(secondary)].map(Option::unwrap_or_default);
@@ -124,20 +124,21 @@ impl Names {
         }
     }
 
-    /// The same names with those of the units.
+    /// Adds the names of the units.
     #[must_use]
     pub fn with_units(self, units: UnitNames) -> Self {
         Self { units, ..self }
     }
 
-    /// The same names with those of the constants that vary in a family, at most [`VARIED`].
+    /// Adds the names of the constants that vary in a family, at most [`VARIED`].
     #[must_use]
     pub fn with_varied(self, names: &[String]) -> Self {
         let varied = names.iter().map(|name| [name.clone(), symbol(name).unwrap_or_default()]).collect();
         Self { varied, ..self }
     }
 
-    /// The names where the parameters have changed places: that of the first is still what grazes.
+    /// The names with the two parameters exchanged; the symbol at grazing still belongs to the same
+    /// parameter.
     #[must_use]
     pub fn swapped(self) -> Self {
         let Self { primary, secondary, symbols: [first, at_grazing, second], units, varied } = self;
@@ -145,7 +146,7 @@ impl Names {
         Self { primary: secondary, secondary: primary, symbols: [second, at_grazing, first], units, varied }
     }
 
-    /// The constants that vary, in markup of labels.
+    /// The constants that vary, in label markup.
     pub fn varied_titles(&self) -> Vec<String> {
         let title = |[name, symbol]: &[String; 2]| match symbol.as_str() {
             "" => name.replace('$', ""),
@@ -154,13 +155,13 @@ impl Names {
         self.varied.iter().map(title).collect()
     }
 
-    /// Amplitude and frequency of the paper's oscillator.
+    /// The names for the paper's oscillator: amplitude and frequency.
     pub fn of_the_paper() -> Self {
         let symbols = [r"\mathcal{A}", r"\mathcal{A}_{\mathrm{graz}}", r"\omega"].map(str::to_owned);
         Self { symbols, ..Self::new("amplitude", "omega") }
     }
 
-    /// The two in markup of labels: their symbols, or the names where there are none.
+    /// The two parameters in label markup: their symbols, or their names where there are none.
     pub fn shown(&self) -> [String; 2] {
         let [primary, _, secondary] = &self.symbols;
         [(primary, &self.primary), (secondary, &self.secondary)].map(|(symbol, name)| match symbol.as_str() {
@@ -169,7 +170,7 @@ impl Names {
         })
     }
 
-    /// The two as titles of axes, likewise, with their units.
+    /// The two parameters as titles of axes in label markup, with their units.
     pub fn titles(&self) -> [String; 2] {
         let [primary, secondary] = self.shown();
         let [of_primary, of_secondary] = self.parameter_units();
@@ -182,20 +183,20 @@ impl Names {
         self.units != UnitNames::default()
     }
 
-    /// The names of their units in markup of labels, as far as they are known.
+    /// The units of the two parameters in label markup, as far as they are known.
     pub fn parameter_units(&self) -> [Option<String>; 2] {
         [&self.units.primary, &self.units.secondary].map(|unit| unit.as_deref().map(raised))
     }
 
-    /// The names of the units of positions and velocities, likewise.
+    /// The units of positions and velocities in label markup, as far as they are known.
     pub fn motion_units(&self) -> [Option<String>; 2] {
         let UnitNames { length, time, .. } = &self.units;
         let velocity = length.as_ref().zip(time.as_ref()).map(|_| raised(&self.unit("length/time")));
         [length.as_deref().map(raised), velocity]
     }
 
-    /// A unit as columns declare it with the names of units in it, as far as they are known: those
-    /// of the parameters are the parameters' own names otherwise.
+    /// The unit that a column declares, with the names of units inserted as far as they are known; an
+    /// unknown unit of a parameter is replaced by the parameter's name.
     pub fn unit(&self, declared: &str) -> String {
         let UnitNames { length, time, mass, primary, secondary } = &self.units;
         let known = |unit: &Option<String>, otherwise: &str| match unit {
@@ -214,7 +215,7 @@ impl Names {
             .replace("{secondary}", &known(secondary, &self.secondary))
     }
 
-    /// A unit of motion as columns declare it, if all that it is made of has a name.
+    /// The unit of motion that a column declares, if all its parts have names.
     pub fn named_unit(&self, declared: &str) -> Option<String> {
         let UnitNames { length, time, mass, .. } = &self.units;
         let mut parts = [("length", length), ("time", time), ("mass", mass)].into_iter();
@@ -222,16 +223,16 @@ impl Names {
         named.then(|| self.unit(declared))
     }
 
-    /// The name of the grazing curve in markup of labels: the symbol of the primary parameter at
-    /// grazing, unless that is in words.
+    /// The name of the grazing curve in label markup: the symbol of the primary parameter at grazing,
+    /// unless that symbol consists of words.
     pub fn grazing_title(&self) -> String {
         let [primary, at_grazing, _] = &self.symbols;
         let in_words = primary.is_empty() || primary.starts_with(r"\mathrm");
         if in_words { "grazing".to_owned() } else { format!("${at_grazing}$") }
     }
 
-    /// The text with the names in the place of `{primary}`, `{secondary}`, and `{varied1}` and so
-    /// on, of which the last ones are filled.
+    /// Replaces `{primary}`, `{secondary}`, `{varied1}` and so on by the names; if fewer constants vary,
+    /// the last places are filled and the others are empty.
     pub fn put_into(&self, text: &str) -> String {
         let text = text.replace("{primary}", &self.primary).replace("{secondary}", &self.secondary);
         self.varied_put_into(text, 0)
@@ -246,8 +247,8 @@ impl Names {
         text
     }
 
-    /// The text with their symbols in LaTeX in these places, and that of the primary parameter at
-    /// grazing in the place of `{primary_graz}`.
+    /// Replaces `{primary}`, `{secondary}`, `{varied1}` and so on by the LaTeX symbols, and
+    /// `{primary_graz}` by the symbol of the primary parameter at grazing.
     pub fn symbols_put_into(&self, text: &str) -> String {
         let [primary, at_grazing, secondary] = &self.symbols;
         let text = text.replace("{primary}", primary);
@@ -256,25 +257,25 @@ impl Names {
     }
 }
 
-/// The symbol of a parameter in LaTeX, without dollars; none for a name that is no identifier of
+/// The symbol of a parameter in LaTeX, without dollars; none for a name that is not an identifier of
 /// ASCII letters, digits and underscores.
 ///
-/// Names of Greek letters become these letters, single letters are italic, longer words upright.
-/// What follows an underscore, and digits at the end of a part, is a subscript: `F_0` and `F0`,
-/// `omega_max`. Words joined by underscores stay words: `forcing_amplitude`.
+/// Names of Greek letters become these letters, single letters are italic, longer words upright. The text
+/// after an underscore, and digits at the end of a part, become a subscript: `F_0` and `F0`, `omega_max`.
+/// Words joined by underscores remain words: `forcing_amplitude`.
 pub fn symbol(name: &str) -> Option<String> {
     Some(Symbol::read(name)?.latex())
 }
 
-/// Whether a character changes the direction in which those after it, or around it, are written: in
-/// a name that a person has given it could make a text read as another one.
+/// Whether a character changes the direction in which the text after it, or around it, is written; in a
+/// name from a file, such a character could make one text look like another.
 pub fn directs(character: char) -> bool {
     matches!(character, '\u{200e}' | '\u{200f}' | '\u{61c}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
-/// A name taken apart.
+/// A name split into its base and its subscripts.
 struct Symbol<'a> {
-    /// The letter, or the words.
+    /// The letter or the words of the base.
     base: Vec<&'a str>,
     lowered: Vec<&'a str>,
 }
@@ -300,7 +301,7 @@ impl<'a> Symbol<'a> {
         Some(symbol)
     }
 
-    /// The same with further subscripts.
+    /// Appends further subscripts.
     fn lowered(mut self, further: &[&'a str]) -> Self {
         self.lowered.extend(further);
         self
@@ -331,8 +332,8 @@ impl<'a> Symbol<'a> {
     }
 }
 
-/// The part without the digits at its end, and these digits if there are any; a part of digits
-/// alone is all digits.
+/// The part without its trailing digits, and these digits if there are any; a part that consists of
+/// digits is returned unchanged as digits.
 fn without_digits(part: &str) -> (&str, Option<&str>) {
     let letters = part.trim_end_matches(|c: char| c.is_ascii_digit());
     let digits = &part[letters.len()..];
@@ -347,12 +348,12 @@ fn is_greek(part: &str) -> bool {
     GREEK.iter().any(|(name, _)| *name == part)
 }
 
-/// Neither a single letter nor the name of a Greek one.
+/// Whether the part is neither a single letter nor the name of a Greek letter.
 fn is_word(part: &str) -> bool {
     part.len() > 1 && !is_greek(part)
 }
 
-/// A part without digits at its end.
+/// The LaTeX of a part without trailing digits.
 fn letters(part: &str) -> String {
     match part {
         greek if is_greek(greek) => format!(r"\{greek}"),

@@ -1,9 +1,9 @@
-//! What an oscillator does at one place of the parameter plane.
+//! The behaviour of an oscillator at one place of the parameter plane.
 
 use crate::{Names, Table, Tables, rows, tables};
 
 rows! {
-    /// What some of the initial states come to.
+    /// An attractor that some of the initial states lead to.
     PlaceAttractor {
         place: u32 = PLACE,
         secondary: f64 = SECONDARY,
@@ -17,7 +17,7 @@ rows! {
         exponent_error: f64 = LYAPUNOV_ERROR,
     }
 
-    /// A periodic solution; p = 0 without impacts.
+    /// A periodic solution; p = 0 means without impacts.
     PlaceSolution {
         place: u32 = PLACE,
         loops: u32 = LOOPS,
@@ -47,7 +47,7 @@ rows! {
         impact_velocity: f64 = IMPACT_VELOCITY,
     }
 
-    /// An initial state at rest on a lattice, with what it comes to.
+    /// An initial state at rest on a lattice, with the attractor that it leads to.
     BasinState {
         place: u32 = PLACE,
         start_phase: f64 = PHASE_OF_START,
@@ -77,11 +77,11 @@ tables! {
         motion: SimulatedMotion = "simulated_motion", "a point of the motion",
         impacts: SimulatedImpact = "simulated_impacts", "an impact",
         ;
-        /// How it ends.
+        /// How the motion ends.
         end: String,
     }
 
-    /// A place, or several of them.
+    /// The results for one place, or for several.
     AtPlace {
         attractors: PlaceAttractor = "place_attractors", "what some of the random initial states come to at a place",
         solutions: PlaceSolution = "place_solutions", "a periodic solution at a place, stable or not",
@@ -89,13 +89,14 @@ tables! {
         impacts: PlaceImpact = "place_impacts", "an impact on an attractor",
         basins: BasinState = "place_basins", "an initial state at rest, with what it comes to",
         ;
-        /// Its number, from 1.
+        /// The number of the place, from 1.
         place: u32,
         /// The forcing period.
         period: f64,
-        /// Positions are counted from the wall, which is another one than x = 0 with the motion below it.
+        /// Whether positions are measured from the wall because the wall is not at x = 0 with the motion
+        /// below it.
         from_the_wall: bool,
-        /// How many initial states there are across the basins, and up.
+        /// The numbers of initial states across and up in the pictures of basins.
         lattice: [u32; 2],
     }
 }
@@ -114,8 +115,8 @@ impl AtPlace {
     }
 }
 
-/// The number of loops p of an MPS, 0 for motion without impacts in one period, from the periods after
-/// which it comes again and impacts in a period.
+/// The number of loops p of an MPS, or 0 for motion without impacts of one period, from the period (in
+/// forcing periods) and the number of impacts per forcing period; nothing for other motion.
 pub fn loops(periods: f64, impacts: f64) -> Option<u32> {
     match () {
         () if impacts == 0.0 && periods == 1.0 => Some(0),
@@ -125,12 +126,13 @@ pub fn loops(periods: f64, impacts: f64) -> Option<u32> {
 }
 
 impl PlaceAttractor {
-    /// The number of loops p of an MPS, 0 for motion without impacts in one period.
+    /// The number of loops p of an MPS, or 0 for motion without impacts of one period; nothing for other
+    /// motion.
     pub fn loops(&self) -> Option<u32> {
         loops(self.periods, self.impacts)
     }
 
-    /// What it is, in words.
+    /// A description of the attractor in words.
     pub fn words(&self) -> String {
         let several =
             |count: f64, what: &str| format!("{count:.0} {what}{}", if count > 1.5 { "s" } else { "" });

@@ -8,22 +8,24 @@ use crate::measured::MeasuredPoint;
 use crate::{Frame, rows, tables, words};
 
 words! {
-    /// What is known of a region of the parameter plane.
+    /// The kinds of regions of the parameter plane, by the solutions that are stable and admissible
+    /// there.
     RegionKind {
         /// The non-impacting solution is stable and admissible.
         NonImpacting = "non-impacting",
         /// An MPS is stable and admissible.
         Mps = "mps",
-        /// Both are; only sketches have such a region.
+        /// The non-impacting solution and an MPS are both stable and admissible; only sketches have such
+        /// a region.
         Both = "both",
-        /// It could not be decided.
+        /// The stability could not be decided.
         Undecided = "undecided",
     }
 
-    /// Where a curve of a magnification comes from.
+    /// The source of a curve in a magnification.
     CurveSource {
         Continuation = "continuation",
-        /// It is the quadratic approximation μ = μ_graz(η) + c (η − η*)².
+        /// The quadratic approximation μ = μ_graz(η) + c (η − η*)².
         Quadratic = "quadratic",
     }
 }
@@ -47,7 +49,7 @@ rows! {
         lost: String = LOST,
     }
 
-    /// A point of a curve that the file asks for.
+    /// A point of a curve that the file requests.
     OwnPoint {
         name: String = CURVE_NAME,
         property: String = PROPERTY,
@@ -86,7 +88,7 @@ rows! {
         reason: String = REASON,
     }
 
-    /// A point of a curve of a magnification about the resonance of p and n.
+    /// A point of a curve in a magnification about the resonance of p and n.
     MagnifiedPoint {
         panel: u32 = PANEL,
         loops: u32 = LOOPS,
@@ -100,9 +102,9 @@ rows! {
 }
 
 impl PlanePoint {
-    /// Whether a region may end at a point of a curve: it may not where a grazing curve is that of
-    /// an unstable solution. At an end of a GZ curve, a codimension-two point, stability is marginal
-    /// and its flag a toss-up.
+    /// Whether a region may end at a point of a curve. It may not on a grazing curve of an unstable
+    /// solution. At an end of a GZ curve, a codimension-two point, stability is marginal and its flag
+    /// arbitrary, so a region may end there.
     pub fn bounds(curve: &[Self], index: usize) -> bool {
         let ends = index == 0 || index + 1 == curve.len();
         match curve[index].kind {
@@ -114,7 +116,7 @@ impl PlanePoint {
 }
 
 impl PlaneDiagram {
-    /// The diagram with its axes exchanged: the secondary parameter stands for the primary one.
+    /// The diagram with its axes exchanged: the secondary parameter takes the role of the primary one.
     #[must_use]
     pub fn swapped(mut self) -> Self {
         self.curves.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
@@ -133,7 +135,7 @@ impl PlaneDiagram {
 }
 
 impl Magnifications {
-    /// The same with the axes exchanged.
+    /// The magnifications with their axes exchanged.
     #[must_use]
     pub fn swapped(mut self) -> Self {
         self.curves.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
@@ -162,79 +164,79 @@ rows! {
 /// A panel of a magnification.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MagnifiedPanel {
-    /// Its number, from 1; the letter (a) stands for the first.
+    /// The number of the panel, from 1; the first is (a).
     pub panel: u32,
-    /// What it shows of the plane.
+    /// The part of the plane that the panel shows.
     pub frame: Frame,
-    /// Number of loops p of the resonance about which it is.
+    /// The number of loops p of the resonance that the panel is about.
     pub loops: u32,
-    /// The integer n of that, if it is to be written.
+    /// The integer n of that resonance, if it is to be written.
     pub n: Option<u32>,
-    /// c_SN and c_PD, in units of the primary parameter over the square of the secondary one; NaN
-    /// is left out.
+    /// c_SN and c_PD, in units of the primary parameter over the square of the secondary one; NaN is not
+    /// written.
     pub coefficients: Pair<f64>,
 }
 
-/// Where a one-parameter diagram runs in the plane.
+/// The line along which a one-parameter diagram runs in the plane.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Section {
-    /// The ends of the line: primary and secondary parameter.
+    /// The ends of the line, as (primary, secondary) parameter.
     pub ends: [(f64, f64); 2],
-    /// What the one-parameter diagram is called, as `Fig. 2`.
+    /// The name of the one-parameter diagram, as `Fig. 2`.
     pub name: String,
-    /// Whether the line is one of many that may be long: it is thin then.
+    /// Whether to draw the line thin, as one of many that may be long.
     pub thin: bool,
 }
 
 tables! {
-    /// What a two-parameter diagram shows; Figure 7 is one.
+    /// The contents of a two-parameter diagram, such as Figure 7.
     PlaneDiagram {
-        /// The grazing curve of the non-impacting solution and the bifurcation curves of MPSs.
-        /// Points that follow each other with equal kind, p, n and arc are one curve.
+        /// The curves are the grazing curve of the non-impacting solution and the bifurcation curves of
+        /// MPSs. Consecutive points with equal kind, p, n and arc form one curve.
         curves: PlanePoint = "curves", "a point of a curve of the diagram",
         points: SpecialPoint = "points", "a resonance at which a theorem holds, or another codimension-two point",
         regions: RegionVertex = "regions", "a vertex of a region of stability",
         ;
-        /// What is shown of the plane: the primary parameter across and the secondary one up.
+        /// The part of the plane that is shown: primary parameter horizontal, secondary parameter
+        /// vertical.
         frame: Frame,
-        /// The panels of its magnifications, whose frames are drawn.
+        /// The panels of the magnifications, whose frames are drawn.
         magnified: Vec<MagnifiedPanel>,
-        /// Where one-parameter diagrams run.
+        /// The lines along which one-parameter diagrams run.
         sections: Vec<Section>,
-        /// The curves that the file asks for.
+        /// The curves that the file requests.
         own: Vec<OwnPoint>,
-        /// What was measured in it.
+        /// The measurements within the diagram.
         measured: Vec<MeasuredPoint>,
     }
 
-    /// The curves that a file asks for.
+    /// The curves that a file requests.
     OwnCurves {
         own: OwnPoint = "own_curves", "a point of a curve of `[[curves]]`",
     }
 
-    /// What magnifications of a two-parameter diagram show; Figure 8 is one sheet of them.
+    /// The contents of the magnifications of a two-parameter diagram; Figure 8 is one sheet of them.
     Magnifications {
-        /// Continued curves and quadratic approximations. Points that follow each other with equal
-        /// panel, kind, source and arc are one curve.
+        /// The curves are continued curves and quadratic approximations. Consecutive points with equal
+        /// panel, kind, source and arc form one curve.
         curves: MagnifiedPoint = "magnifications", "a point of a curve of a magnification",
         ;
-        /// The points of the diagram.
+        /// The special points of the diagram.
         points: Vec<SpecialPoint>,
-        /// Its regions.
+        /// The regions of the diagram.
         regions: Vec<RegionVertex>,
         /// The panels in the order in which they are drawn, row by row.
         panels: Vec<MagnifiedPanel>,
     }
 
-    /// The curves that leave resonances in straightened coordinates: the distance from the grazing
-    /// curve over η² across, and η up.
+    /// The curves that leave resonances, in straightened coordinates: the distance from the grazing curve
+    /// over η² on the horizontal axis, η on the vertical one.
     StraightenedCurves {
-        /// Points that follow each other with equal panel, kind, p and arc are one curve.
+        /// Consecutive points with equal panel, kind, p and arc form one curve.
         curves: StraightenedPoint = "straightened",
             "a point of a curve that leaves a resonance, in straightened coordinates",
         ;
-        /// The panels in the order in which they are drawn, with what they show in these
-        /// coordinates.
+        /// The panels in the order in which they are drawn, with their frames in these coordinates.
         panels: Vec<MagnifiedPanel>,
     }
 }

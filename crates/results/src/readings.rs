@@ -1,31 +1,31 @@
-//! What an engineer reads off motion: impact velocities, peaks, forces and power, along branches and
-//! as a parameter goes up and down.
+//! Engineering quantities of motion: impact velocities, peak-to-peak amplitudes, forces and power, along
+//! branches and as a parameter is swept up and down.
 
 use crate::branches::{AttractorPoint, BranchPoint, OneParameter};
 use crate::{rows, words};
 
 words! {
-    /// What stands on the vertical axis of a one-parameter diagram.
+    /// The quantities that the vertical axis of a one-parameter diagram can show.
     Ordinate {
         /// x on the Poincaré section.
         X = "x",
         ImpactVelocity = "impact velocity",
         PeakToPeak = "peak to peak",
-        /// Of an impact.
+        /// The impulse of an impact.
         Impulse = "impulse",
-        /// The mean over time of the force on the wall.
+        /// The mean force on the wall over time.
         Force = "mean force",
-        /// What impacts dissipate in time.
+        /// The power that impacts dissipate.
         Power = "power",
     }
 
-    /// Where motion starts at a value of the parameter.
+    /// The initial state of motion at a value of the parameter.
     Sweep {
-        /// From a random state.
+        /// A random state.
         Random = "random",
-        /// From what motion came to at the value below.
+        /// The final state at the next lower value.
         Up = "up",
-        /// From what motion came to at the value above.
+        /// The final state at the next higher value.
         Down = "down",
     }
 }
@@ -48,7 +48,7 @@ rows! {
         branch: u32 = BRANCH,
     }
 
-    /// An impact of simulated motion after its transient, or motion without any.
+    /// An impact of simulated motion after its transient, or motion without impacts.
     MotionReading {
         diagram: u32 = DIAGRAM,
         sweep: Sweep = SWEEP,
@@ -68,7 +68,7 @@ rows! {
     }
 }
 
-/// A row with what can stand on the vertical axis.
+/// A row with the quantities that the vertical axis can show.
 trait Read {
     fn read(&self, ordinate: Ordinate) -> f64;
 }
@@ -97,7 +97,7 @@ read! {
 }
 
 impl Ordinate {
-    /// The header of its column, and the unit of its numbers.
+    /// The header of the ordinate's column, and the unit of its numbers.
     pub const fn column(self) -> (&'static str, &'static str) {
         use crate::columns::{IMPACT_VELOCITY, IMPULSE, MEAN_FORCE, PEAK_TO_PEAK, POWER, X_ON_SECTION};
         let column = match self {
@@ -113,7 +113,7 @@ impl Ordinate {
 }
 
 impl OneParameter {
-    /// The diagram with what its ordinate is in the place of x.
+    /// The diagram with the chosen ordinate in place of x.
     #[must_use]
     pub fn seen(&self) -> Self {
         let ordinate = self.ordinate;
@@ -136,7 +136,7 @@ impl OneParameter {
         let mut seen = self.clone();
         seen.branches = self.readings.iter().map(point).collect();
         for found in &mut seen.bifurcations {
-            // It is a point of a branch, too.
+            // A bifurcation is also a point of a branch; the ordinate is that of the nearest reading.
             let far = |row: &Reading| {
                 let velocity = row.impact_velocity - found.impact_velocity;
                 let aside = [row.primary - found.primary, row.secondary - found.secondary].map(f64::abs);
@@ -157,7 +157,7 @@ impl OneParameter {
         seen.fitted()
     }
 
-    /// Parameter across and ordinate of motion as the parameter goes this way.
+    /// The varying parameter and the ordinate of simulated motion for one kind of sweep.
     pub fn swept(&self, sweep: Sweep) -> impl Iterator<Item = (f64, f64)> {
         let rows = self.motion.iter().filter(move |row| row.sweep == sweep);
         rows.map(|row| (self.across(row), row.read(self.ordinate))).filter(|(_, value)| value.is_finite())

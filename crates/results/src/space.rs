@@ -4,7 +4,7 @@ use crate::columns::{self, Column};
 use crate::{Cell, Row, rows, tables, words};
 
 words! {
-    /// What a curve in phase space is.
+    /// The kinds of curves in phase space.
     CurveKind {
         Orbit = "orbit",
         /// An orbit continued beyond the wall.
@@ -17,7 +17,7 @@ words! {
         Global = "global",
     }
 
-    /// What a surface in phase space is, or a line on one.
+    /// The kinds of surfaces in phase space, and of lines on them.
     SurfaceKind {
         /// The part of Σ where orbits arrive.
         Incoming = "incoming",
@@ -34,11 +34,11 @@ words! {
         AxisZ = "z_axis",
     }
 
-    /// What a point in phase space is.
+    /// The kinds of points in phase space.
     MarkKind {
         /// An arrival at Σ.
         Impact = "impact",
-        /// Where the reset law leads from there.
+        /// The image of an impact under the reset law.
         Recoil = "recoil",
         Graze = "graze",
         /// The virtual turning point (x̂, 0, ẑ).
@@ -48,9 +48,9 @@ words! {
     }
 }
 
-/// The kinds of what consists of polylines.
+/// The kinds of objects that consist of polylines.
 pub trait PolylineKind: Copy + Into<Cell> {
-    /// The column that holds it.
+    /// The column that holds the kind.
     const COLUMN: Column;
 }
 
@@ -65,7 +65,7 @@ impl PolylineKind for SurfaceKind {
 /// A vertex of a curve, or of the outline of a surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vertex<K> {
-    /// What it belongs to.
+    /// The kind of the curve or surface.
     pub kind: K,
     /// [`NUMBER`](columns::NUMBER)
     pub number: u32,
@@ -75,7 +75,7 @@ pub struct Vertex<K> {
     pub layer: u32,
     /// The state (x, y, z).
     pub state: [f64; 3],
-    /// Its place: to the right, upwards, away from the viewer.
+    /// The projected coordinates: to the right, upwards, away from the viewer.
     pub place: [f64; 3],
 }
 
@@ -101,7 +101,7 @@ impl<K: PolylineKind> Row for Vertex<K> {
 }
 
 rows! {
-    /// A point with a name.
+    /// A named point.
     Mark {
         kind: MarkKind = SPACE_MARK,
         number: u32 = NUMBER,
@@ -116,14 +116,14 @@ rows! {
 }
 
 tables! {
-    /// What a figure in phase space shows: Figures 1, 3 and 9.
+    /// The contents of a figure in phase space: Figures 1, 3 and 9.
     Scene {
-        /// Orbits, and what joins points. Vertices that follow each other with equal number and
-        /// piece are one polyline.
+        /// The curves are orbits, and lines that join points. Consecutive vertices with equal number and
+        /// piece form one polyline.
         curves: Vertex<CurveKind> = "curves", "a vertex of a curve",
-        /// Points with names.
+        /// The points have names in the figure.
         points: Mark = "points", "a point that is marked",
-        /// Closed outlines of surfaces, lines on them, and the axes.
+        /// The polylines are closed outlines of surfaces, lines on them, and the axes.
         surfaces: Vertex<SurfaceKind> = "surfaces", "a vertex of the outline of a surface, or of a line on one",
     }
 }

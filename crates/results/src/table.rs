@@ -4,31 +4,31 @@ use crate::{Cell, Column, Names};
 
 /// A row of a table.
 pub trait Row {
-    /// Its columns, in their order.
+    /// The columns, in order.
     const COLUMNS: &'static [Column];
 
-    /// Its cells, one a column.
+    /// The cells, one for each column.
     fn cells(&self) -> Vec<Cell>;
 }
 
 /// A table's name and columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TablePlan {
-    /// The name of its CSV file, without ending.
+    /// The name of the table's CSV file, without extension.
     pub name: &'static str,
-    /// What a row is.
+    /// A description of a row.
     pub row: &'static str,
-    /// Its columns.
+    /// The columns, in order.
     pub columns: &'static [Column],
 }
 
 impl TablePlan {
-    /// A table of rows of the type.
+    /// A table of rows of type `R`.
     pub const fn of<R: Row>(name: &'static str, row: &'static str) -> Self {
         Self { name, row, columns: R::COLUMNS }
     }
 
-    /// The same tables under other names.
+    /// These tables with other names.
     pub const fn renamed<const COUNT: usize>(tables: &[Self], names: [&'static str; COUNT]) -> [Self; COUNT] {
         let mut renamed = [tables[0]; COUNT];
         let mut place = 0;
@@ -43,22 +43,22 @@ impl TablePlan {
 /// A table under the name of its CSV file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
-    /// File name without ending, such as `fig07_curves`.
+    /// File name without extension, such as `fig07_curves`.
     pub name: &'static str,
-    /// What its columns are.
+    /// The declarations of the columns.
     pub columns: Vec<Column>,
-    /// The headers of the columns: their names, with those of the parameters put in.
+    /// The headers of the columns, with the names of the parameters inserted.
     pub headers: Vec<String>,
     /// The symbols of the columns, in LaTeX; empty where a column has none.
     pub symbols: Vec<String>,
-    /// The units of their numbers, where a file tells any; empty for what has none.
+    /// The units of the columns, if the file names its units; empty where there is none.
     pub units: Vec<String>,
     /// The rows.
     pub rows: Vec<Vec<Cell>>,
 }
 
 impl Table {
-    /// The table of rows, with these names of the two parameters.
+    /// The table of these rows, with these names of the two parameters.
     pub fn new<'a, R: Row + 'a>(
         name: &'static str,
         names: &Names,
@@ -67,8 +67,8 @@ impl Table {
         Self::of_cells(name, R::COLUMNS, names, rows.into_iter().map(Row::cells).collect())
     }
 
-    /// The table of cells, which stand in the order of the columns; without columns for constants
-    /// that do not vary.
+    /// The table of these cells, which are in the order of the columns. Columns for constants that do not
+    /// vary are omitted.
     pub fn of_cells(
         name: &'static str,
         columns: &'static [Column],
@@ -88,24 +88,24 @@ impl Table {
         Self { name, columns, headers, symbols, units, rows }
     }
 
-    /// The place of the column with a header.
+    /// The index of the column with this header.
     pub fn position(&self, header: &str) -> Option<usize> {
         self.headers.iter().position(|found| found == header)
     }
 
-    /// The cells under a header; none where there is no such column.
+    /// The cells in the column with this header; none if there is no such column.
     pub fn column(&self, header: &str) -> Option<impl Iterator<Item = &Cell>> {
         let place = self.position(header)?;
         Some(self.rows.iter().map(move |row| &row[place]))
     }
 }
 
-/// What an output shows, as tables: see [`tables!`](crate::tables).
+/// The contents of an output as tables: see [`tables!`](crate::tables).
 pub trait Tables {
-    /// The names and columns of its tables.
+    /// The names and columns of the tables.
     const TABLES: &'static [TablePlan];
 
-    /// All tables under the names of these, of which there are as many.
+    /// All tables, named as in `tables`, which has as many entries.
     fn tables_as(&self, tables: &[TablePlan], names: &Names) -> Vec<Table>;
 
     /// All tables, with these names of the parameters.
@@ -114,7 +114,7 @@ pub trait Tables {
     }
 }
 
-/// Row types: each field with its type and its column.
+/// Declares row types: each field with its type and its column.
 #[macro_export]
 macro_rules! rows {
     ($($(#[$meta:meta])* $row:ident { $($field:ident: $type:ty = $column:ident,)+ })+) => {$(
@@ -137,8 +137,8 @@ macro_rules! rows {
     )+};
 }
 
-/// Makes rows of a type that is not only a row: each column with what stands in it, after what
-/// these have in common.
+/// Implements [`Row`](crate::Row) for a type with other uses: each column with its value, after
+/// definitions that the values share.
 ///
 /// `row! { Point, |p| { let both = p.x + p.y; } [X = p.x, SUM = both] }`
 #[macro_export]
@@ -156,8 +156,8 @@ macro_rules! row {
     };
 }
 
-/// What an output shows: lists of rows, each with the name of its table, what a row is, and what
-/// more there is to say of them; and what else there is to know.
+/// Declares the contents of an output: lists of rows, each with the name of its table, a description of a
+/// row and optional further documentation; then other fields.
 #[macro_export]
 macro_rules! tables {
     ($($(#[$meta:meta])* $name:ident {

@@ -117,7 +117,7 @@ columns! {
     MAP_REMARK = "remark", "", "1";
 }
 
-// What is proved of Figure 7.
+// Proofs for Figure 7.
 columns! {
     /// what is drawn in Figure 7: `curve`, `point` or `region`
     PROOF_OBJECT = "object", "", "1";

@@ -1,4 +1,4 @@
-//! Measurements, and what is identified from them.
+//! Measurements, and the constants identified from them.
 
 use super::Column;
 
