@@ -11,26 +11,26 @@ use grazing_unfold::levels::{Level, Property};
 
 use crate::plane::Axes;
 
-/// An oscillator that is ready for an analysis.
+/// An oscillator prepared for an analysis.
 pub struct Prepared {
-    /// It ends when an end is asked for.
+    /// The oscillator, whose computations end when the analysis is cancelled.
     pub oscillator: AnyOscillator,
-    /// Ranges and loops.
+    /// Ranges and numbers of loops.
     pub scope: Scope,
-    /// The curves that the file asks for.
+    /// The curves that the file requests.
     pub asked: Vec<Level>,
-    /// Names and units.
+    /// The names of the parameters, and the oscillator's units.
     pub axes: Axes,
 }
 
 impl Prepared {
-    /// As a file describes it, with its names and units.
+    /// The oscillator that a file describes, with the names and units in `axes`.
     pub fn new(description: &Description, axes: Axes, stop: &Stop) -> Self {
         let (oscillator, scope) = prepared(description, &axes.units, stop);
         Self { oscillator, scope, asked: levels(description, &axes.units), axes }
     }
 
-    /// The paper's oscillator, whose flow is known in closed form, with constants, ranges and loops
+    /// The paper's oscillator, whose flow is known in closed form, with the constants, ranges and loops
     /// of a file that describes it.
     ///
     /// # Errors
@@ -53,20 +53,20 @@ impl Prepared {
         })
     }
 
-    /// A place that is counted in the oscillator's own units.
+    /// A place given in the oscillator's own units, in dimensionless form.
     pub fn without_dimensions(&self, [primary, secondary]: [f64; 2]) -> [f64; 2] {
         [primary / self.axes.units.primary, secondary / self.axes.units.secondary]
     }
 }
 
-/// What a file asks for, in its units.
+/// The ranges, numbers of loops and starting point that a file requests, in its units.
 fn scope(description: &Description) -> Scope {
     let [primary, secondary] = [description.primary(), description.secondary()].map(Axis::range);
     let window = Window { primary, secondary };
     Scope { window, loops: description.loops().to_vec(), start: description.start() }
 }
 
-/// The curves that a file asks for, without dimensions.
+/// The curves that a file requests, in dimensionless form.
 pub fn levels(description: &Description, units: &Units) -> Vec<Level> {
     let level = |OwnCurve { name, loops, property }: &OwnCurve| {
         let property = match *property {
@@ -81,7 +81,7 @@ pub fn levels(description: &Description, units: &Units) -> Vec<Level> {
     description.curves().iter().map(level).collect()
 }
 
-/// An oscillator that ends when an end is asked for, in these units, and what its file asks for.
+/// The oscillator in these units, which stops when `stop` is set, and the scope that its file requests.
 pub fn prepared(description: &Description, units: &Units, stop: &Stop) -> (AnyOscillator, Scope) {
     let scope = scope(description).without_dimensions(units);
     let at = [scope.window.primary[0], scope.window.secondary[0]];

@@ -1,9 +1,9 @@
 //! Families: an oscillator from a text file for several values of its constants.
 //!
 //! Every member is analysed by itself as far as its codimension-two points, and its resonances are
-//! followed towards its neighbours in the constant that varies first ([`grazing_unfold::family`]).
-//! What comes of one member is a [`Record`], which may be computed anywhere; a [`Family`] is made
-//! of all of them, whoever computed them, with the same result.
+//! followed towards its neighbours in the constant that varies first ([`grazing_unfold::family`]). The
+//! result for one member is a [`Record`], which may be computed on any machine; a [`Family`] is assembled
+//! from all records, with the same result wherever they were computed.
 
 mod assembly;
 mod record;
@@ -24,13 +24,13 @@ pub use record::Record;
 /// A constant that varies, with its values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Varied {
-    /// Its name in the file.
+    /// The name of the constant in the file.
     pub name: String,
-    /// Its values in the order of the members, at least two; increasing or decreasing.
+    /// The values of the constant in the order of the members: at least two, increasing or decreasing.
     pub values: Vec<f64>,
 }
 
-/// Which members a family has: all combinations of values, the first constant varying fastest.
+/// The members of a family: all combinations of values, the first constant varying fastest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// One to three constants.
@@ -43,7 +43,7 @@ impl Plan {
         self.varied.iter().map(|varied| varied.values.len()).product()
     }
 
-    /// The values of the constants at a member.
+    /// The values of the constants of a member.
     pub fn values(&self, mut index: usize) -> Vec<f64> {
         let value = |Varied { values, .. }: &Varied| {
             let place = index % values.len();
@@ -53,20 +53,20 @@ impl Plan {
         self.varied.iter().map(value).collect()
     }
 
-    /// The number of members that follow each other with other values of the first constant alone.
+    /// The number of consecutive members that differ only in the first constant.
     pub(crate) fn line(&self) -> usize {
         self.varied[0].values.len()
     }
 }
 
-/// Why a member has nothing to unfold, in words.
+/// A function that explains in words why a member has nothing to unfold.
 pub type Tell<'a> = &'a (dyn Fn(&Description, &UnfoldError) -> String + Sync);
 
-/// The stage in which members are computed.
+/// The name of the stage in which members are computed.
 const MEMBERS: &str = "members of the family";
 
-/// The records of some members, each given with its number; none for those that were not finished
-/// when an end was asked for.
+/// The records of some members, each given with its number; none for members that were not finished when
+/// the computation was cancelled.
 pub fn records(
     plan: &Plan,
     members: &[(usize, Description)],
@@ -76,7 +76,7 @@ pub fn records(
 ) -> Vec<Option<Record>> {
     progress.begin(MEMBERS, members.len() as u64);
     let compute = |(index, description): &(usize, Description)| {
-        // The stages of a member are not told.
+        // The stages within a member are not reported.
         let record = Record::compute(plan, *index, description, tell, stop);
         progress.step(MEMBERS);
         record
@@ -87,7 +87,7 @@ pub fn records(
     records
 }
 
-/// The names that head the columns of a family's tables.
+/// The names in the headers of a family's tables.
 pub fn names(plan: &Plan, description: &Description) -> Names {
     let own = |varied: &Varied| own_header(&varied.name, Family::TABLES.iter());
     let varied: Vec<String> = plan.varied.iter().map(own).collect();

@@ -1,6 +1,6 @@
-//! The analysis of any oscillator that a text file describes, and of the paper's: what `unfold`
-//! finds, in the oscillator's own units and names, as rows of tables. Nothing here draws or writes
-//! files.
+//! The analysis of the paper's oscillator and of any oscillator that a text file describes: the results
+//! of `unfold`, in the oscillator's own units and names, as rows of tables. This crate neither draws nor
+//! writes files.
 
 mod described;
 pub mod family;

@@ -1,4 +1,4 @@
-//! Beyond the paper: the limit map at resonances, and what is solved for near them.
+//! Beyond the paper: the limit map at resonances, and solutions computed near them.
 
 use grazing_continuation::doubled::{Doubled, DoubledEquations};
 use grazing_continuation::mps::unknown;
@@ -14,7 +14,7 @@ tables! {
     }
 }
 
-/// The limit map at a resonance, with how far grazing orbits are from it.
+/// The limit map at a resonance, with the distance of computed grazing orbits from it.
 #[derive(Clone, Debug)]
 pub struct AtLimit {
     /// The integer n of the resonance.
@@ -42,7 +42,7 @@ row! { AtLimit, |this| {
 ] }
 
 impl AtLimit {
-    /// The limit map at a resonance, and the grazing orbits that are solved for near it.
+    /// The limit map at a resonance, with grazing orbits solved for near it.
     pub fn of(resonance: &Resonance) -> Self {
         let point = *resonance.located.resonant_point();
         let limit = point.doubled_grazing_coefficient();
@@ -52,14 +52,15 @@ impl AtLimit {
     }
 }
 
-/// The limit of [`doubled_grazing`] near a resonance, from two distances; nothing where no orbit is found.
+/// The limit of [`doubled_grazing`] at a resonance, extrapolated from two distances; none where no orbit
+/// is found.
 pub(crate) fn measured_doubled_grazing(resonance: &LocatedResonance) -> Option<f64> {
     let [far, near] = [1e-3, 5e-4].map(|size| doubled_grazing(resonance, size));
     Some(2.0 * near? - far?)
 }
 
-/// (μ − μ_graz)/η² where the orbits with two impacts graze that begin at the period doubling, solved for where
-/// that has an impact velocity to leading order.
+/// (μ − μ_graz)/η² at which the orbits with two impacts that begin at the period doubling graze, solved
+/// for where the period doubling has impact velocity `size` to leading order.
 fn doubled_grazing(resonance: &LocatedResonance, size: f64) -> Option<f64> {
     let point = resonance.resonant_point();
     let (map, scale) = (point.limit_map(), point.limit_scale());

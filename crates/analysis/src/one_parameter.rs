@@ -14,8 +14,8 @@ use grazing_unfold::units::InUnits;
 
 use crate::described::prepared;
 
-/// How long-time behaviour is sampled: at as many values as columns of dots can be told apart in a
-/// figure, after a transient that is longer where damping is weak.
+/// Sampling of long-term behaviour: at as many parameter values as a figure can resolve as columns of
+/// dots, after a transient that is longer where damping is weak.
 pub const SAMPLING: Sampling = Sampling {
     values: 240,
     between: None,
@@ -27,7 +27,7 @@ pub const SAMPLING: Sampling = Sampling {
     readings: false,
 };
 
-/// What a file calls an ordinate.
+/// The ordinate that a file requests, as the results name it.
 fn ordinate(written: Written) -> Ordinate {
     match written {
         Written::X => Ordinate::X,
@@ -39,10 +39,10 @@ fn ordinate(written: Written) -> Ordinate {
     }
 }
 
-/// Fills in what the mass gives, in the oscillator's own units.
+/// Fills in the quantities that depend on the mass, in the oscillator's own units.
 fn weigh(found: &mut OneParameter, description: &Description) {
     let impact = |velocity: f64, phase: f64, parameters| {
-        // Without an impact there is no phase, and it does not matter.
+        // Without an impact there is no phase, and its value does not matter.
         description.impulse_and_loss([velocity, if phase.is_nan() { 0.0 } else { phase }], parameters)
     };
     let period = |[mu, eta]: [f64; 2]| TAU / description.forcing_frequency(mu, eta);
@@ -68,8 +68,8 @@ fn weigh(found: &mut OneParameter, description: &Description) {
     }
 }
 
-/// A diagram in the oscillator's own units with this on its vertical axis, and with what the mass
-/// gives; where nothing is read off it, that is x.
+/// A diagram in the oscillator's own units with this ordinate and the quantities that depend on the mass;
+/// without readings the ordinate is x.
 pub fn in_own_units(found: OneParameter, ordinate: Ordinate, description: &Description) -> OneParameter {
     let ordinate = if found.readings.is_empty() { Ordinate::X } else { ordinate };
     let from_the_wall = !description.wall().is_usual();
@@ -78,8 +78,8 @@ pub fn in_own_units(found: OneParameter, ordinate: Ordinate, description: &Descr
     found
 }
 
-/// The one-parameter diagrams that a file asks for, in the oscillator's own units, and what is
-/// missing.
+/// The one-parameter diagrams that a file requests, in the oscillator's own units, and a list of missing
+/// parts.
 pub(crate) fn diagrams(
     description: &Description,
     curves: &[DiagramCurve],

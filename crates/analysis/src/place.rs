@@ -1,4 +1,4 @@
-//! What an oscillator does at one place of the parameter plane, as rows in its own units.
+//! The behaviour of an oscillator at one place of the parameter plane, as rows in its own units.
 
 use grazing_continuation::mps::Multipliers;
 use grazing_model::orbit::OrbitEnd;
@@ -15,16 +15,17 @@ use grazing_unfold::progress::Progress;
 
 use crate::described::Prepared;
 
-/// The initial states of basins: phases, positions.
+/// The lattice of initial states for basins: numbers of phases and of positions.
 pub const LATTICE: [u32; 2] = [48, 32];
 
-/// Impacts of motion from a given state in a forcing period, at most.
+/// The greatest number of impacts per forcing period of motion from a given state.
 const MOST_IMPACTS: f64 = 1000.0;
 
-/// Motion of an oscillator at a place from position and velocity at a time on, for so many forcing periods.
+/// Motion of an oscillator at a place, from a position, velocity and time, over a number of forcing
+/// periods.
 ///
 /// # Errors
-/// There is no such motion: in words.
+/// An explanation in words why there is no such motion.
 pub fn simulated(
     of: &Prepared,
     at: [f64; 2],
@@ -79,8 +80,8 @@ pub fn simulated(
     })
 }
 
-/// What there is at a place, which has this number, for these p; in the units of an oscillator that is
-/// counted without dimensions. None if an end was asked for.
+/// The attractors, periodic solutions for these p, and basins at a place with this number. The oscillator
+/// is dimensionless, the rows are in its own units. None if the computation is cancelled.
 pub fn at_place(
     oscillator: &AnyOscillator,
     loops: &[u32],
@@ -180,7 +181,7 @@ mod tests {
         for (a, b) in a.impacts.iter().zip(&b.impacts) {
             let apart =
                 [a.time - b.time, a.impact_velocity - b.impact_velocity, a.impact_phase - b.impact_phase];
-            // Integration is accurate to some 1e-13 a period, and errors grow at impacts.
+            // Integration is accurate to about 1e-13 per period, and errors grow at impacts.
             assert!(apart.iter().all(|apart| apart.abs() < 1e-9), "{apart:?}");
         }
         let first = &a.motion[0];

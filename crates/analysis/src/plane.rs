@@ -1,4 +1,4 @@
-//! Rows of a two-parameter diagram, whatever the oscillator and its parameters are called.
+//! Rows of a two-parameter diagram for any oscillator and names of its parameters.
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_continuation::mps::PeriodicSolution;
@@ -18,24 +18,24 @@ use grazing_unfold::regions::{Doubt, Region};
 use grazing_unfold::straightened::StraightCurve;
 use grazing_unfold::units::InUnits;
 
-/// The names of the two parameters, which head their columns, and the units in which the tables
-/// count what was found without dimensions.
+/// The names of the two parameters, which head their columns, and the units of the tables, to which
+/// dimensionless results are converted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axes {
-    /// The names; one that is another column's has a `_` more.
+    /// The names; a name that is already that of another column has `_` appended.
     pub names: Names,
     /// The oscillator's own units.
     pub units: Units,
 }
 
 impl Axes {
-    /// Amplitude and frequency of the paper's oscillator.
+    /// The axes of the paper's oscillator: amplitude and frequency.
     pub fn of_the_paper() -> Self {
         Self { names: Names::of_the_paper(), units: Units::ONE }
     }
 }
 
-/// The name of a parameter as a header in tables: with a `_` more if another column has it.
+/// The name of a parameter as a header in tables, with `_` appended while another column has that name.
 pub(crate) fn own_header<'a>(name: &str, tables: impl Iterator<Item = &'a TablePlan>) -> String {
     let taken: Vec<_> = tables.flat_map(|table| table.columns).map(|column| column.name).collect();
     let mut name = name.to_owned();
@@ -70,7 +70,7 @@ pub fn curves(axes: &Axes, diagram: &Diagram) -> Vec<PlanePoint> {
     numbered(grazing_rows(axes, diagram).into_iter().chain(curves))
 }
 
-/// The points of curves that are numbered in their order.
+/// The points of several curves, which are numbered in order from 0.
 pub fn numbered(curves: impl IntoIterator<Item = Vec<PlanePoint>>) -> Vec<PlanePoint> {
     let numbered = (0..).zip(curves);
     numbered
@@ -78,7 +78,7 @@ pub fn numbered(curves: impl IntoIterator<Item = Vec<PlanePoint>>) -> Vec<PlaneP
         .collect()
 }
 
-/// The pieces of the grazing curve, without numbers.
+/// The pieces of the grazing curve, not yet numbered.
 pub fn grazing_rows(axes: &Axes, diagram: &Diagram) -> Vec<Vec<PlanePoint>> {
     let rows = |curve: &GrazingCurve| {
         let points = curve.states.iter().map(|state| {
@@ -106,8 +106,7 @@ pub fn grazing_rows(axes: &Axes, diagram: &Diagram) -> Vec<Vec<PlanePoint>> {
     diagram.grazing.iter().map(rows).collect()
 }
 
-/// A bifurcation curve without its number; it need not be in the diagram yet, whose grazing curves
-/// are.
+/// A bifurcation curve, not yet numbered. It need not be in the diagram yet; the grazing curves must be.
 pub fn bifurcation_rows(axes: &Axes, diagram: &Diagram, curve: &DiagramCurve) -> Vec<PlanePoint> {
     let (units, equations) = (&axes.units, diagram.equations(curve.loops));
     let points = curve.curve.points.iter().map(|point| {
@@ -135,7 +134,7 @@ pub fn bifurcation_rows(axes: &Axes, diagram: &Diagram, curve: &DiagramCurve) ->
     with_ends(points, curve.curve.lost())
 }
 
-/// The points of a curve, the first and the last with the reason why it was followed no further.
+/// The points of a curve; the first and the last carry the reason why the curve was followed no further.
 fn with_ends(
     points: impl Iterator<Item = PlanePoint>,
     [first, last]: [Option<String>; 2],
@@ -150,13 +149,13 @@ fn with_ends(
     points
 }
 
-/// The curves that are asked for, point by point.
+/// The requested curves, point by point.
 pub fn own_curves(axes: &Axes, diagram: &Diagram) -> Vec<OwnPoint> {
     let mut rows = Vec::new();
     for (arc, LevelCurve { level, loops, curve }) in (0..).zip(&diagram.levels.curves) {
         let Level { name, property, .. } = &diagram.asked[*level];
         let property = property.in_units(&axes.units).to_string();
-        // Its kind does not matter.
+        // The kind of bifurcation is not used here.
         let curve = DiagramCurve { kind: Bifurcation::SaddleNode, loops: *loops, n: 0, curve: curve.clone() };
         rows.extend(bifurcation_rows(axes, diagram, &curve).into_iter().map(|point| OwnPoint {
             name: name.clone(),
@@ -220,13 +219,13 @@ pub fn regions(axes: &Axes, regions: &[Region]) -> Vec<RegionVertex> {
     rows
 }
 
-/// Resonances that could not be located, and those whose curves could not be followed, in words.
+/// Descriptions of resonances that could not be located, and of those whose curves could not be followed.
 pub fn lost(diagram: &Diagram) -> impl Iterator<Item = String> {
     let unlocated = diagram.unlocated.iter().map(|lost| format!("p = {}: {}", lost.loops, lost.reason));
     unlocated.chain(diagram.not_unfolded.iter().map(|lost| format!("{}: {}", lost.name(), lost.reason)))
 }
 
-/// Curves of magnifications, panel by panel from 1; their points are in the oscillator's own units.
+/// Curves of magnifications, panel by panel from 1, with points in the oscillator's own units.
 pub fn magnified_curves<'a>(panels: impl IntoIterator<Item = &'a Vec<Polyline>>) -> Vec<MagnifiedPoint> {
     let mut rows = Vec::new();
     for (panel, polylines) in (1..).zip(panels) {
@@ -246,29 +245,29 @@ pub fn magnified_curves<'a>(panels: impl IntoIterator<Item = &'a Vec<Polyline>>)
     rows
 }
 
-/// The |η| at which curves are straightened, per decade.
+/// The leading digits of the |η| at which curves are straightened, for each decade.
 const PER_DECADE: [f64; 5] = [1.0, 1.6, 2.5, 4.0, 6.3];
-/// The decades.
+/// The number of decades.
 const DECADES: i32 = 8;
 
-/// Values of |η| over eight decades and more, the greatest being the largest power of ten in a range
-/// of the secondary parameter: all in its own unit, in which they are round.
+/// Values of |η| over eight decades up to the largest power of ten within a range of the secondary
+/// parameter, all in the parameter's own unit, in which they are round numbers.
 pub fn straightened_etas([low, high]: [f64; 2]) -> Vec<f64> {
     let top = libm::floor(libm::log10(high - low)) as i32;
     let decade = |power: i32| PER_DECADE.map(|digits| round(digits, power));
     (top - DECADES..top).flat_map(decade).chain([round(1.0, top)]).collect()
 }
 
-/// The number with these digits, correctly rounded.
+/// The number `digits`·10^`power`, correctly rounded.
 fn round(digits: f64, power: i32) -> f64 {
     format!("{digits}e{power}").parse().unwrap_or(f64::NAN)
 }
 
-/// Part of the extent of the limits by which a panel reaches beyond them.
+/// Margin of a panel as a fraction of the extent of the limits.
 const STRAIGHTENED_MARGIN: f64 = 0.25;
 
-/// Curves in straightened coordinates, with a panel for each resonance that has some, whose frame is
-/// chosen here; all in the oscillator's own units.
+/// Curves in straightened coordinates, with a panel for each resonance that has curves; the frames of the
+/// panels are chosen here. All in the oscillator's own units.
 pub fn straightened<'a>(
     panels: impl IntoIterator<Item = (MagnifiedPanel, &'a [StraightCurve])>,
 ) -> StraightenedCurves {

@@ -1,5 +1,4 @@
-//! What there is to know about the resonant grazing bifurcations of any oscillator, as rows of
-//! tables.
+//! All results on the resonant grazing bifurcations of any oscillator, as rows of tables.
 
 mod finished;
 mod tables;
@@ -41,26 +40,26 @@ pub use finished::Keep;
 pub(crate) use tables::slopes;
 pub use tables::{CheckedHypothesis, CoefficientRow, GrazingLoopRow, GrazingRow};
 
-/// The analysis of an oscillator: its diagram, and at every resonance where a theorem holds
+/// The analysis of an oscillator: its diagram and, at every resonance where a theorem holds,
 /// coefficients, simulation and a magnification.
 #[derive(Clone, Debug)]
 pub struct Unfolded {
     /// The names of the parameters, and the oscillator's own units.
     pub axes: Axes,
-    /// Grazing curves, resonances, bifurcation curves, codimension-two points, regions: all without
-    /// dimensions.
+    /// Grazing curves, resonances, bifurcation curves, codimension-two points and regions, all
+    /// dimensionless.
     pub diagram: Diagram,
     /// All resonances, in the order in which they were found; in the oscillator's own units.
     pub resonances: Vec<AtResonance>,
-    /// The one-parameter diagrams that are asked for, as far as they were finished; in the
-    /// oscillator's own units.
+    /// The one-parameter diagrams that were requested, as far as they were finished, in the oscillator's
+    /// own units.
     pub diagrams: Vec<OneParameter>,
-    /// What depends on p along the grazing curves, for one p after the other; in the oscillator's
+    /// Quantities along the grazing curves that depend on p, one p after the other, in the oscillator's
     /// own units.
     along: Vec<GrazingLoopRow>,
 }
 
-/// A resonant grazing bifurcation with what came of it, in the oscillator's own units.
+/// A resonant grazing bifurcation with its results, in the oscillator's own units.
 #[derive(Clone, Debug)]
 pub struct AtResonance {
     /// Number of loops p.
@@ -69,18 +68,18 @@ pub struct AtResonance {
     pub n: u32,
     /// Primary and secondary parameter.
     pub parameters: [f64; 2],
-    /// What the theorem asks about.
+    /// The resonance with the quantities that the theorem uses.
     pub point: ResonantPoint,
-    /// Theorem 2.4 or 2.5.
+    /// The theorem that applies to this p: Theorem 2.4 or 2.5.
     pub theorem: Theorem,
-    /// What it asks; it applies where all of this holds.
+    /// The hypotheses of the theorem, which applies if all hold.
     pub hypotheses: Vec<Hypothesis>,
-    /// What is known of the curves, where it applies.
+    /// The results for the curves that leave the resonance, if the theorem applies.
     pub curves: Option<Curves>,
 }
 
 impl AtResonance {
-    /// A resonance in the oscillator's own units; nothing is known of its curves yet.
+    /// A resonance in the oscillator's own units, without results for its curves.
     pub fn new(resonance: &Resonance, units: &Units) -> Self {
         let Resonance { loops, n, located, theorem } = resonance;
         let (theorem, hypotheses) = match theorem {
@@ -98,39 +97,39 @@ impl AtResonance {
         }
     }
 
-    /// The hypotheses that fail, with their values; none where the theorem applies.
+    /// The hypotheses that fail, with their values; none if the theorem applies.
     pub fn failing(&self) -> impl Iterator<Item = String> {
         let failing = self.hypotheses.iter().filter(|hypothesis| !hypothesis.holds());
         failing.map(|failing| format!("{} fails: {}", failing.statement(), brief(failing.value, 4)))
     }
 }
 
-/// What is known of the curves that leave a resonance.
+/// The results for the curves that leave a resonance.
 #[derive(Clone, Debug)]
 pub struct Curves {
-    /// Of the SN and the PD curve.
+    /// The results for the SN and the PD curve.
     pub findings: Pair<CurveFinding>,
-    /// c_2GZ, measured on period-doubled orbits that graze; NaN where none are found.
+    /// c_2GZ, measured on grazing orbits of twice the period; NaN where none are found.
     pub doubled_grazing: f64,
     /// The window of the magnification.
     pub window: Window,
-    /// What is drawn in it; nothing where the curves could not be followed.
+    /// The curves in the magnification; empty if they could not be followed.
     pub magnified: Vec<Polyline>,
     /// The curves in straightened coordinates.
     pub straightened: Vec<StraightCurve>,
 }
 
-/// What is known of an SN or PD curve.
+/// The results for an SN or PD curve.
 #[derive(Clone, Copy, Debug)]
 pub struct CurveFinding {
-    /// Its coefficient by the theorem and measured.
+    /// The coefficient of the curve, by the theorem and measured.
     pub coefficient: Coefficient,
-    /// What the simulated hybrid system does beside it.
+    /// The behaviour of the simulated hybrid system beside the curve.
     pub simulated: Simulated,
 }
 
 impl CurveFinding {
-    /// What is not as predicted, or not known, each with the reason.
+    /// The results that differ from the prediction or are unknown, each with the reason.
     pub fn doubts(&self) -> impl Iterator<Item = (String, String)> + use<> {
         let (verdict, simulated) = (self.coefficient.verdict(), self.simulated);
         let both = [
@@ -174,8 +173,8 @@ pub fn axes(description: &Description) -> Axes {
 }
 
 impl Unfolded {
-    /// The analysis of an oscillator from a text file, which ends when an end is asked for by
-    /// `stop`; `keep` gets curves as they are finished.
+    /// Analyses an oscillator from a text file; `stop` cancels the analysis, and `keep` receives curves
+    /// as they are finished.
     ///
     /// # Errors
     /// There is no grazing in the ranges.
@@ -188,7 +187,7 @@ impl Unfolded {
         Self::prepared(description, Prepared::new(description, axes(description), stop), progress, stop, keep)
     }
 
-    /// The same of an oscillator that is ready, for what else its file asks for.
+    /// Analyses a prepared oscillator, with the one-parameter diagrams that its file requests.
     ///
     /// # Errors
     /// There is no grazing in the ranges.
@@ -208,15 +207,15 @@ impl Unfolded {
             *diagrams = found;
             diagram.unfinished.extend(unfinished);
         }
-        // What was finished can be written down.
+        // The finished results can still be written.
         stop.withdraw();
         unfolded
     }
 }
 
 impl Unfolded {
-    /// The analysis of any oscillator, counted with its scope and the curves that are asked for in
-    /// the units of `axes`; its own parameters do not matter.
+    /// Analyses any oscillator, given with its scope and the requested curves in the units of `axes`; the
+    /// oscillator's own parameter values are not used.
     ///
     /// # Errors
     /// There is no grazing in the ranges.
@@ -233,15 +232,16 @@ impl Unfolded {
         let units = axes.units;
         let what = "coefficients and magnifications";
         progress.begin(what, diagram.unfolding().count() as u64);
-        // Each resonance by itself; the order of the results is that of the list, whatever the
-        // threads do.
+        // Each resonance is computed by itself; the results are in the order of the list, independent of
+        // the threads.
         let resonances = diagram.resonances.par_iter().map(|resonance| {
             let found = AtResonance::new(resonance, &units);
             let Ok(point) = &resonance.theorem else { return (found, None) };
             let mut curves = curves_from(&diagram, resonance, point, &units);
             let stopped = progress.stopped();
             if stopped {
-                // Nothing moves any more: now all of it is missing, not only what was to come.
+                // After cancellation nothing more can be computed, so the whole result is marked as
+                // missing, including parts that may have been finished.
                 curves = curves_from(&diagram, resonance, point, &units);
                 for known in [&mut curves.findings.saddle_node, &mut curves.findings.period_doubling] {
                     known.coefficient.fit = Err(FitError::NotFinished);
@@ -262,13 +262,13 @@ impl Unfolded {
         Ok(Self { axes, diagram, resonances, diagrams: Vec::new(), along })
     }
 
-    /// The resonances at which a theorem holds, with what is known of their curves.
+    /// The resonances at which a theorem holds, with the results for their curves.
     fn unfolding(&self) -> impl Iterator<Item = (&AtResonance, &Curves)> {
         self.resonances.iter().filter_map(|at| Some((at, at.curves.as_ref()?)))
     }
 
-    /// The two-parameter diagram, with a panel for each resonance whose curves are there, numbered
-    /// as in the table of magnifications, and lines for the one-parameter diagrams.
+    /// The two-parameter diagram, with a panel for each resonance that has curves, numbered as in the
+    /// table of magnifications, and lines for the one-parameter diagrams.
     pub fn plane_diagram(&self) -> PlaneDiagram {
         let is_range = |[low, high]: [f64; 2]| low.is_finite() && high.is_finite() && low < high;
         let panels = (1..).zip(self.unfolding()).filter_map(|(panel, (at, curves))| {
@@ -284,7 +284,7 @@ impl Unfolded {
         plane::plane_diagram(&self.axes, &self.diagram, panels.collect(), sections.collect())
     }
 
-    /// The magnifications whose panels the diagram has.
+    /// The magnifications for the panels of the diagram.
     pub fn magnifications(&self, diagram: &PlaneDiagram) -> Magnifications {
         Magnifications {
             curves: plane::magnified_curves(self.unfolding().map(|(_, curves)| &curves.magnified)),
@@ -303,26 +303,26 @@ impl Unfolded {
         )
     }
 
-    /// The rows of what is known along the grazing curve.
+    /// The rows of quantities along the grazing curve.
     pub fn along_grazing(&self) -> AlongGrazing {
         AlongGrazing { grazing: tables::grazing(self), grazing_loops: self.along.clone() }
     }
 
-    /// The rows of what is known at resonances.
+    /// The rows of results at resonances.
     pub fn at_resonances(&self) -> AtResonances {
         AtResonances { coefficients: tables::coefficients(self), hypotheses: tables::hypotheses(self) }
     }
 }
 
 tables! {
-    /// What is known along the grazing curve.
+    /// Quantities along the grazing curve.
     AlongGrazing {
         grazing: GrazingRow = "grazing",
             "a point of the grazing curve, with the grazing orbit and the Poincaré map around it",
         grazing_loops: GrazingLoopRow = "grazing_loops", "such a point and a p, with what depends on p",
     }
 
-    /// What is known at resonances.
+    /// Results at resonances.
     AtResonances {
         coefficients: CoefficientRow = "coefficients",
             "a resonance at which Theorem 2.4 (p = 1) or 2.5 (p ≥ 2) holds",
@@ -337,7 +337,7 @@ fn panel_of(panel: u32, at: &AtResonance, curves: &Curves) -> MagnifiedPanel {
     MagnifiedPanel { panel, frame: curves.window.into(), loops: at.loops, n: Some(at.n), coefficients }
 }
 
-/// What there is to know of the curves that leave a resonance.
+/// Computes the results for the curves that leave a resonance.
 fn curves_from(
     diagram: &Diagram,
     resonance: &Resonance,
@@ -374,8 +374,8 @@ fn straightened(
     straighten(diagram, point, near, &etas).iter().map(|curve| curve.in_units(units)).collect()
 }
 
-/// The curves that leave one of the resonances of a diagram in straightened coordinates. The diagram
-/// needs no regions.
+/// The curves that leave one resonance of a diagram, in straightened coordinates. The diagram needs no
+/// regions.
 pub fn straightened_at(
     axes: &Axes,
     diagram: &Diagram,
@@ -393,7 +393,8 @@ pub fn straightened_at(
 /// The stage in which quantities along the grazing curves are computed.
 const ALONG: &str = "quantities along the grazing curve";
 
-/// What depends on p at each point of the grazing curves; nothing if an end was asked for.
+/// The quantities that depend on p at each point of the grazing curves; empty if the computation is
+/// cancelled.
 fn along(diagram: &Diagram, units: &Units, progress: &dyn Progress) -> Vec<GrazingLoopRow> {
     let states = (0..)
         .zip(&diagram.grazing)
@@ -402,7 +403,7 @@ fn along(diagram: &Diagram, units: &Units, progress: &dyn Progress) -> Vec<Grazi
     progress.begin(ALONG, diagram.scope.loops.len() as u64);
     let mut all = Vec::new();
     for &loops in &diagram.scope.loops {
-        // Where an iterate of P_global has no maximum near Π there is nothing to tell.
+        // Where an iterate of P_global has no maximum near Π, these quantities do not exist.
         let found = states.par_iter().filter_map(|(arc, state)| {
             let parameters = units.parameters(state.orbit.oscillator().parameters());
             let point = state.orbit.resonant_point(loops).ok()?.in_units(units);

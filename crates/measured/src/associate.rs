@@ -1,4 +1,4 @@
-//! Measured bifurcations, and the curves that they lie on.
+//! Measured bifurcations, each associated with the curve that it lies on.
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
@@ -10,11 +10,11 @@ use grazing_unfold::Diagram;
 
 use crate::read::{Observation, Seen};
 
-/// A parameter that is known far better than the other counts with an error of this share of its
-/// range where none is stated.
+/// The assumed standard error, as a fraction of its range, of a parameter without a stated error when the
+/// other one has one: it is known far better.
 const EXACT: f64 = 1e-6;
 
-/// What differences from a place of the plane are counted in: standard errors, or, where none is
+/// The units in which differences in the parameter plane are measured: standard errors or, if none is
 /// stated, the ranges.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Metric {
@@ -34,45 +34,45 @@ impl Metric {
         Self { scales: [0, 1].map(scale), stated }
     }
 
-    /// A difference in these.
+    /// A difference between two places in these units.
     pub(crate) fn counted(&self, from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|k| (to[k] - from[k]) / self.scales[k])
     }
 }
 
-/// The place of a curve that is nearest to another one.
+/// The point of a curve that is nearest to a given place.
 #[derive(Clone, Debug)]
 pub(crate) struct Nearest {
     pub(crate) distance: f64,
     pub(crate) unknowns: Unknowns,
     loops: u32,
     times: EventTimes,
-    /// The direction of the curve, of length one.
+    /// The unit direction of the curve.
     along: Unknowns,
 }
 
-/// A measured bifurcation on the curve that it is taken to lie on.
+/// A measured bifurcation on the curve with which it is associated.
 #[derive(Clone, Debug)]
 pub struct Located {
     /// The line of the file.
     pub line: u32,
-    /// What it is.
+    /// The kind of bifurcation, in words.
     pub quantity: String,
-    /// What holds on the curve, and for how many loops.
+    /// The condition that defines the curve, and the number of loops.
     pub(crate) condition: Condition,
     pub(crate) loops: u32,
-    /// A point of the curve nearby, with its direction and what is carried there.
+    /// A point of the curve nearby and the direction of the curve there; `times` are its event times.
     pub(crate) near: [Unknowns; 2],
     pub(crate) times: EventTimes,
-    /// Where it was measured, without dimensions.
+    /// The measured place, dimensionless.
     pub(crate) at: [f64; 2],
     pub(crate) metric: Metric,
 }
 
-/// A point of a curve: the unknowns, what is carried there, and whether the solution is admissible.
+/// A point of a curve: the unknowns, its event times, and whether the solution is admissible.
 type Point<'a> = (Unknowns, Option<&'a EventTimes>, bool);
 
-/// The curves of a kind, by their numbers of loops.
+/// The curves of a kind, each with its number of loops.
 fn curves(diagram: &Diagram, kind: Bifurcation, loops: Option<u32>) -> Vec<(u32, Vec<Point<'_>>)> {
     if kind == Bifurcation::NonImpactingGrazing {
         let curve = |curve: &grazing_unfold::grazing::GrazingCurve| {
@@ -96,7 +96,7 @@ fn curves(diagram: &Diagram, kind: Bifurcation, loops: Option<u32>) -> Vec<(u32,
     all.collect()
 }
 
-/// The place nearest to one, of what is admissible on the curves of a kind.
+/// The point nearest to `at` on the admissible parts of the curves of a kind.
 pub(crate) fn nearest(
     diagram: &Diagram,
     (kind, loops): (Bifurcation, Option<u32>),
@@ -127,10 +127,10 @@ pub(crate) fn nearest(
     best
 }
 
-/// The bifurcations among measurements, each on the nearest curve of its kind.
+/// Associates each measured bifurcation with the nearest curve of its kind.
 ///
 /// # Errors
-/// The line and the words of one to which there is no curve.
+/// The line of the first bifurcation without such a curve, and a description of it.
 pub fn associate(
     observations: &[Observation],
     diagram: &Diagram,

@@ -1,4 +1,4 @@
-//! Measurements against the regions and curves of a diagram.
+//! Comparison of measurements with the regions and curves of a diagram.
 
 use std::collections::BTreeMap;
 
@@ -16,12 +16,13 @@ use grazing_unfold::regions::Region;
 use crate::associate::{Metric, nearest};
 use crate::read::{Observation, Seen};
 
-/// Standard errors within which measurements agree: 95 of 100 lie there.
+/// Standard errors within which measurements agree: about 95 of 100 lie there.
 const WITHIN: f64 = 2.0;
-/// Random states from which motion is simulated that regions do not speak of. It takes long where it does
-/// not settle.
+/// Number of random initial states of simulations where the regions do not answer. Motion that does not
+/// settle takes a long time.
 const STATES: u32 = 8;
-/// Directions in which places within error are looked at, and at which shares of that distance.
+/// Directions in which places within two standard errors are tried; [`SHARES`] are the fractions of that
+/// distance.
 const AROUND: [[f64; 2]; 8] = {
     const DIAGONAL: f64 = core::f64::consts::FRAC_1_SQRT_2;
     [
@@ -37,13 +38,14 @@ const AROUND: [[f64; 2]; 8] = {
 };
 const SHARES: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
 
-/// The reason where simulation was ended.
+/// The reason given where simulation was stopped early.
 pub const NOT_FINISHED: &str = "not finished";
 
-/// What a measurement comes to, and why.
+/// The result of comparing a measurement, and the reason for it.
 type Verdict = (Agreement, String);
 
-/// All measurements beside a diagram; `stop` ends simulation, and what is left then is undecided.
+/// Compares all measurements with a diagram; `stop` ends simulation, and the remaining measurements are
+/// undecided.
 pub fn compare(observations: &[Observation], axes: &Axes, diagram: &Diagram, stop: &Stop) -> Comparison {
     let beside = Beside { axes, diagram, stop };
     let points: Vec<MeasuredPoint> = observations.iter().map(|one| beside.point(one)).collect();
@@ -68,24 +70,24 @@ pub fn compare(observations: &[Observation], axes: &Axes, diagram: &Diagram, sto
     Comparison { points, counts: counts.into_values().collect() }
 }
 
-/// Another program's curves of a kind beside those of a diagram.
+/// Comparison of another program's curves of one kind with those of a diagram.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Apart {
-    /// What they are.
+    /// The kind of the curves.
     pub curve: Seen,
-    /// Points of them within the ranges.
+    /// The number of points within the ranges.
     pub points: u32,
-    /// Points beyond the ranges, which are not looked at.
+    /// The number of points outside the ranges, which are not compared.
     pub outside: u32,
-    /// Those that are too far from every such curve.
+    /// The number of points that are too far from every curve of this kind.
     pub far: u32,
-    /// The greatest distance of a point from the nearest such curve, as a share of the ranges, and its line;
-    /// infinite if there is no such curve.
+    /// The greatest distance of a point from the nearest curve of this kind, as a fraction of the ranges,
+    /// and the line of the point; infinite if there is no such curve.
     pub farthest: (f64, u32),
 }
 
-/// How far points of another program's curves are from the admissible part of those of a diagram, kind by kind;
-/// `within` is the greatest distance that is near, as a share of the ranges.
+/// Compares the points of another program's curves with the admissible parts of the curves of a diagram,
+/// kind by kind; `within` is the greatest distance that counts as near, as a fraction of the ranges.
 pub fn apart(points: &[Observation], axes: &Axes, diagram: &Diagram, within: f64) -> Vec<Apart> {
     let window = &diagram.scope.window;
     let mut all: BTreeMap<String, Apart> = BTreeMap::new();
@@ -116,12 +118,12 @@ struct Beside<'a> {
 }
 
 impl Beside<'_> {
-    /// The regions that hold a place, with their numbers.
+    /// The regions that contain a place, with their numbers.
     fn regions(&self, at: [f64; 2]) -> impl Iterator<Item = (u32, &Region)> {
         (1..).zip(&self.diagram.regions).filter(move |(_, region)| region.contains(at))
     }
 
-    /// Where a measurement is counted: region, kind and number of loops.
+    /// The groups in which a measurement is counted: region, kind and number of loops.
     fn counted_in(&self, one: &Observation) -> Vec<(u32, String, u32)> {
         if let Seen::Bifurcation { kind, loops } = one.seen {
             return vec![(0, kind.name().to_owned(), loops.unwrap_or(0))];
@@ -171,7 +173,7 @@ impl Beside<'_> {
         }
     }
 
-    /// What the regions say of motion with p loops at a place.
+    /// The verdict of the regions at a place on motion with p loops.
     fn at(&self, at: [f64; 2], loops: u32) -> Verdict {
         let mut undecided = None;
         for (_, region) in self.regions(at).filter(|(_, region)| region.loops == loops) {
@@ -233,7 +235,7 @@ impl Beside<'_> {
         (if agrees { Agreement::Agrees } else { Agreement::Disagrees }, where_)
     }
 
-    /// What simulation says of motion on which regions are silent.
+    /// The verdict of simulation on motion that the regions do not cover.
     fn simulated(&self, seen: Seen, at: [f64; 2]) -> Verdict {
         let starts = Starts { states: STATES, ..Starts::default() };
         let here = self.diagram.oscillator.with_parameters(at);
@@ -257,17 +259,18 @@ impl Beside<'_> {
     }
 }
 
-/// What is stable in a region.
+/// The solution that is stable in a region, in words.
 fn stable((_, region): (u32, &Region)) -> String {
     if region.loops == 0 { "no impacts".to_owned() } else { format!("p = {}", region.loops) }
 }
 
-/// Impacts in the period of what an orbit comes to.
+/// The forcing periods in the period of an attractor, and the impacts in them; none unless it is
+/// periodic.
 fn impacts(fate: &Fate) -> Option<(u32, f64)> {
     fate.periods.map(|periods| (periods, fate.impacts * f64::from(periods)))
 }
 
-/// Whether what an orbit comes to is what was seen.
+/// Whether an attractor matches the measured behaviour.
 fn is_seen(fate: &Fate, seen: Seen) -> bool {
     match seen {
         Seen::Periodic { periods, impacts: count } => impacts(fate)
@@ -277,7 +280,7 @@ fn is_seen(fate: &Fate, seen: Seen) -> bool {
     }
 }
 
-/// What an orbit comes to, in words.
+/// An attractor in words.
 fn words(fate: &Fate) -> String {
     match impacts(fate) {
         Some((periods, impacts)) => format!("{impacts:.0} impacts in {periods} periods"),

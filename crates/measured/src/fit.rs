@@ -1,11 +1,11 @@
-//! Least squares: constants of an oscillator for which curves run through measured bifurcations,
-//! and orbits through measured impacts.
+//! Least squares: constants of an oscillator for which curves run through measured bifurcations, and
+//! orbits through measured impacts.
 //!
-//! What is left of a bifurcation is its distance from the curve of its kind, in standard errors,
-//! in which the nearest place of the curve is looked for as well. What is left of a series of impacts are times and speeds of the orbit that begins
-//! with its first impact, whose true time and speed are unknowns as well; so no error of one
-//! impact counts as one of the next. The method is that of Levenberg and Marquardt (MINPACK's, by
-//! way of CMPFIT); the covariance is that of the linearised problem, (JᵀJ)⁻¹.
+//! The residual of a bifurcation is its distance in standard errors from the nearest point of the curve
+//! of its kind. The residuals of a series of impacts are those of times and speeds on the orbit that
+//! begins with the first impact; the true time and speed of that impact are unknowns as well, so an error
+//! in one impact is not counted again in the next. The method is that of Levenberg and Marquardt
+//! (MINPACK's, in the version of CMPFIT); the covariance is that of the linearised problem, (JᵀJ)⁻¹.
 
 use grazing_continuation::arclength::CurveEquations;
 use grazing_continuation::curve::{SolutionCurve, Window};
@@ -21,60 +21,60 @@ use thiserror::Error;
 
 use crate::associate::Located;
 
-/// The oscillator with these values of the constants, without dimensions, in units that do not
-/// depend on them; none where it does not exist.
+/// The oscillator with these values of the constants, dimensionless, in units that do not depend on the
+/// constants; none where it does not exist.
 pub type Rig<'a> = &'a (dyn Fn(&[f64]) -> Option<AnyOscillator> + Sync);
 
-/// Impacts that follow each other, without dimensions.
+/// Consecutive impacts, dimensionless.
 #[derive(Clone, Debug)]
 pub struct Segment {
     /// Primary and secondary parameter.
     pub at: [f64; 2],
-    /// The lines of the file.
+    /// The lines of the file, one for each impact.
     pub lines: Vec<u32>,
-    /// Time, speed before and speed after; what was not measured is not a number.
+    /// Time, speed before and speed after each impact; a quantity that was not measured is NaN.
     pub impacts: Vec<[f64; 3]>,
-    /// The standard errors of these.
+    /// The standard errors of time, speed before and speed after.
     pub errors: Vec<[f64; 3]>,
 }
 
-/// What is measured.
+/// A measured datum.
 #[derive(Clone, Debug)]
 pub enum Datum {
-    /// A bifurcation.
+    /// A bifurcation in the parameter plane.
     Bifurcation(Box<Located>),
-    /// Impacts.
+    /// A series of impacts.
     Impacts(Segment),
 }
 
 /// The constants with the least sum of squares.
 #[derive(Clone, Debug)]
 pub struct Fit {
-    /// Their values.
+    /// The values of the constants.
     pub values: Vec<f64>,
-    /// Their covariance.
+    /// The covariance of the constants.
     pub covariance: Vec<Vec<f64>>,
-    /// The sum of squares.
+    /// The sum of squares of the residuals.
     pub chi_squared: f64,
-    /// How many numbers were measured beyond those that are looked for.
+    /// The degrees of freedom: measured numbers minus unknowns.
     pub freedom: usize,
-    /// No error is stated: those of the constants come from the scatter.
+    /// Whether no error is stated, so that the errors of the constants are derived from the scatter.
     pub scattered: bool,
-    /// What is left of each measured number, in standard errors, datum by datum.
+    /// The residuals of all measured numbers, in standard errors, datum by datum.
     pub residuals: Vec<Vec<f64>>,
 }
 
-/// How much large residuals weigh.
+/// The weight of large residuals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weight {
-    /// Their squares are summed.
+    /// Residuals are squared and summed.
     Full,
-    /// Those of many standard errors count no more than in proportion, so that a measurement which is
-    /// still compared with the wrong part of a curve does not outweigh all others.
+    /// The squares of residuals of many standard errors grow only in proportion to the residual, so that
+    /// a measurement that is still compared with the wrong part of a curve does not outweigh all others.
     Tame,
 }
 
-/// There is no fit.
+/// The reason why there is no fit.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum FitError {
     /// A measurement cannot be computed for the constants with which the search begins.
@@ -82,27 +82,27 @@ pub enum FitError {
         "line {line}: nothing like it is computed for the constants of the file: begin with others by --set, or leave it out"
     )]
     Start {
-        /// Its line.
+        /// The line of the measurement.
         line: u32,
-        /// Its place among the data.
+        /// The index of the measurement in the data.
         datum: usize,
     },
-    /// There are fewer numbers than are looked for.
+    /// There are fewer measured numbers than unknowns.
     #[error(
         "{numbers} measured numbers cannot determine {unknowns} unknowns: measure more, or free fewer constants"
     )]
     TooFew {
-        /// The measured numbers.
+        /// The number of measured numbers.
         numbers: usize,
-        /// The constants, and two for each series of impacts.
+        /// The number of unknowns: the constants, and two for each series of impacts.
         unknowns: usize,
     },
-    /// The measurements do not tell a constant, or not apart from others.
+    /// The measurements do not constrain a constant, or cannot separate it from others.
     #[error(
         "the measurements do not determine the constant number {0} of those that are free: leave it out of --free"
     )]
     Undetermined(usize),
-    /// The method does not come to an end.
+    /// The method does not converge.
     #[error("no least sum of squares was found: begin nearer to it by --set")]
     NoConvergence,
 }
@@ -116,30 +116,31 @@ impl FitError {
     }
 }
 
-/// Residuals of so many standard errors begin to be tame.
+/// Residuals beyond this number of standard errors have reduced weight.
 const TAME: f64 = 3.0;
-/// Steps for differences: relative for constants, in units of motion of the order of one for
-/// impacts. Residuals are right to some 1e-11 of what is measured, and so derivatives to 1e-6.
+/// Step for difference quotients: relative for constants; for impacts in units in which motion is of
+/// order one. Residuals are accurate to about 1e-11 of the measured values, and derivatives therefore to
+/// 1e-6.
 const STEP: f64 = 1e-5;
-/// A trial that cannot be computed counts so many standard errors, and is not accepted.
+/// Residual, in standard errors, of a trial that cannot be computed, so that it is rejected.
 const FAILED: f64 = 1e6;
-/// The method ends after so many steps; five are usual.
+/// The greatest number of steps of the method; about five are usual.
 const MOST_STEPS: usize = 60;
-/// The nearest place of a curve is found to this share of a standard error, or of the distance, of which
-/// the distance knows the square.
+/// Accuracy of the nearest point of a curve, as a fraction of a standard error or of the distance; the
+/// error of the distance is the square of this.
 const FOOT: f64 = 1e-5;
-/// Newton's method ends after so many evaluations, of which it takes five.
+/// The greatest number of evaluations of Newton's method, which usually takes five.
 const EVALUATIONS: usize = 30;
-/// Steps along a curve on the way there, without dimensions.
+/// The longest and the shortest step along a curve towards the nearest point, dimensionless.
 const LONGEST: f64 = 0.1;
 const SHORTEST: f64 = 1e-9;
-/// A solution this far (dimensionless) from where it was is another one.
+/// A solution farther than this (dimensionless) from the previous one is a different solution.
 const ANOTHER: f64 = 0.5;
-/// Sums of squares, and unknowns, are found to this share of themselves, far below any error.
+/// The relative accuracy of the sum of squares and of the unknowns, far below any error of measurement.
 const TOLERANCE: f64 = 1e-9;
 
 impl Datum {
-    /// The line of the file, of a series the first.
+    /// The line of the datum in the file; for a series, the first line.
     pub(crate) fn line(&self) -> u32 {
         match self {
             Self::Bifurcation(located) => located.line,
@@ -147,7 +148,7 @@ impl Datum {
         }
     }
 
-    /// What is unknown of it besides the constants, as measured.
+    /// The measured values of the unknowns that belong to this datum alone.
     fn own(&self) -> Vec<f64> {
         match self {
             Self::Bifurcation(_) => Vec::new(),
@@ -155,7 +156,7 @@ impl Datum {
         }
     }
 
-    /// Line, name, and what is left of each number, in the order of [`residuals`](Self::residuals).
+    /// Line and name of each residual, in the order of [`residuals`](Self::residuals).
     pub(crate) fn quantities(&self) -> Vec<(u32, String)> {
         match self {
             Self::Bifurcation(located) => vec![(located.line, located.quantity.clone())],
@@ -179,7 +180,7 @@ impl Datum {
         }
     }
 
-    /// What is left of its numbers, in standard errors, and where the solution of a bifurcation is.
+    /// The residuals of the datum in standard errors and, for a bifurcation, the solution on the curve.
     fn residuals(&self, oscillator: &AnyOscillator, window: Window, own: &[f64]) -> Option<Computed> {
         match self {
             Self::Bifurcation(located) => {
@@ -192,14 +193,15 @@ impl Datum {
 }
 
 impl Located {
-    /// The point of the curve nearest to the measured place, and its direction there.
+    /// The point of the curve nearest to the measured place, and the direction of the curve there.
     fn foot(&self, oscillator: &AnyOscillator, window: Window) -> Option<[Unknowns; 2]> {
         let equations = match self.loops {
             0 => non_impacting::equations(oscillator, window),
             loops => LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase),
         };
         let curve = SolutionCurve { equations, condition: self.condition };
-        // By steps of least length, with the direction of the curve where they lead.
+        // Newton's method with steps of least norm; it also returns the direction of the curve at the
+        // solution.
         let onto = |near: Unknowns, mut along: Unknowns| {
             let mut times = self.times.clone();
             let found = newton::solve(near, EVALUATIONS, |point| {
@@ -212,7 +214,7 @@ impl Located {
         };
         let [near, along] = self.near;
         let (mut at, mut along) = onto(near, along)?;
-        // The last step, and what it seemed to be from where it began.
+        // The last step, and the remaining distance that was estimated before it.
         let mut last: Option<[f64; 2]> = None;
         for _ in 0..MOST_STEPS {
             let plane = [unknown::PRIMARY, unknown::SECONDARY].map(|place| along[place]);
@@ -224,8 +226,8 @@ impl Located {
                 let near = (at - near).norm() < ANOTHER;
                 return near.then_some([at, along]);
             }
-            // Where the curve bends, the way along its tangent is too long or too short; by how much the last
-            // step tells.
+            // Where the curve bends, the distance along its tangent is too long or too short; the last
+            // step shows by how much.
             let slope = last.map_or(-1.0, |[step, before]| (straight - before) / step);
             let mut step = if slope < 0.0 { -straight / slope } else { straight };
             step = step.clamp(-LONGEST, LONGEST);
@@ -241,12 +243,12 @@ impl Located {
         None
     }
 
-    /// From the measured place to a point, in standard errors.
+    /// The difference from the measured place to a point, in standard errors.
     fn gap(&self, point: &Unknowns) -> [f64; 2] {
         self.metric.counted(self.at, [point[unknown::PRIMARY], point[unknown::SECONDARY]])
     }
 
-    /// The distance from the curve, in standard errors; its sign is the side.
+    /// The distance from the curve, in standard errors, with a sign for the side.
     fn residual(&self, [at, along]: &[Unknowns; 2]) -> f64 {
         let [primary, secondary] = self.gap(at);
         let scales = self.metric.scales;
@@ -260,7 +262,7 @@ fn length([one, other]: [f64; 2]) -> f64 {
 }
 
 impl Segment {
-    /// What is left if the first impact has this time and speed.
+    /// The residuals of the series if the first impact has this time and speed.
     fn residuals(&self, oscillator: &AnyOscillator, [time, speed]: [f64; 2]) -> Option<Vec<f64>> {
         let here = oscillator.with_parameters(self.at);
         if !(speed > 0.0 && time.is_finite()) {
@@ -268,7 +270,7 @@ impl Segment {
         }
         let first = State::on_wall(speed, here.forcing_frequency().value * time);
         let count = self.impacts.len();
-        // Twice as long as it took: whatever comes later is another orbit.
+        // Twice the measured duration: anything later belongs to another orbit.
         let horizon = 2.0 * (self.impacts[count - 1][0] - self.impacts[0][0]) + here.forcing_period();
         let flights = Orbit::new(&here, first, horizon, count);
         let struck = flights.filter_map(|flight| match flight.end {
@@ -294,18 +296,18 @@ impl Segment {
     }
 }
 
-/// What is left of the numbers of a datum, in standard errors, and the point of a curve with its
+/// The residuals of a datum in standard errors and, for a bifurcation, the point of the curve with the
 /// direction.
 type Computed = (Vec<f64>, Option<[Unknowns; 2]>);
 
-/// The least squares, as the method sees them.
+/// The least-squares problem in the form that the method expects.
 struct Problem<'a> {
     rig: Rig<'a>,
     window: Window,
     data: Vec<Datum>,
     weight: Weight,
     constants: usize,
-    /// For each datum, where its numbers and its own unknowns begin.
+    /// For each datum, the indices of its first residual and of its first own unknown.
     begins: Vec<[usize; 2]>,
     numbers: usize,
     parameters: Vec<MPPar>,
@@ -318,7 +320,7 @@ impl Problem<'_> {
         &all[from..from + self.data[datum].own().len()]
     }
 
-    /// What is left of all numbers; none with the first datum that cannot be computed.
+    /// The residuals of all data; an error with the index of the first datum that cannot be computed.
     fn residuals(&self, all: &[f64]) -> Result<Vec<Computed>, usize> {
         let oscillator = (self.rig)(&all[..self.constants]).ok_or(0_usize)?;
         let of = |(index, datum): (usize, &Datum)| {
@@ -329,7 +331,7 @@ impl Problem<'_> {
 }
 
 impl Weight {
-    /// What of a residual is squared.
+    /// The number that is squared in place of a residual.
     fn of(self, residual: f64) -> f64 {
         match self {
             Self::Full => residual,
@@ -364,11 +366,11 @@ impl MPFitter for Problem<'_> {
         &self.parameters
     }
 
-    /// Central differences; the unknowns of a datum move what is left of it alone.
+    /// The Jacobian by central differences; the unknowns of a datum affect only its own residuals.
     fn jacobian(&mut self, all: &[f64], left: &mut [f64], columns: &mut [Option<Vec<f64>>]) -> MPResult<()> {
         let here = self.residuals(all).map_err(|_| MPError::Eval)?;
         self.weight.write(&here, left);
-        // What comes next begins where this was found.
+        // The next evaluations start from the points found here.
         for (datum, (_, found)) in self.data.iter_mut().zip(&here) {
             if let (Datum::Bifurcation(located), Some(found)) = (datum, found) {
                 located.near = *found;
@@ -409,8 +411,8 @@ impl MPFitter for Problem<'_> {
     }
 }
 
-/// The constants with the least sum of squares, looked for from `start`; the window holds the
-/// places of all bifurcations.
+/// The constants with the least sum of squares, searched for from `start`; the window contains the places
+/// of all bifurcations.
 ///
 /// # Errors
 /// [`FitError`].

@@ -1,5 +1,5 @@
-//! Constants of an oscillator, identified: the search from diagram to diagram, and what is known of
-//! the resonances then.
+//! Identification of an oscillator's constants: the search from diagram to diagram, and the uncertainties
+//! of the resonances that follow.
 
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
@@ -14,47 +14,47 @@ use crate::associate::associate;
 use crate::fit::{Datum, Fit, FitError, Rig, Segment, Weight, fit};
 use crate::read::{Observation, Seen, Series};
 
-/// What was measured.
+/// All measurements for an identification.
 #[derive(Clone, Debug, Default)]
 pub struct Measurements {
-    /// Places of the plane; bifurcations among them count.
+    /// Places of the parameter plane; only bifurcations among them are used.
     pub points: Vec<Observation>,
-    /// Impacts.
+    /// Records of impacts.
     pub record: Vec<Series>,
 }
 
-/// What is looked for.
+/// The task of an identification.
 pub struct Task<'a> {
-    /// The oscillator for values of the constants that are free.
+    /// The oscillator as a function of the free constants.
     pub rig: Rig<'a>,
-    /// Their names.
+    /// The names of the free constants.
     pub names: &'a [String],
-    /// Their values to begin with.
+    /// The values with which the search begins.
     pub start: &'a [f64],
-    /// Ranges and numbers of loops, without dimensions.
+    /// Ranges and numbers of loops, dimensionless.
     pub scope: &'a Scope,
-    /// The units of the rig.
+    /// The units of the oscillator.
     pub units: Units,
 }
 
-/// Nothing was identified.
+/// The reason why nothing was identified.
 #[derive(Clone, Debug, Error)]
 pub enum IdentifyError {
     /// There is no fit.
     #[error(transparent)]
     Fit(#[from] FitError),
-    /// The measurements do not tell a constant, or not apart from others.
+    /// The measurements do not constrain a constant, or cannot separate it from others.
     #[error("the measurements do not determine {0}, or not apart from others: leave it out of --free")]
     Undetermined(String),
-    /// There is no oscillator, or no diagram, on the way.
+    /// For the constants reached during the search there is no diagram.
     #[error("with {constants} there is nothing to compare with: {reason}")]
     Diagram {
         /// The values of the constants.
         constants: String,
-        /// Why there is none.
+        /// The reason why there is none.
         reason: UnfoldError,
     },
-    /// There is no oscillator on the way.
+    /// For the constants reached during the search there is no oscillator.
     #[error("with {0} the file has no oscillator")]
     NoOscillator(String),
     /// A measured bifurcation has no curve.
@@ -62,29 +62,30 @@ pub enum IdentifyError {
         "line {line}: the diagram has no curve of {words}: begin with other constants by --set, or add its p to --loops"
     )]
     NoCurve {
-        /// Its line.
+        /// The line of the measurement.
         line: u32,
-        /// What it is.
+        /// A description of the bifurcation.
         words: String,
     },
-    /// An end was asked for.
+    /// The computation was cancelled.
     #[error("not finished")]
     Stopped,
 }
 
-/// Impacts in a piece of a record. First single flights, whose ends depend on constants without folds,
-/// so that a far start does; then longer pieces, that know more. They end there, as errors grow along
-/// motion that is not stable.
+/// The numbers of impacts in the segments of a record. The first round uses single flights, whose ends
+/// depend on the constants without folds, so that the search may begin far away; later rounds use longer
+/// segments, which contain more information. The length is limited because errors grow along unstable
+/// motion.
 const FIRST: usize = 2;
 const LONGEST: usize = 12;
-/// Curves are looked for again with the constants that were found, until these stay within this
-/// share of their errors, or so often.
+/// The curves are computed anew with the constants found, until the constants change by less than this
+/// fraction of their errors, or for at most this number of rounds.
 const SETTLED: f64 = 1e-2;
 const MOST_ROUNDS: usize = 8;
-/// In so many of these large residuals weigh less.
+/// The number of initial rounds in which large residuals have reduced weight.
 const TAMED: usize = 2;
 
-/// Constants with the least sum of squares, with all that follows.
+/// The constants with the least sum of squares, and the tables of results.
 ///
 /// # Errors
 /// [`IdentifyError`].
@@ -112,7 +113,7 @@ pub fn identify(
         let longest = if round == 0 { FIRST } else { LONGEST };
         let weight = if round < TAMED { Weight::Tame } else { Weight::Full };
         data.extend(task.segments(&measured.record, longest).into_iter().map(Datum::Impacts));
-        // What cannot be compared with anything for these constants may be for better ones.
+        // Data that cannot be compared for these constants may become comparable for better ones.
         let found = loop {
             match fit(task.rig, &at, task.scope.window, data.clone(), weight) {
                 Err(error @ FitError::Start { datum, .. }) if data.len() > 1 => {
@@ -159,14 +160,14 @@ impl Task<'_> {
         })
     }
 
-    /// The curves for values of the constants.
+    /// The diagram with its curves for values of the constants.
     fn diagram(&self, at: &[f64], progress: &dyn Progress) -> Result<Diagram, IdentifyError> {
         let located = self.located(at, progress)?;
         let followed = located.follow(progress, &|_, _| ());
         Ok(located.with_curves(followed))
     }
 
-    /// The record without dimensions, in pieces.
+    /// The record in dimensionless form, divided into segments.
     fn segments(&self, record: &[Series], longest: usize) -> Vec<Segment> {
         let Units { time, primary, secondary, .. } = self.units;
         let scales = [time, self.units.velocity(), self.units.velocity()];
@@ -216,10 +217,10 @@ impl Task<'_> {
         })
     }
 
-    /// The resonances, each with the errors that those of the constants make.
+    /// The resonances, each with the errors that follow from those of the constants.
     ///
-    /// A resonance is followed in every constant by one standard error to both sides; half the
-    /// difference is the change of first order, and covariances are those of these changes.
+    /// A resonance is followed by one standard error of each constant to both sides; half the difference
+    /// is the first-order change, and the covariance follows from these changes.
     fn resonances(
         &self,
         found: &Fit,
@@ -257,7 +258,7 @@ impl Task<'_> {
             let [primary, secondary] =
                 self.units.parameters(resonance.located.orbit().oscillator().parameters());
             let deviations = [0, 1].map(|axis| variance(axis).max(0.0).sqrt());
-            // A root of NaN stays one: max() would turn it into a certainty.
+            // NaN must not become an error of zero, to which max() would turn it.
             let known = changes.iter().flatten().all(|change| change.is_finite());
             let [primary_error, secondary_error] =
                 if known { self.units.parameters(deviations) } else { [f64::NAN; 2] };

@@ -1,9 +1,10 @@
-//! What a rig did, beside what is computed of it.
+//! Measurements of an oscillator, compared with computed results.
 //!
-//! [`read`] reads measurements from CSV: places of the parameter plane with what was seen there
-//! ([`Observation`]), and records of impacts ([`Series`]). [`compare()`] holds such places against
-//! the regions and curves of a diagram, [`apart`] curves of another program. [`identify()`] finds constants of the oscillator by least
-//! squares, with their covariance and what it makes of the resonances.
+//! [`read`] reads measurements from CSV: places of the parameter plane with the behaviour measured there
+//! ([`Observation`]), and records of impacts ([`Series`]). [`compare()`] compares such places with the
+//! regions and curves of a diagram, [`apart`] does so for curves of another program. [`identify()`] finds
+//! constants of the oscillator by least squares, with their covariance and the resulting uncertainties of
+//! the resonances.
 
 mod associate;
 mod compare;

@@ -1,5 +1,4 @@
-//! CSV files of measurements: the way back from a mistake to file, line, column, value and what
-//! would be right.
+//! CSV files of measurements. An error names the file, line, column and value, and a remedy.
 
 use std::path::Path;
 
@@ -12,37 +11,37 @@ use self::table::{Row, Table};
 
 mod table;
 
-/// What is wrong with a file of measurements.
+/// An error in a file of measurements.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum MeasurementError {
-    /// It cannot be read.
+    /// The file cannot be read.
     #[error(transparent)]
     Unreadable(#[from] SourceError),
-    /// Something in it is not right.
+    /// Something in the file is wrong.
     #[error("{place}: {reason}")]
     Wrong {
         /// The file, with the line where there is one.
         place: String,
-        /// What is wrong, and what would be right.
+        /// The mistake, and how to correct it.
         reason: String,
     },
 }
 
-/// What was seen at a place.
+/// The behaviour measured at a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Seen {
-    /// Motion that comes again after so many forcing periods, with so many impacts.
+    /// Periodic motion, with its period and number of impacts.
     Periodic {
-        /// The forcing periods.
+        /// The period, in forcing periods.
         periods: u32,
-        /// The impacts in them; none for motion that does not reach the wall.
+        /// The impacts in one period; 0 for motion that does not reach the wall.
         impacts: u32,
     },
-    /// Motion that does not come again.
+    /// Motion that is not periodic.
     Irregular,
-    /// The place lies on a curve of bifurcations.
+    /// A bifurcation: the place lies on a bifurcation curve.
     Bifurcation {
-        /// Of which kind.
+        /// The kind of bifurcation.
         kind: Bifurcation,
         /// The number of loops of the solution, if that is known.
         loops: Option<u32>,
@@ -56,38 +55,37 @@ pub struct Observation {
     pub line: u32,
     /// Primary and secondary parameter.
     pub at: [f64; 2],
-    /// Their standard errors; zero where none is stated.
+    /// The standard errors of the two parameters; zero where none is stated.
     pub errors: [f64; 2],
-    /// What was seen.
+    /// The behaviour measured there.
     pub seen: Seen,
 }
 
-/// An impact of a record.
+/// One impact of a record.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impact {
     /// The line of the file.
     pub line: u32,
-    /// Time, speed before and speed after; the last is not a number where it was not measured.
+    /// Time, speed before and speed after the impact; the last is NaN if it was not measured.
     pub values: [f64; 3],
-    /// The standard errors of these.
+    /// The standard errors of time, speed before and speed after.
     pub errors: [f64; 3],
 }
 
-/// Impacts that follow each other without a gap at one place of the plane, in the oscillator's own
-/// units.
+/// Consecutive impacts without a gap at one place of the parameter plane, in the oscillator's own units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
     /// Primary and secondary parameter.
     pub at: [f64; 2],
-    /// The impacts in their order.
+    /// The impacts in order of time.
     pub impacts: Vec<Impact>,
 }
 
-/// Columns, where `{primary}` and `{secondary}` stand for the parameters' names in the file of the
-/// oscillator, and what they hold.
+/// Columns with their meanings; `{primary}` and `{secondary}` stand for the parameters' names in the
+/// oscillator's file.
 pub type Columns = &'static [(&'static str, &'static str)];
 
-/// The columns of places.
+/// The columns of a file of places.
 pub const POINTS: Columns = &[
     ("{primary}", "the primary parameter, by its name in the file of the oscillator"),
     ("{secondary}", "the secondary parameter, likewise"),
@@ -102,7 +100,7 @@ pub const POINTS: Columns = &[
     ("p", "of a bifurcation, the number of loops; empty where it is not known"),
 ];
 
-/// The columns of a record of impacts.
+/// The columns of a file of impacts.
 pub const RECORD: Columns = &[
     ("{primary}", "the primary parameter, by its name in the file of the oscillator"),
     ("{secondary}", "the secondary parameter, likewise"),
@@ -114,27 +112,27 @@ pub const RECORD: Columns = &[
     ("velocity_error", "standard error of the speeds"),
 ];
 
-/// How curves of another program stand in its file.
+/// The layout of another program's file of curves.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Foreign {
-    /// Names of [`POINTS`], each with the column in which it stands; all other columns but those that are
-    /// called as in [`POINTS`] mean nothing.
+    /// Pairs of a name from [`POINTS`] and the column that holds it; other columns are ignored unless
+    /// they have a name from [`POINTS`].
     pub columns: Vec<(String, String)>,
-    /// What curves they are, if no column says so.
+    /// The kind of curve and the number of loops for files without a column for them.
     pub curve: Option<(Bifurcation, Option<u32>)>,
 }
 
-/// More rows than this nobody measured by hand, and curves have not so many points.
+/// The greatest number of rows: more than are measured by hand or needed for curves.
 const MOST_ROWS: usize = 10_000;
-/// The most characters of a value that a message repeats.
+/// The greatest number of characters of a value that a message repeats.
 const SHOWN: usize = 60;
-/// As many forcing periods, or impacts in them, nobody counts.
+/// The greatest number of forcing periods, or of impacts in them, that a cell may state.
 const MOST_PERIODS: u32 = 1_000;
 
 /// The measurements in a file, with the names of both parameters.
 ///
 /// # Errors
-/// It cannot be read, or the first thing in it that is not right.
+/// The file cannot be read; otherwise the first mistake in it.
 pub fn points(path: &Path, names: [&str; 2]) -> Result<Vec<Observation>, MeasurementError> {
     points_of(&read_file(path)?, &path.display().to_string(), names)
 }
@@ -159,10 +157,10 @@ pub fn curves(
     curves_of(&read_file(path)?, &path.display().to_string(), names, foreign)
 }
 
-/// The measurements in a text; `file` is the name that messages use.
+/// The measurements in a text; `file` is the file's name in messages.
 ///
 /// # Errors
-/// The first thing that is not right.
+/// The first mistake in the text.
 pub fn points_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<Observation>, MeasurementError> {
     let table = Table::read(text, file, names, POINTS, &["{primary}", "{secondary}", "seen"], None)?;
     table.rows.iter().map(|row| table.observation(row, None)).collect()
@@ -171,7 +169,7 @@ pub fn points_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<Observa
 /// The points of another program's curves in a text.
 ///
 /// # Errors
-/// The first thing that is not right.
+/// The first mistake in the text.
 pub fn curves_of(
     text: &str,
     file: &str,
@@ -183,10 +181,10 @@ pub fn curves_of(
     table.rows.iter().map(|row| table.observation(row, foreign.curve)).collect()
 }
 
-/// The record of impacts in a text; `file` is the name that messages use.
+/// The record of impacts in a text; `file` is the file's name in messages.
 ///
 /// # Errors
-/// The first thing that is not right.
+/// The first mistake in the text.
 pub fn record_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<Series>, MeasurementError> {
     let needed = ["{primary}", "{secondary}", "time", "velocity_before", "time_error", "velocity_error"];
     let table = Table::read(text, file, names, RECORD, &needed, None)?;
@@ -218,7 +216,7 @@ pub fn record_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<Series>
 }
 
 impl Seen {
-    /// What it is, as marks tell it.
+    /// The kind of behaviour, by which figures choose its mark.
     pub fn kind(&self) -> SeenKind {
         match self {
             Self::Periodic { periods: 1, impacts: 0 } => SeenKind::NonImpacting,
@@ -228,7 +226,7 @@ impl Seen {
         }
     }
 
-    /// In words.
+    /// A description in words.
     pub fn words(&self) -> String {
         let several = |count: u32, what: &str| {
             if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") }

@@ -1,4 +1,5 @@
-//! Synthetic rigs with noise of a known size: what is identified, and whether its errors are true.
+//! Synthetic experiments with noise of known size: the identified constants, and whether their errors are
+//! right.
 
 use core::f64::consts::TAU;
 
@@ -16,7 +17,8 @@ use grazing_unfold::{Diagram, Scope};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
-/// Damping ratio and restitution of the rig, and where the search begins.
+/// Damping ratio and restitution of the synthetic oscillator; below, the values with which the search
+/// begins.
 const TRUTH: [f64; 2] = [0.02, 0.9];
 const START: [f64; 2] = [0.021, 0.89];
 const WINDOW: Window = Window { primary: [0.0, 1.2], secondary: [0.45, 1.05] };
@@ -31,7 +33,7 @@ fn scope() -> Scope {
     Scope { window: WINDOW, loops: vec![1], start: None }
 }
 
-/// Curves without regions.
+/// The diagram without regions.
 fn diagram(constants: &[f64]) -> Diagram {
     let located = Diagram::located(&rig(constants).unwrap(), &scope(), &Silent).unwrap();
     let followed = located.follow(&Silent, &|_, _| ());
@@ -52,7 +54,7 @@ impl Noise {
     }
 }
 
-/// Places on the curves of the true rig: of grazing, SN and PD.
+/// Places on the true oscillator's curves of grazing, SN and PD.
 fn places(truth: &Diagram) -> Vec<(Seen, [f64; 2])> {
     let mut all = Vec::new();
     let grazing: Vec<[f64; 2]> = truth.grazing.iter().flat_map(|curve| curve.parameters()).collect();
@@ -72,7 +74,7 @@ fn places(truth: &Diagram) -> Vec<(Seen, [f64; 2])> {
     all
 }
 
-/// The places as a rig of a number measures them.
+/// The places with the noise of one synthetic experiment.
 fn measured(places: &[(Seen, [f64; 2])], errors: [f64; 2], number: u32) -> Vec<Observation> {
     let mut noise = Noise::of(number);
     let one = |(line, (seen, at)): (u32, &(Seen, [f64; 2]))| {
@@ -82,7 +84,7 @@ fn measured(places: &[(Seen, [f64; 2])], errors: [f64; 2], number: u32) -> Vec<O
     (2..).zip(places).map(one).collect()
 }
 
-/// Impacts of the true rig at a place, from an impact far from where motion settles.
+/// Impacts of the true oscillator at a place, from an impact far from the attractor.
 fn impacts(at: [f64; 2], first: [f64; 2], count: usize) -> Vec<[f64; 3]> {
     let here = rig(&TRUTH).unwrap().with_parameters(at);
     let start = State::on_wall(first[1], first[0] * here.forcing_frequency().value);
@@ -105,8 +107,8 @@ fn noisy(impacts: &[[f64; 3]], noise: &mut Noise) -> Vec<[f64; 3]> {
     impacts.iter().map(|impact| [0, 1, 2].map(|k| impact[k] + IMPACT_ERRORS[k] * noise.next())).collect()
 }
 
-/// Of the fits so many have the truth in the interval of 95 %: the count is binomial, and beyond
-/// three standard deviations in one test of 370 even if the errors are true.
+/// Asserts that the interval of 95 % contains the true value in the right fraction of the fits: the count
+/// is binomial, and even for correct errors it lies beyond three standard deviations in one of 370 tests.
 fn assert_errors_are_true(fits: &[Fit]) {
     let count = fits.len() as f64;
     let deviation = (count * 0.95 * 0.05).sqrt();
@@ -114,13 +116,13 @@ fn assert_errors_are_true(fits: &[Fit]) {
         let inside =
             fits.iter().filter(|fit| (fit.values[k] - truth).abs() <= 1.96 * fit.errors()[k]).count();
         assert!((inside as f64 - 0.95 * count).abs() <= 3.0 * deviation, "constant {k}: {inside} of {count}");
-        // Nor are they merely small: they are the scatter of the values, to the 5 % that so many tell
-        // (three standard deviations are 15 %).
+        // The errors must also equal the scatter of the values, as far as this number of fits determines
+        // it: to 5 %, of which 15 % are three standard deviations.
         let squares: f64 = fits.iter().map(|fit| (fit.values[k] - truth) * (fit.values[k] - truth)).sum();
         let mean: f64 = fits.iter().map(|fit| fit.errors()[k]).sum::<f64>() / count;
         assert!(((squares / count).sqrt() / mean - 1.0).abs() < 0.15, "constant {k}: {mean}");
     }
-    // The sum of squares has as mean the degrees of freedom.
+    // The mean of the sum of squares is the number of degrees of freedom.
     let freedom = fits[0].freedom as f64;
     let mean = fits.iter().map(|fit| fit.chi_squared).sum::<f64>() / count;
     assert!((mean - freedom).abs() < 3.0 * (2.0 * freedom / count).sqrt(), "{mean} for {freedom}");
@@ -171,7 +173,8 @@ fn constants_are_found_from_afar_and_tell_the_resonances() {
         assert!((found.values[k] - TRUTH[k]).abs() < 3.0 * found.errors()[k], "{found:?}");
         assert!(found.errors()[k] < [1e-3, 5e-3][k], "{found:?}");
     }
-    // Closed form of section 3: for p = 1 and n = 2 of the linear oscillator omega = 2 omega_1/n, omega_1^2 = 1 - zeta^2.
+    // Closed form of section 3: for p = 1 and n = 3 of the linear oscillator omega = 2 omega_1/n,
+    // omega_1^2 = 1 - zeta^2.
     let resonance = identified.resonances.iter().find(|at| (at.loops, at.n) == (1, 3)).unwrap();
     let omega = |zeta: f64| 2.0 / 3.0 * (1.0 - zeta * zeta).sqrt();
     assert!((resonance.secondary - omega(found.values[0])).abs() < 1e-9, "{resonance:?}");

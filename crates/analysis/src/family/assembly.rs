@@ -1,4 +1,4 @@
-//! From the records of the members to the tables of a family.
+//! Assembly of the records of the members into the tables of a family.
 
 use core::f64::consts::TAU;
 
@@ -9,12 +9,11 @@ use grazing_results::{Frame, span};
 use super::record::{Destination, Way};
 use super::{Plan, Record};
 
-/// A resonance that continuation comes to is one that the search has found if they are as close, in
-/// radians and shares of the ranges: both are located to 1e-9 or better.
+/// Tolerance, in radians and fractions of the ranges, within which a resonance reached by continuation is
+/// one that the search has found: both are located to 1e-9 or better.
 const SAME: f64 = 1e-6;
 
-/// The family with these records, in the order of the members; members without a record are left
-/// out.
+/// The family with these records, in the order of the members; members without a record are omitted.
 pub fn assemble(plan: &Plan, description: &Description, mut records: Vec<Option<Record>>) -> Family {
     let widths = [description.primary(), description.secondary()].map(|axis| {
         let [low, high] = axis.range();
@@ -51,11 +50,11 @@ pub fn assemble(plan: &Plan, description: &Description, mut records: Vec<Option<
     Family { panels: self::panels(plan, description, &family), ..family }
 }
 
-/// A resonance by the number of its member and its place in that one's list.
+/// A resonance, by the number of its member and its index in the member's list.
 type Node = (usize, usize);
 
-/// Which resonances continuation joins. One that only continuation has found is added to its
-/// member.
+/// The pairs of resonances that continuation joins. A resonance found only by continuation is added to
+/// its member.
 fn joins(plan: &Plan, widths: [f64; 2], records: &mut [Option<Record>]) -> Vec<[Node; 2]> {
     let mut joins = Vec::new();
     for index in 0..records.len() {
@@ -88,7 +87,7 @@ fn same(known: &Resonance, found: &Resonance, [primary, secondary]: [f64; 2]) ->
         && libm::remainder(known.phase - found.phase, TAU).abs() < SAME
 }
 
-/// The number of resonances before each member.
+/// The number of resonances before each member's first.
 fn starts(records: &[Option<Record>]) -> Vec<usize> {
     let counts = records.iter().map(|record| record.as_ref().map_or(0, |record| record.resonances.len()));
     let next = |before: &mut usize, count: usize| {
@@ -99,7 +98,7 @@ fn starts(records: &[Option<Record>]) -> Vec<usize> {
     counts.scan(0, next).collect()
 }
 
-/// Resonances that are joined: each leads to an earlier one of its curve, or to itself.
+/// Sets of joined resonances: each entry points to an earlier resonance of its curve, or to itself.
 struct Joined(Vec<usize>);
 
 impl Joined {
@@ -119,7 +118,7 @@ impl Joined {
         self.0[a.max(b)] = a.min(b);
     }
 
-    /// The number of each one's curve, from 1, in the order in which curves appear.
+    /// The number of each resonance's curve, from 1, in the order in which curves appear.
     fn numbers(&self) -> Vec<u32> {
         let mut numbers: Vec<u32> = Vec::with_capacity(self.0.len());
         let mut count = 0;
@@ -132,7 +131,7 @@ impl Joined {
     }
 }
 
-/// Panels for each p of which there are resonances, over the constant that varies first.
+/// The panels for each p that has resonances, over the constant that varies first.
 fn panels(plan: &Plan, description: &Description, family: &Family) -> Vec<Panel> {
     let values = &plan.varied[0].values;
     let Some(x) = padded(values.iter().copied(), 0.0) else { return Vec::new() };
@@ -151,18 +150,18 @@ fn panels(plan: &Plan, description: &Description, family: &Family) -> Vec<Panel>
     description.loops().iter().flat_map(|&loops| of(loops)).collect()
 }
 
-/// Free space above and below, as a share of what is between.
+/// Free space above and below, as a fraction of the extent.
 const MARGIN: f64 = 0.06;
 
-/// From the least to the largest with some room; none without two different numbers.
+/// The range of the numbers with some margin; none unless two numbers differ.
 fn padded(values: impl Iterator<Item = f64>, margin: f64) -> Option<[f64; 2]> {
     let [low, high] = span(values.filter(|value| value.is_finite()));
     let room = (high - low) * margin;
     (low < high).then_some([low - room, high + room])
 }
 
-/// The range in which four fifths of the numbers lie, and half as much to either side as far as
-/// there are any: coefficients are infinite where a resonance is degenerate.
+/// The range of the middle four fifths of the numbers, extended by half its length to either side but not
+/// beyond the numbers: coefficients become infinite where a resonance is degenerate.
 fn typical(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
     let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
     values.sort_by(f64::total_cmp);

@@ -1,4 +1,4 @@
-//! What is computed of one member of a family.
+//! The results for one member of a family.
 
 use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::mps::unknown;
@@ -22,14 +22,14 @@ use super::{Plan, Tell};
 use crate::plane::lost;
 use crate::unfolded::{self, slopes};
 
-/// A member of a family: its own rows, and its resonances on their way to its neighbours. Numbers
-/// of curves and arcs are given when all records are there.
+/// The results for a member of a family: its own rows, and its resonances followed towards its
+/// neighbours. Curves and arcs are numbered when all records are available.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Record {
     /// The number of the member, from 0.
     pub index: usize,
     pub(super) member: Member,
-    /// Something was seen that could not be located or followed.
+    /// Whether something was detected that could not be located or followed.
     pub(super) incomplete: bool,
     #[serde(default)]
     pub(super) resonances: Vec<Resonance>,
@@ -39,10 +39,10 @@ pub struct Record {
     pub(super) ways: Vec<Way>,
 }
 
-/// The way of a resonance to the next member, or between this one and one beside it.
+/// The path of a resonance to the next member, or between this member and a neighbour.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Way {
-    /// Its place in the list of resonances.
+    /// The index of the resonance in the member's list.
     pub(super) from: usize,
     pub(super) to: Destination,
     #[serde(default)]
@@ -51,19 +51,19 @@ pub(super) struct Way {
     pub(super) degenerate: Vec<Degenerate>,
 }
 
-/// Where a way leads.
+/// The destination of a path.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) enum Destination {
-    /// To the next member, as this resonance.
+    /// The next member, at this resonance.
     Next(Box<Resonance>),
-    /// Back to the member, to the resonance at this place of the list.
+    /// This member, at the resonance with this index.
     Back(usize),
-    /// It ends.
+    /// None: the resonance ceases to exist or is lost between the members.
     Nowhere,
 }
 
 impl Record {
-    /// Analyses a member; none if an end is asked for.
+    /// Analyses a member; none if the computation is cancelled.
     pub(super) fn compute(
         plan: &Plan,
         index: usize,
@@ -106,7 +106,7 @@ impl Record {
                 Some(unfolded::prepared(&there, &units, stop).0)
             };
             let arcs = arcs(&diagram, &at);
-            // What leads to the member before is that one's way here.
+            // The path back to the previous member is stored as that member's path to this one.
             let kept = arcs.iter().filter(|arc| onwards || arc.end != ArcEnd::Across);
             record.ways.extend(kept.map(|arc| rows.way(&diagram, arc, neighbour)));
         }
@@ -115,9 +115,9 @@ impl Record {
         (!stop.is_asked()).then_some(record)
     }
 
-    /// Whether it can be the record of this member of a family with these numbers of loops, whoever
-    /// says so: constants, places in lists and numbers of loops are those of the family, and
-    /// resonances are at numbers.
+    /// Whether the record is plausible as that of this member of a family with these numbers of loops,
+    /// regardless of its origin: constants, indices and numbers of loops must fit, and the coordinates of
+    /// resonances must be finite.
     pub fn fits(&self, plan: &Plan, index: usize, loops: &[u32]) -> bool {
         let expected = padded(&plan.values(index));
         let same = |a: f64, b: f64| a == b || (a.is_nan() && b.is_nan());
@@ -146,21 +146,21 @@ impl Record {
             && self.ways.iter().all(leads)
     }
 
-    /// Counts resonances and points.
+    /// Updates the numbers of resonances and points.
     pub(super) fn count(&mut self) {
         self.member.resonances = self.resonances.len() as u32;
         self.member.points = self.points.len() as u32;
     }
 }
 
-/// Values in the last of the columns, not-a-numbers in those before.
+/// The values in the last columns, preceded by NaN.
 fn padded(values: &[f64]) -> [f64; VARIED] {
     let mut padded = [f64::NAN; VARIED];
     padded[VARIED - values.len()..].copy_from_slice(values);
     padded
 }
 
-/// Makes rows of what was found without dimensions at a member.
+/// Converts dimensionless results for a member into rows.
 struct Rows {
     units: Units,
     varied: [f64; VARIED],
@@ -194,7 +194,7 @@ impl Rows {
         row
     }
 
-    /// A resonance with what follows from its derivatives alone.
+    /// A resonance with the quantities that follow from its derivatives alone.
     fn row(
         &self,
         parameters: [f64; 2],
@@ -253,7 +253,7 @@ impl Rows {
         diagram.codimension_two.iter().map(point).collect()
     }
 
-    /// An arc towards a neighbour at which the first constant has this value.
+    /// The path along an arc towards a neighbour, at which the first constant has this value.
     fn way(&self, diagram: &Diagram, arc: &Arc, neighbour: f64) -> Way {
         let resonance = &diagram.resonances[arc.resonance];
         let (loops, n) = (resonance.loops, resonance.n);
@@ -270,7 +270,7 @@ impl Rows {
             let varied = varied(at.way);
             let stability = point.stability_coefficients();
             let [mut c_sn, mut c_pd] = by_the_theorem(&point);
-            // What is infinite is no number.
+            // An infinite coefficient is written as NaN.
             let meaning = at.zero.map(meaning);
             if matches!(meaning, Some(Degeneracy::InfiniteSaddleNode | Degeneracy::Infinite)) {
                 c_sn = f64::NAN;
@@ -322,7 +322,7 @@ impl Rows {
     }
 }
 
-/// c_SN and c_PD; no numbers where the theorem does not hold.
+/// c_SN and c_PD by Theorem 2.4 or 2.5; NaN where its hypotheses fail.
 fn by_the_theorem(point: &ResonantPoint) -> [f64; 2] {
     let Ok(theorem) = ResonantGrazing::check(point, f64::INFINITY) else { return [f64::NAN; 2] };
     Pair { saddle_node: theorem.saddle_node(), period_doubling: theorem.period_doubling() }
@@ -330,7 +330,7 @@ fn by_the_theorem(point: &ResonantPoint) -> [f64; 2] {
         .into_array()
 }
 
-/// What it means that a quantity in the hypotheses is zero.
+/// The consequence of a zero of this quantity of the hypotheses.
 fn meaning(quantity: Quantity) -> Degeneracy {
     match quantity {
         Quantity::SaddleNodeStability => Degeneracy::InfiniteSaddleNode,

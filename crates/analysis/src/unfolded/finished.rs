@@ -1,4 +1,4 @@
-//! The curves that are finished while others are being followed, for whoever wants to keep them.
+//! Curves that are finished while others are still being followed, for callers that save them early.
 
 use std::collections::BTreeMap;
 use std::sync::mpsc;
@@ -12,15 +12,15 @@ use grazing_unfold::progress::Progress;
 
 use crate::plane::{self, Axes};
 
-/// Gets the table `curves` with the grazing curves and the curves of those resonances that are
-/// done, in the order of the whole one.
+/// A callback that receives the table `curves` with the grazing curves and the curves of the resonances
+/// finished so far, in the order of the complete table.
 pub type Keep<'a> = &'a (dyn Fn(&Table) + Sync);
 
-/// The curves of a resonance, by its place in the diagram's list.
+/// The curves of a resonance, with its index in the diagram's list.
 type Done = (usize, Vec<(DiagramCurve, Vec<PlanePoint>)>);
 
-/// Follows the curves of a diagram whose resonances are located, and hands on those that are
-/// finished.
+/// Follows the curves of a diagram whose resonances are located, and passes on each resonance's curves
+/// when they are finished.
 pub(super) fn follow(
     axes: &Axes,
     located: &Diagram,
@@ -29,13 +29,13 @@ pub(super) fn follow(
 ) -> Vec<Followed> {
     let (sender, receiver) = mpsc::channel();
     thread::scope(|scope| {
-        // A thread of its own: one that follows curves would begin with those of another resonance
-        // while it waits for the tables library's threads.
+        // A separate thread: a worker that follows curves would start on those of another resonance while
+        // it waits for the threads of the tables library.
         scope.spawn(move || hand_on(axes, located, receiver, keep));
-        // The sender goes when the last curve is followed, and with it the thread.
+        // The sender is dropped when the last curve has been followed, and the thread then ends.
         located.follow(progress, &move |resonance, curves: &[DiagramCurve]| {
             let rows = |curve: &DiagramCurve| (curve.clone(), plane::bifurcation_rows(axes, located, curve));
-            // The receiver goes last.
+            // The receiver outlives the sender.
             let _ = sender.send((resonance, curves.iter().map(rows).collect()));
         })
     })
@@ -88,8 +88,8 @@ mod tests {
         assert!(tables.len() > 1);
         let whole = Table::new("curves", &unfolded.axes.names, &unfolded.plane_diagram().curves);
         let last = &tables.last().expect("there are some").rows;
-        // What begins at codimension-two points of the finished curves comes after all of them. NaN
-        // is not equal to itself, its text is.
+        // Curves that begin at codimension-two points of the finished curves come after all of them. NaN
+        // is not equal to itself, but its text is.
         assert_eq!(format!("{last:?}"), format!("{:?}", &whole.rows[..last.len()]));
         assert!(tables.windows(2).all(|pair| pair[0].rows.len() < pair[1].rows.len()));
     }

@@ -1,5 +1,5 @@
-//! The rows that only an oscillator in general has: quantities along the grazing curve, hypotheses,
-//! coefficients; all in its own units.
+//! The rows that the paper's own tables do not have: quantities along the grazing curve, hypotheses and
+//! coefficients of any oscillator, in its own units.
 
 use core::f64::consts::TAU;
 
@@ -68,7 +68,7 @@ pub(super) fn grazing(unfolded: &Unfolded) -> Vec<GrazingRow> {
     rows
 }
 
-/// What depends on p at a point of a grazing curve.
+/// The quantities at a point of a grazing curve that depend on p.
 #[derive(Clone, Copy, Debug)]
 pub struct GrazingLoopRow {
     pub(super) arc: u32,
@@ -99,13 +99,14 @@ row! { GrazingLoopRow, |row| {
     S_MINUS = stability.minus,
 ] }
 
-/// a₁₂' and κ_p', whichever belongs to p; the other is NaN.
+/// a₁₂' for p = 1 or κ_p' for p ≥ 2; the other is NaN.
 pub(crate) fn slopes(point: &ResonantPoint) -> [f64; 2] {
     let Unfolding { loops, derivative } = point.unfolding;
     if loops == 1 { [derivative, f64::NAN] } else { [f64::NAN, derivative] }
 }
 
-/// A resonance at which the theorem holds, with what is known of its SN and PD curves, and c_2GZ as measured.
+/// A resonance at which the theorem holds, with the results for its SN and PD curves, and c_2GZ as
+/// measured.
 #[derive(Clone, Debug)]
 pub struct CoefficientRow(AtResonance, Pair<CurveFinding>, f64);
 
@@ -183,7 +184,7 @@ row! { CheckedHypothesis, |row| {} [
     HOLDS = row.hypothesis.holds(),
 ] }
 
-/// For every resonance what its theorem asks, one by one.
+/// The hypotheses of the theorem at every resonance, one by one.
 pub(super) fn hypotheses(unfolded: &Unfolded) -> Vec<CheckedHypothesis> {
     let asked = |at: &AtResonance| {
         let AtResonance { loops, n, parameters, .. } = *at;

@@ -1,23 +1,23 @@
-//! The cells of a CSV file, by the names of their columns.
+//! The cells of a CSV file, accessed by column name.
 
 use grazing_source::{nearest, shortened, suggestion};
 
 use super::{Columns, MOST_PERIODS, MOST_ROWS, MeasurementError, SHOWN};
 
-/// A row, with its line.
+/// A row of the file, with its line number.
 pub(super) struct Row<'t> {
     pub(super) line: u32,
     pub(super) cells: Vec<&'t str>,
 }
 
 impl<'t> Row<'t> {
-    /// What stands in a column; nothing where there is none.
+    /// The cell in a column; empty if there is no such cell.
     pub(super) fn cell(&self, position: Option<usize>) -> &'t str {
         position.and_then(|place| self.cells.get(place)).copied().unwrap_or_default()
     }
 }
 
-/// A file, cell by cell.
+/// A CSV file, split into cells.
 pub(super) struct Table<'t> {
     pub(super) file: &'t str,
     pub(super) names: [&'t str; 2],
@@ -25,12 +25,12 @@ pub(super) struct Table<'t> {
     pub(super) rows: Vec<Row<'t>>,
 }
 
-/// A name with those of the parameters put in.
+/// The name of a column with the names of the parameters inserted.
 pub(super) fn named(column: &str, [primary, secondary]: [&str; 2]) -> String {
     column.replace("{primary}", primary).replace("{secondary}", secondary)
 }
 
-/// The cells of a line, without blanks and quotation marks about them.
+/// The cells of a line, without surrounding blanks and quotation marks.
 fn cells(line: &str) -> Vec<&str> {
     line.split(',').map(|cell| cell.trim().trim_matches('"').trim()).collect()
 }
@@ -70,7 +70,7 @@ impl<'t> Table<'t> {
             }
             let is = format!("there is no column {column} in it, in which {name} is to stand");
             let place = header.iter().position(|known| known == column).ok_or_else(|| at(line, is))?;
-            // What else is called like this means something else to the other program.
+            // Another column with this name has a different meaning in the other program, and is ignored.
             header.iter_mut().filter(|known| *known == name).for_each(|known| *known = "");
             header[place] = name;
         }
@@ -116,7 +116,7 @@ impl<'t> Table<'t> {
         self.header.iter().position(|known| *known == name)
     }
 
-    /// The refusal of a cell, with what would be right.
+    /// The error for a cell, with how to correct it.
     pub(super) fn refusal(&self, row: &Row<'_>, column: &str, right: &str) -> MeasurementError {
         let (value, name) = (shortened(row.cell(self.position(column)), SHOWN), named(column, self.names));
         let value = if value.is_empty() { "nothing".to_owned() } else { format!("`{value}`") };
@@ -126,7 +126,7 @@ impl<'t> Table<'t> {
         }
     }
 
-    /// A finite number that is right.
+    /// A finite number that satisfies a requirement.
     pub(super) fn number(
         &self,
         row: &Row<'_>,
@@ -139,7 +139,7 @@ impl<'t> Table<'t> {
         number.ok_or_else(|| self.refusal(row, column, &format!("write {what}, as 0.25 or 2.5e-3")))
     }
 
-    /// A whole number from `least` on, or what stands for none.
+    /// A whole number of at least `least`, or `none` for an empty cell.
     pub(super) fn count(
         &self,
         row: &Row<'_>,
