@@ -1,5 +1,6 @@
-//! Prints what balls make of arguments, random ones and extreme ones, for `expected/certificate/test_balls.py` to test: a line
-//! for each, with the operation and middles and radii in units of 2⁻⁸⁸, `-` for the ball of all numbers.
+//! Prints the results of ball operations for random and extreme arguments, for
+//! `expected/certificate/test_balls.py` to test: a line for each, with the operation and middles and
+//! radii in units of 2⁻⁸⁸, `-` for the ball of all numbers.
 //!
 //! `cargo run --release -p grazing-certify --example balls -- 1000000`
 
@@ -7,7 +8,7 @@ use std::io::{BufWriter, Write, stdout};
 
 use grazing_certify::ball::{Ball, Number as _};
 
-/// A sequence that looks random, the same on every run.
+/// A pseudorandom sequence, the same on every run.
 struct Random(u64);
 
 impl Random {
@@ -16,7 +17,7 @@ impl Random {
         i128::from(self.0 >> 11) & ((1 << count) - 1)
     }
 
-    /// Of any size from 2⁻⁸⁸ to about 2²⁸, of either sign, often next to a multiple of 1/8.
+    /// A random number of size 2⁻⁸⁸ to about 2²⁸, of either sign, often next to a multiple of 1/8.
     fn number(&mut self) -> Ball {
         let bits = self.bits(7).min(124) as u32;
         let digits = (self.bits(53) << 53 | self.bits(53)) << 18 >> (124 - bits);

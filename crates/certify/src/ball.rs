@@ -1,15 +1,15 @@
 //! Intervals of real numbers as integers: a midpoint and a radius, in units of 2⁻⁸⁸.
 //!
-//! Every operation returns a ball that contains the results for all numbers of its arguments. There
-//! is no rounding mode and no floating point in what is proved. A result that does not fit is the
-//! ball of all real numbers, [`Ball::ANY`], of which nothing can be shown.
+//! Every operation returns a ball that contains the results for all numbers of its arguments. Proofs use
+//! no rounding modes and no floating point. A result that does not fit becomes the ball of all real
+//! numbers, [`Ball::ANY`], about which nothing can be proved.
 
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// Binary digits after the point.
 const BITS: u32 = 88;
 const ONE: u128 = 1 << BITS;
-/// Midpoints and radii stay below this.
+/// Midpoints and radii are less than this, in units of 2⁻⁸⁸.
 const LIMIT: u128 = 1 << 126;
 
 /// All real numbers within `radius` of `middle`.
@@ -19,7 +19,7 @@ pub struct Ball {
     radius: u128,
 }
 
-/// What the closed forms need of a number.
+/// The operations on numbers that the closed forms need.
 pub trait Number:
     Copy + From<Ball> + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
 {
@@ -46,9 +46,9 @@ impl Ball {
     pub const ZERO: Self = Self { middle: 0, radius: 0 };
     /// One.
     pub const ONE: Self = Self { middle: ONE as i128, radius: 0 };
-    /// Of which nothing is known.
+    /// The ball of all real numbers, about which nothing is known.
     pub const ANY: Self = Self { middle: 0, radius: u128::MAX };
-    /// π: its first 22 hexadecimal digits after the point.
+    /// π, from its first 22 hexadecimal digits after the point.
     pub const PI: Self = Self { middle: 0x0324_3F6A_8885_A308_D313_198A, radius: 1 };
 
     fn new(middle: i128, radius: u128) -> Self {
@@ -63,26 +63,26 @@ impl Ball {
     /// `n / d`, for a positive d, to within one unit.
     pub fn ratio(n: i64, d: i64) -> Self {
         let (n, d) = (i128::from(n), i128::from(d));
-        // In two steps, none of which is too large.
+        // In two steps, neither of which overflows.
         let first = n.rem_euclid(d) << (BITS / 2);
         let second = (first % d) << (BITS / 2);
         let fraction = ((first / d) << (BITS / 2)) + second / d;
         Self::dyadic(n.div_euclid(d), 0) + Self { middle: fraction, radius: u128::from(second % d != 0) }
     }
 
-    /// All numbers of two balls, and between them.
+    /// The smallest ball that contains both balls.
     pub fn between(a: Self, b: Self) -> Self {
         let (lower, upper) = (a.lower().min(b.lower()), a.upper().max(b.upper()));
         let middle = (lower + upper) >> 1;
         Self::new(middle, upper.abs_diff(middle) + 1)
     }
 
-    /// Middle and radius in units of 2⁻⁸⁸; nothing for all numbers.
+    /// Middle and radius in units of 2⁻⁸⁸; nothing for the ball of all numbers.
     pub fn units(self) -> Option<(i128, u128)> {
         self.known().then_some((self.middle, self.radius))
     }
 
-    /// The number nearest to the middle, to steer by.
+    /// The number nearest to the middle, for searches and guesses.
     pub fn to_f64(self) -> f64 {
         libm::scalbn(self.middle as f64, -(BITS as i32))
     }
@@ -104,37 +104,37 @@ impl Ball {
         self.middle.saturating_add_unsigned(self.radius)
     }
 
-    /// Whether all its numbers are positive.
+    /// Whether all numbers of the ball are positive.
     pub fn is_positive(self) -> bool {
         self.lower() > 0
     }
 
-    /// Whether all its numbers are negative.
+    /// Whether all numbers of the ball are negative.
     pub fn is_negative(self) -> bool {
         self.upper() < 0
     }
 
-    /// Whether all numbers of `other` lie in it.
+    /// Whether all numbers of `other` lie in the ball.
     pub fn contains(self, other: Self) -> bool {
         self.lower() <= other.lower() && other.upper() <= self.upper()
     }
 
-    /// The ball around zero of all numbers no greater in size.
+    /// The ball around zero of all numbers no greater in absolute value than those of this ball.
     pub fn size(self) -> Self {
         Self::new(0, self.radius.saturating_add(self.middle.unsigned_abs()))
     }
 
-    /// The greatest of its numbers.
+    /// The greatest number of the ball.
     pub fn top(self) -> Self {
         Self::new(self.upper(), 0)
     }
 
-    /// The least of its numbers.
+    /// The least number of the ball.
     pub fn bottom(self) -> Self {
         Self::new(self.lower(), 0)
     }
 
-    /// Around its middle, with this radius more.
+    /// The ball with its radius increased by `more` units.
     fn widened(self, more: u128) -> Self {
         Self::new(self.middle, self.radius.saturating_add(more))
     }
@@ -143,7 +143,7 @@ impl Ball {
         Self { middle: self.middle, radius: 0 }
     }
 
-    /// Divided by a positive integer.
+    /// The ball divided by a positive integer.
     fn over(self, n: i128) -> Self {
         let inexact = u128::from(self.middle % n != 0);
         if self.known() {
@@ -153,7 +153,7 @@ impl Ball {
         }
     }
 
-    /// `√x`. With `y` near it, `|√x − y| ≤ |x − y²| / y`.
+    /// `√x`. For `y` near it, `|√x − y| ≤ |x − y²| / y`.
     pub fn sqrt(self) -> Self {
         if !self.is_positive() {
             return Self::ANY;
@@ -163,7 +163,7 @@ impl Ball {
         closer.widened(((self - closer * closer).size() * closer.inverse().size()).radius)
     }
 
-    /// Sine and cosine by their series: the angle is at most π/4, and what is left out less than
+    /// Sine and cosine by their series: the angle is at most π/4, and the remainder is less than
     /// (π/4)²⁸/28! < 2⁻¹⁰⁷.
     fn within_an_eighth(self) -> (Self, Self) {
         let angle = (self + self) * Self::PI;
@@ -178,7 +178,7 @@ impl Ball {
 }
 
 impl Number for Ball {
-    /// `1/x`. With `y` near it and `e = 1 − x y`, `|e| ≤ 1/2`: `1/x = y/(1 − e)`, and
+    /// `1/x`. For `y` near it and `e = 1 − x y` with `|e| ≤ 1/2`: `1/x = y/(1 − e)`, and
     /// `|1/x − y| ≤ |y| |e| (1 + 2 |e|)`.
     fn inverse(self) -> Self {
         let guess = Self::from(1.0 / self.to_f64()).middle();
@@ -190,20 +190,20 @@ impl Number for Ball {
         closer.widened((closer.size() * error * (Self::ONE + error + error)).radius)
     }
 
-    /// `eˣ`, for `|x| ≤ 32`: the series at `x/2⁸`, squared eight times. A radius `r ≤ 1` of `x` is a
-    /// factor within `2 r` of one.
+    /// `eˣ` for `|x| ≤ 32`: the series at `x/2⁸`, squared eight times. A radius `r ≤ 1` of `x`
+    /// contributes a factor within `2 r` of one.
     fn exp(self) -> Self {
         if self.middle.unsigned_abs() > 32 * ONE || self.radius > ONE {
             return Self::ANY;
         }
         let small = self.middle().over(256);
         let series = (1..18).rev().fold(Self::ONE, |sum, n| Self::ONE + (small * sum).over(n));
-        // What is left out is less than (1/8)¹⁸/18! < 2⁻¹⁰⁶.
+        // The remainder is less than (1/8)¹⁸/18! < 2⁻¹⁰⁶.
         let power = (0..8).fold(series.widened(1), |power, _| power * power);
         power * Self::ONE.widened(2 * self.radius)
     }
 
-    /// `sin(2πx)` and `cos(2πx)`: whole turns and quarters are taken off exactly.
+    /// `sin(2πx)` and `cos(2πx)`: whole and quarter turns are subtracted exactly.
     fn turn(self) -> (Self, Self) {
         let all = Self { middle: 0, radius: ONE };
         if self.radius > ONE / 4 {
@@ -231,7 +231,7 @@ impl From<i64> for Ball {
 }
 
 impl From<f64> for Ball {
-    /// The rational number that it is, to within one unit if it has more digits.
+    /// The ball of this number: exact, or to within one unit if it has more digits.
     fn from(x: f64) -> Self {
         let units = libm::scalbn(x, BITS as i32);
         if units.abs() < LIMIT as f64 {
@@ -285,7 +285,7 @@ impl Mul for Ball {
     }
 }
 
-/// Units as a decimal number, with as many zeros before it as make all equally long.
+/// Units of 2⁻⁸⁸ as a decimal number, with leading zeros so that all have equal length.
 fn decimal(units: u128) -> String {
     let mut rest = units;
     let places = (0..26).map(|_| {
@@ -295,7 +295,7 @@ fn decimal(units: u128) -> String {
     format!("{:012}.{}", units >> BITS, places.collect::<String>())
 }
 
-/// All its decimal digits that are certain, twenty significant ones at most.
+/// Writes the decimal digits that are certain, at most twenty significant ones.
 impl core::fmt::Display for Ball {
     fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let [lower, upper] = [self.lower(), self.upper()].map(|end| decimal(end.unsigned_abs()));

@@ -1,5 +1,5 @@
-//! The certificate as text: what is stated, and a row for each interval with its witnesses. Its
-//! README, in `certificate/`, has the columns.
+//! The certificate as text: the statement, and a row for each interval with its witnesses. The README in
+//! `certificate/` explains the columns.
 
 use crate::resonance::{NAMES, Resonance};
 use crate::row::{Block, Clearance, Row, Verdict, Witness};
@@ -19,14 +19,14 @@ fn cells<const N: usize>(witness: Option<Witness<N>>) -> String {
     witness.map_or_else(|| [""; N].join(","), |numbers| numbers.map(|number| number.to_string()).join(","))
 }
 
-/// Those of how it is shown that the wall is not touched.
+/// The cells of a proof that motion does not touch the wall.
 fn clearance(Clearance { cells, start, end, blocks, .. }: &Clearance) -> String {
     let block =
         |Block { first, last, nearest: [time, slope], .. }: &Block| format!("{first}:{last}:{time}:{slope}");
     format!("{cells},{start},{end},{}", blocks.iter().map(block).collect::<Vec<_>>().join(";"))
 }
 
-/// `rows.csv`.
+/// The text of `rows.csv`.
 pub fn rows(rows: &[Row]) -> String {
     let line = |Row { interval, verdict, lower, upper, touch, clearance: clear }: &Row| {
         let (word, reason) = match *verdict {
@@ -44,14 +44,14 @@ pub fn rows(rows: &[Row]) -> String {
     lines(COLUMNS, rows.iter().map(line))
 }
 
-/// A checksum that any change of one byte changes: the bytes as digits in base 257, modulo 2⁶¹ − 1.
+/// A checksum that changes whenever one byte changes: the bytes as digits in base 257, modulo 2⁶¹ − 1.
 fn checksum(text: &str) -> u64 {
     let prime = (1_u128 << 61) - 1;
     text.bytes().fold(0, |sum, byte| (sum * 257 + u128::from(byte)) % prime) as u64
 }
 
-/// `statement.csv`: constants and window, how many points there are ([`points`](crate::summary::points)), and a
-/// checksum of all that is in the three files.
+/// The text of `statement.csv`: constants and window, the number of points
+/// ([`points`](crate::summary::points)), and a checksum of the contents of the three files.
 pub fn statement(statement: &Statement, points: usize, resonances: &str, rows: &str) -> String {
     let Statement { zeta, epsilon, frequency: [lowest, highest], amplitude, loops, .. } = statement;
     let loops: Vec<String> = loops.iter().map(u32::to_string).collect();
@@ -63,7 +63,7 @@ pub fn statement(statement: &Statement, points: usize, resonances: &str, rows: &
     format!("{stated}checksum,{}\n", checksum(&(stated.clone() + resonances + rows)))
 }
 
-/// `resonances.csv`: the digits of each number that are certain, and no more than twenty.
+/// The text of `resonances.csv`: the certain digits of each number, at most twenty.
 pub fn resonances(resonances: &[Resonance]) -> String {
     let line = |found: &Resonance| {
         let numbers = found.numbers.map(|number| number.to_string()).join(",");

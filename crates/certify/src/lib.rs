@@ -1,10 +1,10 @@
-//! Proofs, in ball arithmetic over integers, of what Figure 7 shows of the paper's oscillator.
+//! Proofs, in ball arithmetic over integers, of Figure 7's results for the paper's oscillator.
 //!
-//! For motion with one impact in p periods everything but one number is in closed form; that one,
-//! the velocity up to which motion stays off the wall between impacts, is enclosed. [`prove`] cuts
-//! the window into intervals of `nu = omega_1/omega` and finds for each what holds in all of it, with
-//! witnesses; `expected/certificate/check.py` checks them with formulas of its own. `docs/proof.md` has
-//! theorem, lemma, and what is trusted.
+//! For motion with one impact in p periods, everything but one number has a closed form; this number, the
+//! velocity up to which motion does not touch the wall between impacts, is enclosed. [`prove`] divides
+//! the window into intervals of `nu = omega_1/omega` and proves for each a statement that holds
+//! throughout it, with witnesses; `expected/certificate/check.py` checks them with independent formulas.
+//! `docs/proof.md` has the theorem, the lemma, and the assumptions.
 
 pub mod ball;
 pub mod certificate;
@@ -23,21 +23,22 @@ use row::{Base, Interval, Row};
 use search::rows;
 use statement::Statement;
 
-/// Intervals of nu have width `2^-COARSEST` at first.
+/// The initial intervals of nu have width `2^-COARSEST`.
 const COARSEST: u32 = 6;
 
-/// How many intervals are tried within one of the coarsest at most. Figure 7 needs less than a quarter.
+/// The greatest number of intervals tried within one of the coarsest. Figure 7 needs less than a quarter
+/// of it.
 const MOST_TRIED: usize = 6_000;
 
-/// The intervals that cover the window, in order, with what is proved of each. `step` is called when
-/// one of so many parts is done; `begin` is told before how many there are.
+/// The intervals that cover the window, in order, each with the proved statement. `begin` receives the
+/// number of parts first, and `step` is called when one of them is done.
 pub fn prove(statement: &Statement, begin: impl Fn(u64), step: impl Fn() + Sync) -> Vec<Row> {
     let [lowest, highest] =
         statement.frequency.map(|frequency| statement.oscillator.omega_1_over(frequency.ball()));
     let parts = libm::scalbn(1.0, COARSEST as i32);
     let first = libm::floor(highest.bottom().to_f64() * parts) as i64;
     let end = libm::ceil(lowest.top().to_f64() * parts) as i64;
-    // One part more at either end costs little, and no rounding can leave a gap.
+    // One part more at either end costs little, and rules out gaps due to rounding.
     let intervals: Vec<Interval> = statement
         .loops
         .iter()

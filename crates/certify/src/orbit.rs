@@ -1,13 +1,12 @@
 //! The closed forms: motion with one impact in p periods, its trace and determinant. `docs/proof.md`
 //! derives them.
 //!
-//! Time is counted as the phase `θ = ω t` since the impact, and as turns `s = θ/(2π)`; the variable
-//! is `ν = ω₁/ω`, in which the resonances are rational, and the velocity at impact is
-//! `v = dx/dθ = y/ω`.
+//! Time is measured as the phase `θ = ω t` since the impact, and in turns `s = θ/(2π)`; the variable is
+//! `ν = ω₁/ω`, in which the resonances are rational, and the velocity at impact is `v = dx/dθ = y/ω`.
 
 use crate::ball::{Ball, Number};
 
-/// The oscillator: what the closed forms take from its constants.
+/// The oscillator: the constants in the closed forms.
 #[derive(Debug, Clone, Copy)]
 pub struct Oscillator {
     /// ζ, the damping ratio.
@@ -20,26 +19,26 @@ pub struct Oscillator {
     pub decay: Ball,
 }
 
-/// The motions with one impact in p periods at one ν, which differ in `v` alone.
+/// The motions with one impact in p periods at one ν, which differ only in `v`.
 #[derive(Debug, Clone, Copy)]
 pub struct Family<N> {
     /// `ω₁/ω`.
     pub nu: N,
-    /// The free part's cosine, for `v = 1`.
+    /// The coefficient of the free part's cosine, for `v = 1`.
     pub c: N,
-    /// Its sine.
+    /// The coefficient of the free part's sine, for `v = 1`.
     pub e: N,
-    /// `ε` and the free part's slope at the impact.
+    /// `ε` plus the slope of the free part at the impact, for `v = 1`.
     pub w: N,
-    /// The trace is `1 + D − P + b/v`: it is below `1 + D` where `P v − b > 0`.
+    /// The numerator of `b/v` in the trace `1 + D − P + b/v`, which is below `1 + D` where `P v − b > 0`.
     pub b: N,
     /// `P = (c² + w²) Δ`.
     pub big_p: N,
-    /// It is above `−(1 + D)` where `Q v + b > 0`.
+    /// `Q = 2 (1 + D) − P`; the trace is above `−(1 + D)` where `Q v + b > 0`.
     pub big_q: N,
 }
 
-/// One of these motions:
+/// A motion of a family:
 /// `x(θ) = −1 + f₁ cos θ + f₂ sin θ + e^(−kνθ) (h₁ cos νθ + h₂ sin νθ)`.
 #[derive(Debug, Clone, Copy)]
 pub struct Motion<N> {
@@ -52,7 +51,8 @@ pub struct Motion<N> {
 }
 
 impl Oscillator {
-    /// With these constants; nothing if they are not within 0 < ζ < 1 and 0 < ε ≤ 1, so that motion contracts areas.
+    /// The oscillator with these constants; nothing unless 0 < ζ < 1 and 0 < ε ≤ 1, so that motion
+    /// contracts areas.
     pub fn new(zeta: Ball, epsilon: Ball) -> Option<Self> {
         let omega_1 = (Ball::ONE - zeta * zeta).sqrt();
         let decay = zeta * omega_1.inverse();
@@ -61,7 +61,7 @@ impl Oscillator {
         valid.then_some(Self { zeta, epsilon, omega_1, decay })
     }
 
-    /// `ω₁/x`: ν of ω, and ω of ν.
+    /// `ω₁/x`, which converts ω to ν and ν to ω.
     pub fn omega_1_over<N: Number>(&self, x: N) -> N {
         N::from(self.omega_1) * x.inverse()
     }
@@ -89,7 +89,7 @@ impl Oscillator {
         Family { nu, c, e, w, b: c * delta, big_p, big_q }
     }
 
-    /// How far the motion is from the wall, `−x`, and the first derivatives of that in θ.
+    /// The distance of the motion from the wall, `−x`, and its first derivatives in θ.
     pub fn distance<N: Number, const ORDERS: usize>(&self, motion: &Motion<N>, turns: N) -> [N; ORDERS] {
         let &Motion { nu, mut forced, mut free } = motion;
         let (k, mut constant) = (N::from(self.decay), N::from(Ball::ONE));
@@ -115,7 +115,7 @@ impl Oscillator {
         rest * rest + N::from(damping * damping) * square
     }
 
-    /// `A_graz² (c² + w²)`: the square of `dA/dv` is nowhere greater.
+    /// `A_graz² (c² + w²)`, an upper bound of the square of `dA/dv`.
     pub fn steepness_square<N: Number>(&self, Family { nu, c, w, .. }: &Family<N>) -> N {
         self.grazing_square(*nu) * (*c * *c + *w * *w)
     }

@@ -1,5 +1,5 @@
-//! The inequalities that prove a row. Each holds for all ν of an interval by Taylor's theorem: three
-//! coefficients at its base, and the fourth over all of it.
+//! The inequalities that prove a row. Each holds for all ν of an interval by Taylor's theorem, with three
+//! coefficients at the base and the fourth over the whole interval.
 
 use crate::ball::{Ball, Number};
 use crate::orbit::{Family, Motion};
@@ -9,30 +9,30 @@ use crate::statement::Statement;
 
 /// The motions with one impact over an interval of ν, as functions of ν.
 pub struct Model<'a> {
-    /// What is to be proved.
+    /// The statement to be proved.
     pub statement: &'a Statement,
     /// The interval.
     pub interval: Interval,
     family: Family<Series>,
-    /// `u = ν − m`, m the base.
+    /// The offset `u = ν − m` from the base m.
     offset: Series,
 }
 
-/// Guesses when motion is nearest to the wall in a stretch of time, in turns.
+/// A guess at the time, in turns, at which motion is nearest to the wall within a range of times.
 pub type Guess<'g> = dyn Fn([f64; 2]) -> Witness<2> + 'g;
 
-/// Intervals at most `2^-FINE` wide may hold a codimension-two point.
+/// Only intervals of width at most `2^-FINE` may be claimed to contain a codimension-two point.
 pub const FINE: u32 = 24;
-/// Cells in a period that are tried.
+/// The numbers of cells per period that are tried.
 const CELLS: [i64; 3] = [64, 256, 1024];
 
 impl<'a> Model<'a> {
-    /// Over an interval.
+    /// The motions over an interval.
     pub fn over(statement: &'a Statement, interval: Interval) -> Self {
         Self::new(statement, interval, [interval.origin(), interval.all()])
     }
 
-    /// At one ν of it.
+    /// The motions at one ν of the interval.
     pub fn at(statement: &'a Statement, interval: Interval, nu: Ball) -> Self {
         Self::new(statement, interval, [nu; 2])
     }
@@ -49,14 +49,15 @@ impl<'a> Model<'a> {
         coefficients.into_iter().rev().fold(Ball::ZERO.into(), |sum, term| sum * self.offset + term)
     }
 
-    /// The velocity above which motion is stable: `b/P`, where a multiplier is 1, if b is positive in the
-    /// middle; `−b/Q`, where one is −1, otherwise.
+    /// The velocity above which motion is stable: if b is positive in the middle, `b/P`, where a
+    /// multiplier is 1; otherwise `−b/Q`, where a multiplier is −1.
     pub fn limit(&self) -> Series {
         self.family.velocity_at(if self.family.b.0[0][0].is_positive() { 1 } else { -1 })
     }
 
-    /// What a function of ν may be anywhere in the interval, with its order: how often it vanishes at a
-    /// resonance of one loop. There it is divided by that power of `|u|`; of any value unless that is exact.
+    /// The range of a function of ν over the interval. `order` is the number of times the function
+    /// vanishes at a resonance of one loop: there the function is divided by that power of `|u|`, and the
+    /// result is the ball of all numbers unless the zeros are exact.
     fn values(&self, function: Series, order: usize) -> Ball {
         let ([near, far], [at, over_all]) = (function.0, self.family.nu.0);
         let at_resonance = self.interval.base != Base::Middle && self.offset.0[0][0] == Ball::ZERO;
@@ -68,8 +69,8 @@ impl<'a> Model<'a> {
         if self.interval.base == Base::Right && order % 2 == 1 { -values } else { values }
     }
 
-    /// Completes a row by what its witnesses prove, if they prove anything; `nearest` guesses when motion
-    /// with velocity `lower` is nearest to the wall in a block.
+    /// Completes a row with the verdict that its witnesses prove, or returns none; `nearest` guesses when
+    /// motion with velocity `lower` is nearest to the wall in a block.
     pub fn prove(&self, row: Row, nearest: &Guess<'_>) -> Option<Row> {
         let [lower, upper] = [row.lower, row.upper].map(|side| side.map(|side| self.witness(side)));
         let clearance =
@@ -79,7 +80,7 @@ impl<'a> Model<'a> {
         }
         let Some(lower) = lower else {
             let none = match (upper, row.touch) {
-                // One of the conditions, which are linear, fails at velocity 0 and at `upper`.
+                // One of the two conditions, which are linear in v, fails at velocity 0 and at `upper`.
                 (Some(upper), touch) => {
                     let [b, below, above] = self.conditions(upper);
                     let unstable =
@@ -87,7 +88,7 @@ impl<'a> Model<'a> {
                     let outside = || below.is_positive() && self.leaves(upper);
                     unstable && touch.map_or_else(outside, |touch| self.beyond(upper, touch, 2))
                 }
-                // At a whole turn the distance is proportional to v: at `v = 1` is enough.
+                // At a whole turn the distance is proportional to v, so `v = 1` suffices.
                 (None, Some([turn, 0])) if turn % (1 << WITNESS_BITS) == 0 => {
                     self.beyond(Ball::ONE.into(), [turn, 0], 1)
                 }
@@ -120,21 +121,22 @@ impl<'a> Model<'a> {
         holds.then_some(Row { verdict, clearance: Some(clearance), ..row })
     }
 
-    /// `b`, and the conditions of stability `P v − b > 0` and `Q v + b > 0`.
+    /// The number `b`, and the left sides of the conditions of stability `P v − b > 0` and `Q v + b > 0`.
     fn conditions(&self, v: Series) -> [Ball; 3] {
         let Family { b, big_p, big_q, .. } = self.family;
         [b, big_p * v - b, big_q * v + b].map(|function| self.values(function, 1))
     }
 
-    /// The amplitude at which stability ends, at a multiplier −1, if it does so below a velocity: that of
-    /// the velocity `−b/Q`, where `Q < 0 < b`.
+    /// The amplitude at which stability ends with a multiplier −1, if this happens below a velocity: the
+    /// amplitude for the velocity `−b/Q`, where `Q < 0 < b`.
     pub fn end_below(&self, v: Series) -> Option<Ball> {
         let [b, _, above] = self.conditions(v);
         (b.is_positive() && above.is_negative()).then(|| self.amplitude(self.family.velocity_at(-1)))
     }
 
-    /// Whether the motion with this velocity is beyond the wall at a time between its impacts, where the
-    /// distance is of this order. So are then all motions with greater velocities.
+    /// Whether the motion with this velocity is beyond the wall at a time between its impacts; `order` is
+    /// that of the distance, as in `values`. All motions with greater velocities are then beyond the
+    /// wall, too.
     fn beyond(&self, v: Series, touch: Witness<2>, order: usize) -> bool {
         let time = self.witness(touch);
         let [distance] = self.distance(v, time);
@@ -143,13 +145,13 @@ impl<'a> Model<'a> {
         self.values(distance, order).is_negative() && [v, time, rest].into_iter().all(Ball::is_positive)
     }
 
-    /// How far the motion with a velocity is from the wall at a time, and the derivatives of that in θ.
+    /// The distance of the motion with a velocity from the wall at a time, and its derivatives in θ.
     fn distance<const ORDERS: usize>(&self, v: Series, time: Series) -> [Series; ORDERS] {
         self.statement.oscillator.distance(&self.family.motion(v), time)
     }
 
-    /// At a resonance of one loop the wall is reached at the first whole turn whatever the velocity:
-    /// whether all motions cross it there.
+    /// Whether all motions cross the wall at the first whole turn, at a resonance of one loop; there they
+    /// all reach it at that time, whatever their velocity.
     fn crosses_at_resonance(&self) -> bool {
         let [_, slope] = self.distance(Ball::ONE.into(), Ball::ONE.into());
         !slope.0[0][0].contains(Ball::ZERO)
@@ -160,14 +162,14 @@ impl<'a> Model<'a> {
         self.values(self.statement.oscillator.amplitude_square(&self.family.motion(v)), 0).sqrt()
     }
 
-    /// Whether that is beyond the window. Where `P v > b` it increases with v.
+    /// Whether the amplitude for this velocity is beyond the window. Where `P v > b` it increases with v.
     fn leaves(&self, v: Series) -> bool {
         (self.amplitude(v) - self.statement.amplitude.ball()).is_positive()
     }
 
     /// Whether the amplitude changes by less than the width of a tube from one velocity to another:
-    /// `dA/dv ≤ A_graz √(c² + w²)`. Their difference is that of their coefficients, lest it be bounded as if they
-    /// were anywhere in their ranges.
+    /// `dA/dv ≤ A_graz √(c² + w²)`. The difference of the velocities is computed from that of their
+    /// coefficients, since the difference of their ranges would be too wide.
     fn is_narrow(&self, lower: Witness<3>, upper: Witness<3>) -> bool {
         let step = self.witness::<3>(core::array::from_fn(|i| upper[i] - lower[i]));
         let steepness = self.statement.oscillator.steepness_square(&self.family);
@@ -175,7 +177,7 @@ impl<'a> Model<'a> {
         (width * width - self.values(steepness * step * step, 0)).is_positive()
     }
 
-    /// All motions with velocities from one to another, for all ν of the interval at once.
+    /// Bounds for the motions with velocities from one to another, over all ν of the interval.
     fn motion(&self, velocities: [Series; 2]) -> Motion<Ball> {
         let all = velocities.map(|v| {
             let Motion { forced, free, .. } = self.family.motion(v);
@@ -185,7 +187,7 @@ impl<'a> Model<'a> {
         Motion { nu: self.interval.all(), forced, free }
     }
 
-    /// Bounds, in a cell of time, of the distance from the wall and its first two derivatives in θ.
+    /// Bounds of the distance from the wall and of its first two derivatives in θ, in one cell of time.
     fn cell(&self, motion: &Motion<Ball>, index: i64, cells: i64) -> [Ball; 3] {
         let oscillator = &self.statement.oscillator;
         let middle = Ball::ratio(2 * index + 1, 2 * cells);
@@ -200,9 +202,9 @@ impl<'a> Model<'a> {
         ]
     }
 
-    /// Shows, if it can, that motion with velocities from `lower` to `upper` touches the wall nowhere
-    /// between its impacts but in blocks, where the distance has a positive second derivative, so that
-    /// there is one contact in each at most; and that at `lower` it touches it nowhere.
+    /// Tries to prove that motion with velocities from `lower` to `upper` does not touch the wall between
+    /// its impacts outside certain blocks, in which the distance has a positive second derivative, so
+    /// that each has at most one contact; and that motion with velocity `lower` does not touch it at all.
     fn clearance(&self, [lower, upper]: [Series; 2], cells: i64, nearest: &Guess<'_>) -> Option<Clearance> {
         let motion = self.motion([lower, upper]);
         let bounds: Vec<[Ball; 3]> =
@@ -238,9 +240,9 @@ impl<'a> Model<'a> {
         Some(Clearance { cells, start: start as i64, end: end as i64, blocks, open })
     }
 
-    /// The least distance from the wall in a block, at least, and when it is reached, in turns. Where the
-    /// second derivative is at least μ > 0, that is at least `f − g²/(2μ)`, no farther than `|g|/μ`
-    /// from a time of the block, f and g being the distance and its derivative then.
+    /// A lower bound of the distance from the wall in a block, and the time of the minimum, in turns. If
+    /// the second derivative is at least μ > 0, the minimum is at least `f − g²/(2μ)` and lies within
+    /// `|g|/μ` of a time in the block, where f and g are the distance and its derivative at that time.
     fn minimum(&self, v: Series, block: &Block, cells: i64) -> [Ball; 2] {
         let time = self.witness(block.nearest);
         let [distance, slope] = self.distance(v, time);
@@ -256,17 +258,18 @@ impl<'a> Model<'a> {
         [distance - slope.top() * slope.top() * curvature * Ball::ratio(1, 2), time + away]
     }
 
-    /// `ψ/(1 − cos θ)` at a time: the inverse of the velocity at which motion touches the wall then.
+    /// `ψ/(1 − cos θ)` at a time: the inverse of the velocity at which motion touches the wall at that
+    /// time.
     fn ratio(&self, time: Series) -> Series {
         let [[rise], [distance]] = [Ball::ZERO, Ball::ONE].map(|v| self.distance(v.into(), time));
         (rise - distance) * rise.inverse()
     }
 
-    /// Whether a row holds exactly one point: two events have another order at one end of the interval than
-    /// at the other, and the inverses of their velocities change with ν at different rates, so that they are
-    /// one at exactly one ν. The events are contact in a block, and contact in another or that stability begins
-    /// or ends (`None`). Contact in a block is made at the inverse of the greatest ratio in it, which changes
-    /// as the ratio does at some time of contact.
+    /// Whether a row contains exactly one point. Two events must occur in opposite orders at the two ends
+    /// of the interval, and the inverses of their velocities must change with ν at different rates, so
+    /// that they coincide at exactly one ν. The events are contact in a block, and either contact in
+    /// another block or the beginning or end of stability (`None`). Contact in a block occurs at the
+    /// inverse of the greatest ratio in it, which changes at the rate of the ratio at a time of contact.
     fn is_point(&self, verdict: Verdict, upper: Witness<3>, clearance: &Clearance) -> bool {
         let Clearance { cells, blocks, open, .. } = clearance;
         let (one, two) = (&blocks[0], blocks[..*open].get(1));
@@ -277,8 +280,9 @@ impl<'a> Model<'a> {
             None => limit(self).inverse().0[1][1],
         };
         let [left, right] = self.interval.ends().map(|nu| Self::at(self.statement, self.interval, nu));
-        // Whether one event comes before the other. Motion is in contact at the time of a block not before the block is,
-        // whose curvature is that of motion with velocities up to `upper`.
+        // Whether one event comes before the other. At the time `nearest` of a block, motion is not in
+        // contact at a lower velocity than the block is; the block's curvature is a bound for velocities
+        // up to `upper`.
         let before = |model: &Self, first: Option<&Block>, second: Option<&Block>| {
             let contact = |block: &Block| model.ratio(model.witness(block.nearest)).inverse();
             let velocity = first.map_or_else(|| limit(model), contact);

@@ -1,26 +1,27 @@
-//! The resonances: where they are, what Theorems 2.4 and 2.5 ask for, and their coefficients.
+//! The resonances: their locations, the hypotheses of Theorems 2.4 and 2.5, and their coefficients.
 
 use crate::ball::{Ball, Number as _};
 use crate::orbit::Oscillator;
 use crate::series::Series;
 
-/// The numbers of a resonance: its frequency; the grazing amplitude there; `s_p^+` and `s_p^-`, whose signs say
-/// on which side of the SN curve and of the PD curve motion is stable; `c_SN,p` and `c_PD,p`; and `C s⁻`: near the
-/// resonance period doubling is supercritical exactly if it is negative. `docs/beyond.md`, section 2, derives that,
-/// with the limit map's `r = a φ²`, `k = α² ξ_p` and `d`.
+/// The names of the numbers of a resonance: its frequency; the grazing amplitude there; `s_p^+` and
+/// `s_p^-`, whose signs determine on which side of the SN curve and of the PD curve motion is stable;
+/// `c_SN,p` and `c_PD,p`; and `C s⁻`: near the resonance, period doubling is supercritical if and only if
+/// this is negative. `docs/beyond.md`, section 2, derives that, with the limit map's `r = a φ²`,
+/// `k = α² ξ_p` and `d`.
 pub const NAMES: [&str; 7] =
     ["omega_star", "amplitude_graz", "s_plus", "s_minus", "c_sn", "c_pd", "criticality"];
 
-/// A resonance, with what is proved of it.
+/// A resonance, with proved enclosures of its numbers.
 #[derive(Debug, Clone)]
 pub struct Resonance {
-    /// Its number of loops.
+    /// The number of loops p.
     pub p: u32,
-    /// Its index.
+    /// The index n.
     pub n: u32,
-    /// Its numbers, which [`NAMES`] names.
+    /// The numbers of the resonance, in the order of [`NAMES`].
     pub numbers: [Ball; NAMES.len()],
-    /// The hypotheses of Theorem 2.4 or 2.5 that could not be shown: none if all hold.
+    /// The hypotheses of Theorem 2.4 or 2.5 that could not be proved; empty if all hold.
     pub missing: Vec<&'static str>,
 }
 
@@ -34,8 +35,8 @@ impl Resonance {
         let nu = if p == 1 { Ball::ratio(index, 2) } else { Ball::ratio(2 * loops * index + 1, 2 * loops) };
         let omega = oscillator.omega_1_over(nu);
         let amplitude = oscillator.grazing_square(nu).sqrt();
-        // The resonance is where the free oscillation makes whole or half turns in p periods, and is
-        // multiplied by σ: a₂₂ for p = 1, −δ^(p/2) for p ≥ 2.
+        // At the resonance the free oscillation makes whole or half turns in p periods, and is multiplied
+        // by σ: a₂₂ for p = 1, −δ^(p/2) for p ≥ 2.
         let (decay, _, cosine) = oscillator.free(nu, loops.into());
         let sigma = decay * cosine;
         let (alpha, rebound) = (one + epsilon, -(epsilon * sigma));
@@ -69,9 +70,9 @@ impl Resonance {
         Self { p, n, numbers, missing: missing.collect() }
     }
 
-    /// Those of some numbers of loops in a window, by frequency.
+    /// The resonances with these numbers of loops in a window, by frequency.
     pub fn in_window(oscillator: &Oscillator, loops: &[u32], [lowest, highest]: [Ball; 2]) -> Vec<Self> {
-        // The greater n, the lower the frequency.
+        // The frequency decreases with n.
         let of = |&p: &u32| {
             (u32::from(p == 1)..)
                 .map(move |n| Self::new(oscillator, p, n))

@@ -1,16 +1,16 @@
-//! What is stated of one interval of ν, with the witnesses by which it can be checked: a row of the
-//! certificate.
+//! A row of the certificate: the statement for one interval of ν, with the witnesses by which it can be
+//! checked.
 
 use crate::ball::Ball;
 
 /// Witnesses are integers in units of 2⁻⁶⁴.
 pub const WITNESS_BITS: u32 = 64;
 
-/// A polynomial in `u = ν − m`, m the base of the interval, by its coefficients.
+/// A polynomial in `u = ν − m`, where m is the base of the interval, by its coefficients.
 pub type Witness<const N: usize> = [i128; N];
 
-/// Where the base of an interval lies: in its middle, or, if a resonance of one loop is there, at an
-/// end. There stability and contact begin at velocity zero; everything is divided by powers of
+/// The position of the base of an interval: the middle or, if a resonance of one loop is there, an end.
+/// At such a resonance, stability and contact begin at velocity zero; everything is divided by powers of
 /// `|u|`, and the resonance itself is not part of the interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Base {
@@ -25,118 +25,124 @@ pub enum Base {
 /// The interval `left/2^level ≤ ν ≤ (left + 1)/2^level`, for motion with one impact in `p` periods.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Interval {
-    /// Periods between impacts.
+    /// The number of periods between impacts.
     pub p: i64,
-    /// Its left end, in units of its width.
+    /// The left end, in units of the width.
     pub left: i64,
-    /// Its width is `2^-level`.
+    /// The level: the width is `2^-level`.
     pub level: u32,
-    /// Where witnesses have their origin.
+    /// The position of the base, the origin of witnesses.
     pub base: Base,
 }
 
 impl Interval {
-    /// Its ends.
+    /// The two ends of the interval.
     pub fn ends(self) -> [Ball; 2] {
         [0, 1].map(|end| Ball::dyadic((self.left + end).into(), self.level))
     }
 
-    /// Its middle.
+    /// The middle of the interval.
     pub fn middle(self) -> Ball {
         Self { base: Base::Middle, ..self }.origin()
     }
 
-    /// Its base.
+    /// The base of the interval.
     pub fn origin(self) -> Ball {
         Ball::dyadic(i128::from(2 * self.left + self.base as i64), self.level + 1)
     }
 
-    /// All of it, and a sixteenth beyond either end: room for whoever checks with coarser bounds.
+    /// The interval extended by a sixteenth of its width at either end, which leaves room for checkers
+    /// with coarser bounds.
     pub fn all(self) -> Ball {
         let room = Ball::dyadic(1, self.level + 4);
         let [left, right] = self.ends();
         Ball::between(left - room, right + room)
     }
 
-    /// The end, if any, at which there is a resonance of one loop: 2ν is an integer.
+    /// The end, if any, at which there is a resonance of one loop, where 2ν is an integer.
     pub fn resonance(self) -> Option<Base> {
         let whole = |n: i64| (2 * n) & ((1 << self.level) - 1) == 0;
         if whole(self.left) { Some(Base::Left) } else { whole(self.left + 1).then_some(Base::Right) }
     }
 
-    /// Its two halves.
+    /// The two halves of the interval.
     pub fn halves(self) -> [Self; 2] {
         [0, 1].map(|half| Self { left: 2 * self.left + half, level: self.level + 1, ..self })
     }
 }
 
-/// Cells of time, in all of which the distance from the wall has a positive second derivative.
+/// Consecutive cells of time, in all of which the distance from the wall has a positive second
+/// derivative.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Block {
     /// The first of the cells.
     pub first: i64,
-    /// The last of them.
+    /// The last of the cells.
     pub last: i64,
     /// A time, in turns, near which the distance is least.
     pub nearest: Witness<2>,
     /// A lower bound of the second derivative.
     pub curvature: Ball,
-    /// Among which times, in turns, the distance is least, whatever the velocity.
+    /// A range of times, in turns, in which the distance is least, for any of the velocities.
     pub contact: Ball,
 }
 
-/// How it is shown that motion stays off the wall between impacts: the time of p periods is cut into
+/// The proof that motion does not touch the wall between impacts; the time of p periods is divided into
 /// `p · cells` cells.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Clearance {
-    /// Cells in a period.
+    /// The number of cells in a period.
     pub cells: i64,
-    /// In the cells before this one the distance increases.
+    /// The first cell after those in which the distance increases.
     pub start: i64,
-    /// From this one on it decreases.
+    /// The first of the final cells, in which the distance decreases.
     pub end: i64,
-    /// In the others it is positive: by its minimum in these blocks, cell by cell elsewhere. First come
-    /// those in which motion may touch the wall at the upper of two velocities.
+    /// The blocks. In cells from `start` to `end` the distance is positive: by its minimum in these
+    /// blocks, cell by cell elsewhere. The blocks in which motion may touch the wall at the upper of two
+    /// velocities come first.
     pub blocks: Vec<Block>,
-    /// How many these are.
+    /// The number of blocks in which motion may touch the wall at the upper velocity.
     pub open: usize,
 }
 
-/// What holds for every ν of an interval. `v_GZ` is the velocity up to which motion is admissible,
-/// `v_min` that above which it is stable.
+/// The statement that holds for every ν of an interval. `v_GZ` is the velocity up to which motion is
+/// admissible, `v_min` the velocity above which it is stable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
     /// `v_min < v_GZ`: stable admissible motion exists in an interval of amplitudes.
     Stable,
-    /// No motion in the window is both: `v_GZ < v_min`, or motion becomes stable beyond it.
+    /// No motion in the window is stable and admissible: `v_GZ < v_min`, or motion becomes stable beyond
+    /// the window.
     None,
-    /// It begins or ceases to exist at just one ν (SN-GZ, PD-GZ), or exists for all, and changes at just one where it
-    /// ends: the time at which it touches the wall (GZ-GZ), or from contact to period doubling (GZ-PD).
+    /// A codimension-two point. Stable admissible motion begins or ceases to exist at exactly one ν
+    /// (SN-GZ, PD-GZ); or it exists for all ν, and at exactly one ν its end changes: in the time of
+    /// contact with the wall (GZ-GZ), or from contact to period doubling (GZ-PD).
     Point(&'static str),
-    /// Nothing is stated, for this reason.
+    /// Nothing is proved, for this reason.
     Undecided(&'static str),
 }
 
-/// An interval, what holds in it, and witnesses.
+/// An interval with its verdict and witnesses.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Row {
     /// The interval.
     pub interval: Interval,
-    /// What holds in it.
+    /// The statement that holds in the interval.
     pub verdict: Verdict,
     /// A velocity below `v_GZ`.
     pub lower: Option<Witness<3>>,
-    /// One above `v_GZ`. Without it, stable motion at `lower` is beyond the window or ends below it, or `v_GZ` is
-    /// zero.
+    /// A velocity above `v_GZ`. If it is missing, stable motion at `lower` is beyond the window or ends
+    /// below that velocity, or `v_GZ` is zero.
     pub upper: Option<Witness<3>>,
-    /// When motion is beyond the wall at `upper`. Without it, that is beyond the window.
+    /// A time at which motion with velocity `upper` is beyond the wall. If it is missing, that motion is
+    /// beyond the window.
     pub touch: Option<Witness<2>>,
-    /// Why it is not at `lower`.
+    /// The proof that motion with velocity `lower` does not touch the wall.
     pub clearance: Option<Clearance>,
 }
 
 impl Row {
-    /// Without witnesses.
+    /// A row without witnesses.
     pub fn new(interval: Interval, verdict: Verdict) -> Self {
         Self { interval, verdict, lower: None, upper: None, touch: None, clearance: None }
     }

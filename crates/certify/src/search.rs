@@ -1,4 +1,4 @@
-//! Finds, in floating point, the rows and witnesses that [`Model`] then proves.
+//! Searches, in floating point, for the rows and witnesses that [`Model`] then proves.
 
 use crate::ball::{Ball, Number};
 use crate::orbit::{Family, Oscillator};
@@ -9,15 +9,16 @@ use crate::statement::Statement;
 /// Intervals are halved down to width `2^-FINEST`.
 const FINEST: u32 = 32;
 
-/// One ν, seen in floating point.
+/// The motions at one ν, in floating point.
 struct Sight {
     nu: f64,
     family: Family<f64>,
     /// The velocity above which motion is stable.
     limit: f64,
-    /// That above which it is no longer; infinite if there is none.
+    /// The velocity above which motion is no longer stable; infinite if there is none.
     end: f64,
-    /// The velocities at which motion with increasing velocity touches the wall, and when, in turns.
+    /// The velocities at which motion touches the wall as the velocity increases, in increasing order,
+    /// and the times of contact in turns.
     contacts: Vec<[f64; 2]>,
 }
 
@@ -39,21 +40,21 @@ impl Sight {
         self.contacts[0][0]
     }
 
-    /// A velocity above that at which motion is stable and has left the window, at `edge`, or ceases to be stable
-    /// before it touches the wall.
+    /// A velocity at which motion is stable and has either left the window, which it does at `edge`, or
+    /// lost stability before it touches the wall.
     fn last(&self, edge: f64) -> f64 {
         edge.max(1.01 * self.limit).min(1.01 * self.end).min(0.5 * (self.end + self.graze()))
     }
 
-    /// A velocity that is greater than the last at which motion is admissible, and less than the first at
-    /// which it is stable: half-way to that, or nearer to it.
+    /// A velocity between the greatest at which motion is admissible and the least at which it is stable:
+    /// half the latter, or nearer to it.
     fn between(&self) -> f64 {
         let limit = if self.limit.is_finite() { self.limit } else { 4.0 * self.graze() };
         (0.5 * limit).max((limit * self.graze()).sqrt())
     }
 }
 
-/// Where `psi/(1 - cos)` is greatest between impacts, as its inverse and its time.
+/// The maxima of `psi/(1 - cos)` between impacts: the inverse of each, and its time.
 fn contacts(oscillator: &Oscillator, p: i64, family: &Family<f64>) -> Vec<[f64; 2]> {
     let motion = family.motion(1.0);
     let distance = |turns: f64| oscillator.distance::<f64, 1>(&motion, turns)[0];
@@ -65,7 +66,7 @@ fn contacts(oscillator: &Oscillator, p: i64, family: &Family<f64>) -> Vec<[f64; 
     if let Some(turn) = (1..p).map(|turn| turn as f64).find(|&turn| distance(turn) <= 0.0) {
         return vec![[0.0, turn]];
     }
-    // As narrow as peaks next to whole turns may be.
+    // Peaks next to whole turns may be this narrow.
     let near = |n: i32| libm::exp2(-0.5 * f64::from(n));
     let in_period: Vec<f64> = (15..80)
         .rev()
@@ -112,8 +113,8 @@ impl<'a> Attempt<'a> {
         Self { model: Model::over(statement, interval), sights }
     }
 
-    /// The polynomial through values at the three nodes. With the base at a resonance, where velocities
-    /// vanish and contact is at a whole turn, the line from `whole` to the value in the middle.
+    /// The polynomial through values at the three nodes. If the base is at a resonance, where velocities
+    /// vanish and contact is at a whole turn, it is the line from `whole` to the value in the middle.
     fn polynomial(&self, values: [f64; 3], whole: f64) -> Witness<3> {
         let Interval { base, level, .. } = self.model.interval;
         if base != Base::Middle {
@@ -131,8 +132,8 @@ impl<'a> Attempt<'a> {
         [constant, slope]
     }
 
-    /// When motion with these velocities is nearest to the wall, not just at the ends of a stretch of time:
-    /// where the slope of the distance is zero.
+    /// The time within a range at which motion with these velocities is nearest to the wall: a zero of
+    /// the slope of the distance, not an end of the range.
     fn nearest(&self, velocities: [f64; 3], [first, last]: [f64; 2]) -> Witness<2> {
         self.time(core::array::from_fn(|i| {
             let motion = self.sights[i].family.motion(velocities[i]);
@@ -155,8 +156,8 @@ impl<'a> Attempt<'a> {
         self.sights.iter().all(condition)
     }
 
-    /// The row, if one can be proved at this width, with velocities a little above `low` where motion
-    /// is nearest to the wall.
+    /// The row, if one can be proved at this width; guesses at the nearest approach to the wall use
+    /// velocities `low`.
     fn row(&self) -> Option<Row> {
         let row = Row::new(self.model.interval, Verdict::Undecided(""));
         let prove = |row, low| self.model.prove(row, &|stretch| self.nearest(low, stretch));
@@ -188,13 +189,14 @@ impl<'a> Attempt<'a> {
         (grazing + 1.01 * amplitude.ball().to_f64()) / oscillator.steepness_square(&sight.family).sqrt()
     }
 
-    /// Velocities to both sides of that at which motion touches the wall, when it does so, and the values of
-    /// the lower.
+    /// Two velocities, one on either side of that at which motion touches the wall, with the time of
+    /// contact and the values of the lower velocity.
     fn tube(&self) -> Option<([Witness<3>; 2], Witness<2>, [f64; 3])> {
         let in_middle = self.sights[1].contacts[0][1];
         let Model { statement, interval, .. } = self.model;
         let (fine, stable) = (interval.level >= FINE, self.all(|sight| sight.graze() > sight.limit));
-        // At a point one contact is followed, even where another is made earlier, by as much as `excess`.
+        // At a codimension-two point one contact is followed, even if another occurs earlier, by at most
+        // `excess`.
         let away = |contact: &[f64; 2]| (contact[1] - in_middle).abs();
         let nearest =
             |sight: &Sight| sight.contacts.iter().copied().min_by(|a, b| away(a).total_cmp(&away(b)));
@@ -223,7 +225,7 @@ impl<'a> Attempt<'a> {
         Some(([low, high].map(|values| self.polynomial(values, 0.0)), self.time(times), low))
     }
 
-    /// Why nothing could be proved of the finest interval.
+    /// The reason why nothing could be proved for the finest interval.
     fn reason(&self) -> &'static str {
         if self.all(|sight| sight.limit < 1e-6) {
             "a resonance of one loop: stability begins at velocity zero, and so does contact"
@@ -235,7 +237,7 @@ impl<'a> Attempt<'a> {
     }
 }
 
-/// The rows that tile an interval, `left` being how many intervals may be tried.
+/// The rows that tile an interval; `left` is the number of intervals that may still be tried.
 pub fn rows(statement: &Statement, interval: Interval, left: &mut usize) -> Vec<Row> {
     let undecided = |reason| vec![Row::new(interval, Verdict::Undecided(reason))];
     if *left == 0 {

@@ -1,5 +1,4 @@
-//! Numbers other than balls of which the closed forms are made: `f64`, to steer by, and functions on an
-//! interval.
+//! Further number types for the closed forms: `f64` for searches, and functions on an interval.
 
 use core::array::from_fn;
 use core::ops::{Add, Mul, Neg, Sub};
@@ -22,19 +21,20 @@ impl Number for f64 {
     }
 
     fn turn(self) -> (Self, Self) {
-        // Whole turns are taken off exactly, and quarters are exact.
+        // Whole turns are subtracted exactly, and quarter turns are exact.
         let rest = self - libm::rint(self);
         libm::sincos(2.0 * core::f64::consts::PI * rest)
     }
 }
 
-/// A function f by its Taylor coefficients `f(x)`, `f'(x)`, `f''(x)/2` and `f'''(x)/6`: at one x, and all over
-/// an interval. By Taylor's theorem the first three at one x and the last over all bound it everywhere.
+/// A function f, by its Taylor coefficients `f(x)`, `f'(x)`, `f''(x)/2` and `f'''(x)/6`: at one x, and
+/// over a whole interval. By Taylor's theorem, the first three at one x and the last over the interval
+/// bound f throughout it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Series(pub [[Ball; 4]; 2]);
 
 impl Series {
-    /// The variable itself.
+    /// The independent variable.
     pub fn variable(at: Ball, over_all: Ball) -> Self {
         Self([at, over_all].map(|x| [x, Ball::ONE, Ball::ZERO, Ball::ZERO]))
     }
@@ -43,7 +43,8 @@ impl Series {
         Self(values.map(|x| [x, Ball::ZERO, Ball::ZERO, Ball::ZERO]))
     }
 
-    /// The function of this one that has these coefficients where this one begins.
+    /// The composition with an outer function, which has these coefficients at the values of this
+    /// function.
     fn composed(self, outer: [[Ball; 4]; 2]) -> Self {
         let rest = Self(self.0.map(|[_, first, second, third]| [Ball::ZERO, first, second, third]));
         let term = |k: usize| Self::constants(outer.map(|coefficients| coefficients[k]));
@@ -51,7 +52,7 @@ impl Series {
     }
 }
 
-/// Coefficients from a value and three derivatives.
+/// Taylor coefficients from a value and three derivatives.
 fn taylor([value, first, second, third]: [Ball; 4]) -> [Ball; 4] {
     [value, first, Ball::ratio(1, 2) * second, Ball::ratio(1, 6) * third]
 }

@@ -1,4 +1,4 @@
-//! What is to be proved: constants and window, as the decimal numbers that were written.
+//! The statement to be proved: constants and window, as the decimal numbers that were written.
 
 use core::fmt;
 
@@ -8,18 +8,18 @@ use crate::orbit::Oscillator;
 /// Greatest width of the tubes around grazing curves, in amplitude: 10^-`WIDTH_PLACES`.
 pub const WIDTH_PLACES: u32 = 6;
 
-/// A number that is written with few decimal digits.
+/// A number written with few decimal digits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Decimal(f64);
 
 impl Decimal {
-    /// The shortest decimal number that is read as this one; nothing if it has more than 18 digits, or
-    /// is not finite.
+    /// The shortest decimal number that reads as `x`; nothing if it has more than 18 digits, or is not
+    /// finite.
     pub fn new(x: f64) -> Option<Self> {
         (x.is_finite() && x.to_string().len() <= 19).then_some(Self(x))
     }
 
-    /// The decimal number, not that of which `f64` has the binary digits.
+    /// The ball of the decimal number itself, rather than of its binary approximation.
     pub fn ball(self) -> Ball {
         let text = self.to_string();
         let places = text.split_once('.').map_or(0, |(_, places)| places.len());
@@ -34,7 +34,7 @@ impl fmt::Display for Decimal {
     }
 }
 
-/// What is to be proved.
+/// The statement to be proved: constants, window and numbers of loops.
 #[derive(Debug, Clone)]
 pub struct Statement {
     /// The damping ratio.
@@ -43,16 +43,16 @@ pub struct Statement {
     pub epsilon: Decimal,
     /// The oscillator with these constants.
     pub oscillator: Oscillator,
-    /// The frequencies of the window.
+    /// The least and the greatest frequency of the window.
     pub frequency: [Decimal; 2],
-    /// Its greatest amplitude.
+    /// The greatest amplitude of the window.
     pub amplitude: Decimal,
     /// The numbers of loops.
     pub loops: Vec<u32>,
 }
 
 impl Statement {
-    /// Of an oscillator, in a window; nothing if it is not under-damped, or its restitution not within 0 < ε ≤ 1.
+    /// The statement for an oscillator in a window; nothing unless it is under-damped and 0 < ε ≤ 1.
     pub fn new(
         [zeta, epsilon]: [Decimal; 2],
         frequency: [Decimal; 2],
@@ -63,7 +63,7 @@ impl Statement {
         Some(Self { zeta, epsilon, oscillator, frequency, amplitude, loops })
     }
 
-    /// Greatest width of a tube, in amplitude.
+    /// The greatest width of a tube, in amplitude.
     pub fn width(&self) -> Ball {
         Ball::ratio(1, 10_i64.pow(WIDTH_PLACES))
     }

@@ -1,4 +1,4 @@
-//! What is proved, in stretches of frequency, and as sentences.
+//! The proved results, by ranges of frequency and as sentences.
 
 use core::iter;
 
@@ -8,7 +8,7 @@ use crate::resonance::{NAMES, Resonance};
 use crate::row::{Interval, Row, Verdict};
 use crate::statement::Statement;
 
-/// The row of a number of loops that holds a ν.
+/// The row for a number of loops whose interval contains a ν.
 pub fn row_at(rows: &[Row], p: i64, nu: Ball) -> Option<&Row> {
     rows.iter().find(|row| {
         let [left, right] = row.interval.ends();
@@ -16,8 +16,9 @@ pub fn row_at(rows: &[Row], p: i64, nu: Ball) -> Option<&Row> {
     })
 }
 
-/// Where stable motion begins at one ν, and two amplitudes between which it ends, the second missing
-/// where it goes on to the window's edge; nothing where there is none.
+/// The amplitude at which stable motion begins at one ν, and two amplitudes between which it ends; the
+/// second is missing where motion continues to the window's edge. Nothing where there is no stable
+/// motion.
 pub fn ends(statement: &Statement, row: &Row, nu: Ball) -> Option<(Ball, Ball, Option<Ball>)> {
     let (model, lower) = (Model::at(statement, row.interval, nu), row.lower?);
     let side = |side| model.amplitude(model.witness(side));
@@ -29,7 +30,8 @@ pub fn ends(statement: &Statement, row: &Row, nu: Ball) -> Option<(Ball, Ball, O
     })
 }
 
-/// The points, away from resonances, where GZ curves that bound stable motion end or meet, each by its kind: a PD-GZ point is where stability begins, or ends.
+/// The points, away from resonances, at which GZ curves that bound stable motion end or meet, each with
+/// its kind; at a PD-GZ point stability begins or ends.
 pub fn points(rows: &[Row]) -> impl Iterator<Item = (&'static str, &Row)> {
     rows.iter().filter_map(|row| match row.verdict {
         Verdict::Point("GZ-PD") => Some(("PD-GZ", row)),
@@ -38,8 +40,9 @@ pub fn points(rows: &[Row]) -> impl Iterator<Item = (&'static str, &Row)> {
     })
 }
 
-/// Amplitudes among which a point is: in the tube, where amplitudes increase with the velocity; or, fewer, where
-/// stability begins, which at an SN-GZ point is where they do no longer decrease.
+/// A range of amplitudes that contains a point: the tube, where amplitudes increase with the velocity; or
+/// the range, if narrower, of amplitudes at which stability begins. At an SN-GZ point it is the latter,
+/// from which amplitudes no longer decrease.
 pub fn amplitudes(statement: &Statement, row: &Row) -> Ball {
     let model = Model::over(statement, row.interval);
     let side = |side: Option<_>| side.map_or(Ball::ANY, |side| model.amplitude(model.witness(side)));
@@ -51,14 +54,14 @@ pub fn amplitudes(statement: &Statement, row: &Row) -> Ball {
     }
 }
 
-/// From which frequency to which rows reach that are side by side.
+/// The range of frequencies that consecutive rows cover.
 pub fn frequencies(statement: &Statement, rows: &[Row]) -> [Ball; 2] {
     let ends = [rows[rows.len() - 1].interval.ends()[1], rows[0].interval.ends()[0]];
     ends.map(|nu| statement.oscillator.omega_1_over(nu))
 }
 
-/// Rows side by side in which the same holds, by decreasing frequency for each number of loops; each point
-/// by itself.
+/// Groups of adjacent rows with the same verdict, by decreasing frequency for each number of loops; each
+/// point is a group of its own.
 pub fn stretches(rows: &[Row]) -> impl Iterator<Item = &[Row]> {
     rows.chunk_by(|a, b| {
         let point = matches!(a.verdict, Verdict::Point(_));
@@ -66,14 +69,14 @@ pub fn stretches(rows: &[Row]) -> impl Iterator<Item = &[Row]> {
     })
 }
 
-/// To nine places: rounded outwards, or inwards.
+/// Two bounds, rounded to nine places outwards or inwards.
 fn to_nine_places([low, high]: [Ball; 2], outwards: bool) -> [f64; 2] {
     let scale = if outwards { 1e9 } else { -1e9 };
     [libm::floor(scale * low.to_f64() - 1e-3), libm::ceil(scale * high.to_f64() + 1e-3)]
         .map(|end| end / scale)
 }
 
-/// What is proved in a stretch.
+/// A sentence that states the proved result for a group of rows.
 pub fn sentence(statement: &Statement, stretch: &[Row]) -> String {
     let Row { interval: Interval { p, .. }, verdict, .. } = &stretch[0];
     let inwards = matches!(verdict, Verdict::Stable | Verdict::None);
@@ -94,7 +97,7 @@ pub fn sentence(statement: &Statement, stretch: &[Row]) -> String {
     format!("{low:.9} <= omega <= {high:.9}: {holds}")
 }
 
-/// What share of the window, in `nu`, is left undecided.
+/// The fraction of the window, in `nu`, that is undecided.
 pub fn undecided_share(rows: &[Row]) -> f64 {
     let width = |row: &Row| libm::scalbn(1.0, -(row.interval.level as i32));
     let all: f64 = rows.iter().map(width).sum();
@@ -102,7 +105,7 @@ pub fn undecided_share(rows: &[Row]) -> f64 {
     left.map(width).fold(0.0, |sum, width| sum + width) / all
 }
 
-/// What is proved of a resonance.
+/// Sentences that state the proved results for a resonance.
 pub fn resonance(Resonance { p, n, numbers, missing }: &Resonance) -> Vec<String> {
     let theorem = if *p == 1 { "2.4" } else { "2.5" };
     let holds = if missing.is_empty() {

@@ -1,5 +1,5 @@
-//! Balls contain what they must, closed forms are those of the theorems and of the drawn curves, and
-//! what is drawn lies within what is proved.
+//! Tests that balls contain the right numbers, that the closed forms agree with the theorems and the
+//! drawn curves, and that drawn objects lie within proved bounds.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -25,7 +25,7 @@ static STATEMENT: LazyLock<Statement> = LazyLock::new(|| {
 static OSCILLATOR: LazyLock<Oscillator> = LazyLock::new(|| STATEMENT.oscillator);
 static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| prove(&STATEMENT, |_| (), || ()));
 
-/// A sequence that looks random.
+/// A pseudorandom number between 0 and 1.
 fn random(seed: &mut u64) -> f64 {
     *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
     (*seed >> 11) as f64 / (1_u64 << 53) as f64
@@ -53,7 +53,7 @@ fn balls_contain_what_identities_demand() {
 
 #[test]
 fn balls_hold_the_digits_of_constants_and_of_floating_point() {
-    // By other means: the digits of mathematical tables.
+    // Independent values: the digits of mathematical tables.
     assert!(Ball::PI.to_string().starts_with("3.1415926535897932384"));
     assert!(Ball::ONE.exp().to_string().starts_with("2.7182818284590452353"));
     assert!(Ball::from(2).sqrt().to_string().starts_with("1.4142135623730950488"));
@@ -61,13 +61,14 @@ fn balls_hold_the_digits_of_constants_and_of_floating_point() {
     for _ in 0..20_000 {
         let x = 20.0 * random(&mut seed) - 10.0;
         for (ball, number) in [(Ball::from(x).turn().0, x.turn().0), (Ball::from(x).exp(), libm::exp(x))] {
-            // libm's functions are right to a unit or two of the last digit.
+            // libm's functions are accurate to one or two units of the last digit.
             assert!((ball.to_f64() - number).abs() <= 1e-15 * number.abs().max(1.0), "{x} {ball} {number}");
         }
     }
 }
 
-/// Against exact fractions: n/d is in a ball only if zero is in d times it, less n.
+/// Compares balls with exact fractions: n/d lies in a ball only if d times the ball, less n, contains
+/// zero.
 #[test]
 fn balls_hold_exact_fractions() {
     let mut seed = 11;
@@ -98,7 +99,7 @@ fn balls_that_do_not_fit_prove_nothing() {
     );
 }
 
-/// Taylor coefficients against differences of the same function at two points.
+/// Compares Taylor coefficients with differences of the same function at two points.
 #[test]
 fn series_are_derivatives() {
     for nu in [1.1, 1.7, 2.3] {
@@ -114,8 +115,8 @@ fn series_are_derivatives() {
     }
 }
 
-/// The identity that makes the saddle-node the fold of A(v), `P = 1 + D − a`, in balls: the trace by
-/// the saltation matrix, at velocities 1 and 2.
+/// The identity by which the saddle-node is the fold of A(v), `P = 1 + D − a`, in balls: the trace is
+/// computed with the saltation matrix, at velocities 1 and 2.
 #[test]
 fn the_trace_is_that_of_the_saltation_matrix() {
     let mut seed = 3;
@@ -145,7 +146,7 @@ fn the_trace_is_that_of_the_saltation_matrix() {
     }
 }
 
-/// The coefficients, which are those of the propositions, against the formulas of the theorems.
+/// Compares the coefficients, which are those of the propositions, with the formulas of the theorems.
 #[test]
 fn coefficients_are_those_of_the_theorems_in_floating_point() {
     let theory = LinearOscillator::new(0.02, 0.9).expect("valid");
@@ -174,7 +175,7 @@ fn coefficients_are_those_of_the_theorems_in_floating_point() {
     }
 }
 
-/// The rows of a file of Figure 7's data, as their cells.
+/// The rows of one of Figure 7's data files, split into cells.
 fn drawn(name: &str) -> Vec<Vec<String>> {
     let file = format!("{}/../../figures/data/fig07_{name}.csv", env!("CARGO_MANIFEST_DIR"));
     let text = fs::read_to_string(file).expect("Figure 7's data");
@@ -189,7 +190,8 @@ fn row_at(p: i64, nu: Ball) -> &'static Row {
     summary::row_at(&ROWS, p, nu).expect("the window is covered")
 }
 
-/// Where stable motion is proved to begin, and the two sides of the tube in which it ends, in amplitude.
+/// The amplitude at which stable motion is proved to begin, and the two sides of the tube in which it
+/// ends.
 fn proved(p: i64, omega: f64) -> Option<[f64; 3]> {
     let nu = OSCILLATOR.omega_1_over(Ball::from(omega));
     let row = row_at(p, nu);
@@ -197,8 +199,8 @@ fn proved(p: i64, omega: f64) -> Option<[f64; 3]> {
     Some([begins.to_f64(), lower.to_f64(), upper.map_or(f64::INFINITY, Ball::to_f64)])
 }
 
-/// At places all over the window a region is drawn if stable motion is proved to exist, and none if it is
-/// proved not to. (That vertices lie where they are proved to be is counted in `beyond_proofs.csv`.)
+/// At places throughout the window, a region is drawn if stable motion is proved to exist, and none if it
+/// is proved not to exist. (`beyond_proofs.csv` counts the vertices that lie within proved bounds.)
 #[test]
 fn drawn_regions_are_those_that_are_proved() {
     let (window, top) = ([0.35, 1.02], 1.3);
@@ -230,7 +232,7 @@ fn drawn_regions_are_those_that_are_proved() {
             if unknown || inside(p, [omega, amplitude]) == exists {
                 continue;
             }
-            // Chords leave curves by less than the line that is drawn is wide.
+            // Chords deviate from curves by less than the width of the drawn line.
             let near = ends.is_some_and(|ends| ends.iter().any(|end| (end - amplitude).abs() < 1e-4));
             assert!(near, "p = {p}, omega = {omega}, A = {amplitude}: {ends:?}");
             beside += 1;
@@ -239,8 +241,8 @@ fn drawn_regions_are_those_that_are_proved() {
     assert!(tested.iter().all(|&count| count > 10_000) && beside < 20, "{tested:?}, {beside} beside");
 }
 
-/// Beyond the paper's window stable motion may end at a PD curve, which a GZ curve meets, and may begin
-/// beyond the window: both are decided.
+/// Beyond the paper's window, stable motion may end at a PD curve, which a GZ curve meets, and may begin
+/// outside the window: both cases are decided.
 #[test]
 fn motion_that_ends_or_begins_elsewhere_is_decided() {
     let decimal = |x: f64| Decimal::new(x).expect("few digits");
@@ -251,7 +253,8 @@ fn motion_that_ends_or_begins_elsewhere_is_decided() {
     assert!(rows.iter().all(|row| !matches!(row.verdict, Verdict::Undecided(_))));
     let points: Vec<&Row> = summary::points(&rows).map(|(_, row)| row).collect();
     assert!(matches!(points[..], [Row { verdict: Verdict::Point("GZ-PD"), .. }]), "{points:?}");
-    // At greater frequencies motion ends at a PD velocity, in closed form; at others in a tube. A thousand widths away.
+    // At greater frequencies motion ends at a PD velocity, in closed form; at lower ones it ends in a
+    // tube. Both are tested a thousand widths away.
     let interval = points[0].interval;
     let ends = interval.ends().map(|nu| {
         let beside = nu + (nu - interval.middle()) * Ball::from(2_000);
@@ -270,14 +273,15 @@ fn motion_that_ends_or_begins_elsewhere_is_decided() {
     }
 }
 
-/// Every row of the window is decided, and a row whose witnesses are exchanged or left out is not proved.
+/// Every row of the window is decided, and a row with exchanged or missing witnesses is not proved.
 #[test]
 fn the_window_is_decided_and_what_is_false_is_refused() {
     assert!(ROWS.iter().all(|row| !matches!(row.verdict, Verdict::Undecided(_))));
-    // Motion that gains energy at impacts may be unstable though its trace is small.
+    // Motion that gains energy at impacts may be unstable although its trace is small.
     let oscillator = |epsilon| Oscillator::new(STATEMENT.zeta.ball(), epsilon);
     assert!(oscillator(Ball::ONE).is_some() && oscillator(Ball::ratio(6, 5)).is_none());
-    // With one loop, some tubes are at the window's edge, and prove as much without an upper velocity.
+    // With one loop, some tubes are at the window's edge, where an upper velocity is not needed for the
+    // proof.
     let is_tube = |row: &&Row| row.verdict == Verdict::Stable && row.upper.is_some() && row.interval.p > 1;
     let tubes = ROWS.iter().filter(is_tube);
     let mut tried = 0;

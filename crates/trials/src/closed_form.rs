@@ -1,5 +1,5 @@
 //! All p-loop MPSs of the linear oscillator at given parameters, from a quadratic equation
-//! ([`LoopSolutions`]). Nothing of the program but the search for maxima is used.
+//! ([`LoopSolutions`]). The only part of the program that is used is the search for maxima.
 
 use core::f64::consts::TAU;
 
@@ -14,31 +14,31 @@ pub struct Orbit {
     pub velocity: f64,
     /// Impact phase z.
     pub phase: f64,
-    /// Trace T of the derivative of the map from impact to impact.
+    /// Trace T of the derivative of the impact map.
     pub trace: f64,
-    /// Its determinant D.
+    /// Determinant D of the derivative of the impact map.
     pub determinant: f64,
     /// The highest interior maximum of x; minus infinity without one.
     pub ceiling: f64,
 }
 
 impl Orbit {
-    /// Both multipliers lie inside the unit circle; D is less than one for every oscillator of this
-    /// kind.
+    /// Whether both multipliers lie inside the unit circle; D is less than one for every oscillator of
+    /// this kind.
     pub fn stable(&self) -> bool {
         self.trace.abs() - 1.0 < self.determinant
     }
 
-    /// It has an impact, and no interior maximum lies above the wall.
+    /// Whether the orbit has an impact with y > 0, and no interior maximum above the wall.
     pub fn admissible(&self) -> bool {
         self.velocity > 0.0 && self.ceiling <= 0.0
     }
 }
 
-/// Folds are located to this in amplitude: at one that was, there are still solutions.
+/// Accuracy in amplitude with which folds are located; solutions still exist at a located fold.
 const AT_FOLD: f64 = 1e-12;
 
-/// The MPSs with p = `loops` at the amplitude and frequency, virtual ones (y < 0) included.
+/// The MPSs with p = `loops` at this amplitude and frequency, including virtual ones (y < 0).
 pub fn orbits(zeta: f64, epsilon: f64, amplitude: f64, omega: f64, loops: u32) -> Vec<Orbit> {
     let solutions = LoopSolutions::new(zeta, epsilon, omega, loops);
     let mu = amplitude - solutions.grazing_amplitude();

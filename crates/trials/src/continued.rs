@@ -8,24 +8,25 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, LoopEquations, PeriodicSolution, Unknowns, parameters, unknown};
 use grazing_unfold::Diagram;
 
-/// Steps along branches: what Newton's method needs between them.
+/// Steps along branches, short enough for Newton's method.
 const STEPS: StepControl =
     StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.1, ..StepControl::DRAWING };
-/// A branch of so many points has lost its way.
+/// The greatest number of points on a branch; a branch with more has gone astray.
 const MOST_POINTS: usize = 3000;
-/// The impact velocity at which branches that begin at grazing are taken up.
+/// The impact velocity at which branches that begin at grazing are started.
 const BESIDE_GRAZING: f64 = 1e-4;
-/// An MPS this near to a chord, as a share of its length, lies on the branch, which turns little.
+/// An MPS that is this close to a chord, as a fraction of the chord's length, lies on the branch, which
+/// turns little per step.
 const ON_BRANCH: f64 = 0.05;
-/// Newton's method has found another solution if it went this far.
+/// The distance beyond which Newton's method has converged to another solution.
 const ELSEWHERE: f64 = 0.5;
 
-/// A stable MPS of the hybrid system.
+/// Whether the solution is a stable, admissible MPS of the hybrid system.
 pub fn good(solution: &PeriodicSolution) -> bool {
     solution.stable() && solution.admissible()
 }
 
-/// The p-loop MPS at the parameters near a known one.
+/// The p-loop MPS at the given parameters that is near a known one.
 pub fn near(
     equations: &LoopEquations,
     known: &Unknowns,
@@ -37,7 +38,8 @@ pub fn near(
     ((found - start).norm() < ELSEWHERE).then(|| equations.solution(&found))
 }
 
-/// The p-loop MPSs at one η and several μ, on branches from grazing or from a diagram's curve.
+/// The p-loop MPSs at one η and several μ, on branches that start at grazing or on a curve of the
+/// diagram.
 pub fn along(diagram: &Diagram, loops: u32, secondary: f64, primaries: &[f64]) -> Vec<Vec<PeriodicSolution>> {
     let equations = diagram.equations(loops);
     let curve = SolutionCurve { equations: equations.clone(), condition: Condition::Secondary(secondary) };
@@ -62,7 +64,7 @@ pub fn along(diagram: &Diagram, loops: u32, secondary: f64, primaries: &[f64]) -
     primaries.iter().map(|primary| crossings(*primary)).collect()
 }
 
-/// MPSs at one η: beside grazing, and on curves of the diagram.
+/// Starting points of branches at one η: near grazing, and on curves of the diagram.
 fn starts(diagram: &Diagram, equations: &LoopEquations, loops: u32, secondary: f64) -> Vec<Unknowns> {
     let here = Condition::Secondary(secondary);
     let solved = |condition: Condition, start: Unknowns, mut times: EventTimes| {
@@ -85,7 +87,7 @@ fn starts(diagram: &Diagram, equations: &LoopEquations, loops: u32, secondary: f
     grazing.chain(crossing).collect()
 }
 
-/// The points of a branch from one of them on, as far as there is an impact and the window.
+/// The points of a branch from `start`, as long as it has an impact and is within the window.
 fn followed(curve: &SolutionCurve, start: Unknowns, direction: Unknowns, window: Window) -> Vec<Unknowns> {
     let mut points = vec![start];
     let Ok(mut walker) = Continuation::new(curve, STEPS, start, direction, EventTimes::default()) else {
@@ -102,7 +104,7 @@ fn followed(curve: &SolutionCurve, start: Unknowns, direction: Unknowns, window:
     points
 }
 
-/// Whether an MPS lies on a branch.
+/// Whether an MPS lies on a branch, given by its points.
 fn lies_on(branch: &[Unknowns], point: &Unknowns) -> bool {
     branch.windows(2).any(|pair| {
         let chord = pair[1] - pair[0];

@@ -1,9 +1,10 @@
-//! Errors put in on purpose, one at a time: which claims and which tests see them.
+//! Mutation tests: errors are introduced one at a time, and the claims and tests that notice them are
+//! recorded.
 //!
-//! They stand in `expected/deliberate_errors.toml`. A copy of the project under `target/` gets all
-//! of them at once, each behind a switch that an environment variable turns (`armed`), so that it
-//! is built once for all; those that cannot stand behind a switch are put in by themselves. Only
-//! tests that come to an error's switch are run with it. The project is never touched.
+//! The errors are listed in `expected/deliberate_errors.toml`. A copy of the project under `target/`
+//! contains all of them at once, each behind a switch that an environment variable sets (`armed`), so
+//! that it is built only once; those that do not compile behind a switch are introduced singly. Only
+//! tests that reach an error's switch are run with it. The project itself is never changed.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -19,17 +20,17 @@ use crate::errors::armed::{REACHED, SWITCH, VARIABLE, armed};
 
 mod armed;
 
-/// One error.
+/// One deliberate error.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct DeliberateError {
-    /// What is wrong with it, in words.
+    /// A description of the error in words.
     pub meaning: String,
     /// The file, from the root of the project.
     pub file: PathBuf,
-    /// What stands there, once.
+    /// The text to replace, which occurs once in the file.
     pub find: String,
-    /// What is put in its place.
+    /// The replacement text.
     pub replace: String,
 }
 
@@ -38,25 +39,24 @@ struct List {
     error: Vec<DeliberateError>,
 }
 
-/// Who saw an error.
+/// The claims or tests that noticed an error.
 #[derive(Debug, PartialEq)]
 pub enum Seen {
     /// Labels of claims that failed.
     Claims(Vec<String>),
-    /// No claim did; names of tests that failed.
+    /// No claim failed; names of tests that failed.
     Tests(Vec<String>),
-    /// Only tests that compare with what the program wrote before; their names.
+    /// The only tests that failed compare with earlier output of the program; their names.
     Frozen(Vec<String>),
-    /// No test failed, but the tests did not end by themselves, or not in time.
+    /// No test failed, but some tests crashed or ran out of time.
     NotEnded,
-    /// The program does not compile with it.
+    /// The program does not compile with the error.
     DoesNotCompile,
-    /// Nobody.
+    /// No claim or test noticed the error.
     Unseen,
 }
 
-/// The crates that are observers: their tests are run in this order, after those of the crate that
-/// the error stands in.
+/// The crates whose tests are run, in this order, after those of the crate that contains the error.
 const OBSERVERS: [&str; 15] = [
     "claims",
     "theorems",
@@ -75,13 +75,14 @@ const OBSERVERS: [&str; 15] = [
     "cli",
 ];
 
-/// Tests that compare with what the program wrote before, by parts of their names.
+/// Parts of the names of tests that compare with earlier output of the program.
 const FROZEN: [&str; 4] = ["snapshots::", "no_figure_changes_unnoticed", "examples::", "messages::"];
-/// Tests that a copy fails with no error in it, or that say nothing of one: of the browser, of time,
-/// of files that are compared with the checkout's, and of the list of errors itself.
+/// Parts of the names of tests that are not run: they fail in a copy even without an error, or do not
+/// depend on one. They test the browser, timing, files that are compared with the checkout's, and the
+/// list of errors itself.
 const LEFT_OUT: [&str; 4] = ["explore::", "workflow::", "mutations::", "every_error_can_be_put_in"];
 
-/// The table.
+/// The table of results, from the root of the project.
 pub const TABLE: &str = "expected/deliberate_errors.md";
 
 const HEAD: &str = "\
@@ -100,10 +101,10 @@ fn invalid(message: String) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidData, message)
 }
 
-/// The list under the root of the project; each of its errors can be put in.
+/// Reads the list of errors, and checks that each of them can be introduced.
 ///
 /// # Errors
-/// A file cannot be read, or what is to be replaced does not stand in it exactly once.
+/// A file cannot be read, or the text to replace does not occur in it exactly once.
 pub fn list(root: &Path) -> io::Result<Vec<DeliberateError>> {
     let text = fs::read_to_string(root.join("expected/deliberate_errors.toml"))?;
     let List { error } = toml::from_str(&text).map_err(|error| invalid(error.to_string()))?;
@@ -116,29 +117,29 @@ pub fn list(root: &Path) -> io::Result<Vec<DeliberateError>> {
     Ok(error)
 }
 
-/// A test program: its crate, and where it is.
+/// A test program, with its crate and its path.
 struct TestProgram {
     of: String,
     program: PathBuf,
 }
 
-/// A copy of the project to put errors into.
+/// A copy of the project in which errors are introduced.
 pub struct Copy<'a> {
     root: PathBuf,
-    /// The original.
+    /// The root of the original project.
     from: PathBuf,
     errors: &'a [DeliberateError],
-    /// Whether each of them stands behind its switch.
+    /// Whether each error is behind a switch.
     switched: Vec<bool>,
     programs: Vec<TestProgram>,
 }
 
 impl<'a> Copy<'a> {
-    /// Brings the copy up to date and builds it with these errors behind their switches; files that
-    /// have not changed stay, so that little is built again.
+    /// Updates the copy and builds it with these errors behind their switches; unchanged files are kept,
+    /// so that little is rebuilt.
     ///
     /// # Errors
-    /// A file cannot be read or written, the project is no checkout of git, or does not compile.
+    /// A file cannot be read or written, or the project is not a git checkout or does not compile.
     pub fn of(from: &Path, errors: &'a [DeliberateError]) -> io::Result<Self> {
         let root = from.join("target/deliberate_errors");
         let listed = Command::new("git").args(["ls-files", "-z"]).current_dir(from).output()?;
@@ -149,7 +150,7 @@ impl<'a> Copy<'a> {
         fs::create_dir_all(root.join("target"))?;
         let switched = vec![true; errors.len()];
         let mut copy = Self { root, from: from.to_owned(), errors, switched, programs: Vec::new() };
-        // What the project has no more goes.
+        // Files that the project no longer has are deleted.
         let record = copy.root.join("target/files");
         let before = fs::read_to_string(&record).unwrap_or_default();
         let now: BTreeSet<&str> = files.split_terminator('\0').collect();
@@ -165,14 +166,14 @@ impl<'a> Copy<'a> {
             }
             copy.restore(Path::new(file))?;
         }
-        // Whatever the compiler does not accept behind a switch is put in by itself.
+        // Errors that the compiler rejects behind a switch are introduced singly.
         while let Err(error) = copy.build() {
             copy.unswitch(&error.to_string())?;
         }
         Ok(copy)
     }
 
-    /// The file's content in the copy: with its errors behind switches, or as it is.
+    /// The content of a file in the copy: with its errors behind switches, or unchanged.
     fn content(&self, file: &Path) -> io::Result<Vec<u8>> {
         let original = fs::read(self.from.join(file))?;
         let own = self.switched_in(file);
@@ -198,7 +199,7 @@ impl<'a> Copy<'a> {
         numbered.filter(|(number, error)| error.file == file && self.switched[number - 1]).collect()
     }
 
-    /// Brings a file up to date.
+    /// Updates a file in the copy.
     fn restore(&self, file: &Path) -> io::Result<()> {
         let (content, here) = (self.content(file)?, self.root.join(file));
         if fs::read(&here).is_ok_and(|copy| copy == content) {
@@ -210,7 +211,7 @@ impl<'a> Copy<'a> {
         fs::write(here, content)
     }
 
-    /// Takes the errors from behind their switches that stand where the compiler found a mistake.
+    /// Removes the switches of the errors in which the compiler found a mistake.
     fn unswitch(&mut self, messages: &str) -> io::Result<()> {
         let mut files = BTreeSet::new();
         let mut changed = false;
@@ -221,7 +222,7 @@ impl<'a> Copy<'a> {
             };
             let text = fs::read_to_string(self.root.join(file))?;
             let end = text.match_indices('\n').nth(line - 1).map_or(text.len(), |(at, _)| at);
-            // Every switch of the function, or the nearest one before.
+            // The nearest switch before the mistake.
             let mark = text[..end].rfind("crate::deliberate_error(").map(|at| &text[at..]);
             let number = mark.and_then(|mark| mark.split(['(', ')']).nth(1)?.parse::<usize>().ok());
             let Some(number) = number.filter(|number| self.switched[number - 1]) else { continue };
@@ -269,7 +270,7 @@ impl<'a> Copy<'a> {
         Ok(())
     }
 
-    /// The crate of a test program, from cargo's list of the files that it is made of.
+    /// The crate of a test program, from cargo's list of its source files.
     fn crate_of(&self, program: &Path) -> io::Result<String> {
         let made_of = fs::read_to_string(self.root.join(program).with_extension("d"))?;
         let first = made_of.lines().next().and_then(|line| line.split_once(": ")?.1.split(' ').next());
@@ -277,10 +278,10 @@ impl<'a> Copy<'a> {
         of.map(str::to_owned).ok_or_else(|| invalid(format!("{}: of no crate", program.display())))
     }
 
-    /// Tries an error out, by its place in the list.
+    /// Tries one error, given by its index in the list.
     ///
     /// # Errors
-    /// A file cannot be read or written, or a program not be run.
+    /// A file cannot be read or written, or a program cannot be run.
     pub fn try_out(&mut self, index: usize) -> io::Result<Seen> {
         let error = &self.errors[index];
         if self.switched[index] {
@@ -303,8 +304,8 @@ impl<'a> Copy<'a> {
         seen
     }
 
-    /// Who sees an error that is in, or is behind its switch: the claims, then the tests of its own
-    /// crate, then those of the others, until one does that compares with nothing frozen.
+    /// The claims or tests that notice an error. The claims are run first, then the tests of the error's
+    /// own crate, then those of the others, until a test fails that does not compare with earlier output.
     fn seen(&self, index: usize) -> io::Result<Seen> {
         let own = self.errors[index].file.components().nth(1).map(|part| part.as_os_str().to_owned());
         let is_own = |test: &&TestProgram| own.as_deref() == Some(test.of.as_ref());
@@ -336,12 +337,13 @@ impl<'a> Copy<'a> {
         })
     }
 
-    /// The tests of a program that come to the switch of an error, themselves or by a program that they
-    /// run. What each comes to is recorded once, in a run of it alone with no error in it.
+    /// The tests of a program that reach the switch of an error, directly or through a program that they
+    /// run. The switches that each test reaches are recorded once, in a separate run without errors.
     fn reaching(&self, test: &TestProgram, index: usize) -> io::Result<Vec<String>> {
         let program = self.root.join(&test.program);
         let record = program.with_extension("reached");
-        // Of this very program: one that is built anew is the same if its source is.
+        // The record is valid for this very program: a program built again from the same source is
+        // identical.
         let digest = Sha256::digest(fs::read(&program)?);
         let of = digest.iter().map(|byte| format!("{byte:02x}")).chain(["\n".to_owned()]).collect::<String>();
         if !fs::read_to_string(&record).is_ok_and(|record| record.starts_with(&of)) {
@@ -367,7 +369,7 @@ impl<'a> Copy<'a> {
         Ok(fs::read_to_string(record)?.lines().filter_map(reaches).collect())
     }
 
-    /// A run of a program's tests, with a limit to its seconds of CPU.
+    /// A run of a program's tests, with a limit on CPU seconds.
     fn run(&self, test: &TestProgram, longest: &str) -> Command {
         let mut run = Command::new("sh");
         run.args(["-c", "ulimit -t $0; exec \"$@\"", longest])
@@ -378,8 +380,8 @@ impl<'a> Copy<'a> {
         run
     }
 
-    /// Of these tests of a program, or of all, those that fail; nothing if it did not end by itself, or
-    /// not in time.
+    /// The names of the failing tests, of these tests of a program or of all if `of` is empty; nothing if
+    /// the program crashed or ran out of time.
     fn failures(&self, test: &TestProgram, index: usize, of: &[String]) -> io::Result<Option<Vec<String>>> {
         let mut run = self.run(test, LONGEST);
         if !of.is_empty() {
@@ -394,11 +396,11 @@ impl<'a> Copy<'a> {
     }
 }
 
-/// In seconds of CPU: the tests of a program take minutes; with an error in a formula a search may go on
-/// without end.
+/// The limit on CPU seconds: the tests of a program take minutes, and with an error in a formula a search
+/// may never end.
 const LONGEST: &str = "600";
 
-/// The table with new rows in it, in the list's order; other rows stay if still listed.
+/// The table with new rows, in the order of the list; other rows are kept if they are still listed.
 pub fn table(before: &str, list: &[DeliberateError], new: &BTreeMap<usize, Seen>) -> String {
     let cells = |line: &str| {
         let mut cells = line.trim_matches(['|', ' ']).splitn(3, " | ").map(str::to_owned);

@@ -1,4 +1,4 @@
-//! Long trials of the program at random parameters, against solutions that share nothing with it.
+//! Long trials of the program at random parameters, compared with independently computed solutions.
 
 pub mod closed_form;
 pub mod continued;

@@ -1,4 +1,4 @@
-//! Shaded regions of the linear oscillator along lines of constant η against the closed form: whole
+//! Compares shaded regions of the linear oscillator along lines of constant η with the closed form: whole
 //! intervals of μ, however narrow, in windows and in parts of them.
 
 use grazing_claims::sweep::closed_form::LoopSolutions;
@@ -11,21 +11,21 @@ use grazing_unfold::{Diagram, Scope};
 use crate::closed_form::orbit;
 use crate::random::Random;
 
-/// Shorter intervals are those of rounding: two-loop slivers end in cusps, in which they have any
-/// width.
+/// The least length of an interval that is compared; shorter ones are affected by rounding, and two-loop
+/// slivers end in cusps, where they have any width.
 pub const LEAST: f64 = 1e-8;
-/// Borders are drawn by chords that leave curves by this share of the range of μ at most.
+/// The greatest deviation of the chords that draw borders from the curves, as a fraction of the range of
+/// μ.
 pub const CHORD: f64 = 3e-4;
 
-/// Intervals of μ on a line, apart and in order.
+/// Disjoint intervals of μ on a line, in order.
 pub type Intervals = Vec<[f64; 2]>;
 
-/// The interval of amplitudes in a range at which a p-loop MPS is stable and admissible; at one
-/// frequency there is one at most.
+/// The interval of amplitudes within a range in which a p-loop MPS is stable and admissible; at one
+/// frequency there is at most one such interval.
 ///
-/// The trace is linear in 1/y, so that stable MPSs are those with y in an interval, on which the
-/// amplitude grows; and they are admissible up to some y, as x is linear in y once it is divided by
-/// what of it the forcing makes.
+/// The trace is linear in 1/y, so stable MPSs are those with y in an interval, on which the amplitude
+/// increases. They are admissible up to some y, because x divided by its forced part is linear in y.
 pub fn exact(zeta: f64, epsilon: f64, [least, most]: [f64; 2], omega: f64, loops: u32) -> Option<[f64; 2]> {
     let solutions = LoopSolutions::new(zeta, epsilon, omega, loops);
     let [one, two] = [1.0, 2.0].map(|velocity| solutions.with_velocity(velocity));
@@ -39,7 +39,7 @@ pub fn exact(zeta: f64, epsilon: f64, [least, most]: [f64; 2], omega: f64, loops
     }
     let amplitude = |velocity: f64| solutions.with_velocity(velocity).amplitude;
     let slowest = 1.0 / high;
-    // Faster ones lie beyond the range.
+    // Faster motion lies beyond the range of amplitudes.
     let mut fastest = if low > 0.0 { 1.0 / low } else { f64::INFINITY };
     let mut reach = slowest.max(1.0);
     while reach < fastest && amplitude(reach) < most {
@@ -63,7 +63,8 @@ pub fn exact(zeta: f64, epsilon: f64, [least, most]: [f64; 2], omega: f64, loops
     (to - from > 0.0).then_some([from, to])
 }
 
-/// What regions show of p-loop solutions on a line: where it is shaded, and where it is hatched.
+/// The intervals of a line on which regions of p-loop solutions are shaded, and those on which they are
+/// hatched.
 pub fn shown(regions: &[Region], loops: u32, secondary: f64) -> [Intervals; 2] {
     [false, true].map(|hatched| {
         let regions =
@@ -74,14 +75,14 @@ pub fn shown(regions: &[Region], loops: u32, secondary: f64) -> [Intervals; 2] {
     })
 }
 
-/// Lines beside a line, in shares of [`CHORD`]: what is shown there may belong to the line itself.
+/// Lines beside a line, in units of [`CHORD`]; what is drawn on them may belong to the line itself.
 const BESIDE: [f64; 5] = [0.0, -0.5, 0.5, -1.0, 1.0];
-/// Places in an interval that are looked at.
+/// The number of places tested in an interval.
 const PLACES: u32 = 9;
 
-/// What of `wanted` lies farther from everything `there` than chords may leave it: pieces of the
-/// intervals that none of the others covers, with places that are near to none of those on lines
-/// beside.
+/// The pieces of `wanted` that are farther from all intervals in `there` than chords explain: they are
+/// not covered on the line itself, and some of their places are not near the intervals on lines beside
+/// it.
 pub fn lacking(wanted: &[[f64; 2]], there: &[Intervals; BESIDE.len()], width: f64) -> Intervals {
     let near = |place: f64| {
         let reach = CHORD * width;
@@ -94,7 +95,7 @@ pub fn lacking(wanted: &[[f64; 2]], there: &[Intervals; BESIDE.len()], width: f6
     pieces.filter(|piece| piece[1] - piece[0] > LEAST && places(*piece).any(|place| !near(place))).collect()
 }
 
-/// The parts of an interval in none of the others, which are in order.
+/// The parts of an interval that none of the others covers; these are in order.
 fn uncovered([start, to]: [f64; 2], others: &[[f64; 2]]) -> Intervals {
     let (mut parts, mut from) = (Vec::new(), start);
     for [low, high] in others.iter().filter(|[low, high]| *high > start && *low < to) {
@@ -109,20 +110,21 @@ fn uncovered([start, to]: [f64; 2], others: &[[f64; 2]]) -> Intervals {
     parts
 }
 
-/// A line on which a diagram is not what it should be.
+/// A line on which a diagram is wrong.
 #[derive(Clone, Debug)]
 pub struct Wrong {
     /// p.
     pub loops: u32,
     /// η.
     pub secondary: f64,
-    /// What is there and is not shown.
+    /// Intervals of stable motion that are not drawn.
     pub missed: Intervals,
-    /// What is shown and is not there.
+    /// Intervals drawn without stable motion.
     pub false_shading: Intervals,
 }
 
-/// A random part of a window, its sides in logarithmic proportion to those of the whole.
+/// A random part of a window; the ratios of its sides to those of the window are logarithmically
+/// distributed.
 pub fn part(window: Window, random: &mut Random) -> Window {
     let mut within = |[low, high]: [f64; 2]| {
         let width = (high - low) * random.logarithmic(SMALLEST, 1.0);
@@ -132,22 +134,23 @@ pub fn part(window: Window, random: &mut Random) -> Window {
     Window { primary: within(window.primary), secondary: within(window.secondary) }
 }
 
-/// Where a curve is said to be missing, slivers narrower than this share of the range may be, too.
+/// If a curve is reported as missing, slivers narrower than this fraction of the range may be missing as
+/// well.
 const TOLD: f64 = 1e-6;
-/// Sides of parts of a window are at least this share of its own.
+/// The least ratio of the sides of a part to those of the window.
 const SMALLEST: f64 = 0.02;
 
-/// What became of the lines of one window.
+/// The result of comparing the lines of one window.
 #[derive(Clone, Debug, Default)]
 pub struct Outcome {
-    /// Where the diagram is wrong.
+    /// The lines on which the diagram is wrong.
     pub wrong: Vec<Wrong>,
-    /// The share of the lines that is hatched, for all p together.
+    /// The hatched fraction of the lines, summed over all p.
     pub hatched: f64,
 }
 
-/// Compares the regions of a linear oscillator (ζ, ε) in a window with the closed form on so many
-/// random lines. Where there is nothing in the window, nothing is shown.
+/// Compares the regions of a linear oscillator (ζ, ε) in a window with the closed form on `lines` random
+/// lines. If the window has nothing to unfold, the diagram counts as empty.
 pub fn compare(
     [zeta, epsilon]: [f64; 2],
     window: Window,

@@ -20,12 +20,12 @@ const USAGE: &str = "usage: grazing-trials regions [OSCILLATORS [SEED]]      lin
        grazing-trials describe NUMBER [SEED]            a random oscillator as a file for `grazing unfold`
        grazing-trials errors [NUMBER...]                deliberate errors, and which claims and tests see them";
 
-/// Random points an oscillator.
+/// The number of random points for each oscillator.
 const POINTS: usize = 2000;
-/// Points of the lattice, each way, and random states at each.
+/// The number of lattice points in each direction, and of random states at each point.
 const LATTICE: usize = 40;
 const STATES: u32 = 10;
-/// Parts of a window, and lines in each.
+/// The number of parts of a window, and of lines in each.
 const PARTS: usize = 20;
 const LINES: usize = 500;
 /// The numbers of loops.
@@ -70,7 +70,8 @@ fn usage() -> ExitCode {
     ExitCode::from(2)
 }
 
-/// The deliberate errors with these numbers, or all: whether each is seen. Writes the table.
+/// Tries the deliberate errors with these numbers, or all, and writes the table; returns whether each is
+/// noticed.
 fn deliberate_errors(numbers: Vec<usize>) -> bool {
     let tried = || -> std::io::Result<bool> {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
@@ -95,7 +96,7 @@ fn deliberate_errors(numbers: Vec<usize>) -> bool {
     })
 }
 
-/// Linear oscillators with random damping, restitution and window, against the closed form.
+/// Compares linear oscillators with random damping, restitution and window with the closed form.
 fn linear(count: u64, seed: u64) -> bool {
     let mut random = Random::new(seed);
     let (mut wrong, mut hatched) = (0, Vec::new());
@@ -134,8 +135,8 @@ fn linear(count: u64, seed: u64) -> bool {
     wrong == 0
 }
 
-/// Linear oscillators with random damping and restitution in a window and in parts of it, against
-/// the closed form on lines. The first is the paper's.
+/// Compares linear oscillators with random damping and restitution, in a window and in parts of it, with
+/// the closed form on lines. The first one is the paper's.
 fn windows(count: u64, seed: u64) -> bool {
     let mut random = Random::new(seed);
     let mut right = true;
@@ -165,7 +166,7 @@ fn windows(count: u64, seed: u64) -> bool {
     right
 }
 
-/// Damping ratio and restitution of the paper's oscillator; not numbers if the example lacks them.
+/// Damping ratio and restitution of the paper's oscillator; NaN if the example lacks them.
 fn of_the_paper() -> [f64; 2] {
     let example = Description::parse(include_str!("../../../examples/paper.toml"), "examples/paper.toml");
     ["zeta", "epsilon"].map(|wanted| {
@@ -174,7 +175,7 @@ fn of_the_paper() -> [f64; 2] {
     })
 }
 
-/// The oscillator of a file in its window and in parts of it, each diagram against the other.
+/// Compares the diagram of an oscillator from a file in its window with those in parts of the window.
 fn windows_of(file: &str) -> bool {
     let described = Description::from_file(Path::new(file)).map_err(|error| error.to_string());
     let whole = described.and_then(|it| nonlinear::unfolded(&it).map_err(|error| error.to_string()));
@@ -210,7 +211,7 @@ fn windows_of(file: &str) -> bool {
     right
 }
 
-/// The examples and a number of random oscillators, against continuation and simulation.
+/// Compares the examples and a number of random oscillators with continuation and simulation.
 fn examples_and_random(count: u64, seed: u64) -> bool {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
@@ -226,7 +227,7 @@ fn examples_and_random(count: u64, seed: u64) -> bool {
     right
 }
 
-/// Oscillators from text files.
+/// Compares oscillators from text files with continuation and simulation.
 fn files(files: &[String]) -> bool {
     let mut right = true;
     for file in files {
@@ -237,7 +238,7 @@ fn files(files: &[String]) -> bool {
     right
 }
 
-/// One oscillator against continuation and simulation.
+/// Compares one oscillator with continuation and simulation.
 fn compared(from: &str, description: Result<Description, String>) -> bool {
     let start = Instant::now();
     let outcome = description.and_then(|description| {

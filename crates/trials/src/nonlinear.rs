@@ -1,4 +1,4 @@
-//! Shaded regions of any oscillator against continuation and simulation, on a lattice of points.
+//! Compares shaded regions of any oscillator with continuation and simulation, on a lattice of points.
 
 use grazing_analysis::unfolded::prepared;
 use grazing_continuation::mps::{PeriodicSolution, Unknowns, unknown};
@@ -14,51 +14,52 @@ use crate::random::Random;
 use crate::regions::{Shown, doubts, shown};
 use crate::simulation::{Settled, settled};
 
-/// What regions, continuation and simulation do not agree on.
+/// A disagreement between regions, continuation and simulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Disagreement {
-    /// Motion settles on a p-loop solution, or on one without impacts, and nothing is shaded.
+    /// Motion settles on a p-loop solution, or on one without impacts, where nothing is shaded.
     #[error("motion settles where nothing is shaded")]
     SeenUnshaded,
-    /// Continuation leads to a stable, admissible MPS and nothing is shaded.
+    /// Continuation leads to a stable, admissible MPS where nothing is shaded.
     #[error("a stable solution where nothing is shaded")]
     FoundUnshaded,
-    /// It is shaded, and continuation leads to no stable, admissible MPS.
+    /// The point is shaded, but continuation leads to no stable, admissible MPS.
     #[error("shaded, and no stable solution was found")]
     NotFound,
-    /// Simulation that begins beside a stable, admissible MPS does not come back to it.
+    /// Simulation that begins near a stable, admissible MPS does not return to it.
     #[error("motion that begins beside a stable solution leaves it")]
     LeavesIt,
 }
 
-/// What was seen on a lattice of points.
+/// The results on a lattice of points.
 #[derive(Clone, Debug, Default)]
 pub struct Outcome {
-    /// The share of the points at which some p is shaded.
+    /// The fraction of the points at which some p is shaded.
     pub shaded: f64,
-    /// The share of the points at which some p is hatched.
+    /// The fraction of the points at which some p is hatched.
     pub hatched: f64,
-    /// How often motion settled on a p-loop solution where p is shaded.
+    /// The number of times motion settled on a p-loop solution where p is shaded.
     pub seen: usize,
-    /// Points and p with a stable, admissible MPS that simulation comes back to.
+    /// The number of stable, admissible MPSs, over all points and p, to which simulation returns.
     pub confirmed: usize,
-    /// (p, point) at which there is a disagreement.
+    /// The disagreements, each with p and the point.
     pub wrong: Vec<(u32, [f64; 2], Disagreement)>,
-    /// Why regions are hatched.
+    /// The reasons why regions are hatched.
     pub doubts: Vec<String>,
 }
 
 impl Outcome {
-    /// How often there is a disagreement of a kind.
+    /// The number of disagreements of a kind.
     pub fn count(&self, kind: Disagreement) -> usize {
         self.wrong.iter().filter(|(.., found)| *found == kind).count()
     }
 }
 
-/// Steps of integration after which an analysis is ended: minutes instead of seconds.
+/// The number of integration steps after which an analysis is stopped; it takes minutes instead of
+/// seconds.
 const MOST_STEPS: u64 = 200_000_000;
 
-/// The diagram of an oscillator in its own units; regions that take very long are undecided.
+/// The diagram of an oscillator in its own units; regions that take too long are undecided.
 ///
 /// # Errors
 /// There is nothing to unfold.
@@ -70,7 +71,8 @@ pub fn unfolded(description: &Description) -> Result<Diagram, UnfoldError> {
     diagram
 }
 
-/// Compares a diagram on a lattice, with simulation from so many random states at each point.
+/// Compares a diagram with continuation and simulation on a lattice, with `states` random states at each
+/// point.
 pub fn compare(diagram: &Diagram, lattice: usize, states: u32) -> Outcome {
     let Scope { window, loops, .. } = &diagram.scope;
     let at = |[low, high]: [f64; 2], k: usize| low + (high - low) * (k as f64 + 0.5) / lattice as f64;
@@ -115,8 +117,8 @@ pub fn compare(diagram: &Diagram, lattice: usize, states: u32) -> Outcome {
     outcome
 }
 
-/// The stable, admissible MPSs at the points of a lattice: on branches from grazing and from
-/// curves, or else near those of neighbouring points or near motion that has settled.
+/// The stable, admissible MPSs at the points of a lattice: on branches from grazing and from curves, or
+/// else near those of neighbouring points or near motion that has settled.
 fn solutions(
     diagram: &Diagram,
     loops: u32,
@@ -137,7 +139,7 @@ fn solutions(
             found[k].extend(near(&equations, &known, points[k]).filter(good));
         }
     }
-    // To and fro, so that a solution gets as far as it can.
+    // Forwards and backwards, so that a solution spreads as far as possible.
     for _ in 0..2 {
         for k in (0..points.len()).chain((0..points.len()).rev()) {
             let column = k % lattice;
@@ -157,7 +159,8 @@ fn solutions(
     found
 }
 
-/// To how many of some good MPSs at a point simulation comes back, and what does not agree.
+/// The number of these stable, admissible MPSs at a point to which simulation returns, and the
+/// disagreements.
 fn judge(
     diagram: &Diagram,
     shown: Shown,

@@ -8,7 +8,7 @@ use serde::Deserialize;
 
 use crate::random::Random;
 
-/// A kind of oscillator: expressions, and ranges for what is random in them.
+/// A kind of oscillator: expressions, and the ranges of their random constants.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Family {
@@ -16,7 +16,7 @@ struct Family {
     force: String,
     restitution: String,
     duration: String,
-    /// Constants with their ranges, besides ζ and ε.
+    /// Constants with their ranges, in addition to ζ and ε.
     constants: Vec<(String, [f64; 2])>,
     /// Name and lower end of the primary parameter, and the range of its upper end.
     primary: (String, f64, [f64; 2]),
@@ -31,10 +31,10 @@ static FAMILIES: LazyLock<Vec<Family>> = LazyLock::new(|| {
     file.into_values().flatten().collect()
 });
 
-/// No oscillator takes more random numbers than this.
+/// The greatest number of random numbers that an oscillator uses.
 const MOST_NUMBERS: u64 = 16;
 
-/// An oscillator of a seed, as text; with the number go round all kinds of oscillators.
+/// The random oscillator of a seed and a number, as text; successive numbers cycle through all kinds.
 pub fn description(seed: u64, number: u64) -> String {
     let family = &FAMILIES[number as usize % FAMILIES.len()];
     let mut random = Random::from(seed, number * MOST_NUMBERS);

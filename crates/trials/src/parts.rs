@@ -1,4 +1,4 @@
-//! Diagrams of parts of a window against the diagram of the whole: what is found does not depend on
+//! Compares diagrams of parts of a window with the diagram of the whole: the results must not depend on
 //! the window.
 
 use core::fmt;
@@ -13,29 +13,30 @@ use crate::regions::{Shown, shown};
 
 type Point = [f64; 2];
 
-/// Less of a curve is not missed, in shares of the part: where curves end or leave the part.
+/// The least length of a missing piece of a curve, in units of the part; shorter pieces occur where
+/// curves end or leave the part.
 const LEAST_LENGTH: f64 = 0.02;
-/// Strips of stable solutions between curves thinner than this share of the whole window's ranges are not looked
-/// for in any window, and are known where they go on to where they are wider.
+/// Strips of stable solutions between curves that are thinner than this fraction of the whole window's
+/// ranges are not searched for in any window; they are known only where they continue to wider parts.
 const SLIVER: f64 = 1e-4;
-/// Points this near to an edge of the part, in shares of it, may lie outside.
+/// Points this close to an edge of the part, as a fraction of it, may lie outside.
 const EDGE: f64 = 0.01;
 
-/// Which diagram has something that the other one lacks.
+/// The diagram that has something the other one lacks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Has {
-    /// That of the whole window.
+    /// The diagram of the whole window.
     Whole,
-    /// That of the part.
+    /// The diagram of the part.
     Part,
 }
 
-/// Something on which two diagrams do not agree.
+/// A difference between two diagrams.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Difference {
-    /// At a point one is shaded and the other white.
+    /// A point that is shaded in one diagram and white in the other.
     Verdict(Has, u32, Point),
-    /// A piece of a curve, or a point, with its name, a place and its length in shares of the part.
+    /// A piece of a curve, or a point, with its name, a place and its length in units of the part.
     Missing(Has, String, Point, f64),
 }
 
@@ -50,21 +51,22 @@ impl fmt::Display for Difference {
     }
 }
 
-/// What became of one part.
+/// The result of comparing one part.
 #[derive(Clone, Debug, Default)]
 pub struct Outcome {
-    /// Points at which both are shaded, or both white.
+    /// The number of points at which both are shaded, or both white.
     pub agreed: usize,
-    /// The share of the points that is hatched in the part and not in the whole, for any p, and the
-    /// other way round.
+    /// The fraction of the points that is hatched in the part and not in the whole, for any p, and the
+    /// converse.
     pub hatched: [f64; 2],
-    /// Lengths of curves in the part that both have, in shares of it.
+    /// The length of the curves in the part that both diagrams have, in units of the part.
     pub common: f64,
-    /// All that differs.
+    /// All differences.
     pub differences: Vec<Difference>,
 }
 
-/// What bounds and marks regions, each with its p: curves, and points as curves of one point.
+/// The curves and special points of a diagram, each with its p and a name; points are curves of one
+/// point.
 fn marks(diagram: &Diagram) -> Vec<(u32, String, Vec<Point>)> {
     let curve = |curve: &grazing_unfold::diagram::DiagramCurve| {
         let name = format!("{:?} curve, p = {}", curve.kind, curve.loops);
@@ -88,7 +90,7 @@ fn marks(diagram: &Diagram) -> Vec<(u32, String, Vec<Point>)> {
     curves.chain(points).collect()
 }
 
-/// The distance of a point from a polyline, in shares of a window.
+/// The distance of a point from a polyline, in units of a window.
 fn distance(window: Window, at: Point, line: &[Point]) -> f64 {
     let place = |point: &Point| {
         let [a, b] = [window.shares(*point), window.shares(at)];
@@ -104,8 +106,8 @@ fn distance(window: Window, at: Point, line: &[Point]) -> f64 {
     line.windows(line.len().min(2)).map(to_chord).fold(f64::INFINITY, f64::min)
 }
 
-/// Curves and points of one diagram in a part of the window, without those that the other one has,
-/// and the length of what both have.
+/// The length of the curves that both diagrams have in a part of the window, and the curves and points of
+/// one diagram that the other lacks.
 fn lacking(
     whole: Window,
     part: Window,
@@ -145,12 +147,12 @@ fn lacking(
     (common, missing)
 }
 
-/// The diagram of a part of the window of another one; none where there is nothing to show.
+/// The diagram of a part of another diagram's window; none if there is nothing to unfold.
 pub fn part(whole: &Diagram, window: Window) -> Option<Diagram> {
     Diagram::compute(&whole.oscillator, &Scope { window, ..whole.scope.clone() }, &Silent).ok()
 }
 
-/// Compares a diagram with that of a part of its window, at so many random points of that.
+/// Compares a diagram with that of a part of its window, at `points` random points of the part.
 pub fn compare(
     whole: &Diagram,
     window: Window,
@@ -166,7 +168,7 @@ pub fn compare(
     outcome
         .differences
         .extend(part.map(|part| lacking(all, window, Has::Part, part, Some(whole)).1).unwrap_or_default());
-    // Where there is nothing to show, nothing is known of motion without impacts.
+    // If there is nothing to unfold, nothing is known about motion without impacts.
     let loops = whole.scope.loops.iter().copied().chain(part.map(|_| 0));
     let loops: Vec<u32> = loops.collect();
     for _ in 0..points {

@@ -1,4 +1,4 @@
-//! Shaded regions of the linear oscillator against its MPSs in closed form.
+//! Compares shaded regions of the linear oscillator with its MPSs in closed form.
 
 use core::f64::consts::TAU;
 
@@ -11,22 +11,23 @@ use grazing_unfold::{Diagram, Scope};
 use crate::closed_form::orbits;
 use crate::random::Random;
 
-/// What became of the random points of one oscillator.
+/// The result of comparing one oscillator at random points.
 #[derive(Clone, Debug, Default)]
 pub struct Outcome {
-    /// Points with a stable, admissible MPS of some p that is shaded.
+    /// The number of points with a stable, admissible MPS of some p that is shaded.
     pub shaded: usize,
-    /// (p, amplitude, frequency) with a stable, admissible MPS where nothing is shaded or hatched.
+    /// (p, amplitude, frequency) of points with a stable, admissible MPS where nothing is shaded or
+    /// hatched.
     pub missed: Vec<(u32, [f64; 2])>,
-    /// (p, amplitude, frequency) without one where it is shaded.
+    /// (p, amplitude, frequency) of shaded points without a stable, admissible MPS.
     pub false_shading: Vec<(u32, [f64; 2])>,
-    /// The share of the points that is hatched, for any p.
+    /// The fraction of the points that is hatched, for any p.
     pub hatched: f64,
-    /// Why regions are hatched.
+    /// The reasons why regions are hatched.
     pub doubts: Vec<String>,
 }
 
-/// The distance from a border within which a point decides nothing.
+/// The distance from a border within which points are not compared.
 pub const BORDER: f64 = 0.002;
 
 /// The distance of a point from the border of a region.
@@ -44,26 +45,26 @@ pub fn distance(region: &Region, [x, y]: [f64; 2]) -> f64 {
     least
 }
 
-/// Why regions of a diagram are hatched.
+/// The reasons why regions of a diagram are hatched.
 pub fn doubts(diagram: &Diagram) -> Vec<String> {
     let doubt = |region: &Region| Some(format!("p = {}: {}", region.loops, region.doubt.as_ref()?));
     diagram.regions.iter().filter_map(doubt).collect()
 }
 
-/// What a diagram says of p-loop solutions at a point.
+/// The content of a diagram at a point, for p-loop solutions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
     /// A stable, admissible solution.
     Shaded,
-    /// None.
+    /// No stable, admissible solution.
     White,
-    /// Nothing.
+    /// An undecided region.
     Hatched,
-    /// Too close to a border.
+    /// A place too close to a border.
     Border,
 }
 
-/// What a diagram says of p-loop solutions at a point.
+/// The content of a diagram at a point, for p-loop solutions.
 pub fn shown(diagram: &Diagram, loops: u32, point: [f64; 2]) -> Shown {
     let mut of_p = diagram.regions.iter().filter(|region| region.loops == loops);
     let inside: Vec<_> = of_p.clone().filter(|region| region.contains(point)).collect();
@@ -78,7 +79,7 @@ pub fn shown(diagram: &Diagram, loops: u32, point: [f64; 2]) -> Shown {
     }
 }
 
-/// Whether a good MPS is there all around a point, or nowhere; `None` close to a border.
+/// Whether a stable, admissible MPS exists at a point; `None` if the answer differs nearby, at a border.
 fn exact(zeta: f64, epsilon: f64, [amplitude, omega]: [f64; 2], loops: u32) -> Option<bool> {
     let at = |a: f64, w: f64| {
         orbits(zeta, epsilon, a, w, loops).iter().any(|orbit| orbit.stable() && orbit.admissible())

@@ -1,4 +1,5 @@
-//! What motion of any oscillator with impacts settles on, from event to event.
+//! The solution on which motion of any oscillator with impacts settles, by simulation from event to
+//! event.
 
 use core::f64::consts::TAU;
 
@@ -13,25 +14,25 @@ use crate::random::Random;
 pub struct Settled {
     /// The number of loops p; 0 without impacts.
     pub loops: u32,
-    /// Velocity of its impact; without impacts at phase zero.
+    /// Velocity of the impact; without impacts, velocity at phase zero.
     pub velocity: f64,
-    /// Phase of its impact; zero without impacts.
+    /// Phase of the impact; zero without impacts.
     pub phase: f64,
 }
 
-/// Forcing periods for which motion is followed before it is looked at, and how often that is done.
+/// Forcing periods for which motion is followed before each test, and the number of such spells.
 const SPELL: f64 = 50.0;
 const SPELLS: usize = 7;
-/// Impacts that differ less than this are the same.
+/// The difference below which impacts count as equal.
 const SAME: f64 = 1e-6;
-/// After so many impacts running that differ a thousand times less, nothing more is waited for.
+/// The number of consecutive impacts, equal to a thousandth of [`SAME`], after which motion counts as
+/// settled.
 const SURE: usize = 8;
-/// Impacts slower than this belong to motion close to grazing, which is as slow to settle.
+/// The impact velocity below which motion is close to grazing, and settles slowly.
 const SLOWEST: f64 = 1e-3;
-/// Motion without impacts farther away than this has been carried off, as a pendulum's over the
-/// top.
+/// The distance beyond which motion without impacts has been carried away, as a pendulum over the top.
 const CARRIED_AWAY: f64 = 4.0;
-/// No motion that settles has more impacts in a spell.
+/// The greatest number of impacts in a spell; motion that settles has fewer.
 const MOST_IMPACTS: usize = 10_000;
 
 /// The p-loop solution, or the one without impacts, on which motion from a random state settles.
@@ -64,11 +65,11 @@ pub fn settled(oscillator: &impl ImpactOscillator, random: &mut Random) -> Optio
         }
         from = state;
     }
-    // At least three times round.
+    // At least three repetitions.
     (impacts.len() > 3).then(|| repeated(&impacts, period, SAME)).flatten()
 }
 
-/// The solution without impacts on which motion has settled, if a period brings it back.
+/// The solution without impacts on which motion has settled, if the state recurs after a period.
 fn without_impacts(oscillator: &impl ImpactOscillator, from: State) -> Option<Settled> {
     let to_phase_zero = (TAU - turned(from.phase)) / oscillator.forcing_frequency().value;
     let after = |state: State, time: f64| {
@@ -88,10 +89,10 @@ fn without_impacts(oscillator: &impl ImpactOscillator, from: State) -> Option<Se
     })
 }
 
-/// The p-loop solution whose impacts these are, if they are all the same but for a difference.
+/// The p-loop solution with these impacts, if they are all equal to within `difference`.
 fn repeated(impacts: &[[f64; 3]], period: f64, difference: f64) -> Option<Settled> {
     let [first, second, ..] = impacts else { return None };
-    // The time that passes during impacts is not among those of flights.
+    // The duration of impacts is not included in that of flights.
     let loops = libm::round((second[0] - first[0]) / period);
     let same = impacts.iter().all(|[_, velocity, phase]| {
         (velocity - first[1]).abs() < difference

@@ -1,4 +1,4 @@
-//! Deliberate errors: each can be put in, and the table keeps what was seen before.
+//! Deliberate errors: each can be introduced, and the table keeps earlier results.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -13,7 +13,8 @@ fn every_error_can_be_put_in() {
     assert!(list.iter().all(|error| error.find != error.replace));
     let read = |file: &str| std::fs::read_to_string(root.join(file)).expect("it is there");
     let (trust, tried) = (read("docs/trust.md"), read(TABLE));
-    // By whom: `3 claims: ...`, `1 test: ...`; frozen tests alone are not enough.
+    // The observer of each error: `3 claims: ...`, `1 test: ...`; tests against earlier output alone do
+    // not suffice.
     let seen: Vec<&str> =
         tried.lines().filter_map(|line| line.trim_end_matches(" |").rsplit_once(" | ")?.1.into()).collect();
     let by = |who: &str| {

@@ -1,5 +1,6 @@
-//! Shaded regions of nonlinear oscillators against continuation and simulation; `cargo run
-//! --release -p grazing-trials -- nonlinear` takes the examples and many more, on a finer lattice.
+//! Compares shaded regions of nonlinear oscillators with continuation and simulation;
+//! `cargo run --release -p grazing-trials -- nonlinear` tests the examples and many more, on a finer
+//! lattice.
 
 use std::sync::LazyLock;
 
@@ -9,7 +10,7 @@ use grazing_trials::oscillators;
 use grazing_unfold::Diagram;
 use grazing_unfold::regions::Region;
 
-/// The diagram of a random oscillator of seed 1, a spring that stiffens.
+/// The diagram of a random oscillator of seed 1 with a hardening spring.
 static DIAGRAM: LazyLock<Diagram> = LazyLock::new(|| {
     let text = oscillators::description(1, 10);
     let description = Description::parse(&text, "random").expect("what is made at random is right");
@@ -21,7 +22,7 @@ fn what_is_shaded_is_where_continuation_finds_solutions_and_motion_settles() {
     let outcome = compare(&DIAGRAM, 8, 1);
     assert_eq!(outcome.wrong, []);
     assert_eq!(outcome.hatched, 0.0, "{:?}", outcome.doubts);
-    // Of 64 points half are shaded.
+    // Half of the 64 points are shaded.
     assert!(outcome.confirmed > 20 && outcome.seen > 10, "{outcome:?}");
 }
 

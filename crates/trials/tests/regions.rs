@@ -1,13 +1,13 @@
-//! Shaded regions of the linear oscillator away from the paper's parameters; `cargo run --release
-//! -p grazing-trials` takes many more.
+//! Compares shaded regions of the linear oscillator away from the paper's parameters with the closed
+//! form; `cargo run --release -p grazing-trials` tests many more.
 
 use grazing_continuation::curve::Window;
 use grazing_trials::random::Random;
 use grazing_trials::regions::compare;
 
-/// Damping, restitution, greatest amplitude, and the numbers of loops.
+/// Damping ratio, restitution, greatest amplitude, and numbers of loops.
 const OSCILLATORS: [(f64, f64, f64, &[u32]); 4] = [
-    // p = 2 has a grazing curve to which no resonance leads, p = 1 interior maxima far above the
+    // p = 2 has a grazing curve to which no resonance leads, p = 1 has interior maxima far above the
     // wall.
     (0.05, 0.9, 1.3, &[1, 2, 3]),
     // Beyond A = 1.8 there is a period doubling of p = 1 that no resonance in the window leads to.

@@ -1,5 +1,5 @@
-//! Diagrams of parts of a window against that of the whole; `cargo run --release -p grazing-trials
-//! -- windows FILE...` takes more parts of any oscillator.
+//! Compares diagrams of parts of a window with that of the whole;
+//! `cargo run --release -p grazing-trials -- windows FILE...` tests more parts of any oscillator.
 
 use std::sync::LazyLock;
 
@@ -10,7 +10,7 @@ use grazing_trials::random::Random;
 use grazing_trials::{lines, oscillators};
 use grazing_unfold::Diagram;
 
-/// The diagram of a random oscillator, a spring that stiffens.
+/// The diagram of a random oscillator with a hardening spring.
 static WHOLE: LazyLock<Diagram> = LazyLock::new(|| {
     let text = oscillators::description(1, 10);
     let description = Description::parse(&text, "random").expect("what is made at random is right");
@@ -51,6 +51,6 @@ fn what_one_diagram_lacks_is_noticed() {
     let missing = outcome.differences.iter().filter(|it| matches!(it, Difference::Missing(Has::Whole, ..)));
     assert_eq!(missing.count(), 2, "{:?}", outcome.differences);
     assert!(compare(&less, window, Some(&WHOLE), 0, &mut random).differences.len() == 2);
-    // And nothing at all.
+    // An empty diagram lacks everything.
     assert!(compare(&WHOLE, window, None, 200, &mut random).differences.len() > 20);
 }

@@ -1,16 +1,17 @@
-//! Errors behind switches: the body of a function once for each of its errors, and once as it is.
+//! Errors behind switches: the body of a function is repeated once for each of its errors, and once
+//! without any.
 
 use core::ops::Range;
 
 use super::DeliberateError;
 
-/// The environment variable that holds the number of the error that is in.
+/// The environment variable with the number of the active error.
 pub(super) const VARIABLE: &str = "GRAZING_DELIBERATE_ERROR";
 
-/// The environment variable that names a file for the numbers of the switches that a run comes to.
+/// The environment variable that names a file for the numbers of the switches that a run reaches.
 pub(super) const REACHED: &str = "GRAZING_DELIBERATE_ERRORS_REACHED";
 
-/// What a crate's root gets: whether an error is in.
+/// The code added to a crate's root: a function that returns whether an error is active.
 pub(super) const SWITCH: &str = r#"
 /// Whether the deliberate error of this number is in.
 #[allow(dead_code)]
@@ -31,12 +32,12 @@ pub(crate) fn deliberate_error(number: u32) -> bool {
 }
 "#;
 
-/// What stands in a place with an error in it, and the error's number.
+/// The number of an error, and the text of its site with the error.
 type Wrong = (usize, String);
 
 /// The text of a file with its errors behind switches, each with its number: around the body of the
-/// function in which it stands, or, outside functions, around the expression itself. And the
-/// numbers of those for which there is no room, as others stand around or in them.
+/// function that contains it or, outside functions, around the expression itself. Also returns the
+/// numbers of the errors that overlap the site of another error and are left out.
 pub(super) fn armed(text: &str, errors: &[(usize, &DeliberateError)]) -> (String, Vec<usize>) {
     let mut sites: Vec<(Range<usize>, Vec<Wrong>)> = Vec::new();
     let mut left = Vec::new();
@@ -62,7 +63,7 @@ pub(super) fn armed(text: &str, errors: &[(usize, &DeliberateError)]) -> (String
     let mut done = 0;
     for (range, all) in sites {
         armed.push_str(&text[done..range.start]);
-        // Braces around the body stay where they are.
+        // The braces around the body are kept.
         armed.push('(');
         for (number, wrong) in all {
             armed.push_str(&format!("if crate::deliberate_error({number}) {{ {wrong} }} else "));
@@ -74,7 +75,7 @@ pub(super) fn armed(text: &str, errors: &[(usize, &DeliberateError)]) -> (String
     (armed, left)
 }
 
-/// What stands between the braces of the innermost function around a place.
+/// The text between the braces of the innermost function around a place.
 fn body(text: &str, place: &Range<usize>) -> Option<Range<usize>> {
     let code = without_literals(text);
     let starts = code[..place.start].match_indices("fn ").map(|(at, _)| at);
@@ -100,7 +101,7 @@ fn body(text: &str, place: &Range<usize>) -> Option<Range<usize>> {
     None
 }
 
-/// The text with blanks for what stands in strings, characters and comments, byte for byte.
+/// The text with strings, characters and comments replaced by blanks, byte for byte.
 fn without_literals(text: &str) -> String {
     let bytes = text.as_bytes();
     let mut plain = bytes.to_vec();
@@ -109,7 +110,7 @@ fn without_literals(text: &str) -> String {
         let end = match &bytes[at..] {
             [b'/', b'/', ..] => bytes[at..].iter().position(|byte| *byte == b'\n').map(|length| at + length),
             [b'"', ..] => string_end(bytes, at),
-            // A character, and not a lifetime.
+            // A character literal rather than a lifetime.
             [b'\'', b'\\', ..] => {
                 let rest = bytes[at + 2..].iter().skip(1).position(|byte| *byte == b'\'');
                 rest.map(|length| at + length + 4)
@@ -127,7 +128,7 @@ fn without_literals(text: &str) -> String {
     String::from_utf8(plain).unwrap_or_default()
 }
 
-/// Behind the quotation mark that closes the string that begins here, raw or not.
+/// The position after the quotation mark that closes the string that begins here, raw or not.
 fn string_end(bytes: &[u8], start: usize) -> Option<usize> {
     let hashes = bytes[..start].iter().rev().take_while(|byte| **byte == b'#').count();
     let raw = bytes[..start - hashes].last() == Some(&b'r');
@@ -172,7 +173,7 @@ mod tests {
             body.replace("+ 1.0", "+ 2.0"),
         );
         assert_eq!((armed, left), (wanted, Vec::new()));
-        // Outside functions the expression itself.
+        // Outside functions, the expression itself is replaced.
         let both = [(7, &error("2.0", "3.0")), (8, &error("= 2.0", "= 4.0"))];
         let (armed, left) = super::armed("const C: f64 = 2.0;", &both);
         assert_eq!(armed, "const C: f64 = (if crate::deliberate_error(7) { 3.0 } else { 2.0 });");
