@@ -1,4 +1,4 @@
-//! The figures that any oscillator may have, one file each.
+//! The figures available for any oscillator, one file each.
 
 pub(crate) mod diagram;
 pub(crate) mod family;

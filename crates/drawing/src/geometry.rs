@@ -1,4 +1,4 @@
-//! Geometry on the sheet and in data space: clipping, thinning, outlines, places for labels.
+//! Geometry on the sheet and in data space: clipping, thinning, outlines, positions of labels.
 
 pub mod clip;
 pub(crate) mod passing;

@@ -1,4 +1,4 @@
-//! What puts ink on a sheet: fonts, pens, text and lines as SVG, labels and legends.
+//! Drawing on a sheet: fonts, pens, text and lines as SVG, labels and legends.
 
 pub mod arrow;
 pub mod canvas;

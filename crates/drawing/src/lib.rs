@@ -1,19 +1,19 @@
-//! What figures are made of: rows in, SVG out.
+//! Drawing of figures: rows in, SVG out.
 //!
-//! [`draw_diagram`], [`draw_magnifications`], [`draw_straightened`], [`draw_one_parameter`], [`draw_place`]
-//! and [`draw_family`] take what a figure of any oscillator shows ([`grazing_results`]) and return a [`Sheet`]: what is drawn,
-//! and what the figure says of itself. The figures of the paper are put together from the same and
-//! from the parts below, each beside its rows. This crate knows rows, frames and ink; it computes
-//! nothing about impacts, and equal input gives equal bytes.
+//! [`draw_diagram`], [`draw_magnifications`], [`draw_straightened`], [`draw_one_parameter`],
+//! [`draw_place`] and [`draw_family`] take the rows of a figure of any oscillator ([`grazing_results`])
+//! and return a [`Sheet`]: the drawn elements, with title and description. The figures of the paper are
+//! composed from these functions and from the parts below, each beside its rows. This crate knows rows,
+//! frames and ink; it computes nothing about impacts, and equal input gives equal bytes.
 //!
-//! The files stand on four floors, each of which uses only those below it: `figures`, [`plot`]
+//! The files form four layers, each of which uses only those below it: `figures`, [`plot`]
 //! (parts of figures: axes, grids of panels, curves, scenes), [`ink`] (fonts, pens, SVG, labels,
 //! legends) and [`geometry`].
 //!
-//! plotters maps data to the sheet, whose lengths are points; SVG is written with two decimals.
-//! Curves and polygons are clipped in data space, so that they leave a frame at their own slope,
-//! and are split at NaN. Text stays text, in fonts that are embedded in each file and measured when
-//! labels are placed.
+//! plotters maps data to the sheet, whose lengths are in points; SVG is written with two decimals. Curves
+//! and polygons are clipped in data space, so that they leave a frame with their own slope, and are split
+//! at NaN. Text remains text, in fonts that are embedded in each file and measured when labels are
+//! placed.
 
 mod error;
 mod figures;

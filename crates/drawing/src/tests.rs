@@ -1,4 +1,4 @@
-//! What the tests of figures share: samples to draw, and a look at what was drawn.
+//! Helpers for the tests of figures: samples to draw, and inspection of the drawn result.
 
 pub(crate) mod inspection;
 mod legends;

@@ -19,24 +19,25 @@ use crate::plot::magnified::{OFF_TRIANGLE, letter, rectangle};
 use crate::plot::measured::draw_measured;
 use crate::plot::own::{draw_own, name_own};
 
-/// Width in the paper.
+/// The width of this figure in the paper.
 const WIDTH_MM: f64 = 120.0;
-/// Height as a share of the width, up to the most that leaves room for a caption and text on the
-/// page.
+/// The height as a fraction of the width, up to the greatest height that leaves room for a caption and
+/// text on the page.
 const HEIGHT_SHARE: f64 = 0.8;
 const MOST_HEIGHT_MM: f64 = 118.0;
-/// On narrower sheets the diagram is taller than this share says, so that its labels find room.
+/// The least height; on narrow sheets the diagram is taller than its fraction of the width, so that
+/// labels fit.
 const LEAST_HEIGHT_MM: f64 = 78.0;
-/// Room around the panel for the common numbers and titles, in points; longer ones get more.
+/// Room around the panel for common numbers and titles, in points; longer ones get more.
 const MARGINS: Bounds = Bounds { left: 35.0, top: 5.0, right: 8.0, bottom: 30.0 };
-/// No leader is longer than this, in points, so that none crosses the plane.
+/// The greatest length of a leader, in points, so that none crosses the plane.
 const LONGEST_LEADER: f64 = 28.0;
-/// Curves shorter than this on the sheet (points) stay without a label.
+/// Curves shorter than this on the sheet (points) have no label.
 const LABELLED_LENGTH: f64 = 42.0;
 
 /// Draws a two-parameter bifurcation diagram.
 ///
-/// Points that are inadmissible are not drawn, and grazing curves are dotted where what grazes is
+/// Inadmissible points are not drawn, and grazing curves are dotted where the grazing solution is
 /// unstable. Resonances of a p without a region have p written beside them.
 ///
 /// # Errors
@@ -139,7 +140,7 @@ pub fn draw_diagram(
     Ok(look.coloured(canvas.finish(heading.name, heading.title, heading.description)?))
 }
 
-/// Where the panel is: within the margins, wider ones if the numbers or the title need them.
+/// The bounds of the panel: within the margins, or wider ones if the numbers or the title need them.
 fn bounds(canvas: &Canvas, frame: &Frame, up: &str) -> Result<Bounds, DrawingError> {
     let (top, bottom) = (MARGINS.top, canvas.height - MARGINS.bottom);
     let left = room_beside(&canvas.fonts, frame.y, bottom - top, up)?.max(MARGINS.left);
@@ -148,7 +149,7 @@ fn bounds(canvas: &Canvas, frame: &Frame, up: &str) -> Result<Bounds, DrawingErr
     Ok(Bounds { left, top, right, bottom })
 }
 
-/// Largest first; equal areas keep their order.
+/// The shapes in order of decreasing area; equal areas keep their order.
 fn by_area(shapes: &[(u32, Vec<Spot>)]) -> Vec<(u32, &[Spot])> {
     let mut sorted: Vec<(u32, &[Spot])> = shapes.iter().map(|(p, shape)| (*p, shape.as_slice())).collect();
     sorted.sort_by(|a, b| area(b.1).total_cmp(&area(a.1)));
@@ -232,7 +233,7 @@ mod tests {
         sample.diagram.curves.truncate(201);
         sample.diagram.regions.clear();
         let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap().svg();
-        // A triangle is a path of three corners.
+        // A triangle is a path with three corners.
         let triangles = svg.lines().filter(|line| line.contains('Z') && line.matches('L').count() == 2);
         assert_eq!(triangles.count(), 4);
     }
@@ -251,7 +252,7 @@ mod tests {
         let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap().svg();
         let curves = crate::tests::inspection::paths(&svg, "#78c86e");
         assert_eq!(curves.len(), 2);
-        // Each runs left, turns and runs back to the right: its ends are over each other.
+        // Each curve runs left, turns and runs back to the right: its ends are one above the other.
         for curve in &curves {
             let (first, last) = (curve[0], curve[curve.len() - 1]);
             assert!((first.0 - last.0).abs() < 0.02 && (first.1 - last.1).abs() > 50.0);
@@ -280,11 +281,11 @@ mod tests {
         };
         assert_eq!(rectangles(&sample), 3);
         let Frame { x: [left, _], y: [low, _] } = sample.diagram.magnified[1].frame;
-        // A thousandth of the range is a third of a point.
+        // A thousandth of the range is a third of a point on the sheet.
         sample.diagram.magnified[1].frame = Frame { x: [left, left + 0.001], y: [low, low + 0.001] };
         assert_eq!(rectangles(&sample), 2);
         assert!(texts(&sample).contains(&"(b)".to_owned()));
-        // Wide, but as low as it is thick.
+        // Wide, but no higher than the line is thick.
         let Frame { x: [left, right], y: [low, _] } = sample.diagram.magnified[2].frame;
         sample.diagram.magnified[2].frame = Frame { x: [left, right], y: [low, low + 0.002] };
         assert_eq!(rectangles(&sample), 1);

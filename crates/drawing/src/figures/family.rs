@@ -1,5 +1,4 @@
-//! Resonances, coefficients and codimension-two points over a constant of the oscillator that
-//! varies.
+//! Resonances, coefficients and codimension-two points as functions of a constant of the oscillator.
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_results::Names;
@@ -19,19 +18,19 @@ use crate::plot::kinds::{pen, text_colour};
 use crate::plot::magnified::panel_letter;
 use crate::plot::panel_grid::{GridPanel, draw_panels, sheets};
 
-/// Curves shorter than this on the sheet (points) stay without a label.
+/// Curves shorter than this on the sheet (points) have no label.
 const LABELLED_LENGTH: f64 = 18.0;
-/// The curves of the last member of the other constants are mixed with so much white.
+/// The fraction of white mixed into the curves of the last member of the other constants.
 const PALEST: f64 = 0.6;
-/// Ends of arcs this close, as a share of the secondary parameter, are one resonance.
+/// Ends of arcs this close, as a fraction of the secondary parameter, are the same resonance.
 const SAME_RESONANCE: f64 = 1e-6;
-/// Members are marked on curves by discs of this radius, in points.
+/// The radius of the discs that mark members on curves, in points.
 const MEMBER_RADIUS: f64 = 1.1;
 
-/// Draws a family, whose columns have these names, under a title.
+/// Draws a family with these names of its columns, under a title.
 ///
-/// Panels over the constant that varies first: for each p the secondary parameter at resonances and
-/// other codimension-two points, c_SN and c_PD. Curves of further constants are paler the further
+/// The panels are over the constant that varies first: for each p, the secondary parameter at resonances
+/// and other codimension-two points, c_SN, and c_PD. Curves for further constants are paler the further
 /// these are from their first values.
 ///
 /// # Errors
@@ -74,7 +73,7 @@ pub fn draw_family(
     })
 }
 
-/// What is up in a panel.
+/// The quantity on the vertical axis of a panel.
 fn quantity(panel: &FamilyPanel, names: &Names) -> String {
     let loops = panel.loops;
     match panel.shows {
@@ -84,7 +83,7 @@ fn quantity(panel: &FamilyPanel, names: &Names) -> String {
     }
 }
 
-/// The constants of a row, the one that varies first before the others.
+/// The constants of a row: the one that varies first, then the others.
 fn across(varied: [f64; 3], count: usize) -> (f64, Vec<f64>) {
     let mut own = varied[varied.len() - count..].iter().copied();
     (own.next().unwrap_or(f64::NAN), own.collect())
@@ -98,7 +97,7 @@ fn draw_panel(
 ) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
     let varied = |row: &CurvePoint| across(row.varied, count);
-    // That of what a row has which is up.
+    // The value of a row that the vertical axis shows.
     let up = |secondary: f64, c_sn: f64, c_pd: f64| match shown.shows {
         Shows::Secondary => secondary,
         Shows::SaddleNode => c_sn,
@@ -126,7 +125,7 @@ fn draw_panel(
         let [low, high] = shown.frame.y;
         panel.line(&[(value, low), (value, high)], GUIDE);
     }
-    // The curves of the first values of the other constants are drawn last, above the others.
+    // Curves for the first values of the other constants are drawn last, above the rest.
     let mut strands =
         strands(family, shown.loops, |row| (varied(row).0, up(row.secondary, row.c_sn, row.c_pd)));
     strands.sort_by_key(|(first, _)| {
@@ -155,7 +154,7 @@ fn draw_panel(
     }
     let mut named = Vec::new();
     for (n, piece) in longest.iter().filter(|(_, piece)| length(piece) >= LABELLED_LENGTH) {
-        // With further constants the curves of one n lie beside each other.
+        // With further constants, curves of the same n are close to each other.
         if count > 1 && named.contains(n) {
             continue;
         }
@@ -165,11 +164,11 @@ fn draw_panel(
     labels.draw()
 }
 
-/// First and last row of a polyline, and its points.
+/// A polyline through a family: its first and last row, and its points.
 type Strand<'a> = (&'a CurvePoint, &'a CurvePoint, Vec<(f64, f64)>);
 
-/// The resonances of p loops from member to member, each as one polyline with the row with which it
-/// begins: arcs of one curve that follow each other.
+/// The resonances of p loops from member to member. Consecutive arcs of one curve are joined into one
+/// polyline.
 fn strands(
     family: &Family,
     loops: u32,
@@ -189,7 +188,7 @@ fn strands(
             known.extend(points.skip(1));
             *end = last;
         } else if let Some((start, _, known)) = strands.iter_mut().find(|(start, _, _)| meets(start)) {
-            // Followed to the other side from the same member.
+            // This arc was followed to the other side from the same member.
             known.splice(0..1, points.rev());
             *start = last;
         } else {
@@ -199,8 +198,8 @@ fn strands(
     strands.into_iter().map(|(first, _, points)| (first, points)).collect()
 }
 
-/// Codimension-two points that are no resonances, by the colour of the curve that ends on the GZ
-/// curve there; one of each kind is named, the nearest to the middle of the panel.
+/// Draws codimension-two points other than resonances, in the colour of the curve that ends on the GZ
+/// curve there; the point of each kind that is nearest to the middle of the panel is named.
 fn points(
     panel: &Panel<'_>,
     labels: &mut Labels<'_>,
@@ -255,7 +254,7 @@ mod tests {
     use super::*;
     use crate::tests::samples::WIDTHS;
 
-    /// A family of two constants with curves of p = 1 and 2, one of which has a pole.
+    /// A sample family of two constants with curves of p = 1 and 2, one of which has a pole.
     fn sample(scale: f64) -> Family {
         let kinds = [CodimensionTwo::SaddleNodeGrazing, CodimensionTwo::PeriodDoublingGrazing];
         let (mut curves, mut points, mut degenerate) = (Vec::new(), Vec::new(), Vec::new());
@@ -343,7 +342,7 @@ mod tests {
         assert_eq!(along(&whole), [41; 4]);
         let mut turned = whole.clone();
         let first = turned.curves.iter().take_while(|row| row.arc == turned.curves[0].arc).count();
-        // The first arc, followed from its other end, comes after the second.
+        // The first arc is followed from its other end and comes after the second.
         turned.curves[..first].reverse();
         turned.curves[..2 * first].rotate_left(first);
         assert_eq!(along(&turned), [41; 4]);

@@ -1,4 +1,4 @@
-//! How the figures of an oscillator differ from the paper's, if they do.
+//! Options by which figures of an oscillator differ from the paper's.
 
 use std::borrow::Cow;
 
@@ -10,32 +10,33 @@ use crate::ink::sheet::{Element, Sheet};
 use crate::ink::style::SheetWidth;
 use crate::ink::svg::hex;
 
-/// What is drawn of two-parameter diagrams and magnifications, and how.
+/// Options for two-parameter diagrams and magnifications: which parts are drawn, and how.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Look {
     /// The width of the sheets.
     pub columns: SheetWidth,
-    /// Width and height of the diagram in millimetres, where they are given. The width counts where
-    /// sheets are not as wide as columns of a journal.
+    /// Width and height of the diagram in millimetres, where given. The width applies only if the sheets
+    /// do not have the width of a journal's columns.
     pub size_mm: [Option<f64>; 2],
-    /// The secondary parameter is across and the primary one up.
+    /// Whether the secondary parameter is on the horizontal axis and the primary one on the vertical
+    /// axis.
     pub swapped: bool,
-    /// Regions are shaded.
+    /// Whether regions are shaded.
     pub shaded: bool,
-    /// Curves are named.
+    /// Whether curves are labelled.
     pub curves_named: bool,
-    /// Regions are named by their p.
+    /// Whether regions are labelled with their p.
     pub regions_named: bool,
-    /// Rectangles of magnifications are drawn, with their letters.
+    /// Whether rectangles of magnifications are drawn, with their letters.
     pub magnified: bool,
-    /// Where one-parameter diagrams run is drawn, with their names.
+    /// Whether the lines of one-parameter diagrams are drawn, with their names.
     pub sections: bool,
-    /// The colours of kinds of curves in place of the usual ones.
+    /// Colours of kinds of curves that replace the usual ones.
     pub colours: Vec<(Bifurcation, Colour)>,
 }
 
 impl From<SheetWidth> for Look {
-    /// As the paper has it.
+    /// The options of the paper's figures, on sheets of this width.
     fn from(columns: SheetWidth) -> Self {
         Self {
             columns,
@@ -57,13 +58,12 @@ impl Look {
         self.columns.mm(self.size_mm[0].unwrap_or(paper))
     }
 
-    /// Whether regions of a kind are shown: what is undecided always is.
+    /// Whether regions of a kind are drawn; undecided regions always are.
     pub(crate) fn shows(&self, kind: RegionKind) -> bool {
         self.shaded || kind == RegionKind::Undecided
     }
 
-    /// The sheet with its own colours: those of curves, of their labels and of approximations to
-    /// them.
+    /// Replaces the colours of curves, of their labels and of their approximations on a sheet.
     pub(crate) fn coloured(&self, mut sheet: Sheet) -> Sheet {
         let exchanged = |&(kind, colour): &(Bifurcation, Colour)| {
             let look = CurveLook::of(kind);
@@ -89,7 +89,7 @@ impl Look {
     }
 }
 
-/// The text with colours exchanged, each once, so that two may change places.
+/// Replaces colours in a text, each occurrence once, so that two colours can be exchanged.
 fn with_colours<'a>(text: &'a str, exchanged: &[(String, String)]) -> Cow<'a, str> {
     let mut changed = Cow::Borrowed(text);
     for (place, _) in text.match_indices('#') {
@@ -126,7 +126,7 @@ mod tests {
             let [across, up] = usual.titles;
             assert_eq!(swapped.titles, [up, across]);
         }
-        // What runs upwards runs across.
+        // A direction that was up is now to the right.
         let sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 3);
         let grazing = |swapped: bool| {
             let svg = drawn(&sample, Look { swapped, ..Look::from(USUAL) }).svg();
@@ -151,7 +151,7 @@ mod tests {
         let sample = sample(3);
         let [blue, red] =
             [Bifurcation::SaddleNode, Bifurcation::PeriodDoubling].map(|kind| CurveLook::of(kind).colours[0]);
-        // Two that change places, in figure and legend.
+        // Two colours are exchanged in the figure and in the legend.
         let colours = vec![(Bifurcation::SaddleNode, red), (Bifurcation::PeriodDoubling, blue)];
         let (usual, changed) =
             (drawn(&sample, USUAL.into()), drawn(&sample, Look { colours, ..Look::from(USUAL) }));

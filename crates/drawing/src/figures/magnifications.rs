@@ -1,5 +1,5 @@
-//! Magnifications about resonances, one panel each, like Figure 8; and the same in straightened
-//! coordinates, in which curves that are tangent to each other lie apart at any scale.
+//! Magnifications about resonances, one panel each, like Figure 8; also in straightened coordinates, in
+//! which curves that are tangent to each other are separate at any scale.
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::plane::{
@@ -20,16 +20,15 @@ use crate::plot::numbers::Decades;
 use crate::plot::panel_grid::{GridPanel, draw_panels};
 use crate::plot::ticks::measured;
 
-/// Curves shorter than this on the sheet (points) stay without a label.
+/// Curves shorter than this on the sheet (points) have no label.
 const LABELLED_LENGTH: f64 = 24.0;
-/// Significant digits of coefficients.
+/// The number of significant digits of coefficients.
 const DIGITS: usize = 4;
 
 /// Draws magnifications.
 ///
-/// Panels stand three in a row, on narrow sheets one above the other, three rows on a sheet: as
-/// many sheets are drawn as there have to be, all with about as many panels, none if there is no
-/// panel.
+/// There are three panels in a row, on narrow sheets one above the other, and three rows on a sheet.
+/// Panels are spread evenly over the necessary number of sheets; without panels there are no sheets.
 ///
 /// # Errors
 /// [`DrawingError`] if a frame is empty.
@@ -54,8 +53,8 @@ pub fn draw_magnifications(
     Ok(sheets.into_iter().map(|sheet| look.coloured(sheet)).collect())
 }
 
-/// The panel of a resonance, with p, n and coefficients over it; on an axis of decades with the
-/// places of its range there.
+/// The panel of a resonance, with p, n and coefficients above it; on an axis of decades its range is
+/// converted.
 fn grid_panel<'a>(
     panel: &MagnifiedPanel,
     heading: &Heading<'a>,
@@ -83,9 +82,9 @@ fn grid_panel<'a>(
     })
 }
 
-/// Draws curves that leave resonances in straightened coordinates: μ/η² across and η up by its
-/// decades, μ being the distance from the grazing curve and η that from the resonance. Dashed: where
-/// the curves go by theory.
+/// Draws curves that leave resonances in straightened coordinates: μ/η² on the horizontal axis, η on a
+/// vertical axis of decades, where μ is the distance from the grazing curve and η that from the
+/// resonance. Dashed lines show the theoretical limits.
 ///
 /// # Errors
 /// As [`draw_magnifications`].
@@ -121,7 +120,7 @@ pub fn draw_straightened(
             let label = format!("{}{of}", kind.name());
             named.extend(longest.map(|(_, piece)| (kind, label, piece)));
         }
-        // All is drawn that labels have to keep off.
+        // Everything that labels avoid has been drawn.
         for (kind, label, piece) in named.iter().filter(|named| length(&named.2) >= LABELLED_LENGTH) {
             labels.add(label, SMALL_LABEL_SIZE, text_colour(*kind), &Site::Beside(piece))?;
         }
@@ -180,7 +179,7 @@ mod tests {
                 for sheet in draw_magnifications(&sample.magnifications, &sample.magnified(), width).unwrap()
                 {
                     sheet.assert_well_placed(&(&sample.names, width));
-                    // A4 less margins of 30 mm above and below, and 30 mm for the caption.
+                    // A4 minus margins of 30 mm above and below, and 30 mm for the caption.
                     assert!(sheet.size.1 < (297.0 - 90.0) * crate::ink::svg::POINTS_PER_MM);
                 }
             }
@@ -211,7 +210,7 @@ mod tests {
         for text in ["$10^{-9}$", "$−10^{-9}$", "SN", "PD", "GZ, $p=2$"] {
             assert!(texts.iter().any(|found| found == text), "{text} in {texts:?}");
         }
-        // Three curves in each of three panels, and where they go.
+        // Three curves in each of three panels, with their limits.
         assert_eq!(sheet.short_body().matches("stroke-dasharray=\"3.2 2\"").count(), 9);
     }
 

@@ -1,5 +1,5 @@
-//! One-parameter diagrams with phase portraits above them, of any oscillator; Figure 2 is one, with
-//! a magnification.
+//! One-parameter diagrams of any oscillator, with phase portraits above them; Figure 2 is one, with a
+//! magnification.
 
 use grazing_results::branches::OneParameter;
 use grazing_results::readings::Ordinate;
@@ -18,46 +18,45 @@ use crate::plot::branches::diagram;
 use crate::plot::portraits::{Caption, draw_portraits, equation, letters, portraits, row_height};
 use crate::plot::ticks::measured;
 
-/// Width in the paper.
+/// The width of this figure in the paper.
 const WIDTH_MM: f64 = 156.0;
-/// Portraits stand so many in a row, on sheets narrower than this two; wider ones have the
+/// The number of portraits in a row; sheets narrower than [`WIDE_MM`] have two, and wider ones have the
 /// magnification beside the diagram.
 const IN_A_ROW: usize = 4;
 const WIDE_MM: f64 = 120.0;
-/// Height of the diagram with its numbers and title, in points: alone, beside its magnification,
-/// and above it.
+/// The height of the diagram with its numbers and title, in points: alone, beside its magnification, and
+/// above it.
 const HEIGHT: f64 = 236.0;
 const MAGNIFIED_HEIGHT: f64 = 222.83;
 const STACKED_HEIGHT: f64 = 121.0;
-/// Room above the magnification where it stands below, in points.
+/// Room above the magnification when it is below the diagram, in points.
 const STACKED_GAP: f64 = 8.0;
-/// Room above the diagram, with letters of portraits and without, and beside it, alone and
-/// magnified, in points; numbers that need more get it.
+/// Room above the diagram, with and without letters of portraits, and beside it, alone and magnified, in
+/// points; longer numbers get more.
 const LETTERS: f64 = 18.0;
 const ABOVE: f64 = 6.0;
 const LEFT: f64 = 38.0;
 const RIGHT: f64 = 9.0;
 const MAGNIFIED_RIGHT: f64 = 6.0;
-/// The part of the width that a diagram has beside its magnification, and the room between, in
+/// The fraction of the width that a diagram takes beside its magnification, and the room between them in
 /// points.
 const SPLIT: f64 = 0.59;
 const BETWEEN: f64 = 44.0;
-/// A value of more characters than this is rounded, to so many digits.
+/// A value of more characters than [`LONGEST`] is rounded to [`DIGITS`] digits.
 const LONGEST: usize = 8;
 const DIGITS: usize = 6;
 /// Room below the diagram for numbers and axis title, in points.
 const BELOW: f64 = 31.0;
 
-/// A value as the file has it, unless that takes many digits.
+/// A value with all its digits, unless there are too many.
 fn plain(value: f64) -> String {
     let text = format!("{value}").replace('-', "−");
     if text.chars().count() <= LONGEST { text } else { measured(value, DIGITS) }
 }
 
-/// Draws a one-parameter diagram and its portraits, of whose tables those of the heading are
-/// bifurcations, branches, attractor and portraits; the title of its axis says where the other
-/// parameter is held, if it is to. Where another ordinate than x is asked for, the tables are that of
-/// readings and that of portraits.
+/// Draws a one-parameter diagram and its portraits. The tables of the heading are those of bifurcations,
+/// branches, attractor and portraits; for an ordinate other than x, those of readings and portraits. If
+/// `says_where` is set, the title of the horizontal axis states the value of the fixed parameter.
 ///
 /// # Errors
 /// [`DrawingError`] if a frame is empty.
@@ -122,12 +121,12 @@ pub fn draw_one_parameter(
     if let [_, part] = &panels[..] {
         let outline = part.frame.outline();
         whole.line(&outline, MAGNIFIER);
-        // Around the panel, so that half of it lies outside.
+        // The line surrounds the panel, so that half of its width lies outside.
         canvas.line(&outline.map(|corner| part.spot(corner)), MAGNIFIER_FRAME);
     }
     let at = equation(&held, &plain(figure.at));
     let place = format!("{axis}  ({})", format!("{at} {unit}").trim_end());
-    // The symbol of the primary parameter at grazing may be another than its name gives.
+    // The symbol of the primary parameter at grazing may differ from the one derived from its name.
     let grazing = if figure.primary_is_fixed { &own } else { names };
     for (number, panel) in panels.iter().enumerate() {
         let last = number + 1 == panels.len();
@@ -145,7 +144,7 @@ pub fn draw_one_parameter(
     canvas.finish(heading.name, heading.title, heading.description)
 }
 
-/// The frames of a diagram and of its magnification, and where they lie on the sheet.
+/// The frames of a diagram and of its magnification, and their bounds on the sheet.
 fn bounds(
     canvas: &Canvas,
     frame: Frame,
@@ -183,7 +182,7 @@ mod tests {
     use super::*;
     use crate::tests::samples::{WIDTHS, empty};
 
-    /// A diagram of these widths across and up, with so many portraits.
+    /// A sample diagram of these widths on both axes, with a number of portraits.
     fn sample([across, up]: [f64; 2], portraits: u32) -> OneParameter {
         let branch = |k: u32| {
             let share = f64::from(k % 101) / 100.0;
@@ -242,7 +241,7 @@ mod tests {
         }
     }
 
-    /// The diagram under a title that says where it is.
+    /// The diagram with a title that states the value of the fixed parameter.
     fn drawn(figure: &OneParameter, names: &Names, width: SheetWidth) -> Sheet {
         let tables = &["diagram_bifurcations", "diagram_branches", "diagram_attractor", "diagram_portraits"];
         let heading = Heading { name: "diagram", title: "", description: "", names, tables };

@@ -1,4 +1,5 @@
-//! What an oscillator does at one place: time series, phase portrait, impacts, and basins of attraction.
+//! The behaviour of an oscillator at one place: time series, phase portrait, impacts, and basins of
+//! attraction.
 
 use core::f64::consts::PI;
 
@@ -17,11 +18,11 @@ use crate::ink::style::{BLACK, GREY, Paint, Pen, SMALL_LABEL_SIZE, SheetWidth, W
 use crate::ink::svg::POINTS_PER_MM;
 use crate::plot::axes::{Heading, Panel, room_beside};
 
-/// Width in the paper; on sheets narrower than the other all panels stand one above the other.
+/// The width in the paper, and the width below which all panels are drawn one above the other.
 const WIDTH_MM: f64 = 156.0;
 const WIDE_MM: f64 = 120.0;
-/// A row of panels, with room above for a line of words, below for numbers and titles, and beside, in
-/// points.
+/// The height of a row of panels, with room above for a line of words, below for numbers and titles, and
+/// on both sides, in points.
 const ROW: f64 = 150.0;
 const LINE: f64 = 11.0;
 const BELOW: f64 = 32.0;
@@ -29,19 +30,19 @@ const ABOVE: f64 = 5.0;
 const LEFT: f64 = 38.0;
 const RIGHT: f64 = 8.0;
 const SWATCH: f64 = 16.0;
-/// Forcing periods of the time series: least and most.
+/// The least and the greatest number of forcing periods in the time series.
 const SHORTEST: f64 = 4.0;
 const LONGEST: f64 = 12.0;
-/// Room about what is drawn, as a part of it.
+/// Free space around the data, as a fraction of their extent.
 const ROOM: f64 = 0.06;
 const ORBIT: f64 = 0.8;
-/// Many flights are drawn with thinner lines.
+/// The thinner line width for many flights, and the number of points from which it is used.
 const CROWDED: f64 = 0.3;
 const MANY: usize = 5_000;
-/// An impact on the sheet.
+/// The radius of an impact's dot on the sheet.
 const IMPACT_RADIUS: f64 = 1.3;
 
-/// The pen of an attractor: by the number of loops where it has one.
+/// The pen of an attractor, by the number of loops if it has one.
 fn pen(attractor: &PlaceAttractor, width: f64) -> Pen {
     match attractor.loops() {
         Some(p) => branch_pen(p, width),
@@ -51,14 +52,14 @@ fn pen(attractor: &PlaceAttractor, width: f64) -> Pen {
     }
 }
 
-/// The least interval that holds all, with some room.
+/// The least interval that contains all values, with some room.
 fn extent(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let [low, high] = span(values);
     let room = if high > low { ROOM * (high - low) } else { 1.0 };
     if low <= high { [low - room, high + room] } else { [-1.0, 1.0] }
 }
 
-/// Draws what there is at a place, of whose tables those of the heading are motion, impacts and basins.
+/// Draws the results for a place; the tables of the heading are those of motion, impacts and basins.
 ///
 /// # Errors
 /// [`DrawingError`] if a frame is empty.
@@ -90,7 +91,7 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
         )?;
         canvas.explain(&one.words(), Sample::Line(pen));
     }
-    // The place of a panel: its row and, of so many in the row, its number.
+    // The bounds of a panel, from its row, its number in the row and the number of panels in the row.
     let place = |row: f64, [number, count]: [f64; 2], frame: Frame, up: &str| {
         let top = legend + ROW * row + ABOVE;
         let bottom = top + ROW - ABOVE - BELOW;
@@ -106,7 +107,7 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
         let count = figure.motion.iter().filter(|point| point.attractor == number).count();
         if count > MANY { CROWDED } else { ORBIT }
     };
-    // Time series, from the period in which each begins.
+    // Time series, each from the beginning of a forcing period.
     let turns = figure.attractors.iter().map(|one| 2.0 * one.periods);
     let turns = turns.fold(SHORTEST, f64::max).min(LONGEST);
     let frame = checked(Frame { x: [0.0, turns], y: xs }, "a time series")?;
@@ -120,7 +121,7 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
             (from, to) = (from.min(point.time), to.max(point.time));
         }
         let whole = libm::floor(from / figure.period) * figure.period;
-        // What comes again is shown again.
+        // Periodic motion is repeated.
         let repeats =
             if one.periods > 0.0 { libm::ceil(turns * figure.period / (to - from)) + 1.0 } else { 1.0 };
         for turn in -1..repeats.min(2.0 * LONGEST) as i32 {
@@ -211,7 +212,8 @@ mod tests {
     use super::*;
     use crate::tests::samples::WIDTHS;
 
-    /// A place with an MPS of two loops and motion that does not come again, lengths in units of so many.
+    /// A sample place with an MPS of two loops and motion that is not periodic; `length` is the unit of
+    /// length.
     fn sample(length: f64) -> AtPlace {
         let attractor = |attractor, motion, periods: f64, impacts| PlaceAttractor {
             place: 1,
@@ -271,7 +273,7 @@ mod tests {
             for text in ["MPS, $p=2$: 50 %", "chaotic: 50 %", "$y$ (mm/s)", "phase at the start"] {
                 assert!(texts.iter().any(|found| found.contains(text)), "{text}: {texts:?}");
             }
-            // Half of 24 cells for each.
+            // Half of the 24 cells for each attractor.
             let areas = sheet.short_body();
             let cells =
                 areas.lines().filter(|line| line.contains("evenodd")).map(|line| line.matches('Z').count());

@@ -1,14 +1,15 @@
-//! Clipping in data space: a curve leaves the frame where it really crosses it, at its own slope.
+//! Clipping in data space: a curve leaves the frame exactly where it crosses the edge, with its own
+//! slope.
 
 use grazing_results::{Frame, span};
 
 use crate::error::DrawingError;
 use crate::geometry::sheet::fractions_inside;
 
-/// The frame, if both its ranges are finite and increasing; `name` is what an error calls it.
+/// Returns the frame if both its ranges are finite and increasing; errors call it `name`.
 pub fn checked(frame: Frame, name: &str) -> Result<Frame, DrawingError> {
     for (axis, [low, high]) in [("horizontal", frame.x), ("vertical", frame.y)] {
-        // Written so that NaN fails too, and a range wider than numbers go.
+        // Written so that NaN fails too, and so does a range wider than the greatest number.
         if !(low < high && (high - low).is_finite()) {
             return Err(DrawingError(format!(
                 "{axis} range of {name} must be finite and increasing, but it is {low} to {high}"
@@ -18,15 +19,15 @@ pub fn checked(frame: Frame, name: &str) -> Result<Frame, DrawingError> {
     Ok(frame)
 }
 
-/// The part of a segment inside the frame, if any; an end inside is kept to the bit, so that
-/// neighbours join.
+/// The part of a segment inside the frame, if any; ends inside are preserved exactly, so that consecutive
+/// segments join.
 fn clip_segment(frame: &Frame, a: (f64, f64), b: (f64, f64)) -> Option<((f64, f64), (f64, f64))> {
     let (enter, leave) = fractions_inside(frame.x, frame.y, a, b)?;
     let at = |t: f64| (a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1));
     Some((if enter == 0.0 { a } else { at(enter) }, if leave == 1.0 { b } else { at(leave) }))
 }
 
-/// The pieces of a polyline inside the frame; split at its edge and at points that are not finite.
+/// The pieces of a polyline inside the frame, split at its edge and at points that are not finite.
 pub(crate) fn clip_polyline(frame: &Frame, points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
     let mut pieces: Vec<Vec<(f64, f64)>> = Vec::new();
     let mut current: Vec<(f64, f64)> = Vec::new();
@@ -47,10 +48,9 @@ pub(crate) fn clip_polyline(frame: &Frame, points: &[(f64, f64)]) -> Vec<Vec<(f6
     pieces
 }
 
-/// Parallel lines at an angle of 45° and so far apart, inside where the rings are crossed an odd
-/// number of times.
+/// Parallel lines at 45°, this distance apart, inside the rings by the even-odd rule.
 pub(crate) fn hatching(rings: &[Vec<(f64, f64)>], distance: f64) -> Vec<[(f64, f64); 2]> {
-    // Along a line u = y + x is constant, and v = y − x runs.
+    // Along a line u = y + x is constant, and v = y − x varies.
     let turned = |&(x, y): &(f64, f64)| (y + x, y - x);
     let back = |u: f64, v: f64| (0.5 * (u - v), 0.5 * (u + v));
     let edges: Vec<[(f64, f64); 2]> = rings
@@ -60,7 +60,7 @@ pub(crate) fn hatching(rings: &[Vec<(f64, f64)>], distance: f64) -> Vec<[(f64, f
     let [low, high] = span(edges.iter().map(|[(u, _), _]| *u));
     let step = distance * std::f64::consts::SQRT_2;
     let mut lines = Vec::new();
-    // The first line lies inside: one through a corner would have no length.
+    // The first line lies inside: a line through a corner would have no length.
     let mut u = ((low / step).floor() + 1.0) * step;
     while u < high {
         let mut crossings: Vec<f64> = edges
@@ -75,11 +75,11 @@ pub(crate) fn hatching(rings: &[Vec<(f64, f64)>], distance: f64) -> Vec<[(f64, f
     lines
 }
 
-/// Sutherland–Hodgman: the polygon's part inside the frame, as vertices in order (empty if there is
-/// none).
+/// The part of a polygon inside the frame (Sutherland–Hodgman), as vertices in order; empty if there is
+/// none.
 ///
-/// A part that falls into several pieces comes back joined along the edge, which is right for
-/// filling but not for outlines. Vertices that are not finite are left out.
+/// If the part consists of several pieces, they are joined along the edge, which is right for filling but
+/// not for outlines. Vertices that are not finite are omitted.
 pub(crate) fn clip_polygon(frame: &Frame, vertices: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut kept: Vec<(f64, f64)> =
         vertices.iter().copied().filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
@@ -121,8 +121,7 @@ mod tests {
         let lines = hatching(&rings, 1.0);
         let length: f64 =
             lines.iter().map(|[a, b]| ((b.0 - a.0) * (b.0 - a.0) + (b.1 - a.1) * (b.1 - a.1)).sqrt()).sum();
-        // The lines have the length of the area over their distance, give or take one line at
-        // either side.
+        // The lines have the length of the area over their distance, to within one line at either side.
         assert!((length - 96.0).abs() < 15.0, "{length}");
         for [a, b] in lines {
             let middle = (0.5 * (a.0 + b.0), 0.5 * (a.1 + b.1));
@@ -136,8 +135,8 @@ mod tests {
 
     #[test]
     fn a_line_leaves_the_frame_at_its_own_slope() {
-        // Slope 3 through (0.5, 0.5): it crosses y = 0 and y = 1 at x = 1/3 and 2/3, one rounding
-        // away.
+        // Slope 3 through (0.5, 0.5): the line crosses y = 0 and y = 1 at x = 1/3 and 2/3, to one
+        // rounding error.
         let pieces = clip_polyline(&UNIT, &[(-0.5, -2.5), (1.5, 3.5)]);
         assert_eq!(pieces.len(), 1);
         let [from, to] = pieces[0][..] else { panic!("one segment expected") };
@@ -149,7 +148,7 @@ mod tests {
     fn a_line_falls_into_the_pieces_that_are_inside_and_numbers() {
         let (nan, infinite) = ((f64::NAN, f64::NAN), (f64::INFINITY, 0.4));
         for (line, pieces) in [
-            // Kept to the bit.
+            // Preserved exactly.
             (vec![(0.1, 0.2), (1.0, 0.3), (0.7, 0.0)], vec![vec![(0.1, 0.2), (1.0, 0.3), (0.7, 0.0)]]),
             // Leaves and returns at slopes of 8 and -8.
             (

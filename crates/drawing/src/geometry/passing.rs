@@ -1,20 +1,20 @@
-//! Curves that pass before each other: the farther one is interrupted where they cross on the
-//! sheet.
+//! Curves that pass in front of each other: the farther one is interrupted where they cross on the sheet.
 
 use crate::geometry::sheet::{Spot, distance};
 
-/// A curve on the sheet with its distance from the viewer: right, down, away, in points.
+/// A curve on the sheet with its distance from the viewer: coordinates to the right, downwards and away
+/// from the viewer, in points.
 pub(crate) type Course = Vec<[f64; 3]>;
 
 /// Half the gap in a curve where another one crosses it at a right angle, in points.
 const PASSING_GAP: f64 = 2.2;
-/// Curves that differ in distance by less than this (points) meet rather than pass.
+/// Curves whose distances differ by less than this (points) meet rather than pass.
 const MEETING_DEPTH: f64 = 2.0;
-/// The sine of the angle below which curves that cross run side by side for so long that a gap
-/// would mean nothing.
+/// The sine of the angle below which crossing curves run side by side for so long that a gap would be
+/// meaningless.
 const LEAST_CROSSING_SINE: f64 = 0.12;
 
-/// The parts of a curve that are left when it is interrupted wherever a nearer one passes.
+/// The parts of a curve that remain when it is interrupted wherever a nearer one passes.
 pub(crate) fn interrupted(course: &Course, others: &[&Course]) -> Vec<Vec<Spot>> {
     let mut gaps: Vec<[f64; 2]> = Vec::new();
     let mut start = 0.0;
@@ -34,8 +34,8 @@ pub(crate) fn interrupted(course: &Course, others: &[&Course]) -> Vec<Vec<Spot>>
     without(course, &gaps)
 }
 
-/// Where along the first segment the second one crosses it nearer to the viewer, and half the
-/// length of the gap.
+/// The position along the first segment at which the second one crosses it nearer to the viewer, and half
+/// the length of the gap.
 fn passed(far: &[[f64; 3]], near: &[[f64; 3]]) -> Option<(f64, f64)> {
     let (a, c) = (&far[0], &near[0]);
     let u = [far[1][0] - a[0], far[1][1] - a[1]];
@@ -64,7 +64,7 @@ fn without(course: &Course, gaps: &[[f64; 2]]) -> Vec<Vec<Spot>> {
         let (a, b) = (spot(&pair[0]), spot(&pair[1]));
         let step = distance(a, b);
         let inside = |at: f64| gaps.iter().any(|gap| gap[0] < at && at < gap[1]);
-        // The segment between those ends of gaps that fall on it.
+        // The part of the segment between the ends of gaps that lie on it.
         let mut cuts = vec![0.0, step];
         cuts.extend(gaps.iter().flatten().map(|end| end - start).filter(|cut| 0.0 < *cut && *cut < step));
         cuts.sort_by(f64::total_cmp);
@@ -107,7 +107,7 @@ mod tests {
         let parts = interrupted(&far, &[&far, &near]);
         assert_eq!(parts.len(), 2);
         let drawn: f64 = parts.iter().map(|part| length(part)).sum();
-        // Rounding of the lengths of forty segments.
+        // Tolerance for the rounding of the lengths of forty segments.
         assert!((100.0 - 2.0 * PASSING_GAP - drawn).abs() < 1e-9, "{drawn}");
         assert!((parts[0].last().unwrap().0 - (50.3 - PASSING_GAP)).abs() < 1e-9);
         assert_eq!(interrupted(&near, &[&far, &near]).len(), 1);

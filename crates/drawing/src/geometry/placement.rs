@@ -1,29 +1,30 @@
-//! Where labels go: greedily, in a fixed order, each at the first best of a fixed list of places.
+//! Positions of labels: chosen greedily in a fixed order, each label at the first best position of a
+//! fixed list.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use crate::geometry::sheet::{Bounds, Spot, along, distance, inside, thinned};
 
-/// What is already on a panel, as far as labels must keep off it.
+/// The objects on a panel that labels must avoid.
 pub struct Placer {
     panel: Bounds,
     blocked: Vec<Bounds>,
     segments: Vec<(Spot, Spot)>,
-    /// Segments of curves that never get a label of their own.
+    /// Segments of curves that never have labels of their own.
     nameless: Vec<(Spot, Spot)>,
     dust: Vec<Spot>,
-    /// Labels are put no farther than this from their spots, in points.
+    /// The greatest distance of a label from its spot, in points.
     pub(crate) farthest: f64,
 }
 
-/// How far from its spot a label is put, in points; from 5 on with a leader.
+/// Distances of a label from its spot that are tried, in points; from 5 on with a leader.
 const GAPS: [f64; 10] = [0.0, 2.0, 5.0, 9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 64.0];
 
-/// A place for a label.
+/// The position of a label.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LabelPlace {
     pub(crate) bounds: Bounds,
-    /// A line towards what the label speaks of, if that lies far off.
+    /// A line towards the labelled object if that is far away.
     pub(crate) leader: Option<(Spot, Spot)>,
 }
 
@@ -34,22 +35,22 @@ impl Placer {
         Placer { panel, blocked, segments: Vec::new(), nameless: Vec::new(), dust, farthest }
     }
 
-    /// Keeps labels off a box.
+    /// Makes labels avoid a box.
     pub fn block(&mut self, bounds: Bounds) {
         self.blocked.push(bounds);
     }
 
-    /// Keeps labels off a curve.
+    /// Makes labels avoid a curve.
     pub fn keep_off(&mut self, curve: &[Spot]) {
         self.segments.extend(thinned(curve).windows(2).map(|pair| (pair[0], pair[1])));
     }
 
-    /// Keeps labels off a curve for which no label near by could be mistaken.
+    /// Makes labels avoid a curve to which no nearby label could be attributed by mistake.
     pub fn keep_off_nameless(&mut self, curve: &[Spot]) {
         self.nameless.extend(thinned(curve).windows(2).map(|pair| (pair[0], pair[1])));
     }
 
-    /// Keeps labels off a cloud of points as far as there is room elsewhere.
+    /// Makes labels avoid a cloud of points where there is room elsewhere.
     pub fn avoid(&mut self, spots: impl Iterator<Item = Spot>) {
         let mut cells: Vec<(i64, i64)> = spots.map(|(x, y)| (x.floor() as i64, y.floor() as i64)).collect();
         cells.sort_unstable();
@@ -57,14 +58,14 @@ impl Placer {
         self.dust.extend(cells.into_iter().map(|(x, y)| (x as f64 + 0.5, y as f64 + 0.5)));
     }
 
-    /// Number of square points of a cloud that a box covers.
+    /// The area of a cloud, in square points, that a box covers.
     fn dusty(&self, bounds: &Bounds) -> usize {
         let covers =
             |&&(x, y): &&Spot| bounds.left <= x && x <= bounds.right && bounds.top <= y && y <= bounds.bottom;
         self.dust.iter().filter(covers).count()
     }
 
-    /// Number of curve segments a box meets; `None` if the box may not stand there at all.
+    /// The number of curve segments that a box meets; `None` if the box cannot be there at all.
     fn cost(&self, bounds: &Bounds) -> Option<usize> {
         if !self.panel.holds(bounds) || self.blocked.iter().any(|b| b.overlaps(bounds)) {
             return None;
@@ -82,7 +83,7 @@ impl Placer {
         place
     }
 
-    /// Beside a curve, near its middle or as near as there is room, on whichever side is free.
+    /// A position beside a curve, as near to its middle as there is room, on either side.
     pub(crate) fn beside_curve(&mut self, curve: &[Spot], width: f64, height: f64) -> Option<LabelPlace> {
         const FRACTIONS: [f64; 15] =
             [0.5, 0.44, 0.56, 0.38, 0.62, 0.32, 0.68, 0.26, 0.74, 0.2, 0.8, 0.14, 0.86, 0.08, 0.92];
@@ -90,14 +91,14 @@ impl Placer {
         let foreign = self.all_but(curve);
         let place_at = |(at, direction): (Spot, Spot), side: f64, gap: f64| {
             let normal = (direction.1 * side, -direction.0 * side);
-            // The box's half-width seen along the normal brings its nearest corner or edge to the
+            // The half-width of the box along the normal, which places its nearest corner or edge at the
             // gap.
             let reach = 0.5 * (width * normal.0.abs() + height * normal.1.abs()) + gap;
             let bounds = Bounds::about((at.0 + normal.0 * reach, at.1 + normal.1 * reach), width, height);
             LabelPlace { bounds, leader: None }
         };
-        // First where the label is clearly nearer to its own curve than to any other, then where it
-        // is just nearer.
+        // First positions where the label is clearly nearer to its own curve than to any other, then
+        // those where it is only just nearer.
         let rounds = [(1.5, 2.0), (2.5, 2.0), (4.0, 2.0), (1.5, -0.3), (2.5, -0.3), (4.0, -0.3), (6.0, -0.3)];
         for (gap, lead) in rounds {
             for &spot in &spots {
@@ -116,7 +117,7 @@ impl Placer {
         None
     }
 
-    /// All segments to keep off but those of one curve.
+    /// All segments to avoid except those of one curve.
     fn all_but(&self, curve: &[Spot]) -> Vec<(Spot, Spot)> {
         let own: Vec<(Spot, Spot)> = thinned(curve).windows(2).map(|pair| (pair[0], pair[1])).collect();
         let start = self.segments.windows(own.len().max(1)).position(|run| run == own);
@@ -125,9 +126,9 @@ impl Placer {
         rest.map(|(_, segment)| *segment).collect()
     }
 
-    /// Around a spot: close by if there is room, else farther off with a leader.
+    /// A position around a spot: close to it if there is room, otherwise farther away with a leader.
     pub(crate) fn around(&mut self, at: Spot, clearance: f64, width: f64, height: f64) -> Option<LabelPlace> {
-        // Unit vectors to the right, then by 22.5 degrees to either side in turn: cos and sin of 0,
+        // Unit vectors to the right, then at multiples of 22.5 degrees to either side: cos and sin of 0,
         // 22.5, 45, 67.5, 90.
         const TURNS: [Spot; 5] = [
             (1.0, 0.0),
@@ -151,7 +152,7 @@ impl Placer {
                 let Some(crossed) = leader.map_or(Some(0), |leader| self.crossed(leader)) else {
                     continue;
                 };
-                // A curve crossed by the leader is as bad as 15 points of distance (by eye).
+                // A curve crossed by the leader costs as much as 15 points of distance (a visual choice).
                 let cost = gap + 15.0 * crossed as f64 + 0.5 * self.dusty(&bounds) as f64;
                 if best.is_none_or(|(cheapest, _)| cost < cheapest) {
                     best = Some((cost, LabelPlace { bounds, leader }));
@@ -161,7 +162,7 @@ impl Placer {
         self.take(best.map(|(_, place)| place))
     }
 
-    /// Number of curves a leader crosses; `None` if it runs through something blocked.
+    /// The number of curves that a leader crosses; `None` if it passes through a blocked box.
     fn crossed(&self, (from, to): (Spot, Spot)) -> Option<usize> {
         if self.blocked.iter().any(|b| b.meets(from, to)) {
             return None;
@@ -173,12 +174,12 @@ impl Placer {
         Some(self.segments.iter().filter(meets).count())
     }
 
-    /// Inside a polygon, where the distance to everything else is greatest; `None` if the box fits
-    /// nowhere.
+    /// The position inside a polygon that is farthest from everything else; `None` if the box does not
+    /// fit.
     pub(crate) fn within(&mut self, polygon: &[Spot], width: f64, height: f64) -> Option<LabelPlace> {
         let polygon = thinned(polygon);
         let Bounds { left, top, right, bottom } = Bounds::around(&polygon).common(self.panel);
-        // About 900 trial places, at least a point apart.
+        // About 900 trial positions, at least a point apart.
         let pitch = (((right - left) * (bottom - top)).max(0.0) / 900.0).sqrt().max(1.0);
         let mut best: Option<(f64, Bounds)> = None;
         let mut y = top + 0.5 * pitch;
@@ -206,7 +207,7 @@ impl Placer {
         self.take(place)
     }
 
-    /// A spot well inside a polygon and off everything blocked: of a grid of trial spots, the one
+    /// A spot well inside a polygon and outside all blocked boxes: of a grid of trial spots, the one
     /// farthest from the outline.
     pub(crate) fn deep_inside(&self, polygon: &[Spot]) -> Option<Spot> {
         const TRIALS: u32 = 40;
@@ -229,8 +230,8 @@ impl Placer {
         best.map(|(_, spot)| spot)
     }
 
-    /// Distance from a box to the nearest curve, blocked box or edge of the panel (Chebyshev for
-    /// boxes).
+    /// The distance from a box to the nearest curve, blocked box or edge of the panel (Chebyshev distance
+    /// for boxes).
     fn clearance(&self, bounds: &Bounds) -> f64 {
         let outside = |(x, y): Spot| {
             let dx = (bounds.left - x).max(x - bounds.right).max(0.0);
@@ -251,14 +252,14 @@ impl Placer {
     }
 }
 
-/// Centres for boxes side by side, as near to the ones wanted as can be without a gap below `gap`,
-/// in the order given.
+/// The centres of boxes side by side, in the given order, as near as possible to the wanted ones with
+/// gaps of at least `gap`.
 ///
-/// Site centres ascend. Boxes that would meet move together, so that the sum of squared moves is
-/// least.
+/// The wanted centres must ascend. Boxes that would meet move together, so that the sum of squared
+/// displacements is least.
 pub fn side_by_side(wanted: &[(f64, f64)], gap: f64) -> Vec<f64> {
-    // Offsets of the boxes in a row without slack; centres less offsets have to ascend: pool those
-    // that descend.
+    // Offsets of the boxes in a row without slack. Centres minus offsets must ascend; those that descend
+    // are pooled.
     let mut offsets = Vec::with_capacity(wanted.len());
     let mut pools: Vec<(f64, usize)> = Vec::new();
     for (index, &(centre, width)) in wanted.iter().enumerate() {
@@ -279,7 +280,7 @@ pub fn side_by_side(wanted: &[(f64, f64)], gap: f64) -> Vec<f64> {
     starts.zip(offsets).map(|(start, offset)| start + offset).collect()
 }
 
-/// A line from the box's edge towards the spot, which it stops short of.
+/// A line from the edge of the box towards the spot, ending at distance `short` from it.
 fn leader(bounds: &Bounds, at: Spot, short: f64) -> (Spot, Spot) {
     let nearest = (at.0.clamp(bounds.left, bounds.right), at.1.clamp(bounds.top, bounds.bottom));
     let length = distance(nearest, at);
@@ -313,7 +314,7 @@ mod tests {
         let mut placer = Placer::new(SHEET);
         placer.keep_off(&[square[0], square[1], square[2], square[3], square[0]]);
         let (x, y) = placer.within(&square, 10.0, 6.0).unwrap().bounds.centre();
-        // Trial places are 4/3 apart, and between 10 and 6 wide the best ones form a short line.
+        // Trial positions are 4/3 apart, and as the box is 10 by 6 the best ones form a short line.
         assert!((x - 40.0).abs() < 2.0 && (y - 40.0).abs() < 4.0, "{x} {y}");
     }
 
@@ -322,18 +323,18 @@ mod tests {
         let sliver = [(40.0, 50.0), (60.0, 50.0), (60.0, 52.0), (40.0, 52.0)];
         let mut placer = Placer::new(SHEET);
         assert_eq!(placer.within(&sliver, 10.0, 6.0), None);
-        // A ring that holds every near place off; a leader may cross it.
+        // A ring that blocks all nearby positions; a leader may cross it.
         placer.keep_off(&[(42.0, 47.0), (58.0, 47.0), (58.0, 55.0), (42.0, 55.0), (42.0, 47.0)]);
         let place = placer.around((50.0, 51.0), 1.0, 10.0, 6.0).unwrap();
         assert!(place.leader.is_some());
-        // The leader stops at the clearance asked for.
+        // The leader stops at the requested clearance.
         assert!((distance(place.leader.unwrap().1, (50.0, 51.0)) - 1.0).abs() < 1e-12);
     }
 
     #[test]
     fn boxes_side_by_side_keep_their_gap_and_move_only_if_they_must() {
         let centres = side_by_side(&[(0.0, 4.0), (10.0, 4.0), (11.0, 6.0), (30.0, 4.0)], 1.0);
-        // The two that meet need 6 between their centres and share the shortfall of 5.
+        // The two that would meet need 6 between their centres and share the shortfall of 5.
         assert_eq!(centres, [0.0, 7.5, 13.5, 30.0]);
         assert!(side_by_side(&[], 1.0).is_empty());
     }

@@ -26,15 +26,14 @@ pub(crate) fn star((x, y): Spot, radius: f64) -> Vec<Spot> {
     TURNS.iter().enumerate().map(corner).collect()
 }
 
-/// An upright triangle of equal sides with its centroid at the spot, up to the hundredths of the
-/// sheet.
+/// An upright equilateral triangle with its centroid at the spot, to hundredths of a point.
 pub(crate) fn triangle((x, y): Spot, side: f64) -> [Spot; 3] {
     // Heights 1/sqrt(3) above the centroid and 1/(2 sqrt(3)) below.
     let [up, down, half] = [0.577_35, 0.288_68, 0.5].map(|share| (100.0 * share * side).round() / 100.0);
     [(x, y - up), (x + half, y + down), (x - half, y + down)]
 }
 
-/// A regular octagon about a spot, which at the size of a mark is round.
+/// A regular octagon about a spot, which appears round at the size of a mark.
 pub(crate) fn octagon((x, y): Spot, radius: f64) -> Vec<Spot> {
     // Cosine and sine of 22.5 degrees.
     let (long, short) = (0.923_88 * radius, 0.382_68 * radius);
@@ -58,7 +57,7 @@ pub(crate) fn diamond((x, y): Spot, diagonal: f64) -> Vec<Spot> {
 /// A plus about a spot, its arms a third as wide as it is.
 pub(crate) fn plus((x, y): Spot, width: f64) -> Vec<Spot> {
     let (half, sixth) = (0.5 * width, width / 6.0);
-    // Corner by corner, a quarter at a time.
+    // The corners in order, a quarter turn at a time.
     let quarter = [(half, -sixth), (half, sixth), (sixth, sixth)];
     let turned = |turns: usize| {
         quarter.map(|(right, down)| match turns {

@@ -1,12 +1,11 @@
-//! Geometry on the sheet that the placing of labels needs: spots, boxes, polylines and polygons, in
-//! points.
+//! Geometry on the sheet for placing labels: spots, boxes, polylines and polygons, in points.
 
 use grazing_results::span;
 
-/// A point of the sheet, in points to the right and downwards.
+/// A position on the sheet, in points to the right and downwards.
 pub type Spot = (f64, f64);
 
-/// A spot in hundredths of a point, to which files are written.
+/// A position in hundredths of a point, the precision of files.
 pub type Hundredths = (i32, i32);
 
 pub(crate) fn in_hundredths((x, y): Spot) -> Hundredths {
@@ -27,17 +26,17 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// Its middle.
+    /// The centre of the rectangle.
     pub fn centre(&self) -> Spot {
         (0.5 * (self.left + self.right), 0.5 * (self.top + self.bottom))
     }
 
-    /// So much larger on every side.
+    /// The rectangle enlarged by `by` on every side.
     pub fn grown(&self, by: f64) -> Bounds {
         Bounds { left: self.left - by, top: self.top - by, right: self.right + by, bottom: self.bottom + by }
     }
 
-    /// The smallest rectangle that holds both.
+    /// The smallest rectangle that contains both.
     pub fn joined(self, other: Bounds) -> Bounds {
         Bounds {
             left: self.left.min(other.left),
@@ -47,7 +46,7 @@ impl Bounds {
         }
     }
 
-    /// What both share; the wrong way round if that is nothing.
+    /// The intersection of both rectangles; with reversed sides if it is empty.
     #[must_use]
     pub fn common(self, other: Bounds) -> Bounds {
         Bounds {
@@ -58,7 +57,7 @@ impl Bounds {
         }
     }
 
-    /// True if both share more than a border.
+    /// Whether both share more than a border.
     pub fn overlaps(&self, other: &Bounds) -> bool {
         self.left < other.right
             && other.left < self.right
@@ -66,7 +65,7 @@ impl Bounds {
             && other.top < self.bottom
     }
 
-    /// True if it holds all of the other.
+    /// Whether the rectangle contains all of the other.
     pub fn holds(&self, inner: &Bounds) -> bool {
         self.left <= inner.left
             && inner.right <= self.right
@@ -74,19 +73,19 @@ impl Bounds {
             && inner.bottom <= self.bottom
     }
 
-    /// True if some of the segment lies in it.
+    /// Whether part of the segment lies in the rectangle.
     pub fn meets(&self, from: Spot, to: Spot) -> bool {
         fractions_inside([self.left, self.right], [self.top, self.bottom], from, to).is_some()
     }
 
-    /// The smallest rectangle that holds these spots; the wrong way round if there are none.
+    /// The smallest rectangle that contains these spots; with reversed sides if there are none.
     pub fn around(spots: &[Spot]) -> Bounds {
         let [left, right] = span(spots.iter().map(|spot| spot.0));
         let [top, bottom] = span(spots.iter().map(|spot| spot.1));
         Bounds { left, top, right, bottom }
     }
 
-    /// The box of the given size about a centre.
+    /// The rectangle of this size about a centre.
     pub fn about((x, y): Spot, width: f64, height: f64) -> Bounds {
         Bounds {
             left: x - 0.5 * width,
@@ -97,8 +96,7 @@ impl Bounds {
     }
 }
 
-/// Liang–Barsky: where the segment from `a` to `b` enters and leaves a rectangle, as fractions of
-/// its length.
+/// The fractions of the segment from `a` to `b` at which it enters and leaves a rectangle (Liang–Barsky).
 pub(crate) fn fractions_inside(x: [f64; 2], y: [f64; 2], a: (f64, f64), b: (f64, f64)) -> Option<(f64, f64)> {
     let (dx, dy) = (b.0 - a.0, b.1 - a.1);
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
@@ -116,8 +114,7 @@ pub(crate) fn fractions_inside(x: [f64; 2], y: [f64; 2], a: (f64, f64), b: (f64,
     (enter <= leave).then_some((enter, leave))
 }
 
-/// Curves are thinned to segments of at least this length (points): labels need no finer picture of
-/// them.
+/// The least length (points) of segments of thinned curves, which is fine enough for placing labels.
 const THINNED_STEP: f64 = 0.8;
 
 /// The distance of two spots.
@@ -126,7 +123,7 @@ pub fn distance(a: Spot, b: Spot) -> f64 {
     (dx * dx + dy * dy).sqrt()
 }
 
-/// True if the spot is inside the closed polygon (even-odd rule).
+/// Whether the spot is inside the closed polygon (even-odd rule).
 pub fn inside(polygon: &[Spot], (x, y): Spot) -> bool {
     let mut within = false;
     for (a, b) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
@@ -137,8 +134,7 @@ pub fn inside(polygon: &[Spot], (x, y): Spot) -> bool {
     within
 }
 
-/// The curve without the points that are closer than [`THINNED_STEP`] to the one kept before; both
-/// ends stay.
+/// The curve without points closer than [`THINNED_STEP`] to the previous one kept; both ends are kept.
 pub(crate) fn thinned(curve: &[Spot]) -> Vec<Spot> {
     let mut kept: Vec<Spot> = Vec::new();
     for (index, &spot) in curve.iter().enumerate() {
@@ -168,7 +164,7 @@ pub(crate) fn along(curve: &[Spot], fraction: f64) -> Option<(Spot, Spot)> {
     None
 }
 
-/// True if the spot is within reach of a curve.
+/// Whether the spot is within reach of a curve.
 pub(crate) fn near(curve: &[Spot], spot: Spot, reach: f64) -> bool {
     let box_around = Bounds::about(spot, 2.0 * reach, 2.0 * reach);
     curve.windows(2).any(|pair| box_around.meets(pair[0], pair[1]))

@@ -1,13 +1,13 @@
-//! Fewer points for the same picture: Douglas–Peucker on the sheet, below what print resolves.
+//! Simplification of curves on the sheet (Douglas–Peucker), finer than the resolution of print.
 
 use crate::geometry::sheet::Hundredths;
 
-/// Greatest distance between a curve and its simplification, in hundredths of a point, 3.5
+/// The greatest distance between a curve and its simplification, in hundredths of a point, which are 3.5
 /// micrometres each.
 const BELOW_PRINT_RESOLUTION: f64 = 1.0;
 
-/// Leaves out points that lie within [`BELOW_PRINT_RESOLUTION`] of the line through the ones kept;
-/// both ends stay.
+/// Omits points that lie within [`BELOW_PRINT_RESOLUTION`] of the line through those kept; both ends are
+/// kept.
 pub(crate) fn simplify(path: &[Hundredths]) -> Vec<Hundredths> {
     if path.len() < 3 {
         return path.to_vec();
@@ -15,7 +15,7 @@ pub(crate) fn simplify(path: &[Hundredths]) -> Vec<Hundredths> {
     let mut keep = vec![false; path.len()];
     keep[0] = true;
     keep[path.len() - 1] = true;
-    // Chunks bound the work on long winding curves, where the plain algorithm takes quadratic time.
+    // Chunks bound the work on long winding curves, for which the plain algorithm takes quadratic time.
     const CHUNK: usize = 256;
     let mut spans: Vec<(usize, usize)> = Vec::new();
     for start in (0..path.len() - 1).step_by(CHUNK) {

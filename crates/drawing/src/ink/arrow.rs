@@ -1,21 +1,21 @@
-//! Arrows: a line that ends in a head, and heads along a curve.
+//! Arrows: lines that end in a head, and heads along a curve.
 
 use crate::geometry::sheet::{Spot, along, distance};
 use crate::ink::canvas::Canvas;
 use crate::ink::style::{Colour, Paint, Pen};
 
-/// Length of the head of a line one point wide, from its tip to its barbs, in points; it grows with
-/// the line.
+/// The length of the head of a line one point wide, from its tip to its barbs, in points; it increases
+/// with the width of the line.
 const HEAD_LENGTH: f64 = 5.6;
-/// Width of a head and depth of the notch in its back, in units of its length.
+/// The width of a head and the depth of the notch in its back, in units of its length.
 const HEAD_SHAPE: (f64, f64) = (0.68, 0.24);
 
-/// The length of a head that suits a line, in points.
+/// The length of a head for a line, in points.
 fn head_length(pen: Pen) -> f64 {
     HEAD_LENGTH * (0.5 + 0.5 * pen.width)
 }
 
-/// A head of a length with its tip at a spot, pointing along a unit vector.
+/// Draws a head of a given length with its tip at a spot, pointing along a unit vector.
 fn arrowhead(canvas: &Canvas, tip: Spot, direction: Spot, size: f64, colour: Colour) {
     let at = |back: f64, aside: f64| {
         let (back, aside) = (back * size, aside * size);
@@ -26,7 +26,7 @@ fn arrowhead(canvas: &Canvas, tip: Spot, direction: Spot, size: f64, colour: Col
     canvas.polygon(&outline, Paint { colour, opacity: 1.0 }, None);
 }
 
-/// A head with its middle at a share of a curve's length, pointing along it.
+/// Draws a head with its middle at a fraction of a curve's length, pointing along the curve.
 pub fn head_on(canvas: &Canvas, curve: &[Spot], share: f64, pen: Pen) {
     if let Some((middle, direction)) = along(curve, share) {
         let size = head_length(pen);
@@ -35,7 +35,7 @@ pub fn head_on(canvas: &Canvas, curve: &[Spot], share: f64, pen: Pen) {
     }
 }
 
-/// A line with a head, whose tip stops `short` of the line's end; nothing if the line is too short
+/// Draws a line with a head whose tip stops `short` of the line's end; nothing if the line is too short
 /// for a head.
 pub fn arrow(canvas: &Canvas, path: &[Spot], short: f64, pen: Pen) {
     let size = head_length(pen);
@@ -50,7 +50,7 @@ pub fn arrow(canvas: &Canvas, path: &[Spot], short: f64, pen: Pen) {
     arrowhead(canvas, tip, direction, size, pen.colour);
 }
 
-/// A line with heads at both ends, as of a dimension.
+/// Draws a line with heads at both ends, as for a dimension.
 pub fn double_arrow(canvas: &Canvas, [from, to]: [Spot; 2], pen: Pen) {
     let middle = (0.5 * (from.0 + to.0), 0.5 * (from.1 + to.1));
     arrow(canvas, &[middle, from], 0.0, pen);

@@ -1,4 +1,4 @@
-//! The sheet a figure is drawn on, in points from the top left corner.
+//! The sheet on which a figure is drawn, in points from the top left corner.
 
 use std::cell::RefCell;
 
@@ -12,29 +12,29 @@ use crate::ink::sheet::{Element, Path, Sheet};
 use crate::ink::style::{Colour, Paint, Pen, SIZE_LIMIT, hat_pen};
 use crate::ink::svg::{POINTS_PER_MM, fill, hex, hundredths, points, spans, stroke};
 
-/// Which point of its baseline a text is placed by.
+/// The point of its baseline by which a text is placed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
-    /// Where it begins.
+    /// The beginning of the text.
     Start,
-    /// Its middle.
+    /// The middle of the text.
     Middle,
-    /// Where it ends.
+    /// The end of the text.
     End,
-    /// Its middle, and the text reads upwards.
+    /// The middle of the text, which reads upwards.
     Upwards,
 }
 
 /// An unfinished sheet.
 pub struct Canvas {
-    /// The fonts, in which labels are measured.
+    /// The fonts, with which labels are measured.
     pub fonts: Fonts,
-    /// Its width, in points.
+    /// The width of the sheet, in points.
     pub width: f64,
-    /// Its height, in points.
+    /// The height of the sheet, in points.
     pub height: f64,
     elements: RefCell<Vec<Element>>,
-    /// Every label drawn so far and the box of its ink.
+    /// Every label drawn so far, with the bounding box of its ink.
     texts: RefCell<Vec<(String, Bounds)>>,
     /// The boxes to which lines are clipped.
     clips: RefCell<Vec<Bounds>>,
@@ -52,7 +52,7 @@ impl Canvas {
         Ok(Canvas { fonts: Fonts::load()?, width, height, elements, texts, clips, legend })
     }
 
-    /// Adds an entry to the legend, once: what is drawn like the sample.
+    /// Adds an entry to the legend, unless it exists: the meaning of objects drawn like the sample.
     pub fn explain(&self, meaning: &str, sample: Sample) {
         let mut legend = self.legend.borrow_mut();
         if legend.iter().all(|(known, _)| known != meaning) {
@@ -65,7 +65,7 @@ impl Canvas {
         self.elements.borrow_mut().push(element);
     }
 
-    /// Adds a path; spots that fall together in the file are written once.
+    /// Adds a path; consecutive spots that coincide in the file are written once.
     pub(crate) fn path(&self, pieces: impl IntoIterator<Item = (Vec<Hundredths>, bool)>, attributes: String) {
         let distinct = |(mut spots, closed): (Vec<Hundredths>, bool)| {
             spots.dedup();
@@ -74,12 +74,13 @@ impl Canvas {
         self.add(Element::Path(Path { pieces: pieces.into_iter().map(distinct).collect(), attributes }));
     }
 
-    /// A line, closed if it ends where it begins; one shorter than print resolution is none.
+    /// Draws a line, closed if it ends where it begins; a line shorter than the resolution of print is
+    /// omitted.
     pub fn line(&self, spots: &[Spot], pen: Pen) {
         self.attributed_line(spots, stroke(Some(pen)));
     }
 
-    /// A line of which no ink leaves a box.
+    /// Draws a line clipped so that no ink leaves a box.
     pub(crate) fn line_within(&self, bounds: &Bounds, spots: &[Spot], pen: Pen) {
         let reach = bounds.grown(-0.5 * pen.width);
         let close = |&(x, y): &Spot| !reach.holds(&Bounds::about((x, y), 0.0, 0.0));
@@ -98,7 +99,7 @@ impl Canvas {
         }
     }
 
-    /// The attribute that clips to a box.
+    /// The attribute that clips an element to a box.
     fn clip(&self, bounds: &Bounds) -> String {
         let mut clips = self.clips.borrow_mut();
         let known = clips.iter().position(|known| known == bounds);
@@ -115,31 +116,31 @@ impl Canvas {
         format!(" clip-path=\"url(#clip{number})\"")
     }
 
-    /// A filled and perhaps outlined polygon.
+    /// Draws a filled polygon, optionally with an outline.
     pub fn polygon(&self, corners: &[Spot], paint: Paint, outline: Option<Pen>) {
         self.path([(all_in_hundredths(corners), true)], fill(paint) + &stroke(outline));
     }
 
-    /// A filled area, inside where its rings are crossed an odd number of times.
+    /// Draws a filled area inside its rings by the even-odd rule.
     pub(crate) fn area(&self, rings: &[Vec<Spot>], paint: Paint) {
         let rings = rings.iter().map(|ring| (all_in_hundredths(ring), true));
         self.path(rings, format!(" fill-rule=\"evenodd\"{}", fill(paint)));
     }
 
-    /// Draws an element that hangs on one spot, whose coordinates `write` is given.
+    /// Draws an element positioned at one spot, whose coordinates are passed to `write`.
     fn draw_at(&self, spot: Spot, write: impl Fn(String, String) -> String) {
         let (x, y) = in_hundredths(spot);
         self.add(Element::Markup(write(hundredths(x), hundredths(y))));
     }
 
-    /// A filled and perhaps outlined disc.
+    /// Draws a filled disc, optionally with an outline.
     pub fn disc(&self, centre: Spot, radius: f64, paint: Paint, outline: Option<Pen>) {
         let (r, fill, outline) = (points(radius), fill(paint), stroke(outline));
         self.draw_at(centre, |x, y| format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{fill}{outline}/>"));
     }
 
-    /// Squares of a side on a grid that hangs on its top left corner; `data` is path data in units
-    /// of the side.
+    /// Draws squares of a given side on a grid with its top left corner at `corner`; `data` is path data
+    /// in units of the side.
     pub(crate) fn bins(&self, corner: Spot, side: f64, data: &str, paint: Paint) {
         let (side, colour, opacity) = (points(side), hex(paint.colour), points(paint.opacity));
         self.draw_at(corner, |x, y| {
@@ -150,8 +151,8 @@ impl Canvas {
         });
     }
 
-    /// Likewise cells of a width and a height, without seams between them: each reaches a little over
-    /// those above and below.
+    /// Draws cells of a given width and height like [`bins`](Self::bins), without seams: each slightly
+    /// overlaps those above and below.
     pub(crate) fn cells(&self, corner: Spot, [across, up]: [f64; 2], data: &str, paint: Paint) {
         let colour = hex(paint.colour);
         self.draw_at(corner, |x, y| {
@@ -162,10 +163,10 @@ impl Canvas {
         });
     }
 
-    /// A label with its baseline at the spot.
+    /// Draws a label with its baseline at the spot.
     ///
     /// # Errors
-    /// It cannot be set in the embedded fonts.
+    /// The label cannot be set in the embedded fonts.
     pub fn text(
         &self,
         spot: Spot,
@@ -177,7 +178,7 @@ impl Canvas {
         self.label(spot, &Label::parse(source)?, size, anchor, colour)
     }
 
-    /// A label that has been parsed with its baseline at the spot.
+    /// Draws a parsed label with its baseline at the spot.
     pub(crate) fn label(
         &self,
         (x, y): Spot,
@@ -199,7 +200,8 @@ impl Canvas {
                 (-0.5 * width, format!(" text-anchor=\"middle\" {turn}"))
             }
         };
-        // So far along the baseline from where the label starts, and so far below it.
+        // The position at a distance along the baseline from the label's start, and at a distance below
+        // the baseline.
         let place = |along: f64, below: f64| match anchor {
             Anchor::Upwards => (x + below, y - (start + along)),
             _ => (x + (start + along), y + below),
@@ -226,15 +228,15 @@ impl Canvas {
         Ok(())
     }
 
-    /// All of the sheet.
+    /// The bounds of the whole sheet.
     pub(crate) fn sheet(&self) -> Bounds {
         Bounds { left: 0.0, top: 0.0, right: self.width, bottom: self.height }
     }
 
-    /// The figure, of which this is the title and the description.
+    /// The finished figure, with this title and description.
     ///
     /// # Errors
-    /// It is too heavy.
+    /// The figure exceeds the size limit.
     pub fn finish(self, figure: &'static str, title: &str, description: &str) -> Result<Sheet, DrawingError> {
         let legend = self.legend.into_inner().into_iter();
         let [width, height] = [self.width, self.height].map(|length| (length * 100.0).round() / 100.0);

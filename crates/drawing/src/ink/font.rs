@@ -1,9 +1,9 @@
-//! The embedded fonts: their bytes, the style sheet that carries them, and the size of a label set
-//! in them.
+//! The embedded fonts: their bytes, the style sheet that contains them, and the size of a label set in
+//! them.
 //!
-//! STIX Two Text (upright and italic) and a few signs of STIX Two Math, cut down to ASCII, Greek
-//! and mathematical signs, without kerning tables, so that what is measured here is what a viewer
-//! sets. SIL Open Font License 1.1, see `fonts/OFL.txt`.
+//! STIX Two Text (upright and italic) and some signs of STIX Two Math, reduced to ASCII, Greek and
+//! mathematical signs. They have no kerning tables, so that viewers set labels at the sizes measured
+//! here. SIL Open Font License 1.1, see `fonts/OFL.txt`.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -15,43 +15,41 @@ use ttf_parser::Face as Metrics;
 use crate::error::DrawingError;
 use crate::ink::markup::{Face, Label, Run};
 
-/// Font files to hand to a converter (PDF, PNG) that must not use the system's fonts: name and
-/// bytes.
+/// Font files for converters (PDF, PNG) that must not use the system's fonts: name and bytes.
 pub const FONT_FILES: [(&str, &[u8]); 3] = [
     ("STIXTwoText-Regular.ttf", include_bytes!("../../fonts/STIXTwoText-Regular.ttf")),
     ("STIXTwoText-Italic.ttf", include_bytes!("../../fonts/STIXTwoText-Italic.ttf")),
     ("STIXTwoMath-Signs.ttf", include_bytes!("../../fonts/STIXTwoMath-Signs.ttf")),
 ];
 
-/// Families of the sign font, ours first.
+/// Font families for signs, the embedded one first.
 pub(crate) const SIGN_FAMILY: &str = "'STIX Two Math','STIX Two Text','STIXGeneral',serif";
 
-/// A circumflex, in units of the font size, by eye after the font's own accents: its rise above the
-/// letter's ink, its height, half its width, and how far the slant of italics moves it to the right
-/// of the letter's middle.
+/// The shape of a circumflex, in units of the font size, modelled on the font's own accents: its rise
+/// above the letter's ink, its height, half its width, and its shift to the right of the letter's middle
+/// over italics.
 const HAT_RISE: f64 = 0.07;
 const HAT_HEIGHT: f64 = 0.13;
 const HAT_HALF_WIDTH: f64 = 0.15;
 const HAT_SLANT: f64 = 0.07;
 
-/// What a label occupies, in points: its width, and how far its ink reaches above and below the
-/// baseline.
+/// The extent of a label, in points: its width, and how far its ink reaches above and below the baseline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extent {
-    /// Its width.
+    /// The width of the label.
     pub width: f64,
-    /// How far it reaches above the baseline.
+    /// The reach of its ink above the baseline.
     pub ascent: f64,
-    /// How far it reaches below.
+    /// The reach of its ink below the baseline.
     pub descent: f64,
 }
 
-/// Where embedded fonts are ignored another one takes the place of ours, and labels may be wider by this factor: in DejaVu Serif they
-/// are, in the likes of Times they are not.
+/// The factor by which labels may be wider where embedded fonts are ignored: they are with DejaVu Serif,
+/// but not with fonts like Times.
 const FALLBACK: f64 = 1.2;
 
 impl Extent {
-    /// The width that is kept free for the label.
+    /// The width reserved for the label.
     pub(crate) fn room(&self) -> f64 {
         FALLBACK * self.width
     }
@@ -64,12 +62,11 @@ impl Extent {
 /// The parsed fonts.
 pub struct Fonts {
     faces: [Metrics<'static>; 3],
-    /// What has been measured: reading a glyph's outline takes long.
+    /// Glyphs measured so far; reading a glyph's outline is slow.
     glyphs: RefCell<BTreeMap<(usize, char), Glyph>>,
 }
 
-/// A character's advance and how far its ink reaches up and down, if it has any, in units of the
-/// font.
+/// The advance of a character and the vertical extent of its ink, if it has any, in units of the font.
 #[derive(Clone, Copy)]
 struct Glyph {
     advance: u16,
@@ -102,7 +99,7 @@ impl Fonts {
     /// Measures a label set at `size` points.
     ///
     /// # Errors
-    /// A character is in none of our fonts.
+    /// A character is missing from the embedded fonts.
     pub fn measure(&self, label: &Label, size: f64) -> Result<Extent, DrawingError> {
         let mut extent = Extent { width: 0.0, ascent: 0.0, descent: 0.0 };
         for run in &label.runs {
@@ -136,14 +133,14 @@ fn lacking(label: &str, character: char) -> DrawingError {
     ))
 }
 
-/// A circumflex as three spots, to the right of the label's start and below its baseline.
+/// A circumflex as three spots, relative to the label's start on its baseline, to the right and
+/// downwards.
 pub(crate) type Hat = [(f64, f64); 3];
 
 impl Fonts {
     /// The circumflexes over a label set at `size` points.
     ///
-    /// They are drawn as lines: no font that viewers have can be counted on for an accent over an
-    /// italic letter.
+    /// They are drawn as lines, because the fonts of viewers may lack an accent over an italic letter.
     ///
     /// # Errors
     /// As [`measure`](Self::measure).

@@ -1,4 +1,4 @@
-//! Labels of one panel: placed while the figure is built up, drawn over everything else at the end.
+//! Labels of one panel: positioned while the figure is built, drawn over everything else at the end.
 
 use crate::error::DrawingError;
 use crate::geometry::placement::{LabelPlace, Placer};
@@ -7,47 +7,47 @@ use crate::ink::canvas::{Anchor, Canvas};
 use crate::ink::markup::Label;
 use crate::ink::style::{Colour, LEADER};
 
-/// Free space kept around a label's ink, in points.
+/// Free space around a label's ink, in points.
 const PADDING: f64 = 1.2;
 
-/// Where a label is to stand.
+/// The intended position of a label.
 pub enum Site<'a> {
     /// Beside a curve, near its middle.
     Beside(&'a [Spot]),
-    /// Around a spot, at least the clearance away.
+    /// Around a spot, at least at this clearance.
     Around(Spot, f64),
     /// Inside a polygon.
     Within(&'a [Spot]),
 }
 
-/// Labels placed so far.
+/// The labels positioned so far.
 pub struct Labels<'c> {
     canvas: &'c Canvas,
-    /// What labels keep off.
+    /// The objects that labels avoid.
     pub placer: Placer,
     placed: Vec<Placed>,
 }
 
-/// A label of one or more centred lines in its place.
+/// A label of one or more centred lines at its position.
 struct Placed {
     lines: Vec<Label>,
-    /// How far the ink of the lines reaches above and below their baselines at most.
+    /// The greatest reach of the ink of any line above and below its baseline.
     reach: (f64, f64),
     size: f64,
     colour: Colour,
     place: LabelPlace,
 }
 
-/// From one baseline to the next, in units of the font size.
+/// The distance between consecutive baselines, in units of the font size.
 const LEADING: f64 = 1.15;
 
 impl<'c> Labels<'c> {
-    /// None yet; they stay inside the panel, and each draws on the canvas.
+    /// An empty set of labels, which will stay inside the panel and be drawn on the canvas.
     pub fn new(canvas: &'c Canvas, panel: Bounds) -> Self {
         Labels { canvas, placer: Placer::new(panel), placed: Vec::new() }
     }
 
-    /// Finds a place for a label; false if there is none.
+    /// Finds a position for a label; false if there is none.
     pub fn add(
         &mut self,
         source: &str,
@@ -58,7 +58,7 @@ impl<'c> Labels<'c> {
         self.add_lines(&[source], size, colour, site)
     }
 
-    /// Finds a place for a label of several lines, each centred; false if there is none.
+    /// Finds a position for a label of several centred lines; false if there is none.
     pub fn add_lines(
         &mut self,
         sources: &[&str],
@@ -79,7 +79,7 @@ impl<'c> Labels<'c> {
         let further = LEADING * size * lines.len().saturating_sub(1) as f64;
         let height = ascent + further + descent + 2.0 * PADDING;
         let placer = &mut self.placer;
-        // Rather as wide as in our font than nowhere.
+        // The width in the embedded font is used if the wider fallback does not fit.
         let place = widths.map(|width| width + 2.0 * PADDING).into_iter().find_map(|width| match site {
             Site::Beside(curve) => placer.beside_curve(curve, width, height),
             Site::Around(spot, clearance) => placer.around(*spot, *clearance, width, height),
@@ -91,7 +91,7 @@ impl<'c> Labels<'c> {
         Ok(place.is_some())
     }
 
-    /// Names a curve beside it or, where there is no room, farther off with a line to its middle.
+    /// Labels a curve beside it or, if there is no room, farther away with a leader to its middle.
     pub fn name_curve(
         &mut self,
         source: &str,

@@ -1,5 +1,5 @@
-//! Samples of what is drawn, for legends. They put no ink on the sheet; a figure holds its legend
-//! for those who show it.
+//! Samples of drawn objects for legends. They are not drawn on the sheet; a figure carries its legend for
+//! programs that display it.
 
 use crate::geometry::shapes::triangle;
 use crate::geometry::sheet::in_hundredths;
@@ -7,7 +7,7 @@ use crate::ink::measured::MeasuredMark;
 use crate::ink::style::{DISC_RADIUS, HOLLOW, HOLLOW_RIM, MARKER, Paint, Pen, TRIANGLE_SIZE};
 use crate::ink::svg::{fill, path_data, points, stroke};
 
-/// A sample of what is drawn.
+/// A sample of a drawn object.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Sample {
     /// A line.
@@ -31,7 +31,7 @@ pub enum Sample {
 }
 
 impl Sample {
-    /// Its drawing in a box of 24 by 10 points.
+    /// The sample drawn in a box of 24 by 10 points.
     pub(crate) fn element(self) -> String {
         match self {
             Sample::Line(pen) => format!("<path d=\"M0,5L24,5\"{}/>", stroke(Some(pen))),

@@ -1,4 +1,4 @@
-//! The small language labels are written in.
+//! The markup of labels.
 //!
 //! | written | printed |
 //! |---|---|
@@ -11,8 +11,7 @@
 //! | `\hat{x}`, `'` | one letter with a circumflex; a prime |
 //! | `_x`, `^{12}` | subscript, superscript: one character, one command, or a group in braces |
 //!
-//! Scripts do not nest, and a superscript after a subscript follows it instead of standing above
-//! it.
+//! Scripts do not nest, and a superscript after a subscript follows it instead of being above it.
 
 use std::str::Chars;
 
@@ -20,7 +19,7 @@ use grazing_results::GREEK;
 
 use crate::error::DrawingError;
 
-/// Which of the embedded fonts a run of text is set in.
+/// The embedded font of a run of text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Face {
     Upright,
@@ -28,7 +27,7 @@ pub(crate) enum Face {
     Signs,
 }
 
-/// Where a run stands relative to the line.
+/// The vertical position of a run relative to the line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Level {
     Line,
@@ -36,15 +35,15 @@ pub(crate) enum Level {
     Superscript,
 }
 
-/// Size of sub- and superscripts relative to the line.
+/// The size of subscripts and superscripts relative to the line.
 const SCRIPT_SIZE: f64 = 0.72;
-/// How far a subscript's baseline is lowered and a superscript's raised, in units of the font size.
+/// The lowering of a subscript's baseline and the raising of a superscript's, in units of the font size.
 const SUBSCRIPT_DROP: f64 = 0.19;
 const SUPERSCRIPT_RISE: f64 = 0.36;
 
 impl Level {
-    /// The font size on this level of a label of a size, and how far its baseline is above the
-    /// line's.
+    /// The font size of text at this level in a label of a given size, and the height of its baseline
+    /// above that of the line.
     pub(crate) fn size_and_rise(self, size: f64) -> (f64, f64) {
         match self {
             Level::Line => (size, 0.0),
@@ -54,13 +53,13 @@ impl Level {
     }
 }
 
-/// Text of one face on one level.
+/// Text in one face at one level.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Run {
     pub(crate) face: Face,
     pub(crate) level: Level,
     pub(crate) text: String,
-    /// A circumflex stands over the run, which is one letter.
+    /// Whether a circumflex is above the run, which is then one letter.
     pub(crate) hat: bool,
 }
 
@@ -88,14 +87,14 @@ struct Parser<'a> {
     runs: Vec<Run>,
 }
 
-/// The text of a label as where nothing is markup: of the symbols their letters.
+/// The text of a label without markup; symbols become their letters.
 pub fn unmarked(source: &str) -> String {
     let letters = |label: Label| label.runs.iter().map(|run| run.text.as_str()).collect();
     Label::parse(source).map_or_else(|_| source.to_owned(), letters)
 }
 
 impl Label {
-    /// Upright text as it stands, in which nothing is markup.
+    /// A label of upright text without markup.
     pub(crate) fn plain(text: &str) -> Self {
         let run = Run { face: Face::Upright, level: Level::Line, text: text.to_owned(), hat: false };
         Label { source: text.to_owned(), runs: vec![run] }
@@ -104,14 +103,14 @@ impl Label {
     /// Reads a label.
     ///
     /// # Errors
-    /// Its markup is none.
+    /// The markup is invalid.
     pub fn parse(source: &str) -> Result<Self, DrawingError> {
         let mut parser = Parser { source, rest: source.chars(), runs: Vec::new() };
         while let Some(character) = parser.rest.next() {
             if character == '$' {
                 parser.mathematics('$', Level::Line)?;
             } else {
-                // The sign of micro- is the letter mu, which the fonts have.
+                // The micro sign becomes the letter mu, which the fonts have.
                 let known = if character == '\u{b5}' { '\u{3bc}' } else { character };
                 parser.push(Face::Upright, Level::Line, known);
             }

@@ -1,5 +1,5 @@
-//! Marks of measurements: the shape says what was seen, the filling whether that is what is
-//! computed.
+//! Marks of measurements: the shape shows the measured behaviour, the filling whether it agrees with the
+//! computed one.
 
 use grazing_results::measured::{Agreement, SeenKind};
 
@@ -12,9 +12,9 @@ use crate::ink::svg::{fill, path_data, stroke};
 /// The mark of a measurement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MeasuredMark {
-    /// What was seen.
+    /// The kind of measured behaviour.
     pub seen: SeenKind,
-    /// Whether that is what is computed.
+    /// Whether the measured behaviour agrees with the computed one.
     pub agreement: Agreement,
 }
 
@@ -22,7 +22,7 @@ pub struct MeasuredMark {
 pub(crate) type Stroke = (Vec<Hundredths>, bool, String);
 
 impl MeasuredMark {
-    /// What it means.
+    /// The explanation of the mark for the legend.
     pub(crate) fn meaning(self) -> String {
         let verdict = match self.agreement {
             Agreement::Agrees | Agreement::WithinError => "as computed",
@@ -32,7 +32,7 @@ impl MeasuredMark {
         format!("measured: {}, {verdict}", self.seen.name())
     }
 
-    /// What is drawn about a spot.
+    /// The paths of the mark about a spot.
     pub(crate) fn strokes(self, centre: Spot) -> Vec<Stroke> {
         let outline = match self.seen {
             SeenKind::NonImpacting => octagon(centre, 0.55 * MEASURED_SIZE),
@@ -54,7 +54,7 @@ impl MeasuredMark {
         all
     }
 
-    /// Its drawing for a legend, in a box of 24 by 10 points.
+    /// The mark drawn for a legend, in a box of 24 by 10 points.
     pub(crate) fn element(self) -> String {
         let path = |(spots, closed, attributes): Stroke| {
             format!("<path d=\"{}\"{attributes}/>", path_data(&spots, closed))

@@ -1,4 +1,4 @@
-//! A figure as a value: what is drawn, and what it says of itself; its SVG is written from that.
+//! A figure as a value: its elements and its description, from which its SVG is written.
 
 use std::fmt::Write;
 
@@ -12,71 +12,72 @@ use crate::ink::svg::{POINTS_PER_MM, escape, hundredths, path_data, points};
 /// A drawn figure.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Sheet {
-    /// The title, for readers who cannot see it.
+    /// The title, for screen readers.
     pub title: String,
-    /// What it shows, likewise.
+    /// The description, for screen readers.
     pub description: String,
     /// Width and height, in points, to hundredths.
     pub size: (f64, f64),
-    /// What is drawn, in its order.
+    /// The drawn elements, in drawing order.
     pub elements: Vec<Element>,
-    /// What is drawn how: each meaning, in words with formulas between dollars, with a sample as
-    /// SVG in a box of 24 by 10 points.
+    /// The legend: each meaning, in words with formulas between dollars, and a sample as SVG in a box of
+    /// 24 by 10 points.
     pub legend: Vec<(String, String)>,
-    /// Every label and the box of its ink, in the order of drawing.
+    /// Every label with the bounding box of its ink, in drawing order.
     pub texts: Vec<(String, Bounds)>,
 }
 
-/// Something that is drawn.
+/// A drawn element.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Element {
-    /// An element of SVG as it stands in the file.
+    /// An SVG element, as it is written in the file.
     Markup(String),
     /// A path.
     Path(Path),
-    /// No ink, but where a panel is and what it shows.
+    /// The position and contents of a panel, without ink.
     Panel(PanelMark),
 }
 
 /// A path from spot to spot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Path {
-    /// Its pieces, in hundredths of a point; whether each is closed.
+    /// The pieces of the path, in hundredths of a point, each with whether it is closed.
     pub pieces: Vec<(Vec<Hundredths>, bool)>,
-    /// The attributes by which it is drawn, each with a space before.
+    /// The drawing attributes, each preceded by a space.
     pub attributes: String,
 }
 
-/// Where a panel is, and what it shows.
+/// The position and contents of a panel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PanelMark {
-    /// Its place on the sheet.
+    /// The bounds of the panel on the sheet.
     pub bounds: Bounds,
     /// The values at its edges.
     pub frame: Frame,
-    /// The titles across and up; an empty one is that of the panel to the left.
+    /// The titles of the horizontal and the vertical axis; an empty title is that of the panel to the
+    /// left.
     pub titles: [String; 2],
-    /// The tables whose rows it shows, the most informative first; none if any table with columns
+    /// The tables whose rows the panel shows, the most informative first; empty if any table with columns
     /// for the axes will do.
     pub tables: Vec<&'static str>,
-    /// The column and the number that distinguish its rows from those of other panels.
+    /// The column and the number that distinguish the panel's rows from those of other panels.
     pub only: Option<(&'static str, u32)>,
-    /// The columns that hold the values across and up, where the titles do not say it.
+    /// The columns of the horizontal and the vertical axis, if the titles do not identify them.
     pub columns: Option<[String; 2]>,
-    /// Equal lengths are equal differences of the values, so that these can be read off; the SVG
-    /// says nothing of a panel in which that is not so.
+    /// Whether values are linear along the axes, so that they can be read off; the SVG does not describe
+    /// panels in which they are not.
     pub linear: bool,
 }
 
 impl Sheet {
-    /// What everything that is drawn inherits: attributes of the element around it. Where the
-    /// embedded font is ignored, others of about its widths come before any other with serifs. White
-    /// space is preserved because some viewers drop it at the ends of a tspan otherwise.
+    /// Attributes of the outer element, which all drawn elements inherit. Where the embedded font is
+    /// ignored, fonts of similar widths take precedence over other serif fonts. White space is preserved
+    /// because some viewers otherwise drop it at the ends of a tspan.
     pub const INHERITED: &str = "font-family=\"'STIX Two Text','STIXGeneral','Times New Roman','Liberation Serif',\
                                  'Nimbus Roman','TeX Gyre Termes',Times,serif\" \
                                  xml:space=\"preserve\" stroke-linejoin=\"round\" fill=\"none\"";
 
-    /// The text of an SVG file, which embeds its fonts.
+    /// The text of an SVG file with embedded fonts.
     pub fn svg(&self) -> String {
         let mut content = format!("<style>\n{}</style>\n{}", style_sheet(), self.body(path_data));
         if !self.legend.is_empty() {
@@ -89,7 +90,7 @@ impl Sheet {
         self.svg_around(&content)
     }
 
-    /// The text of an SVG file of its size and with its title around anything.
+    /// The text of an SVG file with this sheet's size and title around any content.
     pub fn svg_around(&self, content: &str) -> String {
         let Self { title, description, size: (width, height), .. } = self;
         format!(
@@ -105,18 +106,17 @@ impl Sheet {
         )
     }
 
-    /// The view box of its SVG.
+    /// The view box of the SVG.
     pub fn view_box(&self) -> String {
         format!("0 0 {} {}", points(self.size.0), points(self.size.1))
     }
 
-    /// What is drawn, in few letters: paths run from each spot to the next by the difference, which
-    /// is the same to a hundredth.
+    /// The drawn elements in short form: paths use relative coordinates, which are exact to a hundredth.
     pub fn short_body(&self) -> String {
         self.body(short_path_data)
     }
 
-    /// What is drawn, an element a line, with paths that are written so.
+    /// The drawn elements, one per line, with path data from `data`.
     fn body(&self, data: fn(&[Hundredths], bool) -> String) -> String {
         let (width, height) = self.size;
         let background =
@@ -134,7 +134,7 @@ impl Sheet {
         })
     }
 
-    /// The labels as they were written, in the order of drawing.
+    /// The labels in markup, in drawing order.
     #[cfg(test)]
     pub(crate) fn texts(&self) -> Vec<String> {
         self.texts.iter().map(|(source, _)| source.clone()).collect()
@@ -155,7 +155,7 @@ impl Sheet {
 }
 
 impl Element {
-    /// As SVG, paths with data that are written so.
+    /// The element as SVG, with path data from `data`.
     fn svg(&self, data: fn(&[Hundredths], bool) -> String) -> String {
         match self {
             Self::Markup(text) => text.clone(),
@@ -169,9 +169,9 @@ impl Element {
 }
 
 impl PanelMark {
-    /// An invisible rectangle of class `panel` by which programs read values off the sheet:
-    /// `data-x` and `data-y` are the values at its left and right, bottom and top edges;
-    /// `data-columns` the columns that hold them, where the titles do not say it.
+    /// An invisible rectangle of class `panel` with which programs read values off the sheet: `data-x`
+    /// and `data-y` are the values at its left and right, bottom and top edges; `data-columns` the
+    /// columns that hold them, if the titles do not identify them.
     fn svg(&self) -> String {
         let Self { bounds, frame: Frame { x, y }, titles, tables, only, columns, .. } = self;
         let mut attributes = String::new();
@@ -202,7 +202,7 @@ impl PanelMark {
     }
 }
 
-/// Path data from each spot to the next by the difference, without idle letters.
+/// Path data with relative coordinates, without redundant characters.
 fn short_path_data(path: &[Hundredths], closed: bool) -> String {
     let mut data = String::new();
     let mut push = |letter: &str, pair: [i32; 2]| {
@@ -212,7 +212,7 @@ fn short_path_data(path: &[Hundredths], closed: bool) -> String {
                 Some(decimals) => format!("-.{decimals}"),
                 None => number.strip_prefix("0.").map_or(number.clone(), |decimals| format!(".{decimals}")),
             };
-            // A sign sets a number apart from the one before, as letters do.
+            // A minus sign separates a number from the previous one, as letters do.
             if data.ends_with(|c: char| c.is_ascii_digit()) && !short.starts_with('-') {
                 data.push(' ');
             }
@@ -222,7 +222,7 @@ fn short_path_data(path: &[Hundredths], closed: bool) -> String {
     for (place, &(x, y)) in path.iter().enumerate() {
         match place.checked_sub(1).map(|before| path[before]) {
             None => push("M", [x, y]),
-            // A command that follows itself need not be repeated.
+            // A repeated command letter can be omitted.
             Some(before) => push(if place == 1 { "l" } else { "" }, [x - before.0, y - before.1]),
         }
     }

@@ -1,4 +1,4 @@
-//! Numbers, pens, paths and text as they stand in an SVG file.
+//! Numbers, pens, paths and text as they are written in an SVG file.
 
 use std::fmt::Write;
 
@@ -9,10 +9,10 @@ use crate::ink::font::SIGN_FAMILY;
 use crate::ink::markup::{Face, Label, Level};
 use crate::ink::style::{Colour, Paint, Pen};
 
-/// Points in a millimetre.
+/// The number of points in a millimetre.
 pub const POINTS_PER_MM: f64 = 72.0 / 25.4;
 
-/// Hundredths as a decimal number, without needless zeros.
+/// Hundredths as a decimal number, without redundant zeros.
 pub(crate) fn hundredths(value: i32) -> String {
     let (sign, size) = (if value < 0 { "-" } else { "" }, value.unsigned_abs());
     let (whole, rest) = (size / 100, size % 100);
@@ -68,8 +68,8 @@ pub(crate) fn path_data(path: &[Hundredths], closed: bool) -> String {
     data
 }
 
-/// Text with the five characters escaped that XML reserves, without control characters, which it
-/// forbids, and with marks that change the direction of writing as `\u{202e}`.
+/// The text with the five characters escaped that XML reserves, without control characters, which it
+/// forbids, and with characters that change the direction of writing spelt like `\u{202e}`.
 pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for character in text.chars() {
@@ -87,7 +87,7 @@ pub(crate) fn escape(text: &str) -> String {
     escaped
 }
 
-/// The runs of a label as text and tspans; scripts by `dy`, which every viewer knows.
+/// The runs of a label as text and tspans; scripts use `dy`, which every viewer supports.
 pub(crate) fn spans(label: &Label, size: f64) -> String {
     let mut spans = String::new();
     let mut rise = 0.0;
@@ -154,7 +154,7 @@ mod tests {
     #[test]
     fn a_subscript_is_lowered_and_the_line_comes_back() {
         let label = Label::parse(r"$x_1=2$").unwrap();
-        // 0.19 and 0.72 of 10 points, and back up again.
+        // 0.19 and 0.72 of 10 points, and then back up.
         assert_eq!(
             spans(&label, 10.0),
             "<tspan font-style=\"italic\">x</tspan><tspan dy=\"1.9\" font-size=\"7.2\">1</tspan>\

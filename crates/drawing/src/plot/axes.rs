@@ -1,4 +1,4 @@
-//! A panel: a rectangle of data space on one of the sheet, with border, ticks, numbers and axis
+//! A panel: a rectangle of data space mapped to one of the sheet, with border, ticks, numbers and axis
 //! titles.
 
 use plotters::coord::CoordTranslate;
@@ -21,44 +21,43 @@ use crate::ink::style::{
 };
 use crate::plot::numbers::{Decades, Direction, Numbers};
 
-/// What a figure of panels says of itself.
+/// The names, title and description of a figure of panels.
 #[derive(Debug, Clone, Copy)]
 pub struct Heading<'a> {
-    /// The name of the file without its ending, by which errors call the figure.
+    /// The file name without extension, by which errors refer to the figure.
     pub name: &'static str,
-    /// The title of the SVG, for readers who cannot see it.
+    /// The title of the SVG, for screen readers.
     pub title: &'a str,
-    /// The description of the SVG, likewise.
+    /// The description of the SVG, for screen readers.
     pub description: &'a str,
     /// The names of the two parameters.
     pub names: &'a Names,
-    /// The names of the tables that the SVG shows, those whose rows are looked for first before the
-    /// others.
+    /// The names of the tables that the SVG shows, in the order in which rows are searched for.
     pub tables: &'a [&'static str],
 }
 
-/// A rectangle of data space laid over one of the sheet.
+/// A rectangle of data space mapped to one of the sheet.
 pub struct Panel<'c> {
     /// The sheet.
     pub canvas: &'c Canvas,
-    /// What it shows.
+    /// The part of data space that the panel shows.
     pub frame: Frame,
-    /// Where it is on the sheet.
+    /// The bounds of the panel on the sheet.
     pub bounds: Bounds,
-    /// The tables whose rows it shows, the most informative first; none if any table with columns
+    /// The tables whose rows the panel shows, the most informative first; empty if any table with columns
     /// for the axes will do.
     pub tables: &'c [&'static str],
-    /// The column and the number that distinguish its rows from those of other panels.
+    /// The column and the number that distinguish the panel's rows from those of other panels.
     pub only: Option<(&'static str, u32)>,
-    /// The names of the two parameters, where the titles do not say which columns hold them.
+    /// The names of the two parameters, if the titles do not identify their columns.
     pub names: Option<&'c Names>,
-    /// Whether there are numbers beside it.
+    /// Whether there are numbers along the vertical axis.
     pub numbers_beside: bool,
-    /// What stands up is the place of a number on such an axis.
+    /// The decades of the vertical axis, if its coordinate is a position on such an axis.
     pub(crate) decades: Option<Decades>,
 }
 
-/// Which of the paper's markers.
+/// The kinds of markers in the paper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Marker {
     /// A resonance.
@@ -67,28 +66,28 @@ pub enum Marker {
     Disc,
     /// A point of another figure.
     Star,
-    /// Where a curve was followed no further.
+    /// The end of a curve that was followed no further.
     Ring,
 }
 
-/// Room that the largest tick labels and the gaps around them take, in points.
+/// The gap between ticks, numbers and titles, in points.
 const TICK_GAP: f64 = 2.5;
-/// Titles of vertical axes that are wider than this (points) are turned to read upwards.
+/// Titles of vertical axes that are wider than this (points) are rotated to read upwards.
 const WIDEST_LEVEL_TITLE: f64 = 18.0;
-/// Free space between a title and what is left of it, in points.
+/// Free space to the left of a vertical title, in points.
 const SHEET_GAP: f64 = 3.0;
-/// Titles too long for their axis are set smaller, down to this size (points).
+/// Titles too long for their axis are set in a smaller size, down to this one (points).
 const LEAST_TITLE_SIZE: f64 = 6.5;
 
 impl<'c> Panel<'c> {
-    /// A panel that does not say what it shows.
+    /// A panel without tables.
     pub fn new(canvas: &'c Canvas, frame: Frame, bounds: Bounds) -> Self {
         let (tables, only, names): (&[_], _, _) = (&[], None, None);
         Panel { canvas, frame, bounds, tables, only, names, numbers_beside: true, decades: None }
     }
 
-    /// Where a data point lies on the sheet, in whole hundredths of a point: the rest of the way
-    /// from the lower left corner is cut off.
+    /// The position of a data point on the sheet, truncated to whole hundredths of a point from the lower
+    /// left corner.
     pub fn spot(&self, point: (f64, f64)) -> Spot {
         let (left, top) = in_hundredths((self.bounds.left, self.bounds.top));
         let (right, bottom) = in_hundredths((self.bounds.right, self.bounds.bottom));
@@ -103,7 +102,7 @@ impl<'c> Panel<'c> {
         points.iter().map(|&point| self.spot(point)).collect()
     }
 
-    /// A polyline, clipped to the frame with all of its ink; returns its pieces on the sheet.
+    /// Draws a polyline, clipped to the frame with all of its ink; returns its pieces on the sheet.
     pub fn line(&self, points: &[(f64, f64)], pen: Pen) -> Vec<Vec<Spot>> {
         let pieces: Vec<_> =
             clip_polyline(&self.frame, points).iter().map(|piece| self.spots(piece)).collect();
@@ -111,8 +110,8 @@ impl<'c> Panel<'c> {
         pieces
     }
 
-    /// A filled polygon, clipped to the frame; returns its outline on the sheet, if any of it
-    /// shows.
+    /// Draws a filled polygon, clipped to the frame; returns its outline on the sheet if any of it is
+    /// visible.
     pub fn fill(&self, vertices: &[(f64, f64)], paint: Paint) -> Vec<Spot> {
         let clipped = clip_polygon(&self.frame, vertices);
         if clipped.len() < 3 {
@@ -123,8 +122,8 @@ impl<'c> Panel<'c> {
         outline
     }
 
-    /// A filled area, clipped to the frame, inside where its rings are crossed an odd number of
-    /// times; returns its first ring on the sheet, if any of it shows.
+    /// Draws an area filled by the even-odd rule, clipped to the frame; returns its first ring on the
+    /// sheet if any of it is visible.
     pub(crate) fn area(&self, rings: &[Vec<(f64, f64)>], paint: Paint) -> Vec<Spot> {
         match rings {
             [] => Vec::new(),
@@ -137,19 +136,19 @@ impl<'c> Panel<'c> {
         }
     }
 
-    /// Hatching of such an area.
+    /// Hatches the area inside rings by the even-odd rule.
     pub(crate) fn hatch(&self, rings: &[Vec<(f64, f64)>], pen: Pen) {
         for line in hatching(&self.clipped(rings), HATCHING) {
             self.canvas.line(&line, pen);
         }
     }
 
-    /// The parts of rings in the frame, on the sheet.
+    /// The parts of rings within the frame, on the sheet.
     fn clipped(&self, rings: &[Vec<(f64, f64)>]) -> Vec<Vec<Spot>> {
         rings.iter().map(|ring| self.spots(&clip_polygon(&self.frame, ring))).collect()
     }
 
-    /// A marker, if its point is in the frame; returns the box it takes.
+    /// Draws a marker if its point is in the frame; returns its box.
     pub fn marker(&self, point: (f64, f64), marker: Marker) -> Option<Bounds> {
         if !self.frame.contains(point) {
             return None;
@@ -176,7 +175,7 @@ impl<'c> Panel<'c> {
         Some(Bounds::about(centre, size, size))
     }
 
-    /// Says where the panel is and what it shows.
+    /// Adds the mark that describes the position and contents of the panel.
     fn mark(&self, titles: [&str; 2]) {
         let Panel { frame, bounds, only, .. } = *self;
         let said = |title: &str, column: &str| title.is_empty() || column_of(title) == column;
@@ -187,7 +186,7 @@ impl<'c> Panel<'c> {
         self.canvas.add(Element::Panel(PanelMark { bounds, frame, titles, tables, only, columns, linear }));
     }
 
-    /// Border, outward ticks, numbers and axis titles; an empty title is left out.
+    /// Draws border, outward ticks, numbers and axis titles; an empty title is omitted.
     pub fn axes(&self, x_title: &str, y_title: &str) -> Result<(), DrawingError> {
         let (Bounds { left, top, right, bottom }, canvas) = (self.bounds, self.canvas);
         self.mark([x_title, y_title]);
@@ -241,20 +240,19 @@ impl<'c> Panel<'c> {
     }
 }
 
-/// The column that readers of the sheet take a title for: its letters, and that of the forcing
-/// amplitude.
+/// The column that programs derive from a title: its letters, or that of the forcing amplitude.
 fn column_of(title: &str) -> String {
     let letters = title.replace(r"\mathcal", "").replace(|c: char| !c.is_ascii_alphabetic() && c != '_', "");
     if letters == "A" { "amplitude".to_owned() } else { letters }
 }
 
-/// The size at which a title fits on an axis of so many points.
+/// The font size at which a title fits on an axis of `room` points.
 fn title_size(canvas: &Canvas, title: &str, room: f64) -> Result<f64, DrawingError> {
     let width = canvas.fonts.measure(&Label::parse(title)?, TITLE_SIZE)?.width;
     Ok(if width > room { (TITLE_SIZE * room / width).max(LEAST_TITLE_SIZE) } else { TITLE_SIZE })
 }
 
-/// Points that ticks, numbers and title of a vertical axis take left of the frame; an empty title
+/// The width in points of ticks, numbers and title of a vertical axis, left of the frame; an empty title
 /// takes none.
 pub(crate) fn room_beside(
     fonts: &Fonts,
@@ -265,7 +263,7 @@ pub(crate) fn room_beside(
     room_for(fonts, &Numbers::along(fonts, range, height, Direction::Up)?, title)
 }
 
-/// The same for given numbers.
+/// The width in points of ticks, these numbers and the title of a vertical axis, left of the frame.
 pub(crate) fn room_for(fonts: &Fonts, numbers: &Numbers, title: &str) -> Result<f64, DrawingError> {
     let beside_title = TICK_LENGTH + 2.0 * TICK_GAP + numbers.width + 1.0;
     let extent = fonts.measure(&Label::parse(&numbers.title(title))?, TITLE_SIZE)?;
@@ -273,7 +271,8 @@ pub(crate) fn room_for(fonts: &Fonts, numbers: &Numbers, title: &str) -> Result<
     Ok(beside_title + if level { extent.width } else { extent.height() } + SHEET_GAP)
 }
 
-/// Points by which the numbers of a horizontal axis reach beyond its right end, at least 0.
+/// The distance in points by which the numbers of a horizontal axis extend beyond its right end, at least
+/// 0.
 pub(crate) fn overhang(fonts: &Fonts, [low, high]: [f64; 2], width: f64) -> Result<f64, DrawingError> {
     let mut reach = 0.0_f64;
     for tick in Numbers::along(fonts, [low, high], width, Direction::Across)?.ticks {
@@ -287,7 +286,7 @@ pub(crate) fn overhang(fonts: &Fonts, [low, high]: [f64; 2], width: f64) -> Resu
 mod tests {
     use super::*;
 
-    /// The mark of a panel with these titles that shows a plane of these columns.
+    /// The mark of a panel with these titles that shows a plane with these columns.
     fn marked(titles: [&str; 2], columns: [&'static str; 2]) -> String {
         let canvas = Canvas::new(100.0, 100.0).unwrap();
         let names = Names::new(columns[0], columns[1]);

@@ -19,8 +19,8 @@ use crate::plot::axes::Panel;
 use crate::plot::cloud::{LONG_TIME, draw_cloud};
 use crate::plot::kinds::{label, pen, text_colour};
 
-/// Branches, attractor and bifurcations of one panel, with their labels. Points that follow each
-/// other with equal p and branch are a strand: one loop of a solution as the parameter changes.
+/// Draws branches, attractor and bifurcations of one panel, with their labels. Consecutive points with
+/// equal p and branch are a strand: one loop of a solution as the parameter changes.
 pub(crate) fn diagram(
     panel: &Panel<'_>,
     mut labels: Labels<'_>,
@@ -37,7 +37,7 @@ pub(crate) fn diagram(
     for (sweep, pen, reach) in [(Sweep::Up, SWEEP_UP, -SWEEP_SIZE), (Sweep::Down, SWEEP_DOWN, SWEEP_SIZE)] {
         for point in figure.swept(sweep).filter(|point| panel.frame.contains(*point)) {
             let (x, y) = panel.spot(point);
-            // An arrow's head that points up or down.
+            // An arrowhead that points up or down.
             panel.canvas.line(&[(x - SWEEP_SIZE, y), (x, y + reach), (x + SWEEP_SIZE, y)], pen);
             panel.canvas.explain(&format!("as the parameter goes {}", sweep.name()), Sample::Line(pen));
         }
@@ -46,7 +46,7 @@ pub(crate) fn diagram(
     let mut pieces = Vec::new();
     let strands = figure.branches.chunk_by(|a, b| (a.loops, a.branch) == (b.loops, b.branch));
     let mut strands: Vec<_> = strands.collect();
-    // Where branches lie on each other, that with the least p is seen: others have more strands.
+    // Where branches coincide, the one with the least p is visible: others have more strands.
     strands.sort_by_key(|strand| Reverse(strand[0].loops));
     for strand in strands {
         let p = strand[0].loops;
@@ -98,7 +98,8 @@ pub(crate) fn diagram(
             labels.add(&text, SMALL_LABEL_SIZE, colour, &Site::Beside(piece))?;
         }
     }
-    // Where dots lie beside the branches, they cannot be taken for these; a few hundred show where.
+    // Dots that lie beside the branches cannot be mistaken for them; a few hundred dots suffice to find
+    // one.
     let mut some = dots.iter().step_by(1 + dots.len() / 300).rev();
     let beside = some.find(|&&dot| pieces.iter().all(|piece| !near(piece, dot, 6.0)));
     if let (true, Some(&dot)) = (every_loop, beside.or(dots.last())) {
@@ -108,8 +109,8 @@ pub(crate) fn diagram(
     labels.draw()
 }
 
-/// Draws a strand, thick where stable and thin where unstable, without gaps between but where it is
-/// inadmissible; returns what was drawn.
+/// Draws a strand, thick where stable and thin where unstable, with gaps only where it is inadmissible;
+/// returns the drawn pieces.
 fn strand_pieces(panel: &Panel<'_>, figure: &OneParameter, strand: &[BranchPoint]) -> Vec<Vec<Spot>> {
     let place = |point: &BranchPoint| match point.admissible {
         true => (figure.across(point), point.x),

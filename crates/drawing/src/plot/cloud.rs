@@ -1,4 +1,5 @@
-//! Clouds of points: one path a shade, one square a bin, so that sixty thousand points stay light.
+//! Clouds of points: one path per shade and one square per bin, so that files with sixty thousand points
+//! stay small.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -8,11 +9,11 @@ use crate::ink::legend::Sample;
 use crate::ink::style::{CLOUD, CLOUD_BIN, Colour, Paint};
 use crate::plot::axes::Panel;
 
-/// What a cloud shows.
+/// The meaning of a cloud in the legend.
 pub(crate) const LONG_TIME: &str = "long-time behaviour";
 
-/// Draws the points of the frame as squares of `CLOUD_BIN` points, darker where several points
-/// share a bin.
+/// Draws the points within the frame as squares of `CLOUD_BIN` points, darker where several points share
+/// a bin.
 pub fn draw_cloud(panel: &Panel<'_>, points: &[(f64, f64)]) {
     let mut counts: BTreeMap<(i64, i64), u32> = BTreeMap::new();
     for &point in points.iter().filter(|&&p| panel.frame.contains(p)) {
@@ -36,16 +37,16 @@ pub fn draw_cloud(panel: &Panel<'_>, points: &[(f64, f64)]) {
     }
 }
 
-/// Fills cells (row, column) of a grid of so many columns and rows over the panel, rows counted from the
-/// top; cells must be sorted.
+/// Fills cells (row, column) of a grid over the panel with these numbers of columns and rows, rows
+/// counted from the top; cells must be sorted.
 pub fn draw_cells(panel: &Panel<'_>, [columns, rows]: [u32; 2], cells: &[(i64, i64)], colour: Colour) {
     let Bounds { left, top, right, bottom } = panel.bounds;
     let size = [(right - left) / f64::from(columns), (bottom - top) / f64::from(rows)];
     panel.canvas.cells((left, top), size, &path_of_bins(cells), Paint::opaque(colour));
 }
 
-/// Path data that strokes each bin (row, column) by a horizontal line through its middle; bins must
-/// be sorted.
+/// Path data that strokes each bin (row, column) by a horizontal line through its middle; bins must be
+/// sorted.
 fn path_of_bins(bins: &[(i64, i64)]) -> String {
     let mut data = String::new();
     let mut index = 0;

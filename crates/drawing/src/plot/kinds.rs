@@ -1,4 +1,4 @@
-//! What a parameter plane shows: bifurcation curves with the pen and the label of each kind,
+//! Objects of a parameter plane: bifurcation curves with the pen and the label of each kind,
 //! codimension-two points, regions.
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
@@ -25,7 +25,7 @@ fn approximation(bifurcation: Bifurcation) -> Pen {
     Pen::dashed(on_light, CurveLook::APPROXIMATION_WIDTH, CurveLook::APPROXIMATION_DASHES)
 }
 
-/// The pen of a grazing curve where what grazes is unstable.
+/// The pen of a grazing curve where the grazing solution is unstable.
 fn dotted(bifurcation: Bifurcation) -> Pen {
     let [colour, _] = CurveLook::of(bifurcation).colours;
     Pen::dashed(colour, CurveLook::DOT, CurveLook::DOTS)
@@ -36,7 +36,7 @@ pub fn text_colour(bifurcation: Bifurcation) -> Colour {
     CurveLook::of(bifurcation).text
 }
 
-/// What a curve is, in words, with its label.
+/// A description of a kind of curve in words, with its label.
 fn meaning(bifurcation: Bifurcation) -> String {
     let meaning = CurveLook::of(bifurcation).meaning;
     match bifurcation {
@@ -45,8 +45,8 @@ fn meaning(bifurcation: Bifurcation) -> String {
     }
 }
 
-/// The label, in the markup of labels; `grazing` names the grazing curve of the non-impacting
-/// solution.
+/// The label of a kind of curve, in markup; `grazing` is the name of the grazing curve of the
+/// non-impacting solution.
 pub fn label(bifurcation: Bifurcation, grazing: &str) -> &str {
     match bifurcation {
         Bifurcation::NonImpactingGrazing => grazing,
@@ -54,39 +54,39 @@ pub fn label(bifurcation: Bifurcation, grazing: &str) -> &str {
     }
 }
 
-/// What a line of the parameter plane is.
+/// The kinds of lines in the parameter plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum TraceOf {
-    /// A bifurcation.
+    /// A bifurcation curve.
     Bifurcation,
-    /// A part of a grazing curve along which what grazes is unstable: no region ends there.
+    /// A part of a grazing curve along which the grazing solution is unstable: no region ends there.
     UnstableGrazing,
-    /// Not the curve itself, but its quadratic approximation.
+    /// The quadratic approximation to a curve.
     Approximation,
 }
 
 /// A curve of the parameter plane; points are (across, up).
 pub struct Trace {
-    /// What happens along it.
+    /// The bifurcation along the curve.
     pub kind: Bifurcation,
-    /// What the line is of that.
+    /// The kind of line.
     pub of: TraceOf,
-    /// Its points; one that is NaN breaks it.
+    /// The points of the line; a point that is NaN breaks it.
     pub points: Vec<(f64, f64)>,
 }
 
-/// The admissible points of curves, as lines.
+/// The admissible parts of curves, as lines.
 pub fn shown_curves(points: &[PlanePoint]) -> Vec<Trace> {
     let place = |point: &PlanePoint| (point.kind, point.loops, point.n, point.arc);
     points.chunk_by(|a, b| place(a) == place(b)).flat_map(traces).collect()
 }
 
-/// A curve, and those parts of it that are grazing of what is unstable.
+/// A curve as lines: where the grazing solution, if any, is not unstable, and where it is.
 fn traces(points: &[PlanePoint]) -> impl Iterator<Item = Trace> {
     let kind = points[0].kind;
     let last = points.len() - 1;
     let bounds = |index: usize| PlanePoint::bounds(points, index);
-    // What is dotted reaches to the points at which the line begins.
+    // The dotted part extends to the points at which the solid line begins.
     let dotted = |index: usize| (index.saturating_sub(1)..=last.min(index + 1)).any(|index| !bounds(index));
     let shown = |of, drawn: &dyn Fn(usize) -> bool| {
         let spot = |(index, point): (usize, &PlanePoint)| match point.admissible && drawn(index) {
@@ -100,8 +100,8 @@ fn traces(points: &[PlanePoint]) -> impl Iterator<Item = Trace> {
     [shown(TraceOf::Bifurcation, &bounds)].into_iter().chain(grazing)
 }
 
-/// Draws curves, the wide grazing curve lowest, approximations on top of what they approximate;
-/// returns the pieces of the others, from which labels are kept off.
+/// Draws curves, with the wide grazing curve at the bottom and approximations above the curves that they
+/// approximate; returns the pieces of all lines except approximations, which labels avoid.
 pub fn draw_curves(
     panel: &Panel<'_>,
     labels: &mut Labels<'_>,
@@ -132,7 +132,7 @@ pub fn draw_curves(
     drawn
 }
 
-/// Marks places where curves were followed no further.
+/// Marks the places where curves were followed no further.
 pub(crate) fn draw_ends(panel: &Panel<'_>, labels: &mut Labels<'_>, ends: impl Iterator<Item = (f64, f64)>) {
     for end in ends {
         if let Some(taken) = panel.marker(end, Marker::Ring) {
@@ -143,14 +143,14 @@ pub(crate) fn draw_ends(panel: &Panel<'_>, labels: &mut Labels<'_>, ends: impl I
 }
 
 impl Labels<'_> {
-    /// Names bifurcation curves by their kind, the longest first, those shorter than `least`
-    /// (points) not at all.
+    /// Labels bifurcation curves with their kind, the longest first; those shorter than `least` (points)
+    /// are not labelled.
     ///
-    /// A curve is named once, though it may come twice, followed from its two ends. `grazing` names
-    /// the grazing curve of the non-impacting solution.
+    /// A curve is labelled once, even if it occurs twice, followed from its two ends. `grazing` is the
+    /// name of the grazing curve of the non-impacting solution.
     ///
     /// # Errors
-    /// A label cannot be read.
+    /// The markup of a label is invalid.
     pub fn name_curves(
         &mut self,
         mut curves: Vec<(Bifurcation, Vec<Spot>)>,
@@ -176,8 +176,8 @@ impl Labels<'_> {
     }
 }
 
-/// Marks codimension-two points, resonances above the others; returns those that are seen, with the
-/// boxes that they take.
+/// Marks codimension-two points, resonances above the others; returns the visible ones with the boxes of
+/// their markers.
 pub fn draw_points<'a>(
     panel: &Panel<'_>,
     labels: &mut Labels<'_>,
@@ -204,13 +204,13 @@ pub fn draw_points<'a>(
 pub(crate) struct Area {
     pub(crate) p: u32,
     pub kind: RegionKind,
-    /// Its border and those of its holes.
+    /// The border of the region and those of its holes.
     pub(crate) rings: Vec<Vec<(f64, f64)>>,
 }
 
 impl Area {
-    /// Regions from their vertices: those of one number are one region, those of one ring of it, in
-    /// order, one polygon.
+    /// Regions from their vertices: vertices with the same number form a region, and those of the same
+    /// ring, in order, form a polygon.
     pub(crate) fn all(vertices: &[RegionVertex]) -> Vec<Self> {
         let region = |vertices: &[RegionVertex]| Area {
             p: vertices[0].loops,
@@ -221,12 +221,12 @@ impl Area {
                 .collect(),
         };
         let mut regions: Vec<_> = vertices.chunk_by(|a, b| a.region == b.region).map(region).collect();
-        // Hatching lies above what is shaded.
+        // Hatching is drawn above shading.
         regions.sort_by_key(|region| region.kind == RegionKind::Undecided);
         regions
     }
 
-    /// Fills or hatches the region; returns its border on the sheet, if any of it shows.
+    /// Fills or hatches the region; returns its border on the sheet if any of it is visible.
     pub(crate) fn draw(&self, panel: &Panel<'_>) -> Vec<Spot> {
         match self.kind {
             RegionKind::Undecided => {
@@ -239,7 +239,7 @@ impl Area {
     }
 }
 
-/// The shade of a region in which something is stable, which the legend explains.
+/// The shade of a region in which a solution is stable; adds it to the legend.
 pub fn shade(panel: &Panel<'_>, kind: RegionKind) -> Paint {
     let (more, paint) = match kind {
         RegionKind::NonImpacting => ("", NON_IMPACTING_AREA),

@@ -9,17 +9,17 @@ use crate::ink::legend::Sample;
 use crate::ink::style::{MAGNIFIED, MAGNIFIED_TEXT, SMALL_LABEL_SIZE, TRIANGLE_SIZE};
 use crate::plot::axes::Panel;
 
-/// Rectangles smaller than this (points) would hide the triangle in them, and stay undrawn: the
-/// triangle has the letter.
+/// Rectangles smaller than this (points) are not drawn, because they would hide the triangle inside; the
+/// triangle gets the letter.
 const HIDDEN: f64 = TRIANGLE_SIZE;
-/// So do those lower or narrower than this, which would be bars over what they frame.
+/// Rectangles lower or narrower than this are not drawn, because they would be bars across their
+/// contents.
 const BAR: f64 = 3.0 * MAGNIFIED.width;
 
-/// Free space from a resonance to its label, in points: the triangle and its rim, seen along the
-/// diagonal.
+/// The distance from a resonance to its label, in points: the triangle and its rim, along the diagonal.
 pub(crate) const OFF_TRIANGLE: f64 = 5.4;
 
-/// The letter by which the figures name a panel: (a) for the first, (aa) for the 27th.
+/// The letter that figures use for a panel: (a) for the first, (aa) for the 27th.
 pub(crate) fn panel_letter(number: u32) -> String {
     let mut letters = String::new();
     let mut rest = number;
@@ -35,7 +35,7 @@ fn is_hidden(outline: &Bounds) -> bool {
     wide.max(high) < HIDDEN || wide.min(high) < BAR
 }
 
-/// Draws a rectangle, if it is not too small; returns where it is seen, if it is.
+/// Draws a rectangle unless it is too small; returns its visible outline, if any.
 pub(crate) fn rectangle(panel: &Panel<'_>, frame: &Frame, labels: &mut Labels<'_>) -> Option<Bounds> {
     let [[left, right], [low, high]] = [frame.x, frame.y];
     let (a, b) = (panel.spot((left, high)), panel.spot((right, low)));
@@ -50,8 +50,8 @@ pub(crate) fn rectangle(panel: &Panel<'_>, frame: &Frame, labels: &mut Labels<'_
     (seen.left <= seen.right && seen.top <= seen.bottom).then_some(seen)
 }
 
-/// Names a rectangle: around its middle or, a small one among many curves, at the first corner
-/// where there is room.
+/// Labels a rectangle: around its middle or, for a small one among many curves, at the first corner with
+/// room.
 pub(crate) fn letter(labels: &mut Labels<'_>, number: u32, outline: &Bounds) -> Result<(), DrawingError> {
     let Bounds { left, top, right, bottom } = *outline;
     let reach = 0.5 * (right - left).min(bottom - top);

@@ -1,4 +1,4 @@
-//! What was measured in a parameter plane.
+//! Measurements in a parameter plane.
 
 use grazing_results::measured::{Agreement, MeasuredPoint};
 
@@ -9,7 +9,7 @@ use crate::ink::measured::MeasuredMark;
 use crate::ink::style::{ERROR_BAR, MEASURED_SIZE};
 use crate::plot::axes::Panel;
 
-/// Marks measurements with their error bars; those that disagree lie on top.
+/// Draws measurements with their error bars; those that disagree are on top.
 pub(crate) fn draw_measured(panel: &Panel<'_>, labels: &mut Labels<'_>, points: &[MeasuredPoint]) {
     let mut seen: Vec<&MeasuredPoint> = points.iter().collect();
     seen.retain(|point| panel.frame.contains((point.primary, point.secondary)));
@@ -17,7 +17,7 @@ pub(crate) fn draw_measured(panel: &Panel<'_>, labels: &mut Labels<'_>, points: 
     for point in &seen {
         let (x, y) = (point.primary, point.secondary);
         let [dx, dy] = [point.primary_error, point.secondary_error].map(|error| error.max(0.0));
-        // An error that is not stated is not a number, and zero here.
+        // An error that is not stated is NaN, and becomes zero here.
         for ends in [[(x - dx, y), (x + dx, y)], [(x, y - dy), (x, y + dy)]] {
             if ends[0] != ends[1] {
                 panel.line(&ends, ERROR_BAR);

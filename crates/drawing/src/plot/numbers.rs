@@ -1,8 +1,8 @@
-//! The numbers along an axis: at the finest round step at which they keep their distance, and short
-//! for any range.
+//! The numbers along an axis: at the finest round step at which they keep their distance, and short for
+//! any range.
 //!
-//! Where they would be long, what is printed is a power of ten times the value less a round one,
-//! and the axis title says so: `10⁹ A`, `ω − 0.4321`, `10⁶ (ω − 0.4321)`.
+//! Where numbers would be long, they are printed as a power of ten times the value minus a round number,
+//! which the axis title states: `10⁹ A`, `ω − 0.4321`, `10⁶ (ω − 0.4321)`.
 
 use crate::error::DrawingError;
 use crate::ink::font::Fonts;
@@ -10,24 +10,23 @@ use crate::ink::markup::Label;
 use crate::ink::style::TICK_SIZE;
 use crate::plot::ticks::{Step, decimal, scientific};
 
-/// Least distance between the numbers along an axis, in points.
+/// The least distance between the numbers along an axis, in points.
 const NUMBER_GAP: f64 = 9.0;
-/// Numbers with more significant digits are printed less a round one.
+/// Numbers with more significant digits than this are printed minus a round number.
 const MOST_DIGITS: i32 = 5;
-/// Numbers whose decimal exponent is not among these are printed with a power of ten before the
-/// title; of numbers that have become small because a round one was taken off, fewer are printed as
-/// they are.
+/// Numbers with a decimal exponent outside this range are printed with a power of ten in the title; the
+/// range is smaller for numbers from which a round number has been subtracted.
 const PLAIN_EXPONENTS: std::ops::RangeInclusive<i32> = -4..=4;
 const PLAIN_REST_EXPONENTS: std::ops::RangeInclusive<i32> = -2..=4;
 
-/// Which way an axis runs.
+/// The direction of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Direction {
     Across,
     Up,
 }
 
-/// What is printed: `10^power` times the value less `offset`, of which there are `offset` units of
+/// The scale of printed numbers: `10^power` times the value minus an offset, which is `offset` units of
 /// ten to the `exponent`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Scale {
@@ -36,8 +35,8 @@ struct Scale {
     power: i32,
 }
 
-/// An axis for numbers of either sign over many decades: outside of the least decade they stand at
-/// the logarithm of their absolute values, and zero is in the middle.
+/// An axis for numbers of either sign over many decades: beyond the least decade the position is the
+/// logarithm of the absolute value, and zero is in the middle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Decades {
     /// The exponent of the least decade.
@@ -45,17 +44,17 @@ pub(crate) struct Decades {
 }
 
 impl Decades {
-    /// From zero to the least decade, in decades.
+    /// The distance from zero to the least decade, in decades.
     const MIDDLE: f64 = 2.0;
 
-    /// Where a number stands.
+    /// The position of a number on the axis.
     pub(crate) fn at(self, value: f64) -> f64 {
         let away = libm::log10(value.abs()) - f64::from(self.least) + Self::MIDDLE;
         libm::copysign(away.max(0.0), value)
     }
 
-    /// The numbers along such an axis that runs up, between two places: every decade has a tick, and
-    /// as many have numbers as keep their distance.
+    /// The numbers along such a vertical axis, between two positions: every decade has a tick, and as
+    /// many have numbers as keep their distance.
     fn numbers(self, fonts: &Fonts, [low, high]: [f64; 2], room: f64) -> Result<Numbers, DrawingError> {
         let decades = (high - Self::MIDDLE).floor().max(0.0) as i32;
         let written = (1..).find(|each| f64::from(*each) / (high - low) * room >= TICK_SIZE + NUMBER_GAP);
@@ -87,15 +86,15 @@ pub(crate) struct Tick {
 /// The numbers along an axis, with their ticks.
 pub(crate) struct Numbers {
     pub(crate) ticks: Vec<Tick>,
-    /// The smaller ticks, which have no numbers.
+    /// The smaller ticks, without numbers.
     pub(crate) minor: Vec<f64>,
-    /// Width of the widest number, in points.
+    /// The width of the widest number, in points.
     pub(crate) width: f64,
     scale: Scale,
 }
 
 impl Scale {
-    /// The scale at which the multiples of a step print short.
+    /// The scale at which the multiples of a step are short when printed.
     fn fit(step: Step, range: [f64; 2]) -> Self {
         let mut multiples = step.multiples(range).map(|(units, _)| units);
         let first = multiples.next().unwrap_or(0);
@@ -116,13 +115,13 @@ impl Scale {
         } else if offset == 0 {
             -magnitude
         } else {
-            // What is left of so narrow a range prints as whole numbers.
+            // In so narrow a range the remainders print as whole numbers.
             -step.exponent()
         };
         Scale { offset, exponent: step.exponent(), power }
     }
 
-    /// The scale at which every number is printed as it stands.
+    /// The scale at which every number is printed unchanged.
     fn none(step: Step) -> Self {
         Scale { offset: 0, exponent: step.exponent(), power: 0 }
     }
@@ -152,7 +151,7 @@ impl Numbers {
         Ok(Self::choose(fonts, range, room, direction, fit)?.0)
     }
 
-    /// The same along an axis that runs up, perhaps one of decades.
+    /// The numbers along a vertical axis, possibly one of decades.
     ///
     /// # Errors
     /// As [`along`](Self::along).
@@ -168,8 +167,8 @@ impl Numbers {
         }
     }
 
-    /// The finest round step whose numbers keep their distance, or else the coarsest that has two;
-    /// and which it was.
+    /// Chooses the finest round step whose numbers keep their distance, or else the coarsest that has two
+    /// numbers; returns the step as well.
     fn choose(
         fonts: &Fonts,
         range: [f64; 2],
@@ -180,7 +179,7 @@ impl Numbers {
         let length = range[1] - range[0];
         let mut coarsest = None;
         for step in Step::round_steps(length) {
-            // A step so fine that its ticks would touch needs no measuring.
+            // A step so fine that its ticks would touch need not be measured.
             if length / step.size() * 4.0 > room {
                 continue;
             }
@@ -211,12 +210,12 @@ impl Numbers {
         Ok(coarsest.unwrap_or_else(|| (none(), bare, false)))
     }
 
-    /// True if the numbers are the values themselves.
+    /// Whether the printed numbers are the values themselves.
     pub(crate) fn are_plain(&self) -> bool {
         self.scale.offset == 0 && self.scale.power == 0
     }
 
-    /// The title of the axis, with what has been done to the values.
+    /// The title of the axis, with the scaling of the values.
     pub(crate) fn title(&self, title: &str) -> String {
         let Scale { offset, exponent, power } = self.scale;
         if title.is_empty() || self.are_plain() {
@@ -283,8 +282,7 @@ mod tests {
                     assert!(labels.len() >= 2, "{range:?}: {labels:?}");
                     assert!(labels.windows(2).all(|pair| pair[0] != pair[1]), "{range:?}: {labels:?}");
                     assert!(labels.iter().all(|label| label.chars().count() <= 8), "{range:?}: {labels:?}");
-                    // A billionth of a step is what `multiples` allows beyond the ends, and
-                    // rounding.
+                    // `multiples` allows a billionth of a step beyond the ends, and there is rounding.
                     let rounding = 4.0 * f64::EPSILON * range[0].abs().max(range[1].abs());
                     let slack = 1e-9 * (range[1] - range[0]) + rounding;
                     assert!(

@@ -1,4 +1,4 @@
-//! Curves that a file asks for, in a parameter plane.
+//! Curves in a parameter plane that a file requests.
 
 use grazing_results::plane::OwnPoint;
 
@@ -9,16 +9,16 @@ use crate::ink::legend::Sample;
 use crate::ink::style::{OWN_TEXT, SMALL_LABEL_SIZE, own_pens};
 use crate::plot::axes::Panel;
 
-/// The pieces of the curves of a name and a number of loops.
+/// The pieces of the curves with a name and a number of loops.
 pub(crate) struct OwnCurve {
     label: String,
-    /// Each with whether its solutions are stable.
+    /// The pieces, each with whether its solutions are stable.
     pieces: Vec<(bool, Vec<Spot>)>,
 }
 
-/// Draws the curves as far as their solutions are admissible, thin where these are not stable;
-/// returns the pieces of each name and number of loops with their label, the best to write beside
-/// first: stable ones, and long ones.
+/// Draws the curves where their solutions are admissible, with thin lines where they are not stable.
+/// Returns the pieces for each name and number of loops with their label, the best ones for the label
+/// first: stable and long ones.
 pub(crate) fn draw_own(panel: &Panel<'_>, labels: &mut Labels<'_>, rows: &[OwnPoint]) -> Vec<OwnCurve> {
     let mut drawn: Vec<OwnCurve> = Vec::new();
     let mut names: Vec<&str> = Vec::new();
@@ -31,7 +31,7 @@ pub(crate) fn draw_own(panel: &Panel<'_>, labels: &mut Labels<'_>, rows: &[OwnPo
             names.push(name);
         }
         let pens = own_pens(number);
-        // Between a bifurcation and the solutions beside it the chord is theirs.
+        // The chord between a bifurcation and the solutions beside it is drawn like these solutions.
         let look = |pair: &[OwnPoint]| {
             let admissible = pair.iter().all(|point| point.admissible);
             admissible.then(|| usize::from(pair.iter().all(|point| !point.stable)))
@@ -59,7 +59,7 @@ pub(crate) fn draw_own(panel: &Panel<'_>, labels: &mut Labels<'_>, rows: &[OwnPo
     drawn
 }
 
-/// Writes their labels beside them where there is room, or else with a line to the first piece.
+/// Labels the curves where there is room beside a piece, or else with a leader to the first piece.
 pub(crate) fn name_own(labels: &mut Labels<'_>, drawn: &[OwnCurve]) -> Result<(), DrawingError> {
     'labels: for OwnCurve { label, pieces } in drawn {
         for (_, piece) in pieces {
@@ -106,12 +106,12 @@ mod tests {
         sheet.assert_well_placed(&"own curves");
         assert!(sheet.texts().contains(&"hard hits".to_owned()), "{:?}", sheet.texts());
         let drawn = paths(&sheet.svg(), "#a26cd8");
-        // A ring where the curve was followed no further.
+        // A ring marks where the curve was followed no further.
         sample.diagram.own[99].lost.clear();
         let whole = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
         let discs = |sheet: &crate::Sheet| sheet.svg().matches("<circle").count();
         assert!(discs(&sheet) > discs(&whole));
-        // A stable and an unstable part, which meet, and nothing beyond.
+        // A stable and an unstable part, which meet, and no other part.
         assert_eq!(drawn.len(), 2);
         assert_eq!(drawn[0].last(), drawn[1].first());
         let up = |spot: &(f64, f64)| spot.1;

@@ -1,4 +1,4 @@
-//! Sheets of panels: in rows of equal panels, with room for headings, numbers and titles.
+//! Sheets of panels: rows of equal panels, with room for headings, numbers and titles.
 
 use std::ops::Range;
 
@@ -15,67 +15,66 @@ use crate::ink::svg::POINTS_PER_MM;
 use crate::plot::axes::{Heading, Panel, overhang, room_for};
 use crate::plot::numbers::{Decades, Numbers};
 
-/// Width in the paper.
+/// The width of these sheets in the paper.
 const WIDTH_MM: f64 = 156.0;
-/// Sheets at least this wide have panels side by side; on others they stand one above the other.
+/// Sheets at least this wide have panels side by side; on others they are one above the other.
 const SIDE_BY_SIDE_MM: f64 = 120.0;
-/// Height of a row with headings of two lines, numbers and axis titles, for one, two and three
-/// panels side by side and for panels one above the other; three rows and a caption fill a page.
+/// The height of a row with headings of two lines, numbers and axis titles, for one, two and three panels
+/// side by side and for panels one above the other; three rows and a caption fill a page.
 const ROW_MM: [f64; 3] = [92.0, 75.0, 63.0];
 const STACKED_ROW_MM: f64 = 54.0;
 const ROWS_A_SHEET: usize = 3;
-/// Room left of a panel for its numbers and the gap to the panel before it, in points; the first of
-/// a row has the axis title too. Longer numbers get more.
+/// Room to the left of a panel for its numbers and the gap to the previous panel, in points; the first
+/// one in a row has the axis title too. Longer numbers get more.
 const ROOM_LEFT: f64 = 34.0;
 const ROOM_LEFT_OF_FIRST: f64 = 44.0;
 const PANEL_GAP: f64 = 4.0;
 const ROOM_RIGHT: f64 = 9.0;
-/// Room above a panel for a heading of two lines and below it for numbers and axis title, in
-/// points.
+/// Room above a panel for a heading of two lines, and below it for numbers and axis title, in points.
 const ROOM_ABOVE: f64 = 27.0;
 const ROOM_BELOW: f64 = 30.0;
-/// How far above a panel the baseline of the last line of its heading is, in points.
+/// The height of the baseline of a heading's last line above the panel, in points.
 const LAST_LINE_RISE: f64 = 5.0;
-/// From the baseline of a heading's first line to that of the second, and between further lines, in
-/// points.
+/// The distance from the baseline of a heading's first line to that of the second, and between further
+/// lines, in points.
 const HEADING_LEADING: f64 = 11.0;
 const SUBHEADING_LEADING: f64 = 9.5;
 
 /// A panel on one of the sheets.
 pub(crate) struct GridPanel<'a> {
     pub(crate) frame: Frame,
-    /// The title of its vertical axis,
+    /// The title of the vertical axis.
     pub(crate) up: &'a str,
-    /// which may be one of decades.
+    /// The decades of the vertical axis, if it is one of decades.
     pub(crate) decades: Option<Decades>,
-    /// The names of the parameters, and what distinguishes its rows, as in [`Panel`].
+    /// The names of the parameters; `only` distinguishes the panel's rows. Both are as in [`Panel`].
     pub(crate) names: Option<&'a Names>,
     pub(crate) only: Option<(&'static str, u32)>,
-    /// The first line of what is written over it, and its size.
+    /// The first line of the heading, and its size.
     pub(crate) first: (String, f64),
-    /// The parts of the second line, and their size: on lines of their own where they find no room
+    /// The parts of the second line, and their size; each part is on a line of its own if they do not fit
     /// on one.
     pub(crate) parts: (Vec<String>, f64),
 }
 
 impl GridPanel<'_> {
-    /// The parts of the second line on one.
+    /// The parts of the second line, joined.
     fn joined(&self) -> String {
         self.parts.0.join(",  ")
     }
 
-    /// The numbers along its vertical axis.
+    /// The numbers along the vertical axis.
     fn numbers_up(&self, fonts: &Fonts, height: f64) -> Result<Numbers, DrawingError> {
         Numbers::up(fonts, self.frame.y, height, self.decades)
     }
 
-    /// Whether they fit on one line of so many points.
+    /// Whether the parts of the second line fit on one line of `room` points.
     fn fits(&self, fonts: &Fonts, room: f64) -> Result<bool, DrawingError> {
         let one = self.parts.0.len() < 2;
         Ok(one || fonts.measure(&Label::parse(&self.joined())?, self.parts.1)?.room() <= room)
     }
 
-    /// Writes what stands over it from a spot on.
+    /// Writes the heading from a spot on.
     fn write_heading(
         &self,
         canvas: &Canvas,
@@ -93,8 +92,8 @@ impl GridPanel<'_> {
     }
 }
 
-/// Draws panels over one parameter on as many sheets as they need, none if there is no panel, each
-/// panel by its number from 0; of several sheets each has its number in the title.
+/// Draws panels over one parameter on as many sheets as needed, none if there is no panel; `draw`
+/// receives each panel with its number from 0. If there are several sheets, their titles are numbered.
 pub(crate) fn draw_panels(
     heading: &Heading<'_>,
     width: SheetWidth,
@@ -107,7 +106,7 @@ pub(crate) fn draw_panels(
     let draw_sheet = |(range, number): (Range<usize>, usize)| {
         let (start, shown) = (range.start, &panels[range]);
         let mut grid = Grid::new(&fonts, width, panels.len(), shown)?;
-        // All headings of a sheet are alike: if one needs more lines, each has them.
+        // All headings of a sheet have the same number of lines: if one needs more, each gets them.
         let mut split = false;
         for (place, panel) in shown.iter().enumerate() {
             split |= !panel.fits(&fonts, grid.heading_room(place))?;
@@ -131,7 +130,7 @@ pub(crate) fn draw_panels(
     sheets.into_iter().zip(1..).map(draw_sheet).collect()
 }
 
-/// Which of so many panels go on which sheet.
+/// The panels on each sheet, as ranges.
 pub(crate) fn sheets(width: SheetWidth, panels: usize) -> Vec<Range<usize>> {
     let (columns, _) = row(width.mm(WIDTH_MM), panels);
     let sheets = panels.div_ceil(columns * ROWS_A_SHEET).max(1);
@@ -149,11 +148,12 @@ struct Grid {
     rows: usize,
     /// Room for headings beyond [`ROOM_ABOVE`], in points.
     further: f64,
-    /// Every panel has a title on its vertical axis, since their numbers do not all mean the same.
+    /// Whether every panel has a title on its vertical axis, because their numbers have different
+    /// meanings.
     all_titled: bool,
 }
 
-/// Panels side by side, and the height of their row.
+/// The number of panels side by side, and the height of their row.
 fn row(width_mm: f64, panels: usize) -> (usize, f64) {
     if width_mm < SIDE_BY_SIDE_MM {
         return (1, STACKED_ROW_MM);
@@ -167,8 +167,7 @@ fn row(width_mm: f64, panels: usize) -> (usize, f64) {
 }
 
 impl Grid {
-    /// The grid of a sheet that shows these panels, `panels` being the number of panels on all
-    /// sheets.
+    /// The grid of a sheet that shows these panels; `panels` is the number of panels on all sheets.
     fn new(
         fonts: &Fonts,
         width: SheetWidth,
@@ -210,8 +209,8 @@ impl Grid {
         })
     }
 
-    /// Room for a heading from the left edge of a panel to that of the next one or to the sheet's
-    /// edge, in points.
+    /// Room for a heading from the left edge of a panel to that of the next one, or to the edge of the
+    /// sheet, in points.
     fn heading_room(&self, place: usize) -> f64 {
         let column = place % self.lefts.len();
         match self.lefts.get(column + 1) {
@@ -220,7 +219,7 @@ impl Grid {
         }
     }
 
-    /// How far above a panel the baseline of its heading's first line is, in points.
+    /// The height of the baseline of a heading's first line above its panel, in points.
     fn heading_rise(&self) -> f64 {
         LAST_LINE_RISE + HEADING_LEADING + self.further
     }
@@ -229,7 +228,7 @@ impl Grid {
         self.rows as f64 * (self.row_mm + self.further / POINTS_PER_MM)
     }
 
-    /// Where a panel is, in points.
+    /// The bounds of a panel, in points.
     fn bounds(&self, place: usize) -> Bounds {
         let (column, row) = (place % self.lefts.len(), place / self.lefts.len());
         let pitch = self.row_mm * POINTS_PER_MM + self.further;
@@ -293,7 +292,7 @@ mod tests {
                 };
                 let all: Vec<Bounds> = (0..panels).map(|place| grid.bounds(place)).collect();
                 for (place, bounds) in all.iter().enumerate() {
-                    // Lengths add up to a rounding error, of the order of 1e-13 points.
+                    // Lengths add up to within a rounding error of about 1e-13 points.
                     assert!((bounds.right - bounds.left - grid.width).abs() < 1e-9);
                     assert!((bounds.bottom - bounds.top - (all[0].bottom - all[0].top)).abs() < 1e-9);
                     assert!(sheet.holds(&bounds.grown(8.0)), "{panels} panels: {bounds:?}");

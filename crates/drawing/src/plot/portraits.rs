@@ -16,28 +16,28 @@ use crate::plot::axes::{Panel, room_beside};
 use crate::plot::magnified::panel_letter;
 use crate::plot::ticks::significant;
 
-/// The points of one phase portrait, those that follow each other with its number.
+/// The points of one phase portrait: consecutive points with its number.
 pub(crate) type Portrait<'a> = &'a [PortraitPoint];
 
-/// Thickness of the wall on the sheet, in points.
+/// The thickness of the wall on the sheet, in points.
 const WALL_THICKNESS: f64 = 7.0;
-/// Height of a row with headings, numbers and axis titles, in points: of a single one, and of one
-/// among several.
+/// The height of a row with headings, numbers and axis titles, in points: for a single row, and for one
+/// of several.
 const SINGLE_ROW: f64 = 140.0;
 const ROW: f64 = 104.0;
-/// Room in a row above its frames and below them.
+/// Room above and below the frames of a row.
 const ABOVE: f64 = 17.0;
 const BELOW: f64 = 28.0;
 const LEFT: f64 = 38.0;
 const GAP: f64 = 13.0;
 
-/// What is written about portraits.
+/// The texts of phase portraits.
 pub(crate) struct Caption<'a> {
-    /// The parameter that is across in the diagram.
+    /// The name of the parameter on the diagram's horizontal axis.
     pub(crate) across: &'a str,
-    /// The axes of a portrait.
+    /// The titles of the axes of a portrait.
     pub(crate) titles: [&'a str; 2],
-    /// Its table.
+    /// The table with the rows of the portraits.
     pub(crate) table: &'a [&'static str],
 }
 
@@ -46,12 +46,12 @@ pub(crate) fn portraits(figure: &OneParameter) -> Vec<Portrait<'_>> {
     figure.portraits.chunk_by(|a, b| a.portrait == b.portrait).collect()
 }
 
-/// The height of each of so many rows, in points.
+/// The height of each of `rows` rows, in points.
 pub(crate) fn row_height(rows: usize) -> f64 {
     if rows == 1 { SINGLE_ROW } else { ROW }
 }
 
-/// Draws the portraits in so many rows, all at one scale.
+/// Draws the portraits in rows, all at the same scale.
 pub(crate) fn draw_portraits(
     canvas: &Canvas,
     figure: &OneParameter,
@@ -96,7 +96,7 @@ pub(crate) fn draw_portraits(
     Ok(())
 }
 
-/// The extent of all orbits, ending at the wall and symmetric in y, with a little room.
+/// The extent of all orbits, ending at the wall and symmetric in y, with some room.
 fn common_frame(portraits: &[Portrait<'_>]) -> Frame {
     let points = || portraits.iter().copied().flatten().filter(|p| p.x.is_finite() && p.y.is_finite());
     let least = points().map(|p| p.x).fold(0.0, f64::min);
@@ -104,7 +104,7 @@ fn common_frame(portraits: &[Portrait<'_>]) -> Frame {
     Frame { x: [1.06 * least, 0.0], y: [-1.1 * fastest, 1.1 * fastest] }
 }
 
-/// A title of an axis with a value of the parameter.
+/// A title of an axis, set equal to a value of the parameter.
 pub(crate) fn equation(title: &str, value: &str) -> String {
     match title.strip_suffix('$') {
         Some(symbol) => format!("{symbol}={value}$"),
@@ -112,7 +112,7 @@ pub(crate) fn equation(title: &str, value: &str) -> String {
     }
 }
 
-/// The portraits' letters above the diagram, each over a guide at its amplitude; returns the
+/// Draws the portraits' letters above the diagram, each over a guide at its amplitude; returns the
 /// guides.
 pub(crate) fn letters(
     panel: &Panel<'_>,
@@ -148,13 +148,13 @@ pub(crate) fn letters(
     Ok(guides)
 }
 
-/// True if the step is an impact: at the wall, from moving towards it to moving away.
+/// Whether the step is an impact: at the wall, from motion towards it to motion away from it.
 fn is_jump(from: (f64, f64), to: (f64, f64), at_wall: f64) -> bool {
     from.0.abs() < at_wall && to.0.abs() < at_wall && from.1 > 0.0 && to.1 < 0.0
 }
 
-/// Nearer to the wall than this is at it: impacts are located by root finding, which leaves x there
-/// to a few roundings.
+/// The distance within which a point is at the wall: impacts are located by root finding, which leaves an
+/// error of a few roundings in x.
 fn at_wall(frame: Frame) -> f64 {
     1e-6 * (frame.x[1] - frame.x[0])
 }
@@ -171,7 +171,7 @@ fn without_jumps(orbit: &[(f64, f64)], at_wall: f64) -> Vec<(f64, f64)> {
     broken
 }
 
-/// The impacts as one dashed line up the wall, from the fastest arrival to the fastest recoil.
+/// Draws the impacts as one dashed line up the wall, from the fastest impact to the fastest recoil.
 fn jump(panel: &Panel<'_>, orbit: &[(f64, f64)]) {
     let finite: Vec<(f64, f64)> =
         orbit.iter().copied().filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
@@ -188,7 +188,7 @@ fn jump(panel: &Panel<'_>, orbit: &[(f64, f64)]) {
     }
 }
 
-/// The wall: a hatched strip right of x = 0.
+/// Draws the wall: a hatched strip to the right of x = 0.
 fn wall(panel: &Panel<'_>) {
     let Bounds { top, right: left, bottom, .. } = panel.bounds;
     let right = left + WALL_THICKNESS;

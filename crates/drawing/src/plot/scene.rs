@@ -1,7 +1,7 @@
-//! Scenes in phase space, as Figures 1, 3 and 9 show them: translucent surfaces, curves, points.
+//! Scenes in phase space, as in Figures 1, 3 and 9: translucent surfaces, curves, points.
 //!
-//! The rows hold the projected coordinates and the order of painting; here they are scaled to the
-//! sheet. Of two curves that cross on the sheet the farther one is interrupted.
+//! The rows contain the projected coordinates and the order of painting; here they are scaled to the
+//! sheet. Where two curves cross on the sheet, the farther one is interrupted.
 
 use grazing_results::space::{CurveKind, Mark, Scene, SurfaceKind, Vertex};
 use grazing_results::{Frame, span};
@@ -21,7 +21,7 @@ use crate::ink::style::{
 };
 use crate::ink::svg::POINTS_PER_MM;
 
-/// How a curve is drawn.
+/// The pen of a kind of curve.
 fn pen(kind: CurveKind) -> Pen {
     match kind {
         CurveKind::Orbit => FLOW,
@@ -32,12 +32,12 @@ fn pen(kind: CurveKind) -> Pen {
     }
 }
 
-/// True for what follows the flow, false for arrows of maps.
+/// Whether the curve follows the flow; false for arrows of maps.
 fn flows(kind: CurveKind) -> bool {
     matches!(kind, CurveKind::Orbit | CurveKind::Virtual | CurveKind::Periodic)
 }
 
-/// How a surface is filled; a line on one is not.
+/// The paint of a kind of surface; none for a line on a surface.
 fn face(kind: SurfaceKind) -> Option<Paint> {
     match kind {
         SurfaceKind::Incoming => Some(INCOMING_FACE),
@@ -62,7 +62,7 @@ struct Piece<K> {
     kind: K,
     number: u32,
     layer: u32,
-    /// To the right, downwards and away from the viewer.
+    /// Coordinates to the right, downwards and away from the viewer.
     course: Course,
 }
 
@@ -71,30 +71,30 @@ impl<K> Piece<K> {
         self.course.iter().map(|&[x, y, _]| (x, y)).collect()
     }
 
-    /// Its length on the sheet.
+    /// The length of the piece on the sheet.
     fn length(&self) -> f64 {
         length(&self.spots())
     }
 }
 
-/// What a figure in phase space is beside its rows.
+/// The properties of a figure in phase space other than its rows.
 pub struct SpaceSheet {
-    /// By which errors call it.
+    /// The name by which errors refer to the figure.
     pub name: &'static str,
-    /// The title of the SVG, for readers who cannot see it.
+    /// The title of the SVG, for screen readers.
     pub title: &'static str,
-    /// The description of the SVG, likewise.
+    /// The description of the SVG, for screen readers.
     pub description: &'static str,
-    /// Width in the paper.
+    /// The width of the figure in the paper.
     pub width_mm: f64,
     /// Room around the scene, in points from each edge of the sheet.
     pub margin: Bounds,
-    /// The names of points.
+    /// A function that gives the name of a point, if it has one.
     pub mark: fn(&Mark) -> Option<String>,
-    /// The size of these names.
+    /// The font size of these names.
     pub mark_size: f64,
-    /// What else is named, in the order in which places are looked for; each name with its size and
-    /// its colour.
+    /// Further named parts, in the order in which positions are chosen; each with its name, size and
+    /// colour.
     pub names: &'static [(NamedPart, &'static str, f64, Colour)],
 }
 
@@ -102,7 +102,7 @@ pub struct SpaceSheet {
 pub enum NamedPart {
     /// Every curve of a kind.
     Curves(CurveKind),
-    /// The first surface of a kind, which has its name on it.
+    /// The first surface of a kind, with its name on it.
     Face(SurfaceKind),
     /// The first line of a kind on a surface.
     Line(SurfaceKind),
@@ -147,17 +147,17 @@ impl SpaceSheet {
     }
 }
 
-/// Everything that a figure in phase space shows, on the sheet.
+/// All objects of a figure in phase space, on the sheet.
 struct OnSheet {
     curves: Vec<Piece<CurveKind>>,
     surfaces: Vec<Piece<SurfaceKind>>,
-    /// Points that are marked.
+    /// The points that are marked.
     points: Vec<(Spot, Mark)>,
 }
 
 impl OnSheet {
-    /// The scene at the scale at which it fills a sheet of the width, whose height follows, and
-    /// that sheet, empty.
+    /// Scales the scene so that it fills a sheet of the given width, which determines the height; returns
+    /// it with the empty sheet.
     fn fit(
         figure: &Scene,
         name: &'static str,
@@ -168,7 +168,7 @@ impl OnSheet {
         let surfaces = figure.surfaces.iter().map(|vertex| vertex.place);
         let marks = figure.points.iter().map(|mark| [mark.across, mark.up, mark.depth]);
         let places: Vec<[f64; 3]> = curves.chain(surfaces).chain(marks).collect();
-        // An empty cell anywhere leaves no frame.
+        // If any coordinate is not finite, there is no frame.
         let whole = places.iter().flatten().all(|coordinate| coordinate.is_finite());
         let range = |k: usize| {
             if whole { span(places.iter().map(|place| place[k])) } else { [f64::NAN; 2] }
@@ -193,7 +193,7 @@ impl OnSheet {
         Ok((scene, Canvas::new(width_mm, height / POINTS_PER_MM)?))
     }
 
-    /// Paints everything, layer by layer; in a layer faces, lines on them, curves from far to near,
+    /// Paints everything, layer by layer; within a layer: faces, lines on them, curves from far to near,
     /// points.
     fn paint(&self, canvas: &Canvas) {
         let mut layers: Vec<u32> = self.curves.iter().map(|piece| piece.layer).collect();
@@ -221,14 +221,14 @@ impl OnSheet {
                 self.curve(canvas, index, &flowing, headed.contains(&index));
             }
             for (spot, mark) in self.points.iter().filter(|(_, mark)| mark.layer == layer) {
-                // Beyond the wall no orbit of the full system comes.
+                // No orbit of the full system goes beyond the wall.
                 let paint = if mark.x > 0.0 { OPEN_SPOT } else { SPOT };
                 canvas.disc(*spot, SPOT_RADIUS, paint, Some(SPOT_RIM));
             }
         }
     }
 
-    /// A line on a surface; an axis ends in a head where its last piece does.
+    /// Draws a line on a surface; the last piece of an axis ends in a head.
     fn line(&self, canvas: &Canvas, piece: &Piece<SurfaceKind>) {
         match piece.kind {
             SurfaceKind::Tangency => canvas.line(&piece.spots(), TANGENCY),
@@ -260,7 +260,7 @@ impl OnSheet {
         }
     }
 
-    /// The longest piece of each curve in the order of the curves, among those that are wanted.
+    /// The longest piece of each curve, in the order of the curves, among the wanted pieces.
     fn longest(&self, wanted: impl Fn(&Piece<CurveKind>) -> bool) -> Vec<usize> {
         let mut longest: Vec<usize> = Vec::new();
         for index in (0..self.curves.len()).filter(|&index| wanted(&self.curves[index])) {
@@ -274,8 +274,8 @@ impl OnSheet {
         longest
     }
 
-    /// Of each curve the longest piece, if it is long enough for a head that shows the direction of
-    /// time, and every very long one.
+    /// The pieces with a head that shows the direction of time: the longest piece of each curve if it is
+    /// long enough, and every very long piece.
     fn headed(&self) -> Vec<usize> {
         let long = |least: f64| move |piece: &Piece<CurveKind>| flows(piece.kind) && piece.length() >= least;
         let mut headed = self.longest(long(HEADED_LENGTH));
@@ -283,7 +283,7 @@ impl OnSheet {
         headed
     }
 
-    /// Labels for this scene, kept off its curves, lines and points; the axes are named already.
+    /// Labels for this scene, which avoid its curves, lines and points; the axes are already labelled.
     fn labels<'c>(&self, canvas: &'c Canvas) -> Result<Labels<'c>, DrawingError> {
         let mut labels = Labels::new(canvas, canvas.sheet().grown(-1.0));
         for piece in &self.curves {
@@ -312,14 +312,14 @@ impl OnSheet {
     }
 }
 
-/// Curves shorter than this (points) get no head.
+/// Curves shorter than this (points) have no head.
 const HEADED_LENGTH: f64 = 24.0;
-/// Pieces longer than this get one in any case.
+/// Pieces longer than this have a head in any case.
 const OWN_HEAD: f64 = 130.0;
-/// Pieces longer than this get two.
+/// Pieces longer than this have two heads.
 const TWO_HEADS: f64 = 240.0;
 
-/// True if no later piece belongs to the same curve.
+/// Whether no later piece belongs to the same curve.
 fn last_of<K>(pieces: &[Piece<K>], piece: &Piece<K>) -> bool {
     pieces
         .iter()
@@ -328,7 +328,7 @@ fn last_of<K>(pieces: &[Piece<K>], piece: &Piece<K>) -> bool {
         .is_some_and(|last| std::ptr::eq(last, piece))
 }
 
-/// Mean distance from the viewer.
+/// The mean distance from the viewer.
 fn depth(course: &Course) -> f64 {
     course.iter().map(|point| point[2]).sum::<f64>() / course.len() as f64
 }

@@ -1,7 +1,6 @@
-//! Round steps for ticks, both ends of the axis included when they are round, and numbers as they
-//! are printed.
+//! Round steps for ticks, including both ends of the axis if they are round, and numbers as printed.
 
-/// `mantissa` times ten to the power of `exponent`.
+/// A step: `mantissa` times ten to the power of `exponent`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Step {
     mantissa: i128,
@@ -16,26 +15,26 @@ impl Step {
         self.value(1)
     }
 
-    /// Ten to this power is the unit that the step is a small multiple of.
+    /// The exponent of the power of ten of which the step is a small multiple.
     pub(crate) fn exponent(self) -> i32 {
         self.exponent
     }
 
-    /// The number `index * step` correctly rounded, by reading its decimal digits.
+    /// The number `index * step`, correctly rounded because it is parsed from its decimal digits.
     fn value(self, index: i128) -> f64 {
         format!("{}e{}", index * self.mantissa, self.exponent).parse().unwrap_or(f64::NAN)
     }
 
-    /// The multiples of the step in a range, ends included up to a billionth of the step: in units
-    /// of ten to the step's exponent, and as numbers.
+    /// The multiples of the step in a range, where ends count within a billionth of the step: in units of
+    /// ten to the step's exponent, and as numbers.
     pub(crate) fn multiples(self, [low, high]: [f64; 2]) -> impl Iterator<Item = (i128, f64)> {
         let step = self.value(1);
         let indices = (low / step - 1e-9).ceil() as i128..=(high / step + 1e-9).floor() as i128;
         indices.map(move |index| (index * self.mantissa, self.value(index)))
     }
 
-    /// The step of the smaller ticks between: a fifth, or a quarter of two, which is a half of the
-    /// unit.
+    /// The step of the smaller ticks in between: a fifth; for a mantissa of two a quarter, which is half
+    /// of the unit.
     pub(crate) fn minor(self) -> Step {
         let mantissa = match self.mantissa {
             2 => 5,
@@ -45,11 +44,11 @@ impl Step {
         Step { mantissa, exponent: self.exponent - 1 }
     }
 
-    /// Round steps (1, 2, 5 times a power of ten) from fine to coarse, fit for an axis of the given
+    /// Round steps (1, 2, 5 times a power of ten) from fine to coarse, suitable for an axis of the given
     /// length.
     pub(crate) fn round_steps(length: f64) -> impl Iterator<Item = Step> {
-        // The exponent of scientific notation is the floor of the decimal logarithm, without a
-        // logarithm.
+        // The exponent in scientific notation is the floor of the decimal logarithm, obtained without
+        // computing one.
         let exponent: i32 =
             format!("{length:e}").rsplit('e').next().and_then(|e| e.parse().ok()).unwrap_or(0);
         (exponent - 2..=exponent + 1)
@@ -71,8 +70,8 @@ pub(crate) fn decimal(units: i128, exponent: i32) -> String {
     format!("{sign}{whole}.{fraction}")
 }
 
-/// The same without zeros at the end, in markup within `$`: with a power of ten where it would have
-/// many zeros.
+/// `units` times ten to the power of `exponent` without trailing zeros, in markup within `$`; with a
+/// power of ten where there would be many zeros.
 pub(crate) fn scientific(mut units: i128, mut exponent: i32) -> String {
     while units != 0 && units % 10 == 0 {
         (units, exponent) = (units / 10, exponent + 1);
@@ -84,7 +83,7 @@ pub(crate) fn scientific(mut units: i128, mut exponent: i32) -> String {
     format!(r"{}\,\times\,10^{{{}}}", decimal(units, -further), exponent + further)
 }
 
-/// A number with so many significant digits in markup within `$`: plain between a thousandth and a
+/// A number with this many significant digits in markup within `$`: plain between a thousandth and a
 /// hundred thousand, with a power of ten beyond.
 pub(crate) fn measured(value: f64, digits: usize) -> String {
     let scientific = format!("{:.*e}", digits.saturating_sub(1), value.abs());
@@ -96,7 +95,7 @@ pub(crate) fn measured(value: f64, digits: usize) -> String {
     format!(r"{sign}{mantissa}\,\times\,10^{{{exponent}}}")
 }
 
-/// A number with so many significant digits, as printed in running text (with a true minus sign).
+/// A number with this many significant digits, as printed in running text (with a true minus sign).
 pub(crate) fn significant(value: f64, digits: usize) -> String {
     let scientific = format!("{:.*e}", digits.saturating_sub(1), value.abs());
     let exponent: i64 = scientific.rsplit('e').next().and_then(|e| e.parse().ok()).unwrap_or(0);

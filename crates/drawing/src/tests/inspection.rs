@@ -1,12 +1,12 @@
 //! Reads coordinates and paths from a finished SVG, for tests.
 
 /// All coordinates of paths and discs, in points from the top left corner; NaN where one cannot be
-/// read.
+/// parsed.
 pub(crate) fn coordinates(svg: &str) -> Vec<(f64, f64)> {
     let number = |text: &str| text.parse::<f64>().unwrap_or(f64::NAN);
     let mut found = Vec::new();
     for data in attribute(svg, "d") {
-        // Fonts and bins aside, path data is M, L and Z with absolute coordinates.
+        // Except in fonts and bins, path data is M, L and Z with absolute coordinates.
         for pair in data.split(['M', 'L', 'Z']).filter(|pair| !pair.is_empty()) {
             let (x, y) = pair.split_once(',').unwrap_or(("", ""));
             found.push((number(x), number(y)));
@@ -16,7 +16,7 @@ pub(crate) fn coordinates(svg: &str) -> Vec<(f64, f64)> {
     found
 }
 
-/// The spots of each path that is drawn with this colour.
+/// The spots of each path drawn in this colour.
 pub(crate) fn paths(svg: &str, colour: &str) -> Vec<Vec<(f64, f64)>> {
     let stroke = format!("stroke=\"{colour}\"");
     svg.lines().filter(|line| line.starts_with("<path") && line.contains(&stroke)).map(coordinates).collect()

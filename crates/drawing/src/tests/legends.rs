@@ -1,4 +1,4 @@
-//! What the legend of a diagram says, and with which pens.
+//! Tests of the entries in a diagram's legend, and of their pens.
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::kinds::{Colour, CurveLook};
@@ -22,7 +22,7 @@ fn hexadecimal([red, green, blue]: Colour) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
-/// What the drawing of a sample looks like in the legend.
+/// The drawing of the sample for a meaning in the legend.
 fn explained(sheet: &Sheet, meaning: &str) -> Option<String> {
     let (_, drawing) = sheet.legend.iter().find(|(words, _)| words == meaning)?;
     Some(drawing.clone())
@@ -44,7 +44,7 @@ fn a_legend_shows_each_kind_with_the_pen_that_its_curves_are_drawn_with() {
         assert!(Sample::Line(pen(kind)).element().contains(&colour), "{meaning}");
         assert!(!paths(&all.svg(), &colour).is_empty(), "{meaning}");
     }
-    // Without its curves a kind has no ink and no entry, and no other kind loses either.
+    // Without its curves a kind has no ink and no entry, and other kinds are not affected.
     for (kind, meaning) in kinds {
         let before = sample.diagram.curves.clone();
         sample.diagram.curves.retain(|point| point.kind != kind);
@@ -91,7 +91,7 @@ fn grazing_of_what_is_unstable_is_dotted_and_lost_ends_have_rings() {
     };
     let ring = "a curve was followed no further, for a reason in its table";
     assert_eq!([explained(&drawn(&sample), &unstable), explained(&drawn(&sample), ring)], [None, None]);
-    // The ends of GZ curves are marginal.
+    // Stability is marginal at the ends of GZ curves.
     let own = |point: &PlanePoint| (point.kind == Bifurcation::Grazing).then_some(point.arc);
     let arc = sample.diagram.curves.iter().find_map(own).unwrap();
     let indices: Vec<usize> = (0..)
@@ -109,11 +109,11 @@ fn grazing_of_what_is_unstable_is_dotted_and_lost_ends_have_rings() {
     }
     let sheet = drawn(&sample);
     assert!(explained(&sheet, &unstable).unwrap().contains(&hexadecimal(grazing.colours[0])));
-    // In the figure and in its legend.
+    // Once in the figure and once in its legend.
     assert_eq!(lines(&sample), 2);
     sample.diagram.curves[last].lost = "no further point was found".to_owned();
     assert_eq!(explained(&drawn(&sample), ring), Some(Sample::Ring.element()));
-    // Of other kinds of curves that is not asked.
+    // For other kinds of curves stability is ignored.
     let before = lines(&sample);
     let others =
         |at: &&mut PlanePoint| matches!(at.kind, Bifurcation::SaddleNode | Bifurcation::PeriodDoubling);
@@ -163,9 +163,9 @@ fn marks_of_measurements_tell_what_was_seen_and_whether_it_agrees_without_colour
     marks.sort_unstable();
     marks.dedup();
     assert_eq!(marks.len(), 12, "two look alike");
-    // Each has an outline and an error bar, and those that disagree four strokes more.
+    // Each has an outline and an error bar, and those that disagree have four strokes more.
     assert!(sheet.svg().matches("<path").count() >= before + 2 * 12 + 4 * 4);
-    // What lies outside is not drawn.
+    // Measurements outside the frame are not drawn.
     sample.diagram.measured.iter_mut().for_each(|point| point.primary = frame.x[1] + 1.0);
     assert_eq!(drawn(&sample).svg().matches("<path").count(), before);
 }

@@ -1,5 +1,5 @@
-//! Made-up results for an oscillator of any kind: parameters of any name and magnitude, any number
-//! of resonances.
+//! Artificial results for an oscillator of any kind: parameters of any name and magnitude, any number of
+//! resonances.
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 use grazing_results::plane::{
@@ -10,7 +10,7 @@ use grazing_results::{Frame, Names};
 
 use crate::plot::axes::Heading;
 
-/// Where a parameter of the samples goes: multiplied, then shifted.
+/// A map of a sample's parameter: a factor, then a shift.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Affine(pub(crate) f64, pub(crate) f64);
 
@@ -31,7 +31,7 @@ pub(crate) struct SampleOscillator {
     pub(crate) straightened: StraightenedCurves,
 }
 
-/// The frequency at which the made-up grazing curve has the amplitude.
+/// The secondary parameter on the artificial grazing curve at this amplitude.
 fn graz(amplitude: f64) -> f64 {
     1.0 - 0.6 * amplitude * amplitude - 0.2 * amplitude
 }
@@ -40,14 +40,13 @@ fn shares(count: u32) -> impl Iterator<Item = f64> {
     (0..=count).map(move |i| f64::from(i) / f64::from(count))
 }
 
-/// A made-up resonance: p, n, the amplitude at which it lies on the grazing curve, and the size of
-/// its loop of curves.
+/// An artificial resonance: p, n, its amplitude on the grazing curve, and the size of its loop of curves.
 type Resonance = (u32, u32, f64, f64);
 
-/// Kind, p, n, arc and points of a made-up curve.
+/// Kind, p, n, arc and points of an artificial curve.
 type SampleCurve = (Bifurcation, u32, u32, u32, Vec<(f64, f64)>);
 
-/// The grazing curve and at each resonance a loop of SN, GZ, PD.
+/// The grazing curve and, at each resonance, a loop of SN, GZ and PD curves.
 fn curves(resonances: &[Resonance]) -> Vec<SampleCurve> {
     let mut curves = vec![(
         Bifurcation::NonImpactingGrazing,
@@ -111,7 +110,7 @@ fn point_rows(curves: &[SampleCurve]) -> Vec<SpecialPoint> {
     ends.collect()
 }
 
-/// The regions that such curves bound; `corners` of the region without impacts lie beside its part
+/// The regions bounded by such curves; `corners` are those of the region without impacts, beside its part
 /// of the grazing curve.
 fn region_rows(curves: &[SampleCurve], corners: [(f64, f64); 2]) -> Vec<RegionVertex> {
     let vertex = |region, kind, loops, (primary, secondary)| {
@@ -128,7 +127,7 @@ fn region_rows(curves: &[SampleCurve], corners: [(f64, f64); 2]) -> Vec<RegionVe
     rows
 }
 
-/// The same curves once for each resonance, in its panel, with straight lines for approximations.
+/// The rows of the curves in the panel of each resonance, with straight lines as approximations.
 fn magnified_rows(curves: &[SampleCurve]) -> Vec<MagnifiedPoint> {
     let mut rows = Vec::new();
     for (own, panel) in curves[1..].chunks(3).zip(1..) {
@@ -154,8 +153,8 @@ fn magnified_rows(curves: &[SampleCurve]) -> Vec<MagnifiedPoint> {
     rows
 }
 
-/// Curves that leave the constants of the panels' resonances, an SN curve for negative η and a PD and
-/// a GZ curve for positive ones.
+/// Curves that leave the limits of the panels' resonances: an SN curve for negative η, and a PD and a GZ
+/// curve for positive η.
 fn straightened(panels: &[MagnifiedPanel], up: Affine) -> StraightenedCurves {
     let mut curves = Vec::new();
     let mut shown = Vec::new();
@@ -182,7 +181,7 @@ fn straightened(panels: &[MagnifiedPanel], up: Affine) -> StraightenedCurves {
     StraightenedCurves { curves, panels: shown }
 }
 
-/// So many resonances along the grazing curve, with p of 1 to 12 that recur.
+/// A number of resonances along the grazing curve, with recurring p from 1 to 12.
 fn resonances(count: u32) -> Vec<Resonance> {
     let share = |i: u32| (f64::from(i) + 0.5) / f64::from(count);
     let one = |i: u32| (1 + (i * 5) % 12, 1 + i / 3, 0.95 - 0.87 * share(i), 0.7 / f64::from(count + 2));
@@ -230,7 +229,7 @@ impl SampleOscillator {
         SampleOscillator { names: Names::new(names[0], names[1]), diagram, magnifications, straightened }
     }
 
-    /// What the diagram says of itself.
+    /// The heading of the diagram.
     pub(crate) fn heading(&self) -> Heading<'_> {
         Heading {
             name: "diagram",
@@ -241,17 +240,17 @@ impl SampleOscillator {
         }
     }
 
-    /// What the magnifications say of themselves.
+    /// The heading of the magnifications.
     pub(crate) fn magnified(&self) -> Heading<'_> {
         let tables = &["magnified_curves"];
         Heading { name: "magnifications", title: "Magnifications", tables, ..self.heading() }
     }
 }
 
-/// Parameters as they are.
+/// The identity map of a parameter.
 pub(crate) const UNIT: Affine = Affine(1.0, 0.0);
 
-/// An oscillator like that of the paper with so many resonances.
+/// An oscillator like that of the paper with `count` resonances.
 pub(crate) fn sample(count: u32) -> SampleOscillator {
     SampleOscillator::new(["A", "omega"], UNIT, UNIT, count)
 }

@@ -1,4 +1,4 @@
-//! Widths, and a diagram to fill in.
+//! Sheet widths, and an empty diagram for tests to fill.
 
 use grazing_results::Frame;
 use grazing_results::branches::OneParameter;
@@ -6,7 +6,7 @@ use grazing_results::readings::Ordinate;
 
 use crate::ink::style::SheetWidth;
 
-/// All widths.
+/// All widths of sheets.
 pub(crate) const WIDTHS: [SheetWidth; 3] = [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns];
 
 /// A one-parameter diagram with nothing in it.
