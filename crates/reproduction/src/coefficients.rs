@@ -1,5 +1,5 @@
-//! The table of coefficients: by closed form, by the general theorem, and by measurement on the
-//! continued curves.
+//! The table of coefficients: by closed form, by the general theorem, and measured on the continued
+//! curves.
 
 use grazing_continuation::bifurcation::Pair;
 use grazing_results::{row, tables};
@@ -7,16 +7,16 @@ use grazing_theorems::Resonance;
 use grazing_theorems::unfolding::StabilityCoefficients;
 use grazing_unfold::verdict::{Coefficient, Verdict};
 
-/// The quadratic coefficients at one resonance, reached in three ways.
+/// The quadratic coefficients at one resonance, obtained in three ways.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coefficients {
     /// Number of loops p.
     pub loops: u32,
     /// The integer n of the resonance.
     pub n: u32,
-    /// ω*.
+    /// The resonant frequency ω*.
     pub frequency: f64,
-    /// 𝒜_graz(ω*).
+    /// The grazing amplitude 𝒜_graz(ω*).
     pub amplitude: f64,
     /// s_p⁺ and s_p⁻ by closed form (Propositions 3.2, 3.3).
     pub stability: StabilityCoefficients,
@@ -64,7 +64,8 @@ impl Coefficients {
         self.measured.named().iter().any(|(_, measured)| measured.verdict() == Verdict::Contradict)
     }
 
-    /// What could not be measured, or is not as by the theorem, with the reason.
+    /// Descriptions of coefficients that could not be measured, or that disagree with the theorem, with
+    /// the reason.
     pub fn doubts(&self) -> impl Iterator<Item = String> {
         self.measured.named().into_iter().filter_map(|(bifurcation, measured)| {
             let verdict = measured.verdict();

@@ -1,4 +1,4 @@
-//! What can go wrong in the reproduction with parameters that are valid.
+//! Errors of the reproduction with valid parameters.
 
 use grazing_model::OscillatorError;
 use grazing_theorems::{HypothesesViolated, TheoryError};
@@ -6,10 +6,10 @@ use grazing_unfold::UnfoldError;
 
 use crate::parameters::ParameterError;
 
-/// A computation of the reproduction failed.
+/// The reason why a computation of the reproduction failed.
 #[derive(Clone, Debug, thiserror::Error)]
 pub enum StudyError {
-    /// The section of the parameter file is not right.
+    /// The section of the parameter file is invalid.
     #[error(transparent)]
     Parameters(#[from] ParameterError),
     /// A parameter is outside the oscillator's domain.
@@ -24,14 +24,14 @@ pub enum StudyError {
     /// There is no grazing in the window.
     #[error(transparent)]
     Unfold(#[from] UnfoldError),
-    /// A portrait's solution does not exist at its amplitude: the key of the file that asks for it,
-    /// and what would be right.
+    /// The solution of a portrait does not exist at its amplitude: the key in the file that requests it,
+    /// and a remedy.
     #[error("{0}")]
     NoPortrait(String),
-    /// Something else is not there at these parameters, in a sentence.
+    /// Another object does not exist at these parameters; the text is a sentence.
     #[error("{0}")]
     Failed(String),
-    /// A case of the sweep over the theorems could not be worked out.
+    /// A case of the sweep over the theorems could not be computed.
     #[error("theorems 2.2 to 2.5: {0}")]
     Sweep(String),
 }

@@ -1,4 +1,4 @@
-//! What a figure of the paper, or beyond it, is to the program.
+//! The interface of the figures in the paper and beyond it.
 
 use grazing_drawing::{DrawingError, Sheet, SheetWidth};
 use grazing_results::{TablePlan, Tables};
@@ -6,7 +6,7 @@ use grazing_results::{TablePlan, Tables};
 use crate::parameters::{FileSection, ParameterError};
 use crate::{Study, StudyError};
 
-/// What the file of every figure uses.
+/// The imports that the file of every figure uses.
 pub(crate) mod prelude {
     pub(crate) use grazing_drawing::{DrawingError, Sheet, SheetWidth};
     pub(crate) use grazing_results::{TablePlan, Tables};
@@ -17,35 +17,35 @@ pub(crate) mod prelude {
     pub(crate) use crate::{Study, StudyError};
 }
 
-/// A figure of the paper: the section of the parameter file that says what it shows, what computes
-/// that, and what draws it. The name of the section is also that of the output and of its file.
+/// A figure of the paper: a section of the parameter file, with the functions that compute and draw the
+/// figure. The name of the section is also that of the output and of its file.
 pub trait PaperFigure: FileSection {
-    /// Its label in the paper, or in LaTeX.
+    /// The label in the paper, or in LaTeX.
     const LABEL: &'static str;
-    /// Whether it answers what the paper leaves open.
+    /// Whether the figure answers a question that the paper leaves open.
     const BEYOND: bool = false;
-    /// What it shows, in one line.
+    /// A title of one line.
     const TITLE: &'static str;
-    /// Its tables, in the order of what it shows.
+    /// The tables of the figure, in the order of its contents.
     const TABLES: &'static [TablePlan];
-    /// The keys to change where it cannot be computed.
+    /// The keys to change if the figure cannot be computed.
     const REMEDY: &'static str;
-    /// What it shows.
+    /// The contents of the figure.
     type Shown: Tables;
 
-    /// Computes it.
+    /// Computes the contents of the figure.
     ///
     /// # Errors
-    /// [`StudyError`]: it cannot be computed at these parameters.
+    /// [`StudyError`]: the figure cannot be computed at these parameters.
     fn compute(&self, study: &Study) -> Result<Self::Shown, StudyError>;
 
-    /// Draws it.
+    /// Draws the figure.
     ///
     /// # Errors
-    /// [`DrawingError`]: there is nothing to be seen, or no room for it.
+    /// [`DrawingError`]: there is nothing visible, or no room for it.
     fn draw(shown: &Self::Shown, width: SheetWidth) -> Result<Sheet, DrawingError>;
 
-    /// What is to be said of it.
+    /// Remarks on the contents of the figure.
     ///
     /// # Errors
     /// As [`compute`](Self::compute).
@@ -53,30 +53,30 @@ pub trait PaperFigure: FileSection {
         Ok(Remarks::default())
     }
 
-    /// The constants with which it is computed, by their symbols in LaTeX, as far as a document
-    /// must say them; sketches have none.
+    /// The constants used for the figure, by their symbols in LaTeX, as far as a document must state
+    /// them; sketches have none.
     ///
     /// # Errors
-    /// The section that holds them is not right.
+    /// The section that holds the constants is invalid.
     fn constants(_study: &Study) -> Result<Vec<(&'static str, f64)>, ParameterError> {
         Ok(Vec::new())
     }
 }
 
-/// What is to be said of a figure, in sentences.
+/// Remarks on a figure, in sentences.
 #[derive(Clone, Debug, Default)]
 pub struct Remarks {
-    /// What it shows otherwise than asked for.
+    /// Contents that differ from those requested.
     pub notes: Vec<String>,
-    /// What it lacks, so that it is not what was asked for.
+    /// Missing contents, without which the figure is not the one requested.
     pub gaps: Vec<String>,
 }
 
 impl Study {
-    /// What a figure shows.
+    /// Computes the contents of a figure.
     ///
     /// # Errors
-    /// Its section is not right, or it cannot be computed.
+    /// The section is invalid, or the figure cannot be computed.
     pub fn shown<F: PaperFigure>(&self) -> Result<F::Shown, StudyError> {
         self.parameters.section::<F>()?.compute(self)
     }

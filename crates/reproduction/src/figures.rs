@@ -1,5 +1,5 @@
-//! The figures of the paper, and those beyond it. A new one is a module and a line in the list; the sections of the
-//! parameter file and the outputs of the program follow from that.
+//! The figures of the paper, and those beyond it. A new figure needs a module and a line in the list; the
+//! sections of the parameter file and the outputs of the program follow from that.
 
 pub mod beyond_atlas;
 pub mod beyond_attractors;
@@ -25,8 +25,8 @@ use grazing_source::{Requirements, Setting, Text, read_file};
 
 use crate::parameters::{ParameterError, Parameters, declaration, requirements};
 
-/// The list of all figures: an array of what a generic function makes of each, in their order;
-/// other elements may come first and last.
+/// The list of all figures: an array of the results of a generic function for each figure, in order;
+/// other elements may precede and follow them.
 #[macro_export]
 macro_rules! paper_figures {
     ($make:ident $(, first $first:expr)? $(, last $($last:expr),+)?) => {
@@ -53,12 +53,12 @@ macro_rules! paper_figures {
     };
 }
 
-/// What the keys of a parameter file must hold.
+/// The requirements on the keys of a parameter file.
 static REQUIREMENTS: LazyLock<Requirements> = LazyLock::new(|| requirements(paper_figures!(declaration)));
 
 impl Parameters {
-    /// Reads a parameter file, with settings that take the place of values in it; its path appears
-    /// in messages as it is given here.
+    /// Reads a parameter file, with settings that replace values in it; its path appears in messages as
+    /// given here.
     ///
     /// # Errors
     /// As [`parse`](Self::parse), or the file cannot be read.
@@ -67,12 +67,11 @@ impl Parameters {
         Self::parse(&Text::new(&text, settings), &path.display().to_string())
     }
 
-    /// The text of a parameter file; `file` is the name that messages use.
+    /// The parameters in the text of a file; `file` is its name in messages.
     ///
     /// # Errors
-    /// [`ParameterError`] if the text is no TOML or has sections that nobody reads, and for
-    /// settings of keys that are not there. Whoever asks for a section is told what else is wrong
-    /// in it.
+    /// [`ParameterError`] if the text is not valid TOML or has unknown sections, and for settings of
+    /// missing keys. Other errors in a section are reported when the section is requested.
     pub fn parse(text: &Text, file: &str) -> Result<Self, ParameterError> {
         Self::new(text, file, &REQUIREMENTS)
     }

@@ -1,8 +1,8 @@
 //! The figures and tables of the paper: parameters in, rows and sheets out.
 //!
-//! Parameters come in as TOML ([`parameters`]), and a [`Study`] computes what is asked for. Each
-//! figure ([`PaperFigure`]) has a file in [`figures`], with its section of the parameter file, its
-//! rows, what computes and what draws them. Nothing here writes files.
+//! Parameters are read from TOML ([`parameters`]), and a [`Study`] computes the requested results. Each
+//! figure ([`PaperFigure`]) has a file in [`figures`] with its section of the parameter file, its rows,
+//! and the functions that compute and draw it. This crate does not write files.
 
 mod coefficients;
 mod error;

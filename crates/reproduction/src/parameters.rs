@@ -1,9 +1,9 @@
 //! The parameters of the figures: a TOML file in, checked values out.
 //!
-//! A section is read and checked when it is asked for ([`Parameters::section`]), so that what is
-//! not right in one keeps nobody from using another; each stands with the figure that it is for.
-//! `figures/parameters.toml` is the file of the paper's figures; nothing of science has a hidden
-//! default, but places of portraits and panels may be left to the program. All quantities are
+//! A section is read and checked when it is requested ([`Parameters::section`]), so that an error in one
+//! section does not prevent the use of another; each is defined with its figure.
+//! `figures/parameters.toml` is the file of the paper's figures. No scientific parameter has a hidden
+//! default, but the program may choose the positions of portraits and panels. All quantities are
 //! dimensionless; a range is [lower, upper], finite, with lower < upper.
 
 mod error;
@@ -19,16 +19,15 @@ pub use limits::{contains, encloses, strictly_contains};
 
 /// A section of the parameter file.
 pub trait FileSection: Keys {
-    /// Its name in the file.
+    /// The name of the section in the file.
     const NAME: &'static str;
-    /// What is said of it where it is missing.
+    /// The message if the section is missing.
     const REQUIREMENT: &'static str;
 
-    /// The section as it is used, once its keys are read: checks that tie several keys together, or
-    /// to other sections.
+    /// The checked section, once its keys are read: checks that involve several keys, or other sections.
     ///
     /// # Errors
-    /// [`ParameterError`]: the first thing that is not right.
+    /// [`ParameterError`]: the first error.
     fn checked(self, _section: &Section<'_>, _parameters: &Parameters) -> Result<Self, ParameterError> {
         Ok(self)
     }
@@ -49,7 +48,7 @@ impl FileSection for Oscillator {
     const REQUIREMENT: &'static str = "the table [oscillator] holds zeta and epsilon";
 }
 
-/// A section as it is declared: its name, what is said of it where it is missing, and its keys.
+/// The declaration of a section: its name, the message if it is missing, and its keys.
 pub(crate) type Declaration = (&'static str, &'static str, fn(&str, &mut Vec<Key>));
 
 /// The declaration of a section.
@@ -57,14 +56,14 @@ pub(crate) fn declaration<S: FileSection>() -> Declaration {
     (S::NAME, S::REQUIREMENT, S::list)
 }
 
-/// What the keys of a parameter file with these sections must hold, beside those of the oscillator.
+/// The requirements on the keys of a parameter file with these sections and that of the oscillator.
 pub(crate) fn requirements(sections: impl IntoIterator<Item = Declaration>) -> Requirements {
     let none = Requirements::new("see figures/parameters.toml for what belongs here");
     let all = std::iter::once(declaration::<Oscillator>()).chain(sections);
     all.fold(none, |known, (name, requirement, list)| known.with_table(name, requirement, list))
 }
 
-/// Everything that the figures and the tables depend on, section by section.
+/// All parameters of the figures and tables, section by section.
 #[derive(Debug, Clone)]
 pub struct Parameters {
     text: Text,
@@ -73,7 +72,7 @@ pub struct Parameters {
 }
 
 impl Parameters {
-    /// The text of a parameter file; `file` is the name that messages use.
+    /// The parameters in the text of a file; `file` is its name in messages.
     pub(crate) fn new(
         text: &Text,
         file: &str,
@@ -83,10 +82,10 @@ impl Parameters {
         Ok(Self { text: text.clone(), file: file.to_owned(), requirements })
     }
 
-    /// What a section says.
+    /// Reads and checks a section.
     ///
     /// # Errors
-    /// [`ParameterError`]: the first thing in it that is not right.
+    /// [`ParameterError`]: the first error in the section.
     pub fn section<S: FileSection>(&self) -> Result<S, ParameterError> {
         self.read(S::NAME, |section| S::read(section)?.checked(section, self))
     }
@@ -94,7 +93,7 @@ impl Parameters {
     /// The oscillator of the paper's example.
     ///
     /// # Errors
-    /// [`ParameterError`]: its section is not right.
+    /// [`ParameterError`]: its section is invalid.
     pub fn oscillator(&self) -> Result<LinearOscillator, ParameterError> {
         self.read(Oscillator::NAME, |section| {
             let Oscillator { zeta, epsilon } = Oscillator::read(section)?;
@@ -103,7 +102,7 @@ impl Parameters {
         })
     }
 
-    /// What a function reads from a section, whatever else it holds.
+    /// Reads part of a section with a function, regardless of the rest of the section.
     pub(crate) fn read<T>(
         &self,
         name: &str,

@@ -1,4 +1,4 @@
-//! The coefficients at the resonances of Figure 7, and the computed values of what the paper
+//! The coefficients at the resonances of Figure 7, and the computed values of the numbers that the paper
 //! prints.
 
 use std::collections::BTreeMap;
@@ -41,8 +41,8 @@ impl Study {
         self.coefficients.get_or_init(compute).as_ref().map_err(Clone::clone)
     }
 
-    /// The curves that leave all resonances of Figure 7 in straightened coordinates, by closed form
-    /// beside them.
+    /// The curves that leave all resonances of Figure 7, in straightened coordinates, with the limits by
+    /// closed form.
     ///
     /// # Errors
     /// There is no grazing in the window.
@@ -63,7 +63,8 @@ impl Study {
         Ok(plane::straightened(panels))
     }
 
-    /// The computed values of what the paper prints, under the names of `expected/published.toml`.
+    /// The computed values of the numbers that the paper prints, under the names of
+    /// `expected/published.toml`.
     ///
     /// # Errors
     /// There is no grazing in the window of Figure 7.

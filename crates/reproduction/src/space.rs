@@ -1,10 +1,9 @@
-//! Phase space as Figures 1, 3 and 9 show it: projected along parallel rays, and split into layers.
+//! Phase space as in Figures 1, 3 and 9: projected along parallel rays, and split into layers.
 //!
-//! The scenes hold curves and two surfaces, Σ (x = 0) and Π (y = 0). Both are planes, so what hides
-//! what needs no comparison of depths: seen from anywhere, all that lies beyond Σ is painted before
-//! Σ and the rest after it, and likewise for Π on either side of Σ (a binary space partition with
-//! two planes). [`Space::layer`] is that order; curves are split where they pass from one side to
-//! another.
+//! The scenes contain curves and two surfaces, Σ (x = 0) and Π (y = 0). Both are planes, so visibility
+//! needs no comparison of depths: from any viewpoint, everything beyond Σ is painted before Σ and the
+//! rest after it, and likewise for Π on either side of Σ (a binary space partition with two planes).
+//! [`Space::layer`] is that order; curves are split where they pass from one side to another.
 
 use grazing_model::motion::Motion as _;
 use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, State};
@@ -16,13 +15,14 @@ use crate::parameters::limits::{
     EPSILON, FREQUENCIES, FREQUENCY, MOST_AMPLITUDE, ZETA, damping_ratio, restitution,
 };
 
-/// Samples of an orbit per forcing period: segments shorter than a point on the sheet.
+/// The number of samples of an orbit per forcing period, so that segments are shorter than a point on the
+/// sheet.
 const SAMPLES: f64 = 300.0;
-/// Samples of a line that joins two points.
+/// The number of samples of a line that joins two points.
 const LINE_SAMPLES: u32 = 60;
 
 keys! {
-    /// From where phase space is looked at: an orthographic view along parallel rays.
+    /// The viewpoint in phase space: an orthographic view along parallel rays.
     ///
     /// Before any turning x points right, y up and z towards the viewer, a right-handed frame.
     #[derive(Copy)]
@@ -38,11 +38,11 @@ keys! {
     }
 }
 
-/// What is said of a view that is missing.
+/// The message if a view is missing.
 pub(crate) const VIEW: &str = "the table of the view holds turn, tilt and stretch";
 
 keys! {
-    /// The linear oscillator of one of these figures; it need not be that of the paper's example.
+    /// The linear oscillator of one of these figures, which may differ from the paper's example.
     pub(crate) struct Motion {
         /// The damping ratio zeta.
         zeta: f64 = damping_ratio(), ZETA;
@@ -63,14 +63,14 @@ pub(crate) fn oscillator(motion: Motion, section: &Section<'_>) -> Result<Linear
         .map_err(|error| section.forbid("amplitude", error.to_string()))
 }
 
-/// A way to see phase space on a page.
+/// The mapping of phase space to the page.
 #[derive(Clone, Debug)]
 pub(crate) struct Space {
-    /// Radius ρ and origin z₀ of a ring, if the phase is an angle: (x, y, z) ↦ ((ρ + x) cos ψ, y,
-    /// (ρ + x) sin ψ) with ψ = z − z₀. Otherwise x, y and z are seen along straight axes.
+    /// Radius ρ and origin z₀ of a ring, if the phase is an angle: (x, y, z) ↦ ((ρ + x) cos ψ, y, (ρ + x)
+    /// sin ψ) with ψ = z − z₀. Otherwise x, y and z have straight axes.
     ///
-    /// One-to-one for x > −ρ, with z and z + 2π the same place, and right-handed as the straight
-    /// axes are. Π stays in a plane, y = 0.
+    /// The map is one-to-one for x > −ρ, with z and z + 2π the same place, and right-handed like the
+    /// straight axes. Π remains in a plane, y = 0.
     ring: Option<[f64; 2]>,
     stretch: [f64; 3],
     /// Sine and cosine of the turn and of the tilt.
@@ -79,19 +79,19 @@ pub(crate) struct Space {
 }
 
 impl Space {
-    /// Seen as a figure has it; for a ring its radius and the phase from which the angle is
+    /// The mapping for a figure's view; for a ring, with its radius and the phase from which the angle is
     /// measured.
     pub(crate) fn new(view: &View, ring: Option<[f64; 2]>) -> Self {
         let turned = |degrees: f64| libm::sincos(degrees.to_radians());
         Self { ring, stretch: view.stretch, turn: turned(view.turn), tilt: turned(view.tilt) }
     }
 
-    /// The orthographic projection of a state: its place to the right, upwards, and away from the
+    /// The orthographic projection of a state: its coordinates to the right, upwards, and away from the
     /// viewer.
     ///
-    /// With (X, Y, Z) the place in space, units stretched: turned by α about Y, then tilted by β,
-    /// across = X cos α + Z sin α, up = Y cos β + D sin β, depth = D cos β − Y sin β, where D = X
-    /// sin α − Z cos α.
+    /// With (X, Y, Z) the position in space with stretched units, turned by α about Y and then tilted by
+    /// β: across = X cos α + Z sin α, up = Y cos β + D sin β, depth = D cos β − Y sin β, where D = X sin
+    /// α − Z cos α.
     fn see(&self, state: State) -> [f64; 3] {
         let State { position: x, velocity: y, phase: z } = state;
         let place = self.ring.map_or([x, y, z], |[radius, origin]| {
@@ -108,10 +108,9 @@ impl Space {
         ]
     }
 
-    /// The place in the order of painting, by the signs of x and of y: on a surface where a sign
-    /// is 0.
+    /// The index in the order of painting, by the signs of x and of y; a sign of 0 means on the surface.
     ///
-    /// Beyond Σ: beyond Π 0, Π 1, before Π 2; Σ 3; before Σ: beyond Π 4, Π 5, before Π 6. On the
+    /// Beyond Σ: beyond Π 0, on Π 1, before Π 2; on Σ 3; before Σ: beyond Π 4, on Π 5, before Π 6. On the
     /// ring Σ is not shown.
     fn layer(&self, x: f64, y: f64) -> u32 {
         // The viewer stands above y = 0, and on the side x < 0 if the scene is turned to the right.
@@ -123,8 +122,8 @@ impl Space {
         }
     }
 
-    /// The layer of what lies right before a point of a surface: there a mark of the point is
-    /// painted, after all that ends in it.
+    /// The layer immediately in front of a point of a surface: a mark of the point is painted there,
+    /// after everything that ends in the point.
     fn layer_before(&self, state: State) -> u32 {
         let before = |coordinate: f64, side: f64| if coordinate == 0.0 { side } else { coordinate };
         self.layer(before(state.position, -self.turn.0), before(state.velocity, 1.0))
@@ -134,7 +133,7 @@ impl Space {
         self.layer(0.5 * (a.position + b.position), 0.5 * (a.velocity + b.velocity))
     }
 
-    /// A point on Σ or Π that has a name.
+    /// A named point on Σ or Π.
     pub(crate) fn mark(&self, kind: MarkKind, number: u32, state: State) -> Mark {
         let [across, up, depth] = self.see(state);
         let State { position: x, velocity: y, phase: z } = state;
@@ -142,13 +141,13 @@ impl Space {
     }
 }
 
-/// Where the reset law leads from an impact.
+/// The image of an impact under the reset law.
 pub(crate) fn recoil(oscillator: &LinearOscillator, impact: State) -> State {
     let reset = oscillator.reset::<1>(OnWall::new(impact.velocity, impact.phase)).value;
     State::on_wall(reset[0], reset[1])
 }
 
-/// The motion from a state between two times of either sign, sampled, the wall ignored.
+/// The motion from a state between two times of either sign, sampled, with the wall ignored.
 pub(crate) fn trajectory<O: ImpactOscillator>(
     oscillator: &O,
     from: State,
@@ -185,13 +184,13 @@ pub(crate) fn line(from: State, to: State) -> Vec<State> {
         .collect()
 }
 
-/// The closed outline through corners, without the first one again.
+/// The closed outline through corners, without repeating the first one.
 pub(crate) fn outline(corners: [State; 4]) -> Vec<State> {
     let next = corners.iter().cycle().skip(1);
     corners.iter().zip(next).flat_map(|(&a, &b)| line(a, b).into_iter().take(LINE_SAMPLES as usize)).collect()
 }
 
-/// The curves or the surfaces of a figure, seen from its viewpoint.
+/// The curves or the surfaces of a figure, projected from its viewpoint.
 pub(crate) struct Drawn<'a, K> {
     space: &'a Space,
     pub(crate) vertices: Vec<Vertex<K>>,
@@ -203,7 +202,7 @@ impl<'a, K: Copy> Drawn<'a, K> {
         Self { space, vertices: Vec::new(), number: 0 }
     }
 
-    /// A curve, split into pieces where it changes its layer.
+    /// Adds a curve, split into pieces where it changes its layer.
     pub(crate) fn curve(&mut self, kind: K, states: &[State]) {
         self.number += 1;
         let layers: Vec<u32> =
@@ -220,7 +219,7 @@ impl<'a, K: Copy> Drawn<'a, K> {
         }
     }
 
-    /// A face of a surface: a closed outline on it, and the signs of x and y over it.
+    /// Adds a face of a surface: a closed outline on it, and the signs of x and y over it.
     pub(crate) fn face(&mut self, kind: K, [x, y]: [f64; 2], outline: &[State]) {
         self.number += 1;
         let layer = self.space.layer(x, y);
@@ -236,10 +235,10 @@ impl<'a, K: Copy> Drawn<'a, K> {
     }
 }
 
-/// The three axes along the edges of a box that meet at (0, 0, `origin`), each a little longer than
+/// Adds the three axes along the edges of a box that meet at (0, 0, `origin`), each slightly longer than
 /// the box.
 pub(crate) fn axes(drawn: &mut Drawn<'_, SurfaceKind>, [x, y, z]: [[f64; 2]; 3], origin: f64) {
-    /// By how much of the box an axis is longer than it.
+    /// The fraction of the box by which an axis is longer than it.
     const OVERSHOOT: f64 = 0.12;
     let beyond = |[low, high]: [f64; 2]| high + OVERSHOOT * (high - low);
     drawn.curve(SurfaceKind::AxisX, &line(State::at_rest(x[0], origin), State::at_rest(beyond(x), origin)));

@@ -1,4 +1,4 @@
-//! Everything that is reproduced, computed once each.
+//! All results of the reproduction, each computed once.
 
 use std::sync::{Arc, OnceLock};
 
@@ -11,8 +11,8 @@ use crate::StudyError;
 use crate::coefficients::CoefficientTable;
 use crate::parameters::Parameters;
 
-/// The reproduction at one set of parameters, of which each figure and table is a function. What
-/// several of them share is computed when it is first needed.
+/// The reproduction for one set of parameters, on which all figures and tables depend. Results that
+/// several of them use are computed when first needed.
 pub struct Study {
     /// The parameters.
     pub parameters: Parameters,
@@ -22,7 +22,7 @@ pub struct Study {
 }
 
 impl Study {
-    /// The study of these parameters; nothing is computed yet.
+    /// A study of these parameters, with nothing computed yet.
     pub fn new(parameters: &Parameters) -> Self {
         Self {
             parameters: parameters.clone(),
@@ -32,7 +32,7 @@ impl Study {
         }
     }
 
-    /// The same study, which reports how far long work has come.
+    /// Sets the receiver of progress reports.
     #[must_use]
     pub fn with_progress(self, progress: Arc<dyn Progress + Send>) -> Self {
         Self { progress, ..self }
@@ -48,7 +48,7 @@ impl Study {
     }
 }
 
-/// The oscillator of theory with its forcing.
+/// The oscillator of the theory with its forcing.
 pub(crate) fn forced(
     theory: &grazing_theorems::LinearOscillator,
     amplitude: f64,

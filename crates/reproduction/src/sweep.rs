@@ -1,4 +1,4 @@
-//! Theorems 2.2 to 2.5 in action: the tables of what they predict and what is seen.
+//! Theorems 2.2 to 2.5 in action: tables of their predictions and of computed results.
 
 use grazing_claims::outcome::Failure;
 use grazing_claims::sweep::resonant::CurveRow;
@@ -10,7 +10,7 @@ use grazing_theorems::hypothesis::{Hypothesis, Quantity};
 use crate::{Study, StudyError};
 
 tables! {
-    /// The four theorems against continuation and simulation.
+    /// Comparison of the four theorems with continuation and simulation.
     TheoremsInAction {
         /// Theorems 2.2 and 2.3, a row for each oscillator at grazing.
         generic: Generic = "theorems_generic", "an oscillator at grazing; no parameter file matters",
@@ -28,11 +28,11 @@ pub struct Generic(pub GenericRow);
 pub struct Resonant(pub ResonantRow);
 
 impl Study {
-    /// Theorems 2.2 to 2.5 against continuation and simulation over many oscillators; the
-    /// parameters of this study do not matter.
+    /// Compares Theorems 2.2 to 2.5 with continuation and simulation for many oscillators; the parameters
+    /// of this study are not used.
     ///
     /// # Errors
-    /// A case could not be worked out.
+    /// A case could not be computed.
     pub fn theorems_in_action(&self) -> Result<TheoremsInAction, StudyError> {
         let (generic, resonant) = (generic_cases()?, resonant_cases()?);
         let what = "theorems 2.2 to 2.5";
@@ -49,7 +49,7 @@ impl Study {
     }
 }
 
-/// The value of a quantity about which the theorem makes a hypothesis; NaN if it makes none.
+/// The value of a quantity in a hypothesis of the theorem; NaN if there is no such hypothesis.
 fn value(hypotheses: &[Hypothesis], quantity: Quantity) -> f64 {
     hypotheses.iter().find(|found| found.quantity == quantity).map_or(f64::NAN, |found| found.value)
 }
@@ -57,7 +57,7 @@ fn value(hypotheses: &[Hypothesis], quantity: Quantity) -> f64 {
 const OF_MU: [&str; 2] = ["mu > 0", "mu < 0"];
 const OF_ETA: [&str; 2] = ["eta > 0", "eta < 0"];
 
-/// What a theorem says that may be silent.
+/// The prediction of a theorem, which may make none.
 fn predicted(side: Option<Side>, names: [&'static str; 2]) -> &'static str {
     side.map_or("silent", |side| seen(Existence::On(side), names))
 }
@@ -173,7 +173,7 @@ fn yes_or_no(answer: Option<bool>) -> &'static str {
     answer.map_or("", |yes| if yes { "yes" } else { "no" })
 }
 
-/// Value and estimated error.
+/// The measured coefficient and its estimated error.
 fn fit(curve: &CurveRow) -> [f64; 2] {
     curve.fit.map_or([f64::NAN; 2], |fit| [fit.value, fit.error])
 }

@@ -19,12 +19,12 @@ keys! {
     }
 }
 
-/// Halvings of the interval in which each boundary is.
+/// The number of bisections that locate each boundary.
 const HALVINGS: u32 = 17;
-/// Steps of the lattice in σ from 0 to 1, and in ε.
+/// The number of lattice steps in σ from 0 to 1, and in ε.
 const LATTICE: i32 = 40;
 const LATTICE_ROWS: u32 = 10;
-/// The numbers of impacts that boundaries are about.
+/// The numbers of impacts for which boundaries are computed.
 const IMPACTS: [u32; 4] = [2, 4, 8, 16];
 
 rows! {
@@ -75,9 +75,9 @@ row! { Node, |this| {
 ] }
 
 tables! {
-    /// What there is at all (σ, ε).
+    /// The atlas of the limit map over all (σ, ε).
     Atlas {
-        /// Points that follow each other with equal p and number of impacts are one curve.
+        /// Consecutive points with equal p and number of impacts form one curve.
         boundaries: Boundary = "beyond_atlas", "a point of a boundary",
         places: Place = "beyond_atlas_resonances", "a resonance of Figure 7",
         lattice: Node = "beyond_atlas_lattice", "a place of a lattice, and of the ε of Figure 7",
@@ -87,7 +87,7 @@ tables! {
     }
 }
 
-/// σ below which orbits with 2^`count` impacts begin stable; −1 if there are none.
+/// The σ below which orbits with 2^`count` impacts begin stable; −1 if there are none.
 fn boundary(loops: u32, epsilon: f64, count: usize) -> Result<f64, StudyError> {
     let [mut low, mut high] = [-1.0, 0.0];
     for _ in 0..HALVINGS {
@@ -120,7 +120,8 @@ impl PaperFigure for BeyondAtlas {
         let mut asked = Vec::new();
         for loops in [1, 2] {
             for (count, impacts) in (1..).zip(IMPACTS) {
-                // There is no map at ε = 0: the first row is as near to it as makes no difference.
+                // The map does not exist at ε = 0: the first row is so close to it that there is no
+                // visible difference.
                 let rows = (0..=self.rows).map(|row| f64::from(row).max(1e-3) / f64::from(self.rows));
                 asked.extend(rows.map(|epsilon| (loops, count, impacts, epsilon)));
             }
@@ -152,7 +153,7 @@ impl PaperFigure for BeyondAtlas {
 }
 
 impl Node {
-    /// M_2GZ/M_PD.
+    /// M_2GZ/M_PD at the node.
     fn grazing(&self) -> f64 {
         self.in_units(self.map.doubled_grazing())
     }

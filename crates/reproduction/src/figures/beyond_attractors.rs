@@ -1,6 +1,6 @@
-//! Beyond the paper: what motion comes to over the window of Figure 7, place by place.
+//! Beyond the paper: the attractors over the window of Figure 7, place by place.
 //!
-//! A row of the map needs no other one, so rows can be computed anywhere ([`Map::rows`]) and put together
+//! The rows of the map are independent, so they can be computed separately ([`Map::rows`]) and assembled
 //! ([`Map::assembled`]), with the same result.
 
 mod ink;
@@ -23,11 +23,12 @@ use crate::figure::prelude::*;
 use crate::study::forced;
 use grazing_analysis::plane::{Axes, plane_diagram};
 
-/// As many places across and up as the memory of a large machine holds the rows of.
+/// The greatest number of places in either direction: the memory of a large machine holds the rows of
+/// such a map.
 const MOST: u32 = 10_000;
 
 keys! {
-    /// What motion comes to over the window of Figure 7.
+    /// The attractors over the window of Figure 7.
     pub struct BeyondAttractors {
         /// Places across.
         columns: u32 = count(2..=MOST), "the number of places across must be a whole number from {} to {}";
@@ -38,13 +39,14 @@ keys! {
 
 /// The initial states, all at rest: x, and the phase in turns.
 pub const STARTS: [(f64, f64); 4] = [(-0.5, 0.0), (-0.5, 0.5), (-1.5, 0.0), (-1.5, 0.5)];
-/// Nearly all motion has settled in so short a time; what has not is followed for longer.
+/// The time for which motion is followed: nearly all motion settles in the short time; other motion is
+/// followed for longer.
 const HORIZON: Horizon = Horizon { transient: 32, counted: 16, patience: Patience::Unsettled, longest: 400 };
 
-/// Regions are polygons, whose borders run along curves to this part of the ranges.
+/// The accuracy of the borders of regions, which are polygons, as a fraction of the ranges.
 const BORDER: f64 = 1e-4;
 
-/// An attractor at places beside each other.
+/// An attractor at consecutive places of a row.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Stretch {
@@ -52,23 +54,23 @@ pub struct Stretch {
     pub secondary: f64,
     /// The amplitude at the first place.
     pub first: f64,
-    /// How many places.
+    /// The number of places.
     pub places: u32,
-    /// How many attractors are seen at each.
+    /// The number of attractors seen at each place.
     pub attractors: u32,
-    /// Its number among them.
+    /// The number of this attractor among them.
     pub attractor: u32,
     /// The name of its [`MotionKind`].
     pub motion: String,
-    /// Forcing periods after which it comes again, or 0.
+    /// The period in forcing periods, or 0 for motion that is not periodic.
     pub periods: u32,
     /// Impacts in a forcing period.
     pub impacts: f64,
-    /// The least largest exponent, where it does not come again.
+    /// The least of the largest Lyapunov exponents at the places; NaN for periodic motion.
     pub least: f64,
-    /// The greatest.
+    /// The greatest of the largest Lyapunov exponents at the places; NaN for periodic motion.
     pub greatest: f64,
-    /// The largest standard error of these.
+    /// The largest standard error of the exponents.
     pub error: f64,
 }
 
@@ -87,7 +89,7 @@ row! { Stretch, |this| {} [
 ] }
 
 rows! {
-    /// What the map shows of the p-loop solutions whose regions Figure 7 has.
+    /// A comparison of the map with the regions of Figure 7 for p-loop solutions.
     RegionCount {
         loops: u32 = LOOPS,
         in_regions: u32 = MAP_IN_REGIONS,
@@ -96,7 +98,7 @@ rows! {
         unexplained: u32 = MAP_UNEXPLAINED,
     }
 
-    /// Places beside each other at which regions and map differ.
+    /// Consecutive places at which regions and map differ.
     Remark {
         remark: &'static str = MAP_REMARK,
         loops: u32 = LOOPS,
@@ -107,16 +109,16 @@ rows! {
 }
 
 tables! {
-    /// What motion comes to over the window of Figure 7.
+    /// The map of attractors over the window of Figure 7.
     Attractors {
-        /// Row by row, the lowest first, from left to right.
+        /// The stretches are in order of rows from the lowest up, from left to right within a row.
         stretches: Stretch = "beyond_attractors", "an attractor at places beside each other",
         counts: RegionCount = "beyond_attractors_regions", "a number of loops",
         remarks: Remark = "beyond_attractors_remarks", "places beside each other at which regions and motion differ",
         ;
         /// Figure 7, which is drawn on top.
         diagram: PlaneDiagram,
-        /// Places across and up.
+        /// The numbers of places across and up.
         size: [u32; 2],
     }
 }
@@ -125,13 +127,13 @@ tables! {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MapRow {
-    /// Its number, from the lowest frequency up.
+    /// The number of the row, from the lowest frequency up.
     pub row: u32,
-    /// What is seen in it, from left to right; the attractors of the same places after each other.
+    /// The attractors in the row, from left to right; those at the same places follow each other.
     pub stretches: Vec<Stretch>,
 }
 
-/// A map of this study.
+/// The map of a study.
 pub struct Map<'a> {
     study: &'a Study,
     oscillator: AnyOscillator,
@@ -162,7 +164,7 @@ impl PaperFigure for BeyondAttractors {
         ink::draw(shown, width)
     }
 
-    /// Motion that regions do not explain.
+    /// Remarks on motion that regions do not explain.
     fn remarks(&self, _: &Study, shown: &Attractors) -> Result<Remarks, StudyError> {
         let unexplained = shown.counts.iter().filter(|count| count.unexplained > 0).map(|count| {
             let RegionCount { loops, unexplained, .. } = count;
@@ -176,7 +178,7 @@ impl PaperFigure for BeyondAttractors {
     }
 }
 
-/// By what attractors are told apart, and in which order they stand.
+/// The properties that distinguish and order attractors.
 fn identity(one: &Seen) -> (MotionKind, u32, u64) {
     match one.fate.periods {
         Some(periods) => (one.fate.kind, periods, one.fate.impacts.to_bits()),
@@ -185,10 +187,10 @@ fn identity(one: &Seen) -> (MotionKind, u32, u64) {
 }
 
 impl<'a> Map<'a> {
-    /// What is looked at, and how.
+    /// A map with these numbers of places, for a study.
     ///
     /// # Errors
-    /// The oscillator or the window is not right.
+    /// The oscillator or the window is invalid.
     pub fn of(asked: &BeyondAttractors, study: &'a Study) -> Result<Self, StudyError> {
         let figure: Figure7 = study.parameters.section()?;
         let window = figure.window();
@@ -208,7 +210,7 @@ impl<'a> Map<'a> {
         self.window.parameters([share(column, self.size[0]), share(row, self.size[1])])
     }
 
-    /// Some rows, from the lowest frequency up.
+    /// Computes a range of rows, from the lowest frequency up.
     pub fn rows(&self, which: Range<usize>) -> Vec<MapRow> {
         const ROWS: &str = "rows of the map";
         let progress = &*self.study.progress;
@@ -218,7 +220,7 @@ impl<'a> Map<'a> {
             progress.step(ROWS);
             row
         };
-        // Each at once: neighbours take as long as each other.
+        // Each row is a task of its own: neighbouring rows take similar times.
         let rows = which.into_par_iter().with_max_len(1).map(row).collect();
         progress.end(ROWS);
         rows
@@ -267,8 +269,8 @@ impl<'a> Map<'a> {
         MapRow { row, stretches }
     }
 
-    /// Whether it can be a row of this map, whoever says so: places follow each other and have names for
-    /// all that is seen there.
+    /// Whether a row from any origin is plausible as this row of the map: its places are consecutive and
+    /// complete, and all its values are known.
     pub fn fits(&self, row: &MapRow, index: usize) -> bool {
         let mut column = 0;
         let known = |stretch: &Stretch| MotionKind::ALL.iter().any(|kind| kind.name() == stretch.motion);
@@ -288,7 +290,7 @@ impl<'a> Map<'a> {
         fit && row.row as usize == index && column == self.size[0]
     }
 
-    /// The map of all its rows.
+    /// The map assembled from all its rows.
     ///
     /// # Errors
     /// There is no grazing in the window.
@@ -340,18 +342,18 @@ impl<'a> Map<'a> {
     }
 }
 
-/// What is seen at the same places, place after place of a row.
+/// Groups the attractors at the same places, from left to right.
 fn groups(stretches: &[Stretch]) -> impl Iterator<Item = &[Stretch]> {
     stretches.chunk_by(|a, b| a.attractor < b.attractor)
 }
 
 impl MapRow {
-    /// What is seen at the same places, from left to right.
+    /// The attractors at the same places, group by group from left to right.
     pub fn groups(&self) -> impl Iterator<Item = &[Stretch]> {
         groups(&self.stretches)
     }
 
-    /// Whether motion comes to a p-loop solution, place by place.
+    /// Whether some motion settles on a p-loop solution, place by place.
     fn settled(&self, loops: u32) -> Vec<bool> {
         let settled = self.groups().flat_map(|group| {
             let settled = group.iter().any(|one| one.loops() == Some(loops));
@@ -362,7 +364,8 @@ impl MapRow {
 }
 
 impl Stretch {
-    /// The number of loops p of an MPS, 0 for motion without impacts in one period.
+    /// The number of loops p of an MPS, or 0 for motion without impacts of one period; nothing for other
+    /// motion.
     pub fn loops(&self) -> Option<u32> {
         place::loops(f64::from(self.periods), self.impacts)
     }

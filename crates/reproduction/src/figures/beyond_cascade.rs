@@ -1,4 +1,4 @@
-//! Beyond the paper: what follows the period doubling: the limit map's motion, and the system's at decreasing
+//! Beyond the paper: motion after the period doublings, in the limit map and in the system at decreasing
 //! distances from the resonance.
 
 mod ink;
@@ -18,7 +18,7 @@ use super::fig07::Figure7;
 use crate::figure::prelude::*;
 
 keys! {
-    /// What follows the period doublings.
+    /// The motion after the period doublings.
     pub struct BeyondCascade {
         /// Impact velocities at the period doubling, in the columns of the figure but the last, which is the limit.
         sizes: [f64; 2] = numbers().such(|all: &[f64; 2]| all.iter().all(|size| (1e-6..0.5).contains(size))),
@@ -28,19 +28,20 @@ keys! {
     }
 }
 
-/// Impacts that are passed over and shown at each value of the parameter.
+/// The numbers of impacts that are discarded and shown at each value of the parameter.
 const TRANSIENT: usize = 250;
 const SHOWN: usize = 24;
-/// Motion that comes again to this is shown once.
+/// Motion that recurs to this accuracy is shown for one period.
 const SAME: f64 = 1e-6;
-/// How far up motion is shown, in units of where the period doubling is.
+/// The greatest parameter at which motion is shown, in units of that of the period doubling.
 const HIGHEST: f64 = 1.03;
-/// Steps in which motion is followed to where it leaves, and impacts at each.
+/// The steps in which motion is followed until it leaves, and the number of impacts at each.
 const LEAVING_STEP: f64 = 1e-3;
 const LEAVING_IMPACTS: usize = 4000;
-/// A system's impacts that are later or earlier than this part of p periods are others.
+/// An impact of the system that is early or late by more than this fraction of p periods does not
+/// correspond to one of the limit map.
 const PUNCTUAL: f64 = 0.1;
-/// Periods after which there will be no impact any more, for p = 1.
+/// The number of periods without an impact after which none is expected, for p = 1.
 const PATIENCE: f64 = 100.0;
 
 rows! {
@@ -60,7 +61,7 @@ rows! {
     }
 }
 
-/// What follows the period doubling at a resonance.
+/// The period-doubling cascade at a resonance.
 #[derive(Clone, Debug)]
 pub struct Onsets {
     n: u32,
@@ -83,12 +84,13 @@ row! { Onsets, |this| {
 ] }
 
 tables! {
-    /// What follows the period doublings at the resonances of Figure 7.
+    /// The period-doubling cascades at the resonances of Figure 7.
     Cascades {
         onsets: Onsets = "beyond_cascade", "a resonance of Figure 7",
         panels: CascadePanel = "beyond_cascade_panels", "a panel",
-        /// Of each p the resonance with the least |σ| whose period doubling creates stable orbits; motion that misses the
-        /// wall is followed on for p = 1, and no further for p ≥ 2.
+        /// The points are those of the resonance of each p with the least |σ| whose period doubling
+        /// creates stable orbits. For p = 1 motion is followed beyond where it misses the wall, for p ≥ 2
+        /// it is not.
         points: CascadePoint = "beyond_cascade_attractor", "an impact of simulated motion",
     }
 }
@@ -151,20 +153,20 @@ impl Onsets {
         Self { n: resonance.n, point, cascade, leaves }
     }
 
-    /// How far down motion is shown.
+    /// The least parameter at which motion is shown.
     fn lowest(&self) -> f64 {
         self.leaves - 0.25 * (1.0 - self.leaves)
     }
 }
 
-/// The fixed point beside the period doubling, from which motion is followed.
+/// The fixed point beside the period doubling, at which motion starts.
 fn start(map: &LimitMap) -> LimitImpact {
     let (mut here, _) = map.fixed_point(map.period_doubling()[0]);
     here.velocity *= 1.001;
     here
 }
 
-/// Where the limit map's motion departs, in units of M_PD.
+/// The parameter at which the limit map's motion leaves, in units of M_PD.
 fn leaves(map: &LimitMap) -> f64 {
     let [velocity, parameter] = map.period_doubling();
     let side = Side::of(velocity);
@@ -181,8 +183,8 @@ fn leaves(map: &LimitMap) -> f64 {
     0.0
 }
 
-/// (μ, y) of impacts in units of the period doubling's, as μ goes down: of the system at the distance from the
-/// resonance that a size says, or of the limit map.
+/// (μ, y) of impacts in units of their values at the period doubling, as μ decreases: of the system at
+/// the distance from the resonance that corresponds to `size`, or of the limit map if `size` is 0.
 fn followed(resonance: &Resonance, size: f64, [highest, lowest]: [f64; 2], values: u32) -> Vec<[f64; 2]> {
     let point = resonance.located.resonant_point();
     let (map, scale) = (point.limit_map(), point.limit_scale());
@@ -190,7 +192,7 @@ fn followed(resonance: &Resonance, size: f64, [highest, lowest]: [f64; 2], value
     let side = Side::of(velocity);
     let (one_loop, entry) = (point.loops() == 1, point.grazing.map.a.m11);
     let mut impact = start(&map);
-    // Before the recoil, for p = 1.
+    // The visit before the recoil, for p = 1.
     let mut visit = [impact.velocity * impact.velocity, impact.phase + impact.velocity];
     let eta = size / (scale.velocity * velocity);
     let mut state = match resonance.located.near(eta, parameter, impact) {

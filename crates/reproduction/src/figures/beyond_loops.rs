@@ -1,7 +1,8 @@
 //! Beyond the paper: the k-loop MPSs that leave one-loop resonances of the linear oscillator.
 //!
-//! In the limit map's units they depend on σ and ε alone ([`iterated`](grazing_theorems::iterated)). What is drawn at the
-//! paper's ε by closed forms is measured on the curves of oscillators with several damping ratios.
+//! In the limit map's units they depend only on σ and ε ([`iterated`](grazing_theorems::iterated)). The
+//! closed forms are drawn for the paper's ε and compared with measurements on the curves of oscillators
+//! with several damping ratios.
 
 mod ink;
 
@@ -18,14 +19,14 @@ use crate::figure::prelude::*;
 use crate::parameters::limits::MOST_LOOPS;
 use crate::study::forced;
 
-/// Values of σ from 0 to where a curve ends.
+/// The number of values of σ from 0 to the end of a curve.
 const SAMPLES: i32 = 100;
-/// The integers n of resonances that are measured.
+/// The integers n of the measured resonances.
 const INDICES: core::ops::RangeInclusive<u32> = 1..=6;
-/// A σ above that of all regions of three loops or more, which ends at 2/3 at most.
+/// A σ above those of all regions of three loops or more, which end at 2/3 at most.
 const ABOVE: f64 = 0.7;
 
-/// The relative error above which nothing is measured.
+/// The relative error above which a measurement is discarded.
 const RESOLVED: f64 = 1e-4;
 
 keys! {
@@ -41,7 +42,7 @@ keys! {
 }
 
 rows! {
-    /// Where the stable, admissible k-loop MPSs at one σ begin and end.
+    /// The beginning and end of the interval of stable, admissible k-loop MPSs at one σ.
     LoopInterval {
         loops: u32 = LOOPS,
         sigma: f64 = SIGMA,
@@ -53,7 +54,7 @@ rows! {
         log_width: f64 = LOG_M_WIDTH,
     }
 
-    /// The curves between which they lie at a resonance of an oscillator, measured.
+    /// The curves that bound these MPSs at a resonance of an oscillator, measured.
     LoopMeasurement {
         loops: u32 = LOOPS,
         n: u32 = RESONANCE_INDEX,
@@ -71,9 +72,9 @@ rows! {
 tables! {
     /// Solutions of more loops at one-loop resonances.
     MoreLoops {
-        /// By closed form.
+        /// The intervals are computed by closed forms.
         intervals: LoopInterval = "beyond_loops", "a value of σ",
-        /// Measured.
+        /// The measurements are taken on continued curves.
         measured: LoopMeasurement = "beyond_loops_measured", "a resonance of an oscillator",
     }
 }
@@ -114,7 +115,7 @@ impl PaperFigure for BeyondLoops {
         for &loops in &self.loops {
             let last = if loops == 2 { 1.0 } else { last_sigma(loops, epsilon) };
             let shares = (1 - SAMPLES..=SAMPLES).filter(|k| *k != 0 && (*k > 0 || loops == 2));
-            // The end itself leaves nothing between the curves.
+            // At the end itself the two curves coincide.
             let share = |k: i32| f64::from(k) / f64::from(SAMPLES) * (1.0 - 1e-9);
             intervals.extend(shares.filter_map(|k| at(loops, last * share(k))));
         }
@@ -139,7 +140,7 @@ impl PaperFigure for BeyondLoops {
     }
 }
 
-/// The σ up to which MPSs of three loops or more leave.
+/// The σ up to which MPSs of three loops or more leave the resonance.
 fn last_sigma(loops: u32, epsilon: f64) -> f64 {
     let (mut below, mut above) = (0.0, ABOVE);
     for _ in 0..52 {
@@ -149,7 +150,7 @@ fn last_sigma(loops: u32, epsilon: f64) -> f64 {
     below
 }
 
-/// The curves of all these numbers of loops at a resonance.
+/// The curves for all these numbers of loops at a resonance.
 fn measured(
     theory: &LinearOscillator,
     resonance: &Resonance,
@@ -166,7 +167,7 @@ fn measured(
     for &loops in loops {
         let curves = located.leaving_iterated(loops);
         let [from, to] = curves.as_slice() else { continue };
-        // Velocities and heights of many loops may be too small to be resolved.
+        // Velocities and heights for many loops may be too small to be resolved.
         let fit = |curve: &LeavingCurve<'_>| {
             let found = curve.straightened().map(|found| found.measurement.coefficient);
             let resolved = found.ok().filter(|found| found.error < RESOLVED * found.value.abs());

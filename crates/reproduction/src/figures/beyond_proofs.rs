@@ -1,4 +1,4 @@
-//! Beyond the paper: what is proved of Figure 7, of each curve, point and region that it shows.
+//! Beyond the paper: proofs for each curve, point and region of Figure 7.
 
 mod ink;
 mod items;
@@ -18,13 +18,14 @@ use grazing_source::kind::count;
 use super::fig07::Figure7;
 use crate::figure::prelude::*;
 
-/// Frequencies at which the grazing curve, a closed form, is shown.
+/// The number of frequencies at which the grazing curve, a closed form, is shown.
 const SAMPLES: u32 = 200;
-/// A panel reaches this many times as far from its middle as the box of its point and the tubes at it.
+/// The extent of a panel from its middle, in units of that of the box of its point and the tubes at the
+/// box.
 const REACH: f64 = 2.0;
 
 keys! {
-    /// What is proved of Figure 7.
+    /// The proofs for Figure 7.
     pub struct BeyondProofs {
         /// How many points are magnified.
         panels: u32 = count(0..=3), "the number of points that are magnified must be from {} to {}";
@@ -34,15 +35,15 @@ keys! {
 words! {
     /// A part of a magnification.
     ProofPart {
-        /// In which the GZ curve lies.
+        /// The tube that contains the GZ curve.
         Tube = "tube",
-        /// In which exactly one point lies.
+        /// The box that contains exactly one point.
         Box = "box",
     }
 }
 
 rows! {
-    /// Something that Figure 7 shows, and what is proved of it.
+    /// An object of Figure 7, and the proved statement about it.
     ProofItem {
         object: &'static str = PROOF_OBJECT,
         kind: String = PROOF_KIND,
@@ -58,7 +59,7 @@ rows! {
         statement: String = PROOF_STATEMENT,
     }
 
-    /// At one frequency, where stable admissible motion is proved to begin and to end.
+    /// The amplitudes at which stable admissible motion is proved to begin and to end, at one frequency.
     ProofEnds {
         loops: u32 = LOOPS,
         arc: u32 = ARC,
@@ -70,7 +71,7 @@ rows! {
         log_width: f64 = PROOF_LOG_WIDTH,
     }
 
-    /// The same beside a point, magnified.
+    /// The proved ends of motion near a point, magnified.
     ProofMagnified {
         panel: u32 = PANEL,
         kind: String = CODIMENSION_TWO,
@@ -87,18 +88,18 @@ rows! {
 }
 
 tables! {
-    /// What is proved of Figure 7.
+    /// The proofs for Figure 7.
     Proofs {
-        /// Of each curve, point and region.
+        /// There is one item for each curve, point and region.
         items: ProofItem = "beyond_proofs", "something that Figure 7 shows",
-        /// Over the window.
+        /// The intervals cover the window.
         ends: ProofEnds = "beyond_proofs_ends", "an interval of frequencies, by its middle",
-        /// About points.
+        /// The intervals are close to points.
         magnified: ProofMagnified = "beyond_proofs_magnified", "an end of an interval of frequencies beside a point",
         ;
-        /// The window.
+        /// The window of Figure 7.
         frame: Frame,
-        /// What is not decided, in sentences.
+        /// Sentences about undecided parts.
         undecided: Vec<String>,
     }
 }
@@ -146,10 +147,10 @@ impl PaperFigure for BeyondProofs {
     }
 }
 
-/// What is to be proved: Figure 7's window and the constants, as decimal numbers.
+/// The statement to be proved: Figure 7's window and the constants, as decimal numbers.
 ///
 /// # Errors
-/// A section is not right, one of the numbers has too many digits, or balls cannot hold the constants.
+/// A section is invalid, one of the numbers has too many digits, or balls cannot represent the constants.
 pub fn statement(parameters: &Parameters) -> Result<Statement, StudyError> {
     let (figure, oscillator) = (parameters.section::<Figure7>()?, parameters.oscillator()?);
     let decimal = |key: &str, x: f64| {
@@ -173,20 +174,21 @@ pub fn statement(parameters: &Parameters) -> Result<Statement, StudyError> {
     })
 }
 
-/// The rows in which there is motion, in runs side by side.
+/// The runs of consecutive rows with stable admissible motion.
 fn runs(rows: &[Row]) -> impl Iterator<Item = &[Row]> {
     let moves = |row: &Row| matches!(row.verdict, Verdict::Stable | Verdict::Point("GZ-GZ" | "GZ-PD"));
     let together = move |a: &Row, b: &Row| a.interval.p == b.interval.p && moves(a) && moves(b);
     rows.chunk_by(together).filter(move |run| moves(&run[0]))
 }
 
-/// Which curve motion begins at.
+/// The kind of curve at which stable motion begins.
 fn begins_at(statement: &Statement, p: i64, nu: Ball) -> Bifurcation {
     let saddle_node = statement.oscillator.family(p, nu).b.to_f64() > 0.0;
     if saddle_node { Bifurcation::SaddleNode } else { Bifurcation::PeriodDoubling }
 }
 
-/// Where motion begins and ends at the middle of each interval, and at the ends of each run.
+/// The amplitudes at which motion begins and ends, at the middle of each interval and at the ends of each
+/// run.
 fn all_ends(statement: &Statement, rows: &[Row], [lowest, highest]: [f64; 2]) -> Vec<ProofEnds> {
     let mut all: Vec<ProofEnds> = (0..=SAMPLES)
         .map(|k| {
@@ -217,7 +219,7 @@ fn all_ends(statement: &Statement, rows: &[Row], [lowest, highest]: [f64; 2]) ->
     all
 }
 
-/// Tubes beside the first point of each kind, and its box.
+/// The tubes near the first point of each kind, and the box of the point.
 fn magnified(statement: &Statement, rows: &[Row], panels: u32) -> Vec<ProofMagnified> {
     let of = |kind: &str| summary::points(rows).find(|(name, _)| *name == kind);
     let kinds = ["SN-GZ", "PD-GZ", "GZ-GZ"].into_iter().filter_map(of);

@@ -1,4 +1,4 @@
-//! Beyond the paper: where p-loop MPSs are admissible at generic grazing, over the whole trapesium.
+//! Beyond the paper: regions of the trapesium in which p-loop MPSs are admissible at generic grazing.
 
 mod ink;
 
@@ -10,13 +10,14 @@ use rayon::prelude::*;
 use crate::figure::prelude::*;
 use crate::parameters::limits::MOST_LOOPS;
 
-/// Levels of δ in a region, and in one in which eigenvalues become real and x varies as a square root there.
+/// The number of levels of δ in a region, and in one in which eigenvalues become real and x varies like a
+/// square root.
 const LEVELS: [u32; 2] = [56, 160];
-/// So near to δ = 1 the ends of regions are at their limits.
+/// The δ at which regions end: so close to 1 that they are at their limits.
 const TOP: f64 = 1.0 - 1e-9;
 
 keys! {
-    /// Where p-loop MPSs are admissible.
+    /// The regions in which p-loop MPSs are admissible.
     pub struct BeyondRegions {
         /// The numbers of loops p.
         loops: Vec<u32> = counts(2..=MOST_LOOPS),
@@ -39,9 +40,9 @@ rows! {
 }
 
 tables! {
-    /// Where p-loop MPSs are admissible.
+    /// The regions in which p-loop MPSs are admissible.
     Regions {
-        /// Regions by p and m, each from its lowest determinant to 1.
+        /// The levels are ordered by p and m, and for each region from its lowest determinant to 1.
         levels: RegionLevel = "beyond_regions", "a region at one determinant",
     }
 }
@@ -69,7 +70,8 @@ impl PaperFigure for BeyondRegions {
     }
 }
 
-/// The levels of a region, closer to each other near its lowest determinant, where it is a parabola, for m = 1 also near δ = 1.
+/// The levels of a region. They are closer to each other near the lowest determinant, where the region is
+/// a parabola, and for m = 1 also near δ = 1.
 fn levels(region: &AdmissibilityRegion) -> Vec<RegionLevel> {
     let (lowest, factor) = (region.lowest_determinant(), region.factor());
     let [left, _] = region.rotations();
@@ -79,7 +81,7 @@ fn levels(region: &AdmissibilityRegion) -> Vec<RegionLevel> {
         let above = share * share * if left == 0.0 { 3.0 - 2.0 * share } else { 1.0 };
         let delta = (lowest + (1.0 - lowest) * above).min(TOP);
         let [low, high] = region.traces(delta)?.map(|(tau, _)| tau);
-        // At the double eigenvalue where eigenvalues are real.
+        // Where eigenvalues are real, x is taken at the double eigenvalue.
         let of = |tau: f64| {
             let double = 2.0 * delta.sqrt();
             rotation(tau.clamp(-double, double), delta, factor)

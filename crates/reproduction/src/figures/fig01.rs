@@ -16,15 +16,15 @@ use crate::parameters::contains;
 use crate::parameters::limits::{AROUND_ZERO, around_zero};
 use crate::space::{Drawn, Space, VIEW, View, axes, line, oscillator, outline, recoil, trajectory};
 
-/// Positions x that the axis of x reaches; nothing else depends on it.
+/// The positions x that the axis of x spans; nothing else depends on it.
 const AXIS: [f64; 2] = [-1.0, 0.6];
-/// The most impacts of one orbit that a picture can show.
+/// The greatest number of impacts of an orbit in a picture.
 const MOST_IMPACTS: usize = 20;
-/// What root finding leaves of x and z at an impact that is met again from another start (rounding,
-/// a thousandfold).
+/// The tolerance for x and z of an impact that is reached again from another start: a thousand times the
+/// rounding error of root finding.
 const SAME: f64 = 1e-9;
 
-/// The most orbits of Figure 1: more could not be told apart.
+/// The greatest number of orbits in Figure 1, so that they can be distinguished.
 const MOST_ARRIVALS: usize = 8;
 
 keys! {
@@ -90,9 +90,8 @@ impl PaperFigure for Figure1 {
     const REMEDY: &'static str = "fig01.orbits, fig01.amplitude or fig01.frequency";
     type Shown = Scene;
 
-    /// Free flights of orbits, the reset law from each impact to its recoil, the marks of these
-    /// with the number of their orbit, and Σ. An orbit that does not reach the wall where it should
-    /// is an error.
+    /// The free flights of orbits, the reset law from each impact to its recoil, their marks with the
+    /// number of the orbit, and Σ. An orbit that does not reach the wall where it should is an error.
     fn compute(&self, _: &Study) -> Result<Scene, StudyError> {
         let oscillator = self.oscillator;
         let space = Space::new(&self.view, None);
@@ -118,7 +117,7 @@ impl PaperFigure for Figure1 {
     }
 }
 
-/// What is named in it.
+/// The layout and the names of Figure 1.
 pub(crate) const SHEET: SpaceSheet = SpaceSheet {
     name: "fig01",
     title: "Phase space of an impacting hybrid system",
@@ -137,7 +136,7 @@ pub(crate) const SHEET: SpaceSheet = SpaceSheet {
     ],
 };
 
-/// The state at which an orbit begins: before the point on Σ, the wall ignored.
+/// The state at which an orbit begins: before the point on Σ, with the wall ignored.
 fn beginning(oscillator: &LinearOscillator, arrival: &Arrival) -> State {
     let at = State::on_wall(arrival.velocity, arrival.phase);
     let back = -arrival.before / oscillator.frequency();
@@ -172,8 +171,8 @@ fn graze(
     Ok(())
 }
 
-/// An orbit with impacts, simulated from its beginning; its first impact must be the point that was
-/// asked for. Returns impacts and recoils.
+/// An orbit with impacts, simulated from its beginning; its first impact must be the requested point.
+/// Returns impacts and recoils.
 fn fly(
     oscillator: &LinearOscillator,
     from: State,

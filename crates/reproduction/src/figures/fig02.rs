@@ -31,7 +31,7 @@ impl PaperFigure for Figure2 {
         let theory = study.parameters.oscillator()?;
         let (at, range) = (self.frequency, self.across.value);
         let oscillator = AnyOscillator::new(forced(&theory, range[0], at)?);
-        // Of the frequencies only the lower end matters.
+        // Only the lower end of the frequencies is used.
         let window = Window { primary: range, secondary: [at, 2.0 * at] };
         let scope = Scope { window, loops: self.loops.clone(), start: None };
         let line = Line { diagram: 1, primary_is_fixed: false, at, range };

@@ -1,7 +1,7 @@
 //! Figure 3 (fig:Ba): the return map P_global on Π and the grazing periodic solution Γ.
 //!
-//! The phase is taken as an angle, so that Γ closes and a point of Π and its image lie on one and
-//! the same Π (`Space`).
+//! The phase is an angle here, so that Γ closes and a point of Π and its image lie on the same Π
+//! (`Space`).
 
 use core::f64::consts::TAU;
 
@@ -19,17 +19,17 @@ use crate::parameters::limits::{
 };
 use crate::space::{Drawn, Space, VIEW, View, line, outline, trajectory};
 
-/// Restitution does not enter: P_global ignores impacts.
+/// The coefficient of restitution, which does not matter: P_global ignores impacts.
 const ELASTIC: f64 = 1.0;
-/// Positions x from which and velocity y up to which the axes reach.
+/// The positions x that the axis of x spans, and the velocity y up to which that of y extends.
 const AXES: ([f64; 2], f64) = ([-0.75, 0.75], 0.75);
-/// The part of the circle x = 0, y = 0 that is the axis of z, in radians.
+/// The part of the circle x = 0, y = 0 that is drawn as the axis of z, in radians.
 const PHASE_AXIS: f64 = 0.8;
 
-/// Radii of the ring of Figure 3: Gamma is two units of x wide, so that a ring with a smaller
+/// The bounds of the radius of the ring in Figure 3: Γ is two units of x wide, so a ring with a smaller
 /// radius would overlap itself, and one with a larger radius looks straight.
 const RADII: [f64; 2] = [2.0, 100.0];
-/// Phases this far from grazing are still on one side of the ring.
+/// The greatest phase from grazing that is still on one side of the ring.
 const SECTION_REACH: f64 = 1.5;
 keys! {
     /// Figure 3: the return map P_global at grazing, its phase space glued to a ring.
@@ -75,8 +75,8 @@ impl PaperFigure for Figure3 {
     const REMEDY: &'static str = "fig03.start or fig03.frequency";
     type Shown = Scene;
 
-    /// Γ, the orbit from a point of Π (number 0) to its image (number 1), the map from the one to
-    /// the other, Π, and the circle x = 0, y = 0. Where P_global is not defined there is an error.
+    /// Γ, the orbit from a point of Π (number 0) to its image (number 1), the map from one to the other,
+    /// Π, and the circle x = 0, y = 0. It is an error if P_global is not defined.
     fn compute(&self, _: &Study) -> Result<Scene, StudyError> {
         let theory = grazing_theorems::LinearOscillator::new(self.zeta, ELASTIC)?;
         let grazing = theory.grazing(self.frequency)?;
@@ -128,7 +128,7 @@ impl PaperFigure for Figure3 {
     }
 }
 
-/// What is named in it.
+/// The layout and the names of Figure 3.
 pub(crate) const SHEET: SpaceSheet = SpaceSheet {
     name: "fig03",
     title: "The return map near a grazing periodic solution",

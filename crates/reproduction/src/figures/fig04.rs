@@ -12,7 +12,7 @@ use super::fig02;
 use crate::figure::prelude::*;
 use crate::parameters::limits::MOST_LOOPS;
 
-/// Samples of each curve.
+/// The number of samples of each curve.
 const SAMPLES: u32 = 200;
 
 /// The corners (τ, δ) of the trapesium. Paper: eq:cT.
@@ -58,13 +58,13 @@ rows! {
 }
 
 tables! {
-    /// What Figure 4 shows.
+    /// The contents of Figure 4.
     Boundaries {
-        /// The trapesium's outline, the curves τ = g_p(δ) and τ = h_p(δ), and their limit τ = 2√δ.
-        /// Points that follow each other with equal kind and p are one curve; the outline is
-        /// closed, every other curve ends on its top side.
+        /// The curves are the trapesium's outline, τ = g_p(δ), τ = h_p(δ), and their limit τ = 2√δ.
+        /// Consecutive points with equal kind and p form one curve; the outline is closed, every other
+        /// curve ends on its top side.
         curves: BoundaryPoint = "fig04_curves", "a point of a curve",
-        /// The grazing bifurcation of Figure 2.
+        /// The point is the grazing bifurcation of Figure 2.
         points: Star = "fig04_points", "a point that is marked",
     }
 }
@@ -107,7 +107,7 @@ impl PaperFigure for Figure4 {
     }
 }
 
-/// One curve from δ = 0 to δ = 1, evenly in √δ: near δ = 0 the curves are parabolas about the
+/// One curve from δ = 0 to δ = 1, sampled evenly in √δ: near δ = 0 the curves are parabolas about the
 /// τ-axis.
 fn sample(
     curves: &mut Vec<BoundaryPoint>,
@@ -125,7 +125,8 @@ fn sample(
 
 /// h_p(δ), with its limits at the ends of 0 < δ < 1, outside which h_p is not defined.
 ///
-/// As δ → 0 it is squeezed to 0 by [`le:admissibilityBoundary`](admissibility_boundary). At δ = 1
+/// As δ → 0, h_p tends to 0, since [`le:admissibilityBoundary`](admissibility_boundary) bounds it on both
+/// sides. At δ = 1
 /// the eigenvalues are e^{±iθ}, the sum H_p is T_p, which is sin((p−1)θ/2) sin(pθ/2) / (sin(θ/2)
 /// sin θ), and its largest zero τ = 2 cos θ is at θ = 2π/p: the limit is g_{p/2}(1).
 fn extended_admissibility_boundary(p: u32, delta: f64) -> Result<f64, StudyError> {

@@ -1,8 +1,8 @@
 //! Figure 5 (fig:E): the quadratic unfolding of a resonant grazing bifurcation in the case c_SN < 0
 //! < c_PD, β > 0.
 //!
-//! The curves are those of Theorems 2.4 and 2.5 at a resonance of the linear oscillator, without
-//! their O(η³).
+//! The curves are those of Theorems 2.4 and 2.5 at a resonance of the linear oscillator, without the
+//! O(η³) terms.
 //!
 //! # Where a p-loop MPS is stable
 //!
@@ -29,10 +29,11 @@ use grazing_theorems::resonant_theorem::BifurcationCurve;
 use crate::figure::prelude::*;
 use crate::parameters::limits::{INDEX, MOST_LOOPS, MOST_N, around_zero};
 
-/// Samples of a curve from the resonance to the edge of the window.
+/// The number of samples of a curve from the resonance to the edge of the window.
 const SAMPLES: u32 = 100;
 
-/// |κ_p| or |a₁₂| that counts as zero at the closed form of a resonance, as in the theorem's own example.
+/// The |κ_p| or |a₁₂| that counts as zero in the closed form of a resonance, as in the theorem's own
+/// example.
 const RESONANCE_TOLERANCE: f64 = 1e-12;
 
 keys! {
@@ -81,15 +82,16 @@ rows! {
 }
 
 tables! {
-    /// What Figure 5 shows.
+    /// The contents of Figure 5.
     UnfoldingSketch {
-        /// The line of grazing bifurcations and the quadratic SN and PD curves.
+        /// The curves are the line of grazing bifurcations and the quadratic SN and PD curves.
         curves: UnfoldingPoint = "fig05_curves", "a point of a curve",
         points: UnfoldingResonance = "fig05_points", "the resonance",
-        /// Where the non-impacting solution is stable, where an MPS is, and where both are.
+        /// The regions are those where the non-impacting solution is stable, where an MPS is, and where
+        /// both are.
         regions: UnfoldingVertex = "fig05_regions", "a vertex of a region",
         ;
-        /// Values of μ across and of η up.
+        /// The ranges of μ on the horizontal axis and of η on the vertical one.
         frame: Frame,
     }
 }
@@ -154,7 +156,7 @@ impl PaperFigure for Figure5 {
     }
 }
 
-/// μ = c η² from the resonance to the edge of the window, on the side of η that theory gives, as
+/// The curve μ = c η² from the resonance to the edge of the window, on the side of η given by theory, as
 /// points (μ, η).
 fn half_parabola(curve: BifurcationCurve, shown: &Figure5) -> Vec<[f64; 2]> {
     let edge = if curve.eta_side.signum() < 0.0 { shown.eta[0] } else { shown.eta[1] };

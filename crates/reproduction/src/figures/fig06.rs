@@ -1,9 +1,8 @@
 //! Figure 6 (fig:F): the oscillator as a mechanical schematic, to scale along x.
 //!
-//! Along x everything stands where eq:oscf has it: the wall at x = 0, the equilibrium of the
-//! block's face at x = −1, the face itself at x = φ_p(t), the non-impacting solution at the chosen
-//! phase; the force arrow is proportional to 𝒜 cos(ωt). Across x, in the same unit, are lengths of
-//! drawing alone.
+//! Along x the drawing follows eq:oscf: the wall is at x = 0, the equilibrium of the block's face at x =
+//! −1, the face itself at x = φ_p(t), the non-impacting solution at the chosen phase; the force arrow is
+//! proportional to 𝒜 cos(ωt). Lengths across x, in the same unit, are arbitrary.
 
 mod ink;
 mod shapes;
@@ -20,7 +19,7 @@ use crate::study::forced;
 /// A polyline of points (x, height).
 type Polyline = Vec<[f64; 2]>;
 
-/// Lengths of drawing, in units of the equilibrium's distance from the wall.
+/// The arbitrary lengths of the drawing, in units of the distance between equilibrium and wall.
 mod lengths {
     pub(super) const BLOCK_WIDTH: f64 = 0.9;
     pub(super) const BLOCK_BOTTOM: f64 = 0.14;
@@ -29,12 +28,13 @@ mod lengths {
     pub(super) const SPRING_RADIUS: f64 = 0.15;
     pub(super) const DASHPOT_HEIGHT: f64 = 0.42;
     pub(super) const DASHPOT_RADIUS: f64 = 0.12;
-    /// Straight wire at either end of the spring, and rod between the anchor and the cylinder.
+    /// The length of straight wire at either end of the spring, and of the rod between anchor and
+    /// cylinder.
     pub(super) const LEAD: f64 = 0.3;
-    /// Room between the piston at the ends of its stroke and the ends of the cylinder.
+    /// The distance between the piston at the ends of its stroke and the ends of the cylinder.
     pub(super) const CLEARANCE: f64 = 0.15;
     pub(super) const FORCE_HEIGHT: f64 = 0.92;
-    /// Arrow of the force 𝒜.
+    /// The length of the arrow of the force 𝒜.
     pub(super) const FULL_FORCE: f64 = 0.85;
     pub(super) const DIMENSION_HEIGHT: f64 = 0.32;
     pub(super) const EQUILIBRIUM_TOP: f64 = 0.56;
@@ -45,7 +45,7 @@ mod lengths {
     pub(super) const AXIS_BEYOND_WALL: f64 = 0.42;
 }
 
-/// The most coils of Figure 6's spring that can be told apart in print.
+/// The greatest number of coils of Figure 6's spring that can be distinguished in print.
 const MOST_COILS: u32 = 30;
 
 keys! {
@@ -66,11 +66,11 @@ keys! {
 words! {
     /// The parts of the drawing of the oscillator.
     Part {
-        /// Behind the anchor.
+        /// The hatching behind the anchor.
         AnchorHatching = "anchor hatching",
-        /// The line to which spring and dashpot are fixed.
+        /// The line to which spring and dashpot are attached.
         Anchor = "anchor",
-        /// Behind the wall.
+        /// The hatching behind the wall.
         WallHatching = "wall hatching",
         Wall = "wall",
         Floor = "floor",
@@ -79,7 +79,7 @@ words! {
         Axis = "axis",
         Tick = "tick",
         Spring = "spring",
-        /// Cylinder, rods and piston are those of the dashpot.
+        /// The cylinder of the dashpot, to which rods and piston belong as well.
         Cylinder = "cylinder",
         Rod = "rod",
         Piston = "piston",
@@ -103,9 +103,9 @@ rows! {
 }
 
 tables! {
-    /// What Figure 6 shows.
+    /// The contents of Figure 6.
     Schematic {
-        /// The parts of the drawing as polylines of (x, height); outlines end where they begin. The
+        /// The parts of the drawing are polylines of (x, height); outlines end where they begin. The
         /// ticks are those of the face, the equilibrium and the wall.
         parts: PartPoint = "fig06_parts", "a point of the drawing",
     }
@@ -155,15 +155,14 @@ impl PaperFigure for Figure6 {
     }
 }
 
-/// All parts, each as polylines, with the block's face at x, the largest displacement of the motion
-/// from x = −1, and the force over its amplitude. What is listed later covers what is listed
-/// earlier.
+/// All parts as polylines, from the position of the block's face, the largest displacement of the motion
+/// from x = −1, and the force relative to its amplitude. Later parts cover earlier ones.
 fn pieces(face: f64, stroke: f64, force: f64, coils: u32) -> Vec<(Part, Vec<Polyline>)> {
     use lengths::*;
     const EQUILIBRIUM: f64 = -1.0;
     const WALL: f64 = 0.0;
     let back = face - BLOCK_WIDTH;
-    // The rod is just long enough for the block to keep clear of the cylinder on its whole stroke.
+    // The rod is just long enough for the block to clear the cylinder during its whole stroke.
     let rod = 2.0 * (stroke + CLEARANCE);
     let piston = back - rod;
     let middle = EQUILIBRIUM - BLOCK_WIDTH - rod;

@@ -23,8 +23,8 @@ impl PaperFigure for Figure7 {
     const REMEDY: &'static str = "fig07.frequency, fig07.amplitude or fig07.loops";
     type Shown = PlaneDiagram;
 
-    /// The diagram, with the line along which Figure 2 runs and the panels of Figure 8, as far as
-    /// these can be computed.
+    /// The diagram, with the line of Figure 2 and the panels of Figure 8, as far as these can be
+    /// computed.
     fn compute(&self, study: &Study) -> Result<PlaneDiagram, StudyError> {
         let panels = study.parameters.section::<Figure8>().map_err(StudyError::from);
         let panels = panels.and_then(|figure| figure.panels(study)).unwrap_or_default();
@@ -51,8 +51,8 @@ impl PaperFigure for Figure7 {
         draw_diagram(diagram, &heading, width)
     }
 
-    /// Where it is not decided whether solutions are stable; resonances that could not be located,
-    /// and curves that could not be followed.
+    /// Remarks on undecided regions, resonances that could not be located, and curves that could not be
+    /// followed.
     fn remarks(&self, study: &Study, _: &PlaneDiagram) -> Result<Remarks, StudyError> {
         let diagram = study.diagram()?;
         let regions = diagram.regions.iter();
@@ -69,7 +69,7 @@ impl PaperFigure for Figure7 {
     }
 }
 
-/// A region that nobody can see.
+/// A remark on a region too thin to be visible.
 fn thin(region: &Region) -> String {
     let [from, to] = corners(region);
     format!(
@@ -85,7 +85,7 @@ fn corners(region: &Region) -> [String; 2] {
     })
 }
 
-/// Where one p is undecided.
+/// A remark on the undecided regions of one p.
 fn undecided(doubts: &[(&Region, &Doubt)]) -> String {
     let (first, doubt) = doubts[0];
     let [from, to] = corners(first);

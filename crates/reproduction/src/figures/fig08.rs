@@ -35,7 +35,7 @@ impl PaperFigure for Figure8 {
     const REMEDY: &'static str = "fig08.panels, fig07.frequency or fig07.amplitude";
     type Shown = Magnifications;
 
-    /// Magnifications of Figure 7. A resonance that cannot be located, unfolded or measured is an
+    /// The magnifications of Figure 7. A resonance that cannot be located, unfolded or measured is an
     /// error.
     fn compute(&self, study: &Study) -> Result<Magnifications, StudyError> {
         let (diagram, (shown, _), axes) = (study.diagram()?, self.shown(study)?, Axes::of_the_paper());
@@ -65,7 +65,7 @@ impl PaperFigure for Figure8 {
             names: &Names::of_the_paper(),
             tables: &["fig08_curves"],
         };
-        // As many panels as there can be stand on one sheet.
+        // The greatest possible number of panels fits on one sheet.
         let found = magnifications.panels.len();
         let sheet = draw_magnifications(magnifications, &heading, width)?.pop();
         let sheet = sheet.filter(|_| found <= MOST_PANELS);
@@ -94,7 +94,7 @@ impl Figure8 {
         (1..).zip(&self.shown(study)?.0).map(panel).collect()
     }
 
-    /// The panels that can be shown, and why others cannot, in sentences.
+    /// The panels that can be shown, and sentences about the reasons why others cannot.
     fn shown<'a>(&self, study: &'a Study) -> Result<(Vec<Shown<'a>>, Vec<String>), StudyError> {
         let (diagram, asked) = (study.diagram()?, &self.panels);
         let (mut panels, mut notes) = (Vec::new(), Vec::new());

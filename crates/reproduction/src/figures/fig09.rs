@@ -16,7 +16,7 @@ use crate::parameters::contains;
 use crate::parameters::limits::{AROUND_ZERO, around_zero, range};
 use crate::space::{Drawn, Space, VIEW, View, axes, line, oscillator, outline, recoil, trajectory};
 
-/// Loops that can be told apart near the wall.
+/// The greatest number of loops that can be distinguished near the wall.
 const MOST_LOOPS: u32 = 3;
 keys! {
     /// Figure 9: an impact and the points on Sigma and Pi that it defines.
@@ -59,10 +59,9 @@ impl PaperFigure for Figure9 {
     const REMEDY: &'static str = "fig09.impact, fig09.amplitude or fig09.frequency";
     type Shown = Scene;
 
-    /// Real and virtual parts of the orbit near the wall, the reset law, P_global from point to
-    /// point, and Π on both sides of the wall; marks are the impact, the recoil, (x̂, 0, ẑ) as
-    /// virtual, and (x⁽ʲ⁾, 0, z⁽ʲ⁾) with number j. Where P_virt or P_global is not defined there is
-    /// an error.
+    /// Real and virtual parts of the orbit near the wall, the reset law, P_global from point to point,
+    /// and Π on both sides of the wall. The marks are the impact, the recoil, (x̂, 0, ẑ) as virtual, and
+    /// (x⁽ʲ⁾, 0, z⁽ʲ⁾) with number j. It is an error if P_virt or P_global is not defined.
     fn compute(&self, _: &Study) -> Result<Scene, StudyError> {
         let oscillator = self.oscillator;
         let theory =
@@ -128,7 +127,7 @@ impl PaperFigure for Figure9 {
     }
 }
 
-/// What is named in it.
+/// The layout and the names of Figure 9.
 pub(crate) const SHEET: SpaceSheet = SpaceSheet {
     name: "fig09",
     title: "Points on the impacting surface and on the section",
@@ -152,10 +151,10 @@ pub(crate) const SHEET: SpaceSheet = SpaceSheet {
     ],
 };
 
-/// The time from a state near the wall, in either direction of time, to where x has fallen to a
-/// level, or to the turning point if it does not fall so far.
+/// The time from a state near the wall, forwards or backwards, to where x has fallen to a level, or to
+/// the turning point if it does not fall so far.
 fn to_level(oscillator: &LinearOscillator, state: State, forwards: bool, level: f64) -> f64 {
-    /// The orbit starts at rest on Π; this share of a period later it moves.
+    /// The fraction of a period after which an orbit that starts at rest on Π is moving.
     const MOMENT: f64 = 1e-3;
     let motion = oscillator.motion(state);
     let period = oscillator.forcing_period() * if forwards { 1.0 } else { -1.0 };
@@ -168,7 +167,7 @@ fn to_level(oscillator: &LinearOscillator, state: State, forwards: bool, level: 
     if motion.at(turning).position >= level {
         return turning;
     }
-    // Up to the turning point x only falls.
+    // Up to the turning point x decreases monotonically.
     let (mut above, mut below) = (0.0, turning);
     loop {
         let middle = 0.5 * (above + below);

@@ -32,9 +32,9 @@ rows! {
 }
 
 tables! {
-    /// What Figure 10 shows.
+    /// The contents of Figure 10.
     VisitPath {
-        /// The vertices (u⁽ʲ⁾, w⁽ʲ⁾), j = 0, …, p.
+        /// The vertices are (u⁽ʲ⁾, w⁽ʲ⁾), j = 0, …, p.
         path: Visit = "fig10_path", "a vertex of the path",
     }
 }
@@ -55,12 +55,13 @@ impl FileSection for Figure10 {
     }
 }
 
-/// The ratio of the frequencies at which the hypotheses of Theorem 2.3 are tried for a remedy.
+/// The ratio of consecutive frequencies at which the hypotheses of Theorem 2.3 are tried for a remedy.
 const RATIO: f64 = 1.001;
-/// How many are tried to either side: to three times the frequency and a third of it.
+/// The number of frequencies tried on either side: up to three times the frequency and down to a third of
+/// it.
 const TRIED: u32 = 1100;
 
-/// Where the hypotheses hold, nearest to the frequency.
+/// A sentence about the nearest frequencies at which the hypotheses hold.
 fn remedy(oscillator: &LinearOscillator, frequency: f64, loops: u32) -> String {
     let holds = |frequency: f64| {
         FREQUENCIES.contains(&frequency)

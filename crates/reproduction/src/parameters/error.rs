@@ -1,17 +1,17 @@
-//! What can be wrong with a section of the parameter file.
+//! Errors in a section of the parameter file.
 
 use grazing_source::SourceError;
 use thiserror::Error;
 
-/// The first thing in a section of the parameter file that is not right, and what would be.
+/// The first error in a section of the parameter file, with a remedy.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ParameterError {
-    /// It would be wrong whatever the oscillator is: no TOML, an unknown or missing key, a value
-    /// outside its domain.
+    /// The section is invalid for any oscillator: the text is not valid TOML, a key is unknown or
+    /// missing, or a value is outside its domain.
     #[error(transparent)]
     Malformed(#[from] SourceError),
-    /// It does not fit the oscillator, or the window that goes with it: with another zeta it may
-    /// well be right.
+    /// The section does not fit the oscillator, or the window that goes with it; with another zeta it may
+    /// be valid.
     #[error(transparent)]
     Unfit(SourceError),
 }

@@ -1,4 +1,4 @@
-//! What may stand in a parameter file at most, and kinds of values that several sections share.
+//! Limits on the values in a parameter file, and kinds of values that several sections use.
 
 use std::ops::RangeInclusive;
 
@@ -6,15 +6,15 @@ use grazing_source::kind::{Kind, above, interval, number, strictly};
 use grazing_source::{Section, SourceError};
 use grazing_theorems::{GrazingState, LinearOscillator};
 
-/// The largest number of loops: higher ones do not relate to resonant grazing, and their curves are
-/// not told apart.
+/// The greatest number of loops: higher ones are unrelated to resonant grazing, and their curves cannot
+/// be distinguished.
 pub(crate) const MOST_LOOPS: u32 = 12;
-/// The largest integer n of a resonance; its frequency is already below a twentieth of the natural
-/// one.
+/// The greatest integer n of a resonance; its frequency is already below a twentieth of the natural
+/// frequency.
 pub(crate) const MOST_N: u32 = 100;
-/// Forcing frequencies. Below the least, the block swings a hundred times to and fro in one forcing
-/// period, which no figure resolves, and the work grows without bound; the highest resonance, of
-/// p = 12 and n = 0, lies at 24.
+/// The range of forcing frequencies. Below it, the block oscillates a hundred times in one forcing
+/// period, which no figure resolves, and the work grows without bound; the highest resonance, of p = 12
+/// and n = 0, is at 24.
 pub(crate) const FREQUENCIES: RangeInclusive<f64> = 0.01..=100.0;
 /// The greatest forcing amplitude: ten times that of grazing at the greatest frequency.
 pub(crate) const MOST_AMPLITUDE: f64 = 1e5;
@@ -31,37 +31,37 @@ pub(crate) const LOOPS: &str =
 pub(crate) const INDEX: &str =
     "the integer n of the resonance must be a whole number from 1 to 100, or 0 for two or more loops";
 
-/// A damping ratio.
+/// The kind of a damping ratio.
 pub(crate) fn damping_ratio() -> Kind<f64> {
     number(strictly(0.0, 1.0))
 }
 
-/// A coefficient of restitution.
+/// The kind of a coefficient of restitution.
 pub(crate) fn restitution() -> Kind<f64> {
     number(above(0.0, 1.0))
 }
 
-/// A range of forcing amplitudes.
+/// The kind of a range of forcing amplitudes.
 pub(crate) fn amplitudes() -> Kind<[f64; 2]> {
     interval(0.0..=MOST_AMPLITUDE)
 }
 
-/// A range of quantities, none of which is beyond all amplitudes.
+/// The kind of a range of any quantity, within the limit of amplitudes.
 pub(crate) fn range() -> Kind<[f64; 2]> {
     interval(-MOST_AMPLITUDE..=MOST_AMPLITUDE)
 }
 
-/// A range that has 0 strictly inside.
+/// The kind of a range that has 0 strictly inside.
 pub(crate) fn around_zero() -> Kind<[f64; 2]> {
     range().such(|range| strictly_contains(*range, 0.0))
 }
 
-/// Whether a number lies in a range [lower, upper], its ends included; never for NaN.
+/// Whether a number lies in a range [lower, upper], including its ends; false for NaN.
 pub fn contains([lower, upper]: [f64; 2], value: f64) -> bool {
     lower <= value && value <= upper
 }
 
-/// Whether a number lies in a range, its ends excluded.
+/// Whether a number lies in a range, excluding its ends.
 pub fn strictly_contains([lower, upper]: [f64; 2], value: f64) -> bool {
     lower < value && value < upper
 }
@@ -71,7 +71,7 @@ pub fn encloses(outer: [f64; 2], inner: [f64; 2]) -> bool {
     outer[0] <= inner[0] && inner[1] <= outer[1]
 }
 
-/// Refuses a range that is not inside another one, which is named.
+/// Returns an error for a range that is not inside another one, which the error names.
 pub(crate) fn must_lie_inside(
     section: &Section<'_>,
     name: &str,

@@ -1,4 +1,4 @@
-//! Scenes in phase space: what is named, and what is painted before what.
+//! Tests of scenes in phase space: names, and the order of painting.
 
 use std::collections::BTreeSet;
 

@@ -1,5 +1,5 @@
-//! Every cell of the tables about an oscillator against where it comes from, worked out here, on an
-//! oscillator on which all like quantities differ and in units that are not 1.
+//! Compares every cell of the tables about an oscillator with its source, computed here, for an
+//! oscillator with distinct values of similar quantities, in units other than 1.
 
 use std::sync::OnceLock;
 
@@ -35,13 +35,13 @@ fn unfolded() -> &'static Unfolded {
 
 type Expected = Vec<(Column, Cell)>;
 
-/// A list of columns with what is to stand in them.
+/// A list of columns with their expected values.
 macro_rules! expected {
     ($($column:ident: $value:expr,)+) => { vec![$(($column, Cell::from($value)),)+] };
 }
 
-/// These cells stand under these columns, and no two that are finite numbers are the same, so that
-/// none can stand in another's place.
+/// Asserts that these cells are in these columns. Finite nonzero numbers must be distinct, so that no
+/// cell can be exchanged with another.
 fn assert_row(what: &str, columns: &[Column], cells: &[Cell], expected: &Expected) {
     let names: Vec<&str> = expected.iter().map(|(column, _)| column.name).collect();
     assert_eq!(columns.iter().map(|column| column.name).collect::<Vec<_>>(), names, "{what}");
@@ -69,7 +69,8 @@ fn assert_table(table: &Table, expected: &[Expected]) {
     }
 }
 
-/// What is said of curves and regions: that p and ring are 0 and 1 in turn is no accident.
+/// Asserts the cells of curves and regions, in which equal numbers are allowed: p and ring are often 0 or
+/// 1.
 fn assert_cells(table: &Table, expected: &[Expected]) {
     assert_eq!(table.rows.len(), expected.len(), "{}", table.name);
     for (row, wanted) in table.rows.iter().zip(expected) {
@@ -275,7 +276,7 @@ fn curves_points_regions_and_hypotheses_are_those_of_the_diagram() {
             });
         }
     }
-    // At one of the resonances a theorem holds, and at another it does not.
+    // The theorem holds at some of the resonances, and fails at others.
     let of_all = diagram.resonances.iter().map(|resonance| resonance.theorem.is_ok());
     assert!(of_all.clone().any(|holds| holds) && of_all.clone().any(|holds| !holds));
     let tables = unfolded.at_resonances().tables(&unfolded.axes.names);
@@ -287,7 +288,7 @@ fn columns_of<R: Row>(_: &R) -> &'static [Column] {
     R::COLUMNS
 }
 
-/// Coefficients no two numbers of which are the same, with verdicts for two reasons.
+/// Coefficients with distinct numbers, and with verdicts for two reasons.
 fn coefficients() -> Pair<Coefficient> {
     let coefficient = |theorem, measured| Coefficient {
         stability: 1.0,
@@ -371,7 +372,7 @@ fn coefficients_and_simulations_stand_in_their_own_cells() {
         let error = measured / at.point.doubled_grazing_coefficient() - 1.0;
         assert!(error.abs() < 1e-3, "p = {}, n = {}: {error}", at.loops, at.n);
     }
-    // The quantities at the resonances are those of the diagram's resonances, in the order of these.
+    // The quantities at the resonances are those of the diagram's resonances, in the same order.
     let units = unfolded.axes.units;
     for ((resonance, point), at) in unfolded.diagram.unfolding().zip(&unfolding) {
         let [primary, secondary] = point.orbit().oscillator().parameters();
@@ -419,7 +420,7 @@ fn the_papers_coefficients_stand_in_their_own_cells() {
     assert!(
         !Coefficients { measured: Pair { saddle_node: agreeing, period_doubling: pd }, ..row }.contradict()
     );
-    // What the study puts into them: closed forms beside the resonance of the same p and n.
+    // The study's own contribution: closed forms beside the resonance of the same p and n.
     let rows = &made().coefficients;
     assert!(rows.len() >= 7);
     for row in rows {
@@ -430,7 +431,7 @@ fn the_papers_coefficients_stand_in_their_own_cells() {
         assert_eq!(row.closed_form.saddle_node, closed.saddle_node_coefficient());
         assert_eq!(row.closed_form.period_doubling, closed.period_doubling_coefficient());
         let stated = row.measured.map(|measured| measured.theorem.value);
-        // Derivatives of the numerical map, to eleven digits.
+        // Derivatives of the numerical map are accurate to eleven digits.
         assert!((stated.saddle_node / row.closed_form.saddle_node - 1.0).abs() < 1e-10);
         assert!((stated.period_doubling / row.closed_form.period_doubling - 1.0).abs() < 1e-10);
     }

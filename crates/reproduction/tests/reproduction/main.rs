@@ -1,4 +1,4 @@
-//! The parameter file, the rows that are computed from it, and the same in other units.
+//! Tests of the parameter file, of the computed rows, and of results in other units.
 
 mod cells;
 mod parameters;

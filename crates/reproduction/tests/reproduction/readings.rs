@@ -1,4 +1,4 @@
-//! What is read off one-parameter diagrams, against motion that is sampled and against balances.
+//! Compares readings of one-parameter diagrams with sampled motion and with balances.
 
 use core::f64::consts::TAU;
 use std::sync::LazyLock;
@@ -50,13 +50,13 @@ fn forces_balance_what_else_acts_and_peaks_are_those_of_sampled_motion() {
         let position = |k: u32| motion.at(flight * f64::from(k) / f64::from(steps)).position;
         let weight = |k: u32| if k == 0 || k == steps { 1.0 } else { 2.0 + 2.0 * f64::from(k % 2) };
         let mean = (0..=steps).map(|k| weight(k) * position(k)).sum::<f64>() / (3.0 * f64::from(steps));
-        // Over a cycle the force -x - 1 of the spring and that of the wall cancel: those of damping
-        // and forcing have no mean.
+        // Over a cycle the mean of the spring force -x - 1 and that of the wall cancel: damping and
+        // forcing have zero mean.
         let spring = -mean - 1.0;
         assert!((row.force - MASS * spring).abs() < 1e-6 * MASS, "{} {} {row:?}", row.force, MASS * spring);
         let lowest = (0..=steps).map(position).fold(0.0, f64::min);
         assert!((row.peak_to_peak + lowest).abs() < 1e-5, "{row:?}");
-        // Losses at a restitution of 0.9.
+        // The losses for a restitution of 0.9.
         let power = 0.5 * MASS * (1.0 - 0.81) * row.impact_velocity * row.impact_velocity / flight;
         assert!((row.power - power).abs() < 1e-12, "{row:?}");
     }
@@ -84,7 +84,7 @@ fn simulated_motion_has_the_readings_of_the_solution_that_it_has_come_to() {
                 + gap(|row| row.power, row.power)
                 + gap(|row| row.peak_to_peak, row.peak_to_peak)
         });
-        // Between points of a branch that is drawn.
+        // Readings lie between points of a drawn branch.
         let gap = near.fold(f64::INFINITY, f64::min);
         assert!(gap < 2e-2, "{gap} {row:?}");
         compared += 1;

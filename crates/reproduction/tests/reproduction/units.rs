@@ -1,4 +1,4 @@
-//! The same oscillator in other units: all tables are the same but for the units of their columns.
+//! Tests that an oscillator has the same tables in other units, except for the units of their columns.
 
 use grazing_analysis::unfolded::Unfolded;
 use grazing_description::Description;
@@ -7,8 +7,8 @@ use grazing_results::branches::OneParameter;
 use grazing_results::{Cell, Table, Tables};
 use grazing_unfold::progress::Silent;
 
-/// A hardening spring, a reset law in which everything varies; length and time are units that the
-/// text counts in. Two one-parameter diagrams, one either way, cross its resonances of p = 1 and 2.
+/// A hardening spring with a reset law in which all coefficients vary; `length` and `time` are the units
+/// of the text. Two one-parameter diagrams, one in each direction, cross its resonances of p = 1 and 2.
 pub(crate) fn written(length: f64, time: f64) -> Description {
     let (force, frequency) = (length / time / time, 1.0 / time);
     let text = format!(
@@ -49,8 +49,8 @@ fn tables(description: &Description) -> Vec<Table> {
     .concat()
 }
 
-/// The powers of length and time in a unit as the columns tell it, where the primary parameter is a
-/// force per mass and the secondary one a frequency.
+/// The powers of length and time in a column's unit; the primary parameter is a force per mass and the
+/// secondary one a frequency.
 fn dimension(unit: &str) -> [i32; 2] {
     let (above, below) = unit.split_once('/').unwrap_or((unit, ""));
     let powers = |factors: &str| {
@@ -74,7 +74,7 @@ fn dimension(unit: &str) -> [i32; 2] {
     [above[0] - below[0], above[1] - below[1]]
 }
 
-/// The same of the value of a hypothesis.
+/// The powers of length and time in the value of a hypothesis.
 pub(crate) fn dimension_of_hypothesis(hypothesis: &Cell) -> [i32; 2] {
     let Cell::Text(hypothesis) = hypothesis else { panic!("{hypothesis:?}") };
     match hypothesis.split(' ').next().unwrap() {
@@ -90,7 +90,7 @@ pub(crate) fn dimension_of_hypothesis(hypothesis: &Cell) -> [i32; 2] {
 
 #[test]
 fn tables_in_other_units_are_the_same_to_the_last_bit_but_for_the_units() {
-    // Powers of two leave every rounding where it was; with ones an expression would be simplified.
+    // Powers of two do not change roundings; with a factor of one an expression would be simplified.
     let (first, second) = ([4.0, 4.0], [1024.0, 1.0 / 64.0]);
     let [plain, other] = [first, second].map(|[length, time]| tables(&written(length, time)));
     let [length, time] = [second[0] / first[0], second[1] / first[1]];

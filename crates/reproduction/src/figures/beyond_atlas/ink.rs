@@ -1,4 +1,4 @@
-//! The atlas of the limit map.
+//! Drawing of the atlas of the limit map.
 
 use grazing_drawing::geometry::sheet::Bounds;
 use grazing_drawing::ink::canvas::{Anchor, Canvas};
@@ -11,7 +11,7 @@ use grazing_results::Frame;
 use super::{Atlas, Node};
 use crate::figure::prelude::*;
 
-/// Width in the paper and height, in millimetres; room about panels, in points.
+/// The width in the paper and the height, in millimetres; room around panels, in points.
 const WIDTH_MM: f64 = 156.0;
 const HEIGHT_MM: f64 = 132.0;
 const LEFT: f64 = 42.0;
@@ -19,19 +19,20 @@ const GAP: f64 = 20.0;
 const ABOVE: f64 = 16.0;
 const BELOW: f64 = 31.0;
 const RIGHT: f64 = 8.0;
-/// What is shown along a line of the lattice.
+/// The quantity that is shown along a line of the lattice.
 type Ratio = fn(&Node) -> f64;
-/// Each boundary shades all below it once more.
+/// The shade that each boundary adds to the area beyond it, and the pens of boundaries and of the ε of
+/// Figure 7.
 const SHADE: Paint = Paint { colour: [45, 70, 105], opacity: 0.17 };
 const EDGE: Pen = Pen::solid([45, 70, 105], 0.6);
 const OWN: Pen = Pen::dashed(GREY, 0.6, &[4.0, 1.6]);
-/// What is narrower, in points, is not named.
+/// The width, in points, below which an area is not labelled.
 const SEEN: f64 = 2.0;
-/// The ratios that are shown.
+/// The range of the ratios that are shown.
 const RATIOS: [f64; 2] = [-1.6, 1.25];
 
 impl Atlas {
-    /// Draws the atlas: which orbits begin stable, for p = 1 and p ≥ 2, and below where.
+    /// Draws the atlas: the orbits that begin stable, for p = 1 and p ≥ 2, and the ratios below.
     pub(super) fn draw(&self, width: SheetWidth) -> Result<Sheet, DrawingError> {
         let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
         let room = canvas.width - LEFT - GAP - RIGHT;
@@ -77,7 +78,7 @@ impl Atlas {
             .collect();
         let mut edges = Vec::new();
         for (number, curve) in curves.iter().enumerate() {
-            // From the lower end of the panel on, as the first row is.
+            // The area begins at the lower end of the panel, where the first row is drawn.
             let lowest = (curve[0].0, 0.0);
             let area: Vec<_> =
                 [(-1.0, 0.0), lowest].into_iter().chain(curve.iter().copied()).chain([(-1.0, 1.0)]).collect();
@@ -102,7 +103,7 @@ impl Atlas {
             labels.add(name, SMALL_LABEL_SIZE - 1.0, BLACK, &site)?;
         }
         edges.iter().for_each(|edge| labels.placer.keep_off(edge));
-        // Each name in what is between a boundary and the next.
+        // Each name is in the area between a boundary and the next.
         let beyond: Vec<(f64, f64)> =
             curves.first().into_iter().flatten().map(|&(_, epsilon)| (panel.frame.x[1], epsilon)).collect();
         let none: Vec<(f64, f64)> =

@@ -1,4 +1,4 @@
-//! The map, with the curves of Figure 7 on top.
+//! Drawing of the map, with the curves of Figure 7 on top.
 
 use grazing_drawing::geometry::sheet::Bounds;
 use grazing_drawing::ink::canvas::{Anchor, Canvas};
@@ -16,7 +16,8 @@ use grazing_results::kinds::{IRREGULAR, PERIODIC};
 use super::{Attractors, Stretch, groups};
 use crate::figure::prelude::*;
 
-/// Width and height in millimetres; room about the panel, and a line of the legend, in points.
+/// The width and height in millimetres; room around the panel, and the height of a line of the legend, in
+/// points.
 const WIDTH_MM: f64 = 156.0;
 const HEIGHT_MM: f64 = 136.0;
 const LEFT: f64 = 42.0;
@@ -25,15 +26,17 @@ const BELOW: f64 = 31.0;
 const LINE: f64 = 13.0;
 const SWATCH: f64 = 16.0;
 const GAP: f64 = 14.0;
-/// Periodic motion with more impacts over more than one period: between that of one and what is irregular, also in lightness.
+/// The colour of periodic motion with more impacts over more than one period: between that over one
+/// period and that of irregular motion, also in lightness.
 const LONGER: Colour = [120, 118, 100];
-/// What sets curves apart from the map.
+/// The pen of the rim that separates curves from the map.
 const CASING: Pen = Pen::solid(WHITE, 2.7);
 const SWATCH_RIM: Pen = Pen::solid(GREY, 0.3);
-/// Of finer maps not all places are drawn, but every so many across and up.
+/// The greatest number of places drawn in either direction; of finer maps, only every second, third, …
+/// place is drawn.
 const DRAWN: u32 = 1000;
 
-/// What is drawn alike, in words, in the order of the legend.
+/// The descriptions of classes of motion with equal colours, in the order of the legend.
 const CLASSES: [&str; 8] = [
     "no impacts",
     "$p=1$",
@@ -46,7 +49,7 @@ const CLASSES: [&str; 8] = [
 ];
 const SEVERAL: &str = "stripes: several are seen";
 
-/// The place of a stretch among these.
+/// The index of a stretch's class.
 fn class(stretch: &Stretch) -> usize {
     match (stretch.loops(), stretch.periods) {
         (Some(p), _) => p.min(4) as usize,
@@ -73,14 +76,14 @@ pub(super) fn draw(figure: &Attractors, width: SheetWidth) -> Result<Sheet, Draw
     let [columns, rows] = [0, 1].map(|k| figure.size[k].div_ceil(step[k]));
     let mut cells: [Vec<(i64, i64)>; CLASSES.len()] = Default::default();
     let by_row: Vec<_> = figure.stretches.chunk_by(|a, b| a.secondary == b.secondary).collect();
-    // From the top down, as cells must be.
+    // Cells must be sorted, from the top down.
     for (row, stretches) in
         (0..).zip(by_row.iter().step_by(step[1] as usize)).collect::<Vec<_>>().into_iter().rev()
     {
         let mut column = 0;
         for group in groups(stretches) {
             let end = column + group[0].places;
-            // Where several are seen, rows take turns.
+            // Where several attractors are seen, rows alternate between them.
             let class = class(&group[row as usize % group.len()]);
             let drawn = column.div_ceil(step[0])..end.div_ceil(step[0]);
             cells[class].extend(drawn.map(|column| (i64::from(rows - 1 - row), i64::from(column))));
@@ -88,7 +91,7 @@ pub(super) fn draw(figure: &Attractors, width: SheetWidth) -> Result<Sheet, Draw
         }
     }
     let seen: Vec<usize> = (0..CLASSES.len()).filter(|&class| !cells[class].is_empty()).collect();
-    // The legend from left to right, line by line.
+    // The legend is written from left to right, line by line.
     let (mut left, mut baseline) = (LEFT, LINE);
     let swatches = seen.iter().map(|&class| (CLASSES[class], Some(Paint::opaque(colour(class)))));
     for (words, paint) in swatches.chain([(SEVERAL, None)]) {

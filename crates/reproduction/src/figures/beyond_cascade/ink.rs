@@ -1,4 +1,4 @@
-//! Cascades beside each other, the limit to the right.
+//! Drawing of the cascades side by side, with the limit on the right.
 
 use core::iter::repeat_n;
 
@@ -12,20 +12,20 @@ use grazing_results::{Frame, Names, span};
 use super::{CascadePoint, Cascades, SHOWN};
 use crate::figure::prelude::*;
 
-/// The fastest impacts that are shown, in units of the velocity at the period doubling.
+/// The greatest impact velocity shown, in units of the velocity at the period doubling.
 const FASTEST: f64 = 2.0;
-/// Width in the paper, height of a row, and room about panels, in millimetres and points.
+/// The width in the paper and the height of a row in millimetres, and room around panels in points.
 const WIDTH_MM: f64 = 156.0;
 const ROW_MM: f64 = 52.0;
 const LEFT: f64 = 36.0;
 const GAP: f64 = 7.0;
 const ABOVE: f64 = 16.0;
 const BELOW: f64 = 31.0;
-/// Where orbits with more impacts begin.
+/// The pen that marks where orbits with more impacts begin.
 const ONSET: Pen = Pen::dashed(GREY, 0.45, &[0.8, 1.6]);
 
 impl Cascades {
-    /// Draws the figure: a row for each resonance, the limit to the right.
+    /// Draws the figure: a row for each resonance, with the limit on the right.
     pub(super) fn draw(&self, width: SheetWidth) -> Result<Sheet, DrawingError> {
         let rows: Vec<_> = self.panels.chunk_by(|a, b| (a.loops, a.n) == (b.loops, b.n)).collect();
         let width = width.mm(WIDTH_MM);
@@ -57,7 +57,8 @@ impl Cascades {
                 }
                 let own: Vec<&CascadePoint> =
                     self.points.iter().filter(|point| point.panel == panel.panel).collect();
-                // What comes again counts as often as it would be shown.
+                // The points of periodic motion count as often as they would be shown without their
+                // reduction to one period.
                 let weighed = own.chunk_by(|a, b| a.scaled == b.scaled).flat_map(|at| {
                     let places = at.iter().map(|point| (point.scaled, point.velocity));
                     places.flat_map(|place| repeat_n(place, SHOWN / at.len()))

@@ -1,4 +1,4 @@
-//! Solutions of more loops at one-loop resonances.
+//! Drawing of the solutions of more loops at one-loop resonances.
 
 use grazing_drawing::geometry::sheet::Bounds;
 use grazing_drawing::ink::canvas::Canvas;
@@ -13,11 +13,11 @@ use crate::figure::prelude::*;
 
 const WIDTH_MM: f64 = 165.0;
 const HEIGHT_MM: f64 = 82.0;
-/// Across σ, up powers of ten.
+/// The frames of the panels: σ on the horizontal axis, powers of ten on the vertical one.
 const WIDTHS: Frame = Frame { x: [-1.0, 1.0], y: [-4.0, 4.0] };
 const PLACES: Frame = Frame { x: [0.0, 0.7], y: [-6.0, 2.0] };
 
-/// The greatest k that is named beside its width.
+/// The greatest k that is labelled beside its width.
 const NAMED: u32 = 3;
 
 /// Draws the figure.
@@ -41,7 +41,7 @@ pub(super) fn draw(figure: &MoreLoops, width: SheetWidth) -> Result<Sheet, Drawi
         let width: Vec<(f64, f64)> = rows.iter().map(|row| (row.sigma, row.log_width)).collect();
         for line in widths.line(&width, pen) {
             labels[0].placer.keep_off(&line);
-            // The others follow each other downwards, too close for names.
+            // The other curves are below each other, too close for labels.
             if loops <= NAMED {
                 lines.push((line, name.clone(), pen.colour));
             }

@@ -1,4 +1,4 @@
-//! The proofs over Figure 7's window, and tubes magnified beside points.
+//! Drawing of the proofs over Figure 7's window, and of magnified tubes near points.
 
 use grazing_drawing::geometry::sheet::Bounds;
 use grazing_drawing::ink::canvas::{Anchor, Canvas};
@@ -18,28 +18,29 @@ use crate::figure::prelude::*;
 
 const WIDTH_MM: f64 = 165.0;
 const HEIGHT_MM: f64 = 158.0;
-/// Room about panels, in points.
+/// Room around panels, in points.
 const LEFT: f64 = 36.0;
 const RIGHT: f64 = 8.0;
 const ABOVE: f64 = 17.0;
 const BELOW: f64 = 31.0;
 const GAP: f64 = 14.0;
-/// Between magnifications, with the numbers of their axes.
+/// Room between magnifications for the numbers of their axes, in points.
 const NUMBERS: f64 = 30.0;
-/// What ends at a box does so up to this factor.
+/// The factor that allows for rounding in tubes that end at a box.
 const ROUNDING: f64 = 1.0 + 1e-6;
-/// The share of the height that the window takes, and of the width beside the widths of tubes.
+/// The fractions of the sheet that the window takes: of the height, and of the width beside the panel of
+/// the tubes' widths.
 const SHARES: [f64; 2] = [0.64, 0.68];
-/// log₁₀ of the widths that are shown.
+/// The range of log₁₀ of the widths.
 const WIDTHS: [f64; 2] = [-12.0, -5.5];
 const GREEN: [u8; 3] = CurveLook::of(Bifurcation::Grazing).colours[0];
 const TUBE: Paint = Paint { colour: GREEN, opacity: 0.4 };
 const SIDE: Pen = Pen::solid(GREEN, 0.6);
 const BOX: Pen = Pen::solid(BLACK, 0.8);
 const GOAL: Pen = Pen::dashed(GREY, 0.5, &[3.0, 2.0]);
-/// The area of a region, in square points, that has room for its name.
+/// The least area of a region with a label, in square points.
 const NAMED: f64 = 60.0;
-/// The length of such a curve, in points.
+/// The least length of a grazing curve with a label, in points.
 const NAMED_LENGTH: f64 = 40.0;
 
 /// Draws the figure.
@@ -88,7 +89,8 @@ pub(super) fn draw(figure: &Proofs, width: SheetWidth) -> Result<Sheet, DrawingE
     )
 }
 
-/// A run of rows as the boundary of its region, with the greatest amplitude in the place of an end beyond it.
+/// A run of rows as the boundary of its region; where motion ends beyond the window, with an amplitude
+/// beyond the greatest.
 fn outline(run: &[ProofEnds], greatest: f64) -> Vec<(f64, f64)> {
     let begins = run.iter().map(|ends| (ends.begins, ends.omega));
     let last = |ends: &ProofEnds| if ends.upper.is_nan() { 2.0 * greatest } else { ends.lower };
@@ -155,7 +157,7 @@ fn draw_magnified(
     let ProofMagnified { kind, loops, .. } = &rows[0];
     let (boxed, tubes): (Vec<_>, Vec<_>) = rows.iter().partition(|row| row.part == ProofPart::Box);
     let high = boxed[0].omega.abs();
-    // The box is wide in sight, and so are tubes that end at it.
+    // The box is clearly visible, and so are tubes that end at it.
     let beside = tubes.iter().filter(|row| row.omega.abs() <= ROUNDING * high);
     let sides = beside.flat_map(|row| [row.lower.abs(), row.upper.abs()]);
     let (across, up) = (REACH * sides.fold(boxed[0].upper, f64::max), 2.0 * REACH * high);

@@ -1,14 +1,14 @@
-//! Each curve, point and region of Figure 7, with what is proved of it.
+//! Each curve, point and region of Figure 7, with the proved statement about it.
 
 use grazing_results::plane::{PlanePoint, RegionVertex, SpecialPoint};
 
 use super::*;
 use grazing_analysis::plane::{self, Axes};
 
-/// What continuation's rounding may add to a number that is drawn.
+/// The greatest error that rounding in the continuation may add to a drawn number.
 const ROUNDING: f64 = 2e-9;
 
-/// What is proved, to be looked up.
+/// The proved rows, for lookup by frequency.
 struct Lookup<'a> {
     statement: &'a Statement,
     rows: &'a [Row],
@@ -19,8 +19,8 @@ impl Lookup<'_> {
         self.statement.oscillator.omega_1_over(Ball::from(omega))
     }
 
-    /// Where motion begins, the two sides between which it ends, and how wide the tube is, 0 in the box
-    /// of a point.
+    /// The amplitude at which motion begins, the two sides of the tube in which it ends, and the width of
+    /// the tube, which is 0 in the box of a point.
     fn ends(&self, p: u32, omega: f64) -> Option<[f64; 4]> {
         let nu = self.nu(omega);
         let row = summary::row_at(self.rows, p.into(), nu)?;
@@ -31,7 +31,7 @@ impl Lookup<'_> {
         Some([begins, lower, upper, if in_box { 0.0 } else { upper - lower }])
     }
 
-    /// The amplitude of a curve that is a closed form; nothing for a GZ curve.
+    /// The amplitude of a curve with a closed form; nothing for a GZ curve.
     fn closed_form(&self, kind: Bifurcation, p: u32, omega: f64) -> Option<f64> {
         let family = self.statement.oscillator.family(p.max(1).into(), self.nu(omega));
         let velocity = match kind {
@@ -44,7 +44,7 @@ impl Lookup<'_> {
     }
 }
 
-/// Of each curve, point and region of Figure 7.
+/// The items for each curve, point and region of Figure 7.
 pub(super) fn items(
     study: &Study,
     statement: &Statement,
@@ -127,7 +127,7 @@ fn of_curve(look: &Lookup<'_>, curve: &[PlanePoint]) -> ProofItem {
     }
 }
 
-/// From which frequency to which a point is proved to lie, among which amplitudes, and more.
+/// The range of frequencies in which a point is proved to lie, a range of amplitudes, and the statement.
 fn of_point(statement: &Statement, rows: &[Row], point: &SpecialPoint) -> (f64, f64, Ball, String) {
     let nothing = (f64::NAN, f64::NAN, Ball::ANY, "nothing".to_owned());
     let window = statement.frequency.map(Decimal::ball);

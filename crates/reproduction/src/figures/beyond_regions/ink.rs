@@ -1,4 +1,4 @@
-//! Where p-loop MPSs are admissible at generic grazing.
+//! Drawing of the regions in which p-loop MPSs are admissible at generic grazing.
 
 use grazing_drawing::geometry::placement::side_by_side;
 use grazing_drawing::geometry::sheet::Bounds;
@@ -20,12 +20,12 @@ const CORNERS: [(f64, f64); 5] = [(-1.0, 0.0), (1.0, 0.0), (2.0, 1.0), (-2.0, 1.
 const ROTATIONS: Frame = Frame { x: [0.0, 1.0], y: [0.7, 1.0] };
 const OUTLINE: Pen = Pen::solid(BLACK, 0.8);
 const LEADER: Pen = Pen::solid(GREY, 0.3);
-/// Size of the names, which are no numbers of an axis, in points.
+/// The font size of the names, which are not numbers of an axis, in points.
 const NAME_SIZE: f64 = 7.0;
 /// Room above the panel of rotations for the names, in points.
 const NAMES_ABOVE: f64 = 12.0;
 
-/// The regions of Theorem 2.3 are outlined, the others filled.
+/// The paint of a region. Those of Theorem 2.3 are also outlined.
 const fn area(p: u32) -> Paint {
     Paint { colour: branch_pen(p, 1.0).colour, opacity: 0.3 }
 }
@@ -72,7 +72,7 @@ pub(super) fn draw(figure: &Regions, width: SheetWidth) -> Result<Sheet, Drawing
         let end = f64::from(turns) / f64::from(loops);
         names.push((rotations.spot((end, 1.0)), loops, pen));
     }
-    // Those of the fewest loops, as many as stand side by side.
+    // Only the names of the fewest loops are kept, as many as fit side by side.
     names.sort_by_key(|name| name.1);
     names.truncate(((below.right - below.left) / 9.5) as usize);
     names.sort_by(|a, b| a.0.0.total_cmp(&b.0.0));

@@ -11,11 +11,11 @@ use crate::parameters::limits::{
 };
 use crate::parameters::{contains, strictly_contains};
 
-/// The most portraits that fit side by side across a page.
+/// The greatest number of portraits side by side on a page.
 pub(super) const MOST_PORTRAITS: usize = 6;
-/// The most forcing periods of one orbit.
+/// The greatest number of forcing periods of one orbit.
 const MOST_PERIODS: u32 = 1_000_000;
-/// The most forcing periods of all orbits together, about a minute of computation.
+/// The greatest number of forcing periods of all orbits together, about a minute of computation.
 const MOST_PERIODS_IN_ALL: u64 = 200_000_000;
 
 keys! {
@@ -37,28 +37,28 @@ keys! {
         /// The phase portraits from left to right; none if they are to be chosen.
         portraits: Vec<Portrait> = tables(0..=MOST_PORTRAITS),
             "[[fig02.portraits]] must be at most six tables, one for each phase portrait; without any they are chosen";
-        /// What is shown in the place of something else, in sentences.
+        /// Sentences about contents that differ from those requested.
         notes: Vec<String> = unwritten();
     }
 }
 
-/// What the file asks for under `amplitude`, or wishes for under `near`.
+/// A requested value: mandatory under `amplitude`, replaceable under `near`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wish<T> {
-    /// The amplitudes, or one.
+    /// The range of amplitudes, or one amplitude.
     pub value: T,
-    /// Whether nothing else will do.
+    /// Whether the value is mandatory.
     pub must: bool,
 }
 
 impl<T> Wish<T> {
-    /// What must be goes before what may be.
+    /// The mandatory value takes precedence over the replaceable one.
     fn new(amplitude: Option<T>, near: Option<T>) -> Option<Self> {
         let must = amplitude.is_some();
         Some(Self { value: amplitude.or(near)?, must })
     }
 
-    /// The key under which it stands.
+    /// The key that holds the value.
     fn key(&self) -> &'static str {
         if self.must { "amplitude" } else { "near" }
     }
@@ -162,14 +162,13 @@ impl FileSection for Figure2 {
     }
 }
 
-/// The part of the magnified amplitudes that lies below grazing where the program places them: next
-/// to it is what they are to show.
+/// The fraction of the magnified amplitudes below grazing, if the program chooses them: the magnification
+/// shows the vicinity of grazing.
 const BEFORE: f64 = 0.1;
 
 impl Figure2 {
-    /// Sees to it that the amplitudes hold that of grazing: if other ones may be shown than those
-    /// of the file, those in the same proportions. Returns what wishes for amplitudes are to be
-    /// multiplied by.
+    /// Makes the range of amplitudes contain that of grazing: a replaceable range is scaled, with its
+    /// magnification. Returns the factor by which requested amplitudes are to be multiplied.
     fn hold(&mut self, grazing: f64, section: &Section<'_>) -> Result<f64, ParameterError> {
         let Wish { value: amplitude, must } = self.across;
         let (name, frequency, magnified) = (self.across.key(), self.frequency, self.magnification.amplitude);
@@ -202,11 +201,11 @@ impl Figure2 {
     }
 }
 
-/// The forcing frequency of Figure 2, which Figure 4 and the printed numbers share, whatever else
-/// its section holds.
+/// The forcing frequency of Figure 2, which Figure 4 and the printed numbers use as well, regardless of
+/// the rest of its section.
 ///
 /// # Errors
-/// [`ParameterError`]: it is not right.
+/// [`ParameterError`]: the frequency is invalid.
 pub fn frequency(parameters: &Parameters) -> Result<f64, ParameterError> {
     parameters.read(Figure2::NAME, |section| Ok(number(FREQUENCIES).read(section, "frequency")?))
 }

@@ -1,16 +1,16 @@
-//! What the phase portraits of Figure 2 show: solutions at the amplitudes that the file asks for,
-//! or where they exist.
+//! The subjects of the phase portraits in Figure 2: solutions at the requested amplitudes, or where they
+//! exist.
 
 use grazing_unfold::one_parameter::{Branch, Subject};
 
 use super::section::{Figure2, MOST_PORTRAITS, Portrait, Wish};
 use crate::StudyError;
 
-/// The part of a stretch, at either end, in which no portrait is put by itself: close to a
-/// bifurcation an orbit is hardly told from the one it is born with.
+/// The part of an interval, at either end, in which no portrait is placed by default: close to a
+/// bifurcation an orbit is hardly distinguishable from the one born with it.
 const EDGE: f64 = 0.05;
 
-/// All subjects, and what is shown elsewhere than asked for, or not at all, in sentences.
+/// All subjects, and sentences about portraits that are elsewhere than requested or missing.
 pub(super) fn all(
     figure: &Figure2,
     grazing: f64,
@@ -41,8 +41,8 @@ pub(super) fn all(
     Ok((subjects, notes))
 }
 
-/// The non-impacting solution, which is always there, and each p that is somewhere stable, from
-/// left to right.
+/// The default subjects: the non-impacting solution, which always exists, and each p with a stable
+/// solution somewhere, from left to right.
 fn chosen(figure: &Figure2, grazing: f64, branches: &[Branch]) -> Vec<Subject> {
     let loops = std::iter::once(0).chain(figure.loops.iter().copied().take(MOST_PORTRAITS - 1));
     let mut subjects: Vec<_> =
@@ -51,7 +51,7 @@ fn chosen(figure: &Figure2, grazing: f64, branches: &[Branch]) -> Vec<Subject> {
     subjects
 }
 
-/// What the file asks for, if it exists.
+/// The subject that the file requests, if it exists.
 fn found(
     figure: &Figure2,
     grazing: f64,
@@ -73,8 +73,8 @@ fn found(
     }
 }
 
-/// The stable admissible MPS at the amplitude that is nearest to the wish, or in the middle of the
-/// widest stretch.
+/// The stable admissible MPS at the amplitude nearest to the requested one, or in the middle of the
+/// widest interval.
 fn nearest(branches: &[Branch], loops: u32, wish: Option<f64>) -> Option<Subject> {
     let inner = |[low, high]: [f64; 2]| [low + EDGE * (high - low), high - EDGE * (high - low)];
     let mut places: Vec<(f64, f64)> = of(branches, loops)

@@ -1,4 +1,4 @@
-//! Figure 4: the boundaries g_p and h_p in the trapesium.
+//! Drawing of Figure 4: the boundaries g_p and h_p in the trapesium.
 
 use grazing_drawing::geometry::placement::side_by_side;
 use grazing_drawing::geometry::sheet::{Bounds, Spot};
@@ -15,21 +15,21 @@ use grazing_results::Frame;
 use super::{Boundaries, Boundary, BoundaryPoint};
 use crate::figure::prelude::*;
 
-/// A boundary g_p: solid. Its colour is that of the branch with the same p.
+/// The pen of a boundary g_p: solid, in the colour of the branch with the same p.
 const fn resonance_pen(p: u32) -> Pen {
     branch_pen(p, 1.1)
 }
 
-/// A boundary h_p: the colour of g_p, in short dashes.
+/// The pen of a boundary h_p: the colour of g_p, with short dashes.
 const fn admissibility_pen(p: u32) -> Pen {
     Pen { dashes: &[2.6, 1.3], ..branch_pen(p, 1.1) }
 }
 
-/// What both families of boundaries tend to.
+/// The pen of the limit of both families of boundaries.
 const LIMIT: Pen = Pen::solid(BLACK, 0.6);
-/// Outline of an area of parameters.
+/// The pen of the outline of the trapesium.
 const OUTLINE: Pen = Pen::solid(BLACK, 0.8);
-/// From a curve's end to its label.
+/// The pen of the line from a curve's end to its label.
 const CURVE_LEADER: Pen = Pen::solid(GREY, 0.4);
 
 /// The pen of the curve to which a point belongs, and its name.
@@ -42,19 +42,19 @@ fn pen_and_name(BoundaryPoint { kind, loops: p, .. }: &BoundaryPoint) -> (Pen, S
     }
 }
 
-/// A point in the panel.
+/// The coordinates of a point in the panel.
 fn place(point: &BoundaryPoint) -> (f64, f64) {
     (point.tau, point.delta)
 }
 
-/// Width in the paper.
+/// The width of this figure in the paper.
 const WIDTH_MM: f64 = 120.0;
 const HEIGHT_MM: f64 = 74.0;
 /// The trapesium with a little room at its sharp corners.
 const TRAPESIUM_FRAME: Frame = Frame { x: [-2.12, 2.12], y: [0.0, 1.0] };
-/// Room above the panel: leaders, and the names of the curves.
+/// Room above the panel for leaders and the names of the curves.
 const NAMES_ABOVE: f64 = 10.0;
-/// Least gap between two names, in points.
+/// The least gap between two names, in points.
 const NAME_GAP: f64 = 3.0;
 
 /// Draws Figure 4.
@@ -92,7 +92,7 @@ pub(super) fn draw(figure: &Boundaries, width: SheetWidth) -> Result<Sheet, Draw
         }
     }
     for outline in &outlines {
-        // Of the sides, the slanted ones say what they are; the others are read off the axis.
+        // Only the slanted sides are labelled; the others can be read off the axis.
         for side in outline.windows(2).filter(|side| side[0].delta != side[1].delta) {
             let text = if side[0].tau > 0.0 { r"$\tau=\delta+1$" } else { r"$\tau=-\delta-1$" };
             let edge = [0, 1].map(|end| panel.spot(place(&side[end])));
@@ -108,12 +108,12 @@ pub(super) fn draw(figure: &Boundaries, width: SheetWidth) -> Result<Sheet, Draw
     )
 }
 
-/// Names the curves in a row above their upper ends.
+/// Labels the curves in a row above their upper ends.
 fn name_above(panel: &Panel<'_>, curves: &[&[BoundaryPoint]]) -> Result<(), DrawingError> {
     let mut ends: Vec<(Spot, f64, (Pen, String))> = Vec::new();
     for curve in curves {
         if let Some(end) = curve.last().map(place).filter(|&end| panel.frame.contains(end)) {
-            // Of curves that end in one point, the direction they come from decides which is to the
+            // For curves that end in the same point, the direction of approach decides which is on the
             // left.
             let before = place(&curve[curve.len() * 19 / 20]);
             ends.push((panel.spot(end), panel.spot(before).0, pen_and_name(&curve[0])));
@@ -156,7 +156,7 @@ mod tests {
             }
         }
         assert!(svg.contains(">Fig. 2<") && svg.contains('√'));
-        // Both slanted sides: δ + 1 and −δ − 1, besides the axis titles and the limit.
+        // Two slanted sides, δ + 1 and −δ − 1, in addition to the axis title and the limit.
         assert_eq!(svg.matches(">δ</tspan>").count(), 4);
         let families = svg.matches("stroke-width=\"1.1\"").count();
         assert_eq!(2 * svg.matches("stroke-width=\"1.1\" stroke-dasharray").count(), families);

@@ -1,4 +1,4 @@
-//! Figure 5: the unfolding of a resonant grazing bifurcation.
+//! Drawing of Figure 5: the unfolding of a resonant grazing bifurcation.
 
 use grazing_drawing::geometry::clip::checked;
 use grazing_drawing::geometry::sheet::{Bounds, Spot};
@@ -22,7 +22,7 @@ fn words(kind: RegionKind) -> &'static [&'static str] {
     }
 }
 
-/// Width in the paper.
+/// The width of this figure in the paper.
 const WIDTH_MM: f64 = 64.0;
 const HEIGHT_MM: f64 = 58.0;
 
@@ -50,7 +50,7 @@ pub(super) fn draw(figure: &UnfoldingSketch, width: SheetWidth) -> Result<Sheet,
     for (kind, vertices) in &regions {
         let shape = match kind {
             RegionKind::NonImpacting | RegionKind::Mps => panel.fill(vertices, shade(&panel, *kind)),
-            // The overlap gets its shade from the two areas that make it up.
+            // The overlap gets its shade from the two regions that it belongs to.
             RegionKind::Both | RegionKind::Undecided => {
                 vertices.iter().map(|&vertex| panel.spot(vertex)).collect()
             }
@@ -65,7 +65,7 @@ pub(super) fn draw(figure: &UnfoldingSketch, width: SheetWidth) -> Result<Sheet,
         }
     }
     panel.axes(r"$\mu$", r"$\eta$")?;
-    // The overlap is the narrowest: it chooses first.
+    // The overlap is the narrowest region, and is labelled first.
     for (kind, shape) in shapes.iter().rev() {
         let wanted = Site::Within(shape);
         if !labels.add_lines(words(*kind), SMALL_LABEL_SIZE, BLACK, &wanted)? {

@@ -1,4 +1,4 @@
-//! Figure 6: the oscillator as a mechanical schematic.
+//! Drawing of Figure 6: the oscillator as a mechanical schematic.
 
 use grazing_drawing::POINTS_PER_MM;
 use grazing_drawing::geometry::clip::checked;
@@ -14,18 +14,18 @@ use grazing_results::{Frame, span};
 use super::{Part, PartPoint, Schematic};
 use crate::figure::prelude::*;
 
-/// Bodies of the schematic, and their outlines.
+/// The paint of bodies in the schematic, and the pen of their outlines.
 const BODY: Paint = Paint::opaque([222, 228, 236]);
 const BODY_OUTLINE: Pen = Pen::solid(BLACK, 1.0);
-/// Wires, rods and housings.
+/// The pen of wires, rods and housings.
 const WIRE: Pen = Pen { round: true, ..Pen::solid(BLACK, 0.9) };
-/// The piston in its cylinder.
+/// The pen of the piston in its cylinder.
 const PISTON: Pen = Pen::solid(BLACK, 2.0);
-/// Lines that only carry positions over to an axis.
+/// The pen of lines that project positions onto an axis.
 const PROJECTION: Pen = Pen::dashed(GREY, 0.5, &[2.0, 1.6]);
-/// Axes and dimensions that end in arrowheads.
+/// The pen of axes and dimensions that end in arrowheads.
 const AXIS: Pen = Pen::solid(BLACK, 0.6);
-/// A force, in the colour that says so.
+/// The pen of a force, in a colour of its own.
 const FORCE: Pen = Pen::solid([214, 47, 32], 1.3);
 
 /// A polyline of a part, on the sheet.
@@ -34,7 +34,7 @@ struct Piece {
     path: Vec<Spot>,
 }
 
-/// Width in the paper.
+/// The width of this figure in the paper.
 const WIDTH_MM: f64 = 90.0;
 const MARGIN_BESIDE: f64 = 4.0;
 /// Room for the numbers below the axis, in points.
@@ -75,7 +75,7 @@ fn draw_piece(canvas: &Canvas, Piece { part, path }: &Piece) {
     canvas.line(path, pen);
 }
 
-/// A name, its size, and where on its part it starts, is centred or ends.
+/// A label: its part, its text, its size, and the anchor and position relative to the part.
 type Name = (Part, &'static str, f64, Anchor, fn(&Bounds) -> Spot);
 
 const NAMES: [Name; 7] = [
@@ -94,7 +94,7 @@ const NAMES: [Name; 7] = [
     }),
 ];
 
-/// Names the parts.
+/// Labels the parts.
 fn label(canvas: &Canvas, pieces: &[Piece]) -> Result<(), DrawingError> {
     let whole = |part: Part| {
         let own = pieces.iter().filter(|piece| piece.part == part);
@@ -120,7 +120,8 @@ fn label(canvas: &Canvas, pieces: &[Piece]) -> Result<(), DrawingError> {
     Ok(())
 }
 
-/// Lays the parts on a sheet of the given width, as high as they need, at one scale across and up.
+/// Places the parts on a sheet of the given width, as high as necessary, at the same scale in both
+/// directions.
 fn on_sheet(parts: &[PartPoint], width_mm: f64) -> Result<(Canvas, Vec<Piece>), DrawingError> {
     let (x, y) = (span(parts.iter().map(|point| point.x)), span(parts.iter().map(|point| point.height)));
     let frame = checked(Frame { x, y }, "fig06")?;
@@ -160,7 +161,7 @@ mod tests {
             let Bounds { left, top, right, bottom } = Bounds::around(path);
             (right - left) / (bottom - top)
         };
-        // One rounding of each coordinate of some 100 points.
+        // The rounding errors of the coordinates of about 100 points.
         assert!((ratio(&sheet.path) - ratio(&block)).abs() < 1e-12);
     }
 }

@@ -4,19 +4,19 @@ use core::f64::consts::TAU;
 
 use super::Polyline;
 
-/// Chords of a full turn: on 90 mm of paper they stay within a hundredth of a millimetre of the
-/// arc.
+/// The number of chords of a full turn: on 90 mm of paper they deviate from the arc by less than a
+/// hundredth of a millimetre.
 const CHORDS: u32 = 48;
 
-/// The coils of a spring lean by this share of their radius, as a helix seen slightly from the
+/// The lean of the coils of a spring, as a fraction of their radius, like a helix seen slightly from the
 /// side.
 const LEAN: f64 = 0.45;
 
-/// A helix between two straight leads, the same seen from either side.
+/// A helix between two straight leads, symmetric about its middle.
 ///
-/// (x, h) = (x₀ + ℓs + b (1 − cos θ), h₀ + r sin θ), θ = (2N − 1) π s, 0 ≤ s ≤ 1: N turns less the
-/// half one below the axis h₀, on which it begins and ends. Mirrored in the middle, s becomes 1 − s
-/// and cos θ becomes −cos θ.
+/// (x, h) = (x₀ + ℓs + b (1 − cos θ), h₀ + r sin θ), θ = (2N − 1) π s, 0 ≤ s ≤ 1: N turns minus the half
+/// turn below the axis h₀, on which it begins and ends. Under reflection about the middle, s becomes 1 −
+/// s and cos θ becomes −cos θ.
 pub(super) fn spring([from, to]: [f64; 2], height: f64, radius: f64, lead: f64, coils: u32) -> Polyline {
     let lean = LEAN * radius;
     let (start, length) = (from + lead, to - from - 2.0 * (lead + lean));
@@ -51,7 +51,7 @@ pub(super) fn hatching([left, right]: [f64; 2], [bottom, top]: [f64; 2]) -> Vec<
     let width = right - left;
     let strokes = libm::floor((top - bottom + width) / PITCH) as u32;
     let stroke = |k: u32| {
-        // The height at which the stroke, which rises to the right, would meet the left edge.
+        // The height at which the rising stroke would meet the left edge.
         let start = bottom - width + (f64::from(k) + 0.5) * PITCH;
         let low = start.max(bottom);
         let high = (start + width).min(top);
@@ -86,7 +86,7 @@ mod tests {
         assert!(strokes.len() > 15, "{}", strokes.len());
         for stroke in strokes {
             let [[x0, h0], [x1, h1]] = stroke[..] else { panic!("a stroke has two ends") };
-            // Differences of numbers of order 1 are exact to some 1e-16.
+            // Differences of numbers of order 1 are accurate to about 1e-16.
             assert!(((x1 - x0) - (h1 - h0)).abs() < 1e-15);
             for (x, h) in [(x0, h0), (x1, h1)] {
                 assert!((-1e-15..=0.2 + 1e-15).contains(&x) && (0.0..=1.45).contains(&h), "{x} {h}");

@@ -1,5 +1,5 @@
-//! `[fig07]`: the window of the two-parameter diagram, and that diagram, which Figures 7 and 8 and
-//! the table of coefficients share.
+//! `[fig07]`: the window of the two-parameter diagram, and the diagram that Figures 7 and 8 and the table
+//! of coefficients use.
 
 use grazing_continuation::curve::Window;
 use grazing_continuation::resonance::ResonanceError;
@@ -13,8 +13,8 @@ use crate::parameters::contains;
 use crate::parameters::limits::{AMPLITUDES, LOOPS, MOST_LOOPS, amplitudes};
 use crate::study::forced;
 
-/// Forcing frequencies of Figure 7: resonances accumulate at zero, p = 1 has 40 above the least of
-/// these.
+/// The range of forcing frequencies of Figure 7. Resonances accumulate at zero; above the lower bound
+/// there are 40 for p = 1.
 const WINDOW_FREQUENCIES: [f64; 2] = [0.05, 100.0];
 
 keys! {
@@ -63,7 +63,7 @@ impl FileSection for Figure7 {
 }
 
 impl Figure7 {
-    /// Amplitudes as the primary, frequencies as the secondary parameter.
+    /// The window, with amplitudes as the primary and frequencies as the secondary parameter.
     pub fn window(&self) -> Window {
         Window { primary: self.amplitude, secondary: self.frequency }
     }
@@ -78,8 +78,8 @@ impl Figure7 {
 }
 
 impl Study {
-    /// The diagram in the window of Figure 7: what `grazing_unfold` finds of an oscillator whose
-    /// flow is known in closed form.
+    /// The diagram in the window of Figure 7: the results of `grazing_unfold` for an oscillator with a
+    /// flow in closed form.
     pub(crate) fn diagram(&self) -> Result<&Diagram, StudyError> {
         let compute = || {
             let figure: Figure7 = self.parameters.section()?;
@@ -92,8 +92,8 @@ impl Study {
         self.diagram.get_or_init(compute).as_ref().map_err(Clone::clone)
     }
 
-    /// What Figure 7 and the table of coefficients lack: resonances that could not be located, in
-    /// sentences.
+    /// Sentences about the resonances that are missing from Figure 7 and the table of coefficients
+    /// because they could not be located.
     ///
     /// # Errors
     /// There is no grazing in the window.
@@ -106,7 +106,7 @@ impl Study {
     }
 }
 
-/// That a curve of a resonance is missing.
+/// A message that a curve of a resonance is missing.
 pub(crate) fn not_followed(resonance: &str, reason: &ResonanceError) -> String {
     format!("resonance {resonance}: a curve is missing: {reason}")
 }

@@ -1,4 +1,4 @@
-//! `[fig08]`: about which resonances Figure 8 magnifies Figure 7.
+//! `[fig08]`: the resonances about which Figure 8 magnifies Figure 7.
 
 use grazing_source::kind::{count, maybe, table, tables, unwritten};
 use grazing_theorems::{LinearOscillator, Resonance};
@@ -8,7 +8,7 @@ use crate::figures::fig07::diagram::Figure7;
 use crate::parameters::limits::{INDEX, MOST_LOOPS, MOST_N, must_lie_inside, range};
 use crate::parameters::{contains, encloses, strictly_contains};
 
-/// The most panels that fit side by side.
+/// The greatest number of panels that fit side by side.
 pub(super) const MOST_PANELS: usize = 3;
 
 keys! {
@@ -17,7 +17,7 @@ keys! {
         /// The panels from left to right.
         panels: Vec<Panel> = tables(0..=MOST_PANELS),
             "[[fig08.panels]] must be at most three tables, one for each magnification; without any they are chosen";
-        /// What is shown in the place of something else, in sentences.
+        /// Sentences about contents that differ from those requested.
         notes: Vec<String> = unwritten();
     }
 }
@@ -57,7 +57,7 @@ impl FileSection for Figure8 {
 
     fn checked(mut self, section: &Section<'_>, parameters: &Parameters) -> Result<Self, ParameterError> {
         let (fig07, oscillator) = (parameters.section::<Figure7>()?, parameters.oscillator()?);
-        // Figure 7 was refused if they could not be listed.
+        // An error in this list would have been reported for Figure 7.
         let mut free = fig07.resonances(&oscillator).unwrap_or_default();
         if self.panels.is_empty() {
             let chosen = fig07.loops.iter().cycle().take(MOST_PANELS);
@@ -74,7 +74,7 @@ impl FileSection for Figure8 {
                 replaced.push((self.panels.len(), at, panel));
             }
         }
-        // From the last to the first, as places before one that is filled do not move.
+        // From the last to the first, so that the positions of the remaining ones do not change.
         for (index, at, Panel { loops: p, n, .. }) in replaced.into_iter().rev() {
             let (key, reason) = match fig07.loops.contains(&p) {
                 true => ("n", "does not lie in the window of Figure 7"),
@@ -97,7 +97,7 @@ impl FileSection for Figure8 {
     }
 }
 
-/// Takes the resonance of highest frequency out of the list for a panel: one with p loops if there
+/// Takes the resonance with the highest frequency out of the list for a panel: one with p loops if there
 /// is one.
 fn take(free: &mut Vec<Resonance>, p: u32) -> Option<Panel> {
     let last = free.iter().rposition(|resonance| resonance.loops() == p).or(free.len().checked_sub(1))?;
@@ -106,9 +106,9 @@ fn take(free: &mut Vec<Resonance>, p: u32) -> Option<Panel> {
 }
 
 impl Panel {
-    /// Puts what fits of the window that is wished for into what is shown, and says whether the
-    /// panel can be shown: not if its p is not among those of Figure 7, nor if its resonance lies
-    /// outside the window of Figure 7 and its own window may be replaced.
+    /// Adopts the parts of the replaceable window that fit, and returns whether the panel can be shown.
+    /// It cannot if its p is not among those of Figure 7, or if its resonance lies outside the window of
+    /// Figure 7 and the panel has no mandatory window.
     fn fit(
         &mut self,
         fig07: &Figure7,

@@ -1,4 +1,4 @@
-//! Figure 10: the path of the proof of Theorem 2.3.
+//! Drawing of Figure 10: the path of the proof of Theorem 2.3.
 
 use grazing_drawing::geometry::clip::checked;
 use grazing_drawing::geometry::sheet::{Bounds, Spot, distance, inside};
@@ -15,16 +15,16 @@ use super::{Visit, VisitPath};
 use crate::figure::prelude::*;
 
 const BLUE: Colour = [25, 70, 190];
-/// The path between visits, and the area that it encloses with the w-axis.
+/// The pen of the path between visits, and the paint of the area between it and the w-axis.
 const PATH: Pen = Pen::solid(BLUE, 1.15);
 const PATH_AREA: Paint = Paint { colour: BLUE, opacity: 0.1 };
 
-/// Width in the paper.
+/// The width of this figure in the paper.
 const WIDTH_MM: f64 = 80.0;
 const HEIGHT_MM: f64 = 68.0;
-/// Shares of the path's width and height that are left free beside it, for its labels.
+/// The fractions of the path's width and height that are left free beside it for labels.
 const MARGIN: [f64; 2] = [0.46, 0.14];
-/// Segments shorter than this (points) carry no arrowhead.
+/// Segments shorter than this (points) have no arrowhead.
 const POINTED_LENGTH: f64 = 14.0;
 
 /// Draws Figure 10.
@@ -54,7 +54,7 @@ pub(super) fn draw(figure: &VisitPath, width: SheetWidth) -> Result<Sheet, Drawi
         }
     }
     panel.axes("$u$", "$w$")?;
-    // Labels of vertices stand outside as far as they can.
+    // Labels of vertices are placed outside if possible.
     let outline: Vec<_> = vertices.iter().map(|&vertex| panel.spot(vertex)).collect();
     labels.placer.avoid(inner_spots(&outline));
     for (Visit { visit, .. }, &vertex) in figure.path.iter().zip(&vertices) {

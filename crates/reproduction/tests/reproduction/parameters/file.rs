@@ -1,4 +1,4 @@
-//! The file as such: its keys, its syntax, and values set over it.
+//! The file itself: its keys, its syntax, and settings that replace values.
 
 use grazing_reproduction::figures::fig02::Figure2;
 use grazing_reproduction::figures::fig07::Figure7;

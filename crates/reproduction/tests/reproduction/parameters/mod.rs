@@ -1,4 +1,4 @@
-//! What the parameter file may hold, and what is said when it holds something else.
+//! The permitted contents of the parameter file, and the messages for other contents.
 
 mod file;
 mod together;
@@ -10,7 +10,7 @@ use grazing_source::{Setting, SourceError, Text};
 
 const DEFAULT: &str = include_str!("../../../../../figures/parameters.toml");
 
-/// The parameters, or the first thing that is wrong in any section.
+/// The parameters, or the first error in any section.
 fn parse(text: &str) -> Result<Parameters, SourceError> {
     let told = |error: ParameterError| source(&error).clone();
     let parameters = Parameters::parse(&Text::new(text, &[]), "p.toml").map_err(told)?;
@@ -20,13 +20,13 @@ fn parse(text: &str) -> Result<Parameters, SourceError> {
     }
 }
 
-/// What is wrong, whatever its kind.
+/// The underlying error, of either kind.
 fn source(error: &ParameterError) -> &SourceError {
     let (ParameterError::Malformed(error) | ParameterError::Unfit(error)) = error;
     error
 }
 
-/// What is wrong in the sections, in their order.
+/// The errors in the sections, in their order.
 fn errors(parameters: &Parameters) -> Vec<ParameterError> {
     fn check<F: PaperFigure>() -> fn(&Parameters) -> Result<(), ParameterError> {
         |parameters| parameters.section::<F>().map(drop)
@@ -41,8 +41,8 @@ fn set(settings: &[&str]) -> Result<Parameters, ParameterError> {
     Parameters::parse(&Text::new(DEFAULT, &settings), "p.toml")
 }
 
-/// The default file with another line in the place of the first one for the key after `section`.
-/// The values that stand there do not matter, so the file can change without its tests.
+/// The default file in which the first line for the key after `section` is replaced. The current values
+/// do not matter, so the file can change without its tests.
 fn edited(section: &str, key: &str, line: &str) -> String {
     let section_start = DEFAULT.find(section).expect("the section stands in the file");
     let start =
@@ -51,15 +51,15 @@ fn edited(section: &str, key: &str, line: &str) -> String {
     format!("{}{line}{}", &DEFAULT[..start], &DEFAULT[end..])
 }
 
-/// The line on which `needle` first stands after `section` in the text.
+/// The line number of the first `needle` after `section` in the text.
 fn line_of(text: &str, section: &str, needle: &str) -> usize {
     let start = text.find(section).expect("the section stands in the text");
     let at = start + text[start..].find(needle).expect("the needle follows");
     1 + text[..at].matches('\n').count()
 }
 
-/// Asserts that the value, written for the key after `section`, is refused under the full key, on
-/// its line, and that the refusal quotes `culprit`; gives what is said to be allowed.
+/// Asserts that the value, written for the key after `section`, is rejected under the full key, on its
+/// line, and that the message quotes `culprit`; returns the stated requirement.
 fn refusal_quoting(culprit: &str, section: &str, key: &str, value: &str, full_key: &str) -> String {
     let line = format!("{key} = {value}");
     let text = edited(section, key, &line);
@@ -73,12 +73,12 @@ fn refusal_quoting(culprit: &str, section: &str, key: &str, value: &str, full_ke
     }
 }
 
-/// As [`refusal_quoting`] the whole value.
+/// Like [`refusal_quoting`], with the whole value quoted.
 fn refusal(section: &str, key: &str, value: &str, full_key: &str) -> String {
     refusal_quoting(value, section, key, value, full_key)
 }
 
-/// The keys that are refused with settings.
+/// The keys that are rejected with settings.
 fn refused(settings: &[&str]) -> Vec<String> {
     let key = |error: &ParameterError| match source(error) {
         SourceError::Forbidden { key, .. } => key.clone(),

@@ -1,4 +1,4 @@
-//! Values that must fit others of the file.
+//! Tests of values that must be consistent with others in the file.
 
 use grazing_reproduction::figures::fig01::Figure1;
 use grazing_reproduction::figures::fig02::{Figure2, frequency};
@@ -17,7 +17,7 @@ fn figure_7_holds_a_resonance() {
     assert!(allowed.contains("the nearest, p = 3, n = 1"), "{allowed}");
     // One resonance is enough; that of three loops lies outside.
     assert_eq!(refused(&["fig07.frequency=[0.65, 0.82]"]), [""; 0]);
-    // Resonances accumulate at zero, where there would be no end of them.
+    // Resonances accumulate at zero, where there would be infinitely many.
     let allowed = refusal("[fig07]", "frequency", "[1e-9, 1.1]", "fig07.frequency");
     assert!(allowed.contains("0.05 <= lower"), "{allowed}");
 }
@@ -41,7 +41,7 @@ fn a_panel_of_figure_8_holds_its_resonance() {
     assert_eq!(refused(&[&window(3)]), [""; 0]);
     assert_eq!(refused(&[&window(5)]), ["fig08.panels[1].amplitude"]);
     assert_eq!(refused(&["fig08.panels[1].frequency=[0.7, 0.8]"]), ["fig08.panels[1].frequency"]);
-    // Nothing but the resonance is asked for then, and the program chooses the window.
+    // Then only the resonance is requested, and the program chooses the window.
     let parameters = set(&["fig08.panels[1].n=2"]).expect("it is TOML");
     let panels = parameters.section::<Figure8>().expect("it is right").panels;
     let shown = panels.iter().map(|panel| (panel.loops, panel.n, panel.amplitude, panel.frequency));
@@ -82,7 +82,7 @@ fn panels_of_loops_that_figure_7_leaves_out_show_others() {
         shown.notes.iter().find(told).is_some_and(|note| note.contains(&instead))
     };
     assert!((1..).zip([1, 2, 3]).all(|(panel, p)| replaced(panel, p)), "{:?}", shown.notes);
-    // One of them is left, and none is shown twice.
+    // One of them remains, and none is shown twice.
     let parameters = set(&["fig07.loops=[2]", "fig07.frequency=[0.7, 1.02]"]).expect("it is TOML");
     let shown = parameters.section::<Figure8>().expect("two of its panels have other loops");
     assert_eq!(shown.panels.iter().map(|panel| (panel.loops, panel.n)).collect::<Vec<_>>(), [(2, 1)]);
@@ -114,7 +114,7 @@ fn what_is_wrong_in_a_section_concerns_no_other_one() {
     let parameters = set(&["fig10.frequency=-1", "fig04.loops=[]"]).expect("it is TOML");
     assert_eq!(errors(&parameters).len(), 2);
     assert!(errors(&parameters).iter().all(|error| matches!(error, ParameterError::Malformed(_))));
-    // Another oscillator can be at odds with what the file says, which is no slip.
+    // The file's values may not suit another oscillator, which is not a mistake in the file.
     let parameters = set(&["oscillator.zeta=0.2"]).expect("it is TOML");
     for error in errors(&parameters) {
         assert!(matches!(error, ParameterError::Unfit(_)), "{error}");
@@ -149,12 +149,12 @@ fn figure_2_holds_its_grazing_amplitude() {
             (parameters.section::<Figure2>().expect("it has a place"), grazing(&parameters));
         assert!(strictly_contains(figure.across.value, grazing), "{zeta}");
         assert!(encloses(figure.across.value, figure.magnification.amplitude), "{zeta}");
-        // Told, if it is not where the file says.
+        // There is a note if it is not where the file says.
         let there = DEFAULT.contains(&format!("[{}, {}]", figure.across.value[0], figure.across.value[1]));
         assert_eq!(figure.notes.is_empty(), there, "{zeta}");
         assert!(there || strictly_contains(figure.magnification.amplitude, grazing), "{zeta}");
     }
-    // What is not a wish is refused.
+    // A mandatory value that does not fit is rejected.
     let text = edited("[fig02]", "near", "amplitude = [0.001, 0.002]");
     let parsed = |text: &str| {
         Parameters::parse(&Text::new(text, &[]), "p.toml").expect("it is TOML").section::<Figure2>()
@@ -196,7 +196,7 @@ fn the_oscillator_of_figure_6_keeps_off_the_wall() {
 
 #[test]
 fn the_path_of_figure_10_belongs_to_a_grazing_bifurcation_of_theorem_2_3() {
-    // At 0.6 of the natural frequency a12 is negative; at 0.85 tau lies below h_6.
+    // At 0.6 of the natural frequency a12 is negative; at 0.85 tau is below h_6.
     for (wrong, reason) in [("0.6", "a12 alpha"), ("0.85", "h_p")] {
         let allowed = refusal("[fig10]", "frequency", wrong, "fig10.frequency");
         assert!(allowed.contains("Theorem 2.3") && allowed.contains(reason), "{allowed}");

@@ -1,4 +1,4 @@
-//! Values that are refused by themselves.
+//! Tests of values that are invalid by themselves.
 
 use grazing_reproduction::parameters::Parameters;
 
@@ -10,7 +10,7 @@ fn damping_ratio_lies_strictly_between_0_and_1() {
         let allowed = refusal("[oscillator]", "zeta", wrong, "oscillator.zeta");
         assert!(allowed.contains("between 0 and 1"), "{allowed}");
     }
-    // Its resonances differ little from those of the default damping, so the windows keep them.
+    // The resonances differ little from those of the default damping, so the windows contain them.
     let slight = parse(&edited("[oscillator]", "zeta", "zeta = 0.01"));
     assert_eq!(slight.map(|parameters| parameters.oscillator().map(|of| of.damping_ratio())), Ok(Ok(0.01)));
 }

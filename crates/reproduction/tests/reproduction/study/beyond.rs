@@ -1,4 +1,4 @@
-//! Beyond the paper: rows against routes that share nothing with them.
+//! Compares the rows beyond the paper with independent computations.
 
 use core::f64::consts::TAU;
 use std::collections::BTreeSet;
@@ -45,7 +45,8 @@ fn two_loop_curves_of_figure_7_begin_with_these_coefficients() {
     let mut seen = 0;
     for row in shown.measured.iter().filter(|row| row.loops == 2 && row.zeta.to_bits() == zeta.to_bits()) {
         let resonance = theory().resonance(1, row.n).expect("it is there").forcing_frequency();
-        // μ/η² is as the coefficient but for terms of first order in y; at smaller η it is rounding.
+        // μ/η² equals the coefficient up to terms of first order in y; at smaller η it is dominated by
+        // rounding.
         let near =
             |k: &usize| (1e-5..4e-4).contains(&(omegas[*k] - resonance).abs()) && velocities[*k] < 0.03;
         for k in (0..curves.len()).filter(|&k| loops[k] == 2).filter(near) {
@@ -103,7 +104,7 @@ fn stable([amplitude, frequency]: [f64; 2], loops: u32) -> Option<closed_form::O
     all.into_iter().find(|orbit| orbit.stable() && orbit.admissible())
 }
 
-/// Random places of the coarse map, with what it has there.
+/// Random places of the coarse map, with the attractors there.
 fn places(seed: u64, count: u32) -> Vec<([f64; 2], Vec<Stretch>)> {
     let study = Study::new(&made().parameters);
     let map = Map::of(&COARSE, &study).expect("it is right");
@@ -122,7 +123,7 @@ fn places(seed: u64, count: u32) -> Vec<([f64; 2], Vec<Stretch>)> {
     (0..count).map(&mut place).collect()
 }
 
-/// The state after a time, with the impacts on the way; none where it sticks.
+/// The state after a time, with the number of impacts; none where motion sticks.
 fn after(oscillator: &LinearOscillator, from: State, time: f64) -> Option<(State, u32)> {
     let mut orbit = Orbit::new(oscillator, from, time, usize::MAX);
     let impacts = orbit.by_ref().filter(|flight| matches!(flight.end, FlightEnd::Impact(_))).count();
@@ -132,8 +133,8 @@ fn after(oscillator: &LinearOscillator, from: State, time: f64) -> Option<(State
     }
 }
 
-/// Periods after which motion from a state comes again in the long run, and its impacts in them; an
-/// error where it still draws near.
+/// The period in forcing periods of the long-term motion from a state, and its impacts in a period; an
+/// error if it is still converging.
 fn comes_again(oscillator: &LinearOscillator, from: State) -> Result<Option<(u32, u32)>, ()> {
     let period = oscillator.forcing_period();
     let Some((settled, _)) = after(oscillator, from, 1500.0 * period) else { return Ok(None) };
@@ -168,7 +169,7 @@ fn places_of_the_map_have_what_orbits_come_to_that_are_followed_event_by_event()
             .collect();
         let found: BTreeSet<_> = direct.iter().flatten().copied().collect();
         assert!(mapped.is_subset(&found), "{place:?}: {mapped:?} {direct:?}");
-        // What has not settled in the map's time may do so later.
+        // Motion that has not settled within the map's time may do so later.
         if there.iter().all(|one| one.periods > 0) {
             assert_eq!(mapped, found, "{place:?}");
             compared += 1;
@@ -189,7 +190,7 @@ fn where_one_attractor_is_seen_random_states_settle_on_it() {
         };
         *(if found.loops == loops { &mut same } else { &mut other }) += 1;
     }
-    // A basin may be missed by all four states of the map.
+    // All four initial states of the map may miss a basin.
     assert!(same > 90 && other * 25 < same, "{same} {other}");
 }
 
@@ -233,8 +234,7 @@ fn orbits_that_begin_beside_an_mps_that_the_map_does_not_see_come_to_it() {
     assert!(tried[..3].iter().all(|count| *count > 5), "{tried:?}");
 }
 
-/// The largest exponent by an orbit beside another one, brought near again in every period, and its
-/// standard error.
+/// The largest exponent from a nearby orbit, rescaled in every period, and its standard error.
 fn by_differences(oscillator: &LinearOscillator) -> [f64; 2] {
     const NEAR: f64 = 1e-8;
     const PART: u32 = 400;
@@ -305,7 +305,7 @@ fn what_is_drawn_in_figure_7_lies_where_it_is_proved_to_be() {
     let count = |object: &str| shown.items.iter().filter(|item| item.object == object).count();
     assert_eq!([count("point"), count("region")], [25, 12]);
     for item in &shown.items {
-        // A corner may lie beyond the end of a stretch by rounding.
+        // A corner may lie beyond the end of an interval by rounding.
         assert!(item.within + u32::from(item.object != "point") >= item.drawn, "{item:?}");
         assert!(item.object == "point" || item.width <= 1e-6, "{item:?}");
     }

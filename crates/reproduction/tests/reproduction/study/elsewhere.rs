@@ -1,4 +1,4 @@
-//! Figures at other parameters than the paper's, against the closed form.
+//! Compares figures at parameters other than the paper's with the closed form.
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_reproduction::Study;

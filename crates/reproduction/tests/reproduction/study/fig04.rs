@@ -1,5 +1,5 @@
-//! Figure 4 against the sums over eigenvalues that its curves are zeros of, and against the global
-//! map of the model.
+//! Compares Figure 4 with the sums over eigenvalues that vanish on its curves, and with the global map of
+//! the model.
 
 use grazing_model::AtRest;
 use grazing_model::maps::global_map;
@@ -78,7 +78,7 @@ fn the_double_sum_over_the_eigenvalues_vanishes_on_h_and_is_positive_beyond() {
                 continue;
             }
             let (sum, size) = double_sum(p, tau, delta);
-            // As above; δ = 1 is included, where the frame holds the limit.
+            // The tolerance is the same; δ = 1 is included, where the frame contains the limit.
             assert!(sum.abs() < 1e-14 * size, "H_{p} = {sum} at ({tau}, {delta})");
             for step in 1..=50 {
                 let beyond = tau + (delta + 1.0 - tau) * f64::from(step) / 50.0;

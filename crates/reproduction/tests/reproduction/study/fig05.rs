@@ -1,4 +1,4 @@
-//! Figure 5: is the shaded region where it should be?
+//! Tests that the shaded region of Figure 5 is where it should be.
 
 use core::f64::consts::TAU;
 use std::sync::LazyLock;
@@ -24,7 +24,7 @@ fn parameters_at(mu: f64, eta: f64) -> (f64, f64) {
     (RESONANCE.grazing().oscillator().grazing(omega).unwrap().amplitude() + mu, omega)
 }
 
-/// The MPSs in closed form at (μ, η), virtual and inadmissible ones left out.
+/// The MPSs in closed form at (μ, η), without virtual and inadmissible ones.
 fn solutions(mu: f64, eta: f64) -> Vec<Orbit> {
     let (amplitude, omega) = parameters_at(mu, eta);
     let all = closed_forms(amplitude, omega, SHOWN.loops);
@@ -38,7 +38,7 @@ fn region(figure: &UnfoldingSketch, kind: &str) -> Vec<[f64; 2]> {
     (0..kinds.len()).filter(|&row| kinds[row] == kind).map(|row| [mu[row], eta[row]]).collect()
 }
 
-/// Even-odd rule.
+/// Whether a point is inside a polygon, by the even-odd rule.
 fn inside(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
     let next = polygon.iter().cycle().skip(1);
     let crossed = |(a, b): &(&[f64; 2], &[f64; 2])| {
@@ -47,7 +47,7 @@ fn inside(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
     polygon.iter().zip(next).filter(crossed).count() % 2 == 1
 }
 
-/// A grid over the middle of the cells of the window.
+/// The centres of the cells of a grid over the window.
 fn grid(cells: u32) -> Vec<[f64; 2]> {
     let shown = &*SHOWN;
     let at = |[low, high]: [f64; 2], k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(cells);
@@ -88,7 +88,7 @@ fn it_is_the_case_of_the_caption_with_the_curves_on_opposite_sides() {
             }
         };
         seen[which] += 1;
-        // General theorem and closed form agree to some 1e-12; see
+        // General theorem and closed form agree to about 1e-12; see
         // `coefficients_come_out_the_same_in_three_ways`.
         assert!((mu[row] - c * eta[row] * eta[row]).abs() <= 1e-11 * mu[row].abs(), "{mu:?}");
         assert!(eta[row] * side >= 0.0);
@@ -103,7 +103,7 @@ fn every_resonance_of_the_linear_oscillator_is_of_that_case() {
             let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon).unwrap();
             for (p, n) in (1..=6).flat_map(|p| (1..=5).map(move |n| (p, n))) {
                 let resonance = theory.resonance(p, n).unwrap();
-                // By the definition of the theorem, which does not know the closed form.
+                // Computed with the theorem's definition, independently of the closed form.
                 let s = resonance.resonant_point().stability_coefficients();
                 assert!(s.plus < 0.0 && 0.0 < s.minus, "zeta {zeta}, epsilon {epsilon}, p {p}, n {n}: {s:?}");
                 assert!(resonance.grazing().transversality() > 0.0);
@@ -114,8 +114,8 @@ fn every_resonance_of_the_linear_oscillator_is_of_that_case() {
 
 #[test]
 fn an_mps_is_stable_in_the_shaded_region_and_nowhere_else() {
-    // The region is right to leading order: mismatches lie in a band about its boundary whose
-    // width, relative to a window that shrinks like (η, μ) → (sη, s²μ), falls like s.
+    // The region is right to leading order: mismatches lie in a band about its boundary whose width,
+    // relative to a window that shrinks like (η, μ) → (sη, s²μ), decreases like s.
     let shaded = region(&FIGURE, "mps");
     let band = |s: f64| {
         let mut widest = 0.0_f64;
@@ -131,7 +131,7 @@ fn an_mps_is_stable_in_the_shaded_region_and_nowhere_else() {
         assert!(stable > 500, "{stable}");
         widest
     };
-    // In the window as it is drawn the band is thinner than the green line.
+    // In the drawn window the band is thinner than the green line.
     assert!(band(1.0) < 0.03, "{}", band(1.0));
     // A tenth of it is less than the pitch of the grid, so there may be no mismatch left.
     assert!(band(0.1) < 0.003, "{}", band(0.1));
@@ -150,15 +150,14 @@ fn both_solutions_are_stable_in_the_overlap_of_the_two_regions() {
     assert!(overlap > 100, "{overlap}");
 }
 
-/// The impacts (velocity, phase) of an orbit that starts close to an MPS, in the last of many of
-/// its periods.
+/// The impacts (velocity, phase) of an orbit that starts close to an MPS, in the last of many periods.
 fn last_impacts(mu: f64, eta: f64, from: &Orbit, closeness: f64) -> Vec<[f64; 2]> {
     let (amplitude, omega) = parameters_at(mu, eta);
     let oscillator = forced(amplitude, omega);
     let period = f64::from(SHOWN.loops) * TAU / omega;
     let start = State::on_wall(from.velocity * (1.0 + closeness), from.phase);
     let periods = 400.0;
-    // Half a period on, so that no impact falls on the end.
+    // Half a period more, so that no impact coincides with the end.
     let horizon = (periods + 0.5) * period;
     let flights = Simulation::new(&oscillator, start, horizon, 100_000);
     let mut impacts = Vec::new();
@@ -182,8 +181,7 @@ fn simulated_orbits_settle_on_the_mps_in_the_shaded_region_and_leave_it_outside(
         }
         for orbit in solutions(mu, eta) {
             let impacts = last_impacts(mu, eta, &orbit, 1e-4);
-            // Whether four successive impacts repeat that of the MPS, up to what is left of the
-            // perturbation.
+            // Whether four successive impacts repeat that of the MPS, up to the remaining perturbation.
             let stays = impacts.len() == 4
                 && impacts.iter().all(|[velocity, _]| (velocity / orbit.velocity - 1.0).abs() < 1e-6);
             if inside(&shaded, [mu, eta]) && orbit.stable() {
@@ -208,7 +206,7 @@ fn the_non_impacting_solution_attracts_where_it_is_said_to() {
         let State { position, velocity, phase } = oscillator.non_impacting_solution(top);
         assert_eq!(position < 0.0, inside(&light, [mu, eta]));
         if position < 0.0 {
-            // A start a little lower comes up again without reaching the wall: the free motion only
+            // Motion that starts slightly lower returns without reaching the wall: the free motion only
             // decays.
             let from = State { position: 1.001 * position, velocity, phase };
             let mut orbit = Simulation::new(&oscillator, from, 50.0 * TAU / omega, 1000);
@@ -234,6 +232,6 @@ fn closed_form_solutions_are_those_of_the_branch_expansion() {
         found.iter().map(|o| (branch.parameter(o.velocity, eta) / mu - 1.0).abs()).fold(0.0, f64::max)
     };
     let (coarse, fine) = (worst(0.1), worst(0.01));
-    // The next order is smaller by a factor η.
+    // The next order is smaller by a factor of η.
     assert!(coarse < 0.03 && (7.0..13.0).contains(&(coarse / fine)), "{coarse} {fine}");
 }

@@ -1,4 +1,5 @@
-//! Figure 6: things stand where the equation of motion has them, and the machine could run.
+//! Tests that the parts of Figure 6 are where the equation of motion puts them, and that the mechanism
+//! could work.
 
 use core::f64::consts::TAU;
 
@@ -61,7 +62,7 @@ fn integrated(zeta: f64, amplitude: f64, omega: f64, time: f64, steps: u32) -> [
 fn the_face_is_where_the_equation_of_motion_takes_it_in_the_long_run() {
     let (parameters, shown) =
         (&made().parameters, made().parameters.section::<Figure6>().expect("it is right"));
-    // The wall ignored, until the free motion has decayed by exp(−ζt), some 1e-9.
+    // With the wall ignored, until the free motion has decayed by exp(−ζt), about 1e-9.
     let time = (200.0 * TAU + shown.phase) / shown.frequency;
     let [x, _] = integrated(
         parameters.oscillator().expect("it is right").damping_ratio(),
@@ -71,7 +72,7 @@ fn the_face_is_where_the_equation_of_motion_takes_it_in_the_long_run() {
         100_000,
     );
     let face = span(&figure(parameters), "block")[1];
-    // Steps of 0.01 leave an error of 1e-8 times the amplitude at most.
+    // Steps of 0.01 leave an error of at most 1e-8 times the amplitude.
     assert!((x - face).abs() < 1e-8, "{x} {face}");
 }
 
@@ -99,8 +100,7 @@ fn parts_join_at_every_phase_and_nothing_runs_into_anything() {
         assert!(cylinder[0] < piston[0] && piston[1] < cylinder[1], "the piston leaves at {phase}");
         assert!(cylinder[1] < block[0], "the block runs into the cylinder at {phase}");
         assert!(anchor[1] < cylinder[0] && block[1] < 0.0);
-        // The arrow is the force at this instant: its sign, and its length in units of that at
-        // phase 0.
+        // The arrow is the force at this instant: its sign, and its length in units of that at phase 0.
         let force = part(&figure, "force");
         let full = part(&self::figure(&at_phase(0.0)), "force");
         let length = |arrow: &[[f64; 2]]| arrow[1][0] - arrow[0][0];

@@ -1,5 +1,4 @@
-//! Figure 10 against the formulas of the proof, and against the visits of MPSs that were really
-//! followed.
+//! Compares Figure 10 with the formulas of the proof, and with the visits of MPSs from continuation.
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Route, SolutionCurve, Window};
@@ -65,8 +64,8 @@ fn the_closed_path_is_convex() {
     };
     let turns: Vec<f64> = (0..n).map(turn).collect();
     assert!(turns.iter().all(|turn| turn * turns[0] > 0.0), "{turns:?}");
-    // All turns have one sign and no vertex is passed twice, so the angles add up to one full turn,
-    // not more.
+    // All turns have the same sign and no vertex is passed twice, so the angles add up to exactly one
+    // full turn.
     let direction = |k: usize| {
         let (a, b) = (vertices[k % n], vertices[(k + 1) % n]);
         libm::atan2(b[1] - a[1], b[0] - a[0])

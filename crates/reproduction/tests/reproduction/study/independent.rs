@@ -1,4 +1,4 @@
-//! The frames against the closed-form MPSs and against each other.
+//! Compares the frames with the closed-form MPSs and with each other.
 
 use grazing_reproduction::figures::fig02::Figure2;
 use grazing_reproduction::figures::fig07::Figure7;
@@ -30,8 +30,8 @@ fn coefficients_come_out_the_same_in_three_ways() {
             // Derivatives of the numerical map are exact to rounding, which the small denominators
             // amplify.
             assert!((theorem[k] - c).abs() < 1e-11 * c.abs(), "{curve}: {} {c}", theorem[k]);
-            // The estimate is one of size, not a bound; seven digits are what the extrapolation
-            // gives everywhere.
+            // The error estimate is not a bound; the extrapolation is accurate to seven digits
+            // everywhere.
             assert!((fit[k] - c).abs() < 3.0 * error[k], "{curve}: {} ± {} is not {c}", fit[k], error[k]);
             assert!(error[k] < 1e-6 * c.abs(), "{curve}: {} ± {}", fit[k], error[k]);
         }
@@ -56,7 +56,7 @@ fn every_point_of_every_curve_of_figure_7_is_a_closed_form_mps_with_its_property
         let mut orbit = nearest(amplitude[row], omega[row], loops[row], y);
         let fold = (trace[row] - 1.0 - determinant[row]).abs() < 1e-3;
         if fold {
-            // The two MPSs merge: rounding of the discriminant, a few 1e-16, moves them by its
+            // The two MPSs merge: rounding of the discriminant, a few 1e-16, shifts them by its square
             // root.
             assert!((orbit.velocity - y).abs() < 1e-6, "{place}: {} {y}", orbit.velocity);
             let shifted = |shift: f64| closed_forms(amplitude[row] + shift, omega[row], loops[row]).len();
@@ -64,7 +64,7 @@ fn every_point_of_every_curve_of_figure_7_is_a_closed_form_mps_with_its_property
                 continue;
             }
             // To the left of the fold there is no MPS, to the right there are two: the amplitude is
-            // right to 1e-11.
+            // accurate to 1e-11.
             assert_eq!((shifted(-1e-11), shifted(1e-11)), (0, 2), "{place}");
             orbit.velocity = y;
         }
@@ -126,7 +126,7 @@ fn codimension_two_points_meet_both_their_conditions() {
     }
 }
 
-/// Distance of a point from the polygon's boundary, and whether it lies inside.
+/// The distance of a point from the polygon's boundary, and whether it lies inside.
 fn position(polygon: &[[f64; 2]], point: [f64; 2]) -> (f64, bool) {
     let (mut distance, mut inside) = (f64::INFINITY, false);
     for k in 0..polygon.len() {
@@ -157,9 +157,9 @@ fn regions_are_where_a_closed_form_mps_is_stable_and_admissible() {
             polygons.last_mut().expect("a polygon has begun").1.push([amplitude[row], omega[row]]);
         }
     }
-    // p = 1 at n = 2 and 3 (one region), 4, 5, and a part of that of n = 6, which lies below the
-    // window; p = 2 and p = 3 at n = 1, 2, and narrow regions of p = 2 that hang on the resonances
-    // p = 1, n = 3, 4 and 5.
+    // p = 1 at n = 2 and 3 (one region), 4, 5, and a part of that of n = 6, which lies below the window;
+    // p = 2 and p = 3 at n = 1, 2, and narrow regions of p = 2 that begin at the resonances p = 1, n = 3,
+    // 4 and 5.
     let count = |p: u32| polygons.iter().filter(|(loops, _)| *loops == p).count();
     assert_eq!([count(1), count(2), count(3)], [4, 5, 2]);
 
@@ -186,7 +186,7 @@ fn regions_are_where_a_closed_form_mps_is_stable_and_admissible() {
             hits[p as usize] += usize::from(inside);
         }
     }
-    // Every p was met inside often enough for the comparison to mean something.
+    // Points inside must be frequent enough for every p, so that the comparison is meaningful.
     assert!(hits[1] > 500 && hits[2] > 100 && hits[3] > 5, "{hits:?}");
 }
 
@@ -223,19 +223,18 @@ fn attractor_lies_between_its_bifurcations_and_shows_no_point_in_the_wall() {
     let (kinds, at) = (words(bifurcations, "kind"), numbers(bifurcations, "amplitude"));
     let of = |kind: &str| at[kinds.iter().position(|k| k == kind).expect("the bifurcation is there")];
     let (graz, gz, pd, sn) = (of("graz"), of("GZ"), of("PD"), of("SN"));
-    // The three-loop MPS is born to the left of grazing and the two-loop MPS gains stability to the
+    // The three-loop MPS is born to the left of grazing, and the two-loop MPS gains stability to the
     // right of it.
     assert!(sn < graz && graz < gz && gz < pd);
     let attractor = &made().fig02.attractor;
     let (amplitude, x) = (numbers(attractor, "amplitude"), numbers(attractor, "x"));
     assert!(amplitude.iter().all(|a| (gz..=pd).contains(a)));
-    // Impact velocities are of order one at most, so virtual points lie less than 1/(2γ) beyond the
-    // wall.
+    // Impact velocities are at most of order one, so virtual points lie less than 1/(2γ) beyond the wall.
     assert!(x.iter().all(|x| (-2.0..1.0).contains(x)));
     assert!(x.iter().any(|x| *x > 0.0) && x.iter().any(|x| *x < -0.1));
-    // At the right end the two-loop MPS takes over: every value is near one of its two loops, and
-    // both are met. Its multiplier is −1 there, so that orbits close in only slowly, like one over
-    // the root of the number of periods.
+    // At the right end the two-loop MPS takes over: every value is near one of its two loops, and both
+    // occur. Its multiplier is −1 there, so orbits approach it only slowly, like one over the square root
+    // of the number of periods.
     let branches = &made().fig02.branches;
     let (loops, at, x_of) = (integers(branches, "p"), numbers(branches, "amplitude"), numbers(branches, "x"));
     let visit = integers(branches, "loop");

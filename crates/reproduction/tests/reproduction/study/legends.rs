@@ -1,4 +1,4 @@
-//! Legends of the figures.
+//! Tests of the legends of figures.
 
 use grazing_drawing::SheetWidth;
 use grazing_reproduction::figures::fig01::Figure1;

@@ -1,5 +1,4 @@
-//! The rows of the default parameters: held fixed by snapshots, and against routes that share
-//! nothing with them.
+//! The rows for the default parameters: compared with snapshots and with independent computations.
 
 mod beyond;
 mod elsewhere;
@@ -26,7 +25,7 @@ use grazing_results::plane::{Magnifications, PlaneDiagram};
 use grazing_results::{Cell, Names, Row};
 use grazing_trials::closed_form::{Orbit, orbits};
 
-/// Everything that is reproduced, computed once for all tests.
+/// All results of the reproduction, computed once for all tests.
 pub(crate) struct Made {
     parameters: Parameters,
     pub(crate) coefficients: Vec<Coefficients>,
@@ -53,7 +52,7 @@ pub(crate) fn made() -> &'static Made {
     })
 }
 
-/// The paper's oscillator, for which the theory is.
+/// The paper's oscillator, as the theory describes it.
 pub(crate) fn theory() -> grazing_theorems::LinearOscillator {
     made().parameters.oscillator().expect("it is right")
 }
@@ -64,13 +63,13 @@ fn forced(amplitude: f64, frequency: f64) -> LinearOscillator {
     LinearOscillator::new(zeta, epsilon, amplitude, frequency).expect("it is in the domain")
 }
 
-/// All MPSs of the paper's oscillator that the quadratic equation gives.
+/// All MPSs of the paper's oscillator from the quadratic equation.
 fn closed_forms(amplitude: f64, frequency: f64, loops: u32) -> Vec<Orbit> {
     let (zeta, epsilon) = (theory().damping_ratio(), theory().coefficient_of_restitution());
     orbits(zeta, epsilon, amplitude, frequency, loops)
 }
 
-/// A column, by the name that it has for the paper's oscillator.
+/// A column, by its name for the paper's oscillator.
 fn column<R: Row>(rows: &[R], name: &str) -> Vec<Cell> {
     let names = Names::of_the_paper();
     let place = R::COLUMNS.iter().position(|column| column.header(&names) == name);

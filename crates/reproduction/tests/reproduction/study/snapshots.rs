@@ -1,4 +1,4 @@
-//! The numbers, to the digits that they are known to.
+//! Snapshots of the numbers, to the digits to which they are known.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -21,7 +21,7 @@ fn snapshots() -> Settings {
     settings
 }
 
-/// A number to a number of significant digits.
+/// A number with a given number of significant digits.
 fn significant(value: f64, digits: usize) -> String {
     format!("{value:.*e}", digits - 1)
 }
@@ -47,7 +47,7 @@ fn coefficients_hold() {
             writeln!(text, "  {name} {}", significant(numbers(table, name)[row], 11))
                 .expect("writing to a string");
         }
-        // The extrapolation is good to seven digits at least.
+        // The extrapolation is accurate to at least seven digits.
         for name in ["c_sn_fit", "c_pd_fit"] {
             writeln!(text, "  {name} {}", significant(numbers(table, name)[row], 7))
                 .expect("writing to a string");
@@ -92,8 +92,8 @@ fn codimension_two_points_hold() {
     snapshots().bind(|| assert_snapshot!("codimension_two_points", text));
 }
 
-/// First and last point, number of points and extent of each polyline of a table, by the columns
-/// that tell them apart.
+/// First and last point, number of points and extent of each polyline of a table; the columns `keys`
+/// distinguish the polylines.
 fn summary<R: Row>(table: &[R], keys: &[&str], x: &str, y: &str) -> String {
     let (xs, ys) = (numbers(table, x), numbers(table, y));
     let keys: Vec<Vec<Cell>> = keys.iter().map(|name| column(table, name)).collect();
@@ -174,8 +174,8 @@ fn theorems_in_action_hold() {
 
 #[test]
 fn attractor_keeps_its_extent() {
-    // Single points of chaotic orbits say nothing; their number and extent per tenth of the range
-    // do.
+    // Single points of chaotic orbits are not reproducible across methods; their number and extent in
+    // each tenth of the range are.
     let table = &made().fig02.attractor;
     let (amplitude, x) = (numbers(table, "amplitude"), numbers(table, "x"));
     let (low, high) = (amplitude[0], amplitude[amplitude.len() - 1]);

@@ -1,8 +1,8 @@
-//! Figures 1, 3 and 9: every drawn point lies where the equations of motion, integrated
-//! numerically, say.
+//! Figures 1, 3 and 9: every drawn point is compared with numerical integration of the equations of
+//! motion.
 //!
 //! The frames come from the closed-form flow and the maps between Σ and Π; here the equations are
-//! integrated by the classical method of Runge and Kutta, which shares nothing with them.
+//! integrated by the classical Runge–Kutta method, which is independent of them.
 
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -21,7 +21,7 @@ use super::{integers, numbers, words};
 /// A point (x, y, z) of phase space.
 type Point = [f64; 3];
 
-/// ẍ + 2ζẋ + x + 1 = 𝒜 cos z.
+/// The equation of motion ẍ + 2ζẋ + x + 1 = 𝒜 cos z.
 #[derive(Clone, Copy)]
 struct Equation {
     zeta: f64,
@@ -42,7 +42,7 @@ impl Equation {
         [y, self.amplitude * libm::cos(z) - 2.0 * self.zeta * y - x - 1.0, self.frequency]
     }
 
-    /// The state after a time of either sign. Steps of about a thousandth leave an error of 10⁻¹³ a
+    /// The state after a time of either sign. Steps of about a thousandth leave an error of 10⁻¹³ per
     /// unit of time.
     fn follow(&self, from: Point, time: f64) -> Point {
         let steps = (time.abs() * 1000.0).ceil().max(1.0);
@@ -59,7 +59,7 @@ impl Equation {
         at
     }
 
-    /// The maximum of x nearest to where a state is after a time, by Newton's method for y = 0.
+    /// The maximum of x nearest to the state after a time, by Newton's method for y = 0.
     fn rest(&self, from: Point, guess: f64) -> Point {
         let mut at = self.follow(from, guess);
         for _ in 0..20 {
@@ -91,7 +91,7 @@ fn sights<R: Row>(table: &[R]) -> Vec<Point> {
     places(table, ["across", "up", "depth"])
 }
 
-/// The curves of a kind, whole.
+/// The complete curves of a kind.
 fn curves<R: Row>(table: &[R], kind: &str) -> Vec<Vec<Point>> {
     let (kinds, number, all) = (words(table, "kind"), integers(table, "number"), states(table));
     let mut found: Vec<(u32, Vec<Point>)> = Vec::new();
@@ -114,8 +114,8 @@ fn distance(a: Point, b: Point) -> f64 {
     (0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i])).sum::<f64>().sqrt()
 }
 
-/// The error of the integration is below 10⁻¹², the scaling of a few roundings by the flow
-/// included.
+/// The tolerance: the error of integration is below 10⁻¹², including the amplification of rounding by the
+/// flow.
 const INTEGRATED: f64 = 1e-11;
 
 fn assert_follows(equation: Equation, curve: &[Point]) {
@@ -135,7 +135,7 @@ fn orbits_of_figure_1_obey_the_equation_up_to_the_wall_and_leave_it_as_the_reset
     let flights = curves(&made.curves, "orbit");
     for flight in &flights {
         assert_follows(Equation::of(&shown.oscillator), flight);
-        // The flight that grazes touches the wall, the others end at it; both to rounding.
+        // The grazing flight touches the wall, the others end at it; both to rounding.
         assert!(flight.iter().all(|state| state[0] < 1e-12), "in front of the wall");
     }
     let (impacts, recoils) = (points(&made.points, "impact"), points(&made.points, "recoil"));
@@ -144,7 +144,7 @@ fn orbits_of_figure_1_obey_the_equation_up_to_the_wall_and_leave_it_as_the_reset
         assert!(impact[0] == 0.0 && impact[1] > 0.0, "on the incoming set");
         let reset = [0.0, -shown.oscillator.restitution() * impact[1], impact[2]];
         assert!(distance(*recoil, reset) < 1e-15, "{recoil:?} is not {reset:?}");
-        // Crossings are located to a few roundings.
+        // Crossings are located to a few rounding errors.
         let ends_there = |flight: &&Vec<Point>| distance(flight[flight.len() - 1], *impact) < 1e-12;
         assert_eq!(flights.iter().filter(ends_there).count(), 1);
         assert_eq!(flights.iter().filter(|flight| flight[0] == *recoil).count(), 1);
@@ -175,8 +175,8 @@ fn the_image_in_figure_3_is_where_the_orbit_returns_and_gamma_closes_at_its_only
     assert!(distance([first[0], first[1], first[2] + TAU], last) < 1e-13);
     let inner = &periodic[1..periodic.len() - 1];
     assert!(inner.iter().all(|state| state[0] < 0.0), "Γ meets Σ at one point");
-    // Glued, both ends are one place on the page: the sine and cosine of a phase and of the phase
-    // one turn on.
+    // On the ring both ends are at the same place on the page: the sine and cosine of a phase and of the
+    // phase one turn later.
     let (kinds, seen) = (words(&made.curves, "kind"), sights(&made.curves));
     let on_page: Vec<Point> =
         seen.into_iter().zip(kinds).filter(|(_, kind)| kind == "periodic").map(|(place, _)| place).collect();
@@ -193,7 +193,7 @@ fn points_of_figure_9_are_where_the_orbits_come_to_rest() {
     let (impact, recoil, ahead) = (one("impact"), one("recoil"), one("virtual"));
     assert_eq!((impact[0], impact[1]), (0.0, shown.impact[0]));
     assert_eq!(recoil, [0.0, -shown.oscillator.restitution() * impact[1], impact[2]]);
-    // y/|ẍ| is the time to the maximum of x to leading order.
+    // To leading order y/|ẍ| is the time to the maximum of x.
     let time = |state: Point| -state[1] / equation.rate(state)[1];
     assert!(time(impact) > 0.0 && time(recoil) < 0.0);
     assert!(distance(equation.rest(impact, time(impact)), ahead) < INTEGRATED);
@@ -268,11 +268,11 @@ fn the_projection_turns_space_and_leaves_lengths_alone() {
         let (sin, cos) = libm::sincos(z);
         straight(stretch)([(radius + x) * cos, y, (radius + x) * sin])
     };
-    // The ring begins at z_graz, not at 0, which only turns it: equal stretches of the first and
-    // third axis keep lengths.
+    // The ring begins at z_graz rather than 0, which only turns it: equal stretches of the first and
+    // third axis preserve lengths.
     assert_eq!(stretch[0], stretch[2]);
     check_lengths(&three.curves, ring);
-    // Upwards on the page is upwards in velocity: the viewer stands upright.
+    // Upwards on the page is upwards in velocity: the viewer is upright.
     let (seen, at) = (sights(&nine.surfaces), states(&nine.surfaces));
     let kinds = words(&nine.surfaces, "kind");
     let axis: Vec<usize> = (0..kinds.len()).filter(|&i| kinds[i] == "y_axis").collect();
@@ -281,8 +281,8 @@ fn the_projection_turns_space_and_leaves_lengths_alone() {
     assert!((seen[high][0] - seen[low][0]).abs() < 1e-12);
 }
 
-/// Distances on the page with depth equal distances in stretched space, between each row and the
-/// first.
+/// Asserts that distances on the page, including depth, equal distances in stretched space, between each
+/// row and the first.
 fn check_lengths<R: Row>(table: &[R], place: impl Fn(Point) -> Point) {
     let (at, seen) = (states(table), sights(table));
     for row in 1..at.len() {
@@ -311,7 +311,7 @@ fn pieces_of_a_curve_join_and_each_lies_on_one_side_of_both_planes() {
     assert!(changes > 0, "a curve passes through a surface");
     for row in (0..at.len()).filter(|&row| kinds[row] != "global" && kinds[row] != "reset") {
         let [x, y, _] = at[row];
-        // Seen from x < 0 and y > 0, layers 0 to 2 are beyond the wall, and of them 0 below Π.
+        // Seen from x < 0 and y > 0, layers 0 to 2 are beyond the wall, and layer 0 of them below Π.
         assert!(x.abs() < 1e-12 || (layer[row] < 3) == (x > 0.0), "row {row}");
         assert!(y.abs() < 1e-12 || (layer[row] % 4 == 0) == (y < 0.0), "row {row}");
     }
@@ -329,11 +329,11 @@ fn an_orbit_that_would_meet_the_wall_earlier_and_a_point_that_is_no_maximum_are_
     };
     let parsed =
         |text: &str| Parameters::parse(&Text::new(text, &[]), "edited").expect("the values are valid");
-    // Followed back for so long, the orbit has been beyond the wall.
+    // Followed back for this long, the orbit has been beyond the wall.
     let early = parsed(&edited(&text, "[[fig01.orbits]]", "before", "2.5"));
     let error = Study::new(&early).shown::<Figure1>().expect_err("the wall is met before");
     assert!(error.to_string().starts_with("figure 1: the orbit through"), "{error}");
-    // So far from the wall the spring pulls the oscillator back: x has a minimum.
+    // This far from the wall the spring pulls the oscillator back: x has a minimum.
     let wide = edited(&text, "[fig03]", "position", "[-3.0, 0.4]");
     assert!(Study::new(&parsed(&wide)).shown::<Figure3>().is_ok());
     let low = parsed(&edited(&wide, "[fig03]", "start", "[-1.9, 0.0]"));
