@@ -1,4 +1,4 @@
-//! The table of checks, made of the ledger: a check is a function that a claim names.
+//! Generates the table of checks from the ledger: a check is a function that a claim names.
 
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Runs the checks of claims and collects what they find.
+//! Runs the checks of claims and collects the results.
 
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
@@ -9,21 +9,21 @@ use crate::ledger::{Claim, Test};
 use crate::outcome::Outcome;
 use crate::published::Comparison;
 
-/// What came of testing a claim.
+/// The result of testing a claim.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ClaimVerdict<'a> {
-    /// A check measured it.
+    /// The outcome measured by a check.
     Measured(Outcome),
-    /// The check could not be carried out; the reason.
+    /// The check could not be carried out, for this reason.
     Broken(String),
-    /// Printed numbers, with the computed ones.
+    /// Printed numbers, compared with the computed ones.
     Numbers(Vec<Comparison<'a>>),
-    /// It cannot be tested by a computation; the reason.
+    /// The claim cannot be tested by computation, for this reason.
     Unchecked(String),
 }
 
 impl ClaimVerdict<'_> {
-    /// Whether it counts as a failure.
+    /// Whether the result counts as a failure.
     pub fn fails(&self) -> bool {
         match self {
             Self::Measured(outcome) => !outcome.passes(),
@@ -39,15 +39,15 @@ impl ClaimVerdict<'_> {
 pub struct Finding<'a> {
     /// The claim.
     pub claim: &'a Claim,
-    /// What came of testing it.
+    /// The result of testing the claim.
     pub verdict: ClaimVerdict<'a>,
-    /// How long its check took; claims with the same check share one run.
+    /// The time that the check took; claims with the same check share one run.
     pub time: Duration,
 }
 
-/// Tests the claims, each check once, side by side; the findings come in the order of the claims.
+/// Tests the claims, running each check once, in parallel; the findings are in the order of the claims.
 ///
-/// Numbers are those of `published`; `done` is called after each check.
+/// Numbers are taken from `published`; `done` is called after each check.
 pub fn audit<'a>(
     claims: &[&'a Claim],
     published: &[Comparison<'a>],

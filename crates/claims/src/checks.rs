@@ -2,24 +2,23 @@
 
 use crate::outcome::CheckResult;
 
-/// A check under its name in the ledger, as `resonant::stability::trace`: section, module,
-/// function.
+/// A check with its name in the ledger, as `resonant::stability::trace`: section, module, function.
 #[derive(Debug, Clone, Copy)]
 pub struct Check {
     /// The name.
     pub name: &'static str,
-    /// Measures how well the statement holds.
+    /// The function that measures how well the statement holds.
     pub run: fn() -> CheckResult,
 }
 
-/// The checks that claims name, by name: `build.rs` makes the table of the ledger.
+/// The checks that claims name, by name; `build.rs` generates the table from the ledger.
 pub const CHECKS: &[Check] = include!(concat!(env!("OUT_DIR"), "/checks.rs"));
 
-/// Checks as rows of a table: a name, and what is measured.
+/// Declares checks as rows of a table: a name, and a measurement.
 ///
-/// `name: drawn(seed, samples) |sampler; largest: Deviations| { .. } => largest.outcome(..);`: what
-/// is measured over, what each subject adds to a tally, and its outcome. Or any other
-/// `CheckResult`.
+/// `name: drawn(seed, samples) |sampler; largest: Deviations| { .. } =>
+/// largest.outcome(..);` has a source of samples, a block that adds each sample to a tally, and the
+/// outcome. The measurement may also be any other `CheckResult`.
 macro_rules! checks {
     () => {};
     (

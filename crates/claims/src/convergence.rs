@@ -5,19 +5,19 @@ use std::collections::BTreeMap;
 
 use crate::{Measure, Outcome};
 
-/// Sizes fall by halves from two to the minus this.
+/// The largest size is two to the minus this; each further size is half the previous one.
 const FIRST: i32 = 6;
 /// The number of sizes.
 const SIZES: i32 = 16;
-/// How many times its rounding a remainder must be to count.
+/// The ratio to its rounding above which a remainder is resolved.
 const RESOLVED: f64 = 100.0;
 
-/// The observed order of a remainder: log₂ of the ratio at the two smallest sizes, a factor two
-/// apart, at which it stands a hundredfold above its rounding.
+/// The observed order of a remainder: log₂ of the ratio at the two smallest sizes, a factor of two apart,
+/// at which it is resolved.
 ///
-/// `remainder` gives, for a size, the remainder and its rounding, or `None` where the size is too
-/// large for it to exist. Infinite if the remainder is never resolved twice: then there is none to
-/// be seen. Not a number if it does not exist down to the smallest size that was looked at.
+/// `remainder` returns, for a size, the remainder and its rounding, or `None` where the size is too large
+/// for it to exist. The order is infinite if the remainder is never resolved twice, so that none is
+/// visible. It is NaN if the remainder does not exist down to the smallest size.
 pub(crate) fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64 {
     let mut resolved: Vec<f64> = Vec::new();
     let mut exists = false;
@@ -26,9 +26,9 @@ pub(crate) fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64
         exists = found.is_some();
         match found {
             Some((value, rounding)) if value.abs() > RESOLVED * rounding => resolved.push(value.abs()),
-            // What is not a number is not small.
+            // NaN does not count as small.
             Some((value, _)) if value.is_nan() => return f64::NAN,
-            // Below rounding once, below rounding from there on.
+            // Once below rounding, the remainder stays below it.
             Some(_) => break,
             None => resolved.clear(),
         }
@@ -40,7 +40,7 @@ pub(crate) fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64
     }
 }
 
-/// The order of a remainder bounded in all directions at once: of the largest at each size.
+/// The order of a remainder in all directions at once: that of the largest remainder at each size.
 pub(crate) fn uniform_order<const N: usize>(
     directions: &[[f64; N]],
     remainder: impl Fn([f64; N], f64) -> Option<(f64, f64)>,
@@ -58,17 +58,17 @@ pub(crate) fn uniform_order<const N: usize>(
     })
 }
 
-/// How far below the stated order the observed one may lie: remainders are resolved last at sizes
-/// below 10⁻³; so small is the next term, times a coefficient of order ten at most.
+/// The tolerated difference of the observed order below the stated one: remainders are last resolved at
+/// sizes below 10⁻³, where the next term is as small, times a coefficient of order ten at most.
 pub(crate) const SLACK_AT_GRAZING: f64 = 0.1;
 
-/// The function computing each value once: several remainders are taken from one solution.
+/// A function that computes each value once, for several remainders of the same solution.
 pub(crate) fn remembered<T: Clone>(f: impl Fn(f64) -> Option<T>) -> impl Fn(f64) -> Option<T> {
     let known: RefCell<BTreeMap<u64, Option<T>>> = RefCell::default();
     move |size| known.borrow_mut().entry(size.to_bits()).or_insert_with(|| f(size)).clone()
 }
 
-/// The orders of remainders that are found together, each with its rounding and the order stated.
+/// The orders of remainders that are computed together, each with its rounding and the stated order.
 pub(crate) fn together<const N: usize>(
     each: [(f64, f64); N],
     remainders: impl Fn(f64) -> Option<[f64; N]>,
@@ -90,7 +90,8 @@ pub(crate) fn seam(rounding: f64, f: impl Fn(f64) -> Option<f64>) -> Observed {
 /// An observed order and the stated one.
 pub(crate) type Observed = (f64, f64);
 
-/// The order lowest against the stated one; if none is too low, among the highest stated.
+/// The order that is lowest relative to the stated one; if none is too low, that among the highest
+/// stated.
 pub(crate) fn lowest(orders: &[Observed]) -> Measure {
     let measure =
         |(observed, stated): Observed| Measure::Order { observed, stated, slack: SLACK_AT_RESONANCE };
@@ -107,7 +108,8 @@ pub(crate) fn of_orders(orders: &[Observed], over: &str) -> Outcome {
     Outcome::new(lowest(orders), orders.len(), over)
 }
 
-/// How far the order may lie below the stated one: what the next term does at resolved sizes.
+/// The tolerated difference of the observed order below the stated one, due to the next term at resolved
+/// sizes.
 pub(crate) const SLACK_AT_RESONANCE: f64 = 0.3;
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The eigenvalues of A as a pair of complex numbers, and the sums over them as they are printed.
+//! The eigenvalues of A as a pair of complex numbers, and the printed sums over them.
 
 use grazing_theorems::spectrum::Eigenvalues;
 use nalgebra::Complex;
@@ -12,7 +12,7 @@ pub(crate) struct Pair {
     pub(crate) second: Complex<f64>,
 }
 
-/// λᵏ by repeated multiplication, k of either sign.
+/// The power λᵏ by repeated multiplication, k of either sign.
 pub(crate) fn power(lambda: Complex<f64>, k: i32) -> Complex<f64> {
     let product = (0..k.unsigned_abs()).fold(Complex::new(1.0, 0.0), |product, _| product * lambda);
     if k < 0 { product.finv() } else { product }
@@ -32,18 +32,18 @@ impl Pair {
         }
     }
 
-    /// |λ₁| and |λ₂|: sums over them majorise those over the eigenvalues, and their roundings.
+    /// The pair |λ₁|, |λ₂|, whose sums bound those over the eigenvalues and their rounding errors.
     pub(crate) fn moduli(&self) -> Self {
         let real = |lambda: Complex<f64>| Complex::new(lambda.norm(), 0.0);
         Self { first: real(self.first), second: real(self.second) }
     }
 
-    /// λ₁ᵃ λ₂ᵇ.
+    /// The monomial λ₁ᵃ λ₂ᵇ.
     pub(crate) fn monomial(&self, a: i32, b: i32) -> Complex<f64> {
         power(self.first, a) * power(self.second, b)
     }
 
-    /// λ₁ᵏ − λ₂ᵏ.
+    /// The difference λ₁ᵏ − λ₂ᵏ.
     pub(crate) fn difference_of_powers(&self, k: i32) -> Complex<f64> {
         power(self.first, k) - power(self.second, k)
     }
@@ -70,7 +70,7 @@ impl Pair {
         (1..p as i32).flat_map(|j| (1..=j).map(move |k| self.monomial(k - j, 1 - k))).sum()
     }
 
-    /// (1 − λ₁)(1 − λ₂).
+    /// The product (1 − λ₁)(1 − λ₂).
     pub(crate) fn gap(&self) -> Complex<f64> {
         (-self.first + 1.0) * (-self.second + 1.0)
     }

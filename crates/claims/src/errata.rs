@@ -1,4 +1,4 @@
-//! `ERRATA.md`: where the print and the mathematics differ, with the computation that decides it.
+//! `ERRATA.md`: the differences between print and mathematics, with the computations that decide them.
 
 use askama::Template;
 
@@ -6,7 +6,7 @@ use crate::audit::{ClaimVerdict, Finding};
 use crate::ledger::{Claim, Misprint, MisprintKind};
 use crate::outcome::{Measure, Outcome};
 
-/// The kinds in the order of the page, with their headings.
+/// The kinds of misprints in the order of the page, with their headings.
 const KINDS: [(MisprintKind, &str); 4] = [
     (MisprintKind::Formula, "Formulas, conditions and statements"),
     (MisprintKind::Observation, "An observation that is not so"),
@@ -20,7 +20,7 @@ struct Page<'a> {
     sections: [(&'static str, Vec<Entry<'a>>); 4],
 }
 
-/// A misprint, and where else it stands.
+/// A misprint, with other places where it occurs.
 struct Entry<'a> {
     number: usize,
     found: Found<'a>,
@@ -32,7 +32,7 @@ struct Entry<'a> {
 struct Found<'a> {
     claim: &'a Claim,
     misprint: &'a Misprint,
-    /// What was measured of the print and of its correction, in words.
+    /// The outcome that measured the print and its correction, with descriptions of both measurements.
     measured: Option<(&'a Outcome, [(String, String); 2])>,
 }
 
@@ -66,7 +66,7 @@ pub fn page(findings: &[Finding<'_>]) -> String {
     Page { sections }.render().expect("writing to a string cannot fail")
 }
 
-/// A measurement in words: what was measured, and what it is held against.
+/// A measurement in words: the measured quantity, and the value that it is compared with.
 pub fn words(measure: &Measure) -> (String, String) {
     match *measure {
         Measure::Deviation { largest, tolerance } => {

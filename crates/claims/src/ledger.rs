@@ -1,4 +1,4 @@
-//! `expected/claims.toml`: what the paper states, label by label.
+//! `expected/claims.toml`: the statements of the paper, label by label.
 
 use std::fmt;
 
@@ -8,22 +8,22 @@ use crate::checks::{CHECKS, Check};
 
 const FILE: &str = include_str!("../../../expected/claims.toml");
 
-/// The kinds of statements, each with the word for it in the ledger and what it means.
+/// Declares the kinds of statements, each with its word in the ledger and its meaning.
 macro_rules! kinds {
     ($($name:ident = $word:literal, $meaning:literal;)*) => {
-        /// What kind of statement a claim is.
+        /// The kind of a claim's statement.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
         pub enum ClaimKind { $(#[serde(rename = $word)] #[doc = $meaning] $name,)* }
 
         impl ClaimKind {
             /// All kinds.
             pub const ALL: [Self; [$($word),*].len()] = [$(Self::$name),*];
-            /// The word for it in the ledger.
+            /// The word for the kind in the ledger.
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$name => $word,)* }
             }
 
-            /// What it means, in a few words.
+            /// The meaning of the kind, in a few words.
             pub const fn meaning(self) -> &'static str {
                 match self { $(Self::$name => $meaning,)* }
             }
@@ -51,9 +51,10 @@ impl fmt::Display for ClaimKind {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Claim {
-    /// The LaTeX label, as `eq:gp`; for what has none a name as `sub:2/period-doubling`.
+    /// The LaTeX label, as `eq:gp`; for a statement without a label, a name such as
+    /// `sub:2/period-doubling`.
     pub label: String,
-    /// Where it stands: "section 2.4, eq. (15)". Equation numbers start anew in each section.
+    /// The place of the statement: "section 2.4, eq. (15)". Equation numbers restart in each section.
     pub place: String,
     /// The kind of statement.
     pub kind: ClaimKind,
@@ -61,7 +62,7 @@ pub struct Claim {
     pub says: String,
     /// The formula in LaTeX, without dollars, in standard commands only.
     pub formula: Option<String>,
-    /// The public items that hold it, as `grazing_theorems::auxiliary::resonance_boundary`.
+    /// The public items that implement it, as `grazing_theorems::auxiliary::resonance_boundary`.
     #[serde(default)]
     pub holds: Vec<String>,
     /// The figures that show it, as `fig04`.
@@ -77,42 +78,42 @@ pub struct Claim {
     pub misprint: Option<Misprint>,
 }
 
-/// Where print and mathematics differ.
+/// A difference between print and mathematics.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Misprint {
-    /// The print, LaTeX between dollars in words.
+    /// The printed form, in words with LaTeX between dollars.
     pub printed: String,
-    /// The corrected form, likewise.
+    /// The corrected form, in words with LaTeX between dollars.
     pub corrected: String,
-    /// Why, and what follows from it.
+    /// The reason, and the consequences.
     pub reason: String,
-    /// The computation that decides it, in words; its measurements are the check's.
+    /// The computation that decides it, in words; the measurements are those of the check.
     pub decided: String,
-    /// What kind it is.
+    /// The kind of misprint.
     #[serde(default)]
     pub kind: MisprintKind,
     /// The label of the claim at which the same misprint is described.
     pub same_as: Option<String>,
 }
 
-/// How print and mathematics differ.
+/// The kinds of differences between print and mathematics.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum MisprintKind {
-    /// A formula, a condition or a statement is misprinted; the print fails.
+    /// A formula, a condition or a statement is misprinted; the printed form fails.
     #[default]
     Formula,
-    /// What is printed was observed, and is not so; a computation decides likewise.
+    /// An observation is printed that is wrong; the computation shows that the printed form fails.
     Observation,
-    /// A condition is missing, or a reason; where there is something to measure, the print fails.
+    /// A condition or a reason is missing; if it can be measured, the printed form fails.
     Judged,
-    /// One of notation or wording, decided by reading: there is no printed value that could fail.
+    /// A misprint of notation or wording, decided by reading: there is no printed value that could fail.
     Wording,
 }
 
 impl Misprint {
-    /// Whether its check measures the print too; nothing if it may or may not.
+    /// Whether the check measures the printed form too; nothing if it may or may not.
     pub fn measured(&self) -> Option<bool> {
         match self.kind {
             MisprintKind::Formula | MisprintKind::Observation => Some(true),
@@ -125,30 +126,30 @@ impl Misprint {
 /// How a claim is tested.
 #[derive(Debug, Clone, Copy)]
 pub enum Test<'a> {
-    /// By a check of this crate.
+    /// A check of this crate.
     Check(&'static Check),
-    /// By comparison with `expected/published.toml`, under these names.
+    /// A comparison with `expected/published.toml`, under these names.
     Published(&'a [String]),
-    /// Not numerically; the reason.
+    /// No numerical test, for this reason.
     Unchecked(&'a str),
 }
 
 impl Claim {
-    /// The name of its check, if a check tests it.
+    /// The name of the check, if the claim has one.
     pub fn check_name(&self) -> Option<&str> {
         self.check.as_deref()
     }
 
-    /// Whether exactly one way to test it is given.
+    /// Whether exactly one way to test the claim is given.
     pub fn has_one_test(&self) -> bool {
         let given = [self.check.is_some(), !self.published.is_empty(), self.unchecked.is_some()];
         given.iter().filter(|given| **given).count() == 1
     }
 
-    /// How it is tested.
+    /// The way to test the claim.
     ///
     /// # Panics
-    /// Never for a claim of [`Ledger::of_the_paper`], of which the table of checks is made.
+    /// Never for a claim of [`Ledger::of_the_paper`], from which the table of checks is generated.
     pub fn test(&self) -> Test<'_> {
         match (&self.check, &self.unchecked) {
             (Some(name), _) => {
@@ -161,7 +162,7 @@ impl Claim {
     }
 }
 
-/// The whole list, in the order of the paper.
+/// The complete list of claims, in the order of the paper.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Ledger {
@@ -171,7 +172,7 @@ pub struct Ledger {
 }
 
 impl Ledger {
-    /// The ledger of this project, as it stood when this program was built.
+    /// The ledger of this project at the time when the program was built.
     ///
     /// # Panics
     /// Never: the file is a part of the program, and a test reads it.

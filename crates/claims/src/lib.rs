@@ -1,14 +1,14 @@
-//! The ledger of claims: what the paper states, label by label, and the checks of each statement.
+//! The ledger of claims: the statements of the paper, label by label, and the checks of each statement.
 //!
-//! `expected/claims.toml` lists every numbered equation, lemma, proposition and theorem, and every
-//! number in text and captions ([`ledger`]). Most name a check, a function here that measures how
-//! well the statement holds ([`outcome`]): the largest deviation of an identity, the order at which
-//! a remainder vanishes, the smallest margin of an inequality by adversarial search, the cases in
-//! which a conclusion is seen. Where print and mathematics differ, the print has to fail.
+//! `expected/claims.toml` lists every numbered equation, lemma, proposition and theorem, and every number
+//! in text and captions ([`ledger`]). Most entries name a check, a function in this crate that measures
+//! how well the statement holds ([`outcome`]): the largest deviation of an identity, the order with which
+//! a remainder vanishes, the smallest margin of an inequality in an adversarial search, the number of
+//! cases in which a conclusion holds. Where print and mathematics differ, the printed form has to fail.
 //!
 //! Expansions and theorems are measured on the paper's oscillator and on others (`specimen`).
 //!
-//! Nothing here reads files or prints; sampling is seeded, so every run measures the same.
+//! This crate neither reads files nor prints; sampling is seeded, so every run measures the same.
 
 pub mod audit;
 pub mod checks;
@@ -26,7 +26,7 @@ mod specimen;
 pub mod sweep;
 mod tally;
 
-// What the checks are written in.
+// Imports for the checks.
 use core::f64::consts::{PI, TAU};
 use core::ops::RangeInclusive;
 

@@ -1,55 +1,55 @@
-//! What a check finds out.
+//! Outcomes of checks.
 
 use std::error::Error;
 
-/// Why something could not be computed.
+/// The reason why a computation failed.
 pub type Failure = Box<dyn Error + Send + Sync>;
 
-/// What a check returns; an error is a computation that could not be done, and counts as a failure.
+/// The result of a check; an error means that the computation failed, and counts as a failure.
 pub type CheckResult = Result<Outcome, Failure>;
 
-/// How well a statement holds.
+/// A measure of how well a statement holds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
-    /// The statement, as corrected where the paper has a misprint.
+    /// The measurement of the statement, corrected where the paper has a misprint.
     pub measure: Measure,
-    /// The statement as printed, where the print differs; it has to fail.
+    /// The measurement of the printed statement, where it differs; it has to fail.
     pub print: Option<Measure>,
-    /// Number of points, cases or searches that were looked at.
+    /// The number of points, cases or searches.
     pub samples: usize,
-    /// What the samples were, in a few words: "points of the trapesium, p = 2 to 15".
+    /// A short description of the samples: "points of the trapesium, p = 2 to 15".
     pub over: String,
 }
 
-/// One measurement, with what it is held against.
+/// One measurement, with the value that it is compared with.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Measure {
-    /// An identity: the largest deviation, and the rounding that it may have.
+    /// An identity: the largest deviation, and the rounding that is tolerated.
     Deviation {
-        /// The largest deviation seen, relative to the size of the terms.
+        /// The largest deviation, relative to the size of the terms.
         largest: f64,
-        /// What rounding, or the accuracy of the second route, explains.
+        /// The deviation explained by rounding, or by the accuracy of the second computation.
         tolerance: f64,
     },
-    /// An expansion: the order at which the remainder was seen to vanish.
+    /// An expansion: the observed order with which the remainder vanishes.
     Order {
-        /// The smallest order seen; infinite where the remainder is below rounding throughout.
+        /// The smallest observed order; infinite where the remainder is below rounding throughout.
         observed: f64,
-        /// The order that is stated.
+        /// The stated order.
         stated: f64,
-        /// How far below the stated one the observed order may lie, because of the next term.
+        /// The tolerated difference of the observed order below the stated one, due to the next term.
         slack: f64,
     },
-    /// An inequality: the smallest margin that a search could find, positive where it holds.
+    /// An inequality: the smallest margin found by a search, positive where it holds.
     Margin {
-        /// The smallest value of what is said to be positive, scaled as the check says.
+        /// The smallest value of the quantity that should be positive, scaled as the check describes.
         smallest: f64,
     },
     /// A yes-or-no statement: the cases that agree.
     Agreement {
-        /// Cases that agree.
+        /// The number of cases that agree.
         agreeing: usize,
-        /// All cases.
+        /// The number of all cases.
         cases: usize,
     },
 }
@@ -59,9 +59,9 @@ impl Measure {
     pub fn holds(&self) -> bool {
         match *self {
             Self::Deviation { largest, tolerance } => largest <= tolerance,
-            // A remainder that was never seen has no order.
+            // A remainder that was never resolved has no order.
             Self::Order { observed, stated, slack } => observed.is_finite() && observed >= stated - slack,
-            // A search that never met its domain comes back with infinity.
+            // A search that never reached its domain returns infinity.
             Self::Margin { smallest } => smallest > 0.0 && smallest.is_finite(),
             Self::Agreement { agreeing, cases } => cases > 0 && agreeing == cases,
         }
@@ -69,17 +69,17 @@ impl Measure {
 }
 
 impl Outcome {
-    /// The outcome of a statement that is printed as it is true.
+    /// The outcome of a statement that is printed correctly.
     pub fn new(measure: Measure, samples: usize, over: impl Into<String>) -> Self {
         Self { measure, print: None, samples, over: over.into() }
     }
 
-    /// The same with the statement as printed, which differs.
+    /// Adds the measurement of the printed statement, which differs.
     pub fn against_print(self, print: Measure) -> Self {
         Self { print: Some(print), ..self }
     }
 
-    /// Whether the statement holds over some samples, and the print, where it differs, does not.
+    /// Whether the statement holds over some samples, and the printed form, where it differs, does not.
     pub fn passes(&self) -> bool {
         self.samples > 0 && self.measure.holds() && self.print.is_none_or(|print| !print.holds())
     }

@@ -1,8 +1,8 @@
-//! The numbers that the paper prints, held against computed ones.
+//! The numbers that the paper prints, compared with computed ones.
 //!
-//! They stand in `expected/published.toml` with the digits of the print. No Rust file has one of
-//! more than two digits, and none but tests and benchmarks the damping ratio and the restitution,
-//! which have fewer, side by side: those are read from `figures/parameters.toml` or an example.
+//! They are in `expected/published.toml` with the printed digits. No Rust file contains one of more than
+//! two digits, and only tests and benchmarks contain the damping ratio and the restitution, which have
+//! fewer, side by side: elsewhere these are read from `figures/parameters.toml` or an example.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -10,7 +10,7 @@ use std::sync::LazyLock;
 
 use serde::Deserialize;
 
-/// How the print came from the number.
+/// The relation of the printed to the exact number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Rounding {
@@ -25,19 +25,19 @@ pub enum Rounding {
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct PublishedValue {
-    /// The name under which the reproduction gives the same quantity.
+    /// The name of the quantity in the results of the reproduction.
     pub id: String,
     /// The quantity in the paper's symbols.
     pub quantity: String,
     /// The LaTeX label of the figure, section or equation that the number belongs to.
     pub label: String,
-    /// Where the paper prints it.
+    /// The place in the paper.
     #[serde(rename = "where")]
     pub place: String,
-    /// The number with the digits of the print.
+    /// The number with the printed digits.
     #[serde(rename = "value")]
     pub printed: String,
-    /// How the print came from the number.
+    /// The relation of the printed to the exact number.
     pub rounding: Rounding,
 }
 
@@ -52,19 +52,18 @@ impl PublishedValue {
     }
 }
 
-/// A published value with what the reproduction gives.
+/// A published value with the value computed by the reproduction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Comparison<'a> {
     /// The published value.
     pub published: &'a PublishedValue,
-    /// The computed value; none if under these parameters the quantity does not come up.
+    /// The computed value; none if the quantity does not exist for these parameters.
     pub computed: Option<f64>,
 }
 
 impl Comparison<'_> {
-    /// Whether the computed value, rounded to the printed decimals (to nearest, by its exact
-    /// value), is the print; for [`Rounding::Exact`], whether it is the printed number. NaN never
-    /// is.
+    /// Whether the computed value, rounded to the printed decimals (to nearest, by its exact value),
+    /// equals the print; for [`Rounding::Exact`], whether it equals the printed number. False for NaN.
     pub fn is_met(&self) -> bool {
         let Self { published, computed: Some(computed) } = self else { return false };
         match published.rounding {
@@ -76,7 +75,8 @@ impl Comparison<'_> {
         }
     }
 
-    /// Whether the print chose the number, which the parameters give back: nothing is computed.
+    /// Whether the number is a choice of the paper that the parameters reproduce, so that nothing is
+    /// computed.
     pub fn is_input(&self) -> bool {
         self.published.rounding == Rounding::Exact
     }
@@ -87,22 +87,22 @@ impl Comparison<'_> {
     }
 }
 
-/// How many published values are met: those that are computed, and apart from them those that the
-/// parameters give back.
+/// The numbers of published values that are met: those that are computed and, counted separately, those
+/// that are parameters.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Tally {
-    /// Computed ones that are met.
+    /// The number of computed values that are met.
     pub met: usize,
-    /// Computed ones.
+    /// The number of computed values.
     pub computed: usize,
-    /// Parameters that are the printed ones.
+    /// The number of parameters that equal the printed ones.
     pub inputs_met: usize,
-    /// Parameters.
+    /// The number of parameters.
     pub inputs: usize,
 }
 
 impl Tally {
-    /// Counts what is met.
+    /// Counts the values that are met.
     pub fn of(comparisons: &[Comparison<'_>]) -> Self {
         let mut tally = Self::default();
         for comparison in comparisons {
@@ -117,7 +117,7 @@ impl Tally {
         tally
     }
 
-    /// Whether all are met, and any is computed.
+    /// Whether all are met, and at least one is computed.
     pub fn is_complete(&self) -> bool {
         self.computed > 0 && (self.met, self.inputs_met) == (self.computed, self.inputs)
     }
@@ -151,7 +151,7 @@ pub struct Published {
 }
 
 impl Published {
-    /// The list of `expected/published.toml` as it stood when this program was built.
+    /// The list in `expected/published.toml` at the time when the program was built.
     pub fn printed() -> &'static Published {
         static PRINTED: LazyLock<Published> = LazyLock::new(|| {
             let file = include_str!("../../../expected/published.toml");
@@ -160,7 +160,7 @@ impl Published {
         &PRINTED
     }
 
-    /// One comparison for each published value; what is computed and not printed is passed over.
+    /// One comparison for each published value; computed values that are not printed are ignored.
     pub fn compare(&self, computed: &BTreeMap<String, f64>) -> Vec<Comparison<'_>> {
         let of = |value: &PublishedValue| computed.get(&value.id).copied();
         self.values.iter().map(|value| Comparison { published: value, computed: of(value) }).collect()

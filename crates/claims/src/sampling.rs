@@ -18,23 +18,23 @@ impl Sampler {
         Self(Pcg64Mcg::new(u128::from(seed)))
     }
 
-    /// A number between the two, both possible up to rounding.
+    /// A number between the two bounds, which are both possible up to rounding.
     pub(crate) fn between(&mut self, lower: f64, upper: f64) -> f64 {
-        // 53 random bits: every double of that grid in [0, 1) is as likely as any other.
+        // 53 random bits: all doubles of that grid in [0, 1) are equally likely.
         let share = (self.0.next_u64() >> 11) as f64 * libm::ldexp(1.0, -53);
         lower + (upper - lower) * share
     }
 
-    /// One of the items.
+    /// Returns one of the items.
     ///
     /// # Panics
-    /// There is none: an error in the program.
+    /// If there are no items, which is an error in the program.
     pub(crate) fn one_of<T: Copy>(&mut self, items: &[T]) -> T {
         let index = (self.between(0.0, 1.0) * items.len() as f64) as usize;
         items[index.min(items.len() - 1)]
     }
 
-    /// A state on the free side of the wall, without pattern.
+    /// A random state on the free side of the wall.
     pub(crate) fn state(&mut self) -> State {
         State {
             position: self.between(-2.0, 0.0),
@@ -43,14 +43,15 @@ impl Sampler {
         }
     }
 
-    /// A pair (τ, δ) in the trapesium of eq:cT, 10⁻⁶ or more from its slanted sides, relatively.
+    /// A pair (τ, δ) in the trapesium of eq:cT, at a relative distance of at least 10⁻⁶ from its slanted
+    /// sides.
     pub(crate) fn trapesium(&mut self) -> (f64, f64) {
         let delta = self.between(0.001, 0.999);
         (self.between(-0.999_999, 0.999_999) * (delta + 1.0), delta)
     }
 }
 
-/// What measurements over these subjects add up to.
+/// The tally of measurements over these subjects.
 pub(crate) fn over<I, T: Default>(
     subjects: impl IntoIterator<Item = I>,
     mut measure: impl FnMut(I, &mut T) -> Result<(), Failure>,
@@ -60,7 +61,7 @@ pub(crate) fn over<I, T: Default>(
     Ok(tally)
 }
 
-/// The same with numbers from one source.
+/// The tally of measurements over these subjects, with random numbers from one source.
 pub(crate) fn drawn_over<I, T: Default>(
     seed: u64,
     subjects: impl IntoIterator<Item = I>,
@@ -70,7 +71,7 @@ pub(crate) fn drawn_over<I, T: Default>(
     over(subjects, |subject, tally| measure(&mut sampler, subject, tally))
 }
 
-/// What so many samples add up to, all from one source.
+/// The tally of `samples` random samples, all from one source.
 pub(crate) fn drawn<T: Default>(
     seed: u64,
     samples: usize,
@@ -79,7 +80,7 @@ pub(crate) fn drawn<T: Default>(
     drawn_over(seed, 0..samples, |sampler, _, tally| sample(sampler, tally))
 }
 
-/// What so many samples add up to, each for the next number of loops in a range, round and round.
+/// The tally of `samples` random samples, with numbers of loops that cycle through a range.
 pub(crate) fn sampled<T: Default>(
     seed: u64,
     samples: usize,
@@ -89,10 +90,10 @@ pub(crate) fn sampled<T: Default>(
     drawn_over(seed, loops.cycle().take(samples), sample)
 }
 
-/// The smallest value on the unit cube that local searches from seeded starts find, and where.
+/// The smallest value on the unit cube found by local searches from seeded starts, and its position.
 ///
-/// Each search tries a step along every axis and every diagonal pair, moves on success, and halves
-/// its step otherwise, down to 10⁻⁶. Values that are not numbers are outside the domain.
+/// Each search tries a step along every axis and every diagonal pair, moves on success, and otherwise
+/// halves its step, down to 10⁻⁶. NaN means outside the domain.
 pub(crate) fn smallest<const N: usize>(
     seed: u64,
     starts: usize,

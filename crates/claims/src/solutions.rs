@@ -1,4 +1,4 @@
-//! MPSs of any oscillator near grazing: zeros of V, and what the hybrid system does there.
+//! MPSs of any oscillator near grazing: zeros of V, and the behaviour of the hybrid system there.
 
 use crate::*;
 use grazing_continuation::arclength::Stall;
@@ -11,13 +11,13 @@ pub(crate) fn equations(grazing: &Grazing, p: u32) -> LoopEquations<Specimen> {
     LoopEquations::new(grazing.oscillator().clone(), p, Formulation::Vivid)
 }
 
-/// The point (y, z; μ) with z and μ counted from grazing.
+/// The point (y, z; μ), with z and μ relative to grazing.
 pub(crate) fn unknowns(grazing: &Grazing, [y, dz, dmu]: [f64; 3]) -> Unknowns {
     let [primary, secondary] = grazing.oscillator().parameters();
     Unknowns::new(y, grazing.phase() + dz, primary + dmu, secondary)
 }
 
-/// The branch of p-loop MPSs with y > 0 that leaves the grazing point at which an oscillator is.
+/// The branch of p-loop MPSs with y > 0 that leaves the grazing point of an oscillator.
 pub(crate) fn branch<O: ImpactOscillator>(
     oscillator: &O,
     phase: f64,
@@ -36,7 +36,7 @@ pub(crate) fn vivid(equations: &LoopEquations<Specimen>, point: &Unknowns) -> Op
     Some(equations.pair::<1>(point, &mut EventTimes::default()).ok()?.difference().0)
 }
 
-/// The MPS that meets two conditions, by Newton's method from a start.
+/// The MPS that satisfies two conditions, by Newton's method from a start.
 pub(crate) fn located<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     conditions: [Condition; 2],
@@ -51,7 +51,7 @@ pub(crate) fn at_parameters(equations: &LoopEquations<Specimen>, start: Unknowns
     located(equations, [Condition::Primary(primary), Condition::Secondary(secondary)], start)
 }
 
-/// The MPS with this impact velocity, at the η of one near it.
+/// The MPS with this impact velocity, at the η of a nearby MPS.
 pub(crate) fn at_velocity<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     near: &Unknowns,
@@ -70,12 +70,12 @@ pub(crate) fn zero(grazing: &Grazing, p: u32, mu: f64) -> Option<Unknowns> {
     at_parameters(&equations(grazing, p), unknowns(grazing, [y, dz, mu]))
 }
 
-/// What an MPS is in the hybrid system, followed from its impact.
+/// The behaviour of an MPS in the hybrid system, followed from its impact.
 pub(crate) fn followed<O: ImpactOscillator>(equations: &LoopEquations<O>, point: &Unknowns) -> ReturnOutcome {
     Suspect::of(&equations.oscillator_at(point), equations.loops(), point).follow()
 }
 
-/// Whether simulated orbits beside an MPS come nearer in the long run.
+/// Whether simulated orbits near an MPS approach it in the long term.
 pub(crate) fn attracts<O: ImpactOscillator>(equations: &LoopEquations<O>, point: &Unknowns) -> Option<bool> {
     Suspect::of(&equations.oscillator_at(point), equations.loops(), point).attracts()
 }

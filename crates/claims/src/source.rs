@@ -1,7 +1,7 @@
-//! From the names of items to the source files that hold them.
+//! Finds the source files that define items, from the items' names.
 //!
-//! `grazing_theorems::auxiliary::resonance_boundary` stands in `crates/theorems/src/auxiliary.rs`,
-//! or in a file below it. What crates re-export at their root is found in the file that defines it.
+//! `grazing_theorems::auxiliary::resonance_boundary` is in `crates/theorems/src/auxiliary.rs`, or in a
+//! file below it. Items that crates re-export at their root are found in the file that defines them.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -29,19 +29,19 @@ impl Sources {
         Self { files: files.into_iter().collect() }
     }
 
-    /// Where a function, type, constant, method, field or variant of the workspace is defined.
+    /// The place where a function, type, constant, method, field or variant of the workspace is defined.
     pub fn item(&self, path: &str) -> Option<Location> {
         let (crate_name, path) = path.strip_prefix("grazing_")?.split_once("::")?;
         self.find(&format!("crates/{}/src/", crate_name.replace('_', "-")), path)
     }
 
-    /// Where the check with this name of the ledger is defined.
+    /// The place where the check with this name in the ledger is defined.
     pub fn check(&self, name: &str) -> Option<Location> {
         self.find("crates/claims/src/checks/", name)
     }
 
-    /// The line that defines the last name of a path, in a file that has items of the type before
-    /// it, if there is one: first in files whose path is most like that of the item.
+    /// The line that defines the last name of a path, in a file with items of the type before it, if
+    /// there is one: first in files whose path is most similar to that of the item.
     fn find(&self, folder: &str, path: &str) -> Option<Location> {
         let names: Vec<&str> = path.split("::").collect();
         let (item, before) = names.split_last()?;
@@ -63,20 +63,20 @@ impl Sources {
             })
         };
         match before.last().filter(|name| name.starts_with(char::is_uppercase)) {
-            // Blocks may stand far from the type.
+            // Blocks may be far from the type.
             Some(owner) => place(Some(definition(owner))).or_else(|| place(Some(block(owner)))),
             None => place(None),
         }
     }
 }
 
-/// Lines that open a block of a type's own items.
+/// A pattern of lines that open a block of a type's own items.
 fn block(name: &str) -> Regex {
     pattern(&format!(r"^impl\b(?:<[^>\n]*>)? {name}\b(?:<[^>\n]*>)? \{{"))
 }
 
-/// Lines that define something of this name: after a keyword, or as a field with its type or, in
-/// capitals, as a variant, which ends its line or opens its own fields.
+/// A pattern of lines that define something with this name: after a keyword, or as a field with its type
+/// or, in capitals, as a variant, which ends its line or opens its own fields.
 fn definition(name: &str) -> Regex {
     let variant = if name.starts_with(char::is_uppercase) { "|[,({]" } else { "" };
     pattern(&format!(

@@ -1,9 +1,9 @@
-//! Oscillators to measure on: members of the class of section 2.1 without pattern.
+//! Generic oscillators to measure on: members of the class of section 2.1.
 //!
-//! The paper's oscillator has a linear force, Φ = ε and Ψ = 0, so that γ = ω², α = 1 + ε, a₁₁ = a₂₂
-//! where a₁₂ = 0, β > 0 and complex eigenvalues: it does not see much of sections 2, 4, 5. A
-//! [`Law`] may have a spring that stiffens, damping that depends on the position, and Φ and Ψ that
-//! vary with impact and parameters. A [`Specimen`] moves in closed form where its force is linear.
+//! The paper's oscillator has a linear force, Φ = ε and Ψ = 0, so that γ = ω², α = 1 + ε, a₁₁ = a₂₂ where
+//! a₁₂ = 0, β > 0 and complex eigenvalues: many errors in sections 2, 4 and 5 are invisible on it. A
+//! [`Law`] may have a hardening spring, damping that depends on the position, and Φ and Ψ that vary with
+//! impact and parameters. A [`Specimen`] moves in closed form where its force is linear.
 
 pub(crate) mod generic;
 pub(crate) mod resonant;
@@ -16,17 +16,17 @@ use grazing_model::{AnyMotion, FlowJet, LinearOscillator, MapJet, ParameterJet, 
 
 /// A function of impact and parameters of one sign: `size · exp(rates · (y, sin z, μ, η))`.
 ///
-/// All dimensionless. Its derivatives of all orders are other than zero, unless a rate is.
+/// All quantities are dimensionless. Derivatives of all orders are nonzero, unless a rate is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Exponential {
-    /// The factor in front, with the sign.
+    /// The factor in front, including its sign.
     pub(crate) size: f64,
     /// The coefficients of y, sin z, μ and η in the exponent.
     pub(crate) rates: [f64; 4],
 }
 
 impl Exponential {
-    /// The same at all impacts.
+    /// A function that is the same at all impacts.
     pub(crate) const fn constant(size: f64) -> Self {
         Self { size, rates: [0.0; 4] }
     }
@@ -40,9 +40,9 @@ impl Exponential {
     }
 }
 
-/// A reset law without pattern: every derivative of Φ and Ψ is other than zero, and α > 0.
+/// A generic reset law: every derivative of Φ and Ψ is nonzero, and α > 0.
 pub(crate) const RESTITUTION: Exponential = Exponential { size: 0.7, rates: [-0.4, 0.3, -0.2, 0.15] };
-/// The Ψ that goes with [`RESTITUTION`].
+/// The Ψ that belongs to [`RESTITUTION`].
 pub(crate) const DELAY: Exponential = Exponential { size: 0.25, rates: [0.5, -0.35, 0.2, 0.3] };
 
 /// ü + 2ζ (1 + d u) u̇ + u + κ u³ = 𝒜 cos(ωt), u = x + 1, wall at x = 0, R = (−y Φ, z + y Ψ).
@@ -52,24 +52,24 @@ pub(crate) const DELAY: Exponential = Exponential { size: 0.25, rates: [0.5, -0.
 pub(crate) struct Law {
     /// The damping ratio ζ.
     pub(crate) damping: f64,
-    /// d: how fast the damping grows with the position.
+    /// The coefficient d: how fast the damping grows with the position.
     pub(crate) damping_slope: f64,
-    /// κ, of the restoring force.
+    /// The coefficient κ of the restoring force.
     pub(crate) stiffening: f64,
-    /// Φ, of positive size, as a function of the impact and of (𝒜, ω).
+    /// The function Φ, of positive size, of the impact and of (𝒜, ω).
     pub(crate) restitution: Exponential,
-    /// Ψ, likewise.
+    /// The function Ψ of the impact and of (𝒜, ω).
     pub(crate) delay: Exponential,
-    /// μ is the forcing frequency ω and η the amplitude 𝒜; otherwise the other way about.
+    /// Whether μ is the forcing frequency ω and η the amplitude 𝒜; otherwise they are exchanged.
     pub(crate) frequency_first: bool,
-    /// How much μ takes off η, so that both of 𝒜 and ω change with μ.
+    /// The multiple of μ that is subtracted from η, so that both 𝒜 and ω change with μ.
     pub(crate) pull: f64,
 }
 
 /// A specimen at grazing.
 pub(crate) type Grazing = GrazingOrbit<Specimen>;
 
-/// The grazing orbit of the linear oscillator is followed in so many steps as d and κ grow:
+/// The number of steps in which the grazing orbit of the linear oscillator is followed as d and κ grow:
 /// Newton's method converges from each to the next for d up to 0.9 and κ up to 0.4 (empirical).
 const STEPS: u32 = 6;
 
@@ -87,12 +87,13 @@ impl Law {
         }
     }
 
-    /// The oscillator of section 3 with a reset law that varies.
+    /// The oscillator of section 3 with a variable reset law.
     pub(crate) const fn varying(damping: f64) -> Self {
         Self { restitution: RESTITUTION, delay: DELAY, ..Self::linear(damping, 1.0) }
     }
 
-    /// The same with a force that is not linear: γ ≠ ω², and a₁₁ ≠ a₂₂ where a₁₂ = 0.
+    /// An oscillator with a variable reset law and a nonlinear force: γ ≠ ω², and a₁₁ ≠ a₂₂ where a₁₂ =
+    /// 0.
     pub(crate) const fn nonlinear(damping: f64) -> Self {
         Self {
             damping_slope: -0.9,
@@ -102,7 +103,7 @@ impl Law {
         }
     }
 
-    /// A law without pattern, Φ in (0, 1), frequencies up to 3; one in ten is nonlinear.
+    /// A random generic law, with Φ in (0, 1) and frequencies up to 3; one in ten is nonlinear.
     pub(crate) fn random(sampler: &mut Sampler, damping: f64) -> Self {
         let mut factor = |size: f64| Exponential {
             size,
@@ -117,7 +118,7 @@ impl Law {
         restitution.size = sampler.between(0.4, 0.6);
         delay.size = sampler.one_of(&[1.0, -1.0]) * sampler.between(0.05, 0.25);
         let linear = Self { restitution, delay, ..Self::linear(damping, 1.0) };
-        // Integrated motion costs a hundred times as much.
+        // Integrated motion takes a hundred times as long.
         if sampler.between(0.0, 1.0) < 0.9 {
             return linear;
         }
@@ -125,16 +126,16 @@ impl Law {
         Self { damping_slope, stiffening: sampler.between(0.1, 0.25), ..linear }
     }
 
-    /// An oscillator with a law without pattern at grazing.
+    /// A random oscillator with a generic law at grazing.
     pub(crate) fn random_grazing(sampler: &mut Sampler) -> Result<Grazing, Failure> {
         let damping = sampler.between(0.01, 0.25);
         let law = Self::random(sampler, damping);
-        // At lower frequencies stiffening springs have other resonances, whose loops graze first.
+        // At lower frequencies hardening springs have other resonances, whose loops graze first.
         let lowest = if law.force_is_linear() { 0.35 } else { 0.7 };
         law.grazing(sampler.between(lowest, 1.9))
     }
 
-    /// The same with the frequency as the primary parameter.
+    /// The law with the frequency as the primary parameter.
     pub(crate) const fn frequency_first(self) -> Self {
         Self { frequency_first: true, ..self }
     }
@@ -143,19 +144,19 @@ impl Law {
         self.damping_slope == 0.0 && self.stiffening == 0.0
     }
 
-    /// (𝒜, ω) of (μ, η).
+    /// The pair (𝒜, ω) for (μ, η).
     fn forcing<S: Scalar>(&self, [mu, eta]: [S; 2]) -> [S; 2] {
         let pulled = eta - mu.scale(self.pull);
         if self.frequency_first { [pulled, mu] } else { [mu, pulled] }
     }
 
-    /// (μ, η) of (𝒜, ω).
+    /// The pair (μ, η) for (𝒜, ω).
     fn parameters(&self, [amplitude, frequency]: [f64; 2]) -> [f64; 2] {
         let [mu, pulled] = if self.frequency_first { [frequency, amplitude] } else { [amplitude, frequency] };
         [mu, pulled + self.pull * mu]
     }
 
-    /// Laws on the way from the linear force to this one; the amplitude is the primary parameter.
+    /// The laws between the linear force and this one; the amplitude is the primary parameter.
     fn approach(self) -> impl Iterator<Item = Self> {
         let first = if self.force_is_linear() { STEPS } else { 1 };
         (first..=STEPS).map(move |step| {
@@ -183,7 +184,8 @@ impl Law {
         Ok(GrazingOrbit::at(specimen, phase)?)
     }
 
-    /// The oscillator at the resonance that the one (p, n) of the linear oscillator becomes.
+    /// The oscillator at the resonance into which the resonance (p, n) of the linear oscillator is
+    /// continued.
     pub(crate) fn resonance(self, loops: u32, index: u32) -> Result<LocatedResonance<Specimen>, Failure> {
         let theory = grazing_theorems::LinearOscillator::new(self.damping, 1.0)?;
         let frequency = theory.resonance(loops, index)?.forcing_frequency();
@@ -200,7 +202,7 @@ impl Law {
     }
 }
 
-/// The ζ with which the linear oscillator has this E_p at its resonance (p, n).
+/// The ζ for which the linear oscillator has this E_p at its resonance (p, n).
 pub(crate) fn damping_for_decay(loops: u32, index: u32, decay: f64) -> f64 {
     let p = f64::from(loops);
     let ratio = if loops == 1 { 0.5 * f64::from(index) } else { f64::from(index) + 0.5 / p };
@@ -209,7 +211,7 @@ pub(crate) fn damping_for_decay(loops: u32, index: u32, decay: f64) -> f64 {
     skew / (1.0 + skew * skew).sqrt()
 }
 
-/// What random oscillators at grazing add up to; for half of them the frequency is μ.
+/// The tally of random oscillators at grazing; for half of them the frequency is μ.
 pub(crate) fn at_grazing<T: Default>(
     seed: u64,
     samples: usize,
@@ -265,7 +267,7 @@ impl SmoothOscillator for Law {
 #[derive(Clone, Debug)]
 pub(crate) struct Specimen {
     law: Integrated<Law>,
-    /// The same motion in closed form, where the force is linear.
+    /// An oscillator with the same motion in closed form, if the force is linear.
     linear: Option<LinearOscillator>,
 }
 
@@ -273,7 +275,7 @@ impl Specimen {
     /// The oscillator with this law.
     pub(crate) fn new(law: Law, parameters: [f64; 2]) -> Self {
         let [amplitude, frequency] = law.forcing(parameters);
-        // Its coefficient of restitution plays no part.
+        // Its coefficient of restitution is not used.
         let linear = LinearOscillator::new(law.damping, 1.0, amplitude, frequency).ok();
         Self {
             law: Integrated::new(law, parameters),
@@ -364,7 +366,7 @@ mod tests {
             let integrated = Specimen { linear: None, ..closed.clone() };
             let from = State::on_wall(-0.3, 0.7);
             let [a, b] = [&closed, &integrated].map(|specimen| specimen.flow::<2>(from, 5.0));
-            // The integration's error, which grows by some ten with each derivative.
+            // The error of integration, which grows about tenfold with each derivative.
             assert!((a.value - b.value).amax() < 1e-13);
             assert!((a.jacobian - b.jacobian).amax() < 1e-12);
             assert!((0..2).all(|i| (a.hessians[i] - b.hessians[i]).amax() < 1e-11));

@@ -1,8 +1,8 @@
-//! Tallies of measurements that end in one [`Outcome`]. What is not a number is never forgotten.
+//! Tallies of measurements that result in one [`Outcome`]. A NaN is never lost.
 
 use crate::outcome::{Measure, Outcome};
 
-/// The largest deviation seen.
+/// The largest deviation.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Deviations {
     largest: f64,
@@ -10,7 +10,7 @@ pub(crate) struct Deviations {
 }
 
 impl Deviations {
-    /// Takes the modulus of one deviation into account.
+    /// Adds the modulus of one deviation.
     pub(crate) fn see(&mut self, deviation: f64) {
         let deviation = deviation.abs();
         if deviation.is_nan() || deviation > self.largest {
@@ -19,39 +19,39 @@ impl Deviations {
         self.samples += 1;
     }
 
-    /// All of these taken into account.
+    /// The tally of these deviations.
     pub(crate) fn of(deviations: impl IntoIterator<Item = f64>) -> Self {
         let mut largest = Self::default();
         deviations.into_iter().for_each(|deviation| largest.see(deviation));
         largest
     }
 
-    /// Takes into account the distance of two numbers relative to the scale of their terms.
+    /// Adds the difference of two numbers, relative to the scale of their terms.
     pub(crate) fn compare(&mut self, computed: f64, expected: f64, scale: f64) {
         self.see((computed - expected) / scale);
     }
 
-    /// Takes into account the distances of pairs (found, stated), relative to one plus |stated|.
+    /// Adds the differences of pairs (found, stated), relative to one plus |stated|.
     pub(crate) fn pairs(&mut self, pairs: impl IntoIterator<Item = (f64, f64)>) {
         pairs.into_iter().for_each(|(found, stated)| self.compare(found, stated, 1.0 + stated.abs()));
     }
 
-    /// Takes a yes-or-no condition into account, without which no deviation counts as small.
+    /// Adds a yes-or-no condition; if it fails, no deviation counts as small.
     pub(crate) fn require(&mut self, holds: bool) {
         self.see(if holds { 0.0 } else { f64::INFINITY });
     }
 
-    /// The largest deviation; not a number if one is not.
+    /// The largest deviation; NaN if one of them is NaN.
     pub(crate) fn largest(&self) -> f64 {
         self.largest
     }
 
-    /// The largest deviation against a tolerance.
+    /// The largest deviation with a tolerance.
     pub(crate) fn measure(&self, tolerance: f64) -> Measure {
         Measure::Deviation { largest: self.largest, tolerance }
     }
 
-    /// The outcome, with the number of deviations seen.
+    /// The outcome, with the number of deviations.
     pub(crate) fn outcome(&self, tolerance: f64, over: &str) -> Outcome {
         Outcome::new(self.measure(tolerance), self.samples, over)
     }
@@ -71,7 +71,7 @@ impl Default for Smallest {
 }
 
 impl Smallest {
-    /// Takes one number into account.
+    /// Adds one number.
     pub(crate) fn see(&mut self, value: f64) {
         if value.is_nan() || value < self.value {
             self.value = value;
@@ -79,12 +79,12 @@ impl Smallest {
         self.samples += 1;
     }
 
-    /// Takes into account an order that has to be resolved: if it never was, nothing was tested.
+    /// Adds an order that has to be resolved: if it never was, nothing was tested.
     pub(crate) fn see_resolved(&mut self, order: f64) {
         self.see(if order == f64::INFINITY { f64::NEG_INFINITY } else { order });
     }
 
-    /// Takes a yes-or-no condition into account, without which no number counts as large.
+    /// Adds a yes-or-no condition; if it fails, no number counts as large.
     pub(crate) fn require(&mut self, holds: bool) {
         self.see(if holds { f64::INFINITY } else { f64::NEG_INFINITY });
     }
@@ -100,7 +100,7 @@ impl Smallest {
     }
 }
 
-/// How many cases agree with a statement.
+/// The number of cases that agree with a statement.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Votes {
     agreeing: usize,
@@ -109,30 +109,30 @@ pub(crate) struct Votes {
 }
 
 impl Votes {
-    /// Takes one case into account.
+    /// Adds one case.
     pub(crate) fn see(&mut self, agrees: bool) {
         self.agreeing += usize::from(agrees);
         self.cases += 1;
     }
 
-    /// All of these taken into account.
+    /// The tally of these cases.
     pub(crate) fn of(cases: impl IntoIterator<Item = bool>) -> Self {
         let mut votes = Self::default();
         cases.into_iter().for_each(|agrees| votes.see(agrees));
         votes
     }
 
-    /// Takes into account a case of which the statement says nothing.
+    /// Adds a case on which the statement is silent.
     pub(crate) fn silent(&mut self) {
         self.silent += 1;
     }
 
-    /// The count.
+    /// The count as a measurement.
     pub(crate) fn measure(&self) -> Measure {
         Measure::Agreement { agreeing: self.agreeing, cases: self.cases }
     }
 
-    /// The outcome.
+    /// The count as an outcome.
     pub(crate) fn outcome(&self, over: &str) -> Outcome {
         let over = match self.silent {
             0 => over.to_owned(),

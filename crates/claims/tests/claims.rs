@@ -1,7 +1,7 @@
-//! Each claim that a check tests, as a test of its own under its label: `cargo test -p
-//! grazing-claims --test claims -- eq:alpha`.
+//! Runs each claim with a check as a test of its own, named by its label:
+//! `cargo test -p grazing-claims --test claims -- eq:alpha`.
 //!
-//! With labels only these are run, otherwise all.
+//! If labels are given only these are run, otherwise all.
 #![expect(clippy::print_stdout, reason = "a test harness says what it does")]
 
 use std::process::ExitCode;
@@ -9,8 +9,8 @@ use std::process::ExitCode;
 use grazing_claims::audit::{ClaimVerdict, Finding, audit};
 use grazing_claims::ledger::{Claim, Ledger, Test};
 
-/// What is wrong with a claim, if anything is: its check fails, or a misprint that has values was
-/// not decided by it.
+/// The failure of a claim, if any: its check fails, or the check did not decide a misprint that has
+/// values.
 fn wrong(finding: &Finding<'_>) -> Option<String> {
     let has_print = finding.claim.misprint.as_ref().map_or(Some(false), |misprint| misprint.measured());
     let decided = matches!(&finding.verdict,

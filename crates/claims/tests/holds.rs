@@ -1,9 +1,10 @@
-//! A claim's `holds` names items of the crates that its check calls: found in the source of the
+//! Tests that the items in a claim's `holds` are called by its check, by searching the source of the
 //! check and of the functions that it reaches.
 //!
-//! Source is read as text, without comments and quotations. A free function is called where its name
-//! stands before `(` or `::<`, or after `::`, in a file that has no function of that name itself; of a type's items the name stands after `.` or `::`, and the type's own name, or that
-//! of something that is declared to be of the type, stands anywhere, as a type's own name does.
+//! Source is read as text, without comments and string literals. A free function is called where its name
+//! occurs before `(` or `::<`, or after `::`, in a file without a function of that name; for an item of a
+//! type, the name occurs after `.` or `::`, and the type's name, or that of something declared with the
+//! type, occurs anywhere. The same holds for a type's own name.
 
 mod files;
 
@@ -16,11 +17,11 @@ use grazing_claims::source::Sources;
 
 use crate::files::rust_files;
 
-/// The functions of some files, by name: the file and the words that stand in them, also with what
-/// shows their use ([`used`]).
+/// The functions of some files, by name: the file, and the words that occur in them, including forms that
+/// show their use ([`used`]).
 type Functions = BTreeMap<String, Vec<(PathBuf, BTreeSet<String>)>>;
 
-/// The text without comments and without what stands between quotation marks.
+/// The text without comments and string literals.
 fn code(text: &str) -> String {
     let (mut code, mut rest) = (String::new(), text);
     while let Some(at) = rest.find(['"', '/']) {
@@ -46,7 +47,8 @@ fn is_of_word(character: char) -> bool {
     character.is_alphanumeric() || character == '_'
 }
 
-/// The words of a text; and those that are called, as `name(`, or belong to something, as `.name`.
+/// The words of a text, with those that are called as `name(`, and those that belong to something as
+/// `.name`.
 fn words(text: &str) -> BTreeSet<String> {
     let mut found = BTreeSet::new();
     let mut rest = 0;
@@ -65,7 +67,7 @@ fn words(text: &str) -> BTreeSet<String> {
     found
 }
 
-/// How the use of an item shows among the words of a function.
+/// The form in which the use of an item occurs among the words of a function.
 fn used(item: &str) -> String {
     let names: Vec<&str> = item.split("::").collect();
     let is_type = |name: &str| name.starts_with(char::is_uppercase);
@@ -77,8 +79,8 @@ fn used(item: &str) -> String {
     }
 }
 
-/// For each type the names by which it shows in the words of a function: its own, those of its
-/// aliases, and of what is declared to have or to return one of them.
+/// For each type, the names that indicate it among the words of a function: its own, those of its
+/// aliases, and those of items declared to have or to return one of them.
 fn names_of_types(files: &[(String, String)]) -> BTreeMap<String, BTreeSet<String>> {
     let mut names: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     let mut aliases: Vec<(String, String)> = Vec::new();
@@ -117,14 +119,14 @@ fn names_of_types(files: &[(String, String)]) -> BTreeMap<String, BTreeSet<Strin
     names
 }
 
-/// The type, if the item is one of a type's that is no trait: of these any oscillator has one.
+/// The type to which an item belongs, unless that is a trait, which any oscillator implements.
 fn owner(item: &str) -> Option<&str> {
     let owner = item.rsplit("::").nth(1).filter(|owner| owner.starts_with(char::is_uppercase))?;
     (owner != "ImpactOscillator").then_some(owner)
 }
 
-/// Whether the crate defines an item, and the module that is named, or one below it, has it or its
-/// type, if only from elsewhere.
+/// Whether the crate defines an item, and the named module, or one below it, contains it or its type,
+/// possibly re-exported.
 fn is_defined(sources: &Sources, files: &[(String, String)], item: &str) -> bool {
     let names: Vec<&str> = item.split("::").collect();
     let outer = names.iter().position(|name| name.starts_with(char::is_uppercase)).unwrap_or(names.len() - 1);
@@ -136,8 +138,7 @@ fn is_defined(sources: &Sources, files: &[(String, String)], item: &str) -> bool
     sources.item(item).is_some() && files.iter().any(has)
 }
 
-/// What follows up to the brace that closes the first one that is opened; nothing for a declaration
-/// without a body.
+/// The text up to the brace that closes the first opened one; empty for a declaration without a body.
 fn block(text: &str) -> &str {
     let (mut depth, mut opened) = (0, false);
     for (index, character) in text.char_indices() {
@@ -154,7 +155,7 @@ fn block(text: &str) -> &str {
     text
 }
 
-/// All functions under these folders; comments do not count.
+/// All functions in files under these folders, without comments.
 fn functions(folders: &[PathBuf]) -> Functions {
     let mut files = Vec::new();
     folders.iter().for_each(|folder| rust_files(folder, &mut files));
@@ -165,7 +166,7 @@ fn functions(folders: &[PathBuf]) -> Functions {
         for (start, _) in code.match_indices("fn ") {
             let rest = &code[start + 3..];
             let name: String = rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
-            // Arrays in a signature have a semicolon that ends nothing.
+            // Arrays in a signature have a semicolon that does not end it.
             let body = rest.find('{').map_or("", |brace| block(&rest[brace..]));
             functions.entry(name).or_default().push((file.clone(), words(body)));
         }
@@ -184,11 +185,11 @@ fn functions(folders: &[PathBuf]) -> Functions {
     functions
 }
 
-/// All words in a function and in those of the crate that it calls, with the files in which they
-/// stand.
+/// All words in a function and in the functions of the crate that it calls, with the files in which they
+/// occur.
 ///
-/// A name is that of a function in the same file, or of the only one elsewhere: names that several
-/// files use decide nothing.
+/// A name refers to a function in the same file, or to the only one elsewhere; names that occur in
+/// several files are ignored.
 fn reached(functions: &Functions, file: &Path, name: &str) -> BTreeMap<String, BTreeSet<PathBuf>> {
     let called = |from: &Path, name: &str| {
         let all: Vec<_> = functions.get(name).into_iter().flatten().collect();
@@ -212,7 +213,8 @@ fn reached(functions: &Functions, file: &Path, name: &str) -> BTreeMap<String, B
     places
 }
 
-/// Whether an item is used in one of these files at least that has no function of its name itself.
+/// Whether an item is used in at least one of these files that does not itself have a function of that
+/// name.
 fn is_called(functions: &Functions, places: &BTreeMap<String, BTreeSet<PathBuf>>, item: &str) -> bool {
     let used = used(item);
     let own: Vec<&PathBuf> = used
@@ -237,7 +239,7 @@ fn what_a_claim_says_that_holds_it_is_called_by_its_check() {
     let sources = Sources::new(files.clone());
     let ledger = Ledger::of_the_paper();
     let (mut missing, names) = (Vec::new(), names_of_types(&files));
-    // Nothing that every check has stands for any type.
+    // Names that occur in every check must not stand for any type.
     for owner in ["Resonance", "ResonantPoint", "GrazingState", "BranchExpansion"] {
         let common = ["oscillator", "forcing_frequency", "sampler", "deviations", "p", "x"];
         assert!(common.iter().all(|word| !names[owner].contains(*word)), "{owner}: {:?}", names[owner]);

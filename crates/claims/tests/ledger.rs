@@ -1,4 +1,4 @@
-//! The ledger is complete.
+//! Tests that the ledger is complete.
 
 use std::collections::{BTreeMap, BTreeSet};
 

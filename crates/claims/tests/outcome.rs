@@ -1,4 +1,4 @@
-//! What passes, and what counts as nothing tested.
+//! Tests of the outcomes that pass, and of those that count as nothing tested.
 
 use grazing_claims::outcome::{Measure, Outcome};
 

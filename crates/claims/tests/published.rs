@@ -1,5 +1,5 @@
-//! How computed values are held against the paper's print. The numbers here are invented, none is
-//! the paper's.
+//! Tests of the comparison of computed values with the paper's print. The numbers here are invented; none
+//! is the paper's.
 
 mod files;
 
@@ -101,7 +101,7 @@ fn the_list_of_the_repository_is_valid_and_cites_the_paper() {
     }
 }
 
-/// The numbers of a text without signs, each with what stands between it and the one before.
+/// The numbers of a text without signs, each with the text between it and the previous one.
 fn numbers(text: &str) -> Vec<(&str, &str)> {
     let is_of_number = |c: char| c.is_ascii_digit() || c == '.' || c == '_';
     let (mut found, mut end) = (Vec::new(), 0);
@@ -112,7 +112,7 @@ fn numbers(text: &str) -> Vec<(&str, &str)> {
         let between = &text[end..start];
         let rest = &text[start..];
         end = start + rest.find(|c| !is_of_number(c)).unwrap_or(rest.len());
-        // Digits of a name are no number.
+        // Digits within a name are not a number.
         if !between.ends_with(|c: char| c.is_alphanumeric() || c == '_') {
             found.push((between, text[start..end].trim_end_matches(['.', '_'])));
         }
@@ -120,7 +120,7 @@ fn numbers(text: &str) -> Vec<(&str, &str)> {
     found
 }
 
-/// The digits of a printed number that count.
+/// The number of significant digits of a printed number.
 fn digits(printed: &str) -> usize {
     printed.replace(['-', '.'], "").trim_start_matches('0').len()
 }
@@ -134,7 +134,8 @@ fn no_number_of_the_paper_stands_in_code() {
         .for_each(|folder| files::rust_files(&root.join(folder), &mut files));
     assert!(files.len() > 300, "{}", files.len());
     let values = &Published::printed().values;
-    // Numbers of few digits mean anything; those that it chose for its oscillator do not, together.
+    // Numbers with few digits may occur anywhere; the constants of the paper's oscillator may not occur
+    // together.
     let (long, short): (Vec<&PublishedValue>, Vec<_>) =
         values.iter().partition(|value| digits(&value.printed) > 2);
     let [damping, restitution] = short[..] else { panic!("{short:?}") };
@@ -151,7 +152,7 @@ fn no_number_of_the_paper_stands_in_code() {
             let there = numbers.iter().any(|(_, number)| is(number, value));
             found.extend(there.then(|| complain(format!("{} = {}", value.id, value.printed))));
         }
-        // Tests and benchmarks may have any oscillators, also this.
+        // Tests and benchmarks may use any oscillators, including this one.
         if file.components().any(|part| ["tests", "benches"].iter().any(|name| part.as_os_str() == *name)) {
             continue;
         }

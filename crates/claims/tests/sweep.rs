@@ -1,5 +1,5 @@
-//! Where the cases of the sweep lie, and a search that knows nothing of them; the sweep itself is
-//! what the ledger's checks and `reproduce` run.
+//! Tests of the cases of the sweep, and an independent search; the sweep itself is run by the ledger's
+//! checks and by `reproduce`.
 
 use grazing_claims::sweep::closed_form::LoopSolutions;
 use grazing_claims::sweep::resonant::CurveRow;
@@ -32,7 +32,7 @@ fn the_cases_go_to_where_the_theorems_change_their_minds() {
             assert!(of_p.iter().any(side), "p = {p}");
         }
     }
-    // ε to both sides of 1/E_p, and at it.
+    // ε on both sides of 1/E_p, and equal to it.
     let rebound = |case: &Case| {
         let theory = grazing_theorems::LinearOscillator::new(case.zeta, case.epsilon).unwrap();
         case.epsilon * theory.grazing(case.omega).unwrap().decay(case.loops)
@@ -43,7 +43,7 @@ fn the_cases_go_to_where_the_theorems_change_their_minds() {
     assert!(resonant.iter().any(|case| case.negative));
 }
 
-/// How much the impact that comes about p forcing periods after one at (y, z) differs from it, by
+/// The difference between the impact about p forcing periods after one at (y, z) and that one, by
 /// simulation.
 fn next_velocity(oscillator: &LinearOscillator, loops: u32, velocity: f64, phase: f64) -> Option<[f64; 2]> {
     let period = oscillator.forcing_period();
@@ -55,9 +55,8 @@ fn next_velocity(oscillator: &LinearOscillator, loops: u32, velocity: f64, phase
     (late.abs() < 1.0).then_some([impact.velocity - velocity, late])
 }
 
-/// Impacts (y, z) near grazing from which the hybrid system comes back to the same impact, found by
-/// Newton's method on simulated orbits alone, from a grid of impacts in which z is so dense that
-/// orbits of all kinds are met.
+/// Impacts (y, z) near grazing to which the hybrid system returns, found by Newton's method on simulated
+/// orbits alone, from a grid of impacts that is dense enough in z to include orbits of all kinds.
 fn found_by_search(oscillator: &LinearOscillator, loops: u32, centre: f64, scale: f64) -> Vec<[f64; 2]> {
     let mut found: Vec<[f64; 2]> = Vec::new();
     let steps = 400;
@@ -101,7 +100,7 @@ fn found_by_search(oscillator: &LinearOscillator, loops: u32, centre: f64, scale
 
 #[test]
 fn a_blind_search_by_simulation_finds_the_orbit_on_its_side_and_none_on_the_other() {
-    // Below and above g_p: the MPS is on the left of grazing and on the right.
+    // Below and above g_p the MPS is to the left and to the right of grazing, respectively.
     for (loops, fraction) in [(1, 0.05), (1, -0.05), (2, 0.2), (2, 0.3), (3, 0.2)] {
         let (zeta, epsilon) = (0.03, 0.8);
         let from = if loops == 1 { 1.5 } else { 1.0 };

@@ -130,7 +130,7 @@ tables! {
         ordinate: Ordinate,
         /// The quantities that can be on the vertical axis, along branches; empty unless requested.
         readings: Vec<Reading>,
-        /// The same quantities for simulated motion; rows with equal sweep, parameters and orbit form one
+        /// The quantities of simulated motion, likewise; rows with equal sweep, parameters and orbit form one
         /// orbit.
         motion: Vec<MotionReading>,
         /// The number of simulated orbits without a point, because they came to rest or could not be

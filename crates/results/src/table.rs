@@ -28,7 +28,7 @@ impl TablePlan {
         Self { name, row, columns: R::COLUMNS }
     }
 
-    /// These tables with other names.
+    /// The given tables with other names.
     pub const fn renamed<const COUNT: usize>(tables: &[Self], names: [&'static str; COUNT]) -> [Self; COUNT] {
         let mut renamed = [tables[0]; COUNT];
         let mut place = 0;

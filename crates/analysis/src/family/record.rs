@@ -56,7 +56,7 @@ pub(super) struct Way {
 pub(super) enum Destination {
     /// The next member, at this resonance.
     Next(Box<Resonance>),
-    /// This member, at the resonance with this index.
+    /// The member itself, at the resonance with this index.
     Back(usize),
     /// None: the resonance ceases to exist or is lost between the members.
     Nowhere,

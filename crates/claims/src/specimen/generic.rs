@@ -1,11 +1,11 @@
-//! What section 4 is measured on: oscillators at grazing, and first-order data alone.
+//! Specimens for section 4: oscillators at grazing, and random first-order data.
 
 use crate::*;
 
-/// The specimens at grazing: three with Φ = ε and Ψ = 0, three whose reset law varies, three of
-/// these with the frequency as μ, three with a nonlinear force, two with real eigenvalues.
+/// The specimens at grazing: three with Φ = ε and Ψ = 0, three with a variable reset law, three of these
+/// with the frequency as μ, three with a nonlinear force, two with real eigenvalues.
 ///
-/// α > 0 for all, a₁₂ and β of either sign, no p ≤ 4 near its resonance: |S_p| > 0.1 r^(p−1).
+/// α > 0 for all, a₁₂ and β have either sign, and no p ≤ 4 is near its resonance: |S_p| > 0.1 r^(p−1).
 pub(crate) fn specimens() -> Result<Vec<Grazing>, Failure> {
     let all = [
         (Law::linear(0.1, 0.8), 0.83),
@@ -30,7 +30,7 @@ pub(crate) fn specimens_with(loops: RangeInclusive<u32>) -> Result<Vec<(Grazing,
     Ok(specimens()?.into_iter().flat_map(with).collect())
 }
 
-/// What so many samples at each of the specimens add up to.
+/// The tally of `samples` random samples at each of the specimens.
 pub(crate) fn at_specimens<T: Default>(
     seed: u64,
     samples: usize,
@@ -48,13 +48,13 @@ pub(crate) fn delayed() -> Result<Vec<Grazing>, Failure> {
     all.into_iter().map(|(law, frequency)| Law { delay, ..law }.grazing(frequency)).collect()
 }
 
-/// First-order data of a global map: (τ, δ) in the trapesium, entries of order one, a₁₂ ≠ 0.
+/// Random first-order data of a global map: (τ, δ) in the trapesium, entries of order one, a₁₂ ≠ 0.
 pub(crate) fn sampled_map(sampler: &mut Sampler) -> LinearisedMap {
     let (tau, delta) = sampler.trapesium();
     map_with(sampler, tau, delta)
 }
 
-/// First-order data of a global map with this trace and determinant.
+/// Random first-order data of a global map with this trace and determinant.
 pub(crate) fn map_with(sampler: &mut Sampler, tau: f64, delta: f64) -> LinearisedMap {
     let a11 = sampler.between(-1.5, 1.5);
     let a12 = sampler.between(0.2, 2.0) * sampler.one_of(&[-1.0, 1.0]);
@@ -65,7 +65,8 @@ pub(crate) fn map_with(sampler: &mut Sampler, tau: f64, delta: f64) -> Linearise
     }
 }
 
-/// First-order data of a grazing point with this map; Ψ of either sign, so small that α > 0.
+/// Random first-order data of a grazing point with this map; Ψ has either sign, and is so small that α >
+/// 0.
 pub(crate) fn sampled_point(sampler: &mut Sampler, map: LinearisedMap) -> GrazingPoint {
     let forcing_frequency = sampler.between(0.2, 3.0);
     let gamma = sampler.between(0.2, 3.0);
@@ -78,7 +79,7 @@ pub(crate) fn sampled_point(sampler: &mut Sampler, map: LinearisedMap) -> Grazin
     }
 }
 
-/// Directions in (y, z − z_graz, μ), or in more variables: without pattern, and along the axes.
+/// Directions in (y, z − z_graz, μ), or in more variables: random ones, and along the axes.
 pub(crate) fn directions<const N: usize>(sampler: &mut Sampler, number: usize) -> Vec<[f64; N]> {
     let axes = (0..N).map(|axis| core::array::from_fn(|i| f64::from(u8::from(i == axis))));
     let others: Vec<[f64; N]> =
@@ -86,7 +87,7 @@ pub(crate) fn directions<const N: usize>(sampler: &mut Sampler, number: usize) -
     axes.chain(others).collect()
 }
 
-/// The smallest order of a remainder in all directions at once, over specimens with α of any sign.
+/// The smallest order of a remainder in all directions at once, over specimens with α of either sign.
 pub(crate) fn smallest_order<const N: usize>(
     seed: u64,
     stated: f64,

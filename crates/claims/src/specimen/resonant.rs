@@ -1,4 +1,4 @@
-//! Resonances to measure at, and points near them.
+//! Specimens at resonances, and points near them.
 
 use crate::*;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
@@ -25,20 +25,20 @@ pub(crate) struct Symbols {
     pub(crate) omega: f64,
     pub(crate) gamma: f64,
     pub(crate) phi: f64,
-    /// A^p at the resonance as in section 5: A for p = 1, −δ^{p/2} I for p ≥ 2, with a₁₂ = 0.
+    /// A^p at the resonance, as in section 5: A for p = 1, −δ^{p/2} I for p ≥ 2, with a₁₂ = 0.
     pub(crate) power: Matrix2<f64>,
-    /// ξ_p.
+    /// The number ξ_p.
     pub(crate) xi: f64,
-    /// d_p.
+    /// The number d_p.
     pub(crate) d: f64,
-    /// e_p.
+    /// The number e_p.
     pub(crate) e: f64,
-    /// f_p along the grazing curve: a₁₂' and eq:fp.
+    /// The number f_p along the grazing curve: a₁₂' and eq:fp.
     pub(crate) f: f64,
 }
 
 impl ResonantSpecimen {
-    /// The resonance that the one (p, n) of the linear oscillator becomes with this law.
+    /// The resonance into which the resonance (p, n) of the linear oscillator is continued with this law.
     pub(crate) fn find(law: Law, loops: u32, index: u32) -> Result<Self, Failure> {
         Ok(Self { resonance: law.resonance(loops, index)?.checked()? })
     }
@@ -83,7 +83,7 @@ impl ResonantSpecimen {
         Grazing::find(&oscillator, orbit.phase() + orbit.phase_slope() * eta).ok()
     }
 
-    /// The derivative in η of a number made of P_global at grazing, along the grazing curve.
+    /// The derivative in η of a function of P_global at grazing, along the grazing curve.
     pub(crate) fn along_grazing(
         &self,
         step: f64,
@@ -100,7 +100,7 @@ impl ResonantSpecimen {
         Some(Near { unknowns: Unknowns::new(y, orbit.phase() + z, primary + mu, secondary), orbit })
     }
 
-    /// z_graz at the resonance itself.
+    /// The phase z_graz at the resonance itself.
     pub(crate) fn fixed_phase(&self) -> f64 {
         self.resonance.orbit().phase()
     }
@@ -124,7 +124,7 @@ impl ResonantSpecimen {
         self.solved([curve.condition, Condition::Secondary(near.unknowns[3])], near)
     }
 
-    /// The two ways from the impact of a point to one surface, to first order.
+    /// The two paths from the impact of a point to one surface, to first order.
     pub(crate) fn pair(&self, near: &Near) -> Result<LoopPair, MapError> {
         self.resonance.equations().pair::<1>(&near.unknowns, &mut EventTimes::default())
     }
@@ -162,12 +162,12 @@ impl ResonantSpecimen {
 pub(crate) struct Bifurcation {
     pub(crate) condition: Condition,
     pub(crate) leading: BifurcationCurve,
-    /// s_p^+ or s_p^-.
+    /// The coefficient s_p^+ or s_p^-.
     pub(crate) stability: f64,
 }
 
 impl Near {
-    /// (z − z_graz,η, μ).
+    /// The pair (z − z_graz,η, μ).
     pub(crate) fn relative(&self) -> [f64; 2] {
         [
             self.unknowns[unknown::PHASE] - self.orbit.phase(),
@@ -188,16 +188,16 @@ impl Near {
     }
 }
 
-/// Which numbers of loops.
+/// A range of numbers of loops.
 pub(crate) type Loops = RangeInclusive<u32>;
 /// One loop.
 pub(crate) const ONE: Loops = 1..=1;
-/// Two loops and more.
+/// Two or more loops.
 pub(crate) const MANY: Loops = 2..=5;
-/// All that there are resonances of in [`everywhere`].
+/// All numbers of loops with resonances in [`everywhere`].
 pub(crate) const ANY: Loops = 1..=5;
 
-/// The resonances at which everything is measured: linear, with varying reset law, nonlinear.
+/// The resonances at which everything is measured: linear, with a variable reset law, and nonlinear.
 static PLACES: LazyLock<Result<Vec<ResonantSpecimen>, String>> =
     LazyLock::new(|| places().map_err(|failure| failure.to_string()));
 
@@ -206,7 +206,7 @@ fn places() -> Result<Vec<ResonantSpecimen>, Failure> {
     let mut found = Vec::new();
     let indices = ANY.flat_map(|loops| (1..=if loops == 1 { 4 } else { 2 }).map(move |n| (loops, n)));
     for (loops, n) in indices {
-        // Smaller E_p make the leading terms so small that they drown in rounding.
+        // For smaller E_p the leading terms would be smaller than rounding.
         let damping = damping_for_decay(loops, n, sampler.between(0.15, 0.8));
         found.push(ResonantSpecimen::find(Law::linear(damping, sampler.between(0.3, 1.0)), loops, n)?);
         let damping = damping_for_decay(loops, n, sampler.between(0.3, 0.8));
@@ -218,7 +218,7 @@ fn places() -> Result<Vec<ResonantSpecimen>, Failure> {
     Ok(found)
 }
 
-/// What measurements at all resonances with these numbers of loops add up to.
+/// The tally of measurements at all resonances with these numbers of loops.
 pub(crate) fn everywhere<T: Default>(
     which: Loops,
     measure: impl FnMut(&ResonantSpecimen, &mut T) -> Result<(), Failure>,
@@ -227,7 +227,7 @@ pub(crate) fn everywhere<T: Default>(
     over(places.iter().filter(|place| which.contains(&place.loops())), measure)
 }
 
-/// Orders of remainders.
+/// The observed orders of remainders.
 pub(crate) type Orders = Result<Vec<Observed>, Failure>;
 
 /// The orders that a function finds at all resonances with these numbers of loops.
@@ -235,12 +235,12 @@ pub(crate) fn all_orders(which: Loops, measure: impl Fn(&ResonantSpecimen) -> Or
     everywhere(which, |place, all: &mut Vec<_>| measure(place).map(|orders| all.extend(orders)))
 }
 
-/// The orders that a function finds everywhere, as an outcome.
+/// The orders that a function finds at all resonances, as an outcome.
 pub(crate) fn orders(which: Loops, over: &str, measure: impl Fn(&ResonantSpecimen) -> Orders) -> CheckResult {
     Ok(of_orders(&all_orders(which, measure)?, over))
 }
 
-/// The same for what is corrected and for what is printed.
+/// The outcome of the corrected form, with the orders of the printed one.
 pub(crate) fn orders_against_print(
     which: Loops,
     corrected: impl Fn(&ResonantSpecimen) -> Orders,
@@ -250,11 +250,12 @@ pub(crate) fn orders_against_print(
     Ok(orders(which, EVERYWHERE, corrected)?.against_print(printed))
 }
 
-/// The words for the samples of [`everywhere`] where they are remainders.
+/// The description of the samples of [`everywhere`] if they are remainders.
 pub(crate) const EVERYWHERE: &str =
     "remainders at resonances with p up to 5 of oscillators with linear and other forces and reset laws";
 
-/// Directions (y, z, μ, η) in which points approach a resonance, y of either sign and never small.
+/// Random directions (y, z, μ, η) in which points approach a resonance, with y of either sign and never
+/// small.
 pub(crate) fn offsets(count: usize) -> Vec<Offset> {
     let mut sampler = Sampler::new(7);
     let mut one = || {
@@ -264,7 +265,7 @@ pub(crate) fn offsets(count: usize) -> Vec<Offset> {
     (0..count).map(|_| one()).collect()
 }
 
-/// The direction times a size.
+/// The direction multiplied by a size.
 pub(crate) fn scaled(direction: &Offset, size: f64) -> Offset {
     direction.map(|share| share * size)
 }

@@ -11,15 +11,16 @@ pub struct Case {
     pub epsilon: f64,
     /// Number of loops p of the MPS.
     pub loops: u32,
-    /// n of the resonance or of the nearest one: ω₁/ω ≈ n/2 for p = 1, in (n, n + 1) for p ≥ 2.
+    /// The integer n of the resonance or of the nearest one: ω₁/ω ≈ n/2 for p = 1, in (n, n + 1) for p ≥
+    /// 2.
     pub n: u32,
-    /// A resonance with ω₁/ω = n − 1/(2p) instead of n + 1/(2p): a₁₂ α < 0.
+    /// Whether the resonance is at ω₁/ω = n − 1/(2p) instead of n + 1/(2p), so that a₁₂ α < 0.
     pub negative: bool,
     /// Forcing frequency ω.
     pub omega: f64,
 }
 
-/// Damping ratios.
+/// The damping ratios of the cases.
 const ZETA: [f64; 4] = [0.005, 0.03, 0.08, 0.3];
 
 /// A coefficient of restitution, or one over 1/E_p, where s_p⁺ vanishes (s_1⁻ for even n).
@@ -35,7 +36,7 @@ const RESTITUTION: [Restitution; 6] =
     [Plain(0.1), Plain(0.8), OverDecay(0.95), Plain(0.5), Plain(1.0), OverDecay(1.05)];
 
 impl Restitution {
-    /// ε, unless it is too large or the decay too strong.
+    /// The value of ε, unless it is too large or the decay too strong.
     fn value(self, decay: f64) -> Option<f64> {
         match self {
             Plain(epsilon) => (decay >= LEAST_DECAY).then_some(epsilon),
@@ -44,12 +45,12 @@ impl Restitution {
     }
 }
 
-/// If less is left of a displacement after p periods, p loops differ only at velocities near
-/// rounding; if less than ten times this, ε near 1/E_p is far too large.
+/// The least decay factor over p periods: below it, p loops differ only at velocities near rounding;
+/// below ten times this value, ε near 1/E_p is far too large.
 const LEAST_DECAY: f64 = 0.02;
 
-/// ω₁/ω less n for p ≥ 2: about the resonance q = 1/(2p); to both sides of h_p, between 1/(2(p−1))
-/// and 1/p by lemma 2.1; where p = 5 has MPSs below h_p; and the same with a₁₂ < 0.
+/// Values of ω₁/ω − n for p ≥ 2: about the resonance q = 1/(2p); on both sides of h_p, between 1/(2(p−1))
+/// and 1/p by lemma 2.1; where p = 5 has MPSs below h_p; and similar ones with a₁₂ < 0.
 fn fractions(p: f64) -> [f64; 14] {
     let (q, before) = (0.5 / p, 0.5 / (p - 1.0));
     let above = 0.5 * (q + before);
@@ -72,11 +73,11 @@ fn fractions(p: f64) -> [f64; 14] {
     ]
 }
 
-/// The same for p = 1, less n/2.
+/// Values of ω₁/ω − n/2 for p = 1.
 const SHIFTS: [f64; 8] = [-0.22, -0.12, -0.05, -0.02, 0.02, 0.05, 0.12, 0.22];
 
 impl Case {
-    /// One of these, unless the restitution is too large or the decay too strong.
+    /// A case with this restitution, unless the restitution is too large or the decay too strong.
     fn of(
         free: &LinearOscillator,
         [loops, n]: [u32; 2],
@@ -115,7 +116,7 @@ pub fn generic_cases() -> Result<Vec<Case>, TheoryError> {
     Ok(cases)
 }
 
-/// Resonances for theorems 2.4 and 2.5, with ω₁/ω = n − 1/(2p) and ε = 1/E_p among them.
+/// Resonances for theorems 2.4 and 2.5, including ones with ω₁/ω = n − 1/(2p) and ε = 1/E_p.
 ///
 /// # Errors
 /// A parameter of the lists outside its domain: an error in the program.
@@ -127,7 +128,7 @@ pub fn resonant_cases() -> Result<Vec<Case>, TheoryError> {
         for loops in 1..=5 {
             for n in first_n(zeta, loops)..=4 {
                 let omega = free.resonance(loops, n)?.forcing_frequency();
-                // Half of them here, the other half at the next resonance.
+                // Half of the restitutions are used here, the other half at the next resonance.
                 turn += 1;
                 let half = RESTITUTION.into_iter().skip(turn % 2).step_by(2);
                 for restitution in half.chain([OverDecay(1.0)]) {
@@ -145,7 +146,8 @@ pub fn resonant_cases() -> Result<Vec<Case>, TheoryError> {
     Ok(cases)
 }
 
-/// With strong damping the resonances with p ≥ 2 are clear only at high frequencies, n = 0.
+/// The first n: with strong damping the resonances with p ≥ 2 are distinct only at high frequencies, n =
+/// 0.
 fn first_n(zeta: f64, loops: u32) -> u32 {
     u32::from(loops == 1 || zeta < 0.2)
 }

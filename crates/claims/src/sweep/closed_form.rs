@@ -1,4 +1,4 @@
-//! All p-loop MPSs of the linear oscillator at one frequency, and their folds and flips.
+//! All p-loop solutions of the linear oscillator at one frequency, with their folds and flips.
 //!
 //! Returning to (0, y) after p forcing periods from (0, −εy) is a condition linear in y and in 𝒜
 //! (cos z, sin z): 𝒜 (cos z, sin z) = a + b y. So 𝒜² = |a + b y|² gives all solutions, at most two
@@ -16,7 +16,7 @@ pub struct LoopSolutions {
     omega: f64,
     /// The free motion of (x, y) over p forcing periods.
     propagator: Matrix2<f64>,
-    /// Position and velocity of the response from 𝒜 (cos z, sin z).
+    /// Position and velocity of the forced response, as a linear function of 𝒜 (cos z, sin z).
     response: Matrix2<f64>,
     a: Vector2<f64>,
     b: Vector2<f64>,
@@ -32,7 +32,7 @@ pub struct LoopSolution {
     pub phase: f64,
     /// Forcing amplitude 𝒜.
     pub amplitude: f64,
-    /// 𝒜 − 𝒜_graz without cancellation.
+    /// The difference 𝒜 − 𝒜_graz, computed without cancellation.
     pub mu: f64,
     /// The trace T of eq:TD.
     pub trace: f64,
@@ -41,7 +41,7 @@ pub struct LoopSolution {
 }
 
 impl LoopSolution {
-    /// Its impact, to be looked at in the hybrid system.
+    /// The impact of the solution, for tests in the hybrid system.
     pub(crate) fn suspect<'a, O>(&self, oscillator: &'a O, loops: u32) -> Suspect<'a, O> {
         Suspect { oscillator, loops, velocity: self.velocity, phase: self.phase }
     }
@@ -50,7 +50,7 @@ impl LoopSolution {
 impl LoopSolutions {
     /// The solutions for damping ratio ζ, restitution ε, forcing frequency ω and p = `loops`.
     ///
-    /// ζ in (0, 1), ε and ω positive; NaN otherwise.
+    /// The arguments must satisfy 0 < ζ < 1 and ε, ω > 0; otherwise the results are NaN.
     pub fn new(zeta: f64, epsilon: f64, omega: f64, loops: u32) -> Self {
         let time = TAU * f64::from(loops) / omega;
         let omega_1 = (1.0 - zeta * zeta).sqrt();
@@ -60,7 +60,8 @@ impl LoopSolutions {
         let (stiffness, loss) = (1.0 - omega * omega, 2.0 * zeta * omega);
         let square = stiffness * stiffness + loss * loss;
         let response = Matrix2::new(stiffness, loss, omega * loss, -omega * stiffness) / square;
-        // The response times its transpose is diagonal: no division by a small determinant.
+        // The response times its transpose is diagonal, so that there is no division by a small
+        // determinant.
         let from_response = Matrix2::new(stiffness, loss / omega, loss, -stiffness / omega);
         let rest = Matrix2::identity() - propagator;
         let determinant = rest.determinant();
@@ -71,7 +72,7 @@ impl LoopSolutions {
         Self { zeta, epsilon, omega, propagator, response, a, b, decay }
     }
 
-    /// 𝒜_graz.
+    /// The grazing amplitude 𝒜_graz.
     pub fn grazing_amplitude(&self) -> f64 {
         self.a.norm()
     }
@@ -124,7 +125,7 @@ impl LoopSolutions {
         [velocity, velocity * (self.a[0] * self.b[1] - self.a[1] * self.b[0]) / square]
     }
 
-    /// D = ε² E_p².
+    /// The determinant D = ε² E_p².
     pub fn determinant(&self) -> f64 {
         let rebound = self.epsilon * self.decay;
         rebound * rebound
@@ -135,7 +136,8 @@ impl LoopSolutions {
         -self.epsilon * self.propagator[(1, 1)]
     }
 
-    /// y times what the return to the wall, instead of to the impact phase, takes from the trace.
+    /// The difference in the trace, times y, due to the return to the wall instead of to the impact
+    /// phase.
     fn leak(&self, velocity: f64) -> f64 {
         let direction = self.a + self.b * velocity;
         let turned = Vector2::new(-direction[1], direction[0]);

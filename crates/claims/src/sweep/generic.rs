@@ -1,4 +1,4 @@
-//! Theorems 2.2 and 2.3: on which side of grazing the MPS comes into being, unstable.
+//! Theorems 2.2 and 2.3: the side of grazing on which the unstable MPS emerges.
 
 use super::closed_form::LoopSolutions;
 use super::{
@@ -12,34 +12,36 @@ use grazing_model::LinearOscillator;
 use grazing_theorems::HypothesesViolated;
 use grazing_theorems::hypothesis::Hypothesis;
 
-/// What theorem 2.2 or 2.3 says about a case, and what is seen.
+/// The prediction of theorem 2.2 or 2.3 for a case, and the computed behaviour.
 #[derive(Debug, Clone)]
 pub struct GenericRow {
     /// The case.
     pub case: Case,
-    /// What the theorem knows about the grazing point, from derivatives of the numerical P_global.
+    /// The data of the grazing point that the theorem uses, from derivatives of the numerical P_global.
     pub point: GrazingPoint,
     /// All hypotheses with their values.
     pub hypotheses: Vec<Hypothesis>,
-    /// The side that the theorem gives; `None` if a hypothesis fails.
+    /// The side predicted by the theorem; `None` if a hypothesis fails.
     pub predicted: Option<Side>,
     /// The side on which, to first order in μ, y > 0 and no interior loop meets the wall.
     pub first_order: Existence,
-    /// What continuation from the grazing point finds.
+    /// The result of continuation from the grazing point.
     pub continued: Existence,
-    /// What simulation of all candidates at small μ of both signs finds.
+    /// The result of simulation of all candidates at small μ of both signs.
     pub simulated: Existence,
-    /// The MPS is unstable: by its multipliers along the branch, and by simulation where it is one.
+    /// Whether the MPS is unstable: by its multipliers along the branch, and by simulation where it is an
+    /// MPS.
     pub unstable: [bool; 2],
-    /// dy/dμ and dz/dμ: section 4 with the numerical P_global, closed form, along the branch.
+    /// dy/dμ and dz/dμ: by section 4 with the numerical P_global, by closed form, and along the branch.
     pub slopes: [[f64; 2]; 3],
 }
 
-/// Followed slopes agree with first-order terms to this: fourth-order extrapolation to y = 0.
+/// The tolerance between slopes along the branch and first-order terms: fourth-order extrapolation to y =
+/// 0.
 pub const SLOPE_TOLERANCE: f64 = 1e-5;
 
 impl GenericRow {
-    /// Works out a case.
+    /// Computes a case.
     pub fn of(case: Case) -> Result<Self, Failure> {
         let Case { zeta, epsilon, loops, omega, .. } = case;
         let closed = grazing_theorems::LinearOscillator::new(zeta, epsilon)?.grazing(omega)?;
@@ -81,14 +83,14 @@ impl GenericRow {
         Deviations::of(others.iter().map(off)).largest()
     }
 
-    /// What it comes to.
+    /// The verdict on the case.
     pub fn verdict(&self) -> CaseVerdict {
         let same = self.continued == self.simulated && self.simulated == self.first_order;
         let close = self.slope_difference() < SLOPE_TOLERANCE;
         if !(same && close) {
             return CaseVerdict::Unexplained;
         }
-        // Other hypotheses hold in all cases: what they are refused for has no reason.
+        // Other hypotheses hold in all cases: a violation of theirs would have no explanation.
         let map = self.point.map;
         let positive = map.a.m12 * self.point.alpha() > 0.0;
         let boundary = admissibility_boundary(self.case.loops, map.determinant());
@@ -108,8 +110,8 @@ impl GenericRow {
     }
 }
 
-/// An impact velocity that is small against that of the next bifurcation, against the grazing
-/// frequency over 1 + φ (an impact shifts the phase), and against the depth of interior loops.
+/// An impact velocity that is small compared with that of the next bifurcation, with γ/(ω (1 + φ)) (since
+/// an impact shifts the phase), and with 1.
 pub(crate) fn small_velocity(point: &GrazingPoint, loops: u32) -> f64 {
     let off_diagonal = point.map.iterate(loops).a.m12.abs();
     // Section 5: bifurcations lie at α ω |(Aᵖ)₁₂| / |s_p|, |s_p| up to (1 + φ E_p)² ≤ 4.
@@ -118,7 +120,7 @@ pub(crate) fn small_velocity(point: &GrazingPoint, loops: u32) -> f64 {
     0.01 * bifurcation.min(shift).min(1.0)
 }
 
-/// Where y > 0 and all interior loops have x < 0, to first order in μ.
+/// The side on which y > 0 and all interior loops have x < 0, to first order in μ.
 fn first_order(point: &GrazingPoint, loops: u32) -> Result<Existence, Failure> {
     let emerging = point.emerging_orbit(loops)?;
     let positive = |sign: f64| {
@@ -157,7 +159,7 @@ pub(super) fn to_zero(at: &[f64], mut values: Vec<f64>) -> f64 {
     values.last().copied().unwrap_or(f64::NAN)
 }
 
-/// Where an MPS is seen in the hybrid system at small μ, and whether orbits beside it leave.
+/// The side on which the hybrid system has an MPS at small μ, and whether nearby orbits leave it.
 fn simulate(
     oscillator: &LinearOscillator,
     solutions: &LoopSolutions,
@@ -169,7 +171,7 @@ fn simulate(
     let mut found = |side: Side| -> Option<bool> {
         let at_sizes = [1.0, 0.5, 0.25].map(|size| {
             let mu = side.signum() * scale * size;
-            // What does not shrink with μ does not emanate from grazing.
+            // Solutions that do not shrink with μ do not emanate from grazing.
             let near: Vec<_> = solutions
                 .at(mu)
                 .into_iter()

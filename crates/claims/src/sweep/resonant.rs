@@ -1,4 +1,4 @@
-//! Theorems 2.4 and 2.5: the saddle-node curve and that of multiplier −1 from a resonance.
+//! Theorems 2.4 and 2.5: the saddle-node curve and the curve of multiplier −1 that leave a resonance.
 
 use super::closed_form::{LoopSolution, LoopSolutions};
 use super::generic::to_zero;
@@ -11,57 +11,59 @@ use grazing_theorems::hypothesis::Hypothesis;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_theorems::{HypothesesViolated, ResonantGrazing};
 
-/// A bifurcation curve as predicted and as seen.
+/// A bifurcation curve, as predicted and as computed.
 #[derive(Debug, Clone, Copy)]
 pub struct CurveRow {
-    /// The sign of η by the theorem; `None` if a hypothesis fails.
+    /// The sign of η predicted by the theorem; `None` if a hypothesis fails.
     pub predicted: Option<Side>,
-    /// The sign of η of the continued curve, y > 0 and admissible; `None` if the theorem is silent.
+    /// The sign of η of the continued curve, where it is admissible with y > 0; `None` if the theorem is
+    /// silent.
     pub continued: Option<Existence>,
-    /// The sign of η for which simulation sees an MPS to either side of the curve.
+    /// The sign of η for which simulation finds an MPS on either side of the curve.
     pub simulated: Existence,
-    /// The multiplier 1 or −1 is crossed, by simulated derivatives to either side of the curve.
+    /// Whether the multiplier 1 or −1 is crossed, by simulated derivatives on either side of the curve.
     pub crossed: bool,
-    /// If |D| < 1, simulated orbits beside the MPS come nearer to one side of the curve and leave
-    /// on the other; `None` if |D| ≥ 1, where no MPS near the resonance is stable.
+    /// Whether, if |D| < 1, simulated orbits near the MPS approach it on one side of the curve and leave
+    /// it on the other; `None` if |D| ≥ 1, where no MPS near the resonance is stable.
     pub stability_changes: Option<bool>,
-    /// The quadratic coefficient by the theorem, P_global numerical; NaN where it is silent.
+    /// The quadratic coefficient by the theorem, with the numerical P_global; NaN where the theorem is
+    /// silent.
     pub theorem: f64,
-    /// By proposition 3.2 or 3.3; NaN for ω₁/ω = n − 1/(2p).
+    /// The quadratic coefficient by proposition 3.2 or 3.3; NaN for ω₁/ω = n − 1/(2p).
     pub proposition: f64,
-    /// Measured on the continued curve.
+    /// The quadratic coefficient measured on the continued curve.
     pub fit: Option<Estimate>,
-    /// The limit of μ/η² on the curve that the quadratic equation for y gives.
+    /// The limit of μ/η² on the curve given by the quadratic equation for y.
     pub quadratic_equation: f64,
 }
 
-/// What theorem 2.4 or 2.5 says about a resonance, and what is seen.
+/// The prediction of theorem 2.4 or 2.5 for a resonance, and the computed behaviour.
 #[derive(Debug, Clone)]
 pub struct ResonantRow {
     /// The case.
     pub case: Case,
-    /// What the theorem knows about the resonance, from derivatives of the numerical P_global.
+    /// The data of the resonance that the theorem uses, from derivatives of the numerical P_global.
     pub point: ResonantPoint,
-    /// 𝒜_graz at the resonance.
+    /// The grazing amplitude 𝒜_graz at the resonance.
     pub amplitude: f64,
-    /// E_p.
+    /// The decay factor E_p.
     pub decay: f64,
     /// All hypotheses with their values.
     pub hypotheses: Vec<Hypothesis>,
-    /// Saddle-node curve, and curve of multiplier −1.
+    /// The saddle-node curve, and the curve of multiplier −1.
     pub curves: [CurveRow; 2],
 }
 
-/// Closed forms, derivatives of the numerical map and the limit on the exact curve agree to this:
+/// The tolerance between closed forms, derivatives of the numerical map and the limit on the exact curve:
 /// rounding of first and second derivatives, divided by s_p⁺ where that is small.
 pub const EXACT_TOLERANCE: f64 = 1e-6;
-/// Fits agree to this: velocities up to some hundredths, with s_p⁺ as small as 0.002.
+/// The tolerance of fits: velocities up to several hundredths, with s_p⁺ as small as 0.002.
 pub const FIT_TOLERANCE: f64 = 1e-4;
-/// What is left of a₁₂, κ_p or s_p^± in numerical derivatives where it is zero.
+/// The bound below which a₁₂, κ_p or s_p^± from numerical derivatives counts as zero.
 const ROUNDING: f64 = 1e-11;
 
 impl ResonantRow {
-    /// Works out a case.
+    /// Computes a case.
     pub fn of(case: Case) -> Result<Self, Failure> {
         let Case { zeta, epsilon, loops, n, negative, omega } = case;
         let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon)?;
@@ -93,7 +95,7 @@ impl ResonantRow {
         Ok(Self { case, point, amplitude: state.amplitude(), decay: state.decay(loops), hypotheses, curves })
     }
 
-    /// What it comes to.
+    /// The verdict on the case.
     pub fn verdict(&self) -> CaseVerdict {
         if self.curves[0].predicted.is_some() {
             let agrees = self.curves.iter().all(CurveRow::agrees);
@@ -102,7 +104,7 @@ impl ResonantRow {
         let stability = self.point.stability_coefficients();
         let vanishes = [stability.plus, stability.minus].map(|s| s.abs() <= ROUNDING);
         let nowhere = [0, 1].map(|k| self.curves[k].simulated == Existence::Nowhere);
-        // Otherwise the one whose coefficient vanishes is not there; the other one is.
+        // Otherwise the curve whose coefficient vanishes does not exist; the other one does.
         if self.case.negative && nowhere == [true; 2] {
             CaseVerdict::Explained(VIRTUAL_ORBIT)
         } else if !self.case.negative && vanishes[0] != vanishes[1] && nowhere == vanishes {
@@ -125,7 +127,7 @@ impl CurveRow {
         self.fit.map_or(f64::NAN, |fit| ((fit.value - self.theorem) / self.theorem).abs())
     }
 
-    /// All that the theorem says is seen.
+    /// Whether everything that the theorem predicts is observed.
     pub fn agrees(&self) -> bool {
         let Some(side) = self.predicted else { return false };
         let on = Existence::On(side);
@@ -138,7 +140,7 @@ impl CurveRow {
     }
 }
 
-/// The theorem, with s_p^± that are zero up to rounding taken for zero.
+/// The theorem, with values of s_p^± that are zero up to rounding taken as zero.
 fn asked(point: &ResonantPoint) -> (Option<ResonantGrazing>, Vec<Hypothesis>) {
     let stability = point.stability_coefficients();
     match ResonantGrazing::check(point, ROUNDING) {
@@ -151,18 +153,18 @@ fn asked(point: &ResonantPoint) -> (Option<ResonantGrazing>, Vec<Hypothesis>) {
     }
 }
 
-/// A curve of a resonance, to be looked at.
+/// A bifurcation curve of a resonance, for tests.
 struct Scene<'a> {
     case: Case,
     point: &'a ResonantPoint,
     start: LinearOscillator,
-    /// 1 on the saddle-node curve, −1 on the other.
+    /// The multiplier: 1 on the saddle-node curve, −1 on the other.
     multiplier: f64,
-    /// s_p⁺ or s_p⁻.
+    /// The coefficient s_p⁺ or s_p⁻.
     stability: f64,
 }
 
-/// How far from the curve the MPSs lie that are simulated, in units of the impact velocity on it.
+/// The distance of the simulated MPSs from the curve, in units of the impact velocity on it.
 const ASIDE: f64 = 0.5;
 
 impl Scene<'_> {
@@ -200,18 +202,19 @@ impl Scene<'_> {
         if self.multiplier > 0.0 { solutions.saddle_node() } else { solutions.period_doubling() }
     }
 
-    /// An impact velocity that is small against the frequency over 1 + ε (an impact shifts the
-    /// phase), and smaller where s_p^± is small: terms of higher order have to be small beside it.
+    /// An impact velocity that is small compared with the frequency over 1 + ε (since an impact shifts
+    /// the phase), and smaller where s_p^± is small, so that terms of higher order are negligible.
     fn small_velocity(&self) -> f64 {
         let Case { epsilon, omega, .. } = self.case;
         let root = self.stability.abs().sqrt().min(1.0);
-        // Where it is zero nothing is to be waited for.
+        // Where it is zero there is no small scale to respect.
         let root = if root < 1e-5 { 1.0 } else { root };
         0.03 * root * (omega / (1.0 + epsilon)).min(1.0)
     }
 
-    /// The η > 0 at which the bifurcation has about this |y|, if small against the change of
-    /// frequency by which the free oscillation turns by a radian in p periods, and against 𝒜_graz.
+    /// The η > 0 at which the bifurcation has about this |y|, limited to values that are small compared
+    /// with the change of frequency by which the free oscillation turns by a radian in p periods, and
+    /// with 𝒜_graz.
     fn small_eta(&self) -> f64 {
         let factor = self.point.grazing.alpha() * self.point.grazing.forcing_frequency;
         let slope = factor * self.point.off_diagonal_slope() / self.stability.abs().max(1e-4);
@@ -226,11 +229,12 @@ impl Scene<'_> {
         to_zero(&at, ratios)
     }
 
-    /// Between MPSs on both sides: is the multiplier crossed; does stability change, if |D| < 1?
+    /// Whether the multiplier is crossed between MPSs on both sides, and whether stability changes if |D|
+    /// < 1.
     fn beside(&self, eta: f64) -> Option<(bool, Option<bool>)> {
         let solutions = self.solutions(eta);
         let middle = self.bifurcation(eta);
-        // Unless its velocity goes to zero with η, it does not come out of the resonance.
+        // Unless its velocity vanishes with η, the curve does not emerge from the resonance.
         let nearer = self.bifurcation(0.25 * eta);
         if nearer.velocity.abs() > 0.5 * middle.velocity.abs() {
             return None;
@@ -245,7 +249,7 @@ impl Scene<'_> {
         let side =
             suspects.map(|suspect| suspect.multipliers().map(|[t, d]| 1.0 - self.multiplier * t + d > 0.0));
         let crossed = matches!(side, [Some(a), Some(b)] if a != b);
-        // With |D| ≥ 1 all orbits beside it leave.
+        // With |D| ≥ 1 all nearby orbits leave.
         let stability_changes = (solutions.determinant() < 1.0)
             .then(|| matches!(suspects.map(|suspect| suspect.attracts()), [Some(a), Some(b)] if a != b));
         Some((crossed, stability_changes))

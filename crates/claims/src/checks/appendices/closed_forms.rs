@@ -3,7 +3,7 @@
 use super::printed_flow::{CLOSED, DIFFERENCES, Turn};
 use crate::*;
 
-/// Closed forms at resonances with p loops, E_p and ε at random.
+/// Compares closed forms with numbers at resonances with p loops, E_p and ε at random.
 fn at_resonances(
     loops: &[u32],
     over: &str,
@@ -23,10 +23,10 @@ fn at_resonances(
 const ONE: &str = "resonances with p = 1, n = 1 to 4, E and ε at random";
 const MANY: &str = "resonances with p = 2 to 6, n = 1 to 4, E and ε at random";
 const MORE_LOOPS: &[u32] = &[2, 3, 4, 5, 6];
-/// First differences at resonances: rounding over the step.
+/// The tolerance of first differences at resonances: rounding over the step.
 const SLOPES: f64 = 1e-11;
 
-/// (−1)ⁿ.
+/// The sign (−1)ⁿ.
 fn parity(resonance: &Resonance) -> f64 {
     if resonance.index().is_multiple_of(2) { 1.0 } else { -1.0 }
 }
@@ -38,7 +38,7 @@ fn iterated(resonance: &Resonance) -> Result<f64, Failure> {
     Ok(jet.hessians[0][(1, 1)])
 }
 
-/// s^± by the general formula with numerical data, by the first line of the proof, and in the end.
+/// s^± by the general formula with numerical data, by the first line of the proof, and in its final form.
 fn stability(loops: &[u32], over: &str, first_line: impl Fn(&Resonance, f64) -> f64) -> CheckResult {
     at_resonances(loops, over, 1e-13, |resonance| {
         let grazing = resonance.grazing();
@@ -51,10 +51,10 @@ fn stability(loops: &[u32], over: &str, first_line: impl Fn(&Resonance, f64) -> 
     })
 }
 
-/// The derivative in ω of a number made of A along the grazing curve, by differences of P_global.
+/// The derivative in ω of a function of A along the grazing curve, by differences of P_global.
 fn along_grazing(resonance: &Resonance, of: impl Fn(&nalgebra::Matrix2<f64>) -> f64) -> Result<f64, Failure> {
     let theory = resonance.grazing().oscillator();
-    // Angles 2πω₁/ω change fast at low ω: the step shrinks with ω².
+    // Angles 2πω₁/ω change rapidly at low ω, so the step decreases with ω².
     let step = 2e-3 * resonance.forcing_frequency() * resonance.forcing_frequency();
     let measured = slope(step, |h| {
         let state = theory.grazing(resonance.forcing_frequency() + h).ok()?;
@@ -81,7 +81,7 @@ checks! {
             .chain(angles)
             .collect())
     });
-    /// The display of κ_p', at resonances of other numbers of loops than p too.
+    /// The display of κ_p', also at resonances of numbers of loops other than p.
     detuning_derivative: at_resonances(&[1, 2, 3, 4, 5, 6], "grazing states, p = 2 to 5", DIFFERENCES, |resonance| {
         let pair =
             |p: u32| Ok((along_grazing(resonance, detuning(p))?, resonance.grazing().detuning_derivative(p)));
@@ -90,7 +90,8 @@ checks! {
     /// The last steps of both proofs: the general coefficients are those of the propositions.
     coefficients: at_resonances(&[1, 2, 3, 4, 5, 6], "resonances with p = 1 to 6, E and ε at random", 1e-11, |resonance| {
         let point = resonance.resonant_point();
-        // Divided by the stated number: of all orders in size; c_PD loses digits where s⁻ is small.
+        // Divided by the stated number, since sizes vary by orders of magnitude; c_PD loses digits where
+        // s⁻ is small.
         Ok(vec![
             (point.saddle_node_coefficient() / resonance.saddle_node_coefficient(), 1.0),
             (point.period_doubling_coefficient() / resonance.period_doubling_coefficient(), 1.0),

@@ -2,12 +2,13 @@
 
 use crate::*;
 
-/// Each route makes some p² roundings of the terms by which deviations are divided, p up to 15.
+/// The tolerance: each route makes about p² roundings of the terms by which deviations are divided, p up
+/// to 15.
 const ROUNDING: f64 = 1e-13;
 const POINTS: &str = "points of the trapesium up to 10⁻⁶ from its slanted sides, p = 2 to 15";
 
 /// The deviation of a sum from a quotient, relative to the moduli of the numerator's terms over the
-/// denominator: near a double eigenvalue and near τ = δ + 1 these cancel.
+/// denominator: near a double eigenvalue and near τ = δ + 1 the terms cancel.
 fn quotient_deviation(sum: f64, numerator: Complex<f64>, size: f64, denominator: Complex<f64>) -> f64 {
     (numerator / denominator - sum).norm() * denominator.norm() / size
 }
@@ -19,7 +20,7 @@ fn over_trapesium(seed: u64, deviation: impl Fn(i32, f64, f64, &Pair) -> f64) ->
     for index in 0..3000 {
         let p = 2 + index % 14;
         let (mut tau, delta) = sampler.trapesium();
-        // Every fifth point lies near the double eigenvalues, on either side of them.
+        // Every fifth point is near the double eigenvalues, on either side of them.
         if index % 5 == 0 {
             let nearness = libm::pow(10.0, sampler.between(-8.0, -2.0)) * sampler.one_of(&[-1.0, 1.0]);
             tau = 2.0 * delta.sqrt() * (1.0 + nearness) * sampler.one_of(&[-1.0, 1.0]);
@@ -31,7 +32,7 @@ fn over_trapesium(seed: u64, deviation: impl Fn(i32, f64, f64, &Pair) -> f64) ->
     Ok(deviations.outcome(ROUNDING, POINTS))
 }
 
-/// S_p against the quotient of eq:Sp2.
+/// The deviation of S_p from the quotient of eq:Sp2.
 fn deviation_of_s(p: i32, tau: f64, delta: f64, pair: &Pair) -> f64 {
     let expected = lucas_sequence(p as u32, tau, delta);
     let (numerator, size) = (pair.difference_of_powers(p), pair.size_of_powers(p));

@@ -1,9 +1,9 @@
-//! Appendix B: A, b and ξ_p from the flow as it is printed.
+//! Appendix B: A, b and ξ_p from the printed flow.
 
 use super::printed_flow::{DIFFERENCES, Derivatives, Printed, STATES, STEP, Turn, first, states};
 use crate::*;
 
-/// Numbers found against numbers stated over states at random.
+/// Compares computed with stated numbers at random states.
 fn over_states(
     count: usize,
     tolerance: f64,
@@ -16,7 +16,7 @@ fn over_states(
     Ok(largest.outcome(tolerance, STATES))
 }
 
-/// ξ_p in closed form against the second derivative of P_global^p.
+/// Compares ξ_p in closed form with the second derivative of P_global^p.
 fn xi(loops: RangeInclusive<u32>) -> CheckResult {
     // Second derivatives of up to five composed maps.
     over_states(200, 1e-13, |state| {
@@ -46,8 +46,8 @@ checks! {
         let velocity = first(STEP / omega.max(1.0), |h| flow(end + h));
         largest.pairs([(flow(end), landing.jet.value[0]), (velocity, 0.0)]);
     } => largest.outcome(1e-12, "returns to Π from points within 0.02 of grazing");
-    /// eq:Abproof2: both lines, as the order of what the linear terms leave of φ and φ̇.
-    // Slack for the third order where the second stands clear of the differences' accuracy.
+    /// eq:Abproof2: both lines, as the order of the remainder of φ and φ̇ after the linear terms.
+    // The slack is for the third order where the second exceeds the accuracy of the differences.
     first_order_terms: drawn_over(14, states(60)?) |sampler, state; least: Smallest| {
         let derivatives = Derivatives::new(&state, 1);
         let map = state.linearised_map();
@@ -64,15 +64,15 @@ checks! {
                     + by_start[line] * d_2 / omega
                     + by_amplitude[line] * d_3;
                 let moved = [d_1, d_2 / omega, d_3];
-                // φ or φ̇ at the end to first order, less the equation's left side: x' or zero.
+                // φ or φ̇ at the end to first order, minus the equation's left side: x' or zero.
                 let actual = if line == 0 {
                     derivatives.at([shift, moved[0], moved[1], moved[2]])
                 } else {
                     first(derivatives.step(), |h| derivatives.at([shift + h, moved[0], moved[1], moved[2]]))
                 };
                 let left = if line == 0 { map.a.m11 * d_1 + map.a.m12 * d_2 + map.b.x * d_3 } else { 0.0 };
-                // Flow and left-hand side differ from the linear terms in second order; these are
-                // known to the accuracy of differences, and count for sizes above its hundredfold.
+                // Flow and left-hand side differ from the linear terms in second order; these are known
+                // to the accuracy of differences, and count only if more than a hundred times larger.
                 let gap = (actual - left).abs().max((linear - left).abs());
                 Some((gap, 1e-12 * (1.0 + size * 1e2)))
             }));

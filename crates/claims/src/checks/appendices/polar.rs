@@ -39,15 +39,15 @@ impl Polar {
         admissibility_sum(self.p as u32, self.tau, self.delta)
     }
 
-    /// Relative to the terms, as for [`quotient_deviation`].
+    /// The deviation relative to the size of the terms, as for [`quotient_deviation`].
     fn deviation(&self, value: f64, terms: &[f64], denominator: f64) -> f64 {
         let (sum, size) = terms.iter().fold((0.0, 0.0), |(sum, size), term| (sum + term, size + term.abs()));
         (sum - value * denominator) / size.max((value * denominator).abs())
     }
 }
 
-/// Sines of angles up to pθ are off by p roundings of 2π; τ is off by a rounding, on which the sums
-/// depend up to p/sin θ times as strongly; less where both sides see the same angle.
+/// The tolerance: sines of angles up to pθ have errors of p roundings of 2π; τ has one rounding error, to
+/// which the sums are up to p/sin θ times as sensitive; less where both sides use the same angle.
 const POLAR_ROUNDING: f64 = 1e-12;
 
 fn over_polar(seed: u64, tolerance: f64, deviation: impl Fn(&Polar) -> f64) -> CheckResult {
@@ -62,7 +62,7 @@ fn over_polar(seed: u64, tolerance: f64, deviation: impl Fn(&Polar) -> f64) -> C
     Ok(deviations.outcome(tolerance, "complex eigenvalues, 0.01 < θ < π − 0.01, p = 2 to 15"))
 }
 
-/// Ξ(θ) as it is defined after eq:Tp5.
+/// Ξ(θ) as defined after eq:Tp5.
 pub(super) fn xi(p: u32, theta: f64) -> f64 {
     let p = f64::from(p);
     libm::sin(theta) - libm::sin(p * theta) + libm::sin((p - 1.0) * theta)
@@ -78,7 +78,7 @@ checks! {
                 let tau = resonance_boundary(f64::from(p) / m, delta) + shift;
                 lucas_sequence(p, tau, delta) / scale
             };
-            // A zero with a change of sign at each g_(p/m): they are p − 1, as the degree in τ.
+            // There is a zero with a change of sign at each g_(p/m): p − 1 in all, the degree in τ.
             let step = 1e-4 * delta.sqrt();
             votes.see((1..p).all(|m| {
                 let m = f64::from(m);
@@ -87,7 +87,7 @@ checks! {
         }
     } => votes.outcome("twenty determinants for each of p = 2 to 15, all m");
     /// The factorisation of Ξ, an identity for all angles.
-    // Three sines of angles up to 140, each off by 10⁻¹⁴.
+    // Three sines of angles up to 140, each with an error of 10⁻¹⁴.
     factored_xi: sampled(19, 3000, 1..=20) |sampler, p; deviations: Deviations| {
         let theta = sampler.between(-7.0, 7.0);
         let half = |k: u32| libm::sin(0.5 * f64::from(k) * theta);
@@ -97,7 +97,7 @@ checks! {
     polar_coordinates: over_polar(11, 1e-13, |polar| {
         let pair = Pair::new(polar.tau, polar.delta);
         let modulus = polar.delta.sqrt();
-        // The arccosine loses digits where its argument is near ±1, as 1/sin θ.
+        // The arccosine loses digits where its argument is near ±1, like 1/sin θ.
         let theta = libm::acos(polar.tau / (2.0 * modulus));
         let first = Complex::new(modulus * libm::cos(theta), modulus * libm::sin(theta));
         let angle = (theta - polar.theta).abs() * libm::sin(polar.theta);
@@ -139,7 +139,7 @@ checks! {
         let terms: Vec<f64> = (1..polar.p).map(|j| polar.r_to(j - 1) * polar.sine(j)).collect();
         polar.deviation(polar.t(), &terms, polar.sine(1))
     });
-    /// eq:Tp5, with Ξ as it is defined.
+    /// eq:Tp5, with Ξ as defined.
     t_grouped: over_polar(18, POLAR_ROUNDING, |polar| {
         let Polar { p, r, theta, .. } = *polar;
         let top = polar.r_to(p - 1);

@@ -3,7 +3,7 @@
 use crate::*;
 use grazing_model::LinearOscillator;
 
-/// eq:flow and eq:phip, coded from the print.
+/// The printed flow eq:flow and solution eq:phip, implemented from the paper.
 #[derive(Clone, Copy)]
 pub(crate) struct Printed {
     pub(crate) zeta: f64,
@@ -11,12 +11,12 @@ pub(crate) struct Printed {
 }
 
 impl Printed {
-    /// That of an oscillator.
+    /// The printed flow of an oscillator.
     pub(crate) fn of(oscillator: &LinearOscillator) -> Self {
         Self { zeta: oscillator.damping_ratio(), omega: oscillator.frequency() }
     }
 
-    /// φ_p and its derivative in t.
+    /// The solution φ_p and its derivative in t.
     pub(crate) fn periodic(&self, time: f64, amplitude: f64) -> [f64; 2] {
         let Self { zeta, omega } = *self;
         let stiffness = 1.0 - omega * omega;
@@ -28,7 +28,7 @@ impl Printed {
         ]
     }
 
-    /// φ(t; x₀, y₀, t₀; 𝒜).
+    /// The flow φ(t; x₀, y₀, t₀; 𝒜).
     pub(crate) fn flow(&self, time: f64, [x, y]: [f64; 2], start: f64, amplitude: f64) -> f64 {
         let zeta = self.zeta;
         let natural = (1.0 - zeta * zeta).sqrt();
@@ -48,7 +48,7 @@ pub(crate) struct Derivatives {
     amplitude: f64,
 }
 
-/// Step of the differences in time: 10⁻² of the shorter of the two time scales leaves an error of
+/// The step of the differences in time: 10⁻² of the shorter of the two time scales leaves an error of
 /// 10⁻¹³ and, for second and third derivatives, rounding of 10⁻¹⁶ over its square or cube.
 pub(crate) const STEP: f64 = 2e-2;
 
@@ -93,12 +93,12 @@ impl Derivatives {
         }
     }
 
-    /// φ̇.
+    /// The velocity φ̇.
     pub(crate) fn velocity(&self) -> f64 {
         self.in_time(1, [0.0; 3])
     }
 
-    /// φ̈.
+    /// The acceleration φ̈.
     pub(crate) fn acceleration(&self) -> f64 {
         self.in_time(2, [0.0; 3])
     }
@@ -118,7 +118,7 @@ impl Derivatives {
     }
 }
 
-/// The oscillator at grazing, ζ, ε and ω at random.
+/// Oscillators at grazing with random ζ, ε and ω.
 pub(crate) fn states(count: usize) -> Result<Vec<GrazingState>, grazing_theorems::TheoryError> {
     let mut sampler = Sampler::new(11);
     let mut one = || {
@@ -129,9 +129,10 @@ pub(crate) fn states(count: usize) -> Result<Vec<GrazingState>, grazing_theorems
     (0..count).map(|_| one()).collect()
 }
 
-/// What differences of sixth order explain: 10⁻¹², and for nested ones some ten times that.
+/// The tolerance of sixth-order differences: 10⁻¹², and about ten times that for nested ones.
 pub(crate) const DIFFERENCES: f64 = 1e-10;
-/// Closed forms with the same rounding: angles of up to 2πp ω₁/ω ≈ 80 are rounded to 10⁻¹⁴.
+/// The tolerance of closed forms with the same rounding: angles of up to 2πp ω₁/ω ≈ 80 are rounded to
+/// 10⁻¹⁴.
 pub(crate) const CLOSED: f64 = 1e-12;
 pub(crate) const STATES: &str = "grazing states with ζ in (0.01, 0.9) and ω in (0.3, 3)";
 

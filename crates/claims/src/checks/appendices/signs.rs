@@ -3,10 +3,10 @@
 use super::polar::xi;
 use crate::*;
 
-/// Local searches for each number of loops.
+/// The number of local searches for each number of loops.
 const STARTS: usize = 6;
 
-/// The smallest value that searches over the unit square find for any of these numbers of loops.
+/// The smallest value found by searches over the unit square for these numbers of loops.
 pub(crate) fn search(
     loops: RangeInclusive<u32>,
     place: &str,
@@ -18,7 +18,7 @@ pub(crate) fn search(
         for start in 0..STARTS {
             let seed = 100 * u64::from(p) + start as u64;
             let found = smallest(seed, 1, |point| value(p, point)).0;
-            // A search that never met the domain has found nothing.
+            // A search that never reached the domain has found nothing.
             margins.see(if found == f64::INFINITY { f64::NAN } else { found });
         }
     }
@@ -29,12 +29,12 @@ pub(crate) fn search(
     )))
 }
 
-/// A determinant between 10⁻³ and 1 − 10⁻³ from a share between 0 and 1.
+/// A determinant between 10⁻³ and 1 − 10⁻³, from a fraction between 0 and 1.
 pub(crate) fn determinant(share: f64) -> f64 {
     0.001 + 0.998 * share
 }
 
-/// The number at this share of the way between two others.
+/// The number at this fraction of the way between two others.
 pub(crate) fn along(share: f64, from: f64, to: f64) -> f64 {
     from + share * (to - from)
 }
@@ -44,14 +44,14 @@ pub(crate) fn scaled_h(p: u32, tau: f64, delta: f64) -> f64 {
     admissibility_sum(p, tau, delta) * libm::pow(delta, 0.5 * (f64::from(p) - 2.0))
 }
 
-/// A j between 1 and p − 1 from a share between 0 and 1.
+/// A j between 1 and p − 1, from a fraction between 0 and 1.
 pub(crate) fn loop_index(share: f64, p: u32) -> f64 {
     1.0 + libm::floor(share * f64::from(p - 2) + 0.5)
 }
 
 checks! {
     /// T_p at τ = g_p: the end of the proof of le:SpTp(b), where the print has δ{p/2} for a power.
-    // T_p depends on the rounding of τ at most p² times as strongly.
+    // T_p is at most p² times as sensitive to the rounding of τ.
     t_at_resonance: sampled(32, 1000, 2..=15) |sampler, p; (deviations, print): (Deviations, Deviations)| {
         let delta = sampler.between(0.001, 0.999);
         let tau = resonance_boundary(f64::from(p), delta);
@@ -60,7 +60,7 @@ checks! {
         print.see(t * gap - (1.0 + delta * 0.5 * f64::from(p)));
     } => deviations.outcome(1e-13, "determinants, p = 2 to 15").against_print(print.measure(1e-13));
     /// H_p at g_(p/2), p ≥ 3.
-    // Both are of order one; p roundings of τ, on which H_p depends p² times as strongly.
+    // Both are of order one; τ has p roundings, to which H_p is p² times as sensitive.
     h_at_g_half: sampled(31, 1000, 3..=15) |sampler, p; deviations: Deviations| {
         let delta = sampler.between(0.001, 0.999);
         let tau = resonance_boundary(0.5 * f64::from(p), delta);
@@ -68,7 +68,7 @@ checks! {
         deviations.see(scaled_h(p, tau, delta) - expected);
     } => deviations.outcome(1e-12, "determinants, p = 3 to 15");
     /// T_2 = 1.
-    // Nothing is rounded.
+    // There is no rounding.
     t_two: drawn(33, 1000) |sampler; deviations: Deviations| {
         let (tau, delta) = sampler.trapesium();
         deviations.see(lucas_partial_sum(2, tau, delta) - 1.0);

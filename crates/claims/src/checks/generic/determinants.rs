@@ -3,12 +3,12 @@
 use super::vivid::derivatives;
 use crate::*;
 
-/// J and K.
+/// The matrices J and K.
 fn matrices(vivid: &VividLinearisation) -> [Matrix2<f64>; 2] {
     [vivid.by_impact, vivid.by_phase_and_parameter()]
 }
 
-/// det J, det K and det K in factors.
+/// The stated det J, det K, and det K in factors.
 fn stated(point: &GrazingPoint, p: u32) -> [f64; 3] {
     [
         point.impact_jacobian_determinant(p),
@@ -17,14 +17,14 @@ fn stated(point: &GrazingPoint, p: u32) -> [f64; 3] {
     ]
 }
 
-/// det K in factors as it is printed, with eigenvalues; it has no value where one of them is 1.
+/// det K in factors as printed, with eigenvalues; it is undefined if one of them is 1.
 fn factored_by_eigenvalues(point: &GrazingPoint, p: i32) -> f64 {
     let pair = Pair::new(point.map.a.trace(), point.map.a.determinant());
     let top = pair.monomial(p, p) - power(pair.first, p) - power(pair.second, p) + 1.0;
     (top / pair.gap()).re * point.map.transversality()
 }
 
-/// How much larger than the result the numbers are that a determinant cancels.
+/// The size of the numbers that cancel in a determinant, relative to the result.
 fn determinant_size(matrix: &Matrix2<f64>, point: &GrazingPoint) -> f64 {
     let entries = 1.0 + point.map.a.amax();
     (1.0 + matrix.amax()) * (1.0 + matrix.amax()) * entries * entries
@@ -32,7 +32,7 @@ fn determinant_size(matrix: &Matrix2<f64>, point: &GrazingPoint) -> f64 {
 
 checks! {
     /// le:dets: matrices of the proof, det J and det K against derivatives of oscillators' maps.
-    // Event times are off by rounding, p times, magnified by second derivatives of order ten.
+    // Event times have p rounding errors, amplified by second derivatives of order ten.
     determinants_of_oscillators: over(specimens_with(1..=8)?) |(grazing, p); deviations: Deviations| {
         let point = grazing.grazing_point();
         let [j, k] = matrices(&derivatives(&grazing, p)?);

@@ -17,17 +17,18 @@ fn smallest_order(
         let emerging = grazing.grazing_point().emerging_orbit(p)?;
         let size = scale(&grazing, p).ok_or("no emerging orbit")?;
         let inverse = derivatives(&grazing, p)?.by_impact.try_inverse().ok_or("det J = 0")?;
-        // A phase's rounding for each return, carried over to the zero.
+        // The rounding of a phase for each return, propagated to the zero.
         let rounding = 2e-15 * f64::from(p + 1) * (1.0 + inverse.amax());
         orders.see(uniform_order(&[[size], [-size]], |[direction], h| {
             Some((remainder(&grazing, &emerging, h * direction)?, rounding))
         }));
     }
-    // The next term is of relative size h < 10⁻³ at last, its coefficient large near resonance.
+    // The next term is of relative size h < 10⁻³ at the last size, but its coefficient is large near
+    // resonance.
     Ok(orders.order(stated, 0.1, "the zero of V by Newton's method on twelve oscillators, μ of both signs"))
 }
 
-/// y and z of the zero of V change with μ as they do to first order.
+/// The order at which y and z of the zero of V follow their first-order change with μ.
 fn zero_order(loops: core::ops::RangeInclusive<u32>, component: usize) -> CheckResult {
     smallest_order(loops, 2.0, |grazing, emerging, mu| {
         let zero = zero(grazing, emerging.loops, mu)?;
@@ -39,7 +40,7 @@ fn zero_order(loops: core::ops::RangeInclusive<u32>, component: usize) -> CheckR
     })
 }
 
-/// The points (x⁽⁰⁾, z⁽⁰⁾) and (x⁽ᵖ⁾, z⁽ᵖ⁾) of the zero of V, the last by p returns.
+/// The points (x⁽⁰⁾, z⁽⁰⁾) and (x⁽ᵖ⁾, z⁽ᵖ⁾) of the zero of V, the last one by p returns.
 fn ends(grazing: &Grazing, p: u32, mu: f64) -> Option<[Vector2<f64>; 2]> {
     let point = zero(grazing, p, mu)?;
     let oscillator = equations(grazing, p).oscillator_at(&point);
@@ -49,7 +50,7 @@ fn ends(grazing: &Grazing, p: u32, mu: f64) -> Option<[Vector2<f64>; 2]> {
     Some([first, last])
 }
 
-/// A position is that of a virtual map at the impact velocity to first order in μ.
+/// The order at which a position equals that of a virtual map at the first-order impact velocity.
 fn position_order(index: usize, map: fn(&GrazingPoint) -> VirtualMap) -> CheckResult {
     smallest_order(1..=4, 3.0, |grazing, emerging, mu| {
         let leading = map(&grazing.grazing_point()).apply(emerging.impact_velocity_slope * mu, 0.0);
@@ -57,7 +58,7 @@ fn position_order(index: usize, map: fn(&GrazingPoint) -> VirtualMap) -> CheckRe
     })
 }
 
-/// A phase changes with μ as that of the first or the last visit.
+/// The order at which a phase follows the first-order change with μ of the first or the last visit.
 fn end_phase_order(index: usize) -> CheckResult {
     smallest_order(1..=4, 2.0, |grazing, emerging, mu| {
         let p = emerging.loops;
@@ -74,14 +75,14 @@ fn above_boundary(sampler: &mut Sampler, p: u32) -> GrazingPoint {
     let map = map_with(sampler, lowest + share * (delta + 1.0 - lowest), delta);
     let mut point = sampled_point(sampler, map);
     if sampler.between(0.0, 1.0) < 0.3 {
-        // γψ/ω between 2 and 5, and so α < 0.
+        // γψ/ω between 2 and 5, so that α < 0.
         point.psi = sampler.between(2.1, 5.0) * point.forcing_frequency / point.gamma;
     }
     point
 }
 
 checks! {
-    /// V = 0 has one solution (y, z) near grazing: Newton's method finds it from all starts.
+    /// V = 0 has one solution (y, z) near grazing: Newton's method converges to it from all starts.
     implicit_function: drawn_over(1, specimens_with(1..=4)?) |sampler, (grazing, p); votes: Votes| {
         let equations = equations(&grazing, p);
         for sign in [1.0, -1.0] {
@@ -108,7 +109,7 @@ checks! {
                 (y > 0.0)
                     == match GenericGrazing::check(&point, 1) {
                         Ok(theorem) => theorem.side().signum() * mu > 0.0,
-                        // α < 0: the other side.
+                        // α < 0: the MPS is on the other side.
                         Err(_) => point.map.a.m12 * point.map.transversality() * mu < 0.0,
                     },
             );
@@ -127,7 +128,7 @@ checks! {
         votes.see((orbit.impact_velocity_slope * side > 0.0) == (factor > 0.0));
         let stated = GenericGrazing::check(&point, p).map(|theorem| theorem.side().signum() * side > 0.0);
         votes.see(stated.unwrap_or(factor < 0.0));
-        // Positions shrink with the eigenvalues, down to the rounding of their terms.
+        // Positions decrease with the eigenvalues, down to the rounding of their terms.
         let rounding = 1e-12 * (1.0 + orbit.visit_slope(0).amax()) * (1.0 + point.map.a.amax());
         votes.see((1..p).all(|j| orbit.visit_slope(j).x * side.signum() < rounding));
     } => votes.outcome("grazing points with τ > h_p, a₁₂α of either sign, p = 2 to 15, all visits");

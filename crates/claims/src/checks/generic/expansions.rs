@@ -15,7 +15,7 @@ fn impact_order(
     })
 }
 
-/// x, y or z of the orbit through an impact point.
+/// The order of the expansion of x, y or z of the orbit through an impact point.
 fn orbit_expansion(seed: u64, stated: f64, coordinate: usize) -> CheckResult {
     smallest_order(seed, stated, |grazing, [dy, dz, dmu, t]| {
         let GrazingPoint { gamma, forcing_frequency, .. } = grazing.grazing_point();
@@ -62,7 +62,7 @@ pub(crate) fn components() -> CheckResult {
     Ok(Votes::of(orders.iter().map(Outcome::passes)).outcome(over))
 }
 
-/// The reset law near grazing.
+/// The remainder of the reset law near grazing.
 fn reset_remainder(point: &GrazingPoint, oscillator: &Specimen, y: f64, z: f64) -> Vector2<f64> {
     oscillator.reset::<1>(OnWall::new(y, z)).value - Vector2::new(-point.phi * y, z + point.psi * y)
 }
@@ -90,7 +90,7 @@ checks! {
     /// The reset law's expansion: both remainders, divided by y, are of first order.
     reset_law: impact_order(16, 1.0, |point, oscillator, y, z| {
         let remainder = reset_remainder(point, oscillator, y, z);
-        // Where y = 0 the map is the identity.
+        // At y = 0 the map is the identity.
         Some(if y == 0.0 { (remainder.norm(), ROUNDING) } else { (remainder.norm() / y, ROUNDING / y.abs()) })
     });
     /// x(t) in the proof of le:discMapComponents.

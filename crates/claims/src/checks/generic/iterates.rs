@@ -3,10 +3,11 @@
 use crate::checks::appendices::signs::{along, determinant, search};
 use crate::*;
 
-/// Each route makes some p² roundings of the terms by which deviations are divided, p up to 15.
+/// The tolerance: each route makes about p² roundings of the terms by which deviations are divided, p up
+/// to 15.
 const ROUNDING: f64 = 1e-13;
 
-/// A map's iterate by repeated application, and the size of the largest number on the way.
+/// The iterate of a map by repeated application, and the size of the largest intermediate number.
 fn repeated(map: &LinearisedMap, p: u32) -> (LinearisedMap, f64) {
     let mut iterate = LinearisedMap { a: Matrix2::identity(), b: Vector2::zeros() };
     let mut size = 1.0_f64;
@@ -17,10 +18,10 @@ fn repeated(map: &LinearisedMap, p: u32) -> (LinearisedMap, f64) {
     (iterate, size * (1.0 + map.a.amax()) * (1.0 + map.a.amax()))
 }
 
-/// Tens of roundings of numbers by which deviations are divided; τ and δ are rounded too.
+/// The tolerance: tens of roundings of numbers by which deviations are divided; τ and δ are rounded too.
 const MATRIX_ROUNDING: f64 = 1e-14;
 
-/// le:SpTp: all three parts where their hypotheses hold, and failing where these do not.
+/// le:SpTp: all three parts where their hypotheses hold, and their failure where these do not.
 pub(crate) fn signs_and_values() -> CheckResult {
     let mut sampler = Sampler::new(9);
     let mut votes = Votes::default();
@@ -36,11 +37,11 @@ pub(crate) fn signs_and_values() -> CheckResult {
         votes.see(lucas_partial_sum(p, tau, delta) > 0.0);
         let modulus = modulus_power(p, delta);
         votes.see((lucas_sequence(p + 1, g, delta) / modulus + 1.0).abs() < 1e-12);
-        // Off the resonance the value is another one.
+        // Away from the resonance the value is different.
         let off = g + 0.01 * delta.sqrt();
         votes.see((lucas_sequence(p + 1, off, delta) / modulus + 1.0).abs() > 1e-6);
         if p >= 3 {
-            // Just below g_(p/2) < h_p the other sign.
+            // Just below g_(p/2) < h_p the sign is opposite.
             let below = half - 1e-3 * delta.sqrt() / (loops * loops);
             votes.see(below < h && lucas_sequence(p, below, delta) * (below - g) < 0.0);
         }
@@ -59,7 +60,7 @@ pub(crate) fn signs_and_values() -> CheckResult {
 
 checks! {
     /// eq:Pglobalp: the order of the remainder.
-    // The next term is of relative size h < 10⁻⁴ where remainders are resolved last.
+    // The next term is of relative size h < 10⁻⁴ at the last resolved sizes.
     iterated_map: drawn_over(4, specimens_with(1..=4)?) |sampler, (grazing, p); orders: Smallest| {
         let (phase, [primary, secondary]) = (grazing.phase(), grazing.oscillator().parameters());
         let LinearisedMap { a, b } = grazing.grazing_point().map.iterate(p);
@@ -75,7 +76,8 @@ checks! {
             }));
         }
     } => orders.order(2.0, 0.1, "both components on twelve oscillators, p = 1 to 4, seven directions in (x, z, μ) at once");
-    /// The step of the induction: the printed forms for p, mapped once more, are those for p + 1.
+    /// The step of the induction: the printed forms for p, with the map applied once more, are those for
+    /// p + 1.
     // One product, of numbers of the size by which deviations are divided.
     induction: sampled(7, 2000, 0..=14) |sampler, p; deviations: Deviations| {
         let map = sampled_map(sampler);
@@ -103,8 +105,8 @@ checks! {
         deviations.see((pair.h(p) - sum).norm() / pair.moduli().h(p).re);
         deviations.see((admissibility_sum(p, tau, delta) - sum) / pair.moduli().h(p).re);
     } => deviations.outcome(ROUNDING, "points of the trapesium, p = 2 to 15");
-    /// eq:Hp9, multiplied by δ^(p−2) so that small δ does no harm.
-    // Terms that are positive: one rounding each.
+    /// eq:Hp9, multiplied by δ^(p−2) to avoid problems with small δ.
+    // The terms are positive: one rounding each.
     difference_of_products: sampled(3, 2000, 1..=15) |sampler, p; deviations: Deviations| {
         let (tau, delta) = sampler.trapesium();
         let raised = libm::pow(delta, f64::from(p) - 2.0);
@@ -124,7 +126,7 @@ checks! {
         deviations.see((map.iterate(p).b - expected.b).amax() / size);
     } => deviations.outcome(MATRIX_ROUNDING, "affine maps with (τ, δ) in the trapesium, p = 1 to 15");
     /// le:SpTp(b).
-    // S_(p+1) and T_p depend on the rounding of τ at most p² times as strongly.
+    // S_(p+1) and T_p are at most p² times as sensitive to the rounding of τ.
     values_at_resonance: sampled(8, 2000, 2..=24) |sampler, p; deviations: Deviations| {
         let delta = sampler.between(0.001, 0.999);
         let tau = resonance_boundary(f64::from(p), delta);
@@ -138,7 +140,7 @@ checks! {
         let Ok(lowest) = admissibility_boundary(p, delta) else { return f64::NEG_INFINITY };
         let tau = along(along(y, 1e-9, 1.0), lowest, delta + 1.0);
         let kappa = tau - resonance_boundary(f64::from(p), delta);
-        // At τ = g_p the quotient is 0/0; at this distance S_p still has six digits.
+        // At τ = g_p the quotient is 0/0; at this distance S_p still has six correct digits.
         let distance = if kappa.abs() < 1e-8 { 1e-8_f64.copysign(kappa) } else { kappa };
         let s = lucas_sequence(p, tau - kappa + distance, delta);
         s / distance * libm::pow(delta, 0.5 * (2.0 - f64::from(p)))

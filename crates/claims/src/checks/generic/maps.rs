@@ -4,7 +4,7 @@ use crate::*;
 use grazing_model::maps::virtual_preimage;
 use nalgebra::Vector3;
 
-/// Rounding of positions of order one and of phases up to 2π.
+/// The rounding of positions of order one and of phases up to 2π.
 pub(super) const ROUNDING: f64 = 2e-15;
 
 /// The oscillator, impact velocity and impact phase at (y, z − z_graz, μ).
@@ -14,7 +14,7 @@ pub(super) fn near_grazing(grazing: &Grazing, [y, dz, dmu]: [f64; 3]) -> (Specim
     (oscillator, y, grazing.phase() + dz)
 }
 
-/// An impact and where it goes.
+/// An impact and its recoil.
 pub(crate) fn impact_and_recoil(oscillator: &Specimen, y: f64, z: f64) -> [OnWall; 2] {
     let impact = OnWall::new(y, z);
     [impact, oscillator.reset::<1>(impact).image()]
@@ -63,23 +63,23 @@ fn leading_order(seed: u64, component: usize, stated: f64) -> CheckResult {
         let (oscillator, s, z) = near_grazing(grazing, [s, dz, dmu]);
         let image = discontinuity_map::<_, 1>(&oscillator, AtRest::new(s * s, z)).ok()?.value;
         let leading = grazing.grazing_point().discontinuity_map(s * s, z);
-        // Positions are of the size of x̂; velocities and phases are known to its rounding over s.
+        // Positions are of the size of x̂; velocities and phases are known to the rounding of x̂ over s.
         Some((image[component] - leading[component], [ROUNDING, ROUNDING / s][component]))
     })
 }
 
 checks! {
     /// eq:Pvirt2: both virtual points against integration, forwards for y > 0, backwards for y < 0.
-    // Sixty-four steps over a time below 0.5: some (10⁻²)⁴ times derivatives over 5!.
+    // Sixty-four steps over a time below 0.5: about (10⁻²)⁴ times derivatives over 5!.
     virtual_points: at_specimens(2, 60) |sampler, grazing; deviations: Deviations| {
         let oscillator = grazing.oscillator();
-        // Some lie on the tangency set; impacts of negative velocity belong to the extension.
+        // Some points lie on the tangency set; impacts of negative velocity belong to the extension.
         let y = sampler.one_of(&[0.0, 1.0, 1.0, 1.0]) * sampler.between(-0.05, 0.2);
         let z = grazing.phase() + sampler.between(-0.1, 0.1);
         for from in impact_and_recoil(oscillator, y, z) {
             let landing = virtual_map::<_, 1>(oscillator, from, None)?;
             let [y, z] = from.coordinates().into();
-            // For y = 0 the time is zero to the rounding of the velocity.
+            // For y = 0 the time is zero to within the rounding of the velocity.
             if y * landing.time < 0.0 || (y == 0.0 && landing.time.abs() > 1e-15) {
                 return Err(format!("y = {y} takes the time {}", landing.time).into());
             }
@@ -88,7 +88,8 @@ checks! {
             deviations.see((expected - Vector3::new(image[0], 0.0, image[1])).amax());
         }
     } => deviations.outcome(1e-11, "impacts near grazing on twelve oscillators, and their recoils");
-    /// P_virt and P_virt ∘ R are twice differentiable: their jump at ±y vanishes with y.
+    /// P_virt and P_virt ∘ R are twice differentiable: the jump of their second derivatives at ±y
+    /// vanishes with y.
     smooth_across_tangency: over(specimens()?) |grazing; orders: Smallest| {
         let oscillator = grazing.oscillator();
         let phase = grazing.phase();
@@ -109,7 +110,7 @@ checks! {
         }
     } => orders.order(1.0, SLACK_AT_GRAZING, "twelve oscillators, both maps, both components");
     /// P_virt has two inverses for x > 0, one on either side of y = 0.
-    // Newton's method ends where the phase is known to its rounding.
+    // Newton's method stops when the phase is known to within its rounding.
     two_inverses: at_specimens(17, 50) |sampler, grazing; deviations: Deviations| {
         let oscillator = grazing.oscillator();
         let x = libm::pow(10.0, sampler.between(-6.0, -2.5));
@@ -136,7 +137,7 @@ checks! {
     } => votes.outcome("fifteen oscillators, twelve with α > 0 and three with α < 0, x̂ = 10⁻⁶ to 10⁻⁴");
     /// The label `eq:`: the recoil is on the outgoing set.
     recoil: at_specimens(1, 200) |sampler, grazing; margins: Smallest| {
-        // From the velocities of a graze to those of the largest orbits of the figures.
+        // From velocities of grazing to those of the largest orbits in the figures.
         let y = libm::pow(10.0, sampler.between(-8.0, 0.5));
         let z = sampler.between(0.0, core::f64::consts::TAU);
         margins.see(-grazing.oscillator().reset::<1>(OnWall::new(y, z)).value[0] / y);
@@ -167,7 +168,7 @@ checks! {
         let [impact, recoil] = impact_and_recoil(oscillator, y, z);
         let (hat, start) = (virtual_point(oscillator, impact)?, virtual_point(oscillator, recoil)?);
         let image = discontinuity_map::<_, 1>(oscillator, AtRest::new(hat[0], hat[1]))?.value;
-        // A rounding of x̂, 10⁻¹⁶, changes the phase by that over y.
+        // A rounding error of 10⁻¹⁶ in x̂ changes the phase by that over y.
         deviations.see((image - start).amax() * y);
     } => deviations.outcome(1e-14, "impacts with velocities from 10⁻⁴ to 0.1, twelve oscillators: the deviation times y");
     /// The display after eq:Pdisc, first line: the coefficient of x̂ is φ².

@@ -3,7 +3,7 @@
 use super::vivid::{derivatives, scale};
 use crate::*;
 
-/// Tens of roundings of numbers of the size by which deviations are divided.
+/// The tolerance: tens of roundings of numbers of the size by which deviations are divided.
 const ROUNDING: f64 = 1e-14;
 
 /// d(x⁽ʲ⁾, z⁽ʲ⁾)/dμ at grazing for the zero of V, by the chain rule through the oscillator's maps.
@@ -24,13 +24,13 @@ fn slopes_of_visits(grazing: &Grazing, p: u32) -> Result<Vec<Vector2<f64>>, Fail
     Ok(slopes)
 }
 
-/// S_p, β, and the sum of the moduli of what a slope is made of.
+/// S_p and β, the numerator and denominator of the scaling of slopes.
 fn scaling(point: &GrazingPoint, p: u32) -> (f64, f64) {
     let s = lucas_sequence(p, point.map.trace(), point.map.determinant());
     (s, point.map.transversality())
 }
 
-/// The largest deviation of something made of the (u⁽ʲ⁾, w⁽ʲ⁾) of the specimens, p = 1 to 6.
+/// The largest deviation of a function of the (u⁽ʲ⁾, w⁽ʲ⁾) of the specimens, p = 1 to 6.
 fn over_oscillators(
     tolerance: f64,
     deviation: impl Fn(&GrazingPoint, u32, &[Vector2<f64>]) -> f64,
@@ -47,12 +47,12 @@ fn over_oscillators(
     Ok(deviations.outcome(tolerance, "twelve oscillators, p = 1 to 6, derivatives by the chain rule"))
 }
 
-/// Derivatives of the maps with thirteen digits, and J⁻¹, which S_p cancels.
+/// The tolerance: derivatives of the maps have thirteen digits, and S_p cancels J⁻¹.
 const DERIVATIVES: f64 = 1e-12;
 
 checks! {
     /// eq:ujwj: the scaled derivatives of the visits against central differences of positions.
-    // Rounding of 10⁻¹⁵ over a step of some 10⁻⁶, magnified by J⁻¹.
+    // Rounding of 10⁻¹⁵ over a step of about 10⁻⁶, amplified by J⁻¹.
     scaled_slopes: over(specimens_with(1..=3)?) |(grazing, p); deviations: Deviations| {
         let equations = equations(&grazing, p);
         let h = 1e-4 * scale(&grazing, p).ok_or("no emerging orbit")?;
@@ -99,7 +99,7 @@ checks! {
         }
     } => deviations.outcome(ROUNDING, "affine maps with (τ, δ) in the trapesium, p = 1 to 12, j = 0 to p");
     /// eq:u1codim1proof.
-    // As for eq:SpTp.
+    // The tolerance is that of eq:SpTp.
     first_position: sampled(4, 2000, 2..=15) |sampler, p; deviations: Deviations| {
         let (tau, delta) = sampler.trapesium();
         let pair = Pair::new(tau, delta);
@@ -109,7 +109,7 @@ checks! {
         deviations.see((pair.t(p) + first).norm().max(by_recurrence) / size);
     } => deviations.outcome(1e-14, "points of the trapesium, p = 2 to 15");
     /// eq:upm1codim1proof.
-    // As for eq:Hp9.
+    // The tolerance is that of eq:Hp9.
     last_position: sampled(5, 2000, 2..=15) |sampler, p; deviations: Deviations| {
         let (tau, delta) = sampler.trapesium();
         let pair = Pair::new(tau, delta);
@@ -121,7 +121,7 @@ checks! {
         deviations.see((admissibility_sum(p, tau, delta) * raised + last) / terms);
     } => deviations.outcome(1e-14, "points of the trapesium, p = 2 to 15");
     /// eq:affineMap.
-    // The chain rule is the map: nothing but products is rounded.
+    // The chain rule is the map itself: only products are rounded.
     affine_map: over_oscillators(1e-14, |point, p, path| {
         let (s, beta) = scaling(point, p);
         path.windows(2)
@@ -134,7 +134,7 @@ checks! {
         let stated = point.emerging_orbit(p).map(|orbit| orbit.visit_slope(0) * (s / beta));
         stated.map_or(f64::NAN, |stated| (path[0] - stated).amax() + stated.x.abs())
     });
-    /// eq:ujcodim1proof on oscillators: u⁽ʲ⁾ is made of τ and δ alone.
+    /// eq:ujcodim1proof on oscillators: u⁽ʲ⁾ depends only on τ and δ.
     positions_of_oscillators: over_oscillators(DERIVATIVES, |point, p, path| {
         let (tau, delta) = (point.map.trace(), point.map.determinant());
         let deviation = |(j, point): (usize, &Vector2<f64>)| {

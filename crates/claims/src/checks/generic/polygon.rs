@@ -3,20 +3,20 @@
 use crate::checks::appendices::signs::{along, determinant, search};
 use crate::*;
 
-/// τ above h_p by a share of the way to δ + 1, both in (0, 1).
+/// A pair (τ, δ), with τ above h_p by a fraction of the way to δ + 1; both fractions lie in (0, 1).
 fn above(p: u32, [x, y]: [f64; 2]) -> Option<(f64, f64)> {
     let delta = determinant(x);
     let lowest = admissibility_boundary(p, delta).ok()?;
     Some((along(along(y, 1e-6, 1.0), lowest, delta + 1.0), delta))
 }
 
-/// r to the power of an integer, r = √δ.
+/// r to an integer power, where r = √δ.
 fn r_to(delta: f64, k: u32) -> f64 {
     libm::pow(delta, 0.5 * f64::from(k))
 }
 
-/// The path of a map with this trace and determinant; others differ by an affine change of w, which
-/// does not matter to convexity. This one turns by equal angles where eigenvalues are complex.
+/// The path of a map with this trace and determinant; other such maps differ by an affine change of w,
+/// which does not affect convexity. This path turns by equal angles where eigenvalues are complex.
 fn path(p: u32, tau: f64, delta: f64) -> Vec<Vector2<f64>> {
     let discriminant = 0.25 * tau * tau - delta;
     let a12 = discriminant.abs().sqrt().max(0.1 * delta.sqrt());
@@ -39,8 +39,8 @@ fn cross(a: Vector2<f64>, b: Vector2<f64>) -> f64 {
     a.x * b.y - a.y * b.x
 }
 
-/// The smallest sine of the angles under which the other vertices are seen from the edges: positive
-/// if and only if the closed polygon is strictly convex with its vertices in this order.
+/// The smallest sine of the angles at which the other vertices are seen from the edges: positive if and
+/// only if the closed polygon is strictly convex with its vertices in this order.
 fn convexity(path: &[Vector2<f64>]) -> f64 {
     let mut range = (f64::INFINITY, f64::NEG_INFINITY);
     for (i, from) in path.iter().enumerate() {
@@ -56,7 +56,7 @@ fn convexity(path: &[Vector2<f64>]) -> f64 {
     range.0.max(-range.1)
 }
 
-/// Whether two segments that share no vertex have a point in common.
+/// Whether two segments that have no common vertex intersect.
 fn cross_each_other([a, b]: [Vector2<f64>; 2], [c, d]: [Vector2<f64>; 2]) -> bool {
     let side = |from: Vector2<f64>, to: Vector2<f64>, point: Vector2<f64>| cross(to - from, point - from);
     side(a, b, c) * side(a, b, d) <= 0.0 && side(c, d, a) * side(c, d, b) <= 0.0
@@ -66,7 +66,7 @@ checks! {
     /// The path as a polygon: convex and in order for τ > h_p, and not for smaller τ (p ≥ 3).
     polygon: drawn_over(9, 0..3000) |sampler, index; (votes, printed): (Votes, Votes)| {
         let p = 2 + index % 7;
-        // For smaller determinants the path shrinks below its rounding.
+        // For smaller determinants the path shrinks below its rounding error.
         let delta = sampler.between(0.2, 0.98);
         let boundary = admissibility_boundary(p, delta)?;
         let tau = sampler.between(-0.999 * (delta + 1.0), 0.999 * (delta + 1.0));
@@ -85,7 +85,8 @@ checks! {
     } =>
         votes.outcome("paths for τ on either side of h_p, p = 2 to 8, as polygons of computed vertices")
             .against_print(printed.measure());
-    /// As τ decreases from δ + 1, no u⁽ˡ⁾ vanishes before τ = h_p, and there it is u⁽ᵖ⁻¹⁾ (p ≥ 3).
+    /// The first zero: as τ decreases from δ + 1, no u⁽ˡ⁾ vanishes before τ = h_p, and there u⁽ᵖ⁻¹⁾ does
+    /// (p ≥ 3).
     first_zero: drawn_over(10, 0..600) |sampler, index; votes: Votes| {
         let p = 3 + index % 13;
         let delta = sampler.between(0.001, 0.999);
@@ -95,7 +96,7 @@ checks! {
             let tau = along(f64::from(k) / 50.0, boundary, delta + 1.0);
             votes.see((1..p).all(|j| scaled(j, tau) < 0.0));
         }
-        // At h_p itself, to the p² roundings of terms of order p.
+        // At h_p itself, to within p² roundings of terms of order p.
         votes.see(scaled(p - 1, boundary).abs() < 1e-11);
         votes.see((1..p - 1).all(|j| scaled(j, boundary) < -1e-6));
         votes.see(scaled(p - 1, boundary - 1e-4 * delta.sqrt()) > 0.0);
@@ -109,7 +110,7 @@ checks! {
         deviations.see((sum * (1.0 - r) - (1.0 - power)) / (1.0 + power.abs()));
     } => deviations.outcome(1e-14, "ratios between −1.5 and 1.5, one to twenty terms");
     /// S_j at τ = δ + 1.
-    // δ + 1 is rounded, which changes an eigenvalue by that over 1 − δ.
+    // δ + 1 is rounded, which changes an eigenvalue by the rounding error over 1 − δ.
     sums_at_unit_eigenvalue: sampled(7, 1000, 2..=15) |sampler, p; deviations: Deviations| {
         let delta = sampler.between(0.001, 0.999);
         let pair = Pair::new(delta + 1.0, delta);
@@ -134,8 +135,8 @@ checks! {
             deviations.see((u * (1.0 - delta) * (1.0 - delta) - expected) / size);
         }
     } => deviations.outcome(1e-14, "determinants from 0.001 to 0.999, p = 2 to 15, all j");
-    /// u⁽ʲ⁾ depends on the map through τ and δ alone, and at fixed δ it is a polynomial in τ, of degree
-    /// p + j − 3 at most, so that it may be followed in τ.
+    /// u⁽ʲ⁾ depends on the map only through τ and δ, and at fixed δ it is a polynomial in τ of degree at
+    /// most p + j − 3, so that it may be followed in τ.
     // The balanced map divides by a₁₂, at least a tenth of r ≥ 0.03.
     invariance: sampled(11, 1000, 2..=8) |sampler, p; deviations: Deviations| {
         let (tau, delta) = sampler.trapesium();
@@ -149,7 +150,7 @@ checks! {
             deviations.see((here.x - beta * position) / (size * (1.0 + position.abs())));
             here = map.a * here + map.b * s;
         }
-        // Differences of one order more vanish, at steps over the whole range of τ.
+        // Differences of one order higher vanish, at steps over the whole range of τ.
         let order = 2 * p as usize - 3;
         let paths: Vec<Vec<Vector2<f64>>> = (0..=order)
             .map(|k| path(p, along((k as f64 + 0.5) / (order as f64 + 1.0), -delta - 1.0, delta + 1.0), delta))
@@ -166,10 +167,9 @@ checks! {
     } => deviations.outcome(1e-14, "pairs of maps with the same τ and δ, and differences of order 2p − 3 in τ, p = 2 to 8");
     /// The path is convex for h_p < τ < δ + 1, and u⁽ʲ⁾ < 0, 0 < j < p: by search.
     ///
-    /// With e = p₁ − p₀ and c = e × Ae, a vertex n − 1 after the end of the edge at i lies on the
-    /// side of δⁱ T_n c of it, one n before its start on that of δ^(i−1) H_(n+1) c, and u⁽ʲ⁾
-    /// decides for the closing edge. So T_n > 0 and H_n > 0, 2 ≤ n ≤ p, and u⁽ʲ⁾ < 0 make it
-    /// convex.
+    /// With e = p₁ − p₀ and c = e × Ae, a vertex n − 1 after the end of the edge at i lies on the side
+    /// given by δⁱ T_n c, one n before its start on the side given by δ^(i−1) H_(n+1) c, and u⁽ʲ⁾ decides
+    /// for the closing edge. So T_n > 0 and H_n > 0, 2 ≤ n ≤ p, and u⁽ʲ⁾ < 0 make it convex.
     convex: search(2..=15, "h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p", "T_n, r^(n−2) H_n and −r^(1−j) u⁽ʲ⁾, n ≤ p, j < p", |p, point| {
         let Some((tau, delta)) = above(p, point) else { return f64::NEG_INFINITY };
         (2..=p)
@@ -199,7 +199,7 @@ mod tests {
                 } else {
                     libm::pow(delta, i as f64 - 1.0) * admissibility_sum((i - k + 1) as u32, tau, delta)
                 };
-                // Entries of order one, each vertex with some roundings.
+                // Entries of order one, with a few roundings for each vertex.
                 assert!((cross(edge(i), vertex - vertices[i]) - factor * unit).abs() < 1e-14, "{i} {k}");
             }
         }

@@ -3,7 +3,7 @@
 use super::maps::{impact_and_recoil, integrated, virtual_point};
 use crate::*;
 
-/// A size of μ at which the zero of V is as near to grazing as in the figures: at most a tenth.
+/// A size of μ at which the zero of V is as close to grazing as in the figures: at most a tenth.
 pub(super) fn scale(grazing: &Grazing, p: u32) -> Option<f64> {
     let emerging = grazing.grazing_point().emerging_orbit(p).ok()?;
     Some(0.1 / (1.0 + emerging.impact_velocity_slope.abs() + emerging.impact_phase_slope.abs()))
@@ -15,7 +15,7 @@ fn admissible() -> Result<Vec<(Grazing, u32, Unknowns)>, Failure> {
     for grazing in specimens()?.into_iter().chain(delayed()?) {
         for p in 1..=4 {
             let Ok(theorem) = GenericGrazing::check(&grazing.grazing_point(), p) else { continue };
-            // So near to grazing that the expansion decides on which side the visits lie.
+            // So close to grazing that the expansion decides on which side the visits lie.
             let size = scale(&grazing, p).ok_or("no emerging orbit")? * 0.01;
             let point = zero(&grazing, p, theorem.side().signum() * size).ok_or("no MPS")?;
             found.push((grazing.clone(), p, point));
@@ -34,7 +34,7 @@ pub(super) fn derivatives(grazing: &Grazing, p: u32) -> Result<VividLinearisatio
     })
 }
 
-/// Expansions of V, a component each.
+/// The order of an expansion of V, for one component.
 fn expansion(seed: u64, component: usize) -> CheckResult {
     let orders = drawn_over(seed, specimens_with(1..=4)?, |sampler, (grazing, p), orders: &mut Smallest| {
         let stated = grazing.grazing_point().vivid_linearisation(p);
@@ -43,20 +43,20 @@ fn expansion(seed: u64, component: usize) -> CheckResult {
             let [dy, dz, dmu] = direction.map(|share| share * h);
             let vivid = vivid(&equations, &unknowns(&grazing, [dy, dz, dmu]))?;
             let linear = stated.by_impact * Vector2::new(dy, dz) + stated.by_parameter * dmu;
-            // A phase's rounding for each return.
+            // The rounding of a phase for each return.
             Some((vivid[component] - linear[component], 2e-15 * f64::from(p + 1)))
         }));
         Ok(())
     })?;
-    // The next term is of relative size h < 10⁻⁴ where remainders are resolved last.
+    // The next term is of relative size h < 10⁻⁴ at the last resolved sizes.
     Ok(orders.order(2.0, 0.1, "twelve oscillators, p = 1 to 4, seven directions in (y, z, μ) at once"))
 }
 
 checks! {
-    /// eq:V: V against integration of the ways from impact and recoil, return by return.
-    // The integration's error, of fourth order in steps of 0.01, after four returns.
+    /// eq:V: V compared with integration of both paths, from impact and recoil, return by return.
+    // The error of integration, of fourth order in steps of 0.01, after four returns.
     composition: drawn_over(1, specimens_with(1..=4)?) |sampler, (grazing, p); deviations: Deviations| {
-        // Some hundred to a unit of time.
+        // About a hundred steps per unit of time.
         const STEPS: u32 = 800;
         for _ in 0..2 {
             let distance = [(); 3].map(|()| sampler.between(-0.02, 0.02));
@@ -73,7 +73,8 @@ checks! {
             let (hat, mut visit) = (ends[0], ends[1]);
             deviations.see(hat[1].abs().max(visit[1].abs()));
             for _ in 0..p {
-                // Only the return time is taken from the map; that it ends on Π, y = 0, is seen.
+                // Only the return time is taken from the map; the integration confirms that it ends on Π,
+                // y = 0.
                 let time = global_map::<_, 1>(&oscillator, AtRest::new(visit[0], visit[2]), None)?.time;
                 visit = integrated(&oscillator, State::at_rest(visit[0], visit[2]), time, STEPS);
                 deviations.see(visit[1]);
@@ -83,7 +84,7 @@ checks! {
         }
     } => deviations.outcome(1e-8, "points near grazing, y of either sign, twelve oscillators, p = 1 to 4");
     /// eq:xjzj: the points of an MPS on Π are the maxima of its motion from the recoil on.
-    // Times of maxima are known to the rounding of the velocity.
+    // Times of maxima are known to within the rounding of the velocity.
     visits: over(admissible()?) |(grazing, p, point); deviations: Deviations| {
         let equations = equations(&grazing, p);
         let oscillator = equations.oscillator_at(&point);
@@ -107,7 +108,7 @@ checks! {
     } => deviations.outcome(1e-13, "visits of the admissible MPSs of fifteen oscillators, p = 2 to 4");
     /// Figure 9: from the recoil back to (x⁽⁰⁾, z⁽⁰⁾) beyond the wall, two loops, the first in front of
     /// the wall, and on to (x̂, ẑ), beyond the wall and after the impact.
-    // Positions of order one and phases up to 2π, some roundings for each map.
+    // Positions of order one and phases up to 2π, with a few roundings for each map.
     points_of_two_loops: over(admissible()?.into_iter().filter(|(_, p, _)| *p == 2)) |(grazing, p, point); deviations: Deviations| {
         let oscillator = equations(&grazing, p).oscillator_at(&point);
         let [impact, recoil] = impact_and_recoil(&oscillator, point[0], point[1]);
@@ -121,7 +122,8 @@ checks! {
         let end = global_map::<_, 1>(&oscillator, between.image(), None)?.jet;
         deviations.see((end.value - hat.jet.value).amax());
     } => deviations.outcome(1e-13, "the points of two-loop MPSs near grazing of fifteen oscillators");
-    /// Zeros of V are MPSs: simulated orbits return there, and not beside them or beyond grazing.
+    /// Zeros of V are MPSs: simulated orbits return to them, but not from points beside them or beyond
+    /// grazing.
     zeros_are_orbits: over(admissible()?) |(grazing, p, point); (votes, printed): (Votes, Votes)| {
         let equations = equations(&grazing, p);
         let comes_back = |at: &Unknowns| followed(&equations, at) == ReturnOutcome::Returns;
@@ -139,13 +141,13 @@ checks! {
         votes.outcome("MPSs near grazing of fifteen oscillators, p = 1 to 4, points beside them and on the other side")
             .against_print(printed.measure());
     /// (x̂, ẑ) of an MPS is a fixed point of P_global^p ∘ P_disc.
-    // Newton's method for V and P_disc's for y, each with roundings of phases, p times.
+    // Newton's method for V, and that of P_disc for y, each with p roundings of phases.
     fixed_points: over(admissible()?) |(grazing, p, point); deviations: Deviations| {
         let oscillator = equations(&grazing, p).oscillator_at(&point);
         let hat = virtual_point(&oscillator, OnWall::new(point[0], point[1]))?;
         let start = discontinuity_map::<_, 1>(&oscillator, AtRest::new(hat[0], hat[1]))?.value;
         let end = global_iterate::<_, 1>(&oscillator, p, AtRest::new(start[0], start[1]))?.value;
-        // The square root magnifies the rounding of x̂ by 1/y.
+        // The square root amplifies the rounding of x̂ by 1/y.
         deviations.see((end - hat).amax() * point[0]);
     } => deviations.outcome(1e-14, "MPSs near grazing of fifteen oscillators, p = 1 to 4: the deviation times y");
     /// V is twice differentiable across y = 0.
@@ -159,17 +161,17 @@ checks! {
         };
         orders.see(uniform_order(&[[0.0], [1.0]], |[component], h| {
             let i = component as usize;
-            // Second derivatives up to some hundreds.
+            // Second derivatives reach several hundred.
             Some(((second(h)?[i] - second(-h)?[i]).norm(), 1e-12))
         }));
     } => orders.order(1.0, 0.1, "twelve oscillators, p = 1 to 3");
     /// V(0, z_graz; 0) = 0.
-    // Six returns with the rounding of a phase each.
+    // Six returns, each with the rounding of a phase.
     vanishes_at_grazing: over(specimens_with(1..=6)?) |(grazing, p); deviations: Deviations| {
         let value = vivid(&equations(&grazing, p), &unknowns(&grazing, [0.0; 3]));
         deviations.see(value.ok_or("V is not defined at grazing")?.amax());
     } => deviations.outcome(1e-13, "twelve oscillators, p = 1 to 6");
-    /// eq:Jac1Jac2: the derivatives of which J and K are made against differences of V.
+    /// eq:Jac1Jac2: the derivatives in J and K, compared with differences of V.
     // Rounding over the step, and derivatives of seventh order times its sixth power.
     jacobians: over(specimens_with(1..=4)?) |(grazing, p); deviations: Deviations| {
         let stated = grazing.grazing_point().vivid_linearisation(p);

@@ -1,4 +1,4 @@
-//! Section 2.4: the auxiliary functions g_p, H_p and h_p, and what they say about Figure 2.
+//! Section 2.4: the auxiliary functions g_p, H_p and h_p, and their consequences for Figure 2.
 
 use super::theorems::general::side_of_orbit;
 use super::theorems::only;
@@ -6,8 +6,8 @@ use crate::checks::appendices::signs::{scaled_h, search};
 use crate::*;
 use grazing_theorems::admissibility_region::{AdmissibilityRegion, admissibility_margin, rotation};
 
-/// Figure 2's (τ, δ), the star of Figure 4: g₂ < τ, and h_p < τ < g_p for p = 3, 4, 5 alone; by
-/// theorem 2.3 two loops then emerge to the right and three to five to the left.
+/// Figure 2's (τ, δ), the star of Figure 4: g₂ < τ, and h_p < τ < g_p for p = 3, 4, 5 only; by theorem
+/// 2.3 two loops then emerge to the right and three to five to the left.
 pub(crate) fn star() -> CheckResult {
     let oscillator = grazing_theorems::LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
     let grazing = oscillator.grazing(printed("fig02_frequency"))?;
@@ -38,7 +38,7 @@ pub(crate) fn beyond_the_boundary() -> CheckResult {
         let mut found: Option<(f64, f64)> = None;
         for delta in [0.3, 0.7, 0.9, 0.97, 0.999] {
             let boundary = admissibility_boundary(p, delta)?;
-            // From −(δ + 1) up to h_p, off the ends by more than rounding.
+            // From −(δ + 1) to h_p, away from the ends by more than rounding.
             let length = boundary + 1.0 + delta;
             const STEPS: i32 = 1500;
             let admissible = |k: &i32| {
@@ -63,12 +63,12 @@ pub(crate) fn beyond_the_boundary() -> CheckResult {
 
 /// Whether an oscillator with τ ≤ −2√δ has a two-loop MPS on the side of βκ₂, as for larger τ.
 ///
-/// Beside a p = 1 resonance of a nonlinear force the eigenvalues are near a₁₁ ≠ a₂₂.
+/// Near a p = 1 resonance of a nonlinear force the eigenvalues are near a₁₁ ≠ a₂₂.
 fn two_loops_below_the_boundary() -> Result<bool, Failure> {
     let law = Law { delay: Exponential::constant(0.0), ..Law::nonlinear(damping_for_decay(1, 1, 0.5)) };
     let resonance = law.resonance(1, 1)?;
     let [_, omega] = resonance.orbit().oscillator().parameters();
-    // To that side on which a₁₂ > 0.
+    // On the side where a₁₂ > 0.
     let off = libm::copysign(1e-3, resonance.resonant_point().unfolding.derivative);
     let orbit = law.grazing(omega * (1.0 + off))?;
     let point = orbit.grazing_point();
@@ -79,8 +79,9 @@ fn two_loops_below_the_boundary() -> Result<bool, Failure> {
     Ok(only_the_margin && side_of_orbit(&orbit, 2)? == stated)
 }
 
-/// Where simulation of the linear oscillator with this trace and determinant sees p-loop MPSs near grazing, and the sign of
-/// β, from the rotation of its grazing orbits: 2πω₁/ω = 2π(1 + x), of which 0 < x < ½ makes a₁₂ positive.
+/// The side on which simulation of the linear oscillator with this trace and determinant finds p-loop
+/// MPSs near grazing, and the sign of β. The rotation of its grazing orbits is 2πω₁/ω = 2π(1 + x), where
+/// 0 < x < ½ makes a₁₂ positive.
 fn observed(p: u32, tau: f64, delta: f64, factor: Side) -> Result<(Existence, Side), Failure> {
     let turns = 1.0 + rotation(tau, delta, factor);
     let ratio = -libm::log(delta) / (4.0 * PI * turns);
@@ -95,8 +96,8 @@ fn observed(p: u32, tau: f64, delta: f64, factor: Side) -> Result<(Existence, Si
     Ok((side_of_orbit(&orbit, p)?, Side::of(map.transversality())))
 }
 
-/// The regions of all p-loop MPSs over the trapesium: inside of each simulation sees the MPS on the side βμa₁₂αS_p > 0, beside it
-/// none.
+/// The regions of all p-loop MPSs over the trapesium: inside each one simulation finds the MPS on the
+/// side βμa₁₂αS_p > 0, and beside it none.
 pub(crate) fn regions() -> CheckResult {
     let mut cases = Votes::default();
     for region in (2..=12).flat_map(AdmissibilityRegion::all) {
@@ -104,10 +105,10 @@ pub(crate) fn regions() -> CheckResult {
         for share in [0.2, 0.6, 0.95] {
             let delta = lowest.max(0.3) + share * (1.0 - lowest.max(0.3));
             let ends = region.traces(delta).ok_or("it reaches down to there")?.map(|(tau, _)| tau);
-            // Complex eigenvalues, as linear oscillators have them.
+            // Complex eigenvalues, as for linear oscillators.
             let [low, high] = ends.map(|tau| tau.clamp(-1.99 * delta.sqrt(), 1.99 * delta.sqrt()));
             let width = high - low;
-            // Off the resonance of m = 1; none where all eigenvalues are real.
+            // Away from the resonance of m = 1; no points where all eigenvalues are real.
             for tau in [0.13, 0.47, 0.88].map(|part| low + part * width).into_iter().filter(|_| width > 0.0) {
                 let (seen, beta) = observed(p, tau, delta, factor)?;
                 let side = beta.signum() * factor.signum() * lucas_sequence(p, tau, delta);
@@ -129,7 +130,7 @@ pub(crate) fn regions() -> CheckResult {
 
 checks! {
     /// eq:gp: (Aᵖ)₁₂ = 0 at τ = g_p(δ), with the sign of a₁₂ above; and g_p for half-integer p.
-    // Powers of a matrix of norm two in fifteen steps; the entry is what cancellation leaves.
+    // Powers of a matrix of norm two in fifteen steps; the entry results from cancellation.
     resonance_boundary_is_a_zero: drawn(31, 3000) |sampler; largest: Deviations| {
         let p = sampler.one_of(&[2, 3, 4, 5, 6, 7, 9, 12, 15]);
         let delta = sampler.between(0.001, 0.999);
@@ -143,11 +144,11 @@ checks! {
         largest.see(entry(boundary, a11).abs());
         let above = boundary + sampler.between(1e-3, 1.0) * (delta + 1.0 - boundary);
         largest.require(entry(above, a11) > 0.0);
-        // g_{p/2}: twice the angle, 2√δ cos(2π/p) = (g_p² − 2δ)/√δ... by the double angle formula.
+        // g_{p/2}: the doubled angle, 2√δ cos(2π/p) = (g_p² − 2δ)/√δ, by the double-angle formula.
         let doubled = (boundary * boundary - 2.0 * delta) / delta.sqrt();
         largest.compare(resonance_boundary(0.5 * f64::from(p), delta), doubled, 1.0 + 1.0 / delta.sqrt());
     } => largest.outcome(1e-12, "p up to 15 and random A with τ = g_p(δ), and with τ above it");
-    /// As p → ∞ both families tend to 2√δ, with second order in 1/p.
+    /// The limit p → ∞: both families tend to 2√δ, with second order in 1/p.
     // Slack for terms in 1/p³ at p near a thousand.
     limit: drawn(35, 10) |sampler; least: Smallest| {
         let delta = sampler.between(0.05, 0.95);
@@ -168,25 +169,26 @@ checks! {
             }));
         }
     } => least.order(2.0, 0.05, "g_p and h_p at random δ, p up to 1024");
-    /// h_p: H_p vanishes there and H_p/(τ − h_p) > 0 above, by search; h₂ = −2√δ.
+    /// h_p: H_p vanishes there and H_p/(τ − h_p) > 0 above it, by search; h₂ = −2√δ.
     admissibility_boundary_is_the_largest_zero: search(2..=20, "τ > h_p and the determinant", "r^(p−2) H_p / (τ − h_p)", |p, [d, s]| {
         let delta = 0.01 + 0.989_999 * d;
         let Ok(boundary) = admissibility_boundary(p, delta) else { return f64::NAN };
-        // Zero to roundings of 2√δ times the slope of some p³; H₂ has no zero, and h₂ is set.
+        // Zero to within roundings of 2√δ times a slope of about p³; H₂ has no zero, and h₂ is defined
+        // separately.
         let rounding = 1e-13 * f64::from(p * p * p);
         let off = if p == 2 { boundary + 2.0 * delta.sqrt() } else { scaled_h(p, boundary, delta) };
         if off.abs() > rounding {
             return -1.0;
         }
-        // Cubed: many points close to the boundary.
+        // Cubed, so that many points are close to the boundary.
         let above = (1e-4 + s * s * s) * (delta + 1.0 - boundary);
         scaled_h(p, boundary + above, delta) / above
     });
     /// le:admissibilityBoundary: g_{p/2} < h_p < g_{p−1} by search, from δ = 10⁻⁶ to 1 − 10⁻⁶.
     ///
-    /// Margins that shrink like 1 − √δ and √δ at an end, beyond 2√δ, are measured against these.
+    /// Margins that vanish like 1 − √δ and √δ at an end, beyond 2√δ, are divided by these.
     bounds: search(3..=30, "the determinant", "of both scaled margins", |p, [d, _]| {
-        // r = √δ, close to either end at will.
+        // r = √δ, arbitrarily close to either end.
         let modulus = 1e-3 + (1.0 - 1e-3 - 5e-7) * (d * d * (3.0 - 2.0 * d));
         let (delta, loops) = (modulus * modulus, f64::from(p));
         let Ok(boundary) = admissibility_boundary(p, delta) else { return f64::NAN };

@@ -2,8 +2,8 @@
 
 use crate::*;
 
-/// A resonance with one of these numbers of loops at which |s^±| > 1/20 and the impact velocity
-/// along either curve is above η/5: then the curves are seen at small velocities.
+/// A resonance with one of these numbers of loops at which |s^±| > 1/20 and the impact velocity along
+/// either curve exceeds η/5, so that the curves are resolved at small velocities.
 pub(crate) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<ResonantSpecimen, Failure> {
     loop {
         let loops = sampler.one_of(loops);
@@ -39,9 +39,10 @@ fn stability(seed: u64, loops: &[u32], over: &str) -> CheckResult {
     Ok(least.order(1.0, 0.3, &format!("{over}; T ∓ (D + 1) on the branch as y → 0")))
 }
 
-/// c_SN and c_PD against the limits of μ/η² on continued curves.
+/// Compares c_SN and c_PD with the limits of μ/η² on continued curves.
 ///
-/// A fit is as good as interpolation in y; empirical, some tens of times the largest seen.
+/// The accuracy of a fit is that of interpolation in y; the tolerance is empirical, several tens of times
+/// the largest deviation.
 fn fitted(seed: u64, loops: &[u32], tolerance: f64, over: &str) -> CheckResult {
     let largest = drawn(seed, 20, |sampler, largest: &mut Deviations| {
         let place = resonant(sampler, loops)?;

@@ -4,11 +4,11 @@ use super::coefficients::resonant;
 use crate::*;
 
 checks! {
-    /// Across the SN curve two MPSs become none, across the PD curve a multiplier passes −1.
+    /// Across the SN curve two MPSs disappear, across the PD curve a multiplier passes −1.
     crossing: drawn(75, 30) |sampler; cases: Votes| {
         let place = resonant(sampler, &[1, 2, 3])?;
         for curve in &place.curves() {
-            // Small against the velocities of order one at which curves end.
+            // Small compared with the velocities of order one at which curves end.
             const VELOCITY: f64 = 2e-3;
             let centre = place.on_curve(curve, VELOCITY / curve.leading.impact_velocity_slope);
             let centre = centre.ok_or("no point of the curve was found")?.unknowns;

@@ -1,4 +1,4 @@
-//! Section 1: what the text says about Figure 2 and about the Jacobian near grazing.
+//! Section 1: the statements about Figure 2 and about the Jacobian near grazing.
 
 use crate::solutions;
 use crate::*;
@@ -10,7 +10,7 @@ fn branch(loops: u32) -> Result<(LoopEquations<Specimen>, Curve, f64), Failure> 
     let grazing = Law::linear(printed("zeta"), printed("epsilon")).grazing(omega)?;
     let amplitude = grazing.primary();
     let route = Route {
-        // A quarter to either side holds all that Figure 2 shows.
+        // A quarter on either side contains everything in Figure 2.
         window: Window { primary: [0.75 * amplitude, 1.25 * amplitude], secondary: [0.0, 2.0 * omega] },
         control: StepControl::DRAWING,
         step_limit: 5_000,
@@ -21,8 +21,8 @@ fn branch(loops: u32) -> Result<(LoopEquations<Specimen>, Curve, f64), Failure> 
     Ok((equations(&grazing, loops), curve, amplitude))
 }
 
-/// Two loops gain stability at a PD, three at an SN and lose it at a GZ, left of that PD; between
-/// GZ and PD none of the branches p = 1, 2, 3 has a stable solution.
+/// Two loops gain stability at a PD, three loops at an SN and lose it at a GZ, to the left of that PD;
+/// between GZ and PD none of the branches p = 1, 2, 3 has a stable solution.
 pub(crate) fn stability_gained() -> CheckResult {
     let mut cases = Votes::default();
     let mut located = Vec::new();
@@ -85,7 +85,7 @@ checks! {
         least.see_resolved(order(|h| {
             let jet =
                 discontinuity_map::<_, 1>(orbit.oscillator(), AtRest::new(h * h, orbit.phase())).ok()?;
-            // The velocity at the wall is known to 10⁻¹⁶/h of itself.
+            // The velocity at the wall is known to a relative accuracy of 10⁻¹⁶/h.
             Some((jet.jacobian[(1, 0)] * h - limit, 1e-15 / h))
         }));
     } => least.order(1.0, 0.3, "∂z⁽⁰⁾/∂x̂ times √x̂ for random oscillators with ψ ≠ 0");

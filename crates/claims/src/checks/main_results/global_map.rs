@@ -3,7 +3,7 @@
 use super::returns::{derivatives, returned};
 use crate::*;
 
-/// Accuracy of the differences: empirical, some ten times the largest that was seen.
+/// The tolerance of the differences: empirical, about ten times the largest deviation.
 const DIFFERENCES: f64 = 1e-10;
 
 checks! {
@@ -22,18 +22,18 @@ checks! {
             phase: orbit.phase() + 0.5 * core::f64::consts::TAU,
         };
         let maxima = oscillator.motion(start).local_maxima(period);
-        // Positions of order one are good to some roundings; other maxima lie far lower.
+        // Positions of order one are accurate to a few roundings; other maxima are far lower.
         let touching = maxima.iter().filter(|maximum| maximum.position > -1e-12).count();
         let inside = maxima.iter().all(|maximum| maximum.position < 1e-12);
         let periodic = end.amax() < 1e-12;
         cases.see(periodic && touching == 1 && inside && oscillator.acceleration(from) < 0.0);
-        // A hypothesis violated: off the grazing value of μ no such orbit is periodic.
+        // A violated hypothesis: away from the grazing value of μ no such orbit is periodic.
         let [primary, secondary] = oscillator.parameters();
         let off = oscillator.with_parameters([primary * 1.01, secondary]);
         let [x, z] = returned(&off, [0.0, orbit.phase()])?.into();
         cases.see(x.abs() + (z - orbit.phase()).abs() > 1e-6);
     } => cases.outcome("grazing orbits of random oscillators, and values of μ beside them");
-    /// eq:Pglobal: what the linear part leaves over is of second order.
+    /// eq:Pglobal: the remainder after the linear part is of second order.
     // Slack for the cubic terms at the smallest resolved sizes.
     expansion: at_grazing(12, 60) |sampler, orbit; least: Smallest| {
         let oscillator = orbit.oscillator();
@@ -52,20 +52,20 @@ checks! {
             };
             let linear = map.a * Vector2::new(h * x, h * z) + map.b * (h * mu);
             let remainder = image - Vector2::new(0.0, orbit.phase()) - linear;
-            // The phase of a maximum is good to some 10⁻¹⁵, its derivatives are up to ten.
+            // The phase of a maximum is accurate to about 10⁻¹⁵, its derivatives are up to ten.
             Some((remainder.norm(), 1e-14))
         }));
         if let Some(error) = failure {
             return Err(error);
         }
     } => least.order(2.0, 0.3, "directions in (x, z, μ) at grazing orbits of random oscillators");
-    /// eq:A: ∂(x', z')/∂(x, z) by hand-written derivatives against differences of event locations.
+    /// eq:A: ∂(x', z')/∂(x, z) by hand-written derivatives, compared with differences of event locations.
     derivative: at_grazing(13, 60) |_, orbit; largest: Deviations| {
         let a = orbit.grazing_point().map.a;
         let [by_position, by_phase, _] = derivatives(orbit, 1.0)?;
         largest.see((Matrix2::from_columns(&[by_position, by_phase]) - a).amax() / a.amax().max(1.0));
     } => largest.outcome(DIFFERENCES, "entries of A of random oscillators");
-    /// eq:b: ∂P_global/∂μ likewise, with the amplitude or the frequency as μ.
+    /// eq:b: ∂P_global/∂μ, compared in the same way, with the amplitude or the frequency as μ.
     parameter_derivative: at_grazing(14, 60) |_, orbit; largest: Deviations| {
         let b = orbit.grazing_point().map.b;
         let [_, _, by_parameter] = derivatives(orbit, 1.0)?;

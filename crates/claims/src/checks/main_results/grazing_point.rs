@@ -7,17 +7,17 @@ checks! {
     // Slack for the terms of third order in √x̂.
     square_root_factor: at_grazing(41, 60) |_, orbit; least: Smallest| {
         let point = orbit.grazing_point();
-        // The size is √x̂, so that the remainder is of second order.
+        // The size is √x̂, for which the remainder is of second order.
         least.see_resolved(order(|h| {
             let disc =
                 discontinuity_map::<_, 1>(orbit.oscillator(), AtRest::new(h * h, orbit.phase())).ok()?.value;
             let stated = -point.alpha() * point.forcing_frequency * h * (2.0 / point.gamma).sqrt();
-            // Times from 10⁻² to 10⁻⁵ are found to the rounding of phases of order one.
+            // Times from 10⁻² to 10⁻⁵ are accurate to the rounding of phases of order one.
             Some((disc[1] - orbit.phase() - stated, 1e-14))
         }));
     } => least.order(2.0, 0.3, "random oscillators with ψ ≠ 0; order in √x̂");
     /// eq:phipsigamma: φ and ψ by differences of the reset law, γ by those of Γ; γ > 0.
-    // Rounding 10⁻¹⁵ over the step 10⁻³; the error of fourth order is as small.
+    // Rounding 10⁻¹⁵ over the step 10⁻³; the fourth-order error is equally small.
     constants: at_grazing(42, 100) |_, orbit; largest: Deviations| {
         let (oscillator, point) = (orbit.oscillator(), orbit.grazing_point());
         let recoil = slope(1e-3, |y| Some(oscillator.reset::<1>(OnWall::new(y, orbit.phase())).value))
@@ -39,7 +39,7 @@ checks! {
         let entry = (1..p).fold(a, |power, _| power * a)[(0, 1)];
         let kappa = detuning(p, tau, delta);
         let definition = tau - 2.0 * delta.sqrt() * libm::cos(PI / f64::from(p));
-        // The definition to two roundings; no sign where κ_p is as small as its rounding.
+        // The definition to two roundings; the sign is meaningless where κ_p is as small as its rounding.
         cases.see((kappa - definition).abs() < 1e-15 && (kappa.abs() < 1e-12 || kappa * entry > 0.0));
     } => cases.outcome("random p ≥ 2, δ and τ above h_p(δ)");
 }

@@ -14,7 +14,7 @@ fn fixed_point(orbit: &Grazing, mu: f64) -> Result<Vector2<f64>, Failure> {
         let step = (jet.derivative() - Matrix2::identity()).try_inverse().ok_or("1 is an eigenvalue of A")?
             * (jet.value - point);
         point -= step;
-        // Converges quadratically: the next step would be rounding.
+        // The convergence is quadratic: the next step would be rounding.
         if step.amax() < 1e-9 {
             return Ok(point);
         }
@@ -22,12 +22,12 @@ fn fixed_point(orbit: &Grazing, mu: f64) -> Result<Vector2<f64>, Failure> {
     Err("no fixed point of P_global was found".into())
 }
 
-/// A grazing orbit with the frequency as μ, which enters nonlinearly, off the fold of 𝒜_graz(ω).
+/// A grazing orbit with the frequency as μ, which enters nonlinearly, away from the fold of 𝒜_graz(ω).
 fn nonlinear_orbit(sampler: &mut Sampler) -> Result<Grazing, Failure> {
     loop {
         let orbit = Law::random_grazing(sampler)?;
         let map = orbit.grazing_point().map;
-        // At the fold grazing is not transversal; with the eigenvalue 1 the fixed point turns back.
+        // At the fold grazing is not transversal; with eigenvalue 1 the fixed point folds.
         if orbit.primary_slope().abs() > 0.1 && map.determinant() - map.trace() + 1.0 > 0.2 {
             return frequency_first(&orbit);
         }
@@ -65,7 +65,8 @@ checks! {
                 largest.require(lambda_1 >= lambda_2 && tau * tau >= 4.0 * delta);
                 for (lambda, sign) in [(lambda_1, 1.0), (lambda_2, -1.0)] {
                     largest.see((lambda * lambda - tau * lambda + delta).abs());
-                    // Near a double eigenvalue the square root amplifies: compare what is under it.
+                    // Near a double eigenvalue the square root amplifies errors, so the radicands are
+                    // compared.
                     let root = 2.0 * lambda - tau;
                     largest.require(root * sign >= -1e-15);
                     largest.see(root * root - tau * tau + 4.0 * delta);
@@ -82,14 +83,14 @@ checks! {
     /// eq:cT: with δ > 0, powers of A tend to zero if and only if (τ, δ) lies in the trapesium.
     trapesium: drawn_over(26, 0..2000) |sampler, k; cases: Votes| {
         let (mut delta, mut tau) = (sampler.between(1e-3, 1.5), sampler.between(-3.0, 3.0));
-        // Every third matrix lies within 10⁻⁶ of one of the three sides on which stability is lost.
+        // Every third matrix lies within 10⁻⁶ of one of the three sides at which stability is lost.
         match k % 6 {
             0 => tau = sampler.one_of(&[1.0, -1.0]) * (delta + 1.0) + sampler.between(-1e-6, 1e-6),
             1 => delta = 1.0 + sampler.between(-1e-6, 1e-6),
             _ => {}
         }
         let mut power = map_with(sampler, tau, delta).a;
-        // A to the power 2⁴⁰, with its size kept apart: log|Aᴺ| = log of the size.
+        // A to the power 2⁴⁰, with its size kept separately: log|Aᴺ| = log of the size.
         let mut log_size = 0.0;
         for _ in 0..40 {
             let size = power.amax();
@@ -109,7 +110,7 @@ checks! {
         let [primary, secondary] = orbit.oscillator().parameters();
         let oscillator = orbit.oscillator().with_parameters([primary + mu, secondary]);
         let [x, z] = fixed_point(orbit, mu)?.into();
-        // Loops contract like |λ|ⁿ: as many as make it 10⁻³, from a tenth of the distance.
+        // Loops contract like |λ|ⁿ: their number makes this 10⁻³, from a tenth of the distance.
         let radius = map.eigenvalues().spectral_radius();
         let loops = libm::ceil(libm::log(1e-4) / libm::log(radius));
         let from = State::at_rest(x + 0.1 * x * sampler.between(-1.0, 1.0), z);
@@ -139,12 +140,12 @@ checks! {
         least.see_resolved(order(|mu| {
             let found = fixed_point(&orbit, mu).ok()?;
             let remainder = found - Vector2::new(0.0, orbit.phase()) - slope * mu;
-            // (I − A)⁻¹ amplifies roundings up to a hundredfold.
+            // (I − A)⁻¹ amplifies rounding by up to a factor of a hundred.
             Some((remainder.norm(), 1e-13))
         }));
     } => least.order(2.0, 0.3, "random oscillators with the frequency as μ");
     /// eq:xStarzStarDeriv: dx*/dμ by differences of numerical fixed points.
-    // h⁶ = 10⁻¹⁸ times seventh derivatives of 𝒜/𝒜_graz(ω), with its resonance ζ wide: empirical.
+    // h⁶ = 10⁻¹⁸ times seventh derivatives of 𝒜/𝒜_graz(ω), whose resonance has width ζ: empirical.
     position_slope: drawn(23, 100) |sampler; largest: Deviations| {
         let orbit = nonlinear_orbit(sampler)?;
         let map = orbit.grazing_point().map;

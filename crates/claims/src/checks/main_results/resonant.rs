@@ -4,8 +4,8 @@ use super::coefficients::resonant;
 use super::returns::iterated;
 use crate::*;
 
-/// fig:E: in the case c_SN < 0 < c_PD and β > 0, the non-impacting solution is there for μ < 0 and
-/// stable, and the curves lie to either side of the grazing curve and of η = 0.
+/// fig:E: in the case c_SN < 0 < c_PD and β > 0, the non-impacting solution exists for μ < 0 and is
+/// stable, and the curves lie on opposite sides of the grazing curve and of η = 0.
 pub(crate) fn sketch() -> CheckResult {
     let mut sampler = Sampler::new(53);
     let mut cases = Votes::default();
@@ -23,7 +23,7 @@ pub(crate) fn sketch() -> CheckResult {
         let slope = map.fixed_point_position_slope()?;
         cases.see(slope > 0.0 && map.eigenvalues().spectral_radius() < 1.0);
         for (curve, side) in place.curves().iter().zip([-1.0, 1.0]) {
-            // A small velocity: the quadratic term rules.
+            // The velocity is small, so that the quadratic term dominates.
             let eta = 1e-4 / curve.leading.impact_velocity_slope;
             let found = place.on_curve(curve, eta).ok_or("no point of the curve was found")?;
             let [_, mu] = found.relative();
@@ -35,7 +35,7 @@ pub(crate) fn sketch() -> CheckResult {
 }
 
 checks! {
-    /// ass:grazing2: grazing orbits along a range of η, F < 0, moving continuously as stated.
+    /// ass:grazing2: grazing orbits along a range of η, with F < 0, varying continuously as stated.
     grazing_orbits: drawn(51, 40) |sampler; cases: Votes| {
         let mut orbit = Law::random_grazing(sampler)?;
         let [_, start] = orbit.oscillator().parameters();
@@ -49,15 +49,16 @@ checks! {
             let top = motion.highest_maximum(1.5 * next.oscillator().forcing_period());
             // The contact one period later is the highest maximum, at the wall to rounding.
             let touches = top.is_some_and(|top| top.position.abs() < 1e-12);
-            // The prediction is off by h²/2 times second derivatives, below 10⁴ for ζ ≥ 0.01.
+            // The prediction error is h²/2 times second derivatives, which are below 10⁴ for ζ ≥ 0.01.
             let smooth =
                 (next.phase() - near).abs() + (next.primary() - predicted[0]).abs() < 5e3 * STEP * STEP;
             cases.see(touches && smooth && next.oscillator().acceleration(from) < 0.0);
             orbit = next;
         }
     } => cases.outcome("values of η along the grazing curves of random oscillators");
-    /// eq:xi: by second differences of iterated event location.
-    // Rounding 10⁻¹⁵ over h², h⁶ times eighth derivatives: empirical, thirty times the largest.
+    /// eq:xi: compared with second differences of iterated event location.
+    // Rounding 10⁻¹⁵ over h², and h⁶ times eighth derivatives: empirical, thirty times the largest
+    // deviation.
     second_phase_derivative: drawn(52, 60) |sampler; largest: Deviations| {
         let orbit = Law::random_grazing(sampler)?;
         let loops = sampler.one_of(&[1, 2, 3, 4]);

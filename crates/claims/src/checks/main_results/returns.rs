@@ -1,4 +1,4 @@
-//! P_global without Newton's method or jets: maxima of x in free motion, by the search of `motion`.
+//! P_global without Newton's method or jets: maxima of x in free motion, found by the search of `motion`.
 
 use crate::*;
 
@@ -18,19 +18,19 @@ pub(crate) fn returned<O: ImpactOscillator>(
     Ok(Vector2::new(nearest.position, phase + turn))
 }
 
-/// The p-th iterate.
+/// The p-th iterate of `returned`.
 pub(crate) fn iterated(oscillator: &Specimen, loops: u32, start: [f64; 2]) -> Result<Vector2<f64>, Failure> {
     (0..loops).try_fold(start.into(), |here: Vector2<f64>, _| returned(oscillator, here.into()))
 }
 
-/// ∂P_global/∂(x, z, μ) at grazing by differences, μ counted in a unit.
+/// ∂P_global/∂(x, z, μ) at grazing by differences, with μ in multiples of a unit.
 pub(crate) fn derivatives<O: ImpactOscillator>(
     grazing: &GrazingOrbit<O>,
     unit: f64,
 ) -> Result<[Vector2<f64>; 3], Failure> {
     let [primary, secondary] = grazing.oscillator().parameters();
     let by = |axis: usize| {
-        // Rounding is 10⁻¹⁵ over the step, the error its sixth power times seventh derivatives.
+        // Rounding is 10⁻¹⁵ over the step; the error is its sixth power times seventh derivatives.
         slope(1e-3, |h| {
             let [x, z, mu] = core::array::from_fn(|i| if i == axis { h } else { 0.0 });
             let near = grazing.oscillator().with_parameters([primary + mu * unit, secondary]);

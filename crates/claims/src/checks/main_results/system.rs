@@ -5,7 +5,7 @@ use grazing_model::motion::Motion;
 
 checks! {
     /// eq:f: the components of the vector field against first differences along the flow.
-    // Slack as above; the third component holds exactly, which leaves no order to be seen.
+    // The slack is for the next term; the third component holds exactly, and therefore shows no order.
     vector_field: at_grazing(2, 60) |sampler, orbit; least: Smallest| {
         let oscillator = orbit.oscillator();
         let from = sampler.state();
@@ -15,7 +15,7 @@ checks! {
             least.see(order(|h| {
                 let at = |time: f64| {
                     let there = motion.at(time);
-                    // The phase after a time is what the forcing does: the acceleration names it.
+                    // The acceleration identifies the phase after a time, through the forcing.
                     let forcing = |phase: f64| {
                         oscillator.acceleration(State {
                             position: there.position,
@@ -78,7 +78,7 @@ checks! {
             let [restitution, delay] = oscillator.factors(velocity, phase);
             let form =
                 (image[0] + velocity * restitution).abs() + (image[1] - phase - velocity * delay).abs();
-            // Form and identity to a few roundings of the phase.
+            // Form and identity hold to a few roundings of the phase.
             if tangent[0] != 0.0 || tangent[1] != phase || form > 4e-15 {
                 return -1.0;
             }
@@ -103,7 +103,7 @@ checks! {
                 largest.see((velocity - flight.from.velocity).abs());
                 largest.see((phase - turns * TAU - flight.from.phase).abs());
             }
-            // No crossing on the way, and the position at the impact is zero.
+            // There is no crossing on the way, and the position at the impact is zero.
             let before = flight.duration * (1.0 - 1e-6);
             let early = flight.motion.first_crossing(before).is_some();
             let top = flight.motion.highest_maximum(before).map_or(0.0, |top| top.position.max(0.0));

@@ -1,4 +1,4 @@
-//! Theorems 2.2 to 2.5, seen in the hybrid system; without a hypothesis the conclusion fails.
+//! Theorems 2.2 to 2.5, tested on the hybrid system; if a hypothesis is violated the conclusion fails.
 
 pub(super) mod general;
 
@@ -10,14 +10,15 @@ use crate::*;
 use grazing_model::LinearOscillator;
 use grazing_theorems::{HypothesesViolated, ResonantGrazing};
 
-/// An oscillator for what is seen to fail.
+/// Damping ratio and restitution of the oscillator for cases with violated hypotheses.
 const ZETA: f64 = 0.03;
 const EPSILON: f64 = 0.8;
 
 /// th:codim11.
 pub(crate) fn generic_grazing_one_loop() -> CheckResult {
     let mut count = generic_votes(&[(1, 3)], |loops| loops == 1)?;
-    // Impacts that take time, α > 0, and so much that α < 0: the MPS is on the other side then.
+    // Impacts that take time, with α > 0, and with such a long time that α < 0: then the MPS is on the
+    // other side.
     for shift in [0.05, -0.05] {
         for alpha in [0.5, -0.5] {
             let orbit = delayed(1.5 + shift, alpha)?;
@@ -33,7 +34,7 @@ pub(crate) fn generic_grazing_one_loop() -> CheckResult {
 pub(crate) fn generic_grazing_p_loops() -> CheckResult {
     let mut count = generic_votes(&[(2, 1), (3, 1)], |loops| loops > 1)?;
     for p in [2, 3] {
-        // With α < 0 it is a₁₂ < 0 that makes MPSs, to both sides of n − 1/(2p), and not a₁₂ > 0.
+        // With α < 0 MPSs require a₁₂ < 0 instead of a₁₂ > 0, on both sides of n − 1/(2p).
         for share in [0.94, 1.06] {
             let q = share * 0.5 / f64::from(p);
             for (ratio, negative) in [(2.0 - q, true), (1.0 + q, false)] {
@@ -58,7 +59,7 @@ pub(crate) fn resonant_grazing_one_loop() -> CheckResult {
         count.see(no_curve_away_from_resonance(1, theory()?.damped_natural_frequency() / (ratio + 0.05)));
         for alpha in [0.5, -0.5] {
             let orbit = delayed(ratio, alpha)?;
-            // With α < 0 the curves are there for the other sign of η.
+            // With α < 0 the curves exist for the other sign of η.
             let point = orbit.resonant_point(1)?;
             let stability = point.stability_coefficients();
             let others = [stability.plus, stability.minus]
@@ -89,7 +90,8 @@ pub(crate) fn resonant_grazing_p_loops() -> CheckResult {
     ))
 }
 
-/// Where theorem 2.2 or 2.3 applies the MPS is on its side; or this hypothesis alone is violated.
+/// Whether the MPS is on the side of theorem 2.2 or 2.3 where it applies, or this hypothesis alone is
+/// violated.
 fn generic_case(
     orbit: &Grazing,
     loops: u32,
@@ -104,7 +106,8 @@ fn generic_case(
     })
 }
 
-/// The same for theorem 2.4 or 2.5 and both curves.
+/// Whether both curves are as in theorem 2.4 or 2.5 where it applies, or this hypothesis alone is
+/// violated.
 fn resonant_case(
     orbit: &Grazing,
     loops: u32,
@@ -118,7 +121,8 @@ fn resonant_case(
     })
 }
 
-/// Where a hypothesis fails the theorem is silent, as long as what is seen there has its reason.
+/// Counts the cases of the sweep; if a hypothesis fails and the result has an explanation, the theorem is
+/// silent.
 fn swept(
     cases: Vec<Case>,
     wanted: impl Fn(u32) -> bool,
@@ -136,8 +140,8 @@ fn swept(
     Ok(())
 }
 
-/// Oscillators at grazing that are not linear: forces, reset laws, β of either sign, real
-/// eigenvalues; and linear ones within 0.01 of τ = h_p and of δ = 1.
+/// Oscillators at grazing that are not linear, with various forces, reset laws, β of either sign, and
+/// real eigenvalues; and linear ones within 0.01 of τ = h_p and of δ = 1.
 fn other_oscillators(wanted: impl Fn(u32) -> bool) -> Result<Vec<(Grazing, u32)>, Failure> {
     let mut found = Vec::new();
     for orbit in specimens()? {
@@ -157,7 +161,7 @@ fn other_oscillators(wanted: impl Fn(u32) -> bool) -> Result<Vec<(Grazing, u32)>
     let law = Law { delay: Exponential::constant(0.05), ..Law::linear(0.05, 0.7) }.frequency_first();
     let orbit = law.grazing(4.5)?;
     found.extend((1..=3).map(|p| (orbit.clone(), p)));
-    // β < 0 < b₁, which only a primary parameter that moves both does; τ = 1.2 and a₁₂ > 0.
+    // β < 0 < b₁, which requires a primary parameter that changes both; τ = 1.2 and a₁₂ > 0.
     for (law, frequency) in [(Law::varying(0.05), 0.92), (Law::nonlinear(0.05), 1.1)] {
         let orbit = Law { pull: 1.2, ..law }.grazing(frequency)?;
         let map = orbit.grazing_point().map;
@@ -170,7 +174,7 @@ fn other_oscillators(wanted: impl Fn(u32) -> bool) -> Result<Vec<(Grazing, u32)>
     Ok(found)
 }
 
-/// Whether the hypotheses of Theorem 2.2 or 2.3 hold, as the paper prints them.
+/// Whether the hypotheses of Theorem 2.2 or 2.3 hold, as printed in the paper.
 fn speaks(point: &GrazingPoint, p: u32) -> Result<bool, Failure> {
     let GrazingPoint { map: LinearisedMap { a, b }, forcing_frequency, gamma, phi, psi } = *point;
     let alpha = 1.0 + phi - gamma * psi / forcing_frequency;
@@ -189,12 +193,12 @@ fn speaks(point: &GrazingPoint, p: u32) -> Result<bool, Failure> {
         })
 }
 
-/// An oscillator with τ this much above h_p(δ), a₁₂ > 0: 1 + 1/(2p) < ω₁/ω < 1 + 1/p.
+/// An oscillator with τ above h_p(δ) by this margin, and a₁₂ > 0: 1 + 1/(2p) < ω₁/ω < 1 + 1/p.
 fn beside_the_boundary(p: u32, margin: f64) -> Result<Grazing, Failure> {
     let theory = theory()?;
     let omega = |ratio: f64| theory.damped_natural_frequency() / ratio;
     let (mut near, mut far) = (1.0 + 0.5 / f64::from(p), 1.0 + 1.0 / f64::from(p));
-    // τ falls as the ratio grows. After forty halvings nothing is left of the interval.
+    // τ decreases with the ratio. After forty bisections the interval is negligible.
     for _ in 0..40 {
         let middle = 0.5 * (near + far);
         let grazing = theory.grazing(omega(middle))?;
@@ -204,11 +208,12 @@ fn beside_the_boundary(p: u32, margin: f64) -> Result<Grazing, Failure> {
     Law::varying(ZETA).grazing(omega(near))
 }
 
-/// Theorem 2.2 or 2.3 on the sweep's oscillators, continued and simulated, and others, simulated.
+/// Tests theorem 2.2 or 2.3 on the sweep's oscillators by continuation and simulation, and on others by
+/// simulation.
 fn generic_votes(resonances: &[(u32, u32)], wanted: impl Fn(u32) -> bool) -> Result<Votes, Failure> {
     let mut count = Votes::default();
     for &(p, n) in resonances {
-        // a₁₂ = 0 or κ_p = 0: the MPS that comes into being is not unstable.
+        // a₁₂ = 0 or κ_p = 0: the MPS that emerges is not unstable.
         let omega = theory()?.resonance(p, n)?.forcing_frequency();
         count.see(attracts(p, omega));
         count.see(exists_for_both_signs_of_the_root(p, 0.97 * omega));
@@ -227,7 +232,7 @@ fn generic_votes(resonances: &[(u32, u32)], wanted: impl Fn(u32) -> bool) -> Res
     Ok(count)
 }
 
-/// Theorem 2.4 or 2.5 on the sweep's oscillators, and on these resonances of a nonlinear one.
+/// Tests theorem 2.4 or 2.5 on the sweep's oscillators, and on these resonances of a nonlinear one.
 fn resonant_votes(wanted: impl Fn(u32) -> bool, others: &[(u32, u32)]) -> Result<Votes, Failure> {
     let mut count = Votes::default();
     swept(resonant_cases()?, &wanted, &mut count, |case| Ok(ResonantRow::of(case)?.verdict()))?;
@@ -242,12 +247,12 @@ fn theory() -> Result<grazing_theorems::LinearOscillator, Failure> {
     Ok(grazing_theorems::LinearOscillator::new(ZETA, EPSILON)?)
 }
 
-/// This hypothesis fails, and no other.
+/// Whether this hypothesis, and no other, is violated.
 pub(super) fn only(violated: &HypothesesViolated, quantity: Quantity) -> bool {
     violated.violated().map(|hypothesis| hypothesis.quantity).eq([quantity])
 }
 
-/// The grazing orbit at ω₁/ω = `ratio` of an oscillator whose impacts take time, with this α.
+/// The grazing orbit at ω₁/ω = `ratio` of an oscillator with impacts of finite duration and this α.
 fn delayed(ratio: f64, alpha: f64) -> Result<Grazing, Failure> {
     let omega = theory()?.damped_natural_frequency() / ratio;
     let with = |size: f64| Law { delay: Exponential { size, ..DELAY }, ..Law::varying(ZETA) }.grazing(omega);
@@ -256,20 +261,20 @@ fn delayed(ratio: f64, alpha: f64) -> Result<Grazing, Failure> {
     with(wanted / unit.psi)
 }
 
-/// What a solution is in the hybrid system, and whether simulated orbits beside it come nearer.
+/// The behaviour of a solution in the hybrid system, and whether nearby simulated orbits approach it.
 fn seen(solution: LoopSolution, loops: u32, omega: f64) -> Option<(ReturnOutcome, Option<bool>)> {
     let oscillator = LinearOscillator::new(ZETA, EPSILON, solution.amplitude, omega).ok()?;
     let suspect = solution.suspect(&oscillator, loops);
     Some((suspect.follow(), suspect.attracts()))
 }
 
-/// The MPS that grazing makes at this frequency is there, and simulated orbits approach it.
+/// Whether the MPS that emerges from grazing at this frequency exists and attracts simulated orbits.
 fn attracts(loops: u32, omega: f64) -> bool {
     let solution = LoopSolutions::new(ZETA, EPSILON, omega, loops).with_velocity(0.01);
     seen(solution, loops, omega) == Some((ReturnOutcome::Returns, Some(true)))
 }
 
-/// With 𝒜 = 𝒜_graz ± μ² instead, β = 0: the MPS exists for both signs of μ, or for none.
+/// Whether, for 𝒜 = 𝒜_graz ± μ² with β = 0, the MPS exists for both signs of μ or for none.
 fn exists_for_both_signs_of_the_root(loops: u32, omega: f64) -> bool {
     let solutions = LoopSolutions::new(ZETA, EPSILON, omega, loops);
     let size = 1e-4 / solutions.slopes()[0].abs();
@@ -281,7 +286,7 @@ fn exists_for_both_signs_of_the_root(loops: u32, omega: f64) -> bool {
     above != below
 }
 
-/// Away from resonance no SN or PD comes out of grazing: those near in frequency stay away.
+/// Whether, away from resonance, no SN or PD curve emerges from grazing, also at nearby frequencies.
 fn no_curve_away_from_resonance(loops: u32, omega: f64) -> bool {
     [0.0, 1e-4, -1e-4].iter().all(|eta| {
         let solutions = LoopSolutions::new(ZETA, EPSILON, omega + eta, loops);
@@ -289,7 +294,7 @@ fn no_curve_away_from_resonance(loops: u32, omega: f64) -> bool {
     })
 }
 
-/// Both curves are seen for the stated sign of η, and have the stated coefficients.
+/// Whether both curves exist for the stated sign of η, with the stated coefficients.
 fn holds(orbit: &Grazing, loops: u32, theorem: &ResonantGrazing) -> Result<bool, Failure> {
     let located = ResonantGrazingPoint::find(orbit.oscillator(), loops, orbit.phase())?;
     let stated = [theorem.saddle_node(), theorem.period_doubling()];

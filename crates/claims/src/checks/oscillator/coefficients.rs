@@ -5,7 +5,8 @@ use crate::*;
 use grazing_theorems::LinearOscillator;
 use grazing_theorems::unfolding::StabilityCoefficients;
 
-/// The least of −s⁺, s⁻, −c_SN and c_PD, each over what it vanishes with; `rebound` is εE_p.
+/// The least of −s⁺, s⁻, −c_SN and c_PD, each divided by the factor with which it vanishes; `rebound` is
+/// εE_p.
 fn least_of_four(stability: StabilityCoefficients, [sn, pd]: [f64; 2], rebound: f64, size: f64) -> f64 {
     let square = (1.0 - rebound) * (1.0 - rebound);
     let by_square = [-stability.plus, stability.minus].map(|value| value / square);
@@ -14,8 +15,8 @@ fn least_of_four(stability: StabilityCoefficients, [sn, pd]: [f64; 2], rebound: 
 
 /// c_SN < 0, c_PD > 0, s⁺ < 0 < s⁻ wherever εE_p ≠ 1, by search over ζ and ε for each p and n.
 ///
-/// εE_p < 1 for ε ≤ 1; for larger ε, on both sides of 1/E_p, the general formulas of section 2.6
-/// are taken. All four are measured against what vanishes with 1 − εE_p, E_p and 𝒜_graz.
+/// εE_p < 1 for ε ≤ 1; for larger ε, on both sides of 1/E_p, the general formulas of section 2.6 are
+/// used. All four are divided by factors that vanish with 1 − εE_p, E_p and 𝒜_graz.
 pub(crate) fn signs() -> CheckResult {
     let closed_form = |p: u32, n: u32, [a, b]: [f64; 2]| {
         let (zeta, epsilon) = (0.002 + 0.9 * a * a, 0.01 + 0.99 * b);
@@ -28,7 +29,7 @@ pub(crate) fn signs() -> CheckResult {
     };
     let general = |p: u32, n: u32, [a, b]: [f64; 2]| {
         let (zeta, rebound) = (0.002 + 0.1 * a, 4.0 * b);
-        // Nearer to ε = 1/E_p the coefficients are what cancellation leaves.
+        // Closer to ε = 1/E_p the coefficients are dominated by cancellation.
         if (rebound - 1.0).abs() < 1e-3 {
             return None;
         }
@@ -51,11 +52,11 @@ pub(crate) fn signs() -> CheckResult {
         .margin("searches over ζ and ε for the smallest of four scaled signs, p = 1 to 5, ε beyond 1 too"))
 }
 
-/// Loops and indices that stand for all: both parities for one loop.
+/// Representative numbers of loops and indices, with both parities for one loop.
 const INDICES: [(u32, u32); 9] = [(1, 1), (1, 2), (1, 3), (1, 4), (2, 1), (2, 2), (3, 1), (4, 2), (5, 1)];
 
-/// At the resonances of Figure 8 the dashed curve, (μ, η) = (𝒜 − 𝒜_graz, ω − ω*) inverted with the
-/// closed forms of the coefficients, is off the continued one by third order in η.
+/// At the resonances of Figure 8 the dashed curve, (μ, η) = (𝒜 − 𝒜_graz, ω − ω*) inverted with the closed
+/// forms of the coefficients, deviates from the continued curve in third order in η.
 pub(crate) fn quadratic_approximation() -> CheckResult {
     let (zeta, epsilon) = (printed("zeta"), printed("epsilon"));
     let mut orders = Vec::new();
@@ -74,14 +75,14 @@ pub(crate) fn quadratic_approximation() -> CheckResult {
 }
 
 checks! {
-    /// The continued SN and PD curves start with different signs of η, as stated, and of μ.
+    /// The continued SN and PD curves begin with different signs of η, as stated, and of μ.
     opposite_sides: drawn(133, 60) |sampler; cases: Votes| {
         let (zeta, epsilon) = (sampler.between(0.005, 0.1), sampler.between(0.3, 0.98));
         let (p, n) = sampler.one_of(&INDICES);
         let place = ResonantSpecimen::find(Law::linear(zeta, epsilon), p, n)?;
         let mut found = [[0.0; 2]; 2];
         for (found, curve) in found.iter_mut().zip(place.curves()) {
-            // An impact velocity so small that the quadratic term rules.
+            // The impact velocity is so small that the quadratic term dominates.
             let eta = 1e-4 / curve.leading.impact_velocity_slope;
             let near = place.on_curve(&curve, eta).ok_or("no point of a curve")?;
             cases.see(curve.leading.eta_side.signum() * eta > 0.0 && near.unknowns[0] > 0.0);

@@ -4,11 +4,12 @@ use crate::*;
 use grazing_continuation::curve::CurveEnd;
 use grazing_theorems::LinearOscillator;
 
-/// Frequencies from below the lowest resonance that Figure 7 labels to above the highest.
+/// The range of frequencies, from below the lowest resonance labelled in Figure 7 to above the highest.
 const FREQUENCIES: [f64; 2] = [0.36, 0.95];
 
 checks! {
-    /// Left of the grazing curve simulated orbits approach φ_p; right of it φ_p is no solution.
+    /// To the left of the grazing curve simulated orbits approach φ_p; to the right φ_p is not a
+    /// solution.
     non_impacting_region: drawn(151, 60) |sampler; cases: Votes| {
         let theory = LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
         let omega = sampler.between(FREQUENCIES[0], FREQUENCIES[1]);
@@ -17,7 +18,7 @@ checks! {
         let oscillator = grazing.model().with_parameters([share * grazing.amplitude(), omega]);
         let phase = sampler.between(0.0, TAU);
         let start = oscillator.non_impacting_solution(phase);
-        // Off by up to a tenth of the distance to the wall, in a norm that never grows.
+        // The displacement is up to a tenth of the distance to the wall, in a norm that never grows.
         let off = 0.1 * (1.0 - share) * sampler.between(-1.0, 1.0);
         let from = State { position: start.position + off, ..start };
         let periods = libm::ceil(5.0 / theory.damping_ratio() / oscillator.forcing_period());
@@ -33,8 +34,8 @@ checks! {
     } => cases.outcome("points left and right of the grazing curve, simulated");
 }
 
-/// At each resonance of Figure 7 SN and PD curves leave and a GZ curve closes the region; the MPS
-/// is stable on one side of SN and PD and not on the other, in simulation too.
+/// At each resonance of Figure 7 SN and PD curves leave and a GZ curve closes the region; the MPS is
+/// stable on one side of SN and PD and unstable on the other, also in simulation.
 pub(crate) fn boundaries() -> CheckResult {
     let theory = LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
     let mut cases = Votes::default();
@@ -50,7 +51,7 @@ pub(crate) fn boundaries() -> CheckResult {
         let located = ResonantGrazingPoint::find(&grazing.model(), resonance.loops(), grazing.phase())?;
         let unfolded = located.unfold(&route)?;
         for curve in [&unfolded.saddle_node, &unfolded.period_doubling] {
-            // It ends at grazing of the MPS, or runs on to another resonance.
+            // The curve ends at grazing of the MPS, or continues to another resonance.
             cases.see(match &curve.end {
                 CurveEnd::Grazing => true,
                 CurveEnd::Event(event) => event.condition == Condition::InteriorGrazing,
@@ -64,7 +65,7 @@ pub(crate) fn boundaries() -> CheckResult {
                 Some(equations.solution(&point))
             };
             let (lower, upper) = beside(0.98).zip(beside(1.02)).ok_or("no MPS beside the curve")?;
-            // One side is stable, the other is not; simulation agrees where it is admissible.
+            // One side is stable, the other is not; simulation agrees where the solution is admissible.
             cases.see(lower.stable() != upper.stable());
             for solution in [lower, upper] {
                 if solution.admissible() {

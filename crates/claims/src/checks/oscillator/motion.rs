@@ -4,7 +4,8 @@ use crate::checks::appendices::printed_flow::Printed;
 use crate::*;
 use grazing_model::LinearOscillator;
 
-/// An oscillator with parameters from their whole domains, frequencies around the natural one.
+/// An oscillator with random parameters from their whole domains, with frequencies around the natural
+/// one.
 fn oscillator(sampler: &mut Sampler) -> Result<LinearOscillator, Failure> {
     Ok(LinearOscillator::new(
         sampler.between(0.005, 0.9),
@@ -27,7 +28,7 @@ fn defect(oscillator: &LinearOscillator, x: impl Fn(f64) -> f64, time: f64, h: f
     (acceleration + 2.0 * oscillator.damping_ratio() * velocity + here + 1.0 - force, 1e-16 * size / (h * h))
 }
 
-/// Any phase to start from; one that depends on the frequency, so that no special one is hit.
+/// An initial phase; it depends on the frequency, so that no special phase occurs.
 fn sampler_phase(omega: f64) -> f64 {
     1.0 + 2.0 * omega
 }
@@ -50,7 +51,7 @@ checks! {
         }
     } => largest.outcome(0.0, "impacts of orbits of random oscillators");
     /// ω₁ and −ζ ± iω₁: trace and determinant of the matrix of the free oscillator.
-    // Numbers of order one; near ζ = 0.9 the time 2π/ω₁ is some fifteen.
+    // Numbers of order one; near ζ = 0.9 the time 2π/ω₁ is about fifteen.
     damped_frequency: drawn(103, 500) |sampler; largest: Deviations| {
         let oscillator = oscillator(sampler)?;
         let (zeta, omega_1) = (oscillator.damping_ratio(), oscillator.natural_frequency());
@@ -69,7 +70,7 @@ checks! {
         largest.compare(end[1], shrunk * from.velocity, 3.0);
     } => largest.outcome(1e-14, "random damping ratios");
     /// eq:flow: the print satisfies initial condition and equation, and is the model's flow.
-    // Slack as above; values agree to roundings of the periodic solution's size.
+    // The slack is for the next term; values agree to within roundings of the periodic solution's size.
     flow: drawn(104, 300) |sampler; least: Smallest| {
         let oscillator = oscillator(sampler)?;
         let from = sampler.state();
@@ -89,7 +90,7 @@ checks! {
         least.require(same);
     } => least.order(2.0, 0.3, "the printed solution: defect, initial state, and the model's flow");
     /// eq:phip: the print satisfies the equation, has period 2π/ω, and is the model's.
-    // Slack as above.
+    // The slack is for the next term.
     periodic_solution: drawn(105, 300) |sampler; least: Smallest| {
         let oscillator = oscillator(sampler)?;
         let time = sampler.between(0.0, 10.0);
@@ -110,8 +111,9 @@ checks! {
             && (returned[0] - position).abs() + (returned[1] - velocity).abs() < 1e-12 * size;
         least.require(same);
     } => least.order(2.0, 0.3, "the printed periodic solution: defect, period, and the model's");
-    /// eq:Agraz: at the printed amplitude the highest maximum of φ_p is at the wall; beside it not.
-    // Positions of order one, gains up to a hundred at 𝒜 as small.
+    /// eq:Agraz: at the printed amplitude the highest maximum of φ_p is at the wall; at other amplitudes
+    /// it is not.
+    // Positions are of order one, and gains up to a hundred when 𝒜 is correspondingly small.
     grazing_amplitude: drawn(107, 500) |sampler; largest: Deviations| {
         let oscillator = oscillator(sampler)?;
         let (zeta, omega) = (oscillator.damping_ratio(), oscillator.frequency());
@@ -158,7 +160,7 @@ checks! {
         let x = |t: f64| oscillator.flow::<1>(from, t - start).value[0];
         least.see_resolved(order(|h| Some(defect(&oscillator, x, time, h))));
     } => least.order(2.0, 0.3, "random oscillators and orbits of the model; defect by central differences");
-    /// As t → ∞ solutions converge to φ_p: distances shrink like e^{−ζt}.
+    /// Attraction: as t → ∞ solutions converge to φ_p, with distances that decrease like e^{−ζt}.
     // Differences of positions that reach a hundred at resonance.
     attraction: drawn(106, 300) |sampler; largest: Deviations| {
         let oscillator = oscillator(sampler)?;
@@ -167,7 +169,7 @@ checks! {
         let distance = |time: f64| {
             let there = oscillator.flow::<1>(from, time).value;
             let periodic = oscillator.non_impacting_solution(from.phase + oscillator.frequency() * time);
-            // The norm in which the free oscillator turns without changing it: x² + 2ζxy + y².
+            // The norm that the rotation of the free oscillator preserves: x² + 2ζxy + y².
             let (x, y) = (there[0] - periodic.position, there[1] - periodic.velocity);
             (x * x + 2.0 * zeta * x * y + y * y).sqrt()
         };

@@ -1,9 +1,9 @@
-//! Propositions 3.2 and 3.3 against the general theorem with data of the numerical map.
+//! Propositions 3.2 and 3.3, compared with the general theorem for data of the numerical map.
 
 use crate::*;
 use grazing_theorems::{LinearOscillator, Unfolding};
 
-/// The general theory with data of the numerical P_global along the grazing curve.
+/// The resonance with general coefficients from data of the numerical P_global along the grazing curve.
 fn numerical(resonance: &Resonance) -> Result<ResonantPoint, Failure> {
     let grazing = resonance.grazing();
     Ok(GrazingOrbit::find(&grazing.model(), grazing.phase())?.resonant_point(resonance.loops())?)
@@ -16,7 +16,7 @@ fn random(sampler: &mut Sampler, loops: &[u32], indices: &[u32]) -> Result<Reson
     Ok(LinearOscillator::new(zeta, epsilon)?.resonance(p, n)?)
 }
 
-/// The propositions' derivative, s⁺, s⁻, c_SN and c_PD against the numerical theory.
+/// Compares the propositions' derivative, s⁺, s⁻, c_SN and c_PD with the numerical theory.
 fn compared(seed: u64, loops: &[u32], indices: &[u32]) -> Result<Deviations, Failure> {
     drawn(seed, 150, |sampler, largest: &mut Deviations| {
         let resonance = random(sampler, loops, indices)?;
@@ -36,7 +36,8 @@ fn compared(seed: u64, loops: &[u32], indices: &[u32]) -> Result<Deviations, Fai
     })
 }
 
-/// What jets leave: second derivatives up to 10³ rounded, over s^± down to (1 − 0.95)².
+/// The tolerance due to jets: second derivatives up to 10³ are rounded, and divided by s^± down to (1 −
+/// 0.95)².
 const JETS: f64 = 1e-12;
 
 fn propositions(seed: u64, loops: &[u32], indices: &[u32], over: &str) -> CheckResult {
@@ -51,7 +52,7 @@ checks! {
     one_loop_odd: propositions(141, &[1], &[1, 3, 5], "n = 1, 3, 5");
     /// eq:impFormula1even: E₁ with the other sign.
     one_loop_even: propositions(142, &[1], &[2, 4, 6], "n = 2, 4, 6");
-    /// pr:impp: the proposition as it holds, for the s of p loops.
+    /// pr:impp: the proposition in its correct form, for the s of p loops.
     many_loops: propositions(143, &[2, 3, 4, 5, 6], &[1, 2, 3], "p = 2 to 6, n = 1, 2, 3");
 }
 

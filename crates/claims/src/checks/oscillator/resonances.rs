@@ -3,16 +3,16 @@
 use crate::*;
 use grazing_theorems::LinearOscillator;
 
-/// What the theorems know of the numerical grazing orbit at a frequency.
+/// The data of the numerical grazing orbit at a frequency, as the theorems use them.
 fn measured(theory: &LinearOscillator, omega: f64) -> Result<GrazingPoint, Failure> {
     let law = Law::linear(theory.damping_ratio(), theory.coefficient_of_restitution());
     Ok(law.grazing(omega)?.grazing_point())
 }
 
-/// All zeros in a range of ω₁/ω: sign changes over a much finer grid, bisected.
+/// All zeros in a range of ω₁/ω: sign changes over a fine grid, refined by bisection.
 fn zeros(value: impl Fn(f64) -> Result<f64, Failure>, [first, last]: [f64; 2]) -> Result<Vec<f64>, Failure> {
     const CELLS: i32 = 400;
-    // A grid without pattern: none of its points is a zero.
+    // An irregular grid: none of its points is a zero.
     let at = |k: i32| first + (last - first) * (f64::from(k) + 0.137) / f64::from(CELLS);
     let mut found = Vec::new();
     let mut before = value(at(0))?;
@@ -31,11 +31,11 @@ fn zeros(value: impl Fn(f64) -> Result<f64, Failure>, [first, last]: [f64; 2]) -
     Ok(found)
 }
 
-/// The range of ω₁/ω in which zeros are sought; ends are no resonances.
+/// The range of ω₁/ω in which zeros are sought; its ends are not resonances.
 const RATIOS: [f64; 2] = [0.22, 3.63];
 
-/// Holds the zeros of a function of ω₁/ω against those of a list that lie in the range, both ways:
-/// their number.
+/// Compares the zeros of a function of ω₁/ω with those of a list that lie in the range, both ways;
+/// returns their number.
 fn only_zeros(
     largest: &mut Deviations,
     theory: &LinearOscillator,
@@ -55,7 +55,7 @@ fn only_zeros(
     Ok(expected.len())
 }
 
-/// The printed frequencies of Figure 7 belong to its indices n, and there are no others between.
+/// The printed frequencies of Figure 7 belong to its indices n, and there are no others in between.
 pub(crate) fn indices() -> CheckResult {
     let theory = LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
     let omega_1 = theory.damped_natural_frequency();
@@ -91,7 +91,7 @@ fn near_grazing(orbit: &Grazing, loops: u32) -> Result<Unknowns, Failure> {
     Ok(zero(orbit, loops, 1e-4 / slope).ok_or("no zero of the VIVID function")?)
 }
 
-/// A random oscillator, p, n, and the distance of the frequency from that of a resonance.
+/// A random oscillator, p, n, and the relative distance of the frequency from that of a resonance.
 fn beside_resonance(sampler: &mut Sampler) -> (Law, u32, u32, f64) {
     let law = Law::linear(sampler.between(0.005, 0.05), sampler.between(0.5, 1.0));
     (law, sampler.one_of(&[2, 3, 4]), sampler.one_of(&[1, 2]), sampler.between(0.002, 0.01))
@@ -103,7 +103,7 @@ fn frequencies(law: &Law, p: u32, n: u32) -> Result<[f64; 2], Failure> {
     Ok([theory.resonance(p, n)?.forcing_frequency(), theory.virtual_resonance_frequency(p, n)?])
 }
 
-/// Close to p = 2, n = 1, where theorem 2.5 holds, a stable two-loop MPS attracts past grazing.
+/// Close to p = 2, n = 1, where theorem 2.5 holds, a stable two-loop MPS attracts beyond grazing.
 pub(crate) fn stable_two_loops() -> CheckResult {
     let place = ResonantSpecimen::find(Law::linear(printed("zeta"), printed("epsilon")), 2, 1)?;
     let theorem = place.resonance.theorem();
@@ -112,7 +112,7 @@ pub(crate) fn stable_two_loops() -> CheckResult {
     let equations = place.resonance.equations().with_formulation(Formulation::FixedPhase);
     let [_, omega] = place.resonance.orbit().oscillator().parameters();
     for k in -2..=2 {
-        // Frequencies so near that the quadratic unfolding of size cη² is below 𝒜 − 𝒜_graz.
+        // Frequencies so close that the quadratic unfolding of size cη² is below 𝒜 − 𝒜_graz.
         let eta = omega * 5e-4 * f64::from(k);
         let amplitude = place.grazing(eta).ok_or("no grazing orbit")?.primary();
         for share in [0.01, 0.02, 0.04] {
@@ -135,7 +135,7 @@ pub(crate) fn stable_two_loops() -> CheckResult {
 
 checks! {
     /// eq:resonance1: a₁₂ of the numerical map vanishes at ω₁/ω = n/2 and nowhere else.
-    // a₁₂ is good to 10⁻¹⁴, its slope in ω₁/ω is E₁ times some ten, E₁ above 0.01.
+    // a₁₂ is accurate to 10⁻¹⁴, and its slope in ω₁/ω is about ten times E₁, with E₁ above 0.01.
     one_loop: drawn(121, 4) |sampler; largest: Deviations| {
         let theory = LinearOscillator::new(sampler.between(0.01, 0.2), 0.7)?;
         let halves = (1..8).map(|n| 0.5 * f64::from(n));
@@ -149,7 +149,7 @@ checks! {
         }
     } => largest.outcome(1e-13, "zeros of the numerical a₁₂ in a range of ω₁/ω, by bracketing");
     /// eq:resonancep: κ_p of the numerical map vanishes at ω₁/ω = n ± 1/(2p) and nowhere else.
-    // As for one loop.
+    // The tolerance is derived as for one loop.
     many_loops: drawn_over(122, [2, 3, 4, 7]) |sampler, p; largest: Deviations| {
         let theory = LinearOscillator::new(sampler.between(0.01, 0.2), 0.7)?;
         let offset = 0.5 / f64::from(p);
@@ -170,7 +170,7 @@ checks! {
         }
     } => largest.outcome(1e-14, "zeros of the numerical κ_p in a range of ω₁/ω, p = 2, 3, 4, 7, by bracketing");
     /// The display after eq:resonancep: a₁₂ at the resonances of either sign, and the sign of a₁₂α.
-    // As for A.
+    // The tolerance is that of A.
     off_diagonal: drawn(123, 60) |sampler; largest: Deviations| {
         let theory = LinearOscillator::new(sampler.between(0.005, 0.2), sampler.between(0.1, 1.0))?;
         let (p, n) = (sampler.one_of(&[2, 3, 4, 5, 8]), sampler.one_of(&[1, 2, 3]));
@@ -191,8 +191,8 @@ checks! {
             largest.require(point.map.a.m12 * point.alpha() * sign > 0.0);
         }
     } => largest.outcome(1e-13, "resonances with either sign of random oscillators");
-    /// At ω₁/ω = n − 1/(2p) the hypothesis a₁₂α > 0 fails, and the zero of V with y > 0 nearby is
-    /// virtual: its orbit meets the wall too early. At n + 1/(2p) none of that.
+    /// At ω₁/ω = n − 1/(2p) the hypothesis a₁₂α > 0 fails, and the nearby zero of V with y > 0 is
+    /// virtual: its orbit meets the wall too early. At n + 1/(2p) neither is the case.
     virtual_solutions: drawn(124, 40) |sampler; cases: Votes| {
         let (law, p, n, beside) = beside_resonance(sampler);
         let off = 1.0 + sampler.one_of(&[-1.0, 1.0]) * beside;
@@ -211,7 +211,7 @@ checks! {
             cases.see(followed(&equations, &zero) == expected);
         }
     } => cases.outcome("random oscillators beside n ± 1/(2p): hypotheses, admissibility, simulation");
-    /// Nordmark's conjecture: beside n ± 1/(2p) the zero of V is an MPS if and only if a₁₂α > 0.
+    /// Nordmark's conjecture: near n ± 1/(2p) the zero of V is an MPS if and only if a₁₂α > 0.
     conjecture: drawn(125, 40) |sampler; (cases, printed): (Votes, Votes)| {
         let (law, p, n, beside) = beside_resonance(sampler);
         for frequency in frequencies(&law, p, n)? {

@@ -1,13 +1,13 @@
-//! Z(y, η) and M(y, η): eq:ZM to the expansion of y Ψ^±.
+//! Z(y, η) and M(y, η): from eq:ZM to the expansion of y Ψ^±.
 
 use crate::checks::appendices::signs::{determinant, search};
 use crate::*;
 
-/// Ratios of y and η in which points run into the resonance.
+/// The ratios of y and η along which points approach the resonance.
 const RATIOS: [[f64; 2]; 4] = [[1.0, 0.0], [1.0, 0.3], [1.0, -0.3], [-1.0, 0.2]];
 /// Rounding of a located phase relative to z_graz: the quotient of 10⁻¹⁵ and entries of K.
 const PHASE: f64 = 3e-14;
-/// Rounding of a located μ: the zeros of V are exact to the last places of the amplitude.
+/// Rounding of a located μ: the zeros of V are accurate to the last digits of the amplitude.
 const PARAMETER: f64 = 1e-15;
 /// Rounding of P_global^p.
 const MAP: f64 = 1e-15;
@@ -46,7 +46,7 @@ fn return_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
             .ok()?;
         Some((jet, near.orbit.phase()))
     };
-    // First derivatives are known to ten, second ones to a hundred times the rounding of the map.
+    // First derivatives have ten times the rounding error of the map, second derivatives a hundred times.
     let rounding = MAP * 10.0;
     let mut found = Vec::new();
     for direction in offsets(2) {
@@ -67,7 +67,7 @@ fn return_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
             Some((jet.hessians[0][(1, 1)] - symbols.xi, 10.0 * rounding))
         });
         let cubic = order(|size| {
-            // At fixed x, μ, η: what Taylor's polynomial of second order in z leaves.
+            // At fixed x, μ, η: the remainder of the second-order Taylor polynomial in z.
             let z = direction[1] * size;
             let (base, _) = jet(0.003, 0.0, -0.002, 0.004)?;
             let (there, _) = jet(0.003, z, -0.002, 0.004)?;
@@ -130,7 +130,7 @@ fn psi_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     let stability = place.point().stability_coefficients();
     let by_eta = symbols.alpha * symbols.omega * symbols.f;
-    // The phase of the zero is known to PHASE and enters y T with the factor α ω ξ_p.
+    // The phase of the zero is known to within PHASE, and enters y T with the factor α ω ξ_p.
     let rounding = PHASE * (1.0 + by_eta.abs() + symbols.alpha * symbols.omega * symbols.xi.abs());
     let along = |[y, eta]: [f64; 2]| {
         together([(rounding, 2.0); 2], |size| {
@@ -157,7 +157,8 @@ checks! {
             let [plus, minus] = psi(&pair.multipliers());
             let one = Matrix2::identity();
             let size = 1.0 + u.amax() * u.amax();
-            // What curves are continued with: det(U ∓ I) det D P_virt, smooth through y = 0.
+            // The functions that continuation uses for curves: det(U ∓ I) det D P_virt, smooth through y
+            // = 0.
             let scaled = |multiplier: f64| pair.characteristic(multiplier).0 * inverse.determinant();
             for (at_one, at_minus_one) in
                 [(scaled(1.0), scaled(-1.0)), ((u - one).determinant(), (u + one).determinant())]
@@ -167,8 +168,8 @@ checks! {
             }
         }
     } => largest.outcome(1e-14, "MPSs on branches near resonances");
-    /// At the resonance det J = 0 and det K is what eq:detJac2 says.
-    // Sums of products of some tens of roundings.
+    /// At the resonance det J = 0 and det K is as in eq:detJac2.
+    // Sums of products, with several tens of roundings.
     jacobians: everywhere(ANY) |place; largest: Deviations| {
         let start = place.resonance.unknowns();
         let pair = place.resonance.equations().pair::<1>(&start, &mut EventTimes::default())?;
@@ -186,7 +187,7 @@ checks! {
         geometric_sum_determinant(p, resonance_boundary(f64::from(p), delta), delta)
     });
     /// Z(0, η) = z_graz,η and M(0, η) = 0.
-    // Both are located to some 10⁻¹⁴; K has entries down to 0.1.
+    // Both are located to about 10⁻¹⁴; K has entries down to 0.1.
     at_zero_velocity: everywhere(ANY) |place; largest: Deviations| {
         for near in [-0.03, -0.01, 0.005, 0.02].into_iter().filter_map(|eta| place.on_branch(0.0, eta)) {
             near.relative().into_iter().for_each(|gap| largest.see(gap));
@@ -224,7 +225,7 @@ checks! {
     return_of_many_loops: orders(MANY, EVERYWHERE, return_orders);
     /// The display of V(y, Z, M, η) with X₁, X₂, X₃, p = 1.
     vivid_of_one_loop: orders(ONE, EVERYWHERE, vivid_orders);
-    /// The same for p ≥ 2.
+    /// The display of V(y, Z, M, η) with X₁, X₂, X₃, p ≥ 2.
     vivid_of_many_loops: orders(MANY, EVERYWHERE, vivid_orders);
     /// y Ψ^± = s₁^± y − α ω a₁₂' η + O(2), and at η = 0 eq:c1.
     stability_of_one_loop: orders(ONE, EVERYWHERE, psi_orders);

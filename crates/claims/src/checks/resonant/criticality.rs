@@ -1,4 +1,4 @@
-//! Section 6: what the period doublings of Figure 7 create.
+//! Section 6: the solutions created at the period doublings of Figure 7.
 
 use super::discussion::{ROUTE, of_figure_7};
 use super::simulation::next_impact;
@@ -8,7 +8,7 @@ use grazing_continuation::criticality::period_doubling;
 use grazing_continuation::doubled::{Doubled, DoubledEquations};
 use grazing_theorems::LimitMap;
 
-/// Admissible points of the PD curve that bounds a region, evenly spread over its length.
+/// Admissible points of the PD curve that bounds a region, evenly spaced along it.
 fn flips(place: &ResonantSpecimen, count: usize) -> Result<Vec<Unknowns>, Failure> {
     let unfolded = place.resonance.unfold(&ROUTE)?;
     let points: Vec<&PeriodicSolution> = unfolded
@@ -22,13 +22,14 @@ fn flips(place: &ResonantSpecimen, count: usize) -> Result<Vec<Unknowns>, Failur
     Ok((0..count).map(|k| points[k * last / (count - 1).max(1)].unknowns).collect())
 }
 
-/// The period-doubled MPS beside a PD point, and whether it has a multiplier above 1.
+/// The period-doubled MPS near a PD point, and whether it has a multiplier above 1.
 fn doubled(place: &ResonantSpecimen, flip: &Unknowns) -> Result<(bool, Doubled), Failure> {
     let equations = DoubledEquations::new(place.resonance.equations());
     let beside = 0.1 * flip[unknown::VELOCITY];
     let doubled = equations.near(flip, beside).ok_or("no period-doubled MPS beside a PD point")?;
     let multipliers = equations.multipliers(&doubled).ok_or("no multipliers")?;
-    // 1 − T + D is the product of one less each multiplier, which are near 1 and below 1.
+    // 1 − T + D is the product of 1 − λ over both multipliers, one of which is near 1 and the other below
+    // 1.
     Ok((1.0 - multipliers.trace + multipliers.determinant < 0.0, doubled))
 }
 
@@ -37,7 +38,7 @@ fn settles(place: &ResonantSpecimen, doubled: &Doubled) -> bool {
     let [first, second] = doubled.impacts();
     let oscillator = place.resonance.equations().oscillator_at(&first);
     let [first, second] = [first, second].map(|impact| impact.fixed_rows::<2>(0).into_owned());
-    // Off the middle of the two impacts, where the MPS is, by a hundredth of their distance.
+    // Displaced from the middle of the two impacts, where the MPS is, by a hundredth of their distance.
     let mut here = (first + second) * 0.5 + (first - second) * 0.01;
     for _ in 0..2000 {
         match next_impact(&oscillator, place.loops(), here) {
@@ -48,7 +49,8 @@ fn settles(place: &ResonantSpecimen, doubled: &Doubled) -> bool {
     (here - first).norm().min((here - second).norm()) < 1e-3 * (first - second).norm()
 }
 
-/// After how many impacts the limit map's motion comes again that begins beside the fixed point, if it does.
+/// The number of impacts after which motion of the limit map that begins near the fixed point recurs, if
+/// it does.
 fn impacts_of(map: &LimitMap, parameter: f64) -> Option<usize> {
     let [velocity, _] = map.period_doubling();
     let (mut here, _) = map.fixed_point(1.001 * velocity);
@@ -64,18 +66,19 @@ fn impacts_of(map: &LimitMap, parameter: f64) -> Option<usize> {
 }
 
 checks! {
-    /// The period doublings of Figure 7. Printed: all create an unstable solution. Found: close to
-    /// resonances those with p = 1 and even n do; the others create one on which simulation ends.
+    /// The period doublings of Figure 7. According to the paper all create an unstable solution. In fact,
+    /// close to resonances only those with p = 1 and even n do; the others create one that attracts in
+    /// simulation.
     criticality_of_figure_7: over(of_figure_7()?) |place; (cases, printed): (Votes, Votes)| {
         let subcritical = place.point().limit_map().criticality() < 0.0;
-        // As the correction of the misprint says: p = 1 with even n alone.
+        // As stated in the correction of the misprint: only p = 1 with even n.
         let even = place.loops() == 1 && place.point().unfolding.derivative < 0.0;
         cases.see(subcritical == even);
         for flip in flips(&place, 25)? {
             printed.see(doubled(&place, &flip)?.0);
         }
         let curve = &place.curves()[1];
-        // Close to the resonance the leading terms rule: both velocities go with y.
+        // Close to the resonance the leading terms dominate: both velocities are proportional to y.
         for y in [4e-3, 2e-3, 1e-3, 5e-4] {
             let eta = y / curve.leading.impact_velocity_slope;
             let Some(near) = place.on_curve(curve, eta) else { continue };
@@ -87,20 +90,20 @@ checks! {
     } =>
         cases.outcome("points of the seven PD curves of Figure 7: close to the resonances with simulated orbits, for the print all along")
             .against_print(printed.measure());
-    /// Period-doubled solutions graze at μ = c_2GZ η² + O(η³): for p = 1 an impact loses its velocity, for
-    /// p ≥ 2 the last loop before an impact touches the wall before that.
+    /// Period-doubled solutions graze at μ = c_2GZ η² + O(η³): for p = 1 the velocity of one impact
+    /// vanishes, for p ≥ 2 the last loop before an impact touches the wall before that.
     doubled_solutions_graze: orders(ANY, "μ and y where orbits with two impacts graze, towards resonances with p up to 5", |place| {
         let point = place.point();
         let (map, scale) = (point.limit_map(), point.limit_scale());
         let equations = DoubledEquations::new(place.resonance.equations());
         let (gap, [velocity, _]) = (map.grazing_gap(), map.period_doubling());
         let [_, fastest] = map.doubled_impacts(gap);
-        // Located amplitudes and velocities, digits of which are lost in proportion to 1/y.
+        // Located amplitudes and velocities lose digits in proportion to 1/y.
         Ok(together([(1e-14, 3.0), (1e-14, 3.0)], |size| {
             let eta = size / (scale.velocity * velocity);
             let guess = Doubled::near_resonance(&place.resonance, eta, gap).ok()?;
             let (grazing, visit) = equations.grazing(guess)?;
-            // The last one before an impact; for one loop the impact itself.
+            // The last visit before an impact; for one loop, the impact itself.
             if visit != place.loops() - 1 {
                 return None;
             }
@@ -110,8 +113,8 @@ checks! {
             ])
         }))
     });
-    /// Orbits with two impacts double their period where the limit map has it, at first order in η; with 4 and
-    /// 8 impacts they do so in turn, as simulated motion of the map shows half-way between.
+    /// Orbits with two impacts double their period as in the limit map, to first order in η; with 4 and 8
+    /// impacts they do so in turn, as simulation of the map shows half-way in between.
     cascades: {
         let (mut found, mut as_simulated) = (Vec::new(), true);
         for place in of_figure_7()? {
@@ -137,13 +140,14 @@ checks! {
         }
         Ok(of_orders(&found, "μ where orbits with two impacts double their period, towards the resonances of Figure 7"))
     };
-    /// The criterion that section 6 asks for, derived at the resonance: y² c of the normal form, c
-    /// counted in the impact velocity, tends to it at first order in y along the PD curve.
+    /// The criterion that section 6 asks for, derived at the resonance: y² c, with the coefficient c of
+    /// the normal form in terms of the impact velocity, tends to it to first order in y along the PD
+    /// curve.
     criterion_at_resonance: orders(ANY, "PD curves running into resonances with p up to 5", |place| {
         let limit = place.point().limit_map().criticality();
         let curve = &place.curves()[1];
         let observed = order(|y| {
-            // Digits of c are lost in proportion to 1/y, and its value grows with 1/y².
+            // c loses digits in proportion to 1/y, and increases like 1/y².
             if y < 1e-4 {
                 return Some((0.0, 1.0));
             }

@@ -1,4 +1,4 @@
-//! The bifurcation curves near a resonance: eq:Upsilon1, eq:Upsilonp and what follows from them.
+//! The bifurcation curves near a resonance: eq:Upsilon1, eq:Upsilonp and their consequences.
 
 use crate::checks::main_results::coefficients::resonant;
 use crate::*;
@@ -8,12 +8,13 @@ pub(super) const PHASE: f64 = 1e-13;
 /// Rounding of a located μ; it enters V directly.
 const PARAMETER: f64 = 1e-15;
 
-/// η at which the leading term gives this impact velocity.
+/// The η at which the leading term gives this impact velocity.
 pub(super) fn eta_at(curve: &Bifurcation, velocity: f64) -> f64 {
     velocity / curve.leading.impact_velocity_slope
 }
 
-/// The orders of remainders, as many as loops at most, along both curves in y, which goes with η.
+/// The orders of remainders, one for each loop at most, along both curves in y, which is proportional to
+/// η.
 pub(super) fn along_curves(
     place: &ResonantSpecimen,
     stated: f64,
@@ -45,15 +46,15 @@ fn velocity_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     }))
 }
 
-/// μ less c_SN η² on the SN and c_PD η² on the PD curve, as M(Υ⁺, η) and M(Υ⁻, η) give them.
+/// μ minus c_SN η² on the SN and c_PD η² on the PD curve, from M(Υ⁺, η) and M(Υ⁻, η).
 fn coefficient_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let branch = place.point().branch_expansion();
     Ok(quadratic_orders(place, |curve, eta| branch.parameter(curve.leading.impact_velocity_slope * eta, eta)))
 }
 
-/// μ less a quadratic approximation of both curves.
+/// The orders of μ minus a quadratic approximation on both curves.
 ///
-/// The larger remainder at η and −η, between which terms of higher order do not cancel.
+/// At each size the larger remainder at η and −η is used, so that terms of higher order do not cancel.
 pub(crate) fn quadratic_orders(
     place: &ResonantSpecimen,
     stated: impl Fn(&Bifurcation, f64) -> f64,
@@ -65,7 +66,7 @@ pub(crate) fn quadratic_orders(
     })
 }
 
-/// μ less the theorem's quadratic approximations, each on its side of η = 0 alone.
+/// The orders of μ minus the theorem's quadratic approximations, each only on its side of η = 0.
 fn approximations(seed: u64, which: Loops) -> CheckResult {
     let measure = |place: &ResonantSpecimen| {
         let approximation = |curve: &Bifurcation, eta: f64| {
@@ -82,21 +83,21 @@ fn approximations(seed: u64, which: Loops) -> CheckResult {
     Ok(of_orders(&found, &format!("{EVERYWHERE}, and of random oscillators with ψ ≠ 0")))
 }
 
-/// M(Υ^±, η) with Υ⁺ for both.
+/// The orders for M(Υ^±, η) with Υ⁺ in both, as printed.
 fn printed_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let branch = place.point().branch_expansion();
     let fold = place.point().saddle_node_velocity_slope();
     Ok(quadratic_orders(place, |_, eta| branch.parameter(fold * eta, eta)))
 }
 
-/// Whether an MPS on the curves is admissible for the stated sign of η; y < 0 for the other.
+/// Tests that an MPS on the curves is admissible for the stated sign of η, and that y < 0 for the other.
 fn sides(place: &ResonantSpecimen, cases: &mut Votes) -> Result<(), Failure> {
     for curve in place.curves() {
         let sign = curve.leading.eta_side.signum();
         for velocity in [1e-3, 3e-4, 1e-4] {
             let eta = sign * eta_at(&curve, velocity).abs();
             let Some((right, wrong)) = place.on_curve(&curve, eta).zip(place.on_curve(&curve, -eta)) else {
-                // The leading terms reach less far where s^- is small.
+                // The leading terms hold over a smaller range where s^- is small.
                 continue;
             };
             let solution = place.solution(&right);
@@ -111,7 +112,7 @@ const SIDES: &str =
 
 checks! {
     /// Two zeros of V separate from the SN curve like a square root: the exponent, less 1/2.
-    // The next term changes the exponent by the relative distance squared, some 10⁻³.
+    // The next term changes the exponent by the squared relative distance, about 10⁻³.
     square_root: everywhere(ANY) |place; largest: Deviations| {
         let [fold, _] = place.curves();
         let k_2 = place.point().branch_expansion().k_2;
@@ -138,7 +139,7 @@ checks! {
                 };
                 Some(zero(1.0)? - zero(-1.0)?)
             };
-            // A 32nd and a 64th of y off the fold: next terms of the size of their squares.
+            // A 32nd and a 64th of y from the fold: the next terms are of the size of their squares.
             let change = k_2 * at.unknowns[0] * at.unknowns[0] / 1024.0;
             let (wide, narrow) =
                 separated(change).zip(separated(change / 4.0)).ok_or("no zeros beyond a fold")?;
@@ -146,7 +147,7 @@ checks! {
         }
     } => largest.outcome(1e-4, "exponents on either fold: zeros of V at two distances from SN curves");
     /// eq:coeffs1 and eq:coeffsp follow from k₂, k₃ and Υ^±, with T_p and f_p.
-    // Some tens of roundings; T_p is used in closed form on one side only, at κ_p of up to 10⁻¹³.
+    // Tens of roundings; T_p is used in closed form on one side only, where κ_p is up to 10⁻¹³.
     simplification: everywhere(ANY) |place; largest: Deviations| {
         let branch = place.point().branch_expansion();
         for Bifurcation { leading, .. } in place.curves() {
@@ -165,7 +166,7 @@ checks! {
     velocity_of_many_loops: orders(MANY, EVERYWHERE, velocity_orders);
     /// g_SN = M(Υ⁺, η) and g_PD = M(Υ⁻, η), p = 1; the print has Υ⁺ in both.
     functions_of_one_loop: orders_against_print(ONE, coefficient_orders, printed_orders);
-    /// The same for p ≥ 2.
+    /// g_SN = M(Υ⁺, η) and g_PD = M(Υ⁻, η), p ≥ 2; the print has Υ⁺ in both.
     functions_of_many_loops: orders_against_print(MANY, coefficient_orders, printed_orders);
     /// With sgn η = sgn(a₁₂' s₁^±) the one-loop MPS is admissible on the curves.
     admissible_with_one_loop: everywhere(ONE, sides).map(|cases| cases.outcome(SIDES));

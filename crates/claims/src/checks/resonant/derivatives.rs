@@ -1,4 +1,4 @@
-//! The derivatives that the proofs of Lemmas 5.1 and 5.2 multiply: eq:DPvirt to eq:DPglobalp.
+//! The derivatives multiplied in the proofs of Lemmas 5.1 and 5.2: eq:DPvirt to eq:DPglobalp.
 
 use crate::*;
 
@@ -17,7 +17,7 @@ fn virtual_derivatives(near: &Near) -> Option<[Matrix2<f64>; 2]> {
     Some([ahead.jet.derivative(), back.jet.after::<1, _>(&reset).derivative()])
 }
 
-/// The orders at which the entries of a matrix approach what is stated, row by row.
+/// The orders with which the entries of a matrix approach the stated ones, row by row.
 fn entries(
     stated: [f64; 4],
     rounding: f64,
@@ -37,19 +37,22 @@ fn slope_of(map: &VirtualMap, velocity: f64) -> Matrix2<f64> {
     Matrix2::new(2.0 * map.x_coefficient * velocity, 0.0, map.z_coefficient, 1.0)
 }
 
-/// What the print leaves open: from where the phase is counted, and along what f_p is a derivative.
+/// Interpretations of the print, which leaves open the origin of the phase and the path of the derivative
+/// f_p.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Cure {
-    /// From z_graz,η, with f_p along the grazing curve.
+    /// The phase is measured from z_graz,η, and f_p is taken along the grazing curve.
     Moving,
-    /// From z_graz,0, as printed, with f_p along the grazing curve, as eq:fp.
+    /// The phase is measured from z_graz,0, as printed, and f_p is taken along the grazing curve, as in
+    /// eq:fp.
     AsPrinted,
-    /// From z_graz,0, as printed, with f_p at fixed z, as it is defined in print.
+    /// The phase is measured from z_graz,0, as printed, and f_p is taken at fixed z, as the print defines
+    /// it.
     PartialDerivative,
 }
 
 impl Cure {
-    /// What is counted as the phase, and f_p.
+    /// The phase relative to its origin, and f_p.
     pub(super) fn phase_and_slope(self, place: &ResonantSpecimen, near: &Near, f: f64) -> [f64; 2] {
         let phase = near.unknowns[1];
         match self {
@@ -63,7 +66,7 @@ impl Cure {
     }
 }
 
-/// D P_global^p at (x⁽⁰⁾, z⁽⁰⁾) less its expansion.
+/// The orders of D P_global^p at (x⁽⁰⁾, z⁽⁰⁾) minus its expansion.
 fn global_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     Ok(entries([1.0, 2.0, 1.0, 1.0], GLOBAL, |&[x, z, mu, eta]| {
@@ -77,7 +80,7 @@ fn global_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>, 
     }))
 }
 
-/// y U less eq:yU.
+/// The orders of y U minus eq:yU.
 fn product_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     Ok(entries([2.0, 2.0, 1.0, 2.0], GLOBAL, |offset| {
@@ -94,9 +97,9 @@ fn product_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>,
     }))
 }
 
-/// Step of differences: their error is some 10⁻¹³, and rounding 10⁻¹⁵ over it or its square.
+/// The step of differences: their error is about 10⁻¹³, and rounding 10⁻¹⁵ over the step or its square.
 const STEP: f64 = 2e-3;
-/// Step in the parameters, on which angles of up to seventy radians depend.
+/// The step in the parameters, on which angles of up to seventy radians depend.
 const PARAMETER_STEP: f64 = 5e-4;
 
 /// ξ_p, d_p, e_p, f_p by differences of P_global^p; f_p at fixed z and along the grazing curve.
@@ -125,7 +128,7 @@ pub(super) fn differences(place: &ResonantSpecimen) -> Option<Differences> {
     })
 }
 
-/// a₁₂' or a₁₂ ∂S_p/∂η by differences along the grazing curve, against eq:fp or a₁₂'.
+/// Compares a₁₂' or a₁₂ ∂S_p/∂η, by differences along the grazing curve, with a₁₂' or eq:fp.
 fn slope_gaps(place: &ResonantSpecimen, largest: &mut Deviations) -> Result<(), Failure> {
     let (map, loops) = (place.point().grazing.map, place.loops());
     let by_eta = place.along_grazing(1e-3, |loops, LinearisedMap { a, .. }| {
@@ -138,9 +141,10 @@ fn slope_gaps(place: &ResonantSpecimen, largest: &mut Deviations) -> Result<(), 
 }
 
 checks! {
-    /// The display of d_p, e_p, f_p with ξ_p: that f_p is the f_p of eq:fp, and a₁₂' for p = 1,
-    /// asks for the derivative along the grazing curve; at fixed z, as printed, it is not.
-    // Nested differences: 10² for each order at large p n, rounding 10⁻¹⁵ over the step squared.
+    /// The display of d_p, e_p, f_p with ξ_p. For f_p to be that of eq:fp, or a₁₂' for p = 1, the
+    /// derivative must be along the grazing curve; at fixed z, as printed, it is different.
+    // Nested differences: a factor of 10² for each order at large p n, rounding 10⁻¹⁵ over the squared
+    // step.
     second_derivatives: everywhere(ANY) |place; (followed, fixed): (Deviations, Deviations)| {
         let symbols = place.symbols()?;
         let found = differences(place).ok_or("P_global is not defined around a resonance")?;
@@ -177,7 +181,7 @@ checks! {
             let observed = order(|size| {
                 let offset = scaled(direction, size);
                 let determinant = virtual_derivatives(&place.near(offset)?)?[0].determinant();
-                // Divided by y, and so is the rounding.
+                // The remainder is divided by y, and so is the rounding.
                 Some((determinant / offset[0] - 1.0 / gamma, VIRTUAL / offset[0].abs()))
             });
             (observed, 1.0)
@@ -210,7 +214,7 @@ checks! {
             Some(virtual_derivatives(&place.near(*offset)?)?[1] - leading)
         }))
     });
-    /// The other cure: with f_p at fixed z the expansions about z_graz,0 hold as printed.
+    /// The alternative interpretation: with f_p at fixed z the expansions about z_graz,0 hold as printed.
     other_cure: orders(ANY, EVERYWHERE, |place| {
         let mut found = global_orders(place, Cure::PartialDerivative)?;
         if place.loops() == 1 {

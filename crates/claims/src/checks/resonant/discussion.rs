@@ -1,4 +1,4 @@
-//! Section 6.
+//! Section 6: discussion.
 
 use super::derivatives::differences;
 use crate::checks::main_results::returns::derivatives;
@@ -7,7 +7,7 @@ use grazing_continuation::curve::CurvePoint;
 use grazing_model::AnyOscillator;
 use grazing_unfold::long_time::{Horizon, LongOrbit};
 
-/// n ω* is twice the damped natural frequency if p = 1 and the force is linear, and not otherwise.
+/// n ω* is twice the damped natural frequency if p = 1 and the force is linear, but not otherwise.
 pub(crate) fn rational_multiples() -> CheckResult {
     let spread = |law: Law| -> Result<f64, Failure> {
         let products = (2..=4_u32)
@@ -21,7 +21,7 @@ pub(crate) fn rational_multiples() -> CheckResult {
     let (mut linear, mut printed) = (Deviations::default(), Deviations::default());
     linear.see(spread(Law::linear(damping, 0.8))?);
     printed.see(spread(Law::nonlinear(damping))?);
-    // Resonances are located to some roundings.
+    // Resonances are located to a few roundings.
     let over = "n = 2 to 4 of a linear oscillator; the print of one with a nonlinear force";
     Ok(linear.outcome(1e-14, over).against_print(printed.measure(1e-14)))
 }
@@ -33,8 +33,8 @@ pub(super) fn of_figure_7() -> Result<Vec<ResonantSpecimen>, Failure> {
     indices.iter().map(|&(p, n)| ResonantSpecimen::find(law, p, n)).collect()
 }
 
-/// The return to Π of an MPS that grazes between its impacts: from its maximum at the wall to the
-/// impact, through the reset law and on to the same maximum, grazing itself ignored.
+/// The return to Π of an MPS that grazes between its impacts: from its maximum at the wall to the impact,
+/// through the reset law and on to the same maximum, with the grazing itself ignored.
 fn return_through_impact(place: &ResonantSpecimen, solution: &PeriodicSolution) -> Option<[Observed; 4]> {
     let equations = place.resonance.equations();
     let point = &solution.unknowns;
@@ -62,7 +62,7 @@ fn return_through_impact(place: &ResonantSpecimen, solution: &PeriodicSolution) 
     };
     // Positions and phases of order one, multiplied by up to six.
     let component = |i: usize, x: f64, z: f64| seam(1e-14, |h| Some(map(0.1 * x * h, 0.1 * z * h)?[i]));
-    // A return that is not there has no order.
+    // If there is no return, there is no order.
     let returned = map(0.0, 0.0)?;
     if (returned[0] - maximum.position).abs() > 1e-9 {
         return None;
@@ -82,7 +82,7 @@ pub(crate) fn chaos() -> CheckResult {
         let beyond = (1.0 + sampler.between(0.002, 0.02)) * grazing.amplitude();
         let oscillator =
             AnyOscillator::new(grazing.model()).with_parameters([beyond, grazing.forcing_frequency()]);
-        // Transients of grazing are long, and exponents of 300 periods are right to some 0.01.
+        // Transients near grazing are long, and exponents over 300 periods are accurate to about 0.01.
         let orbit = LongOrbit::follow(&oscillator, sampler.state(), Horizon::drifting(500, 300));
         chaotic.see(orbit.exponent(&oscillator).mean * oscillator.forcing_period() > 0.02);
     }
@@ -97,7 +97,7 @@ pub(crate) fn chaos() -> CheckResult {
     ))
 }
 
-/// A window wide enough for the curves to end in it by themselves, at codimension-two points.
+/// A window wide enough for the curves to end in it, at codimension-two points.
 pub(super) const ROUTE: Route = Route {
     window: Window { primary: [0.0, 3.0], secondary: [0.2, 1.2] },
     control: StepControl::DRAWING,
@@ -123,8 +123,9 @@ checks! {
             }
         }
     } => cases.outcome("the sign of a₁₂' and the sides of SN and PD curves, n = 1 to 12");
-    /// Of the regions of Figure 7 the one at ω ≈ 0.5 is that of p = 1 and n = 4; from it alone the SN
-    /// curve leaves to higher frequencies and the PD curve to lower ones; n = 3 and 5 have the others.
+    /// The one-loop regions of Figure 7: the one at ω ≈ 0.5 belongs to p = 1 and n = 4, and only from it
+    /// does the SN curve leave to higher frequencies and the PD curve to lower ones; the other two belong
+    /// to n = 3 and 5.
     one_loop_regions: over(of_figure_7()?) |place; cases: Votes| {
         let omega = place.point().grazing.forcing_frequency;
         let natural = (1.0 - printed("zeta") * printed("zeta")).sqrt();
@@ -132,7 +133,7 @@ checks! {
         if place.loops() == 1 {
             let n = 2.0 * natural / omega;
             let whole = libm::round(n);
-            // Located to some roundings.
+            // Resonances are located to a few roundings.
             cases.see((n - whole).abs() < 1e-12 && [3.0, 4.0, 5.0].contains(&whole));
             cases.see((whole == 4.0) == differs);
         } else {
@@ -146,20 +147,20 @@ checks! {
             }
         }
     } => cases.outcome("the frequencies of seven of the eight resonances of Figure 7, and the sides to which their curves leave");
-    /// Impacts elsewhere leave P_global smooth, as seen at MPSs that graze between their impacts.
+    /// Impacts elsewhere leave P_global smooth, as shown by MPSs that graze between their impacts.
     impacts_elsewhere: over(of_figure_7()?) |place; orders: Vec<Observed>| {
         for curve in place.resonance.unfold(&ROUTE)?.grazing {
-            // Impacts that are clearly none of grazing.
+            // Impacts that are clearly not grazing.
             let fast = |at: &&CurvePoint| at.solution.impact_velocity() > 0.05;
             for point in curve.points.iter().step_by(10).filter(fast) {
                 orders.extend(return_through_impact(&place, &point.solution).into_iter().flatten());
             }
         }
     } => of_orders(&orders, "returns through an impact of MPSs on the grazing curves of Figure 7, extrapolated from both sides of the wall");
-    /// Between the curves an MPS is stable if φ²δᵖ < 1, and its determinant above 1 if φ²δᵖ > 1.
+    /// Between the curves an MPS is stable if φ²δᵖ < 1, and its determinant exceeds 1 if φ²δᵖ > 1.
     stabilisation: over([(1, 2), (1, 3), (2, 1), (3, 1)]) |(loops, n); (votes, printed): (Votes, Votes)| {
         for decay in [0.4, 0.6, 0.8] {
-            // φ²δᵖ = (ε E_p)², well below 1 or above.
+            // φ²δᵖ = (ε E_p)², well below or above 1.
             for size in [0.3, 0.8, 1.2, 1.6] {
                 let law = Law::linear(damping_for_decay(loops, n, decay), size / decay);
                 let place = ResonantSpecimen::find(law, loops, n)?;
@@ -167,7 +168,7 @@ checks! {
                 let stability = point.stability_coefficients();
                 let by_eta =
                     point.grazing.alpha() * point.grazing.forcing_frequency * point.off_diagonal_slope();
-                // Between the lines y Ψ^± = 0, where the next terms are some per cent.
+                // Between the lines y Ψ^± = 0, where the next terms are a few per cent.
                 let y = 1e-4;
                 let eta = 0.5 * (stability.plus + stability.minus) * y / by_eta;
                 let near = place.on_branch(y, eta).ok_or("no MPS between the curves")?;
@@ -180,7 +181,7 @@ checks! {
     } =>
         votes.outcome("MPSs between SN and PD at resonances with p up to 3, restitutions to both sides of 1/E_p")
             .against_print(printed.measure());
-    /// All that the theorems need by differences of values of P_global, against `from_map`.
+    /// The data of the theorems from differences of values of P_global, compared with `from_map`.
     // Nested differences: rounding 10⁻¹⁵ over both steps is 10⁻⁹; sixth derivatives reach 10¹².
     finite_differences: everywhere(ANY) |place; largest: Deviations| {
         let point = place.point();
@@ -202,12 +203,12 @@ checks! {
             * place.point().grazing.forcing_frequency
             * place.point().off_diagonal_slope();
         let radius = 3e-4;
-        // Angles in the half-plane y > 0, η in units in which the lines have slopes of order one.
+        // Angles in the half-plane y > 0, with η in units in which the lines have slopes of order one.
         for k in 1..40 {
             let (sine, cosine) = libm::sincos(core::f64::consts::PI * f64::from(k) / 40.0);
             let (y, eta) = (radius * sine, radius * cosine / by_eta);
             let [plus, minus] = [stability.plus * y - by_eta * eta, stability.minus * y - by_eta * eta];
-            // The next terms move the lines by parts of some per cent at this radius.
+            // The next terms move the lines by a few per cent at this radius.
             if plus.abs().min(minus.abs()) < 0.05 * radius {
                 continue;
             }
@@ -220,7 +221,7 @@ checks! {
     periodic_response: everywhere(ANY) |place; cases: Votes| {
         for near in super::simulation::admissible(place).iter().step_by(3) {
             let Multipliers { trace, determinant } = place.solution(near).multipliers;
-            // Well inside the triangle of stability, so that it does not take long.
+            // Well inside the triangle of stability, so that convergence is fast.
             if trace.abs() <= 0.9 * (1.0 + determinant) && determinant <= 0.9 {
                 cases.see(attracts(place.resonance.equations(), &near.unknowns) == Some(true));
             }

@@ -1,13 +1,14 @@
-//! Solutions of more loops at one-loop resonances, which Theorem 2.5 leaves out.
+//! Solutions of more loops at one-loop resonances, which Theorem 2.5 does not cover.
 
 use crate::*;
 use grazing_theorems::iterated::{IteratedResonance, last_visit_margin};
 
 checks! {
-    /// The closed form for linear oscillators, against the forms of the visits.
+    /// Compares the closed form for linear oscillators with the forms of the visits.
     ///
-    /// MPSs of two to five loops beside one-loop resonances are stable and admissible at the impact velocities that theory
-    /// has, on the side of η that it has, and no others: by multipliers and maxima, and in simulation.
+    /// MPSs of two to five loops near one-loop resonances are stable and admissible at the impact
+    /// velocities and on the side of η that theory gives, and at no others: by multipliers and maxima,
+    /// and in simulation.
     emerging: everywhere(ONE) |place; votes: Votes| {
         let point = place.point();
         let [_, _, sigma] = point.limit_map().numbers();
@@ -27,7 +28,7 @@ checks! {
                     let [slowest, fastest] = [Some(found.slowest), found.fastest].map(|bound| bound.map(|at| at.velocity_slope.abs()));
                     [slowest.unwrap_or(0.0), fastest.unwrap_or(f64::INFINITY)]
                 });
-                // Beside both ends and between them, and on the scale of the limit map.
+                // On both sides of the ends, between them, and on the scale of the limit map.
                 let beside = |[slow, fast]: [f64; 2]| [0.9 * slow, 0.5 * (slow + fast), 1.1 * fast];
                 let wide = [0.1, 0.3, 3.0].map(|share| share * point.limit_scale().velocity.abs());
                 for slope in ends.map(beside).into_iter().flatten().chain(wide).filter(|slope| slope.is_finite()) {
@@ -36,7 +37,7 @@ checks! {
                         continue;
                     }
                     let stated = ends.is_some_and(|[slow, fast]| slow < slope && slope < fast);
-                    // So small that leading terms decide, so large that heights do not drown in rounding.
+                    // So small that leading terms decide, but so large that heights exceed rounding.
                     let y = 1e-3 * slope.min(point.limit_scale().velocity.abs());
                     let eta = side.signum() * y / slope;
                     let near = place.near([y, branch.k_1 * y, branch.parameter(y, eta), eta]).ok_or("no grazing orbit")?;

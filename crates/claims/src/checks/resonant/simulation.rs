@@ -1,8 +1,8 @@
-//! Growth of perturbations in the hybrid system itself, impacts located one by one.
+//! Growth of perturbations in the hybrid system itself, with impacts located one by one.
 
 use crate::*;
 
-/// The next impact (y, z), its phase near that of this one; `None` if not p periods later.
+/// The next impact (y, z), with its phase near that of this one; `None` if it is not p periods later.
 pub(super) fn next_impact(oscillator: &Specimen, loops: u32, impact: Vector2<f64>) -> Option<Vector2<f64>> {
     let period = oscillator.forcing_period();
     let expected = f64::from(loops) * period;
@@ -32,13 +32,13 @@ pub(super) fn admissible(place: &ResonantSpecimen) -> Vec<Near> {
 }
 
 checks! {
-    /// eq:U: its eigenvalues are the multipliers, as perturbations grow from impact to impact.
-    // Rounding of 10⁻¹⁵ over steps down to 6·10⁻⁵, products of two for the determinant.
+    /// eq:U: its eigenvalues are the multipliers, by the growth of perturbations from impact to impact.
+    // Rounding of 10⁻¹⁵ over steps down to 6·10⁻⁵, and products of two for the determinant.
     multipliers: everywhere(ANY) |place; largest: Deviations| {
         for near in admissible(place) {
             let solution = place.solution(&near);
             let (oscillator, impact) = (near.oscillator(), near.impact());
-            // Steps in proportion to the velocity, on whose scale the map varies.
+            // Steps are proportional to the velocity, on whose scale the map varies.
             let column = |direction: Vector2<f64>| {
                 slope(3e-3 * impact[0], |h| next_impact(&oscillator, place.loops(), impact + direction * h))
                     .ok_or("an admissible MPS does not return in simulation")

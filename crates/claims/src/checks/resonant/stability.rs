@@ -3,11 +3,11 @@
 use super::derivatives::Cure;
 use crate::*;
 
-/// Rounding of y T and y D, exact to some 10⁻¹⁵ times their size as P_global is.
+/// Rounding of y T and y D, which are accurate to about 10⁻¹⁵ times their size, like P_global.
 const ROUNDING: f64 = 1e-14;
 
 impl Symbols {
-    /// The linear part of y T (eq:yT1, eq:yTp) with the phase counted from somewhere.
+    /// The linear part of y T (eq:yT1, eq:yTp), with the phase relative to a given origin.
     fn trace(&self, [y, phase, mu, eta]: Offset) -> f64 {
         let loops = self.power.m11 * self.phi * self.phi + self.power.m22;
         let by_velocity =
@@ -50,7 +50,8 @@ fn determinant_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure
     Ok(offsets(4).iter().map(one).collect())
 }
 
-/// y T and y D are three times differentiable across y = 0, as is stated for F and R in C⁵.
+/// The orders of continuity: y T and y D are three times differentiable across y = 0, as stated for F and
+/// R in C⁵.
 fn seam_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let rounding = 32.0 * place.symbols()?.rounding();
     let part = |pick: fn(Multipliers) -> f64| {
@@ -65,7 +66,7 @@ fn seam_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
 /// Values of η beside a resonance.
 const BESIDE: [f64; 2] = [0.03, -0.02];
 
-/// −α ω a₁₂ S_p beside the resonance, to which y T tends.
+/// The limit −α ω a₁₂ S_p of y T at η beside the resonance.
 fn limits(place: &ResonantSpecimen) -> Result<Vec<f64>, Failure> {
     let limit = |eta| {
         let point = place.grazing(eta)?.grazing_point();
@@ -75,10 +76,10 @@ fn limits(place: &ResonantSpecimen) -> Result<Vec<f64>, Failure> {
     Ok(limits.ok_or("no grazing orbit beside a resonance")?)
 }
 
-/// Away from the resonance y T → −α ω a₁₂ S_p ≠ 0: |T| grows without bound as y → 0.
+/// Away from the resonance y T → −α ω a₁₂ S_p ≠ 0, so |T| grows without bound as y → 0.
 fn divergence_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let one = |(eta, limit): (f64, f64)| {
-        // A limit of zero would be no divergence.
+        // A limit of zero would not be a divergence.
         let observed = order(|size| {
             let near = place.near([size, 0.0, 0.0, eta])?;
             Some((size * place.pair(&near).ok()?.multipliers().trace - limit, ROUNDING * (1.0 + limit.abs())))
@@ -99,9 +100,10 @@ pub(crate) fn divergence() -> CheckResult {
 }
 
 checks! {
-    /// eq:TD: trace and determinant of U by composing the derivatives of P_disc and P_global at
-    /// (x̂, ẑ), as eq:U is written, against the quotient of the derivatives of the two sides of V.
-    // The root of x̂ ≈ y²/2γ, rounded to 10⁻¹⁶: relative errors of 10⁻¹⁶/y² ≈ 10⁻¹² in y and T.
+    /// eq:TD: trace and determinant of U by composing the derivatives of P_disc and P_global at (x̂, ẑ),
+    /// as in eq:U, compared with the quotient of the derivatives of the two sides of V.
+    // The square root of x̂ ≈ y²/2γ, which is rounded to 10⁻¹⁶: relative errors of 10⁻¹⁶/y² ≈ 10⁻¹² in y
+    // and T.
     trace_and_determinant: everywhere(ANY) |place; largest: Deviations| {
         for (y, eta) in [(0.05, 0.0), (0.02, 0.01), (0.1, -0.01), (0.03, 0.02)] {
             let Some(near) = place.on_branch(y, eta) else { continue };
@@ -127,6 +129,6 @@ checks! {
     determinant_of_many_loops: orders(MANY, EVERYWHERE, determinant_orders);
     /// Lemma 5.1: y T and y D have a smooth extension through y = 0, p = 1.
     extension_for_one_loop: orders(ONE, "extrapolations to y = 0 from both sides at resonances with p = 1", seam_orders);
-    /// Lemma 5.2: the same for p ≥ 2.
+    /// Lemma 5.2: y T and y D have a smooth extension through y = 0, p ≥ 2.
     extension_for_many_loops: orders(MANY, "extrapolations to y = 0 from both sides at resonances with p = 2 to 5", seam_orders);
 }

@@ -5,7 +5,7 @@ use crate::checks::appendices::signs::{determinant, loop_index, search};
 use crate::checks::generic::maps::{impact_and_recoil, virtual_point};
 use crate::*;
 
-/// (x⁽⁰⁾, z⁽⁰⁾) of a point of a curve, the phase counted from z_graz,η.
+/// (x⁽⁰⁾, z⁽⁰⁾) of a point of a curve, with the phase relative to z_graz,η.
 fn recoil(near: &Near) -> Option<Vector2<f64>> {
     let oscillator = near.oscillator();
     let [y, z] = near.impact().into();

@@ -1,14 +1,14 @@
-//! What is seen of a specimen at grazing, without closed forms.
+//! Simulation of a specimen near grazing, without closed forms.
 
 use crate::sweep::generic::small_velocity;
 use crate::*;
 use grazing_unfold::simulation::Suspect;
 
-/// On which side of generic grazing simulation sees the MPS that V has a zero for.
+/// The side of generic grazing on which simulation finds the MPS that is a zero of V.
 pub(crate) fn side_of_orbit(orbit: &Grazing, loops: u32) -> Result<Existence, Failure> {
     let point = orbit.grazing_point();
     let emerging = point.emerging_orbit(loops)?;
-    // So small that the expansion decides where the loops lie: close to h_p one is shallow.
+    // So small that the expansion decides where the loops lie; close to h_p one loop is shallow.
     let depth = (1..loops).map(|j| emerging.visit_slope(j).x.abs()).fold(f64::INFINITY, f64::min);
     let slope = emerging.impact_velocity_slope.abs();
     let size = small_velocity(&point, loops).min(0.01 * depth / slope) / slope;
@@ -20,7 +20,8 @@ pub(crate) fn side_of_orbit(orbit: &Grazing, loops: u32) -> Result<Existence, Fa
     Ok(Existence::of([positive, negative]))
 }
 
-/// The sign of η for which simulation sees each bifurcation: MPSs with the multiplier crossed.
+/// The sign of η for which simulation finds each bifurcation, by MPSs on both sides of the multiplier's
+/// crossing.
 pub(super) fn sides_of_curves(orbit: &Grazing, loops: u32) -> Result<[Existence; 2], Failure> {
     let point = orbit.resonant_point(loops)?;
     let saddle_node = side_of_curve(orbit, loops, &point, (1.0, point.saddle_node_velocity_slope()))?;
