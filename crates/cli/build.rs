@@ -1,5 +1,5 @@
-//! The digest of everything that the numbers of a family depend on, so that parts which other
-//! programs have made are not merged.
+//! Computes the digest of everything that the numbers of a family depend on, so that parts computed
+//! by other builds of the program are not merged.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -7,11 +7,11 @@ use std::{env, fs, io};
 
 use sha2::{Digest, Sha256};
 
-/// The sources of these crates, and the libraries and the compiler that build them.
+/// The crates whose sources enter the digest, with the versions of their libraries and of the compiler.
 const CRATES: [&str; 8] =
     ["continuation", "description", "model", "reproduction", "results", "source", "theorems", "unfold"];
 const LOCK: &str = "Cargo.lock";
-/// The first digits tell programs apart.
+/// The number of leading hexadecimal digits of the digest that tell builds apart.
 const DIGITS: usize = 16;
 
 fn main() -> io::Result<()> {
@@ -19,7 +19,7 @@ fn main() -> io::Result<()> {
     let mut paths = vec![PathBuf::from(LOCK)];
     for name in CRATES {
         let folder = Path::new("crates").join(name).join("src");
-        // Cargo looks at everything in a folder.
+        // Cargo watches everything in a folder.
         println!("cargo::rerun-if-changed={}", root.join(&folder).display());
         collect(root, &folder, &mut paths)?;
     }
@@ -40,7 +40,7 @@ fn main() -> io::Result<()> {
     Ok(())
 }
 
-/// The version of the compiler, as `rustc 1.95.0 (…)` has it in its second word.
+/// The version of the compiler: the second word of `rustc 1.95.0 (…)`.
 fn compiler() -> io::Result<String> {
     let compiler = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let said = Command::new(compiler).arg("--version").output()?.stdout;

@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use crate::folder::{self, MOST_BYTES, OutputFile, with_slashes};
 use crate::{codecheck, outputs, project, terminal, versions};
 
-/// What is taken in a clone, from its root.
+/// The files and folders of a clone that an archive of the paper's results contains, from its root.
 const OF_THE_PAPER: [&str; 9] = [
     "CITATION.cff",
     "LICENSE-APACHE",
@@ -24,17 +24,18 @@ const OF_THE_PAPER: [&str; 9] = [
     "expected",
     "figures",
 ];
-/// The licence of what is taken in a clone.
+/// The licence of the files of a clone.
 const LICENCE: &str = "MIT OR Apache-2.0";
-/// The file that says what all others are.
+/// The file that describes all the others.
 const DESCRIPTION: &str = "ro-crate-metadata.json";
-/// The time of all files, 1 January 1980 in seconds: nothing depends on when they were written.
+/// The modification time of all files, 1 January 1980 in seconds: the archive does not depend on
+/// when they were written.
 const TIME: u64 = 315_532_800;
 
-/// Collects, describes and packs.
+/// Collects files, describes them and packs them into one archive.
 ///
 /// # Errors
-/// Something cannot be read, results are not whole, or the file cannot be written.
+/// A file cannot be read, results are incomplete, or the archive cannot be written.
 pub(crate) fn run(arguments: &Archive) -> Result<(), Failure> {
     let of_the_paper = arguments.paths.is_empty();
     let mut files = Vec::new();
@@ -69,7 +70,7 @@ pub(crate) fn run(arguments: &Archive) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Adds a file, or all regular files of a folder but hidden and unfinished ones.
+/// Adds a file, or all regular files of a folder except hidden and unfinished ones.
 fn collect(path: &Path, name: &Path, files: &mut Vec<OutputFile>) -> Result<(), Failure> {
     let unreadable = |reason| Failure::file(path, &reason);
     if !path.is_dir() {
@@ -93,7 +94,7 @@ fn collect(path: &Path, name: &Path, files: &mut Vec<OutputFile>) -> Result<(), 
     Ok(())
 }
 
-/// What the files are, as RO-Crate 1.1 has it (<https://w3id.org/ro/crate/1.1>).
+/// The description of the files in RO-Crate 1.1 (<https://w3id.org/ro/crate/1.1>).
 fn description(
     files: &[OutputFile],
     name: &str,
@@ -182,7 +183,7 @@ fn description(
     OutputFile { path: DESCRIPTION.into(), content: format!("{text:#}\n").into_bytes() }
 }
 
-/// What an output of the paper shows.
+/// The title of the paper's output that a file belongs to, if it is one of its files.
 fn title(path: &Path, of_the_paper: bool) -> Option<String> {
     let within = path.strip_prefix(project::FIGURES).ok().filter(|_| of_the_paper)?;
     let edition = outputs::edition::Edition::default();
@@ -207,7 +208,7 @@ fn media_type(path: &Path) -> &'static str {
     }
 }
 
-/// The tar, in which all files lie in a folder.
+/// The tar archive, with all files in one folder.
 fn packed(folder: &str, files: &[OutputFile]) -> std::io::Result<Vec<u8>> {
     let mut tar = Builder::new(Vec::new());
     for file in files {

@@ -1,4 +1,4 @@
-//! `grazing attractors`: what motion comes to over the window of Figure 7, as a map that comes in parts.
+//! `grazing attractors`: the attractors over the window of Figure 7, as a map that can be computed in parts.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -28,17 +28,17 @@ const RESULTS: &str = "attractors";
 
 const OUTPUT: Output<Study> = paper::figure::<BeyondAttractors>();
 
-/// A map: all that its places depend on.
+/// A map as work that can be divided: everything that its records depend on.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct MapWork {
     /// The text of the parameter file.
     parameters: String,
-    /// What was set over it, and the size of the map.
+    /// The settings over the parameter file, and the size of the map.
     set: Vec<String>,
 }
 
-/// What is read from it.
+/// The section and the study that are read from a [`MapWork`].
 pub(crate) struct MapTask {
     asked: BeyondAttractors,
     study: Study,
@@ -119,10 +119,10 @@ pub(crate) fn run(arguments: &arguments::Attractors) -> Result<(), Failure> {
     }
 }
 
-/// Joins the parts of a map, with the same files as one run makes.
+/// Joins the parts of a map, and writes the same files as one run does.
 ///
 /// # Errors
-/// A file is no part, or of another map, or a part is missing or there twice.
+/// A file is not a part or belongs to another map, or a part is missing or given twice.
 pub(crate) fn merge(arguments: &arguments::Merge) -> Result<(), Failure> {
     let began = Instant::now();
     let Joined { task, records, .. } = part::joined::<MapWork>(&arguments.parts)?;
@@ -132,7 +132,7 @@ pub(crate) fn merge(arguments: &arguments::Merge) -> Result<(), Failure> {
     finish(&task, records, &folder, &edition, began)
 }
 
-/// Writes figure and tables of all rows, and says what regions and motion differ in.
+/// Writes the figure and tables of all rows, and prints where regions and motion disagree.
 fn finish(
     task: &MapTask,
     rows: Vec<MapRow>,
@@ -156,7 +156,7 @@ fn finish(
     Ok(())
 }
 
-/// Places at which regions and motion agree, and at which they do not.
+/// The numbers of places at which regions and motion agree, and at which they do not, as a table.
 fn told(shown: &Attractors) -> String {
     let line = |count: &RegionCount| {
         let RegionCount { loops, in_regions, settled, unseen, unexplained } = *count;
@@ -165,7 +165,7 @@ fn told(shown: &Attractors) -> String {
     aligned(&["p", "in regions", "settled", "unseen", "unexplained"], shown.counts.iter().map(line))
 }
 
-/// All files of a map.
+/// The paths of all files of a map.
 fn paths(edition: &Edition) -> Vec<PathBuf> {
     let mut paths = OUTPUT.paths(edition);
     paths.extend([data_page::path(), PathBuf::from(folder::MANIFEST)]);

@@ -19,15 +19,15 @@ use crate::folder::{self, OutputFile};
 use crate::progress::Display;
 use crate::{project, terminal};
 
-/// The default folder, from the root of the repository.
+/// The default folder of the certificate, from the root of the repository.
 const CERTIFICATE: &str = "expected/certificate";
-/// That of proofs with settings over the parameter file.
+/// The default folder of certificates with settings over the parameter file.
 const VARIED: &str = "varied/certificate";
 
 /// Proves, prints what is proved, and writes or checks the certificate.
 ///
 /// # Errors
-/// Something is undecided, the files are not what the code makes, or cannot be written.
+/// Something is undecided, the files differ from what the code produces, or they cannot be written.
 pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
     crate::limits::leave_nothing_behind();
     let failed = |error: StudyError| computation("certify", &error);
@@ -89,8 +89,8 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
     }
 }
 
-/// Whether what the paper prints of a resonance, of an oscillator with its constants, is within half
-/// a unit of its last digit from what is proved.
+/// A line for each number that the paper prints of a resonance: whether it is within half a unit of
+/// its last digit of the proved value. None for constants other than the paper's.
 fn printed(statement: &Statement, published: &Published, resonance: &Resonance) -> Vec<String> {
     let find = |id: &str| published.values.iter().find(|value| value.id == id);
     let is = |id: &str, ours: Decimal| find(id).is_some_and(|value| value.printed == ours.to_string());
@@ -111,7 +111,7 @@ fn printed(statement: &Statement, published: &Published, resonance: &Resonance) 
     NAMES.into_iter().zip(numbers).filter_map(line).collect()
 }
 
-/// That a file is there with this content.
+/// Checks that the file in the folder has this content.
 fn same(folder: &Path, file: &OutputFile) -> Result<(), Failure> {
     let path = folder.join(&file.path);
     let found = fs::read(&path).map_err(|error| Failure::file(&path, &error))?;

@@ -22,10 +22,10 @@ use crate::{project, terminal};
 /// The page of misprints, from the root of the repository.
 const ERRATA: &str = "docs/ERRATA.md";
 
-/// Tests the claims that were asked for and prints what came of it.
+/// Tests the selected claims and prints the results.
 ///
 /// # Errors
-/// Claims do not hold, `ERRATA.md` is not what the ledger makes, or nothing could be tested.
+/// Claims do not hold, `ERRATA.md` differs from what the ledger produces, or nothing could be tested.
 pub(crate) fn run(arguments: &Claims) -> Result<(), Failure> {
     crate::limits::leave_nothing_behind();
     let ledger = Ledger::of_the_paper();
@@ -50,7 +50,7 @@ pub(crate) fn run(arguments: &Claims) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What comes of testing the claims.
+/// The findings of testing the claims.
 ///
 /// # Errors
 /// The numbers that the paper prints could not be computed.
@@ -68,8 +68,8 @@ pub(crate) fn findings<'a>(
     Ok(found)
 }
 
-/// Whether a claim was asked for: by a label, where `*` stands for anything, or a part of one; and
-/// by kind.
+/// Whether a claim is selected: by its label, in which `*` stands for any characters, by its kind,
+/// and by whether it is a misprint.
 fn is_chosen(claim: &Claim, arguments: &Claims) -> bool {
     let labels = &arguments.labels;
     (labels.is_empty() || labels.iter().any(|wanted| matches(wanted, &claim.label)))
@@ -77,7 +77,7 @@ fn is_chosen(claim: &Claim, arguments: &Claims) -> bool {
         && (!arguments.misprints || claim.misprint.is_some())
 }
 
-/// Whether a label is what was wanted: the same, or fitting a pattern with `*`.
+/// Whether a label equals the wanted one, or fits it as a pattern with `*`.
 fn matches(wanted: &str, label: &str) -> bool {
     let Some((start, rest)) = wanted.split_once('*') else {
         return wanted == label;
@@ -86,7 +86,7 @@ fn matches(wanted: &str, label: &str) -> bool {
     label.strip_prefix(start).is_some_and(|after| ends(after) || matches(rest, ""))
 }
 
-/// Writes `ERRATA.md`, or holds the one that is there against the ledger.
+/// Writes `ERRATA.md`, or compares the existing one with the ledger.
 fn misprints(findings: &[Finding<'_>], write: bool) -> Result<(), Failure> {
     let root = match project::root() {
         None if !write => return Ok(()),

@@ -23,7 +23,7 @@ const DIGITS_BEYOND_PRINT: usize = 4;
 /// Prints the comparison.
 ///
 /// # Errors
-/// A value is not met, a curve is elsewhere, or there is nothing to compare.
+/// A value is not met, a curve lies elsewhere, or there is nothing to compare.
 pub(crate) fn run(arguments: &Compare) -> Result<(), Failure> {
     match (&arguments.curves, &arguments.oscillator) {
         (Some(curves), Some(oscillator)) => foreign(curves, oscillator, arguments),
@@ -31,7 +31,7 @@ pub(crate) fn run(arguments: &Compare) -> Result<(), Failure> {
     }
 }
 
-/// How far the points of another program's curves are from those of an oscillator.
+/// Prints how far the points of another program's curves are from those of an oscillator.
 fn foreign(curves: &Path, oscillator: &Path, arguments: &Compare) -> Result<(), Failure> {
     let of = OscillatorFile::read(oscillator, &settings(&arguments.parameters.set), Limits::USUAL)?;
     let Compare { columns, curve, within, .. } = arguments;
@@ -75,7 +75,7 @@ fn foreign(curves: &Path, oscillator: &Path, arguments: &Compare) -> Result<(), 
     }
 }
 
-/// The values that the paper prints.
+/// Prints the values that the paper prints beside the computed ones.
 fn print(file: &ParameterFile) -> Result<(), Failure> {
     crate::limits::leave_nothing_behind();
     let parameters = project::parameters(file)?;
@@ -89,7 +89,7 @@ fn print(file: &ParameterFile) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What the paper prints, with what the study gives.
+/// The values that the paper prints, each with the one that the study computes.
 pub(crate) fn published(study: &Study) -> Result<Vec<Comparison<'static>>, Failure> {
     let computed = study.published_values().map_err(|error| computation("published values", &error))?;
     Ok(Published::printed().compare(&computed))
@@ -101,7 +101,7 @@ pub fn table(comparisons: &[Comparison<'_>], coloured: bool) -> String {
     aligned(&header, comparisons.iter().map(|comparison| cells(comparison, coloured).into()))
 }
 
-/// Quantity, printed, computed, difference, verdict, place.
+/// The cells of a row: quantity, printed and computed value, difference, verdict and place.
 fn cells(comparison: &Comparison<'_>, coloured: bool) -> [String; 6] {
     let published = comparison.published;
     let decimals = published.decimals() + DIGITS_BEYOND_PRINT;

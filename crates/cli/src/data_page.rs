@@ -18,12 +18,12 @@ struct Page<'a> {
     sections: Vec<(TablePlan, Vec<String>)>,
 }
 
-/// Where the page lies in a folder of results.
+/// The path of the page in a folder of results.
 pub(crate) fn path() -> PathBuf {
     Path::new(DATA).join("README.md")
 }
 
-/// The page about the tables that `reproduce` makes.
+/// The page about the tables that `reproduce` writes.
 pub(crate) fn of_the_paper(tables: impl IntoIterator<Item = TablePlan>) -> OutputFile {
     page(tables, &Names::of_the_paper(), false)
 }

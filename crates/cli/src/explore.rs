@@ -28,7 +28,7 @@ use crate::{limits, project, tables, terminal};
 /// Serves the page until Ctrl-C is pressed, or writes it as files.
 ///
 /// # Errors
-/// A file cannot be read or written, or the port cannot be had.
+/// A file cannot be read or written, or the port is not available.
 pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
     let examples = examples(arguments.file.as_deref())?;
     if let (Some(folder), Some(program)) = (&arguments.static_files, &arguments.program) {
@@ -49,13 +49,13 @@ pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
         "{address}\nThe address is for this machine alone, and its token keeps other pages out. Ctrl-C ends it.\n"
     ));
     limits::end_when_interrupted();
-    // It is there as long as the server.
+    // The redirecting page exists as long as the server runs.
     let _redirect = if arguments.no_browser { None } else { open(&address) };
     let too_large = || limits::holds_more_than(grazing_description::Limits::USUAL.memory);
     server.run(limits::is_interrupted, too_large).map_err(|reason| Failure::unwritten(reason.to_string()))
 }
 
-/// Writes the page with the program in it.
+/// Writes the page and the WebAssembly program in it as files.
 fn write(folder: &Path, program: &Path, examples: &[Example]) -> Result<(), Failure> {
     let content = grazing_source::read_bytes(program, LARGEST_PROGRAM)
         .map_err(|reason| Failure::file(program, &reason))?;
@@ -79,11 +79,11 @@ fn write(folder: &Path, program: &Path, examples: &[Example]) -> Result<(), Fail
     Ok(())
 }
 
-/// What programs in WebAssembly begin with, and the bytes of one, at most.
+/// The first bytes of a program in WebAssembly, and the largest size of one in bytes.
 const WASM: &[u8] = b"\0asm";
 const LARGEST_PROGRAM: u64 = 100_000_000;
 
-/// The oscillators in the menu: the one that was named, the paper's, and the repository's examples.
+/// The oscillators in the menu: the named file, the paper's, and the repository's examples.
 fn examples(named: Option<&Path>) -> Result<Vec<Example>, Failure> {
     let mut all = Vec::new();
     if let Some(named) = named {
@@ -100,8 +100,8 @@ fn examples(named: Option<&Path>) -> Result<Vec<Example>, Failure> {
     Ok(all)
 }
 
-/// Opens the address in the system's browser, if there is one that can be opened: by a page that
-/// leads there and that this user alone can read, for what a process is started with everybody can.
+/// Opens the address in the system's browser, if one can be opened, through a redirecting page that
+/// only this user can read: the arguments of a process are visible to all users.
 fn open(address: &str) -> Option<NamedTempFile> {
     let seen = env::consts::OS != "linux"
         || env::var_os("DISPLAY").or_else(|| env::var_os("WAYLAND_DISPLAY")).is_some();
@@ -113,7 +113,7 @@ fn open(address: &str) -> Option<NamedTempFile> {
     if !seen {
         return None;
     }
-    // If it does not come up, the address is on the terminal.
+    // If the browser does not open, the address is on the terminal.
     let mut page = tempfile::Builder::new().prefix("grazing-").suffix(".html").tempfile().ok()?;
     let lead = format!("<meta http-equiv=\"refresh\" content=\"0; url={address}\">");
     writeln!(page, "<!doctype html>{lead}<a href=\"{address}\">{address}</a>").ok()?;
@@ -127,7 +127,7 @@ fn open(address: &str) -> Option<NamedTempFile> {
     started.ok().map(|_| page)
 }
 
-/// A file of what is seen, made as `unfold` makes it.
+/// A file of what the page shows, produced as `unfold` produces it.
 fn exported(seen: &Seen, what: &str, columns: &str) -> Result<Sheet, Failure> {
     let format = match what {
         "svg" => Some((Format::Svg, "image/svg+xml")),
@@ -150,7 +150,7 @@ fn exported(seen: &Seen, what: &str, columns: &str) -> Result<Sheet, Failure> {
     Ok(Sheet { name, kind: format.map_or("text/csv; charset=utf-8", |(_, kind)| kind), content })
 }
 
-/// What is seen, as figures and tables.
+/// The figures and tables of what the page shows.
 pub(crate) fn drawn(seen: &Seen, width: SheetWidth) -> Result<ComputedOutput, Failure> {
     let Seen { name, names, figure } = seen;
     let of = Path::new("oscillator.toml");

@@ -19,10 +19,10 @@ use crate::terminal;
 
 /// The folder of the results, with a folder in it for each file.
 const RESULTS: &str = "exported";
-/// So many points of the flight are written.
+/// The number of points of the flight that are written.
 const POINTS: u32 = 200;
 
-/// The equations.
+/// The equations, in Fortran.
 #[derive(Template)]
 #[template(path = "auto.f90", escape = "none")]
 struct Equations<'a> {
@@ -30,7 +30,7 @@ struct Equations<'a> {
     loops: u32,
     names: [&'a str; 2],
     functions: [String; 4],
-    /// Values of the parameters.
+    /// The values of the parameters at the start.
     start: [String; 4],
 }
 
@@ -45,25 +45,25 @@ struct Constants<'a> {
     most: f64,
 }
 
-/// What AUTO is to do.
+/// The script of AUTO's runs.
 #[derive(Template)]
 #[template(path = "auto.script", escape = "none")]
 struct Script<'a> {
     name: &'a str,
-    /// That of the secondary parameter, as Python has it.
+    /// The range of the secondary parameter, in Python's notation.
     range: String,
 }
 
 /// Looks for the solution and writes the problem.
 ///
 /// # Errors
-/// Bad input, no solution there, or the files cannot be written.
+/// Bad input, no solution at the place, or the files cannot be written.
 pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
     let file = &arguments.file;
     let limits = grazing_description::Limits::USUAL;
     let of = OscillatorFile::read(file, &settings(&arguments.changes.set), limits)?;
     let description = with_loops(of.description, arguments.changes.loops.as_deref())?;
-    // AUTO reads it in quotes, and the system as the name of an object file.
+    // AUTO reads the name in quotes, and the system as that of an object file.
     let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '_' };
     let name: String = folder::name_for(file).to_string_lossy().chars().map(plain).collect();
     let output = arguments.output.clone().unwrap_or_else(|| Path::new(RESULTS).join(&name));

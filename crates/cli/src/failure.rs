@@ -1,4 +1,4 @@
-//! Why the program ends without having done what it was asked to, and with which exit code.
+//! Failures of the program, with their messages and exit codes.
 
 use std::error::Error;
 use std::fmt::{self, Display};
@@ -9,54 +9,53 @@ use grazing_reproduction::StudyError;
 use grazing_reproduction::parameters::ParameterError;
 use grazing_source::SettingError;
 
-/// A failure, with what is printed for it: one line, and where an expression is wrong the
-/// expression with a mark.
+/// A failure with its message: one line, and for a wrong expression the expression with a mark.
 #[derive(Debug)]
 pub struct Failure {
     code: u8,
-    /// What was being computed.
+    /// The output that was being computed, which is printed first.
     output: Option<&'static str>,
-    /// What is printed after that.
+    /// The reason, which is printed after the output.
     pub(crate) reason: String,
 }
 
 impl Failure {
-    /// With this exit code.
+    /// A failure with this exit code.
     pub(crate) fn new(code: u8, reason: impl Into<String>) -> Self {
         Self { code, output: None, reason: reason.into() }
     }
 
-    /// A check failed.
+    /// The failure of a check.
     pub(crate) fn check(reason: impl Into<String>) -> Self {
         Self::new(1, reason)
     }
 
-    /// Something that was given is wrong, and nothing was done.
+    /// The failure of bad input, after which nothing was done.
     pub(crate) fn input(reason: impl Into<String>) -> Self {
         Self::new(2, reason)
     }
 
-    /// Not everything could be computed.
+    /// The failure of a computation that is incomplete.
     pub(crate) fn incomplete(reason: impl Into<String>) -> Self {
         Self::new(3, reason)
     }
 
-    /// An output could not be computed.
+    /// The failure to compute an output.
     pub(crate) fn output(output: &'static str, reason: String) -> Self {
         Self { output: Some(output), ..Self::incomplete(reason) }
     }
 
-    /// A file or a stream could not be read or written.
+    /// The failure to read or write a file or a stream.
     pub(crate) fn unwritten(reason: impl Into<String>) -> Self {
         Self::new(4, reason)
     }
 
-    /// A file could not be read or written although the folder seemed fine.
+    /// The failure to read or write a file although its folder passed the checks.
     pub(crate) fn file(path: &Path, reason: &std::io::Error) -> Self {
         Self::unwritten(format!("{}: {reason}", path.display()))
     }
 
-    /// Some outputs failed or are incomplete.
+    /// The failure of some outputs, or their incompleteness.
     pub(crate) fn partial(missing: usize, all: usize) -> Self {
         Self::incomplete(format!(
             "{missing} of {all} outputs failed or are incomplete, see above; everything else is written"
@@ -100,8 +99,8 @@ impl From<SettingError> for Failure {
     }
 }
 
-/// The failure of a computation, with the error and those of its causes that its message does not
-/// contain; that of a section of the parameter file if it is one.
+/// The failure of a computation, with the error and any causes that its message does not contain; a
+/// wrong section of the parameter file has a failure of its own.
 pub(crate) fn computation(what: &'static str, error: &(dyn Error + 'static)) -> Failure {
     if let Some(StudyError::Parameters(error)) = error.downcast_ref() {
         return error.clone().into();

@@ -33,8 +33,7 @@ pub(crate) use origin::Origin;
 /// Computes a family, or a part of it.
 ///
 /// # Errors
-/// Bad input, before anything is computed; a computation that was ended, with what is finished
-/// written.
+/// Bad input, before anything is computed; or a cancelled computation, whose finished part is written.
 pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let [file] = arguments.files.as_slice() else {
         return Err(Failure::input(
@@ -43,7 +42,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     };
     let origin = Origin::of_file(file, arguments)?;
     let read = |stop: &Stop| read(&origin, &arguments.vary, arguments.part, stop);
-    // The members have more time, but how many they are is not known yet.
+    // Members have more time together, but their number is not known yet.
     let ((description, plan, members), taken) = reading(file, arguments.limits(Limits::USUAL), read)?;
     let folder = arguments.output.clone().unwrap_or_else(|| origin.folder());
     let edition = arguments.look.edition();
@@ -88,10 +87,10 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     }
 }
 
-/// Joins parts to a family, with the same files as one run makes.
+/// Joins the parts of a family, and writes the same files as one run does.
 ///
 /// # Errors
-/// A file is no part, or of another family, or a part is missing or there twice.
+/// A file is not a part or belongs to another family, or a part is missing or given twice.
 pub(crate) fn merge(arguments: &arguments::Merge) -> Result<(), Failure> {
     let began = Instant::now();
     limits::leave_nothing_behind();
@@ -108,7 +107,7 @@ pub(crate) fn merge(arguments: &arguments::Merge) -> Result<(), Failure> {
     finish(&task, &plan, &description, records.into_iter().map(Some).collect())
 }
 
-/// A family, and its members or those of a part of it.
+/// A family, and all its members or those in a part of it.
 type Members = (Description, Plan, Vec<(usize, Description)>);
 
 /// Reads and checks all that a family, or a part of it, is computed from.
@@ -181,14 +180,14 @@ fn members(
     which.map(member).collect()
 }
 
-/// Of a family the file's limits of time and steps are those of a member on average.
+/// The limits of a family: those of time and steps in the file apply to a member on average.
 pub(crate) fn limits(description: &Description, members: usize) -> Limits {
     let Limits { time, memory, steps } = description.limits();
     let members = members.max(1) as f64;
     Limits { time: time * members, memory, steps: steps * members }
 }
 
-/// The family of all records.
+/// A family of all records, with its names.
 pub(crate) fn named(
     file: &Path,
     plan: &Plan,
@@ -203,12 +202,12 @@ pub(crate) fn named(
     }
 }
 
-/// What it holds, as lines on the terminal.
+/// The results of a family, as lines on the terminal.
 pub(crate) fn listed(of: &NamedFamily, plan: &Plan) -> String {
     listing::results(&of.family, &of.names, plan)
 }
 
-/// Where a family is written, and for whom.
+/// A family that is to be written: its file and folder, the edition, and when the run began.
 struct Task<'a> {
     file: &'a Path,
     folder: &'a Path,
@@ -216,7 +215,7 @@ struct Task<'a> {
     began: Instant,
 }
 
-/// Writes figures and tables of all records, and lists what they hold.
+/// Writes the figure and tables of all records, and prints the results.
 fn finish(
     task: &Task<'_>,
     plan: &Plan,
@@ -244,7 +243,7 @@ fn finish(
     Ok(())
 }
 
-/// All files of a family that has one sheet.
+/// The paths of all files of a family whose figure has one sheet.
 fn paths(edition: &Edition) -> Vec<PathBuf> {
     let mut paths = FAMILY.paths(edition);
     paths.extend([data_page::path(), PathBuf::from(folder::MANIFEST)]);

@@ -1,4 +1,4 @@
-//! The output folder: writing files whole, and reporting how it differs from what the code makes.
+//! The output folder: writing files whole, and reporting how it differs from what the code produces.
 
 mod difference;
 mod manifest;
@@ -23,7 +23,7 @@ use crate::failure::Failure;
 use tempfile::NamedTempFile;
 use temporaries::{UNFINISHED, unfinished};
 
-/// No file that the program writes has more bytes, so none that it reads again.
+/// The most bytes of a file that the program writes, and so of one that it reads again.
 pub(crate) const MOST_BYTES: u64 = 1_000_000_000;
 /// The subfolder of the tables.
 pub(crate) const DATA: &str = "data";
@@ -37,27 +37,27 @@ pub struct OutputFile {
     pub content: Vec<u8>,
 }
 
-/// What writing did to a file.
+/// The effect of writing on a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Change {
-    /// It was not there before.
+    /// The file was not there before.
     New,
-    /// It had another content before.
+    /// The file had another content before.
     Updated,
-    /// It had this content already and was left alone.
+    /// The file had this content already and was left alone.
     Unchanged,
-    /// The run before made it, and this one does not.
+    /// The run before wrote the file, and this one does not.
     Removed,
 }
 
-/// Makes sure that files can be written into the folder and its subfolder for data, and leaves no
-/// trace of the trial.
+/// Checks that files can be written into the folder and its subfolder for data, and leaves no trace
+/// of the test.
 ///
-/// A folder that is not there yet is not made: the trial is held in the nearest one above that is.
-/// What runs that died have left there goes.
+/// A folder that does not exist is not created: the nearest one above it that exists is tested.
+/// Stale files are deleted.
 ///
 /// # Errors
-/// The folder cannot be written, or something other than a regular file is in a file's place.
+/// The folder is not writable, or something other than a regular file is in a file's place.
 pub fn ensure_writable(folder: &Path, files: &[PathBuf]) -> Result<(), Failure> {
     for place in [folder.to_owned(), folder.join(DATA)] {
         if let Some((path, reason)) = obstacle(&place) {
@@ -70,15 +70,14 @@ pub fn ensure_writable(folder: &Path, files: &[PathBuf]) -> Result<(), Failure> 
     files.iter().try_for_each(|file| to_write(&folder.join(file)).map(drop))
 }
 
-/// What keeps files from being written into the folder, or into the nearest one above that is
-/// there: where, and why.
+/// The obstacle to writing files into the folder, or into the nearest existing one above it: where, and why.
 pub(crate) fn obstacle(folder: &Path) -> Option<(PathBuf, String)> {
     let existing = folder
         .ancestors()
         .map(|path| if path.as_os_str().is_empty() { Path::new(".") } else { path })
         .find(|path| path.symlink_metadata().is_ok())
         .unwrap_or(Path::new("."));
-    // What is to be made in it: the system says of each name whether it takes it.
+    // The folders that are to be created: the system decides whether it accepts each name.
     let below = folder.strip_prefix(existing).unwrap_or(folder).components();
     let is_too_long = |name: &Path| {
         let error = existing.join(name).symlink_metadata().err();
@@ -92,9 +91,9 @@ pub(crate) fn obstacle(folder: &Path) -> Option<(PathBuf, String)> {
     Some((existing.to_owned(), reason))
 }
 
-/// Writes all files, or none, through symbolic links to the files that these name: each goes into a
-/// temporary file beside its place first, and only when all are complete they are moved into their
-/// places.
+/// Writes all files or none, through symbolic links to the files that these name: each file is
+/// first written to a temporary file beside its place, and all are moved into place once all are
+/// complete.
 ///
 /// # Errors
 /// A file cannot be written. Temporary files are removed; a file is old or new, never in between.
@@ -117,13 +116,13 @@ pub fn write(folder: &Path, files: &[OutputFile]) -> Result<Vec<Change>, Failure
     staged.into_iter().map(finish).collect()
 }
 
-/// Writes all files, as [`write`]; what that did to each, by its path.
+/// Writes all files with [`write`], and returns the change of each by its path.
 pub(crate) fn written(folder: &Path, files: &[OutputFile]) -> Result<Vec<(String, Change)>, Failure> {
     let names = files.iter().map(|file| folder.join(&file.path).display().to_string());
     Ok(names.zip(write(folder, files)?).collect())
 }
 
-/// The content of a file that the program has written, or that stands in the place of one.
+/// The content of a file that the program wrote, or of one in its place.
 pub(crate) fn read(path: &Path) -> io::Result<Vec<u8>> {
     grazing_source::read_bytes(path, MOST_BYTES)
 }
@@ -133,7 +132,7 @@ pub(crate) fn remove(path: &Path) -> Result<(), Failure> {
     if path.is_file() { fs::remove_file(path).map_err(|reason| Failure::file(path, &reason)) } else { Ok(()) }
 }
 
-/// A line for each file, and one that counts.
+/// A line for each file, and a line of counts.
 pub(crate) fn summary(changes: &[(String, Change)]) -> String {
     let width = changes.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
     let mut text = String::new();
@@ -156,7 +155,7 @@ pub(crate) fn summary(changes: &[(String, Change)]) -> String {
     text
 }
 
-/// So many files, in words.
+/// A number of files, in words.
 pub(crate) fn counted(files: usize) -> String {
     if files == 1 { "1 file".to_owned() } else { format!("{files} files") }
 }
@@ -167,8 +166,8 @@ pub(crate) fn with_slashes(path: &Path) -> String {
 }
 
 /// Adds how the folder differs from the files: missing ones, other contents, and, if the files are
-/// `complete`, files in the folder that the code does not make; `known` are those that belong there
-/// all the same.
+/// `complete`, files in the folder that the code does not produce; `known` are files that belong
+/// there anyway.
 ///
 /// # Errors
 /// The folder or a file in it cannot be read.
@@ -202,7 +201,7 @@ pub fn compare(
 }
 
 /// The paths of everything in the folder and its subfolder for data, in order; hidden files only if
-/// we began them.
+/// they are unfinished files of the program.
 fn listed(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let mut paths = Vec::new();
     for subfolder in [Path::new(""), Path::new(DATA)] {
@@ -224,14 +223,14 @@ fn listed(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     Ok(paths)
 }
 
-/// Whether the name is that of a hidden file of somebody else, as desktops and editors make them.
+/// Whether a name is that of a hidden file of another program, such as a desktop or an editor.
 fn is_foreign(name: &OsStr) -> bool {
     let name = name.to_string_lossy();
     name.starts_with('.') && !name.starts_with(UNFINISHED)
 }
 
-/// What writing will do to the file at a place, with the temporary file that holds its content if
-/// it has to be written.
+/// The change that writing will make to the file at a place, with the temporary file that holds its
+/// content if it has to be written.
 fn stage(place: &Path, content: &[u8]) -> io::Result<(Change, Option<NamedTempFile>)> {
     let change = match read(place) {
         Ok(present) if present == content => return Ok((Change::Unchanged, None)),
@@ -243,7 +242,7 @@ fn stage(place: &Path, content: &[u8]) -> io::Result<(Change, Option<NamedTempFi
     fs::create_dir_all(folder)?;
     let mut file = unfinished(folder)?;
     if change == Change::Updated {
-        // Whoever may read the file, and who may not, stays as it was.
+        // The permissions of the file stay as they were.
         file.as_file().set_permissions(place.metadata()?.permissions())?;
     }
     file.write_all(content)?;

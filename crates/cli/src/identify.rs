@@ -1,4 +1,4 @@
-//! `grazing identify`: constants of an oscillator from what a rig did.
+//! `grazing identify`: constants of an oscillator from measurements.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -26,7 +26,7 @@ const RESULTS: &str = "identified";
 /// The output, in messages.
 const OUTPUT: &str = "identify";
 
-/// Identifies constants and writes them, with what is left of each measured number.
+/// Identifies constants and writes them, with the residual of each measured number.
 ///
 /// # Errors
 /// Bad input, before anything is computed; nothing was identified.
@@ -128,8 +128,8 @@ fn identified(
 /// Digits of residuals, and of values beside their errors.
 const DIGITS: usize = 3;
 const VALUE: usize = 8;
-/// A sum of squares this many standard deviations above its mean says that errors are larger than
-/// stated, or the oscillator another one.
+/// A sum of squares this many standard deviations above its mean indicates that errors are larger
+/// than stated, or that the oscillator is another one.
 const UNLIKELY: f64 = 3.0;
 
 fn listing(file: &Path, names: &Names, fit: &Fit, found: &Identified, unused: usize) -> String {

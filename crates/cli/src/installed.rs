@@ -1,4 +1,4 @@
-//! What an installed program has beside it: completions for shells, and manual pages.
+//! Files that accompany an installed program: completions for shells, and manual pages.
 
 use std::path::PathBuf;
 
@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::folder::{self, OutputFile};
 use crate::terminal;
 
-/// Prints what a shell completes commands and options with.
+/// Prints the script with which a shell completes commands and options.
 pub(crate) fn completions(arguments: &Completions) {
     let mut script = Vec::new();
     clap_complete::generate(arguments.shell, &mut Arguments::command(), "grazing", &mut script);
@@ -34,7 +34,7 @@ pub(crate) fn manual(arguments: &Manual) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The page of a command.
+/// The manual page of a command.
 fn page(command: &Command) -> Result<OutputFile, Failure> {
     let (manual, mut content) = (Man::new(command.clone()), Vec::new());
     let path = PathBuf::from(manual.get_filename());

@@ -2,10 +2,11 @@
 
 use std::fmt::Write;
 
-/// The widest line.
+/// The width of the widest line.
 const WIDTH: usize = 100;
 
-/// Columns as wide as they must be, to the right, or to the left under a heading that begins with `<`. Colours take no room.
+/// A table whose columns are as wide as their cells, aligned right, or left under a heading that
+/// begins with `<`. Colours take no width.
 pub(crate) fn aligned(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
     let words = header.iter().map(|word| word.trim_start_matches('<').to_owned());
     let lines: Vec<Vec<String>> = std::iter::once(words.collect()).chain(rows).collect();
@@ -25,13 +26,13 @@ pub(crate) fn aligned(header: &[&str], rows: impl Iterator<Item = Vec<String>>) 
     text
 }
 
-/// How many places a cell takes.
+/// The width of a cell on the terminal.
 fn shown(cell: &str) -> usize {
     let colours = cell.split('\x1b').skip(1).filter_map(|after| Some(after.find('m')? + 2));
     cell.chars().count() - colours.sum::<usize>()
 }
 
-/// A space at which no line ends.
+/// A space at which lines are not broken.
 pub(crate) const KEPT: &str = "\u{a0}";
 
 /// Words after a mark, on as many lines as they need, all with the mark's indent.

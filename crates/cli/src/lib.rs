@@ -1,8 +1,8 @@
 //! The `grazing` program: runs the reproduction, writes figures, tables and a report, and compares
 //! with the paper.
 //!
-//! It is a library too, so that the tests can hold the README's commands against the command line's
-//! definition.
+//! It is also a library, so that the tests can compare the README's commands with the definition of
+//! the command line.
 
 mod archive;
 pub mod arguments;
@@ -42,7 +42,7 @@ mod visual;
 use arguments::{Arguments, Command};
 use failure::Failure;
 
-/// Does what the command line asks for.
+/// Runs the command that the command line names.
 ///
 /// # Errors
 /// [`Failure`], which knows its message and its exit code.

@@ -1,6 +1,7 @@
-//! What the program shows, without files and terminal: for programs that show it themselves, as the package for Python.
+//! The results of commands without files and terminal, for programs that present them, such as the
+//! package for Python.
 //!
-//! Each function computes what a command does, by what the command computes it with.
+//! Each function computes the results of a command, with the code of the command.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -30,13 +31,13 @@ use crate::unfold::analysis::analyse_prepared;
 use crate::unfold::{listing, page, places, reason};
 use crate::variation::Variation;
 
-/// What a computation comes to.
+/// The results of a computation.
 pub struct Results {
     /// The names of the primary and the secondary parameter in the tables.
     pub names: [String; 2],
-    /// What the command prints.
+    /// The text that the command prints.
     pub listing: String,
-    /// What is missing, or contradicts the theorems, in sentences.
+    /// Sentences about what is missing, or contradicts the theorems.
     pub missing: Vec<String>,
     /// The tables.
     pub tables: Vec<Table>,
@@ -44,16 +45,16 @@ pub struct Results {
     pub figures: Vec<(String, String)>,
 }
 
-/// Gets the mark that ends the computation that begins, and gives whoever hears how far it has come.
+/// Receives the mark that cancels the computation that begins, and returns the receiver of its progress.
 pub type Report<'a> = &'a dyn Fn(Stop) -> Box<dyn Progress + Send>;
 
-/// An oscillator, what its file is called in messages, and who hears of the computation.
+/// An oscillator, its file's name in messages, and the receiver of progress.
 pub struct Task<'a> {
     /// The oscillator.
     pub model: &'a Model,
     /// The name of its file.
     pub file: &'a str,
-    /// Whoever hears of it.
+    /// The receiver of progress.
     pub report: Report<'a>,
 }
 
@@ -89,10 +90,10 @@ impl Task<'_> {
         (watch, progress)
     }
 
-    /// The oscillator, and what is said of it before anything is computed.
+    /// The oscillator, and the listing that precedes all results.
     ///
     /// # Errors
-    /// Something in its file is not right.
+    /// Something in its file is wrong.
     pub fn checked(&self) -> Result<(Description, String), Failure> {
         let of = self.read(None)?;
         let ready = self.model.ready(&of.description, &Stop::default());
@@ -124,7 +125,7 @@ impl Task<'_> {
         })
     }
 
-    /// What `explore` shows.
+    /// The figure that `explore` shows, with its tables.
     ///
     /// # Errors
     /// There is nothing to be seen.
@@ -149,10 +150,10 @@ impl Task<'_> {
         Ok(Results { listing, missing, ..Results::new(drawn(&seen, SheetWidth::Paper)?, &seen.names) })
     }
 
-    /// Motion at a place from position and velocity at a time on, for so many forcing periods.
+    /// Motion at a place from a position and velocity at a time, over a number of forcing periods.
     ///
     /// # Errors
-    /// There is none.
+    /// There is no such motion.
     pub fn simulated(&self, at: [f64; 2], start: [f64; 3], periods: f64) -> Result<Results, Failure> {
         let of = self.read(None)?;
         let (watch, _) = self.begin(&of);
@@ -168,7 +169,7 @@ impl Task<'_> {
         Ok(Results { listing: format!("{}\n", found.end), ..Results::new(computed, names) })
     }
 
-    /// What `unfold --vary` computes.
+    /// The family that `unfold --vary` computes.
     ///
     /// # Errors
     /// A constant cannot vary so, or no member was finished.
@@ -203,12 +204,13 @@ impl Task<'_> {
     }
 }
 
-/// The names of what [`paper()`] computes, each with what it shows.
+/// The names of the outputs that [`paper()`] computes, each with its title.
 pub fn outputs_of_the_paper() -> impl Iterator<Item = (&'static str, &'static str)> {
     paper::ALL.iter().map(|output| (output.name, output.title))
 }
 
-/// A figure or table of the paper, or beyond it, as `reproduce` makes it of the default parameters, with values over theirs.
+/// A figure or table of the paper, or beyond it, computed like `reproduce` from the default
+/// parameters, with settings over them.
 ///
 /// # Errors
 /// There is no such output, or it cannot be computed with these values.

@@ -1,12 +1,12 @@
-//! Limits of an analysis: time, memory, steps, and whoever interrupts it.
+//! Limits of an analysis: time, memory, steps, and interruption.
 //!
-//! A thread of its own looks at the CPU time that the process has taken and at the memory that it
-//! holds, and asks the computation to end ([`Stop`]) when either is used up or Ctrl-C was pressed,
-//! or anything that `signals` takes for it. What is finished is written then. A second Ctrl-C ends
-//! the program at once.
+//! A separate thread watches the CPU time that the process has taken and the memory that it holds,
+//! and cancels the computation ([`Stop`]) when either is used up, or when Ctrl-C or another signal
+//! of `signals` arrives. Finished results are then written. A second Ctrl-C ends the program at
+//! once.
 //!
-//! It is CPU time that counts, of all threads together, so that a busy machine finishes what an
-//! idle one does. Where the system has no clock of it, the clock on the wall has to do.
+//! The CPU time of all threads counts, so that a busy machine finishes what an idle one does. Where
+//! the system has no clock of it, wall-clock time is used.
 
 use std::fs;
 use std::io;
@@ -23,23 +23,23 @@ use grazing_model::smooth::Stop;
 use crate::failure::Failure;
 use crate::{folder, signals, terminal};
 
-/// How often clock and memory are looked at: memory can grow by some ten megabytes in between.
+/// The interval at which clock and memory are read: memory can grow by some ten megabytes in between.
 const PAUSE: Duration = Duration::from_millis(20);
 
-/// How often Ctrl-C was pressed.
+/// The number of times that Ctrl-C was pressed.
 static INTERRUPTIONS: AtomicU32 = AtomicU32::new(0);
 
 /// The exit code of a computation that was ended.
 const ENDED: i32 = 3;
 
-/// What ended an analysis.
+/// The cause that ended an analysis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum EndCause {
     /// The time is used up, in seconds.
     Time(f64),
-    /// The process holds more than so many megabytes.
+    /// The process holds more than this many megabytes.
     Memory(f64),
-    /// So many steps of integration were made.
+    /// This many steps of integration were made.
     Steps(f64),
     /// Ctrl-C was pressed.
     Interruption,
@@ -58,7 +58,7 @@ impl std::fmt::Display for EndCause {
     }
 }
 
-/// Lets the first Ctrl-C end analyses with what they have, and the second one the program.
+/// Makes the first Ctrl-C end analyses with what they have, and the second one the program.
 pub(crate) fn listen() {
     signals::handle(|| {
         if INTERRUPTIONS.fetch_add(1, Ordering::Relaxed) > 0 {
@@ -68,7 +68,7 @@ pub(crate) fn listen() {
     });
 }
 
-/// Lets Ctrl-C be seen by whoever asks [`is_interrupted`], and a second one end the program.
+/// Makes Ctrl-C visible to [`is_interrupted`], and a second one end the program.
 pub(crate) fn end_when_interrupted() {
     signals::handle(|| {
         if INTERRUPTIONS.fetch_add(1, Ordering::Relaxed) > 0 {
@@ -77,17 +77,17 @@ pub(crate) fn end_when_interrupted() {
     });
 }
 
-/// Lets Ctrl-C end the program at once, without leaving unfinished files behind.
+/// Makes Ctrl-C end the program at once, without leaving unfinished files behind.
 pub(crate) fn leave_nothing_behind() {
     signals::handle(|| {
         leave("error: interrupted: what was not written yet is not written");
     });
 }
 
-/// Ends the program with last words, without leaving unfinished files behind.
+/// Ends the program with a last message, without leaving unfinished files behind.
 fn leave(words: &str) -> ! {
     folder::remove_own_temporaries();
-    // Other threads that report their progress wait for this, and so say nothing more.
+    // Other threads that report their progress wait for this lock, and so print nothing more.
     let _silence = io::stderr().lock();
     terminal::note(words);
     process::exit(ENDED)
@@ -105,39 +105,39 @@ fn clock() -> Duration {
     Duration::new(time.tv_sec.cast_unsigned(), u32::try_from(time.tv_nsec).unwrap_or_default())
 }
 
-/// What is counted, in messages.
+/// The kind of time that is counted, in messages.
 const CLOCK: &str =
     if cfg!(unix) { "of CPU time" } else { "by the clock, as this system has none of CPU time," };
 
-/// The time since this was asked for first, where the system has no clock of CPU time.
+/// The time since the first call, where the system has no clock of CPU time.
 #[cfg(not(unix))]
 fn clock() -> Duration {
     static FIRST: OnceLock<std::time::Instant> = OnceLock::new();
     FIRST.get_or_init(std::time::Instant::now).elapsed()
 }
 
-/// Watches over one analysis, or over the reading of its file, as long as it lives.
+/// Watches over one analysis, or over the reading of its file, as long as the value lives.
 pub(crate) struct Watch(Arc<Watched>);
 
-/// What the thread looks at.
+/// The state that the thread watches.
 struct Watched {
     stop: Stop,
     limits: Limits,
     began: Duration,
-    /// What was taken before.
+    /// The time that was taken before.
     taken: Duration,
     met: OnceLock<EndCause>,
 }
 
 impl Watch {
-    /// Begins to watch over something for which so much time has been taken before.
+    /// Begins to watch over something that has already taken this time.
     pub(crate) fn begin(limits: Limits, taken: Duration) -> Self {
-        // A count of steps is a whole number, and one beyond all counts is none.
+        // The number of steps is a whole number, and a limit beyond all counts is no limit.
         let stop = Stop::after(limits.steps as u64);
         let watched = Arc::new(Watched { stop, limits, began: clock(), taken, met: OnceLock::new() });
         let weak = Arc::downgrade(&watched);
         let look = move || {
-            // It ends with the watch.
+            // The thread ends with the watch.
             while let Some(watched) = weak.upgrade() {
                 if let Some(met) = watched.look() {
                     watched.met.get_or_init(|| met);
@@ -147,12 +147,12 @@ impl Watch {
                 thread::sleep(PAUSE);
             }
         };
-        // Without a thread there are no limits but that of the steps.
+        // Without a thread only the limit of the steps applies.
         let _ = thread::Builder::new().name("limits".to_owned()).spawn(look);
         Self(watched)
     }
 
-    /// The mark that is set when a limit is met.
+    /// The mark that is set when a limit is reached.
     pub(crate) fn stop(&self) -> Stop {
         self.0.stop.clone()
     }
@@ -162,7 +162,7 @@ impl Watch {
         self.0.taken()
     }
 
-    /// What has ended the analysis, if something has.
+    /// The cause that has ended the analysis, if it was ended.
     pub(crate) fn end_cause(&self) -> Option<EndCause> {
         let Watched { stop, limits, met, .. } = &*self.0;
         met.get().copied().or_else(|| stop.is_used_up().then_some(EndCause::Steps(limits.steps)))
@@ -188,11 +188,11 @@ impl Watched {
     }
 }
 
-/// Reads a file within limits, which it may say more exactly itself; and the time that this has
-/// taken. Steps of integration are not counted yet.
+/// Reads a file within limits, before those in the file are known, and returns the time taken.
+/// Steps of integration are not counted yet.
 ///
 /// # Errors
-/// The file is not right, or a limit was reached.
+/// The file is wrong, or a limit was reached.
 pub(crate) fn reading<T>(
     file: &Path,
     limits: Limits,
@@ -208,13 +208,13 @@ pub(crate) fn reading<T>(
     }
 }
 
-/// The failure of an analysis that was ended, by a limit or by Ctrl-C if that is known.
+/// The failure of an analysis that was ended, with the cause, a limit or Ctrl-C, if it is known.
 pub(crate) fn ended(file: &Path, met: Option<EndCause>, outcome: &str) -> Failure {
     let cause = met.map_or(String::new(), |met| format!("{met}; "));
     Failure::incomplete(format!("{}: {cause}{outcome}", file.display()))
 }
 
-/// Whether the process holds more than so many megabytes; not where the system does not say.
+/// Whether the process holds more than this many megabytes; false where the system does not report it.
 pub(crate) fn holds_more_than(megabytes: f64) -> bool {
     held().is_some_and(|held| held > megabytes)
 }
@@ -225,7 +225,7 @@ fn held() -> Option<f64> {
     Some(kilobytes / 1000.0)
 }
 
-/// What the system says of this process under a name, where it does so as Linux does.
+/// A value of this process that the system reports under a name, where it does so as Linux does.
 pub(crate) fn status(name: &str) -> Option<String> {
     let status = fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix(name))?;
@@ -238,11 +238,11 @@ mod tests {
 
     const AMPLE: Limits = Limits { time: 1e6, memory: 1e9, steps: 1e18 };
 
-    /// What is met, and the time that was taken for it.
+    /// The limit that is reached, and the time taken until then.
     #[track_caller]
     fn met(limits: Limits) -> (EndCause, f64) {
         let watch = Watch::begin(limits, Duration::ZERO);
-        // Only what computes takes time.
+        // Only computation takes CPU time.
         while !watch.stop().is_asked() {
             assert!(watch.taken() < Duration::from_secs(600), "nothing is met");
         }

@@ -15,7 +15,7 @@ fn main() -> ExitCode {
                 failure.exit_code()
             }
         },
-        // Help, which is no error, or a wrong command line, which ends here with exit code 2.
+        // Help, which is not an error, or a wrong command line, which ends here with exit code 2.
         Err(answer) => terminal::answer(&answer),
     };
     match terminal::output_failure() {

@@ -9,17 +9,17 @@ use crate::failure::Failure;
 use crate::project::EXAMPLE_FILES;
 use crate::terminal;
 
-/// A description to begin with.
+/// A description that a user begins with.
 pub struct Kind {
-    /// The word for it: that of an example is its file without the ending.
+    /// The name on the command line; of an example, its file name without the ending.
     pub name: &'static str,
-    /// What it describes.
+    /// A line about the oscillator that it describes.
     pub about: &'static str,
-    /// The file.
+    /// The text of the file.
     pub text: &'static str,
 }
 
-/// The plain ones.
+/// The kinds that are not examples.
 const PLAIN: [Kind; 3] = [
     Kind {
         name: "plain",
@@ -38,7 +38,7 @@ const PLAIN: [Kind; 3] = [
     },
 ];
 
-/// All of them: the plain ones, and the examples.
+/// All kinds: the plain ones, and the examples.
 pub fn kinds() -> impl Iterator<Item = Kind> {
     let example = |(file, text): &(&'static str, &'static str)| Kind {
         name: file.trim_end_matches(".toml"),
@@ -48,10 +48,10 @@ pub fn kinds() -> impl Iterator<Item = Kind> {
     PLAIN.into_iter().chain(EXAMPLE_FILES.iter().map(example))
 }
 
-/// Writes the file and prints what to do with it.
+/// Writes the file and prints how to use it.
 ///
 /// # Errors
-/// Something is in its place already, or it cannot be written.
+/// The file exists already, or it cannot be written.
 pub(crate) fn run(arguments: &arguments::New) -> Result<(), Failure> {
     let file = &arguments.file;
     let kind = kinds().find(|kind| kind.name == arguments.kind);
@@ -66,7 +66,7 @@ pub(crate) fn run(arguments: &arguments::New) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes a file that is not there yet; of one that cannot be written whole nothing is left.
+/// Writes a file that does not exist yet; if it cannot be written whole, nothing of it is left.
 fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
     let mut file = OpenOptions::new().write(true).create_new(true).open(path).map_err(|error| {
         let path = path.display();
@@ -81,7 +81,7 @@ fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
         }
     })?;
     file.write_all(text.as_bytes()).and_then(|()| file.sync_all()).map_err(|error| {
-        // The failure to write is what is reported; what is left of the file is worth nothing.
+        // The failure to write is reported; the rest of the file is useless.
         let _ = std::fs::remove_file(path);
         Failure::file(path, &error)
     })

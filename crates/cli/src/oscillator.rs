@@ -1,4 +1,4 @@
-//! Oscillators in text files, as they are read.
+//! Reading oscillators from text files.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -13,18 +13,18 @@ use crate::limits::reading;
 /// A file that describes an oscillator.
 pub(crate) struct OscillatorFile {
     pub(crate) file: PathBuf,
-    /// What stands in it, with what was set over it on top.
+    /// The text of the file, with the settings over it as comments at the top.
     pub(crate) text: String,
     pub(crate) description: Description,
-    /// What reading it has taken of the time.
+    /// The time that reading took.
     pub(crate) taken: Duration,
 }
 
 impl OscillatorFile {
-    /// Reads a file within limits, with settings that take the place of values in it.
+    /// Reads a file within limits, with settings that replace values in it.
     ///
     /// # Errors
-    /// It cannot be read, something in it is not right, or a limit was reached.
+    /// The file cannot be read, something in it is wrong, or a limit was reached.
     pub(crate) fn read(file: &Path, settings: &[Setting], limits: Limits) -> Result<Self, Failure> {
         let text = grazing_source::read_file(file).map_err(DescriptionError::from)?;
         let (named, set) = (file.display().to_string(), Text::new(&text, settings));
@@ -34,7 +34,7 @@ impl OscillatorFile {
     }
 }
 
-/// The text of a file with what was set over it on top.
+/// The text of a file with the settings over it as comments at the top.
 pub(crate) fn noted(text: &str, settings: &[Setting]) -> String {
     let set = settings.iter().map(|setting| format!("# --set {setting}\n"));
     set.chain([text.to_owned()]).collect()
@@ -50,13 +50,13 @@ pub(crate) fn file_name(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// The oscillator with the numbers of loops that were named, if any were.
+/// The oscillator with the given numbers of loops, if there are any.
 pub(crate) fn with_loops(description: Description, loops: Option<&[u32]>) -> Result<Description, Failure> {
     let Some(loops) = loops else { return Ok(description) };
     description.with_loops(loops).map_err(|reason| Failure::input(format!("--{reason}")))
 }
 
-/// What was set: `kappa` alone is a constant, `parameters.kappa`.
+/// The settings with full keys: `kappa` alone is the constant `parameters.kappa`.
 pub(crate) fn settings(set: &[Setting]) -> Vec<Setting> {
     let full = |setting: &Setting| {
         let named = setting.key().contains('.') || ["name", "diagrams", "curves"].contains(&setting.key());

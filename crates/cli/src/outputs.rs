@@ -1,9 +1,9 @@
-//! Outputs: figures and tables under a name, with what they need, what computes and draws them, and
-//! their tables.
+//! Outputs: named figures and tables, with the parameters that they need and the functions that
+//! compute and draw them.
 //!
 //! The figures and tables of the paper are listed in [`paper`], those of an oscillator from a file
-//! in `oscillator`, those of a family in `family`. Whatever is listed is computed and checked by
-//! `Output::compute`, and put into files by `ComputedOutput::files`.
+//! in `oscillator`, those of a family in `family`. Every output is computed and checked by
+//! `Output::compute`, and written to files by `ComputedOutput::files`.
 
 pub mod edition;
 pub(crate) mod family;
@@ -35,33 +35,33 @@ pub use paper::ALL;
 pub struct Output<Source> {
     /// The name on the command line, or in messages.
     pub name: &'static str,
-    /// What it shows, in one line.
+    /// The title, in one line.
     pub title: &'static str,
     /// The label of the figure in the paper, or that of the table in LaTeX; empty where these
     /// depend on the source.
     pub label: &'static str,
-    /// Whether it has a figure.
+    /// Whether the output has a figure.
     pub is_figure: bool,
-    /// Whether it answers what the paper leaves open.
+    /// Whether the output goes beyond the paper, to what it leaves open.
     pub is_beyond: bool,
-    /// Its tables.
+    /// The tables of the output.
     pub tables: &'static [TablePlan],
     /// The table that a document prints, and its columns, in an edition that has LaTeX.
     pub(crate) printed: Option<PrintedTable>,
-    /// Whether the parameters that it cannot do without are right.
+    /// Checks the parameters that the output cannot do without.
     check: fn(&Source) -> Result<(), ParameterError>,
-    /// The keys to change where it cannot be computed; empty if there are none.
+    /// The keys to change if the output cannot be computed; empty if there are none.
     keys: &'static str,
     compute: Computation<Source>,
 }
 
-/// What computes and draws an output, at a width.
+/// The function that computes and draws an output, at a width.
 type Computation<Source> = fn(&Output<Source>, &Source, SheetWidth) -> Result<ComputedOutput, Box<dyn Error>>;
 
 /// A table that a document prints, by its name, and the columns that it prints.
 type PrintedTable = (&'static str, &'static [Column]);
 
-/// What a document prints of the coefficients.
+/// The table of coefficients that a document prints, with its columns.
 const COEFFICIENT_COLUMNS: PrintedTable = (
     "coefficients",
     &[LOOPS, RESONANCE_INDEX, SECONDARY_AT_RESONANCE, PRIMARY_AT_GRAZING, S_PLUS, S_MINUS, C_SN, C_PD],
@@ -72,15 +72,15 @@ const COEFFICIENT_COLUMNS: PrintedTable = (
 pub(crate) struct ComputedOutput {
     pub(crate) figures: Vec<Figure>,
     pub(crate) tables: Vec<Table>,
-    /// What is shown otherwise than asked for, in sentences.
+    /// Sentences about what is shown in another way than requested.
     pub(crate) notes: Vec<String>,
-    /// What it lacks, so that it is not what was asked for; with the keys to change.
+    /// Sentences about what is missing compared with the request, with the keys to change.
     pub(crate) gaps: Vec<String>,
     /// The tables that a document prints.
     printed: Vec<(PrintedTable, Caption)>,
 }
 
-/// A computed output with its files, and what a document in LaTeX includes.
+/// A computed output with its files, and its floats for a document in LaTeX.
 type MadeOutput = (ComputedOutput, Vec<OutputFile>, Vec<Float>);
 
 /// A figure of an output.
@@ -89,14 +89,14 @@ pub(crate) struct Figure {
     pub(crate) file: String,
     pub(crate) sheet: Sheet,
     pub(crate) caption: Caption,
-    /// The tables whose rows it shows,
+    /// The tables whose rows the figure shows.
     pub(crate) tables: Vec<&'static str>,
-    /// or of these the rows with certain numbers in a column.
+    /// A column and the numbers in it that select the rows shown; without it, the figure shows all rows.
     pub(crate) only: Option<(Column, Vec<u32>)>,
 }
 
 impl Figure {
-    /// A figure of what is computed from the file `of`, which shows all rows of its tables.
+    /// A figure computed from the file `of`, which shows all rows of its tables.
     pub(crate) fn new(of: &Path, file: String, title: String, sheet: Sheet, tables: &[&'static str]) -> Self {
         let label = Caption::label("fig", of, file.trim_end_matches(".svg"));
         let caption = Caption { title, label, remark: String::new() };
@@ -126,7 +126,7 @@ impl<Source> Output<Source> {
         }
     }
 
-    /// The paths of its files in the output folder of an edition.
+    /// The paths of the output's files in the output folder of an edition.
     pub fn paths(&self, edition: &Edition) -> Vec<PathBuf> {
         let figure = self.is_figure.then(|| self.figure_file());
         let figures = figure.iter().flat_map(|figure| edition.figure_paths(figure));
@@ -137,12 +137,12 @@ impl<Source> Output<Source> {
         figures.chain(tables).chain(printed.map(|(table, _)| latex::table_path(table))).collect()
     }
 
-    /// The file of its figure as SVG; of several sheets each has its number in the name.
+    /// The SVG file of the figure; each of several sheets has its number in the name.
     pub fn figure_file(&self) -> String {
         format!("{}.svg", self.name)
     }
 
-    /// The names of its tables.
+    /// The names of the output's tables.
     fn table_names(&self) -> Vec<&'static str> {
         self.tables.iter().map(|table| table.name).collect()
     }
@@ -150,8 +150,8 @@ impl<Source> Output<Source> {
     /// Computes the output and draws its figures.
     ///
     /// # Errors
-    /// A section of the parameter file is not right, the computation failed, or it has other tables
-    /// than announced.
+    /// A section of the parameter file is wrong, the computation failed, or the tables are other
+    /// ones than announced.
     pub(crate) fn compute(&self, source: &Source, width: SheetWidth) -> Result<ComputedOutput, Failure> {
         (self.check)(source)?;
         let mut computed = (self.compute)(self, source, width).map_err(|error| self.failure(&*error))?;
@@ -165,10 +165,10 @@ impl<Source> Output<Source> {
         Ok(computed)
     }
 
-    /// Computes the output, with its files in an edition and what a document in LaTeX includes.
+    /// Computes the output, with its files in an edition and its floats for a document in LaTeX.
     ///
     /// # Errors
-    /// As [`compute`](Self::compute) and [`ComputedOutput::files`].
+    /// Those of [`compute`](Self::compute) and [`ComputedOutput::files`].
     pub(crate) fn made(&self, source: &Source, edition: &Edition) -> Result<MadeOutput, Failure> {
         let computed = self.compute(source, edition.columns)?;
         let (files, floats) = computed.files(edition)?;
@@ -180,7 +180,7 @@ impl<Source> Output<Source> {
         if self.keys.is_empty() { String::new() } else { format!("; change {}", self.keys) }
     }
 
-    /// The failure to compute it, with the keys to change unless it names one itself.
+    /// The failure to compute the output, with the keys to change unless the error names one itself.
     fn failure(&self, error: &(dyn Error + 'static)) -> Failure {
         let mut failure = computation(self.name, error);
         if !matches!(error.downcast_ref(), Some(StudyError::NoPortrait(_) | StudyError::Parameters(_))) {
@@ -191,12 +191,12 @@ impl<Source> Output<Source> {
 }
 
 impl ComputedOutput {
-    /// Figures and tables alone.
+    /// An output of figures and tables alone.
     pub(crate) fn new(figures: Vec<Figure>, tables: Vec<Table>) -> Self {
         Self { figures, tables, ..Self::default() }
     }
 
-    /// Several outputs as one.
+    /// Several outputs joined into one.
     pub(crate) fn joined(outputs: impl IntoIterator<Item = Self>) -> Self {
         let mut all = Self::default();
         for output in outputs {
@@ -209,7 +209,7 @@ impl ComputedOutput {
         all
     }
 
-    /// The files of an edition, and what a document in LaTeX includes, if the edition has it.
+    /// The files of an edition, and the floats for a document in LaTeX, if the edition has it.
     ///
     /// # Errors
     /// A figure cannot be converted, or a table cannot be written.
@@ -239,7 +239,7 @@ impl ComputedOutput {
         Ok((files, floats))
     }
 
-    /// The figures for a page, each with the rows that it shows.
+    /// The figures as entries of a page, each with the rows that it shows.
     pub(crate) fn entries(&self) -> impl Iterator<Item = FigureEntry> {
         self.figures.iter().map(|Figure { file, sheet, caption, tables, only }| {
             let tables = tables.iter().filter_map(|name| self.table(name));
@@ -252,13 +252,13 @@ impl ComputedOutput {
         })
     }
 
-    /// The table of a name.
+    /// The table with this name.
     pub(crate) fn table(&self, name: &str) -> Option<&Table> {
         self.tables.iter().find(|table| table.name == name)
     }
 }
 
-/// The table with those rows alone that have one of the numbers in the column.
+/// The table with only those rows that have one of the numbers in the column.
 fn with_only(mut table: Table, only: Option<&(Column, Vec<u32>)>) -> Table {
     if let Some((place, numbers)) =
         only.and_then(|(column, numbers)| Some((table.position(column.name)?, numbers)))
@@ -268,7 +268,7 @@ fn with_only(mut table: Table, only: Option<&(Column, Vec<u32>)>) -> Table {
     table
 }
 
-/// The file of a sheet of a figure, of several numbered from 1: `family.svg` or `family-2.svg`.
+/// The file of a sheet of a figure; several sheets are numbered from 1: `family.svg` or `family-2.svg`.
 pub(crate) fn sheet_file(file: &str, number: usize, count: usize) -> String {
     let name = Path::new(file).file_stem().unwrap_or_default().to_string_lossy();
     if count == 1 { file.to_owned() } else { format!("{name}-{number}.svg") }

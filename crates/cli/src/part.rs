@@ -1,7 +1,7 @@
-//! Parts of work that outgrows a machine, as files that are merged.
+//! Parts of work that is too large for one machine, as files that are merged.
 //!
-//! A family has members, a map has rows: items, each of which is computed without the others. A part
-//! holds the records of some of them, and what they are part of.
+//! A family has members, a map has rows: items, each of which is computed without the others. A
+//! part holds the records of some items, and the work that they belong to.
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -16,35 +16,35 @@ use crate::folder::{self, OutputFile};
 use crate::variation::Part;
 use crate::versions;
 
-/// Work that can be divided: all that says what is to be computed.
+/// Work that can be divided: everything that determines the computation.
 pub(crate) trait Divided: PartialEq + Serialize + DeserializeOwned {
-    /// What it is, in a word.
+    /// The kind of work, in a word.
     const IS: &'static str;
-    /// What its items are.
+    /// A word for the items, in the plural.
     const ITEMS: &'static str;
-    /// What must be the same in all parts.
+    /// The inputs that must be the same in all parts, as a list for messages.
     const SAME: &'static str;
-    /// What makes its parts.
+    /// The command that writes parts.
     const COMMAND: &'static str;
-    /// What is read from it, with which records are checked and put together.
+    /// The data read from the work, with which records are checked and joined.
     type Task;
-    /// What is computed of an item.
+    /// The result for an item.
     type Record: Serialize + DeserializeOwned;
 
-    /// Reads it.
+    /// Reads the work.
     ///
     /// # Errors
-    /// It is not right.
+    /// The work is not valid.
     fn task(&self) -> Result<Self::Task, Failure>;
 
     /// The number of items.
     fn count(task: &Self::Task) -> usize;
 
-    /// Whether a record can be that of this item, whoever says so.
+    /// Whether a record from any source can be that of this item.
     fn fits(task: &Self::Task, record: &Self::Record, index: usize) -> bool;
 }
 
-/// The items that are in a part: parts are as equal as can be, and together they are all.
+/// The range of items in a part: parts are as equal as possible, and together hold all items.
 ///
 /// # Errors
 /// There are more parts than items.
@@ -66,9 +66,9 @@ const PARTS: &str = "parts";
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields, bound = "")]
 struct PartFile<W: Divided> {
-    /// The program that made it.
+    /// The program that computed the part.
     program: String,
-    /// What it is a part of.
+    /// The kind of work that the part belongs to.
     of: String,
     part: Part,
     work: W,
@@ -76,21 +76,21 @@ struct PartFile<W: Divided> {
     records: Vec<W::Record>,
 }
 
-/// Where a part lies in the folder of the results.
+/// The path of a part in the folder of the results.
 pub(crate) fn path(Part { part, parts }: Part) -> PathBuf {
     let digits = parts.to_string().len();
     Path::new(PARTS).join(format!("{part:0digits$}-of-{parts}.toml"))
 }
 
-/// The first line of a part: the digest of all that follows.
+/// The beginning of a part, before the digest of all that follows its first line.
 const SEAL: &str = "sha256 = ";
 
-/// A text behind its digest.
+/// A text after its digest.
 fn sealed(text: &str) -> String {
     format!("{SEAL}\"{}\"\n{text}", FileDigest::of("", text.as_bytes()).sha256)
 }
 
-/// What stands behind its digest, if that is the digest of it, to the last bit.
+/// The text after the digest, if the digest fits to the last bit.
 fn unsealed(content: &str) -> Option<&str> {
     let (_, text) = content.split_once('\n')?;
     (sealed(text) == content).then_some(text)
@@ -99,7 +99,7 @@ fn unsealed(content: &str) -> Option<&str> {
 /// The file of a part with the records of its items.
 ///
 /// # Errors
-/// It is too long to be read again.
+/// The file is too long to be read again.
 pub(crate) fn made<W: Divided>(part: Part, work: W, records: Vec<W::Record>) -> Result<OutputFile, Failure> {
     let file = PartFile { program: versions::program(), of: W::IS.to_owned(), part, work, records };
     let text = toml::to_string(&file).map_err(|error| Failure::incomplete(error.to_string()))?;
@@ -113,7 +113,7 @@ pub(crate) fn made<W: Divided>(part: Part, work: W, records: Vec<W::Record>) -> 
     Ok(OutputFile { path: path(part), content })
 }
 
-/// Whether a file says to be a part of such work.
+/// Whether a file claims to be a part of such work.
 pub(crate) fn is_of<W: Divided>(path: &Path) -> bool {
     let line = format!("of = \"{}\"", W::IS);
     folder::read(path)
@@ -121,7 +121,7 @@ pub(crate) fn is_of<W: Divided>(path: &Path) -> bool {
 }
 
 impl<W: Divided> PartFile<W> {
-    /// Reads a part, which anybody may have written, as far as that can be told without the others.
+    /// Reads a part, which may come from any source, and checks it as far as possible without the others.
     fn read(path: &Path) -> Result<Self, String> {
         let content = folder::read(path).map_err(|reason| format!("cannot be read: {reason}"))?;
         let no_part = || format!("is no part of a {} as `{} --part` writes them", W::IS, W::COMMAND);
@@ -145,7 +145,7 @@ impl<W: Divided> PartFile<W> {
         Ok(found)
     }
 
-    /// Whether what it holds fits the work.
+    /// Checks that the records fit the work.
     fn check(&self, task: &W::Task) -> Result<(), Failure> {
         let which = items::<W>(self.part, W::count(task))?;
         let fits = |(record, index): (&W::Record, usize)| W::fits(task, record, index);
@@ -159,17 +159,17 @@ impl<W: Divided> PartFile<W> {
     }
 }
 
-/// Work whose parts are all there.
+/// Work with the records of all its parts.
 pub(crate) struct Joined<W: Divided> {
     pub(crate) work: W,
     pub(crate) task: W::Task,
     pub(crate) records: Vec<W::Record>,
 }
 
-/// All parts as one.
+/// Joins all parts.
 ///
 /// # Errors
-/// One cannot be read, holds what does not fit, is of other work, is there twice, or is missing.
+/// A part cannot be read, does not fit, belongs to other work, is given twice, or is missing.
 pub(crate) fn joined<W: Divided>(paths: &[PathBuf]) -> Result<Joined<W>, Failure> {
     let mut found: Vec<(&PathBuf, PartFile<W>)> = Vec::new();
     let mut task = None;
@@ -233,7 +233,7 @@ mod tests {
             for bit in 0..8 {
                 let mut bytes = whole.clone().into_bytes();
                 bytes[place] ^= 1 << bit;
-                // What is no UTF-8 any more is refused before.
+                // Content that is no longer UTF-8 is rejected before.
                 if let Ok(changed) = String::from_utf8(bytes) {
                     assert_eq!(unsealed(&changed), None, "bit {bit} of byte {place}");
                 }

@@ -1,4 +1,4 @@
-//! How far the computation is: bars on a terminal, plain lines otherwise, on the error stream.
+//! The progress of computations on the error stream: bars on a terminal, plain lines otherwise.
 
 use std::collections::BTreeMap;
 use std::io::{self, IsTerminal};
@@ -12,9 +12,9 @@ use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
 
 use crate::terminal;
 
-/// How often a bar moves though no step was made, so that a long step looks alive.
+/// The interval at which a bar moves even without a step, so that a long step looks alive.
 const HEARTBEAT: Duration = Duration::from_millis(200);
-/// How often a line says how far long work has come, where there are no bars.
+/// The interval of the lines about the progress of long work, where there are no bars.
 const SIGN_OF_LIFE: Duration = Duration::from_secs(10);
 const TEMPLATE: &str = "{spinner} {msg:32} [{bar:30}] {pos}/{len} {elapsed} {prefix}";
 
@@ -26,7 +26,7 @@ pub(crate) struct Display {
     stop: Stop,
 }
 
-/// What runs, by name.
+/// The running tasks, by name.
 type Tasks = BTreeMap<String, Task>;
 
 struct Task {
@@ -37,26 +37,26 @@ struct Task {
 }
 
 impl Display {
-    /// Bars if the error stream is a terminal, lines otherwise.
+    /// A display with bars if the error stream is a terminal, with lines otherwise.
     pub(crate) fn new() -> Display {
         Display { bars: io::stderr().is_terminal().then(MultiProgress::new), ..Display::default() }
     }
 
-    /// The same with the number of steps of integration, which go on within the longest work. An
-    /// analysis that reports to it ends when the mark is set.
+    /// A display that also shows the number of steps of integration, which grows even during the
+    /// longest work. An analysis that reports to it ends when the mark is set.
     pub(crate) fn counting(stop: Stop) -> Display {
         let display = Display { stop: stop.clone(), ..Self::new() };
         let tasks = Arc::downgrade(&display.tasks);
         let pause = if display.bars.is_some() { HEARTBEAT } else { SIGN_OF_LIFE };
         let report = move || {
-            // It ends with the display.
+            // The thread ends with the display.
             while let Some(tasks) = tasks.upgrade() {
                 locked(&tasks).iter().for_each(|(what, task)| task.report(what, &stop, pause));
                 drop(tasks);
                 thread::sleep(pause);
             }
         };
-        // Without a thread there are only fewer lines.
+        // Without a thread there are fewer lines, but nothing else changes.
         let _ = thread::Builder::new().name("progress".to_owned()).spawn(report);
         display
     }
@@ -67,7 +67,7 @@ fn locked(tasks: &Mutex<Tasks>) -> MutexGuard<'_, Tasks> {
 }
 
 impl Task {
-    /// Reports how far it has come, in a line if it takes long.
+    /// Reports the progress of the task, as a line if it takes long.
     fn report(&self, what: &str, stop: &Stop, pause: Duration) {
         // A number with one digit after the point is easier to follow than all digits; closed forms have none.
         let steps = match stop.steps() {

@@ -1,4 +1,4 @@
-//! Where the default parameters and the default output folder are.
+//! The places of the default parameters and of the default output folder.
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ use crate::outputs::edition::Edition;
 
 /// The default parameter file, from the root of the repository.
 pub(crate) const PARAMETERS: &str = "figures/parameters.toml";
-/// Its text, for where there is no repository.
+/// The text of the default parameter file, for use outside a clone.
 pub(crate) const PARAMETERS_TEXT: &str = include_str!("../../../figures/parameters.toml");
 /// The default output folder, from the root of the repository.
 pub(crate) const FIGURES: &str = "figures";
@@ -20,7 +20,7 @@ pub(crate) const FIGURES: &str = "figures";
 pub(crate) const EXAMPLES: &str = "examples";
 macro_rules! examples {
     ($($name:literal)+) => {
-        /// The example oscillators, which are at hand outside the repository as well: file and text.
+        /// The example oscillators, which are also available outside the repository: file and text.
         pub(crate) const EXAMPLE_FILES: &[(&str, &str)] =
             &[$(($name, include_str!(concat!("../../../examples/", $name))),)+];
     };
@@ -32,9 +32,9 @@ examples! {
     "relay.toml" "rig-si.toml" "shaking-table.toml" "two-harmonics.toml" "varying-impact.toml"
 }
 
-/// The default output folder of other formats and widths.
+/// The default output folder for other formats and widths.
 const JOURNAL: &str = "journal";
-/// The default output folder of what is made with settings over the parameter file.
+/// The default output folder for results with settings over the parameter file.
 const VARIED: &str = "varied";
 
 /// The nearest folder, from the current one upwards, that holds the default parameter file;
@@ -45,20 +45,20 @@ pub(crate) fn root() -> Option<PathBuf> {
     (0..above).map(|steps| PathBuf::from_iter(vec![".."; steps])).find(|root| root.join(PARAMETERS).is_file())
 }
 
-/// The parameters of the file that was named, or of the default one, with what was set.
+/// The parameters of the named file, or of the default one, with the settings over it.
 ///
 /// # Errors
-/// It cannot be read, or what it holds is not right.
+/// The file cannot be read, or its content is wrong.
 pub(crate) fn parameters(asked: &ParameterFile) -> Result<Parameters, Failure> {
     let (file, text) = parameter_file(asked.file.as_deref())?;
     Ok(Parameters::parse(&Text::new(&text, &asked.set), &file)?)
 }
 
-/// Name and text of the parameter file that was named, or of the default one, which is built in for
-/// where there is no repository.
+/// Name and text of the named parameter file, or of the default one, which is built in for use
+/// outside a clone.
 ///
 /// # Errors
-/// It cannot be read.
+/// The file cannot be read.
 pub(crate) fn parameter_file(named: Option<&Path>) -> Result<(String, String), Failure> {
     let Some(file) = named.map(Path::to_owned).or_else(|| Some(root()?.join(PARAMETERS))) else {
         return Ok((PARAMETERS.to_owned(), PARAMETERS_TEXT.to_owned()));
@@ -67,12 +67,11 @@ pub(crate) fn parameter_file(named: Option<&Path>) -> Result<(String, String), F
     Ok((file.display().to_string(), text))
 }
 
-/// The folder that was named, or the default one, which is another for values that were set
-/// (`varied`).
+/// The named folder, or the default one, which is another one if values were set (`varied`).
 ///
 /// # Errors
-/// None was named and there is no default one, or other formats or widths than the default ones
-/// were to go to the folder of the default ones.
+/// No folder was named and there is no default one, or formats or widths other than the default
+/// ones were to go to the default folder.
 pub(crate) fn output_folder(
     named: Option<&Path>,
     edition: &Edition,
@@ -98,10 +97,10 @@ pub(crate) fn output_folder(
     }
 }
 
-/// The root of the repository, for what belongs there.
+/// The root of the repository, for files that belong there.
 ///
 /// # Errors
-/// There is none.
+/// The current folder is in no clone.
 pub(crate) fn root_folder() -> Result<PathBuf, Failure> {
     root().ok_or_else(|| {
         Failure::input(format!(

@@ -1,4 +1,4 @@
-//! `grazing report`: everything on one page.
+//! `grazing report`: all results on one page.
 
 mod links;
 mod oscillators;
@@ -25,8 +25,7 @@ use crate::{claims, project, terminal, versions};
 /// Computes everything and writes the page.
 ///
 /// # Errors
-/// What keeps the page from being made, or that something is missing on it; claims that do not hold
-/// are shown on it.
+/// The page cannot be produced, or something is missing on it; claims that do not hold are shown on it.
 pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     crate::limits::leave_nothing_behind();
     let start = Instant::now();
@@ -49,7 +48,7 @@ pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     if missing > 0 { Err(Failure::partial(missing, all)) } else { Ok(()) }
 }
 
-/// The folder and the name of the page, once it is sure that it can be written.
+/// The folder and the name of the page, after a check that it can be written.
 fn place(output: &Path) -> Result<(PathBuf, PathBuf), Failure> {
     let folder = output.parent().unwrap_or(Path::new("")).to_owned();
     let refuse = |path: &Path, reason: &str| {
@@ -66,7 +65,7 @@ fn place(output: &Path) -> Result<(PathBuf, PathBuf), Failure> {
     }
 }
 
-/// Everything that the page shows.
+/// The content of the page.
 fn assemble<'a>(
     arguments: &Report,
     ledger: &'a Ledger,
@@ -108,8 +107,8 @@ fn assemble<'a>(
             part.figures.extend(computed.entries());
         }
     }
-    // Their names are numbered as in the paper; the registry has them in the order in which they
-    // are best made.
+    // Figures are numbered as in the paper; the registry has them in the order in which they are
+    // best computed.
     let Part { mut figures, tables } = of_the_paper;
     figures.sort_by(|a, b| a.name.cmp(&b.name));
     let published = published(&study).unwrap_or_else(|failure| {
@@ -137,7 +136,7 @@ fn assemble<'a>(
             },
             parameters: noted(&text, &arguments.parameters.set),
             outputs: digests,
-            // Other parameters give other files than those that stand in the repository.
+            // Other parameters give other files than those in the repository.
             folder: root.as_ref().filter(|_| default).map(|root| format!("{root}{}/", project::FIGURES)),
             ..versions::manifest()
         },
@@ -145,7 +144,7 @@ fn assemble<'a>(
     })
 }
 
-/// What the page says at its top, and where it is.
+/// A summary of the page, and its path.
 fn summary(report: &grazing_report::Report<'_>, output: &Path, size: usize) -> String {
     let Counts { published, passed, failed, unchecked, misprints } = report.counts();
     format!(

@@ -1,4 +1,4 @@
-//! `grazing reproduce`: compute first, then write everything or check it.
+//! `grazing reproduce`: computes the outputs first, then writes or checks all files.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -18,15 +18,15 @@ use crate::outputs::{Output, paper};
 use crate::progress::Display;
 use crate::{codecheck, data_page, project, terminal, visual};
 
-/// The file that says what was set over the parameter file.
+/// The file that lists the settings over the parameter file.
 const SETTINGS: &str = "settings.txt";
-/// What belongs in the output folder beside the outputs: what they are made from, and their list.
+/// The files in the output folder beside the outputs: the parameters, and the list of files.
 const KNOWN: [&str; 2] = ["parameters.toml", folder::MANIFEST];
 
-/// Computes the outputs that were asked for, and writes or checks their files.
+/// Computes the selected outputs, and writes or checks their files.
 ///
 /// # Errors
-/// A check was asked for and files differ, or outputs could not be computed.
+/// The files that are checked differ, or outputs could not be computed.
 pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     crate::limits::leave_nothing_behind();
     let start = Instant::now();
@@ -89,7 +89,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
     outcome.report_missing(&chosen, &folder)?;
     let listed = chosen.iter().any(|output| output.name == paper::COEFFICIENTS.name);
-    // Not computed for this alone.
+    // Coefficients are not computed for this alone.
     if !listed {
         return Ok(());
     }
@@ -104,14 +104,14 @@ fn verdict_on_theorem(rows: &[Coefficients]) -> Result<(), Failure> {
     Err(Failure::check("coefficients: the theorem is contradicted, see above; everything is written"))
 }
 
-/// What came of the outputs that were asked for.
+/// The results of the selected outputs.
 #[derive(Default)]
 struct Outcome<'a> {
     files: Vec<OutputFile>,
     /// Figures and tables for LaTeX.
     floats: Vec<Float>,
     outputs: Vec<&'a Output<Study>>,
-    /// Why outputs failed or are incomplete, with their names.
+    /// The reasons why outputs failed or are incomplete, with the names of the outputs.
     missing: Vec<(String, Vec<&'static str>)>,
 }
 
@@ -167,7 +167,7 @@ impl<'a> Outcome<'a> {
     }
 }
 
-/// What was set: the files do not say it.
+/// The file of the settings, which the other files do not contain.
 fn settings(parameters: &ParameterFile) -> OutputFile {
     let file = parameters.file.as_deref().unwrap_or(Path::new(project::PARAMETERS));
     let name = file.file_name().unwrap_or_default().to_string_lossy();
@@ -177,26 +177,26 @@ fn settings(parameters: &ParameterFile) -> OutputFile {
     OutputFile { path: PathBuf::from(SETTINGS), content }
 }
 
-/// Files that were computed, and where they belong.
+/// Computed files, and the folder that they belong to.
 struct OutputFolder {
     folder: PathBuf,
     files: Vec<OutputFile>,
-    /// Whether they are all of a run, and so listed there.
+    /// Whether the files are all those of a run, and so listed there.
     is_run: bool,
     /// Whether something failed or is incomplete.
     incomplete: bool,
-    /// Whether nothing else belongs there.
+    /// Whether nothing else belongs in the folder.
     complete: bool,
 }
 
 impl OutputFolder {
-    /// Where the files are or go.
+    /// The folder that holds the files, or to which they go.
     fn place(&self) -> PathBuf {
         folder::place_of_run(&self.folder, &self.files, self.incomplete)
     }
 }
 
-/// Writes all files and draws the figures that changed; returns what there is to say.
+/// Writes all files and draws the figures that changed; returns a summary.
 fn write(places: &[OutputFolder]) -> Result<String, Failure> {
     let mut changes = Vec::new();
     for place in places {
@@ -219,7 +219,7 @@ fn is_chosen(output: &Output<Study>, only: &[String]) -> bool {
 /// A line that says whether the published values are met.
 fn verdict(study: &Study) -> String {
     let Ok(comparisons) = published(study) else {
-        // The outputs that need the same say why.
+        // Outputs that need the same report the reason.
         return "Published values could not be compared.\n".to_owned();
     };
     let tally = Tally::of(&comparisons);
@@ -256,7 +256,7 @@ fn check(places: &[OutputFolder], arguments: &Reproduce, edition: &Edition) -> R
     Err(Failure::check(format!("{folder} is not what the code makes: {}", remedies.join(", "))))
 }
 
-/// The command that writes what this check compared with.
+/// The command that writes the files of this check.
 fn mending_command(arguments: &Reproduce, edition: &Edition) -> String {
     let mut command = "cargo xtask reproduce".to_owned();
     for name in &arguments.only {

@@ -1,11 +1,11 @@
-//! Who asks the program to end: Ctrl-C, the end of its terminal, and schedulers.
+//! Signals that ask the program to end: Ctrl-C, the end of its terminal, and schedulers.
 
-/// Calls the handler, on a thread of its own, each time that somebody asks the program to end:
-/// Ctrl-C (SIGINT), whoever ends processes, as schedulers do (SIGTERM), a terminal that is closed
-/// (SIGHUP), which may send several times and then is heard only if it is the first. What is ignored
-/// stays so: `nohup` and shells that work in the background want that.
+/// Calls the handler, on a separate thread, each time that the program is asked to end: by Ctrl-C
+/// (SIGINT), by a scheduler or the like (SIGTERM), or by a closed terminal (SIGHUP), which may send
+/// several signals and counts only if it is the first. Ignored signals stay ignored: `nohup` and
+/// shells that run the program in the background rely on that.
 ///
-/// Where there can be no handler, the program ends as it always did.
+/// Where no handler can be installed, the program ends as it does by default.
 #[cfg(unix)]
 pub(crate) fn handle(mut handler: impl FnMut() + Send + 'static) {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
@@ -25,7 +25,7 @@ pub(crate) fn handle(mut handler: impl FnMut() + Send + 'static) {
     let _ = std::thread::Builder::new().name("signals".to_owned()).spawn(listen);
 }
 
-/// Whether the signal was ignored when the program began; not where the system does not say.
+/// Whether the signal was ignored when the program began; false where the system does not report it.
 #[cfg(unix)]
 fn is_ignored(signal: i32) -> bool {
     let mask = crate::limits::status("SigIgn:").and_then(|mask| u64::from_str_radix(&mask, 16).ok());
@@ -34,7 +34,7 @@ fn is_ignored(signal: i32) -> bool {
 
 /// Calls the handler each time that Ctrl-C is pressed, the window is closed or the session ends.
 ///
-/// Where there can be no handler, the program ends as it always did.
+/// Where no handler can be installed, the program ends as it does by default.
 #[cfg(not(unix))]
 pub(crate) fn handle(handler: impl FnMut() + Send + 'static) {
     let _ = ctrlc::set_handler(handler);

@@ -21,8 +21,8 @@ use crate::folder::{DATA, OutputFile};
 /// numbers apart.
 const DECIMALS: usize = 16;
 
-/// The columns as arrays, each with unit, symbol, meaning and equations as metadata of its field. What is missing or not a finite
-/// number is null.
+/// The columns as arrays, each with unit, symbol, meaning and equations as metadata of its field.
+/// Missing and non-finite numbers are null.
 pub fn columns(table: &Table) -> StructArray {
     let arrays: Vec<Box<dyn Array>> = (0..table.columns.len()).map(|place| array(table, place)).collect();
     let field = |place: usize| {
@@ -41,7 +41,7 @@ pub fn columns(table: &Table) -> StructArray {
     StructArray::new(ArrowDataType::Struct(fields), table.rows.len(), arrays, None)
 }
 
-/// A column as an array; its first cell tells of what.
+/// A column as an array, whose type is that of its first cell.
 fn array(table: &Table, place: usize) -> Box<dyn Array> {
     let cells = table.rows.iter().map(|row| &row[place]);
     match cells.clone().next() {
@@ -63,7 +63,7 @@ fn array(table: &Table, place: usize) -> Box<dyn Array> {
 }
 
 /// The table as CSV: a header, `.` decimals, computed numbers with 17 significant digits, `-0.0` as
-/// `0.0`, and an empty cell for what is null.
+/// `0.0`, and an empty cell for null.
 pub fn csv(table: &Table) -> PolarsResult<Vec<u8>> {
     let (fields, _, arrays, _) = columns(table).into_data();
     let column = |(field, array)| Series::try_from((field, vec![array])).map(Column::from);
@@ -77,7 +77,7 @@ pub fn csv(table: &Table) -> PolarsResult<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The table as Parquet, not compressed: that would need a compiler of C, and a table has a few thousand rows.
+/// The table as Parquet, not compressed: that would need a C compiler, and a table has a few thousand rows.
 pub fn parquet(table: &Table) -> PolarsResult<Vec<u8>> {
     let (fields, length, arrays, _) = columns(table).into_data();
     let options = WriteOptions {
@@ -96,24 +96,24 @@ pub fn parquet(table: &Table) -> PolarsResult<Vec<u8>> {
     Ok(writer.into_inner())
 }
 
-/// The file of a table, made for this output.
+/// The CSV file of a table, computed for this output.
 pub(crate) fn file(table: &Table, output: &'static str) -> Result<OutputFile, Failure> {
     let content = csv(table).map_err(|error| computation(output, &error))?;
     Ok(OutputFile { path: path(table.name), content })
 }
 
-/// The same as Parquet.
+/// The Parquet file of a table, computed for this output.
 pub(crate) fn parquet_file(table: &Table, output: &'static str) -> Result<OutputFile, Failure> {
     let content = parquet(table).map_err(|error| computation(output, &error))?;
     Ok(OutputFile { path: parquet_path(table.name), content })
 }
 
-/// Where a table lies in the output folder.
+/// The path of a table's CSV file in the output folder.
 pub(crate) fn path(name: &str) -> PathBuf {
     Path::new(DATA).join(format!("{name}.csv"))
 }
 
-/// Where it lies as Parquet.
+/// The path of a table's Parquet file in the output folder.
 pub(crate) fn parquet_path(name: &str) -> PathBuf {
     path(name).with_extension("parquet")
 }

@@ -1,6 +1,6 @@
-//! Text files whose wording stands in `templates/`.
+//! Text files whose wording is in `templates/`.
 
-/// The text of a template, which leaves out the end of its last line.
+/// The text of a template, with the end of the last line that the template leaves out.
 ///
 /// # Panics
 /// Never: writing to a string cannot fail.

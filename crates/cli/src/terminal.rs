@@ -1,4 +1,4 @@
-//! What people see: results on the output stream, messages on the error stream.
+//! Text for the user: results on the output stream, messages on the error stream.
 
 use std::borrow::Cow;
 use std::env;
@@ -10,17 +10,17 @@ use grazing_source::shortened;
 
 use crate::failure::Failure;
 
-/// Why the output stream could not be written, the first time that it could not.
+/// The first error in writing the output stream.
 static OUTPUT_ERROR: Mutex<Option<io::Error>> = Mutex::new(None);
 
 /// Writes to the output stream. A closed pipe, as after `| head`, is ignored; the exit code still
-/// counts. Any other failure to write, as on a full disk, ends the program badly: see
+/// counts. Any other error in writing, such as a full disk, makes the program fail: see
 /// [`output_failure`].
 pub(crate) fn say(text: &str) {
     say_coloured(&shown(text));
 }
 
-/// As [`say`], for a text with colours and without names that a person has given.
+/// Writes a text with colours, which contains no names that a user has given, as [`say`] does.
 pub(crate) fn say_coloured(text: &str) {
     let mut stream = io::stdout().lock();
     if let Err(error) = stream.write_all(as_started(text).as_bytes()).and_then(|()| stream.flush())
@@ -41,18 +41,18 @@ pub(crate) fn note(line: &str) {
     let _ = writeln!(io::stderr().lock(), "{}", as_started(&cut(&shown(line))));
 }
 
-/// How it is started in a clone, and so in all texts.
+/// The command that starts the program in a clone, and so the one in all texts.
 const IN_A_CLONE: &str = "cargo xtask";
 
-/// How it is started once it is installed.
+/// The command that starts the installed program.
 const INSTALLED: &str = "grazing";
 
-/// How this program was started: by `cargo xtask`, which says so in its environment, or as it is.
+/// The command that started this program: `cargo xtask`, which sets an environment variable, or `grazing`.
 pub(crate) fn program() -> &'static str {
     env::var_os("GRAZING_BY_XTASK").map_or(INSTALLED, |_| IN_A_CLONE)
 }
 
-/// The text with its commands as this program was started.
+/// The text with its commands written as this program was started.
 fn as_started(text: &str) -> String {
     text.replace(IN_A_CLONE, program())
 }
@@ -62,7 +62,7 @@ pub(crate) fn installed(text: &str) -> String {
     text.replace(IN_A_CLONE, INSTALLED)
 }
 
-/// The most characters of a word in a message: names of files and of constants may have any number.
+/// The most characters of a word in a message: names of files and of constants can be of any length.
 const LONGEST: usize = 200;
 
 /// The text with long words cut.
@@ -70,9 +70,9 @@ fn cut(text: &str) -> String {
     text.split_inclusive(char::is_whitespace).map(|word| shortened(word, LONGEST)).collect()
 }
 
-/// The text as a terminal can take it: control characters other than line ends and tabs, which
-/// could move the cursor or worse, and marks that change the direction of writing are written as
-/// escapes, `\u{1b}`.
+/// The text made safe for a terminal: control characters other than line ends and tabs, which could
+/// move the cursor or worse, and marks that change the direction of writing are written as escapes,
+/// `\u{1b}`.
 pub fn shown(text: &str) -> Cow<'_, str> {
     let hidden =
         |character: char| (character.is_control() && !matches!(character, '\n' | '\t')) || directs(character);
@@ -90,7 +90,7 @@ pub fn shown(text: &str) -> Cow<'_, str> {
     Cow::Owned(shown)
 }
 
-/// Writes help, or what is wrong with the command line; returns the exit code.
+/// Writes help, or the error in the command line; returns the exit code.
 pub fn answer(answer: &clap::Error) -> u8 {
     let plain = answer.render().to_string();
     if !answer.use_stderr() {
@@ -104,12 +104,12 @@ pub fn answer(answer: &clap::Error) -> u8 {
     u8::try_from(answer.exit_code()).unwrap_or(2)
 }
 
-/// Writes the one line that says why the program ends.
+/// Writes the one line about why the program ends.
 pub fn report(failure: &Failure) {
     note(&format!("error: {failure}"));
 }
 
-/// Whether results may be coloured: on a terminal that knows colours, unless NO_COLOR is set
+/// Whether results may be coloured: on a terminal that supports colours, unless NO_COLOR is set
 /// (<https://no-color.org>).
 pub(crate) fn is_coloured() -> bool {
     io::stdout().is_terminal()

@@ -41,18 +41,16 @@ const RESULTS: &str = "unfolded";
 struct Task {
     of: OscillatorFile,
     measured: Option<Vec<Observation>>,
-    /// Places at which motion is looked at.
+    /// Places at which motion is simulated.
     at: Vec<[f64; 2]>,
     folder: PathBuf,
     limits: Limits,
 }
 
-/// Unfolds every file, one after the other, once all are known to be right and their folders to be
-/// writable.
+/// Unfolds every file, one after the other, after checks that all are right and their folders writable.
 ///
 /// # Errors
-/// Bad input, before anything is computed; what went wrong with a single file, or with how many of
-/// several.
+/// Bad input, before anything is computed; the failure of a single file, or how many of several failed.
 pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let edition = arguments.look.edition();
     if arguments.data.is_some() && arguments.files.len() > 1 {
@@ -88,7 +86,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
         }
     }
     match code {
-        // As the first that failed.
+        // The exit code of the first failure.
         Some(code) => {
             Err(Failure::new(code, format!("{failing} of {} files failed, see above", tasks.len())))
         }
@@ -96,8 +94,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     }
 }
 
-/// The files with what they describe, and the folders of their results, no two of which are the
-/// same.
+/// The files with what they describe, and the folders of their results, all of them different.
 fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
     let mut tasks: Vec<Task> = Vec::new();
     for file in &arguments.files {
@@ -143,7 +140,7 @@ impl Task {
         let OscillatorFile { file, description, .. } = &self.of;
         terminal::say(&listing::oscillator(description, file));
         let keeper = Keeper::new(&self.folder);
-        // What the analysis takes is not there for the comparison.
+        // The time of the analysis is not available for the comparison.
         let watch = Watch::begin(self.limits, self.of.taken);
         let (unfolded, met) = analyse(&self.of, self.limits, &|table| keeper.keep(table))?;
         let compared = self
@@ -196,8 +193,7 @@ impl Task {
     }
 }
 
-/// The failure that results come to which are written: a contradiction of the theorem, or what is
-/// missing.
+/// The failure in spite of which results are written: a contradiction of the theorem, or something missing.
 fn verdict(file: &Path, resonances: &[AtResonance], missing: Option<String>) -> Result<(), Failure> {
     let (file, contradictions) = (file.display(), listing::contradictions(resonances));
     if !contradictions.is_empty() {

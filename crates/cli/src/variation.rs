@@ -1,4 +1,4 @@
-//! What `--vary` and `--part` say: the values of a constant, and a part of a family.
+//! The arguments of `--vary` and `--part`: the values of a constant, and a part of a family.
 
 use std::fmt::{self, Display};
 use std::str::FromStr;
@@ -6,7 +6,7 @@ use std::str::FromStr;
 use grazing_analysis::family::Varied;
 use serde::{Deserialize, Serialize};
 
-/// More members than this make tables that nobody reads and files that fill a disk.
+/// The most members of a family: more make tables that nobody reads and files that fill a disk.
 pub(crate) const MOST_MEMBERS: usize = 1_000_000;
 
 /// A constant with the values that it takes: `zeta=0.01:0.1:10`.

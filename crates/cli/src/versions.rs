@@ -1,4 +1,4 @@
-//! The versions of the program, the compiler and the libraries, that built the program.
+//! The versions of the program, and of the compiler and the libraries that built it.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ pub(crate) fn manifest() -> Manifest {
     Manifest { program, rust: COMPILER.to_owned(), libraries: libraries(), ..Manifest::default() }
 }
 
-/// The program by its version and the digest of what its numbers depend on, which `build.rs` takes.
+/// The program, by its version and the digest from `build.rs` of what its numbers depend on.
 pub(crate) fn program() -> String {
     concat!("grazing ", env!("CARGO_PKG_VERSION"), " of source ", env!("GRAZING_SOURCE")).to_owned()
 }
@@ -21,7 +21,7 @@ pub(crate) fn program() -> String {
 /// The version of the compiler that built the program, as `build.rs` found it.
 const COMPILER: &str = env!("GRAZING_COMPILER");
 
-/// What is read of `Cargo.lock`.
+/// The parts of `Cargo.lock` that are read.
 #[derive(Default, Deserialize)]
 struct Lock {
     package: Vec<Package>,
@@ -31,9 +31,9 @@ struct Lock {
 struct Package {
     name: String,
     version: String,
-    /// A crate of the workspace has none.
+    /// The source of a library; a crate of the workspace has none.
     source: Option<String>,
-    /// Names, with the version where there are several.
+    /// The names of dependencies, with the version where there are several.
     #[serde(default)]
     dependencies: Vec<String>,
 }

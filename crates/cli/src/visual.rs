@@ -8,10 +8,10 @@ use grazing_export::{Drawing, comparison};
 use crate::folder::{self, Changes, OutputFile};
 use crate::terminal;
 
-/// A figure that has another content: its file's before, and that of now.
+/// A figure that has changed: the old content of its file, and the new file.
 pub(crate) type Changed<'a> = (Vec<u8>, &'a OutputFile);
 
-/// The figures among the files that are in the folder with another content.
+/// The figures among the files that differ from those in the folder.
 pub(crate) fn changed<'a>(folder: &Path, files: &'a [OutputFile]) -> Vec<Changed<'a>> {
     let figures =
         files.iter().filter(|file| file.path.extension().is_some_and(|extension| extension == "svg"));
@@ -23,10 +23,10 @@ pub(crate) fn changed<'a>(folder: &Path, files: &'a [OutputFile]) -> Vec<Changed
     changed.collect()
 }
 
-/// Draws each changed figure before, after and what differs, in a new folder for temporary files,
-/// and says where. It stays until a later run draws changes in the same output folder.
+/// Draws each changed figure before, after and the difference, in a new folder for temporary files,
+/// and prints its path. It stays until a later run draws changes in the same output folder.
 ///
-/// Pictures are a help and not the result: one that cannot be drawn is named and nothing more.
+/// A picture that cannot be drawn is only named: pictures are a help and not the result.
 pub(crate) fn show(output: &Path, changes: &[Changed<'_>]) {
     if changes.is_empty() {
         return;

@@ -6,10 +6,10 @@ use grazing_claims::audit::{ClaimVerdict, Finding};
 use grazing_claims::errata;
 use grazing_report::Counts;
 
-/// Width of the longest label that keeps the table in line.
+/// The width of the column of labels.
 const LABEL: usize = 38;
 
-/// The verdicts, one line each, or with all that is known about each claim.
+/// The verdicts, one line each, with details of claims that fail, or of all if `explain` is set.
 pub(super) fn table(findings: &[Finding<'_>], explain: bool, coloured: bool) -> String {
     let mut text = String::new();
     for finding in findings {
@@ -59,7 +59,7 @@ fn words(verdict: &ClaimVerdict) -> (&'static str, String, String) {
     }
 }
 
-/// The lines under a claim: where it stands, what it says, what was looked at, where the code is.
+/// The details under a claim: its place in the paper, its statement, the samples tested, and the code.
 fn explained(finding: &Finding<'_>) -> String {
     let claim = finding.claim;
     let mut lines = vec![format!("{}: {}", claim.place, claim.says)];
@@ -100,7 +100,7 @@ fn paint(verdict: &ClaimVerdict, word: &str) -> String {
     format!("\x1b[{colour}m{word}\x1b[0m")
 }
 
-/// The counts.
+/// The line of counts at the end.
 pub(super) fn summary(findings: &[Finding<'_>]) -> String {
     let Counts { passed, failed, unchecked, misprints, .. } = Counts::of(&[], findings);
     format!(

@@ -1,4 +1,4 @@
-//! What there is to say of a family.
+//! Lines about a family on the terminal.
 
 use std::path::Path;
 
@@ -11,12 +11,12 @@ use grazing_results::family::{Family, Member, Resonance};
 use crate::layout::{aligned, headed};
 use crate::variation::Part;
 
-/// Digits of numbers.
+/// Significant digits of numbers.
 const DIGITS: usize = 6;
-/// More lines of a kind than this are counted instead of listed.
+/// The most entries of a kind that are listed; more are counted.
 const LISTED: usize = 24;
 
-/// What is about to be computed.
+/// The line about the family that is about to be computed.
 pub(super) fn plan(
     description: &Description,
     file: &Path,
@@ -41,7 +41,7 @@ pub(super) fn plan(
     )
 }
 
-/// What was found.
+/// The results: curves of resonances, degenerate resonances, and members with something missing.
 pub(super) fn results(family: &Family, names: &Names, plan: &Plan) -> String {
     let mut text = curves(family, names, plan);
     let count = plan.varied.len();
@@ -68,7 +68,7 @@ pub(super) fn results(family: &Family, names: &Names, plan: &Plan) -> String {
     text
 }
 
-/// Entries under a heading, the first of them if they are many.
+/// Entries under a heading; of too many, the first ones and the number of the others.
 fn some(heading: &str, mut entries: Vec<(String, String)>) -> String {
     if let Some(rest) = entries.len().checked_sub(LISTED).filter(|rest| *rest > 0) {
         entries.truncate(LISTED);

@@ -17,21 +17,21 @@ use crate::{folder, oscillator};
 
 /// The folder of the results, with a folder in it for each file.
 const RESULTS: &str = "families";
-/// Where an oscillator comes from: all that is needed to read it again.
+/// The origin of an oscillator: everything that is needed to read it again.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Origin {
     /// The file, as it was named.
     pub(super) file: String,
     text: String,
-    /// What was set over it, with the keys in full.
+    /// The settings over the file, with full keys.
     set: Vec<String>,
-    /// Numbers of loops in the place of the file's.
+    /// Numbers of loops that replace those of the file.
     #[serde(skip_serializing_if = "Option::is_none")]
     loops: Option<Vec<u32>>,
 }
 
 impl Origin {
-    /// An oscillator from a text, with what is set over it.
+    /// An oscillator from a text, with settings over it.
     pub(crate) fn new(file: String, text: String, set: Vec<String>, loops: Option<Vec<u32>>) -> Self {
         Self { file, text, set, loops }
     }
@@ -42,7 +42,7 @@ impl Origin {
         Ok(Self::new(file.display().to_string(), text, set, arguments.changes.loops.clone()))
     }
 
-    /// The oscillator with other values of constants, checked, until an end is asked for.
+    /// The oscillator with other values of constants, checked, unless `stop` cancels the reading.
     pub(super) fn description(&self, values: &[(&str, f64)], stop: &Stop) -> Result<Description, Failure> {
         let given = self.set.iter().map(|setting| Ok(setting.parse::<Setting>()?));
         let varied = values.iter().map(|(name, value)| {
@@ -60,7 +60,7 @@ impl Origin {
     }
 }
 
-/// A family: an oscillator, and the constants that vary.
+/// A family as work that can be divided: an oscillator, and the constants that vary.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct FamilyWork {

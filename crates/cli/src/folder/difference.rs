@@ -1,20 +1,20 @@
-//! How a file differs from what the code makes, in words.
+//! How a file differs from what the code produces, in words.
 
 use std::path::Path;
 
 /// The most characters of a line that a message quotes.
 const QUOTED: usize = 80;
 
-/// Files that are not what the code makes, each with what is wrong with it.
+/// Files that differ from what the code produces, each with the difference.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub struct Differences {
-    /// Those that are missing or have another content.
+    /// Files that are missing or have another content.
     pub differing: Vec<String>,
-    /// Those that the code does not make.
+    /// Files that the code does not produce.
     pub unexpected: Vec<String>,
 }
 
-/// How the content of a file differs from what the code makes.
+/// How the content of a file differs from what the code produces.
 pub(super) fn of_content(path: &Path, here: &[u8], made: &[u8]) -> String {
     let is_table = path.extension().is_some_and(|extension| extension == "csv");
     first_difference(is_table, &String::from_utf8_lossy(here), &String::from_utf8_lossy(made))
@@ -44,7 +44,7 @@ fn first_difference(is_table: bool, here: &str, made: &str) -> String {
 }
 
 /// The first column in which two lines of a table differ, with both cells, if both lines have as
-/// many as the header.
+/// many cells as the header.
 fn first_cell<'a>(header: &'a str, here: &'a str, made: &'a str) -> Option<(&'a str, [&'a str; 2])> {
     let count = |line: &str| line.split(',').count();
     if header == made || [here, made].map(count) != [count(header); 2] {

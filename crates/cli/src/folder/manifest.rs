@@ -1,5 +1,5 @@
-//! The list of the files of one run, written after them. By it the next run knows which files are
-//! its to replace, whether they are of one run, and whether that run is incomplete.
+//! The list of the files of one run, written after them. It tells the next run which files it may
+//! replace, whether they come from one run, and whether that run is incomplete.
 
 use std::fmt::Write;
 use std::path::{Component, Path, PathBuf};
@@ -12,16 +12,16 @@ use crate::terminal;
 
 /// The list, in the folder of results: lines that `sha256sum --check` reads.
 pub(crate) const MANIFEST: &str = "manifest.sha256";
-/// Where what is incomplete goes if the folder holds whole results.
+/// The subfolder for incomplete results if the folder holds complete ones.
 const UNFINISHED: &str = "unfinished";
 
-/// What stands at the top of the list.
+/// The first line of the list, of a complete and of an incomplete run.
 const HEADS: [&str; 2] = ["# The files of one run.", "# The files of one run, which is incomplete."];
 
 /// The files of one run.
 struct FileList {
     incomplete: bool,
-    /// Digest and path of each.
+    /// The digest and the path of each file.
     files: Vec<(String, String)>,
 }
 
@@ -41,7 +41,7 @@ impl FileList {
         let incomplete = HEADS.iter().position(|known| *known == head)? == 1;
         let line = |line: &str| {
             let (digest, path) = line.split_once("  ")?;
-            // No list leads out of its folder.
+            // A list never leads out of its folder.
             let is_within = Path::new(path).components().all(|part| matches!(part, Component::Normal(_)));
             is_within.then(|| (digest.to_owned(), path.to_owned()))
         };
@@ -57,7 +57,7 @@ impl FileList {
         OutputFile { path: PathBuf::from(MANIFEST), content: text.into_bytes() }
     }
 
-    /// Those that are in the folder as the list has them.
+    /// The files that are in the folder as the list has them.
     fn intact(&self, folder: &Path) -> Vec<&str> {
         let is_intact = |(digest, path): &&(String, String)| {
             read(&folder.join(path)).is_ok_and(|content| FileDigest::of("", &content).sha256 == *digest)
@@ -66,13 +66,13 @@ impl FileList {
     }
 }
 
-/// Writes the files of a run, takes those of the run before away that it does not make, and writes
-/// the list last; what that did to each, by its path.
+/// Writes the files of a run, deletes those of the run before that it does not write, and writes
+/// the list last; returns the change of each file by its path.
 ///
-/// What a run has that is incomplete, as one that was cut off, goes where [`place_to_write`] says.
+/// Incomplete results, such as those of a run that was cut off, go where [`place_to_write`] puts them.
 ///
 /// # Errors
-/// As [`write`].
+/// Those of [`write`].
 pub(crate) fn write_run(
     folder: &Path,
     files: &[OutputFile],
@@ -102,10 +102,10 @@ pub(crate) fn write_run(
     Ok(changes)
 }
 
-/// Whether a folder that has a list has all files of that run, which was complete.
+/// Makes sure that a folder with a list has all files of that run, and that the run was complete.
 ///
 /// # Errors
-/// It has not.
+/// Files are missing or changed, or the run was incomplete.
 pub(crate) fn refuse_mixture(folder: &Path) -> Result<(), Failure> {
     let Some(list) = FileList::read(folder) else { return Ok(()) };
     let (intact, all) = (list.intact(folder).len(), list.files.len());
@@ -125,10 +125,10 @@ pub(crate) fn list(files: &[OutputFile], incomplete: bool) -> OutputFile {
     FileList::of(files, incomplete).file()
 }
 
-/// Where the files of a run belong that were to go to a folder: incomplete ones never take the
-/// place of results that may be whole, but go into a folder in theirs.
+/// The folder for the files of a run that were to go to `folder`: incomplete results never replace
+/// results that may be complete, but go into a subfolder.
 ///
-/// Whole may be all but what a list has as the files of an incomplete run.
+/// Results may be complete unless the list has them as the files of an incomplete run.
 pub(crate) fn place_of_run(folder: &Path, files: &[OutputFile], incomplete: bool) -> PathBuf {
     let list = FileList::read(folder).filter(|list| list.incomplete);
     let replaceable = list.as_ref().map_or(Vec::new(), |list| list.intact(folder));
@@ -139,7 +139,7 @@ pub(crate) fn place_of_run(folder: &Path, files: &[OutputFile], incomplete: bool
     if incomplete && files.iter().any(is_whole) { folder.join(UNFINISHED) } else { folder.to_owned() }
 }
 
-/// As [`place_of_run`]; if it is another folder, that is said.
+/// The folder that [`place_of_run`] chooses; prints a note if it is another one than `folder`.
 pub(crate) fn place_to_write(folder: &Path, files: &[OutputFile], incomplete: bool) -> PathBuf {
     let place = place_of_run(folder, files, incomplete);
     if place != folder {

@@ -1,5 +1,5 @@
-//! Where a file is written: only regular files are replaced, and only in the folder that was asked
-//! for.
+//! The place of a file that is written: only regular files are replaced, and only in the folder
+//! that was named.
 
 use std::ffi::{OsStr, OsString};
 use std::io;
@@ -9,15 +9,15 @@ use grazing_source::what_is;
 
 use crate::failure::Failure;
 
-/// What is said of a name that the system does not take.
+/// The message about a name that the system does not accept.
 pub(super) const TOO_LONG: &str = "the name is too long for the system";
 
 /// The place of a file that is to be written: its path, or through symbolic links the regular file
 /// that they name, so that the links stay.
 ///
 /// # Errors
-/// Something else is there: a folder, a device, a link that leads nowhere; or that cannot be found
-/// out.
+/// Something else is there: a folder, a device, a link that leads nowhere; or the system does not
+/// report what is there.
 pub(crate) fn to_write(path: &Path) -> Result<PathBuf, Failure> {
     let refuse = |what: &str| {
         let remedy = "is not replaced: move it away, or name another place with --output";
@@ -45,8 +45,8 @@ pub(crate) fn to_write(path: &Path) -> Result<PathBuf, Failure> {
     }
 }
 
-/// The name of a folder for what comes of a file: its name without ending, and without dots in
-/// front, which would hide the folder or lead out of the one that it is to be in.
+/// The name of a folder for the results of a file: its name without ending and without leading
+/// dots, which would hide the folder or lead out of its parent.
 pub fn name_for(file: &Path) -> OsString {
     const NAMELESS: &str = "oscillator";
     let stem = file.file_stem().unwrap_or_default();

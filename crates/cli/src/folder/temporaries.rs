@@ -1,5 +1,4 @@
-//! Files and folders that a run begins and finishes or removes: which are its own, and which are
-//! left of runs that died.
+//! Temporary files and folders, which a run finishes or deletes: its own, and those left by runs that died.
 
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
@@ -12,35 +11,34 @@ use std::sync::{Mutex, PoisonError};
 
 use tempfile::{Builder, NamedTempFile, TempDir};
 
-/// How the names of files that are not finished begin; the number of the process follows.
+/// The beginning of the names of unfinished files; the number of the process follows.
 pub(super) const UNFINISHED: &str = ".grazing-";
-/// How the folders of pictures of what changed begin their names; a number for the folder of what
-/// changed follows, and that of the process.
+/// The beginning of the names of folders with pictures of changes; a number for the changed folder
+/// and that of the process follow.
 const CHANGES: &str = "grazing-changes-";
 
-/// What this run has begun, of which nothing is left where it is finished.
+/// The temporary files and folders that this run has begun; a finished one no longer exists under this name.
 static OWN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
 fn change_own<T>(change: impl FnOnce(&mut BTreeSet<PathBuf>) -> T) -> T {
     change(&mut OWN.lock().unwrap_or_else(PoisonError::into_inner))
 }
 
-/// Removes everything that this run has begun and not finished, for a run that is being ended from
-/// outside.
+/// Deletes everything that this run has begun and not finished, for a run that is ended from outside.
 pub fn remove_own_temporaries() {
     for path in change_own(std::mem::take) {
         remove(&path);
     }
 }
 
-/// Removes a file or a folder. What cannot be removed stays: the next run tries again.
+/// Deletes a file or a folder. If that fails, it stays: the next run tries again.
 fn remove(path: &Path) {
     let is_folder = path.symlink_metadata().is_ok_and(|data| data.is_dir());
     let _ = if is_folder { fs::remove_dir_all(path) } else { fs::remove_file(path) };
 }
 
-/// An empty file in the folder, readable as other new files are; it goes with the value unless it
-/// is moved into its place.
+/// An empty file in the folder, with the permissions of other new files; it is deleted with the
+/// value unless it is moved into place.
 pub(super) fn unfinished(folder: &Path) -> io::Result<NamedTempFile> {
     let prefix = format!("{UNFINISHED}{}-", process::id());
     let mut builder = Builder::new();
@@ -59,7 +57,7 @@ pub(super) fn unfinished(folder: &Path) -> io::Result<NamedTempFile> {
 pub(crate) struct Changes(TempDir);
 
 impl Changes {
-    /// A new folder for changes in an output folder; those of earlier runs for the same one go.
+    /// A new folder for changes in an output folder; stale ones for the same output folder are deleted.
     pub(crate) fn new(output: &Path) -> io::Result<Changes> {
         let place = std::env::temp_dir();
         let mut hasher = DefaultHasher::new();
@@ -71,7 +69,7 @@ impl Changes {
         Ok(Changes(folder))
     }
 
-    /// The folder.
+    /// The path of the folder.
     pub(crate) fn path(&self) -> &Path {
         self.0.path()
     }
@@ -83,13 +81,13 @@ impl Changes {
     }
 }
 
-/// Removes unfinished files that runs which are no more have left in a folder.
+/// Deletes unfinished files that runs which died have left in a folder.
 pub(crate) fn sweep(folder: &Path) {
     sweep_kind(folder, UNFINISHED);
 }
 
 fn sweep_kind(folder: &Path, kind: &str) {
-    // A folder that cannot be read has its own message as soon as it is written to.
+    // A folder that cannot be read is reported as soon as something is written to it.
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let path = entry.path();
         if process_of(kind, &entry.file_name()).is_some_and(|process| is_left(process, &path)) {
@@ -98,13 +96,13 @@ fn sweep_kind(folder: &Path, kind: &str) {
     }
 }
 
-/// The process that has made a file or folder of this name, if it is one of the kind.
+/// The process that created a file or folder of this name, if it is one of the kind.
 fn process_of(kind: &str, name: &OsStr) -> Option<u32> {
     name.to_str()?.strip_prefix(kind)?.split_once('-')?.0.parse().ok()
 }
 
-/// Whether the process has left the file or folder: it is no more, or it is this one, to which
-/// numbers come again in a container, and does not know of it.
+/// Whether a file or folder is stale: its process no longer runs, or had the number of this one, as
+/// happens in containers, and this run did not begin it.
 fn is_left(process: u32, path: &Path) -> bool {
     if process == process::id() {
         return change_own(|own| !own.contains(path));
@@ -112,8 +110,7 @@ fn is_left(process: u32, path: &Path) -> bool {
     !is_running(process)
 }
 
-/// Whether a process runs. Where the system has no list of them as files, every other one is taken
-/// to do so.
+/// Whether a process is running; assumed of every other process where the system has no `/proc`.
 fn is_running(process: u32) -> bool {
     let processes = Path::new("/proc");
     !processes.join(process::id().to_string()).exists() || processes.join(process.to_string()).exists()

@@ -1,4 +1,4 @@
-//! An edition: in which formats and how wide the figures are made.
+//! An edition: the formats and the width of the figures.
 
 use std::path::{Path, PathBuf};
 
@@ -40,7 +40,7 @@ pub enum TextForm {
     Outlines,
 }
 
-/// How wide figures are made: the words on the command line, and what they mean.
+/// The widths of figures: the word on the command line, the width and its meaning.
 pub(crate) const WIDTHS: [(&str, SheetWidth, &str); 3] = [
     ("paper", SheetWidth::Paper, "As in the paper"),
     ("one", SheetWidth::OneColumn, "One column of a journal with two"),
@@ -69,7 +69,7 @@ impl Default for Edition {
 }
 
 impl Edition {
-    /// What the command line asks for.
+    /// The edition that the command line asks for.
     pub fn new(mut formats: Vec<Format>, columns: SheetWidth, dpi: u16, text: TextForm) -> Edition {
         if formats.contains(&Format::Tex) {
             // The snippet includes the figures as PDF.
@@ -80,24 +80,24 @@ impl Edition {
         Edition { formats, columns, dpi, text }
     }
 
-    /// True if it is what `figures/` holds.
+    /// Whether this is the edition of `figures/`.
     pub fn is_default(&self) -> bool {
         Edition { dpi: Edition::default().dpi, ..self.clone() } == Edition::default()
     }
 
-    /// True if it has the format.
+    /// Whether the edition has the format.
     pub fn has(&self, format: Format) -> bool {
         self.formats.contains(&format)
     }
 
-    /// The options that ask for it, each with a space before; none for the default edition.
+    /// The options that select the edition, each with a space before; none for the default edition.
     pub(crate) fn options(&self) -> String {
         let mut options = String::new();
         if self.formats != [Format::Svg] {
             let names: Vec<String> = self.formats.iter().map(|format| format.name()).collect();
             options.push_str(&format!(" --format {}", names.join(",")));
         }
-        // The first is what is made without the option.
+        // The first width is the default, which needs no option.
         for (word, ..) in WIDTHS[1..].iter().filter(|(_, width, _)| *width == self.columns) {
             options.push_str(&format!(" --columns {word}"));
         }
@@ -110,13 +110,13 @@ impl Edition {
         options
     }
 
-    /// The files of a figure, given that of the SVG.
+    /// The files of a figure in all formats of the edition, given that of the SVG.
     pub(crate) fn figure_paths(&self, svg: &str) -> impl Iterator<Item = PathBuf> {
         let formats = self.formats.iter().filter(|format| !matches!(format, Format::Tex | Format::Parquet));
         formats.map(move |format| Path::new(svg).with_extension(format.name()))
     }
 
-    /// A figure in all formats but LaTeX, which has none.
+    /// A figure in all formats but LaTeX and Parquet, which have none.
     pub(crate) fn figure_files(&self, file: &str, sheet: &Sheet) -> Result<Vec<OutputFile>, ExportError> {
         let mut svg = sheet.svg();
         if self.text == TextForm::Outlines {

@@ -15,7 +15,7 @@ pub(crate) struct NamedFamily {
     pub(crate) file: PathBuf,
     /// The name of the oscillator.
     pub(crate) name: String,
-    /// Those of the parameters and of the constants that vary.
+    /// The names of the parameters and of the constants that vary.
     pub(crate) names: Names,
     pub(crate) family: Family,
 }

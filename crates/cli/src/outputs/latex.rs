@@ -10,31 +10,30 @@ use grazing_results::{Cell, Column, GREEK, Table, raised, symbol};
 use crate::folder::{self, OutputFile};
 use crate::template::rendered;
 
-/// Significant digits of the number of least magnitude in a column; all its numbers have as many
-/// decimals.
+/// Significant digits of the smallest number in a column; all its numbers have the same number of decimals.
 const DIGITS: i32 = 4;
 /// The most decimals; columns with smaller numbers are printed with powers of ten.
 const MOST_DECIMALS: i32 = 6;
 /// The most rows that fit a page; larger tables are left to the author.
 const MOST_ROWS: usize = 45;
-/// Figures wider than a column of a journal with two (points) span both.
+/// The width of a column of a journal with two, in points; wider figures span both.
 const COLUMN: f64 = 245.0;
-/// LaTeX keeps no more floats than 52 in memory until it has a page for them.
+/// The most floats in a row: LaTeX keeps no more than 52 in memory until it has a page for them.
 pub(crate) const MOST_FLOATS: usize = 40;
-/// The snippet's file, and that of the numbers.
+/// The file of the snippet, and that of the numbers.
 pub(crate) const FILES: [&str; 2] = ["figures.tex", "numbers.tex"];
 
-/// Where a table lies in the output folder.
+/// The path of a table in the output folder.
 pub(crate) fn table_path(name: &str) -> PathBuf {
     Path::new(name).with_extension("tex")
 }
 
-/// A tabular of booktabs.
+/// A `tabular` with the rules of booktabs.
 #[derive(Template)]
 #[template(path = "tabular.tex", escape = "none")]
 struct Tabular {
     title: String,
-    /// The table that it shows.
+    /// The name of the table.
     name: &'static str,
     alignment: String,
     headings: Vec<String>,
@@ -66,7 +65,7 @@ fn tabular(table: &Table, printed: &[Column], title: &str) -> String {
     })
 }
 
-/// Markup of labels for LaTeX, which reads what stands between dollars as it is.
+/// The markup of a label for LaTeX; formulas between dollars stay as they are.
 fn outside_formulas(markup: &str) -> String {
     let pieces = markup.split('$').enumerate();
     pieces.map(|(k, piece)| if k % 2 == 0 { escaped(piece) } else { format!("${piece}$") }).collect()
@@ -89,8 +88,8 @@ fn cells(table: &Table, place: usize) -> (Vec<String>, bool) {
     }
 }
 
-/// Numbers with one number of decimals, so that they align, or with powers of ten if they are too
-/// small for that.
+/// Numbers with the same number of decimals, so that they align, or with powers of ten if they are
+/// too small for that.
 fn aligned(numbers: &[Option<f64>]) -> Vec<String> {
     let finite = || numbers.iter().flatten().copied().filter(|number| number.is_finite());
     let least = finite().map(f64::abs).filter(|size| *size > 0.0).fold(f64::INFINITY, f64::min);
@@ -110,12 +109,12 @@ fn aligned(numbers: &[Option<f64>]) -> Vec<String> {
     numbers.iter().map(|number| shown(number).unwrap_or_default()).collect()
 }
 
-/// What a document says of a figure or a table.
+/// The caption of a figure or a table in a document.
 #[derive(Clone, Debug)]
 pub(crate) struct Caption {
-    /// What it shows, in one line.
+    /// The title, in one line.
     pub(crate) title: String,
-    /// By what the document refers to it.
+    /// The label by which the document refers to the figure or table.
     pub(crate) label: String,
     /// A sentence after all others, with a space before it.
     pub(crate) remark: String,
@@ -137,14 +136,14 @@ pub(crate) struct Float {
     body: String,
     caption: String,
     label: String,
-    /// By what other captions call it, as `Figure 7`.
+    /// The name that other captions use, such as `Figure 7`.
     number: Option<String>,
-    /// What it has of each resonance, by a name such as `c_sn_p2_n1`.
+    /// The numbers of each resonance, under names such as `c_sn_p2_n1`.
     numbers: Vec<(String, String)>,
 }
 
 impl Float {
-    /// A figure by the file of its SVG, with what it says of itself in its caption.
+    /// A figure, by the file of its SVG, with the description of the sheet in the caption.
     pub(crate) fn figure(file: &str, sheet: &Sheet, caption: &Caption) -> Self {
         let pdf = Path::new(file).with_extension("pdf");
         let (number, title) = sentence(&caption.title);
@@ -159,7 +158,7 @@ impl Float {
         }
     }
 
-    /// Columns of a table, and its file; nothing if it is empty or does not fit a page.
+    /// Columns of a table, and its file; none if the table is empty or does not fit a page.
     pub(crate) fn table(table: &Table, printed: &[Column], caption: &Caption) -> Option<(Self, OutputFile)> {
         if table.rows.is_empty() || table.rows.len() > MOST_ROWS {
             return None;
@@ -178,8 +177,8 @@ impl Float {
     }
 }
 
-/// The cells of a table with a row for each resonance, by column, p and n; those of a second
-/// resonance with the same p and n have a `_2` after that, and so on.
+/// The cells of a table with a row for each resonance, by column, p and n; the names of a second
+/// resonance with the same p and n end with `_2`, and so on.
 fn numbers(table: &Table, printed: &[Column]) -> Vec<(String, String)> {
     let place = |column: &Column| table.columns.iter().position(|found| found.name == column.name);
     let (Some(p), Some(n)) = (place(&LOOPS), place(&RESONANCE_INDEX)) else { return Vec::new() };
@@ -197,11 +196,11 @@ fn numbers(table: &Table, printed: &[Column]) -> Vec<(String, String)> {
     printed.iter().filter_map(place).filter(|place| ![p, n].contains(place)).flat_map(of).collect()
 }
 
-/// The numbers of a run, to be used in a text.
+/// The numbers of a run, for use in a text.
 #[derive(Template)]
 #[template(path = "numbers.tex", escape = "none")]
 struct Numbers {
-    /// Each with its name.
+    /// The numbers, each with its name.
     numbers: Vec<(String, String)>,
 }
 
@@ -212,7 +211,7 @@ struct Snippet<'a> {
     floats: &'a [Float],
 }
 
-/// Its file, and that of the numbers, among them constants.
+/// The file of the snippet, and that of the numbers, which include constants.
 pub(crate) fn files<'a>(
     floats: &[Float],
     constants: impl IntoIterator<Item = (&'a str, f64)>,
@@ -226,7 +225,7 @@ pub(crate) fn files<'a>(
     ]
 }
 
-/// The number in a title, and the rest as a sentence: the number of a caption is LaTeX's.
+/// The number in a title, and the rest as a sentence: LaTeX numbers captions itself.
 fn sentence(title: &str) -> (Option<String>, String) {
     let (number, text) = match title.split_once(": ") {
         Some((number, text)) if number.starts_with("Figure ") => (Some(number.to_owned()), text),
@@ -252,7 +251,7 @@ fn with_symbols(text: &str) -> String {
         let letter = |part: &str| part.len() == 1 || GREEK.iter().any(|(greek, _)| *greek == part);
         match name.split_once('_') {
             Some((stem, _)) => letter(stem),
-            // Of single letters those that the figures have; others may be words.
+            // Only the single letters that the figures use; others may be words.
             None => letter(name) && (name.len() > 1 || "npwxyz".contains(name)),
         }
     };
@@ -270,7 +269,7 @@ fn with_symbols(text: &str) -> String {
     set
 }
 
-/// The caption with references in the place of the numbers of figures that are included.
+/// The caption with references in place of the numbers of figures that are included.
 pub(crate) fn referring(caption: &str, floats: &[Float]) -> String {
     let mut figures: Vec<(&str, &str)> =
         floats.iter().filter_map(|float| Some((float.number.as_deref()?, float.label.as_str()))).collect();
@@ -307,7 +306,7 @@ pub fn escaped(text: &str) -> String {
         ('⋅', r"$\cdot$"),
         ('µ', r"$\mu$"),
     ];
-    /// The last character that every LaTeX of the last years can set in text.
+    /// The last character that every recent LaTeX can set in text.
     const LAST: char = '\u{17f}';
     let mut escaped = String::new();
     for character in text.chars() {

@@ -21,7 +21,7 @@ use super::latex::Caption;
 use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output, sheet_file};
 use crate::failure::Failure;
 
-/// What the analysis of an oscillator from a text file comes to.
+/// The analysis of an oscillator from a text file.
 pub(crate) type Analysis = Unfolded;
 
 /// An oscillator from a file, analysed.
@@ -30,9 +30,9 @@ pub(crate) struct AnalysedOscillator {
     description: Description,
     pub(crate) unfolded: Analysis,
     diagram: PlaneDiagram,
-    /// What a rig did, beside it.
+    /// The comparison with measurements.
     pub(crate) compared: Option<Comparison>,
-    /// What it does at places that were asked for.
+    /// Motion at the places that were asked for.
     pub(crate) places: Vec<AtPlace>,
 }
 
@@ -44,20 +44,20 @@ impl AnalysedOscillator {
         Self { file, description, unfolded, diagram, compared: None, places: Vec::new() }
     }
 
-    /// The same with what a rig did.
+    /// Adds the comparison with measurements.
     pub(crate) fn measured(mut self, compared: Option<Comparison>) -> Self {
         self.diagram.measured = compared.iter().flat_map(|compared| compared.points.clone()).collect();
         self.compared = compared;
         self
     }
 
-    /// The same with what it does at places.
+    /// Adds motion at places.
     pub(crate) fn at(self, places: Vec<AtPlace>) -> Self {
         Self { places, ..self }
     }
 
-    /// What there is to write: files that ask for no one-parameter diagram have no tables of them,
-    /// nor of own curves, and without measurements there is no comparison.
+    /// The outputs to write: without one-parameter diagrams, own curves, measurements or places
+    /// there are no tables of these.
     pub(crate) fn outputs(&self) -> impl Iterator<Item = &'static Output<Self>> {
         let missing = [
             self.unfolded.diagrams.is_empty().then_some(DIAGRAMS),
@@ -69,10 +69,10 @@ impl AnalysedOscillator {
         ALL.iter().filter(move |output| !missing.contains(&Some(output.name)))
     }
 
-    /// All that there is to write.
+    /// All outputs, computed and joined.
     ///
     /// # Errors
-    /// Something cannot be drawn.
+    /// A figure cannot be drawn.
     pub(crate) fn computed(&self, width: SheetWidth) -> Result<ComputedOutput, Failure> {
         let outputs = self.outputs().map(|output| output.compute(self, width));
         Ok(ComputedOutput::joined(outputs.collect::<Result<Vec<_>, _>>()?))
@@ -83,17 +83,16 @@ impl AnalysedOscillator {
     }
 }
 
-/// The file of the magnifications, if all find room on one sheet.
+/// The file of the magnifications, if all fit on one sheet.
 const MAGNIFICATIONS: &str = "magnifications.svg";
 
-/// The names of outputs that not every file asks for.
+/// The names of outputs that not every file has.
 const OWN: &str = "own-curves";
 const DIAGRAMS: &str = "diagrams";
 const STRAIGHTENED: &str = "straightened";
 const READINGS: &str = "readings";
 
-/// All outputs: their tables in the order of the page that explains these, and one-parameter
-/// diagrams last.
+/// All outputs: tables in the order of the page that explains them, and one-parameter diagrams last.
 pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
     Output::new("grazing", "the grazing curve", AlongGrazing::TABLES, |_, of, _| {
         Ok(ComputedOutput::new(Vec::new(), of.unfolded.along_grazing().tables(of.names())))
@@ -146,13 +145,13 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
 
 const MEASURED: &str = "measured";
 
-/// What there is at places that are asked for.
+/// Motion at the places that were asked for.
 pub(crate) const PLACES: Output<AnalysedOscillator> =
     Output::new("places", "motion at a place", AtPlace::TABLES, |output, of, width| {
         places(output, &of.file, (of.description.name(), of.names()), &of.places, width)
     });
 
-/// What there is at places of the parameter plane of what a file calls so.
+/// Figures and tables of motion at places of the parameter plane, for an oscillator of this name.
 pub(crate) fn places(
     output: &Output<AnalysedOscillator>,
     of: &Path,
@@ -217,7 +216,7 @@ fn two_parameters(
     plane(&of.file, of.description.name(), of.names(), &of.diagram, (file, output.title), look)
 }
 
-/// How a file wants its figures to be drawn.
+/// The look of figures that a file asks for.
 fn look(style: &FigureStyle, columns: SheetWidth) -> Look {
     let coloured = |(name, colour): &(String, [u8; 3])| Some((Bifurcation::named(name)?, *colour));
     let named = |what| style.names.contains(&what);
@@ -234,7 +233,7 @@ fn look(style: &FigureStyle, columns: SheetWidth) -> Look {
     }
 }
 
-/// The two-parameter diagram of what a file calls so, and its tables.
+/// The two-parameter diagram of an oscillator of this name, and its tables.
 pub(crate) fn plane(
     of: &Path,
     name: &str,
@@ -299,7 +298,7 @@ fn straightened(output: &Output<AnalysedOscillator>, of: &AnalysedOscillator, wi
     )
 }
 
-/// Curves in straightened coordinates of what a file calls so.
+/// Curves in straightened coordinates, for an oscillator of this name.
 pub(crate) fn straightened_about(
     output: &Output<AnalysedOscillator>,
     of: &Path,
@@ -339,7 +338,7 @@ fn one_parameter(
     Ok(ComputedOutput::new(figures, OneParameter::tables_of(diagrams, of.names())))
 }
 
-/// A one-parameter diagram of what a file calls so.
+/// A one-parameter diagram of an oscillator of this name.
 pub(crate) fn one_parameter_figure(
     output: &Output<AnalysedOscillator>,
     of: &Path,
@@ -380,15 +379,15 @@ pub(crate) fn one_parameter_figure(
     Ok(Figure { only: Some((columns::DIAGRAM, vec![diagram.diagram])), ..figure })
 }
 
-/// What stands on the axes of the plane, as a sentence.
+/// A sentence about the axes of the plane.
 fn axes(names: &Names, swapped: bool) -> String {
     let [primary, secondary] = names.titles();
     let [across, up] = if swapped { [secondary, primary] } else { [primary, secondary] };
     format!("{across} across, {up} up.")
 }
 
-/// What a one-parameter diagram is of, as `A from 0.26 to 0.34 at omega = 0.855` if those are the
-/// names of the parameters.
+/// The extent of a one-parameter diagram, as `A from 0.26 to 0.34 at omega = 0.855` if those are
+/// the names of the parameters.
 pub(crate) fn of_one_parameter<T: std::fmt::Display>(names: [T; 2], diagram: &OneParameter) -> String {
     let [across, held] = diagram.exchanged(names);
     let [low, high] = diagram.frame.x.map(|end| brief(end, 6));

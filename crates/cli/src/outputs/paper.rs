@@ -20,7 +20,7 @@ use crate::failure::Failure;
 pub const ALL: &[Output<Study>] =
     &paper_figures!(figure, first COEFFICIENTS, last STRAIGHTENED, THEOREMS, LIMITS);
 
-/// A figure of the paper.
+/// The output of a figure of the paper.
 pub(crate) const fn figure<F: PaperFigure>() -> Output<Study> {
     Output {
         label: F::LABEL,
@@ -36,7 +36,7 @@ pub(crate) const fn figure<F: PaperFigure>() -> Output<Study> {
     }
 }
 
-/// What a figure of the paper shows, drawn and as tables.
+/// A figure of the paper, drawn and as tables.
 pub(crate) fn computed<F: PaperFigure>(
     output: &Output<Study>,
     section: &F,
@@ -96,7 +96,7 @@ const STRAIGHTENED: Output<Study> = Output {
     )
 };
 
-/// It depends on no parameter.
+/// The table of the theorems, which depends on no parameter.
 const THEOREMS: Output<Study> = Output {
     label: "tab:theorems",
     ..Output::new(
@@ -126,17 +126,17 @@ const LIMITS: Output<Study> = Output {
 };
 
 impl Output<Study> {
-    /// Its caption in a document.
+    /// The caption of the output in a document.
     fn caption(&self) -> Caption {
         Caption { title: self.title.to_owned(), label: self.label.to_owned(), remark: String::new() }
     }
 }
 
-/// Refuses parameters that would be wrong for any oscillator: that is a slip, better mended than
-/// worked around.
+/// Rejects parameters that would be wrong for any oscillator: they are slips, which are better
+/// corrected than worked around.
 ///
 /// # Errors
-/// The first that some output needs.
+/// The first such error in the parameters that some output needs.
 pub(crate) fn refuse_malformed<'a>(
     outputs: impl Iterator<Item = &'a Output<Study>>,
     study: &Study,

@@ -8,7 +8,7 @@ use grazing_source::read_file;
 
 use crate::folder::with_slashes;
 
-/// The source files of the repository; those that can be read.
+/// The source files of the repository that can be read.
 pub(crate) fn sources(root: &Path) -> Sources {
     let mut files = Vec::new();
     let mut folders = vec![PathBuf::from("crates")];
@@ -30,10 +30,10 @@ pub(crate) fn sources(root: &Path) -> Sources {
     Sources::new(files)
 }
 
-/// Where the address of the repository is looked up, and under which key.
+/// The file and the key that give the address of the repository.
 const CITATION: &str = "CITATION.cff";
 const KEY: &str = "repository-code:";
-/// What leads from the address to the files of the newest state, as the common hosts have it.
+/// The path from the address to the newest files, as on the common hosts.
 const NEWEST: &str = "blob/HEAD/";
 
 /// The address of the repository's files at its host, with a slash at its end, if the citation file

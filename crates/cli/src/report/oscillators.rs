@@ -15,7 +15,7 @@ use crate::project;
 use crate::unfold::analysis::analyse;
 use crate::unfold::page;
 
-/// The examples that the page shows anyway; any other can be asked for.
+/// The examples that the page always shows; others can be named.
 const EXAMPLES: [&str; 4] =
     ["clearance.toml", "duffing.toml", "quadratic-damping.toml", "varying-impact.toml"];
 
@@ -23,7 +23,7 @@ impl OscillatorFile {
     /// Some examples of the repository, then the given files.
     ///
     /// # Errors
-    /// One cannot be read, or something in it is not right.
+    /// A file cannot be read, or something in it is wrong.
     pub(crate) fn all(root: Option<&Path>, given: &[PathBuf]) -> Result<Vec<Self>, Failure> {
         let folder = root.map(|root| root.join(project::EXAMPLES));
         let examples = folder.iter().flat_map(|folder| EXAMPLES.map(|name| folder.join(name)));
@@ -32,8 +32,9 @@ impl OscillatorFile {
         files.iter().map(|file| Self::read(file, &[], Limits::USUAL)).collect()
     }
 
-    /// Unfolds the oscillator, up to its limits; what was met, if one was. A file of the
-    /// repository's examples is named as such, and linked by way of the link to the root.
+    /// Unfolds the oscillator up to its limits, and returns its entry with the failure if a limit
+    /// was reached. An example of the repository is named as such, and linked by way of the link to
+    /// the root.
     ///
     /// # Errors
     /// There is nothing to unfold, or a figure cannot be drawn.
@@ -42,7 +43,7 @@ impl OscillatorFile {
         root: Option<&Path>,
         link: Option<&str>,
     ) -> Result<(OscillatorEntry, Option<Failure>), Failure> {
-        // Finished curves are not kept: the page is made quickly.
+        // Finished curves are not kept: the page takes little time.
         let (unfolded, met) = analyse(self, self.description.limits(), &|_| ())?;
         let outcome = "what was not finished is named on the page";
         let met = met.map(|met| ended(&self.file, Some(met), outcome));

@@ -13,8 +13,8 @@ use crate::progress::Display;
 
 pub(crate) use crate::outputs::oscillator::Analysis;
 
-/// Analyses an oscillator up to its limits, to which its reading counts; with what has ended the analysis, if anything is
-/// missing in it.
+/// Analyses an oscillator up to its limits, which include the reading of its file; returns also the
+/// cause that ended the analysis, if anything is missing.
 ///
 /// # Errors
 /// There is nothing to unfold.
@@ -29,7 +29,7 @@ pub(crate) fn analyse(
     analyse_prepared(of, prepared, &watch, &display, keep)
 }
 
-/// The same of what is ready, watched and reported by others.
+/// Analyses a prepared oscillator as [`analyse`] does, with a given watch and receiver of progress.
 ///
 /// # Errors
 /// There is nothing to unfold.
@@ -46,8 +46,8 @@ pub(crate) fn analyse_prepared(
     Ok((unfolded, met))
 }
 
-/// Why there is nothing to unfold, with the file's names of the parameters, or what has ended the
-/// search.
+/// The failure of an analysis with nothing to unfold, with the file's names of the parameters, or
+/// with the cause that ended the search.
 fn failure(of: &OscillatorFile, error: &UnfoldError, met: Option<EndCause>) -> Failure {
     let OscillatorFile { file, description, .. } = of;
     match (error, met) {

@@ -1,4 +1,4 @@
-//! All that the theorems ask and use at every resonance.
+//! All hypotheses and quantities of the theorems at every resonance.
 
 use std::fmt::Write;
 

@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::folder::{self, OutputFile};
 use crate::{tables, terminal};
 
-/// The table of the curves that are finished, while the run lasts or after it was interrupted.
+/// The table of the finished curves, which exists during a run or after an interruption.
 const UNFINISHED: &str = "curves.unfinished";
 
 /// Writes the curves of resonances into a file as they finish.
@@ -20,7 +20,7 @@ pub(super) struct Keeper<'a> {
 }
 
 impl<'a> Keeper<'a> {
-    /// Keeps curves in the folder, and says if an interrupted run left some there.
+    /// Keeps curves in the folder, and prints a note if an interrupted run left some there.
     pub(super) fn new(folder: &'a Path) -> Self {
         let keeper = Self { folder, complained: AtomicBool::new(false) };
         let path = keeper.path();
@@ -37,13 +37,13 @@ impl<'a> Keeper<'a> {
         self.folder.join(tables::path(UNFINISHED))
     }
 
-    /// Removes the file: everything is written.
+    /// Deletes the file once everything is written.
     pub(super) fn clear(&self) -> Result<(), Failure> {
         folder::remove(&self.path())
     }
 
-    /// Writes what is finished. The computation goes on if it cannot be written: in the end all
-    /// files may well be.
+    /// Writes the finished curves. The computation goes on if that fails: in the end all files may
+    /// well be written.
     pub(super) fn keep(&self, finished: &Table) {
         let written = tables::csv(finished).map_err(|error| error.to_string()).and_then(|content| {
             let file = OutputFile { path: tables::path(UNFINISHED), content };

@@ -1,4 +1,4 @@
-//! What there is to say of an oscillator and its resonances, as lines on the terminal.
+//! Lines about an oscillator and its resonances on the terminal.
 
 mod gaps;
 mod window;
@@ -31,7 +31,7 @@ const PARAMETER: usize = 8;
 const COEFFICIENT: usize = 9;
 const QUANTITY: usize = 5;
 
-/// The oscillator as the file has it.
+/// The oscillator as the file describes it.
 pub(crate) fn oscillator(description: &Description, file: &Path) -> String {
     let texts = description.texts();
     let constants: Vec<String> =
@@ -73,7 +73,7 @@ fn loops(description: &Description) -> String {
     description.loops().iter().map(u32::to_string).collect::<Vec<_>>().join(", ")
 }
 
-/// All that was found, in the order in which it was.
+/// All results, in the order in which they were found.
 pub(crate) fn results(description: &Description, unfolded: &Analysis) -> String {
     let mut text = grazing_curves(description, unfolded);
     text.push_str(&resonances(description, unfolded));
@@ -125,7 +125,7 @@ fn ends(ends: &[GrazingEnd; 2]) -> String {
     }
 }
 
-/// Where the solution is stable, piece by piece.
+/// The stability of the solution along the curve, piece by piece.
 fn stability(curve: &GrazingCurve, secondary: &str, units: &Units) -> String {
     let word = |stable: bool, admissible: bool| match (stable, admissible) {
         (true, true) => "stable",
@@ -194,7 +194,7 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
 /// An SN or PD curve with what is known of it, and the resonance that it leaves.
 type CurveAt<'a> = (&'a AtResonance, Bifurcation, &'a CurveFinding);
 
-/// Why a coefficient was not measured or simulation is not as predicted; nothing if all is well.
+/// The reasons why a coefficient was not measured or simulation is not as predicted; empty if all is well.
 fn reasons(secondary: &str, (at, kind, known): CurveAt<'_>) -> String {
     let mark = format!(
         "  p = {}, n = {}, {secondary} = {}, {}:  ",
@@ -229,7 +229,7 @@ pub(crate) fn contradictions(resonances: &[AtResonance]) -> Vec<String> {
     found
 }
 
-/// A row: one coefficient by the theorem, measured, and whether simulation agrees.
+/// The row of a coefficient: by the theorem, measured, and whether simulation agrees.
 fn coefficient((at, kind, CurveFinding { coefficient, simulated }): CurveAt<'_>) -> Vec<String> {
     let theorem = coefficient.theorem.value;
     let (measured, digits) = match coefficient.compared() {
@@ -277,7 +277,7 @@ fn corners(description: &Description, unfolded: &Analysis) -> String {
     format!("\nCodimension-two points on these curves\n{table}")
 }
 
-/// The curves that the file asks for, each with how far it goes, or that there is none.
+/// The curves that the file asks for, each with its extent, or a note that there is none.
 fn own_curves(description: &Description, unfolded: &Analysis) -> String {
     let (units, diagram) = (&unfolded.axes.units, &unfolded.diagram);
     let names = [description.primary().name(), description.secondary().name()];
@@ -315,7 +315,7 @@ fn own_curves(description: &Description, unfolded: &Analysis) -> String {
     headed("Own curves", entries.into_iter().chain(lost))
 }
 
-/// A one-parameter diagram: the bifurcations on it, and what simulation leaves out.
+/// A one-parameter diagram: its bifurcations, lost branches, and simulated orbits without points.
 pub(crate) fn one_parameter(description: &Description, diagram: &OneParameter) -> String {
     let names = [description.primary().name(), description.secondary().name()];
     let [across, _] = diagram.exchanged(names);

@@ -7,10 +7,10 @@ use crate::layout::{aligned, headed};
 
 /// Digits of places.
 const DIGITS: usize = 6;
-/// So many of those that disagree are listed; all stand in data/measured.csv.
+/// The most disagreeing measurements that are listed; all are in data/measured.csv.
 const LISTED: usize = 8;
 
-/// How many agree, region by region, and which do not.
+/// The numbers of measurements that agree, region by region, and those that do not.
 pub(super) fn listing(compared: &Comparison) -> String {
     let row = |count: &MeasuredCount| {
         let region = if count.region == 0 { "-".to_owned() } else { count.region.to_string() };

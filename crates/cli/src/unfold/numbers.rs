@@ -1,8 +1,8 @@
-//! Numbers as people read them.
+//! Numbers formatted for reading.
 
 use grazing_results::brief;
 
-/// The value with just this many significant digits, for a column.
+/// The value with exactly this many significant digits, for a column.
 pub(crate) fn significant(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return "-".to_owned();

@@ -1,4 +1,4 @@
-//! What a page shows of an oscillator, and the page about it.
+//! The entry of an oscillator on a page, and the page about it.
 
 use std::path::PathBuf;
 
@@ -12,12 +12,12 @@ use crate::oscillator::{OscillatorFile, file_name};
 use crate::outputs::ComputedOutput;
 use crate::versions;
 
-/// The tables that are shown as such.
+/// The tables that are shown as tables.
 const SHOWN: [&str; 5] = ["agreement", "measured", "coefficients", "hypotheses", "points"];
 /// The name of the page about an oscillator, in the folder of its results.
 pub(crate) const PAGE: &str = "report.html";
 
-/// The oscillator as a page shows it.
+/// The entry of the oscillator on a page.
 pub(crate) fn entry(of: &OscillatorFile, unfolded: &Analysis, computed: &ComputedOutput) -> OscillatorEntry {
     let OscillatorFile { file, text, description, .. } = of;
     OscillatorEntry {
@@ -75,7 +75,7 @@ fn leading_comment(text: &str) -> Vec<String> {
     paragraphs
 }
 
-/// What could not be located, followed or finished, in words.
+/// Resonances that could not be located or unfolded, and work that was not finished, in words.
 pub(crate) fn lost(description: &Description, unfolded: &Analysis) -> Vec<String> {
     let (diagram, units) = (&unfolded.diagram, &unfolded.axes.units);
     let lost = reason::lost(description, units, diagram).map(|(what, why)| format!("{what}: {why}"));
@@ -84,7 +84,7 @@ pub(crate) fn lost(description: &Description, unfolded: &Analysis) -> Vec<String
     lost.chain(cut).collect()
 }
 
-/// Where it is not decided whether solutions are stable, with their loops.
+/// Regions in which the stability of solutions is undecided, with their loops.
 fn undecided(description: &Description, unfolded: &Analysis) -> Vec<(u32, String)> {
     let (units, regions) = (&unfolded.axes.units, unfolded.diagram.regions.iter());
     let doubts = regions.map(|region| Some((region.loops, reason::undecided(description, units, region)?)));

@@ -1,4 +1,4 @@
-//! What motion comes to at places that were asked for, as lines on the terminal.
+//! Attractors at the places that were asked for, as lines on the terminal.
 
 use grazing_results::place::{AtPlace, PlaceAttractor};
 use grazing_results::{Names, brief};
@@ -9,7 +9,7 @@ use crate::layout::aligned;
 const DIGITS: usize = 6;
 const EXPONENT: usize = 3;
 
-/// The attractors of all places; nothing without places.
+/// The attractors of all places; empty without places.
 pub(crate) fn listing(places: &[AtPlace], names: &Names) -> String {
     if places.is_empty() {
         return String::new();

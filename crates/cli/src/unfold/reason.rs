@@ -1,4 +1,4 @@
-//! Why there is nothing to unfold, and what can be done, with the parameters' own names.
+//! Reasons why there is nothing to unfold, and remedies, with the parameters' own names.
 
 use std::f64::consts::TAU;
 
@@ -11,7 +11,7 @@ use grazing_unfold::regions::Region;
 use grazing_unfold::unfinished::Unfinished;
 use grazing_unfold::{Diagram, UnfoldError};
 
-/// What was seen instead of grazing, and the remedy.
+/// The reason in words: what was found instead of grazing, and the remedy.
 pub(crate) fn of(error: &UnfoldError, description: &Description) -> String {
     let at = |parameters| place(description, parameters);
     let axes = [description.primary(), description.secondary()];
@@ -98,12 +98,12 @@ pub(crate) fn of(error: &UnfoldError, description: &Description) -> String {
     }
 }
 
-/// A motion farther away than this, in the oscillator's [`Units`], has run away.
+/// The distance beyond which a motion has run away, in the oscillator's [`Units`].
 const FAR: f64 = 1e3;
-/// A force so large in these units, so near the wall, is on its way to a pole.
+/// The force near the wall beyond which motion is on its way to a pole, in the oscillator's [`Units`].
 const STEEP: f64 = 1e6;
 
-/// How a motion ends, and what can be done.
+/// The end of a motion in words, and the remedy.
 fn escaped(escape: &Escape, parameters: &str, description: &Description) -> String {
     let Escape { time, position, velocity, force, .. } = *escape;
     let units = description.units();
@@ -118,8 +118,8 @@ fn escaped(escape: &Escape, parameters: &str, description: &Description) -> Stri
         );
     }
     let way = if position.abs() > FAR * units.length {
-        // How far it was followed depends on the steps of the integration; when it escapes hardly
-        // does.
+        // The distance that was reached depends on the steps of the integration; the time of escape
+        // hardly does.
         let (side, t) = (if position > 0.0 { "behind" } else { "away from" }, brief(time, 3));
         format!(
             "motion runs away wherever it begins: in one case beyond all bounds {side} the wall within t = {t} at {parameters}"
@@ -137,10 +137,10 @@ fn escaped(escape: &Escape, parameters: &str, description: &Description) -> Stri
     )
 }
 
-/// Instants of a forcing period at which the force is looked at.
+/// The number of instants of a forcing period at which the force is evaluated.
 const INSTANTS: u32 = 16;
 
-/// Instants of a forcing period.
+/// Equidistant instants of a forcing period.
 fn instants(description: &Description, [mu, eta]: [f64; 2]) -> impl Iterator<Item = f64> {
     let period = TAU / description.forcing_frequency(mu, eta);
     (0..INSTANTS).map(move |k| period * f64::from(k) / f64::from(INSTANTS))
@@ -152,7 +152,7 @@ fn mean_force_at_wall(description: &Description, [mu, eta]: [f64; 2]) -> f64 {
     instants(description, [mu, eta]).map(force).sum::<f64>() / f64::from(INSTANTS)
 }
 
-/// Whether the oscillator rests in front of the wall.
+/// Whether the oscillator has a rest position in front of the wall.
 fn rests_in_front(description: &Description, [mu, eta]: [f64; 2]) -> bool {
     let units = description.units();
     let place = units.without_dimensions([mu, eta]);
@@ -188,8 +188,8 @@ fn has_spring(description: &Description) -> bool {
         low + 0.5 * (high - low)
     });
     let units = description.units();
-    // At one velocity alone what depends on the position may be lost in rounding, or so may all of
-    // it where the force has no value.
+    // At a single velocity the dependence on position may be lost in rounding, or the force may
+    // have no value.
     let differs = |t: f64, v: f64| {
         let force = |x: f64| description.force(x * units.length, v * units.velocity(), t, mu, eta);
         [-1.0, -0.37, -30.0].iter().any(|x| force(*x) != force(0.0))
@@ -211,7 +211,7 @@ pub(crate) fn lost(
     unlocated.chain(not_unfolded)
 }
 
-/// What was not finished, as `bifurcation curves of p = 2, n = 1 at A = 0.5, omega = 0.8`.
+/// The unfinished work, as `bifurcation curves of p = 2, n = 1 at A = 0.5, omega = 0.8`.
 pub(crate) fn unfinished(description: &Description, units: &Units, cut: &Unfinished) -> String {
     let mut text = cut.stage.to_string();
     if let Some([loops, n]) = cut.resonance {
@@ -223,15 +223,14 @@ pub(crate) fn unfinished(description: &Description, units: &Units, cut: &Unfinis
     text
 }
 
-/// Where it is not decided whether solutions are stable, and why; nothing of a region where that is
-/// known.
+/// The extent of a region in which stability is undecided, and the reason; none if it is decided.
 pub(crate) fn undecided(description: &Description, units: &Units, region: &Region) -> Option<String> {
     let doubt = region.doubt.as_ref()?;
     let [from, to] = region.extent().map(|corner| place(description, units.parameters(corner)));
     Some(format!("from {from} to {to}: {doubt}"))
 }
 
-/// Regions that are thinner than they can be drawn, and where.
+/// Regions that are too thin to be drawn, with their extent.
 pub(crate) fn thin(description: &Description, units: &Units, diagram: &Diagram) -> Vec<(u32, String)> {
     let regions = diagram.regions.iter().filter(|region| region.is_thin(diagram.scope.window));
     let line = |region: &Region| {
@@ -247,17 +246,17 @@ pub(crate) fn place(description: &Description, [primary, secondary]: [f64; 2]) -
     format!("{first} = {}, {second} = {}", brief(primary, 6), brief(secondary, 6))
 }
 
-/// A deceleration below this, in the oscillator's [`Units`], is what rounding leaves of none.
+/// The deceleration below which there is none but for rounding, in the oscillator's [`Units`].
 const TURNED: f64 = 1e-9;
 
 fn written([low, high]: [f64; 2]) -> String {
     format!("[{}, {}]", brief(low, 6), brief(high, 6))
 }
 
-/// Parameters this close to an end of a range, as a share of its width, count as being there.
+/// The distance from an end of a range that counts as being there, as a share of the width.
 const EDGE: f64 = 0.05;
 
-/// Which range to widen, and to which side.
+/// The range to widen, and to which side.
 fn widening(nearest: &Height, axes: [&Axis; 2]) -> String {
     let keys = ["primary.range", "secondary.range"];
     let sides: Vec<String> = (0..2)

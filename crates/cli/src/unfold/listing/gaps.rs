@@ -1,4 +1,4 @@
-//! What is not in the diagram, or not known, with the reasons.
+//! Gaps in the diagram: what is missing or unknown, with the reasons.
 
 use std::mem::discriminant;
 
@@ -20,7 +20,7 @@ pub(super) fn missing(description: &Description, units: &Units, diagram: &Diagra
     headed("Resonances that could not be unfolded", lost.map(|(what, why)| (format!("  {what}  "), why)))
 }
 
-/// What a limit or Ctrl-C has cut off.
+/// Work that a limit or Ctrl-C has cut off.
 pub(super) fn unfinished(description: &Description, units: &Units, diagram: &Diagram) -> String {
     let cut = diagram.unfinished.iter();
     headed("Not finished", cut.map(|cut| ("  ".to_owned(), reason::unfinished(description, units, cut))))
@@ -46,10 +46,10 @@ pub(super) fn odd_ends(description: &Description, unfolded: &Analysis) -> String
     headed("Curves that end unexpectedly", bifurcations.chain(own))
 }
 
-/// As many undecided regions of one p and one kind of reason are listed one by one.
+/// The most undecided regions of one p and one kind of reason that are listed one by one.
 const TOLD: usize = 3;
 
-/// Where it is not decided whether solutions are stable, with the reason.
+/// Regions in which the stability of solutions is undecided, with the reasons.
 pub(super) fn undecided(description: &Description, unfolded: &Analysis) -> String {
     let mut kinds: Vec<(_, Vec<String>)> = Vec::new();
     for region in &unfolded.diagram.regions {
@@ -70,15 +70,15 @@ pub(super) fn undecided(description: &Description, unfolded: &Analysis) -> Strin
     headed("Not decided (hatched in the diagram)", entries)
 }
 
-/// Regions that the diagram has and nobody can see.
+/// Regions of the diagram that are too thin to be seen.
 pub(super) fn thin(description: &Description, unfolded: &Analysis) -> String {
     let regions = reason::thin(description, &unfolded.axes.units, &unfolded.diagram);
     let entries = regions.into_iter().map(|(loops, line)| (format!("  p = {loops}  "), line));
     headed("Regions of stable solutions thinner than 1e-4 of the ranges, in regions.csv", entries)
 }
 
-/// What is missing in the diagram although there was time for it, as `1 of 3 resonances could not
-/// be unfolded`; nothing if nothing is.
+/// The gaps in the diagram that are not due to a limit, as `1 of 3 resonances could not be
+/// unfolded`; none if nothing is missing.
 pub(crate) fn incomplete(diagram: &Diagram) -> Option<String> {
     let lost = diagram.unlocated.len() + diagram.not_unfolded.len();
     let all = diagram.unlocated.len() + diagram.resonances.len();

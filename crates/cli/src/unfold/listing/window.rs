@@ -6,7 +6,7 @@ use crate::layout::{KEPT, headed};
 use crate::unfold::analysis::Analysis;
 use grazing_results::brief;
 
-/// Ranges that would show more, as the command line takes them.
+/// Ranges that would show more, as options of the command line.
 pub(super) fn suggested(unfolded: &Analysis) -> String {
     let Some(suggested) = unfolded.diagram.suggested_window() else { return String::new() };
     let units = &unfolded.axes.units;
@@ -23,8 +23,8 @@ pub(super) fn suggested(unfolded: &Analysis) -> String {
     headed("Window", [("  ".to_owned(), content)])
 }
 
-/// The suggested range rounded outwards to two significant digits of its width, where it is not
-/// that which is there already.
+/// The suggested range rounded outwards to two significant digits of its width; ends that stay the
+/// same are not rounded.
 fn rounded([lowest, highest]: [f64; 2], [low, high]: [f64; 2]) -> [f64; 2] {
     let unit = libm::pow(10.0, libm::floor(libm::log10(high - low)) - 1.0);
     let least = if low <= lowest { lowest } else { (libm::floor(low / unit) * unit).max(lowest) };
