@@ -1,4 +1,4 @@
-//! `grazing archive`: one file with everything, which says what each part is.
+//! `grazing archive`: one file with all results, and with a description of each part.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -22,7 +22,8 @@ fn unpacked(file: &Path) -> BTreeMap<String, Vec<u8>> {
     tar.entries().expect("it is a tar").map(read).collect()
 }
 
-/// Every file but the two that are made has its digest and its description; returns the latter.
+/// Asserts that every file but the two generated ones has its digest and its description; returns
+/// the descriptions.
 fn assert_described(files: &BTreeMap<String, Vec<u8>>, name: &str) -> Vec<Value> {
     let text = |path: &str| String::from_utf8(files[&format!("{name}/{path}")].clone()).expect("it is text");
     let digests = text("manifest.sha256");
@@ -89,7 +90,7 @@ fn results_of_ones_own_are_packed_if_they_are_whole() {
     let graph = assert_described(&files, "my");
     assert!(files.contains_key("my/my.toml") && files.contains_key("my/my/data/coefficients.csv"));
     assert!(graph.iter().all(|entity| entity.get("license").is_none()), "nobody gave one");
-    // A table that was changed by hand is not what the list has.
+    // A table that was changed by hand differs from the list.
     let table = folder.path().join("unfolded/my/data/coefficients.csv");
     fs::write(table, "p,n\n").expect("the folder is ours");
     let refused = grazing(folder.path(), &command);

@@ -39,7 +39,7 @@ fn parts_of_a_map_are_merged_to_the_same_bytes_that_one_run_writes_and_those_of_
         assert!(files(&folder.join("merged")) == whole, "{count}");
         first.extend(names.first().cloned());
     }
-    // The figure that `reproduce` makes is the same map.
+    // The figure that `reproduce` draws is the same map.
     let set = ["columns=23", "rows=14"].map(|size| format!("beyond_attractors.{size}"));
     let line =
         ["reproduce", "--only", "beyond_attractors", "--output", "same", "--set", &set[0], "--set", &set[1]];
@@ -106,7 +106,7 @@ fn a_map_that_cannot_be_made_is_told_before_anything_is_computed() {
     refuse(&["attractors", "--output", "figures/parameters.toml"]);
     snapshots().bind(|| insta::assert_snapshot!("messages_for_maps_that_cannot_be_made", transcript));
     assert_eq!(listing(project.path()), before);
-    // What does not fit the oscillator, though it would fit another one.
+    // A setting that does not fit the oscillator, although it would fit another one.
     let unfit = ["attractors", "--set", "fig07.frequency=[0.9,0.95]"];
     assert_eq!(grazing(project.path(), &unfit).code, Some(3));
     assert_eq!(listing(project.path()), before);

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crate::program::{INVENTED, edited, empty_folder, grazing, listing, project, repository, snapshots};
 
-/// What is done to valid parameters: after which section the line of which key becomes which line.
+/// Edits of valid parameters: a section, a key after it, and the line that replaces the key's line.
 const EDITS: &[(&str, &str, &str)] = &[
     ("[oscillator]", "zeta", "zetta = 0.1"),
     ("[oscillator]", "zeta", ""),
@@ -61,7 +61,7 @@ fn every_bad_parameter_file_is_refused_with_file_line_key_value_and_what_is_allo
     snapshots().bind(|| insta::assert_snapshot!("messages_for_bad_parameters", transcript));
 }
 
-/// What does not fit the invented oscillator, though it would fit another one.
+/// Settings that do not fit the invented oscillator, although they would fit another one.
 const MISFITS: &[(&str, &str, &str, &str)] = &[
     ("fig02", "[fig02]", "amplitude", "amplitude = [0.001, 0.002]"),
     ("fig07", "[fig07]", "frequency", "frequency = [0.9, 0.95]"),
@@ -205,7 +205,7 @@ fn other_formats_and_widths_are_kept_out_of_the_default_folder() {
     }
 }
 
-/// The path that the message names, and what puts an obstacle there.
+/// The path that the message names, and the function that puts an obstacle there.
 type Obstacle = (&'static str, fn(&Path));
 
 #[test]

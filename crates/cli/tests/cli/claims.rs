@@ -1,4 +1,4 @@
-//! `grazing claims` tests what is asked for and says what came of it.
+//! `grazing claims` tests the selected claims and prints the results.
 
 use crate::program::{DEFAULT, edited, grazing, project};
 

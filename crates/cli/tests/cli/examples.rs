@@ -4,13 +4,13 @@ use std::fs;
 
 use crate::program::{empty_folder, grazing, repository, snapshots};
 
-/// Whether a table or figure; the page and the explanations change with the versions of libraries
-/// and with words.
+/// Whether a file is a table or a figure; the page and the explanations change with the versions of
+/// libraries and with their wording.
 fn is_result(path: &str) -> bool {
     path.ends_with(".csv") || path.ends_with(".svg")
 }
 
-/// After a change that moves numbers on purpose:
+/// Accepts new results, after a change that moves numbers on purpose, with
 ///
 /// ```text
 /// INSTA_UPDATE=always cargo test -p grazing-cli --test cli examples

@@ -1,4 +1,4 @@
-//! `grazing explore` as it is started and ended.
+//! `grazing explore`: its start and its end.
 #![cfg(unix)]
 
 use std::fs;
@@ -10,13 +10,13 @@ use std::process::{Child, Command, Stdio};
 use crate::browser::chromium::{Browser, saved};
 use crate::program::{empty_folder, grazing, repository};
 
-/// The program as it serves; it ends with the value.
+/// A running server, which ends with the value.
 struct Serving(Child);
 
 impl Serving {
-    /// Starts it, and reads its address.
+    /// Starts the server, and reads its address.
     fn new(folder: &Path) -> (Self, String) {
-        // Whoever runs the tests may have Ctrl-C ignored.
+        // The environment of the tests may ignore Ctrl-C.
         let mut server = Command::new("env")
             .args(["--default-signal=INT", env!("CARGO_BIN_EXE_grazing"), "explore", "--no-browser"])
             .current_dir(folder)
@@ -28,7 +28,7 @@ impl Serving {
         (Self(server), address)
     }
 
-    /// What it ends with after Ctrl-C.
+    /// The exit code after Ctrl-C.
     fn interrupted(mut self) -> Option<i32> {
         let asked = Command::new("kill").args(["-INT", &self.0.id().to_string()]).status();
         assert!(asked.is_ok_and(|status| status.success()));
@@ -63,10 +63,10 @@ fn the_address_is_printed_the_page_is_there_and_ctrl_c_ends_it() {
         page.starts_with("HTTP/1.1 200 ") && page.contains("<script type=\"module\" src=\"main.js\">"),
         "{page}"
     );
-    // The examples are there outside the repository as well.
+    // The examples are also available outside the repository.
     let menu = ask(host, &format!("GET /{path}examples HTTP/1.1\r\n{head}\r\n"));
     assert!(menu.contains("\"duffing.toml\"") && menu.contains("\"leaf-spring.toml\""), "{menu}");
-    // The numbers that are taken home are those that `reproduce` makes.
+    // The exported numbers are those that `reproduce` writes.
     let view = "{\"primary\": [0.0, 1.3], \"secondary\": [0.35, 1.02]}";
     let body = format!("{{\"model\": {{\"text\": null}}, \"view\": {view}, \"what\": \"csv:points\"}}");
     let more = format!("Content-Type: application/json\r\nContent-Length: {}\r\n", body.len());
@@ -85,7 +85,7 @@ fn the_browser_is_started_with_a_page_that_leads_to_the_address_and_nobody_else_
     let folder = empty_folder();
     let browser = folder.path().join("xdg-open");
     let said = folder.path().join("said");
-    // It is there as a whole, or not at all.
+    // The file appears as a whole, or not at all.
     let script = format!("#!/bin/sh\nprintf %s \"$*\" > '{0}.part'\nmv '{0}.part' '{0}'\n", said.display());
     fs::write(&browser, script).expect("the folder is ours");
     fs::set_permissions(&browser, fs::Permissions::from_mode(0o700)).expect("it is ours");
@@ -117,8 +117,8 @@ fn the_browser_is_started_with_a_page_that_leads_to_the_address_and_nobody_else_
     assert!(!Path::new(&page).exists());
 }
 
-/// What is taken home of the page as it is: the figure in three formats, and the curves, which are
-/// those that the copied command writes.
+/// Exports from the page: the figure in three formats, and the curves, which are those that the
+/// copied command writes.
 fn taken_home(page: &mut Browser, stem: &str, figure: &str, curves: &str) {
     let home = empty_folder();
     page.permit(home.path());
@@ -135,7 +135,7 @@ fn taken_home(page: &mut Browser, stem: &str, figure: &str, curves: &str) {
         page.click(&format!("[data-take='{what}']"), [0.0, 0.0]);
         page.wait("/Saved/.test(document.getElementById('share-status').textContent)");
     }
-    // A shell reads the command, since quotes are a part of it.
+    // A shell reads the command, since it contains quotes.
     let made = empty_folder();
     let program = env!("CARGO_BIN_EXE_grazing");
     let line = format!("{program:?} {command} --format svg,pdf,png --output {:?}", made.path());
@@ -172,7 +172,7 @@ fn what_is_taken_home_from_the_page_is_what_the_copied_command_writes() {
         page.value("use('state').then(([s]) => s.update({set: {zeta: 0.03}, view: {primary: [0.2, 0.9], secondary: [0.5, 0.95]}}))");
         let named = page.wait("use('model').then(([m]) => m.description.name)");
         taken_home(&mut page, &stem(&named), "fig07", "fig07_curves");
-        // An example, with one number of loops so that it is soon there.
+        // An example, with one number of loops to save time.
         page.value(
             "use('model', 'state').then(([m, s]) => { m.choose('duffing.toml'); s.update({set: {kappa: 0.12}, loops: [1], \
              view: {primary: [0.2, 0.5], secondary: [0.9, 1.05]}}); })",
@@ -184,7 +184,7 @@ fn what_is_taken_home_from_the_page_is_what_the_copied_command_writes() {
     assert_eq!(server.interrupted(), Some(0));
 }
 
-/// The name of an oscillator as that of a file.
+/// The name of an oscillator as the stem of a file name.
 fn stem(name: &serde_json::Value) -> String {
     let name = name.as_str().expect("it is text").to_lowercase();
     let words: Vec<&str> =
@@ -216,7 +216,7 @@ fn the_page_is_written_as_files_with_a_program_beside_them() {
     let place = |name: &str| folder.path().join(name);
     let write =
         |program: &str| grazing(folder.path(), &["explore", "--static-files", "page", "--program", program]);
-    // What is no program is refused, and nothing is written.
+    // A file that is not a program is rejected, and nothing is written.
     fs::write(place("text.wasm"), "(module)").expect("it can be written");
     let refused = write("text.wasm");
     let told = "text.wasm: this is no program in WebAssembly";
@@ -228,6 +228,6 @@ fn the_page_is_written_as_files_with_a_program_beside_them() {
     assert_eq!(written("grazing.wasm"), b"\0asm\x01\0\0\0");
     assert!(String::from_utf8_lossy(&written("index.html")).contains("src=\"main.js\""));
     assert!(String::from_utf8_lossy(&written("examples")).contains("duffing.toml"));
-    // The way to the program is that of a page without a server.
+    // The page reaches the program without a server.
     assert!(String::from_utf8_lossy(&written("reach.js")).contains("./worker.js"));
 }

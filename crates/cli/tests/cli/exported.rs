@@ -1,4 +1,5 @@
-//! `grazing export`: a problem for AUTO-07p. That AUTO follows the curves of the program itself is told in docs/trust.md.
+//! `grazing export`: a problem for AUTO-07p. docs/trust.md shows that AUTO follows the curves of
+//! the program itself.
 
 use std::fs;
 use std::io::{self, Write};
@@ -9,7 +10,7 @@ use crate::program::{empty_folder, grazing, repository};
 use grazing_description::Description;
 use grazing_model::smooth::SmoothOscillator;
 
-/// What the formulas of Fortran say of some states, velocities and phases; nothing without a compiler.
+/// The values of the Fortran formulas at some states, velocities and phases; none without a compiler.
 fn compiled(folder: &Path, name: &str, states: &[[f64; 7]]) -> Option<Vec<f64>> {
     let calls = |state: &[f64; 7]| {
         let [u, v, t, mu, eta, y, z] = state.map(|value| format!("{value:e}").replace('e', "d"));
@@ -27,7 +28,7 @@ fn compiled(folder: &Path, name: &str, states: &[[f64; 7]]) -> Option<Vec<f64>> 
     match built {
         Ok(built) => assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr)),
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
-            // Straight to the stream, which the test harness does not hold back.
+            // Written directly to the stream, which the test harness does not capture.
             writeln!(io::stderr(), "SKIPPED: there is no gfortran, {equations} was not compiled")
                 .expect("a message can be written");
             return None;

@@ -21,17 +21,17 @@ pub(crate) fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
     listing(folder).into_iter().filter_map(content).collect()
 }
 
-/// A part with another text behind the digest of that text, as somebody might write it.
+/// A part with another text after the digest of that text, as anybody might write it.
 pub(crate) fn forged(text: &str) -> String {
     format!("sha256 = \"{}\"\n{text}", digest(text.as_bytes()))
 }
 
-/// What stands in a part behind its digest.
+/// The text of a part after its digest.
 pub(crate) fn behind_digest(part: &str) -> &str {
     part.split_once('\n').expect("it has lines").1
 }
 
-/// Two constants: four members.
+/// The options for two constants that vary: four members.
 pub(crate) const VARY: [&str; 4] = ["--vary", "kappa=0.08:0.1:2", "--vary", "zeta=0.02:0.03:2"];
 
 #[test]
@@ -78,7 +78,7 @@ fn parts_are_merged_to_the_same_bytes_that_one_run_writes_and_say_what_the_membe
     assert_eq!(grazing(folder.path(), &other).code, Some(0));
     refuse("a part of another family", &[names[0].clone(), "other/parts/2-of-4.toml".to_owned()]);
 
-    // Parts as a stranger writes them.
+    // Parts from an untrusted source.
     let part = fs::read_to_string(folder.path().join(&names[0])).expect("it was written");
     let forge = |name: &str, from: &str, to: &str| {
         let text = behind_digest(&part).replacen(from, to, 1);
@@ -136,7 +136,7 @@ fn what_cannot_vary_is_told_before_anything_is_computed() {
     snapshots().bind(|| insta::assert_snapshot!("messages_for_what_cannot_vary", transcript));
 }
 
-/// Every line of the list of files has the digest of its file.
+/// Whether every line of the list of files has the digest of its file.
 pub(crate) fn is_of_one_run(folder: &Path) -> bool {
     let list = fs::read_to_string(folder.join("manifest.sha256")).expect("it was written");
     let lines = list.lines().filter(|line| !line.starts_with('#'));
@@ -157,7 +157,7 @@ fn a_family_that_is_cut_off_replaces_no_results_and_files_of_another_run_are_tol
     assert_eq!(run(&[]).code, Some(0));
     let whole = files(&results);
     assert!(is_of_one_run(&results));
-    // So many steps that one member of two is finished.
+    // A number of steps at which one member of two is finished.
     let mut limit = 10_000.0;
     let cut = loop {
         limit *= 1.3;
@@ -178,7 +178,7 @@ fn a_family_that_is_cut_off_replaces_no_results_and_files_of_another_run_are_tol
     fs::remove_dir_all(results.join("unfinished")).expect("the folder is ours");
     assert!(files(&results) == whole);
 
-    // What was cut off is replaced by more, and what is of another run is told.
+    // Results that were cut off are replaced by later ones, and files of another run are reported.
     assert_eq!(run(&["--output", "new", "--step-limit", &format!("{limit}")]).code, Some(3));
     let again = run(&["--output", "new"]);
     assert_eq!(

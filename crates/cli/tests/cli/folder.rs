@@ -14,8 +14,8 @@ fn two_files() -> Vec<OutputFile> {
     vec![made("a.svg", "<svg>\n</svg>\n"), made("data/a.csv", "kind,x\nSN,1.5\nPD,\n")]
 }
 
-/// What is said of the folder that holds the two files but for this change: of files that differ,
-/// and of those that do not belong there.
+/// The differences reported after a change to a folder with the two files: files that differ, and
+/// files that do not belong there.
 fn differences_after(change: impl Fn(&Path)) -> [Vec<String>; 2] {
     let folder = empty_folder();
     write(folder.path(), &two_files()).expect("the folder is ours");
@@ -28,7 +28,7 @@ fn differences_after(change: impl Fn(&Path)) -> [Vec<String>; 2] {
     [found.differing, found.unexpected].map(|told| told.into_iter().map(within).collect())
 }
 
-/// What is said when the table has this content.
+/// The difference reported when the table has this content.
 fn difference_of_table(content: &str) -> String {
     let [found, unexpected] =
         differences_after(|folder| fs::write(folder.join("data/a.csv"), content).expect("the file is ours"));

@@ -1,4 +1,4 @@
-//! Help is everywhere and tells what a person needs.
+//! Every command has help, with all that a user needs.
 
 use std::fs;
 use std::process::Command;

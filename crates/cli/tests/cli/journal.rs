@@ -1,5 +1,4 @@
-//! Editions for a journal: PDF, PNG and LaTeX in their own folder; and the manifest for who checks
-//! the code.
+//! Editions for a journal: PDF, PNG and LaTeX in a folder of their own; and the manifest for codecheckers.
 
 use std::fs;
 use std::io::{self, Write};
@@ -24,7 +23,7 @@ fn an_edition_for_a_journal_goes_to_its_own_folder_and_latex_includes_all_of_it(
     for output in outputs::ALL {
         if !output.is_figure {
             for table in output.tables {
-                // The others of these are too wide for a page.
+                // The other tables are too wide for a page.
                 let printed = table.name == "coefficients";
                 let input = format!("\\input{{\\grazingfiles {}.tex}}", table.name);
                 assert_eq!(snippet.matches(&input).count(), usize::from(printed), "{input} in {snippet}");
@@ -73,8 +72,8 @@ fn outlines_have_no_text_and_no_fonts() {
     assert_eq!(head(&outlines), head(&fonts), "size and title");
 }
 
-/// What LaTeX says of a document of class article, with one column or two, that has everything of a
-/// folder in it; nothing where there is no pdflatex.
+/// The log of LaTeX for a document of class article, with one column or two, that includes
+/// everything in a folder; none without pdflatex.
 fn compiled(journal: &Path, options: &str) -> Option<String> {
     let place = empty_folder();
     let numbers = fs::read_to_string(journal.join("numbers.tex")).expect("there are numbers");
@@ -104,7 +103,7 @@ fn compiled(journal: &Path, options: &str) -> Option<String> {
     };
     // The second run knows the labels.
     if !(run() && run()) {
-        // Straight to the stream, which the test harness does not hold back.
+        // Written directly to the stream, which the test harness does not capture.
         writeln!(io::stderr(), "SKIPPED: there is no pdflatex, figures.tex was not compiled")
             .expect("a message can be written");
         return None;
@@ -176,7 +175,7 @@ fn a_figure_that_changes_is_drawn_before_and_after() {
         assert!(picture.starts_with(b"\x89PNG"), "{arguments:?}");
         assert!(Path::new(path).starts_with(&temporary), "{path}");
     }
-    // The figure is now what the code makes, and nothing changes.
+    // The figure is now as the code produces it, and nothing changes.
     assert_eq!(fs::read_to_string(&figure).expect("it was written"), svg);
     let unchanged = grazing(folder.path(), &["reproduce", "--only", "fig08"]);
     assert!(!unchanged.messages.contains("difference"), "{}", unchanged.messages);

@@ -1,10 +1,10 @@
-//! The built program, run as a person would run it.
+//! The built program, run as a user would run it.
 
-// What the tests of the report's page have to open it with.
+// Opening the page in a browser, shared with the tests of the report.
 #[path = "../../../report/tests/browser/mod.rs"]
 mod browser;
 mod program;
-// What the tests of exported figures read off them.
+// Reading exported figures, shared with the tests of the exports.
 #[path = "../../../export/tests/reading/mod.rs"]
 mod reading;
 

@@ -1,4 +1,4 @@
-//! What a rig did: compared, drawn and identified by the built program.
+//! Measurements: compared, drawn and used to identify constants by the built program.
 
 use std::fs;
 
@@ -22,7 +22,7 @@ fn what_a_rig_did_is_compared_counted_and_drawn() {
     let folder = empty_folder();
     let (file, all) = (example("leaf-spring.toml"), example("leaf-spring-seen.csv"));
     let all = fs::read_to_string(all).expect("it is there");
-    // Chaos takes long to be told from motion that settles.
+    // Telling chaos from motion that settles takes long.
     let long = ["irregular", "periodic,10,", "periodic,4,6"];
     let seen: Vec<&str> = all.lines().filter(|line| !long.iter().any(|word| line.contains(word))).collect();
     let data = "seen.csv".to_owned();
@@ -35,19 +35,19 @@ fn what_a_rig_did_is_compared_counted_and_drawn() {
     let written = seen.iter().filter(|line| !line.starts_with(['#', 'a'])).count();
     let verdicts = column(&measured, "agreement");
     assert_eq!(verdicts.len(), written);
-    // Nothing is counted of bifurcations but what the places say, and places in several regions count in each.
+    // A bifurcation is counted once, a place in each region that holds it.
     let disagreeing = verdicts.iter().filter(|verdict| *verdict == "disagrees").count();
     let counted: usize =
         column(&counts, "disagree").iter().map(|count| count.parse::<usize>().expect("a count")).sum();
     assert_eq!((disagreeing, disagreeing > 5), (counted, true), "the rig has other damping than the file");
-    // Motion without impacts is where the file has it: damping moves that curve by less than errors.
+    // Motion without impacts lies where the file has it: damping moves that curve by less than the errors.
     for (kind, verdict) in column(&measured, "kind").iter().zip(&verdicts) {
         assert!(kind != "no impacts" || verdict == "agrees" || verdict == "within error", "{kind} {verdict}");
     }
     let (page, diagram) = (read("report.html"), read("diagram.svg"));
     assert!(page.contains("measured: no impacts, as computed"), "the legend");
     assert!(diagram.matches("stroke=\"#000000\" stroke-width=\"1.1\"").count() >= 2 * disagreeing, "crosses");
-    // The rig that it is said to be agrees with all but what errors leave: 5 in 100 are farther than two.
+    // The rig with the true constants agrees except for errors: 5 in 100 are farther away than two.
     let set = ["--set", "zeta=0.018", "--set", "r=0.72"];
     let run =
         grazing(folder.path(), &[&["unfold", &file, "--data", &data, "--output", "true"], &set[..]].concat());
@@ -57,7 +57,7 @@ fn what_a_rig_did_is_compared_counted_and_drawn() {
     assert!(against <= 4, "{measured}");
 }
 
-/// Value and standard error of constants.
+/// The values and standard errors of identified constants.
 fn identified(arguments: &[&str]) -> Vec<(f64, f64)> {
     let folder = empty_folder();
     let run = grazing(folder.path(), &[&["identify", "--output", "out"], arguments].concat());
@@ -76,7 +76,7 @@ fn constants_of_the_examples_are_those_with_which_their_data_were_made() {
     let from_places = identified(&[&leaf, "--data", &seen, "--free", "zeta,r"]);
     let from_impacts = identified(&[&door, "--record", &impacts, "--free", "c,r"]);
     for ((value, error), truth) in from_places.iter().chain(&from_impacts).zip([0.018, 0.72, 1.9, 0.45]) {
-        // Each is farther off once in 370.
+        // Each deviates more than this once in 370.
         assert!((value - truth).abs() < 3.0 * error && *error < 0.05 * truth, "{value} {error} {truth}");
     }
 }

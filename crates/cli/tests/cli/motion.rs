@@ -17,13 +17,13 @@ fn motion_at_a_place_is_drawn_tabulated_and_listed_beside_an_own_curve() {
     assert!(listed.contains("0.1 0.97 no impacts 100 % -0.02"), "{}", run.output);
     let read = |name: &str| fs::read_to_string(folder.path().join("out").join(name)).expect("it is written");
     let basins = read("data/place_basins.csv");
-    // Far below grazing all comes to the one attractor, from every state of the lattice.
+    // Far below grazing, every state of the lattice leads to the one attractor.
     assert!(
         basins.lines().count() > 1000 && basins.lines().skip(1).all(|line| line.ends_with(",1")),
         "{basins}"
     );
     assert_eq!(read("data/place_impacts.csv").lines().count(), 1);
-    // A period of motion that keeps clear of the wall, without a jump where it begins again.
+    // A period of motion that keeps clear of the wall, without a jump between its end and its beginning.
     let motion = read("data/place_motion.csv");
     let rows: Vec<Vec<f64>> = motion
         .lines()

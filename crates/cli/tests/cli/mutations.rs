@@ -1,15 +1,15 @@
-//! Files with mistakes, made from those that are right by a seeded generator: every run of the
-//! program ends by itself, with an exit code from 0 to 4, and says why if it is not 0. Parts of
-//! families that were damaged are never merged.
+//! Files with mistakes, produced from correct ones by a seeded generator: every run of the program
+//! ends by itself, with an exit code from 0 to 4, and prints a reason unless it is 0. Damaged parts
+//! of families are never merged.
 //!
-//! The tests try a handful. Many are tried, and what is wrong is listed and kept, by
+//! The tests try a few. The following tries many, and lists and keeps those that fail:
 //!
 //! ```text
 //! GRAZING_MUTATIONS=1000 cargo test --release -p grazing-cli --test cli mutations -- --nocapture
 //! ```
 //!
 //! where GRAZING_MUTATIONS_FROM is the number of the first (0), and GRAZING_MUTATIONS_SECONDS the
-//! seconds of a processor for each (60).
+//! CPU time for each in seconds (60).
 #![cfg(unix)]
 
 use std::env;
@@ -22,12 +22,12 @@ use crate::program::{empty_folder, end, grazing, narrow_duffing, repository};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 
-/// What is tried where nobody asks for more.
+/// The number of mutations that are tried by default.
 const HANDFUL: u64 = 8;
-/// The same of parts, of which many are tried in seconds.
+/// The number of damaged parts that are tried by default; many take only seconds.
 const PARTS: u64 = 300;
-/// The address space of a run in kilobytes, and what `unfold` is told to hold of it in megabytes:
-/// stacks and pools of threads take up addresses that are never filled.
+/// The address space of a run in kilobytes, and the memory limit of `unfold` in megabytes: stacks
+/// and pools of threads take up addresses that are never filled.
 const ADDRESSES: u32 = 1_000_000;
 const MEMORY: u32 = 500;
 
@@ -40,7 +40,7 @@ const FACTORS: [f64; 12] = [0.01, 0.1, 0.5, 0.9, 1.1, 2.0, 10.0, 100.0, 1e6, 1e-
 const FUNCTIONS: [&str; 12] =
     ["sin", "cos", "tan", "atan", "sinh", "cosh", "tanh", "exp", "ln", "sqrt", "abs", "gamma"];
 const OPERATORS: [&str; 5] = ["+", "-", "*", "/", "^"];
-/// What is added to a force.
+/// Terms that are added to a force.
 const TERMS: [&str; 16] = [
     " + 0.01/(x-0.1)^2",
     " - 0.01/(x-0.1)^2",
@@ -59,7 +59,7 @@ const TERMS: [&str; 16] = [
     " - 0.3*v^3",
     " + 1e9*sin(1e9*t)",
 ];
-/// Values of other types than asked for.
+/// Values of the wrong types.
 const VALUES: [&str; 12] = [
     "\"text\"",
     "\"\"",
@@ -76,7 +76,7 @@ const VALUES: [&str; 12] = [
 ];
 const LOOPS: [&str; 6] =
     ["[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12]", "[40]", "[1000000]", "[4294967296]", "[2, 2]", "[-1]"];
-/// Control characters, marks that turn the direction of writing, other scripts.
+/// Control characters, marks that change the direction of writing, and other scripts.
 const CHARACTERS: [&str; 12] =
     ["\0", "\u{1b}[2J", "\u{7f}", "\r", "\u{feff}", "\u{202e}", "\u{2066}", "ω", "−", "´", "\"", "#"];
 const OUTPUTS: [&str; 19] = [
@@ -101,14 +101,14 @@ const OUTPUTS: [&str; 19] = [
     "theorems",
 ];
 
-/// A seeded generator with what mutations need.
+/// A seeded generator with the choices that mutations need.
 struct Dice(Pcg64Mcg);
 
 impl Dice {
-    /// Those of a trial.
+    /// The generator of a trial.
     fn of(number: u64) -> Self {
         let mut dice = Pcg64Mcg::new(0x9e37_79b9_7f4a_7c15 ^ (u128::from(number) << 32));
-        // Numbers that differ by one bit begin alike.
+        // Seeds that differ by one bit begin with similar numbers.
         for _ in 0..8 {
             dice.next_u64();
         }
@@ -123,14 +123,14 @@ impl Dice {
         items[self.below(items.len())]
     }
 
-    /// The place of one of the texts that pass a test, if there are any.
+    /// The index of one of the texts that pass a test, if there are any.
     fn place(&mut self, texts: &[String], test: impl Fn(&str) -> bool) -> Option<usize> {
         let places: Vec<usize> = (0..texts.len()).filter(|index| test(&texts[*index])).collect();
         (!places.is_empty()).then(|| places[self.below(places.len())])
     }
 }
 
-/// A text in words, numbers, and single other characters, comments left out.
+/// The words, numbers and single other characters of a text, without comments.
 fn tokens(text: &str) -> Vec<String> {
     let mut tokens: Vec<String> = Vec::new();
     for line in text.lines() {
@@ -157,7 +157,7 @@ fn is_visible(token: &str) -> bool {
     !token.trim().is_empty()
 }
 
-/// Changes one thing; nothing if the text has no place for the change that the dice chose.
+/// A text with one change; empty if the text has no place for the change that the dice chose.
 fn mutate(text: &str, dice: &mut Dice) -> String {
     if dice.below(3) == 0 { mutate_line(text, dice) } else { mutate_token(text, dice) }.unwrap_or_default()
 }
@@ -166,7 +166,7 @@ fn mutate(text: &str, dice: &mut Dice) -> String {
 fn mutate_token(text: &str, dice: &mut Dice) -> Option<String> {
     let mut tokens = tokens(text);
     match dice.below(12) {
-        // Numbers, most of all: by a factor, by extremes.
+        // Numbers most often: by a factor, by extremes.
         0..=2 => {
             let index = dice.place(&tokens, is_number)?;
             let value: f64 = tokens[index].parse().unwrap_or(1.0);
@@ -195,7 +195,7 @@ fn mutate_token(text: &str, dice: &mut Dice) -> Option<String> {
         9 => {
             let character = dice.one_of(&CHARACTERS);
             let index = dice.place(&tokens, is_visible)?;
-            // A long one now and then.
+            // Occasionally a long one.
             let times = if dice.below(4) == 0 { 100_000 } else { 1 };
             tokens[index].push_str(&character.repeat(times));
         }
@@ -264,7 +264,7 @@ fn trial(number: u64) -> (Vec<String>, String) {
     let (mut text, arguments) = if dice.below(5) < 2 {
         let whole = read("figures/parameters.toml");
         let arguments = "reproduce --parameters o.toml --output out --jobs 1";
-        // A change is more likely to matter where nothing stands that the output does not need.
+        // A change is more likely to matter if the file has only what the output needs.
         match dice.one_of(&OUTPUTS) {
             _ if dice.below(3) == 0 => (whole, arguments.to_owned()),
             name => {
@@ -277,8 +277,7 @@ fn trial(number: u64) -> (Vec<String>, String) {
     } else {
         let names =
             ["paper", "duffing", "varying-impact", "quadratic-damping", "clearance", "shaking-table", "afm"];
-        // Well before the time that the trial waits; little for the handful, in which nobody asked
-        // for patience.
+        // Well below the time that the trial waits; short for the default, which should not take long.
         let limit = if asked("GRAZING_MUTATIONS").is_some() { 0.3 * seconds() } else { 2.0 };
         let limits = format!("--time-limit {limit} --memory-limit {MEMORY}");
         let text = read(&format!("examples/{}.toml", dice.one_of(&names)));
@@ -299,7 +298,7 @@ fn asked(variable: &str) -> Option<u64> {
     env::var(variable).ok()?.parse().ok()
 }
 
-/// How a run ends in words, and whether that is as it should be.
+/// The end of a run in words, and whether it is as it should be.
 fn run(program: &Path, folder: &Path, arguments: &[String], text: &str) -> (String, bool) {
     fs::write(folder.join("o.toml"), text).expect("the folder is ours");
     let messages = folder.join("messages");
@@ -363,7 +362,7 @@ fn every_file_leads_to_an_end_with_a_reason() {
     assert!(complaints.is_empty(), "{} of {count}:\n{}", complaints.len(), complaints.join("\n"));
 }
 
-/// So many parts of a family, by name; of a file without comments, which mutations would take away.
+/// The texts of the parts of a family, from a file without comments, which mutations would remove.
 fn parts<const COUNT: usize>(folder: &Path) -> [String; COUNT] {
     let text = narrow_duffing();
     let lines = text.lines().filter(|line| !line.starts_with('#'));
@@ -376,7 +375,7 @@ fn parts<const COUNT: usize>(folder: &Path) -> [String; COUNT] {
     })
 }
 
-/// Bytes as a bad disk, a copy that broke off or an editor leaves them.
+/// Bytes as damaged by a bad disk, an interrupted copy or an editor.
 fn damaged(part: &[u8], dice: &mut Dice) -> Vec<u8> {
     let mut bytes = part.to_vec();
     let place = dice.below(bytes.len());
@@ -387,7 +386,7 @@ fn damaged(part: &[u8], dice: &mut Dice) -> Vec<u8> {
         2 => drop(bytes.drain(place.min(other)..=place.max(other))),
         3 => bytes.insert(place, part[other]),
         4 => bytes[place.min(other)..=place.max(other)].fill(0),
-        // Another digit, as a hand changes a number.
+        // Another digit, like a number changed by hand.
         _ => {
             let digits: Vec<usize> =
                 (0..bytes.len()).filter(|index| bytes[*index].is_ascii_digit()).collect();
@@ -421,7 +420,7 @@ fn no_damaged_part_is_merged() {
     assert_eq!(grazing(folder.path(), &merge).code, Some(0), "those that are whole are merged");
 }
 
-/// A part whose digest is right and whose content is anything leads to an end with a reason.
+/// A part with a correct digest and arbitrary content leads to an exit with a reason.
 #[test]
 fn parts_that_somebody_else_wrote_lead_to_an_end_with_a_reason() {
     let folder = empty_folder();

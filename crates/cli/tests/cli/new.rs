@@ -1,4 +1,4 @@
-//! `grazing new`: what it writes can be unfolded as it is.
+//! `grazing new` writes files that can be unfolded as they are.
 
 use std::fs;
 
@@ -10,7 +10,7 @@ fn kind(name: &str) -> Kind {
     kinds().find(|kind| kind.name == name).expect("there is one")
 }
 
-/// A file of this kind has a comment for every table, and is found to have resonances as it is.
+/// Asserts that a file of this kind has a comment for every table, and has resonances as it is.
 fn assert_begins(name: &str) {
     let folder = empty_folder();
     let made = grazing(folder.path(), &["new", "my.toml", "--kind", name]);

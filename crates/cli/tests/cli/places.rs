@@ -1,4 +1,4 @@
-//! What stands where a file is to be written, what is left of runs that died, and a full disk.
+//! Obstacles in the places of files, stale files, and a full disk.
 
 use std::fs;
 use std::path::Path;
@@ -6,10 +6,10 @@ use std::process::{Command, Stdio};
 
 use crate::program::{DEFAULT, empty_folder, end, grazing, listing, narrow_duffing, project, started};
 
-/// Outputs that take no time.
+/// A command that takes no time.
 const QUICK: [&str; 3] = ["reproduce", "--only", "fig04"];
 
-/// Asserts that Figure 4 is not made into the folder `out` for what stands there.
+/// Asserts that Figure 4 is not written to the folder `out` because of an obstacle there.
 fn refused(folder: &Path, what: &str) {
     let before = listing(folder);
     for options in [vec![], vec!["--check"]] {
@@ -54,7 +54,7 @@ fn pipes_sockets_devices_and_links_to_nothing_are_not_replaced() {
     assert_eq!(outcome.code, Some(4), "{}", outcome.messages);
     assert!(outcome.messages.contains("leads to no file") && !outside.exists(), "{}", outcome.messages);
 
-    // A link to a file stays, and the file gets the content.
+    // A link to a file stays, and the file that it names gets the content.
     fs::write(&outside, "old").expect("the folder is ours");
     let outcome = grazing(folder.path(), &["reproduce", "--only", "fig04", "--output", "out"]);
     assert_eq!(outcome.code, Some(0), "{}", outcome.messages);
@@ -79,7 +79,7 @@ fn a_file_named_with_dots_does_not_lead_out_of_the_folder() {
         let text = narrow_duffing().replace("range = [0.2, 0.4]", "range = [5.0, 5.1]");
         fs::write(folder.path().join(name), text).expect("the folder is ours");
         fs::create_dir_all(folder.path().join("unfolded").join(made)).expect("the folder is ours");
-        // A file in the way shows which folder is meant, before anything is computed.
+        // An obstacle shows which folder is meant, before anything is computed.
         fs::create_dir_all(folder.path().join("unfolded").join(made).join("diagram.svg"))
             .expect("it is ours");
         let outcome = grazing(folder.path(), &["unfold", name]);
@@ -182,7 +182,7 @@ fn a_name_with_direction_marks_is_shown_as_escapes_on_page_and_figures() {
     assert!(looked > 1, "a figure and the page were written");
 }
 
-/// A name that no file system takes.
+/// A name that no file system accepts.
 fn too_long() -> String {
     "long".repeat(100)
 }
@@ -218,7 +218,7 @@ fn a_name_that_is_too_long_is_bad_input_and_is_told_in_few_words() {
     }
 }
 
-/// The program, ended if it waits for what never comes.
+/// The end of the program, killed if it waits for something that never comes.
 #[cfg(target_os = "linux")]
 fn ending(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
     let place = empty_folder();

@@ -1,4 +1,4 @@
-//! The commands that the README shows are commands that exist.
+//! The commands in the README exist.
 
 use std::fs;
 use std::process::Command;
@@ -50,7 +50,7 @@ fn the_oscillator_of_the_readme_is_that_of_the_example() {
     let (shown, _) = rest.split_once("```").expect("the block ends");
     let [mut shown, mut example]: [toml::Table; 2] =
         [shown, &example].map(|text| text.parse().expect("it is TOML"));
-    // What may be left out, and what is beside the point.
+    // Optional keys, and those that do not matter here.
     shown.remove("wall");
     example.remove("diagrams");
     assert_eq!(shown, example);
@@ -69,8 +69,8 @@ fn every_command_of_the_readme_is_understood() {
     }
 }
 
-/// The commands about a file that `new` writes, from a text that shows them, in its order; what
-/// begins to serve is asked for its help.
+/// The commands about a file that `new` writes, in the order of the text that shows them; commands
+/// that start a server are run with `--help`.
 fn about_a_new_file(text: &str) -> String {
     let command = |line: &str| {
         let line = line.trim().split("  ").next()?.split(" #").next()?.trim_end();
@@ -183,7 +183,7 @@ fn printed(text: &str) -> Option<[f64; 2]> {
 fn tables_beyond_the_paper_are_those_that_are_made() {
     let read = |file: &str| fs::read_to_string(repository().join(file)).expect("it is there");
     let (page, mut held) = (read("docs/beyond.md"), 0);
-    // Of the last some rows, and these columns.
+    // Only some rows of the last table, and these columns.
     let tables: [(&str, &str, &[&str]); 4] = [
         ("| p, n of Figure 7 |", "beyond_limits", &[]),
         ("| p, n | σ | 4 impacts |", "beyond_cascade", &[]),

@@ -11,10 +11,10 @@ use grazing_claims::ledger::Ledger;
 use grazing_cli::outputs;
 use grazing_cli::outputs::edition::Edition;
 
-/// Where the repository is said to be.
+/// The address of the repository in the citation file.
 const HOST: &str = "https://example.org/grazing";
 
-/// The heaviest page that opens at once from any disk, in bytes.
+/// The largest page that opens at once from any disk, in bytes.
 const HEAVIEST: usize = 3_000_000;
 
 /// The most elements: a browser sets the page within a second as long as there are no more (0.74 s
@@ -33,7 +33,7 @@ fn values<'a>(text: &'a str, attribute: &str) -> Vec<&'a str> {
     text.match_indices(&start).filter_map(|(at, _)| text[at + start.len()..].split('"').next()).collect()
 }
 
-/// Where a row of a table lies on the sheet of Figure 7, whose only panel says where its axes are.
+/// The place of a row of a table on the sheet of Figure 7, whose only panel has its axes as attributes.
 fn on_sheet(svg: &str, amplitude: f64, omega: f64) -> (f64, f64) {
     let mark = svg.lines().find(|line| line.contains("class=\"panel\"")).expect("the figure has a panel");
     let numbers = |name: &str| -> Vec<f64> {
@@ -45,7 +45,7 @@ fn on_sheet(svg: &str, amplitude: f64, omega: f64) -> (f64, f64) {
     (numbers("x")[0] + across * numbers("width")[0], numbers("y")[0] + (1.0 - up) * numbers("height")[0])
 }
 
-/// Copies the source files: the program looks into them to find out where functions are.
+/// Copies the source files, in which the program looks for the places of functions.
 fn copy_sources(to: &Path, from: &Path) {
     fs::create_dir_all(to).expect("the folder is ours");
     for entry in fs::read_dir(from).expect("the sources can be read") {
@@ -65,8 +65,8 @@ fn the_page_of_the_whole_study_is_complete_and_answers() {
     copy_sources(&folder.path().join("crates"), &repository().join("crates"));
     fs::write(folder.path().join("CITATION.cff"), format!("repository-code: \"{HOST}\"\n"))
         .expect("the folder is ours");
-    // One example, and a file of the same name elsewhere; that of the paper's oscillator is not
-    // shown again.
+    // One example, and a file of the same name elsewhere; the example of the paper's oscillator is
+    // not shown again.
     fs::create_dir(folder.path().join("examples")).expect("the folder is ours");
     for file in ["examples/duffing.toml", "examples/paper.toml", "duffing.toml"] {
         fs::write(folder.path().join(file), narrow_duffing()).expect("the folder is ours");
@@ -87,7 +87,7 @@ fn the_page_of_the_whole_study_is_complete_and_answers() {
     let elements = page.split('<').filter(|tag| tag.starts_with(|c: char| c.is_ascii_lowercase())).count();
     assert!((10_000..MOST_ELEMENTS).contains(&elements), "{elements} elements");
 
-    // Every output, every file and every claim stands there.
+    // Every output, every file and every claim is on the page.
     for output in outputs::ALL {
         assert!(page.contains(&format!("id=\"{}\"", output.name)), "{} is missing", output.name);
         for path in output.paths(&Edition::default()) {
@@ -99,7 +99,7 @@ fn the_page_of_the_whole_study_is_complete_and_answers() {
     for claim in &claims {
         assert!(page.contains(&format!("id=\"claim-{}\"", claim.label)), "{} is missing", claim.label);
     }
-    // Nothing leads to files beside the page: it can be passed on alone.
+    // No link leads to files beside the page: it can be passed on alone.
     let links = || values(&page, "href").into_iter().filter(|href| !href.starts_with('#'));
     for link in links() {
         assert!(link.starts_with("https://"), "{link}");
@@ -130,8 +130,8 @@ fn the_page_of_the_whole_study_is_complete_and_answers() {
     let here = folder.path().display().to_string();
     assert!(!page.contains(&here), "the page names a folder of this machine");
 
-    // Pointing at a codimension-two point tells of it; its place on the sheet is computed here, not
-    // by the page.
+    // The pointer at a codimension-two point shows its description; the place on the sheet is
+    // computed here, not by the page.
     let again = grazing(folder.path(), &["reproduce", "--only", "fig07"]);
     assert_eq!(again.code, Some(0), "{}", again.messages);
     let read = |path: &str| fs::read_to_string(folder.path().join(path)).expect("it was written");
@@ -157,7 +157,7 @@ fn the_page_of_the_whole_study_is_complete_and_answers() {
         assert!((10..MOST_SHEETS).contains(&sheets), "{sheets} pages on paper");
     }
 
-    // A page on which something is missing does not take its place.
+    // A page with something missing does not replace it.
     let gaps = grazing(folder.path(), &[&arguments[..3], &["--set", "fig10.frequency=0.6"]].concat());
     assert_eq!(gaps.code, Some(3), "{}", gaps.messages);
     let told = "pages: the results that are there stay; what is finished goes to pages/unfinished\n";

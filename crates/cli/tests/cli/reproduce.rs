@@ -38,7 +38,7 @@ fn the_whole_reproduction_passes_its_own_check_whatever_the_number_of_threads() 
     let checked = grazing(folder.path(), &["reproduce", "--check", "--jobs", "2"]);
     assert_eq!(checked.code, Some(0), "{}", checked.messages);
 
-    // What is not whole never takes the place of what is.
+    // Incomplete results never replace complete ones.
     let figures = folder.path().join("figures");
     let whole = listing(&figures);
     let line = ["reproduce", "--output", "figures", "--set", "fig10.frequency=0.6"];
@@ -106,7 +106,7 @@ fn outputs_that_can_be_made_are_and_the_others_are_named_with_their_keys() {
     assert_eq!(listing(&folder.path().join("figures")), ["parameters.toml"], "figures/ is not touched");
     let settings = fs::read_to_string(folder.path().join("varied/settings.txt")).expect("it was written");
     assert_eq!(settings, "made from parameters.toml with\n--set fig10.frequency=0.6\n");
-    // No other output needs what Figure 10 does not have.
+    // No other output needs the theorem that does not apply to Figure 10.
     let made = grazing(folder.path(), &["reproduce", "--only", "fig05", "--set", "fig10.frequency=-1"]);
     assert_eq!(made.code, Some(0), "{}", made.messages);
     let checked =
@@ -126,7 +126,7 @@ fn other_oscillators_have_their_portraits_and_panels_where_they_exist() {
         let moved = "fig02.portraits[2].near = 0.2755: the portrait of p = 3 is at 0.2";
         assert!(made.messages.contains(moved), "{setting}: {}", made.messages);
     }
-    // What is not a wish is refused, with where it could be.
+    // An amplitude at which there is no such portrait is rejected, with one at which there is.
     let setting = "fig02.portraits[2].amplitude=0.3";
     let made = grazing(folder.path(), &["reproduce", "--only", "fig02", "--set", setting]);
     assert_eq!(made.code, Some(3), "{}", made.messages);
@@ -146,8 +146,7 @@ fn an_interrupted_run_leaves_every_file_as_it_was() {
         .stderr(Stdio::piped())
         .spawn()
         .expect("the program starts");
-    // Its first line of progress comes when the computation begins, which is long before anything
-    // is written.
+    // The first line of progress comes when the computation begins, long before anything is written.
     let mut line = String::new();
     let messages = run.stderr.take().expect("it is piped");
     BufReader::new(messages).read_line(&mut line).expect("the program tells of its progress");

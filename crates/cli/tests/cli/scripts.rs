@@ -1,4 +1,4 @@
-//! `examples/scripts/figure7.m`, run in Octave. (`figure7.jl` is not run: it says so.)
+//! `examples/scripts/figure7.m`, run in Octave. (`figure7.jl` is not run, which it states.)
 
 use std::fs;
 use std::io::{self, Write};
@@ -18,7 +18,7 @@ fn octave_draws_figure_7_and_finds_the_coefficients_on_its_curves() {
     let run = match run {
         Ok(run) => run,
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
-            // Straight to the stream, which the test harness does not hold back.
+            // Written directly to the stream, which the test harness does not capture.
             writeln!(io::stderr(), "SKIPPED: there is no Octave, examples/scripts/figure7.m was not run")
                 .expect("a message can be written");
             return;
@@ -33,7 +33,7 @@ fn octave_draws_figure_7_and_finds_the_coefficients_on_its_curves() {
         let text = fs::read_to_string(data.join(name)).expect("it is there");
         text.lines().skip(1).map(|line| line.split(',').map(str::to_owned).collect()).collect::<Vec<Vec<_>>>()
     };
-    // Of each row: p, n, omega*, c_SN, what the curve says, c_PD, what the curve says.
+    // The columns are p, n, omega*, c_SN, its value from the curve, c_PD, its value from the curve.
     let mut lines = text.lines();
     let grazing = lines.next().expect("there is a first line");
     let distance = grazing.split_whitespace().rev().nth(2).expect("it says how far");
@@ -45,7 +45,7 @@ fn octave_draws_figure_7_and_finds_the_coefficients_on_its_curves() {
     let coefficients = rows("coefficients.csv");
     assert_eq!(shown.len(), coefficients.len(), "{text}");
     for (shown, row) in shown.iter().zip(coefficients) {
-        // As many digits as are printed; a cubic through points of the figure leaves fewer.
+        // As many digits as are printed; a cubic through points of the figure gives fewer.
         for (column, cell, digits) in
             [(0, 0, 1e-15), (1, 1, 1e-15), (3, 8, 1e-6), (4, 8, 1e-5), (5, 9, 1e-6), (6, 9, 1e-5)]
         {
@@ -53,7 +53,7 @@ fn octave_draws_figure_7_and_finds_the_coefficients_on_its_curves() {
             assert!((shown[column] - told).abs() <= digits * told.abs(), "{told}, but: {shown:?}");
         }
     }
-    // Every region is filled, and behind them the picture is.
+    // Every region is filled, and so is the background.
     let svg = fs::read_to_string(picture).expect("it was drawn");
     let mut regions: Vec<_> =
         rows("fig07_regions.csv").into_iter().map(|row| (row[0].clone(), row[6].clone())).collect();

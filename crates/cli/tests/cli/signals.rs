@@ -1,4 +1,4 @@
-//! Who asks a run to end, and what it ends with.
+//! Signals that end a run, and its exit code.
 #![cfg(target_os = "linux")]
 
 use std::fs;
@@ -8,8 +8,8 @@ use std::process::Command;
 use crate::program::{DEFAULT, project, started};
 use crate::unfold::wait_until;
 
-/// Starts the program behind another one, and sends it a signal as soon as it says that it
-/// computes; with what exit code it ends, and what it said.
+/// Starts the program behind another one, and sends it a signal as soon as it computes; returns the
+/// exit code and the messages.
 fn sent(signal: &str, before: &[&str], folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
     let messages = folder.join("messages");
     let mut program = Command::new(before[0]);
@@ -22,7 +22,7 @@ fn sent(signal: &str, before: &[&str], folder: &Path, arguments: &[&str]) -> (Op
     (run.wait().expect("it ends").code(), told())
 }
 
-/// Whoever runs the tests may have some ignored.
+/// A command that restores the default signals, some of which the environment of the tests may ignore.
 const DEFAULTS: [&str; 2] = ["env", "--default-signal=INT,TERM,HUP"];
 
 #[test]

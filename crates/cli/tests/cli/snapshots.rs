@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crate::program::repository;
 
-/// Files that are not snapshots and belong there.
+/// Files in `expected/` that are not snapshots.
 const BY_HAND: [&str; 6] = [
     "published.toml",
     "published_examples.toml",
@@ -15,7 +15,7 @@ const BY_HAND: [&str; 6] = [
     "deliberate_errors.md",
 ];
 
-/// The test file that a snapshot says it comes from.
+/// The test file that a snapshot names as its source.
 fn source(snapshot: &str) -> Option<&str> {
     snapshot.lines().take_while(|line| !line.is_empty()).find_map(|line| line.strip_prefix("source: "))
 }
@@ -49,8 +49,7 @@ fn every_snapshot_is_used_by_the_test_that_made_it() {
     assert!(snapshots > 0, "snapshots were found");
 }
 
-/// Whether the name stands in the text as a word of its own, as in quotes or as the name of a
-/// function.
+/// Whether a name stands in the text as a whole word, such as in quotes or as the name of a function.
 fn mentions(text: &str, name: &str) -> bool {
     let is_part = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
     text.match_indices(name).any(|(start, _)| {

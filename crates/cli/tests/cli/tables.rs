@@ -14,7 +14,7 @@ fn table(rows: Vec<[Cell; 4]>) -> Table {
     Table::of_cells("sample", COLUMNS, &Names::of_the_paper(), rows)
 }
 
-/// What is written of it as CSV.
+/// The table of these rows as CSV.
 fn written(rows: Vec<[Cell; 4]>) -> String {
     String::from_utf8(csv(&table(rows)).expect("the table can be written")).expect("CSV is text")
 }

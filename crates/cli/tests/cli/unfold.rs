@@ -33,7 +33,7 @@ const TABLES: [&str; 9] = [
     "straightened",
 ];
 
-/// What belongs in a folder of results.
+/// The paths in a folder of results.
 fn results() -> Vec<String> {
     let tables = TABLES.map(|table| format!("data/{table}.csv"));
     let others = [
@@ -64,11 +64,11 @@ fn an_example_is_unfolded_into_the_same_files_whatever_the_number_of_threads() {
     let again = grazing(folder.path(), &again);
     assert_eq!(again.code, Some(0), "{}", again.messages);
     for file in results().iter().filter(|file| *file != "data") {
-        // The page lists the pictures too, each on a line of its own.
+        // The page also lists the pictures, each on its own line.
         let again = read(&folder.path().join("again"), file);
         let again: Vec<&str> = again.lines().filter(|line| !line.contains(".png")).collect();
         if file == "manifest.sha256" {
-            // Of the page there are two, then.
+            // The digests of the page differ, so only the files are counted.
             assert_eq!(read(&first, file).lines().count(), again.len());
             continue;
         }
@@ -81,8 +81,8 @@ fn an_example_is_unfolded_into_the_same_files_whatever_the_number_of_threads() {
     explained(&first);
 }
 
-/// The terminal shows equation, resonance, coefficients and every hypothesis, and no line is too
-/// wide.
+/// Asserts that the terminal shows equation, resonance, coefficients and every hypothesis, and that
+/// no line is too wide.
 fn told(output: &str, coefficients: &str) {
     let mut rows = coefficients.lines().map(|line| line.split(',').collect::<Vec<_>>());
     let (header, row) = (rows.next().expect("a header"), rows.next().expect("a resonance"));
@@ -117,7 +117,7 @@ fn told(output: &str, coefficients: &str) {
         let (shown, exact): (f64, f64) = (theorem.parse().unwrap(), cell(column).parse().unwrap());
         // Nine digits are shown.
         assert!((shown / exact - 1.0).abs() < 1e-8, "{shown} {exact}");
-        // Five are promised of every example.
+        // Every example promises five.
         assert!(digits.parse::<u32>().unwrap() >= 5 && simulated == "yes", "{words:?}");
     }
     for line in output.lines() {
@@ -153,8 +153,8 @@ fn a_one_parameter_diagram_has_a_figure_and_tables_as_long_as_it_is_asked_for() 
     assert_eq!(listing(&results_folder), results());
 }
 
-/// The page beside the tables explains their columns, and that of the examples names the examples
-/// and the tables.
+/// Asserts that the page beside the tables explains their columns, and that the page of the
+/// examples names the examples and the tables.
 fn explained(results: &Path) {
     let explanations = read(results, "data/README.md");
     let page = read(&repository(), "examples/README.md");
@@ -181,7 +181,7 @@ pub(crate) fn wait_until(run: &mut Child, what: &str, is_done: impl Fn() -> bool
 }
 
 /// One-parameter diagrams that take so long that a run is interrupted before their end, however
-/// late the signal comes.
+/// late the signal arrives.
 fn many_diagrams(values: [f64; 2]) -> String {
     let [from, to] = values;
     let last = Description::MOST_DIAGRAMS as u32 - 1;
@@ -238,7 +238,7 @@ fn what_is_finished_when_a_limit_is_met_is_written_and_the_rest_is_named() {
     let more = grazing(folder.path(), &more);
     assert_eq!(more.code, Some(3), "{}", more.messages);
     assert!(more.output.contains("one-parameter diagram 1\n"), "{}", more.output);
-    // So few that no grazing is found, and so many that there is nothing to be cut off.
+    // So few that no grazing is found, and so many that nothing is cut off.
     let none = steps("1000", "none");
     assert_eq!(none.code, Some(3), "{}", none.messages);
     let told = "error: duffing.toml: the limit of 1000 steps of integration was reached (";
@@ -259,7 +259,7 @@ fn what_is_finished_when_a_limit_is_met_is_written_and_the_rest_is_named() {
     };
     let before = of_whole();
 
-    // Somewhere between there are curves, and something that is missing.
+    // In between there are limits at which there are curves and something is missing.
     let mut limit = 10_000.0;
     let part = loop {
         limit *= 1.1;
@@ -270,7 +270,7 @@ fn what_is_finished_when_a_limit_is_met_is_written_and_the_rest_is_named() {
         }
     };
     assert_eq!(part.code, Some(3), "{}", part.messages);
-    // In a folder that holds whole results it goes beside them.
+    // In a folder that holds complete results, the output goes into a subfolder.
     let beside = steps(&format!("{limit}"), "whole");
     assert_eq!(beside.code, Some(3), "{}", beside.messages);
     let told = "whole: the results that are there stay; what is finished goes to whole/unfinished\n";
@@ -279,7 +279,7 @@ fn what_is_finished_when_a_limit_is_met_is_written_and_the_rest_is_named() {
     assert!(part.errors().contains("; what was not finished is named above; everything else is written\n"));
     let (_, missing) = part.output.split_once("\nNot finished\n").expect("something is missing");
     assert!(missing.lines().next().is_some_and(|line| !line.trim().is_empty()), "{missing}");
-    // What was not looked for to the end is not said to be missing.
+    // Work that was not completed is not reported as missing.
     assert!(part.output.contains("not looked for to the end for p = "), "{}", part.output);
     assert!(listing(&folder.path().join("part")).contains(&"diagram.svg".to_owned()));
     let [written, all] = ["part", "whole"].map(|run| read(&folder.path().join(run), "data/grazing.csv"));
@@ -290,13 +290,13 @@ fn what_is_finished_when_a_limit_is_met_is_written_and_the_rest_is_named() {
     }
     let page = read(&folder.path().join("part"), "report.html");
     assert!(page.contains("not finished: "), "the page says so");
-    // What was not decided in time is not left white.
+    // Regions that were not decided in time are not left white.
     let regions = read(&folder.path().join("part"), "data/regions.csv");
     assert!(missing.contains("regions") && regions.contains(",undecided,3,"), "{regions}");
 }
 
 #[cfg(unix)]
-/// A product of so many cosines, at which the wall stands: a page of text, and hours of work.
+/// A wall whose position is a product of this many cosines: a page of text, and hours of work.
 fn heavy_wall(factors: u32) -> String {
     let product: Vec<String> = (1..=factors).map(|k| format!("cos({k}*omega*t)")).collect();
     let text = fs::read_to_string(repository().join("examples/duffing.toml")).expect("it is there");
@@ -308,8 +308,8 @@ fn heavy_wall(factors: u32) -> String {
 fn a_limit_of_time_binds_reading_checking_and_analysis_whatever_the_file() {
     let folder = folder_with(&[("some.toml", &heavy_wall(300)), ("many.toml", &heavy_wall(3000))]);
     for (file, limit) in [("some.toml", "0.5"), ("many.toml", "0.5"), ("many.toml", "4")] {
-        // The system ends what takes more CPU time: that of starting, and what either side takes to
-        // notice, is a small part of it.
+        // The system ends a process that takes more CPU time; the time of starting, and of noticing
+        // the limit, is a small part of it.
         let command = "ulimit -t 12; exec \"$0\" \"$@\"";
         let run = Command::new("sh")
             .args(["-c", command, env!("CARGO_BIN_EXE_grazing"), "unfold", file, "--time-limit", limit])
@@ -337,7 +337,7 @@ fn an_analysis_that_is_asked_to_end_ends_with_what_it_has() {
         .expect("the program starts");
     let begun = || read(folder.path(), "messages").contains("bifurcation curves: begun");
     wait_until(&mut run, "curves are begun", begun);
-    // As schedulers do, and a terminal that is closed then; SIGINT, of Ctrl-C, comes to the same.
+    // The signals of schedulers and of a closed terminal; SIGINT, of Ctrl-C, has the same effect.
     for signal in ["-TERM", "-HUP"] {
         let sent =
             Command::new("kill").args([signal, &run.id().to_string()]).status().expect("there is kill");
@@ -357,10 +357,10 @@ fn an_analysis_that_is_asked_to_end_ends_with_what_it_has() {
     assert!(!results.contains(&"data/curves.unfinished.csv".to_owned()), "{results:?}");
 }
 
-/// With what code and last words a run ends that is interrupted twice, unless it has ended between.
+/// The exit code and last messages of a run that is interrupted twice, unless it ends in between.
 #[cfg(unix)]
 fn interrupted_twice(folder: &Path) -> (Option<i32>, String) {
-    // Pictures of many dots take a while to write, mostly long enough for the second one.
+    // Pictures of many dots take a while to write, usually long enough for the second interrupt.
     let mut run = Command::new(env!("CARGO_BIN_EXE_grazing"))
         .args(["unfold", "paper.toml", "--format", "svg,png", "--dpi", "1200"])
         .current_dir(folder)
@@ -403,7 +403,7 @@ fn described(force: &str, primary: &str, secondary: &str) -> String {
 
 const LINEAR: &str = "-0.2*v - x - 1 + F0*cos(omega*t)";
 
-/// What keeps an oscillator from being unfolded: force and ranges.
+/// Oscillators that cannot be unfolded: the reason, the force and the ranges.
 const NOTHING: [(&str, &str, &str, &str); 8] = [
     ("never reaches the wall", LINEAR, "[0.0, 0.1]", "[0.5, 0.7]"),
     ("always passes the wall", LINEAR, "[5.0, 6.0]", "[0.5, 0.7]"),

@@ -1,4 +1,4 @@
-//! Every figure of the registry as its reader sees it, at every width.
+//! Every figure of the registry as a reader sees it, at every width.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -15,7 +15,7 @@ use grazing_export::Drawing;
 /// journals accept.
 const THINNEST: f64 = 0.2;
 const SMALLEST: f64 = 6.0;
-/// Sub- and superscripts may be smaller than the line that they belong to, but not unreadable.
+/// The smallest sub- and superscript: smaller than its line, but readable.
 const SMALLEST_SCRIPT: f64 = 5.0;
 /// Points by which boxes of ink may touch or leave the sheet: coordinates are rounded to 0.01 point
 /// in the file, and a stroke's width is counted to its mitred corners.
@@ -41,7 +41,7 @@ fn figures(folder: &Path) -> BTreeMap<&'static str, Drawing> {
     registered().into_iter().map(|(name, file)| (name, read(&file))).collect()
 }
 
-/// What is wrong with a figure for print; empty for a good one.
+/// The faults of a figure for print; empty for a good one.
 fn faults(figure: &Drawing) -> Vec<String> {
     let mut faults = Vec::new();
     let (texts, (right, bottom)) = (figure.texts(), figure.size());
@@ -63,7 +63,7 @@ fn faults(figure: &Drawing) -> Vec<String> {
         }
     }
     for shape in figure.shapes() {
-        // What is not a number lies nowhere.
+        // A box that is not finite lies nowhere.
         let Bounds { left, top, right, bottom } = shape.bounds;
         let finite = [left, top, right, bottom].iter().all(|edge| edge.is_finite());
         if !(finite && sheet.holds(&shape.bounds)) {
@@ -110,15 +110,14 @@ fn every_figure_is_fit_for_print_at_every_width_and_says_the_same() {
     }
 }
 
-/// What is wrong with Figure 7 beyond that: what crosses the frame of its panel, rectangles that
-/// are open, labels on lines.
+/// Further faults of Figure 7: shapes that cross the frame of its panel, open rectangles, labels on lines.
 fn crossings(folder: &Path) -> Vec<String> {
     let svg = fs::read_to_string(folder.join("fig07.svg")).expect("the figure is there");
     let figure = Drawing::read(&svg).expect("it can be read");
     let (shapes, panel) = (figure.shapes(), panel(&svg));
     let mut faults = Vec::new();
     for shape in &shapes {
-        // The frame is drawn in a line half of which lies outside.
+        // The frame is drawn with a line of which half lies outside.
         let (inside, outside) =
             (panel.grown(-HAIR).overlaps(&shape.bounds), !panel.grown(0.3 + HAIR).holds(&shape.bounds));
         let sheet = shape.stroke.is_none() && shape.bounds.holds(&panel);
@@ -168,7 +167,7 @@ fn every_element_of_a_figure_can_be_drawn_and_no_coordinate_is_infinite() {
     for (name, file) in registered() {
         let svg = fs::read_to_string(repository().join("figures").join(file)).expect("the figure is there");
         let body = svg.split_once("</style>").expect("a style sheet").1;
-        // The legend is for those who show it, and not drawn.
+        // The legend is for programs that show the figure, and not drawn.
         let body = body.split("<defs class=\"legend\">").next().expect("there is something before");
         for sign in ["NaN", "nan,", "inf", "Infinity"] {
             assert!(
@@ -176,8 +175,8 @@ fn every_element_of_a_figure_can_be_drawn_and_no_coordinate_is_infinite() {
                 "{name}: {sign}"
             );
         }
-        // What a reader drops, as it does with what it cannot understand, is missing among what it
-        // has read. Clip paths hold shapes that are not drawn themselves.
+        // Elements that the reader drops because it does not understand them are missing from what
+        // it has read. Clip paths hold shapes that are not drawn themselves.
         let drawn = body.split("<clipPath").map(|part| part.rsplit("</clipPath>").next().unwrap_or(part));
         let count = |element: &str| drawn.clone().map(|part| part.matches(element).count()).sum::<usize>();
         let figure = Drawing::read(&svg).expect("the figure can be read");

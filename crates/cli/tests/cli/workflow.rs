@@ -8,7 +8,7 @@ use std::time::SystemTime;
 
 use crate::program::{DEFAULT, empty_folder, grazing, narrow_duffing, project, repository};
 
-/// Runs the workflow in a folder with these keys; nothing where there is no Snakemake.
+/// Runs the workflow in a folder with these keys; `None` without Snakemake.
 fn snakemake(folder: &Path, keys: &[&str]) -> Option<()> {
     let program = format!("program={}", env!("CARGO_BIN_EXE_grazing"));
     let run = Command::new("snakemake")
@@ -24,7 +24,7 @@ fn snakemake(folder: &Path, keys: &[&str]) -> Option<()> {
             Some(())
         }
         Err(reason) => {
-            // The harness keeps what tests print to itself; this is for whoever looks at CI's.
+            // Written directly to the stream, which the harness does not capture, for readers of CI's log.
             let line = format!("\nskipped: no Snakemake here, so the workflow was not run ({reason})\n");
             let _ = std::io::stderr().write_all(line.as_bytes());
             None
@@ -54,7 +54,7 @@ fn the_workflow_makes_what_one_run_makes_and_resumes_with_what_is_missing() {
     let same = || files.iter().all(|file| read(&format!("one/{file}")) == read(&format!("out/{file}")));
     assert!(same());
 
-    // As if a run had been interrupted: one part and all that is made of the parts are not there.
+    // As after an interrupted run: one part and all results of the parts are missing.
     let parts = ["1", "2", "3"].map(|part| folder.join(format!("out/parts/{part}-of-3.toml")));
     let before = parts.each_ref().map(|part| changed(part));
     fs::remove_file(&parts[1]).expect("it can be removed");

@@ -1,4 +1,4 @@
-//! Running the built program, as a person would.
+//! Running the built program as a user would.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,7 +15,7 @@ pub(crate) const DEFAULT: &str = include_str!("../../../../../figures/parameters
 /// Valid parameters with invented numbers.
 pub(crate) const INVENTED: &str = include_str!("parameters.toml");
 
-/// What a run of the program came to.
+/// The result of a run of the program.
 pub(crate) struct Outcome {
     pub(crate) code: Option<i32>,
     pub(crate) output: String,
@@ -42,7 +42,7 @@ pub(crate) fn grazing(folder: &Path, arguments: &[&str]) -> Outcome {
     Outcome { code: run.status.code(), output: text(run.stdout), messages: text(run.stderr) }
 }
 
-/// Starts a command in the folder, with what it says going into a file.
+/// Starts a command in the folder, with its messages written to a file.
 #[cfg(unix)]
 pub(crate) fn started(command: &mut Command, folder: &Path, messages: &Path) -> Child {
     let messages = fs::File::create(messages).expect("the folder is ours");
@@ -50,8 +50,8 @@ pub(crate) fn started(command: &mut Command, folder: &Path, messages: &Path) -> 
     silent.stderr(messages).spawn().expect("the program starts")
 }
 
-/// Whether all threads of a process sleep, where the system says so: one that computes does not,
-/// however long it has to wait for a processor or a disk.
+/// Whether all threads of a process sleep, where the system reports it: one that computes does not,
+/// however long it waits for a processor or a disk.
 fn sleeps(process: u32) -> bool {
     let is_asleep = |stat: String| stat.rsplit_once(')').is_some_and(|(_, rest)| rest.starts_with(" S"));
     let threads = fs::read_dir(format!("/proc/{process}/task"));
@@ -62,8 +62,8 @@ fn sleeps(process: u32) -> bool {
     })
 }
 
-/// Looks at a run until something is seen. None ever is if the run sleeps at a great many looks in
-/// succession: it waits for what never comes, and is ended.
+/// Looks at a run until something is seen. Gives up, and ends the run, if it sleeps at many looks
+/// in succession and so waits for something that never comes.
 pub(crate) fn watched<T>(run: &mut Child, mut look: impl FnMut(&mut Child) -> Option<T>) -> Option<T> {
     const LOOKS: u32 = 2_000;
     let mut asleep = 0;
@@ -79,7 +79,7 @@ pub(crate) fn watched<T>(run: &mut Child, mut look: impl FnMut(&mut Child) -> Op
     None
 }
 
-/// The end of a run with its exit code, if it has one.
+/// The exit code of a run, if it ends with one.
 pub(crate) fn end(run: &mut Child) -> Option<Option<i32>> {
     watched(run, |run| run.try_wait().expect("it is ours").map(|status| status.code()))
 }
@@ -89,7 +89,7 @@ pub(crate) fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// An empty folder that goes away with the value.
+/// An empty folder that is deleted with the value.
 pub(crate) fn empty_folder() -> tempfile::TempDir {
     tempfile::tempdir().expect("a temporary folder can be made")
 }
@@ -102,9 +102,9 @@ pub(crate) fn project(parameters: &str) -> tempfile::TempDir {
     folder
 }
 
-/// The parameters with another line in the place of the first one for the key after `section`; none
-/// if it is empty. The value that stood there does not matter, so the default file can change
-/// without its tests.
+/// The parameters with another line for the first key of this name after `section`, or without it
+/// if the line is empty. The old value does not matter, so that the default file can change without
+/// its tests.
 pub(crate) fn edited(parameters: &str, section: &str, key: &str, line: &str) -> String {
     let section_start = parameters.find(section).expect("the section stands in the file");
     let assignment = format!("\n{key}");
@@ -114,8 +114,8 @@ pub(crate) fn edited(parameters: &str, section: &str, key: &str, line: &str) -> 
     format!("{}{line}{}", &parameters[..start], &parameters[end..])
 }
 
-/// The default parameters with little work for the attractor of Figure 2 and for the map: what is
-/// tested with them does not depend on it.
+/// The default parameters with little work for the attractor of Figure 2 and for the map, on which
+/// the tests that use them do not depend.
 pub(crate) fn quick_parameters() -> String {
     let mut parameters = edited(DEFAULT, "[fig02.attractor]", "amplitudes", "amplitudes = 5");
     for key in ["columns", "rows"] {
@@ -135,7 +135,7 @@ pub(crate) fn narrow_duffing() -> String {
     edited(&narrow, "[analysis]", "loops", "loops = [3]")
 }
 
-/// Everything in the folder, by path from it.
+/// The paths of everything in the folder.
 pub(crate) fn listing(folder: &Path) -> Vec<String> {
     let mut paths = Vec::new();
     let mut places = vec![folder.to_owned()];
@@ -157,7 +157,7 @@ pub(crate) fn digest(content: &[u8]) -> String {
     Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// Snapshots go to `expected/`, under the name that the test gives.
+/// Settings by which snapshots go to `expected/`, under the name that the test gives.
 pub(crate) fn snapshots() -> Settings {
     let mut settings = Settings::clone_current();
     settings.set_snapshot_path(repository().join("expected"));
