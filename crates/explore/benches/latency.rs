@@ -1,6 +1,6 @@
-//! From request to the last byte of the answer, through a server and the loopback interface.
+//! The time from a request to the last byte of its answer, through a server and the loopback interface.
 
-// A part of it serves here.
+// Only a part of the module is used here.
 #[allow(dead_code)]
 #[path = "../tests/explore/server/running.rs"]
 mod running;
@@ -31,7 +31,7 @@ fn view(oscillator: &str) -> Value {
     }
 }
 
-/// Asks for the same again and again.
+/// Sends the same request again and again.
 fn ask(bencher: Bencher<'_, '_>, name: &str, body: &Value) {
     let server = Running::new(Limits::default());
     let body = body.to_string();
@@ -42,7 +42,7 @@ fn ask(bencher: Bencher<'_, '_>, name: &str, body: &Value) {
     });
 }
 
-/// Asks for the same again and again, and goes away with the first event of a name.
+/// Sends the same request again and again, and closes the connection at the first event of a name.
 fn first(bencher: Bencher<'_, '_>, name: &str, event: &str, body: &Value) {
     let server = Running::new(Limits::default());
     let body = body.to_string();
@@ -62,25 +62,26 @@ fn ability_1_plane(bencher: Bencher<'_, '_>, oscillator: &str) {
     ask(bencher, "diagram", &json!({"model": model(oscillator), "view": view(oscillator)}));
 }
 
-/// Its first curve.
+/// The first curve of the diagram.
 #[divan::bench(args = OSCILLATORS, sample_count = 10)]
 fn ability_1_first_curve(bencher: Bencher<'_, '_>, oscillator: &str) {
     first(bencher, "diagram", "curves", &json!({"model": model(oscillator), "view": view(oscillator)}));
 }
 
-/// A coarse one, as while a constant is dragged.
+/// A coarse diagram, as while a constant is dragged.
 #[divan::bench(args = OSCILLATORS, sample_count = 10)]
 fn ability_2_coarse(bencher: Bencher<'_, '_>, oscillator: &str) {
     ask(bencher, "diagram", &json!({"model": model(oscillator), "view": view(oscillator), "coarse": true}));
 }
 
-/// A place with 24 initial states, as when it rests.
+/// A place with 24 initial states, as when it is at rest.
 #[divan::bench(args = OSCILLATORS, sample_count = 10)]
 fn ability_3_place(bencher: Bencher<'_, '_>, oscillator: &str) {
     ask(bencher, "place", &json!({"model": model(oscillator), "at": [0.6, 0.8], "states": 24}));
 }
 
-/// The same as it is dragged there from beside, where looking for everything takes too long.
+/// A place with 24 initial states while it is dragged there from nearby, where a complete search
+/// takes too long.
 #[divan::bench(sample_count = 10)]
 fn ability_3_place_dragged(bencher: Bencher<'_, '_>) {
     let server = Running::new(Limits::default());
@@ -97,13 +98,13 @@ fn ability_3_place_dragged(bencher: Bencher<'_, '_>) {
     ask(bencher, "place", &asked);
 }
 
-/// A cut along either axis: its branches.
+/// The branches of a cut along either axis.
 #[divan::bench(args = CUTS, sample_count = 5)]
 fn ability_4_cut_branches(bencher: Bencher<'_, '_>, cut: (&str, &str)) {
     first(bencher, "cut", "branches", &along(cut));
 }
 
-/// And all of it.
+/// A whole cut along either axis.
 #[divan::bench(args = CUTS, sample_count = 5)]
 fn ability_4_cut(bencher: Bencher<'_, '_>, cut: (&str, &str)) {
     ask(bencher, "cut", &along(cut));
@@ -112,7 +113,7 @@ fn ability_4_cut(bencher: Bencher<'_, '_>, cut: (&str, &str)) {
 const CUTS: [(&str, &str); 4] =
     [("paper", "secondary"), ("paper", "primary"), ("duffing", "secondary"), ("duffing", "primary")];
 
-/// Through the middle of the view, the parameter of that name held.
+/// A cut through the middle of the view, with the parameter of that name held.
 fn along((oscillator, fixed): (&str, &str)) -> Value {
     let range = |name: &str| view(oscillator)[name].clone();
     let [low, high] = [0, 1].map(|end| range(fixed)[end].as_f64().unwrap_or_default());
@@ -120,7 +121,7 @@ fn along((oscillator, fixed): (&str, &str)) -> Value {
     json!({"model": model(oscillator), "fixed": fixed, "at": (low + high) / 2.0, "range": range(across)})
 }
 
-/// Simulation of 400 x 300 places over 300 forcing periods.
+/// Simulation at 400 x 300 places over 300 forcing periods.
 #[divan::bench(sample_count = 2)]
 fn ability_6_overlay(bencher: Bencher<'_, '_>) {
     let asked =

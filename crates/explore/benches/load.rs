@@ -1,11 +1,11 @@
-//! Twenty pages in a real browser that drag at once: what they see move, how long they wait, and
-//! what the server needs for it.
+//! Twenty pages in a real browser that drag at once: the motion that they show, the time that they
+//! wait, and the resources that the server needs.
 //!
 //! ```sh
 //! EXPLORE_LOAD_SECONDS=60 cargo bench -p grazing-explore --bench load
 //! ```
 
-// Parts of these serve here.
+// Only parts of these modules are used here.
 #[allow(dead_code)]
 #[path = "../tests/explore/browser/chromium.rs"]
 mod chromium;
@@ -23,22 +23,23 @@ use grazing_explore::Limits;
 use running::Running;
 
 const PAGES: usize = 20;
-/// The seconds for which all drag, if the environment does not say it; and megabytes that the
-/// process may grow by.
+/// The seconds for which all pages drag, unless the environment sets them; and the megabytes by
+/// which the process may grow.
 const SECONDS: u64 = 5;
 const MEGABYTES: f64 = 200.0;
-/// A hand's pause between two places of a slider.
+/// The pause of a hand between two places of a slider.
 const PAUSE: Duration = Duration::from_millis(60);
 
-/// Megabytes that this process, the server, holds and has held at most; nothing where the system
-/// does not tell.
+/// The megabytes that this process, the server, holds or has held at most; none where the system
+/// does not report them.
 fn held(what: &str) -> Option<f64> {
     let status = fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix(what))?;
     Some(line.trim().strip_suffix(" kB")?.parse::<f64>().ok()? / 1024.0)
 }
 
-/// Seconds of CPU that this process has used; nothing where the system does not tell in hundredths.
+/// The seconds of CPU time that this process has used; none where the system does not report them
+/// in hundredths.
 fn cpu() -> Option<f64> {
     let stat = fs::read_to_string("/proc/self/stat").ok()?;
     let (_, fields) = stat.rsplit_once(')')?;

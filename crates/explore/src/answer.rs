@@ -1,12 +1,12 @@
-//! What is answered, whoever carries it.
+//! Answers, independent of their transport.
 
 use grazing_source::Mistake;
 use serde_json::{Value, json};
 
-/// Why there is no answer.
+/// The reason why there is no answer.
 #[derive(Debug)]
 pub(crate) struct Problem {
-    /// A status of HTTP.
+    /// The status in HTTP.
     pub(crate) status: u16,
     pub(crate) message: String,
 }
@@ -16,22 +16,22 @@ impl Problem {
         Self { status, message: message.into() }
     }
 
-    /// What was asked for cannot be: the model is wrong, or there is nothing to show.
+    /// A request that cannot be fulfilled: the model is wrong, or there is nothing to show.
     pub(crate) fn wrong(message: impl Into<String>) -> Self {
         Self::new(422, message)
     }
 
-    /// The request cannot be read.
+    /// A request that cannot be read.
     pub(crate) fn unread(error: &serde_json::Error) -> Self {
         Self::new(400, format!("the request is not understood: {error}"))
     }
 
-    /// The computation was ended.
+    /// A computation that was ended.
     pub(crate) fn ended() -> Self {
         Self::new(503, "the computation was ended: it took too long")
     }
 
-    /// For the page.
+    /// The message for the page, as JSON.
     pub(crate) fn told(&self) -> Value {
         json!({ "message": self.message })
     }
@@ -46,10 +46,10 @@ impl From<Mistake> for Problem {
 
 /// A file that is exported.
 pub struct Sheet {
-    /// Its name.
+    /// The file name.
     pub name: String,
-    /// Its media type.
+    /// The media type.
     pub kind: &'static str,
-    /// Its content.
+    /// The content of the file.
     pub content: Vec<u8>,
 }

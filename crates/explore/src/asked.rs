@@ -1,4 +1,4 @@
-//! What a page asks for, whoever answers: the server, or a worker of the page itself.
+//! Requests of a page, which the server or a worker of the page itself answers.
 
 use grazing_model::smooth::Stop;
 use grazing_source::Mistake;
@@ -12,27 +12,27 @@ use crate::model::Model;
 use crate::place::PlaceRequest;
 use crate::{cut, diagram, exact, follow, place, tiles};
 
-/// Makes a file of a figure: `svg`, `pdf`, `png` or `csv:TABLE` at a width (`one`, `two`, or that of
-/// the paper), unless an end is asked for.
+/// Writes a figure as a file: `svg`, `pdf`, `png` or `csv:TABLE` at a width (`one`, `two`, or that
+/// of the paper), unless it is cancelled.
 pub type Export = Box<dyn Fn(&Seen, &str, &str, &Stop) -> Result<Sheet, String> + Send + Sync>;
 
-/// What a computation is to those that come after it.
+/// The weight of a computation, by which later ones wait for it or not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Weight {
-    /// It takes a moment for any oscillator that people write.
+    /// A computation that takes a moment for any oscillator that people write.
     Light,
-    /// It may take long.
+    /// A computation that may take long.
     Heavy,
 }
 
-/// Computes one value.
+/// A computation with one value as its result.
 type One = dyn Fn(&Stop) -> Result<Value, Problem> + Send;
-/// Computes, and tells what is found as it is found.
+/// A computation that sends results as it finds them.
 pub(crate) type Told = dyn Fn(&Events, &Stop) -> Result<(), Problem> + Send;
 
-/// A request that was read.
+/// A request that has been read.
 pub(crate) enum Asked {
-    /// Where there is one computation at a time, nobody asks what it weighs.
+    /// Without the server there is one computation at a time, and its weight does not matter.
     One(#[cfg_attr(not(feature = "server"), expect(dead_code))] Weight, Box<One>),
     Told(Box<Told>),
     File(Box<ExportRequest>),
@@ -40,7 +40,7 @@ pub(crate) enum Asked {
 
 type Read = serde_json::Result<Asked>;
 
-/// How the body of a request is read whose path ends so; none if nothing is asked for by that name.
+/// The function that reads the body of a request whose path ends with this name; none for an unknown name.
 pub(crate) fn reader(name: &str) -> Option<fn(&[u8]) -> Read> {
     Some(match name {
         "check" => |body| one(body, |_| Weight::Light, check),
@@ -72,7 +72,7 @@ fn told<T: DeserializeOwned + Send + 'static>(
     Ok(Asked::Told(Box::new(move |events, stop| compute(&request, events, stop))))
 }
 
-/// What the program says of a model; a mistake in it is an answer, too.
+/// The description of a model, or the mistake in it, which is an answer, too.
 fn check(model: &Model, stop: &Stop) -> Result<Value, Problem> {
     match model.described(stop) {
         _ if stop.is_asked() => Err(Problem::ended()),
@@ -83,17 +83,17 @@ fn check(model: &Model, stop: &Stop) -> Result<Value, Problem> {
     }
 }
 
-/// A file of what is seen.
+/// A file of what the page shows.
 pub(crate) fn file(request: &ExportRequest, export: &Export, stop: &Stop) -> Result<Sheet, Problem> {
     let seen = Seen::compute(request, stop)?;
     export(&seen, &request.what, &request.columns, stop).map_err(Problem::wrong)
 }
 
-/// Answers a request here and now, as the server does: its path's last part, and its body. Events
-/// go to the listener, one value or a file is returned with its media type.
+/// Answers a request at once, as the server does, from the last part of its path and its body.
+/// Events go to the listener; one value or a file is returned with its media type.
 ///
 /// # Errors
-/// A status of HTTP, and what is said of it as JSON.
+/// A status of HTTP, and a message as JSON.
 pub fn answer(
     name: &str,
     body: &[u8],
@@ -117,6 +117,6 @@ pub fn answer(
     answered().map_err(|problem: Problem| (problem.status, problem.told().to_string()))
 }
 
-/// Media types.
+/// The media type of values; that of events follows.
 pub(crate) const JSON: &str = "application/json";
 pub(crate) const EVENTS: &str = "text/event-stream";

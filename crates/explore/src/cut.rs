@@ -1,5 +1,5 @@
-//! The one-parameter diagram along a line of the plane: its branches first, then what simulation
-//! comes to.
+//! The one-parameter diagram along a line of the plane: its branches first, then the simulated
+//! long-term behaviour.
 
 use grazing_analysis::one_parameter::{SAMPLING, in_own_units};
 use grazing_description::Description;
@@ -15,7 +15,7 @@ use crate::answer::Problem;
 use crate::events::Events;
 use crate::model::{Model, View};
 
-/// What is asked for.
+/// The request for a one-parameter diagram.
 #[derive(Deserialize)]
 pub(crate) struct CutRequest {
     model: Model,
@@ -23,13 +23,13 @@ pub(crate) struct CutRequest {
     line: CutLine,
 }
 
-/// Where the diagram is wanted, and of what.
+/// The line of the diagram, and its vertical axis.
 #[derive(Deserialize)]
 pub struct CutLine {
     fixed: Fixed,
     at: f64,
     range: [f64; 2],
-    /// What is on its vertical axis: x, if nothing is said.
+    /// The quantity on the vertical axis; x if it is missing.
     ordinate: Option<String>,
 }
 
@@ -41,12 +41,11 @@ enum Fixed {
     Secondary,
 }
 
-/// The range of the parameter that is held, as a part of the file's: only its lower end is looked
-/// at.
+/// The range of the parameter that is held, as a share of the file's: only its lower end is used.
 const HELD: f64 = 0.01;
 
 impl CutLine {
-    /// What was asked for, ready to be simulated.
+    /// The branches along the line, ready for simulation.
     fn follow(&self, model: &Model, progress: &dyn Progress, stop: &Stop) -> Result<Followed, Problem> {
         let &Self { fixed, at, range, .. } = self;
         // The parameter that is held needs a range, too: a small part of the file's.
@@ -66,7 +65,7 @@ impl CutLine {
         Ok(Followed { description, cut, ordinate, readings })
     }
 
-    /// The whole diagram.
+    /// The whole diagram, with simulation.
     pub(crate) fn diagram(
         &self,
         model: &Model,
@@ -78,7 +77,7 @@ impl CutLine {
     }
 }
 
-/// The branches of a diagram with what is read off them.
+/// The branches of a diagram with the readings of their solutions.
 struct Followed {
     description: Description,
     cut: Cut,
@@ -92,7 +91,7 @@ impl Followed {
         self.read(self.cut.simulated(&sampling, &[], progress))
     }
 
-    /// A diagram as it is to be shown.
+    /// A diagram as it is shown.
     fn read(&self, found: OneParameter) -> OneParameter {
         let found = OneParameter { readings: self.readings.clone(), ..found };
         in_own_units(found, self.ordinate, &self.description)
@@ -102,7 +101,7 @@ impl Followed {
 pub(crate) fn compute(request: &CutRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
     let followed = request.line.follow(&request.model, events, stop)?;
     events.send("branches", &event(&followed.read(followed.cut.diagram()).seen()));
-    // As in the diagrams that a file asks for, but fewer dots: it is to be looked at at once.
+    // As in the diagrams that a file asks for, but with fewer dots, to be quick.
     let found = followed.simulated(Sampling { recorded: 16, ..SAMPLING }, events).seen();
     let dots: Vec<[f64; 2]> = found.attractor.iter().map(|dot| [found.across(dot), dot.x]).collect();
     events.send(
@@ -112,7 +111,7 @@ pub(crate) fn compute(request: &CutRequest, events: &Events, stop: &Stop) -> Res
     Ok(())
 }
 
-/// Strands and the bifurcations on them.
+/// The strands, and the bifurcations on them, for the page.
 fn event(found: &OneParameter) -> Value {
     let strand = |rows: &[BranchPoint]| {
         let point = |row: &BranchPoint| {
@@ -124,7 +123,7 @@ fn event(found: &OneParameter) -> Value {
         .bifurcations
         .iter()
         .map(|row| json!({"kind": row.kind.name(), "p": row.loops, "at": found.across(row), "x": row.x}));
-    // A strand is broken where a visit is not known.
+    // A strand is broken where a visit is unknown.
     let pieces = found.branches.chunk_by(|a, b| a.branch == b.branch && a.x.is_nan() == b.x.is_nan());
     json!({
         "frame": found.frame.y,

@@ -1,4 +1,4 @@
-//! The two-parameter diagram, sent as it is found.
+//! The two-parameter diagram, sent while it is computed.
 
 use std::collections::BTreeMap;
 
@@ -24,15 +24,15 @@ use crate::measured::{self, Measured};
 use crate::model::{Model, View};
 use crate::place;
 
-/// What is asked for.
+/// The request for a two-parameter diagram.
 #[derive(Deserialize)]
 pub(crate) struct DiagramRequest {
     model: Model,
     view: View,
-    /// Grazing curves, resonances and what leaves them, but no regions.
+    /// Whether only grazing curves, resonances and curves that leave them are requested, without regions.
     #[serde(default)]
     coarse: bool,
-    /// What a rig did, to be compared with regions and curves.
+    /// Measurements to be compared with regions and curves.
     measured: Option<Measured>,
 }
 
@@ -73,7 +73,7 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
         true => located.with_curves(followed),
         false => located.with(followed, events),
     };
-    // Whatever was sent before is in these, and what begins elsewhere.
+    // These contain everything that was sent before, and the curves that begin elsewhere.
     let rows = plane::curves(&axes, &diagram);
     let mut counts: BTreeMap<(&str, u32, u32), u32> = BTreeMap::new();
     let all = rows.chunk_by(|a, b| a.arc == b.arc).zip(starts(&diagram)).map(|(rows, starts)| {
@@ -114,11 +114,10 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     }
     let approximations = approximations(&axes, &diagram);
     events.send("curves", &approximations);
-    // Curves that were sent under another name, as they were thought to be others, are not among
-    // these.
+    // Curves that were sent under a wrong name, since they were mistaken for others, are not among these.
     events.send("keys", &all.iter().chain(&approximations).map(|curve| &curve["key"]).collect::<Vec<_>>());
     events.send("notes", &plane::lost(&diagram).collect::<Vec<_>>());
-    // What is stable here is shown all the same.
+    // Regions of stable solutions are shown all the same.
     if let Some(reason) = diagram.nothing() {
         events.send("nothing", &reason.in_units(&axes.units).to_string());
     }
@@ -145,8 +144,8 @@ fn curve(rows: &[PlanePoint], rank: u32) -> Value {
     named(first.kind.name(), [first.loops, first.n, rank], "continuation", points)
 }
 
-/// What is told along a curve: the multipliers at its points, and why it was followed no further at
-/// either end.
+/// Adds details along a curve: the multipliers at its points, and why it was not followed farther
+/// at either end.
 fn along<'a>(curve: &mut Value, rows: impl DoubleEndedIterator<Item = ([f64; 2], &'a str)> + Clone) {
     let why = |row: Option<([f64; 2], &'a str)>| row.map_or("", |(_, lost)| lost);
     curve["lost"] = json!([why(rows.clone().next()), why(rows.clone().next_back())]);
@@ -177,7 +176,7 @@ fn own(rows: &[OwnPoint]) -> Value {
     found
 }
 
-/// The multipliers themselves, real and imaginary parts, to as many digits as are shown.
+/// The eigenvalues with these multipliers, real and imaginary parts, rounded to the digits that are shown.
 pub(crate) fn eigenvalues(multipliers: &Multipliers) -> Value {
     let rounded = |part: f64| (part * ROUNDED).round() / ROUNDED;
     json!(place::eigenvalues(multipliers).map(|one| one.map(rounded)))
@@ -190,8 +189,7 @@ fn point(point: &SpecialPoint, multipliers: Value) -> Value {
     json!({"kind": kind.name(), "p": loops, "n": n, "primary": primary, "secondary": secondary, "multipliers": multipliers})
 }
 
-/// The first two unknowns at the points of all curves, from which places exactly on them are found
-/// (`exact`).
+/// The first two unknowns at the points of all curves, from which `exact` finds places exactly on them.
 fn starts(diagram: &Diagram) -> impl Iterator<Item = Vec<[f64; 2]>> {
     let grazing = diagram.grazing.iter();
     let grazing = grazing.map(|curve| curve.states.iter().map(|state| [0.0, state.orbit.phase()]).collect());
@@ -235,8 +233,8 @@ fn resonances(axes: &Axes, diagram: &Diagram) -> Vec<Value> {
     diagram.resonances.iter().map(one).collect()
 }
 
-/// The quadratic approximations to the SN and PD curves of the resonances that are seen, and to that
-/// on which period-doubled solutions graze, as far as they lie in the view.
+/// The quadratic approximations to the SN and PD curves of the resonances in the diagram, and to
+/// the curve on which period-doubled solutions graze, as far as they lie in the view.
 fn approximations(axes: &Axes, diagram: &Diagram) -> Vec<Value> {
     let ranks = ranks(diagram);
     let unfolding = diagram.resonances.iter().zip(ranks);
@@ -248,7 +246,7 @@ fn approximations(axes: &Axes, diagram: &Diagram) -> Vec<Value> {
             named(kind.name(), [resonance.loops, resonance.n, rank], "quadratic", points)
         };
         let [saddle_node, period_doubling] = point.leading().named();
-        // They begin at the period doubling, on its side.
+        // Period-doubled solutions begin at the period doubling, on its side.
         let coefficient = point.resonant_point().doubled_grazing_coefficient();
         let mut doubled =
             shown((Bifurcation::Grazing, BifurcationCurve { coefficient, ..period_doubling.1 }));

@@ -1,4 +1,4 @@
-//! What is told while something is computed, as server-sent events.
+//! Events that are sent during a computation, as server-sent events.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
@@ -12,16 +12,16 @@ use serde_json::json;
 use crate::answer::Problem;
 use crate::asked::Told;
 
-/// Progress is told no more often than this.
+/// The shortest interval between reports of progress.
 const PAUSE: Duration = Duration::from_millis(80);
 
-/// The time since whenever; nothing but how long something took is read off it.
+/// The time since an arbitrary instant, used for durations only.
 pub type Clock = fn() -> Duration;
 
-/// Takes an event's text, and says whether anybody still listens.
+/// Takes the text of an event, and returns whether there still is a listener.
 pub type Listener = dyn Fn(String) -> bool + Send + Sync;
 
-/// Where a computation tells what it finds.
+/// The channel into which a computation sends its results.
 pub(crate) struct Events<'a> {
     listener: &'a Listener,
     pub(crate) clock: Clock,
@@ -29,16 +29,16 @@ pub(crate) struct Events<'a> {
     stages: Mutex<Stages>,
 }
 
-/// The progress that is told.
+/// The progress that is reported.
 #[derive(Default)]
 struct Stages {
-    /// Stages under way, with what is done of them and what there is to do.
+    /// Stages under way, with the steps done and the steps to do.
     running: BTreeMap<String, [u64; 2]>,
-    /// When something was told last.
+    /// The time of the last report.
     last: Option<Duration>,
 }
 
-/// Computes, and tells what is found as it is found; at last that it is done, or why it is not.
+/// Computes, and sends results as they are found; at the end that it is done, or why it is not.
 pub(crate) fn tell(compute: &Told, listener: &Listener, clock: Clock, stop: &Stop) {
     let began = clock();
     let events = Events { listener, clock, stop, stages: Mutex::default() };
@@ -50,9 +50,9 @@ pub(crate) fn tell(compute: &Told, listener: &Listener, clock: Clock, stop: &Sto
 }
 
 impl Events<'_> {
-    /// Tells an event; once nobody listens any more, the computation ends.
+    /// Sends an event; once there is no listener, the computation is cancelled.
     pub(crate) fn send(&self, name: &str, data: &impl Serialize) {
-        // What cannot be written as JSON is not sent: all of it is numbers and words.
+        // Data that cannot be written as JSON are not sent: all of them are numbers and words.
         let Ok(data) = serde_json::to_string(data) else { return };
         if !(self.listener)(format!("event: {name}\ndata: {data}\n\n")) {
             self.stop.ask();

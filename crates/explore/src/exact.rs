@@ -14,7 +14,7 @@ use crate::answer::Problem;
 use crate::model::{Model, View};
 use crate::place::{FARTHEST, eigenvalues};
 
-/// What is asked for.
+/// The request for a place exactly on a curve.
 #[derive(Deserialize)]
 pub(crate) struct ExactRequest {
     model: Model,
@@ -22,13 +22,13 @@ pub(crate) struct ExactRequest {
     /// The name of the curve's kind, and its number of loops.
     kind: String,
     p: u32,
-    /// About the first two unknowns there, without dimensions.
+    /// Approximate values of the first two unknowns there, nondimensional.
     start: [f64; 2],
-    /// About the place, in the oscillator's units.
+    /// The approximate place, in the oscillator's units.
     at: [f64; 2],
 }
 
-/// The place is at most this share of the view from where it was looked for.
+/// The greatest distance of the place from where it was looked for, as a share of the view.
 const NEAR: f64 = 0.1;
 
 pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<Value, Problem> {
@@ -61,7 +61,7 @@ pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<Value, Prob
     };
     let start = Unknowns::new(*first, *second, primary, secondary);
     let time = equations.solution(&start).highest_interior_maximum.map_or(0.0, |maximum| maximum.time);
-    // Where the curve runs along a line, another one crosses it.
+    // Where the curve runs along a line of one parameter, a line of the other one crosses it.
     let held = [Condition::Secondary(secondary), Condition::Primary(primary)];
     let mut found = held.into_iter().filter_map(|held| {
         let mut times = EventTimes::default().touching(time);

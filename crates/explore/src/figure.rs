@@ -1,4 +1,4 @@
-//! What is seen, as rows from which `unfold` draws its figures.
+//! The contents of the page, as rows from which `unfold` draws its figures.
 
 use grazing_analysis::place::at_place;
 use grazing_analysis::plane;
@@ -22,9 +22,9 @@ use crate::measured::Measured;
 use crate::model::{Model, View};
 use crate::place;
 
-/// What is seen of an oscillator.
+/// A figure of an oscillator, with names.
 pub struct Seen {
-    /// What the oscillator is called.
+    /// The name of the oscillator.
     pub name: String,
     /// The names of its parameters.
     pub names: Names,
@@ -32,20 +32,20 @@ pub struct Seen {
     pub figure: Figure,
 }
 
-/// A figure that is asked for.
+/// A figure that can be requested.
 pub enum Figure {
-    /// The diagram of the view, without frames of magnifications and lines of other diagrams, and what a
-    /// rig did beside it.
+    /// The diagram of the view, without frames of magnifications and lines of other diagrams, and
+    /// with the comparison with measurements.
     Plane(PlaneDiagram, Option<Comparison>),
     /// The curves that leave a resonance in straightened coordinates.
     Straightened(StraightenedCurves),
-    /// What happens along a line of the plane.
+    /// Motion along a line of the plane.
     OneParameter(OneParameter),
-    /// What there is at a place.
+    /// Motion at a place.
     Place(AtPlace),
 }
 
-/// What is to be exported.
+/// The request for an export.
 #[derive(Deserialize)]
 pub(crate) struct ExportRequest {
     model: Model,
@@ -58,18 +58,18 @@ pub(crate) struct ExportRequest {
     measured: Option<Measured>,
 }
 
-/// Which figure is asked for.
+/// The figure that is requested.
 #[derive(Default, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Wanted {
     /// The diagram.
     #[default]
     Plane,
-    /// About the resonance that is nearest to this place.
+    /// The curves in straightened coordinates about the resonance that is nearest to this place.
     Straightened([f64; 2]),
     /// A one-parameter diagram along a line.
     Cut(CutLine),
-    /// What there is at a place.
+    /// Motion at a place.
     Place([f64; 2]),
 }
 
@@ -79,10 +79,10 @@ impl Seen {
         Self::found(model, Some(view), of, measured.as_ref(), stop, stop)
     }
 
-    /// What is seen of an oscillator in a view, or in the ranges of its file.
+    /// The figure of an oscillator in a view, or in the ranges of its file.
     ///
     /// # Errors
-    /// Why there is nothing to be seen.
+    /// The reason why there is nothing to show.
     pub fn of(
         model: &Model,
         view: Option<&View>,

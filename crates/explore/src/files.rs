@@ -11,11 +11,11 @@ use crate::kinds;
 /// An oscillator in the menu.
 #[derive(Clone, Debug, Serialize)]
 pub struct Example {
-    /// What it is called.
+    /// The name of the oscillator.
     pub name: String,
     /// The name of its file.
     pub file: String,
-    /// What stands in it; none for the paper's oscillator.
+    /// The text of the file; none for the paper's oscillator.
     pub text: Option<String>,
 }
 
@@ -28,7 +28,7 @@ macro_rules! files {
     };
 }
 
-// What the page shares with the report, and the fonts of the figures.
+// The files that the page shares with the report, and the fonts of the figures.
 files! { STYLES in "../../report/assets/": "base.css" "gestures.js" "scales.js" "theme.js" }
 files! {
     FONTS in "../../drawing/fonts/":
@@ -41,7 +41,7 @@ files! {
     "pick.js" "place.js" "plane.js" "portraits.js" "reach.js" "seen.js" "share.js" "state.js" "straightened.js" "svg.js" "tiles.js"
 }
 
-// What a page without a server has besides or in the place of these.
+// The files of a page without a server, in addition to these or instead of them.
 files! { ALONE in "../alone/": "reach.js" "worker.js" }
 
 /// Media types by the endings of names.
@@ -52,10 +52,10 @@ const KINDS: [(&str, &str); 4] = [
     ("ttf", "font/ttf"),
 ];
 
-/// What the page asks for its menu by.
+/// The path at which the page requests its menu.
 pub(crate) const EXAMPLES: &str = "examples";
 
-/// The menu, and how people start the program.
+/// The menu, and the command that starts the program.
 pub(crate) fn examples(program: &str, examples: &[Example]) -> Value {
     json!({ "program": program, "examples": examples })
 }
@@ -76,8 +76,8 @@ fn files() -> impl Iterator<Item = (&'static str, Cow<'static, [u8]>)> {
     fixed.chain(iter::once_with(|| ("kinds.js", kinds::script().into_bytes().into())))
 }
 
-/// The files of a page that needs no server, with their names: beside them belongs the program
-/// compiled to WebAssembly, as `grazing.wasm`.
+/// The files of a page that needs no server, with their names; the program compiled to WebAssembly
+/// belongs beside them, as `grazing.wasm`.
 pub fn alone(program: &str, menu: &[Example]) -> Vec<(&'static str, Vec<u8>)> {
     let own = || ALONE.iter().map(|(name, content)| (*name, content.to_vec()));
     let rest = files().filter(|(name, _)| ALONE.iter().all(|(own, _)| own != name));
@@ -115,7 +115,7 @@ mod tests {
                 let served = page(loaded).is_some() || ALONE.iter().any(|(own, _)| own == name);
                 assert!(served && alone.contains(&loaded), "{name}: {loaded}");
             }
-            // The content policy forbids it anyway.
+            // The content policy forbids these anyway.
             for foreign in ["https://", "//cdn", "eval(", "innerHTML"] {
                 assert!(!text.contains(foreign), "{name}: {foreign}");
             }

@@ -1,4 +1,4 @@
-//! The curve through a solution along which its impact velocity stays what it is.
+//! The curve through a solution along which the impact velocity is constant.
 
 use grazing_analysis::unfolded::Prepared;
 use grazing_continuation::curve::Curve;
@@ -16,7 +16,7 @@ use crate::diagram::{OWN_CURVE, eigenvalues, named};
 use crate::model::{Model, View};
 use crate::place::FARTHEST;
 
-/// What is asked for.
+/// The request for a curve through a solution.
 #[derive(Deserialize)]
 pub(crate) struct FollowRequest {
     model: Model,

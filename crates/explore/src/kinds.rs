@@ -1,5 +1,4 @@
-//! How kinds of curves look and what they are called, for the page: `grazing_results::kinds` as a
-//! script.
+//! The names and looks of kinds of curves, for the page: `grazing_results::kinds` as a script.
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::kinds::{
@@ -46,8 +45,9 @@ fn inks(ground: usize) -> Value {
 }
 
 /// A module of JavaScript with `LOOKS`: for each kind of curve its meaning, the colours on light
-/// and on dark ground of the curve and of its approximation, width and dashes; and with
-/// `APPROXIMATION` and `DOTTED`, width and dashes of approximations and of what bounds no region.
+/// and on dark ground of the curve and of its approximation, width and dashes; with `APPROXIMATION`
+/// and `DOTTED`, width and dashes of approximations and of curves that bound no region; and with
+/// `INKS`.
 pub(crate) fn script() -> String {
     let look = |kind: Bifurcation| {
         let look = CurveLook::of(kind);

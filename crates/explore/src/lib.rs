@@ -1,34 +1,35 @@
 //! `grazing explore`: a page in the browser on which the diagram of an oscillator is explored, and
 //! the server behind it.
 //!
-//! The page holds all state: the oscillator's file, values of its constants, what is seen of the
-//! plane, a place in it. Every request carries what it needs of that, so the server remembers
-//! nothing. It computes with what `unfold` computes with, and what it sends are the same numbers.
+//! The page holds all state: the oscillator's file, values of its constants, the view of the plane,
+//! a place in it. Every request carries what it needs of that, so the server stores nothing. It
+//! computes with the code of `unfold`, and sends the same numbers.
 //!
 //! | module | |
 //! |---|---|
-//! | `asked` | requests, and what answers them |
+//! | `asked` | requests, and the functions that answer them |
 //! | `answer`, `events` | one value or file, or events one after the other |
 //! | `model` | from a request to an oscillator |
-//! | `diagram`, `place`, `exact`, `cut`, `tiles` | what is asked for |
+//! | `diagram`, `place`, `exact`, `cut`, `tiles` | the computations that can be requested |
 //! | `follow` | the curve through a solution |
-//! | `measured` | what a rig did, beside the diagram |
-//! | `figure` | what is exported |
-//! | `kinds` | how kinds of curves look, for the page |
+//! | `measured` | measurements beside the diagram |
+//! | `figure` | exported figures |
+//! | `kinds` | the looks of kinds of curves, for the page |
 //! | `files` | the page |
-//! | [`server`](Server) | connections, and where requests go |
-//! | `server::turns` | computations: how many at once, for how long, and their end when nobody waits for them |
-//! | `server::patient` | connections that are given up when nobody reads |
-//! | `server::guard` | who may ask: token, Host, Origin; what answers say to browsers |
+//! | [`server`](Server) | connections, and the routes of requests |
+//! | `server::turns` | computations: how many at once, for how long, and their end when nobody
+//! waits for them |
+//! | `server::patient` | connections that are closed when nobody reads |
+//! | `server::guard` | access: token, Host, Origin; security headers of answers |
 //! | `server::response`, `server::stream` | answers as HTTP carries them |
 //!
 //! Without the feature `server` there are no connections, no threads of this crate, no clocks and
-//! no files: what remains answers a request wherever it is called, in a worker of the page itself if
-//! it is compiled to WebAssembly (`web/`).
+//! no files: the rest answers a request wherever it is called, in a worker of the page itself if it
+//! is compiled to WebAssembly (`packaging/web/`).
 //!
-//! HTTP is hyper's: it is what most Rust servers rest on, well kept, and small without a framework
-//! around it (some ten seconds of compilation; tokio is in the tree anyway). The page is a folder
-//! of small modules, `page/`, which needs no build step.
+//! HTTP is hyper's: most Rust servers are based on it, it is well maintained, and small without a
+//! framework around it (some ten seconds of compilation; tokio is in the tree anyway). The page is
+//! a folder of small modules, `page/`, which needs no build step.
 
 mod answer;
 mod asked;

@@ -1,4 +1,4 @@
-//! What a rig did, beside what is seen of the diagram.
+//! Measurements beside the part of the diagram in view.
 
 use grazing_analysis::plane::Axes;
 use grazing_measured::{Observation, compare, read};
@@ -19,10 +19,10 @@ pub(crate) struct Measured {
 }
 
 impl Measured {
-    /// What was measured in the view, beside the diagram there, and how many measurements lie outside.
+    /// Compares the measurements in the view with the diagram there, and counts those that lie outside.
     ///
     /// # Errors
-    /// The first thing in the file that is not right.
+    /// The first mistake in the file.
     pub(crate) fn beside(
         &self,
         model: &Model,
@@ -32,7 +32,7 @@ impl Measured {
     ) -> Result<(Comparison, usize), Problem> {
         let description = model.description(None, stop)?;
         let own = [description.primary().name(), description.secondary().name()];
-        // The paper's oscillator is known by other names than the text that it is described by.
+        // The paper's oscillator has other names than the text that describes it.
         let names = if model.text.is_some() { own } else { [&*axes.names.primary, &*axes.names.secondary] };
         let all = read::points_of(&self.text, &self.name, names)
             .map_err(|error| Problem::wrong(error.to_string()))?;

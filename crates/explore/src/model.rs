@@ -1,4 +1,4 @@
-//! From a request to an oscillator.
+//! The oscillator of a request.
 
 use std::collections::BTreeMap;
 
@@ -11,47 +11,47 @@ use grazing_source::{Mistake, Setting, SettingError, Text};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-/// The oscillator that a request is about.
+/// The oscillator that a request is about, as the page sends it.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Model {
-    /// The text of its file; none for the paper's oscillator, whose flow is known in closed form.
+    /// The text of the file; none for the paper's oscillator, whose flow is known in closed form.
     pub text: Option<String>,
-    /// Values over those of its constants.
+    /// Values that replace those of constants in the file.
     #[serde(default)]
     pub set: BTreeMap<String, f64>,
-    /// Numbers of loops, if not those of the file.
+    /// Numbers of loops that replace those of the file.
     pub loops: Option<Vec<u32>>,
 }
 
-/// What is seen of the plane, in the oscillator's own units.
+/// A view of the plane, in the oscillator's own units.
 #[derive(Clone, Copy, Debug, Deserialize, Serialize)]
 pub struct View {
     /// The range of the primary parameter.
     pub primary: [f64; 2],
-    /// That of the secondary one.
+    /// The range of the secondary parameter.
     pub secondary: [f64; 2],
 }
 
 /// The name of the file in messages.
 const FILE: &str = "oscillator.toml";
-/// The paper's oscillator as a text: its constants, ranges and loops, and its motion where it has
-/// to be integrated.
+/// The text that describes the paper's oscillator: its constants, ranges and loops, and its motion
+/// where it has to be integrated.
 pub(crate) const PAPER: &str = include_str!("../../../examples/paper.toml");
 
 impl Model {
-    /// The text of its file, or of one that describes the paper's oscillator.
+    /// The text of the file, or of the one that describes the paper's oscillator.
     pub fn written(&self) -> &str {
         self.text.as_deref().unwrap_or(PAPER)
     }
 
-    /// What is set over the text of its file, for a view of the plane or for the file's own.
+    /// The settings over the text of the file, for a view of the plane or for the file's own.
     ///
     /// # Errors
-    /// A constant's name is none.
+    /// A constant has an impossible name.
     pub fn settings(&self, view: Option<&View>) -> Result<Vec<Setting>, SettingError> {
         let constants =
             self.set.iter().map(|(name, value)| Setting::new(&format!("parameters.{name}"), *value));
-        // One-parameter diagrams need not lie in the view, and nobody asks for them.
+        // One-parameter diagrams need not lie in the view, and are not requested.
         let ranges = view.into_iter().flat_map(|View { primary, secondary }| {
             let range = |key: &str, range: &[f64; 2]| Setting::new(key, range.to_vec());
             let none = Setting::new("diagrams", Vec::<f64>::new());
@@ -60,11 +60,11 @@ impl Model {
         constants.chain(ranges).collect()
     }
 
-    /// The oscillator as its file describes it, in the ranges of a view or in its own, read until an
-    /// end is asked for; messages call the file so.
+    /// The oscillator as its file describes it, in the ranges of a view or in its own, unless
+    /// `stop` cancels the reading; messages use this name of the file.
     ///
     /// # Errors
-    /// Something in the text is not right, or something that is set over it.
+    /// Something in the text, or in the settings over it, is wrong.
     pub fn read<E>(&self, file: &str, view: Option<&View>, stop: &Stop) -> Result<Description, E>
     where
         E: From<SettingError> + From<DescriptionError>,
@@ -81,15 +81,15 @@ impl Model {
         self.read(FILE, view, stop)
     }
 
-    /// The oscillator in the ranges of a view, or in those of its file, to be ended by a mark.
+    /// The oscillator in the ranges of a view, or in those of its file; `stop` cancels its computations.
     pub(crate) fn prepared(&self, view: Option<&View>, stop: &Stop) -> Result<Prepared, Mistake> {
         self.ready(&self.description(view, stop)?, stop).map_err(|error| Mistake::new(error.to_string()))
     }
 
-    /// What was read, ready for an analysis.
+    /// An oscillator from its description, ready for an analysis.
     ///
     /// # Errors
-    /// The constants of the paper's oscillator are not right.
+    /// The constants of the paper's oscillator are wrong.
     pub fn ready(&self, description: &Description, stop: &Stop) -> Result<Prepared, OscillatorError> {
         match self.text {
             Some(_) => Ok(Prepared::new(description, unfolded::axes(description), stop)),
@@ -97,7 +97,7 @@ impl Model {
         }
     }
 
-    /// What there is to know of the oscillator before anything is computed.
+    /// The description of the oscillator for the page, before anything is computed.
     pub(crate) fn described(&self, stop: &Stop) -> Result<Value, Mistake> {
         let description = self.description(None, stop)?;
         let names = self.prepared(None, stop)?.axes.names;
@@ -120,7 +120,7 @@ impl Model {
             "constants": description.constants().map(constant).collect::<Vec<_>>(),
             "loops": description.loops(),
             "notes": description.notes(),
-            // x is counted from the wall, which is another one than x = 0 with the motion below it.
+            // x is measured from the wall unless the wall is at x = 0 with the motion below it.
             "from_the_wall": !description.wall().is_usual(),
             "ordinates": Ordinate::ALL.iter().filter_map(ordinate).collect::<Vec<_>>(),
             "units": { "length": length, "time": time },

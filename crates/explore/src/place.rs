@@ -1,4 +1,4 @@
-//! What the oscillator does at one place of the plane.
+//! Motion of the oscillator at one place of the plane.
 
 use grazing_analysis::unfolded::Prepared;
 use grazing_continuation::mps::Multipliers;
@@ -14,22 +14,22 @@ use crate::answer::Problem;
 use crate::asked::Weight;
 use crate::model::Model;
 
-/// What is asked for.
+/// The request for motion at a place.
 #[derive(Deserialize)]
 pub(crate) struct PlaceRequest {
     model: Model,
     at: [f64; 2],
     states: Option<u32>,
-    /// For how many forcing periods motion is followed that does not settle.
+    /// The number of forcing periods for which motion that does not settle is followed.
     periods: Option<u32>,
-    /// Whether orbits are wanted as curves, too: they are unless it says no.
+    /// Whether orbits are also requested as curves: they are if it is missing.
     orbits: Option<bool>,
-    /// What was found at a place nearby: only this is followed.
+    /// Motion found at a place nearby: if it is there, only this is followed.
     nearby: Option<NearbyMotion>,
 }
 
-/// MPSs, as p, velocity and phase, and attractors, as the number of states and one of its own,
-/// which only this program reads.
+/// MPSs, as p, velocity and phase, and attractors, as the number of states that reach it and a
+/// state on it, in a form that only this program reads.
 #[derive(Deserialize)]
 struct NearbyMotion {
     solutions: Vec<(u32, f64, f64)>,
@@ -51,7 +51,7 @@ impl NearbyMotion {
                 .collect(),
             attractors: attractors
                 .map(|&(states, [position, velocity, phase])| {
-                    // Nothing begins beyond the wall.
+                    // No motion begins beyond the wall.
                     (states, State { position: position.min(0.0), velocity, phase })
                 })
                 .collect(),
@@ -59,22 +59,22 @@ impl NearbyMotion {
     }
 }
 
-/// More initial states take longer than anybody waits.
+/// The most initial states: more take longer than anybody waits.
 const MOST_STATES: u32 = 200;
-/// So do more forcing periods.
+/// The most forcing periods: more take longer than anybody waits.
 const MOST_PERIODS: u32 = 1_000_000;
-/// Motion is of the order of one in the oscillator's units: nothing that was found is farther from
-/// rest at the wall than this, or faster.
+/// The greatest distance from rest at the wall, and the greatest velocity, of motion that was
+/// found: motion is of order one in the oscillator's units.
 pub(crate) const FARTHEST: f64 = 1e6;
 
 impl PlaceRequest {
-    /// What is followed from a place nearby takes a moment.
+    /// The weight of the request: following motion from a place nearby takes a moment.
     pub(crate) fn weight(&self) -> Weight {
         if self.nearby.is_some() { Weight::Light } else { Weight::Heavy }
     }
 }
 
-/// The oscillator at a place.
+/// The oscillator at a place, which is checked.
 ///
 /// # Errors
 /// There is no motion there.
@@ -155,12 +155,12 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
     }))
 }
 
-/// A flight in the file's units, as it is seen from the wall.
+/// A flight in the file's units, with positions measured from the wall.
 fn in_units(flight: &[[f64; 3]], units: &Units) -> Vec<[f64; 3]> {
     flight.iter().map(|[t, x, v]| [t * units.time, x * units.length, v * units.velocity()]).collect()
 }
 
-/// The multipliers themselves, real and imaginary parts.
+/// The eigenvalues with these multipliers, real and imaginary parts.
 pub(crate) fn eigenvalues(multipliers: &Multipliers) -> [[f64; 2]; 2] {
     let Multipliers { trace, determinant } = *multipliers;
     let (middle, square) = (0.5 * trace, 0.25 * trace * trace - determinant);
@@ -168,7 +168,7 @@ pub(crate) fn eigenvalues(multipliers: &Multipliers) -> [[f64; 2]; 2] {
     if square < 0.0 {
         return [[middle, root], [middle, -root]];
     }
-    // Without cancellation.
+    // This form has no cancellation.
     let first = middle + root.copysign(middle);
     [[first, 0.0], [if first == 0.0 { 0.0 } else { determinant / first }, 0.0]]
 }

@@ -1,4 +1,4 @@
-//! Connections, and where requests go.
+//! Connections, and the routes of requests.
 
 use std::convert::Infallible;
 use std::io;
@@ -33,17 +33,17 @@ use response::Body;
 pub use turns::Limits;
 use turns::Turns;
 
-/// A server that is bound to its port, and not running yet.
+/// A server that is bound to its port, and does not run yet.
 pub struct Server {
     listener: TcpListener,
     shared: Arc<Shared>,
 }
 
-/// What all requests share.
+/// The state that all requests share.
 struct Shared {
     port: u16,
     token: Token,
-    /// How people start the program, for commands that are copied.
+    /// The command that starts the program, for commands that are copied.
     program: &'static str,
     examples: Vec<Example>,
     export: Export,
@@ -51,8 +51,8 @@ struct Shared {
 }
 
 impl Server {
-    /// Binds to a port of the loopback interface; 0 stands for any that is free. `program` is how
-    /// people start it, `cargo xtask` or `grazing`.
+    /// Binds to a port of the loopback interface; 0 stands for any free one. `program` is the
+    /// command that starts the program, `cargo xtask` or `grazing`.
     ///
     /// # Errors
     /// The port is taken or forbidden.
@@ -81,14 +81,15 @@ impl Server {
         format!("http://127.0.0.1:{}/{}/", self.shared.port, self.shared.token.text())
     }
 
-    /// Answers requests until `ended` says so, which is asked several times a second; what is being
-    /// computed then ends at once. So it does when the process is `too_large`, which goes on.
+    /// Answers requests until `ended` is true, which is checked several times a second; running
+    /// computations then end at once. They also end when the process is `too_large`, but the server
+    /// goes on.
     ///
     /// # Errors
     /// There are no threads.
     pub fn run(self, ended: impl Fn() -> bool, too_large: impl Fn() -> bool) -> io::Result<()> {
         let Self { listener, shared } = self;
-        // A thread for connections; computations have theirs, and within them rayon's.
+        // One thread for connections; computations have theirs, and within them rayon's.
         let runtime = Builder::new_multi_thread()
             .worker_threads(1)
             .max_blocking_threads(shared.turns.limits.connections)
@@ -111,8 +112,7 @@ impl Server {
                         continue;
                     }
                 };
-                // A connection that cannot be had, or is one too many, is nobody's trouble but its
-                // own.
+                // A connection that fails, or is one too many, does not affect others.
                 let (Ok((stream, _)), Ok(place)) = (accepted, places.clone().try_acquire_owned()) else {
                     continue;
                 };
@@ -127,7 +127,7 @@ impl Server {
     }
 }
 
-/// How often it is asked whether to end, and what computations have then to notice it.
+/// The interval at which the end is checked, and the time that computations then have to notice it.
 const PAUSE: Duration = Duration::from_millis(50);
 const GRACE: Duration = Duration::from_millis(500);
 
@@ -142,7 +142,7 @@ async fn connection(stream: Patient, shared: Arc<Shared>, _place: OwnedSemaphore
             Ok::<_, Infallible>(response)
         }
     });
-    // Whoever goes away in the middle of an answer needs none.
+    // A client that disconnects in the middle of an answer needs no error.
     let _ = http1::Builder::new()
         .timer(TokioTimer::new())
         .header_read_timeout(patience)
@@ -151,7 +151,7 @@ async fn connection(stream: Patient, shared: Arc<Shared>, _place: OwnedSemaphore
         .await;
 }
 
-/// Bytes of a request's head, at most.
+/// The most bytes of the head of a request.
 const HEAD: usize = 16 * 1024;
 
 async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Response<Body>, Problem> {

@@ -1,4 +1,4 @@
-//! What simulation sees in the plane, from coarse to fine.
+//! Simulation over the plane, from coarse to fine.
 
 use std::time::Duration;
 
@@ -15,7 +15,7 @@ use crate::answer::Problem;
 use crate::events::Events;
 use crate::model::{Model, View};
 
-/// What is asked for.
+/// The request for simulation.
 #[derive(Deserialize)]
 pub(crate) struct TilesRequest {
     model: Model,
@@ -23,21 +23,20 @@ pub(crate) struct TilesRequest {
     columns: u32,
     rows: u32,
     periods: u32,
-    /// So many of the places that come first are known.
+    /// The number of places that are known, in the order in which they are simulated.
     #[serde(default)]
     known: usize,
 }
 
-/// Places of the plane and forcing periods, at most.
+/// The most columns and rows of places, and the most forcing periods.
 const MOST: u32 = 1000;
 const MOST_PERIODS: u32 = 5000;
-/// The width of the first cells; each is half the one before.
+/// The width of the first cells; it is halved each time.
 const COARSEST: u32 = 16;
-/// Places that are sent at once to begin with; later ones are as large as can be simulated in about
-/// this time.
+/// The number of places in the first message; later ones are as large as can be simulated in about this time.
 const LOT: usize = 32;
 const OFTEN: Duration = Duration::from_millis(100);
-/// Of all forcing periods those that count are this part.
+/// The share of all forcing periods that counts: one in this many.
 const COUNTED: u32 = 6;
 
 pub(crate) fn compute(request: &TilesRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
@@ -74,7 +73,7 @@ pub(crate) fn compute(request: &TilesRequest, events: &Events, stop: &Stop) -> R
                 let shares = [(column, columns), (row, rows)]
                     .map(|(place, count)| (f64::from(place) + 0.5) / f64::from(count));
                 let here = oscillator.with_parameters(scope.window.parameters(shares));
-                // The same place has the same state, whatever was computed before.
+                // A place always has the same initial state, whatever was computed before.
                 let mut random = random(column, row);
                 let fate = LongOrbit::follow(&here, random_start(-1.0, &mut random), horizon).fate;
                 json!([column, row, fate.loops(), fate.periods, fate.impacts])
@@ -94,7 +93,7 @@ pub(crate) fn compute(request: &TilesRequest, events: &Events, stop: &Stop) -> R
     }
 }
 
-/// Random numbers of a place.
+/// The generator of random numbers of a place.
 fn random(column: u32, row: u32) -> rand_pcg::Pcg64 {
     rand_pcg::Pcg64::new(1, u128::from(column) << 32 | u128::from(row))
 }

@@ -1,9 +1,9 @@
-//! Who may ask, and what every answer says to browsers.
+//! Access control, and the security headers of every answer.
 //!
-//! The server listens on the loopback interface alone, but every page that a browser shows can send
+//! The server listens on the loopback interface alone, but every page in a browser can send
 //! requests there. So the address has a random token in its path, which no other page can know; the
-//! Host must be the server's own, or a foreign name could be made to mean this machine (DNS
-//! rebinding); and a request from a page must come from the server's own.
+//! Host must be the server's own, since a foreign name could be made to resolve to this machine
+//! (DNS rebinding); and a request from a page must come from the server's own.
 
 use hyper::header::{self, HeaderMap, HeaderName, HeaderValue};
 
@@ -11,11 +11,11 @@ use hyper::header::{self, HeaderMap, HeaderName, HeaderValue};
 #[derive(Clone, Debug)]
 pub(crate) struct Token(String);
 
-/// Bytes of a token: more than anybody can try.
+/// The bytes of a token: too many to try.
 const BYTES: usize = 16;
 
 impl Token {
-    /// A new one.
+    /// A new random token.
     pub(crate) fn random() -> std::io::Result<Self> {
         let mut bytes = [0; BYTES];
         getrandom::fill(&mut bytes).map_err(std::io::Error::other)?;
@@ -26,20 +26,21 @@ impl Token {
         &self.0
     }
 
-    /// What follows the token in a path; none if it is not there.
+    /// The part of a path after the token; none if the token is wrong or missing.
     pub(crate) fn rest<'p>(&self, path: &'p str) -> Option<&'p str> {
         let (token, rest) = path.strip_prefix('/')?.split_once('/')?;
-        // In time that does not tell how much of it was right.
+        // In constant time, which does not reveal how much of the token was right.
         let same = token.len() == self.0.len()
             && token.bytes().zip(self.0.bytes()).fold(0, |differ, (a, b)| differ | (a ^ b)) == 0;
         same.then_some(rest)
     }
 }
 
-/// Whether a request may be answered: for this server, and from its own page if it is from one.
+/// Whether a request may be answered: it is for this server, and comes from its own page if it
+/// comes from one.
 pub(crate) fn is_own(headers: &HeaderMap, port: u16) -> bool {
     let own = ["127.0.0.1", "localhost", "[::1]"].map(|name| format!("{name}:{port}"));
-    // Of two of a kind nobody knows which one somebody on the way has looked at.
+    // If a header occurs twice, an intermediary may have read the other one.
     let single = |name: &str| headers.get_all(name).iter().count() <= 1;
     let text = |name: HeaderName| headers.get(name).map(|value| value.to_str().unwrap_or_default());
     let host = text(header::HOST).is_some_and(|host| own.iter().any(|own| own == host));
@@ -49,8 +50,8 @@ pub(crate) fn is_own(headers: &HeaderMap, port: u16) -> bool {
     host && origin && site && ["host", "origin", "sec-fetch-site"].into_iter().all(single)
 }
 
-/// What every answer says: nothing is loaded but from here, nothing is kept, nobody may show it in
-/// a frame.
+/// Adds the headers of every answer: nothing is loaded from elsewhere, nothing is stored, and no
+/// page may show it in a frame.
 pub(crate) fn headers(headers: &mut HeaderMap) {
     let all: [(HeaderName, &'static str); 6] = [
         (

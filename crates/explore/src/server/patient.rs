@@ -1,4 +1,4 @@
-//! A connection that is given up when the other side takes nothing for too long.
+//! A connection that is closed when the other side reads nothing for too long.
 
 use std::future::Future;
 use std::io;
@@ -11,12 +11,12 @@ use hyper_util::rt::TokioIo;
 use tokio::net::TcpStream;
 use tokio::time::{Sleep, sleep};
 
-/// A connection whose other side has to take something within a time whenever there is something
-/// for it. Otherwise writing fails, and with the connection go the answer and what computes it.
+/// A connection whose other side has to read something within a time whenever there is something
+/// for it. Otherwise writing fails, and with the connection the answer and its computation end.
 pub(crate) struct Patient {
     stream: TokioIo<TcpStream>,
     patience: Duration,
-    /// What it is waited for, if nothing can be written just now.
+    /// The timer that runs while nothing can be written.
     waiting: Option<Pin<Box<Sleep>>>,
 }
 
@@ -25,7 +25,7 @@ impl Patient {
         Self { stream: TokioIo::new(stream), patience, waiting: None }
     }
 
-    /// What came of writing, or that it took too long.
+    /// The result of writing, or an error if it took too long.
     fn waited<T>(&mut self, context: &mut Context<'_>, written: Poll<io::Result<T>>) -> Poll<io::Result<T>> {
         if written.is_ready() {
             self.waiting = None;

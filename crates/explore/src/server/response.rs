@@ -1,4 +1,4 @@
-//! Answers as HTTP carries them.
+//! Answers in HTTP.
 
 use std::convert::Infallible;
 
@@ -12,10 +12,10 @@ use serde_json::Value;
 use crate::answer::{Problem, Sheet};
 use crate::asked::JSON;
 
-/// What answers carry.
+/// The body of an answer.
 pub(super) type Body = BoxBody<Bytes, Infallible>;
 
-/// Why there is no answer.
+/// The answer to a request that has failed.
 pub(super) fn refused(problem: &Problem) -> Response<Body> {
     let mut response = json(&problem.told());
     *response.status_mut() =
@@ -23,12 +23,12 @@ pub(super) fn refused(problem: &Problem) -> Response<Body> {
     response
 }
 
-/// A value as JSON; numbers that are none are null.
+/// A value as JSON; numbers that are not finite are null.
 pub(super) fn json(value: &Value) -> Response<Body> {
     of_kind(JSON, value.to_string())
 }
 
-/// Some content in one piece.
+/// Content in one piece.
 pub(super) fn of_kind(kind: &'static str, content: impl Into<Bytes>) -> Response<Body> {
     with_kind(kind, Full::new(content.into()).boxed())
 }
@@ -39,7 +39,7 @@ pub(super) fn with_kind(kind: &'static str, body: Body) -> Response<Body> {
     response
 }
 
-/// A file to be saved.
+/// A file for download.
 pub(super) fn file(sheet: Sheet) -> Result<Response<Body>, Problem> {
     let Sheet { name, kind, content } = sheet;
     let mut response = of_kind(kind, content);

@@ -1,4 +1,4 @@
-//! Answers that come in pieces while they are computed.
+//! Answers that are sent in pieces while they are computed.
 
 use std::convert::Infallible;
 use std::pin::Pin;
@@ -18,16 +18,16 @@ use crate::answer::Problem;
 use crate::asked::{EVENTS, Told, Weight};
 use crate::events;
 
-/// Events that wait for a slow reader; the computation waits then, too.
+/// The most events that wait for a slow reader; the computation then waits, too.
 const WAITING: usize = 64;
 
-/// The time since this was first asked.
+/// The time since the first call.
 fn clock() -> Duration {
     static BEGAN: LazyLock<Instant> = LazyLock::new(Instant::now);
     BEGAN.elapsed()
 }
 
-/// Computes, and sends what is found as it is found.
+/// Computes, and sends results as they are found.
 pub(super) async fn events(turns: &Turns, compute: Box<Told>) -> Result<Response<Body>, Problem> {
     let (sender, receiver) = channel(WAITING);
     let work = move |stop: &Stop| {
@@ -38,7 +38,7 @@ pub(super) async fn events(turns: &Turns, compute: Box<Told>) -> Result<Response
     Ok(response::with_kind(EVENTS, Reading { receiver, _guard: guard }.boxed()))
 }
 
-/// The body of an answer in pieces; when the connection goes, so does the computation.
+/// The body of an answer in pieces; when the connection ends, so does the computation.
 struct Reading {
     receiver: Receiver<Bytes>,
     _guard: StopOnDrop,

@@ -13,29 +13,29 @@ use tokio::time::{sleep, timeout};
 use crate::answer::Problem;
 use crate::asked::Weight;
 
-/// What the server allows. None of it is felt by people at browsers; all of it is by whoever wants
-/// to bring the server down.
+/// The limits of the server. People at browsers notice none of them; attempts to overload the
+/// server meet all of them.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
     /// Connections at once; more are closed.
     pub connections: usize,
-    /// Heavy computations at once; more wait, in the order in which they came. By default so many
-    /// as one page asks for: diagram, place, cut, simulation.
+    /// Heavy computations at once; more wait, in the order of their arrival. By default as many as
+    /// one page requests: diagram, place, cut, simulation.
     pub computations: usize,
-    /// Light ones, which do not wait for these.
+    /// Light computations at once, which do not wait for heavy ones.
     pub light: usize,
-    /// Bytes of a request's body: ten times the largest file that is no generated one.
+    /// The most bytes of a request's body: ten times the largest file that was not generated.
     pub body: usize,
-    /// For the head of a request to come, and then for its body; and for whoever asked to take more
-    /// of the answer.
+    /// The time for the head of a request to arrive, and then for its body; and for a client to
+    /// read more of the answer.
     pub patience: Duration,
-    /// For a computation, with the time that it waits. It is that of the clock on the wall, since
-    /// the process computes for several at once.
+    /// The time for a computation, with the time that it waits: wall-clock time, since the process
+    /// computes for several clients at once.
     pub time: Duration,
-    /// For a computation to notice that its end is asked for. One that does not loses its turn to
-    /// whoever comes next.
+    /// The time for a computation to notice that it is cancelled. One that does not loses its turn
+    /// to the next.
     pub grace: Duration,
-    /// Steps of integration of a computation.
+    /// The most steps of integration of a computation.
     pub steps: u64,
 }
 
@@ -54,20 +54,19 @@ impl Default for Limits {
     }
 }
 
-/// What all computations share.
+/// The state that all computations share.
 pub(crate) struct Turns {
     pub(crate) limits: Limits,
     light: Arc<Lane>,
     heavy: Arc<Lane>,
-    /// Changes when all computations are to end.
+    /// The number of times that all computations were ended; they end when it changes.
     ending: watch::Sender<u64>,
 }
 
 /// Computations of one weight.
 struct Lane {
     turns: Arc<Semaphore>,
-    /// Each computation has threads of its own: those of one that takes long would not look after
-    /// another before its end.
+    /// The threads of each computation: shared ones would be held by a long computation until its end.
     threads: Mutex<Vec<Arc<ThreadPool>>>,
 }
 
@@ -86,26 +85,26 @@ impl Lane {
     }
 }
 
-/// The right to compute, as long as nobody has taken it back.
+/// The right to compute, unless it has been taken back.
 struct Seat {
     lane: Arc<Lane>,
     permit: Mutex<Option<OwnedSemaphorePermit>>,
 }
 
 impl Seat {
-    /// Gives the right back, with threads for whoever comes next; once.
+    /// Gives the right back once, with threads for the next computation.
     fn vacate(&self, threads: impl FnOnce() -> io::Result<Arc<ThreadPool>>) {
         let permit = self.permit.lock().unwrap_or_else(PoisonError::into_inner).take();
         let Some(permit) = permit else { return };
         match threads() {
             Ok(threads) => self.lane.threads().push(threads),
-            // There is one turn less.
+            // Without threads there is one turn less.
             Err(_) => permit.forget(),
         }
     }
 }
 
-/// A turn to compute, and the threads to do it with.
+/// A turn to compute, with threads.
 struct Turn {
     seat: Arc<Seat>,
     pool: Arc<ThreadPool>,
@@ -118,10 +117,10 @@ impl Drop for Turn {
 }
 
 impl Turns {
-    /// For these limits.
+    /// Turns with these limits.
     ///
     /// # Errors
-    /// There are no threads.
+    /// No threads can be started.
     pub(crate) fn new(limits: Limits) -> io::Result<Self> {
         let [light, heavy] = [Lane::new(limits.light)?, Lane::new(limits.computations)?];
         Ok(Self { limits, light, heavy, ending: watch::Sender::new(0) })
@@ -132,7 +131,7 @@ impl Turns {
         self.ending.send_modify(|endings| *endings += 1);
     }
 
-    /// A turn, once it is there; none if it takes too long.
+    /// A turn as soon as one is free; an error if that takes too long.
     async fn turn(&self, weight: Weight) -> Result<Turn, Problem> {
         let lane = if weight == Weight::Light { &self.light } else { &self.heavy };
         let refused = |why| Problem::new(503, why);
@@ -144,7 +143,8 @@ impl Turns {
     }
 
     /// A mark that ends a computation when its time or its steps are used up, when all are to end,
-    /// and when what is returned beside it is dropped. One that goes on all the same loses its turn.
+    /// or when the guard returned with it is dropped. A computation that goes on regardless loses
+    /// its turn.
     fn mark(&self, turn: &Turn) -> (Stop, StopOnDrop) {
         let stop = Stop::after(self.limits.steps);
         let Limits { time, grace, .. } = self.limits;
@@ -157,7 +157,7 @@ impl Turns {
                 _ = dropped => {}
             }
             asked.ask();
-            // One that has ended has no seat any more.
+            // A computation that has ended no longer has a seat.
             if seat.strong_count() > 0 {
                 sleep(grace).await;
                 if let Some(seat) = seat.upgrade() {
@@ -169,7 +169,7 @@ impl Turns {
     }
 }
 
-/// Asks a computation to end when it is dropped, as the answer that nobody waits for any more is.
+/// A guard that cancels a computation when it is dropped, as it is with an answer that nobody waits for.
 pub(crate) struct StopOnDrop {
     stop: Stop,
     _guarded: oneshot::Sender<()>,
@@ -181,14 +181,14 @@ impl Drop for StopOnDrop {
     }
 }
 
-/// A computation that has begun in a thread of its own.
+/// A computation that has begun in a separate thread.
 pub(crate) struct Begun<T> {
     pub(crate) result: JoinHandle<T>,
-    /// It ends when this is dropped.
+    /// The guard that ends the computation when it is dropped.
     pub(crate) guard: StopOnDrop,
 }
 
-/// Begins to compute something when it is its turn.
+/// Begins a computation at its turn.
 pub(crate) async fn begin<T: Send + 'static>(
     turns: &Turns,
     weight: Weight,
@@ -200,7 +200,7 @@ pub(crate) async fn begin<T: Send + 'static>(
     Ok(Begun { result, guard })
 }
 
-/// Computes something when it is its turn.
+/// Runs a computation at its turn.
 pub(crate) async fn computed<T: Send + 'static>(
     turns: &Turns,
     weight: Weight,
