@@ -1,5 +1,5 @@
-//! What the page is without a mouse, without light, without motion, and to those who hear it; and
-//! that an address holds all of it.
+//! The page without a mouse, in the dark, without motion, and with a screen reader; and addresses
+//! that hold its whole state.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +12,7 @@ use super::overlay::DONE;
 use super::places::CUT;
 use super::{DESK, PHONE, PLACE, Running, WHOLE, numbers, plane_key, state};
 
-/// Roles that people act on, or are told of.
+/// Roles of controls, and of elements that report something.
 const NAMED: [&str; 12] = [
     "button",
     "checkbox",
@@ -28,7 +28,7 @@ const NAMED: [&str; 12] = [
     "progressbar",
 ];
 
-/// Every control that is seen has a name.
+/// Asserts that every visible control has a name, and returns their number.
 fn assert_all_named(page: &mut Browser) -> usize {
     let told = page.told();
     let controls: Vec<_> = told.iter().filter(|[role, ..]| NAMED.contains(&role.as_str())).collect();
@@ -46,14 +46,13 @@ fn every_control_has_a_name_and_is_reached_by_keys_in_order() {
     page.press("k");
     page.press("ArrowLeft");
     page.press("o");
-    // Nothing is to come any more that has controls of its own.
+    // Everything with controls of its own has appeared.
     for rest in [WHOLE, PLACE, CUT, DONE] {
         page.wait(rest);
     }
     let controls = assert_all_named(&mut page);
     assert!(controls > 30, "{controls}");
-    // All that can be pressed or filled in gets the focus by tab alone, once each and from top to
-    // bottom.
+    // All controls get the focus by tab alone, once each and from top to bottom.
     let controls = "[...document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex=\"0\"]')]\
                     .filter((e) => e.checkVisibility({visibilityProperty: true}) && !e.disabled)";
     page.value(&format!("{controls}.forEach((e, k) => {{ e.dataset.count = k; }})"));
@@ -75,7 +74,7 @@ fn every_control_has_a_name_and_is_reached_by_keys_in_order() {
     ));
     assert!(missed.is_empty(), "{names}");
     page.press_with("Tab", SHIFT);
-    // Dialogs hold the focus, and give it back.
+    // Dialogs keep the focus inside, and return it when they close.
     plane_key(&mut page, "?");
     page.wait("document.getElementById('help').open");
     assert_all_named(&mut page);
@@ -102,7 +101,7 @@ fn light_and_dark_follow_the_system_and_the_button() {
     page.wait(&format!("document.documentElement.dataset.theme === 'dark' && {brightness} < 100"));
     assert!(light > 150.0);
     assert_ne!(page.value(background), paper);
-    // The inks of the curves stay apart from the paper.
+    // The inks of the curves contrast with the paper.
     let contrast = "use('palette').then(([q]) => { const l = (hex) => { const c = /#(..)(..)(..)/.exec(hex).slice(1).map((x) => parseInt(x, 16) / 255)\
                     .map((v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)); return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }; \
                     const ink = q.inks(), on = l(ink.paper); const ratio = (hex) => { const a = l(hex); return (Math.max(a, on) + 0.05) / (Math.min(a, on) + 0.05); }; \
@@ -135,7 +134,7 @@ fn all_that_is_seen_is_taken_home_as_picture_and_numbers() {
         ("impacts", "attractor,what,phase"),
     ] {
         let mut taken = |kind: &str| {
-            // Browsers hold up pages that save many files in a moment.
+            // Browsers block pages that save many files at once.
             if name == "plane" {
                 page.click(&format!("[data-seen='{name}:{kind}']"), [0.0, 0.0]);
                 return saved(home.path(), &format!("{stem}-{name}.{kind}"));
@@ -226,7 +225,7 @@ fn an_address_brings_back_everything_that_was_seen() {
     assert_eq!(other.value("use('state').then(([s]) => s.get())"), all);
     assert_eq!(other.value(words), told);
     other.wait(&format!("JSON.stringify({pictures}) === JSON.stringify({drawn})"));
-    // What was cut short on the way is told, not guessed.
+    // A truncated address is reported, not guessed.
     other.go(&address[..address.len() - 7]);
     other.wait("!document.getElementById('warning').hidden");
     assert_eq!(state(&mut other, "set"), json!({}));
@@ -236,7 +235,7 @@ fn an_address_brings_back_everything_that_was_seen() {
 fn whatever_an_address_says_is_read_as_a_state_or_refused() {
     let server = Running::new();
     let Some(mut page) = server.open(PHONE) else { return };
-    // Values of all kinds under every name, bytes and letters changed, all of them seeded.
+    // Values of all kinds under every name, and changed bytes and letters, all of them seeded.
     let wrong = page.value(
         "use('state').then(([s]) => { \
            let seed = 1; const below = (n) => { seed = (seed * 1103515245 + 12345) % 2147483648; return Math.floor((seed / 2147483648) * n); }; \
@@ -275,7 +274,8 @@ fn no_command_is_offered_that_carries_more_than_text_into_a_shell() {
     };
     let plain = of(&mut page, "zeta");
     assert!(plain.as_str().is_some_and(|line| line.contains("oscillator.zeta=0.5")), "{plain}");
-    // What a shell would read otherwise is quoted, and what no quotes hold on every terminal is refused.
+    // Characters that a shell would interpret are quoted, and those that no quotes protect on every
+    // terminal are rejected.
     let quoted = of(&mut page, "\"a;touch 'b\"");
     assert!(quoted.as_str().is_some_and(|line| line.contains(r"'oscillator.a;touch '\''b=0.5'")), "{quoted}");
     for name in [
@@ -305,7 +305,7 @@ fn on_a_phone_address_and_numbers_are_taken_home() {
     page.click("[data-take='csv:points']", [0.0, 0.0]);
     let stem = page.wait("use('model').then(([m]) => m.description.name)");
     let stem = stem.as_str().unwrap().to_lowercase().replace(|c: char| !c.is_ascii_alphanumeric(), "-");
-    // The server of these tests hands back what it was asked for.
+    // The server of these tests returns the name that was requested.
     assert_eq!(saved(home.path(), &format!("{stem}-points.csv")), b"csv:points");
     assert_eq!(page.value("document.documentElement.scrollWidth"), 360);
 }

@@ -1,4 +1,4 @@
-//! Chromium without a window, driven by its own protocol as a person drives it: by mouse and keys.
+//! Chromium without a window, driven by its own protocol as a user drives it: by mouse and keys.
 
 use std::fs;
 use std::io::{BufRead, BufReader, Write};
@@ -18,9 +18,9 @@ use tungstenite::{Message, WebSocket};
 
 /// The names under which systems have the browser.
 const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
-/// The page's modules by name are at hand in expressions.
+/// Makes the page's modules available by name in expressions.
 const USE: &str = "window.use ??= (...names) => Promise.all(names.map((name) => import(new URL(`./${name}.js`, document.baseURI))));";
-/// Keys that do more than write a letter: name, number, and what they write.
+/// Keys that do more than write a letter: name, number, and the text that they write.
 const KEYS: [(&str, u32, &str); 10] = [
     ("Tab", 9, ""),
     ("Enter", 13, "\r"),
@@ -33,12 +33,11 @@ const KEYS: [(&str, u32, &str); 10] = [
     ("ArrowRight", 39, ""),
     ("ArrowDown", 40, ""),
 ];
-/// Keys that are held meanwhile, in the protocol's numbers.
+/// Keys that are held at the same time, in the protocol's numbers.
 pub(crate) const CONTROL: u32 = 2;
 pub(crate) const SHIFT: u32 = 8;
 
-/// Far beyond what anything takes on a busy machine: tests wait for conditions, and this ends those
-/// that never come true.
+/// The time limit for conditions that tests wait for, far longer than anything takes on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(600);
 
 /// The browser's process, which tests that run at once share.
@@ -51,8 +50,7 @@ struct Process {
 static RUNNING: Mutex<Weak<Process>> = Mutex::new(Weak::new());
 
 impl Process {
-    /// The one that runs, or a new one; nothing where there is no browser, which is said on the
-    /// error stream.
+    /// The running process, or a new one; none without a browser, with a message on the error stream.
     fn shared() -> Option<Arc<Self>> {
         let mut running = RUNNING.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(process) = running.upgrade() {
@@ -63,7 +61,7 @@ impl Process {
             Command::new(name)
                 .args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"])
                 .args(["--no-first-run", "--disable-background-networking", "--remote-debugging-port=0"])
-                // Every page is drawn as if it were in front.
+                // Every page is drawn as if it were in the foreground.
                 .args(["--disable-background-timer-throttling", "--disable-renderer-backgrounding"])
                 .arg("--disable-backgrounding-occluded-windows")
                 .arg(format!("--user-data-dir={}", profile.path().display()))
@@ -95,7 +93,7 @@ impl Drop for Process {
     }
 }
 
-/// A page of its own, which shares nothing with others.
+/// A page in a context of its own, which shares nothing with others.
 pub(crate) struct Browser {
     socket: WebSocket<MaybeTlsStream<TcpStream>>,
     context: Value,
@@ -105,7 +103,7 @@ pub(crate) struct Browser {
 }
 
 impl Browser {
-    /// Opens a page in a window of this size; nothing where there is no browser.
+    /// Opens a page in a window of this size; none without a browser.
     pub(crate) fn open(address: &str, [width, height]: [u32; 2]) -> Option<Self> {
         let process = Process::shared()?;
         let (socket, _) = tungstenite::connect(&process.endpoint).unwrap();
@@ -126,7 +124,7 @@ impl Browser {
         browser.call("Emulation.setDeviceMetricsOverride", screen);
         browser.call("Emulation.setTouchEmulationEnabled", json!({"enabled": mobile, "maxTouchPoints": 2}));
         browser.call("Emulation.setScrollbarsHidden", json!({"hidden": true}));
-        // As if its window were the one that is used.
+        // As if its window had the focus.
         browser.call("Emulation.setFocusEmulationEnabled", json!({"enabled": true}));
         browser.go(address);
         Some(browser)
@@ -181,7 +179,7 @@ impl Browser {
     pub(crate) fn wait(&mut self, expression: &str) -> Value {
         let began = Instant::now();
         loop {
-            // While the page is being loaded, what is asked about is not there.
+            // While the page is being loaded, the expression fails.
             let found = self.evaluated(expression).unwrap_or(Value::Null);
             let true_enough = match &found {
                 Value::Null | Value::Bool(false) => false,
@@ -199,7 +197,7 @@ impl Browser {
         }
     }
 
-    /// Keeps all words that an element shows from now on in `noted`.
+    /// Records all texts that an element shows from now on in `noted`.
     pub(crate) fn note_words(&mut self, id: &str) {
         self.value(&format!(
             "(() => {{ const e = document.getElementById({id:?}); window.noted = []; \
@@ -230,7 +228,7 @@ impl Browser {
         self.call("Input.dispatchMouseEvent", event);
     }
 
-    /// Clicks on the middle of an element, or so far from there.
+    /// Clicks on the middle of an element, or at an offset from there.
     pub(crate) fn click(&mut self, selector: &str, [across, down]: [f64; 2]) {
         let [x, y] = self.middle(selector);
         self.click_at([x + across, y + down]);
@@ -247,7 +245,7 @@ impl Browser {
         self.mouse("mouseMoved", spot, 0);
     }
 
-    /// Drags from one spot to another in steps, keys held meanwhile, and does something after each.
+    /// Drags from one spot to another in steps, with keys held, and does something after each.
     pub(crate) fn drag(
         &mut self,
         [from, to]: [[f64; 2]; 2],
@@ -318,12 +316,12 @@ impl Browser {
         self.call("Input.insertText", json!({ "text": text }));
     }
 
-    /// What people want of pages: `prefers-color-scheme`, `prefers-reduced-motion`.
+    /// Sets a preference of the user: `prefers-color-scheme`, `prefers-reduced-motion`.
     pub(crate) fn prefer(&mut self, name: &str, value: &str) {
         self.call("Emulation.setEmulatedMedia", json!({"features": [{"name": name, "value": value}]}));
     }
 
-    /// What a screen reader is told: role, name and value of all that is seen.
+    /// The tree of a screen reader: role, name and value of all visible elements.
     pub(crate) fn told(&mut self) -> Vec<[String; 3]> {
         let tree = self.call("Accessibility.getFullAXTree", json!({}));
         let text = |value: &Value| match &value["value"] {
@@ -335,7 +333,7 @@ impl Browser {
         nodes.map(|node| ["role", "name", "value"].map(|key| text(&node[key]))).collect()
     }
 
-    /// What is copied can be read, and what is saved lies in a folder.
+    /// Allows reading the clipboard, and saves downloads in a folder.
     pub(crate) fn permit(&mut self, folder: &Path) {
         let permissions = ["clipboardReadWrite", "clipboardSanitizedWrite"];
         let granted = json!({"permissions": permissions, "browserContextId": self.context});
@@ -344,7 +342,7 @@ impl Browser {
         self.call("Browser.setDownloadBehavior", saved);
     }
 
-    /// The page on paper, as PDF.
+    /// The printed page, as PDF.
     #[allow(dead_code)] // Where only the explorer is tested.
     pub(crate) fn printed(&mut self) -> Vec<u8> {
         let printed = self.call("Page.printToPDF", json!({}));
@@ -358,7 +356,7 @@ impl Browser {
     }
 }
 
-/// A file in a folder, once it is there; the browser gives it another name until it is whole.
+/// A file in a folder, as soon as it is there; the browser gives it another name until it is complete.
 #[track_caller]
 pub(crate) fn saved(folder: &Path, name: &str) -> Vec<u8> {
     let began = Instant::now();

@@ -1,12 +1,11 @@
-//! Constants that are moved.
+//! Changing constants.
 
 use grazing_explore::Limits;
 use serde_json::Value;
 
 use super::{CURVES, DESK, HOLD, HOUR, PHONE, Running, WHOLE, choose_duffing, plane_key, state};
 
-/// Pixels of the plane that lie in the middle of a run of each kind of curve, and whether they have
-/// the ink of that kind.
+/// Whether pixels of the plane in the middle of a run of each kind of curve have the ink of that kind.
 const INKED: &str = "use('plane', 'palette').then(([p, q]) => { const canvas = document.getElementById('plane'); \
                      const context = canvas.getContext('2d'); const probe = document.createElement('canvas').getContext('2d'); \
                      const inks = new Map(); for (const {curve, points, bounds} of p.runs) { if (curve.source === 'quadratic' || !bounds) continue; \
@@ -19,9 +18,9 @@ fn grazing(curves: &Value) -> &Value {
     curves.as_array().unwrap().iter().find(|curve| curve["kind"] == "graz").unwrap()
 }
 
-/// Curves of resonances that bear the same key before and after a small step are the same: most
-/// have one of the same key, and each of these runs close to what it was. Those without a resonance
-/// are known by their kind alone.
+/// Asserts that curves of resonances with the same key before and after a small step are the same:
+/// most have a counterpart, and each of these runs close to where it was. Curves without a
+/// resonance are known by their kind alone.
 fn assert_same(before: &Value, after: &Value) {
     let (before, after) = (before.as_array().unwrap(), after.as_array().unwrap());
     let points = |curve: &Value| -> Vec<[f64; 2]> {
@@ -42,7 +41,7 @@ fn assert_same(before: &Value, after: &Value) {
     assert!(same * 10 >= 8 * of_resonances.len(), "{same} of {}", of_resonances.len());
 }
 
-/// Curves that no resonance leads to, by name.
+/// Curves to which no resonance leads, by key.
 const NUMBERED: &str = "use('diagram').then(([d]) => [...d.diagram.curves.values()].filter(({n, source}) => n === 0 && source === 'continuation')\
                         .map(({key, points}) => [key, points]).sort())";
 
@@ -51,7 +50,7 @@ fn curves_that_no_resonance_leads_to_keep_their_numbers_in_one_drag_as_in_small_
     let server = Running::new();
     let Some(mut page) = server.open(DESK) else { return };
     let mut walk = |steps: u32, at_once: bool| {
-        // From the file's value: nothing is known of curves before.
+        // From the file's value: no curves are known from before.
         page.go("about:blank");
         page.go(&server.address);
         page.wait(WHOLE);
@@ -77,8 +76,8 @@ fn curves_that_no_resonance_leads_to_keep_their_numbers_in_one_drag_as_in_small_
     let (before, small) = walk(STEPS, false);
     let (_, large) = walk(STEPS, true);
     assert!(small == large, "{:?} and {:?}", names(&small), names(&large));
-    // Some have gone, of lower numbers than others: in the order in which they are found these
-    // would have moved up.
+    // Some curves have gone, with lower numbers than others: in the order in which they are found
+    // these would have moved up.
     let of_kind = |curves: &Value| -> Vec<String> {
         names(curves).into_iter().filter(|name| name.starts_with(NUMEROUS)).collect()
     };
@@ -91,8 +90,8 @@ fn curves_that_no_resonance_leads_to_keep_their_numbers_in_one_drag_as_in_small_
     assert_ne!(new, moved_up);
 }
 
-/// Curves of which the paper's oscillator has several, and the steps of its damping ratio after
-/// which some of them are gone.
+/// Curves of which the paper's oscillator has several, and the number of steps of its damping ratio
+/// after which some of them are gone.
 const NUMEROUS: &str = "GZ 2 0 ";
 const STEPS: u32 = 18;
 
@@ -108,12 +107,12 @@ fn a_curve_that_goes_leaves_the_others_their_numbers_and_one_that_comes_gets_a_n
         ))
     };
     let two = "[['GZ 2 0 #0', 0.2], ['GZ 2 0 #1', 0.6]]";
-    // The first goes, and what is left is found first.
+    // The first one goes, and the other one is found first.
     assert_eq!(names(two, "[['GZ 2 0 #0', 0.62]]"), serde_json::json!(["GZ 2 0 #0 is GZ 2 0 #1"]));
-    // They are found in the other order, and one is cut off by the view.
+    // Both are found in the other order, and one is cut off by the view.
     let other = names(two, "[['GZ 2 0 #0', 0.58, 0.4], ['GZ 2 0 #1', 0.22]]");
     assert_eq!(other, serde_json::json!(["GZ 2 0 #0 is GZ 2 0 #1", "GZ 2 0 #1 is GZ 2 0 #0"]));
-    // One comes far from both, and first; of another kind and of a resonance nothing is asked.
+    // A new one appears far from both, and first; other kinds and curves of resonances are left alone.
     let more = names(
         two,
         "[['GZ 2 0 #0', 0.95], ['GZ 2 0 #1', 0.2], ['GZ 2 0 #2', 0.6], ['SN 2 0 #0', 0.6], ['GZ 2 3 #0', 0.6]]",
@@ -127,12 +126,12 @@ fn a_curve_that_goes_leaves_the_others_their_numbers_and_one_that_comes_gets_a_n
             "SN 2 0 #0 is SN 2 0 #0"
         ])
     );
-    // The number of one that goes as another comes is not given away.
+    // The number of a curve that goes as another appears is not reused.
     let new = names(two, "[['GZ 2 0 #0', 0.95], ['GZ 2 0 #1', 0.6]]");
     assert_eq!(new, serde_json::json!(["GZ 2 0 #0 is GZ 2 0 #2", "GZ 2 0 #1 is GZ 2 0 #1"]));
 }
 
-/// Counts how many coarse diagrams are asked for, curves without regions of their own.
+/// Counts requests for coarse diagrams, which are curves without regions.
 const COUNT_COARSE: &str = "(() => { window.coarse = 0; const ask = window.fetch.bind(window); window.fetch = (path, options) => { \
                             if (path === './diagram' && JSON.parse(options.body).coarse) window.coarse += 1; return ask(path, options); }; })()";
 
@@ -142,7 +141,7 @@ fn a_slider_moves_the_diagram_while_it_is_dragged_and_completes_it_when_it_rests
     let Some(mut page) = server.open(DESK) else { return };
     let before = page.value(CURVES);
     let [x, y] = page.middle("#constant-zeta");
-    // Where the thumb is, by what the slider says.
+    // The place of the thumb, computed from the slider's value.
     let thumb = page.point(
         "(() => { const s = document.getElementById('constant-zeta'), b = s.getBoundingClientRect(); \
          return [b.left + 8 + (b.width - 16) * s.value / s.max, b.top + b.height / 2]; })()",
@@ -151,7 +150,7 @@ fn a_slider_moves_the_diagram_while_it_is_dragged_and_completes_it_when_it_rests
     page.value(COUNT_COARSE);
     let mut seen = vec![grazing(&before)["points"].clone()];
     page.drag([thumb, [thumb[0] + 40.0, thumb[1]]], 4, 0, |page| {
-        // The pointer is still down: what comes first is coarse.
+        // The pointer is still down: coarse diagrams come first.
         let last = seen.last().unwrap();
         page.wait(&format!(
             "{CURVES}.then((all) => JSON.stringify(all.find(({{kind}}) => kind === 'graz').points) !== JSON.stringify({last}))"
@@ -192,8 +191,8 @@ fn constants_are_moved_by_keys_typed_and_taken_back() {
     page.press("Enter");
     assert_eq!(state(&mut page, "set.zeta"), 0.05);
     page.wait(WHOLE);
-    // What is no number changes nothing and is marked; what the program refuses is told. Both beside
-    // the field.
+    // A text that is not a number changes nothing and is marked; a value that the program rejects
+    // is reported. Both beside the field.
     let why = "document.querySelector('#constants-list .why:not([hidden])')?.textContent";
     page.value(&format!("({field}.focus(), {field}.select())"));
     page.write("many");
@@ -230,7 +229,7 @@ fn what_is_not_of_the_constants_that_were_typed_fades_at_once() {
     };
     let (strong, all) = inked(&mut page);
     assert!(strong * 10 >= all * 8 && all >= 10, "{strong} of {all}");
-    // Nothing is answered: what is seen are the old curves.
+    // No answer arrives: the old curves stay in view.
     page.value("(() => { window.fetch = () => new Promise(() => {}); })()");
     let field = "document.querySelector('#constants-list input[aria-label=\"zeta, value\"]')";
     page.value(&format!("({field}.focus(), {field}.select())"));
@@ -255,7 +254,7 @@ fn on_a_phone_a_slider_follows_the_finger() {
 
 #[test]
 fn computations_that_are_out_of_date_end_on_the_server() {
-    // Where only one thing is computed at once, whatever went on would be in the way.
+    // If only one computation runs at once, any that went on would block the others.
     let server = Running::with(Limits { computations: 1, time: HOUR, ..Limits::default() });
     let Some(mut page) = server.open(DESK) else { return };
     page.value(HOLD);
@@ -265,7 +264,8 @@ fn computations_that_are_out_of_date_end_on_the_server() {
     page.press("ArrowUp");
     page.value("letGo()");
     page.wait(&format!("/Paper|[Ll]inear/.test(document.title) && {WHOLE}"));
-    // Simulation of so many places over so many periods would take hours; what is asked for later takes as long as it does.
+    // Simulation of this many places over this many periods would take hours; later requests take
+    // their usual time.
     page.value(
         "(() => { const ask = window.fetch.bind(window); window.fetch = (path, options) => { if (path !== './tiles') return ask(path, options); \
          const more = {...JSON.parse(options.body), columns: 1000, rows: 1000, periods: 5000}; return ask(path, {...options, body: JSON.stringify(more)}); }; \

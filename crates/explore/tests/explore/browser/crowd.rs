@@ -1,4 +1,4 @@
-//! Pages that drag at once: what each of them sees, against what `unfold` computes.
+//! Pages that drag at once: each shows what `unfold` computes.
 
 use std::collections::BTreeMap;
 use std::thread::{self, sleep};
@@ -15,25 +15,25 @@ use serde_json::Value;
 use super::chromium::Browser;
 
 const WINDOW: [u32; 2] = [800, 600];
-/// Places of a slider through which it goes to and fro.
+/// The number of places of a slider through which it moves to and fro.
 const PLACES: u32 = 8;
 
 /// Counts what the page does from now on.
 const WATCH: &str = include_str!("watch.js");
-/// The picture is that of a whole diagram at constants at rest, and nothing else is to come.
+/// The picture shows a complete diagram at constants at rest, and the page is idle.
 const AT_REST: &str = "!document.documentElement.hasAttribute('data-busy') && use('diagram').then(([d]) => !d.diagram.stale && d.diagram.regions.length > 0 && \
                        /curves? and \\d+ points? in/.test(document.getElementById('progress-text').textContent))";
-/// The curves and regions that are drawn, and of which constants.
+/// The curves and regions that are drawn, and the constants that they belong to.
 const PICTURE: &str = "use('diagram', 'state').then(([d, s]) => ({set: s.get().set, curves: [...d.diagram.curves.values()]\
                        .filter(({source}) => source !== 'quadratic').map(({points}) => points), rings: d.diagram.regions.flatMap(({rings}) => rings)}))";
 
-/// What one page counted while it was dragged, and its picture at rest.
+/// The counts of one page while it was dragged, and its picture at rest.
 pub(crate) struct Page {
     pub(crate) watched: Value,
     pub(crate) picture: Value,
 }
 
-/// Pages of an address at rest; none where there is no browser.
+/// Idle pages of an address; none without a browser.
 pub(crate) fn open(address: &str, count: usize) -> Option<Vec<Browser>> {
     let page = |_| {
         let mut page = Browser::open(address, WINDOW)?;
@@ -44,14 +44,14 @@ pub(crate) fn open(address: &str, count: usize) -> Option<Vec<Browser>> {
     (0..count).map(page).collect()
 }
 
-/// The view of a page that shows all.
+/// The view of a page that shows everything.
 pub(crate) fn window(page: &mut Browser) -> Window {
     let view = page.value("use('model').then(([m]) => m.wholeView())");
     let range = |name: &str| [0, 1].map(|end| view[name][end].as_f64().unwrap());
     Window { primary: range("primary"), secondary: range("secondary") }
 }
 
-/// Drags in all pages at once, as long as `goes_on` and until each has seen something move, and
+/// Drags in all pages at once, as long as `goes_on` is true and until each has drawn a frame, and
 /// waits for the pictures at rest.
 pub(crate) fn drag_all(
     pages: &mut [Browser],
@@ -72,13 +72,12 @@ pub(crate) fn drag_all(
     })
 }
 
-/// Drags the slider of a constant to and fro by pointer or by keys, and lets it rest at a place of
-/// its own.
+/// Drags the slider of a constant to and fro by pointer or by keys, and lets it rest at a place
+/// that differs from page to page.
 fn drag(page: &mut Browser, number: usize, pause: Duration, goes_on: &impl Fn() -> bool) {
     let constant = ["zeta", "epsilon"][number % 2];
     let slider = format!("document.getElementById('constant-{constant}')");
-    // Who finds one in vain is given twice the time for the next, so that at last something is
-    // seen.
+    // After a drag without a frame the next one takes twice as long, so that at last one is drawn.
     let goes_on = |page: &mut Browser| goes_on() || page.value("watched.frames") == 0;
     if number % 4 < 2 {
         let bounds =
@@ -109,8 +108,8 @@ fn drag(page: &mut Browser, number: usize, pause: Duration, goes_on: &impl Fn() 
     }
 }
 
-/// Every diagram that was sent and every picture at rest is what `unfold` computes, to the last
-/// bit; returns of how many constants.
+/// Asserts that every diagram that was sent and every picture at rest is what `unfold` computes, to
+/// the last bit; returns the number of constants.
 pub(crate) fn assert_right(pages: &[Page], window: Window) -> usize {
     let mut sums = BTreeMap::new();
     for (number, Page { watched, picture }) in pages.iter().enumerate() {
@@ -127,7 +126,7 @@ pub(crate) fn assert_right(pages: &[Page], window: Window) -> usize {
     sums.len()
 }
 
-/// What `unfold` computes at a page's constants, whole or coarse.
+/// The diagram that `unfold` computes at a page's constants, whole or coarse.
 fn computed(window: Window, set: &Value, coarse: bool) -> Diagram {
     let constant = |name: &str, own: f64| set[name].as_f64().unwrap_or(own);
     let oscillator =
@@ -155,7 +154,7 @@ fn bits(lines: &Value) -> Vec<Vec<u64>> {
     lines.as_array().unwrap().iter().map(numbers).collect()
 }
 
-/// The same of rows in chunks.
+/// Chunks of rows as lists of the bits of their points.
 fn bits_of<'r, T: 'r>(chunks: impl Iterator<Item = &'r [T]>, point: fn(&T) -> [f64; 2]) -> Vec<Vec<u64>> {
     chunks.map(|rows| rows.iter().flat_map(point).map(f64::to_bits).collect()).collect()
 }

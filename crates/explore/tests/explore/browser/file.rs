@@ -1,4 +1,4 @@
-//! The oscillator's file, edited in the page.
+//! Editing the oscillator's file in the page.
 
 use grazing_description::Description;
 
@@ -12,7 +12,7 @@ const NOT_DRAWN: &str =
     "/^Not drawn\\. Line \\d+: /.test(document.getElementById('progress-text').textContent)";
 const VERDICT: &str = "document.getElementById('verdict').textContent";
 
-/// Puts the cursor behind a text of the file, and types.
+/// Puts the cursor after a text of the file, and types.
 fn type_behind(page: &mut Browser, before: &str, text: &str) {
     page.value(&format!(
         "(() => {{ const t = document.getElementById('text'); t.focus(); const at = t.value.indexOf({before:?}) + {before:?}.length; \
@@ -31,13 +31,13 @@ fn mistakes_are_marked_under_the_character_in_the_words_of_the_command_line() {
     type_behind(&mut page, "- x - ka", "z");
     page.wait(&format!("/unknown name kazppa/.test({VERDICT})"));
     assert_eq!(page.value("document.querySelector('#marks mark').textContent"), "kazppa");
-    // What is said is what the command line says of such a file.
+    // The message is the one that the command line prints for such a file.
     let text = page.value("document.getElementById('text').value");
     let told = Description::parse(text.as_str().unwrap(), "oscillator.toml").unwrap_err().to_string();
     let (line, message) =
         told.lines().next().unwrap().strip_prefix("oscillator.toml:").unwrap().split_once(": ").unwrap();
     assert_eq!(page.value(VERDICT), format!("Line {line}: {message}"));
-    // Mark and message stand under the character.
+    // The mark and the message are at the character.
     let under = "(() => { const [mark, callout] = ['#marks mark', '#callout'].map((s) => document.querySelector(s).getBoundingClientRect()); \
                  return [callout.top - mark.bottom, mark.left - callout.left, callout.right - mark.left]; })()";
     let found = page.value(under);
@@ -48,8 +48,8 @@ fn mistakes_are_marked_under_the_character_in_the_words_of_the_command_line() {
                    const style = getComputedStyle(t), b = t.getBoundingClientRect(); \
                    return Math.abs(b.top + parseFloat(style.paddingTop) + line * parseFloat(style.lineHeight) - t.scrollTop - m.top); })()";
     assert!(page.value(covered).as_f64().unwrap() < 6.0);
-    // The diagram of the last file that was right stays, faded, and why no other is drawn is said, also
-    // once all of it has come; a button leads to the mistake.
+    // The diagram of the last correct file stays, faded, with a message why no other is drawn, even
+    // after it is complete; a button leads to the mistake.
     assert_eq!(page.value(FADED), true);
     page.wait(NOT_DRAWN);
     page.wait("!document.documentElement.hasAttribute('data-busy')");
@@ -60,13 +60,13 @@ fn mistakes_are_marked_under_the_character_in_the_words_of_the_command_line() {
     page.write("kappa");
     page.wait(&format!("{VERDICT} === 'The file is right.'"));
     page.wait(&format!("{FADED}.then((faded) => !faded)"));
-    // Another value of a constant is another diagram, of one's own file.
+    // Another value of a constant gives another diagram, of the user's own file.
     page.value("(() => { const t = document.getElementById('text'); const at = t.value.indexOf('kappa = 0.1') + 8; t.setSelectionRange(at, at + 3); })()");
     page.write("0.2");
     page.wait("use('state').then(([s]) => s.get().text?.includes('kappa = 0.2'))");
     assert_eq!(page.value("document.getElementById('oscillator').value"), "?own");
     page.wait("use('model').then(([m]) => m.description.constants.some(({name, value}) => name === 'kappa' && value === 0.2))");
-    // What was typed can be taken back as everywhere.
+    // Typing can be undone as everywhere.
     page.value("document.getElementById('text').focus()");
     page.press_with("a", CONTROL);
 }
@@ -78,7 +78,7 @@ fn examples_and_the_paper_are_in_the_menu() {
     let menu = page.value("[...document.getElementById('oscillator').options].filter((o) => !o.hidden).map((o) => o.textContent)");
     assert_eq!(menu, serde_json::json!(["Paper", "Duffing"]));
     page.click("[data-command=edit]", [0.0, 0.0]);
-    // The paper's is built in, and the same as a file is one press away.
+    // The paper's oscillator is built in, and the same oscillator as a file is one click away.
     page.wait("!document.getElementById('built-in').hidden");
     page.click("#edit-copy", [0.0, 0.0]);
     page.wait("document.getElementById('text').value.includes('kappa*x^3')");

@@ -8,7 +8,7 @@ use super::chromium::Browser;
 use super::places::CUT;
 use super::{PLACE, Running, WHOLE, plane_key, spot};
 
-/// The folder into which the pictures go; there are none without it.
+/// The variable with the folder for the pictures; without it there are none.
 const FOLDER: &str = "EXPLORE_PICTURES";
 const WINDOW: [u32; 2] = [1400, 860];
 
@@ -23,13 +23,13 @@ fn a_walk_in_four_pictures_for_whoever_asks_for_them() {
         count += 1;
         page.hover([5.0, 300.0]);
         page.value("document.activeElement.blur()");
-        // Words find their places a moment after the curves.
+        // Labels are placed a moment after the curves.
         page.value(
             "document.fonts.ready.then(() => new Promise((told) => setTimeout(told, 700))).then(() => true)",
         );
         fs::write(folder.join(format!("explore-{count}.webp")), page.picture()).unwrap();
     };
-    // A constant is moved, and a place is looked at.
+    // A constant is changed, and a place is selected.
     let set = |page: &mut Browser, patch: &str| {
         page.value(&format!("use('state').then(([s]) => s.update({patch}))"));
     };
@@ -45,7 +45,7 @@ fn a_walk_in_four_pictures_for_whoever_asks_for_them() {
     page.wait(&format!("{PLACE}.then((told) => told && {CUT})"));
     page.wait(WHOLE);
     take(&mut page);
-    // What simulation sees.
+    // The overlay of simulation.
     set(&mut page, "{kept: null, cut: null, overlay: true, place: [0.9, 0.7]}");
     page.wait("/places simulated; /.test(document.getElementById('tiles-status').textContent)");
     page.wait(PLACE);
@@ -60,7 +60,7 @@ fn a_walk_in_four_pictures_for_whoever_asks_for_them() {
     page.wait("use('diagram').then(([d]) => !d.isBusy())");
     page.wait(WHOLE);
     page.value("document.getElementById('resonances').open = false");
-    // Where motion with and without impacts is stable.
+    // A place where both motion with and motion without impacts is stable.
     set(&mut page, "{place: [0.834, 0.3943]}");
     page.wait(PLACE);
     take(&mut page);

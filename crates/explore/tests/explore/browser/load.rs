@@ -1,12 +1,12 @@
-//! Pages that drag at once, in a real browser. What they do a second is measured by `cargo bench -p
-//! grazing-explore --bench load`.
+//! Pages that drag at once, in a real browser. `cargo bench -p grazing-explore --bench load`
+//! measures their performance.
 
 use std::time::Duration;
 
 use super::Running;
 use super::crowd::{assert_right, drag_all, open, window};
 
-/// One of each kind: by pointer and by keys, either constant.
+/// One page of each kind: by pointer and by keys, for either constant.
 const PAGES: usize = 4;
 
 #[test]

@@ -1,5 +1,4 @@
-//! The page in a real browser: each of its abilities by mouse, by keys alone, and on a phone's
-//! screen.
+//! The page in a real browser: each of its functions by mouse, by keys alone, and on a phone's screen.
 
 mod access;
 mod beside;
@@ -22,10 +21,10 @@ use self::chromium::Browser;
 use grazing_explore::{Example, Limits, Server, Sheet};
 use serde_json::Value;
 
-/// A window on a desk, and a phone's.
+/// The windows of a desktop computer and of a phone.
 const DESK: [u32; 2] = [1400, 900];
 const PHONE: [u32; 2] = [360, 740];
-/// Longer than any computation takes on a busy machine.
+/// A time longer than any computation takes on a busy machine.
 const HOUR: Duration = Duration::from_secs(3600);
 
 /// A server with the paper's oscillator and a file.
@@ -74,13 +73,12 @@ impl Drop for Running {
     }
 }
 
-/// Nothing is to come any more: no timer runs, no answer is awaited, no frame is to be drawn.
+/// The page is idle: no timer runs, no answer is expected, no frame is to be drawn.
 const QUIET: &str = "!document.documentElement.hasAttribute('data-busy')";
-/// The diagram is whole and nothing else is to come; what is said of it.
+/// The text about the diagram, once the diagram is complete and the page idle.
 const WHOLE: &str = "!document.documentElement.hasAttribute('data-busy') && /curves? and \\d+ points? in/.test(document.getElementById('progress-text').textContent) && \
                      document.getElementById('progress-text').textContent";
-/// Diagrams that are asked for from now on stop coming once there are curves and there is something
-/// to be done, until `letGo()`.
+/// Holds back diagrams that are requested from now on, once there are curves and work to do, until `letGo()`.
 const HOLD: &str = "(() => { const held = new Promise((go) => (window.letGo = go)); const ask = window.fetch.bind(window); \
                     window.fetch = async (path, options) => { const answer = await ask(path, options); if (path !== './diagram') return answer; \
                     let [rest, curves] = ['', false]; const [to, from] = [new TextEncoder(), new TextDecoder()]; \
@@ -88,7 +86,7 @@ const HOLD: &str = "(() => { const held = new Promise((go) => (window.letGo = go
                     rest = events.pop(); for (const event of events) { out.enqueue(to.encode(`${event}\\n\\n`)); curves ||= event.startsWith('event: curves'); \
                     if (curves && /^event: progress/.test(event) && /\"all\":[1-9]/.test(event)) await held; } } }); \
                     return new Response(answer.body.pipeThrough(gate), {status: answer.status}); }; })()";
-/// What is said of the place, once it is known and nothing else is to come.
+/// The text about the place, once it is known and the page is idle.
 const PLACE: &str = "!document.documentElement.hasAttribute('data-busy') && use('state').then(([s]) => !document.querySelector('.place[aria-busy]') && \
                      /\\d %/.test(document.getElementById('places').textContent) && s.get().place && \
                      document.getElementById('places').textContent)";
@@ -103,7 +101,7 @@ fn numbers(value: &Value) -> Vec<f64> {
     value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
 }
 
-/// Where on the screen a place of the plane is.
+/// The place on the screen of a place of the plane.
 fn spot(page: &mut Browser, [primary, secondary]: [f64; 2]) -> [f64; 2] {
     page.value("document.getElementById('stage').scrollIntoView({block: 'nearest', behavior: 'instant'})");
     page.point(&format!(
@@ -112,7 +110,7 @@ fn spot(page: &mut Browser, [primary, secondary]: [f64; 2]) -> [f64; 2] {
     ))
 }
 
-/// What is known of the curves that are continued: key, kind and points of each.
+/// The curves that are continued: key, kind and points of each.
 const CURVES: &str = "use('diagram').then(([d]) => [...d.diagram.curves.values()].filter(({source}) => source !== 'quadratic')\
                       .map(({key, kind, n, points}) => ({key, kind, n, points})).sort((a, b) => (a.key < b.key ? -1 : 1)))";
 

@@ -1,11 +1,11 @@
-//! Simulation laid under the curves.
+//! Simulation drawn under the curves.
 
 use super::{DESK, PHONE, Running, WHOLE, plane_key, state};
 
 const STATUS: &str = "document.getElementById('tiles-status').textContent";
 /// The number of places that were simulated in the view.
 const SEEN: &str = "use('tiles').then(([t]) => t.seen())";
-/// All places are simulated and nothing else is to come; what is said of them.
+/// The text about the simulation, once all places are simulated and the page is idle.
 pub(crate) const DONE: &str = "!document.documentElement.hasAttribute('data-busy') && /^[\\d,]+ places simulated; /.test(document.getElementById('tiles-status').textContent) && \
                     document.getElementById('tiles-status').textContent";
 
@@ -16,8 +16,8 @@ fn simulation_agrees_with_the_shading_and_marks_what_does_not() {
     page.click("[data-command=overlay]", [0.0, 0.0]);
     let told = page.wait(DONE);
     assert!(told.as_str().unwrap().contains("none disagrees"), "{told}");
-    // Without the shading of the MPSs of one loop, all that is simulated of these disagrees, and
-    // has a cross.
+    // Without the shading of the MPSs of one loop, all simulated places with these disagree, and
+    // have a cross.
     let crossed = "use('diagram', 'tiles').then(([d, t]) => { const loops = t.cells().filter(([, , loops]) => loops === 1).length; \
                    d.diagram.regions = d.diagram.regions.filter(({p}) => p !== 1); t.shaded(); return loops; })";
     let loops = page.value(crossed).as_u64().unwrap();
@@ -43,7 +43,7 @@ fn an_unfinished_view_goes_on_where_it_was_after_zooming_back() {
     let before = page.value("use('tiles').then(([t]) => t.sizes())");
     page.press("[");
     page.wait("use('state', 'tiles').then(([s, t]) => s.get().view === null && t.view().primary[0] === 0)");
-    // All that came before is there at once, the rest follows, and no place comes twice.
+    // All earlier places are shown at once, the rest follows, and no place comes twice.
     let seen = page.value(SEEN).as_u64().unwrap();
     assert!(seen >= before[0].as_u64().unwrap() && seen >= 500, "{seen} {before}");
     page.wait(&format!("{SEEN}.then((now) => now > {seen})"));

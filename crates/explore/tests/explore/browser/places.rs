@@ -1,11 +1,11 @@
-//! Places that are pointed at, and cuts through them.
+//! Places that are selected, and cuts through them.
 
 use serde_json::Value;
 
 use super::chromium::Browser;
 use super::{DESK, PHONE, PLACE, QUIET, Running, WHOLE, numbers, plane_key, spot, state};
 
-/// The canvas has something drawn on it besides one colour.
+/// Waits until something is drawn on the canvas besides one colour.
 fn is_drawn(page: &mut Browser, selector: &str) {
     page.wait(&format!(
         "(() => {{ const c = document.querySelector({selector:?}); if (!c.width) return false; \
@@ -17,7 +17,7 @@ fn is_drawn(page: &mut Browser, selector: &str) {
 fn a_place_tells_what_motion_comes_to_and_follows_the_pointer() {
     let server = Running::new();
     let Some(mut page) = server.open(DESK) else { return };
-    // Far above grazing, at a high frequency, everything comes to a solution of one loop.
+    // Far above grazing, at a high frequency, every motion converges to a solution of one loop.
     let busy = spot(&mut page, [0.9, 0.8]);
     page.click_at(busy);
     let place = page.wait(PLACE);
@@ -30,7 +30,7 @@ fn a_place_tells_what_motion_comes_to_and_follows_the_pointer() {
     let rows = page.value("[...document.querySelectorAll('#places .place:not(.kept) tbody tr')].map((row) => [...row.cells].map((cell) => cell.textContent))");
     assert!(rows.as_array().unwrap().len() >= 2, "{rows}");
     assert!(rows.as_array().unwrap().iter().all(|row| !row[2].as_str().unwrap().is_empty()), "{rows}");
-    // Below grazing nothing hits the wall; the ring is dragged there, and answers come on the way.
+    // Below grazing there are no impacts; the ring is dragged there, and answers arrive on the way.
     let quiet = spot(&mut page, [0.05, 0.8]);
     let mut answers = 0;
     page.drag([busy, quiet], 5, 0, |page| {
@@ -50,7 +50,7 @@ fn a_place_tells_what_motion_comes_to_and_follows_the_pointer() {
 fn nothing_moves_but_what_changes() {
     let server = Running::new();
     let Some(mut page) = server.open(DESK) else { return };
-    // Long after the last step words have found their places.
+    // Long after the last step all labels are placed.
     let placed = "use('plane').then(([p]) => p.words().map(({text, at}) => [text.map(([word]) => word).join(''), ...at]))";
     let settled = format!("{QUIET} && {placed}");
     let words = page.wait(&settled);
@@ -70,7 +70,7 @@ fn nothing_moves_but_what_changes() {
         assert_eq!(page.value(boxes), before, "{place:?}");
     }
     assert_eq!(page.wait(&settled), words, "words move with the place");
-    // A step of a slider leaves most words where they are.
+    // A step of a slider leaves most labels where they are.
     page.value("document.getElementById('constant-zeta').focus()");
     page.press("ArrowRight");
     page.wait(WHOLE);
@@ -87,7 +87,7 @@ fn a_place_goes_exactly_onto_a_curve_and_a_point_where_its_multipliers_are_told(
     let Some(mut page) = server.open(DESK) else { return };
     let told = "document.querySelector('.on').textContent";
     for (kind, multiplier) in [("PD", "−1"), ("SN", "1"), ("GZ", ""), ("graz", "")] {
-        // Far from points, which come before curves.
+        // Far from points, which take precedence over curves.
         let beside = page.point(&format!(
             "use('diagram', 'plane', 'model', 'state').then(([d, p, m, s]) => {{ const to = p.project(m.viewOf(s.get())), marks = d.diagram.points.map((q) => to([q.primary, q.secondary])); \
              const clear = ([x, y]) => p.frame.x < x && x < p.frame.x + p.frame.w && p.frame.y < y && y < p.frame.y + p.frame.h && marks.every(([a, b]) => Math.hypot(a - x, b - y) > 25); \
@@ -133,11 +133,11 @@ fn two_places_stand_side_by_side_by_keys_alone() {
     page.wait(&format!("document.querySelectorAll('#places .place:not([hidden])').length === 2 && {PLACE}"));
     assert_eq!(state(&mut page, "kept"), first);
     assert_ne!(state(&mut page, "place"), first);
-    // One beside the other where there is room.
+    // Side by side if there is room.
     let boxes = page.value("[...document.querySelectorAll('#places .place')].map((e) => e.getBoundingClientRect()).map(({left, top}) => [left, top])");
     assert!(boxes[0] != boxes[1], "{boxes}");
     is_drawn(&mut page, "#places .kept .phase");
-    // What was found is said to those who do not see it.
+    // A screen reader announces what was found.
     page.wait("/^At /.test(document.getElementById('announce').textContent)");
     page.value("document.querySelector('.kept header button').focus()");
     page.press("Enter");
@@ -171,12 +171,12 @@ fn on_a_phone_a_finger_points_and_drags_the_ring() {
     assert_eq!(page.value("document.documentElement.scrollWidth"), 360);
 }
 
-/// The cut is there, its simulation as well, and nothing else is to come.
+/// The cut and its simulation are shown, and the page is idle.
 pub(crate) const CUT: &str = "!document.documentElement.hasAttribute('data-busy') && !document.getElementById('cut-panel').hidden && document.getElementById('cut-message').hidden && \
                    !document.getElementById('cut').hasAttribute('aria-busy') && \
                    use('cut').then(([c]) => c.shown()?.dots.length > 0 && c.shown().strands.length > 0 && !c.shown().old)";
 
-/// Where in the cut a value of its parameter is.
+/// The place in the cut of a value of its parameter.
 fn across(page: &mut Browser, share: f64) -> [f64; 2] {
     let [_, y] = page.middle("#cut");
     let [left, right] = page.point(

@@ -1,4 +1,4 @@
-//! The plane as it grows, as it is zoomed, and as it is stopped.
+//! The plane while it grows, while it is zoomed, and when it is stopped.
 
 use serde_json::Value;
 
@@ -7,7 +7,7 @@ use super::{
     CURVES, DESK, HOLD, PHONE, QUIET, Running, WHOLE, choose_duffing, keys, numbers, plane_key, spot, state,
 };
 
-/// Curves are there, and the computation goes on.
+/// Curves are shown, and the computation goes on.
 const GROWS: &str = "use('diagram').then(([d]) => d.isBusy() && d.diagram.curves.size > 0 && d.diagram.regions.length === 0 && \
                      !document.getElementById('stop').hidden && !document.getElementById('progress').hidden && \
                      / \\d+ of \\d+$/.test(document.getElementById('progress-text').textContent))";
@@ -22,7 +22,7 @@ fn curves_come_before_the_end_and_the_end_can_be_had_by_button_and_key() {
     page.wait(GROWS);
     page.click("#stop", [0.0, 0.0]);
     page.wait(STOPPED);
-    // What was found stays; nothing more comes.
+    // The curves found stay; nothing is added.
     let found = page.value(CURVES);
     assert!(!keys(&found).is_empty());
     page.value("letGo()");
@@ -47,7 +47,7 @@ fn under(page: &mut Browser, [x, y]: [f64; 2]) -> [f64; 2] {
 fn views_without_grazing_show_what_is_there_and_so_do_their_addresses() {
     let server = Running::new();
     let Some(mut page) = server.open(DESK) else { return };
-    // About the middle of the first PD and of the first GZ curve.
+    // Around the middle of the first PD curve and of the first GZ curve.
     let middles = page.value(
         "use('diagram').then(([d]) => ['PD', 'GZ'].map((kind) => { const {points} = [...d.diagram.curves.values()]\
          .find((curve) => curve.kind === kind && curve.n > 0 && curve.source === 'continuation'); return points[points.length >> 1]; }))",
@@ -71,7 +71,7 @@ fn views_without_grazing_show_what_is_there_and_so_do_their_addresses() {
             assert!(other.value("use('diagram').then(([d]) => d.diagram.regions.length)").as_u64() > Some(0));
         }
     }
-    // Where no curve is at all, what is stable is shown, and it is said that nothing crosses.
+    // In a view without curves, stable regions are shown, with a message that no curve crosses.
     page.value(
         "use('state').then(([s]) => s.update({view: {primary: [0.1, 0.11], secondary: [0.6, 0.61]}}))",
     );
@@ -93,7 +93,7 @@ fn zooming_by_wheel_box_and_drag_computes_anew_and_going_back_undoes_each() {
         let view = state(page, "view");
         [numbers(&view["primary"]), numbers(&view["secondary"])].concat()
     };
-    // Of an address that follows once what is seen has come to rest.
+    // The number of steps in the history, once the address has followed the view to rest.
     let step =
         "use('state').then(([s]) => s.encode(s.get()) === location.hash && (history.state?.step ?? 0))";
     page.wheel(middle, -300.0);
@@ -106,7 +106,7 @@ fn zooming_by_wheel_box_and_drag_computes_anew_and_going_back_undoes_each() {
         assert!((edge - wanted).abs() < 0.01, "{boxed:?}");
     }
     page.wait(step);
-    // As on a map: what lies under the pointer goes with it, and no place is pointed at.
+    // As on a map: the point under the pointer moves with it, and no place is selected.
     let under = under(&mut page, middle);
     page.drag([middle, [middle[0] + 80.0, middle[1]]], 4, 0, |_| ());
     let moved = view(&mut page);
@@ -136,8 +136,7 @@ fn zooming_goes_down_to_a_billionth_about_a_resonance() {
     assert_eq!(page.value(stage), before, "the list squeezes the plane");
     page.click("#resonances tbody button", [0.0, 0.0]);
     page.wait(&format!("location.hash !== '' && {WHOLE}"));
-    // A part of the plane has the approximations beside the curves that they approximate, in
-    // dashes.
+    // In a part of the plane the approximations are drawn beside the curves that they approximate, dashed.
     assert_eq!(page.value("document.getElementById('quadratic').hidden"), false);
     let near = "use('diagram', 'model', 'state').then(([d, m, s]) => { const {primary: [a, b], secondary: [c, e]} = m.viewOf(s.get()); \
                 const centre = [(a + b) / 2, (c + e) / 2]; const all = [...d.diagram.curves.values()]; \
@@ -150,7 +149,7 @@ fn zooming_goes_down_to_a_billionth_about_a_resonance() {
     let kinds: Vec<&str> =
         found.as_array().unwrap().iter().filter(close).map(|pair| pair[0].as_str().unwrap()).collect();
     assert!(kinds.contains(&"SN") && kinds.contains(&"PD"), "{found}");
-    // So has where period-doubled solutions graze, a parabola like the others.
+    // The curve on which period-doubled solutions graze also has one, a parabola like the others.
     let doubled = "use('diagram').then(([d]) => [...d.diagram.curves.values()].filter(({tells}) => /^2GZ/.test(tells)) \
                    .map(({points}) => points.length))";
     let doubled = page.value(doubled);
@@ -166,7 +165,7 @@ fn zooming_goes_down_to_a_billionth_about_a_resonance() {
     let ranges = "use('model', 'state').then(([m, s]) => ['primary', 'secondary'].map((axis) => m.viewOf(s.get())[axis]))";
     let width = page.value(&format!("{ranges}.then((both) => both.map(([low, high]) => high - low))"));
     assert!(numbers(&width).iter().all(|width| (1e-10..1e-9).contains(width)), "{width}");
-    // Ticks tell places apart: an offset in the title, and numbers of a few digits that differ.
+    // Ticks distinguish places: an offset in the title, and short numbers that differ.
     let labels = page.value(&format!(
         "use('axes').then(([a]) => {ranges}.then((both) => both.map((range) => {{ const {{found, offset}} = a.ticks(range, 8); \
          return [offset !== null, ...found.map(({{label}}) => label).filter((label) => label !== null)]; }})))"
@@ -199,7 +198,7 @@ fn on_a_phone_the_plane_is_pinched_and_nothing_is_wider_than_the_screen() {
     // Fingers twice as far apart show half as much.
     assert!((high - low - 0.65).abs() < 0.07, "{view}");
     page.wait(&format!("location.hash !== '' && {WHOLE}"));
-    // A box is drawn with a finger once its button is pressed.
+    // A box is drawn with a finger after its button is pressed.
     page.click("[data-command=box]", [0.0, 0.0]);
     let [x, y] = page.middle("#plane");
     page.touch([[x - 60.0, y - 60.0], [x + 60.0, y + 60.0]], 4);

@@ -1,4 +1,4 @@
-// What a page does while its constants are dragged: counted from within, without a change to it.
+// Counts what a page does while its constants are dragged, from within and without changing the page.
 use("diagram").then(([d]) => {
   const watched = { frames: 0, longest: 0, answers: 0, gone: 0, slowest: 0, drawn: d.diagram.version, wrong: [], sums: {} };
   window.watched = watched;
@@ -8,7 +8,7 @@ use("diagram").then(([d]) => {
   const words = document.getElementById("progress-text");
   new MutationObserver(() => words.classList.contains("bad") && wrong(words.textContent)).observe(words, { attributes: true, childList: true });
 
-  // A frame is a diagram that is whole, if coarse, and drawn.
+  // A frame is a drawn diagram that is complete, even if coarse.
   const paint = window.requestAnimationFrame.bind(window);
   let last = performance.now();
   window.requestAnimationFrame = (draw) =>
@@ -29,7 +29,7 @@ use("diagram").then(([d]) => {
     watched.slowest = Math.max(watched.slowest, performance.now() - began);
     if (!text.includes("event: done\n")) wrong(text.slice(-200));
     if (!coarse) return;
-    // All curves come last, but for the approximations to them.
+    // The last lists are that of all curves, and that of the approximations to them.
     const lists = text.split("\n\n").filter((event) => event.startsWith("event: curves\n"));
     const curves = JSON.parse(lists.at(-2).split("\ndata: ")[1]);
     const [key, found] = [JSON.stringify(model.set), sum(curves.flatMap(({ points }) => points.flat()))];

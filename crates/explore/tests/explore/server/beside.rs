@@ -1,4 +1,4 @@
-//! What stands beside the diagram: straightened curves, measurements, other ordinates, curves through
+//! Additions to the diagram: straightened curves, measurements, other ordinates, curves through
 //! solutions, places as figures.
 
 use grazing_explore::{Figure, Seen, Sheet};
@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use super::running::{LIMITS, Running, events};
 use super::{narrow, whole_view};
 
-/// A server whose exports are what a function makes of figures.
+/// A server whose exports are a function of the figures.
 fn exporting(told: fn(&Figure) -> Value) -> Running {
     let export = move |seen: &Seen, _: &str, _: &str, _: &_| {
         let content = told(&seen.figure).to_string().into_bytes();
@@ -37,7 +37,7 @@ fn straightened_curves_are_the_same_however_narrow_the_view_and_run_into_their_l
         _ => Value::Null,
     });
     let (text, view) = narrow();
-    // Where a resonance is follows from the diagram.
+    // The place of a resonance follows from the diagram.
     let model = json!({"text": text, "loops": [3]});
     let diagram = json!({"model": model, "view": view, "coarse": true});
     let (_, stream) = server.post("diagram", &diagram.to_string());
@@ -80,7 +80,7 @@ fn measurements_in_the_view_are_held_against_what_is_computed_and_mistakes_have_
     assert_eq!(told["outside"], 1);
     let counts = told["counts"].as_array().unwrap();
     let sum = |place: usize| counts.iter().map(|count| number(&count["counts"][place])).sum::<f64>();
-    // Of two regions that hold a place each counts it.
+    // A place in two regions is counted in each.
     assert!(sum(0) >= 3.0 && sum(0) == sum(1) + sum(3), "{told}");
     let wrong = measured(&format!("{head}0.05,0.8,nothing,,\n"));
     assert!(wrong["message"].as_str().unwrap().starts_with("rig.csv:2: "), "{wrong}");
@@ -116,7 +116,7 @@ fn impact_velocities_in_a_cut_are_those_of_the_solutions_at_a_place() {
             );
         }
     }
-    // Any other word is x.
+    // Any other word stands for x.
     assert_eq!(cut("x"), cut("weight"));
 }
 

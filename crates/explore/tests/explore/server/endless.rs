@@ -1,4 +1,4 @@
-//! Requests that would have no end, and that nobody else feels.
+//! Requests that would never end, and that do not affect others.
 
 use std::io::Read;
 use std::net::TcpStream;
@@ -28,18 +28,18 @@ fn hours() -> String {
         .to_string()
 }
 
-/// One that sends far more than buffers hold, and soon.
+/// A simulation that sends far more than buffers hold, and soon.
 fn flood() -> String {
     let view = json!({"primary": [0.0, 0.1], "secondary": [0.7, 0.8]});
     json!({"model": {"text": null}, "view": view, "columns": 1000, "rows": 1000, "periods": 6}).to_string()
 }
 
-/// What is asked for in a moment, but may have to wait on a busy machine.
+/// Whether a quick request is answered; it may have to wait on a busy machine.
 fn served(server: &Running, name: &str, body: &str) -> bool {
     (0..100).any(|_| server.post(name, body).0 == 200)
 }
 
-/// Fills the turns of a server, each with something that has begun.
+/// Fills the turns of a server, each with a computation that has begun.
 fn filled(server: &Running, limits: Limits) -> Vec<TcpStream> {
     let begin = |_| {
         let mut stream = server.begin("tiles", &hours());
@@ -90,7 +90,7 @@ fn whoever_hangs_up_ends_motion_that_hardly_moves() {
         let still = AnyOscillator::new(Stoppable::new(linear, stop.clone()));
         let horizon = Horizon { transient: 1, counted: 1, patience: Patience::Drifting, longest: 0 };
         begins.send(()).unwrap();
-        // There is an end only once motion hears of one.
+        // The computation ends only once the motion is cancelled.
         let from = State::at_rest(-1.0, 0.0);
         while still.motion(from).at(0.0).position.is_finite() {
             drop(LongOrbit::follow(&still, from, horizon));
@@ -130,7 +130,7 @@ fn light_requests_do_not_wait_for_heavy_ones() {
 
 #[test]
 fn a_check_ends_with_its_limit() {
-    // A second or two of a fast machine are needed.
+    // Reading this file takes a second or two on a fast machine.
     let server = Running::new(Limits { time: Duration::from_millis(1), ..LIMITS });
     let product: Vec<String> = (1..3000).map(|k| format!("cos({k}*omega*t)")).collect();
     let text = include_str!("../../../../../examples/duffing.toml");
@@ -146,7 +146,7 @@ fn who_never_reads_loses_turn_and_connection() {
     let server = Running::new(limits);
     let floods: Vec<TcpStream> = (0..limits.computations).map(|_| server.begin("tiles", &flood())).collect();
     assert!(served(&server, "place", &place([0.3, 0.8])));
-    // Nor do answers of one piece hold connections for ever.
+    // Answers in one piece do not hold connections for ever either.
     let large = |_: &_, _: &str, _: &str, _: &_| {
         Ok(Sheet { name: "a.csv".to_owned(), kind: "text/csv", content: vec![b' '; 50_000_000] })
     };

@@ -1,4 +1,4 @@
-//! The server from outside: who is answered, what is sent, and what whoever means harm gets.
+//! The server from outside: who is answered, what is sent, and how attacks fail.
 
 mod beside;
 mod endless;
@@ -92,7 +92,7 @@ fn requests_that_are_wrong_or_too_large_are_refused_with_a_reason() {
         json!({"model": {"text": null}, "view": whole_view(), "columns": 100_000, "rows": 9, "periods": 9});
     let (status, told) = server.post("tiles", &tiles.to_string());
     assert!(status == 200 && events(&told, "error").len() == 1, "{told}");
-    // A hundred megabytes are not waited for.
+    // The server does not wait for a hundred megabytes.
     let head = server.head(
         "POST",
         &format!("{}check", server.path),
@@ -106,12 +106,12 @@ fn requests_that_are_wrong_or_too_large_are_refused_with_a_reason() {
         "Content-Type: text/plain\r\nContent-Length: 2\r\n",
     );
     assert_eq!(server.ask(format!("{form}{{}}").as_bytes()).0, 415);
-    // Some of this is the beginning of a request, which is not waited for for ever.
+    // Some of this is the beginning of a request, for which the server does not wait for ever.
     let server = Running::new(Limits { patience: Duration::from_millis(500), ..LIMITS });
     for garbage in ["\r\n\r\n", "GET\r\n\r\n", "\u{0}\u{1}\u{2}\r\n\r\n", "GET / HTTP/9.9\r\n\r\n"] {
         assert!([0, 400, 505].contains(&server.ask(garbage.as_bytes()).0), "{garbage:?}");
     }
-    // On a busy machine one that means well may be too slow to be heard, but not again and again.
+    // On a busy machine a correct request may be too slow to be read, but not every time.
     assert!((0..100).any(|_| server.get(&server.path) == 200));
 }
 
@@ -135,11 +135,11 @@ fn many_requests_and_connections_that_say_nothing_bring_nothing_down() {
     });
     let (served, refused) = (served.into_inner(), refused.into_inner());
     assert!(served + refused == 200 && served > 0, "{served} {refused}");
-    // What says nothing is closed after a while.
+    // Connections that send nothing are closed after a while.
     for mut stream in silent {
         assert_eq!(stream.read(&mut [0; 1]).unwrap_or(0), 0);
     }
-    // On a busy machine one that means well may be too slow to be heard, but not again and again.
+    // On a busy machine a correct request may be too slow to be read, but not every time.
     assert!((0..100).any(|_| server.post("place", &body).0 == 200));
 }
 
@@ -150,7 +150,7 @@ fn what_nobody_waits_for_makes_room_and_lets_the_server_end() {
     let long = json!({"model": {"text": text}, "view": {"primary": [0.0, 1.5], "secondary": [0.4, 1.1]},
                       "columns": 1000, "rows": 1000, "periods": 5000})
     .to_string();
-    // It would take hours.
+    // The computation would take hours.
     let begun = || {
         let mut stream = server.begin("tiles", &long);
         let mut first = [0; 64];
@@ -195,7 +195,7 @@ fn the_diagram_has_the_numbers_that_unfold_writes() {
     let diagram = Diagram::compute(&oscillator, &scope, &Silent).unwrap();
     let wanted: Vec<[f64; 2]> =
         plane::curves(&axes, &diagram).iter().map(|row| [row.primary, row.secondary]).collect();
-    // First as they come, then all of them, then approximations to them.
+    // First the curves as they are found, then all of them, then approximations to them.
     let sent = events(&stream, "curves");
     let all = &sent[sent.len() - 2];
     let curves = all.as_array().unwrap().iter().flat_map(|curve| curve["points"].as_array().unwrap());
@@ -206,7 +206,7 @@ fn the_diagram_has_the_numbers_that_unfold_writes() {
     let regions = &events(&stream, "regions")[0];
     let rings = regions.as_array().unwrap().iter().flat_map(|region| region["rings"].as_array().unwrap());
     assert_eq!(rings.map(|ring| ring.as_array().unwrap().len()).sum::<usize>(), vertices);
-    // What came first is in what came last, under the same keys.
+    // The early curves are among the final ones, under the same keys.
     let keys = |value: &Value| -> Vec<String> {
         value.as_array().unwrap().iter().map(|curve| curve["key"].as_str().unwrap().to_owned()).collect()
     };
@@ -225,13 +225,13 @@ fn places_tell_solutions_and_what_random_states_come_to() {
         assert_eq!(status, 200, "{answer}");
         answer.parse().unwrap()
     };
-    // Below grazing everything comes to rest on the non-impacting solution, whose displacements
+    // Below grazing every motion converges to the non-impacting solution; displacements from it
     // shrink with the damping ratio.
     let quiet = at([0.05, 0.8]);
     let attractors = quiet["attractors"].as_array().unwrap();
     assert_eq!((attractors.len(), attractors[0]["kind"].as_str()), (1, Some("non-impacting")));
     assert!((attractors[0]["exponent"].as_f64().unwrap() + 0.02).abs() < 1e-9, "{}", attractors[0]);
-    // Solutions that are stable and admissible attract somebody, with their own impact.
+    // Solutions that are stable and admissible attract some states, with the impacts of the solutions.
     let busy = at([0.9, 0.8]);
     let solutions = busy["solutions"].as_array().unwrap();
     let good = |solution: &&Value| {
@@ -279,8 +279,8 @@ fn what_was_found_at_a_place_is_followed_to_the_next_one() {
     let place = [0.91, 0.905];
     let (followed, looked_for) = (at(place, &nearby), at(place, &Value::Null));
     assert_eq!((&followed["followed"], &looked_for["followed"]), (&json!(true), &json!(false)));
-    // All that is followed is there, to the digits to which solutions are located; and here nothing
-    // is new.
+    // All followed motion is found, to the digits to which solutions are located; and here there is
+    // nothing new.
     let velocities = |answer: &Value| -> Vec<f64> {
         list(answer, "solutions").iter().filter(mps).map(|one| one["velocity"].as_f64().unwrap()).collect()
     };
@@ -312,8 +312,8 @@ fn a_cut_tells_its_branches_first_and_then_what_simulation_comes_to() {
     assert_eq!(grazing.count(), 1);
     let dots = &events(&answer, "dots")[0]["dots"];
     assert!(dots.as_array().is_some_and(|dots| dots.len() > 160), "{dots}");
-    // A line at zero is one as any other, and one-parameter diagrams of the file are in nobody's
-    // way, wherever they stand in it.
+    // A line at zero is like any other, and one-parameter diagrams in the file do not matter,
+    // wherever they are in it.
     let (text, _) = narrow();
     let (before, diagrams) = text.split_once("[[diagrams]]").unwrap();
     let (head, analysis) = before.split_once("[analysis]").unwrap();

@@ -1,7 +1,7 @@
-//! Requests with mistakes, made from those that are right by a seeded generator: every one is
-//! answered, and the server goes on.
+//! Requests with mistakes, produced from correct ones by a seeded generator: every one is answered,
+//! and the server goes on.
 //!
-//! The test tries some. Many are tried by
+//! The test tries some. The following tries many:
 //!
 //! ```text
 //! GRAZING_MUTATIONS=10000 cargo test --release -p grazing-explore --test explore mutations
@@ -19,7 +19,7 @@ use serde_json::{Value, json};
 
 use super::running::{LIMITS, Running};
 
-/// What is tried where nobody asks for more.
+/// The number of mutations that are tried by default.
 const SOME: u64 = 100;
 
 struct Dice(Pcg64Mcg);
@@ -30,7 +30,7 @@ impl Dice {
     }
 }
 
-/// Values at the edges of what can be computed, and of other types than asked for.
+/// Values at the edges of what can be computed, and values of wrong types.
 fn extremes() -> Vec<Value> {
     vec![
         json!(null),
@@ -56,7 +56,7 @@ fn extremes() -> Vec<Value> {
     ]
 }
 
-/// A request that is right and takes a moment.
+/// A correct request that takes a moment.
 fn right(dice: &mut Dice) -> (&'static str, Value) {
     let text = include_str!("../../../../../examples/duffing.toml");
     let model = match dice.below(3) {
@@ -77,7 +77,7 @@ fn right(dice: &mut Dice) -> (&'static str, Value) {
     }
 }
 
-/// One of all values in a value, itself included.
+/// A random one of all values within a value, itself included.
 fn somewhere<'v>(value: &'v mut Value, dice: &mut Dice) -> &'v mut Value {
     let children: Vec<&mut Value> = match value {
         Value::Array(_) | Value::Object(_) if dice.below(5) == 0 => return value,
@@ -97,12 +97,12 @@ fn mutated(server: &Running, dice: &mut Dice) -> Vec<u8> {
     let (name, mut body) = right(dice);
     let extremes = extremes();
     match dice.below(4) {
-        // A value.
+        // A value of the body.
         0 | 1 => {
             *somewhere(&mut body, dice) = extremes[dice.below(extremes.len())].clone();
             server.request(name, &body.to_string()).into_bytes()
         }
-        // A byte of the text, whose length is right.
+        // A byte of the text, whose length stays correct.
         2 => {
             let mut text = body.to_string().into_bytes();
             let at = dice.below(text.len());
@@ -113,7 +113,7 @@ fn mutated(server: &Running, dice: &mut Dice) -> Vec<u8> {
             }
             server.request(name, &String::from_utf8_lossy(&text)).into_bytes()
         }
-        // Anything of the head: method, address, names, lengths.
+        // Any byte of the head: method, address, names, lengths.
         _ => {
             let whole = server.request(name, &body.to_string());
             let end = whole.find("\r\n\r\n").unwrap();
@@ -135,20 +135,20 @@ fn whatever_is_asked_is_answered_and_the_server_goes_on() {
     let asked = |name: &str| env::var(name).ok().and_then(|text| text.parse().ok());
     let first = asked("GRAZING_MUTATIONS_FROM").unwrap_or(0);
     let count = asked("GRAZING_MUTATIONS").unwrap_or(SOME);
-    // Steps and time end what computes, and patience what says less than it promises; which of
-    // them does makes no difference.
+    // Limits of steps and time end computations, and patience ends requests that are shorter than
+    // announced; which of them does makes no difference.
     let [time, patience] = [2, 1].map(Duration::from_secs);
     let server = Running::new(Limits { steps: 20_000, time, patience, ..LIMITS });
     for number in first..first + count {
         let mut dice = Dice(Pcg64Mcg::new(0x9e37_79b9_7f4a_7c15 ^ (u128::from(number) << 32)));
-        // Numbers that differ by one bit begin alike.
+        // Seeds that differ by one bit begin with similar numbers.
         for _ in 0..8 {
             dice.0.next_u64();
         }
         let request = mutated(&server, &mut dice);
         let (status, _, answer) = server.ask(&request);
         let shown = String::from_utf8_lossy(&request);
-        // None at all comes to what is no HTTP.
+        // Status 0 stands for no answer, as to what is not HTTP.
         let known = [0, 200, 400, 403, 404, 405, 408, 413, 415, 422, 431, 501, 503, 505];
         assert!(known.contains(&status), "{number}: {status}\n{shown}\n{answer}");
     }

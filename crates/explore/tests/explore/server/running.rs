@@ -1,4 +1,4 @@
-//! A server, and asking it.
+//! A server for tests, and requests to it.
 
 use std::io::{Read, Write};
 use std::net::{SocketAddr, TcpStream};
@@ -19,10 +19,10 @@ pub(crate) struct Running {
     thread: Option<JoinHandle<()>>,
 }
 
-/// Far beyond what anything takes on a busy machine: this ends what hangs.
+/// A time far longer than anything takes on a busy machine, which ends what hangs.
 pub(crate) const BACKSTOP: Duration = Duration::from_secs(600);
 
-/// Small limits, so that they are met; but those of time, which a busy machine must not meet.
+/// Small limits, so that they are reached, except those of time, which a busy machine must not reach.
 pub(crate) const LIMITS: Limits = Limits {
     connections: 64,
     computations: 2,
@@ -77,7 +77,7 @@ impl Running {
     /// Sends a request and reads the answer: its status, head and body.
     pub(crate) fn ask(&self, request: &[u8]) -> (u16, String, String) {
         let mut stream = self.connect();
-        // A request that is refused need not be read to its end.
+        // A request that is rejected need not be read to its end.
         let _ = stream.write_all(request);
         let mut answer = Vec::new();
         let _ = stream.read_to_end(&mut answer);
@@ -93,13 +93,13 @@ impl Running {
         (status, body)
     }
 
-    /// A request for something that is computed.
+    /// A request for a computation.
     pub(crate) fn request(&self, name: &str, body: &str) -> String {
         let more = format!("Content-Type: application/json\r\nContent-Length: {}\r\n", body.len());
         format!("{}{body}", self.head("POST", &format!("{}{name}", self.path), &more))
     }
 
-    /// Sends a request, and does not read the answer.
+    /// Sends a request without reading the answer.
     pub(crate) fn begin(&self, name: &str, body: &str) -> TcpStream {
         let mut stream = self.connect();
         stream.write_all(self.request(name, body).as_bytes()).unwrap();
@@ -120,7 +120,7 @@ impl Drop for Running {
     }
 }
 
-/// A body that came in pieces.
+/// A body that was sent in pieces.
 fn chunks(mut body: &str) -> String {
     let mut whole = String::new();
     while let Some((length, rest)) = body.split_once("\r\n") {
@@ -132,7 +132,7 @@ fn chunks(mut body: &str) -> String {
     whole
 }
 
-/// The data of the events of a name.
+/// The data of the events with a name.
 pub(crate) fn events(stream: &str, name: &str) -> Vec<Value> {
     let event = |text: &str| {
         let (first, data) = text.split_once('\n')?;
