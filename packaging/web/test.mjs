@@ -1,5 +1,5 @@
-// Holds the page without a server against the server: the same requests get the same answers, byte for byte; and, where there is a
-// Chromium, the page comes up and draws.
+// Compares the page without a server with the server: the same requests get the same answers, byte for byte; and, if
+// there is a Chromium, the page opens and draws.
 // node packaging/web/test.mjs FOLDER GRAZING: the folder of the page, and the program.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
@@ -11,7 +11,7 @@ import { pathToFileURL } from "node:url";
 const [folder, program] = process.argv.slice(2);
 const duffing = await readFile(new URL("../../examples/duffing.toml", import.meta.url), "utf8");
 
-/** A program that ends with this one. */
+/** A program that ends together with this one. */
 function begun(name, flags, stdio) {
   const child = spawn(name, flags, { stdio });
   process.on("exit", () => child.kill());
@@ -44,8 +44,10 @@ const alone = (path, body) =>
     globalThis.onmessage({ data: { compiled, path, body } });
   });
 
-/** Events without what tells of time and in an order of their own, since threads send them in any; cells of the plane one by one, since
- *  how many are sent at once depends on how long they take. */
+/**
+ * Events without times and sorted, since threads send them in any order; cells of the plane one by one, since the
+ * number sent at once depends on the time that they take.
+ */
 function settled({ kind, content }) {
   if (kind !== "text/event-stream") return content;
   const events = content.split("\n\n").filter((event) => !/^event: (progress|done)\n|^$/.test(event));
@@ -56,7 +58,7 @@ function settled({ kind, content }) {
   return events.flatMap(cells).sort();
 }
 
-/** Asks both, and returns what both say. */
+/** Sends a request to both, and returns both answers. */
 async function same(path, asked) {
   const body = typeof asked === "string" ? asked : JSON.stringify(asked);
   const [there, here] = [await served(path, body), await alone(path, body)];
@@ -88,7 +90,7 @@ async function requests(text, view) {
 
 await requests(null, { primary: [0, 1.3], secondary: [0.35, 1.02] });
 await requests(duffing, { primary: [0.25, 0.75], secondary: [0.9, 1.02] });
-// Mistakes are told in the same words.
+// Mistakes have the same messages.
 await same("check", { text: duffing.replace("kappa*x^3", "kapa*x^3") });
 await same("check", "{}{");
 await same("place", { model: { text: null }, at: [1e9, 1] });
@@ -96,7 +98,7 @@ await same("nothing", {});
 console.log("the page without a server answers as the server does");
 server.kill();
 
-// The page in a browser, from a server that knows files and nothing else.
+// The page in a browser, from a server of static files.
 const KINDS = { ".css": "text/css", ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm" };
 const files = createServer(async (request, response) => {
   const name = new URL(request.url, "http://localhost").pathname.slice(1) || "index.html";
@@ -108,7 +110,7 @@ const page = `http://127.0.0.1:${files.address().port}/`;
 const browser = await started();
 if (browser) {
   await browser.ask("Page.navigate", { url: page });
-  // What the page says once nothing is to come any more.
+  // The result of a function once the page is idle.
   const settledPage = (said) =>
     `new Promise((ready) => { const look = async () => document.documentElement?.hasAttribute("data-busy") ?? true ? setTimeout(look, 100) : ready(await (${said})()); setTimeout(look, 1000); })`;
   const [title, curves, regions, text] = await browser.value(
@@ -127,7 +129,7 @@ if (browser) {
 } else console.log("there is no Chromium: the page was not opened");
 files.close();
 
-/** A browser that is spoken to through pipes; none if there is none. */
+/** A browser controlled through pipes; none if it is not installed. */
 async function started() {
   for (const name of ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"]) {
     const flags = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run", "--window-size=1400,900", "--remote-debugging-pipe", "about:blank"];

@@ -1,5 +1,5 @@
-// The way to the program: compiled to WebAssembly it runs in workers of this page, one for each request that is being answered.
-// Who aborts a request ends its worker.
+// Access to the program: compiled to WebAssembly it runs in workers of this page, one for each open request. Aborting a
+// request ends its worker.
 
 export const LOST = "The program cannot be run in this browser, or its files did not come.";
 
@@ -9,10 +9,10 @@ const program = fetch("./grazing.wasm").then(async (answer) => {
   if (!answer.ok) throw new Error(LOST);
   return WebAssembly.compile(await answer.arrayBuffer());
 });
-// Who asks is told.
+// The error is reported to the requests.
 program.catch(() => {});
 
-/** Workers that have answered, and wait. */
+/** Workers that have answered, and wait for the next request. */
 const idle = [];
 
 export async function reach(path, { body, signal }) {

@@ -1,6 +1,6 @@
-// Answers requests with the program, one after the other: what it tells goes to the page as it is told.
+// Answers requests with the program, one after the other, and passes its output to the page at once.
 const text = new TextEncoder();
-/** What the program tells: an event, and of the answer its media type and its content. */
+/** The kinds of output of the program: an event, and the media type and the content of an answer. */
 const TOLD = ["event", "kind", "content"];
 
 let running = null;
@@ -35,7 +35,7 @@ globalThis.onmessage = async ({ data }) => {
     const answered = await running;
     postMessage(answered(data));
   } catch {
-    // What fails in a promise the page would never hear of.
+    // The page would never notice an error in a promise.
     postMessage({ lost: true });
   }
 };

@@ -1,9 +1,9 @@
-// Talking to the program: one answer, or a stream of events. Who aborts a request ends its computation.
+// Requests to the program: one answer, or a stream of events. Aborting a request ends its computation.
 import { begin } from "./busy.js";
 import { later } from "./dom.js";
 import { LOST, reach } from "./reach.js";
 
-/** What the program refuses, in its own words. */
+/** An error of the program, with its own message. */
 export class Refused extends Error {}
 
 async function send(path, body, signal) {
@@ -52,10 +52,10 @@ export async function stream(path, body, on, signal) {
 }
 
 /**
- * One computation at a time: a new one aborts the last. `live` ones come at most every `pause` milliseconds, and let
- * the live one before them finish, so that something is seen while a hand moves. It is given up after `patience`, or
- * twice what the last one took; where that was in vain the next one has twice the time, so that one finishes however
- * many others the program serves.
+ * One computation at a time: a new one aborts the last. `live` ones start at most every `pause` milliseconds, and let
+ * the live one before them finish, so that something is drawn during dragging. It is aborted after `patience`, or twice
+ * the time of the last one; after a failure the next one has twice the time, so that one finishes however many others
+ * the program serves.
  */
 export class Latest {
   constructor({ pause = 0, patience = 0, failed = () => {} } = {}) {
@@ -89,12 +89,12 @@ export class Latest {
       });
   }
 
-  /** Runs the last job that was given, when its turn comes. */
+  /** Runs the job that was passed last, when its turn comes. */
   live(job) {
     this.next(job, true);
   }
 
-  /** Runs a job after the hand has moved, which may only have paused: the live one before it is let finish, too. */
+  /** Runs a job after dragging, which may only have paused: the live one before it may finish, too. */
   rested(job) {
     this.next(job, false);
   }

@@ -2,12 +2,12 @@
 
 const FAMILY = '"Figure Text", "STIX Two Text", Georgia, "Times New Roman", serif';
 export const font = (size, italic = false) => `${italic ? "italic " : ""}${size}px "Figure Signs", ${FAMILY}`;
-/** Numbers with more decimals than this are told from an offset. */
+/** Numbers with more decimals than this are written relative to an offset. */
 const LONGEST = 6;
 
-/** What is drawn on another context instead of its canvas. */
+/** The canvas that is drawn on another context, and that context. */
 let elsewhere = null;
-/** Draws what belongs on a canvas on another context. */
+/** Draws the contents of a canvas on another context. */
 export function drawnOn(canvas, context, draw) {
   elsewhere = { canvas, context };
   try {
@@ -17,7 +17,7 @@ export function drawnOn(canvas, context, draw) {
   }
 }
 
-/** A canvas as large as its element, in pixels of the page; null while it is not seen. */
+/** A canvas as large as its element, in pixels of the page; null while it is not visible. */
 function prepare(canvas) {
   const { clientWidth: width, clientHeight: height } = canvas;
   if (width < 40 || height < 40) return null;
@@ -58,7 +58,7 @@ export function ticks([low, high], most) {
   return { found, offset: offset === 0 ? null : String(offset), power };
 }
 
-/** Writes pieces [text, "italic" | "sub" | "sup" | ""] in a row, about the point by `align` in parts of the width. */
+/** Writes pieces [text, "italic" | "sub" | "sup" | ""] in a row, shifted from the point by `align` times the width. */
 export function write(context, pieces, x, y, size, align = 0) {
   const measured = pieces.map(([text, style]) => {
     const small = style === "sub" || style === "sup";
@@ -76,10 +76,10 @@ export function write(context, pieces, x, y, size, align = 0) {
   return width;
 }
 
-/** A unit with its powers raised: m/s^2. */
+/** A unit with raised powers: m/s^2. */
 export const unitPieces = (unit) => unit.split(/\^(-?\d+)/).flatMap((part, at) => (part === "" ? [] : [[part.replace("-", "−"), at % 2 === 1 ? "sup" : ""]]));
 
-/** The title of an axis with what its labels leave out, and in what they count. */
+/** The title of an axis with the offset and the power that its labels leave out, and the unit. */
 function titled({ title, unit }, { offset, power }) {
   const pieces = [...title];
   if (offset) pieces.push([offset.startsWith("-") ? ` + ${offset.slice(1)}` : ` − ${offset}`, ""]);
@@ -126,10 +126,13 @@ function drawAxes(context, frame, axes, ink, size = 13) {
   context.restore();
 }
 
-/** What takes places in two ranges into a frame. */
+/** The function that maps places in two ranges into a frame. */
 export const into = ({ x, y, w, h }, [a, b], [c, d]) => ([px, py]) => [x + ((px - a) / (b - a)) * w, y + h - ((py - c) / (d - c)) * h];
 
-/** A canvas with a frame of paper to draw in, and `end`, which draws its axes; null while it is not seen. `margins(width, height)` are those of the frame. */
+/**
+ * A canvas with a frame of paper, and `end`, which draws its axes; null while it is not visible. `margins(width,
+ * height)` are those of the frame.
+ */
 export function chart(canvas, margins, axes, ink, size) {
   const made = prepare(canvas);
   if (!made) return null;

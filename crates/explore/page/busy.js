@@ -1,8 +1,8 @@
-// Whether anything is still to come: a timer that runs, an answer of the program, a frame. The document says so in
-// its attribute `data-busy`, with which it begins.
+// Whether the page is busy: with a timer, an answer of the program, or a frame. The document shows it in its attribute
+// `data-busy`, with which it begins.
 let count = 0;
 
-/** Something is to come, until the function that is returned is called. */
+/** Makes the page busy until the returned function is called. */
 export function begin() {
   let ended = false;
   const counted = (by) => {

@@ -5,20 +5,23 @@ import { description } from "./model.js";
 import * as state from "./state.js";
 
 const STEPS = 400;
-/** How far a slider reaches about the file's value. */
+/** The reach of a slider, as factors of the file's value. */
 const BELOW = 0.25;
 const ABOVE = 2.5;
-/** Numbers of loops that can be chosen. */
+/** The numbers of loops that can be chosen. */
 const LOOPS = 6;
 
 /** Ranges that typing has extended, by constant. */
 let extended = {};
 let built = "";
 let controls = [];
-/** The constant that was set last. */
+/** The constant that was changed last. */
 let last = "";
 
-/** A value between a half and one is most likely a fraction, as a coefficient of restitution is: it ends at one. */
+/**
+ * The range of a slider. A value between a half and one is most likely a fraction, such as a coefficient of
+ * restitution: it ends at one.
+ */
 function rangeOf({ name, value }) {
   const [low, high] = value === 0 ? [-1, 1] : [value * BELOW, value > 0.5 && value <= 1 ? 1 : value * ABOVE].sort((a, b) => a - b);
   const typed = extended[name] ?? [low, high];
@@ -60,7 +63,7 @@ function control(constant) {
   slider.addEventListener("input", () => {
     const [low, high] = rangeOf(constant);
     const value = low + (slider.value / STEPS) * (high - low);
-    // Round numbers of the slider's own fineness, so that what is seen can be typed again.
+    // Numbers rounded to the slider's own resolution, so that the value shown can be typed again.
     set(Number(value.toPrecision(4)), true);
   });
   slider.addEventListener("change", () => state.update({}));
@@ -79,7 +82,7 @@ function control(constant) {
   return { name, row, show, refuse };
 }
 
-/** The controls of the oscillator, made anew where it has other constants. */
+/** The controls of the oscillator, built anew if its constants change. */
 export function follow(value) {
   if (!description) return;
   const key = JSON.stringify([description.constants, description.loops, value.example]);
@@ -99,7 +102,7 @@ export function follow(value) {
   for (const box of $("loops-list").querySelectorAll("input")) box.checked = loops.includes(Number(box.value));
 }
 
-/** Says why a value cannot be, beside the constant that a message of the program names, or else the one that was set last. */
+/** Shows why a value is rejected, beside the constant named in the message, or else the one that was changed last. */
 export function refuse(message) {
   const named = controls.filter(({ name }) => new RegExp(`\\b${name}\\b`).test(message));
   for (const { refuse: tell } of named.length ? named : controls.filter(({ name }) => name === last)) tell(message);

@@ -1,5 +1,5 @@
-// The cut: what happens along a line through the place, as a one-parameter diagram under the plane. Both are linked:
-// the line is shown in the plane, and pointing here moves the place.
+// The cut: motion along a line through the place, as a one-parameter diagram under the plane. Both are linked: the
+// plane shows the line, and pointing here moves the place.
 import { $, coordinate, make, rested } from "./dom.js";
 import { chart, clipped, trace, write } from "./axes.js";
 import { Latest, stream } from "./api.js";
@@ -10,9 +10,11 @@ import { heightTitle } from "./portraits.js";
 import { curveInk, inks, loopsInk, loopsNames, onTheme, wordInk } from "./palette.js";
 import * as state from "./state.js";
 
-/** A dot's height in pixels; it is as wide as the values of the parameter are apart, so that what goes on between them is no gap. */
+/**
+ * A dot's height in pixels; its width is the spacing of the values of the parameter, which leaves no gaps between them.
+ */
 const DOT = 1.4;
-/** How strong a dot is alone, and at most where many fall together. */
+/** The opacity of a single dot. */
 const FAINTEST = 0.4;
 
 const latest = new Latest({ pause: 100, patience: 600, failed: (error) => fail(error) });
@@ -39,11 +41,11 @@ function bodyOf(value) {
   return { model: modelOf(value), fixed: value.cut, at: value.place[1 - at], range: viewOf(value)[axis], ordinate: ordinateOf(value).name };
 }
 
-/** What is up: { name, unit }; x, where the oscillator has no such thing. */
+/** The ordinate: { name, unit }; x, if the oscillator lacks the chosen one. */
 const ordinateOf = (value) => description.ordinates.find(({ name }) => name === value.ordinate) ?? description.ordinates[0];
 const upTitle = (ordinate) => (ordinate.name === "x" ? heightTitle() : { title: [[ordinate.name, ""]], unit: ordinate.unit });
 
-/** The line through the place, to be asked for; null without one. */
+/** The line through the place, for a request; null without one. */
 export function wanted() {
   const value = state.get();
   if (!value.cut || !value.place) return null;
@@ -51,14 +53,14 @@ export function wanted() {
   return { cut: { fixed, at, range, ordinate } };
 }
 
-/** The menu of what can be up. */
+/** The menu of ordinates. */
 function offer(value) {
   const names = description.ordinates.map(({ name }) => name);
   if (names.join() !== [...$("ordinate").options].map((option) => option.value).join()) $("ordinate").replaceChildren(...names.map((name) => make("option", { value: name }, name)));
   $("ordinate").value = ordinateOf(value).name;
 }
 
-/** What its strands are of, whatever part of them is seen. */
+/** A key of what the strands depend on, whatever part of them is in view. */
 const ofBody = ({ model, fixed, at, ordinate }) => JSON.stringify([model, fixed, at, ordinate]);
 
 const request = rested(200, () => {
@@ -71,7 +73,7 @@ const request = rested(200, () => {
   $("cut").setAttribute("aria-busy", "true");
   draw();
   latest.now(async (signal) => {
-    // Branches first; the dots of the last cut stay below them until those of this one are there.
+    // Branches first; the dots of the last cut stay below them until those of this one arrive.
     const take = (told) => {
       if (signal.aborted) return;
       const last = answer?.fixed === body.fixed && answer.ordinate.name === body.ordinate ? answer : { dots: [] };
@@ -86,7 +88,10 @@ const request = rested(200, () => {
   });
 });
 
-/** What is told of a cut: strands, bifurcations and dots, the value of the parameter that is held, and whether dots are still those of the last one. */
+/**
+ * The data of the cut: strands, bifurcations and dots, the value of the fixed parameter, and whether dots are still
+ * those of the last one.
+ */
 export const shown = () => answer;
 
 export function follow(value) {
@@ -139,7 +144,7 @@ export function draw() {
     context.setLineDash([]);
   };
   line(value.place[at], ink.place, []);
-  // The solutions at the place, where their velocities are up.
+  // The solutions at the place, if velocities are the ordinate.
   if (ordinate.name === "impact velocity") {
     for (const { p, velocity } of told()?.solutions ?? []) ring(context, to([value.place[at], p ? velocity : 0]), loopsInk(p, ink));
   }
@@ -174,7 +179,7 @@ function drawDots(context, dots, values, to, ink, strength) {
   }
 }
 
-/** What the lines and marks of the cut mean. */
+/** The legend of the lines and marks of the cut. */
 function legend(strands) {
   const ink = inks();
   const line = (colour, width, dashes = "none", opacity = 1) => {
@@ -225,13 +230,13 @@ function drawFound(context, { strands, bifurcations, dots, values, old }, to, in
     context.stroke();
     const words = kind === "graz" ? [["grazing", ""]] : [[`${kind} `, ""], ["p", "italic"], [` = ${p}`, ""]];
     const wide = kind === "graz" ? 48 : 56;
-    // To the right and above where it can be; nowhere where it would hide another.
+    // To the right and above if possible; omitted if it would hide another.
     const corners = [[7, -6], [7, 15], [-7 - wide, -6], [-7 - wide, 15]].map(([dx, dy]) => [px + dx, py + dy]);
     const free = ([left, low]) => left > frame.x && left + wide < frame.x + frame.w && low > frame.y + 12 && low < frame.y + frame.h && taken.every(([x, y]) => Math.abs(x - left) > wide || Math.abs(y - low) > 13);
     const corner = corners.find(free);
     if (!corner) continue;
     taken.push(corner);
-    // Dots and strands do not cross the words, which are darker than a line may be.
+    // Dots and strands do not cross the labels, which are darker than a line may be.
     context.globalAlpha = 0.75 * strength;
     context.fillStyle = ink.paper;
     context.fillRect(corner[0] - 2, corner[1] - 10, wide - 10, 13);

@@ -1,4 +1,4 @@
-// The diagram: asked for coarse while a hand moves and in full when it rests; curves come as they are found.
+// The diagram: requested coarse during dragging and in full at rest; curves arrive as they are found.
 import { $, count, later, make, number, rested } from "./dom.js";
 import { Latest, stream } from "./api.js";
 import { isNumbered, lasting } from "./lasting.js";
@@ -8,8 +8,8 @@ import { drawSamples } from "./palette.js";
 import * as state from "./state.js";
 
 /**
- * What is known of the diagram. Each curve says of which model it is, `of` says it of points and regions, and what is
- * not of the model that is wanted is faded.
+ * The current diagram. Each curve names the model that it belongs to, `of` names those of points and regions; contents
+ * that do not belong to the wanted model are faded.
  */
 export const diagram = {
   curves: new Map(), points: [], regions: [], resonances: [], notes: [], measured: null, of: { points: "", regions: "" }, wanted: "", version: 0,
@@ -19,9 +19,9 @@ export const diagram = {
 };
 
 const RESTS = 200;
-/** While a hand moves, what is shown may be behind it for so many milliseconds. */
+/** The greatest delay of the diagram during dragging, in milliseconds. */
 const BEHIND = 300;
-/** The slowest of the examples takes 1.5 s for a coarse one. */
+/** The slowest of the examples takes 1.5 s for a coarse diagram. */
 const COARSE = { pause: 100, patience: 4000 };
 let changed = () => {};
 export const onDiagram = (act) => (changed = act);
@@ -32,25 +32,25 @@ const failed = (error) => {
 };
 const latest = new Latest({ ...COARSE, failed });
 
-/** Whether it is being computed. */
+/** Whether a diagram is being computed. */
 export const isBusy = () => latest.running !== null;
 
-/** What is shown, if it was computed in full, so that nothing is computed twice; and what was said of it. */
+/** The key of the diagram in view if it was computed in full, so that nothing is computed twice; and its summary. */
 let computed = "";
 let summary = "";
-/** The curves that have but a number, as last seen: a coarse diagram has few of them. */
+/** The curves known only by a number, as last seen: a coarse diagram has few of them. */
 let numbered = [];
 
-/** How strongly what is of a model is drawn. */
+/** The opacity of contents that belong to a model. */
 export const strength = (of) => (of === diagram.wanted ? 1 : 0.22);
 
 const wantedOf = (value) => JSON.stringify(modelOf(value));
 
-/** The model that is wanted while a file is being typed: one that has no name yet. */
+/** The wanted model while a file is being edited: it has no name yet. */
 export const TYPED = null;
 
 let behind = null;
-/** From now on another model is wanted: that of the state, or one that is being typed. */
+/** Makes another model the wanted one: that of the state, or one that is being edited. */
 export function want(of = wantedOf(state.get())) {
   behind?.();
   behind = null;
@@ -71,7 +71,7 @@ export function clear() {
   changed();
 }
 
-/** The words beside the progress line. */
+/** Shows words beside the progress line. */
 export function say(words, bad = false) {
   $("progress-text").textContent = $("progress-text").title = words;
   $("progress-text").classList.toggle("bad", bad);
@@ -103,7 +103,7 @@ const job = (body) => async (signal) => {
   let latestNotes = [];
   let measured = null;
   let nothing = "";
-  // While something else is being typed, what is said is said of that.
+  // While something else is being edited, the words are about that.
   const tell = (words) => diagram.wanted === TYPED || say(words);
   if (!coarse) {
     bar.removeAttribute("value");
@@ -161,8 +161,8 @@ const job = (body) => async (signal) => {
       diagram.notes = latestNotes;
       diagram.version += 1;
       finish();
-      // A hand that has moved on meanwhile sees what it has just left, unless that is long ago; what is of a file that
-      // has been changed since stays faded.
+      // If dragging has gone on meanwhile, the previous diagram is shown, unless it is too old; a diagram of a file
+      // that has been edited since stays faded.
       if (diagram.wanted !== TYPED) {
         if (!coarse || behind || of === wantedOf(state.get())) diagram.wanted = of;
         if (of === wantedOf(state.get())) want(of);
@@ -177,7 +177,7 @@ const job = (body) => async (signal) => {
       list();
     },
   };
-  // Of a diagram that comes within a pause nothing is drawn before it is whole.
+  // A diagram that arrives within a pause is drawn only when it is complete.
   let drawn = performance.now();
   const noticed = Object.fromEntries(
     Object.entries(on).map(([name, act]) => [
@@ -205,13 +205,13 @@ const rest = rested(RESTS, () => {
   say(summary);
 });
 
-/** The diagram of the state is wanted again, after something else was typed. */
+/** Makes the diagram of the state the wanted one again, after something else was edited. */
 export function resume() {
   want();
   rest();
 }
 
-/** Follows the state: `constants` tells whether constants are what moves. */
+/** Follows the state: `constants` is whether constants are being dragged. */
 export function follow(value, live, constants) {
   if (!live) want();
   if (live && constants) {
@@ -222,7 +222,7 @@ export function follow(value, live, constants) {
   rest();
 }
 
-/** The legend of what the file asks for, and of ends. */
+/** The legend of the curves that the file asks for, and of ends. */
 function legend() {
   const all = [...diagram.curves.values()];
   const own = new Map(all.filter(({ name }) => name).map(({ name, property }) => [name, property]));
@@ -234,7 +234,7 @@ function legend() {
   drawSamples();
 }
 
-/** The tables under the plane: resonances, and what is missing. */
+/** The tables under the plane: resonances, and gaps. */
 function list() {
   const { resonances, notes } = diagram;
   legend();
@@ -269,7 +269,7 @@ function list() {
   $("resonances-table").replaceChildren(make("thead", {}, head), make("tbody", {}, ...rows));
 }
 
-/** A resonance in the middle, a twelfth of what is seen now about it, or of the whole if it is not seen. */
+/** Centres a resonance, in a twelfth of the current view, or of the whole if it lies outside. */
 function zoomTo({ primary, secondary }) {
   const view = viewOf(state.get());
   const about = (centre, [low, high]) => [centre - (high - low) / 24, centre + (high - low) / 24];

@@ -1,4 +1,4 @@
-// Elements and words.
+// Elements and text.
 import { begin } from "./busy.js";
 
 export const $ = (id) => document.getElementById(id);
@@ -18,7 +18,7 @@ export function make(name, attributes = {}, ...children) {
   return made;
 }
 
-/** A number with so many significant digits, a real minus, and a power of ten where it is far from one. */
+/** A number with a number of significant digits, a true minus sign, and a power of ten if it is far from one. */
 export function number(value, digits = 4) {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   const size = Math.abs(value);
@@ -26,7 +26,7 @@ export function number(value, digits = 4) {
   return String(Number(value.toPrecision(digits))).replace(/-/g, "−");
 }
 
-/** A coordinate with the digits that a step of `width` shows. */
+/** A coordinate with the digits that a step of `width` requires. */
 export function coordinate(value, width) {
   const decimals = Math.min(16, Math.max(0, 3 - Math.floor(Math.log10(width))));
   return (decimals > 100 ? String(value) : value.toFixed(decimals)).replace("-", "−");
@@ -41,7 +41,7 @@ export function multipliers([first, second]) {
 /** "1 loop", "2 loops". */
 export const count = (n, word) => `${n} ${word}${n === 1 ? "" : "s"}`;
 
-/** Calls the function after a pause, unless what is returned is called before; the page is busy until then. */
+/** Calls the function after a pause, unless the returned function is called before; the page is busy until then. */
 export function later(pause, act) {
   const end = begin();
   const timer = setTimeout(() => {
@@ -57,7 +57,7 @@ export function later(pause, act) {
   };
 }
 
-/** Calls the function once the calls have rested for so long. */
+/** Calls the function after no further calls for this long. */
 export function rested(wait, act) {
   const call = (...args) => {
     call.cancel();

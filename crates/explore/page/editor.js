@@ -1,4 +1,4 @@
-// The oscillator's file: edited in the page, mistakes marked under the character in the program's own words.
+// Editing the file of the oscillator, with mistakes marked under the character and described by the program.
 import { $, make, rested } from "./dom.js";
 import { ask, Latest } from "./api.js";
 import * as diagram from "./diagram.js";
@@ -11,7 +11,7 @@ let taken = () => {};
 /** `act(description)` is called with each good answer to `check`. */
 export const onTaken = (act) => (taken = act);
 
-/** Fills in the text and marks the mistake, if there is one. */
+/** Shows the text with the mistake marked, if there is one. */
 export function tell(answer) {
   const { ok, message, line, span } = answer;
   const text = $("text").value;
@@ -43,27 +43,27 @@ export function tell(answer) {
   callout.textContent = message;
   callout.style.top = `${line * lineHeight() + 10}px`;
   callout.style.left = `${from}ch`;
-  // As far to the left as it needs to be read whole.
+  // As far to the left as is needed to show all of it.
   const over = callout.offsetLeft + callout.offsetWidth + 16 - callout.parentElement.clientWidth;
   if (over > 0) callout.style.left = `max(0px, ${from}ch - ${over}px)`;
 }
 
 const lineHeight = () => Number.parseFloat(getComputedStyle($("text")).lineHeight);
 
-/** The last file that was right, and what the program said of it without any values set. */
+/** The last valid file, and its description without any values set. */
 let file = { text: undefined, described: null };
 
-/** Asks the program about the model; what it says goes to those who wait for it. */
+/** Checks the model with the program, and passes the answer on. */
 export function check(model) {
   return latest.now(async (signal) => {
     const { text } = model;
-    // Constants and loops of the file itself, to which the state is compared.
+    // Constants and loops of the file itself, with which the state is compared.
     const described = file.text === text ? file.described : await ask("check", { text, set: {}, loops: null }, signal);
     if (described.ok) file = { text, described };
     const changed = Object.keys(model.set).length > 0 || model.loops !== null;
     const answer = described.ok && changed ? await ask("check", model, signal) : described;
     if (signal.aborted) return;
-    // What is being typed has its own verdict.
+    // Text that is being edited has its own verdict.
     if (!$("editor").hidden && text === $("text").value) tell(answer);
     if (described.ok) taken(described);
     if (!answer.ok) taken(answer);
@@ -86,7 +86,10 @@ const edited = rested(RESTS, async () => {
   });
 });
 
-/** The text of the state that the field was filled with, or that was typed there: what is typed since stays until the state has another one. */
+/**
+ * The text of the state that filled the field, or that was typed there: later edits stay until the state has another
+ * text.
+ */
 let filled;
 
 /** The menu and the text follow the state. */

@@ -1,4 +1,4 @@
-// The curve through a solution at the place along which its impact velocity stays what it is.
+// The curve through a solution at the place along which the impact velocity is constant.
 import { number } from "./dom.js";
 import { ask, Latest } from "./api.js";
 import { say } from "./diagram.js";
@@ -34,7 +34,7 @@ export function follow(value, live) {
   });
 }
 
-/** Whether a solution is the one that is followed. */
+/** Whether a solution is the followed one. */
 export const isFollowed = (solution, at) => {
   const { follow: own } = state.get();
   return own !== null && own.p === solution.p && own.velocity === solution.velocity && own.at.join() === at.join();

@@ -1,4 +1,4 @@
-// Pointing at the plane: places, boxes, wheel and pinch, and the same from the keyboard.
+// Pointing at the plane: places, boxes, wheel and pinch, and the same with the keyboard.
 import { $, coordinate } from "./dom.js";
 import { axisPieces, plain } from "./markup.js";
 import { description, viewOf, wholeView } from "./model.js";
@@ -6,13 +6,13 @@ import { tellOf } from "./pick.js";
 import { ends, frame, project, redraw, runs, shown, toParameters } from "./plane.js";
 import * as state from "./state.js";
 
-/** The narrowest view: so much of the whole plane's width, still far above rounding. */
+/** The width of the narrowest view, as a share of the whole plane, still far above rounding. */
 const NARROWEST = 4e-10;
-/** A pointer that moves no farther than so many pixels points; beyond it moves the plane. */
+/** The distance in pixels up to which a pointer selects a place; beyond it the plane moves. */
 const STILL = 4;
 let boxing = false;
 
-/** Zooms by a factor, above one inwards, about a point of the plane, that of the place or the middle. */
+/** Zooms by a factor, inwards if it is above one, about a point: a given one, the place, or the middle. */
 export function zoom(factor, about = null, live = false) {
   const value = state.get();
   const view = viewOf(value);
@@ -31,21 +31,21 @@ export function zoom(factor, about = null, live = false) {
 
 export const whole = () => state.update({ view: null });
 
-/** Moves the view by parts of its width and height. */
+/** Moves the view by shares of its width and height. */
 export function move(across, up, live = false) {
   const view = viewOf(state.get());
   const moved = ([low, high], part) => [low + part * (high - low), high + part * (high - low)];
   state.update({ view: { primary: moved(view.primary, across), secondary: moved(view.secondary, up) } }, live);
 }
 
-/** The next drag draws a box: for fingers, which have no shift key. */
+/** Switches whether the next drag draws a box: for fingers, which have no shift key. */
 export function startBox() {
   boxing = !boxing;
   document.querySelector('[data-command="box"]').setAttribute("aria-pressed", boxing);
   $("stage").classList.toggle("boxing", boxing);
 }
 
-/** Moves the place by parts of the view; the first time it comes into the middle. */
+/** Moves the place by shares of the view; the first time it is put into the middle. */
 export function step(across, up) {
   const value = state.get();
   const view = viewOf(value);
@@ -58,7 +58,7 @@ export function step(across, up) {
 
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
-/** The arrow keys; whether it was one. */
+/** Handles the arrow keys; returns whether the key was one. */
 export function arrow(event) {
   const way = ARROWS[event.key];
   if (!way || event.altKey) return false;
@@ -67,7 +67,7 @@ export function arrow(event) {
   return true;
 }
 
-/** What the pointer is over, in words. */
+/** Describes what is under the pointer. */
 function tell(x, y) {
   const inside = x >= frame.x && x <= frame.x + frame.w && y >= frame.y && y <= frame.y + frame.h;
   if (!inside) return ($("pointer").textContent = "");
@@ -79,7 +79,7 @@ function tell(x, y) {
   $("pointer").textContent = `${at.map((value, index) => `${names[index]} = ${coordinate(value, widths[index])}`).join(", ")}${told && ` · ${told}`}`;
 }
 
-/** Takes the pointers that come to the plane. */
+/** Attaches the handlers of pointers on the plane. */
 export function attach() {
   const stage = $("stage");
   let [doing, pressed] = [null, null];
@@ -101,7 +101,7 @@ export function attach() {
         doing = "box";
         shown.box = [...clamp(point(event)), ...clamp(point(event))];
       } else if (event.target.id === "handle" && event.button === 0) {
-        // What is held is the ring itself, not the pointer's offset from it.
+        // The drag holds the ring itself, without an offset of the pointer.
         doing = "place";
         state.update({ place: at(event) }, true);
       } else doing = "point";

@@ -1,9 +1,9 @@
-// Where the words in the plane go: where no curve passes, no point lies and no other word stands.
+// The places of labels in the plane: away from curves, points and other labels.
 import { apart } from "./pick.js";
 
 const CELL = 5;
 
-/** The map of what is taken: how far each cell is from the next curve, point or edge. */
+/** The map of free space: the distance of each cell from the nearest curve, point or edge. */
 function distances(frame, runs, points) {
   const [columns, rows] = [Math.max(1, Math.floor(frame.w / CELL)), Math.max(1, Math.floor(frame.h / CELL))];
   const far = new Float32Array(columns * rows).fill(1e9);
@@ -35,7 +35,7 @@ function distances(frame, runs, points) {
   return { at };
 }
 
-/** Whether a word about the point, so wide, keeps clear of all that is taken. */
+/** Whether a label of this width about a point keeps clear of everything. */
 const clear = (map, placed, x, y, half, tall = 7) => {
   for (let dx = -half; dx <= half; dx += CELL) if (Math.min(map.at(x + dx, y - tall + 2), map.at(x + dx, y + tall - 2)) < 5) return false;
   return placed.every((other) => Math.abs(other.x - x) > other.half + half + 4 || Math.abs(other.y - y) > 2 * tall + 2);
@@ -49,7 +49,9 @@ function pathOf({ rings }) {
   return path;
 }
 
-/** p = ... in the regions: the place of each that is farthest from everything, outside other regions if it can be. */
+/**
+ * The labels p = ... of regions: each at the place that is farthest from everything, outside other regions if possible.
+ */
 function regionLabels(frame, regions, map, placed) {
   const paths = regions.map(pathOf);
   const inside = (index, x, y) => isInside(paths[index], x, y);
@@ -70,16 +72,16 @@ function regionLabels(frame, regions, map, placed) {
   });
 }
 
-/** The word beside a curve, with its number of loops as index. */
+/** The label of a curve, with its number of loops as index. */
 const wordOf = ({ kind, p, name, followed }) => (kind === "graz" ? [["grazing", ""]] : [[name ?? kind, ""], ...(followed ? [] : [[String(p), "sub"]])]);
 const sameWord = (text, other) => text.join() === other.join();
 
-/** A word is no farther from its curve than its own width and so many pixels. */
+/** The distance in pixels, beyond its own width, within which a label belongs to its curve. */
 const REACH = 30;
 
 const reaches = ({ points }, { x, y, half }) => points.some(([px, py], at) => at > 0 && apart([x, y], points[at - 1], [px, py]) < half + REACH);
 
-/** Words that still stand well stay where they are, whatever has moved: those of a moment ago which keep clear, beside their curve or in their region. */
+/** Keeps labels in place if they are still clear, and beside their curve or in their region. */
 function keepLabels(runs, regions, map, placed, before) {
   const paths = regions.filter(({ kind }) => kind === "mps").map((region) => [region.p, pathOf(region)]);
   for (const each of before) {
@@ -89,7 +91,7 @@ function keepLabels(runs, regions, map, placed, before) {
   }
 }
 
-/** A word beside each curve that is long enough, where there is room for it. */
+/** A label beside each curve that is long enough, if there is room. */
 function curveLabels(frame, runs, map, placed) {
   const long = runs.map((run) => ({ ...run, length: run.points.reduce((sum, [x, y], at) => (at === 0 ? 0 : sum + Math.hypot(x - run.points[at - 1][0], y - run.points[at - 1][1])), 0) }));
   for (const { curve, points, length } of long.sort((a, b) => b.length - a.length)) {
@@ -119,7 +121,7 @@ function curveLabels(frame, runs, map, placed) {
   }
 }
 
-/** All words: [{ text (pieces), x, y, kind, key of the curve }], in pixels; `before` are those of a moment ago. */
+/** All labels: [{ text (pieces), x, y, kind, key of the curve }], in pixels; `before` are the previous ones. */
 export function placeLabels(frame, runs, regions, points, before) {
   const map = distances(frame, runs, points);
   const placed = [];

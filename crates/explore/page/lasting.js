@@ -2,12 +2,12 @@
 // diagram, and some come and go. Here each gets the number that the nearest of its kind had before.
 
 const SAMPLES = 24;
-/** Farther apart than this, in parts of the view, they are not the same. */
+/** The distance, as a share of the view, beyond which two curves are not the same. */
 const FARTHEST = 0.25;
-/** What of one curve is not on the other counts less: views cut them, and they grow. */
+/** The weight of the parts of one curve that the other lacks: views cut curves, and curves grow. */
 const REST = 0.1;
 
-/** How far points of one polyline are from those of another, on average. */
+/** The mean distance of points of one polyline from another. */
 function way(from, to, [across, up]) {
   const stride = Math.ceil(from.length / SAMPLES);
   const sampled = from.filter((_, index) => index % stride === 0);
@@ -22,10 +22,13 @@ function apart(a, b, widths) {
 
 const kindOf = ({ key }) => key.split("#")[0];
 
-/** Whether a curve has but a number. */
+/** Whether a curve is known only by a number. */
 export const isNumbered = ({ n, source }) => n === 0 && source === "continuation";
 
-/** The names of the numbered curves of a list, by their keys there; `before` are those of the diagram before, under their names. */
+/**
+ * The names of the numbered curves of a list, by their keys there; `before` are the curves of the last diagram, with
+ * their names.
+ */
 export function lasting(list, before, { primary: [a, b], secondary: [c, d] }) {
   const names = new Map();
   const curves = list.filter(isNumbered);
@@ -36,7 +39,7 @@ export function lasting(list, before, { primary: [a, b], secondary: [c, d] }) {
     names.set(curve.key, old.key);
     taken.add(old.key);
   }
-  // New ones do not take the number of one that has gone.
+  // New curves do not take the number of one that has gone.
   for (const old of before) taken.add(old.key);
   for (const curve of curves) {
     if (names.has(curve.key)) continue;

@@ -21,7 +21,7 @@ import * as tiles from "./tiles.js";
 const OSCILLATOR = ["example", "text"];
 const CONSTANTS = ["set", "loops"];
 
-/** Both cuts need a place: the middle of the view, if there is none. */
+/** A cut needs a place: the middle of the view, if there is none. */
 const toggleCut = (fixed) => {
   const value = state.get();
   if (!value.place) hand.step(0, 0);
@@ -33,7 +33,7 @@ const COMMANDS = {
   out: () => hand.zoom(1 / 1.6),
   whole: hand.whole,
   box: hand.startBox,
-  // Not beyond where one came in.
+  // Not beyond the entry by which the page was opened.
   back: () => history.state?.step > 0 && history.back(),
   forward: () => history.forward(),
   horizontal: () => toggleCut("secondary"),
@@ -50,7 +50,7 @@ const COMMANDS = {
   help: () => $("help").showModal(),
 };
 
-/** Keys of the plane; a question mark asks for help anywhere. */
+/** The keys of the plane; a question mark opens the help anywhere. */
 const KEYS = { "+": "in", "=": "in", "-": "out", 0: "whole", "[": "back", "]": "forward", b: "box", h: "horizontal", v: "vertical", k: "keep", o: "overlay", t: "straighten", m: "measured", e: "edit", s: "share", Escape: "stop" };
 
 function keys() {
@@ -74,7 +74,7 @@ function keys() {
   });
 }
 
-/** Only what is said of the file matters until it is right; the diagram of the last one that was stays. */
+/** Until a file is valid only its check matters; the diagram of the last valid one stays. */
 const checkSoon = rested(200, () => editor.check(model.modelOf(state.get())));
 
 function follow(value, changed, live) {
@@ -83,7 +83,7 @@ function follow(value, changed, live) {
   editor.follow(value);
   if (has(OSCILLATOR)) {
     diagram.want();
-    // Nothing can be asked before the program has said what this oscillator's parameters are.
+    // Nothing can be requested before the program has described the parameters of the oscillator.
     editor.check(model.modelOf(value));
     return;
   }
@@ -101,16 +101,16 @@ function showAll(value, changed, live) {
   tiles.follow(value, changed);
   straightened.follow();
   measured.list();
-  // While a constant moves, the plane changes with what comes of it.
+  // While a constant is dragged, the plane is redrawn as results arrive.
   if (!live || !changed.has("set")) redraw();
 }
 
-/** Which oscillator the page shows: that of the last description. */
+/** The oscillator that the page shows: that of the last description. */
 let described = "";
 
 function taken(answer) {
   if (!answer.ok) {
-    // A file that came with the address and is wrong is shown with its mistake.
+    // An invalid file in the address is shown with its mistake.
     if (!model.description && model.textOf(state.get()) !== null && !state.get().edit) state.update({ edit: true });
     editor.tell(answer);
     constants.refuse(answer.message);

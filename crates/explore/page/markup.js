@@ -1,5 +1,5 @@
-// Names as symbols. The server sends titles in the markup of the printed figures, "$\mathcal{A}$ (N)"; constants come
-// as they are written in the file, "omega_1". Both become pieces [text, "italic" | "sub" | "sup" | ""].
+// Names as symbols. The server sends titles in the markup of the printed figures, "$\mathcal{A}$ (N)"; constants are
+// written as in the file, "omega_1". Both become pieces [text, "italic" | "sub" | "sup" | ""].
 import { make } from "./dom.js";
 
 const GREEK = {
@@ -10,7 +10,7 @@ const GREEK = {
 const SCRIPT = { A: "𝒜", P: "𝒫", V: "𝒱" };
 const SIGNS = { cdot: "·", times: "×", circ: "°", "%": "%", ",": "\u2009", " ": " " };
 
-/** A formula without its dollars. */
+/** The pieces of a formula without its dollars. */
 function formula(text, place = "") {
   const pieces = [];
   const put = (word, style) => pieces.push([word, place || style]);
@@ -34,7 +34,7 @@ export function titlePieces(title) {
   return braced.split("$").flatMap((part, index) => (index % 2 === 1 ? formula(part) : part === "" ? [] : [[part, ""]]));
 }
 
-/** The pieces of a constant's name: a letter or a Greek one with what follows as index; words stay words. */
+/** The pieces of a constant's name: a Latin or Greek letter with the rest as index; words stay words. */
 export function namePieces(name) {
   const parts = /^([A-Za-z]+?)(?:_(\w+)|(\d+))?$/.exec(name);
   const letter = parts && (GREEK[parts[1]] ?? (parts[1].length === 1 ? parts[1] : null));

@@ -1,4 +1,4 @@
-// What a rig did: a CSV that is opened or dropped, its marks over the diagram, and how many agree region by region.
+// Measurements: a CSV that is opened or dropped, its marks over the diagram, and the agreement region by region.
 import { $, count, make } from "./dom.js";
 import { diagram } from "./diagram.js";
 import { inks, onTheme } from "./palette.js";
@@ -6,11 +6,11 @@ import * as state from "./state.js";
 
 /** Half the size of a mark in pixels. */
 const SIZE = 5;
-/** So many of those that disagree are listed. */
+/** The most disagreeing measurements that are listed. */
 const LISTED = 12;
 
 const ring = (corners, turn = 0) => Array.from({ length: corners }, (_, at) => [Math.sin(turn + (2 * Math.PI * at) / corners), -Math.cos(turn + (2 * Math.PI * at) / corners)]);
-/** The outline of the mark of what was seen, its corners about the middle: the shapes of the printed figures. */
+/** The outline of the mark of each kind of motion, as corners about the middle: the shapes of the printed figures. */
 const SHAPES = {
   "no impacts": ring(24).map(([x, y]) => [0.95 * x, 0.95 * y]),
   "one impact in p periods": ring(4, Math.PI / 4).map(([x, y]) => [1.2 * x, 1.2 * y]),
@@ -19,7 +19,7 @@ const SHAPES = {
 };
 const isAsComputed = (agreement) => agreement === "agrees" || agreement === "within error";
 
-/** Draws the mark of a measurement about a pixel: filled where it is as computed, crossed where it is not. */
+/** Draws the mark of a measurement about a pixel: filled if it agrees, crossed if it does not. */
 function mark(context, { kind, agreement }, [x, y], ink) {
   context.beginPath();
   SHAPES[kind].forEach(([dx, dy], at) => (at ? context.lineTo(x + SIZE * dx, y + SIZE * dy) : context.moveTo(x + SIZE * dx, y + SIZE * dy)));
@@ -42,7 +42,7 @@ function mark(context, { kind, agreement }, [x, y], ink) {
   }
 }
 
-/** Draws all that was measured over the plane, with error bars; those that disagree lie on top. */
+/** Draws all measurements over the plane, with error bars; disagreeing ones lie on top. */
 export function drawMeasured(context, to, ink) {
   const points = [...(diagram.measured?.points ?? [])].sort((a, b) => (a.agreement === "disagrees") - (b.agreement === "disagrees"));
   context.strokeStyle = ink.muted;
@@ -58,7 +58,7 @@ export function drawMeasured(context, to, ink) {
   for (const point of points) mark(context, point, to(point.at), ink);
 }
 
-/** What was measured at a pixel, in words. */
+/** The measurement at a pixel, in words. */
 export function tellMeasured([x, y], to) {
   const near = (diagram.measured?.points ?? []).find(({ at }) => Math.hypot(to(at)[0] - x, to(at)[1] - y) < 1.5 * SIZE);
   return near ? `measured (line ${near.line}): ${near.seen}, ${near.agreement}${near.reason ? `: ${near.reason}` : ""}` : "";
@@ -72,10 +72,10 @@ function sample(kind, agreement) {
   return canvas;
 }
 
-/** What is listed. */
+/** The comparison that is listed. */
 let listed = null;
 
-/** Tells how many agree, region by region, and which do not. */
+/** Lists how many measurements agree, region by region, and which do not. */
 export function list(anew = false) {
   const { data } = state.get();
   const told = data && diagram.measured;
@@ -112,7 +112,7 @@ export const remove = () => state.update({ data: null });
 export function attach() {
   $("measured-choose").addEventListener("change", ({ target }) => {
     open(target.files[0]);
-    // The same file can be opened again after it was changed.
+    // The same file can be opened again after a change.
     target.value = "";
   });
   const stage = $("stage");

@@ -1,9 +1,9 @@
-// The oscillator that the state names: what is sent to the server, and what the server said of it.
+// The oscillator in the state: the data sent to the server, and its description from there.
 import * as state from "./state.js";
 
-/** [{ name, file, text }], the paper first. */
+/** The examples, [{ name, file, text }], the paper first. */
 export let examples = [];
-/** How people start the program, `cargo xtask` or `grazing`. */
+/** The command that starts the program, `cargo xtask` or `grazing`. */
 export let program = "";
 /** The last good answer of `check`. */
 export let description = null;
@@ -20,9 +20,9 @@ export const modelOf = (value) => ({ text: textOf(value), set: value.set, loops:
 
 export const wholeView = () => ({ primary: [...description.primary.range], secondary: [...description.secondary.range] });
 
-/** What part of the plane is seen. */
+/** The part of the plane in view. */
 export const viewOf = (value) => value.view ?? wholeView();
 
-/** Goes to another oscillator: nothing of the old one's plane means anything there. */
+/** Changes to another oscillator: the plane of the old one does not apply to it. */
 export const choose = (file) =>
   state.update({ example: file === examples[0].file ? null : file, text: null, set: {}, loops: null, view: null, place: null, kept: null, follow: null });

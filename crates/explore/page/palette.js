@@ -1,5 +1,5 @@
-// The inks of what has no meaning of its own. Those of curves, regions, points and motions stand in kinds.js, which the
-// program writes: a colour means one thing wherever it is.
+// The inks of elements without a meaning of their own. Those of curves, regions, points and motions are in kinds.js,
+// which the program writes: a colour has one meaning everywhere.
 import { APPROXIMATION, DOTTED, INKS, LOOKS } from "./kinds.js";
 
 const NEUTRAL = {
@@ -10,14 +10,14 @@ const NEUTRAL = {
 const theme = () => (document.documentElement.dataset.theme === "dark" ? "dark" : "light");
 export const inks = () => ({ ...NEUTRAL[theme()], ...INKS[theme()] });
 
-/** How a curve is drawn, dotted where it bounds no region: colour, width and dashes in pixels of the page. */
+/** The pen of a curve, dotted where it bounds no region: colour, width and dashes in pixels of the page. */
 export function penOf({ kind, source }, bounds = true) {
   const look = LOOKS[kind];
   if (!bounds || source === "dotted") return { ...DOTTED, colour: look[theme()].curve };
   return source === "quadratic" ? { ...APPROXIMATION, colour: look[theme()].quadratic } : { ...look, colour: look[theme()].curve };
 }
 
-/** Draws the samples in the legend as the plane is drawn; approximations are shown by that to SN. */
+/** Draws the samples of the legend like the plane; the approximation to SN stands for all of them. */
 export function drawSamples() {
   const { calm, stable, place } = inks();
   document.documentElement.style.setProperty("--place", place);
@@ -31,16 +31,16 @@ export function drawSamples() {
   }
 }
 
-/** The ink of a curve's points, and of words about it; undefined for what is no curve. */
+/** The ink of a curve, and of labels about it; undefined for other kinds. */
 export const curveInk = (kind) => LOOKS[kind]?.[theme()].curve;
 export const wordInk = (kind) => (kind === "graz" ? LOOKS[kind][theme()].quadratic : curveInk(kind));
 
-/** The ink of motion with so many loops, 0 without impacts; the last is that of so many or more. */
+/** The ink of motion with a number of loops, 0 without impacts; the last ink stands for that number or more. */
 export const loopsInk = (p, ink = inks()) => ink.loops[Math.min(p, ink.loops.length - 1)];
-/** How numbers of loops with an ink of their own are called. */
+/** The names of numbers of loops with an ink of their own. */
 export const loopsNames = () => inks().loops.map((_, p, { length }) => (p === 0 ? "no impacts" : `p ${p + 1 < length ? "=" : "≥"} ${p}`));
 
-/** The inks of attractors: what they are, as in the simulated plane. */
+/** The inks of attractors, by kind, as in the simulated plane. */
 export function attractorInks(attractors) {
   const ink = inks();
   return attractors.map(({ kind, loops }) => {
@@ -50,5 +50,5 @@ export function attractorInks(attractors) {
   });
 }
 
-/** Calls the function whenever light turns to dark or back. */
+/** Calls the function when the theme changes between light and dark. */
 export const onTheme = (act) => new MutationObserver(act).observe(document.documentElement, { attributeFilter: ["data-theme"] });

@@ -1,17 +1,17 @@
-// What of the diagram lies under a pointer.
+// The parts of the diagram under a pointer.
 import { count, multipliers } from "./dom.js";
 import { diagram } from "./diagram.js";
 import { LOOKS } from "./kinds.js";
 import { tellMeasured } from "./measured.js";
 
-/** How far a point is from a segment. */
+/** The distance of a point from a segment. */
 export function apart([x, y], [ax, ay], [bx, by]) {
   const square = (bx - ax) ** 2 + (by - ay) ** 2;
   const part = square === 0 ? 0 : Math.min(1, Math.max(0, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / square));
   return Math.hypot(x - ax - part * (bx - ax), y - ay - part * (by - ay));
 }
 
-/** The curve within so many pixels of a point, of the runs that were drawn, or null. */
+/** The curve within a number of pixels of a point, among the runs that were drawn, or null. */
 function curveAt(runs, x, y, within = 7) {
   let best = { distance: within, curve: null };
   for (const { curve, points } of runs) {
@@ -23,7 +23,7 @@ function curveAt(runs, x, y, within = 7) {
   return best.curve;
 }
 
-/** Whether a place lies in rings, even-odd. */
+/** Whether a place lies inside rings, by the even-odd rule. */
 function lies([p, s], rings) {
   let inside = false;
   for (const ring of rings) {
@@ -35,10 +35,13 @@ function lies([p, s], rings) {
   return inside;
 }
 
-/** A place is so many pixels from what it can be moved onto, at most. */
+/** The greatest distance in pixels from which a place can be moved onto something. */
 const ONTO = 14;
 
-/** The point of the diagram, or else the place of a curve, next to a place, if one is near: { point } or { curve, at, start }. */
+/**
+ * The point of the diagram, or else the place on a curve, nearest to a place, if one is near: { point } or { curve, at,
+ * start }.
+ */
 export function nearest(place, to) {
   const here = to(place);
   const far = ({ primary, secondary }) => Math.hypot(...to([primary, secondary]).map((each, k) => each - here[k]));
@@ -63,14 +66,17 @@ export function nearest(place, to) {
 
 const loops = ({ p, n }) => (p > 0 ? `, ${count(p, "loop")}${n ? `, n = ${n}` : ""}` : "");
 
-/** The multipliers at the point of a curve that is nearest to a pixel. */
+/** The multipliers at the point of a curve nearest to a pixel. */
 function along(curve, [x, y], to) {
   if (!curve.multipliers) return "";
   const far = curve.points.map(to).map(([px, py]) => Math.hypot(px - x, py - y));
   return `, multipliers ${multipliers(curve.multipliers[far.indexOf(Math.min(...far))])}`;
 }
 
-/** What lies at a pixel that is a place, in words; empty if there is nothing to tell. `ends` are those of curves that were followed no further. */
+/**
+ * A description of what lies at a pixel and its place; empty if there is nothing. `ends` are those where curves were
+ * not followed farther.
+ */
 export function tellOf(runs, ends, [x, y], place, to) {
   const near = diagram.points.find(({ primary, secondary }) => {
     const [px, py] = to([primary, secondary]);

@@ -1,5 +1,5 @@
-// What there is at a place of the plane: attractors, maximal periodic solutions, and their pictures. Two places can
-// stand side by side.
+// Motion at a place of the plane: attractors, maximal periodic solutions, and their pictures. Two places can be shown
+// side by side.
 import { $, coordinate, count, make, multipliers, number, rested } from "./dom.js";
 import { ask, Latest } from "./api.js";
 import { axisPieces, elements } from "./markup.js";
@@ -11,19 +11,19 @@ import { nearest } from "./pick.js";
 import { project } from "./plane.js";
 import * as state from "./state.js";
 
-/** States from which the attractors are sought: fewer while a hand moves. */
+/** The number of initial states in the search for attractors: fewer during dragging. */
 const STATES = { live: 6, rest: 24 };
 const LIVE = { pause: 30, patience: 1000 };
-/** For how many forcing periods motion is followed, while a hand moves, that does not settle. */
+/** The number of forcing periods for which motion that does not settle is followed during dragging. */
 const LIVE_PERIODS = 500;
 const RESTS = 180;
-/** An answer that takes more milliseconds than this makes less than 20 a second. */
+/** The duration of an answer, in milliseconds, beyond which there are fewer than 20 a second. */
 const SLOW = 45;
-/** What is followed from place to place: the oscillator and its numbers of loops, whatever its constants. */
+/** A key of what motion from a nearby place depends on: the oscillator and its numbers of loops, not its constants. */
 const knownAs = ({ model: { text, loops } }) => JSON.stringify([text, loops]);
 const SPEAKS = 900;
 let speaking = 0;
-/** Says what was found to those who do not see it, once it has rested; nothing that is seen waits for this. */
+/** Announces the results to screen readers once they are at rest; nothing visible waits for this. */
 function speak(words) {
   clearTimeout(speaking);
   speaking = setTimeout(() => ($("announce").textContent = words), SPEAKS);
@@ -31,7 +31,7 @@ function speak(words) {
 
 const KINDS = { "non-impacting": "No impacts", chaotic: "Chaos", resting: "Rests at the wall", escaping: "Escapes" };
 
-/** An attractor in words. */
+/** The name of an attractor. */
 function nameOf({ kind, periods, impacts, loops, waited }) {
   if (kind === "unsettled") return `Not settled after ${waited} periods`;
   if (kind === "non-impacting" && periods > 1) return `No impacts, ${count(periods, "period")}`;
@@ -44,7 +44,7 @@ function nameOf({ kind, periods, impacts, loops, waited }) {
 
 const percent = (share) => `${Math.round(100 * share)} %`;
 
-/** Solutions as "p-k", the k-th of those with this p. */
+/** The keys of solutions, "p-k" for the k-th with this p. */
 function keysOf(solutions) {
   const counts = new Map();
   return solutions.map(({ p }) => {
@@ -53,20 +53,20 @@ function keysOf(solutions) {
   });
 }
 
-/** What a place can be moved onto, in words. */
+/** The name of what a place can be moved onto. */
 function nameOfNear({ point, curve }) {
   if (!point && curve.kind === "graz") return ["grazing"];
   const { kind, p } = point ?? curve;
   return [`${kind}, `, make("i", {}, "p"), ` = ${p}`];
 }
 
-/** One card: the place itself, or the one that was kept. */
+/** One card: that of the place itself, or of the kept one. */
 class Card {
   constructor(key) {
     this.key = key;
     this.answer = null;
     this.asked = "";
-    /** The MPSs that are drawn though they may not attract, by p and their place among those with the same p. */
+    /** The MPSs that are drawn although they may not attract, by p and their index among those with the same p. */
     this.drawn = new Set();
     this.latest = new Latest({ ...LIVE, failed: (error) => this.fail(error) });
     this.rest = rested(RESTS, () => this.request(false));
@@ -114,7 +114,7 @@ class Card {
     this.rest();
   }
 
-  /** Fades what is of another place or oscillator. */
+  /** Fades results of another place or oscillator. */
   age(value) {
     this.element.classList.toggle("stale", this.answer !== null && this.told !== JSON.stringify([modelOf(value), value[this.key]]));
   }
@@ -127,7 +127,7 @@ class Card {
     if (this.key === "place") this.offer(place, view);
   }
 
-  /** Offers to go exactly onto what is near, or tells what is there. */
+  /** Offers to go exactly onto something near, or describes it if the place is there. */
   offer(place, view) {
     if (JSON.stringify(this.exact?.at) === JSON.stringify(place)) {
       this.on.replaceChildren(...this.exact.words);
@@ -158,7 +158,7 @@ class Card {
     const body = { model: modelOf(value), at: value[this.key], states: live ? STATES.live : STATES.rest, orbits: true };
     if (live) body.periods = LIVE_PERIODS;
     else if (this.longer?.of === JSON.stringify([body.model, body.at])) body.periods = this.longer.periods;
-    // Where it takes too long to look for everything, only what is known is followed while a hand moves.
+    // If a complete search takes too long, only known motion is followed during dragging.
     if (live && this.answer && this.slow && this.known === knownAs(body)) {
       const solutions = this.answer.solutions.filter(({ p }) => p > 0).map(({ p, velocity, phase }) => [p, velocity, phase]);
       body.nearby = { solutions, attractors: this.answer.attractors.map(({ states, state }) => [states, state]) };
@@ -235,14 +235,17 @@ class Card {
     this.draw();
   }
 
-  /** Follows what has not settled for longer. */
+  /** Follows unsettled motion for longer. */
   goOn(periods) {
     const { model, at } = this.body_(false);
     this.longer = { of: JSON.stringify([model, at]), periods };
     this.request(false);
   }
 
-  /** Offers to follow the MPS whose button was pressed last: along a parameter, in the cut, or in the plane at its velocity. */
+  /**
+   * Offers to follow the MPS whose button was pressed last: along a parameter, in the cut, or in the plane at its
+   * velocity.
+   */
   offerToFollow() {
     const { solutions } = this.answer;
     const [at, key] = [this.shown, [...this.drawn].at(-1)];
@@ -271,7 +274,7 @@ class Card {
     const moving = attractors.map(({ orbit, periods }, index) => ({ orbit: orbit ?? [], ink: inks[index], wide: periods ? 1.4 : 0.7, periods, repeats: Boolean(periods) }));
     const extra = solutions.filter((_, index) => this.drawn.has(keys[index])).map(({ orbit, p, stable }) => ({ orbit: orbit ?? [], ink: loopsInk(p), wide: 1.4, dashed: !stable, periods: p || 1, repeats: true }));
     const strikes = attractors.map((each, index) => ({ strikes: each.strikes ?? [], ink: inks[index] }));
-    // What most states come to lies on top.
+    // The attractor of most states is drawn on top.
     drawPortraits(this, { orbits: [...moving.reverse(), ...extra], strikes: strikes.reverse(), period });
   }
 
@@ -286,16 +289,16 @@ class Card {
 
 let cards = [];
 
-/** Of which place what is told, or null. */
+/** The place that a card shows, or null. */
 export const shown = (key) => cards.find((card) => card.key === key)?.shown ?? null;
 
-/** What is told of the place, or null, and its pictures drawn. */
+/** The results at the place, or null, and the drawing of its pictures. */
 export const told = () => (state.get().place ? (cards[0]?.answer ?? null) : null);
 export const draw = () => cards[0]?.draw();
 
 export const attach = () => (cards = [new Card("place"), new Card("kept")]);
 
-/** Follows the state: `moved` has the names of what has changed. */
+/** Follows the state: `moved` has the names of the entries that changed. */
 export function follow(value, moved, live) {
   const model = ["set", "text", "example", "loops"].some((name) => moved.has(name));
   for (const card of cards) if (model || moved.has(card.key)) card.follow(value, live);
@@ -304,7 +307,7 @@ export function follow(value, moved, live) {
   $("place-hint").hidden = value.place !== null || value.kept !== null;
   const opens = value.place !== null && !document.body.classList.contains("placed");
   document.body.classList.toggle("placed", value.place !== null || value.kept !== null);
-  // Where the answer is a sheet over the lower part of the page, the plane is above it.
+  // If the answer is a sheet over the lower part of the page, the plane is above it.
   if (opens && getComputedStyle($("place-section")).position === "fixed") $("stage").scrollIntoView({ block: "start", behavior: "instant" });
   document.body.classList.toggle("two-places", value.place !== null && value.kept !== null);
 }

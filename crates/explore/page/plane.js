@@ -1,4 +1,4 @@
-// The plane of parameters, drawn.
+// Drawing the plane of parameters.
 import { begin } from "./busy.js";
 import { $, later } from "./dom.js";
 import { chart, clipped, clippedRing, font, into, trace, write } from "./axes.js";
@@ -13,20 +13,20 @@ import * as state from "./state.js";
 
 /** The frame of the axes in pixels of the canvas. */
 export const frame = { x: 0, y: 0, w: 1, h: 1 };
-/** What is drawn under the curves instead of the shading: painter(context, project), set by the overlay. */
+/** The drawing under the curves that replaces the shading: painter(context, project), set by the overlay. */
 let overlay = null;
 export const setOverlay = (painter) => (overlay = painter);
-/** A box that is being drawn to zoom into, in pixels, and where the cut's pointer is, in parameters. */
+/** A zoom box while it is drawn, in pixels, and the place of the pointer in the cut, in parameters. */
 export const shown = { box: null, pointer: null };
 
-/** The runs of curves as last drawn, for those who point at them. */
+/** The runs of curves as last drawn, for pointing at them. */
 export let runs = [];
 let labels = { key: "", placed: -1e9, list: [] };
-/** The words as last placed: [{ text, at (parameters), kind }]. */
+/** The labels as last placed: [{ text, at (parameters), kind }]. */
 export const words = () => labels.list;
 let asked = null;
 
-/** Draws at the next frame. */
+/** Requests a redraw at the next frame. */
 export function redraw() {
   if (asked) return;
   asked = begin();
@@ -41,7 +41,7 @@ export function redraw() {
   });
 }
 
-/** The margins leave room for the numbers; the cut under the plane has the same. */
+/** The margins, with room for the numbers; the cut under the plane has the same. */
 export function margins(width) {
   return width < 520 ? { left: 56, right: 12, top: 8, bottom: 46 } : { left: 70, right: 18, top: 10, bottom: 50 };
 }
@@ -52,10 +52,10 @@ export function toParameters(x, y, { primary: [a, b], secondary: [c, d] } = view
   return [a + ((x - frame.x) / frame.w) * (b - a), c + ((frame.y + frame.h - y) / frame.h) * (d - c)];
 }
 
-/** The title of an axis, and its unit. */
+/** The title of an axis and its unit. */
 export const titleOf = (axis) => ({ title: axisPieces(axis), unit: axis.unit });
 
-/** A brush of thin slanted lines. */
+/** A pattern of thin slanted lines. */
 function hatching(context, ink) {
   const side = 7;
   const tile = document.createElement("canvas");
@@ -123,7 +123,7 @@ function drawPoints(context, to, ink) {
   context.globalAlpha = 1;
 }
 
-/** Where curves were followed no further: [{ at, why }]. */
+/** The ends where curves were not followed farther: [{ at, why }]. */
 export const ends = () =>
   [...diagram.curves.values(), ...followed()].flatMap(({ points, lost }) => [0, points.length - 1].flatMap((index, end) => (lost?.[end] ? [{ at: points[index], why: lost[end] }] : [])));
 
@@ -141,7 +141,7 @@ function drawEnds(context, to, ink) {
 
 const inFrame = (x, y, margin = 0) => x >= frame.x - margin && x <= frame.x + frame.w + margin && y >= frame.y - margin && y <= frame.y + frame.h + margin;
 
-/** A cross through the place with a ring; the kept one has a square. */
+/** Draws a cross at the place with a ring; the kept one has a square. */
 function drawPlace(context, place, to, colour, kept) {
   const [x, y] = to(place);
   context.strokeStyle = colour;
@@ -181,7 +181,10 @@ function drawCut(context, value, to, ink) {
   context.fill();
 }
 
-/** Quadratic approximations are good near resonances only: they are shown in a part of the plane that is smaller than this. */
+/**
+ * The size of a view, as a share of the plane, below which quadratic approximations are shown: they are good only near
+ * resonances.
+ */
 const MAGNIFIED = 0.4;
 
 function isMagnified(view) {
@@ -190,7 +193,7 @@ function isMagnified(view) {
   return Math.min(part("primary"), part("secondary")) < MAGNIFIED;
 }
 
-/** What of the curves is in view, cut where a curve ceases to bound anything. */
+/** The parts of curves in view, cut where a curve stops bounding a region. */
 function runsInView(to, magnified) {
   const box = [frame.x - 6, frame.y - 6, frame.x + frame.w + 6, frame.y + frame.h + 6];
   const found = [];
@@ -238,7 +241,10 @@ export function draw() {
   moveHandle(value, to);
 }
 
-/** Words stay at their parameters while the plane moves; so often, in milliseconds, they find new places. */
+/**
+ * The interval in milliseconds at which labels find new places; between, they stay at their parameters while the plane
+ * moves.
+ */
 const SETTLES = 200;
 
 function drawLabels(context, regions, to, view, ink) {
@@ -270,7 +276,7 @@ function drawBox(context, [ax, ay, bx, by], ink) {
   context.setLineDash([]);
 }
 
-/** What fingers hold: they scroll the page elsewhere on the plane. */
+/** Moves the handle for fingers, which scroll the page elsewhere on the plane. */
 function moveHandle(value, to) {
   const handle = $("handle");
   const at = value.place ? to(value.place) : null;

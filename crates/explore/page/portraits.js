@@ -1,16 +1,16 @@
-// What an oscillator does at a place, in three pictures: phase portrait, time series, and impacts by phase and velocity.
+// Motion at a place in three pictures: phase portrait, time series, and impacts by phase and velocity.
 import { chart, font, trace } from "./axes.js";
 import { number } from "./dom.js";
 import { description } from "./model.js";
 import { inks } from "./palette.js";
 
-/** Forcing periods of the time series: most, and least. */
+/** The most and the fewest forcing periods of the time series. */
 const LONGEST = 12;
 const SHORTEST = 4;
-/** Room about what is drawn, in parts of it. */
+/** The room around the drawing, as a share of its size. */
 const ROOM = 0.07;
 
-/** The least and the largest with some room. */
+/** The range of values with some room. */
 function extent(values, room = ROOM) {
   let [low, high] = [Infinity, -Infinity];
   for (const value of values) {
@@ -22,14 +22,14 @@ function extent(values, room = ROOM) {
   return [low - more, high + more];
 }
 
-/** A canvas with axes; gives what draws in it, or null. */
+/** A canvas with axes, or null. */
 function picture(canvas, x, y) {
   const ink = inks();
   const made = chart(canvas, () => MARGIN, { x, y }, ink, SIZE);
   return made && { ...made, ink };
 }
 
-/** Of the numbers at the axes. */
+/** The size of the numbers at the axes. */
 const SIZE = 11;
 /** Room for the longest numbers, so that frames stay where they are. */
 const MARGIN = { left: 60, right: 8, top: 8, bottom: 36 };
@@ -45,14 +45,17 @@ function line(context, points, colour, width, dashes = []) {
   context.setLineDash([]);
 }
 
-/** The titles of x, as it is counted in the page, and of v: from the wall where that is not x = 0 with the motion below it. */
+/**
+ * The titles of x, as it is measured in the page, and of v: from the wall unless that is x = 0 with the motion below
+ * it.
+ */
 export const heightTitle = () => ({ title: [["x", "italic"], [description.from_the_wall ? " from the wall" : "", ""]], unit: description.units.length });
 const speedTitle = (name) => {
   const { length, time } = description.units;
   return { title: name, unit: length && time ? `${length}/${time}` : null };
 };
 
-/** What is behind the wall, from one place of a picture to another. */
+/** Shades the space behind the wall between two corners of a picture. */
 function shadeWall({ context, ink }, [left, top], [right, bottom]) {
   context.globalAlpha = 0.16;
   context.fillStyle = ink.wall;
@@ -60,12 +63,13 @@ function shadeWall({ context, ink }, [left, top], [right, bottom]) {
   context.globalAlpha = 1;
 }
 
-/** Flights of at most so many periods. */
+/** The flights up to a time. */
 const upTo = (orbit, end) => orbit.map((flight) => flight.filter(([t]) => t <= end)).filter((flight) => flight.length > 0);
 
 /**
- * Draws the pictures. `orbits` is [{ orbit, ink, wide, dashed, periods }], with the periods after which it repeats, or null, and whether what is
- * given `repeats` at its end; `strikes` is [{ strikes, ink }]; canvases is { phase, time, strikes }.
+ * Draws the pictures. `orbits` is [{ orbit, ink, wide, dashed, periods }], with the number of periods after which the
+ * orbit repeats, or null, and with `repeats`, whether the given orbit begins again at its end; `strikes` is [{ strikes,
+ * ink }]; canvases is { phase, time, strikes }.
  */
 export function drawPortraits(canvases, { orbits, strikes, period }) {
   const starts = orbits.map(({ orbit }) => orbit[0]?.[0]?.[0] ?? 0);
@@ -81,7 +85,7 @@ export function drawPortraits(canvases, { orbits, strikes, period }) {
     line(context, [to([0, vs[0]]), to([0, vs[1]])], ink.wall, 1);
     line(context, [to([xs[0], 0]), to([xs[1], 0])], ink.faint, 1);
     orbits.forEach(({ orbit: all, ink: colour, wide, dashed, periods }, which) => {
-      // Once round, if it comes again: dashes over dashes are none.
+      // Only once round a closed orbit: dashes drawn over dashes are not visible.
       const orbit = periods ? upTo(all, starts[which] + (periods + 1e-3) * period) : all;
       orbit.forEach((flight, index) => {
         line(context, flight.map(([, px, v]) => to([px, v])), colour, wide, dashed ? [4, 3] : []);
@@ -115,7 +119,7 @@ export function drawPortraits(canvases, { orbits, strikes, period }) {
   const struck = strikes.flatMap((each) => each.strikes);
   const top = struck.length ? 1.08 * Math.max(...struck.map(([, v]) => Math.abs(v))) : 1;
   const sign = struck.some(([, v]) => v < 0) ? -1 : 1;
-  // Counted from where the impacts stand together: those about phase 0 are neighbours.
+  // Phases are shifted so that the impacts are close together: those on both sides of phase 0 are neighbours.
   const spread = (list) => (list.length ? Math.max(...list) - Math.min(...list) : 0);
   const about = ([z]) => (z > Math.PI ? z - 2 * Math.PI : z);
   const turned = spread(struck.map(about)) < spread(struck.map(([z]) => z));
@@ -125,7 +129,7 @@ export function drawPortraits(canvases, { orbits, strikes, period }) {
     const { context, to, ink, frame } = impacts;
     for (const { strikes: list, ink: colour } of strikes) {
       context.fillStyle = colour;
-      // The fainter the more there are, down to what is seen alone.
+      // The more impacts, the fainter, down to the opacity at which a single one is visible.
       const size = list.length > 60 ? 1.4 : 3;
       context.globalAlpha = list.length > 60 ? Math.max(0.5, 1 - list.length / 8000) : 1;
       for (const place of list) {

@@ -1,4 +1,4 @@
-// The way to the program: the server that this page came from.
+// Access to the program: the server that this page came from.
 
 export const LOST = "The program does not answer. Is `grazing explore` still running?";
 

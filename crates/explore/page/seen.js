@@ -1,4 +1,4 @@
-// The pictures of the page as they are seen, as SVG or PNG, and their numbers as CSV.
+// The pictures of the page as displayed, as SVG or PNG, and their numbers as CSV.
 import { $ } from "./dom.js";
 import { drawnOn } from "./axes.js";
 import * as cut from "./cut.js";
@@ -11,7 +11,7 @@ import * as state from "./state.js";
 import { SvgContext } from "./svg.js";
 import * as tiles from "./tiles.js";
 
-/** Pixels of a PNG to one of the page. */
+/** The pixels of a PNG for each pixel of the page. */
 const FINE = 3;
 
 const unit = (name) => (name ? ` (${name})` : "");
@@ -19,7 +19,7 @@ const axes = () => [description.primary, description.secondary].map((axis) => `$
 const length = () => `x${description.from_the_wall ? " from the wall" : ""}${unit(description.units.length)}`;
 const speed = () => (description.units.length && description.units.time ? ` (${description.units.length}/${description.units.time})` : "");
 
-/** Places of which simulation saw something, with what it saw. */
+/** The simulated places, with their results. */
 function simulated() {
   const { columns, rows, cells, view } = tiles.simulated();
   const at = ([low, high], place, count) => low + ((place + 0.5) / count) * (high - low);
@@ -34,7 +34,7 @@ const curves = () => [
   ...[...diagram.curves.values()].flatMap(({ key, p, n, points, bounds }) => points.map((point, index) => [key, p, n, ...point, bounds[index] ? 1 : 0])),
 ];
 
-/** Branches point by point, bifurcations and simulated dots. */
+/** The rows of branches point by point, bifurcations and simulated dots. */
 function along() {
   const { strands, bifurcations, dots, fixed, ordinate } = cut.shown();
   const across = axes()[fixed === "secondary" ? 0 : 1];
@@ -62,7 +62,7 @@ const impacts = () => [
 const hasPlace = () => place.told() !== null;
 const ofPlace = (name) => document.querySelector(`.place:not(.kept) .${name}`);
 
-/** The pictures: the canvas, what draws it, its numbers, and whether it is there. */
+/** The pictures: the canvas, the function that draws it, its numbers, and whether it is there. */
 const PICTURES = {
   plane: { canvas: () => $("plane"), draw: drawPlane, rows: () => (state.get().overlay ? simulated() : curves()), is: () => diagram.curves.size > 0 },
   cut: { canvas: () => $("cut"), draw: cut.draw, rows: along, is: () => Boolean(state.get().cut && cut.shown()) },

@@ -1,4 +1,4 @@
-// Taking it home: the address, the command that writes the same, the figure and the numbers as files.
+// Sharing and saving: the address, the command that writes the same, the figure and the numbers as files.
 import { $, make } from "./dom.js";
 import { file } from "./api.js";
 import { namePieces, plain } from "./markup.js";
@@ -8,21 +8,27 @@ import * as cut from "./cut.js";
 import * as state from "./state.js";
 import * as straightened from "./straightened.js";
 
-/** A word of a command line; quoted where a shell would read it otherwise. */
+/** A word of a command line; quoted if a shell would interpret it. */
 const word = (text) => (/^[\w@%+=:,./-]+$/.test(text) ? text : `'${text.replace(/'/g, "'\\''")}'`);
 const list = (numbers) => `[${numbers.join(",")}]`;
 
-/** The file as one would name it: the one that the program was begun with as it was, others where they lie. */
+/** The path of the file in a command: as named at the start of the program, or in its folder. */
 function fileOf(example) {
   if (!example) return "oscillator.toml";
   const shipped = examples.some((each) => each !== examples[0] && each.file === example.file && each.text === example.text);
   return example === examples[0] && !shipped ? example.file : `examples/${example.file}`;
 }
 
-/** What a terminal or a shell may take for more than text: control characters, marks that turn the direction of writing. */
+/**
+ * Characters that a terminal or a shell may interpret: control characters, and marks that change the direction of
+ * writing.
+ */
 const TREACHEROUS = /[\p{Cc}\p{Cf}\p{Zl}\p{Zp}]/u;
 
-/** The command that writes the very same figure and numbers; null if names in the address, which anybody can write, make it unsafe. */
+/**
+ * The command that writes the same figure and numbers; null if names in the address, which anybody can write, make it
+ * unsafe.
+ */
 export function command(value) {
   const { primary, secondary } = viewOf(value);
   const example = exampleOf(value);
@@ -30,7 +36,7 @@ export function command(value) {
   const setting = (key, told) => ` --set ${word(`${key}=${told}`)}`;
   const constants = Object.entries(value.set).map(([name, told]) => setting(paper ? `oscillator.${name}` : name, told));
   const [across, up, loops] = paper ? ["fig07.amplitude", "fig07.frequency", "fig07.loops"] : ["primary.range", "secondary.range", "analysis.loops"];
-  // The figure of the paper has other ranges than the plane at first.
+  // The figure of the paper has other ranges than the initial plane.
   const ranges = value.view || paper ? setting(across, list(primary)) + setting(up, list(secondary)) : "";
   // One-parameter diagrams of the file need not lie in the view.
   const alone = value.view && /^\s*\[\[\s*diagrams/m.test(textOf(value) ?? "") ? setting("diagrams", "[]") : "";
@@ -76,7 +82,10 @@ async function take(what, of = "plane") {
   }
 }
 
-/** Figures that the program draws: what they are called, what is asked for, nothing while there is none, and their tables. */
+/**
+ * The figures that the program draws: their names, their requests, which are empty while there is none, and their
+ * tables.
+ */
 const FIGURES = {
   plane: { words: "Diagram", wanted: () => "plane" },
   cut: { words: "Cut", wanted: cut.wanted },

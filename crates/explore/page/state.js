@@ -1,5 +1,5 @@
-// The state: one value from which all that is seen follows. It stands in the address, and each rest of it is a step
-// of the browser's history.
+// The state: one value that determines everything on the page. It is stored in the address, and each rest of it is a
+// step of the browser's history.
 //
 //   example  file name of an example, or null if `text` is given
 //   text     the oscillator's file as edited, or null
@@ -8,10 +8,10 @@
 //   view     { primary: [a, b], secondary: [c, d] }, or null for the ranges of the file
 //   place    [primary, secondary] or null; kept: another place, or null
 //   cut      the name of the axis that the cut holds fixed, "primary" or "secondary", or null
-//   ordinate what is up in the cut, or null: x
+//   ordinate the quantity on the vertical axis of the cut, or null: x
 //   follow   { at, p, velocity, phase } of the solution whose curve is drawn, or null
 //   overlay  whether simulation is laid over the plane
-//   data     the file of what a rig did, { name, text }, or null
+//   data     the file of measurements, { name, text }, or null
 //   straight whether curves are shown in straightened coordinates, or null: where they lie on one line
 //   edit     whether the editor is open
 import { rested } from "./dom.js";
@@ -26,7 +26,7 @@ const listeners = [];
 
 export const get = () => state;
 
-/** `listener(state, changed, live)`: changed is the set of names; live while a hand still moves. */
+/** `listener(state, changed, live)`: changed is the set of names; live is true during dragging. */
 export const subscribe = (listener) => listeners.push(listener);
 
 function publish(next, live) {
@@ -41,7 +41,7 @@ const settle = rested(SETTLES, () => {
   if (address !== location.hash) history.pushState({ step: (history.state?.step ?? 0) + 1 }, "", address || location.pathname);
 });
 
-/** Changes some of the state. */
+/** Changes a part of the state. */
 export function update(patch, live = false) {
   publish({ ...state, ...patch }, live);
   settle();
@@ -61,7 +61,7 @@ export function encode(value) {
 
 const finite = (list, length) => Array.isArray(list) && list.length === length && list.every(Number.isFinite);
 
-/** Reads an address; what is not as it should be is left out, since anybody can write one. */
+/** Reads an address; invalid entries are omitted, since anybody can write one. */
 export function decode(hash) {
   const value = { ...EMPTY };
   if (hash.length < 2) return value;
@@ -91,7 +91,7 @@ export function decode(hash) {
   return value;
 }
 
-/** Takes the state from the address, as after going back; whether it could be read. */
+/** Takes the state from the address, as after going back; returns whether it could be read. */
 export function fromAddress() {
   settle.cancel();
   const read = decode(location.hash);

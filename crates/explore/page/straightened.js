@@ -1,5 +1,5 @@
-// Straightened coordinates: near a resonance all curves lie on one line of the plane, and here apart. The figure is the one
-// that `unfold` draws, of the resonance nearest to the middle of the view.
+// Straightened coordinates: near a resonance all curves lie on one line of the plane, and here they are apart. The
+// figure is the one that `unfold` draws, of the resonance nearest to the middle of the view.
 import { $, rested } from "./dom.js";
 import { file, Latest } from "./api.js";
 import { diagram } from "./diagram.js";
@@ -7,11 +7,11 @@ import { modelOf, viewOf } from "./model.js";
 import { frame } from "./plane.js";
 import * as state from "./state.js";
 
-/** Curves whose distance in the view is less than so many pixels lie on one line. */
+/** The distance in pixels below which curves lie on one line. */
 const MERGED = 2;
 
 const latest = new Latest({ failed: ({ message }) => ($("straightened").removeAttribute("aria-busy"), tell(message)) });
-/** What the figure is of, and what is asked for. */
+/** The resonance of the figure, and the key of its request. */
 let [shown, asked] = [null, ""];
 
 function tell(words) {
@@ -19,7 +19,7 @@ function tell(words) {
   $("straightened-message").hidden = words === "";
 }
 
-/** The resonance of the view, and whether its curves lie on one line there; or null. */
+/** The resonance nearest to the middle of the view, and whether its curves lie on one line there; or null. */
 function nearest() {
   const { primary: [a, b], secondary: [c, d] } = viewOf(state.get());
   const far = ({ primary, secondary }) => Math.hypot((primary - a) / (b - a) - 0.5, (secondary - c) / (d - c) - 0.5);
@@ -29,12 +29,12 @@ function nearest() {
   return { ...found, merged: ((bend * ((d - c) / 2) ** 2) / (b - a)) * frame.w < MERGED };
 }
 
-/** Whether it is shown: where it was asked for, or by itself where nothing could be seen otherwise. */
+/** Whether the figure is shown: on request, or automatically if the curves lie on one line. */
 const isOn = (value, found) => value.straight ?? found?.merged ?? false;
 
 export const toggle = () => state.update({ straight: !isOn(state.get(), nearest()) });
 
-/** What it is of, to be asked for. */
+/** The request for the figure. */
 export const wanted = () => shown && { straightened: [shown.primary, shown.secondary] };
 
 const follow = rested(250, () => {

@@ -1,4 +1,4 @@
-// What is drawn on a canvas as SVG: as much of a canvas' context as the pictures of the page use.
+// A context that writes SVG: the part of a canvas context that the pictures of the page use.
 
 const escaped = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/"/g, "&quot;");
 const short = (value) => String(Math.round(100 * value) / 100);
@@ -63,7 +63,7 @@ export class SvgContext {
     this.path += `M${short(x)} ${short(y)}h${short(w)}v${short(h)}h${short(-w)}Z`;
   }
 
-  /** A whole circle: there are no others. */
+  /** A whole circle: there are no other arcs. */
   arc(x, y, r) {
     this.path += `M${short(x - r)} ${short(y)}a${short(r)} ${short(r)} 0 1 0 ${short(2 * r)} 0a${short(r)} ${short(r)} 0 1 0 ${short(-2 * r)} 0`;
   }
@@ -104,7 +104,7 @@ export class SvgContext {
     this.put(`<text xml:space="preserve" x="${short(x)}" y="${short(y)}" text-anchor="${anchor}" fill="${this.fillStyle}" opacity="${this.globalAlpha}" textLength="${short(this.measureText(text).width)}" lengthAdjust="spacingAndGlyphs" style="font:${escaped(this.font)}">${escaped(text)}</text>`);
   }
 
-  /** Only tiles as patterns. */
+  /** A pattern, which is always a tile. */
   createPattern(tile) {
     const side = tile.width / 2;
     const id = this.define("pattern", `width="${side}" height="${side}" patternUnits="userSpaceOnUse"`, `<image href="${tile.toDataURL()}" width="${side}" height="${side}"/>`);

@@ -1,5 +1,5 @@
-// What simulation sees, laid under the curves: tiles from coarse to fine, and marks where they disagree with the
-// shading. The last few views are kept.
+// Simulation under the curves: tiles from coarse to fine, and marks where they disagree with the shading. The last few
+// views are kept.
 import { $, make, rested } from "./dom.js";
 import { Latest, stream } from "./api.js";
 import { diagram, isBusy } from "./diagram.js";
@@ -11,7 +11,7 @@ import * as state from "./state.js";
 const PERIODS = 300;
 const MOST = { columns: 400, rows: 300 };
 const KEPT = 6;
-/** Tiles, newest last: key -> { view, columns, rows, sheet, cells, wrong, done }. */
+/** The tiles of views, newest last: key -> { view, columns, rows, sheet, cells, wrong, done }. */
 const kept = new Map();
 const latest = new Latest({ failed: (error) => status(error.message) });
 let current = null;
@@ -49,7 +49,7 @@ function paint(context, view) {
   context.stroke();
 }
 
-/** For each p, which cells have anything shaded within a cell's reach; and what is undecided. */
+/** For each p, the cells with anything shaded within the width of a cell, and the undecided ones. */
 function shading({ view, columns, rows }) {
   const sheet = document.createElement("canvas");
   Object.assign(sheet, { width: columns, height: rows });
@@ -76,7 +76,7 @@ function shading({ view, columns, rows }) {
   };
 }
 
-/** Cells in which a p-loop solution was simulated where the diagram shades nothing of this p. */
+/** Finds the cells in which a p-loop solution was simulated where the diagram shades nothing of this p. */
 function judge() {
   if (!current || current.cells.length === 0 || diagram.stale || diagram.regions.length === 0) return;
   const shaded = shading(current);
@@ -89,13 +89,13 @@ function judge() {
   redraw();
 }
 
-/** Judging looks at every cell: not more often than this many milliseconds. */
+/** The judgement of all cells, at most once in this many milliseconds. */
 const judgeSoon = rested(250, judge);
 
 const request = rested(250, () => {
   const value = state.get();
   if (!value.overlay) return;
-  // Behind everything else: the diagram comes first.
+  // After everything else: the diagram comes first.
   if (isBusy()) {
     status("Simulation waits for the curves …");
     request();
@@ -119,13 +119,13 @@ const request = rested(250, () => {
   } else {
     const sheet = document.createElement("canvas");
     Object.assign(sheet, { width: columns, height: rows });
-    // What was seen before stays below until finer tiles cover it.
+    // Earlier results stay below until finer tiles cover them.
     if (current) carry(sheet, current, view);
     current = { view, columns, rows, sheet, cells: [], wrong: [], done: false };
     kept.set(key, current);
     while (kept.size > KEPT) kept.delete(kept.keys().next().value);
   }
-  // Places come in one order: what was seen before one went away need not be seen again.
+  // Places come in a fixed order: those simulated in an earlier visit are skipped.
   run(current, { ...body, columns: current.columns, rows: current.rows, known: current.cells.length });
 });
 
@@ -190,17 +190,17 @@ export function follow(value, moved) {
   if (other || moved.has("view") || moved.has("overlay")) request();
 }
 
-/** What was simulated of the view: places with what was seen, how many there are in each of the last views, and the view itself. */
+/** The simulated cells of the view, their number, the numbers in each of the last views, and the view itself. */
 export const cells = () => current?.cells ?? [];
 export const seen = () => cells().length;
 export const sizes = () => [...kept.values()].map(({ cells }) => cells.length);
 export const view = () => current?.view ?? null;
 export const simulated = () => current;
 
-/** The diagram has new regions. */
+/** Judges the cells again when the diagram has new regions. */
 export const shaded = () => state.get().overlay && judgeSoon();
 
-/** The legend; sheets that are done are painted anew when the theme changes. */
+/** Draws the legend; finished sheets are painted again when the theme changes. */
 function colours() {
   const ink = inks();
   const loops = loopsNames().map((word, p) => [loopsInk(p, ink), word]).slice(1);
