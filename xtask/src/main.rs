@@ -1,17 +1,17 @@
 //! `cargo xtask ...`: builds the `grazing` program in release mode and starts it with the same
 //! arguments.
 //!
-//! It knows no subcommand: whatever `grazing` understands, `cargo xtask` does too, and `grazing`
-//! answers for the rest. Where the built program lies is left to cargo, so target folders set by
-//! environment or configuration are honoured. Exit codes are the program's; those of cargo if the
-//! program could not be built.
+//! It knows no subcommand: `cargo xtask` accepts whatever `grazing` does, and `grazing` reports
+//! errors. Cargo determines the place of the built program, so target folders set by environment or
+//! configuration are respected. Exit codes are the program's, or cargo's if the program could not
+//! be built.
 
 use std::env;
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::process::{Command, ExitCode, ExitStatus};
 
-/// The package that holds the program, and the program.
+/// The options that name the package and the program.
 const PROGRAM: [&str; 4] = ["--package", "grazing-cli", "--bin", "grazing"];
 
 fn main() -> ExitCode {
@@ -19,27 +19,27 @@ fn main() -> ExitCode {
     match build_and_run(&arguments) {
         Ok(status) => exit_code(status),
         Err(error) => {
-            // Nobody is left to tell when the error stream is gone.
+            // There is no other place for a message if the error stream is closed.
             let _ = writeln!(io::stderr(), "error: cargo could not be started: {error}");
             ExitCode::FAILURE
         }
     }
 }
 
-/// Builds where it can be watched, then runs without cargo's own lines between.
+/// Builds with cargo's output visible, then runs the program without it.
 fn build_and_run(arguments: &[OsString]) -> io::Result<ExitStatus> {
     let built = cargo().args(["build", "--release"]).args(PROGRAM).status()?;
     if !built.success() {
         return Ok(built);
     }
     let mut run = cargo();
-    // The program's texts then have its commands as they were typed.
+    // The program then writes its commands as they are typed in a clone.
     run.env("GRAZING_BY_XTASK", "1");
     run.args(["run", "--release", "--quiet"]).args(PROGRAM).arg("--").args(arguments);
     handed_over(run)
 }
 
-/// Becomes the program, which then is the one that Ctrl-C reaches.
+/// Replaces this process by the program, which then receives Ctrl-C.
 #[cfg(unix)]
 fn handed_over(mut run: Command) -> io::Result<ExitStatus> {
     use std::os::unix::process::CommandExt;
@@ -57,8 +57,8 @@ fn cargo() -> Command {
     Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
 }
 
-/// The exit code of a finished program; as shells have it, 128 and the signal's number for one that
-/// was stopped.
+/// The exit code of a finished program: 128 plus the signal's number, as in shells, if it was
+/// stopped by a signal.
 fn exit_code(status: ExitStatus) -> ExitCode {
     match status.code() {
         Some(code) => ExitCode::from(u8::try_from(code).unwrap_or(1)),

@@ -39,7 +39,7 @@ pub(crate) enum EndCause {
     Time(f64),
     /// The process holds more than this many megabytes.
     Memory(f64),
-    /// This many steps of integration were made.
+    /// The steps of integration are used up, of which there were this many.
     Steps(f64),
     /// Ctrl-C was pressed.
     Interruption,

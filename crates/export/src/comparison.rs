@@ -6,7 +6,7 @@ use crate::error::ExportError;
 use crate::figure::Drawing;
 use crate::raster::{blank, encode};
 
-/// Enough to read the labels.
+/// A resolution at which the labels can be read.
 const COMPARISON_DPI: f64 = 150.0;
 /// Space around each picture and height of its heading, in pixels.
 const MARGIN: u32 = 40;
@@ -39,7 +39,7 @@ fn draw(sheet: &mut Pixmap, picture: &Pixmap, left: u32, top: u32) {
     sheet.draw_pixmap(left, top, picture.as_ref(), &paint, transform, None);
 }
 
-/// A word in the figures' font.
+/// The picture of a word in the figures' font.
 fn heading_picture(word: &str) -> Result<Pixmap, ExportError> {
     let svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"80\" height=\"16\"><rect width=\"80\" height=\"16\" \
@@ -48,7 +48,7 @@ fn heading_picture(word: &str) -> Result<Pixmap, ExportError> {
     Drawing::read(&svg)?.pixels(COMPARISON_DPI)
 }
 
-/// What is new and what is gone; outside of either picture the sheet counts as white.
+/// The difference of two pictures; outside of either one the sheet counts as white.
 fn difference(before: &Pixmap, after: &Pixmap) -> Result<Pixmap, ExportError> {
     let (width, height) = (before.width().max(after.width()), before.height().max(after.height()));
     let mut difference = blank(width, height)?;
@@ -58,7 +58,7 @@ fn difference(before: &Pixmap, after: &Pixmap) -> Result<Pixmap, ExportError> {
         let [old, new] = [before, after].map(|picture| picture.pixel(x, y).or(white));
         let colour = match (old, new) {
             (Some(old), Some(new)) if old == new => {
-                // Pale enough that a change stands out.
+                // Pale enough to make a change stand out.
                 let grey = 200 + lightness(new) / 14;
                 [grey, grey, grey]
             }

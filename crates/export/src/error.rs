@@ -1,6 +1,6 @@
-//! Why a figure could not be read or written.
+//! Errors in reading and writing figures.
 
-/// What is wrong with a figure, or with what is asked of it, in a sentence.
+/// The fault of a figure, or of a request for it, in a sentence.
 #[derive(Debug, thiserror::Error)]
 #[error("{0}")]
 pub struct ExportError(pub(crate) String);

@@ -14,7 +14,7 @@ const UNITS_PER_INCH: f32 = 72.0;
 /// Decimals of coordinates in outlines: thousandths of a point.
 const DECIMALS: u8 = 3;
 
-/// A figure that was read.
+/// A figure that has been read.
 pub struct Drawing {
     pub(crate) tree: Tree,
 }
@@ -23,7 +23,7 @@ impl Drawing {
     /// Reads an SVG.
     ///
     /// # Errors
-    /// It is no SVG that can be drawn, or a label cannot be set in the figures' fonts.
+    /// The text is no SVG that can be drawn, or a label cannot be set in the figures' fonts.
     pub fn read(svg: &str) -> Result<Drawing, ExportError> {
         let options = Options { dpi: UNITS_PER_INCH, fontdb: fonts(), ..Options::default() };
         let drawing = Drawing { tree: Tree::from_str(svg, &options)? };
@@ -31,12 +31,12 @@ impl Drawing {
         Ok(drawing)
     }
 
-    /// What is drawn, element by element.
+    /// The elements of the figure, as they are drawn.
     pub fn tree(&self) -> &Tree {
         &self.tree
     }
 
-    /// The same as SVG without text: every glyph is a path, for systems that ignore embedded fonts.
+    /// The figure as SVG without text: every glyph is a path, for systems that ignore embedded fonts.
     pub fn outlines(&self) -> String {
         self.tree.to_string(&WriteOptions { coordinates_precision: DECIMALS, ..WriteOptions::default() })
     }
@@ -60,7 +60,7 @@ fn labels(group: &Group) -> Vec<&Text> {
     found
 }
 
-/// Every character has a glyph.
+/// Checks that every character has a glyph.
 fn ensure_glyphs(tree: &Tree) -> Result<(), ExportError> {
     for text in labels(tree.root()) {
         let glyphs = || text.layouted().iter().flat_map(|span| &span.positioned_glyphs);
@@ -75,7 +75,7 @@ fn ensure_glyphs(tree: &Tree) -> Result<(), ExportError> {
     Ok(())
 }
 
-/// The fonts of the figures and no others.
+/// The fonts of the figures, and no others.
 fn fonts() -> Arc<Database> {
     static FONTS: OnceLock<Arc<Database>> = OnceLock::new();
     let load = || {

@@ -2,8 +2,8 @@
 //! entries in one order.
 //!
 //! svg2pdf keeps fonts and resources in hash maps, so the numbers of its objects and the order of
-//! their entries change from run to run. Neither means anything; here entries are sorted, and
-//! objects numbered as they are met from the drawing on.
+//! their entries change from run to run. Neither has a meaning; here entries are sorted, and
+//! objects numbered in the order in which references from the drawing lead to them.
 
 use std::collections::BTreeMap;
 
@@ -19,15 +19,14 @@ const PAGES: Ref = Ref::new(2);
 const PAGE: Ref = Ref::new(3);
 const CONTENT: Ref = Ref::new(4);
 const INFORMATION: Ref = Ref::new(5);
-/// The number of the drawing, which its parts follow.
+/// The number of the drawing, after which its parts are numbered.
 const FIRST: i32 = 6;
 
 impl Drawing {
     /// The figure as a PDF of one page under a title.
     ///
-    /// The page has the physical size of the SVG. Text can be searched and copied; of the fonts
-    /// only the glyphs that are used are embedded. There is no date, so equal figures give equal
-    /// bytes.
+    /// The page has the physical size of the SVG. Text can be searched and copied; only the glyphs
+    /// that are used are embedded. There is no date, so equal figures give equal bytes.
     ///
     /// # Errors
     /// The PDF could not be written, or is not laid out as expected.
@@ -38,8 +37,8 @@ impl Drawing {
         let (width, height) = (self.tree.size().width(), self.tree.size().height());
         let name = Name(b"figure");
         let mut pdf = Pdf::new();
-        // What the figures use has been in PDF since 1.4; LaTeX warns of a newer version than its
-        // own.
+        // The features of the figures have been in PDF since 1.4; LaTeX warns of a version newer
+        // than its own.
         pdf.set_version(1, 4);
         pdf.catalog(CATALOGUE).pages(PAGES);
         pdf.pages(PAGES).kids([PAGE]).count(1);
@@ -59,7 +58,7 @@ impl Drawing {
     }
 }
 
-/// An object: its dictionary as text, and what follows that, the stream.
+/// An object: its dictionary as text, and the stream after it.
 struct Object {
     dictionary: String,
     stream: Vec<u8>,
@@ -72,8 +71,7 @@ impl Primitive for Object {
     }
 }
 
-/// The objects in the order in which they are met from the drawing on, and with numbers in this
-/// order.
+/// The objects in the order in which references from the drawing lead to them, numbered in this order.
 fn ordered(chunk: &Chunk, drawing: Ref) -> Result<Vec<Object>, ExportError> {
     let mut objects = objects(chunk)?;
     let (mut order, mut next) = (vec![drawing.get()], 0);
@@ -114,8 +112,7 @@ fn objects(chunk: &Chunk) -> Result<BTreeMap<i32, Object>, ExportError> {
     Ok(objects)
 }
 
-/// The dictionary with its entries of one line sorted, in each run of them; pdf-writer gives each
-/// entry a line.
+/// The dictionary with each run of entries of one line sorted; pdf-writer gives each entry a line.
 fn sorted(dictionary: &str) -> String {
     let indent = |line: &str| line.len() - line.trim_start().len();
     let simple = |line: &str| line.trim_start().starts_with('/') && !line.ends_with("<<");
@@ -126,7 +123,7 @@ fn sorted(dictionary: &str) -> String {
     lines.join("\n")
 }
 
-/// Replaces the number of each reference, as `12 0 R`, by what the closure makes of it.
+/// Replaces the number of each reference, as `12 0 R`, by the result of the closure.
 fn for_each_reference(text: &str, mut renumber: impl FnMut(i32) -> i32) -> String {
     let mut replaced = String::with_capacity(text.len());
     let mut rest = text;

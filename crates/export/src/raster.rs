@@ -11,11 +11,10 @@ const POINTS_PER_INCH: f64 = 72.0;
 const METRES_PER_INCH: f64 = 0.0254;
 
 impl Drawing {
-    /// The figure as a PNG with `resolution` dots per inch, which the PNG says of itself, so that
-    /// it keeps its size.
+    /// The figure as a PNG with `resolution` dots per inch, which the PNG records, so that it keeps its size.
     ///
     /// # Errors
-    /// There would be no pixel or more than memory holds, or the PNG could not be written.
+    /// There would be no pixel, or more than memory holds, or the PNG could not be written.
     pub fn png(&self, resolution: f64) -> Result<Vec<u8>, ExportError> {
         encode(&self.pixels(resolution)?, resolution)
     }
@@ -32,7 +31,7 @@ impl Drawing {
     }
 }
 
-/// So many pixels.
+/// A picture of this many pixels, all transparent.
 pub(crate) fn blank(width: u32, height: u32) -> Result<Pixmap, ExportError> {
     let error = || ExportError(format!("a picture of {width} by {height} pixels cannot be drawn"));
     Pixmap::new(width, height).ok_or_else(error)

@@ -1,4 +1,4 @@
-//! What an SVG says comes out in PDF and PNG, in its place.
+//! The contents of an SVG appear in PDF and PNG, in the right places.
 
 mod reading;
 
@@ -11,11 +11,11 @@ use reading::Reading;
 
 /// An SVG with all features that the figures use; lengths in points.
 const SAMPLE: &str = include_str!("sample.svg");
-/// A title for it.
+/// A title for the sample.
 const TITLE: &str = "A sample & its features";
 /// Pixels to a point at 288 dots per inch.
 const SCALE: f64 = 4.0;
-/// The resolution with so many pixels to a point.
+/// The resolution with that number of pixels to a point.
 const RESOLUTION: f64 = 288.0;
 
 fn sample() -> Drawing {
@@ -129,7 +129,7 @@ fn text_stays_text_in_the_pdf_with_the_fonts_embedded() {
         assert!(pdf.contains(&format!("+{font}")), "{font}");
     }
     assert_eq!(pdf.matches("/FontFile2 ").count(), 3);
-    // The tables by which a reader turns glyphs back into characters.
+    // The tables with which a reader turns glyphs back into characters.
     for character in "cSN=12𝒜".chars() {
         let units: String =
             character.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("{unit:04X}")).collect();
@@ -142,7 +142,7 @@ fn text_stays_text_in_the_pdf_with_the_fonts_embedded() {
 
 #[test]
 fn equal_figures_give_equal_bytes_without_a_date() {
-    // Twelve times, because what is to be kept out comes from random hash seeds.
+    // Twelve times, because the variations to be excluded come from random hash seeds.
     let first = sample().pdf(TITLE).expect("a PDF");
     for _ in 0..12 {
         assert!(sample().pdf(TITLE).expect("a PDF") == first);
@@ -195,7 +195,7 @@ fn another_reader_of_pdf_finds_the_text() {
     drop(input);
     let output = reader.wait_with_output().expect("pdftotext ends");
     let text = String::from_utf8(output.stdout).expect("text");
-    // It reads sub- and superscripts into the line or into lines of their own.
+    // pdftotext puts sub- and superscripts into the line or into lines of their own.
     for part in ["c", "SN", "=", "1", "2", "𝒜"] {
         assert!(text.contains(part), "`{part}` is missing in {text}");
     }

@@ -1,4 +1,4 @@
-//! What columns and parameters are called on the page.
+//! The names of columns and parameters on the page.
 
 use askama::filters::Safe;
 use grazing_results::Table;
@@ -6,7 +6,7 @@ use grazing_results::Table;
 use crate::formula::{shown, words};
 use crate::html::{Html, escape};
 
-/// A symbol as the page shows it; names in it may be of several words.
+/// A symbol as the page shows it; names in it may have several words.
 fn formula(latex: &str) -> Html {
     shown(&latex.replace(r"\mathrm{", r"\text{"), false)
 }
@@ -16,17 +16,17 @@ pub(crate) fn symbol(name: &str) -> Html {
     grazing_results::symbol(name).map_or_else(|| Safe(escape(name)), |latex| formula(&latex))
 }
 
-/// The heading of a column: what it is called, and its unit if it has one.
+/// The heading of a column: its symbol or name, and its unit if it has one.
 pub(crate) fn heading(table: &Table, place: usize) -> Html {
     Safe(format!("{}{}", name(table, place).0, in_parentheses(&table.units[place])))
 }
 
-/// A unit after what is counted in it; nothing without one.
+/// A unit in parentheses, after the name of a quantity; empty without one.
 pub(crate) fn in_parentheses(unit: &str) -> String {
     if unit.is_empty() { String::new() } else { format!(" ({})", words(unit).0) }
 }
 
-/// What a column is called: its symbol, or its name in words.
+/// The name of a column: its symbol, or its name in words.
 pub(crate) fn name(table: &Table, place: usize) -> Html {
     match table.symbols[place].as_str() {
         "" => Safe(escape(&table.headers[place].replace('_', " "))),

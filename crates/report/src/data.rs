@@ -1,4 +1,4 @@
-//! Tables as the page's scripts read them.
+//! Tables in the form that the page's scripts read.
 
 use std::collections::BTreeMap;
 
@@ -16,32 +16,32 @@ use crate::report::Report;
 
 /// Significant digits of numbers that a reader sees.
 pub(crate) const SHOWN_DIGITS: usize = 7;
-/// Digits of the largest number of a column beside a figure: one more than are shown, so that
-/// smaller ones have some, too.
+/// Digits of the largest number of a column beside a figure: one more than shown, so that smaller
+/// numbers have some, too.
 const LEAST_DIGITS: usize = 8;
-/// Digits beyond those in which the ends of a panel's axis differ: points stay in place as far as
-/// one can zoom.
+/// Digits beyond those in which the ends of a panel's axis differ: points keep their places as far
+/// as one can zoom.
 const DIGITS_ALONG_AXIS: i32 = 5;
-/// No number has more.
+/// The most digits of a number.
 const MOST_DIGITS: usize = 12;
-/// What stands between headers; none has it.
+/// The separator of headers, which none contains.
 const SEPARATOR: char = '|';
-/// Columns that only keep rows together.
+/// Columns that serve only to keep rows together.
 const BOOKKEEPING: [&str; 4] = ["arc", "branch", "curve", "region"];
 /// Most of the possible compression, in little time.
 const COMPRESSION_LEVEL: u8 = 10;
 
-/// How the numbers of a table are rounded.
+/// The rounding of the numbers of a table.
 #[derive(Clone, Copy)]
 enum Rounding {
-    /// To so many significant digits, each by itself.
+    /// Each number to this many significant digits.
     Each(usize),
-    /// To as many decimals as give the largest of the column so many digits: what follows a curve
-    /// then differs little from line to line.
+    /// All numbers to the decimals that give the largest of the column this many digits: numbers
+    /// along a curve then differ little from line to line.
     Column(usize),
 }
 
-/// The figure's tables for the scripts, compressed: those of which its panels show rows.
+/// The figure's tables for the scripts, compressed: those with rows in its panels.
 pub(crate) fn of_figure(FigureEntry { sheet, tables, .. }: &FigureEntry) -> String {
     // A panel that names no tables may show rows of any but regions, which are areas, not points.
     let shows = |panel: &PanelMark, table: &str| match panel.tables.as_slice() {
@@ -57,7 +57,7 @@ pub(crate) fn of_table(table: &Table) -> String {
     packed([table], &[], Rounding::Each(SHOWN_DIGITS))
 }
 
-/// What all columns are called that figures show by their names, for the scripts.
+/// The names of all columns that figures refer to by their headers, for the scripts.
 pub(crate) fn column_names(report: &Report<'_>) -> String {
     let columns = report
         .all_figures()
@@ -72,7 +72,7 @@ pub(crate) fn column_names(report: &Report<'_>) -> String {
     format!("{{{}}}", pairs.join(","))
 }
 
-/// Digits at which a point keeps its place in every panel.
+/// The digits at which a point keeps its place in every panel.
 fn digits(sheet: &Sheet) -> usize {
     let along = |[low, high]: [f64; 2]| {
         let powers = exponent(low.abs().max(high.abs()) / (high - low).abs());
@@ -87,7 +87,7 @@ fn exponent(number: f64) -> i32 {
     format!("{number:e}").split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0)
 }
 
-/// The tables as JSON, compressed, in letters; nothing if there are none.
+/// The tables as JSON, compressed, in letters; empty if there are none.
 fn packed<'a>(tables: impl IntoIterator<Item = &'a Table>, without: &[&str], rounding: Rounding) -> String {
     let table = |table: &Table| {
         format!("{}:{}", json_string(table.name), json_string(&by_columns(table, without, rounding)))
@@ -99,10 +99,10 @@ fn packed<'a>(tables: impl IntoIterator<Item = &'a Table>, without: &[&str], rou
     BASE64_STANDARD.encode(compress_to_vec(format!("{{{}}}", tables.join(",")).as_bytes(), COMPRESSION_LEVEL))
 }
 
-/// A line with the headers, one with how each column is written, one with the units, then every
-/// cell on a line of its own, column by column: neighbours in a column are alike. A column is
-/// written as it stands, or as `decimals,order`: without the decimal point, and so many times as
-/// differences from the cell before.
+/// A line with the headers, one with the codes of the columns, one with the units, then every cell
+/// on its own line, column by column, since neighbours in a column are alike. A column without a
+/// code is written as it is; one with the code `decimals,order` is written without the decimal
+/// point, and `order` times as differences from the cell before.
 fn by_columns(table: &Table, without: &[&str], rounding: Rounding) -> String {
     let (mut headers, mut codes, mut units) = (Vec::new(), Vec::new(), Vec::new());
     let mut lines = Vec::new();
@@ -129,8 +129,8 @@ fn by_columns(table: &Table, without: &[&str], rounding: Rounding) -> String {
     heads.into_iter().chain(lines).collect::<Vec<_>>().join("\n")
 }
 
-/// A column of numbers as differences, or differences of these, whatever is shortest; nothing if it
-/// is not one of numbers.
+/// A column of numbers as differences, or differences of these, whichever is shortest; none if it
+/// is not a column of numbers.
 fn differences<'a>(cells: impl Iterator<Item = &'a Cell>, digits: usize) -> Option<(String, Vec<String>)> {
     let numbers = |cell: &Cell| matches!(cell, Cell::Number(_)).then(|| cell.number());
     let numbers: Vec<Option<f64>> = cells.map(numbers).collect::<Option<_>>()?;

@@ -1,4 +1,4 @@
-//! Figures: SVG inside the page, with the numbers that are drawn.
+//! Figures: SVG inside the page, with the numbers in them.
 
 use askama::Template;
 use askama::filters::Safe;
@@ -11,11 +11,11 @@ use crate::outputs::FigureEntry;
 use crate::report::Report;
 use crate::{data, ledger};
 
-/// How much larger than on paper figures are shown where there is room, in units of the page's type
-/// for a millimetre: all by the same factor, so that their labels are of one size.
+/// The magnification of figures where there is room, in units of the page's type for a millimetre:
+/// the same factor for all, so that their labels have one size.
 const REM_PER_MM: f64 = 0.34;
-/// The families of the embedded fonts have names of their own on the page: the fonts are cut down
-/// to what figures need, and must not stand in for whole ones of the reader's system.
+/// The families of the embedded fonts, which have names of their own on the page: the fonts are
+/// reduced to what figures need, and must not replace complete ones of the reader's system.
 const FAMILIES: [(&str, &str); 2] = [("STIX Two Text", "Figure Text"), ("STIX Two Math", "Figure Signs")];
 
 /// The style sheet of the figures, if there are any: it holds the fonts.
@@ -28,13 +28,13 @@ pub(crate) fn styles(report: &Report<'_>) -> String {
 #[derive(Template)]
 #[template(path = "figure.html")]
 struct FigureSection<'a> {
-    /// The identifier of the figure.
+    /// The identifier of the figure on the page.
     id: &'a str,
-    /// The name for those who do not see it.
+    /// The name for screen readers.
     label: &'a str,
     heading: Html,
     sheet: &'a Sheet,
-    /// Lines of links with a word before them.
+    /// Lines of links, each with a word before them.
     links: [(&'static str, Vec<Html>); 2],
     /// The tables for the scripts.
     data: String,
@@ -73,7 +73,7 @@ pub(crate) fn of_oscillator(report: &Report<'_>, oscillator: &OscillatorEntry, f
     })
 }
 
-/// The paths that the figure's own files have among all.
+/// The paths of the figure's own files among all files.
 fn own_files(figure: &FigureEntry) -> Vec<String> {
     let tables = figure.tables.iter().map(csv_path);
     std::iter::once(format!("{}.svg", figure.name)).chain(tables).collect()
@@ -85,12 +85,12 @@ impl FigureSection<'_> {
         format!("{:.1}", self.sheet.size.0 / POINTS_PER_MM * REM_PER_MM)
     }
 
-    /// What all that is drawn inherits.
+    /// The attributes that all elements inherit.
     fn inherited(&self) -> String {
         own_fonts(Sheet::INHERITED)
     }
 
-    /// What is drawn, with identifiers and fonts of names that no other part of the page has.
+    /// The elements of the drawing, with identifiers and fonts whose names no other part of the page has.
     fn body(&self) -> String {
         let references = [" id=\"", "url(#", "href=\"#"];
         references.into_iter().fold(own_fonts(&self.sheet.short_body()), |body, reference| {

@@ -14,7 +14,7 @@ use crate::html::{Html, escape};
 pub struct FormulaError {
     /// The LaTeX.
     pub latex: String,
-    /// What is wrong with it.
+    /// The fault in it, as the converter reports it.
     pub reason: String,
 }
 
@@ -40,14 +40,14 @@ pub fn mathml(latex: &str, displayed: bool) -> Result<String, FormulaError> {
     let mut text = String::new();
     push_mathml(&mut text, events.into_iter(), RenderConfig { display_mode, ..RenderConfig::default() })
         .map_err(|error| FormulaError { latex: latex.to_owned(), reason: error.to_string() })?;
-    // The converter escapes its own entities, leaves relations as they are, and has the sign of
-    // micro- for the letter mu.
+    // The converter escapes its own entities, leaves relations unescaped, and writes the micro sign
+    // for the letter mu.
     let tidied = text.replace("&amp;nbsp;", "\u{a0}").replace('\u{b5}', "\u{3bc}");
     Ok(tidied.replace("><</mo>", ">&lt;</mo>").replace(">></mo>", ">&gt;</mo>"))
 }
 
-/// Words with formulas between dollars, as HTML; a formula that cannot be understood is shown as it
-/// stands. In the words, `_` after a single letter lowers what follows, and `^` raises it.
+/// Words with formulas between dollars, as HTML; a formula that cannot be parsed is shown as its
+/// source. In the words, `_` after a single letter lowers what follows, and `^` raises it.
 pub(crate) fn prose(text: &str) -> Html {
     let mut html = String::new();
     for (index, piece) in text.split('$').enumerate() {
@@ -65,19 +65,19 @@ pub(crate) fn words(text: &str) -> Html {
     Safe(scripts(&escape(text)))
 }
 
-/// The Greek letter of a name, epsilon as the paper writes it.
+/// The Greek letter with a name; epsilon is written as in the paper.
 pub(crate) fn greek(name: &str) -> Option<char> {
     let name = if name == "epsilon" { "varepsilon" } else { name };
     GREEK.iter().find(|(known, _)| *known == name).map(|(_, letter)| *letter)
 }
 
-/// Words with names of quantities, as HTML: `tau = g_p(delta)`, `a12 alpha > 0`. Greek letters are
-/// named, digits after a letter are lowered, as is what follows `_`; words stay.
+/// Words with names of quantities, as HTML: `tau = g_p(delta)`, `a12 alpha > 0`. Names of Greek
+/// letters become letters, digits after a letter and anything after `_` are lowered; words stay.
 pub(crate) fn named(text: &str) -> Html {
     words(&signs(text))
 }
 
-/// The same with formulas between dollars.
+/// Words with names of quantities as in [`named`], and formulas between dollars.
 pub(crate) fn described(text: &str) -> Html {
     let pieces = text.split('$').enumerate();
     Safe(
@@ -87,7 +87,7 @@ pub(crate) fn described(text: &str) -> Html {
     )
 }
 
-/// The same without markup.
+/// Words with names of quantities as in [`named`], without markup.
 pub(crate) fn signs(text: &str) -> String {
     let low = |digit: char| {
         digit.to_digit(10).and_then(|digit| char::from_u32(u32::from('₀') + digit)).unwrap_or(digit)
@@ -117,7 +117,7 @@ pub(crate) fn signs(text: &str) -> String {
 }
 
 /// The escaped text with sub- and superscripts: `h_p`, `c_{SN,1}`, `s_p^+`. Names of several
-/// letters, as of functions, stay.
+/// letters, such as those of functions, stay.
 fn scripts(text: &str) -> String {
     let mut html = String::new();
     let (mut last, mut before_last) = (' ', ' ');
@@ -143,8 +143,8 @@ fn scripts(text: &str) -> String {
     html
 }
 
-/// What a script mark applies to, in braces or as far as letters and digits reach, or one sign; and
-/// the text after it.
+/// The text that a script mark applies to, in braces, or as far as letters and digits reach, or one
+/// sign; and the text after it.
 fn script(text: &str) -> (&str, &str) {
     if let Some((script, after)) = text.strip_prefix('{').and_then(|inner| inner.split_once('}')) {
         return (script, after);
@@ -156,12 +156,12 @@ fn script(text: &str) -> (&str, &str) {
     text.split_at(end)
 }
 
-/// The formula, or its source where it cannot be understood.
+/// The formula, or its source if it cannot be parsed.
 pub(crate) fn shown(latex: &str, displayed: bool) -> Html {
     Safe(mathml(latex, displayed).unwrap_or_else(|_| format!("<code>{}</code>", escape(latex))))
 }
 
-/// The same formula without what the converter does not know: third derivatives as dots, and
+/// The formula without constructs that the converter does not know: third derivatives as dots, and
 /// dollars in `\text`.
 fn prepared(latex: &str) -> String {
     let plain = latex.replace("\\dddot", "\\overset{\\dots}");

@@ -6,7 +6,7 @@ use std::fmt::{self, Write};
 use askama::filters::{Escaper, Safe};
 use grazing_results::{Table, directs};
 
-/// Text that is markup; what is of any other type is escaped when it comes into a template.
+/// Text that is markup; values of any other type are escaped in templates.
 pub(crate) type Html = Safe<String>;
 
 /// Replaces everything that HTML would read as markup, also inside quoted attributes.
@@ -41,42 +41,41 @@ pub(crate) fn escape(text: &str) -> String {
     escaped
 }
 
-/// The template's text.
+/// The text of a template.
 pub(crate) fn rendered(template: &impl askama::Template) -> Html {
     Safe(template.render().expect("a template writes to a String, which cannot fail"))
 }
 
 /// The text as a string of JSON that can stand inside a script element.
 pub(crate) fn json_string(text: &str) -> String {
-    // A script element ends at the first `</script`, whatever stands around it.
+    // A script element ends at the first `</script`, whatever surrounds it.
     serde_json::Value::from(text).to_string().replace('<', "\\u003c")
 }
 
-/// The identifier of the element for a label of the paper: all characters that links understand are
-/// kept.
+/// The identifier of the element for a label of the paper; all characters that links can contain are kept.
 pub(crate) fn identifier(prefix: &str, label: &str) -> String {
     let keep = |character: char| character.is_ascii_alphanumeric() || ":/-_.".contains(character);
     let kept: String = label.chars().map(|character| if keep(character) { character } else { '_' }).collect();
     format!("{prefix}-{kept}")
 }
 
-/// A number with so many significant digits, as a reader wants it: a true minus sign, powers of ten
-/// as powers.
+/// A number with this many significant digits, formatted for reading: a true minus sign, powers of
+/// ten as powers.
 pub(crate) fn number(value: &f64, digits: usize) -> Html {
     Safe(rounded(*value, digits))
 }
 
-/// A cell of a table with such a number, which scripts can sort by.
+/// A cell of a table with a number, which scripts can sort by.
 pub(crate) fn cell(value: &f64, digits: usize) -> Html {
     Safe(format!("<td class=\"number\" data-value=\"{value:e}\">{}</td>", rounded(*value, digits)))
 }
 
-/// Pieces with spaces between.
+/// The pieces with spaces between them.
 pub(crate) fn joined(pieces: &[Html]) -> Html {
     Safe(pieces.iter().map(|piece| piece.0.as_str()).collect::<Vec<_>>().join(" "))
 }
 
-/// A number as scripts sort by it.
+/// A number in the form by which scripts sort.
 pub(crate) fn sortable(value: &f64) -> String {
     format!("{value:e}")
 }
@@ -114,7 +113,7 @@ fn rounded(value: f64, digits: usize) -> String {
     }
 }
 
-/// Without zeros at the end of the decimals.
+/// The digits without zeros at the end of the decimals.
 fn trimmed(mantissa: &str) -> &str {
     if mantissa.contains('.') { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa }
 }
@@ -130,12 +129,12 @@ pub(crate) fn capitalised(text: &str) -> String {
     characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
 }
 
-/// `1 file`, `2 files`.
+/// A number of things in words: `1 file`, `2 files`.
 pub(crate) fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", word(count, one, many))
 }
 
-/// The word for so many things.
+/// The word for a number of things.
 pub(crate) fn word<'a>(count: impl Borrow<usize>, one: &'a str, many: &'a str) -> &'a str {
     if *count.borrow() == 1 { one } else { many }
 }

@@ -1,4 +1,4 @@
-//! The ledger of claims, as the page shows it.
+//! The ledger of claims on the page.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use grazing_claims::source::Location;
 use crate::html::{Html, escape, identifier};
 use crate::report::Report;
 
-/// How a claim came out.
+/// The state of a claim after the tests.
 pub(crate) fn state(verdict: &ClaimVerdict) -> &'static str {
     match verdict {
         ClaimVerdict::Unchecked(_) => "unchecked",
@@ -21,7 +21,7 @@ pub(crate) fn state(verdict: &ClaimVerdict) -> &'static str {
     }
 }
 
-/// The part of the paper that a claim stands in: its place up to the first comma.
+/// The part of the paper that contains a claim: its place up to the first comma.
 pub(crate) fn part(place: &str) -> &str {
     place.split([',', ';']).next().unwrap_or(place).trim()
 }
@@ -32,7 +32,7 @@ pub(crate) fn link(label: &str) -> Html {
     Safe(format!("<a href=\"#{id}\"><code>{}</code></a>", escape(label)))
 }
 
-/// By what the claims can be filtered: name, title and values.
+/// The filters of the claims: name, title and values.
 pub(crate) fn filters<'a>(report: &'a Report<'_>) -> [(&'static str, &'static str, Vec<&'a str>); 3] {
     let kinds = distinct(report.claims.iter().map(|finding| finding.claim.kind.name()));
     let parts = distinct(report.claims.iter().map(|finding| part(&finding.claim.place)));
@@ -51,13 +51,13 @@ fn distinct<'a>(words: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
     distinct
 }
 
-/// A measurement with what it is held against.
+/// A measurement with the value that it is compared with.
 pub(crate) fn measured(measure: &Measure) -> Html {
     let (measured, against) = errata::words(measure);
     Safe(format!("<b>{}</b>, held against {}", powers(&measured), powers(&against)))
 }
 
-/// Words, in which the powers of numbers in scientific notation are raised.
+/// Words, with the powers of numbers in scientific notation raised.
 fn powers(text: &str) -> String {
     let shown = |word: &str| match word.split_once('e') {
         Some((mantissa, power)) if word.parse::<f64>().is_ok() => {
@@ -87,7 +87,7 @@ fn figure_link(report: &Report<'_>, name: &str) -> Html {
     })
 }
 
-/// The item's name as a link to its file where that is known.
+/// The item's name, as a link to its file if that is known.
 fn source_link(report: &Report<'_>, name: &str, place: Option<Location>) -> Html {
     let name = format!("<code>{}</code>", escape(name).replace("::", "::<wbr>"));
     let Some(Location { file, line }) = place else { return Safe(name) };
@@ -100,7 +100,7 @@ fn source_link(report: &Report<'_>, name: &str, place: Option<Location>) -> Html
     })
 }
 
-/// From source files back to the labels of claims.
+/// The labels of claims by source file.
 pub(crate) fn by_file<'a>(report: &'a Report<'_>) -> BTreeMap<String, Vec<&'a str>> {
     let mut files: BTreeMap<String, Vec<&str>> = BTreeMap::new();
     for Finding { claim, .. } in &report.claims {
@@ -116,7 +116,7 @@ pub(crate) fn by_file<'a>(report: &'a Report<'_>) -> BTreeMap<String, Vec<&'a st
     files
 }
 
-/// The misprints with what was found of their claims; those that no computation decides come last.
+/// The misprints with the findings of their claims; those that no computation decides come last.
 pub(crate) fn misprints<'a>(report: &'a Report<'_>) -> Vec<(&'a Finding<'a>, &'a Misprint)> {
     let listed = report.claims.iter();
     let mut listed: Vec<_> =

@@ -1,13 +1,13 @@
-//! The report: one HTML page that shows what was computed, to be read beside the paper.
+//! The report: one HTML page of all results, to be read beside the paper.
 //!
 //! [`Report`] holds figures, tables, verdicts and a manifest, and [`page`] turns it into one text
-//! without a reference to anything outside it but links to follow. Equal reports give equal bytes;
-//! there is no date in them. The page is put together from `templates/`, a file for each of its
+//! without a reference to anything outside except links to follow. Equal reports give equal bytes;
+//! there is no date in them. The page is assembled from `templates/`, with a file for each of its
 //! sections. It has a style sheet and a few scripts of its own, in `assets/`: zoom in `zoom.js` and
-//! `panels.js` (with `scales.js` and `gestures.js`, which the page of `explore` has, too), values
+//! `panels.js` (with `scales.js` and `gestures.js`, which the page of `explore` also uses), values
 //! under the pointer in `figures.js`, sorting and filtering in `tables.js`, the filters of the
 //! ledger in `claims.js`, light and dark in `theme.js`. Without scripts it is a document like any
-//! other, but for the rows of long tables.
+//! other, except for the rows of long tables.
 //!
 //! This crate computes nothing and does no input or output.
 
@@ -25,7 +25,7 @@ mod published;
 mod report;
 mod table;
 
-// The sample serves the tests in this crate and those beside it.
+// The sample is used by the tests in this crate and by those beside it.
 #[cfg(test)]
 extern crate self as grazing_report;
 #[cfg(test)]

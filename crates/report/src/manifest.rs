@@ -1,4 +1,4 @@
-//! The manifest: which files were computed, from which parameters, by which program.
+//! The manifest: the files that were computed, their parameters, and the program.
 
 use sha2::{Digest, Sha256};
 
@@ -6,7 +6,7 @@ use askama::filters::Safe;
 
 use crate::html::{Html, escape};
 
-/// Which files were computed, from which parameters, by which program.
+/// The manifest of a run: the files that were computed, their parameters, and the program.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Manifest {
     /// The program and its version.
@@ -17,28 +17,28 @@ pub struct Manifest {
     pub libraries: Vec<(String, String)>,
     /// The name of the parameter file.
     pub parameter_file: String,
-    /// What stands in it.
+    /// The content of the parameter file.
     pub parameters: String,
     /// The files that were computed.
     pub outputs: Vec<FileDigest>,
-    /// The address of the folder where these files are, with a slash at its end; without it they
-    /// are named but not linked.
+    /// The address of the folder of these files, with a slash at its end; without it they are named
+    /// but not linked.
     pub folder: Option<String>,
 }
 
 /// A computed file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FileDigest {
-    /// Its path in the folder of figures, as `data/coefficients.csv`.
+    /// The path in the folder of figures, as `data/coefficients.csv`.
     pub path: String,
-    /// Its size.
+    /// The size of the file.
     pub bytes: usize,
-    /// Its SHA-256, in hexadecimal digits.
+    /// The SHA-256 of the content, in hexadecimal digits.
     pub sha256: String,
 }
 
 impl FileDigest {
-    /// The file with this content.
+    /// The digest of a file with this content.
     pub fn of(path: impl Into<String>, content: &[u8]) -> Self {
         let sha256 = Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect();
         Self { path: path.into(), bytes: content.len(), sha256 }

@@ -1,5 +1,4 @@
-//! Oscillators from text files: what they are, and what the theorems, the curves and simulation say
-//! of them.
+//! Oscillators from text files: their descriptions, and the results of theorems, curves and simulation.
 
 use askama::filters::Safe;
 use grazing_analysis::unfolded::{AtResonance, CurveFinding, axes, curves};
@@ -14,30 +13,30 @@ use crate::columns::in_parentheses;
 use crate::html::{Html, counted, identifier};
 use crate::outputs::FigureEntry;
 
-/// An oscillator with all that was found out about it.
+/// An oscillator with all results about it.
 #[derive(Debug, Clone)]
 pub struct OscillatorEntry {
     /// A short name that no other oscillator on the page has, as `duffing`; part of addresses.
     pub id: String,
-    /// The file it comes from, as it is to be named on the page.
+    /// The name of its file on the page.
     pub file: String,
     /// The address of that file, if it is to be linked.
     pub link: Option<String>,
-    /// Where it comes from: the paragraphs of the file's leading comment.
+    /// The paragraphs of the file's leading comment, about the origin of the oscillator.
     pub about: Vec<String>,
-    /// What stands in the file.
+    /// The content of the file.
     pub description: Description,
-    /// The figures; their names and those of their tables need be unique in this oscillator only.
+    /// The figures; their names and those of their tables need to be unique in this oscillator only.
     pub figures: Vec<FigureEntry>,
-    /// The tables that are shown as such.
+    /// The tables that are shown as tables.
     pub tables: Vec<Table>,
     /// The resonant grazing bifurcations, in the order in which they were found.
     pub resonances: Vec<AtResonance>,
-    /// What could not be unfolded and why, in words: resonances that were seen and not located,
-    /// curves that could not be followed.
+    /// Sentences about what could not be unfolded, with the reasons: resonances that were found and
+    /// not located, curves that could not be followed.
     pub lost: Vec<String>,
-    /// Where it is not decided whether solutions are stable, with the numbers of their loops, and
-    /// why not: what is hatched in the figures.
+    /// The regions in which the stability of solutions is undecided, with the numbers of their
+    /// loops and the reasons: the figures show them hatched.
     pub undecided: Vec<(u32, String)>,
 }
 
@@ -54,7 +53,7 @@ pub(crate) fn agreement(coefficient: &Coefficient) -> &'static str {
     }
 }
 
-/// The same of a simulation.
+/// The class of the colour of the verdict on a simulation.
 pub(crate) fn simulation(simulated: &Simulated) -> &'static str {
     match simulated {
         Simulated::AsPredicted(_) => "passed",
@@ -63,25 +62,25 @@ pub(crate) fn simulation(simulated: &Simulated) -> &'static str {
     }
 }
 
-/// How many of the coefficients came out how.
+/// Counts of the verdicts on coefficients and simulation.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Tally {
-    /// Resonances.
+    /// The number of resonances.
     pub(crate) resonances: usize,
-    /// Coefficients.
+    /// The number of coefficients.
     pub(crate) all: usize,
-    /// Those that are measured as by the theorem, and those that are measured otherwise.
+    /// Coefficients measured as the theorem predicts, and those measured otherwise.
     pub(crate) agreeing: usize,
     pub(crate) differing: usize,
     /// The fewest digits that agree.
     pub(crate) digits: Option<u32>,
-    /// Those at which simulation is as predicted, and those at which it is not.
+    /// Coefficients at which simulation is as predicted, and those at which it is not.
     pub(crate) predicted: usize,
     pub(crate) contradicted: usize,
 }
 
 impl OscillatorEntry {
-    /// The identifier of its part of the page.
+    /// The identifier of the oscillator's part of the page.
     pub(crate) fn anchor(&self) -> String {
         identifier("oscillator", &self.id)
     }
@@ -101,7 +100,7 @@ impl OscillatorEntry {
         curves(&self.resonances).collect()
     }
 
-    /// What is not as a theorem predicts of these, or not known, with the reason.
+    /// Results on these curves that differ from the prediction of a theorem, or are unknown, with the reason.
     pub(crate) fn doubts(&self) -> Vec<(&AtResonance, Bifurcation, String, String)> {
         let all = |(at, kind, known): (_, _, &CurveFinding)| {
             known.doubts().map(move |(doubt, reason)| (at, kind, doubt, reason))
@@ -113,7 +112,7 @@ impl OscillatorEntry {
         Tally::of_all(std::slice::from_ref(self))
     }
 
-    /// The verdicts on agreement and simulation, where a theorem applies, and how much is lost.
+    /// The verdicts on agreement and simulation, if a theorem applies, and the number of gaps.
     pub(crate) fn verdicts(&self) -> Html {
         let tally = self.tally();
         let mut verdicts = match tally.all {
@@ -134,7 +133,7 @@ impl OscillatorEntry {
 }
 
 impl Tally {
-    /// How they came out in all of these oscillators.
+    /// The counts over all of these oscillators.
     pub(crate) fn of_all(oscillators: &[OscillatorEntry]) -> Self {
         let resonances = oscillators.iter().map(|oscillator| oscillator.resonances.len()).sum();
         let mut tally = Tally { resonances, ..Tally::default() };
@@ -152,7 +151,7 @@ impl Tally {
         tally
     }
 
-    /// The class of the colour for so many that came out well and so many that came out otherwise.
+    /// The class of the colour for numbers of good and of bad results.
     pub(crate) fn tone(&self, good: &usize, bad: &usize) -> &'static str {
         match bad {
             0 if *good == self.all => "passed",
@@ -201,7 +200,7 @@ mod tests {
 
     const PREDICTED: Simulated = Simulated::AsPredicted(SIDES);
 
-    /// What comes of a resonance at which all is well with the SN curve.
+    /// The tally of a resonance whose SN curve agrees, with this result for the PD curve.
     fn tally((value, error): (f64, f64), simulated: Simulated) -> Tally {
         let mut entry = crate::sample::oscillator("a", "a");
         let good = coefficient(MEASURED.0, MEASURED.1);

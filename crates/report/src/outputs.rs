@@ -1,4 +1,4 @@
-//! Outputs as the page shows them: figures and tables.
+//! The outputs on the page: figures and tables.
 
 use grazing_drawing::Sheet;
 use grazing_results::Table;
@@ -6,13 +6,13 @@ use grazing_results::Table;
 /// A figure with its data.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FigureEntry {
-    /// The name of its files, as `fig07`.
+    /// The name of the figure's files, as `fig07`.
     pub name: String,
-    /// What it shows, in one line: "Figure 7: two-parameter bifurcation diagram".
+    /// The title, in one line: "Figure 7: two-parameter bifurcation diagram".
     pub title: String,
-    /// What is drawn. Panels say where the axes are; without them the figure can be zoomed only.
+    /// The drawing. Panels give the places of axes; without them the figure can only be zoomed.
     pub sheet: Sheet,
-    /// The tables that are drawn.
+    /// The tables whose rows are drawn.
     pub tables: Vec<Table>,
 }
 
@@ -21,7 +21,7 @@ pub struct FigureEntry {
 pub struct TableOutput {
     /// The output's name, as `coefficients`.
     pub name: String,
-    /// What it shows, in one line.
+    /// The title, in one line.
     pub title: String,
     /// The tables.
     pub tables: Vec<Table>,

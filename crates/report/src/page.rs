@@ -33,13 +33,13 @@ const SCRIPTS: &[&str] = &[
     include_str!("../assets/navigation.js"),
 ];
 
-/// What the page may load: nothing but what stands in it.
+/// The content policy of the page, which allows nothing but its own content.
 const POLICY: &str =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; font-src data:";
 
 /// The page: one HTML text that needs nothing else.
 pub fn page(report: &Report<'_>) -> String {
-    // Templates leave out the end of their last line.
+    // Templates omit the end of their last line.
     rendered(&Page { report }).0 + "\n"
 }
 
@@ -50,7 +50,7 @@ struct Page<'a> {
 }
 
 impl Page<'_> {
-    /// What the words of tables mean, for the scripts.
+    /// The meanings of words in tables, for the scripts.
     fn kinds(&self) -> String {
         let meanings = kinds::meanings().into_iter().map(|(name, meaning)| (name, capitalised(meaning)));
         let meanings: BTreeMap<_, _> = meanings.collect();
@@ -83,7 +83,7 @@ impl Page<'_> {
         }
     }
 
-    /// A label of the paper, as a link where the ledger has it.
+    /// A label of the paper, as a link if the ledger has it.
     fn label(&self, label: &str) -> Html {
         if self.report.claims.iter().any(|finding| finding.claim.label == label) {
             ledger::link(label)
@@ -100,13 +100,13 @@ mod tests {
     use super::*;
     use crate::sample;
 
-    /// The values of an attribute anywhere on the page, scripts aside.
+    /// The values of an attribute anywhere on the page, without scripts.
     fn values<'a>(html: &'a str, attribute: &str) -> Vec<&'a str> {
         let start = format!(" {attribute}=\"");
         html.match_indices(&start).filter_map(|(at, _)| html[at + start.len()..].split('"').next()).collect()
     }
 
-    /// The page without its scripts, whose texts are no markup.
+    /// The page without its scripts, whose texts are not markup.
     fn markup(html: &str) -> String {
         let mut markup = String::new();
         for (index, piece) in html.split("<script").enumerate() {
@@ -150,7 +150,7 @@ mod tests {
         }
     }
 
-    /// Every link within the page and every reference has a target; how many links there are.
+    /// Asserts that every link within the page and every reference has a target; returns the number of links.
     fn internal_links(markup: &str) -> usize {
         let ids: BTreeSet<&str> = values(markup, "id").into_iter().collect();
         for attribute in ["aria-labelledby", "aria-describedby", "data-filters"] {

@@ -5,17 +5,16 @@ use askama::filters::Safe;
 use crate::formula::greek;
 use crate::html::{Html, escape, number, plain};
 
-/// Digits of a computed number beside a print, which has four or five.
+/// Digits of a computed number beside a printed one, which has four or five.
 const COMPUTED_DIGITS: usize = 8;
 
-/// A computed number beside a print; one with few digits, as parameters are, keeps them.
+/// A computed number beside a printed one; one with few digits, such as a parameter, keeps them.
 pub(crate) fn computed(value: &f64) -> Html {
     let whole = plain(value);
     if value.to_string().len() <= COMPUTED_DIGITS { Safe(whole) } else { number(value, COMPUTED_DIGITS) }
 }
 
-/// Quantities are written in ASCII beside the print: Greek names become letters and `_` lowers what
-/// follows.
+/// A quantity written in ASCII, as HTML: Greek names become letters and `_` lowers what follows.
 pub(crate) fn symbols(quantity: &str) -> Html {
     let words: Vec<String> = quantity
         .split(' ')

@@ -1,4 +1,4 @@
-//! What the page shows.
+//! The content of the page.
 
 use grazing_claims::audit::{ClaimVerdict, Finding};
 use grazing_claims::published::{Comparison, Tally};
@@ -9,31 +9,31 @@ use crate::manifest::Manifest;
 use crate::oscillator::OscillatorEntry;
 use crate::outputs::{FigureEntry, TableOutput};
 
-/// All that the page shows.
+/// Everything that the page shows.
 #[derive(Debug, Clone, Default)]
 pub struct Report<'a> {
     /// The figures, in the order of the paper.
     pub figures: Vec<FigureEntry>,
     /// The outputs that are tables only.
     pub tables: Vec<TableOutput>,
-    /// What answers what the paper leaves open.
+    /// The figures and tables beyond the paper, about what it leaves open.
     pub beyond: Part,
     /// The numbers that the paper prints, with the computed ones.
     pub published: Vec<Comparison<'a>>,
-    /// The claims with what came of testing them, in the order of the paper.
+    /// The claims with the findings of their tests, in the order of the paper.
     pub claims: Vec<Finding<'a>>,
     /// The source files to which claims lead.
     pub sources: Sources,
     /// Oscillators from text files, each with an identifier of its own. A page can be about them
-    /// alone: parts of which there is nothing are left out.
+    /// alone: empty parts are omitted.
     pub oscillators: Vec<OscillatorEntry>,
-    /// What failed or is incomplete, and why.
+    /// Sentences about what failed or is incomplete, and why.
     pub missing: Vec<String>,
-    /// Which files were computed, from which parameters, by which program.
+    /// The manifest of the files, their parameters, and the program.
     pub manifest: Manifest,
     /// The address of the repository's files at its host, with a slash at its end, for the links to
-    /// source files; without it, files are named but not linked: a page is passed on without the
-    /// files beside it.
+    /// source files; without it, files are named but not linked: a page can be passed on without
+    /// the files beside it.
     pub root: Option<String>,
 }
 
@@ -46,14 +46,14 @@ pub struct Part {
     pub tables: Vec<TableOutput>,
 }
 
-/// How many values and claims of the paper are confirmed.
+/// The numbers of values and claims of the paper that are confirmed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Counts {
-    /// Published values that are met.
+    /// The published values, with the number of those that are met.
     pub published: Tally,
     /// Claims that hold.
     pub passed: usize,
-    /// Claims that do not, or whose check broke down.
+    /// Claims that do not hold, or whose check failed to run.
     pub failed: usize,
     /// Claims that are not tested by a computation.
     pub unchecked: usize,
@@ -78,12 +78,12 @@ impl Counts {
 }
 
 impl Report<'_> {
-    /// What is confirmed of all that is shown.
+    /// The counts of everything that the page shows.
     pub fn counts(&self) -> Counts {
         Counts::of(&self.published, &self.claims)
     }
 
-    /// Whether anything of the paper is shown.
+    /// Whether the page shows anything of the paper.
     pub(crate) fn is_of_the_paper(&self) -> bool {
         !(self.figures.is_empty()
             && self.tables.is_empty()
@@ -91,8 +91,8 @@ impl Report<'_> {
             && self.claims.is_empty())
     }
 
-    /// Links to those of the files with these paths that were written: of an oscillator only where
-    /// its files are all that there are.
+    /// Links to those files with these paths that were written; to files of an oscillator only if
+    /// the page shows nothing of the paper.
     pub(crate) fn links(&self, paths: &[String], of_oscillator: bool) -> Vec<Html> {
         let listed = self.manifest.outputs.iter().filter(|file| paths.contains(&file.path));
         let there = listed.filter(|_| !(of_oscillator && self.is_of_the_paper()));
@@ -104,7 +104,7 @@ impl Report<'_> {
         self.figures.iter().chain(&self.beyond.figures)
     }
 
-    /// Those and the figures of all oscillators.
+    /// The figures of the paper, beyond it, and of all oscillators.
     pub(crate) fn all_figures(&self) -> impl Iterator<Item = &FigureEntry> {
         self.paper_figures().chain(self.oscillators.iter().flat_map(|oscillator| &oscillator.figures))
     }

@@ -12,10 +12,10 @@ use crate::html::{Html, capitalised, csv_path, escape, number, rendered};
 use crate::oscillator::OscillatorEntry;
 use crate::report::Report;
 
-/// Tables with more rows begin closed, and their rows are kept for the scripts, which set them once
-/// they are asked for.
+/// The most rows of a table that begins open; longer ones begin closed, and the scripts build their
+/// rows when they are opened.
 const LONGEST_OPEN_TABLE: usize = 40;
-/// The column that says how a case came out.
+/// The column with the verdict on a case.
 const VERDICT: &str = "verdict";
 
 /// A table that can be folded away.
@@ -25,11 +25,11 @@ struct TableSection<'a> {
     table: &'a Table,
     /// A name that no other table on the page has.
     id: String,
-    /// What it shows, in words.
+    /// The caption, in words.
     caption: String,
     /// The rows for the scripts, if there are many.
     packed: Option<String>,
-    /// A link to its file, if it is written.
+    /// A link to the file of the table, if it is written.
     link: Option<Html>,
 }
 
@@ -60,7 +60,7 @@ pub(crate) fn of_oscillator(report: &Report<'_>, oscillator: &OscillatorEntry, t
     rendered(&TableSection::new(table, id, caption, link))
 }
 
-/// For each column whether it holds numbers, its meaning and its heading.
+/// Whether each column holds numbers, with its meaning and its heading.
 fn headings(table: &Table) -> Vec<(bool, String, Html)> {
     let numeric =
         |cell: usize| table.rows.first().map(|row| matches!(row[cell], Cell::Integer(_) | Cell::Number(_)));
@@ -81,7 +81,7 @@ fn shown(cell: &Cell, column: &Column) -> Html {
         Cell::Number(_) => match cell.number() {
             Some(value) => {
                 let shown = number(&value, SHOWN_DIGITS).0;
-                // What a script cannot read as a number is given for sorting.
+                // The value for sorting, if a script cannot read the text as a number.
                 let sort =
                     if shown.contains('<') { format!(" data-value=\"{value:e}\"") } else { String::new() };
                 format!("<td class=\"number\"{sort}>{shown}</td>")
@@ -98,7 +98,7 @@ fn shown(cell: &Cell, column: &Column) -> Html {
     })
 }
 
-/// How often each verdict occurs, the most frequent first.
+/// The verdicts and their numbers, the most frequent first.
 fn verdicts(table: &Table) -> Vec<(&str, usize)> {
     let mut counts: Vec<(&str, usize)> = Vec::new();
     for cell in table.column(VERDICT).into_iter().flatten() {

@@ -52,7 +52,7 @@ fn the_page_answers_to_pointer_keys_and_filters() {
 #[test]
 fn links_lead_to_where_they_say() {
     let mut report = sample::report();
-    // As long as that about the paper.
+    // As long as the page about the paper.
     report.claims = (0..60).flat_map(|_| report.claims.clone()).collect();
     if let Some((lost, followed)) = browser::lost(&page(&report), &[1400, 768, 390]) {
         assert!(followed >= 3 * 8, "{followed}");
@@ -63,7 +63,7 @@ fn links_lead_to_where_they_say() {
 #[test]
 fn the_page_can_be_printed() {
     if let Some(sheets) = sheets_of_paper(&page(&sample::report())) {
-        // Each of its eight sections begins on a sheet of its own; none is long.
+        // Each of its eight sections begins on a new sheet; none is long.
         assert!((8..24).contains(&sheets), "{sheets}");
     }
 }

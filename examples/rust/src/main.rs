@@ -1,4 +1,4 @@
-//! A beam between two magnets and a wall: an oscillator that is written in Rust, analysed with the
+//! A beam attracted by a magnet beyond a wall: an oscillator written in Rust, analysed with the
 //! crates as a library.
 //!
 //! `cargo run --release -p grazing-example` prints its resonances with the coefficients of the

@@ -1,4 +1,4 @@
-//! Computations in a thread of their own, while this one hears signals and tells how far they are.
+//! Computations in a separate thread, while this one handles signals and reports progress.
 
 use std::panic::resume_unwind;
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
@@ -12,22 +12,22 @@ use grazing_unfold::progress::Progress;
 use pyo3::exceptions::{PyOSError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 
-/// How often signals are looked for.
+/// The interval at which signals are handled.
 const PAUSE: Duration = Duration::from_millis(20);
 
-/// What a computation tells.
+/// An event of a computation.
 enum Event {
-    /// One begins that this mark ends.
+    /// A computation begins, which this mark cancels.
     Mark(Stop),
     /// Work of a number of steps begins.
     Begin(String, u64),
-    /// One of its steps is done.
+    /// One of the steps of the work is done.
     Step(String),
-    /// All of it is.
+    /// The work is done.
     End(String),
 }
 
-/// Tells of a computation.
+/// Reports the progress of a computation.
 struct Reporter {
     events: Sender<Event>,
     stop: Stop,
@@ -35,7 +35,7 @@ struct Reporter {
 
 impl Reporter {
     fn tell(&self, event: Event) {
-        // Nobody listens any more when the interpreter goes.
+        // There is no receiver any more when the interpreter ends.
         let _ = self.events.send(event);
     }
 }
@@ -58,10 +58,11 @@ impl Progress for Reporter {
     }
 }
 
-/// Does work with the interpreter's lock released. What a signal raises, or `progress(what, done, all)`, ends it.
+/// Does work with the interpreter's lock released. An exception of a signal, or of `progress(what,
+/// done, all)`, cancels it.
 ///
 /// # Errors
-/// What was raised, or the failure with the words of the command line.
+/// The exception that was raised, or the failure with the message of the command line.
 pub(crate) fn compute<T: Send>(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,
@@ -100,7 +101,7 @@ pub(crate) fn compute<T: Send>(
     })
 }
 
-/// Tells how far work has come; what is under way stands in the list, with steps done and all steps.
+/// Reports the progress of work; the list holds the work under way, with the steps done and all steps.
 fn told(call: &Bound<'_, PyAny>, works: &mut Vec<(String, u64, u64)>, event: Event) -> PyResult<()> {
     let (what, done, all) = match event {
         Event::Mark(_) => return Ok(()),
@@ -124,7 +125,8 @@ fn told(call: &Bound<'_, PyAny>, works: &mut Vec<(String, u64, u64)>, event: Eve
     call.call1((what, done, all)).map(drop)
 }
 
-/// A failure as an exception: ValueError for what is wrong with what was given, OSError for what cannot be read, RuntimeError else.
+/// A failure as an exception: ValueError for bad input, OSError for files that cannot be read,
+/// otherwise RuntimeError.
 pub(crate) fn error(failure: &Failure) -> PyErr {
     let text = failure.to_string();
     match failure.exit_code() {

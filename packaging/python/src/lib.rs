@@ -1,10 +1,11 @@
-//! The package `grazing` for Python. It computes nothing itself: [`grazing_cli::library`] does, as for the command line.
+//! The package `grazing` for Python. All computations are those of [`grazing_cli::library`], as for
+//! the command line.
 //!
 //! | module | |
 //! |---|---|
-//! | `model` | an oscillator and what is computed of it |
-//! | `compute` | computations in a thread of their own, which Ctrl-C ends and which tell how far they are |
-//! | `table` | tables, which leave by Arrow's C interface |
+//! | `model` | an oscillator and its computations |
+//! | `compute` | computations in a separate thread, which Ctrl-C cancels and which report their progress |
+//! | `table` | tables, which are exported by Arrow's C interface |
 
 mod compute;
 mod model;
@@ -12,7 +13,7 @@ mod table;
 
 use pyo3::prelude::*;
 
-/// What `grazing` is made of.
+/// The contents of `grazing` that are written in Rust.
 #[pymodule]
 mod _grazing {
     #[pymodule_export]

@@ -1,4 +1,4 @@
-//! An oscillator, and what is computed of it.
+//! An oscillator, and its computations.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -24,7 +24,7 @@ pub(crate) struct Model {
     file: String,
 }
 
-/// What a computation comes to.
+/// The results of a computation.
 #[pyclass(frozen, get_all, module = "grazing._grazing")]
 pub(crate) struct Results {
     names: [String; 2],
@@ -44,11 +44,11 @@ impl Results {
 
 /// Two parameters, or two ends of a range.
 type Both = [f64; 2];
-/// Whoever hears of a computation.
+/// The receiver of a computation's progress, if there is one.
 type Hears<'a, 'py> = Option<&'a Bound<'py, PyAny>>;
 
 impl Model {
-    /// Computes something of the oscillator.
+    /// Computes results about the oscillator.
     fn found(
         &self,
         py: Python<'_>,
@@ -68,7 +68,7 @@ impl Model {
         Self { model: Described { text, set, loops }, file }
     }
 
-    /// What is said of it before anything is computed, and names and ranges of the two parameters.
+    /// The listing that precedes all results, and names and ranges of the two parameters.
     fn checked(&self, py: Python<'_>) -> PyResult<(String, [(String, Both); 2])> {
         let Self { model, file } = self;
         let (description, listing) = compute(py, None, |report| Task { model, file, report }.checked())?;
@@ -76,25 +76,25 @@ impl Model {
         Ok((listing, [description.primary(), description.secondary()].map(axis)))
     }
 
-    /// What `unfold` computes, in these ranges of the two parameters.
+    /// The results of `unfold`, in these ranges of the two parameters.
     fn diagram(&self, py: Python<'_>, view: Option<[Both; 2]>, progress: Hears<'_, '_>) -> PyResult<Results> {
         let view = view.map(|[primary, secondary]| View { primary, secondary });
         self.found(py, progress, |task| task.diagram(view.as_ref()))
     }
 
-    /// What the page shows that `explore` serves, asked for as the page does, in JSON.
+    /// The results that the page of `explore` shows, requested in JSON as the page does.
     fn seen(&self, py: Python<'_>, wanted: &str, progress: Hears<'_, '_>) -> PyResult<Results> {
         let wanted: Wanted =
             serde_json::from_str(wanted).map_err(|error| PyValueError::new_err(error.to_string()))?;
         self.found(py, progress, |task| task.seen(&wanted))
     }
 
-    /// Motion at a place from x, v, t on, for so many forcing periods.
+    /// Motion at a place from x, v, t, over a number of forcing periods.
     fn simulated(&self, py: Python<'_>, at: Both, start: [f64; 3], periods: f64) -> PyResult<Results> {
         self.found(py, None, |task| task.simulated(at, start, periods))
     }
 
-    /// What `unfold --vary` computes.
+    /// The results of `unfold --vary`.
     fn family(&self, py: Python<'_>, vary: Vec<String>, progress: Hears<'_, '_>) -> PyResult<Results> {
         let vary: Result<Vec<Variation>, String> = vary.iter().map(|written| written.parse()).collect();
         let vary = vary.map_err(PyValueError::new_err)?;
@@ -102,7 +102,7 @@ impl Model {
     }
 }
 
-/// What `reproduce --only NAME --set ...` computes.
+/// The results of `reproduce --only NAME --set ...`.
 #[pyfunction]
 pub(crate) fn reproduce(
     py: Python<'_>,
@@ -115,7 +115,7 @@ pub(crate) fn reproduce(
     Results::new(py, compute(py, progress, |report| library::paper(name, &set, report))?)
 }
 
-/// What `reproduce` computes: names, and what each shows.
+/// The outputs of `reproduce`: names and titles.
 #[pyfunction]
 pub(crate) fn outputs() -> Vec<(&'static str, &'static str)> {
     library::outputs_of_the_paper().collect()
@@ -130,7 +130,7 @@ pub(crate) fn read(path: PathBuf) -> PyResult<String> {
 /// Meaning, colour, width in points and dashes of a kind of curve, by its name.
 type Looks = BTreeMap<&'static str, (&'static str, [u8; 3], f64, &'static [f64])>;
 
-/// How kinds of curves look, and colour and opacity of kinds of regions.
+/// The looks of kinds of curves, and colour and opacity of kinds of regions.
 #[pyfunction]
 pub(crate) fn looks() -> (Looks, BTreeMap<&'static str, ([u8; 3], f64)>) {
     let curve = |kind: Bifurcation| {

@@ -1,4 +1,4 @@
-//! Tables, which leave by Arrow's C interface.
+//! Tables, which are exported by Arrow's C interface.
 
 use std::iter::once;
 
@@ -28,19 +28,19 @@ impl Table {
 
 #[pymethods]
 impl Table {
-    /// The name of its CSV file, without ending.
+    /// The name of the table's CSV file, without ending.
     #[getter]
     fn name(&self) -> &'static str {
         self.rows.name
     }
 
-    /// The headers of its columns.
+    /// The headers of the columns.
     #[getter]
     fn columns(&self) -> Vec<&str> {
         self.rows.headers.iter().map(String::as_str).collect()
     }
 
-    /// What a column holds: its symbol in LaTeX, unit, meaning and labels of equations in the paper.
+    /// A column's symbol in LaTeX, unit, meaning and labels of equations in the paper.
     fn about(&self, column: &str) -> PyResult<[&str; 4]> {
         let place = self.place(column)?;
         let about = &self.rows.columns[place];
@@ -82,7 +82,7 @@ impl Table {
         py: Python<'py>,
         requested_schema: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyCapsule>> {
-        // Whoever wants other types may convert them: a producer need not.
+        // The consumer may convert the types: a producer need not.
         let _ = requested_schema;
         let field = Field::new(self.rows.name.into(), self.columns.dtype().clone(), false);
         let stream = export_iterator(Box::new(once(Ok(self.columns.clone().boxed()))), field);

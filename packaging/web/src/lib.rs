@@ -1,8 +1,8 @@
-//! The program for a page that has no server: what `grazing explore` answers, in a worker of the
-//! page itself.
+//! The program for a page without a server: it answers the requests of `grazing explore` in a
+//! worker of the page itself.
 //!
-//! A request is put into the room that [`room`] makes, its path's last part first, and [`answer`]ed.
-//! All that comes of it is told through `tell` while it is computed.
+//! A request is written to the memory that [`room`] returns, with the last part of its path first,
+//! and [`answer`]ed. All output goes through `tell` while it is computed.
 
 use core::mem;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -13,13 +13,13 @@ use grazing_model::smooth::Stop;
 
 #[link(wasm_import_module = "page")]
 unsafe extern "C" {
-    /// Takes a part of what is told: an event (0), or the answer's media type (1) or content (2).
+    /// Takes a part of the output: an event (0), or the answer's media type (1) or content (2).
     fn tell(what: u32, at: *const u8, length: usize);
-    /// Seconds since whenever.
+    /// Seconds since an arbitrary instant.
     safe fn now() -> f64;
 }
 
-/// The request that is to be answered next.
+/// The request that is answered next.
 static REQUEST: Mutex<Vec<u8>> = Mutex::new(Vec::new());
 
 fn request() -> MutexGuard<'static, Vec<u8>> {
@@ -35,7 +35,7 @@ fn clock() -> Duration {
     Duration::from_secs_f64(now())
 }
 
-/// Room for a request of so many bytes.
+/// Memory for a request of this many bytes.
 #[unsafe(no_mangle)]
 pub extern "C" fn room(length: usize) -> *mut u8 {
     let mut request = request();
@@ -44,7 +44,7 @@ pub extern "C" fn room(length: usize) -> *mut u8 {
     request.as_mut_ptr()
 }
 
-/// Answers the request, of which so many bytes are the name of what is asked for; a status of HTTP.
+/// Answers the request, whose first `name` bytes are the name of the computation; returns a status of HTTP.
 #[unsafe(no_mangle)]
 pub extern "C" fn answer(name: usize) -> u32 {
     let request = mem::take(&mut *request());

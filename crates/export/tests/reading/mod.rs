@@ -1,4 +1,4 @@
-//! Where labels and lines come to lie, read from the finished figure and not from what was meant.
+//! The positions of labels and lines, read from the finished figure and not from its source.
 
 use grazing_drawing::Bounds;
 use grazing_export::Drawing;
@@ -6,26 +6,26 @@ use resvg::tiny_skia::{Rect, Transform};
 use resvg::usvg::{Group, Node, Tree};
 use ttf_parser::Face;
 
-/// A label as it is set.
+/// A label as it is drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Text {
-    /// Its characters.
+    /// The characters of the label.
     pub(crate) text: String,
-    /// The size of its line, in points.
+    /// The size of the line, in points.
     pub(crate) size: f64,
-    /// The size of its smallest characters, which may be sub- or superscripts, in points.
+    /// The size of the smallest characters, which may be sub- or superscripts, in points.
     pub(crate) smallest: f64,
     /// The box of each character's ink.
     pub(crate) glyphs: Vec<Bounds>,
 }
 
 impl Text {
-    /// The box of all its ink; `None` if it has none.
+    /// The box of all ink; `None` without ink.
     pub(crate) fn bounds(&self) -> Option<Bounds> {
         self.glyphs.iter().copied().reduce(Bounds::joined)
     }
 
-    /// True if ink of one label lies over ink of the other by more than `slack` points, character
+    /// Whether ink of one label lies over ink of the other by more than `slack` points, character
     /// by character.
     #[allow(dead_code)] // Where only what is exported is tested.
     pub(crate) fn overlaps(&self, other: &Text, slack: f64) -> bool {
@@ -37,18 +37,18 @@ impl Text {
 /// A line or an area.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Shape {
-    /// The box of its ink, as far as a clip path leaves it.
+    /// The box of the ink, as far as a clip path shows it.
     pub(crate) bounds: Bounds,
     /// The width of its stroke in points; `None` if it is only filled.
     pub(crate) stroke: Option<f64>,
-    /// The corners and ends of its pieces, in points of the sheet, in order.
+    /// The corners and ends of the pieces, in points of the sheet, in order.
     #[allow(dead_code)] // Likewise.
     pub(crate) points: Vec<(f64, f64)>,
     /// Whether an area is filled, not only a line drawn.
     pub(crate) filled: bool,
 }
 
-/// What a reader of a figure sees.
+/// The labels and shapes that a reader of a figure sees.
 pub(crate) trait Reading {
     /// All labels, in the order in which they are drawn.
     fn texts(&self) -> Vec<Text>;
@@ -73,7 +73,8 @@ impl Reading for Drawing {
         for_each(self.tree().root(), None, &mut |node, clip| {
             if let Node::Path(path) = node {
                 let transform = path.abs_transform();
-                // Our transforms are turns and even scalings, so one factor serves all directions.
+                // All transforms here are rotations and uniform scalings, so one factor serves all
+                // directions.
                 let scale = f64::from(transform.get_scale().0);
                 let mut points = path.data().points().to_vec();
                 transform.map_points(&mut points);
@@ -122,7 +123,7 @@ fn around(rectangle: Rect, transform: Transform) -> Bounds {
     Bounds { left, top, right, bottom }
 }
 
-/// Visits what is drawn, with the box that clip paths leave of it.
+/// Visits all elements, each with the box that clip paths leave visible.
 fn for_each<'a>(group: &'a Group, clip: Option<Bounds>, visit: &mut impl FnMut(&'a Node, Option<Bounds>)) {
     let own = group.clip_path().map(|clip| around(clip.root().bounding_box(), group.abs_transform()));
     let clip = own.map(|own| clip.map_or(own, |outer| outer.common(own))).or(clip);

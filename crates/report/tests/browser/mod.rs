@@ -9,28 +9,28 @@ pub(crate) mod chromium;
 use self::chromium::Browser;
 use tempfile::TempDir;
 
-/// What the checks are, in the page's own language.
+/// The checks, in JavaScript.
 const CHECKS: &str = include_str!("checks.js");
-/// Counts, in `EARLY`, what asks for the layout of the page before all of it is read, which delays
+/// Counts, in `EARLY`, requests for the layout of the page before all of it is read, which delay
 /// its first appearance.
 const WATCH: &str = include_str!("watch.js");
-/// A window on a desk.
+/// The window of a desktop computer.
 const WINDOW: [u32; 2] = [1400, 1000];
-/// Milliseconds far beyond what anything in a page takes on a busy machine.
+/// A time limit in milliseconds, far longer than anything in a page takes on a busy machine.
 const PATIENCE: u32 = 300_000;
 
-/// A spot of a figure's sheet, and what the page has to tell of it.
+/// A spot of a figure's sheet, and the text that the page has to show for it.
 pub(crate) struct Spot<'a> {
     pub(crate) figure: &'a str,
     pub(crate) sheet: (f64, f64),
     pub(crate) told: Vec<String>,
-    /// Whether it is about a point that is not drawn and has to be asked for.
+    /// Whether it is a point that is not drawn and has to be switched on.
     pub(crate) hidden: bool,
 }
 
-/// Opens the page, runs the checks, those of the search with texts and the labels that they find,
-/// and returns what they say, one line each; nothing where there is no browser, which is said on
-/// the error stream.
+/// Opens the page, runs the checks, with those of the search for formulas and the labels that they
+/// find, and returns their results, one line each; none without a browser, with a message on the
+/// error stream.
 pub(crate) fn checked(page: &str, spots: &[Spot<'_>], formulas: &[(&str, &str)]) -> Option<Vec<String>> {
     let told =
         |spot: &Spot<'_>| spot.told.iter().map(|text| format!("{text:?}")).collect::<Vec<_>>().join(",");
@@ -54,9 +54,9 @@ pub(crate) fn checked(page: &str, spots: &[Spot<'_>], formulas: &[(&str, &str)])
     Some(results.as_str().expect("it is text").lines().map(str::to_owned).collect())
 }
 
-/// Follows every link of the list of sections, and those to figures, in windows of these widths, and
-/// opens the address of each; returns what did not land where it should, and the number of links;
-/// nothing where there is no browser.
+/// Follows every link of the list of sections, and those to figures, in windows of these widths,
+/// and opens the address of each; returns the links that did not land in the right place, and the
+/// number of links; none without a browser.
 pub(crate) fn lost(page: &str, widths: &[u32]) -> Option<(Vec<String>, usize)> {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let file = folder.path().join("page.html");
@@ -88,8 +88,8 @@ const LOADED: &str = "document.readyState === 'complete' && document.fonts.statu
 /// The addresses of sections and of figures, each once.
 const LINKS: &str = "() => [...new Set([...document.querySelectorAll('.bar nav a, main a[href^=\"#fig\"]')]
     .map((link) => link.getAttribute('href')))]";
-/// Follows a link, if it is to be clicked, until its target stands where it should and stays there;
-/// otherwise how many pixels it is off.
+/// Follows a link, by a click if `click` is set, until its target is in the right place and stays
+/// there; returns true, or by how many pixels it is off.
 const LANDED: &str = "async (link, click, patience) => {
     const target = document.querySelector(link);
     if (click) [...document.querySelectorAll(`a[href=\"${link}\"]`)].at(-1).click();
@@ -109,17 +109,16 @@ const LANDED: &str = "async (link, click, patience) => {
     return still === 10 || off();
 }";
 
-/// How many pages the page has on paper; nothing where there is no browser.
+/// The number of pages in print; none without a browser.
 pub(crate) fn sheets_of_paper(page: &str) -> Option<usize> {
     let (_folder, mut browser) = open(page)?;
     browser.wait(LOADED);
     let pdf = browser.printed();
-    // The object of a page begins with its type on a line of its own.
+    // The object of a page begins with its type on its own line.
     Some(pdf.split(|byte| *byte == b'\n').filter(|line| line.ends_with(b"/Type /Page")).count())
 }
 
-/// Opens the page from a folder, which goes away with the first value; nothing where there is no
-/// browser.
+/// Opens the page from a folder, which is deleted with the first value; none without a browser.
 fn open(page: &str) -> Option<(TempDir, Browser)> {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let file = folder.path().join("page.html");
@@ -128,7 +127,7 @@ fn open(page: &str) -> Option<(TempDir, Browser)> {
     Some((folder, browser))
 }
 
-/// Fails with the checks that did not pass; there have to be some that did.
+/// Fails with the checks that did not pass, or if there are too few.
 pub(crate) fn assert_all_pass(results: &[String]) {
     let failed: Vec<&String> = results.iter().filter(|line| !line.starts_with("passed: ")).collect();
     assert!(failed.is_empty(), "{failed:#?}");

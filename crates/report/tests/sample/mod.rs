@@ -1,4 +1,4 @@
-//! A small report with everything in it, for the tests.
+//! A small report with all kinds of content, for the tests.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -26,8 +26,7 @@ use grazing_unfold::verdict::Coefficient;
 /// Text that would be markup if it were not escaped.
 pub(crate) const HOSTILE: &str = "<img src=\"x\" onerror='alert(1)'>&";
 
-/// The claims: two that hold, numbers, one with text of others in every place, and one that is not
-/// checked.
+/// The claims: two that hold, numbers, one with foreign text in every field, and one that is not checked.
 static LEDGER: LazyLock<Ledger> = LazyLock::new(|| {
     let claim = |label: &str, kind: &str, place: &str, test: &str| {
         format!(
@@ -131,7 +130,7 @@ fn sweep() -> Table {
     const COLUMNS: &[Column] = &[columns::LOOPS, columns::C_SN_CLOSED_FORM, columns::VERDICT];
     let mut rows =
         vec![(1_u32, -5.679_445_287_380_571e2, "agreement"), (2, 3.0, "unexplained"), (3, 1e-7, "agreement")];
-    // Enough of them that they are kept for the scripts.
+    // Enough rows to be kept for the scripts.
     rows.extend((4..60).map(|p| (p, 0.5 * f64::from(p), "agreement")));
     let rows = rows.into_iter().map(|(p, c_sn, verdict)| vec![p.into(), c_sn.into(), verdict.into()]);
     Table::of_cells("sweep", COLUMNS, &Names::of_the_paper(), rows.collect())
@@ -144,12 +143,12 @@ pub(crate) const fn coefficient(value: f64, error: f64) -> Coefficient {
     Coefficient { stability: 1.0, theorem: Estimate { value: -12.5, error: 1e-9 }, fit: Ok(fit) }
 }
 
-/// Agrees to seven digits.
+/// A measurement that agrees to seven digits.
 pub(crate) const MEASURED: (f64, f64) = (-12.500_001, 1e-5);
-/// Has a larger error than can be compared.
+/// A measurement whose error is too large for a comparison.
 pub(crate) const NOT_MEASURED: (f64, f64) = (-12.5, 1.0);
 
-/// What simulation sees.
+/// The simulation beside the curves.
 pub(crate) const SIDES: Sides = Sides {
     velocity: 0.1,
     predicted: [true, false],
@@ -158,7 +157,7 @@ pub(crate) const SIDES: Sides = Sides {
     gone_beyond: None,
 };
 
-/// An oscillator, with text of others where there can be such.
+/// An oscillator, with foreign text wherever there can be any.
 pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
     let hostile = || HOSTILE.to_owned();
     let description = format!(
@@ -167,7 +166,7 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
          frequency = '1'\n[impact]\nrestitution = '0.9'\nduration = '0'\n[analysis]\nloops = [1, 2]\n"
     );
     let mut drawn = figure("diagram", "two-parameter bifurcation diagram");
-    // The panel says which columns it shows, as titles of parameters do not.
+    // The panel names the columns that it shows, as titles of parameters do not.
     if let Some(Element::Panel(panel)) = drawn.sheet.elements.last_mut() {
         (panel.columns, panel.tables) = (Some(["F_0", "A"].map(str::to_owned)), vec!["points"]);
     }
@@ -243,7 +242,7 @@ pub(crate) fn oscillators_alone() -> Report<'static> {
     }
 }
 
-/// The report.
+/// The report with all kinds of content.
 pub(crate) fn report() -> Report<'static> {
     let source = ("crates/theorems/src/auxiliary.rs", "pub fn resonance_boundary() {}\n");
     let file = |path: &str| FileDigest::of(path, path.as_bytes());
