@@ -24,7 +24,7 @@ const CERTIFICATE: &str = "expected/certificate";
 /// The default folder of certificates with settings over the parameter file.
 const VARIED: &str = "varied/certificate";
 
-/// Proves, prints what is proved, and writes or checks the certificate.
+/// Proves statements, prints them, and writes or checks the certificate.
 ///
 /// # Errors
 /// Something is undecided, the files differ from what the code produces, or they cannot be written.

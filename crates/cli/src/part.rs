@@ -62,7 +62,7 @@ pub(crate) fn items<W: Divided>(part: Part, count: usize) -> Result<Range<usize>
 /// The folder of parts, in that of the results.
 const PARTS: &str = "parts";
 
-/// A part: everything that is needed to make tables and figures once all parts are there.
+/// A part: everything needed for tables and figures once all parts are there.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields, bound = "")]
 struct PartFile<W: Divided> {

@@ -17,8 +17,7 @@
 //! | `kinds` | the looks of kinds of curves, for the page |
 //! | `files` | the page |
 //! | [`server`](Server) | connections, and the routes of requests |
-//! | `server::turns` | computations: how many at once, for how long, and their end when nobody
-//! waits for them |
+//! | `server::turns` | computations: how many at once, for how long, and their end without a reader |
 //! | `server::patient` | connections that are closed when nobody reads |
 //! | `server::guard` | access: token, Host, Origin; security headers of answers |
 //! | `server::response`, `server::stream` | answers as HTTP carries them |

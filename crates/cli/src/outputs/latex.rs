@@ -123,7 +123,7 @@ pub(crate) struct Caption {
 impl Caption {
     /// The label of something that is computed from a file, `kind` being `fig` or `tab`.
     pub(crate) fn label(kind: &str, file: &Path, name: &str) -> String {
-        // Not every character of a file's name can stand in a label.
+        // Not every character of a file's name is allowed in a label.
         let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '-' };
         let of: String = folder::name_for(file).to_string_lossy().chars().map(plain).collect();
         format!("{kind}:{of}-{name}")

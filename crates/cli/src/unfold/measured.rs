@@ -1,4 +1,4 @@
-//! Measurements beside what is computed, as lines on the terminal.
+//! Measurements beside computed results, as lines on the terminal.
 
 use grazing_results::brief;
 use grazing_results::measured::{Agreement, Comparison, MeasuredCount, MeasuredPoint};

@@ -34,7 +34,7 @@ pub(crate) fn entry(of: &OscillatorFile, unfolded: &Analysis, computed: &Compute
     }
 }
 
-/// The page about this oscillator alone, to stand in the folder of its other files.
+/// The page about this oscillator alone, for the folder of its other files.
 pub(super) fn page(
     of: &OscillatorFile,
     unfolded: &Analysis,
