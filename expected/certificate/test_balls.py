@@ -2,7 +2,7 @@
 """Tests the balls that the certificate was made with, against two libraries that know nothing of them.
 
     pip install python-flint mpmath
-    cargo run --release -p grazing-certify --example balls -- 1000000 | python3 test_balls.py
+    cargo run -p grazing-certify --example balls -- 1000000 | python3 test_balls.py
 
 Each line has an operation, its arguments and its result. At four places of an argument, its ends among them, the value by
 python-flint, and at its middle that by mpmath, must lie in the result.

@@ -1,5 +1,5 @@
-//! `cargo xtask ...`: builds the `grazing` program in release mode and starts it with the same
-//! arguments.
+//! `cargo xtask ...`: builds the `grazing` program in the profile of the tests, which then find
+//! it compiled, and starts it with the same arguments.
 //!
 //! It knows no subcommand: `cargo xtask` accepts whatever `grazing` does, and `grazing` reports
 //! errors. Cargo determines the place of the built program, so target folders set by environment or
@@ -28,14 +28,14 @@ fn main() -> ExitCode {
 
 /// Builds with cargo's output visible, then runs the program without it.
 fn build_and_run(arguments: &[OsString]) -> io::Result<ExitStatus> {
-    let built = cargo().args(["build", "--release"]).args(PROGRAM).status()?;
+    let built = cargo().arg("build").args(PROGRAM).status()?;
     if !built.success() {
         return Ok(built);
     }
     let mut run = cargo();
     // The program then writes its commands as they are typed in a clone.
     run.env("GRAZING_BY_XTASK", "1");
-    run.args(["run", "--release", "--quiet"]).args(PROGRAM).arg("--").args(arguments);
+    run.args(["run", "--quiet"]).args(PROGRAM).arg("--").args(arguments);
     handed_over(run)
 }
 

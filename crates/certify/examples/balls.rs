@@ -2,7 +2,7 @@
 //! `expected/certificate/test_balls.py` to test: a line for each, with the operation and middles and
 //! radii in units of 2⁻⁸⁸, `-` for the ball of all numbers.
 //!
-//! `cargo run --release -p grazing-certify --example balls -- 1000000`
+//! `cargo run -p grazing-certify --example balls -- 1000000`
 
 use std::io::{BufWriter, Write, stdout};
 

@@ -29,7 +29,7 @@ mod part;
 mod progress;
 mod project;
 mod report;
-mod reproduce;
+pub mod reproduce;
 mod signals;
 pub mod tables;
 mod template;

@@ -52,12 +52,6 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
         return outcome.report_missing(&chosen, &output_folder);
     }
     let mut files = std::mem::take(&mut outcome.files);
-    if edition.has(Format::Tex) && arguments.only.is_empty() {
-        let oscillator = parameters.oscillator()?;
-        let constants =
-            [("zeta", oscillator.damping_ratio()), ("epsilon", oscillator.coefficient_of_restitution())];
-        files.extend(latex::files(&outcome.floats, constants));
-    }
     if !set.is_empty() {
         files.push(settings(&arguments.parameters));
     }
@@ -96,6 +90,19 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     study.coefficients().map_or(Ok(()), |table| verdict_on_theorem(&table.rows))
 }
 
+/// The files of all outputs of a study in an edition. Contents of figures are computed once, for whatever editions.
+///
+/// # Errors
+/// Some output cannot be computed.
+pub fn files(study: &Study, edition: &Edition) -> Result<Vec<OutputFile>, Failure> {
+    let chosen: Vec<&Output<Study>> = paper::ALL.iter().collect();
+    let outcome = Outcome::of(study, &chosen, edition)?;
+    match outcome.missing.first() {
+        Some((reason, _)) => Err(Failure::input(reason.clone())),
+        None => Ok(outcome.files),
+    }
+}
+
 /// The failure if theorem and curve contradict each other at a resonance.
 fn verdict_on_theorem(rows: &[Coefficients]) -> Result<(), Failure> {
     if !rows.iter().any(Coefficients::contradict) {
@@ -116,7 +123,8 @@ struct Outcome<'a> {
 }
 
 impl<'a> Outcome<'a> {
-    /// All outputs that can be computed; the failure if the only one cannot.
+    /// All outputs that can be computed, and what LaTeX needs if they are all there are; the failure if the only one
+    /// cannot be computed.
     fn of(study: &Study, chosen: &[&'a Output<Study>], edition: &Edition) -> Result<Self, Failure> {
         let mut all = Self::default();
         for output in chosen {
@@ -132,6 +140,12 @@ impl<'a> Outcome<'a> {
                 Err(failure) if chosen.len() == 1 => return Err(failure),
                 Err(failure) => all.add_missing(output.name, failure.reason),
             }
+        }
+        if edition.has(Format::Tex) && chosen.len() == paper::ALL.len() {
+            let oscillator = study.parameters.oscillator()?;
+            let constants =
+                [("zeta", oscillator.damping_ratio()), ("epsilon", oscillator.coefficient_of_restitution())];
+            all.files.extend(latex::files(&all.floats, constants));
         }
         Ok(all)
     }

@@ -31,7 +31,7 @@ pub trait PaperFigure: FileSection {
     /// The keys to change if the figure cannot be computed.
     const REMEDY: &'static str;
     /// The contents of the figure.
-    type Shown: Tables;
+    type Shown: Tables + Send + Sync + 'static;
 
     /// Computes the contents of the figure.
     ///
@@ -73,14 +73,6 @@ pub struct Remarks {
 }
 
 impl Study {
-    /// Computes the contents of a figure.
-    ///
-    /// # Errors
-    /// The section is invalid, or the figure cannot be computed.
-    pub fn shown<F: PaperFigure>(&self) -> Result<F::Shown, StudyError> {
-        self.parameters.section::<F>()?.compute(self)
-    }
-
     /// The constants of the paper's oscillator, by their symbols in LaTeX.
     pub(crate) fn oscillator_constants(&self) -> Result<Vec<(&'static str, f64)>, ParameterError> {
         let oscillator = self.parameters.oscillator()?;

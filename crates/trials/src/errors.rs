@@ -91,7 +91,7 @@ const HEAD: &str = "\
 Errors put in on purpose, one at a time (`expected/deliberate_errors.toml`), and who saw each: the claims of the ledger that fail, or, where none
 does, the tests of the first crate whose tests do. \"Frozen tests\" are those that compare with pictures, tables and messages that the program wrote
 before, and know nothing better; they stand here only where nothing else saw the error.
-Made by `cargo run --release -p grazing-trials -- errors [NUMBER...]`.
+Made by `cargo run -p grazing-trials -- errors [NUMBER...]`.
 
 | number | error | seen by |
 |---|---|---|

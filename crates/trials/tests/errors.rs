@@ -21,7 +21,7 @@ fn every_error_can_be_put_in() {
         seen.iter().filter(|cell| cell.split(' ').nth(1).is_some_and(|it| it.starts_with(who))).count()
     };
     let (claims, tests) = (by("claim"), by("test"));
-    let trial = "`cargo run --release -p grazing-trials -- errors` with the numbers of the others";
+    let trial = "`cargo run -p grazing-trials -- errors` with the numbers of the others";
     assert_eq!(claims + tests, list.len(), "some errors were not tried out, or are not seen: {trial}");
     let words = [
         format!("{} errors introduced into", list.len()),

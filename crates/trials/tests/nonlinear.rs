@@ -1,5 +1,5 @@
 //! Compares shaded regions of nonlinear oscillators with continuation and simulation;
-//! `cargo run --release -p grazing-trials -- nonlinear` tests the examples and many more, on a finer
+//! `cargo run -p grazing-trials -- nonlinear` tests the examples and many more, on a finer
 //! lattice.
 
 use std::sync::LazyLock;

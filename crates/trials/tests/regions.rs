@@ -1,5 +1,5 @@
 //! Compares shaded regions of the linear oscillator away from the paper's parameters with the closed
-//! form; `cargo run --release -p grazing-trials` tests many more.
+//! form; `cargo run -p grazing-trials` tests many more.
 
 use grazing_continuation::curve::Window;
 use grazing_trials::random::Random;

@@ -1,5 +1,5 @@
 //! Compares diagrams of parts of a window with that of the whole;
-//! `cargo run --release -p grazing-trials -- windows FILE...` tests more parts of any oscillator.
+//! `cargo run -p grazing-trials -- windows FILE...` tests more parts of any oscillator.
 
 use std::sync::LazyLock;
 

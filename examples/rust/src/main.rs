@@ -1,7 +1,7 @@
 //! A beam attracted by a magnet beyond a wall: an oscillator written in Rust, analysed with the
 //! crates as a library.
 //!
-//! `cargo run --release -p grazing-example` prints its resonances with the coefficients of the
+//! `cargo run -p grazing-example` prints its resonances with the coefficients of the
 //! curves that leave them.
 #![expect(clippy::print_stdout, reason = "a program's output")]
 

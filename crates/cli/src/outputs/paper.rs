@@ -21,7 +21,7 @@ pub const ALL: &[Output<Study>] =
     &paper_figures!(figure, first COEFFICIENTS, last STRAIGHTENED, THEOREMS, LIMITS);
 
 /// The output of a figure of the paper.
-pub(crate) const fn figure<F: PaperFigure>() -> Output<Study> {
+pub(crate) const fn figure<F: PaperFigure + 'static>() -> Output<Study> {
     Output {
         label: F::LABEL,
         is_figure: true,
@@ -30,8 +30,7 @@ pub(crate) const fn figure<F: PaperFigure>() -> Output<Study> {
         keys: F::REMEDY,
         ..Output::new(F::NAME, F::TITLE, F::TABLES, |output, study: &Study, width| {
             let section: F = study.parameters.section().map_err(StudyError::from)?;
-            let shown = section.compute(study)?;
-            computed(output, &section, study, &shown, width)
+            computed(output, &section, study, &*study.shown::<F>()?, width)
         })
     }
 }

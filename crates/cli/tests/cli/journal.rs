@@ -6,24 +6,39 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use crate::program::{
-    edited, empty_folder, grazing, listing, narrow_duffing, project, quick_parameters, repository,
+    DEFAULT, edited, edition, empty_folder, grazing, listing, narrow_duffing, project, quick_parameters,
+    repository,
 };
 use grazing_cli::codecheck;
 use grazing_cli::outputs;
+use grazing_cli::outputs::edition::Format;
+use grazing_drawing::SheetWidth;
 
 #[test]
-fn an_edition_for_a_journal_goes_to_its_own_folder_and_latex_includes_all_of_it() {
-    let folder = project(&quick_parameters());
-    let arguments = ["reproduce", "--format", "png,tex", "--columns", "one", "--dpi", "72"];
+fn an_edition_for_a_journal_goes_to_its_own_folder() {
+    let folder = project(DEFAULT);
+    let arguments = ["reproduce", "--only", "fig04", "--only", "coefficients", "--format", "png,tex"];
+    let arguments = [&arguments[..], &["--columns", "one", "--dpi", "72"]].concat();
     let made = grazing(folder.path(), &arguments);
     assert_eq!(made.code, Some(0), "{}", made.messages);
     assert_eq!(listing(&folder.path().join("figures")), ["parameters.toml"], "figures/ is left alone");
     let journal = folder.path().join("journal");
+    fs::write(journal.join("coefficients.tex"), "").expect("the folder is ours");
+    let checked = grazing(folder.path(), &[&arguments[..], &["--check"]].concat());
+    assert_eq!(checked.code, Some(1), "{}", checked.messages);
+    let mend = "`cargo xtask reproduce --only fig04 --only coefficients --format pdf,png,tex --columns one --dpi 72`";
+    assert!(checked.errors().contains(mend), "{}", checked.messages);
+}
+
+#[test]
+fn latex_includes_all_of_an_edition() {
+    let journal = edition(&[Format::Png, Format::Tex], SheetWidth::OneColumn);
+    let journal = journal.path();
     let snippet = fs::read_to_string(journal.join("figures.tex")).expect("there is a snippet");
     for output in outputs::ALL {
         if !output.is_figure {
             for table in output.tables {
-                // The other tables are too wide for a page.
+                // The other tables of these outputs are too wide for a page.
                 let printed = table.name == "coefficients";
                 let input = format!("\\input{{\\grazingfiles {}.tex}}", table.name);
                 assert_eq!(snippet.matches(&input).count(), usize::from(printed), "{input} in {snippet}");
@@ -40,16 +55,10 @@ fn an_edition_for_a_journal_goes_to_its_own_folder_and_latex_includes_all_of_it(
         let content = fs::read(journal.join(pdf)).expect("the snippet asks for PDF");
         assert!(content.starts_with(b"%PDF-"), "{figure}");
         let content = fs::read(journal.join(&figure).with_extension("png")).expect("PNG was asked for");
-        // Its width, in the 17th to 20th byte: 86 mm are 243.8 points, and a point a pixel at 72
+        // The width stands in the 17th to 20th byte: 86 mm are 243.8 points, and a point is a pixel at 72
         // dots per inch.
         assert_eq!(content[16..20], 244_u32.to_be_bytes(), "{figure}");
     }
-    fs::write(journal.join("coefficients.tex"), "").expect("the folder is ours");
-    let check = [&arguments[..], &["--only", "coefficients", "--check"]].concat();
-    let checked = grazing(folder.path(), &check);
-    assert_eq!(checked.code, Some(1), "{}", checked.messages);
-    let mend = "`cargo xtask reproduce --only coefficients --format pdf,png,tex --columns one --dpi 72`";
-    assert!(checked.errors().contains(mend), "{}", checked.messages);
 }
 
 #[test]
@@ -88,7 +97,8 @@ fn compiled(journal: &Path, options: &str) -> Option<String> {
     fs::write(place.path().join("document.tex"), document).expect("the folder is ours");
     let run = || {
         let run = Command::new("pdflatex")
-            .args(["-interaction=nonstopmode", "-halt-on-error", "document.tex"])
+            // Boxes and labels are in the log, and nobody looks at the pages.
+            .args(["-draftmode", "-interaction=nonstopmode", "-halt-on-error", "document.tex"])
             .current_dir(place.path())
             .stdin(Stdio::null())
             .output();
@@ -127,13 +137,8 @@ fn assert_sets_well(journal: &Path) {
 
 #[test]
 fn latex_sets_all_figures_and_tables_at_every_width_without_an_overfull_box() {
-    let folder = project(&quick_parameters());
-    for columns in ["paper", "one", "two"] {
-        let output = folder.path().join(columns).display().to_string();
-        let arguments = ["reproduce", "--format", "tex", "--columns", columns, "--output", &output];
-        let made = grazing(folder.path(), &arguments);
-        assert_eq!(made.code, Some(0), "{}", made.messages);
-        assert_sets_well(Path::new(&output));
+    for columns in [SheetWidth::Paper, SheetWidth::OneColumn, SheetWidth::TwoColumns] {
+        assert_sets_well(edition(&[Format::Tex], columns).path());
     }
 }
 

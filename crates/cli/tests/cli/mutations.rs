@@ -5,7 +5,7 @@
 //! The tests try a few. The following tries many, and lists and keeps those that fail:
 //!
 //! ```text
-//! GRAZING_MUTATIONS=1000 cargo test --release -p grazing-cli --test cli mutations -- --nocapture
+//! GRAZING_MUTATIONS=1000 cargo test -p grazing-cli --test cli mutations -- --nocapture
 //! ```
 //!
 //! where GRAZING_MUTATIONS_FROM is the number of the first (0), and GRAZING_MUTATIONS_SECONDS the

@@ -4,11 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-use crate::program::{digest, empty_folder, grazing, repository, snapshots};
+use crate::program::{digest, edition, repository, snapshots};
 use crate::reading::{Reading, Text};
 use grazing_cli::outputs;
-use grazing_cli::outputs::edition::Edition;
-use grazing_drawing::Bounds;
+use grazing_cli::outputs::edition::{Edition, Format};
+use grazing_drawing::{Bounds, SheetWidth};
 use grazing_export::Drawing;
 
 /// The thinnest line that offset printing renders reliably, in points, and the smallest text that
@@ -93,20 +93,20 @@ fn every_figure_is_fit_for_print_at_every_width_and_says_the_same() {
         assert!(svg.contains("<title>") && !svg.contains("<title></title>"), "{name} has no title");
     }
     assert_eq!(crossings(&repository().join("figures")), [""; 0], "Figure 7 at the paper's width");
-    for (columns, millimetres) in [("one", 86.0), ("two", 178.0)] {
-        let folder = empty_folder();
-        let output = folder.path().display().to_string();
-        let outcome = grazing(&repository(), &["reproduce", "--columns", columns, "--output", &output]);
-        assert_eq!(outcome.code, Some(0), "{}", outcome.messages);
+    for (columns, millimetres) in [(SheetWidth::OneColumn, 86.0), (SheetWidth::TwoColumns, 178.0)] {
+        let folder = edition(&[Format::Svg], columns);
         for (name, figure) in figures(folder.path()) {
-            assert_eq!(faults(&figure), [""; 0], "{name} at {columns}");
+            assert_eq!(faults(&figure), [""; 0], "{name} at {millimetres} mm");
             let (width, height) = figure.size();
             // The file has the width in millimetres to two decimals.
-            assert!((width * 25.4 / 72.0 - millimetres).abs() < 0.01, "{name} at {columns}: {width} points");
-            assert!(height <= HIGHEST, "{name} at {columns} is {height} points high");
-            assert_eq!(words(&here[name].texts()), words(&figure.texts()), "{name} at {columns}");
+            assert!(
+                (width * 25.4 / 72.0 - millimetres).abs() < 0.01,
+                "{name} at {millimetres} mm: {width} points"
+            );
+            assert!(height <= HIGHEST, "{name} at {millimetres} mm is {height} points high");
+            assert_eq!(words(&here[name].texts()), words(&figure.texts()), "{name} at {millimetres} mm");
         }
-        assert_eq!(crossings(folder.path()), [""; 0], "Figure 7 at {columns}");
+        assert_eq!(crossings(folder.path()), [""; 0], "Figure 7 at {millimetres} mm");
     }
 }
 

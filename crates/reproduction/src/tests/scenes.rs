@@ -1,6 +1,7 @@
 //! Tests of scenes in phase space: names, and the order of painting.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use grazing_drawing::SheetWidth;
 use grazing_drawing::ink::style::{INCOMING_FACE, SECTION_FACE};
@@ -55,7 +56,7 @@ fn what_lies_beyond_the_wall_is_painted_before_the_wall() {
 
 #[test]
 fn a_missing_coordinate_is_an_error() {
-    let mut sample = study().shown::<Figure1>().unwrap();
+    let mut sample = Arc::unwrap_or_clone(study().shown::<Figure1>().unwrap());
     sample.curves[3].place[1] = f64::NAN;
     let error = fig01::SHEET.draw(&sample, SheetWidth::Paper).unwrap_err();
     assert!(error.to_string().contains("range of fig01"), "{error}");

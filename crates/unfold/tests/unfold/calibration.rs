@@ -4,7 +4,7 @@
 //! The number of resonances can be chosen (a thousand take some minutes):
 //!
 //! ```sh
-//! GRAZING_RESONANCES=1000 cargo test --release -p grazing-unfold --test unfold calibration -- --nocapture
+//! GRAZING_RESONANCES=1000 cargo test -p grazing-unfold --test unfold calibration -- --nocapture
 //! ```
 
 use std::io::Write;

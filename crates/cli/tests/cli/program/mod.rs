@@ -3,9 +3,16 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
+use std::sync::LazyLock;
 use std::thread;
 use std::time::Duration;
 
+use grazing_cli::outputs::edition::{Edition, Format, TextForm};
+use grazing_cli::{folder, reproduce};
+use grazing_drawing::SheetWidth;
+use grazing_reproduction::Study;
+use grazing_reproduction::parameters::Parameters;
+use grazing_source::Text;
 use insta::Settings;
 use sha2::{Digest, Sha256};
 
@@ -114,13 +121,25 @@ pub(crate) fn edited(parameters: &str, section: &str, key: &str, line: &str) -> 
     format!("{}{line}{}", &parameters[..start], &parameters[end..])
 }
 
-/// The default parameters with little work for the attractor of Figure 2 and for the map, on which
-/// the tests that use them do not depend.
+/// The default parameters with little work for every output: a part of Figure 7's window with a resonance of each p,
+/// coarse maps and short attractors.
 pub(crate) fn quick_parameters() -> String {
-    let mut parameters = edited(DEFAULT, "[fig02.attractor]", "amplitudes", "amplitudes = 5");
-    for key in ["columns", "rows"] {
-        parameters = edited(&parameters, "[beyond_attractors]", key, &format!("{key} = 16"));
+    let mut parameters = DEFAULT.to_owned();
+    for (section, key, value) in [
+        ("[fig02.attractor]", "amplitudes", "5"),
+        ("[fig07]", "frequency", "[0.62, 0.86]"),
+        ("[beyond_cascade]", "values", "40"),
+        ("[beyond_atlas]", "rows", "12"),
+        ("[beyond_attractors]", "columns", "16"),
+        ("[beyond_attractors]", "rows", "16"),
+        ("[beyond_proofs]", "panels", "1"),
+    ] {
+        parameters = edited(&parameters, section, key, &format!("{key} = {value}"));
     }
+    // The last panel of Figure 8 lies elsewhere.
+    let panel = parameters.rfind("[[fig08.panels]]").expect("the figure has panels");
+    let end = parameters.find("[fig09]").expect("the section follows");
+    parameters.replace_range(panel..end, "");
     parameters
 }
 

@@ -4,7 +4,7 @@
 //! The test tries some. The following tries many:
 //!
 //! ```text
-//! GRAZING_MUTATIONS=10000 cargo test --release -p grazing-explore --test explore mutations
+//! GRAZING_MUTATIONS=10000 cargo test -p grazing-explore --test explore mutations
 //! ```
 //!
 //! where GRAZING_MUTATIONS_FROM is the number of the first (0).

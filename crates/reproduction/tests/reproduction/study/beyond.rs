@@ -21,7 +21,7 @@ use super::{integers, made, numbers, theory, words};
 
 #[test]
 fn coefficients_of_more_loops_are_those_measured_on_the_curves() {
-    let shown = Study::new(&made().parameters).shown::<BeyondLoops>().expect("it can be computed");
+    let shown = made().study.shown::<BeyondLoops>().expect("it can be computed");
     let column = |name: &str| numbers(&shown.measured, name);
     let mut resolved = 0;
     for end in ["slowest", "fastest"] {
@@ -36,7 +36,7 @@ fn coefficients_of_more_loops_are_those_measured_on_the_curves() {
 
 #[test]
 fn two_loop_curves_of_figure_7_begin_with_these_coefficients() {
-    let shown = Study::new(&made().parameters).shown::<BeyondLoops>().expect("it can be computed");
+    let shown = made().study.shown::<BeyondLoops>().expect("it can be computed");
     let zeta = theory().damping_ratio();
     let curves = &made().fig07.curves;
     let (kinds, loops) = (words(curves, "kind"), integers(curves, "p"));
@@ -68,7 +68,7 @@ fn two_loop_curves_of_figure_7_begin_with_these_coefficients() {
 
 #[test]
 fn all_visits_are_before_the_wall_inside_of_regions_and_one_is_not_beside_them() {
-    let shown = Study::new(&made().parameters).shown::<BeyondRegions>().expect("it can be computed");
+    let shown = made().study.shown::<BeyondRegions>().expect("it can be computed");
     let mut seen = 0;
     for row in
         shown.levels.iter().filter(|row| (0.1..0.999).contains(&row.delta) && row.high - row.low > 1e-6)
@@ -106,7 +106,7 @@ fn stable([amplitude, frequency]: [f64; 2], loops: u32) -> Option<closed_form::O
 
 /// Random places of the coarse map, with the attractors there.
 fn places(seed: u64, count: u32) -> Vec<([f64; 2], Vec<Stretch>)> {
-    let study = Study::new(&made().parameters);
+    let study = &made().study;
     let map = Map::of(&COARSE, &study).expect("it is right");
     let mut random = Random::new(seed);
     let mut place = |_| {
@@ -196,7 +196,7 @@ fn where_one_attractor_is_seen_random_states_settle_on_it() {
 
 #[test]
 fn regions_of_figure_7_explain_all_mps_of_the_map() {
-    let study = Study::new(&made().parameters);
+    let study = &made().study;
     let map = Map::of(&COARSE, &study).expect("it is right");
     let shown = map.assembled(map.rows(0..map.count())).expect("it grazes");
     assert_eq!(shown.counts.iter().map(|count| count.loops).collect::<Vec<_>>(), [0, 1, 2, 3]);
@@ -210,7 +210,7 @@ fn regions_of_figure_7_explain_all_mps_of_the_map() {
 
 #[test]
 fn orbits_that_begin_beside_an_mps_that_the_map_does_not_see_come_to_it() {
-    let study = Study::new(&made().parameters);
+    let study = &made().study;
     let map = Map::of(&COARSE, &study).expect("it is right");
     let shown = map.assembled(map.rows(0..map.count())).expect("it grazes");
     let mut tried = [0; 4];
@@ -264,7 +264,7 @@ fn by_differences(oscillator: &LinearOscillator) -> [f64; 2] {
 
 #[test]
 fn exponents_of_irregular_motion_are_those_of_orbits_beside_each_other() {
-    let study = Study::new(&made().parameters);
+    let study = &made().study;
     let map = Map::of(&COARSE, &study).expect("it is right");
     let (mut seen, mut off) = (0, 0);
     for row in &map.rows(0..map.count()) {
@@ -300,7 +300,7 @@ fn exponents_of_periodic_motion_are_known() {
 
 #[test]
 fn what_is_drawn_in_figure_7_lies_where_it_is_proved_to_be() {
-    let shown = Study::new(&made().parameters).shown::<BeyondProofs>().expect("it can be computed");
+    let shown = made().study.shown::<BeyondProofs>().expect("it can be computed");
     assert!(shown.undecided.is_empty(), "{:?}", shown.undecided);
     let count = |object: &str| shown.items.iter().filter(|item| item.object == object).count();
     assert_eq!([count("point"), count("region")], [25, 12]);

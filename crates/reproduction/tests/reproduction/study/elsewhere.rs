@@ -1,5 +1,7 @@
 //! Compares figures at parameters other than the paper's with the closed form.
 
+use std::sync::Arc;
+
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_reproduction::Study;
 use grazing_reproduction::figures::fig02::Figure2;
@@ -20,7 +22,7 @@ fn with(settings: &[&str]) -> Parameters {
     Parameters::parse(&Text::new(DEFAULT, &settings), "parameters.toml").expect("the values are valid")
 }
 
-fn fig02(settings: &[&str]) -> OneParameter {
+fn fig02(settings: &[&str]) -> Arc<OneParameter> {
     Study::new(&with(settings)).shown::<Figure2>().expect("it can be computed")
 }
 
@@ -91,7 +93,8 @@ fn the_linear_oscillator_has_no_cusps() {
         "fig07.amplitude=[0,44.708]",
         "fig07.loops=[1,2,3]",
     ];
-    let points = Study::new(&with(&settings)).shown::<Figure7>().expect("it can be computed").points;
+    let shown = Study::new(&with(&settings)).shown::<Figure7>().expect("it can be computed");
+    let points = &shown.points;
     assert!(points.len() > 3 && points.iter().all(|point| point.kind.name() != "cusp"));
 }
 

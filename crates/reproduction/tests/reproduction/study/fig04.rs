@@ -1,6 +1,8 @@
 //! Compares Figure 4 with the sums over eigenvalues that vanish on its curves, and with the global map of
 //! the model.
 
+use std::sync::Arc;
+
 use grazing_model::AtRest;
 use grazing_model::maps::global_map;
 use grazing_reproduction::Study;
@@ -11,8 +13,8 @@ use grazing_theorems::spectrum::in_trapesium;
 
 use super::{forced, integers, made, numbers, theory, words};
 
-fn figure() -> Boundaries {
-    Study::new(&made().parameters).shown::<Figure4>().expect("figure 4 can be computed")
+fn figure() -> Arc<Boundaries> {
+    made().study.shown::<Figure4>().expect("figure 4 can be computed")
 }
 
 /// The rows (τ, δ) of one curve.

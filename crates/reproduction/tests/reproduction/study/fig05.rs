@@ -1,7 +1,7 @@
 //! Tests that the shaded region of Figure 5 is where it should be.
 
 use core::f64::consts::TAU;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 use grazing_model::State;
 use grazing_model::orbit::{FlightEnd, Orbit as Simulation};
@@ -13,8 +13,8 @@ use super::{closed_forms, forced, made, numbers, theory, words};
 use grazing_trials::closed_form::{self, Orbit};
 
 static SHOWN: LazyLock<Figure5> = LazyLock::new(|| made().parameters.section().expect("it is right"));
-static FIGURE: LazyLock<UnfoldingSketch> =
-    LazyLock::new(|| Study::new(&made().parameters).shown::<Figure5>().expect("figure 5 can be computed"));
+static FIGURE: LazyLock<Arc<UnfoldingSketch>> =
+    LazyLock::new(|| made().study.shown::<Figure5>().expect("figure 5 can be computed"));
 static RESONANCE: LazyLock<Resonance> =
     LazyLock::new(|| theory().resonance(SHOWN.loops, SHOWN.n).expect("a resonance"));
 

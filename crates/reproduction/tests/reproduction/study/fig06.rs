@@ -11,7 +11,7 @@ use grazing_source::Text;
 use super::{made, numbers, words};
 
 fn figure(parameters: &Parameters) -> Vec<PartPoint> {
-    Study::new(parameters).shown::<Figure6>().expect("figure 6 can be computed").parts
+    Study::new(parameters).shown::<Figure6>().expect("figure 6 can be computed").parts.clone()
 }
 
 /// All points (x, height) of a part.

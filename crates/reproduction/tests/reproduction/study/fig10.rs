@@ -13,7 +13,7 @@ use super::{forced, integers, made, numbers, theory};
 
 /// The vertices (u, w) in order.
 fn vertices() -> Vec<[f64; 2]> {
-    let path = Study::new(&made().parameters).shown::<Figure10>().expect("figure 10 can be computed").path;
+    let path = made().study.shown::<Figure10>().expect("figure 10 can be computed").path;
     let (u, w) = (numbers(&path, "u"), numbers(&path, "w"));
     assert_eq!(integers(&path, "visit"), (0..u.len() as u32).collect::<Vec<_>>());
     u.into_iter().zip(w).map(|(u, w)| [u, w]).collect()

@@ -21,7 +21,7 @@ fn meanings<F: PaperFigure>(shown: &F::Shown) -> Vec<String> {
 }
 
 fn legend<F: PaperFigure>() -> Vec<String> {
-    meanings::<F>(&Study::new(&made().parameters).shown::<F>().expect("it can be computed"))
+    meanings::<F>(&made().study.shown::<F>().expect("it can be computed"))
 }
 
 #[test]

@@ -12,7 +12,7 @@ mod snapshots;
 mod space;
 
 use std::path::Path;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use grazing_model::LinearOscillator;
 use grazing_reproduction::figures::fig02::Figure2;
@@ -27,11 +27,13 @@ use grazing_trials::closed_form::{Orbit, orbits};
 
 /// All results of the reproduction, computed once for all tests.
 pub(crate) struct Made {
+    /// The study, which computes each figure once.
+    pub(crate) study: Study,
     parameters: Parameters,
     pub(crate) coefficients: Vec<Coefficients>,
-    fig02: OneParameter,
-    fig07: PlaneDiagram,
-    fig08: Magnifications,
+    fig02: Arc<OneParameter>,
+    fig07: Arc<PlaneDiagram>,
+    fig08: Arc<Magnifications>,
     theorems: TheoremsInAction,
 }
 
@@ -48,6 +50,7 @@ pub(crate) fn made() -> &'static Made {
             fig08: study.shown::<Figure8>().expect("figure 8 can be computed"),
             theorems: study.theorems_in_action().expect("all cases can be worked out"),
             parameters,
+            study,
         }
     })
 }

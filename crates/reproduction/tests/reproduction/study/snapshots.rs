@@ -132,16 +132,16 @@ fn branches_and_curves_hold() {
 
 #[test]
 fn curves_regions_and_parts_of_the_planar_sketches_hold() {
-    let study = Study::new(&made().parameters);
+    let study = &made().study;
     let (fig04, fig05) =
         (study.shown::<Figure4>().expect("figure 4"), study.shown::<Figure5>().expect("figure 5"));
-    let fig06 = study.shown::<Figure6>().expect("figure 6").parts;
+    let fig06 = &study.shown::<Figure6>().expect("figure 6").parts;
     let text = [
         summary(&fig04.curves, &["kind", "p"], "tau", "delta"),
         summary(&fig04.points, &["kind"], "tau", "delta"),
         summary(&fig05.curves, &["kind"], "mu", "eta"),
         summary(&fig05.regions, &["region", "kind"], "mu", "eta"),
-        summary(&fig06, &["part"], "x", "height"),
+        summary(fig06, &["part"], "x", "height"),
     ]
     .join("\n");
     snapshots().bind(|| assert_snapshot!("planar_sketches", text));
