@@ -1,5 +1,4 @@
-//! `grazing export`: a problem for AUTO-07p. docs/trust.md shows that AUTO follows the curves of
-//! the program itself.
+//! `grazing export`: a problem for AUTO-07p. That AUTO follows the curves of the program itself is written in docs/validation.md.
 
 use std::fs;
 use std::io::{self, Write};

@@ -111,10 +111,10 @@ fn mistakes_in_measurements_end_the_run_before_anything_is_computed() {
 
 #[test]
 fn every_column_of_measurements_is_explained() {
-    let page = fs::read_to_string(repository().join("examples/README.md")).expect("it is there");
+    let page = fs::read_to_string(repository().join("docs/measurements.md")).expect("it is there");
     for (name, meaning) in POINTS.iter().chain(RECORD) {
         let name = name.replace("{primary}", "a").replace("{secondary}", "f");
         let row = format!("| `{name}` | {meaning} |");
-        assert!(page.contains(&row), "examples/README.md has no row {row}");
+        assert!(page.contains(&row), "docs/measurements.md has no row {row}");
     }
 }

@@ -1,11 +1,13 @@
-//! The commands in the README exist.
+//! README and the book in docs/: their commands, links, counts and tables are those of the program.
 
+use std::collections::BTreeSet;
 use std::fs;
+use std::path::Path;
 use std::process::Command;
 
 use crate::program::{empty_folder, repository};
-use clap::Parser;
 use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser};
 use grazing_analysis::unfolded::{AlongGrazing, AtResonances};
 use grazing_claims::checks::CHECKS;
 use grazing_claims::ledger::{Claim, Ledger, Test};
@@ -13,21 +15,88 @@ use grazing_cli::arguments::Arguments;
 use grazing_cli::outputs::{self, Output};
 use grazing_results::Tables;
 
-/// The lines of the README that begin with `cargo xtask`, as in a block of commands.
-fn commands() -> Vec<String> {
-    let readme = fs::read_to_string(repository().join("README.md")).expect("there is a README.md");
-    readme
-        .lines()
-        .map(|line| line.trim().trim_start_matches("$ ").to_owned())
-        .filter(|line| line.starts_with("cargo xtask"))
-        .collect()
+/// The most bytes of the README, which is to be one page.
+const README_BYTES: usize = 6_000;
+/// The list of the book's pages.
+const SUMMARY: &str = "docs/SUMMARY.md";
+/// Pages outside the book.
+const OTHERS: [&str; 7] = [
+    "README.md",
+    "ARCHITECTURE.md",
+    "examples/README.md",
+    "examples/workflow/README.md",
+    "expected/certificate/README.md",
+    "figures/data/README.md",
+    "packaging/python/README.md",
+];
+
+fn read(file: &str) -> String {
+    fs::read_to_string(repository().join(file)).unwrap_or_else(|error| panic!("{file}: {error}"))
+}
+
+/// The pages of the book.
+fn book() -> Vec<String> {
+    let entries = fs::read_dir(repository().join("docs")).expect("there is a folder docs/");
+    let names =
+        entries.map(|entry| entry.expect("it can be read").file_name().to_string_lossy().into_owned());
+    let mut pages: Vec<String> =
+        names.filter(|name| name.ends_with(".md")).map(|name| format!("docs/{name}")).collect();
+    pages.sort();
+    assert!(pages.len() > 20, "{pages:?}");
+    pages
+}
+
+/// All pages, each with its path from the root.
+fn pages() -> Vec<(String, String)> {
+    let others = OTHERS.map(str::to_owned);
+    book().into_iter().chain(others).map(|file| (file.clone(), read(&file))).collect()
+}
+
+/// A page in two: what is outside of blocks between fences, and the lines of blocks of commands, of which
+/// those that go on after a backslash are one.
+fn parted(file: &str, text: &str) -> (String, Vec<String>) {
+    let (mut prose, mut commands, mut block) = (String::new(), String::new(), None);
+    for line in text.lines() {
+        match (line.strip_prefix("```"), block) {
+            (Some(language), None) => block = Some(language),
+            (Some(_), Some(_)) => block = None,
+            (None, Some("sh")) => commands.push_str(&format!("{line}\n")),
+            (None, Some(_)) => {}
+            (None, None) => prose.push_str(&format!("{line}\n")),
+        }
+    }
+    assert!(block.is_none(), "{file}: a block has no end");
+    (prose, commands.replace("\\\n", " ").lines().map(|line| line.trim().to_owned()).collect())
+}
+
+/// What stands between backticks in a page, and what does not.
+fn spans(file: &str, prose: &str) -> [Vec<String>; 2] {
+    let pieces: Vec<String> = prose.split('`').map(|piece| piece.replace('\n', " ")).collect();
+    assert!(pieces.len() % 2 == 1, "{file}: a backtick has no other");
+    let every = |from: usize| pieces.iter().skip(from).step_by(2).cloned().collect();
+    [every(1), every(0)]
+}
+
+fn is_command(text: &str) -> bool {
+    ["cargo xtask ", "grazing "].iter().any(|begin| text.starts_with(begin))
+}
+
+/// What clap says of a command line of the program.
+fn parse(command: &str) -> Result<(), clap::Error> {
+    let plain = command.replace('\'', "");
+    // Without a remark, and without the file that a shell writes.
+    let words = [" #", " >"].iter().fold(&*plain, |line, end| line.split(end).next().unwrap_or_default());
+    let words = words.split_whitespace();
+    let words = words.skip(if command.starts_with("cargo") { 2 } else { 1 });
+    Arguments::try_parse_from(std::iter::once("grazing").chain(words)).map(|_| ())
 }
 
 #[test]
 fn the_readme_shows_all_commands() {
-    let commands = commands();
+    let (_, commands) = parted("README.md", &read("README.md"));
     for wanted in [
         "cargo xtask reproduce",
+        "cargo test --workspace",
         "cargo xtask compare",
         "cargo xtask report",
         "cargo xtask unfold",
@@ -40,13 +109,88 @@ fn the_readme_shows_all_commands() {
             "no line `{wanted}` in README.md"
         );
     }
+    let page = read("docs/command-line.md");
+    for command in Arguments::command().get_subcommands() {
+        let row = format!("| `{}` | ", command.get_name());
+        assert!(page.contains(&row), "docs/command-line.md has no row {row}");
+    }
 }
 
 #[test]
-fn the_oscillator_of_the_readme_is_that_of_the_example() {
-    let [readme, example] = ["README.md", "examples/duffing.toml"]
-        .map(|file| fs::read_to_string(repository().join(file)).expect("it is there"));
-    let (_, rest) = readme.split_once("```toml\n").expect("there is an oscillator");
+fn the_readme_is_one_page() {
+    let bytes = read("README.md").len();
+    assert!(bytes <= README_BYTES, "README.md has {bytes} bytes, more than {README_BYTES}");
+}
+
+#[test]
+fn the_summary_lists_every_page_of_the_book() {
+    let summary = read(SUMMARY);
+    let listed: Vec<String> =
+        links(SUMMARY, &summary).into_iter().map(|target| format!("docs/{target}")).collect();
+    let once: BTreeSet<&String> = listed.iter().collect();
+    assert_eq!(once.len(), listed.len(), "a page stands twice in {SUMMARY}");
+    let pages = book();
+    for page in pages.iter().filter(|page| *page != SUMMARY) {
+        assert!(once.contains(page), "{page} is not in {SUMMARY}");
+    }
+    assert!(listed.iter().all(|page| pages.contains(page)), "{SUMMARY} lists what is no page");
+}
+
+/// The targets of the links and pictures of a page, without those in code.
+fn links(file: &str, text: &str) -> Vec<String> {
+    let [_, prose] = spans(file, &parted(file, text).0);
+    // Code is part of the text of a link, never of its target.
+    let prose = prose.concat();
+    let targets = prose.split("](").skip(1).filter_map(|rest| rest.split(')').next());
+    targets.map(str::to_owned).collect()
+}
+
+/// The anchors of a page: its headings as forges and mdBook name them.
+fn anchors(file: &str, text: &str) -> Vec<String> {
+    let (prose, _) = parted(file, text);
+    let headings = prose.lines().filter(|line| line.starts_with('#'));
+    let named = headings.map(|line| line.trim_start_matches('#').trim().to_lowercase());
+    named
+        .map(|heading| {
+            heading
+                .chars()
+                .filter(|letter| letter.is_alphanumeric() || " -_".contains(*letter))
+                .map(|letter| if letter == ' ' { '-' } else { letter })
+                .collect()
+        })
+        .collect()
+}
+
+#[test]
+fn every_link_leads_somewhere() {
+    let mut followed = 0;
+    for (file, text) in pages() {
+        for target in links(&file, &text) {
+            if target.starts_with("https://") || target.starts_with("http://") {
+                continue;
+            }
+            let (path, anchor) = target.split_once('#').unwrap_or((&target, ""));
+            let folder = Path::new(&file).parent().expect("it is a file");
+            let to =
+                if path.is_empty() { repository().join(&file) } else { repository().join(folder).join(path) };
+            assert!(to.is_file(), "{file}: there is no {target}");
+            if !anchor.is_empty() {
+                let there = fs::read_to_string(&to).expect("it is a page");
+                assert!(
+                    anchors(&target, &there).iter().any(|it| it == anchor),
+                    "{file}: there is no {target}"
+                );
+            }
+            followed += 1;
+        }
+    }
+    assert!(followed > 200, "{followed}");
+}
+
+#[test]
+fn the_oscillator_of_the_book_is_that_of_the_example() {
+    let [page, example] = ["docs/oscillator.md", "examples/duffing.toml"].map(read);
+    let (_, rest) = page.split_once("```toml\n").expect("there is an oscillator");
     let (shown, _) = rest.split_once("```").expect("the block ends");
     let [mut shown, mut example]: [toml::Table; 2] =
         [shown, &example].map(|text| text.parse().expect("it is TOML"));
@@ -58,15 +202,28 @@ fn the_oscillator_of_the_readme_is_that_of_the_example() {
 
 #[test]
 fn every_command_of_the_readme_is_understood() {
-    for command in commands() {
-        let plain = command.replace('\'', "");
-        let words = plain.split('#').next().unwrap_or_default().split_whitespace().skip(2);
-        match Arguments::try_parse_from(std::iter::once("grazing").chain(words)) {
-            Ok(_) => {}
-            Err(error) if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {}
-            Err(error) => panic!("README.md: `{command}`: {error}"),
+    let (mut shown, mut named) = (0, 0);
+    for (file, text) in pages() {
+        let (prose, commands) = parted(&file, &text);
+        for command in commands.iter().filter(|command| is_command(command)) {
+            parse(command).unwrap_or_else(|error| panic!("{file}: `{command}`: {error}"));
+            shown += 1;
+        }
+        // In the text a command may be named without its arguments, or as a pattern.
+        let [spans, _] = spans(&file, &prose);
+        for command in spans.iter().filter(|span| is_command(span)) {
+            if command.contains("COMMAND") || command.contains("...") {
+                continue;
+            }
+            match parse(command) {
+                Err(error) if error.kind() != ErrorKind::MissingRequiredArgument => {
+                    panic!("{file}: `{command}`: {error}")
+                }
+                _ => named += 1,
+            }
         }
     }
+    assert!(shown > 50 && named > 20, "{shown}, {named}");
 }
 
 /// The commands about a file that `new` writes, in the order of the text that shows them; commands
@@ -83,11 +240,14 @@ fn about_a_new_file(text: &str) -> String {
 
 #[test]
 fn commands_work_one_after_the_other_as_they_are_shown() {
-    let read = |file: &str| fs::read_to_string(repository().join(file)).expect("it is there");
     let begin = "cargo() { shift; \"$GRAZING\" \"$@\"; }; set -e";
     let new = "cargo xtask new my.toml";
+    // Some of the README's are those of the book.
+    let own = [read("README.md"), read("docs/oscillator.md")].concat();
+    let mut once = BTreeSet::new();
+    let own: Vec<&str> = own.lines().filter(|line| once.insert(about_a_new_file(line))).collect();
     let shown = [
-        about_a_new_file(&read("README.md")),
+        about_a_new_file(&own.join("\n")),
         about_a_new_file(
             &read("crates/cli/help/new.txt").replace("my.toml --kind", "my-$RANDOM.toml --kind"),
         ),
@@ -128,10 +288,9 @@ fn columns_name_equations_that_the_paper_has() {
 }
 
 #[test]
-fn the_readme_counts_the_claims() {
+fn the_book_counts_the_claims() {
     let ledger = Ledger::of_the_paper();
-    let [readme, speed] = ["README.md", "docs/speed.md"]
-        .map(|file| fs::read_to_string(repository().join(file)).expect("it is there").replace('\n', " "));
+    let [paper, speed] = ["docs/paper.md", "docs/speed.md"].map(|file| read(file).replace('\n', " "));
     let count = |is: fn(&Claim) -> bool| ledger.claims.iter().filter(|claim| is(claim)).count();
     for words in [
         format!("{} claims.", ledger.claims.len()),
@@ -140,22 +299,23 @@ fn the_readme_counts_the_claims() {
         format!("{} name the functions", count(|claim| !claim.holds.is_empty())),
         format!("{} cannot be tested", count(|claim| matches!(claim.test(), Test::Unchecked(_)))),
     ] {
-        assert!(readme.contains(&words), "README.md does not say `{words}`");
+        assert!(paper.contains(&words), "docs/paper.md does not say `{words}`");
     }
     let checks = format!("`claims` with its {} checks", CHECKS.len());
     assert!(speed.contains(&checks), "docs/speed.md does not say `{checks}`");
-    let [trust, errors] = ["docs/trust.md", "expected/deliberate_errors.toml"]
-        .map(|file| fs::read_to_string(repository().join(file)).expect("it is there"));
-    let errors = format!("| {} errors introduced", errors.matches("\n[[error]]\n").count());
-    assert!(trust.contains(&errors), "docs/trust.md does not say `{errors}`");
+    let [validation, errors] = ["docs/validation.md", "expected/deliberate_errors.toml"].map(read);
+    let errors = format!("| mutation tests: {} errors introduced", errors.matches("\n[[error]]\n").count());
+    assert!(validation.contains(&errors), "docs/validation.md does not say `{errors}`");
 }
 
 #[test]
-fn the_readme_shows_every_figure() {
-    let readme = fs::read_to_string(repository().join("README.md")).expect("there is a README.md");
+fn the_book_shows_every_figure() {
+    let book: Vec<String> = book().iter().map(|page| read(page)).collect();
     for figure in outputs::ALL.iter().filter(|output| output.is_figure).map(Output::figure_file) {
-        assert!(readme.contains(&format!("](figures/{figure})")), "README.md does not show {figure}");
+        let picture = format!("](../figures/{figure})");
+        assert!(book.iter().any(|page| page.contains(&picture)), "no page of docs/ shows {figure}");
     }
+    assert!(read("README.md").contains("](figures/fig07.svg)"), "README.md does not show Figure 7");
 }
 
 /// A number as a text prints it, as `−19.4`, `2.6·10⁻²` or `none`, and half a unit of its last digit.
@@ -181,7 +341,6 @@ fn printed(text: &str) -> Option<[f64; 2]> {
 
 #[test]
 fn tables_beyond_the_paper_are_those_that_are_made() {
-    let read = |file: &str| fs::read_to_string(repository().join(file)).expect("it is there");
     let (page, mut held) = (read("docs/beyond.md"), 0);
     // Only some rows of the last table, and these columns.
     let tables: [(&str, &str, &[&str]); 4] = [

@@ -139,7 +139,7 @@ fn a_one_parameter_diagram_has_a_figure_and_tables_as_long_as_it_is_asked_for() 
     all.sort();
     assert_eq!(listing(&results_folder), all);
     let explanations = read(&results_folder, "data/README.md");
-    let page = read(&repository(), "examples/README.md");
+    let page = read(&repository(), "docs/unfold.md");
     for table in tables {
         assert!(page.contains(&format!("| `diagram_{table}` |")), "{table} is not named");
         let content = read(&results_folder, &format!("data/diagram_{table}.csv"));
@@ -153,11 +153,11 @@ fn a_one_parameter_diagram_has_a_figure_and_tables_as_long_as_it_is_asked_for() 
     assert_eq!(listing(&results_folder), results());
 }
 
-/// Asserts that the page beside the tables explains their columns, and that the page of the
-/// examples names the examples and the tables.
+/// The page beside the tables explains their columns, that of the book names the tables, and those of
+/// the examples name the examples.
 fn explained(results: &Path) {
     let explanations = read(results, "data/README.md");
-    let page = read(&repository(), "examples/README.md");
+    let page = read(&repository(), "docs/unfold.md");
     for table in TABLES {
         assert!(page.contains(&format!("| `{table}` |")), "{table} is not named");
         let content = read(results, &format!("data/{table}.csv"));
@@ -165,10 +165,11 @@ fn explained(results: &Path) {
             assert!(explanations.contains(&format!("| `{column}` |")), "{table}: {column} is not explained");
         }
     }
+    let pages = ["docs/examples.md", "examples/README.md"].map(|file| (file, read(&repository(), file)));
     for entry in fs::read_dir(repository().join("examples")).expect("there are examples") {
         let name = entry.expect("they can be read").file_name().to_string_lossy().into_owned();
-        if name.ends_with(".toml") {
-            assert!(page.contains(&format!("| `{name}` |")), "{name} is not on the page");
+        for (file, page) in pages.iter().filter(|_| name.ends_with(".toml")) {
+            assert!(page.contains(&format!("| `{name}` |")), "{name} is not in {file}");
         }
     }
 }

@@ -189,8 +189,9 @@ fn derivatives_of_a_varying_reset_law_are_its_difference_quotients() {
 }
 
 #[test]
-fn the_page_about_the_examples_lists_all_keys() {
-    let page = fs::read_to_string(folder().join("README.md")).expect("examples/README.md can be read");
+fn the_page_about_the_file_lists_all_keys() {
+    let page = folder().join("../docs/oscillator-file.md");
+    let page = fs::read_to_string(page).expect("docs/oscillator-file.md can be read");
     for key in keys() {
         let line = format!("| `{}` | {} | {} |\n", key.path, key.meaning, key.requirement);
         assert!(page.contains(&line), "{line}");

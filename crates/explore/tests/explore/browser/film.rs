@@ -1,4 +1,4 @@
-//! The pictures of the README: a walk in four of them.
+//! The pictures of docs/explorer.md: a walk in four of them.
 
 use std::env;
 use std::fs;
