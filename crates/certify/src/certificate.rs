@@ -1,5 +1,5 @@
 //! The certificate as text: the statement, and a row for each interval with its witnesses. The README in
-//! `certificate/` explains the columns.
+//! `expected/certificate/` explains the columns.
 
 use crate::resonance::{NAMES, Resonance};
 use crate::row::{Block, Clearance, Row, Verdict, Witness};

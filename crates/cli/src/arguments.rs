@@ -214,7 +214,7 @@ pub struct Certify {
     /// Write nothing; fail if the certificate is not what the code makes
     #[arg(long)]
     pub check: bool,
-    /// Folder for the certificate [default: certificate, or varied/certificate with --set]
+    /// Folder for the certificate [default: expected/certificate, or varied/certificate with --set]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
