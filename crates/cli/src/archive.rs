@@ -110,7 +110,10 @@ fn description(
             let FileDigest { path, bytes, sha256 } = FileDigest::of(with_slashes(&file.path), &file.content);
             all.push(reference(&path));
             match file.path.extension().and_then(|ending| ending.to_str()) {
-                Some("toml") => inputs.push(reference(&path)),
+                // Beside the parameters and descriptions there is the book's configuration.
+                Some("toml") if !(of_the_paper && file.path.starts_with("docs")) => {
+                    inputs.push(reference(&path));
+                }
                 Some("svg" | "csv" | "pdf" | "png" | "html" | "tex") => results.push(reference(&path)),
                 _ => {}
             }
