@@ -9,8 +9,8 @@ use crate::outcome::{Measure, Outcome};
 /// The kinds of misprints in the order of the page, with their headings.
 const KINDS: [(MisprintKind, &str); 4] = [
     (MisprintKind::Formula, "Formulas, conditions and statements"),
-    (MisprintKind::Observation, "An observation that is not so"),
-    (MisprintKind::Judged, "Judged as printed"),
+    (MisprintKind::Observation, "An observation that does not hold"),
+    (MisprintKind::Judged, "Missing or imprecise conditions and steps"),
     (MisprintKind::Wording, "Notation and wording"),
 ];
 

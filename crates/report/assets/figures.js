@@ -128,7 +128,7 @@ function setUpFigure(figure) {
       const box = element("input");
       box.type = "checkbox";
       box.addEventListener("change", () => (withHidden = box.checked));
-      label.append(box, "also inadmissible points, which are not drawn");
+      label.append(box, "include inadmissible points, which are not drawn");
       readout.before(label);
     });
     return loading;
@@ -152,7 +152,7 @@ function setUpFigure(figure) {
   const hint = () => {
     shown = null;
     mark(null);
-    const text = panels.length > 0 ? "Point at the figure to read values off it." : "A sketch without scales; it can be zoomed.";
+    const text = panels.length > 0 ? "Point at the figure to read values off it." : "A sketch without scales, which can be zoomed.";
     readout.replaceChildren(element("p", "hint", text));
   };
 

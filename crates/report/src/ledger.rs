@@ -32,12 +32,17 @@ pub(crate) fn link(label: &str) -> Html {
     Safe(format!("<a href=\"#{id}\"><code>{}</code></a>", escape(label)))
 }
 
-/// The filters of the claims: name, title and values.
-pub(crate) fn filters<'a>(report: &'a Report<'_>) -> [(&'static str, &'static str, Vec<&'a str>); 3] {
+/// A way to filter the claims: name, title, and values with the words for them.
+type Filter<'a> = (&'static str, &'static str, Vec<(&'a str, &'a str)>);
+
+/// By what the claims can be filtered.
+pub(crate) fn filters<'a>(report: &'a Report<'_>) -> [Filter<'a>; 3] {
     let kinds = distinct(report.claims.iter().map(|finding| finding.claim.kind.name()));
     let parts = distinct(report.claims.iter().map(|finding| part(&finding.claim.place)));
-    let states = vec!["passed", "failed", "unchecked", "misprint"];
-    [("kind", "Kind", kinds), ("part", "Section", parts), ("state", "Verdict", states)]
+    let states =
+        [("passed", "passed"), ("failed", "failed"), ("unchecked", "unchecked"), ("misprint", "erratum")];
+    let own = |words: Vec<&'a str>| words.into_iter().map(|word| (word, word)).collect();
+    [("kind", "Kind", own(kinds)), ("part", "Section", own(parts)), ("state", "Verdict", states.into())]
 }
 
 /// The words in the order in which they first occur.
@@ -54,7 +59,7 @@ fn distinct<'a>(words: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
 /// A measurement with the value that it is compared with.
 pub(crate) fn measured(measure: &Measure) -> Html {
     let (measured, against) = errata::words(measure);
-    Safe(format!("<b>{}</b>, held against {}", powers(&measured), powers(&against)))
+    Safe(format!("<b>{}</b>, required: {}", powers(&measured), powers(&against)))
 }
 
 /// Words, with the powers of numbers in scientific notation raised.
@@ -121,7 +126,7 @@ pub(crate) fn misprints<'a>(report: &'a Report<'_>) -> Vec<(&'a Finding<'a>, &'a
     let listed = report.claims.iter();
     let mut listed: Vec<_> =
         listed.filter_map(|finding| Some((finding, finding.claim.misprint.as_ref()?))).collect();
-    listed.sort_by_key(|(_, misprint)| misprint.measured() == Some(false));
+    listed.sort_by_key(|(_, misprint)| misprint.kind);
     listed
 }
 
@@ -136,15 +141,15 @@ mod tests {
     }
 
     #[test]
-    fn measurements_stand_beside_what_they_are_held_against() {
+    fn measurements_stand_beside_what_is_required_of_them() {
         for (measure, shown) in [
             (
                 Measure::Deviation { largest: 3.14e-15, tolerance: 1e-12 },
-                "<b>deviation 3.1 × 10<sup>−15</sup></b>, held against at most 1 × 10<sup>−12</sup>",
+                "<b>deviation 3.1 × 10<sup>−15</sup></b>, required: at most 1 × 10<sup>−12</sup>",
             ),
             (
                 Measure::Order { observed: 2.1, stated: 2.0, slack: 0.3 },
-                "<b>order 2.10</b>, held against order 2 − 0.3",
+                "<b>order 2.10</b>, required: order 2 − 0.3",
             ),
         ] {
             assert_eq!(measured(&measure).0, shown);

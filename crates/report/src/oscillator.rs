@@ -172,7 +172,7 @@ impl Tally {
                 let open = all - agreeing;
                 (
                     "misprint",
-                    format!("theorem and curves agree at {agreeing} of {all}, {open} not measurable"),
+                    format!("theorem and curves agree at {agreeing} of {all}; {open} not measurable"),
                 )
             }
         }

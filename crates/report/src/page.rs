@@ -67,7 +67,7 @@ impl Page<'_> {
             (!tables.is_empty(), "tables", "Tables"),
             (!(beyond.figures.is_empty() && beyond.tables.is_empty()), "beyond", "Beyond the paper"),
             (!claims.is_empty(), "claims", "Claims"),
-            (!claims.is_empty(), "misprints", "Misprints"),
+            (!claims.is_empty(), "misprints", "Errata"),
             (oscillators.len() == 1, "oscillators", "Oscillator"),
             (oscillators.len() > 1, "oscillators", "Oscillators"),
             (true, "manifest", "Manifest"),
