@@ -1,7 +1,7 @@
 // Access to the program: compiled to WebAssembly it runs in workers of this page, one for each open request. Aborting a
 // request ends its worker.
 
-export const LOST = "The program cannot be run in this browser, or its files did not come.";
+export const LOST = "The program cannot run in this browser, or its files could not be loaded.";
 
 document.documentElement.toggleAttribute("data-alone", true);
 

@@ -33,7 +33,7 @@ function control(constant) {
   const id = `constant-${name}`;
   const slider = make("input", { type: "range", id, min: 0, max: STEPS, step: 1, "aria-describedby": `${id}-range` });
   const field = make("input", { type: "text", inputmode: "decimal", "aria-label": `${name}, value`, autocomplete: "off", spellcheck: "false" });
-  const reset = make("button", { type: "button", class: "small reset", "aria-label": `${name} as in the file`, title: `As in the file: ${number(own, 6)}` }, "↺");
+  const reset = make("button", { type: "button", class: "small reset", "aria-label": `Reset ${name}`, title: `Reset to the file’s value, ${number(own, 6)}` }, "↺");
   const ends = make("span", { class: "ends", id: `${id}-range` });
   const why = make("p", { class: "why", role: "alert", hidden: true });
   const refuse = (words) => {
@@ -72,7 +72,7 @@ function control(constant) {
     typing = false;
     const value = Number(field.value.replace("−", "-").replace(",", "."));
     if (field.value.trim() !== "" && Number.isFinite(value)) set(value, false);
-    else refuse(`“${field.value}” is no number: ${name} is still ${number(state.get().set[name] ?? own, 6)}.`);
+    else refuse(`“${field.value}” is not a number; ${name} is still ${number(state.get().set[name] ?? own, 6)}.`);
   });
   reset.addEventListener("click", () => {
     set(own, false);

@@ -191,7 +191,7 @@ function legend(strands) {
   const entries = [
     ...numbers.map((p) => [line(loopsInk(p, ink), 2.4), loopsNames()[p]]),
     [line(ink.ink, 0.9), "unstable"],
-    [line(ink.ink, 0.9, "3 3", 0.6), "meets the wall in between"],
+    [line(ink.ink, 0.9, "3 3", 0.6), "hits the wall in between"],
     [line(ink.ink, 3, "none", FAINTEST), "simulated"],
   ];
   $("cut-legend").replaceChildren(...entries.map(([sample, word]) => make("li", {}, sample, word)));

@@ -87,7 +87,7 @@ export function stop() {
   latest.stop();
   rest.cancel();
   finish();
-  say("Stopped: what was found so far is shown.");
+  say("Stopped. What was found so far is shown.");
 }
 
 function request(value, coarse) {
@@ -171,7 +171,7 @@ const job = (body) => async (signal) => {
         diagram.measured = measured;
         computed = JSON.stringify(body);
         const curves = [...diagram.curves.values()].filter(({ source }) => source !== "quadratic").length;
-        summary = nothing ? `No grazing and no curve of an MPS in this view: ${nothing.replace(/-?\d+\.\d{4,}(e-?\d+)?/g, (digits) => number(Number(digits)))}.` : `${count(curves, "curve")} and ${count(diagram.points.length, "point")} in ${seconds < 0.995 ? `${Math.round(1000 * seconds)} ms` : `${number(seconds, 3)} s`}.`;
+        summary = nothing ? `No grazing and no MPS curve in this view: ${nothing.replace(/-?\d+\.\d{4,}(e-?\d+)?/g, (digits) => number(Number(digits)))}.` : `${count(curves, "curve")} and ${count(diagram.points.length, "point")} in ${seconds < 0.995 ? `${Math.round(1000 * seconds)} ms` : `${number(seconds, 3)} s`}.`;
         tell(summary);
       }
       list();
@@ -229,7 +229,7 @@ function legend() {
   const line = () => make("svg", { viewBox: "0 0 28 10", "aria-hidden": "true" }, make("path", { class: "own", d: "M1 5h26" }));
   const ring = () => make("svg", { class: "mark", viewBox: "0 0 14 12", "aria-hidden": "true" }, make("circle", { class: "ring", cx: 7, cy: 6, r: 3.4 }));
   const entries = [...own].map(([name, property]) => make("li", { title: property }, line(), name));
-  if (all.some(({ lost }) => lost?.some(Boolean))) entries.push(make("li", {}, ring(), "followed no further"));
+  if (all.some(({ lost }) => lost?.some(Boolean))) entries.push(make("li", {}, ring(), "could not be followed further"));
   $("own-legend").replaceChildren(...entries);
   drawSamples();
 }

@@ -21,7 +21,7 @@ export function tell(answer) {
   const callout = $("callout");
   callout.hidden = ok || !line;
   $("verdict").className = ok ? "good" : "bad";
-  $("verdict").textContent = ok ? "The file is right." : `${line ? `Line ${line}: ` : ""}${message}`;
+  $("verdict").textContent = ok ? "The file is valid." : `${line ? `Line ${line}: ` : ""}${message}`;
   $("go-to-mistake").hidden = ok || !line;
   if (ok || !line) {
     marks.replaceChildren(`${text}\n`);

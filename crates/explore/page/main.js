@@ -46,7 +46,8 @@ const COMMANDS = {
   leave: () => state.update({ place: null, kept: null, cut: null }),
   edit: () => state.update({ edit: !state.get().edit }),
   stop: diagram.stop,
-  share: share.open,
+  share: () => share.open(),
+  export: () => share.open("export"),
   help: () => $("help").showModal(),
 };
 
@@ -120,7 +121,7 @@ function taken(answer) {
   const names = ({ name, primary, secondary }) => JSON.stringify([name, primary.name, secondary.name]);
   if (model.description && names(model.description) !== names(answer)) diagram.clear();
   model.setDescription(answer);
-  document.title = `${answer.name} – grazing explore`;
+  document.title = `${answer.name} – grazing explorer`;
   $("plane").setAttribute("aria-label", `Bifurcation diagram of ${answer.name}: ${answer.primary.name} across, ${answer.secondary.name} up`);
   const value = state.get();
   const key = JSON.stringify([model.textOf(value)]);
@@ -164,7 +165,7 @@ async function start() {
   state.subscribe(follow);
   const known = state.fromAddress();
   $("warning").hidden = known;
-  $("warning").textContent = known ? "" : "What follows # in the address could not be read: it may have been cut short. The paper’s oscillator is shown.";
+  $("warning").textContent = known ? "" : "The part of the address after # could not be read; it may have been cut off. The paper’s oscillator is shown.";
   if (described === "" && !state.get().text && !state.get().example) editor.check(model.modelOf(state.get()));
 }
 

@@ -90,7 +90,7 @@ export function list(anew = false) {
   for (const name of ["marks", "table", "against", "outside"]) $(`measured-${name}`).hidden = !told || wrong !== "";
   if (!told || wrong) return;
   const kinds = Object.keys(SHAPES).filter((kind) => told.points.some((point) => point.kind === kind));
-  const entries = [...kinds.map((kind) => [sample(kind, "agrees"), kind]), [sample(kinds[0] ?? "no impacts", "disagrees"), "otherwise than computed"], [sample(kinds[0] ?? "no impacts", "undecided"), "not decided"]];
+  const entries = [...kinds.map((kind) => [sample(kind, "agrees"), kind]), [sample(kinds[0] ?? "no impacts", "disagrees"), "disagrees"], [sample(kinds[0] ?? "no impacts", "undecided"), "undecided"]];
   $("measured-marks").replaceChildren(...entries.map((entry) => make("li", {}, ...entry)));
   const heads = ["region", "p", "all", "agree", "within error", "disagree", "undecided"];
   const rows = told.counts.map(({ region, kind, p, counts }) => make("tr", {}, ...[region ? `${region}: ${kind === "mps" ? "MPS" : kind}` : kind, kind === "none" ? "–" : p, ...counts].map((cell) => make("td", {}, String(cell)))));
@@ -99,7 +99,7 @@ export function list(anew = false) {
   const items = against.slice(0, LISTED).map(({ line, seen, reason }) => make("li", {}, `Line ${line}, ${seen}: ${reason}`));
   const more = against.length > LISTED ? [make("li", {}, `and ${against.length - LISTED} more`)] : [];
   $("measured-against").replaceChildren(...items, ...more);
-  $("measured-outside").textContent = told.outside ? `${count(told.outside, "measurement")} outside what is seen.` : "";
+  $("measured-outside").textContent = told.outside ? `${count(told.outside, "measurement")} outside the view.` : "";
 }
 
 async function open(file) {

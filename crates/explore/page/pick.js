@@ -86,7 +86,7 @@ export function tellOf(runs, ends, [x, y], place, to) {
   if (measured) return measured;
   if (near) return (near.kind === "resonance" ? "resonance" : `${near.kind} point`) + loops(near);
   const end = ends.find(({ at }) => Math.hypot(to(at)[0] - x, to(at)[1] - y) < 6);
-  if (end) return `followed no further: ${end.why}`;
+  if (end) return `could not be followed further: ${end.why}`;
   const curve = curveAt(runs, x, y);
   if (curve) return curve.tells ?? `${curve.source === "quadratic" ? `quadratic ${curve.kind}` : curve.name ? `${curve.name}, ${curve.property}` : LOOKS[curve.kind].meaning}${loops(curve)}${along(curve, [x, y], to)}`;
   const undecided = diagram.regions.find(({ kind, rings }) => kind === "undecided" && lies(place, rings));

@@ -86,11 +86,11 @@ class Card {
     const picture = (name, label) => (this[name] = make("canvas", { class: `picture ${name}`, role: "img", "aria-label": label }));
     this.pictures = make("div", { class: "pictures" }, picture("time", "Time series"), picture("phase", "Phase portrait"), picture("strikes", "Impacts by phase and velocity"));
     this.table = make("tbody");
-    const heads = [[make("i", {}, "p"), "Loops; press to draw"], ["velocity", "Velocity of the impact"], ["multipliers", "Floquet multipliers"], ["stable", ""], ["admissible", "Whether the orbit keeps clear of the wall between impacts"]];
+    const heads = [[make("i", {}, "p"), "Loops; press to draw"], ["velocity", "Impact velocity"], ["multipliers", "Floquet multipliers"], ["stable", ""], ["admissible", "Whether the orbit stays clear of the wall between impacts"]];
     const head = make("tr", {}, ...heads.map(([word, title]) => make("th", { scope: "col", title: title || null }, word)));
     this.solutions = make("div", { class: "scroll" }, make("table", {}, make("caption", {}, "Maximal periodic solutions"), make("thead", {}, head), this.table));
     this.follows = make("p", { class: "row", hidden: true });
-    this.hint = make("p", { class: "muted", hidden: true }, "Followed from the place before; all is looked for when it rests.");
+    this.hint = make("p", { class: "muted", hidden: true }, "Followed from the previous place; a full search starts when the place rests.");
     this.body = make("div", { class: "card-body" }, this.pictures, this.attractors, this.hint, this.solutions, this.follows);
     this.element = make("article", { class: `place ${this.key}`, "aria-label": kept ? "Kept place" : "Place", hidden: true }, make("header", {}, make("div", {}, this.at, this.short), action), this.on, this.message, this.body);
     $("places").append(this.element);
@@ -210,11 +210,11 @@ class Card {
       const share = make("span", { class: "share" });
       share.style.width = `${100 * each.share}%`;
       share.style.background = inks[index];
-      const rates = each.kind === "non-impacting" ? [] : [`${number(each.impacts, 3)} ${each.impacts === 1 ? "impact" : "impacts"} a period`];
+      const rates = each.kind === "non-impacting" ? [] : [`${number(each.impacts, 3)} ${each.impacts === 1 ? "impact" : "impacts"} per period`];
       const sure = each.exponent_error > 0 ? ` ± ${number(each.exponent_error, 1)}` : "";
       const exponent = each.exponent === null ? [] : [rates.length ? " · " : "", make("span", { title: "Displacements grow like exp(λt)" }, "largest Lyapunov exponent ", make("i", {}, "λ"), ` = ${number(each.exponent, 3)}${sure}${description.units.time ? ` / ${description.units.time}` : ""}`)];
-      const on = each.kind === "unsettled" ? [" ", make("button", { type: "button", class: "small", title: "Follow it four times as long", onclick: () => this.goOn(4 * each.waited) }, "Go on")] : [];
-      return make("li", {}, swatch, make("span", { class: "name" }, nameOf(each)), make("b", { title: "Share of the states that end there" }, percent(each.share)), make("span", { class: "track", "aria-hidden": "true" }, share), make("span", { class: "detail" }, ...rates, ...exponent, ...on));
+      const on = each.kind === "unsettled" ? [" ", make("button", { type: "button", class: "small", title: "Follow it for four times as long", onclick: () => this.goOn(4 * each.waited) }, "Continue")] : [];
+      return make("li", {}, swatch, make("span", { class: "name" }, nameOf(each)), make("b", { title: "Share of the initial states that reach it" }, percent(each.share)), make("span", { class: "track", "aria-hidden": "true" }, share), make("span", { class: "detail" }, ...rates, ...exponent, ...on));
     });
     this.attractors.replaceChildren(...(rows.length ? rows : [make("li", {}, "No attractor was found.")]));
     const mark = (yes) => make("td", { class: yes ? "good" : "muted" }, yes ? "yes" : "no");
@@ -281,7 +281,7 @@ class Card {
   announce(at) {
     const { attractors, solutions } = this.answer;
     const names = [description.primary, description.secondary].map((axis, index) => `${axis.name} ${number(at[index], 4)}`);
-    const found = attractors.map((each) => `${nameOf(each)}, ${percent(each.share)} of states`).join("; ");
+    const found = attractors.map((each) => `${nameOf(each)}, ${percent(each.share)} of the states`).join("; ");
     const mps = solutions.filter(({ p, stable, admissible }) => p > 0 && stable && admissible).map(({ p }) => p);
     speak(`At ${names.join(", ")}: ${found || "no attractor"}. ${mps.length ? `Stable and admissible: p = ${mps.join(", ")}.` : "No MPS is stable and admissible."}`);
   }

@@ -1,5 +1,5 @@
 // Access to the program: the server that this page came from.
 
-export const LOST = "The program does not answer. Is `grazing explore` still running?";
+export const LOST = "The program does not respond. Is `grazing explore` still running?";
 
 export const reach = (path, options) => fetch(`./${path}`, options);

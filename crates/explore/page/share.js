@@ -53,7 +53,7 @@ async function copy(text, button) {
     await navigator.clipboard.writeText(text);
     button.textContent = "Copied";
   } catch {
-    button.textContent = "Select and copy it";
+    button.textContent = "Select it to copy";
   }
   setTimeout(() => (button.textContent = before), 1500);
 }
@@ -101,13 +101,14 @@ async function takeSeen(name, kind) {
   $("share-status").textContent = "Saved.";
 }
 
-export function open() {
+/** Opens the dialog, at its beginning or at one of its parts. */
+export function open(part = null) {
   const value = state.get();
   for (const row of $("seen-list").children) row.hidden = !isSeen(row.dataset.name);
   for (const row of $("print-list").children) row.hidden = !FIGURES[row.dataset.name].wanted();
   $("address").value = location.origin + location.pathname + state.encode(value);
   const line = command(value);
-  $("command").textContent = line ?? "There is none: a name in the address holds characters that are no text.";
+  $("command").textContent = line ?? "None: a name in the address contains characters that are not text.";
   $("copy-command").disabled = line === null;
   $("own-text").hidden = textOf(value) === null;
   $("save-text").textContent = `Save ${exampleOf(value)?.file ?? "oscillator.toml"}`;
@@ -115,6 +116,7 @@ export function open() {
   const told = Object.entries(value.set).map(([name, number]) => `${plain(namePieces(name))} = ${number}`);
   $("share-what").textContent = [description.name, ...told].join(", ");
   $("share").showModal();
+  if (part) $(part).focus();
 }
 
 export function attach() {

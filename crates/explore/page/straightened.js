@@ -44,7 +44,7 @@ const follow = rested(250, () => {
   document.querySelector('[data-command="straighten"]').setAttribute("aria-pressed", on);
   $("straightened").hidden = !on;
   if (!on) return latest.stop();
-  if (!found) return asked === "" && tell("No resonance at which a theorem holds is in view.");
+  if (!found) return asked === "" && tell("The view contains no resonance at which a theorem holds.");
   const { p, n, primary, secondary } = found;
   const key = JSON.stringify([modelOf(value), p, n]);
   if (key === asked) return;

@@ -102,7 +102,7 @@ pub fn answer(
     stop: &Stop,
 ) -> Result<(&'static str, Vec<u8>), (u16, String)> {
     let answered = || {
-        let read = reader(name).ok_or_else(|| Problem::new(404, "there is nothing here"))?;
+        let read = reader(name).ok_or_else(|| Problem::new(404, "not found"))?;
         match read(body).map_err(|error| Problem::unread(&error))? {
             Asked::One(_, compute) => Ok((JSON, compute(stop)?.to_string().into_bytes())),
             Asked::File(request) => {

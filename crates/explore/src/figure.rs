@@ -151,6 +151,7 @@ fn straightened(of: Prepared, at: [f64; 2], progress: &dyn Progress) -> Result<S
         (to[0] - from[0]).abs() + (to[1] - from[1]).abs()
     };
     let nearest = diagram.unfolding().min_by(|a, b| far(a).total_cmp(&far(b)));
-    let nearest = nearest.ok_or_else(|| Problem::wrong("there is no resonance at which a theorem holds"))?;
+    let nearest =
+        nearest.ok_or_else(|| Problem::wrong("the ranges contain no resonance at which a theorem holds"))?;
     Ok(straightened_at(&axes, &diagram, nearest))
 }

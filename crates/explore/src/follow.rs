@@ -37,7 +37,7 @@ pub(crate) fn compute(request: &FollowRequest, stop: &Stop) -> Result<Value, Pro
     let near = Unknowns::new(velocity / units.velocity(), phase, primary, secondary);
     let known = scope.loops.contains(&p) && scope.window.contains([primary, secondary]);
     if !(known && near.iter().all(|number| number.abs() <= FARTHEST)) {
-        return Err(Problem::wrong("there is no such solution in the view"));
+        return Err(Problem::wrong("the view contains no such solution"));
     }
     let equations = LoopEquations::new(oscillator, p, Formulation::FixedPhase);
     let (here, mut times) =

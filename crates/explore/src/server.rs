@@ -156,9 +156,9 @@ const HEAD: usize = 16 * 1024;
 
 async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Response<Body>, Problem> {
     if !guard::is_own(request.headers(), shared.port) {
-        return Err(Problem::new(403, "this page may not ask here"));
+        return Err(Problem::new(403, "requests from this page are not allowed"));
     }
-    let nothing = || Problem::new(404, "there is nothing here");
+    let nothing = || Problem::new(404, "not found");
     let path = request.uri().path().to_owned();
     let rest = shared.token.rest(&path).ok_or_else(nothing)?;
     if request.method() == Method::GET {
@@ -171,12 +171,12 @@ async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Res
         };
     }
     if request.method() != Method::POST {
-        return Err(Problem::new(405, "GET and POST are understood"));
+        return Err(Problem::new(405, "only GET and POST are allowed"));
     }
     // Forms of foreign pages cannot send this type.
     let json = request.headers().get(CONTENT_TYPE).is_some_and(|kind| kind == asked::JSON);
     if !json {
-        return Err(Problem::new(415, "requests are application/json"));
+        return Err(Problem::new(415, "requests must be application/json"));
     }
     let read = asked::reader(rest).ok_or_else(nothing)?;
     let body = body(shared, request).await?;
@@ -199,7 +199,7 @@ async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Res
 async fn body(shared: &Shared, request: Request<Incoming>) -> Result<Bytes, Problem> {
     let Limits { body: most, patience, .. } = shared.turns.limits;
     let collected = timeout(patience, Limited::new(request.into_body(), most).collect()).await;
-    let late = |_| Problem::new(408, "the request did not come in time");
+    let late = |_| Problem::new(408, "the request did not arrive in time");
     let large = |_| Problem::new(413, "the request is too large");
     Ok(collected.map_err(late)?.map_err(large)?.to_bytes())
 }

@@ -117,9 +117,9 @@ fn the_browser_is_started_with_a_page_that_leads_to_the_address_and_nobody_else_
     assert!(!Path::new(&page).exists());
 }
 
-/// Exports from the page: the figure in three formats, and the curves, which are those that the
-/// copied command writes.
-fn taken_home(page: &mut Browser, stem: &str, figure: &str, curves: &str) {
+/// What is exported of the page as it is: the figure in three formats, and the curves, which are
+/// those that the copied command writes.
+fn exported(page: &mut Browser, stem: &str, figure: &str, curves: &str) {
     let home = empty_folder();
     page.permit(home.path());
     page.value("document.getElementById('plane').focus()");
@@ -163,7 +163,7 @@ fn taken_home(page: &mut Browser, stem: &str, figure: &str, curves: &str) {
 }
 
 #[test]
-fn what_is_taken_home_from_the_page_is_what_the_copied_command_writes() {
+fn what_is_exported_from_the_page_is_what_the_copied_command_writes() {
     let (server, address) = Serving::new(&repository());
     if let Some(mut page) = Browser::open(&address, [1200, 850]) {
         let whole =
@@ -171,15 +171,15 @@ fn what_is_taken_home_from_the_page_is_what_the_copied_command_writes() {
         page.wait(whole);
         page.value("use('state').then(([s]) => s.update({set: {zeta: 0.03}, view: {primary: [0.2, 0.9], secondary: [0.5, 0.95]}}))");
         let named = page.wait("use('model').then(([m]) => m.description.name)");
-        taken_home(&mut page, &stem(&named), "fig07", "fig07_curves");
-        // An example, with one number of loops to save time.
+        exported(&mut page, &stem(&named), "fig07", "fig07_curves");
+        // An example, with one number of loops so that it is soon there.
         page.value(
             "use('model', 'state').then(([m, s]) => { m.choose('duffing.toml'); s.update({set: {kappa: 0.12}, loops: [1], \
              view: {primary: [0.2, 0.5], secondary: [0.9, 1.05]}}); })",
         );
         let named =
             page.wait("use('model').then(([m]) => /Duffing/.test(m.description.name) && m.description.name)");
-        taken_home(&mut page, &stem(&named), "diagram", "curves");
+        exported(&mut page, &stem(&named), "diagram", "curves");
     }
     assert_eq!(server.interrupted(), Some(0));
 }

@@ -44,7 +44,7 @@ pub(super) fn file(sheet: Sheet) -> Result<Response<Body>, Problem> {
     let Sheet { name, kind, content } = sheet;
     let mut response = of_kind(kind, content);
     let disposition = HeaderValue::from_str(&format!("attachment; filename=\"{name}\""))
-        .map_err(|_| Problem::wrong("the file has no name"))?;
+        .map_err(|_| Problem::wrong("the file name is not valid"))?;
     response.headers_mut().insert(CONTENT_DISPOSITION, disposition);
     Ok(response)
 }

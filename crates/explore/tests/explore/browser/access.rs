@@ -113,7 +113,7 @@ fn light_and_dark_follow_the_system_and_the_button() {
 }
 
 #[test]
-fn all_that_is_seen_is_taken_home_as_picture_and_numbers() {
+fn all_that_is_seen_is_exported_as_picture_and_numbers() {
     let server = Running::new();
     let Some(mut page) = server.open(DESK) else { return };
     let at = super::spot(&mut page, [0.9, 0.8]);
@@ -123,7 +123,8 @@ fn all_that_is_seen_is_taken_home_as_picture_and_numbers() {
     page.wait(CUT);
     let home = tempfile::tempdir().unwrap();
     page.permit(home.path());
-    page.click("[data-command=share]", [0.0, 0.0]);
+    page.click("[data-command=export]", [0.0, 0.0]);
+    assert_eq!(page.value("document.activeElement.id"), "export");
     let stem = page.value("use('model').then(([m]) => m.description.name)");
     let stem = stem.as_str().unwrap().to_lowercase().replace(|c: char| !c.is_ascii_alphanumeric(), "-");
     for (name, header) in [
@@ -290,7 +291,7 @@ fn no_command_is_offered_that_carries_more_than_text_into_a_shell() {
 }
 
 #[test]
-fn on_a_phone_address_and_numbers_are_taken_home() {
+fn on_a_phone_the_view_is_shared_and_numbers_are_exported() {
     let server = Running::new();
     let Some(mut page) = server.open(PHONE) else { return };
     let home = tempfile::tempdir().unwrap();

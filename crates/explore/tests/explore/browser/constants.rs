@@ -201,7 +201,7 @@ fn constants_are_moved_by_keys_typed_and_taken_back() {
         (state(&mut page, "set.zeta"), page.value(&format!("{field}.className"))),
         (0.05.into(), "bad".into())
     );
-    page.wait(&format!("/^“many” is no number: zeta is still 0.05/.test({why})"));
+    page.wait(&format!("/^“many” is not a number; zeta is still 0.05/.test({why})"));
     page.value(&format!("({field}.focus(), {field}.select())"));
     page.write("2");
     page.press("Enter");

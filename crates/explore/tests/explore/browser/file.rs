@@ -58,7 +58,7 @@ fn mistakes_are_marked_under_the_character_in_the_words_of_the_command_line() {
     page.click("#go-to-mistake", [0.0, 0.0]);
     assert_eq!(page.value("(() => { const t = document.getElementById('text'); return t.value.slice(t.selectionStart, t.selectionEnd); })()"), "kazppa");
     page.write("kappa");
-    page.wait(&format!("{VERDICT} === 'The file is right.'"));
+    page.wait(&format!("{VERDICT} === 'The file is valid.'"));
     page.wait(&format!("{FADED}.then((faded) => !faded)"));
     // Another value of a constant gives another diagram, of the user's own file.
     page.value("(() => { const t = document.getElementById('text'); const at = t.value.indexOf('kappa = 0.1') + 8; t.setSelectionRange(at, at + 3); })()");
