@@ -1,16 +1,16 @@
 """Resonant grazing bifurcations of impact oscillators.
 
-An oscillator moves as x'' = F(x, v, t) with v = x', and at its wall, x = 0 unless told otherwise, velocity and phase z = omega*t
-of an impact become y -> -Phi(y, z)*y, z -> z + Psi(y, z)*y. Its motion is forced with frequency omega and depends on two
+An oscillator moves as x'' = F(x, v, t) with v = x'. At its wall, x = 0 by default, velocity and phase z = omega*t
+of an impact change as y -> -Phi(y, z)*y, z -> z + Psi(y, z)*y. Its motion is forced with frequency omega and depends on two
 parameters: the primary one, mu, brings it to the wall, and the secondary one, eta, is varied along the curve of grazing
 bifurcations. A maximal periodic solution (MPS) with p loops hits the wall once in p forcing periods.
 
 >>> import grazing
 >>> diagram = grazing.Oscillator.paper(zeta=0.02, epsilon=0.9).diagram(primary=(0, 1.2), secondary=(0.3, 1.1))
 >>> curves = diagram["curves"].to_polars()      # or .to_pandas(), pyarrow.table(...), polars.DataFrame(...)
->>> diagram.plot(matplotlib.pyplot.gca())       # in a notebook the diagram shows itself
+>>> diagram.plot(matplotlib.pyplot.gca())       # a notebook displays the diagram by itself
 
-Everything is computed by what the command line `grazing` computes with, to the same bits, and what is wrong is said in its words.
+All results are bit for bit those of the command line `grazing`, and errors have its wording.
 """
 
 from __future__ import annotations
@@ -28,20 +28,20 @@ from ._trace import expression
 __all__ = ["Figure", "Oscillator", "Results", "Table", "outputs", "reproduce"]
 
 Range = tuple[float, float]
-#: Text, a number, or a function that is traced: see :class:`Oscillator`.
+#: Text, a number, or a function to trace: see :class:`Oscillator`.
 Expression = Union[str, float, Callable[..., Any]]
-#: Hears how far work has come, as progress(what, done, all); True draws bars with tqdm.
+#: Called as progress(what, done, all) while a computation runs; True shows tqdm progress bars.
 Progress = Union[Callable[[str, int, int], None], bool, None]
 
 
 class Figure(str):
-    """A figure as SVG, which shows itself in a notebook."""
+    """A figure as SVG, displayed by notebooks."""
 
     def _repr_svg_(self) -> str:
         return str(self)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the SVG into a file."""
+        """Writes the SVG to a file."""
         with open(path, "w", encoding="utf-8", newline="") as file:
             file.write(self)
 
@@ -49,13 +49,13 @@ class Figure(str):
 class Results(Mapping[str, Table]):
     """Tables by name (``results["curves"]`` or ``results.curves``) and figures (``results.figures``).
 
-    ``print(results)`` prints what the command line does, and ``results.missing`` says what was not found or not finished, or
-    contradicts the theorems; it is warned of, too.
+    ``print(results)`` prints what the command line does. ``results.missing`` lists what was not found or not finished, or
+    contradicts the theorems; each entry is also issued as a warning.
     """
 
     def __init__(self, found: _grazing.Results) -> None:
         self._tables = {table.name: table for table in found.tables}
-        #: The names of primary and secondary parameter, which head their columns.
+        #: Names of the primary and secondary parameter, and of their columns.
         self.names: tuple[str, str] = tuple(found.names)  # type: ignore[assignment]
         self.listing: str = found.listing
         self.missing: list[str] = list(found.missing)
@@ -93,10 +93,10 @@ class Results(Mapping[str, Table]):
         return None if wanted is None else str(wanted)
 
     def plot(self, ax: Any = None) -> Any:
-        """Draws the diagram, one-parameter diagram or motion into axes of matplotlib, which it gives back.
+        """Draws the diagram, one-parameter diagram or motion into matplotlib axes, and returns these.
 
-        Solid curves are coloured by their kinds; grey: where an MPS is stable; triangles: resonances. Numbers on the axes are in
-        the units of the oscillator.
+        Curves are coloured by kind; grey: an MPS is stable; triangles: resonances. The axes are in
+        the oscillator's units.
         """
         return _plot.plot(self, ax)
 
@@ -109,13 +109,13 @@ class Oscillator:
 
     force        F(x, v, t), acceleration: x'' = F
     frequency    omega, the forcing frequency in radians per time
-    restitution  Phi(y, z) > 0: an impact with velocity y at phase z leaves with velocity -Phi*y
+    restitution  Phi(y, z) > 0: after an impact with velocity y at phase z the velocity is -Phi*y
     duration     Psi(y, z), in radians per velocity: z -> z + Psi*y
     wall, side   position of the wall, which may depend on t, and whether motion is "below" or "above" it
-    mass         what hits the wall, for impulses, forces and power
+    mass         mass that hits the wall, for impulses, forces and power
 
-    Each is text, a number, or a function whose arguments are named as the text would name them: it is called once, with symbols,
-    and becomes text. Functions of numpy may stand in it (numpy.sin, not math.sin); what cannot become text is refused.
+    Each is text, a number, or a function whose arguments have the names that the text would use. A function is called once, with
+    symbols, to obtain the text. It may use numpy functions (numpy.sin, not math.sin); what has no text form raises TypeError.
     """
 
     def __init__(
@@ -151,7 +151,7 @@ class Oscillator:
 
     @classmethod
     def from_toml(cls, source: str | os.PathLike[str], **constants: float) -> Oscillator:
-        """The oscillator of a text file, or of such a text, with other values of its constants."""
+        """The oscillator from a text file, or from such a text, with other values for constants."""
         text = source if isinstance(source, str) and ("=" in source or "\n" in source) else None
         if text is not None:
             return cls.__new__(cls)._set(text, "oscillator.toml", constants)
@@ -161,7 +161,7 @@ class Oscillator:
     def paper(cls, zeta: float, epsilon: float) -> Oscillator:
         """The paper's oscillator, x'' = -2*zeta*x' - x - 1 + amplitude*cos(omega*t), whose motion is known in closed form.
 
-        zeta: damping ratio, 0 < zeta < 1. epsilon: coefficient of restitution, epsilon > 0. Both without dimensions, as all else.
+        zeta: damping ratio, 0 < zeta < 1. epsilon: coefficient of restitution, epsilon > 0. Everything is dimensionless.
         """
         return cls.__new__(cls)._set(None, "the paper's oscillator", {"zeta": zeta, "epsilon": epsilon})
 
@@ -176,7 +176,7 @@ class Oscillator:
 
     @property
     def text(self) -> str | None:
-        """Its file; none for the paper's oscillator."""
+        """The text of its file; None for the paper's oscillator."""
         return self._text
 
     def __repr__(self) -> str:
@@ -190,7 +190,7 @@ class Oscillator:
         loops: Sequence[int] | None = None,
         progress: Progress = None,
     ) -> Results:
-        """The two-parameter diagram in these ranges, with all that ``grazing unfold`` computes.
+        """The two-parameter diagram in these ranges, with everything that ``grazing unfold`` computes.
 
         Tables, among others: ``curves`` of bifurcations (SN, PD, GZ, NS; graz: of the non-impacting solution), ``points``,
         ``regions`` where an MPS is stable, ``coefficients`` (mu = mu_graz(eta) + c_SN*(eta - eta*)^2 + ...), ``hypotheses`` of
@@ -203,9 +203,9 @@ class Oscillator:
             return Results(self._model(loops).diagram(view, heard))
 
     def resonances(self, *, loops: Sequence[int] | None = None, progress: Progress = None) -> Table:
-        """The resonances at which Theorem 2.4 (p = 1) or 2.5 holds, with c_SN and c_PD by theorem and as measured.
+        """The resonances at which Theorem 2.4 (p = 1) or 2.5 holds, with c_SN and c_PD by the theorem and as measured.
 
-        They are the table ``coefficients`` of :meth:`diagram`; what fails elsewhere stands in its table ``hypotheses``.
+        This is the table ``coefficients`` of :meth:`diagram`; hypotheses that fail elsewhere are in its table ``hypotheses``.
         """
         return self.diagram(loops=loops, progress=progress)["coefficients"]
 
@@ -219,23 +219,23 @@ class Oscillator:
         loops: Sequence[int] | None = None,
         progress: Progress = None,
     ) -> Results:
-        """The one-parameter diagram with one of the two parameters held and the other in a range.
+        """The one-parameter diagram with one parameter fixed and the other in a range.
 
         ordinate: "x" (on the Poincare section), "impact velocity", "peak to peak"; "impulse", "mean force" or "power" with a mass.
         """
         if (primary is None) == (secondary is None):
-            raise ValueError("one of primary and secondary is held, the other one varies: give a value for that alone")
+            raise ValueError("give a value for exactly one of primary and secondary; the other one varies")
         held, at = ("primary", primary) if secondary is None else ("secondary", secondary)
         across = range or self._axes[held == "primary"][1]
         line = {"fixed": held, "at": float(at), "range": [float(end) for end in across], "ordinate": ordinate}  # type: ignore[arg-type]
         return self._seen({"cut": line}, loops, progress)
 
     def at(self, place: Range, *, loops: Sequence[int] | None = None, progress: Progress = None) -> Results:
-        """What motion comes to at (primary, secondary): attractors, periodic solutions, basins of attraction."""
+        """Long-term behaviour at (primary, secondary): attractors, periodic solutions, basins of attraction."""
         return self._seen({"place": [float(value) for value in place]}, loops, progress)
 
     def straightened(self, near: Range, *, loops: Sequence[int] | None = None, progress: Progress = None) -> Results:
-        """The curves that leave the resonance nearest to a place, as (mu - mu_graz)/eta^2 against eta."""
+        """The curves that leave the resonance nearest to a place, as (mu - mu_graz)/eta^2 as a function of eta."""
         return self._seen({"straightened": [float(value) for value in near]}, loops, progress)
 
     def _seen(self, wanted: Mapping[str, Any], loops: Sequence[int] | None, progress: Progress) -> Results:
@@ -243,9 +243,9 @@ class Oscillator:
             return Results(self._model(loops).seen(json.dumps(wanted), heard))
 
     def simulate(self, place: Range, *, x: float, v: float, t: float = 0.0, periods: float = 50.0) -> Results:
-        """Motion at (primary, secondary) from position x and velocity v at time t on, for so many forcing periods.
+        """Motion at (primary, secondary) from position x and velocity v at time t, for a number of forcing periods.
 
-        As in all tables x is counted from the wall, x <= 0. Tables ``simulated_motion`` (t, x, y = x') and ``simulated_impacts``.
+        As in all tables, x is measured from the wall, x <= 0. Tables: ``simulated_motion`` (t, x, y = x') and ``simulated_impacts``.
         """
         at, start = [float(value) for value in place], [float(x), float(v), float(t)]
         return Results(self._model(None).simulated(at, start, float(periods)))
@@ -258,7 +258,7 @@ class Oscillator:
 
 
 def reproduce(name: str, settings: Mapping[str, Any] | None = None, *, progress: Progress = None) -> Results:
-    """A figure or table of the paper, or beyond it, as it stands in its folder ``figures/``: ``reproduce("fig07")``.
+    """A figure or table of the paper, or beyond it, as in the folder ``figures/``: ``reproduce("fig07")``.
 
     settings: values for keys of ``figures/parameters.toml``, as ``{"oscillator.zeta": 0.05}``. :func:`outputs` lists all names.
     """
@@ -268,7 +268,7 @@ def reproduce(name: str, settings: Mapping[str, Any] | None = None, *, progress:
 
 
 def outputs() -> dict[str, str]:
-    """What :func:`reproduce` computes: names, and what each shows."""
+    """The outputs of :func:`reproduce`: their names and what they show."""
     return dict(_grazing.outputs())
 
 

@@ -3,7 +3,7 @@ from typing import Any, Callable, Mapping, Optional, Sequence
 _Progress = Optional[Callable[[str, int, int], None]]
 
 class Table:
-    """A table: ``polars.DataFrame(table)`` and ``pyarrow.table(table)`` take its columns without copying them."""
+    """A table. ``polars.DataFrame(table)`` and ``pyarrow.table(table)`` use its columns without copying them."""
 
     @property
     def name(self) -> str: ...

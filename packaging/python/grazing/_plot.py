@@ -1,4 +1,4 @@
-"""Results drawn by matplotlib."""
+"""Plots of results with matplotlib."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from . import _grazing
 
 
 def _named(of: Any, name: str) -> Any:
-    """The table of a name; those of the paper's figures have names of their own."""
+    """The table with a name; tables of the paper's figures have a prefix."""
     return next((of[table] for table in of if table == name or table.endswith(f"_{name}") and table.startswith("fig")), None)
 
 
 def _pieces(table: Any, by: list[str], columns: list[str]) -> Any:
-    """Rows that follow each other with the same values of some columns: these values, and lists of other columns."""
+    """Consecutive rows with the same values in some columns: these values, and lists of other columns."""
     rows = zip(zip(*(table[name] for name in by)), zip(*(table[name] for name in columns)))
     for key, group in groupby(rows, key=lambda row: row[0]):
         yield key, [list(column) for column in zip(*(row[1] for row in group))]
@@ -25,7 +25,7 @@ def _colour(rgb: Any) -> tuple[float, ...]:
 
 
 def _round(ring: list[Any], hole: bool) -> list[Any]:
-    """The ring anticlockwise, a hole clockwise."""
+    """The ring in anticlockwise order, or clockwise for a hole."""
     area = sum(x * b - a * y for (x, y), (a, b) in zip(ring, ring[1:] + ring[:1]))
     return ring if (area > 0) != hole else ring[::-1]
 
@@ -51,7 +51,7 @@ def _plane(of: Any, curves: Any, ax: Any) -> None:
     across, up = of.names
     regions, points = _named(of, "regions"), _named(of, "points")
     for (_, kind), group in groupby(_pieces(regions, ["region", "kind", "ring"], [across, up]) if regions else [], key=lambda piece: piece[0][:2]):
-        # The first ring is the border, the others bound holes, which matplotlib leaves out where they go round the other way.
+        # The first ring is the outer boundary; the others bound holes, which matplotlib omits if their direction is opposite.
         rings = [_round(list(zip(*columns)), hole=number > 0) for number, (_, columns) in enumerate(group)]
         path = Path.make_compound_path(*(Path(ring + ring[:1], closed=True) for ring in rings))
         colour, opacity = inks[kind]
@@ -72,7 +72,7 @@ def _plane(of: Any, curves: Any, ax: Any) -> None:
 
 
 def _line(of: Any, branches: Any, ax: Any) -> None:
-    # The parameter that is held has one value.
+    # The fixed parameter has one value.
     across = next((name for name in of.names if len(set(branches[name])) > 1), of.names[0])
     for (*_, stable, admissible), columns in _pieces(branches, ["p", "branch", "loop", "stable", "admissible"], [across, "x"]):
         if admissible:

@@ -1,21 +1,21 @@
-"""Functions become text: they are called once with symbols that write down what is done with them."""
+"""Functions become text: they are called once, with symbols that record the operations on them."""
 
 from __future__ import annotations
 
 import inspect
 from typing import Any, Callable
 
-#: What expressions call otherwise than numpy does.
+#: Functions whose names in expressions differ from those in numpy.
 _OTHER_NAMES = {"arctan": "atan", "log": "ln", "absolute": "abs"}
 _OPERATORS = {"add": "+", "subtract": "-", "multiply": "*", "divide": "/", "true_divide": "/", "power": "^", "float_power": "^"}
-#: How firmly operators hold together; names, numbers and functions do most of all.
+#: Precedence of operators; names, numbers and functions have the highest.
 _LEVELS = {"+": 1, "-": 1, "*": 2, "/": 2, "^": 3}
 _ATOM = 4
-_WAY_OUT = 'write it as text, as "-x - 1 + A*cos(omega*t)"'
+_WAY_OUT = 'write it as text, such as "-x - 1 + A*cos(omega*t)"'
 
 
 class Symbol:
-    """A value that is known by how it is computed: text, and how firmly its parts hold together."""
+    """A value represented by its expression: the text, and the precedence of its outermost operator."""
 
     __slots__ = ("level", "text")
 
@@ -47,7 +47,7 @@ class Symbol:
         raise TypeError(f"a function of math, or float(), needs a number, and got the symbol {self.text}: use numpy's function, or {_WAY_OUT}")
 
     def __bool__(self) -> bool:
-        raise TypeError(f"what depends on whether {self.text} is true cannot become an expression: {_WAY_OUT}")
+        raise TypeError(f"a condition on {self.text} cannot become an expression: {_WAY_OUT}")
 
     def _compared(self, other: Any) -> Any:
         raise TypeError(f"a comparison with {self.text} cannot become an expression: {_WAY_OUT}")
@@ -61,7 +61,7 @@ def _text(value: Any) -> str:
 
 
 def _part(value: Any, least: int, right: bool) -> str:
-    """An operand, in parentheses where it would come apart otherwise; what comes out first is what Python computes first."""
+    """An operand, in parentheses where precedence requires them, so that the order of evaluation is Python's."""
     text = _text(value)
     level = value.level if isinstance(value, Symbol) else _LEVELS["*"] if text.startswith("-") else _ATOM
     return f"({text})" if level < least or (right and text.startswith("-")) else text
@@ -78,7 +78,7 @@ for _method, _operator in {"add": "+", "sub": "-", "mul": "*", "truediv": "/", "
 
 
 def expression(value: Any, key: str) -> str:
-    """Text of an expression, from text, a number or a function."""
+    """The text of an expression, from text, a number or a function."""
     if isinstance(value, str):
         return value
     if not callable(value):
@@ -90,11 +90,11 @@ def _traced(function: Callable[..., Any], key: str) -> str:
     try:
         names = inspect.signature(function).parameters.values()
     except (TypeError, ValueError):
-        raise TypeError(f"{key}: the arguments of {function!r} cannot be seen: {_WAY_OUT}") from None
+        raise TypeError(f"{key}: the arguments of {function!r} cannot be inspected: {_WAY_OUT}") from None
     if any(one.kind in (one.VAR_POSITIONAL, one.VAR_KEYWORD) for one in names):
         raise TypeError(f"{key}: a function must name its arguments, x, v, t, parameters and constants: {_WAY_OUT}")
     try:
-        # Arguments that have a value already are numbers.
+        # Arguments with a default value are numbers.
         return _text(function(**{one.name: Symbol(one.name) for one in names if one.default is one.empty}))
     except TypeError as error:
         raise TypeError(f"{key}: {error}") from error

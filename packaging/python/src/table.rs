@@ -11,9 +11,9 @@ use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 use pyo3::types::{PyCapsule, PyList};
 
-/// A table: ``polars.DataFrame(table)`` and ``pyarrow.table(table)`` take its columns without copying them.
+/// A table. ``polars.DataFrame(table)`` and ``pyarrow.table(table)`` use its columns without copying them.
 ///
-/// ``table["omega"]`` is a column as a list. Cells without a value are null, and NaN in lists.
+/// ``table["omega"]`` is a column as a list. Cells without a value are null in frames and NaN in lists.
 #[pyclass(frozen, module = "grazing")]
 pub(crate) struct Table {
     rows: Rows,
@@ -89,12 +89,12 @@ impl Table {
         PyCapsule::new_with_value(py, stream, c"arrow_array_stream")
     }
 
-    /// The table as ``polars.DataFrame``.
+    /// The table as a ``polars.DataFrame``.
     fn to_polars<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         slf.py().import("polars")?.call_method1("DataFrame", (slf,))
     }
 
-    /// The table as ``pandas.DataFrame``, by way of pyarrow.
+    /// The table as a ``pandas.DataFrame``, through pyarrow.
     fn to_pandas<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         slf.py().import("pyarrow")?.call_method1("table", (slf,))?.call_method0("to_pandas")
     }
