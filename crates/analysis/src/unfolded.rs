@@ -319,7 +319,7 @@ tables! {
     AlongGrazing {
         grazing: GrazingRow = "grazing",
             "a point of the grazing curve, with the grazing orbit and the Poincaré map around it",
-        grazing_loops: GrazingLoopRow = "grazing_loops", "such a point and a p, with what depends on p",
+        grazing_loops: GrazingLoopRow = "grazing_loops", "a point of the grazing curve and a p, with the quantities that depend on p",
     }
 
     /// Results at resonances.
@@ -327,7 +327,7 @@ tables! {
         coefficients: CoefficientRow = "coefficients",
             "a resonance at which Theorem 2.4 (p = 1) or 2.5 (p ≥ 2) holds",
         hypotheses: CheckedHypothesis = "hypotheses",
-            "a hypothesis of the theorem at a resonance, whether or not all of them hold",
+            "a hypothesis of the theorem at a resonance, whether or not it holds",
     }
 }
 

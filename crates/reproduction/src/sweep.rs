@@ -13,9 +13,9 @@ tables! {
     /// Comparison of the four theorems with continuation and simulation.
     TheoremsInAction {
         /// Theorems 2.2 and 2.3, a row for each oscillator at grazing.
-        generic: Generic = "theorems_generic", "an oscillator at grazing; no parameter file matters",
+        generic: Generic = "theorems_generic", "an oscillator at grazing, independent of the parameter file",
         /// Theorems 2.4 and 2.5, a row for each resonance.
-        resonant: Resonant = "theorems_resonant", "an oscillator at a resonance; no parameter file matters",
+        resonant: Resonant = "theorems_resonant", "an oscillator at a resonance, independent of the parameter file",
     }
 }
 

@@ -105,11 +105,11 @@ tables! {
         /// curve.
         branches: BranchPoint = "diagram_branches",
             "a point of a branch of a one-parameter diagram, on one loop of the solution",
-        /// Only bifurcations of admissible solutions are listed.
-        bifurcations: BranchBifurcation = "diagram_bifurcations", "a bifurcation on such a branch",
+        /// They are of admissible solutions.
+        bifurcations: BranchBifurcation = "diagram_bifurcations", "a bifurcation on a branch of a one-parameter diagram",
         attractor: AttractorPoint = "diagram_attractor",
-            "a visit to Π of an orbit that has settled, from a random state",
-        /// Points are in order of time; a point that is NaN breaks the line. The list may be empty.
+            "a visit to Π by an orbit from a random state, after transients",
+        /// Points are in order of time; one that is NaN breaks the line. There may be none.
         portraits: PortraitPoint = "diagram_portraits",
             "a point of an orbit in a phase portrait of a one-parameter diagram",
         ;
@@ -147,9 +147,9 @@ tables! {
 tables! {
     /// Further quantities along the branches of one-parameter diagrams and in simulated motion.
     Readings {
-        readings: Reading = "diagram_readings", "a solution on a branch of a one-parameter diagram, with what is read off it",
+        readings: Reading = "diagram_readings", "a solution on a branch of a one-parameter diagram, with quantities derived from it",
         motion: MotionReading = "diagram_motion",
-            "an impact of simulated motion that has settled, or motion without impacts, with what is read off it",
+            "an impact of simulated motion after transients, or motion without impacts, with quantities derived from it",
     }
 }
 

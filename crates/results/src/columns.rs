@@ -63,89 +63,89 @@ pub use measured::*;
 
 // The two parameters, and the numbers that identify solutions.
 columns! {
-    /// the primary parameter μ; for the paper's oscillator the forcing amplitude 𝒜
+    /// primary parameter μ; for the paper's oscillator, the forcing amplitude 𝒜
     PRIMARY = "{primary}", "{primary}", "{primary}", "eq:oscf";
-    /// the secondary parameter η; for the paper's oscillator the forcing frequency ω
+    /// secondary parameter η; for the paper's oscillator, the forcing frequency ω
     SECONDARY = "{secondary}", "{secondary}", "{secondary}", "eq:oscf";
-    /// the primary parameter at the resonance
+    /// primary parameter at the resonance
     PRIMARY_AT_GRAZING = "{primary}_graz", "{primary_graz}", "{primary}", "eq:Agraz";
-    /// the secondary parameter at the resonance
+    /// secondary parameter at the resonance
     SECONDARY_AT_RESONANCE = "{secondary}_star", "{secondary}^*", "{secondary}", "eq:resonance1, eq:resonancep";
-    /// loops of the solution; 0: non-impacting
+    /// number of loops of the solution; 0: non-impacting
     LOOPS = "p", "p", "1";
-    /// integer of the resonance: n half-turns (p = 1) or whole turns (p ≥ 2) of neighbouring motion in a forcing period; for the paper's oscillator
-    /// ω₁/ω = n/2 for p = 1, n + 1/(2p) for p ≥ 2. A curve carries the n of the resonance it leaves, a GZ curve that of the resonance whose SN or
-    /// PD curve led to it; 0 if no resonance in the window leads to it
+    /// integer n of the resonance: in one forcing period, neighbouring motion makes n half-turns (p = 1) or n whole turns (p ≥ 2); for the paper's oscillator, ω₁/ω =
+    /// n/2 for p = 1 and n + 1/(2p) for p ≥ 2. A curve has the n of the resonance that it leaves, a GZ curve that of the resonance whose SN or PD curve led to it; 0
+    /// if no resonance in the window leads to it
     RESONANCE_INDEX = "n", "n", "1", "eq:resonance1, eq:resonancep";
-    /// rows with the same number, in order, are one polyline; in tables about one oscillator a number is the same piece of the grazing curve
+    /// rows with the same number form one polyline, in order; in all tables of one oscillator, a number refers to the same piece of the grazing curve
     ARC = "arc", "", "1";
-    /// why the curve was followed no further than this point within the ranges; empty elsewhere
+    /// why the curve could not be followed beyond this point, within the ranges; otherwise empty
     LOST = "lost", "", "1";
-    /// both multipliers lie inside the unit circle
+    /// whether both multipliers lie inside the unit circle
     STABLE = "stable", "", "1";
-    /// no maximum of x between two impacts lies above the wall (it may touch)
+    /// whether no maximum of x between two impacts lies beyond the wall (it may touch the wall)
     ADMISSIBLE = "admissible", "", "1";
-    /// why it is so; empty where there is nothing to say
+    /// reason for this result; empty where none is needed
     REASON = "reason", "", "1";
 }
 
 // Two-parameter diagrams.
 columns! {
-    /// `graz`: grazing of the non-impacting solution; `SN`, `PD`, `GZ`, `NS`: saddle-node, period-doubling, grazing, torus (Neimark-Sacker) bifurcation of
-    /// the p-loop solution; SN, PD and NS of p = 0 are those of the non-impacting solution. GZ of solutions that are unstable on both sides bounds nothing, and is followed
-    /// only where another curve leads to it
+    /// `graz`: grazing of the non-impacting solution; `SN`, `PD`, `GZ`, `NS`: saddle-node, period-doubling, grazing, torus (Neimark-Sacker) bifurcation of the p-loop
+    /// solution; for p = 0, SN, PD and NS are bifurcations of the non-impacting solution. A GZ curve of solutions that are unstable on both sides bounds no region
+    /// and is followed only where another curve leads to it
     BIFURCATION = "kind", "", "1";
-    /// `resonance`, or `SN-GZ`, `PD-GZ`, `GZ-GZ`, `NS-GZ`, `SN-NS`, `PD-NS`, named after the curves that meet, or `cusp`, where an SN curve turns back
+    /// `resonance`; `SN-GZ`, `PD-GZ`, `GZ-GZ`, `NS-GZ`, `SN-NS` or `PD-NS`, named after the curves that meet; or `cusp`, where an SN curve turns back
     CODIMENSION_TWO = "kind", "", "1";
-    /// `non-impacting`, where that solution is stable and admissible; `mps`, where a p-loop solution is; `both`, where these overlap; `undecided`, where
-    /// that could not be decided
+    /// `non-impacting`: the non-impacting solution is stable and admissible; `mps`: a p-loop MPS is; `both`: both are; `undecided`: this could not be decided
     REGION_KIND = "kind", "", "1";
-    /// y of the solution's one impact
+    /// velocity y of the solution's only impact
     IMPACT_VELOCITY = "impact_velocity", r"y_{\mathrm{imp}}", "length/time";
-    /// z_imp − z_graz(η) within (−π, π]
+    /// z_imp − z_graz(η), reduced to (−π, π]
     IMPACT_PHASE = "impact_phase", r"z_{\mathrm{imp}}-z_{\mathrm{graz}}", "rad";
-    /// sum of the multipliers, a limit where y_imp = 0; on the grazing curve that of the map without impacts; empty at the end of a GZ curve on the grazing
-    /// curve, where there is no limit
+    /// sum of the multipliers, or its limit where y_imp = 0; on the grazing curve, that of the map without impacts; empty where a GZ curve ends on the grazing curve,
+    /// since there is no limit
     TRACE = "trace", "T", "1", "eq:TD";
-    /// product of the multipliers, likewise
+    /// product of the multipliers, with the same conventions
     DETERMINANT = "determinant", "D", "1", "eq:TD";
     /// highest local maximum of x between two impacts; empty if there is none
     MAX_INTERIOR_X = "max_interior_x", r"\max x", "length";
-    /// number of the region: its rows, in order, are its vertices
+    /// number of the region; its rows, in order, are its vertices
     REGION = "region", "", "1";
-    /// number of a ring of the region: 0 is its border, others bound holes; a point lies inside if a ray from it crosses all rings an odd number of times
+    /// number of the ring: 0 is the outer boundary of the region, the others bound holes; a point lies inside if a ray from it crosses the rings an odd number of
+    /// times
     RING = "ring", "", "1";
-    /// number of the panel of a magnification: 1 is (a); p and n of its resonance stand in its rows of quadratic approximations
+    /// number of the panel: 1 is (a); p and n of its resonance are in its rows with the quadratic approximations
     PANEL = "panel", "", "1";
     /// `continuation`, or `quadratic` for μ = μ_graz(η) + c (η − η*)²
     SOURCE = "source", "", "1";
-    /// η: the secondary parameter less that of the resonance
+    /// η: secondary parameter minus its value at the resonance
     FROM_RESONANCE = "from_resonance", r"\eta", "{secondary}";
-    /// (μ − μ_graz(η))/η², as long as the curve is there; the last row of a curve is where it ends or turns back
+    /// (μ − μ_graz(η))/η², as far as the curve exists; in the last row of a curve it ends or turns back
     SCALED_DISTANCE = "scaled_distance", r"({primary}-{primary_graz})/\eta^2", "{primary}/{secondary}^2";
-    /// estimated relative error of that
+    /// estimated relative error of the scaled distance
     RELATIVE_ERROR = "relative_error", "", "1";
-    /// what it tends to by theory: c_SN,p or c_PD,p; likewise on curves of solutions with more loops that leave a resonance of p = 1
+    /// its theoretical limit: c_SN,p or c_PD,p, or the corresponding coefficient of a curve of solutions with more loops that leaves a resonance with p = 1
     SCALED_LIMIT = "scaled_limit", r"\lim_{\eta\to0}", "{primary}/{secondary}^2", "eq:coeffs1, eq:coeffsp";
 }
 
 // Quantities read off motion.
 columns! {
-    /// highest less lowest position from impact to impact, of simulated motion of all that is recorded; the wall is the highest where there are impacts
+    /// highest minus lowest position between impacts; for simulated motion, of everything recorded. With impacts, the highest position is the wall
     PEAK_TO_PEAK = "peak_to_peak", "", "length";
-    /// m (1 + Φ) y, what the wall takes of momentum at the impact; empty where the file gives no mass
+    /// m (1 + Φ) y, the momentum transferred to the wall at the impact; empty if the file gives no mass
     IMPULSE = "impulse", "", "mass*length/time";
-    /// the impulses of a time by that time, the mean force on the wall; likewise
+    /// mean force on the wall: the impulses over a time, divided by that time; empty if the file gives no mass
     MEAN_FORCE = "mean_force", "", "mass*length/time^2";
-    /// m/2 (1 − Φ²) y² of the impacts of a time by that time, what they dissipate; likewise
+    /// mean power dissipated by impacts: m/2 (1 − Φ²) y² of the impacts over a time, divided by that time; empty if the file gives no mass
     POWER = "power", "", "mass*length^2/time^3";
-    /// `random`: from a random state; `up`, `down`: from what motion came to at the value of the parameter below, above
+    /// initial state: `random`; `up`, `down`: the motion reached at the next lower, next higher value of the parameter
     SWEEP = "sweep", "", "1";
     /// number of the place, in the order of the command line
     PLACE = "place", "", "1";
-    /// number of the attractor, the one that most random states come to first
+    /// number of the attractor; 1 is the one that most random states reach
     ATTRACTOR = "attractor", "", "1";
-    /// share of the random states that come to it
+    /// share of the random states that reach it
     SHARE = "share", "", "1";
     /// largest Lyapunov exponent: displacements grow like exp(λt)
     LYAPUNOV = "lyapunov_exponent", r"\lambda", "1/time";
@@ -153,29 +153,29 @@ columns! {
     LYAPUNOV_ERROR = "lyapunov_error", "", "1/time";
     /// time; the phase of the forcing is zero at time zero
     TIME_AT_PLACE = "time", "t", "time";
-    /// number of the flight from impact to impact; motion without impacts is one
+    /// number of the flight between two impacts; motion without impacts is one flight
     FLIGHT = "flight", "", "1";
-    /// phase of the forcing at which motion begins at rest
+    /// phase of the forcing at which the motion starts, at rest
     PHASE_OF_START = "start_phase", "", "rad";
-    /// where it begins
+    /// position at which it starts
     X_OF_START = "start_x", "x", "length";
-    /// number of the orbit among those of the same value of the parameter
+    /// number of the orbit among those at the same value of the parameter
     ORBIT = "orbit", "", "1";
-    /// what motion comes to: `non-impacting`, `periodic`, or `unsettled`, where it has not come to periodic motion as far as it was followed
+    /// long-term behaviour: `non-impacting`, `periodic`, `chaotic`, `resting` (at the wall), `escaping`, or `unsettled` if it could not be decided
     MOTION = "motion", "", "1";
-    /// forcing periods after which it comes again; empty if it does not
+    /// period, in forcing periods; empty if the motion is not periodic
     PERIODS = "periods", "", "1";
-    /// impacts in a forcing period, on average
+    /// mean number of impacts per forcing period
     IMPACTS_PER_PERIOD = "impacts", "", "1";
-    /// virtual x on Π of the impact; without impacts the highest point
+    /// virtual x of the impact on Π; without impacts, the highest position
     X_OF_IMPACT = "x", "x", "length";
 }
 
 // Curves that a file requests.
 columns! {
-    /// the name that the file gives the curve
+    /// name of the curve, from the file
     CURVE_NAME = "name", "", "1";
-    /// what the solutions along it have in common
+    /// property that all solutions on the curve share
     PROPERTY = "property", "", "1";
 }
 
@@ -188,33 +188,33 @@ columns! {
     VARIED_2 = "{varied2}", "{varied2}", "as in the file";
     /// a constant of the oscillator that varies
     VARIED_3 = "{varied3}", "{varied3}", "as in the file";
-    /// resonances with the same number are joined by continuation in the constant that varies first
+    /// resonances with the same number are connected by continuation in the constant that varies first
     FAMILY_CURVE = "curve", "", "1";
-    /// `search` along the grazing curve of the member, or `continuation` from the member before, where the search of this one did not find it
+    /// `search`: found along the member's grazing curve; `continuation`: followed from the previous member, because the search missed it
     FOUND_BY = "found_by", "", "1";
-    /// resonances of the member
+    /// number of resonances of the member
     RESONANCES = "resonances", "", "1";
-    /// its codimension-two points besides these, as far as curves from resonances lead to them
+    /// number of its other codimension-two points, as far as curves from resonances lead to them
     POINTS = "points", "", "1";
-    /// what has been left out or could not be done, and why; empty if nothing
+    /// what was left out or could not be computed, and why; otherwise empty
     MEMBER_REASON = "missing", "", "1";
-    /// the quantity that is zero
+    /// quantity that is zero
     DEGENERATE_QUANTITY = "quantity", "", "1";
-    /// what that means
+    /// what its being zero means
     DEGENERATE_MEANING = "meaning", "", "1";
-    /// how a curve that ends between two members ends; empty if it goes on
+    /// how the curve ends, if it ends between two members; otherwise empty
     FAMILY_END = "end", "", "1";
-    /// the theorem holds
+    /// whether all hypotheses of the theorem hold
     THEOREM_HOLDS = "theorem_holds", "", "1";
-    /// the hypotheses that fail, with the values of their quantities; empty if none does
+    /// hypotheses that fail, with the values of their quantities; empty if all hold
     FAILING = "failing", "", "1";
 }
 
 // Coefficients and the quantities in their formulas.
 columns! {
-    /// s_p⁺, whose sign says to which side of the SN curve solutions are stable
+    /// s_p⁺, whose sign determines on which side of the SN curve solutions are stable
     S_PLUS = "s_plus", "s_p^+", "1", "eq:c1, eq:cp";
-    /// s_p⁻, likewise of the PD curve
+    /// s_p⁻, which does the same for the PD curve
     S_MINUS = "s_minus", "s_p^-", "1", "eq:c1, eq:cp";
     /// c_SN,p by the closed form of Propositions 3.2 and 3.3
     C_SN_CLOSED_FORM = "c_sn_closed_form", r"c_{\mathrm{SN},p}\text{, closed form}", "{primary}/{secondary}^2", "eq:impFormula1odd, eq:impFormula1even, eq:impFormulap";
@@ -222,39 +222,39 @@ columns! {
     C_PD_CLOSED_FORM = "c_pd_closed_form", r"c_{\mathrm{PD},p}\text{, closed form}", "{primary}/{secondary}^2", "eq:impFormula1odd, eq:impFormula1even, eq:impFormulap";
     /// c_SN,p by Theorem 2.4 or 2.5: μ = μ_graz(η) + c (η − η*)² to leading order along the SN curve
     C_SN = "c_sn", r"c_{\mathrm{SN},p}", "{primary}/{secondary}^2", "eq:coeffs1, eq:coeffsp";
-    /// c_PD,p by Theorem 2.4 or 2.5, likewise along the PD curve
+    /// c_PD,p by Theorem 2.4 or 2.5, the same along the PD curve
     C_PD = "c_pd", r"c_{\mathrm{PD},p}", "{primary}/{secondary}^2", "eq:coeffs1, eq:coeffsp";
-    /// error of the theorem's own value: rounding, and how far differences of first derivatives are from the second ones in the formula
+    /// error of the theorem's value: rounding, and the disagreement between differences of first derivatives and the second derivatives in the formula
     C_SN_ERROR = "c_sn_error", r"\Delta c_{\mathrm{SN},p}", "{primary}/{secondary}^2";
-    /// likewise
+    /// the same for c_PD,p
     C_PD_ERROR = "c_pd_error", r"\Delta c_{\mathrm{PD},p}", "{primary}/{secondary}^2";
-    /// limit of (μ − μ_graz)/(η − η*)² on the continued SN curve; empty where it cannot be measured
+    /// limit of (μ − μ_graz)/(η − η*)² along the continued SN curve; empty if it cannot be measured
     C_SN_FIT = "c_sn_fit", r"c_{\mathrm{SN},p}\text{, curve}", "{primary}/{secondary}^2";
-    /// likewise on the PD curve
+    /// the same along the PD curve
     C_PD_FIT = "c_pd_fit", r"c_{\mathrm{PD},p}\text{, curve}", "{primary}/{secondary}^2";
     /// estimated error of the measured value
     C_SN_FIT_ERROR = "c_sn_fit_error", r"\Delta c_{\mathrm{SN},p}\text{, curve}", "{primary}/{secondary}^2";
     /// estimated error of the measured value
     C_PD_FIT_ERROR = "c_pd_fit_error", r"\Delta c_{\mathrm{PD},p}\text{, curve}", "{primary}/{secondary}^2";
-    /// `agree`: theorem and SN curve differ by less than their errors; `not measurable`: one of them is not known to two digits; `contradict`, with which the
-    /// program ends with exit code 1
+    /// `agree`: theorem and SN curve differ by less than their errors; `not measurable`: one of them is not known to two digits; `contradict`: they differ by more
+    /// (exit code 1)
     SN_VERDICT = "sn_verdict", "", "1";
     /// why the verdict on the SN curve is not `agree`
     SN_REASON = "sn_reason", "", "1";
-    /// the same of the PD curve
+    /// the same for the PD curve
     PD_VERDICT = "pd_verdict", "", "1";
     /// why the verdict on the PD curve is not `agree`
     PD_REASON = "pd_reason", "", "1";
-    /// whether the hybrid system, simulated from event to event to either side of the SN curve, does what the theorem predicts, at an impact velocity at which the
-    /// leading terms decide: `yes`; `no`, which is exit code 1; `undecided`
+    /// whether event-driven simulation of the hybrid system on both sides of the SN curve agrees with the theorem, at an impact velocity at which the leading terms
+    /// dominate: `yes`, `no` (exit code 1) or `undecided`
     SN_AS_SIMULATED = "sn_as_simulated", "", "1";
-    /// why it is not `yes`
+    /// why the answer is not `yes`
     SN_SIMULATION_REASON = "sn_simulation_reason", "", "1";
-    /// the same of the PD curve
+    /// the same for the PD curve
     PD_AS_SIMULATED = "pd_as_simulated", "", "1";
-    /// why it is not `yes`
+    /// why the answer is not `yes`
     PD_SIMULATION_REASON = "pd_simulation_reason", "", "1";
-    /// limit of y² times the normal form's coefficient of the period doubling towards the resonance: positive where it is supercritical, negative where subcritical
+    /// limit at the resonance of y² times the normal-form coefficient of the period doubling: positive if supercritical, negative if subcritical
     PD_CRITICALITY = "pd_criticality", "", "1";
     /// trace of A
     TAU = "tau", r"\tau", "1", "eq:A";
@@ -266,37 +266,37 @@ columns! {
     BETA = "beta", r"\beta", "length/{primary}", "eq:beta";
     /// −F at the wall, the deceleration at grazing
     GAMMA = "gamma", r"\gamma", "length/time^2", "eq:phipsigamma";
-    /// value of Φ at grazing: the restitution at impacts of velocity zero
+    /// Φ at grazing: the restitution in the limit of zero impact velocity
     PHI = "phi", r"\phi", "1", "eq:phipsigamma";
-    /// value of Ψ at grazing: by how much phase an impact takes, over its velocity
+    /// Ψ at grazing: the phase that an impact takes, divided by its velocity
     PSI = "psi", r"\psi", "rad time/length", "eq:phipsigamma";
-    /// κ_p, whose zero is the resonance for p ≥ 2 as that of a₁₂ is for p = 1; empty for p = 1
+    /// κ_p, whose zero is the resonance for p ≥ 2, like that of a₁₂ for p = 1; empty for p = 1
     KAPPA = "kappa", r"\kappa_p", "1", "eq:gp";
-    /// ξ_p, the second derivative by phase that the coefficients need
+    /// ξ_p, the second derivative with respect to phase in the coefficients
     XI = "xi", r"\xi_p", "length", "eq:xi";
-    /// a₁₂', the derivative by η along the grazing curve, for p = 1; empty otherwise
+    /// a₁₂', the derivative with respect to η along the grazing curve, for p = 1; otherwise empty
     A12_PRIME = "a12_prime", "a_{12}'", "length/{secondary}", "eq:xi1proof5";
-    /// κ_p', the derivative by η along the grazing curve, for p ≥ 2; empty otherwise
+    /// κ_p', the derivative with respect to η along the grazing curve, for p ≥ 2; otherwise empty
     KAPPA_PRIME = "kappa_prime", r"\kappa_p'", "1/{secondary}", "eq:xipproof5";
-    /// z_graz, continuous along a piece
+    /// z_graz, continuous along each piece of the curve
     GRAZING_PHASE = "phase", r"z_{\mathrm{graz}}", "rad";
     /// the forcing frequency ω
     FREQUENCY = "frequency", r"\omega", "1/time";
-    /// A, derivative by (x, z) of the Poincaré map P_global at grazing
+    /// entry of A, the derivative of the Poincaré map P_global with respect to (x, z) at grazing
     A11 = "a11", "a_{11}", "1", "eq:A";
-    /// likewise
+    /// entry of A
     A12 = "a12", "a_{12}", "length", "eq:A";
-    /// likewise
+    /// entry of A
     A21 = "a21", "a_{21}", "1/length", "eq:A";
-    /// likewise
+    /// entry of A
     A22 = "a22", "a_{22}", "1", "eq:A";
-    /// b, derivative of P_global by μ at grazing
+    /// entry of b, the derivative of P_global with respect to μ at grazing
     B1 = "b1", "b_1", "length/{primary}", "eq:b";
-    /// likewise
+    /// entry of b
     B2 = "b2", "b_2", "1/{primary}", "eq:b";
-    /// what the theorem asks, as `a12 alpha > 0`
+    /// hypothesis of the theorem, such as `a12 alpha > 0`
     HYPOTHESIS = "hypothesis", "", "1";
-    /// value of the left side of the hypothesis; its unit is that of the quantity
+    /// value of the left-hand side of the hypothesis; its unit is that of the quantity
     HYPOTHESIS_VALUE = "value", "", "that of the quantity";
     /// whether the hypothesis holds
     HOLDS = "holds", "", "1";
@@ -304,21 +304,21 @@ columns! {
 
 // One-parameter diagrams.
 columns! {
-    /// x on the Poincaré section Π; of loop p, which has the impact, it is virtual and positive
+    /// x on the Poincaré section Π; virtual and positive on loop p, which has the impact
     X_ON_SECTION = "x", "x", "length";
     /// number of the one-parameter diagram, as in the name of its figure
     DIAGRAM = "diagram", "", "1";
-    /// z of the impact, within (−π, π]; empty without an impact
+    /// phase z of the impact, reduced to (−π, π]; empty without an impact
     PHASE_OF_IMPACT = "z", r"z_{\mathrm{imp}}", "rad";
     /// number of the loop, 1 to p
     LOOP = "loop", "", "1";
-    /// rows with the same number, in order, are one curve
+    /// rows with the same number form one curve, in order
     BRANCH = "branch", "", "1";
     /// number of the phase portrait: 1 is (a)
     PORTRAIT = "portrait", "", "1";
     /// `periodic` or `attractor`
     PORTRAIT_KIND = "kind", "", "1";
-    /// time since the orbit begins; an empty row stands after each flight between two impacts
+    /// time since the start of the orbit; an empty row follows each flight between two impacts
     TIME = "time", "t", "time";
     /// position
     X = "x", "x", "length";
@@ -328,26 +328,25 @@ columns! {
 
 // Scenes in phase space.
 columns! {
-    /// `orbit`, `virtual` (continued beyond the wall), `periodic` (Γ), `reset` (R, impact to recoil), `global` (P_global: a line that joins point and image)
+    /// `orbit`, `virtual` (continued beyond the wall), `periodic` (Γ), `reset` (R, from impact to recoil), `global` (P_global: a line from a point to its image)
     SPACE_CURVE = "kind", "", "1";
     /// `incoming`, `outgoing`, `section` (outlines), `tangency`, `circle` (x = y = 0), `x_axis`, `y_axis`, `z_axis`
     SPACE_SURFACE = "kind", "", "1";
     /// `impact`, `recoil`, `graze`, `virtual` (x̂, 0, ẑ), `section` (on Π)
     SPACE_MARK = "kind", "", "1";
-    /// which curve or surface; of points the number of the orbit, or the j of (x⁽ʲ⁾, 0, z⁽ʲ⁾), in Figure 3 0 for the point and 1 for its image
+    /// number of the curve or surface; for points, the number of the orbit or the j of (x⁽ʲ⁾, 0, z⁽ʲ⁾), and in Figure 3, 0 for the point and 1 for its image
     NUMBER = "number", "", "1";
-    /// part of a curve or surface: rows with the same number and piece, in order, are one polyline
+    /// part of a curve or surface: rows with the same number and piece form one polyline, in order
     PIECE = "piece", "", "1";
-    /// order of painting: 0 to 2 beyond Σ (below Π, on it, above), 3 on Σ, 4 to 6 before Σ; in Figure 3 0 to 2 alone. A point has the layer of what
-    /// lies right before it
+    /// painting order: 0 to 2 behind Σ (below, on and above Π), 3 on Σ, 4 to 6 in front of Σ; in Figure 3 only 0 to 2. A point has the layer directly in front of it
     LAYER = "layer", "", "1";
-    /// phase: of Figure 1 within [0, 2π), of Figures 3 and 9 continued, on Π near z_graz
+    /// phase z: in Figure 1 within [0, 2π); in Figures 3 and 9 continuous, and near z_graz on Π
     Z = "z", "z", "rad";
-    /// the place after projection, to the right; a length of stretched phase space, as the next two
+    /// position after projection, to the right; like the next two, a length in stretched phase space
     ACROSS = "across", "", "1";
-    /// the place after projection, upwards
+    /// position after projection, upwards
     UP = "up", "", "1";
-    /// the place after projection, away from the viewer
+    /// position after projection, away from the viewer
     DEPTH = "depth", "", "1";
 }
 
@@ -359,11 +358,11 @@ columns! {
     STAR = "kind", "", "1";
     /// 𝒜 − 𝒜_graz(ω)
     MU = "mu", r"\mu", "1";
-    /// ω less that of the resonance
+    /// ω minus its value at the resonance
     ETA = "eta", r"\eta", "1";
     /// part of the drawing
     PART = "part", "", "1";
-    /// coordinate across x, in the unit of x
+    /// coordinate perpendicular to x, in the unit of x
     HEIGHT = "height", "", "1";
     /// number j of the visit to Π, from 0 to p
     VISIT = "visit", "j", "1";
@@ -375,7 +374,7 @@ columns! {
 
 // Theorems 2.2 to 2.5 in action.
 columns! {
-    /// the theorem that the row is about, `2.2` to `2.5`
+    /// number of the theorem, `2.2` to `2.5`
     THEOREM = "theorem", "", "1";
     /// damping ratio ζ
     ZETA = "zeta", r"\zeta", "1", "eq:oscf";
@@ -387,40 +386,40 @@ columns! {
     TRAPESIUM_MARGIN = "trapesium_margin", r"\delta+1-|\tau|", "1", "eq:cT";
     /// a₁₂ α
     A12_ALPHA = "a12_alpha", r"a_{12}\alpha", "1";
-    /// τ − h_p(δ), where the theorem makes a hypothesis about it
+    /// τ − h_p(δ), if the theorem has a hypothesis on it
     TAU_MINUS_H = "tau_minus_h", r"\tau-h_p(\delta)", "1", "le:admissibilityBoundary";
-    /// a₁₂ β, where the theorem makes a hypothesis about it
+    /// a₁₂ β, if the theorem has a hypothesis on it
     A12_BETA = "a12_beta", r"a_{12}\beta", "1";
-    /// β κ_p, where the theorem makes a hypothesis about it
+    /// β κ_p, if the theorem has a hypothesis on it
     BETA_KAPPA = "beta_kappa", r"\beta\kappa_p", "1";
-    /// the sign of μ by the theorem, or `silent`
+    /// sign of μ by the theorem, or `silent`
     PREDICTED = "predicted", "", "1";
-    /// the sign of μ for which y > 0 and no interior loop meets the wall, by the first-order terms of section 4; `none` if there is none
+    /// sign of μ for which y > 0 and no interior loop meets the wall, by the first-order terms of section 4; `none` if there is none
     FIRST_ORDER = "first_order", "", "1";
-    /// the sign of μ for which the MPS is seen, by following the branch from grazing
+    /// sign of μ for which the MPS is found by following the branch from grazing
     CONTINUATION = "continuation", "", "1";
-    /// the same by running the hybrid system from the impact of every solution that could be an MPS
+    /// the same by simulating the hybrid system from the impact of every solution that could be an MPS
     SIMULATION = "simulation", "", "1";
-    /// the MPS is unstable, by its multipliers
+    /// whether the MPS is unstable, by its multipliers
     UNSTABLE_BRANCH = "unstable_branch", "", "1";
-    /// the MPS is unstable, by simulation of orbits beside it
+    /// whether the MPS is unstable, by simulation of nearby orbits
     UNSTABLE_SIMULATION = "unstable_simulation", "", "1";
-    /// slope of the impact velocity at grazing by section 4
+    /// slope of the impact velocity at grazing, by section 4
     DY_DMU = "dy_dmu", r"\mathrm{d}y/\mathrm{d}\mu", "1";
-    /// slope of the impact phase at grazing by section 4
+    /// slope of the impact phase at grazing, by section 4
     DZ_DMU = "dz_dmu", r"\mathrm{d}z/\mathrm{d}\mu", "1";
-    /// the slope by a quadratic equation for the impact velocity
+    /// the first slope, by a quadratic equation for the impact velocity
     DY_DMU_EXACT = "dy_dmu_exact", r"\mathrm{d}y/\mathrm{d}\mu\text{, exact}", "1";
-    /// likewise
+    /// the second slope, likewise
     DZ_DMU_EXACT = "dz_dmu_exact", r"\mathrm{d}z/\mathrm{d}\mu\text{, exact}", "1";
-    /// the slope along the branch
+    /// the first slope, measured along the branch
     DY_DMU_FIT = "dy_dmu_fit", r"\mathrm{d}y/\mathrm{d}\mu\text{, branch}", "1";
-    /// likewise
+    /// the second slope, likewise
     DZ_DMU_FIT = "dz_dmu_fit", r"\mathrm{d}z/\mathrm{d}\mu\text{, branch}", "1";
-    /// largest relative difference of the slopes
+    /// largest relative difference between the slopes
     SLOPE_DIFFERENCE = "slope_difference", "", "1";
-    /// `agreement`: all hypotheses hold, and the whole conclusion is seen; `explained`: a hypothesis fails, and what is seen is what the reason lets one expect;
-    /// `unexplained`: anything else. There is no such row
+    /// `agreement`: all hypotheses hold and the whole conclusion is observed; `explained`: a hypothesis fails, and the observations are as this leads one to expect;
+    /// `unexplained`: anything else. No row is unexplained
     VERDICT = "verdict", "", "1";
     /// which resonance: ω₁/ω = n/2, n + 1/(2p), or n − 1/(2p), where MPSs are virtual
     RATIO = "ratio", "", "1", "eq:resonance1, eq:resonancep";
@@ -430,36 +429,36 @@ columns! {
     EPSILON_E_P = "epsilon_e_p", r"\epsilon E_p", "1";
     /// a₁₂' or κ_p'
     UNFOLDING = "unfolding", "", "1";
-    /// the sign of η for which the saddle-node curve is there, by the theorem
+    /// sign of η for which the saddle-node curve exists, by the theorem
     SN_PREDICTED = "sn_predicted", "", "1";
     /// the same by following the curve
     SN_CONTINUATION = "sn_continuation", "", "1";
     /// the same by simulation
     SN_SIMULATION = "sn_simulation", "", "1";
-    /// the multiplier 1 is crossed between MPSs to either side of the curve, by simulated derivatives
+    /// whether a multiplier crosses 1 between MPSs on either side of the curve, by simulated derivatives
     SN_CROSSED = "sn_crossed", "", "1";
-    /// simulated orbits come nearer to one of these MPSs and leave the other (empty where |D| ≥ 1 or no curve was seen)
+    /// whether simulated orbits approach one of these MPSs and leave the other; empty if |D| ≥ 1 or no curve was found
     SN_STABILITY_CHANGES = "sn_stability_changes", "", "1";
-    /// limit of μ/η² on the curve that the quadratic equation gives
+    /// limit of μ/η² along the curve given by the quadratic equation
     C_SN_EXACT = "c_sn_exact", r"c_{\mathrm{SN},p}\text{, exact}", "1";
-    /// largest relative difference of closed form and exact limit from the theorem
+    /// largest relative difference of the closed form and the exact limit from the theorem's value
     C_SN_DIFFERENCE = "c_sn_difference", "", "1";
-    /// relative difference of the measured coefficient from the theorem
+    /// relative difference of the measured coefficient from the theorem's value
     C_SN_FIT_DIFFERENCE = "c_sn_fit_difference", "", "1";
-    /// the sign of η for which the curve of multiplier −1 is there, by the theorem
+    /// sign of η for which the curve with multiplier −1 exists, by the theorem
     PD_PREDICTED = "pd_predicted", "", "1";
     /// the same by following the curve
     PD_CONTINUATION = "pd_continuation", "", "1";
     /// the same by simulation
     PD_SIMULATION = "pd_simulation", "", "1";
-    /// the multiplier −1 is crossed between MPSs to either side of the curve, by simulated derivatives
+    /// whether a multiplier crosses −1 between MPSs on either side of the curve, by simulated derivatives
     PD_CROSSED = "pd_crossed", "", "1";
-    /// simulated orbits come nearer to one of these MPSs and leave the other (empty where |D| ≥ 1 or no curve was seen)
+    /// whether simulated orbits approach one of these MPSs and leave the other; empty if |D| ≥ 1 or no curve was found
     PD_STABILITY_CHANGES = "pd_stability_changes", "", "1";
-    /// limit of μ/η² on the curve that the quadratic equation gives
+    /// limit of μ/η² along the curve given by the quadratic equation
     C_PD_EXACT = "c_pd_exact", r"c_{\mathrm{PD},p}\text{, exact}", "1";
-    /// largest relative difference of closed form and exact limit from the theorem
+    /// largest relative difference of the closed form and the exact limit from the theorem's value
     C_PD_DIFFERENCE = "c_pd_difference", "", "1";
-    /// relative difference of the measured coefficient from the theorem
+    /// relative difference of the measured coefficient from the theorem's value
     C_PD_FIT_DIFFERENCE = "c_pd_fit_difference", "", "1";
 }

@@ -164,8 +164,8 @@ tables! {
     Family {
         members: Member = "family_members", "a member of the family, with values of the constants that vary",
         resonances: Resonance = "family_resonances", "a resonance of a member",
-        points: Point = "family_points", "a codimension-two point of a member that is no resonance",
-        curves: CurvePoint = "family_curves", "a resonance on its way from one member to the next",
+        points: Point = "family_points", "a codimension-two point of a member that is not a resonance",
+        curves: CurvePoint = "family_curves", "a resonance between one member and the next",
         degenerate: Degenerate = "family_degenerate", "a degenerate resonance between two members",
         ;
         /// The panels of the figure.

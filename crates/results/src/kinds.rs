@@ -181,7 +181,7 @@ pub const fn region_meaning(kind: RegionKind) -> &'static str {
         RegionKind::NonImpacting => "the non-impacting solution is stable",
         RegionKind::Mps => "a maximal periodic solution is stable",
         RegionKind::Both => "both are stable",
-        RegionKind::Undecided => "stability is not decided",
+        RegionKind::Undecided => "stability is undecided",
     }
 }
 

@@ -98,16 +98,16 @@ rows! {
 tables! {
     /// Measurements beside a diagram.
     Comparison {
-        points: MeasuredPoint = "measured", "what the rig was seen to do at a place, beside what is computed there",
+        points: MeasuredPoint = "measured", "a measurement at a place, with the computed behaviour there",
         counts: MeasuredCount = "agreement",
-            "a region of the diagram in which something was measured, or a kind of bifurcation that was, with how many agree",
+            "a region of the diagram or a kind of bifurcation with measurements, and how many of them agree",
     }
 
     /// The results of an identification.
     Identified {
         constants: IdentifiedConstant = "constants", "a constant that was identified",
-        correlations: Correlation = "correlations", "two of them, with their correlation",
-        residuals: Residual = "residuals", "a measured number, with what the identified oscillator leaves of it",
+        correlations: Correlation = "correlations", "a pair of identified constants, with their correlation",
+        residuals: Residual = "residuals", "a measured number, with its residual for the identified oscillator",
         resonances: IdentifiedResonance = "resonances", "a resonance of the identified oscillator",
     }
 }

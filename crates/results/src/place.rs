@@ -83,11 +83,11 @@ tables! {
 
     /// The results for one place, or for several.
     AtPlace {
-        attractors: PlaceAttractor = "place_attractors", "what some of the random initial states come to at a place",
+        attractors: PlaceAttractor = "place_attractors", "an attractor at a place, with the random initial states that reach it",
         solutions: PlaceSolution = "place_solutions", "a periodic solution at a place, stable or not",
         motion: PlaceMotion = "place_motion", "a point of the motion on an attractor",
         impacts: PlaceImpact = "place_impacts", "an impact on an attractor",
-        basins: BasinState = "place_basins", "an initial state at rest, with what it comes to",
+        basins: BasinState = "place_basins", "an initial state at rest, with the attractor that it reaches",
         ;
         /// The number of the place, from 1.
         place: u32,

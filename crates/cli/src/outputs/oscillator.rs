@@ -124,7 +124,7 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
         )
     },
     STRAIGHTENED_CURVES,
-    Output::new(READINGS, "what is read off one-parameter diagrams", Readings::TABLES, |_, of, _| {
+    Output::new(READINGS, "quantities along one-parameter diagrams", Readings::TABLES, |_, of, _| {
         let readings =
             |of: &OneParameter| Readings { readings: of.readings.clone(), motion: of.motion.clone() };
         let all = of.unfolded.diagrams.iter().map(readings);
@@ -136,7 +136,7 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
         Ok(ComputedOutput::new(Vec::new(), all.map_or(Vec::new(), |all| all.tables(of.names()))))
     }),
     ONE_PARAMETER,
-    Output::new(MEASURED, "measurements beside the diagram", Comparison::TABLES, |_, of, _| {
+    Output::new(MEASURED, "measurements compared with the diagram", Comparison::TABLES, |_, of, _| {
         let tables = of.compared.as_ref().map(|compared| compared.tables(of.names()));
         Ok(ComputedOutput::new(Vec::new(), tables.unwrap_or_default()))
     }),
@@ -168,8 +168,8 @@ pub(crate) fn places(
         let shown = format!("motion at{at}");
         let title = format!("{name}: {shown}");
         let description =
-            "Above: time series. Below: phase portrait, impacts by phase and velocity, and to which of the \
-                           attractors motion comes that begins at rest."
+            "Above: time series. Below: phase portrait, impacts by phase and velocity, and the basins of \
+                           attraction of motion that starts at rest."
                 .to_owned();
         let tables = ["place_motion", "place_impacts", "place_basins"];
         let heading =
@@ -308,9 +308,9 @@ pub(crate) fn straightened_about(
 ) -> Computed {
     let [primary, secondary] = names.shown();
     let description = format!(
-        "Across $\\mu/\\eta^{{2}}$, $\\mu$ being {primary} less its value at grazing; up $\\eta$, which is {secondary} less its value \
-         at the resonance, by its decades. Solid: curves that bound where maximal periodic solutions are stable. Dashed: where \
-         they go by theory."
+        "Across $\\mu/\\eta^{{2}}$, where $\\mu$ is {primary} minus its value at grazing; up, by decades, $\\eta$, which is {secondary} minus \
+         its value at the resonance. Solid: curves that bound where maximal periodic solutions are stable. Dashed: their \
+         theoretical limits."
     );
     let title = format!("{name}: {}", output.title);
     let (title, description) = (title.as_str(), description.as_str());
@@ -354,7 +354,7 @@ pub(crate) fn one_parameter_figure(
         other => other.name(),
     };
     let sweeps = match diagram.swept(Sweep::Up).next() {
-        Some(_) => "; heads of arrows up and down: motion as the parameter goes up and down",
+        Some(_) => "; arrowheads up and down: motion as the parameter is swept up and down",
         None => "",
     };
     let description = format!(

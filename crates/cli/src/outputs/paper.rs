@@ -100,7 +100,7 @@ const THEOREMS: Output<Study> = Output {
     label: "tab:theorems",
     ..Output::new(
         "theorems",
-        "Theorems 2.2 to 2.5 against continuation and simulation",
+        "Theorems 2.2 to 2.5 compared with continuation and simulation",
         TheoremsInAction::TABLES,
         |_, study: &Study, _| {
             let tables = study.theorems_in_action()?.tables(&Names::of_the_paper());

@@ -82,7 +82,7 @@ pub fn draw_diagram(
     for section in diagram.sections.iter().filter(|_| look.sections) {
         let pen = if section.thin { THIN_SECTION } else { SECTION };
         for piece in panel.line(&section.ends, pen) {
-            canvas.explain("where a one-parameter diagram runs", Sample::Line(pen));
+            canvas.explain("line of a one-parameter diagram", Sample::Line(pen));
             if section.thin {
                 labels.placer.keep_off_nameless(&piece);
             } else {

@@ -63,8 +63,8 @@ pub fn draw_family(
     let heading = Heading {
         name: "family",
         title,
-        description: "A constant of the oscillator across; the secondary parameter at resonant grazing bifurcations and other \
-                      codimension-two points, and the quadratic coefficients of the saddle-node and period-doubling curves up.",
+        description: "A constant of the oscillator across. Up: the secondary parameter at resonant grazing bifurcations and other \
+                      codimension-two points, and the quadratic coefficients of the saddle-node and period-doubling curves.",
         names,
         tables: &["family_curves", "family_points"],
     };

@@ -181,7 +181,7 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
     let frame = Frame { x: [0.0, 2.0 * PI], y: [if deepest < 0.0 { deepest } else { -1.0 }, 0.0] };
     let frame = checked(frame, "the basins")?;
     let (row, columns) = beside(2.0);
-    let start = format!("start, at rest, {x}");
+    let start = format!("initial {x}, at rest");
     let panel = Panel {
         tables: &heading.tables[2..],
         only,
@@ -198,7 +198,7 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
         panel
             .area(&cells.map(ring).collect::<Vec<_>>(), Paint { colour: pen(one, 1.0).colour, opacity: 0.8 });
     }
-    panel.axes("phase at the start", &start)?;
+    panel.axes("initial phase", &start)?;
     canvas.finish(heading.name, heading.title, heading.description)
 }
 
@@ -270,7 +270,7 @@ mod tests {
             let sheet = draw_place(&sample(scale), &heading, width).unwrap();
             sheet.assert_well_placed(&(scale, width));
             let texts = sheet.texts();
-            for text in ["MPS, $p=2$: 50 %", "chaotic: 50 %", "$y$ (mm/s)", "phase at the start"] {
+            for text in ["MPS, $p=2$: 50 %", "chaotic: 50 %", "$y$ (mm/s)", "initial phase"] {
                 assert!(texts.iter().any(|found| found.contains(text)), "{text}: {texts:?}");
             }
             // Half of the 24 cells for each attractor.

@@ -25,9 +25,9 @@ impl MeasuredMark {
     /// The explanation of the mark for the legend.
     pub(crate) fn meaning(self) -> String {
         let verdict = match self.agreement {
-            Agreement::Agrees | Agreement::WithinError => "as computed",
-            Agreement::Disagrees => "otherwise than computed",
-            Agreement::Undecided | Agreement::Silent => "not decided by what is computed",
+            Agreement::Agrees | Agreement::WithinError => "agrees",
+            Agreement::Disagrees => "disagrees",
+            Agreement::Undecided | Agreement::Silent => "undecided",
         };
         format!("measured: {}, {verdict}", self.seen.name())
     }

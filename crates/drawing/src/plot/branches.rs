@@ -39,7 +39,7 @@ pub(crate) fn diagram(
             let (x, y) = panel.spot(point);
             // An arrowhead that points up or down.
             panel.canvas.line(&[(x - SWEEP_SIZE, y), (x, y + reach), (x + SWEEP_SIZE, y)], pen);
-            panel.canvas.explain(&format!("as the parameter goes {}", sweep.name()), Sample::Line(pen));
+            panel.canvas.explain(&format!("sweep {}", sweep.name()), Sample::Line(pen));
         }
     }
     let mut longest: Vec<(u32, Vec<Spot>)> = Vec::new();

@@ -136,7 +136,7 @@ pub fn draw_curves(
 pub(crate) fn draw_ends(panel: &Panel<'_>, labels: &mut Labels<'_>, ends: impl Iterator<Item = (f64, f64)>) {
     for end in ends {
         if let Some(taken) = panel.marker(end, Marker::Ring) {
-            panel.canvas.explain("a curve was followed no further, for a reason in its table", Sample::Ring);
+            panel.canvas.explain("a curve could not be followed further (reason in its table)", Sample::Ring);
             labels.placer.block(taken.grown(0.5));
         }
     }
@@ -187,7 +187,7 @@ pub fn draw_points<'a>(
     for (marker, resonances) in [(Marker::Disc, false), (Marker::Triangle, true)] {
         let (meaning, sample) = match resonances {
             true => (point_meaning(CodimensionTwo::Resonance), Sample::Triangle),
-            false => ("another codimension-two point", Sample::Disc),
+            false => ("other codimension-two point", Sample::Disc),
         };
         for point in points.iter().filter(|point| (point.kind == CodimensionTwo::Resonance) == resonances) {
             if let Some(taken) = panel.marker((point.primary, point.secondary), marker) {

@@ -42,7 +42,7 @@ pub(crate) fn rectangle(panel: &Panel<'_>, frame: &Frame, labels: &mut Labels<'_
     let whole = Bounds { left: a.0, top: a.1, right: b.0, bottom: b.1 };
     if !is_hidden(&whole) {
         for piece in panel.line(&frame.outline(), MAGNIFIED) {
-            panel.canvas.explain("shown larger in the magnifications", Sample::Rectangle(MAGNIFIED));
+            panel.canvas.explain("area of a magnification", Sample::Rectangle(MAGNIFIED));
             labels.placer.keep_off(&piece);
         }
     }

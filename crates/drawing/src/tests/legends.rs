@@ -64,7 +64,7 @@ fn what_is_undecided_is_hatched_and_never_shaded() {
     let shaded = |sheet: &Sheet| {
         sheet.legend.iter().any(|(words, _)| words.starts_with("a maximal periodic solution is stable"))
     };
-    let hatched = |sheet: &Sheet| explained(sheet, "stability is not decided");
+    let hatched = |sheet: &Sheet| explained(sheet, "stability is undecided");
     let mut mps = |kind: RegionKind| {
         let of_mps = sample.diagram.regions.iter_mut().filter(|vertex| vertex.loops > 0);
         of_mps.for_each(|vertex| vertex.kind = kind);
@@ -89,7 +89,7 @@ fn grazing_of_what_is_unstable_is_dotted_and_lost_ends_have_rings() {
         let dots = format!("stroke-dasharray=\"{} {}\"", CurveLook::DOTS[0], CurveLook::DOTS[1]);
         svg.matches(&dots).count()
     };
-    let ring = "a curve was followed no further, for a reason in its table";
+    let ring = "a curve could not be followed further (reason in its table)";
     assert_eq!([explained(&drawn(&sample), &unstable), explained(&drawn(&sample), ring)], [None, None]);
     // Stability is marginal at the ends of GZ curves.
     let own = |point: &PlanePoint| (point.kind == Bifurcation::Grazing).then_some(point.arc);

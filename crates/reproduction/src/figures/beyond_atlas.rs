@@ -80,7 +80,7 @@ tables! {
         /// Consecutive points with equal p and number of impacts form one curve.
         boundaries: Boundary = "beyond_atlas", "a point of a boundary",
         places: Place = "beyond_atlas_resonances", "a resonance of Figure 7",
-        lattice: Node = "beyond_atlas_lattice", "a place of a lattice, and of the ε of Figure 7",
+        lattice: Node = "beyond_atlas_lattice", "a node of a lattice in (ε, σ), extended by the ε of Figure 7",
         ;
         /// The ε of Figure 7.
         epsilon: f64,

@@ -111,10 +111,10 @@ rows! {
 tables! {
     /// The map of attractors over the window of Figure 7.
     Attractors {
-        /// The stretches are in order of rows from the lowest up, from left to right within a row.
-        stretches: Stretch = "beyond_attractors", "an attractor at places beside each other",
-        counts: RegionCount = "beyond_attractors_regions", "a number of loops",
-        remarks: Remark = "beyond_attractors_remarks", "places beside each other at which regions and motion differ",
+        /// Row by row, the lowest first, from left to right.
+        stretches: Stretch = "beyond_attractors", "an attractor on a run of adjacent places",
+        counts: RegionCount = "beyond_attractors_regions", "a number of loops p",
+        remarks: Remark = "beyond_attractors_remarks", "a run of adjacent places at which regions and simulated motion differ",
         ;
         /// Figure 7, which is drawn on top.
         diagram: PlaneDiagram,
@@ -150,7 +150,7 @@ impl FileSection for BeyondAttractors {
 impl PaperFigure for BeyondAttractors {
     const LABEL: &'static str = "fig:attractors";
     const BEYOND: bool = true;
-    const TITLE: &'static str = "Beyond the paper: what motion comes to in the window of Figure 7";
+    const TITLE: &'static str = "Beyond the paper: long-term behaviour in the window of Figure 7";
     const TABLES: &'static [TablePlan] = Attractors::TABLES;
     const REMEDY: &'static str = Figure7::REMEDY;
     type Shown = Attractors;
@@ -168,7 +168,7 @@ impl PaperFigure for BeyondAttractors {
     fn remarks(&self, _: &Study, shown: &Attractors) -> Result<Remarks, StudyError> {
         let unexplained = shown.counts.iter().filter(|count| count.unexplained > 0).map(|count| {
             let RegionCount { loops, unexplained, .. } = count;
-            format!("p = {loops}: motion settles at {unexplained} places outside of the regions")
+            format!("p = {loops}: motion settles on the p-loop solution at {unexplained} places outside its regions")
         });
         Ok(Remarks { notes: unexplained.collect(), gaps: Vec::new() })
     }

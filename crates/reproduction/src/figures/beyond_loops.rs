@@ -88,7 +88,7 @@ impl FileSection for BeyondLoops {
 impl PaperFigure for BeyondLoops {
     const LABEL: &'static str = "fig:loops";
     const BEYOND: bool = true;
-    const TITLE: &'static str = "Beyond the paper: solutions of more loops at one-loop resonances";
+    const TITLE: &'static str = "Beyond the paper: solutions with more loops at one-loop resonances";
     const TABLES: &'static [TablePlan] = MoreLoops::TABLES;
     const REMEDY: &'static str = "beyond_loops.damping";
     type Shown = MoreLoops;

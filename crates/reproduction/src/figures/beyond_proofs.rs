@@ -90,12 +90,12 @@ rows! {
 tables! {
     /// The proofs for Figure 7.
     Proofs {
-        /// There is one item for each curve, point and region.
-        items: ProofItem = "beyond_proofs", "something that Figure 7 shows",
-        /// The intervals cover the window.
-        ends: ProofEnds = "beyond_proofs_ends", "an interval of frequencies, by its middle",
-        /// The intervals are close to points.
-        magnified: ProofMagnified = "beyond_proofs_magnified", "an end of an interval of frequencies beside a point",
+        /// Of each curve, point and region.
+        items: ProofItem = "beyond_proofs", "a curve, point or region of Figure 7",
+        /// Over the window.
+        ends: ProofEnds = "beyond_proofs_ends", "an interval of frequencies, represented by its midpoint",
+        /// About points.
+        magnified: ProofMagnified = "beyond_proofs_magnified", "an endpoint of an interval of frequencies near a point",
         ;
         /// The window of Figure 7.
         frame: Frame,
@@ -112,7 +112,7 @@ impl FileSection for BeyondProofs {
 impl PaperFigure for BeyondProofs {
     const LABEL: &'static str = "fig:proofs";
     const BEYOND: bool = true;
-    const TITLE: &'static str = "Beyond the paper: what is proved of Figure 7";
+    const TITLE: &'static str = "Beyond the paper: what is proved about Figure 7";
     const TABLES: &'static [TablePlan] = Proofs::TABLES;
     const REMEDY: &'static str = "oscillator.zeta or oscillator.epsilon";
     type Shown = Proofs;

@@ -44,7 +44,7 @@ impl PaperFigure for Figure7 {
             description: "Forcing amplitude across, forcing frequency up. Grazing curve of the non-impacting solution; \
              saddle-node, period-doubling and grazing bifurcations of maximal periodic solutions; regions of stability \
              in grey. Triangles: resonances; discs: other codimension-two points. Rectangles: the panels of Figure 8; thick \
-             line: where Figure 2 runs.",
+             line: section shown in Figure 2.",
             names: &Names::of_the_paper(),
             tables: &["fig07_points", "fig07_curves"],
         };

@@ -63,8 +63,8 @@ impl Atlas {
         canvas.finish(
             "beyond_atlas",
             "Atlas of the limit map of linear oscillators",
-            "Above: sigma across, coefficient of restitution up. The darker, the more orbits begin stable one after the other as the parameter goes \
-             on from the period doubling: with 2, 4, 8, 16 impacts; white: the period doubling is subcritical. Triangles: resonances of Figure 7. Below: where \
+            "Above: sigma across, coefficient of restitution up. The darker, the more stable orbits, with 2, 4, 8 and 16 impacts, emerge in turn as the \
+             parameter moves beyond the period doubling; white: the period doubling is subcritical. Triangles: resonances of Figure 7. Below: where \
              saddle-nodes, second period doublings and grazing of period-doubled orbits are, in units of c_PD.",
         )
     }
@@ -156,7 +156,7 @@ impl Atlas {
 
 const MEANINGS: [&str; 4] = [
     "the period doubling is supercritical",
-    "orbits with 4 impacts begin stable",
+    "orbits with 4 impacts emerge stable",
     "with 8 impacts",
     "with 16 impacts",
 ];

@@ -43,11 +43,11 @@ const CLASSES: [&str; 8] = [
     "$p=2$",
     "$p=3$",
     "$p\\ge 4$",
-    "more impacts, one period",
-    "more impacts, more periods",
+    "multi-impact, period 1",
+    r"multi-impact, period $\ge 2$",
     "irregular",
 ];
-const SEVERAL: &str = "stripes: several are seen";
+const SEVERAL: &str = "stripes: several coexist";
 
 /// The index of a stretch's class.
 fn class(stretch: &Stretch) -> usize {
@@ -132,8 +132,8 @@ pub(super) fn draw(figure: &Attractors, width: SheetWidth) -> Result<Sheet, Draw
     panel.axes(r"$\mathcal{A}$", r"$\omega$")?;
     canvas.finish(
         "beyond_attractors",
-        "What motion comes to in the window of Figure 7",
-        "Forcing amplitude across, forcing frequency up. Colour: what motion from four initial states comes to at each place; where they come to \
-         different attractors, rows take turns. Curves and points as in Figure 7.",
+        "Long-term behaviour in the window of Figure 7",
+        "Forcing amplitude across, forcing frequency up. Colour: the attractor that motion from four initial states reaches at each place; where they reach \
+         different attractors, rows alternate between these. Curves and points as in Figure 7.",
     )
 }

@@ -82,8 +82,8 @@ impl Cascades {
         canvas.finish(
             "beyond_cascade",
             "What follows the period doubling near three resonances",
-            "Impact velocity of simulated motion against M, the parameter less that of grazing, both in units of their values at the period doubling. From left \
-             to right closer to the resonance; the last column is the limit map. Dotted: where orbits with 2, 4, 8 and 16 impacts begin. Impacts more than twice as fast are left out.",
+            "Impact velocity of simulated motion against M, the distance of the parameter from grazing, both in units of their values at the period doubling. From left \
+             to right: closer to the resonance; the last column is the limit map. Dotted: onset of orbits with 2, 4, 8 and 16 impacts. Impacts more than twice as fast are left out.",
         )
     }
 }

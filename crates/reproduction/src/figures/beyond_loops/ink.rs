@@ -77,7 +77,7 @@ pub(super) fn draw(figure: &MoreLoops, width: SheetWidth) -> Result<Sheet, Drawi
     }
     canvas.finish(
         "beyond_loops",
-        "Solutions of more loops at one-loop resonances",
+        "Solutions with more loops at one-loop resonances",
         "Sigma across. Left: the width in the scaled parameter M of the regions in which k-loop solutions are stable and \
          admissible, numbered by k. Right: where these lie for positive sigma, from the period doubling (bold) to where the last \
          visit touches the wall. Discs: measured on the curves of oscillators.",

@@ -82,10 +82,10 @@ pub(super) fn draw(figure: &Proofs, width: SheetWidth) -> Result<Sheet, DrawingE
     }
     canvas.finish(
         "beyond_proofs",
-        "What is proved of Figure 7",
-        "Upper left: forcing amplitude across, frequency up. Grey: stable admissible motion is proved to exist, the darker area that with impacts; \
-         white: it is proved that there is none of one, two or three loops. Upper right: width in amplitude of the tubes in which GZ curves are \
-         proved to lie. Below: tubes beside three points, and boxes in which exactly one such point is proved to lie.",
+        "What is proved about Figure 7",
+        "Upper left: forcing amplitude across, frequency up. Grey: stable admissible motion is proved to exist, in the darker area with impacts; \
+         white: it is proved that there is none with one, two or three loops. Upper right: width in amplitude of the tubes in which GZ curves are \
+         proved to lie. Below: tubes near three points, and boxes in which exactly one such point is proved to lie.",
     )
 }
 
@@ -109,7 +109,7 @@ fn draw_window(figure: &Proofs, panel: &Panel<'_>) -> Result<(), DrawingError> {
             panel.fill(&area, NON_IMPACTING_AREA);
             panel
                 .canvas
-                .explain("motion without impacts is stable: proved", Sample::Area(NON_IMPACTING_AREA));
+                .explain("proved: motion without impacts is stable", Sample::Area(NON_IMPACTING_AREA));
             traces.push(trace(Bifurcation::NonImpactingGrazing, grazing));
             continue;
         }
@@ -136,7 +136,7 @@ fn draw_window(figure: &Proofs, panel: &Panel<'_>) -> Result<(), DrawingError> {
         };
         let omega = 0.5 * (item.from + item.to);
         if panel.marker((item.amplitude, omega), marker).is_some() {
-            panel.canvas.explain(&format!("{what}: proved"), sample);
+            panel.canvas.explain(&format!("proved: {what}"), sample);
         }
     }
     labels.name_curves(drawn, NAMED_LENGTH, "grazing")?;

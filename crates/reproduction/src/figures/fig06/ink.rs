@@ -51,8 +51,8 @@ pub(super) fn draw(figure: &Schematic, width: SheetWidth) -> Result<Sheet, Drawi
     canvas.finish(
         "fig06",
         "The impact oscillator",
-        "A block on a spring and a dashpot, driven by a harmonic force; its face is at x, its equilibrium at x = -1, and a \
-         wall at x = 0 gives it back a share epsilon of its velocity.",
+        "A block on a spring and a dashpot, driven by a harmonic force. Its face is at x, its equilibrium at x = -1; from a \
+         wall at x = 0 it rebounds with a fraction epsilon of its velocity.",
     )
 }
 

@@ -54,12 +54,12 @@ fn diagrams_have_legends_of_what_they_show() {
         (&fig05, "(GZ)", false),
         (&fig05, "a maximal periodic solution is stable", true),
         (&fig07, "(GZ)", true),
-        (&fig07, "where a one-parameter diagram runs", true),
+        (&fig07, "line of a one-parameter diagram", true),
         (&fig07, "quadratic approximation", false),
-        (&fig07, "another codimension-two point", true),
+        (&fig07, "other codimension-two point", true),
         (&fig08, "quadratic approximation to PD", true),
         (&fig08, "the non-impacting solution is stable", true),
-        (&fig08, "stability is not decided", false),
+        (&fig08, "stability is undecided", false),
     ] {
         let found = legend.iter().any(|meaning| meaning.contains(words));
         assert_eq!(found, there, "{words}: {legend:?}");
