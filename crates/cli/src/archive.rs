@@ -41,18 +41,18 @@ pub(crate) fn run(arguments: &Archive) -> Result<(), Failure> {
     let mut files = Vec::new();
     if of_the_paper {
         let root = project::root().ok_or_else(|| {
-            Failure::input("this is no clone of the repository: name what is to be archived")
+            Failure::input("this is not a clone of the repository: name the files and folders to archive")
         })?;
         OF_THE_PAPER.iter().try_for_each(|path| collect(&root.join(path), Path::new(path), &mut files))?;
     }
     for path in &arguments.paths {
         let name =
-            path.file_name().ok_or_else(|| Failure::input(format!("{}: it has no name", path.display())))?;
+            path.file_name().ok_or_else(|| Failure::input(format!("{}: this path has no file name", path.display())))?;
         collect(path, Path::new(name), &mut files)?;
     }
     files.sort_by(|a, b| a.path.cmp(&b.path));
     if let Some(pair) = files.windows(2).find(|pair| pair[0].path == pair[1].path) {
-        return Err(Failure::input(format!("{}: there are two of this name", pair[0].path.display())));
+        return Err(Failure::input(format!("{}: two files have this name", pair[0].path.display())));
     }
     let output = arguments
         .output
@@ -78,7 +78,7 @@ fn collect(path: &Path, name: &Path, files: &mut Vec<OutputFile>) -> Result<(), 
         files.push(OutputFile { path: name.to_owned(), content });
         let bytes: usize = files.iter().map(|file| file.content.len()).sum();
         return match bytes as u64 > MOST_BYTES {
-            true => Err(Failure::input(format!("{}: with it there is more than a gigabyte", path.display()))),
+            true => Err(Failure::input(format!("{}: with this file the archive is larger than a gigabyte", path.display()))),
             false => Ok(()),
         };
     }
@@ -129,7 +129,7 @@ fn description(
         .collect();
     let about = match of_the_paper {
         true => format!(
-            "Every figure, table and number of \"{}\", computed again, with what checks them",
+            "Every figure, table and number of \"{}\", recomputed, with the checks",
             codecheck::TITLE
         ),
         false => "Resonant grazing bifurcations of oscillators, and the files that describe these".to_owned(),

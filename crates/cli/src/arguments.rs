@@ -21,20 +21,20 @@ use crate::outputs::edition::{Edition, Format, TextForm, WIDTHS};
 use crate::outputs::{self, edition};
 use crate::variation::{Part, Variation};
 
-/// What stands in files of the folder help/, one after the other.
+/// The text of files of the folder help/, one after the other.
 macro_rules! help {
     ($($file:literal),+) => {
         concat!($("\n", include_str!(concat!("../help/", $file, ".txt"))),+).trim_ascii()
     };
 }
 
-/// Regenerates the numerical results of "Resonant grazing bifurcations revisited" (arXiv 2602.22797)
+/// Recomputes the numerical results of "Resonant grazing bifurcations revisited" (arXiv 2602.22797)
 #[derive(Debug, Parser)]
 #[command(name = "grazing", version, subcommand_required = true, arg_required_else_help = true)]
 #[command(after_long_help = help!("exit_codes"), max_term_width = 80)]
 #[command(long_about = help!("about"))]
 pub struct Arguments {
-    /// What to do.
+    /// The subcommand.
     #[command(subcommand)]
     pub command: Command,
 }
@@ -42,46 +42,46 @@ pub struct Arguments {
 /// The subcommands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Compute all figures and tables, or check those that are there
+    /// Compute all figures and tables, or check the existing ones
     #[command(after_long_help = help!("reproduce", "exit_codes"))]
     Reproduce(Reproduce),
-    /// Compare values with the paper's, or curves with another program's
+    /// Compare values with the published ones, or curves with another program's
     #[command(after_long_help = help!("compare", "exit_codes"))]
     Compare(Compare),
-    /// Test what the paper states, label by label
+    /// Test the claims of the paper, label by label
     #[command(after_long_help = help!("claims", "exit_codes"))]
     Claims(Claims),
-    /// Prove what Figure 7 shows, and write a certificate of it
+    /// Prove what Figure 7 shows and write a certificate
     #[command(after_long_help = help!("certify", "exit_codes"))]
     Certify(Certify),
-    /// Write one page with all of it, to be read in a browser
+    /// Write all results on one page, to be read in a browser
     #[command(after_long_help = help!("report", "exit_codes"))]
     Report(Report),
     /// Find and unfold resonant grazing bifurcations of an oscillator
     #[command(after_long_help = help!("unfold", "exit_codes"))]
     Unfold(Unfold),
-    /// Map what motion comes to over the window of Figure 7
+    /// Map the attractors over the window of Figure 7
     #[command(after_long_help = help!("attractors", "exit_codes"))]
     Attractors(Attractors),
     /// Explore the diagram of an oscillator in a browser
     #[command(after_long_help = help!("explore", "exit_codes"))]
     Explore(Explore),
-    /// Identify constants of an oscillator from what a rig did
+    /// Identify constants of an oscillator from measurements
     #[command(after_long_help = help!("identify", "exit_codes"))]
     Identify(Identify),
-    /// Join the parts of a family or a map that `--part` computed
+    /// Join the parts of a family or a map computed with `--part`
     #[command(after_long_help = help!("merge", "exit_codes"))]
     Merge(Merge),
-    /// Write a description of an oscillator to begin with
+    /// Write the description of an oscillator, to be edited
     #[command(after_long_help = help!("new", "exit_codes"))]
     New(New),
-    /// Write a problem for AUTO-07p that begins at a periodic solution
+    /// Write a problem for AUTO-07p that starts at a periodic solution
     #[command(after_long_help = help!("export", "exit_codes"))]
     Export(Export),
-    /// Pack results and what they were made from, for an archive
+    /// Pack results and their sources for an archive
     #[command(after_long_help = help!("archive", "exit_codes"))]
     Archive(Archive),
-    /// Print what a shell completes commands and options with
+    /// Print a script that completes commands and options in a shell
     #[command(after_long_help = help!("completions", "exit_codes"))]
     Completions(Completions),
     /// Write manual pages, one for each command
@@ -92,10 +92,10 @@ pub enum Command {
 /// The arguments of `grazing reproduce`.
 #[derive(Debug, Args)]
 pub struct Reproduce {
-    /// Make this output only; may be given several times
+    /// Compute only this output; may be given several times
     #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(output_names()))]
     pub only: Vec<String>,
-    /// Write nothing; fail if files are not what the code makes, naming them and what mends them
+    /// Write nothing; fail if files differ from what the code produces, and name them with the remedy
     #[arg(long)]
     pub check: bool,
     #[command(flatten)]
@@ -109,10 +109,10 @@ pub struct Reproduce {
     pub(crate) threads: Threads,
 }
 
-/// What figures are made as.
+/// The form of the figures.
 #[derive(Debug, Args)]
 pub struct Look {
-    /// Formats, separated by commas; tex: LaTeX tables, and figures.tex to include all, with PDF; parquet: tables, beside CSV
+    /// Formats, separated by commas; tex: LaTeX tables, PDF, and figures.tex that includes all; parquet: tables in addition to CSV
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg")]
     pub format: Vec<Format>,
     /// Width of the figures: as in the paper, one column (86 mm) or two (178 mm) of a journal
@@ -121,7 +121,7 @@ pub struct Look {
     /// Dots per inch of PNG
     #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u16).range(50..=1200))]
     pub dpi: u16,
-    /// Labels as text in embedded fonts, or as paths for systems that ignore these
+    /// Labels as text in embedded fonts, or as paths for programs that ignore embedded fonts
     #[arg(long, value_name = "FORM", value_enum, default_value_t)]
     pub text: TextForm,
 }
@@ -133,10 +133,10 @@ impl Look {
     }
 }
 
-/// How many threads compute.
+/// The number of threads.
 #[derive(Debug, Args)]
 pub struct Threads {
-    /// Number of threads; the outputs do not depend on it [default: one for each core]
+    /// Number of threads; it does not change the outputs [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
 }
@@ -147,17 +147,17 @@ impl Threads {
         let Some(jobs) = self.jobs else { return Ok(()) };
         let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(jobs));
         pool.build_global()
-            .map_err(|error| Failure::input(format!("{jobs} threads could not be started: {error}")))
+            .map_err(|error| Failure::input(format!("--jobs {jobs}: the threads could not be started: {error}")))
     }
 }
 
-/// What takes the place of values in the description of an oscillator.
+/// Changes to values in the description of an oscillator.
 #[derive(Debug, Args)]
 pub struct Changes {
     /// Numbers of loops p, separated by commas [default: those of the file]
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub loops: Option<Vec<u32>>,
-    /// Value for a key of the file, in its place; a name alone is that of a constant
+    /// Replace the value of a key of the file; a name alone is a constant; may be given several times
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<Setting>,
 }
@@ -165,19 +165,19 @@ pub struct Changes {
 /// The arguments of `grazing claims`.
 #[derive(Debug, Args)]
 pub struct Claims {
-    /// Labels of the paper, as eq:gp; * stands for anything, as in 'th:*' [default: all]
+    /// Labels of the paper, such as eq:gp; * matches anything, as in 'th:*' [default: all]
     #[arg(value_name = "LABEL")]
     pub labels: Vec<String>,
     /// Only claims of this kind
     #[arg(long, value_name = "KIND", value_parser = PossibleValuesParser::new(claim_kinds()))]
     pub kind: Option<String>,
-    /// Only where print and mathematics differ
+    /// Only claims where the printed text and the mathematics differ
     #[arg(long)]
     pub misprints: bool,
-    /// Print all that is known of each claim: statement, samples, functions, check, figures
+    /// Print statement, samples, functions, check and figures of each claim
     #[arg(long)]
     pub explain: bool,
-    /// Test all claims and write ERRATA.md, the page of misprints, instead of checking it
+    /// Test all claims and write docs/ERRATA.md, the page of misprints, instead of checking it
     #[arg(long, conflicts_with_all = ["labels", "kind", "misprints"])]
     pub write_errata: bool,
     #[command(flatten)]
@@ -187,19 +187,19 @@ pub struct Claims {
 /// The arguments of `grazing compare`.
 #[derive(Debug, Args)]
 pub struct Compare {
-    /// CSV of bifurcation curves from another program [default: the values that the paper prints]
+    /// CSV of bifurcation curves from another program [default: compare the published values]
     #[arg(value_name = "CSV", requires = "oscillator")]
     pub curves: Option<PathBuf>,
-    /// The oscillator that these curves are of, as a text file
+    /// The oscillator that these curves belong to, as a text file
     #[arg(long, value_name = "FILE", requires = "curves", conflicts_with = "file")]
     pub oscillator: Option<PathBuf>,
-    /// The column in which NAME stands: a parameter, seen or p; may be given several times
+    /// The column that holds NAME (a parameter, seen or p); may be given several times
     #[arg(long = "column", value_name = "NAME=COLUMN", requires = "curves", value_parser = column)]
     pub columns: Vec<(String, String)>,
-    /// What all the curves are, if no column says so, as SN:2 (kind, number of loops)
+    /// Kind and number of loops of all curves, such as SN:2, if no column has them
     #[arg(long, value_name = "KIND:P", requires = "curves", value_parser = curve)]
     pub curve: Option<(Bifurcation, Option<u32>)>,
-    /// The greatest distance that is near, as a share of the ranges
+    /// The largest distance accepted, as a share of the ranges
     #[arg(long, value_name = "SHARE", requires = "curves", default_value_t = 1e-3, value_parser = positive)]
     pub within: f64,
     #[command(flatten)]
@@ -211,7 +211,7 @@ pub struct Compare {
 /// The arguments of `grazing certify`.
 #[derive(Debug, Args)]
 pub struct Certify {
-    /// Write nothing; fail if the certificate is not what the code makes
+    /// Write nothing; fail if the certificate differs from what the code produces
     #[arg(long)]
     pub check: bool,
     /// Folder for the certificate [default: expected/certificate, or varied/certificate with --set]
@@ -229,7 +229,7 @@ pub struct Report {
     /// File of the page
     #[arg(long, value_name = "FILE", default_value = "report.html")]
     pub output: PathBuf,
-    /// Oscillator to show beside those of examples/, as a text file; may be given several times
+    /// Another oscillator to show, as a text file; may be given several times
     #[arg(long = "oscillator", value_name = "FILE")]
     pub oscillators: Vec<PathBuf>,
     #[command(flatten)]
@@ -241,26 +241,26 @@ pub struct Report {
 /// The arguments of `grazing unfold`.
 #[derive(Debug, Args)]
 pub struct Unfold {
-    /// Description of an oscillator, as examples/duffing.toml; there may be several
+    /// Descriptions of oscillators, such as examples/duffing.toml
     #[arg(value_name = "FILE", required = true)]
     pub files: Vec<PathBuf>,
-    /// Folder for the results, of several files with one for each in it [default: unfolded/NAME]
+    /// Folder for the results; with several files, each gets a subfolder [default: unfolded/NAME]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) look: Look,
     #[command(flatten)]
     pub(crate) changes: Changes,
-    /// Resonances and coefficients for COUNT values of a constant; up to three times
+    /// Resonances and coefficients for COUNT values of a constant; may be given up to three times
     #[arg(long, value_name = "NAME=FROM:TO:COUNT")]
     pub vary: Vec<Variation>,
-    /// Compute only this part of the family, to be joined with the others by `merge`
+    /// Compute only part K of N of the family; `merge` joins the parts
     #[arg(long, value_name = "K/N", requires = "vary")]
     pub part: Option<Part>,
-    /// CSV of what a rig did, to be compared and drawn
+    /// CSV of measurements, to be compared and drawn
     #[arg(long, value_name = "CSV", conflicts_with = "vary")]
     pub data: Option<PathBuf>,
-    /// Motion and basins of attraction at these parameters; may be given several times
+    /// Attractors and basins of attraction at these parameters; may be given several times
     #[arg(long, value_name = "PRIMARY,SECONDARY", conflicts_with = "vary", value_parser = place, allow_hyphen_values = true)]
     pub at: Vec<[f64; 2]>,
     #[command(flatten)]
@@ -268,19 +268,19 @@ pub struct Unfold {
     /// Print every hypothesis and every quantity of every resonance
     #[arg(long)]
     pub explain: bool,
-    /// CPU seconds after which an analysis ends with what it has [default: the file's, or 600]
+    /// CPU seconds after which an analysis stops with its partial results [default: the file's, or 600]
     #[arg(long, value_name = "SECONDS", value_parser = positive)]
     pub time_limit: Option<f64>,
-    /// Memory at which it ends likewise, in megabytes [default: the file's, or 2000]
+    /// Memory in megabytes at which it stops [default: the file's, or 2000]
     #[arg(long, value_name = "MB", value_parser = positive)]
     pub memory_limit: Option<f64>,
-    /// Steps of integration after which it ends likewise [default: the file's, or 1e10]
+    /// Integration steps after which it stops [default: the file's, or 1e10]
     #[arg(long, value_name = "N", value_parser = positive)]
     pub step_limit: Option<f64>,
 }
 
 impl Unfold {
-    /// The limits that are given, and those of a file where none is.
+    /// The limits given on the command line, or else those of a file.
     pub(crate) fn limits(&self, file: Limits) -> Limits {
         Limits {
             time: self.time_limit.unwrap_or(file.time),
@@ -293,10 +293,10 @@ impl Unfold {
 /// The arguments of `grazing attractors`.
 #[derive(Debug, Args)]
 pub struct Attractors {
-    /// Places across and up
+    /// Numbers of columns and rows of the map
     #[arg(long, value_name = "COLUMNSxROWS", default_value = "1000x1000", value_parser = size)]
     pub size: [u32; 2],
-    /// Compute only this part of the rows, to be joined with the others by `merge`
+    /// Compute only part K of N of the rows; `merge` joins the parts
     #[arg(long, value_name = "K/N")]
     pub part: Option<Part>,
     /// Folder for the results [default: attractors]
@@ -313,19 +313,19 @@ pub struct Attractors {
 /// The arguments of `grazing explore`.
 #[derive(Debug, Args)]
 pub struct Explore {
-    /// Description of an oscillator to begin with [default: the paper's]
+    /// Description of the oscillator to show first [default: the paper's]
     #[arg(value_name = "FILE")]
     pub file: Option<PathBuf>,
-    /// Port of the loopback interface; 0: any that is free
+    /// Port of the loopback interface; 0 chooses a free one
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub port: u16,
     /// Do not open a browser
     #[arg(long)]
     pub no_browser: bool,
-    /// Write the page as a folder of files that needs no server but one for files
+    /// Write the page as a folder of static files for any web server
     #[arg(long, value_name = "DIR", requires = "program", conflicts_with_all = ["port", "no_browser"])]
     pub static_files: Option<PathBuf>,
-    /// The program compiled to WebAssembly, as `packaging/web/run` makes it, for these files
+    /// The program compiled to WebAssembly by `packaging/web/run`, for --static-files
     #[arg(long, value_name = "WASM", requires = "static_files")]
     pub program: Option<PathBuf>,
 }
@@ -333,16 +333,16 @@ pub struct Explore {
 /// The arguments of `grazing identify`.
 #[derive(Debug, Args)]
 pub struct Identify {
-    /// Description of an oscillator, as examples/leaf-spring.toml
+    /// Description of an oscillator, such as examples/leaf-spring.toml
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// CSV of places where bifurcations were seen
+    /// CSV of measured bifurcations
     #[arg(long, value_name = "CSV", required_unless_present = "record")]
     pub data: Option<PathBuf>,
-    /// CSV of impacts: times, velocities before and after
+    /// CSV of impacts: times, and velocities before and after
     #[arg(long, value_name = "CSV")]
     pub record: Option<PathBuf>,
-    /// Constants to be identified, separated by commas; the others stay as they are in the file
+    /// Constants to identify, separated by commas; the others keep the values in the file
     #[arg(long, value_name = "LIST", value_delimiter = ',', required = true)]
     pub free: Vec<String>,
     #[command(flatten)]
@@ -357,7 +357,7 @@ pub struct Identify {
 /// The arguments of `grazing merge`.
 #[derive(Debug, Args)]
 pub struct Merge {
-    /// All parts of a family or a map, as `--part` writes them
+    /// All parts of a family or a map, as written with `--part`
     #[arg(value_name = "PART", required = true)]
     pub parts: Vec<PathBuf>,
     /// Folder for the results [default: families/NAME, or attractors]
@@ -370,10 +370,10 @@ pub struct Merge {
 /// The arguments of `grazing new`.
 #[derive(Debug, Args)]
 pub struct New {
-    /// The file to be written, which must not be there yet
+    /// The file to write; it must not exist yet
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// What it begins with: one of three plain ones, or an example
+    /// One of three simple oscillators, or an example
     #[arg(long, value_name = "KIND", default_value = "plain", value_parser = PossibleValuesParser::new(kinds()))]
     pub kind: String,
 }
@@ -381,10 +381,10 @@ pub struct New {
 /// The arguments of `grazing export`.
 #[derive(Debug, Args)]
 pub struct Export {
-    /// Description of an oscillator, as examples/duffing.toml
+    /// Description of an oscillator, such as examples/duffing.toml
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// Where the solution is looked for; a stable one is preferred
+    /// Parameters of the solution; a stable one is preferred
     #[arg(long, value_name = "PRIMARY,SECONDARY", value_parser = place, allow_hyphen_values = true)]
     pub at: [f64; 2],
     #[command(flatten)]
@@ -397,16 +397,16 @@ pub struct Export {
 /// The arguments of `grazing archive`.
 #[derive(Debug, Args)]
 pub struct Archive {
-    /// Folders of results and files [default: those of the paper, in a clone]
+    /// Folders of results, and files [default: in a clone, those of the paper]
     #[arg(value_name = "PATH")]
     pub paths: Vec<PathBuf>,
-    /// File to be written [default: grazing-VERSION.tar]
+    /// File to write [default: grazing-VERSION.tar]
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// Date of publication, which archives ask for
+    /// Date of publication, which archives require
     #[arg(long, value_name = "YYYY-MM-DD", value_parser = date)]
     pub date: String,
-    /// Licence as SPDX has it [default: that of this program for its own results]
+    /// Licence as an SPDX expression [default: for the paper's results, that of this program]
     #[arg(long, value_name = "LICENCE")]
     pub licence: Option<String>,
 }
@@ -414,41 +414,41 @@ pub struct Archive {
 /// The arguments of `grazing completions`.
 #[derive(Debug, Args)]
 pub struct Completions {
-    /// The shell whose language they are in
+    /// The shell that is to complete commands and options
     pub shell: Shell,
 }
 
 /// The arguments of `grazing manual`.
 #[derive(Debug, Args)]
 pub struct Manual {
-    /// Folder for the pages, grazing.1 and others
+    /// Folder for the pages (grazing.1 and others)
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
 }
 
-/// The parameter file, which all commands share.
+/// The parameter file, common to several commands.
 #[derive(Debug, Args)]
 pub struct ParameterFile {
-    /// File of parameters [default: figures/parameters.toml, in this folder or the nearest above]
+    /// Parameter file [default: figures/parameters.toml in this folder or the nearest one above]
     #[arg(long = "parameters", value_name = "FILE")]
     pub file: Option<PathBuf>,
-    /// Value for a key of the parameter file, in its place; may be given several times
+    /// Replace the value of a key of the parameter file; may be given several times
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<Setting>,
 }
 
-/// How wide figures are made.
+/// The widths of figures.
 fn widths() -> impl TypedValueParser<Value = SheetWidth> {
     let words = WIDTHS.map(|(word, _, help)| PossibleValue::new(word).help(help));
     PossibleValuesParser::new(words).map(|word| edition::width(&word))
 }
 
-/// What a description of one's own begins with.
+/// The oscillators that a new description can start from.
 fn kinds() -> impl Iterator<Item = PossibleValue> {
     new::kinds().map(|kind| PossibleValue::new(kind.name).help(kind.about))
 }
 
-/// Formats of figures: all but LaTeX.
+/// The names of outputs, with their titles.
 fn output_names() -> impl Iterator<Item = PossibleValue> {
     outputs::ALL.iter().map(|output| PossibleValue::new(output.name).help(output.title))
 }

@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 use crate::arguments;
 use crate::failure::{Failure, computation};
 use crate::folder::{self, summary};
-use crate::layout::aligned;
+use crate::layout::Layout;
 use crate::outputs::edition::{Edition, Format};
 use crate::outputs::{Output, latex, paper};
 use crate::part::{self, Divided, Joined};
@@ -113,6 +113,7 @@ pub(crate) fn run(arguments: &arguments::Attractors) -> Result<(), Failure> {
         Some(part) => {
             let made = part::made(part, work, records)?;
             terminal::say(&summary(&folder::written(&folder, &[made])?));
+            terminal::say_next(&part::next(part, &folder));
             Ok(())
         }
         None => finish(&task, records, &folder, &edition, began),
@@ -141,7 +142,7 @@ fn finish(
     began: Instant,
 ) -> Result<(), Failure> {
     let shown = task.map()?.assembled(rows).map_err(failure)?;
-    let counts = told(&shown);
+    let counts = counted(terminal::layout(), &shown);
     let computed = paper::computed(&OUTPUT, &task.asked, &task.study, &shown, edition.columns);
     let computed = computed.map_err(|error| computation(OUTPUT.name, &*error))?;
     let (mut files, floats) = computed.files(edition)?;
@@ -153,16 +154,17 @@ fn finish(
     computed.notes.iter().for_each(|note| terminal::note(note));
     terminal::say(&format!("{counts}\n{}", summary(&written)));
     terminal::say(&format!("{:.1} s\n", began.elapsed().as_secs_f64()));
+    terminal::say_next(&format!("open {}", folder::first(&written)));
     Ok(())
 }
 
-/// The numbers of places at which regions and motion agree, and at which they do not, as a table.
-fn told(shown: &Attractors) -> String {
+/// The numbers of places at which regions and attractors agree, and at which they do not.
+fn counted(layout: Layout, shown: &Attractors) -> String {
     let line = |count: &RegionCount| {
         let RegionCount { loops, in_regions, settled, unseen, unexplained } = *count;
         [loops, in_regions, settled, unseen, unexplained].map(|count| count.to_string()).to_vec()
     };
-    aligned(&["p", "in regions", "settled", "unseen", "unexplained"], shown.counts.iter().map(line))
+    layout.aligned(&["p", "in regions", "settled", "unseen", "unexplained"], shown.counts.iter().map(line))
 }
 
 /// The paths of all files of a map.

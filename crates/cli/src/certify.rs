@@ -63,7 +63,7 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
     let points = summary::points(&rows).count();
     let share = summary::undecided_share(&rows);
     terminal::say(&format!(
-        "\n{} intervals; tubes around GZ curves are at most 1e-{} of A wide; points away from resonances where those that bound stable motion end or meet: {points}, no others in the window; {share:.1e} of nu is undecided.\n",
+        "\n{} intervals. Tubes around GZ curves are at most 1e-{} of A wide. Away from resonances, curves that bound stable motion end or meet at {points} points in the window, and at no others. The undecided share of nu is {share:.1e}.\n",
         rows.len(),
         WIDTH_PLACES,
     ));
@@ -80,12 +80,16 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
         files.iter().try_for_each(|file| same(&folder, file))?;
     } else {
         folder::write(&folder, &files)?;
-        terminal::say(&format!("{}: the certificate is written; check.py checks it\n", folder.display()));
+        terminal::say(&format!("{}: the certificate is written.\n", folder.display()));
+    }
+    if !arguments.check {
+        let check = project::root().unwrap_or_default().join(CERTIFICATE).join("check.py");
+        terminal::say_next(&format!("python3 {} {}", check.display(), folder.display()));
     }
     let unshown = resonances.iter().filter(|resonance| !resonance.missing.is_empty()).count();
     match (share > 0.0, unshown) {
         (false, 0) => Ok(()),
-        _ => Err(Failure::incomplete("not all could be proved, see above; the rest is in the certificate")),
+        _ => Err(Failure::incomplete("not everything could be proved, see above; the rest is in the certificate")),
     }
 }
 
@@ -102,9 +106,9 @@ fn printed(statement: &Statement, published: &Published, resonance: &Resonance) 
         let value = find(&format!("{}_p{p}_n{n}", name.trim_end_matches("_star")))?;
         let print = Decimal::new(value.printed.parse().ok()?)?.ball();
         let half_a_unit = Ball::ratio(5, 10_i64.pow(value.decimals() as u32 + 1)).size();
-        let verdict = if half_a_unit.contains(*proved - print) { "as proved" } else { "NOT AS PROVED" };
+        let verdict = if half_a_unit.contains(*proved - print) { "confirmed" } else { "NOT CONFIRMED" };
         Some(format!(
-            "  {} = {} as printed: {verdict} to the printed digits\n",
+            "  {} = {} in print: {verdict} to the printed digits\n",
             value.quantity, value.printed
         ))
     };
@@ -119,5 +123,5 @@ fn same(folder: &Path, file: &OutputFile) -> Result<(), Failure> {
         return Ok(());
     }
     let path = path.display();
-    Err(Failure::check(format!("{path}: not what the code makes: `cargo xtask certify` writes it")))
+    Err(Failure::check(format!("{path}: differs from what the code produces: write it again with `cargo xtask certify`")))
 }

@@ -33,13 +33,13 @@ pub(crate) fn run(arguments: &Claims) -> Result<(), Failure> {
     if chosen.is_empty() {
         let wanted = arguments.labels.join(" ");
         return Err(Failure::input(format!(
-            "no claim fits {wanted}: labels are those of the paper, as eq:gp or th:*; `cargo xtask claims` lists all"
+            "no claim matches {wanted}: labels are those of the paper, such as eq:gp or th:*; `cargo xtask claims` lists all"
         )));
     }
     let parameters = project::parameters(&arguments.parameters)?;
     let findings = findings(&parameters, &chosen, &Display::new())?;
     let failing = findings.iter().filter(|finding| finding.verdict.fails()).count();
-    terminal::say_coloured(&listing::table(&findings, arguments.explain, terminal::is_coloured()));
+    terminal::say_coloured(&listing::table(terminal::layout(), &findings, arguments.explain, terminal::is_coloured()));
     terminal::say(&listing::summary(&findings));
     if failing > 0 {
         return Err(Failure::check(format!("{failing} of {} claims do not hold", findings.len())));
@@ -59,7 +59,8 @@ pub(crate) fn findings<'a>(
     claims: &[&'a Claim],
     display: &Display,
 ) -> Result<Vec<Finding<'a>>, Failure> {
-    let numbers = published(&Study::new(parameters))?;
+    let progress: &dyn Progress = display;
+    let numbers = progress.during("published values", 1, || published(&Study::new(parameters)))?;
     let task = "claims";
     let checks: BTreeSet<&str> = claims.iter().filter_map(|claim| claim.check_name()).collect();
     display.begin(task, checks.len() as u64);
@@ -92,7 +93,7 @@ fn misprints(findings: &[Finding<'_>], write: bool) -> Result<(), Failure> {
         None if !write => return Ok(()),
         None => {
             return Err(Failure::input(
-                "--write-errata: this is no clone of the repository, where the page belongs",
+                "--write-errata: the page belongs in a clone of the repository, and this is not one",
             ));
         }
         Some(root) => root,
@@ -109,7 +110,7 @@ fn misprints(findings: &[Finding<'_>], write: bool) -> Result<(), Failure> {
         Ok(present) if present == content => Ok(()),
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(Failure::file(&path, &error)),
         _ => Err(Failure::check(
-            "docs/ERRATA.md is not what the ledger makes: mend it with `cargo xtask claims --write-errata`",
+            "docs/ERRATA.md differs from the page that the ledger gives: update it with `cargo xtask claims --write-errata`",
         )),
     }
 }

@@ -1,5 +1,5 @@
-//! `grazing compare`: the published values with the computed ones beside them, and curves of another
-//! program beside those of an oscillator.
+//! `grazing compare`: computed values beside the published ones, and curves of another program beside
+//! those of an oscillator.
 
 use std::path::Path;
 
@@ -8,12 +8,14 @@ use grazing_description::Limits;
 use grazing_measured::read::{self, Foreign};
 use grazing_measured::{Apart, apart};
 use grazing_reproduction::Study;
+use grazing_unfold::progress::Progress;
 
 use crate::arguments::{Compare, ParameterFile};
 use crate::failure::{Failure, computation};
-use crate::layout::aligned;
+use crate::layout::Layout;
 use crate::limits::ended;
 use crate::oscillator::{OscillatorFile, parameter_names, settings};
+use crate::progress::Display;
 use crate::unfold::analysis::analyse;
 use crate::{limits, project, terminal};
 
@@ -55,7 +57,7 @@ fn foreign(curves: &Path, oscillator: &Path, arguments: &Compare) -> Result<(), 
             .into()
     };
     let heads = ["curve", "points", "outside", "too far", "farthest", "line"];
-    terminal::say(&aligned(&heads, kinds.iter().map(row)));
+    terminal::say(&terminal::layout().aligned(&heads, kinds.iter().map(row)));
     let total = |count: fn(&Apart) -> u32| kinds.iter().map(count).sum::<u32>();
     let (all, far) = (total(|kind| kind.points), total(|kind| kind.far));
     match (all, far) {
@@ -65,11 +67,11 @@ fn foreign(curves: &Path, oscillator: &Path, arguments: &Compare) -> Result<(), 
             oscillator.display()
         ))),
         (_, 0) => {
-            terminal::say(&format!("\nAll {all} points lie within {within:e} of the ranges.\n"));
+            terminal::say(&format!("\nAll {all} points lie within {within:e} of the ranges of a curve of their kind.\n"));
             Ok(())
         }
         _ => Err(Failure::check(format!(
-            "{}: {far} of {all} points lie farther than {within:e} of the ranges from every admissible part of such a curve",
+            "{}: {far} of {all} points lie farther than {within:e} of the ranges from every admissible part of a curve of their kind",
             curves.display()
         ))),
     }
@@ -79,8 +81,10 @@ fn foreign(curves: &Path, oscillator: &Path, arguments: &Compare) -> Result<(), 
 fn print(file: &ParameterFile) -> Result<(), Failure> {
     crate::limits::leave_nothing_behind();
     let parameters = project::parameters(file)?;
-    let comparisons = published(&Study::new(&parameters))?;
-    terminal::say_coloured(&table(&comparisons, terminal::is_coloured()));
+    let display = Display::new();
+    let progress: &dyn Progress = &display;
+    let comparisons = progress.during("published values", 1, || published(&Study::new(&parameters)))?;
+    terminal::say_coloured(&table(terminal::layout(), &comparisons, terminal::is_coloured()));
     let tally = Tally::of(&comparisons);
     if !tally.is_complete() {
         return Err(Failure::check(tally.to_string()));
@@ -95,10 +99,10 @@ pub(crate) fn published(study: &Study) -> Result<Vec<Comparison<'static>>, Failu
     Ok(Published::printed().compare(&computed))
 }
 
-/// The comparisons as a table with aligned columns, one line each.
-pub fn table(comparisons: &[Comparison<'_>], coloured: bool) -> String {
+/// The comparisons as a table with aligned columns.
+pub fn table(layout: Layout, comparisons: &[Comparison<'_>], coloured: bool) -> String {
     let header = ["<quantity", "printed", "computed", "difference", "<verdict", "<where"];
-    aligned(&header, comparisons.iter().map(|comparison| cells(comparison, coloured).into()))
+    layout.aligned(&header, comparisons.iter().map(|comparison| cells(comparison, coloured).into()))
 }
 
 /// The cells of a row: quantity, printed and computed value, difference, verdict and place.

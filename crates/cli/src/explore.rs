@@ -41,12 +41,12 @@ pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
         .map_err(|reason| {
             let port = arguments.port;
             Failure::input(format!(
-                "port {port} of this machine cannot be had: {reason}; name another with --port"
+                "port {port} of this machine is not available: {reason}; choose another with --port"
             ))
         })?;
     let address = server.address();
     terminal::say(&format!(
-        "{address}\nThe address is for this machine alone, and its token keeps other pages out. Ctrl-C ends it.\n"
+        "{address}\nOnly this machine can open the address, and its token keeps other pages out. Ctrl-C stops the server.\n"
     ));
     limits::end_when_interrupted();
     // The redirecting page exists as long as the server runs.
@@ -61,7 +61,7 @@ fn write(folder: &Path, program: &Path, examples: &[Example]) -> Result<(), Fail
         .map_err(|reason| Failure::file(program, &reason))?;
     if !content.starts_with(WASM) {
         return Err(Failure::input(format!(
-            "{}: this is no program in WebAssembly; packaging/web/run makes one",
+            "{}: not a WebAssembly program; packaging/web/run builds one",
             program.display()
         )));
     }
@@ -72,10 +72,11 @@ fn write(folder: &Path, program: &Path, examples: &[Example]) -> Result<(), Fail
     folder::ensure_writable(folder, &paths)?;
     folder::write(folder, &files)?;
     terminal::say(&format!(
-        "{} files, into {folder}: any web server shows them, as `python3 -m http.server -d {folder}` does\n",
+        "{} files written to {folder}; any web server can serve them.\n",
         files.len(),
         folder = folder.display()
     ));
+    terminal::say_next(&format!("python3 -m http.server -d {}", folder.display()));
     Ok(())
 }
 
@@ -144,7 +145,7 @@ fn exported(seen: &Seen, what: &str, columns: &str) -> Result<Sheet, Failure> {
         (None, None) => false,
     };
     let Some(OutputFile { path, content }) = files.into_iter().find(wanted) else {
-        return Err(Failure::input(format!("{what}: this is not made: svg, pdf, png or csv:TABLE is")));
+        return Err(Failure::input(format!("{what}: unknown format: svg, pdf, png and csv:TABLE are available")));
     };
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     Ok(Sheet { name, kind: format.map_or("text/csv; charset=utf-8", |(_, kind)| kind), content })

@@ -132,7 +132,7 @@ fn solution(description: &Description, at: [f64; 2], watch: &Watch) -> Result<(S
     solutions.sort_by_key(|solution| !solution.multipliers.stable());
     let Some(mut chosen) = solutions.into_iter().next() else {
         return Err(Failure::input(format!(
-            "--at {mu},{eta}: no admissible solution with an impact was found there for p = {:?}: name another place",
+            "--at {mu},{eta}: no admissible solution with an impact was found there for p = {:?}: choose another place",
             description.loops()
         )));
     };

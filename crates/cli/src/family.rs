@@ -18,6 +18,7 @@ use crate::arguments;
 use crate::attractors::{self, MapWork};
 use crate::failure::Failure;
 use crate::folder::{self, summary};
+use crate::layout::Layout;
 use crate::limits::{self, Watch, ended, reading};
 use crate::outputs::edition::{Edition, Format};
 use crate::outputs::family::{FAMILY, NamedFamily};
@@ -37,7 +38,7 @@ pub(crate) use origin::Origin;
 pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let [file] = arguments.files.as_slice() else {
         return Err(Failure::input(
-            "--vary takes one file at a time: name one, and run it again for the next",
+            "--vary takes one file at a time: name one file, and run the command again for the next",
         ));
     };
     let origin = Origin::of_file(file, arguments)?;
@@ -54,7 +55,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     arguments.threads.start()?;
     limits::listen();
     let began = Instant::now();
-    terminal::say(&listing::plan(&description, file, &plan, arguments.part, members.len()));
+    terminal::say(&listing::plan(terminal::layout(), &description, file, &plan, arguments.part, members.len()));
     let watch = Watch::begin(arguments.limits(limits(&description, members.len())), taken);
     let display = Display::counting(watch.stop());
     let tell = |description: &Description, error: &_| reason::of(error, description);
@@ -64,17 +65,18 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
         Some(part) => {
             let records = found.into_iter().collect::<Option<Vec<Record>>>();
             let Some(records) = records else {
-                let outcome = "a part is written only if it is whole: nothing is written";
+                let outcome = "a part is written only if it is complete; nothing is written";
                 return Err(ended(file, cause, outcome));
             };
             let made = part::made(part, FamilyWork { vary: arguments.vary.clone(), origin }, records)?;
             terminal::say(&summary(&folder::written(&folder, &[made])?));
+            terminal::say_next(&part::next(part, &folder));
             Ok(())
         }
         None => {
             let missing = found.iter().filter(|record| record.is_none()).count();
             if missing == plan.count() {
-                return Err(ended(file, cause, "no member is finished: nothing is written"));
+                return Err(ended(file, cause, "no member is finished; nothing is written"));
             }
             finish(&Task { file, folder: &folder, edition: &edition, began }, &plan, &description, found)?;
             if missing > 0 {
@@ -130,7 +132,7 @@ fn plan(vary: &[Variation], description: &Description) -> Result<Plan, Failure> 
     if !(1..=MOST).contains(&vary.len()) {
         let count = vary.len();
         return Err(Failure::input(format!(
-            "--vary: {count} constants vary; at most {MOST} can, as the tables have {MOST} columns for them"
+            "--vary: given for {count} constants; at most {MOST} can vary, because the tables have {MOST} columns for them"
         )));
     }
     let known: Vec<&str> = description.constants().map(|(name, _)| name).collect();
@@ -145,7 +147,7 @@ fn plan(vary: &[Variation], description: &Description) -> Result<Plan, Failure> 
         }
         if vary[..place].iter().any(|Variation(other)| other.name == name) {
             return Err(Failure::input(format!(
-                "--vary {name}: it varies already: name every constant once"
+                "--vary {name}: given twice: name every constant once"
             )));
         }
     }
@@ -202,9 +204,9 @@ pub(crate) fn named(
     }
 }
 
-/// The results of a family, as lines on the terminal.
-pub(crate) fn listed(of: &NamedFamily, plan: &Plan) -> String {
-    listing::results(&of.family, &of.names, plan)
+/// Its contents as lines on the terminal.
+pub(crate) fn listed(layout: Layout, of: &NamedFamily, plan: &Plan) -> String {
+    listing::results(layout, &of.family, &of.names, plan)
 }
 
 /// A family that is to be written: its file and folder, the edition, and when the run began.
@@ -230,12 +232,13 @@ fn finish(
     }
     files.push(data_page::of_an_oscillator(FAMILY.tables.iter().copied(), &of.names));
     let written = folder::write_run(task.folder, &files, cut_off)?;
-    terminal::say(&listed(&of, plan));
+    terminal::say(&listed(terminal::layout(), &of, plan));
     terminal::say(&format!("\n{}", summary(&written)));
     terminal::say(&format!("{:.1} s\n", task.began.elapsed().as_secs_f64()));
+    terminal::say_next(&format!("open {}", folder::first(&written)));
     if of.family.incomplete > 0 {
         return Err(Failure::incomplete(format!(
-            "{}: something is missing at {} members, see above; everything else is written",
+            "{}: results are missing for {} members, see above; everything else is written",
             task.file.display(),
             of.family.incomplete
         )));

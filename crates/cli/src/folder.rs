@@ -5,7 +5,7 @@ mod manifest;
 mod place;
 mod temporaries;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 use std::fmt::Write as _;
 use std::fs;
@@ -62,7 +62,7 @@ pub fn ensure_writable(folder: &Path, files: &[PathBuf]) -> Result<(), Failure> 
     for place in [folder.to_owned(), folder.join(DATA)] {
         if let Some((path, reason)) = obstacle(&place) {
             let path = path.display();
-            let remedy = "name a folder for the outputs with --output DIR";
+            let remedy = "choose a folder for the outputs with --output DIR";
             return Err(Failure::input(format!("{path}: cannot be written: {reason}; {remedy}")));
         }
         sweep(&place);
@@ -132,27 +132,52 @@ pub(crate) fn remove(path: &Path) -> Result<(), Failure> {
     if path.is_file() { fs::remove_file(path).map_err(|reason| Failure::file(path, &reason)) } else { Ok(()) }
 }
 
-/// A line for each file, and a line of counts.
-pub(crate) fn summary(changes: &[(String, Change)]) -> String {
-    let width = changes.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
-    let mut text = String::new();
-    let mut counts = [0; 4];
-    for (name, change) in changes {
-        let (index, word) = match change {
-            Change::New => (0, "new"),
-            Change::Updated => (1, "updated"),
-            Change::Unchanged => (2, "unchanged"),
-            Change::Removed => (3, "removed"),
-        };
-        counts[index] += 1;
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "{name:width$}  {word}");
+impl Change {
+    /// The word for it.
+    fn word(self) -> &'static str {
+        match self {
+            Self::New => "new",
+            Self::Updated => "updated",
+            Self::Unchanged => "unchanged",
+            Self::Removed => "removed",
+        }
     }
-    let [new, updated, unchanged, removed] = counts;
+}
+
+/// The most new or unchanged files of a folder that are listed one by one.
+const LISTED: usize = 5;
+
+/// A line for each file, or for the many new or unchanged ones of a folder, and one that counts them all.
+pub(crate) fn summary(changes: &[(String, Change)]) -> String {
+    let folder = |name: &str| name.rfind(['/', '\\']).map_or(String::new(), |end| name[..=end].to_owned());
+    let mut groups: BTreeMap<(String, &str), Vec<&str>> = BTreeMap::new();
+    for (name, change) in changes {
+        groups.entry((folder(name), change.word())).or_default().push(name);
+    }
+    let mut lines: Vec<(String, String)> = Vec::new();
+    for ((folder, word), names) in &groups {
+        let alike = names.len() > LISTED && ["new", "unchanged"].contains(word);
+        match alike {
+            true => lines.push((folder.clone(), format!("{} files {word}", names.len()))),
+            false => lines.extend(names.iter().map(|name| ((*name).to_owned(), (*word).to_owned()))),
+        }
+    }
+    let width = lines.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+    let mut text: String = lines.iter().map(|(name, word)| format!("{name:width$}  {word}\n")).collect();
+    let count = |wanted: Change| changes.iter().filter(|(_, change)| *change == wanted).count();
+    let [new, updated, unchanged, removed] =
+        [Change::New, Change::Updated, Change::Unchanged, Change::Removed].map(count);
     let removed = if removed > 0 { format!(", {removed} removed") } else { String::new() };
     let files = counted(changes.len());
     let _ = writeln!(text, "{files}: {new} new, {updated} updated, {unchanged} unchanged{removed}.");
     text
+}
+
+/// The first figure or page among the files, or else the first file: what a user looks at next.
+pub(crate) fn first(changes: &[(String, Change)]) -> &str {
+    let is_shown = |path: &str| [".html", ".svg", ".pdf", ".png"].iter().any(|end| path.ends_with(end));
+    let shown = changes.iter().find(|(path, change)| *change != Change::Removed && is_shown(path));
+    shown.or(changes.first()).map_or("", |(path, _)| path)
 }
 
 /// A number of files, in words.
@@ -193,7 +218,7 @@ pub fn compare(
     };
     for path in if complete { listed(folder)? } else { Vec::new() } {
         if !expected(&path) {
-            let what = "not made by the code; remove it if it is left over from an earlier version or an interrupted run";
+            let what = "not produced by the code; remove it if it is left over from an earlier version or an interrupted run";
             found.unexpected.push(format!("{}: {what}", folder.join(path).display()));
         }
     }

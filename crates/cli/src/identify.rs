@@ -14,11 +14,11 @@ use grazing_source::{nearest, suggestion};
 use crate::arguments;
 use crate::failure::Failure;
 use crate::folder::{self, summary};
-use crate::layout::{aligned, wrapped};
+use crate::layout::Layout;
 use crate::limits::{self, Watch, ended};
 use crate::oscillator::{OscillatorFile, parameter_names, settings, with_loops};
 use crate::progress::Display;
-use crate::unfold::numbers::significant;
+use crate::unfold::numbers::{heads, with_error};
 use crate::{data_page, tables, terminal};
 
 /// The folder of the results, with a folder in it for each file.
@@ -47,9 +47,9 @@ pub(crate) fn run(arguments: &arguments::Identify) -> Result<(), Failure> {
     let bifurcations =
         measured.points.iter().filter(|point| matches!(point.seen, Seen::Bifurcation { .. })).count();
     if bifurcations == 0 && measured.record.is_empty() {
-        let remedy = "what was merely seen at a place tells no constant: measure where something changes (seen = graz, SN, PD, ...), or give a --record of impacts";
+        let remedy = "measurements without a bifurcation do not constrain the constants: measure where the motion changes (seen = graz, SN, PD, ...), or give a --record of impacts";
         return Err(Failure::input(format!(
-            "{}: there is no bifurcation among the measurements: {remedy}",
+            "{}: no bifurcation among the measurements: {remedy}",
             file.display()
         )));
     }
@@ -76,8 +76,10 @@ pub(crate) fn run(arguments: &arguments::Identify) -> Result<(), Failure> {
     files.push(data_page::of_an_oscillator(Identified::TABLES.iter().copied(), &names));
     let written = folder::write_run(&folder, &files, false)?;
     let unused = measured.points.len() - bifurcations;
-    terminal::say(&listing(file, &names, &fit, &identified, unused));
+    terminal::say(&listing(terminal::layout(), &names, &fit, &identified, unused));
     terminal::say(&format!("\n{}{:.1} s\n", summary(&written), began.elapsed().as_secs_f64()));
+    let set = identified.constants.iter().map(|row| format!(" --set {}={}", row.constant, brief(row.value, VALUE)));
+    terminal::say_next(&format!("cargo xtask unfold {}{}", file.display(), set.collect::<String>()));
     Ok(())
 }
 
@@ -96,7 +98,7 @@ fn starts(free: &[String], description: &Description) -> Result<Vec<f64>, Failur
         };
         if free[..place].contains(name) {
             return Err(Failure::input(format!(
-                "--free {name}: it is free already: name every constant once"
+                "--free {name}: named twice: name every constant once"
             )));
         }
         values.push(*value);
@@ -132,71 +134,64 @@ const VALUE: usize = 8;
 /// than stated, or that the oscillator is another one.
 const UNLIKELY: f64 = 3.0;
 
-fn listing(file: &Path, names: &Names, fit: &Fit, found: &Identified, unused: usize) -> String {
-    let mut text = String::from("identified, with standard errors\n");
+fn listing(layout: Layout, names: &Names, fit: &Fit, found: &Identified, unused: usize) -> String {
+    let mut text = String::from("Identified constants, value ± standard error\n");
     let row = |row: &grazing_results::measured::IdentifiedConstant| {
-        vec![
-            row.constant.clone(),
-            significant(row.value, VALUE),
-            brief(row.error, DIGITS),
-            brief(row.start, VALUE),
-        ]
+        let value = format!("{} = {}", row.constant, with_error(row.value, row.error));
+        vec![value, brief(row.start, VALUE)]
     };
-    text.push_str(&aligned(&["constant", "value", "error", "in the file"], found.constants.iter().map(row)));
+    text.push_str(&layout.aligned(&["<constant", "in the file"], found.constants.iter().map(row)));
     for row in &found.correlations {
-        text.push_str(&format!(
-            "  correlation of {} and {}: {}\n",
-            row.constant,
-            row.other,
-            brief(row.correlation, DIGITS)
-        ));
+        let correlation = brief(row.correlation, DIGITS);
+        text.push_str(&format!("  correlation of {} and {}: {correlation}\n", row.constant, row.other));
     }
-    let (freedom, squares) = (fit.freedom as f64, fit.chi_squared);
-    let numbers = found.residuals.len();
-    if fit.scattered {
-        text.push_str(&wrapped(
-            "\n  ",
-            &format!(
-                "No errors are stated: those of the constants come from the scatter of {numbers} numbers."
-            ),
-        ));
-    } else {
-        text.push_str(&format!(
-            "\n  chi^2 = {} for {} degrees of freedom, {numbers} measured numbers\n",
-            brief(squares, DIGITS + 1),
-            fit.freedom
-        ));
-        if squares > freedom + UNLIKELY * (2.0 * freedom).sqrt() {
-            let doubt = "that is more than errors as stated leave: they are larger, or the rig is not this oscillator";
-            text.push_str(&wrapped("  ", doubt));
-        }
-    }
+    text.push_str(&quality(layout, fit, found.residuals.len()));
     let mut worst: Vec<_> = found.residuals.iter().collect();
     worst.sort_by(|a, b| b.residual.abs().total_cmp(&a.residual.abs()));
-    text.push_str("\nlargest residuals, in standard errors; all are in data/residuals.csv\n");
+    text.push_str("\nLargest residuals, in standard errors (all are in data/residuals.csv)\n");
     let row = |row: &&grazing_results::measured::Residual| {
         vec![row.source.clone(), row.line.to_string(), row.quantity.clone(), brief(row.residual, DIGITS)]
     };
-    text.push_str(&aligned(&["file", "line", "measured", "residual"], worst.iter().take(5).map(row)));
+    text.push_str(&layout.aligned(&["file", "line", "measured", "residual"], worst.iter().take(5).map(row)));
     if unused > 0 {
-        text.push_str(&wrapped("  ", &format!("{unused} places where no bifurcation was seen tell no constant, and are left out; unfold --data compares them")));
+        let unused = format!(
+            "{unused} measurements without a bifurcation do not constrain the constants and are left out; \
+             `unfold --data` compares them."
+        );
+        text.push_str(&layout.wrapped("  ", &unused));
     }
-    text.push_str("\nresonances, with standard errors that follow\n");
+    text.push_str("\nResonances, value ± standard error that follows from the constants\n");
     let row = |row: &grazing_results::measured::IdentifiedResonance| {
-        let error = |error: f64| if error.is_nan() { "not known".to_owned() } else { brief(error, DIGITS) };
         vec![
             row.loops.to_string(),
             row.n.to_string(),
-            significant(row.secondary, VALUE),
-            error(row.secondary_error),
-            significant(row.primary, VALUE),
-            error(row.primary_error),
+            with_error(row.secondary, row.secondary_error),
+            with_error(row.primary, row.primary_error),
         ]
     };
-    let heads = ["p", "n", names.secondary.as_str(), "error", names.primary.as_str(), "error"];
-    text.push_str(&aligned(&heads, found.resonances.iter().map(row)));
-    let set: Vec<String> =
-        found.constants.iter().map(|row| format!("--set {}={}", row.constant, row.value)).collect();
-    text.push_str(&format!("\nthe diagram:  cargo xtask unfold {} {}\n", file.display(), set.join(" ")));
+    let [primary, secondary] = heads(names);
+    text.push_str(&layout.aligned(&["p", "n", &secondary, &primary], found.resonances.iter().map(row)));
+    text
+}
+
+/// How well the identified oscillator fits the measurements.
+fn quality(layout: Layout, fit: &Fit, numbers: usize) -> String {
+    if fit.scattered {
+        let scatter = format!(
+            "The measurements state no errors: those of the constants come from the scatter of {numbers} numbers."
+        );
+        return format!("\n{}", layout.wrapped("  ", &scatter));
+    }
+    let (freedom, squares) = (fit.freedom as f64, fit.chi_squared);
+    let fitted = format!(
+        "chi^2 = {} for {} degrees of freedom ({numbers} measured numbers)",
+        brief(squares, DIGITS + 1),
+        fit.freedom
+    );
+    let mut text = format!("\n{}", layout.wrapped("  ", &fitted));
+    if squares > freedom + UNLIKELY * (2.0 * freedom).sqrt() {
+        let doubt = "This is more than the stated errors explain: the errors are larger, or the rig is not this oscillator.";
+        text.push_str(&layout.wrapped("  ", doubt));
+    }
     text
 }

@@ -30,7 +30,7 @@ pub(crate) fn manual(arguments: &Manual) -> Result<(), Failure> {
     let paths: Vec<_> = files.iter().map(|file| file.path.clone()).collect();
     folder::ensure_writable(&arguments.folder, &paths)?;
     folder::write(&arguments.folder, &files)?;
-    terminal::say(&format!("{} pages, into {}\n", files.len(), arguments.folder.display()));
+    terminal::say(&format!("{} pages written to {}\n", files.len(), arguments.folder.display()));
     Ok(())
 }
 

@@ -19,7 +19,7 @@ pub mod family;
 pub mod folder;
 mod identify;
 mod installed;
-mod layout;
+pub mod layout;
 pub mod library;
 mod limits;
 pub mod new;

@@ -27,6 +27,7 @@ use crate::outputs::family::FAMILY;
 use crate::outputs::oscillator::AnalysedOscillator;
 use crate::outputs::{ComputedOutput, paper};
 use crate::project::{PARAMETERS, PARAMETERS_TEXT};
+use crate::layout::Layout;
 use crate::unfold::analysis::analyse_prepared;
 use crate::unfold::{listing, page, places, reason};
 use crate::variation::Variation;
@@ -98,7 +99,7 @@ impl Task<'_> {
         let of = self.read(None)?;
         let ready = self.model.ready(&of.description, &Stop::default());
         ready.map_err(|error| Failure::input(format!("{}: {error}", self.file)))?;
-        let listing = listing::oscillator(&of.description, &of.file);
+        let listing = listing::oscillator(Layout::default(), &of.description, &of.file);
         Ok((of.description, listing))
     }
 
@@ -115,11 +116,12 @@ impl Task<'_> {
         let analysed = AnalysedOscillator::new(&of.file, &of.description, unfolded);
         let (description, unfolded) = (&of.description, &analysed.unfolded);
         let contradictions = listing::contradictions(&unfolded.resonances).into_iter();
-        let contradictions = contradictions.map(|what| format!("the theorem is contradicted: {what}"));
+        let contradictions = contradictions.map(|what| format!("theorem and computation contradict each other: {what}"));
         let lost =
             page::lost(description, unfolded).into_iter().chain(listing::incomplete(&unfolded.diagram));
+        let layout = Layout::default();
         Ok(Results {
-            listing: listing::oscillator(description, &of.file) + &listing::results(description, unfolded),
+            listing: listing::oscillator(layout, description, &of.file) + &listing::results(layout, description, unfolded),
             missing: contradictions.chain(met.map(|met| met.to_string())).chain(lost).collect(),
             ..Results::new(analysed.computed(SheetWidth::Paper)?, &unfolded.axes.names)
         })
@@ -142,9 +144,9 @@ impl Task<'_> {
                 let broken = found.broken.iter().map(|(loops, across, reason)| {
                     format!("a branch of p = {loops} could not be followed beyond {across}: {reason}")
                 });
-                (listing::one_parameter(&of.description, found), broken.collect())
+                (listing::one_parameter(Layout::default(), &of.description, &seen.names, found), broken.collect())
             }
-            Figure::Place(place) => (places::listing(std::slice::from_ref(place), &seen.names), Vec::new()),
+            Figure::Place(place) => (places::listing(Layout::default(), std::slice::from_ref(place), &seen.names), Vec::new()),
             Figure::Plane(..) | Figure::Straightened(_) => Default::default(),
         };
         Ok(Results { listing, missing, ..Results::new(drawn(&seen, SheetWidth::Paper)?, &seen.names) })
@@ -193,7 +195,7 @@ impl Task<'_> {
         }
         let of = family::named(file, &plan, &description, found);
         let mut results = Results::new(FAMILY.compute(&of, SheetWidth::Paper)?, &of.names);
-        results.listing = family::listed(&of, &plan);
+        results.listing = family::listed(Layout::default(), &of, &plan);
         let lacking = of.family.incomplete;
         let lines = [
             (missing > 0).then(|| format!("{missing} of {} members are missing", plan.count())),

@@ -53,7 +53,7 @@ impl std::fmt::Display for EndCause {
             EndCause::Steps(steps) => (format!("limit of {steps} steps of integration"), "step"),
             EndCause::Interruption => return formatter.write_str("interrupted"),
         };
-        let remedy = format!("raise it by {key}_limit in [analysis] or --{key}-limit");
+        let remedy = format!("raise it with {key}_limit in [analysis] or --{key}-limit");
         write!(formatter, "the {limit} was reached ({remedy})")
     }
 }
@@ -62,9 +62,9 @@ impl std::fmt::Display for EndCause {
 pub(crate) fn listen() {
     signals::handle(|| {
         if INTERRUPTIONS.fetch_add(1, Ordering::Relaxed) > 0 {
-            leave("error: interrupted twice: ended at once, nothing more is written");
+            leave("error: interrupted twice: cancelled at once; nothing more is written");
         }
-        terminal::note("interrupted: writing what is finished; press Ctrl-C again to end at once");
+        terminal::note("interrupted: writing the finished results; press Ctrl-C again to cancel at once");
     });
 }
 
@@ -80,7 +80,7 @@ pub(crate) fn end_when_interrupted() {
 /// Makes Ctrl-C end the program at once, without leaving unfinished files behind.
 pub(crate) fn leave_nothing_behind() {
     signals::handle(|| {
-        leave("error: interrupted: what was not written yet is not written");
+        leave("error: interrupted: nothing more is written");
     });
 }
 
@@ -107,7 +107,7 @@ fn clock() -> Duration {
 
 /// The kind of time that is counted, in messages.
 const CLOCK: &str =
-    if cfg!(unix) { "of CPU time" } else { "by the clock, as this system has none of CPU time," };
+    if cfg!(unix) { "of CPU time" } else { "of wall-clock time (this system does not report CPU time)" };
 
 /// The time since the first call, where the system has no clock of CPU time.
 #[cfg(not(unix))]
@@ -202,7 +202,7 @@ pub(crate) fn reading<T>(
     match read(&watch.stop()) {
         Ok(read) => Ok((read, watch.taken())),
         Err(failure) => Err(match watch.end_cause() {
-            Some(cause) => ended(file, Some(cause), "nothing is written, for the file was still being read"),
+            Some(cause) => ended(file, Some(cause), "nothing is written, because the file was still being read"),
             None => failure,
         }),
     }

@@ -55,14 +55,13 @@ pub fn kinds() -> impl Iterator<Item = Kind> {
 pub(crate) fn run(arguments: &arguments::New) -> Result<(), Failure> {
     let file = &arguments.file;
     let kind = kinds().find(|kind| kind.name == arguments.kind);
-    let kind = kind.ok_or_else(|| Failure::input(format!("--kind {}: there is none", arguments.kind)))?;
+    let kind = kind.ok_or_else(|| Failure::input(format!("--kind {}: there is no such kind", arguments.kind)))?;
     write_new(file, kind.text)?;
     let shown = file.display();
     terminal::say(&format!(
-        "{shown}: written; edit it, then\n\n  \
-         cargo xtask unfold {shown}            find and unfold its resonant grazing bifurcations\n\n\
-         It can be unfolded as it is. Its comments explain every key.\n"
+        "{shown} is written. Its comments explain every key; it can be unfolded as it is.\n"
     ));
+    terminal::say_next(&format!("edit it, then cargo xtask unfold {shown}"));
     Ok(())
 }
 
@@ -72,12 +71,12 @@ fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
         let path = path.display();
         match error.kind() {
             ErrorKind::AlreadyExists => Failure::input(format!(
-                "{path}: is there already, and is not replaced: move it away, or name another file"
+                "{path}: already exists and is not replaced: move it away or choose another file"
             )),
             ErrorKind::NotFound => Failure::input(format!(
-                "{path}: cannot be written: its folder does not exist; make it, or name another file"
+                "{path}: cannot be written: its folder does not exist; create it or choose another file"
             )),
-            _ => Failure::input(format!("{path}: cannot be written: {error}; name another file")),
+            _ => Failure::input(format!("{path}: cannot be written: {error}; choose another file")),
         }
     })?;
     file.write_all(text.as_bytes()).and_then(|()| file.sync_all()).map_err(|error| {

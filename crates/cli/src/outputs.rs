@@ -158,7 +158,7 @@ impl<Source> Output<Source> {
         let names: Vec<&'static str> = computed.tables.iter().map(|table| table.name).collect();
         if names != self.table_names() {
             let announced = self.table_names();
-            let reason = format!("the tables are {names:?}, the list of outputs says {announced:?}");
+            let reason = format!("the tables are {names:?}, but the list of outputs has {announced:?}");
             return Err(Failure::output(self.name, reason));
         }
         computed.gaps.iter_mut().for_each(|gap| gap.push_str(&self.remedy()));

@@ -53,7 +53,7 @@ pub(crate) fn items<W: Divided>(part: Part, count: usize) -> Result<Range<usize>
     if part.parts > count {
         let (is, items) = (W::IS, W::ITEMS);
         return Err(Failure::input(format!(
-            "--part {part}: the {is} has {count} {items}, so at most {count} parts are possible"
+            "--part {part}: the {is} has {count} {items}, so it can have at most {count} parts"
         )));
     }
     Ok(end(part.part - 1)..end(part.part))
@@ -82,7 +82,13 @@ pub(crate) fn path(Part { part, parts }: Part) -> PathBuf {
     Path::new(PARTS).join(format!("{part:0digits$}-of-{parts}.toml"))
 }
 
-/// The beginning of a part, before the digest of all that follows its first line.
+/// What to do once a part is written into a folder.
+pub(crate) fn next(Part { parts, .. }: Part, folder: &Path) -> String {
+    let merge = format!("cargo xtask merge {}", folder.join(PARTS).join("*.toml").display());
+    if parts == 1 { merge } else { format!("once all {parts} parts are there, {merge}") }
+}
+
+/// The first line of a part: the digest of all that follows.
 const SEAL: &str = "sha256 = ";
 
 /// A text after its digest.
@@ -107,7 +113,7 @@ pub(crate) fn made<W: Divided>(part: Part, work: W, records: Vec<W::Record>) -> 
     if content.len() as u64 > folder::MOST_BYTES {
         let (most, is) = (folder::MOST_BYTES, W::IS);
         return Err(Failure::incomplete(format!(
-            "the part is longer than {most} bytes, which `merge` does not read: compute the {is} in more parts"
+            "the part is longer than the {most} bytes that `merge` reads: compute the {is} in more parts"
         )));
     }
     Ok(OutputFile { path: path(part), content })
@@ -124,14 +130,14 @@ impl<W: Divided> PartFile<W> {
     /// Reads a part, which may come from any source, and checks it as far as possible without the others.
     fn read(path: &Path) -> Result<Self, String> {
         let content = folder::read(path).map_err(|reason| format!("cannot be read: {reason}"))?;
-        let no_part = || format!("is no part of a {} as `{} --part` writes them", W::IS, W::COMMAND);
+        let no_part = || format!("is not a part of a {} as `{} --part` writes it", W::IS, W::COMMAND);
         let content =
-            String::from_utf8(content).map_err(|_| format!("{}: it is not a text in UTF-8", no_part()))?;
+            String::from_utf8(content).map_err(|_| format!("{}: it is not UTF-8 text", no_part()))?;
         if !content.starts_with(SEAL) {
             return Err(format!("{}: it does not begin with `{SEAL}`", no_part()));
         }
         let text = unsealed(&content).ok_or(
-            "is damaged: it has not the digest that stands in its first line; copy it again, or compute it again",
+            "is damaged: its digest is not the one in its first line; copy it again or compute it again",
         )?;
         let found: Self =
             toml::from_str(text).map_err(|reason| format!("{}: {}", no_part(), reason.message()))?;
@@ -139,7 +145,7 @@ impl<W: Divided> PartFile<W> {
         if *program != own {
             let program = shortened(program, 100);
             return Err(format!(
-                "was made by {program}, and this is {own}: compute all parts with one program"
+                "was computed by {program}, but this is {own}: compute all parts with one program"
             ));
         }
         Ok(found)
@@ -152,7 +158,7 @@ impl<W: Divided> PartFile<W> {
         if self.records.len() != which.len() || !self.records.iter().zip(which).all(fits) {
             let part = self.part;
             return Err(Failure::input(format!(
-                "its records are not those of part {part}: compute it again with --part {part}"
+                "its records do not belong to part {part}: compute it again with --part {part}"
             )));
         }
         Ok(())
@@ -182,13 +188,13 @@ pub(crate) fn joined<W: Divided>(paths: &[PathBuf]) -> Result<Joined<W>, Failure
         {
             let (is, same) = (W::IS, W::SAME);
             return Err(refuse(format!(
-                "is a part of another {is} than {}: {same} and number of parts must be the same",
+                "belongs to another {is} than {}: {same} and number of parts must be the same",
                 first.display()
             )));
         }
         if let Some((other, _)) = found.iter().find(|(_, other)| other.part == part.part) {
             return Err(refuse(format!(
-                "is part {number} of {count}, as {} is: name each part once",
+                "is part {number} of {count}, and so is {}: name each part once",
                 other.display()
             )));
         }
@@ -197,7 +203,7 @@ pub(crate) fn joined<W: Divided>(paths: &[PathBuf]) -> Result<Joined<W>, Failure
         task = Some(checked.map_err(|failure| refuse(failure.reason))?);
         found.push((path, part));
     }
-    let Some(task) = task else { return Err(Failure::input("no part is named")) };
+    let Some(task) = task else { return Err(Failure::input("no parts are named: name all parts of a family or a map")) };
     found.sort_by_key(|(_, part)| part.part.part);
     let count = found[0].1.part.parts;
     if found.len() < count {
@@ -207,7 +213,7 @@ pub(crate) fn joined<W: Divided>(paths: &[PathBuf]) -> Result<Joined<W>, Failure
         let missing = count - found.len();
         let more = if missing > 10 { ", ..." } else { "" };
         return Err(Failure::input(format!(
-            "{missing} of {count} parts are missing: {shown}{more}: compute them with --part K/{count}, and name them too"
+            "{missing} of {count} parts are missing: {shown}{more}: compute them with --part K/{count} and name them too"
         )));
     }
     let (mut work, mut records) = (None, Vec::new());
@@ -215,7 +221,7 @@ pub(crate) fn joined<W: Divided>(paths: &[PathBuf]) -> Result<Joined<W>, Failure
         work.get_or_insert(part.work);
         records.extend(part.records);
     }
-    let work = work.ok_or_else(|| Failure::input("no part is named"))?;
+    let work = work.ok_or_else(|| Failure::input("no parts are named: name all parts of a family or a map"))?;
     Ok(Joined { work, task, records })
 }
 

@@ -12,11 +12,12 @@ use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
 
 use crate::terminal;
 
-/// The interval at which a bar moves even without a step, so that a long step looks alive.
+/// The interval at which a bar moves without a step, so that a long step looks alive.
 const HEARTBEAT: Duration = Duration::from_millis(200);
-/// The interval of the lines about the progress of long work, where there are no bars.
+/// The interval of lines on long work, where there are no bars.
 const SIGN_OF_LIFE: Duration = Duration::from_secs(10);
-const TEMPLATE: &str = "{spinner} {msg:32} [{bar:30}] {pos}/{len} {elapsed} {prefix}";
+/// As wide as the terminal: the bar takes what the rest leaves.
+const TEMPLATE: &str = "{spinner} {msg} [{wide_bar}] {pos}/{len} {elapsed}{prefix}";
 
 /// Shows the steps of a computation.
 #[derive(Default)]
@@ -72,10 +73,10 @@ impl Task {
         // A number with one digit after the point is easier to follow than all digits; closed forms have none.
         let steps = match stop.steps() {
             0 => String::new(),
-            steps => format!(", {:.1e} steps of integration", steps as f64),
+            steps => format!(", {:.1e} integration steps", steps as f64),
         };
         match &self.bar {
-            Some(bar) => bar.set_prefix(steps.trim_start_matches(", ").to_owned()),
+            Some(bar) => bar.set_prefix(steps),
             None if self.began.elapsed() >= pause => {
                 let (done, all, time) = (self.done, self.all, self.began.elapsed().as_secs());
                 terminal::note(&format!("{what}: {done} of {all} after {time} s{steps}"));
@@ -95,7 +96,7 @@ impl Progress for Display {
             bar
         });
         if bar.is_none() {
-            terminal::note(&format!("{what}: begun"));
+            terminal::note(&format!("{what}: started"));
         }
         let task = Task { began: Instant::now(), bar, done: 0, all: steps };
         locked(&self.tasks).insert(what.to_owned(), task);

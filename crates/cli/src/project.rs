@@ -90,7 +90,7 @@ pub(crate) fn output_folder(
     };
     match root().map(|root| root.join(FIGURES)).filter(same) {
         Some(default) if !edition.is_default() => Err(Failure::input(format!(
-            "{} holds SVG at the paper's widths only: leave --output out, or name another folder, for other formats and widths",
+            "{} holds SVG at the paper's widths only: for other formats and widths leave out --output or choose another folder",
             default.display()
         ))),
         _ => Ok(named.to_owned()),
@@ -104,7 +104,7 @@ pub(crate) fn output_folder(
 pub(crate) fn root_folder() -> Result<PathBuf, Failure> {
     root().ok_or_else(|| {
         Failure::input(format!(
-            "no {PARAMETERS} in this folder or in one above, so this is no clone of the repository: name a folder for the files \
+            "this is not a clone of the repository: no {PARAMETERS} in this folder or one above; choose a folder for the files \
              with --output DIR"
         ))
     })

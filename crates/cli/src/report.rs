@@ -11,6 +11,7 @@ use grazing_claims::ledger::Ledger;
 use grazing_report::{Counts, FileDigest, Manifest, Part, TableOutput, page};
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::Parameters;
+use grazing_unfold::progress::Progress;
 
 use crate::arguments::Report;
 use crate::compare::published;
@@ -20,6 +21,7 @@ use crate::oscillator::{OscillatorFile, file_name, noted};
 use crate::outputs::edition::Edition;
 use crate::outputs::paper;
 use crate::progress::Display;
+use crate::unfold::FIGURES;
 use crate::{claims, project, terminal, versions};
 
 /// Computes everything and writes the page.
@@ -44,6 +46,7 @@ pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     folder::write(&folder, &files)?;
     terminal::say(&summary(&report, &folder.join(&files[0].path), size));
     terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
+    terminal::say_next(&format!("open {}", folder.join(&files[0].path).display()));
     report.missing.iter().for_each(|reason| terminal::note(&format!("error: {reason}")));
     if missing > 0 { Err(Failure::partial(missing, all)) } else { Ok(()) }
 }
@@ -53,7 +56,7 @@ fn place(output: &Path) -> Result<(PathBuf, PathBuf), Failure> {
     let folder = output.parent().unwrap_or(Path::new("")).to_owned();
     let refuse = |path: &Path, reason: &str| {
         let path = path.display();
-        let remedy = "name another file for the page with --output FILE";
+        let remedy = "choose another file for the page with --output FILE";
         Err(Failure::input(format!("{path}: cannot be written: {reason}; {remedy}")))
     };
     let Some(name) = output.file_name().filter(|_| !output.is_dir()) else {
@@ -88,15 +91,19 @@ fn assemble<'a>(
     oscillators::distinguish(entries.iter_mut().map(|entry| &mut entry.id));
     let study = Study::new(parameters).with_progress(display.clone());
     let (mut of_the_paper, mut beyond, mut digests) = (Part::default(), Part::default(), Vec::new());
+    let progress: &dyn Progress = &*display;
+    progress.begin(FIGURES, paper::ALL.len() as u64);
     for output in paper::ALL {
-        let (computed, files, _) = match output.made(&study, &Edition::default()) {
+        let made = output.made(&study, &Edition::default());
+        progress.step(FIGURES);
+        let (computed, files, _) = match made {
             Ok(made) => made,
             Err(failure) => {
                 missing.push(format!("{}: {}", output.name, failure.reason));
                 continue;
             }
         };
-        missing.extend(computed.gaps.iter().map(|gap| format!("{}: it is shown, but {gap}", output.name)));
+        missing.extend(computed.gaps.iter().map(|gap| format!("{}: shown, but {gap}", output.name)));
         digests
             .extend(files.iter().map(|file| FileDigest::of(file.path.display().to_string(), &file.content)));
         let part = if output.is_beyond { &mut beyond } else { &mut of_the_paper };
@@ -107,8 +114,9 @@ fn assemble<'a>(
             part.figures.extend(computed.entries());
         }
     }
-    // Figures are numbered as in the paper; the registry has them in the order in which they are
-    // best computed.
+    progress.end(FIGURES);
+    // Their names are numbered as in the paper; the registry has them in the order in which they
+    // are best made.
     let Part { mut figures, tables } = of_the_paper;
     figures.sort_by(|a, b| a.name.cmp(&b.name));
     let published = published(&study).unwrap_or_else(|failure| {
@@ -148,7 +156,7 @@ fn assemble<'a>(
 fn summary(report: &grazing_report::Report<'_>, output: &Path, size: usize) -> String {
     let Counts { published, passed, failed, unchecked, misprints } = report.counts();
     format!(
-        "{path}: {megabytes:.1} MB; open it in a browser, no network is needed.\n\
+        "{path}: {megabytes:.1} MB; it needs no network.\n\
          {published}.\n\
          Claims: {passed} passed, {failed} failed, {unchecked} unchecked; \
          misprints: {misprints}.\n\

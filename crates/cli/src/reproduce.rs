@@ -7,6 +7,7 @@ use std::time::Instant;
 
 use grazing_claims::published::Tally;
 use grazing_reproduction::{Coefficients, Study};
+use grazing_unfold::progress::Progress;
 
 use crate::arguments::{ParameterFile, Reproduce};
 use crate::compare::published;
@@ -16,6 +17,7 @@ use crate::outputs::edition::{Edition, Format};
 use crate::outputs::latex::{self, Float};
 use crate::outputs::{Output, paper};
 use crate::progress::Display;
+use crate::unfold::FIGURES;
 use crate::{codecheck, data_page, project, terminal, visual};
 
 /// The file that lists the settings over the parameter file.
@@ -32,7 +34,8 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     let start = Instant::now();
     let edition = arguments.look.edition();
     let (parameters, set) = (project::parameters(&arguments.parameters)?, &arguments.parameters.set);
-    let study = Study::new(&parameters).with_progress(Arc::new(Display::new()));
+    let display = Arc::new(Display::new());
+    let study = Study::new(&parameters).with_progress(display.clone());
     let output_folder = project::output_folder(arguments.output.as_deref(), &edition, !set.is_empty())?;
     let chosen: Vec<&Output<Study>> =
         paper::ALL.iter().filter(|output| is_chosen(output, &arguments.only)).collect();
@@ -47,7 +50,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
         folder::ensure_writable(&output_folder, &paths)?;
     }
     arguments.threads.start()?;
-    let mut outcome = Outcome::of(&study, &chosen, &edition)?;
+    let mut outcome = Outcome::of(&study, &chosen, &edition, &*display)?;
     if outcome.outputs.is_empty() {
         return outcome.report_missing(&chosen, &output_folder);
     }
@@ -73,7 +76,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
             return Err(failure);
         }
         let count = places.iter().map(|place| place.files.len()).sum();
-        terminal::say(&format!("{} are what the code makes.\n", counted(count)));
+        terminal::say(&format!("{} checked: all are what the code produces.\n", counted(count)));
     } else {
         terminal::say(&write(&places)?);
     }
@@ -81,6 +84,9 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
         terminal::say(&verdict(&study));
     }
     terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
+    if let Some(step) = next(arguments, &outcome, &folder) {
+        terminal::say_next(&step);
+    }
     outcome.report_missing(&chosen, &folder)?;
     let listed = chosen.iter().any(|output| output.name == paper::COEFFICIENTS.name);
     // Coefficients are not computed for this alone.
@@ -108,7 +114,7 @@ fn verdict_on_theorem(rows: &[Coefficients]) -> Result<(), Failure> {
     if !rows.iter().any(Coefficients::contradict) {
         return Ok(());
     }
-    Err(Failure::check("coefficients: the theorem is contradicted, see above; everything is written"))
+    Err(Failure::check("coefficients: theorem and computation contradict each other, see the table; everything is written"))
 }
 
 /// The results of the selected outputs.
@@ -123,17 +129,24 @@ struct Outcome<'a> {
 }
 
 impl<'a> Outcome<'a> {
-    /// All outputs that can be computed, and what LaTeX needs if they are all there are; the failure if the only one
-    /// cannot be computed.
-    fn of(study: &Study, chosen: &[&'a Output<Study>], edition: &Edition) -> Result<Self, Failure> {
+    /// All outputs that can be computed; the failure if the only one cannot.
+    fn of(
+        study: &Study,
+        chosen: &[&'a Output<Study>],
+        edition: &Edition,
+        progress: &dyn Progress,
+    ) -> Result<Self, Failure> {
         let mut all = Self::default();
+        progress.begin(FIGURES, chosen.len() as u64);
         for output in chosen {
-            match output.made(study, edition) {
+            let made = output.made(study, edition);
+            progress.step(FIGURES);
+            match made {
                 Ok((computed, files, floats)) => {
                     all.files.extend(files);
                     all.floats.extend(floats);
                     for gap in computed.gaps {
-                        all.add_missing(output.name, format!("it is written, but {gap}"));
+                        all.add_missing(output.name, format!("written, but {gap}"));
                     }
                     all.outputs.push(output);
                 }
@@ -141,12 +154,7 @@ impl<'a> Outcome<'a> {
                 Err(failure) => all.add_missing(output.name, failure.reason),
             }
         }
-        if edition.has(Format::Tex) && chosen.len() == paper::ALL.len() {
-            let oscillator = study.parameters.oscillator()?;
-            let constants =
-                [("zeta", oscillator.damping_ratio()), ("epsilon", oscillator.coefficient_of_restitution())];
-            all.files.extend(latex::files(&all.floats, constants));
-        }
+        progress.end(FIGURES);
         Ok(all)
     }
 
@@ -172,7 +180,7 @@ impl<'a> Outcome<'a> {
         let left = paths.filter(|path| folder.join(path).exists()).count();
         if left > 0 {
             terminal::note(&format!(
-                "{} from earlier runs, of outputs that failed now, left in {}",
+                "{} from earlier runs, of outputs that failed now, remain in {}",
                 counted(left),
                 folder.display()
             ));
@@ -187,7 +195,7 @@ fn settings(parameters: &ParameterFile) -> OutputFile {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     let set = parameters.set.iter().map(|setting| format!("--set {setting}\n"));
     let content =
-        [format!("made from {name} with\n")].into_iter().chain(set).collect::<String>().into_bytes();
+        [format!("computed from {name} with\n")].into_iter().chain(set).collect::<String>().into_bytes();
     OutputFile { path: PathBuf::from(SETTINGS), content }
 }
 
@@ -210,7 +218,26 @@ impl OutputFolder {
     }
 }
 
-/// Writes all files and draws the figures that changed; returns a summary.
+/// What to do after a run that has written: look at the only figure, or read everything on one page.
+fn next(arguments: &Reproduce, outcome: &Outcome<'_>, folder: &Path) -> Option<String> {
+    if arguments.check {
+        return None;
+    }
+    match outcome.outputs.as_slice() {
+        [output] if output.is_figure => {
+            let edition = arguments.look.edition();
+            let figure = edition.figure_paths(&output.figure_file()).next()?;
+            Some(format!("open {}", folder.join(figure).display()))
+        }
+        [output] => {
+            let table = output.paths(&Edition::default()).into_iter().next()?;
+            Some(format!("open {}", folder.join(table).display()))
+        }
+        _ => Some(format!("cargo xtask report{}", parameter_options(&arguments.parameters))),
+    }
+}
+
+/// Writes all files and draws the figures that changed; returns the summary.
 fn write(places: &[OutputFolder]) -> Result<String, Failure> {
     let mut changes = Vec::new();
     for place in places {
@@ -233,8 +260,8 @@ fn is_chosen(output: &Output<Study>, only: &[String]) -> bool {
 /// A line that says whether the published values are met.
 fn verdict(study: &Study) -> String {
     let Ok(comparisons) = published(study) else {
-        // Outputs that need the same report the reason.
-        return "Published values could not be compared.\n".to_owned();
+        // The outputs that need the same say why.
+        return "The published values could not be compared.\n".to_owned();
     };
     let tally = Tally::of(&comparisons);
     let more = if tally.is_complete() { "" } else { ": see `cargo xtask compare`" };
@@ -260,14 +287,14 @@ fn check(places: &[OutputFolder], arguments: &Reproduce, edition: &Edition) -> R
     let mut remedies = Vec::new();
     if !differing.is_empty() {
         let mend = mending_command(arguments, edition);
-        remedies.push(format!("mend {} with `{mend}`", counted(differing.len())));
+        remedies.push(format!("update {} with `{mend}`", counted(differing.len())));
     }
     if !unexpected.is_empty() {
-        remedies.push(format!("remove {} that it does not make", counted(unexpected.len())));
+        remedies.push(format!("remove {} that it does not produce", counted(unexpected.len())));
     }
     let folder = places[0].place();
     let folder = folder.display();
-    Err(Failure::check(format!("{folder} is not what the code makes: {}", remedies.join(", "))))
+    Err(Failure::check(format!("{folder} is not what the code produces: {}", remedies.join(", "))))
 }
 
 /// The command that writes the files of this check.
@@ -277,16 +304,17 @@ fn mending_command(arguments: &Reproduce, edition: &Edition) -> String {
         command.push_str(&format!(" --only {name}"));
     }
     command.push_str(&edition.options());
-    if let Some(file) = &arguments.parameters.file {
-        command.push_str(&format!(" --parameters {}", file.display()));
-    }
-    for setting in &arguments.parameters.set {
-        command.push_str(&format!(" --set '{setting}'"));
-    }
+    command.push_str(&parameter_options(&arguments.parameters));
     if let Some(folder) = &arguments.output {
         command.push_str(&format!(" --output {}", folder.display()));
     }
     command
+}
+
+/// The options that name these parameters, each with a space before.
+fn parameter_options(parameters: &ParameterFile) -> String {
+    let file = parameters.file.iter().map(|file| format!(" --parameters {}", file.display()));
+    file.chain(parameters.set.iter().map(|setting| format!(" --set '{setting}'"))).collect()
 }
 
 #[cfg(test)]

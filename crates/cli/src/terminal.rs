@@ -7,8 +7,10 @@ use std::sync::{Mutex, PoisonError};
 
 use grazing_results::directs;
 use grazing_source::shortened;
+use terminal_size::{Width, terminal_size_of};
 
 use crate::failure::Failure;
+use crate::layout::Layout;
 
 /// The first error in writing the output stream.
 static OUTPUT_ERROR: Mutex<Option<io::Error>> = Mutex::new(None);
@@ -16,11 +18,25 @@ static OUTPUT_ERROR: Mutex<Option<io::Error>> = Mutex::new(None);
 /// Writes to the output stream. A closed pipe, as after `| head`, is ignored; the exit code still
 /// counts. Any other error in writing, such as a full disk, makes the program fail: see
 /// [`output_failure`].
+///
+/// Lines that are longer than the terminal is wide are wrapped between words.
 pub(crate) fn say(text: &str) {
-    say_coloured(&shown(text));
+    say_coloured(&layout().fitted(&as_started(&shown(text))));
 }
 
-/// Writes a text with colours, which contains no names that a user has given, as [`say`] does.
+/// Writes the next thing to do, as the last line.
+pub(crate) fn say_next(step: &str) {
+    say_coloured(&layout().command("Next: ", &as_started(&shown(step))));
+}
+
+/// The width of the output stream: that of the terminal, or else COLUMNS, or else 80 columns.
+pub(crate) fn layout() -> Layout {
+    let terminal = terminal_size_of(io::stdout()).map(|(Width(width), _)| width.into());
+    let stated = || env::var("COLUMNS").ok()?.parse().ok();
+    terminal.or_else(stated).filter(|width| *width > 0).map_or(Layout::default(), Layout::new)
+}
+
+/// As [`say`], for a text that is laid out, with colours and without names that a user has given.
 pub(crate) fn say_coloured(text: &str) {
     let mut stream = io::stdout().lock();
     if let Err(error) = stream.write_all(as_started(text).as_bytes()).and_then(|()| stream.flush())
@@ -36,9 +52,14 @@ pub fn output_failure() -> Option<Failure> {
     Some(Failure::unwritten(format!("standard output cannot be written: {reason}")))
 }
 
-/// Writes a line to the error stream.
+/// Writes a message to the error stream: on one line, which is wrapped between words if the stream is a terminal.
 pub(crate) fn note(line: &str) {
-    let _ = writeln!(io::stderr().lock(), "{}", as_started(&cut(&shown(line))));
+    let line = as_started(&cut(&shown(line)));
+    let line = match terminal_size_of(io::stderr()) {
+        Some((Width(width), _)) => Layout::new(width.into()).fitted(&line),
+        None => line,
+    };
+    let _ = writeln!(io::stderr().lock(), "{line}");
 }
 
 /// The command that starts the program in a clone, and so the one in all texts.

@@ -19,6 +19,7 @@ use grazing_description::Limits;
 use grazing_measured::{NOT_FINISHED, Observation, compare, read};
 use grazing_model::smooth::SmoothOscillator;
 use grazing_results::place::AtPlace;
+use grazing_unfold::progress::Progress;
 
 use crate::arguments;
 use crate::failure::Failure;
@@ -37,6 +38,10 @@ use page::PAGE;
 /// The folder of the results, with a folder in it for each file.
 const RESULTS: &str = "unfolded";
 
+/// The work at the end of a run, in reports of progress.
+pub(crate) const FIGURES: &str = "figures and tables";
+const FILES: &str = "conversion of figures and tables";
+
 /// A file that is to be unfolded.
 struct Task {
     of: OscillatorFile,
@@ -54,7 +59,7 @@ struct Task {
 pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let edition = arguments.look.edition();
     if arguments.data.is_some() && arguments.files.len() > 1 {
-        return Err(Failure::input("--data is of one rig: name one file, and run it again for the next"));
+        return Err(Failure::input("--data belongs to one oscillator: name one file, and run the command again for the next"));
     }
     let tasks = tasks(arguments)?;
     for task in &tasks {
@@ -71,7 +76,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
             terminal::say("\n");
         }
         if limits::is_interrupted() {
-            terminal::note(&format!("{}: not begun", task.of.file.display()));
+            terminal::note(&format!("{}: not started", task.of.file.display()));
             failing += 1;
             continue;
         }
@@ -109,7 +114,7 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
         };
         if let Some(other) = tasks.iter().find(|other| other.folder == folder) {
             return Err(Failure::input(format!(
-                "{} and {} would both go to {}: unfold them one by one, with --output DIR",
+                "the results of {} and {} would both go to {}: unfold one file at a time, with --output DIR",
                 other.of.file.display(),
                 file.display(),
                 folder.display()
@@ -122,10 +127,10 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
         for &[mu, eta] in &arguments.at {
             let frequency = of.description.forcing_frequency(mu, eta);
             if !(frequency > 0.0 && frequency.is_finite()) {
-                let is = format!(
-                    "--at {mu},{eta}: the forcing frequency is {frequency} there, and must be positive"
+                let problem = format!(
+                    "--at {mu},{eta}: the forcing frequency is {frequency} there; it must be positive"
                 );
-                return Err(Failure::input(format!("{}: {is}", file.display())));
+                return Err(Failure::input(format!("{}: {problem}", file.display())));
             }
         }
         tasks.push(Task { of, measured, at: arguments.at.clone(), folder, limits });
@@ -138,51 +143,61 @@ impl Task {
     fn run(&self, edition: &Edition, explain: bool) -> Result<(), Failure> {
         let start = Instant::now();
         let OscillatorFile { file, description, .. } = &self.of;
-        terminal::say(&listing::oscillator(description, file));
+        let layout = terminal::layout();
+        terminal::say(&listing::oscillator(layout, description, file));
         let keeper = Keeper::new(&self.folder);
         // The time of the analysis is not available for the comparison.
         let watch = Watch::begin(self.limits, self.of.taken);
         let (unfolded, met) = analyse(&self.of, self.limits, &|table| keeper.keep(table))?;
-        let compared = self
-            .measured
-            .as_ref()
-            .map(|measured| compare(measured, &unfolded.axes, &unfolded.diagram, &watch.stop()));
+        let progress = Display::counting(watch.stop());
+        let progress: &dyn Progress = &progress;
+        let compared = self.measured.as_ref().map(|measured| {
+            let compared = || compare(measured, &unfolded.axes, &unfolded.diagram, &watch.stop());
+            progress.during("comparison with measurements", 1, compared)
+        });
         let mut unfinished = compared.iter().flat_map(|compared| &compared.points);
         let unfinished = unfinished.any(|point| point.reason == NOT_FINISHED);
-        let progress = Display::counting(watch.stop());
         let (diagram, units) = (&unfolded.diagram, &unfolded.axes.units);
         let place = |(number, at): (u32, &[f64; 2])| {
-            let found = at_place(&diagram.oscillator, &diagram.scope.loops, units, (number, *at), &progress)?;
+            let found = at_place(&diagram.oscillator, &diagram.scope.loops, units, (number, *at), progress)?;
             Some(AtPlace { from_the_wall: !description.wall().is_usual(), ..found })
         };
         let found: Vec<AtPlace> = (1..).zip(&self.at).map_while(place).collect();
         let unfinished = unfinished || found.len() < self.at.len();
         let met = met.or_else(|| watch.end_cause().filter(|_| unfinished));
         let analysed = AnalysedOscillator::new(file, description, unfolded).measured(compared).at(found);
-        let (files, unfolded) = (self.files(&analysed, edition)?, &analysed.unfolded);
+        let (files, unfolded) = (self.files(&analysed, edition, progress)?, &analysed.unfolded);
         let written = folder::write_run(&self.folder, &files, met.is_some())?;
         keeper.clear()?;
-        terminal::say(&listing::results(description, unfolded));
+        terminal::say(&listing::results(layout, description, unfolded));
         if let Some(compared) = &analysed.compared {
-            terminal::say(&measured::listing(compared));
+            terminal::say(&measured::listing(layout, compared));
         }
-        terminal::say(&places::listing(&analysed.places, &unfolded.axes.names));
+        terminal::say(&places::listing(layout, &analysed.places, &unfolded.axes.names));
         if explain {
-            terminal::say(&explanation::all(description, unfolded));
+            terminal::say(&explanation::all(layout, description, unfolded));
         }
         terminal::say(&format!("\n{}", summary(&written)));
         terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
+        if let Some((page, _)) = written.iter().find(|(path, _)| path.ends_with(PAGE)) {
+            terminal::say_next(&format!("open {page}"));
+        }
         if met.is_some() {
-            let outcome = "what was not finished is named above; everything else is written";
+            let outcome = "the unfinished parts are named above; everything else is written";
             return Err(ended(file, met, outcome));
         }
         verdict(file, &unfolded.resonances, listing::incomplete(&unfolded.diagram))
     }
 
     /// Figures, tables and the page that shows them.
-    fn files(&self, of: &AnalysedOscillator, edition: &Edition) -> Result<Vec<OutputFile>, Failure> {
-        let computed = of.computed(edition.columns)?;
-        let (mut files, floats) = computed.files(edition)?;
+    fn files(
+        &self,
+        of: &AnalysedOscillator,
+        edition: &Edition,
+        progress: &dyn Progress,
+    ) -> Result<Vec<OutputFile>, Failure> {
+        let computed = progress.during(FIGURES, 1, || of.computed(edition.columns))?;
+        let (mut files, floats) = progress.during(FILES, 1, || computed.files(edition))?;
         if edition.has(Format::Tex) {
             files.extend(latex::files(&floats, self.of.description.constants()));
         }
@@ -199,7 +214,7 @@ fn verdict(file: &Path, resonances: &[AtResonance], missing: Option<String>) -> 
     if !contradictions.is_empty() {
         let what = contradictions.join("; ");
         return Err(Failure::check(format!(
-            "{file}: the theorem is contradicted: {what}; everything is written"
+            "{file}: theorem and computation contradict each other: {what}; everything is written"
         )));
     }
     match missing {

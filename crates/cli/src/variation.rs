@@ -18,7 +18,7 @@ impl FromStr for Variation {
     type Err = String;
 
     fn from_str(written: &str) -> Result<Self, String> {
-        let form = "write NAME=FROM:TO:COUNT, as zeta=0.01:0.1:10 for ten values of zeta from 0.01 to 0.1";
+        let form = "write NAME=FROM:TO:COUNT, such as zeta=0.01:0.1:10 for ten values of zeta from 0.01 to 0.1";
         let (name, range) = written.split_once('=').ok_or(form)?;
         let parts: Vec<&str> = range.split(':').map(str::trim).collect();
         let [from, to, count] = parts[..] else { return Err(form.to_owned()) };
@@ -27,13 +27,13 @@ impl FromStr for Variation {
             if value.is_finite() { Ok(value) } else { Err(format!("{text} is not a finite number")) }
         };
         let (from, to) = (number(from)?, number(to)?);
-        let count: usize = count.parse().map_err(|_| format!("{count} is not a count: {form}"))?;
+        let count: usize = count.parse().map_err(|_| format!("{count} is not a whole number: {form}"))?;
         if !(2..=MOST_MEMBERS).contains(&count) {
-            return Err(format!("{count} values: at least 2 and at most {MOST_MEMBERS} are possible"));
+            return Err(format!("{count} values: COUNT must be from 2 to {MOST_MEMBERS}"));
         }
         if from == to {
             return Err(format!(
-                "{from} is both ends: a constant that is to have one value is set with --set"
+                "FROM and TO are both {from}: set a constant that does not vary with --set"
             ));
         }
         let last = (count - 1) as f64;
@@ -73,7 +73,7 @@ impl FromStr for Part {
     type Err = String;
 
     fn from_str(written: &str) -> Result<Self, String> {
-        let form = "write K/N with K from 1 to N, as 7/200";
+        let form = "write K/N with K from 1 to N, such as 7/200";
         let (part, parts) = written.split_once('/').ok_or(form)?;
         let number = |text: &str| text.trim().parse::<usize>().map_err(|_| form.to_owned());
         let (part, parts) = (number(part)?, number(parts)?);

@@ -33,13 +33,13 @@ pub(crate) fn show(output: &Path, changes: &[Changed<'_>]) {
     }
     let folder = match Changes::new(output) {
         Ok(folder) => folder,
-        Err(error) => return terminal::note(&format!("the changes could not be drawn: {error}")),
+        Err(error) => return terminal::note(&format!("the changed figures could not be compared: {error}")),
     };
     for (before, after) in changes {
         let name = after.path.display();
         match draw(before, after, folder.path()) {
             Ok(picture) => {
-                terminal::note(&format!("{name}: before, after and difference: {}", picture.display()));
+                terminal::note(&format!("{name}: picture of before, after and difference: {}", picture.display()));
             }
             Err(reason) => terminal::note(&format!("{name}: the change could not be drawn: {reason}")),
         }

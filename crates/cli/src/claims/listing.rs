@@ -1,36 +1,32 @@
 //! Findings as lines on the terminal.
 
-use std::fmt::Write;
-
 use grazing_claims::audit::{ClaimVerdict, Finding};
 use grazing_claims::errata;
 use grazing_report::Counts;
 
-/// The width of the column of labels.
-const LABEL: usize = 38;
+use crate::layout::Layout;
 
-/// The verdicts, one line each, with details of claims that fail, or of all if `explain` is set.
-pub(super) fn table(findings: &[Finding<'_>], explain: bool, coloured: bool) -> String {
-    let mut text = String::new();
-    for finding in findings {
+/// The verdicts as a table, with what is known about each claim under those that fail, or under all.
+pub(super) fn table(layout: Layout, findings: &[Finding<'_>], explain: bool, coloured: bool) -> String {
+    let row = |finding: &Finding<'_>| {
         let claim = finding.claim;
         let (word, measured, against) = words(&finding.verdict);
-        let word = format!("{word:9}");
-        let word = if coloured { paint(&finding.verdict, &word) } else { word };
+        let word = if coloured { paint(&finding.verdict, word) } else { word.to_owned() };
         let time = if finding.time.is_zero() {
             String::new()
         } else {
-            format!("{:7.1} ms", 1e3 * finding.time.as_secs_f64())
+            format!("{:.1}", 1e3 * finding.time.as_secs_f64())
         };
-        let kind = claim.kind.name();
-        let line = format!("{word} {:LABEL$} {kind:10} {measured:28} {against:18} {time:>10}", claim.label);
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "{}", line.trim_end());
-        if explain || finding.verdict.fails() {
-            text.push_str(&explained(finding));
-        }
+        vec![word, claim.label.clone(), claim.kind.name().to_owned(), measured, against, time]
+    };
+    let header = ["<verdict", "<label", "<kind", "<measured", "<compared with", "time (ms)"];
+    let text = layout.aligned(&header, findings.iter().map(row));
+    if !explain && findings.iter().all(|finding| !finding.verdict.fails()) {
+        return text;
     }
-    text
+    let is_explained = |finding: &&Finding<'_>| explain || finding.verdict.fails();
+    let explanations = findings.iter().filter(is_explained).map(|finding| explained(layout, finding));
+    explanations.fold(text, |text, more| text + &more)
 }
 
 fn words(verdict: &ClaimVerdict) -> (&'static str, String, String) {
@@ -59,20 +55,20 @@ fn words(verdict: &ClaimVerdict) -> (&'static str, String, String) {
     }
 }
 
-/// The details under a claim: its place in the paper, its statement, the samples tested, and the code.
-fn explained(finding: &Finding<'_>) -> String {
+/// The paragraph about a claim: its place, its statement, its samples, and the code that tests it.
+fn explained(layout: Layout, finding: &Finding<'_>) -> String {
     let claim = finding.claim;
     let mut lines = vec![format!("{}: {}", claim.place, claim.says)];
     lines.extend(claim.formula.iter().map(|formula| formula.trim().to_owned()));
     match &finding.verdict {
         ClaimVerdict::Measured(outcome) => {
-            lines.push(format!("looked at: {} samples: {}", outcome.samples, outcome.over));
+            lines.push(format!("samples: {}, {}", outcome.samples, outcome.over));
             lines.extend(outcome.print.iter().map(|print| {
                 let (measured, against) = errata::words(print);
-                format!("as printed: {measured}, held against {against}")
+                format!("as printed: {measured}, compared with {against}")
             }));
         }
-        ClaimVerdict::Broken(reason) => lines.push(format!("broken: {reason}")),
+        ClaimVerdict::Broken(reason) => lines.push(format!("could not be computed: {reason}")),
         ClaimVerdict::Unchecked(reason) => lines.push(format!("unchecked: {reason}")),
         ClaimVerdict::Numbers(_) => {}
     }
@@ -81,13 +77,14 @@ fn explained(finding: &Finding<'_>) -> String {
         lines.push(format!("corrected: {}", misprint.corrected.trim()));
     }
     if !claim.holds.is_empty() {
-        lines.push(format!("held by: {}", claim.holds.join(", ")));
+        lines.push(format!("computed by: {}", claim.holds.join(", ")));
     }
     lines.extend(claim.check_name().map(|check| format!("checked by: grazing_claims::checks::{check}")));
     if !claim.figures.is_empty() {
         lines.push(format!("shown in: {}", claim.figures.join(", ")));
     }
-    lines.iter().map(|line| format!("          {line}\n")).collect()
+    let lines: String = lines.iter().map(|line| layout.wrapped("    ", line)).collect();
+    format!("\n{}\n{lines}", claim.label)
 }
 
 fn paint(verdict: &ClaimVerdict, word: &str) -> String {

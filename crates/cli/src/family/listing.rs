@@ -8,16 +8,20 @@ use grazing_results::Names;
 use grazing_results::brief;
 use grazing_results::family::{Family, Member, Resonance};
 
-use crate::layout::{aligned, headed};
+use crate::layout::Layout;
+use crate::unfold::numbers::{unit, with_unit};
 use crate::variation::Part;
 
 /// Significant digits of numbers.
 const DIGITS: usize = 6;
-/// The most entries of a kind that are listed; more are counted.
-const LISTED: usize = 24;
+/// The most lines of a kind that are listed; of more the rest is counted.
+const LISTED: usize = 5;
+/// The most curves that are listed.
+const CURVES: usize = 24;
 
 /// The line about the family that is about to be computed.
 pub(super) fn plan(
+    layout: Layout,
     description: &Description,
     file: &Path,
     plan: &Plan,
@@ -26,24 +30,20 @@ pub(super) fn plan(
 ) -> String {
     let varied = plan.varied.iter().map(|Varied { name, values }| {
         let [first, last] = [values[0], values[values.len() - 1]].map(|value| brief(value, DIGITS));
-        format!("{name} from {first} to {last} in {} values", values.len())
+        format!("{name} takes {} values from {first} to {last}", values.len())
     });
     let varied: Vec<String> = varied.collect();
     let part = part.map_or(String::new(), |Part { part, parts }| {
-        format!(", of which {members} are in part {part} of {parts}")
+        format!(", {members} of them in part {part} of {parts}")
     });
-    format!(
-        "{} ({}): {}; {} members{part}\n",
-        description.name(),
-        file.display(),
-        varied.join(", "),
-        plan.count()
-    )
+    let varied = varied.join(", ");
+    let text = format!("{} ({}): {varied}; {} members{part}", description.name(), file.display(), plan.count());
+    layout.wrapped("", &text)
 }
 
-/// The results: curves of resonances, degenerate resonances, and members with something missing.
-pub(super) fn results(family: &Family, names: &Names, plan: &Plan) -> String {
-    let mut text = curves(family, names, plan);
+/// What was found.
+pub(super) fn results(layout: Layout, family: &Family, names: &Names, plan: &Plan) -> String {
+    let mut text = curves(layout, family, names, plan);
     let count = plan.varied.len();
     let values = |varied: [f64; 3]| {
         let own = &varied[varied.len() - count..];
@@ -59,26 +59,27 @@ pub(super) fn results(family: &Family, names: &Names, plan: &Plan) -> String {
         let place = format!("{} = {primary}, {} = {secondary}", names.primary, names.secondary);
         (mark, format!("{quantity} = 0 ({meaning}) at {at}, {place}"))
     });
-    text.push_str(&some("Degenerate resonances between members", degenerate.collect()));
+    let file = "data/family_degenerate.csv";
+    text.push_str(&some(layout, "Degenerate resonances between members", degenerate.collect(), file));
     let missing = family.members.iter().filter(|row| !row.missing.is_empty()).map(|row: &Member| {
         let at = values(row.varied);
         (format!("  {at}: "), row.missing.clone())
     });
-    text.push_str(&some("Members of which something is missing", missing.collect()));
+    let file = "data/family_members.csv";
+    text.push_str(&some(layout, "Members with missing results", missing.collect(), file));
     text
 }
 
-/// Entries under a heading; of too many, the first ones and the number of the others.
-fn some(heading: &str, mut entries: Vec<(String, String)>) -> String {
-    if let Some(rest) = entries.len().checked_sub(LISTED).filter(|rest| *rest > 0) {
-        entries.truncate(LISTED);
-        entries.push(("  ".to_owned(), format!("and {rest} more, in the tables")));
+/// Entries under a heading; of many, a line that counts them and names the file that has them all.
+fn some(layout: Layout, heading: &str, mut entries: Vec<(String, String)>, file: &str) -> String {
+    if entries.len() > LISTED {
+        entries = vec![("  ".to_owned(), format!("{} of them, in {file}", entries.len()))];
     }
-    headed(heading, entries)
+    layout.headed(heading, entries)
 }
 
 /// A line for each curve of resonances, by p, with the constant that varies first at its ends.
-fn curves(family: &Family, names: &Names, plan: &Plan) -> String {
+fn curves(layout: Layout, family: &Family, names: &Names, plan: &Plan) -> String {
     let mut curves: Vec<(u32, Vec<&Resonance>)> = Vec::new();
     for row in &family.resonances {
         match curves.iter_mut().find(|(curve, _)| *curve == row.curve) {
@@ -87,11 +88,11 @@ fn curves(family: &Family, names: &Names, plan: &Plan) -> String {
         }
     }
     if curves.is_empty() {
-        return "\nno resonant grazing bifurcation in the ranges of the parameters at any member\n"
+        return "\nNo member has a resonant grazing bifurcation in the ranges of the parameters.\n"
             .to_owned();
     }
     let count = curves.len();
-    curves.truncate(LISTED);
+    curves.truncate(CURVES);
     let slot = 3 - plan.varied.len();
     let range = |rows: &[&Resonance], value: &dyn Fn(&Resonance) -> f64| {
         let known = || rows.iter().map(|row| value(row)).filter(|value| value.is_finite());
@@ -114,12 +115,14 @@ fn curves(family: &Family, names: &Names, plan: &Plan) -> String {
     let others = plan.varied[1..].iter().map(|other| other.name.as_str());
     let mut header = vec!["curve", "p", "n"];
     header.extend(others);
-    let secondary = format!("{}*", names.secondary);
-    header.extend(["members", plan.varied[0].name.as_str(), &secondary, "c_SN", "c_PD"]);
-    let table = aligned(&header, lines);
-    let more = match count.saturating_sub(LISTED) {
+    let secondary = with_unit(&format!("{}*", names.secondary), unit(names, "{secondary}").as_deref());
+    let coefficient = unit(names, "{primary}/{secondary}^2");
+    let [c_sn, c_pd] = ["c_SN", "c_PD"].map(|head| with_unit(head, coefficient.as_deref()));
+    header.extend(["members", plan.varied[0].name.as_str(), &secondary, &c_sn, &c_pd]);
+    let table = layout.aligned(&header, lines);
+    let more = match count.saturating_sub(CURVES) {
         0 => String::new(),
-        more => format!("  and {more} more, in the tables\n"),
+        more => format!("  and {more} more, in data/family_resonances.csv\n"),
     };
     format!("\nCurves of resonances, with the values at their ends\n{table}{more}")
 }

@@ -28,18 +28,18 @@ fn first_difference(is_table: bool, here: &str, made: &str) -> String {
     let number = same + 1;
     match (here.get(same), made.get(same)) {
         (Some(_), Some(_)) if !is_table => {
-            format!("differs from what the code makes, first in line {number}")
+            format!("differs from what the code produces, first in line {number}")
         }
         (Some(here), Some(made)) => {
             let (place, [here, made]) = match first_cell(header, here, made) {
                 Some((column, cells)) => (format!("line {number}, {column}"), cells.map(cell)),
                 None => (format!("line {number}"), [here, made].map(|line| quote(line))),
             };
-            format!("{place}: {here} here, {made} made by the code")
+            format!("{place}: {here} in the file, {made} from the code")
         }
-        (Some(_), None) => format!("more lines here than the {same} made by the code"),
-        (None, Some(_)) => format!("ends after line {same}, the code makes more"),
-        (None, None) => "differs from what the code makes in its line ends only".to_owned(),
+        (Some(_), None) => format!("the file has more lines than the {same} that the code produces"),
+        (None, Some(_)) => format!("ends after line {same}; the code produces more lines"),
+        (None, None) => "differs from what the code produces in its line ends only".to_owned(),
     }
 }
 

@@ -85,8 +85,8 @@ pub(crate) fn write_run(
         if intact.len() < before.files.len() {
             let (other, all) = (before.files.len() - intact.len(), before.files.len());
             terminal::note(&format!(
-                "{}: {other} of {all} files were not those that {MANIFEST} lists: they were changed, or are of another run, \
-                 which did not come to its end",
+                "{}: {other} of {all} files differed from those that {MANIFEST} lists: they were changed, or belong to a run that \
+                 did not finish",
                 folder.display()
             ));
         }
@@ -111,9 +111,9 @@ pub(crate) fn refuse_mixture(folder: &Path) -> Result<(), Failure> {
     let (intact, all) = (list.intact(folder).len(), list.files.len());
     match (list.incomplete, intact < all) {
         (false, false) => Ok(()),
-        (true, _) => Err(Failure::input(format!("{}: its results are incomplete", folder.display()))),
+        (true, _) => Err(Failure::input(format!("{}: the results in it are incomplete: run the command again", folder.display()))),
         (_, true) => Err(Failure::input(format!(
-            "{}: {} of {all} files are not those that {MANIFEST} lists: make them again",
+            "{}: {} of {all} files differ from those that {MANIFEST} lists: compute them again",
             folder.display(),
             all - intact
         ))),
@@ -144,7 +144,7 @@ pub(crate) fn place_to_write(folder: &Path, files: &[OutputFile], incomplete: bo
     let place = place_of_run(folder, files, incomplete);
     if place != folder {
         terminal::note(&format!(
-            "{}: the results that are there stay; what is finished goes to {}",
+            "{}: the results there are kept; the finished part of this run goes to {}",
             if folder.as_os_str().is_empty() { Path::new(".") } else { folder }.display(),
             place.display()
         ));

@@ -9,8 +9,8 @@ use grazing_source::what_is;
 
 use crate::failure::Failure;
 
-/// The message about a name that the system does not accept.
-pub(super) const TOO_LONG: &str = "the name is too long for the system";
+/// What is said of a name that the system does not take.
+pub(super) const TOO_LONG: &str = "the name is too long for the file system";
 
 /// The place of a file that is to be written: its path, or through symbolic links the regular file
 /// that they name, so that the links stay.
@@ -20,12 +20,12 @@ pub(super) const TOO_LONG: &str = "the name is too long for the system";
 /// report what is there.
 pub(crate) fn to_write(path: &Path) -> Result<PathBuf, Failure> {
     let refuse = |what: &str| {
-        let remedy = "is not replaced: move it away, or name another place with --output";
+        let remedy = "is not replaced: move it away, or choose another place with --output";
         Failure::unwritten(format!("{}: is {what}, not a regular file, and {remedy}", path.display()))
     };
     let failed = |reason: io::Error| match reason.kind() {
         io::ErrorKind::InvalidFilename => {
-            Failure::input(format!("{}: {TOO_LONG}; name a shorter one with --output", path.display()))
+            Failure::input(format!("{}: {TOO_LONG}; choose a shorter one with --output", path.display()))
         }
         _ => Failure::file(path, &reason),
     };

@@ -6,12 +6,15 @@ use std::path::{Path, PathBuf};
 use grazing_description::Limits;
 use grazing_drawing::SheetWidth;
 use grazing_report::OscillatorEntry;
+use grazing_unfold::progress::Progress;
 
 use crate::failure::Failure;
 use crate::limits::ended;
 use crate::oscillator::OscillatorFile;
 use crate::outputs::oscillator::AnalysedOscillator;
+use crate::progress::Display;
 use crate::project;
+use crate::unfold::FIGURES;
 use crate::unfold::analysis::analyse;
 use crate::unfold::page;
 
@@ -45,10 +48,13 @@ impl OscillatorFile {
     ) -> Result<(OscillatorEntry, Option<Failure>), Failure> {
         // Finished curves are not kept: the page takes little time.
         let (unfolded, met) = analyse(self, self.description.limits(), &|_| ())?;
-        let outcome = "what was not finished is named on the page";
+        let outcome = "the unfinished parts are named on the page";
         let met = met.map(|met| ended(&self.file, Some(met), outcome));
         let analysed = AnalysedOscillator::new(&self.file, &self.description, unfolded);
-        let mut entry = page::entry(self, &analysed.unfolded, &analysed.computed(SheetWidth::Paper)?);
+        let display = Display::new();
+        let progress: &dyn Progress = &display;
+        let computed = progress.during(FIGURES, 1, || analysed.computed(SheetWidth::Paper))?;
+        let mut entry = page::entry(self, &analysed.unfolded, &computed);
         if root.is_some_and(|root| self.file.parent() == Some(&root.join(project::EXAMPLES))) {
             entry.file = format!("{}/{}", project::EXAMPLES, entry.file);
             entry.link = link.map(|link| format!("{link}{}", entry.file));

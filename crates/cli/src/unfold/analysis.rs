@@ -52,7 +52,7 @@ fn failure(of: &OscillatorFile, error: &UnfoldError, met: Option<EndCause>) -> F
     let OscillatorFile { file, description, .. } = of;
     match (error, met) {
         (UnfoldError::Stopped { stage }, Some(met)) => {
-            let outcome = "nothing is written, for nothing was found up to then, in the stage";
+            let outcome = "nothing is written, because there were no results yet; cancelled in the stage";
             ended(file, Some(met), &format!("{outcome} `{stage}`"))
         }
         _ => Failure::incomplete(format!("{}: {}", file.display(), reason::of(error, description))),

@@ -9,27 +9,28 @@ use grazing_theorems::{ResonantPoint, Unfolding};
 
 use super::analysis::Analysis;
 use super::reason::place;
-use crate::layout::{KEPT, wrapped};
+use crate::layout::{KEPT, Layout};
 
 const DIGITS: usize = 9;
 
 /// Hypotheses with their values and quantities, resonance by resonance.
-pub(super) fn all(description: &Description, unfolded: &Analysis) -> String {
-    unfolded.resonances.iter().map(|at| explained(description, at)).collect()
+pub(super) fn all(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
+    unfolded.resonances.iter().map(|at| explained(layout, description, at)).collect()
 }
 
-fn explained(description: &Description, at: &AtResonance) -> String {
+fn explained(layout: Layout, description: &Description, at: &AtResonance) -> String {
     let AtResonance { loops, n, theorem, .. } = at;
     let answer = if at.curves.is_some() { "applies" } else { "does not apply" };
     let at_place = place(description, at.parameters);
-    let mut text = format!("\np = {loops}, n = {n} at {at_place}: {theorem} {answer}\n");
+    let heading = format!("p = {loops}, n = {n} at {at_place}: {theorem} {answer}");
+    let mut text = format!("\n{}", layout.wrapped("", &heading));
     for hypothesis in &at.hypotheses {
         let word = if hypothesis.holds() { "holds" } else { "FAILS" };
         let (statement, value) = (hypothesis.statement(), brief(hypothesis.value, DIGITS));
         // Writing to a string cannot fail.
         let _ = writeln!(text, "  {word}  {statement:24} {value:>16}");
     }
-    text.push_str(&wrapped("  where ", &quantities(&at.point)));
+    text.push_str(&layout.wrapped("  where ", &quantities(&at.point)));
     text
 }
 

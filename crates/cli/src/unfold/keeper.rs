@@ -27,7 +27,7 @@ impl<'a> Keeper<'a> {
         if path.is_file() {
             let path = path.display();
             terminal::note(&format!(
-                "{path}: finished curves of an interrupted run; they are computed again, then the file goes"
+                "{path}: finished curves of an interrupted run; they are computed again, and the file is deleted at the end"
             ));
         }
         keeper
@@ -52,7 +52,7 @@ impl<'a> Keeper<'a> {
         if let Err(reason) = written
             && !self.complained.swap(true, Ordering::Relaxed)
         {
-            terminal::note(&format!("finished curves are not kept: {reason}"));
+            terminal::note(&format!("the finished curves cannot be saved: {reason}"));
         }
     }
 }

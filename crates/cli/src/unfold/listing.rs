@@ -1,6 +1,7 @@
 //! Lines about an oscillator and its resonances on the terminal.
 
 mod gaps;
+mod one_parameter;
 mod window;
 
 use std::path::Path;
@@ -10,7 +11,6 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::PeriodicSolution;
 use grazing_description::{Axis, Description};
 use grazing_model::smooth::Units;
-use grazing_results::branches::OneParameter;
 use grazing_results::{brief, span};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::resonances;
@@ -19,20 +19,20 @@ use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::Verdict;
 
 use super::analysis::Analysis;
-use super::numbers::{fixed, range, significant};
+use super::numbers::{fixed, range, significant, unit, with_unit};
 use super::reason::place;
-use crate::layout::{KEPT, aligned, headed, wrapped};
-use crate::outputs::oscillator::of_one_parameter;
+use crate::layout::{KEPT, Layout};
 pub(crate) use gaps::incomplete;
-use gaps::{missing, odd_ends, thin, undecided, unfinished};
+pub(crate) use one_parameter::one_parameter;
+use gaps::{few, missing, odd_ends, thin, undecided, unfinished};
 
 /// Digits of parameters, of coefficients, and of other quantities.
 const PARAMETER: usize = 8;
 const COEFFICIENT: usize = 9;
 const QUANTITY: usize = 5;
 
-/// The oscillator as the file describes it.
-pub(crate) fn oscillator(description: &Description, file: &Path) -> String {
+/// The oscillator as the file has it.
+pub(crate) fn oscillator(layout: Layout, description: &Description, file: &Path) -> String {
     let texts = description.texts();
     let constants: Vec<String> =
         description.constants().map(|(name, value)| format!("{name} = {value}")).collect();
@@ -47,7 +47,7 @@ pub(crate) fn oscillator(description: &Description, file: &Path) -> String {
         ("frequency", texts.frequency.clone()),
         (
             "impact",
-            "with velocity y relative to the wall and phase z = frequency*t: y -> -y*Phi, z -> z + y*Psi"
+            "velocity y relative to the wall, phase z = frequency*t: y -> -y*Phi, z -> z + y*Psi"
                 .to_owned(),
         ),
         ("", format!("Phi = {}, Psi = {}", texts.restitution, texts.duration)),
@@ -58,7 +58,7 @@ pub(crate) fn oscillator(description: &Description, file: &Path) -> String {
     ];
     let notes = description.notes().iter().map(|note| ("note", note.clone()));
     for (word, content) in lines.into_iter().chain(notes) {
-        text.push_str(&wrapped(&format!("  {word:11}"), &content));
+        text.push_str(&layout.wrapped(&format!("  {word:11}"), &content));
     }
     text
 }
@@ -73,24 +73,29 @@ fn loops(description: &Description) -> String {
     description.loops().iter().map(u32::to_string).collect::<Vec<_>>().join(", ")
 }
 
-/// All results, in the order in which they were found.
-pub(crate) fn results(description: &Description, unfolded: &Analysis) -> String {
-    let mut text = grazing_curves(description, unfolded);
-    text.push_str(&resonances(description, unfolded));
-    text.push_str(&silent_theorems(description, unfolded));
-    text.push_str(&missing(description, &unfolded.axes.units, &unfolded.diagram));
-    text.push_str(&unfinished(description, &unfolded.axes.units, &unfolded.diagram));
-    text.push_str(&corners(description, unfolded));
-    text.push_str(&own_curves(description, unfolded));
-    text.push_str(&odd_ends(description, unfolded));
-    text.push_str(&undecided(description, unfolded));
-    text.push_str(&thin(description, unfolded));
-    text.extend(unfolded.diagrams.iter().map(|diagram| one_parameter(description, diagram)));
-    text.push_str(&window::suggested(unfolded));
+/// Everything that was found, in the order in which it was.
+pub(crate) fn results(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
+    let (units, diagram) = (&unfolded.axes.units, &unfolded.diagram);
+    let parts = [
+        grazing_curves(layout, description, unfolded),
+        resonances(layout, description, unfolded),
+        failing_theorems(layout, description, unfolded),
+        missing(layout, description, units, diagram),
+        unfinished(layout, description, units, diagram),
+        corners(layout, description, unfolded),
+        own_curves(layout, description, unfolded),
+        odd_ends(layout, description, unfolded),
+        undecided(layout, description, unfolded),
+        thin(layout, description, unfolded),
+    ];
+    let mut text = parts.concat();
+    let names = &unfolded.axes.names;
+    text.extend(unfolded.diagrams.iter().map(|diagram| one_parameter(layout, description, names, diagram)));
+    text.push_str(&window::suggested(layout, unfolded));
     text
 }
 
-fn grazing_curves(description: &Description, unfolded: &Analysis) -> String {
+fn grazing_curves(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
     let units = &unfolded.axes.units;
     let (primary, secondary) = (description.primary().name(), description.secondary().name());
     let words = |(arc, curve): (usize, &GrazingCurve)| {
@@ -106,7 +111,7 @@ fn grazing_curves(description: &Description, unfolded: &Analysis) -> String {
         );
         (format!("  curve {arc:<5}"), content)
     };
-    headed("Grazing of the non-impacting solution", unfolded.diagram.grazing.iter().enumerate().map(words))
+    layout.headed("Grazing of the non-impacting motion", unfolded.diagram.grazing.iter().enumerate().map(words))
 }
 
 fn ends(ends: &[GrazingEnd; 2]) -> String {
@@ -114,7 +119,7 @@ fn ends(ends: &[GrazingEnd; 2]) -> String {
         GrazingEnd::LeftWindow => "leaves the ranges".to_owned(),
         GrazingEnd::Closed => "is closed".to_owned(),
         end @ (GrazingEnd::Stalled(_) | GrazingEnd::StepLimit) => {
-            format!("is lost ({})", end.lost().unwrap_or_default())
+            format!("could not be followed further ({})", end.lost().unwrap_or_default())
         }
     };
     let [first, last] = ends.each_ref().map(words);
@@ -130,8 +135,8 @@ fn stability(curve: &GrazingCurve, secondary: &str, units: &Units) -> String {
     let word = |stable: bool, admissible: bool| match (stable, admissible) {
         (true, true) => "stable",
         (false, true) => "unstable",
-        (true, false) => "stable but beyond the wall elsewhere",
-        (false, false) => "unstable and beyond the wall elsewhere",
+        (true, false) => "stable, but inadmissible (beyond the wall at another phase)",
+        (false, false) => "unstable and inadmissible (beyond the wall at another phase)",
     };
     let mut pieces: Vec<(&str, [f64; 2])> = Vec::new();
     for (state, at) in curve.states.iter().zip(curve.parameters()) {
@@ -151,22 +156,29 @@ fn stability(curve: &GrazingCurve, secondary: &str, units: &Units) -> String {
     }
 }
 
+/// The secondary and the primary parameter as heads of columns, with their units.
+fn parameter_heads(description: &Description) -> [String; 2] {
+    [description.secondary(), description.primary()].map(|axis| with_unit(axis.name(), axis.unit()))
+}
+
 /// Resonances at which a theorem holds, and the coefficients there.
-fn resonances(description: &Description, unfolded: &Analysis) -> String {
+fn resonances(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
     let (primary, secondary) = (description.primary().name(), description.secondary().name());
+    let [secondary_head, primary_head] = parameter_heads(description);
     let all = &unfolded.resonances;
     if all.is_empty() {
         let loops = loops(description);
-        let looked = !unfolded.diagram.unfinished.iter().any(|part| part.stage == resonances::STAGE);
-        let found = if looked { "none on the grazing curve" } else { "not looked for to the end" };
+        let searched = !unfolded.diagram.unfinished.iter().any(|part| part.stage == resonances::STAGE);
+        let found = if searched { "none on the grazing curve" } else { "the search was not finished" };
         return format!("\nResonant grazing bifurcations\n  {found} for p = {loops}\n");
     }
     let found: Vec<&AtResonance> = all.iter().filter(|at| at.curves.is_some()).collect();
-    let mut text = format!(
-        "\nResonant grazing bifurcations: {}; at {} of them Theorem 2.4 (p = 1) or 2.5 (p >= 2) applies\n",
+    let heading = format!(
+        "Resonant grazing bifurcations: {}; Theorem 2.4 (p = 1) or 2.5 (p >= 2) applies at {} of them",
         all.len(),
         found.len()
     );
+    let mut text = format!("\n{}", layout.wrapped("", &heading));
     if found.is_empty() {
         return text;
     }
@@ -179,23 +191,31 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
         row.extend([grazing.alpha(), grazing.map.transversality()].map(|value| significant(value, QUANTITY)));
         row
     });
-    text.push_str(&aligned(&["p", "n", secondary, primary, "tau", "delta", "alpha", "beta"], rows));
+    let names = &unfolded.axes.names;
+    let beta = with_unit("beta", unit(names, "length/{primary}").as_deref());
+    let header = ["p", "n", &secondary_head, &primary_head, "tau", "delta", "alpha", &beta];
+    text.push_str(&layout.aligned(&header, rows));
     text.push('\n');
     let formula = format!("{primary} = {primary}_graz({secondary}) + c eta^2 + ...,").replace(' ', KEPT);
-    let content = format!("{formula} where eta is {secondary} less that of the resonance");
-    text.push_str(&wrapped("Curves that leave them:  ", &content));
+    let content = format!("{formula} where eta is {secondary} minus its value at the resonance");
+    text.push_str(&layout.wrapped("SN and PD curves:  ", &content));
+    let unit_of_c = unit(names, "{primary}/{secondary}^2");
+    let [theorem, measured] = ["c (theorem)", "c (measured)"].map(|head| match &unit_of_c {
+        Some(unit) => head.replace(')', &format!(", {unit})")),
+        None => head.to_owned(),
+    });
     let header =
-        ["p", "n", secondary, "curve", "c by theorem", "c measured", "digits agreeing", "as simulated"];
-    text.push_str(&aligned(&header, curves(all).map(coefficient)));
-    text.extend(curves(all).map(|curve| reasons(secondary, curve)));
+        ["p", "n", &secondary_head, "curve", &theorem, &measured, "digits agreeing", "simulation agrees"];
+    text.push_str(&layout.aligned(&header, curves(all).map(coefficient)));
+    text.extend(curves(all).map(|curve| reasons(layout, secondary, curve)));
     text
 }
 
 /// An SN or PD curve with what is known of it, and the resonance that it leaves.
 type CurveAt<'a> = (&'a AtResonance, Bifurcation, &'a CurveFinding);
 
-/// The reasons why a coefficient was not measured or simulation is not as predicted; empty if all is well.
-fn reasons(secondary: &str, (at, kind, known): CurveAt<'_>) -> String {
+/// Why a coefficient was not measured or simulation is not as predicted; nothing if all is well.
+fn reasons(layout: Layout, secondary: &str, (at, kind, known): CurveAt<'_>) -> String {
     let mark = format!(
         "  p = {}, n = {}, {secondary} = {}, {}:  ",
         at.loops,
@@ -203,7 +223,7 @@ fn reasons(secondary: &str, (at, kind, known): CurveAt<'_>) -> String {
         significant(at.parameters[1], QUANTITY),
         kind.name()
     );
-    known.doubts().map(|(doubt, reason)| wrapped(&mark, &format!("{doubt}: {reason}"))).collect()
+    known.doubts().map(|(doubt, reason)| layout.wrapped(&mark, &format!("{doubt}: {reason}"))).collect()
 }
 
 /// A sentence for every coefficient and simulation that contradicts the theorem.
@@ -214,7 +234,7 @@ pub(crate) fn contradictions(resonances: &[AtResonance]) -> Vec<String> {
         if let (Verdict::Contradict, Ok(fit)) = (coefficient.verdict(), &coefficient.fit) {
             let number = |value: f64| brief(value, COEFFICIENT);
             found.push(format!(
-                "{what}: c_{} is {} by the theorem, to {:.0e}, and {} on the continued curve, to {:.0e}",
+                "{what}: c_{} is {} by the theorem (error {:.0e}) but {} on the continued curve (error {:.0e})",
                 kind.name(),
                 number(coefficient.theorem.value),
                 coefficient.theorem.error,
@@ -250,17 +270,18 @@ fn coefficient((at, kind, CurveFinding { coefficient, simulated }): CurveAt<'_>)
 }
 
 /// Resonances at which no theorem applies, with the hypotheses that fail and their values.
-fn silent_theorems(description: &Description, unfolded: &Analysis) -> String {
-    let silent = unfolded.resonances.iter().filter(|at| at.curves.is_none());
-    let silent = silent.map(|at| {
+fn failing_theorems(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
+    let failing = unfolded.resonances.iter().filter(|at| at.curves.is_none());
+    let entries = failing.map(|at| {
         let failing: Vec<String> = at.failing().collect();
         let content = format!("{}: {}", place(description, at.parameters), failing.join(", "));
         (format!("  p = {}, n = {}  ", at.loops, at.n), content)
     });
-    headed("Resonances where the theorem does not apply, and no curve is followed", silent)
+    let entries = few(entries.collect(), "resonances", "data/hypotheses.csv");
+    layout.headed("Resonances at which the theorem does not apply (no curves are followed there)", entries)
 }
 
-fn corners(description: &Description, unfolded: &Analysis) -> String {
+fn corners(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
     let (units, corners) = (&unfolded.axes.units, &unfolded.diagram.codimension_two);
     if corners.is_empty() {
         return String::new();
@@ -272,13 +293,14 @@ fn corners(description: &Description, unfolded: &Analysis) -> String {
         row.extend([secondary, primary, velocity].map(|value| significant(value, PARAMETER)));
         row
     });
-    let (primary, secondary) = (description.primary().name(), description.secondary().name());
-    let table = aligned(&["kind", "p", "n", secondary, primary, "impact velocity"], rows);
+    let [secondary, primary] = parameter_heads(description);
+    let velocity = with_unit("impact velocity", unfolded.axes.names.named_unit("length/time").as_deref());
+    let table = layout.aligned(&["kind", "p", "n", &secondary, &primary, &velocity], rows);
     format!("\nCodimension-two points on these curves\n{table}")
 }
 
-/// The curves that the file asks for, each with its extent, or a note that there is none.
-fn own_curves(description: &Description, unfolded: &Analysis) -> String {
+/// The curves that the file asks for, each with its extent.
+fn own_curves(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
     let (units, diagram) = (&unfolded.axes.units, &unfolded.diagram);
     let names = [description.primary().name(), description.secondary().name()];
     let levels = diagram.asked.iter().enumerate();
@@ -296,7 +318,7 @@ fn own_curves(description: &Description, unfolded: &Analysis) -> String {
                 .then(|| format!("{} from {}, {} from {}", names[1], along(1), names[0], along(0)))
         };
         let stable = extent(&PeriodicSolution::attracts)
-            .map_or("stable nowhere".to_owned(), |extent| format!("stable for {extent}"));
+            .map_or("nowhere stable".to_owned(), |extent| format!("stable for {extent}"));
         let content = match extent(&PeriodicSolution::admissible) {
             None => "nowhere in the ranges".to_owned(),
             Some(extent) => format!("{extent}; {stable}"),
@@ -309,42 +331,10 @@ fn own_curves(description: &Description, unfolded: &Analysis) -> String {
         let at = place(description, units.parameters(lost.near));
         (
             format!("  {name}, p = {}  ", lost.loops),
-            format!("it must pass {at} and was not located there: {}", lost.reason),
+            format!("passes near {at}, but was not located there: {}", lost.reason),
         )
     });
-    headed("Own curves", entries.into_iter().chain(lost))
-}
-
-/// A one-parameter diagram: its bifurcations, lost branches, and simulated orbits without points.
-pub(crate) fn one_parameter(description: &Description, diagram: &OneParameter) -> String {
-    let names = [description.primary().name(), description.secondary().name()];
-    let [across, _] = diagram.exchanged(names);
-    let of = of_one_parameter(names, diagram);
-    let mut text = format!("\nOne-parameter diagram {}: {of}\n", diagram.diagram);
-    let rows = diagram.bifurcations.iter().map(|found| {
-        let mut row = vec![found.kind.name().to_owned(), found.loops.to_string()];
-        row.extend(
-            [found.primary, found.impact_velocity, found.x].map(|value| significant(value, PARAMETER)),
-        );
-        row
-    });
-    match diagram.bifurcations.is_empty() {
-        true => text.push_str("  no bifurcations\n"),
-        false => text.push_str(&aligned(&["kind", "p", across, "impact velocity", "x"], rows)),
-    }
-    for (loops, primary, reason) in &diagram.broken {
-        let at = significant(*primary, PARAMETER);
-        let content =
-            format!("a branch of p = {loops} could not be followed beyond {across} = {at}: {reason}");
-        text.push_str(&wrapped("  ", &content));
-    }
-    if let Some([resting, all]) = diagram.resting.filter(|[resting, _]| *resting > 0) {
-        let content = format!(
-            "{resting} of {all} simulated orbits left no point: they came to rest, or could not be followed"
-        );
-        text.push_str(&wrapped("  ", &content));
-    }
-    text
+    layout.headed("Curves that the file asks for", entries.into_iter().chain(lost))
 }
 
 #[cfg(test)]
@@ -420,7 +410,7 @@ mod tests {
         assert_eq!(
             words,
             [
-                "p = 2, n = 3: c_SN is -2.5 by the theorem, to 1e-9, and -2.25 on the continued curve, to 1e-7",
+                "p = 2, n = 3: c_SN is -2.5 by the theorem (error 1e-9) but -2.25 on the continued curve (error 1e-7)",
                 "p = 2, n = 3: beside the SN curve, at impact velocity 1e-3 the faster solution is predicted to be stable \
                  and repels",
             ]
@@ -432,7 +422,7 @@ mod tests {
         let doubtful = [doubtful];
         let curve = curves(&doubtful).next().expect("the theorem applies");
         assert!(matches!(curve.2.coefficient.verdict(), Verdict::NotMeasurable(Obstacle::Rounding { .. })));
-        let words = reasons("omega", curve);
+        let words = reasons(Layout::default(), "omega", curve);
         for wanted in [
             "p = 2, n = 3, omega = 0.75000, SN:  not measurable: where",
             "as simulated undecided: the leading",
@@ -451,17 +441,17 @@ mod tests {
         let unfolded = Unfolded::described(&description, &Silent, &Stop::default(), &|_| ());
         let mut unfolded = unfolded.expect("there is grazing");
         unfolded.diagram.regions.retain(|region| region.doubt.is_none());
-        assert!(!results(&description, &unfolded).contains("Not decided"));
+        assert!(!results(Layout::default(), &description, &unfolded).contains("not decided"));
         let units = unfolded.axes.units;
         let corner = |primary: f64, secondary: f64| units.without_dimensions([primary, secondary]);
         for doubt in [Doubt::Disagreement, Doubt::UnnamedChange, Doubt::ManyBranches, Doubt::Unseen] {
             let ring = vec![corner(0.5, 0.625), corner(0.75, 0.625), corner(0.75, 0.6875)];
             let region = Region { loops: 1, n: 3, rings: vec![ring], doubt: Some(doubt.clone()) };
             unfolded.diagram.regions.push(region);
-            let words = results(&description, &unfolded).replace('\n', " ");
+            let words = results(Layout::default(), &description, &unfolded).replace('\n', " ");
             let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
             let told = format!("p = 1 from A = 0.5, omega = 0.625 to A = 0.75, omega = 0.6875: {doubt}");
-            assert!(words.contains("Not decided (hatched") && words.contains(&told), "{told}: {words}");
+            assert!(words.contains("Stability not decided (hatched") && words.contains(&told), "{told}: {words}");
         }
     }
 }

@@ -3,15 +3,15 @@
 use grazing_results::brief;
 use grazing_results::measured::{Agreement, Comparison, MeasuredCount, MeasuredPoint};
 
-use crate::layout::{aligned, headed};
+use crate::layout::Layout;
 
 /// Digits of places.
 const DIGITS: usize = 6;
 /// The most disagreeing measurements that are listed; all are in data/measured.csv.
-const LISTED: usize = 8;
+const LISTED: usize = 5;
 
-/// The numbers of measurements that agree, region by region, and those that do not.
-pub(super) fn listing(compared: &Comparison) -> String {
+/// How many agree, region by region, and which do not.
+pub(super) fn listing(layout: Layout, compared: &Comparison) -> String {
     let row = |count: &MeasuredCount| {
         let region = if count.region == 0 { "-".to_owned() } else { count.region.to_string() };
         let loops = if count.kind == "none" { "-".to_owned() } else { count.loops.to_string() };
@@ -30,21 +30,24 @@ pub(super) fn listing(compared: &Comparison) -> String {
         "within error",
         "disagree",
         "undecided",
-        "nothing computed",
+        "not computed",
     ];
-    let counts = aligned(&heads, compared.counts.iter().map(row));
+    let counts = layout.aligned(&heads, compared.counts.iter().map(row));
     let against: Vec<&MeasuredPoint> =
         compared.points.iter().filter(|point| point.agreement == Agreement::Disagrees).collect();
     let entry = |point: &&MeasuredPoint| {
         let at = [point.primary, point.secondary].map(|value| brief(value, DIGITS));
-        let told = match point.distance.is_nan() {
+        let reason = match point.distance.is_nan() {
             true => point.reason.clone(),
             false => format!("{} standard errors away: {}", brief(point.distance, 3), point.reason),
         };
-        ("  ".to_owned(), format!("line {} ({}, {}), {}: {told}", point.line, at[0], at[1], point.seen))
+        ("  ".to_owned(), format!("line {} ({}, {}), {}: {reason}", point.line, at[0], at[1], point.seen))
     };
     let more = against.len().saturating_sub(LISTED);
     let rest = (more > 0).then(|| ("  ".to_owned(), format!("and {more} more, in data/measured.csv")));
     let entries = against.iter().take(LISTED).map(entry).chain(rest);
-    format!("\nmeasured, and what is computed there\n{counts}{}", headed("otherwise than computed", entries))
+    format!(
+        "\nMeasurements compared with the computation\n{counts}{}",
+        layout.headed("Measurements that disagree", entries)
+    )
 }

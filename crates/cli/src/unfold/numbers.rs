@@ -1,6 +1,6 @@
 //! Numbers formatted for reading.
 
-use grazing_results::brief;
+use grazing_results::{Names, brief};
 
 /// The value with exactly this many significant digits, for a column.
 pub(crate) fn significant(value: f64, digits: usize) -> String {
@@ -8,8 +8,7 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
         return "-".to_owned();
     }
     let scientific = format!("{:.*e}", digits - 1, value + 0.0);
-    let exponent: i32 =
-        scientific.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0);
+    let exponent = exponent(&scientific);
     let decimals = digits as i32 - 1 - exponent;
     match usize::try_from(decimals) {
         Ok(decimals) if exponent >= -4 => format!("{:.decimals$}", value + 0.0),
@@ -28,9 +27,74 @@ pub(super) fn range([low, high]: [f64; 2]) -> String {
     format!("{} to {}", brief(low, 6), brief(high, 6))
 }
 
+/// A head of a column with its unit, if that has a name.
+pub(crate) fn with_unit(head: &str, unit: Option<&str>) -> String {
+    unit.map_or(head.to_owned(), |unit| format!("{head} ({unit})"))
+}
+
+/// A unit as columns declare it, if all units that it is made of have names.
+pub(crate) fn unit(names: &Names, declared: &str) -> Option<String> {
+    let parameters = [("{primary}", &names.primary), ("{secondary}", &names.secondary)];
+    // A unit without a name is the parameter's own name.
+    let are_named =
+        parameters.iter().all(|(part, name)| !declared.contains(part) || names.unit(part) != **name);
+    names.named_unit(declared).filter(|_| are_named)
+}
+
+/// The primary and the secondary parameter as heads of columns, with their units.
+pub(crate) fn heads(names: &Names) -> [String; 2] {
+    [(&names.primary, "{primary}"), (&names.secondary, "{secondary}")]
+        .map(|(name, declared)| with_unit(name, unit(names, declared).as_deref()))
+}
+
+/// A value with its standard error, as `0.0181 ± 0.0012`: two significant digits of the error, and as many decimals of the value.
+pub(crate) fn with_error(value: f64, error: f64) -> String {
+    if !(error > 0.0 && error.is_finite() && value.is_finite()) {
+        return format!("{} ± {}", brief(value, 8), if error == 0.0 { "0" } else { "not known" });
+    }
+    let rounded = format!("{error:.1e}");
+    let exponent = exponent(&rounded);
+    let size = value.abs().max(error);
+    let power = exponent_of(size);
+    if (-4..=5).contains(&power) && exponent <= 1 {
+        let decimals = usize::try_from(1 - exponent).unwrap_or(0);
+        return format!("{value:.decimals$} ± {error:.decimals$}");
+    }
+    let decimals = usize::try_from(power - exponent + 1).unwrap_or(0);
+    let unit = libm::pow(10.0, f64::from(power));
+    format!("({:.decimals$} ± {:.decimals$})e{power}", value / unit, error / unit)
+}
+
+/// The power of ten in a number written with one.
+fn exponent(scientific: &str) -> i32 {
+    scientific.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
+}
+
+/// The power of ten of a number.
+fn exponent_of(value: f64) -> i32 {
+    exponent(&format!("{value:e}"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_value_has_as_many_decimals_as_two_digits_of_its_error() {
+        for (value, error, text) in [
+            (0.018_123, 0.001_234, "0.0181 ± 0.0012"),
+            (0.72, 0.009_96, "0.720 ± 0.010"),
+            (8.04, 0.1, "8.04 ± 0.10"),
+            (-1.25, 3.0, "-1.2 ± 3.0"),
+            (152.0, 12.0, "152 ± 12"),
+            (1_234_567.0, 1_200.0, "(1.2346 ± 0.0012)e6"),
+            (2_345.0, 120.0, "(2.35 ± 0.12)e3"),
+            (1.234e-6, 2e-8, "(1.234 ± 0.020)e-6"),
+            (0.5, f64::NAN, "0.5 ± not known"),
+        ] {
+            assert_eq!(with_error(value, error), text);
+        }
+    }
 
     #[test]
     fn significant_numbers_have_all_their_digits() {

@@ -3,14 +3,15 @@
 use grazing_results::place::{AtPlace, PlaceAttractor};
 use grazing_results::{Names, brief};
 
-use crate::layout::aligned;
+use crate::layout::Layout;
+use crate::unfold::numbers::{heads, with_unit};
 
 /// Digits of parameters, and of exponents.
 const DIGITS: usize = 6;
 const EXPONENT: usize = 3;
 
-/// The attractors of all places; empty without places.
-pub(crate) fn listing(places: &[AtPlace], names: &Names) -> String {
+/// The attractors of all places; nothing without places.
+pub(crate) fn listing(layout: Layout, places: &[AtPlace], names: &Names) -> String {
     if places.is_empty() {
         return String::new();
     }
@@ -24,7 +25,9 @@ pub(crate) fn listing(places: &[AtPlace], names: &Names) -> String {
             exponent,
         ]
     };
-    let heads = [&*names.primary, &*names.secondary, "motion", "of random states", "Lyapunov exponent"];
+    let [primary, secondary] = heads(names);
+    let exponent = with_unit("Lyapunov exponent", names.named_unit("1/time").as_deref());
+    let heads = [&*primary, &secondary, "attractor", "share of random states", &exponent];
     let rows = places.iter().flat_map(|place| &place.attractors).map(row);
-    format!("\nattractors\n{}", aligned(&heads, rows))
+    format!("\nAttractors\n{}", layout.aligned(&heads, rows))
 }

@@ -9,25 +9,42 @@ use grazing_unfold::Diagram;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::grazing::GrazingEnd;
 use grazing_unfold::levels::LevelCurve;
+use grazing_unfold::regions::Doubt;
 
-use crate::layout::headed;
+use crate::layout::Layout;
 use crate::unfold::analysis::Analysis;
 use crate::unfold::reason::{self, place};
 
-/// Resonances that could not be located, or whose curves could not be followed.
-pub(super) fn missing(description: &Description, units: &Units, diagram: &Diagram) -> String {
-    let lost = reason::lost(description, units, diagram);
-    headed("Resonances that could not be unfolded", lost.map(|(what, why)| (format!("  {what}  "), why)))
+/// The most findings of a kind that are listed one by one.
+const LISTED: usize = 5;
+
+/// Entries one by one if they are few; of many, a line that counts them and names the file that has them all.
+pub(super) fn few(entries: Vec<(String, String)>, what: &str, file: &str) -> Vec<(String, String)> {
+    if entries.len() <= LISTED {
+        return entries;
+    }
+    vec![("  ".to_owned(), format!("{} {what}, in {file}", entries.len()))]
 }
 
-/// Work that a limit or Ctrl-C has cut off.
-pub(super) fn unfinished(description: &Description, units: &Units, diagram: &Diagram) -> String {
+/// Resonances that could not be located, or whose curves could not be followed.
+pub(super) fn missing(layout: Layout, description: &Description, units: &Units, diagram: &Diagram) -> String {
+    let lost = reason::lost(description, units, diagram);
+    layout.headed("Resonances that could not be unfolded", lost.map(|(what, why)| (format!("  {what}  "), why)))
+}
+
+/// What a limit or Ctrl-C has cut off.
+pub(super) fn unfinished(
+    layout: Layout,
+    description: &Description,
+    units: &Units,
+    diagram: &Diagram,
+) -> String {
     let cut = diagram.unfinished.iter();
-    headed("Not finished", cut.map(|cut| ("  ".to_owned(), reason::unfinished(description, units, cut))))
+    layout.headed("Not finished", cut.map(|cut| ("  ".to_owned(), reason::unfinished(description, units, cut))))
 }
 
 /// Curves that end neither at the edge of the ranges nor at a point of codimension two.
-pub(super) fn odd_ends(description: &Description, unfolded: &Analysis) -> String {
+pub(super) fn odd_ends(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
     let lines = |of: String, curve: &Curve| {
         let ends = [curve.points.first(), curve.points.last()].into_iter().zip(curve.lost());
         let line = |(point, reason): (Option<&CurvePoint>, Option<String>)| {
@@ -43,38 +60,47 @@ pub(super) fn odd_ends(description: &Description, unfolded: &Analysis) -> String
     let own = diagram.levels.curves.iter().flat_map(|LevelCurve { level, loops, curve }| {
         lines(format!("{} of p = {loops}", diagram.asked[*level].name), curve)
     });
-    headed("Curves that end unexpectedly", bifurcations.chain(own))
+    let ends =
+        few(bifurcations.collect(), "ends of bifurcation curves; the curves are", "data/curves.csv").into_iter();
+    let own = few(own.collect(), "ends of curves that the file asks for; these are", "data/own_curves.csv");
+    layout.headed("Curves that end unexpectedly", ends.chain(own))
 }
 
-/// The most undecided regions of one p and one kind of reason that are listed one by one.
-const TOLD: usize = 3;
-
-/// Regions in which the stability of solutions is undecided, with the reasons.
-pub(super) fn undecided(description: &Description, unfolded: &Analysis) -> String {
-    let mut kinds: Vec<(_, Vec<String>)> = Vec::new();
+/// Where it is not decided whether solutions are stable, with the reason.
+pub(super) fn undecided(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
+    let mut kinds: Vec<(_, &Doubt, Vec<String>)> = Vec::new();
     for region in &unfolded.diagram.regions {
         let Some(doubt) = &region.doubt else { continue };
         let Some(line) = reason::undecided(description, &unfolded.axes.units, region) else { continue };
         let kind = (region.loops, discriminant(doubt));
-        match kinds.iter_mut().find(|(known, _)| *known == kind) {
-            Some((_, alike)) => alike.push(line),
-            None => kinds.push((kind, vec![line])),
+        match kinds.iter_mut().find(|(known, ..)| *known == kind) {
+            Some((.., alike)) => alike.push(line),
+            None => kinds.push((kind, doubt, vec![line])),
         }
     }
-    let entries = kinds.into_iter().flat_map(|((loops, _), mut alike)| {
-        let more = alike.len().saturating_sub(TOLD);
-        alike.truncate(TOLD);
-        let more = (more > 0).then(|| format!("{more} more for reasons of this kind, in regions.csv"));
-        alike.into_iter().chain(more).map(move |line| (format!("  p = {loops}  "), line))
+    let entries = kinds.into_iter().flat_map(|((loops, _), doubt, alike)| {
+        let lines = if alike.len() <= LISTED {
+            alike
+        } else {
+            let (count, reason) = (alike.len(), doubt.to_string());
+            // What follows differs from region to region.
+            let reason = reason.split(": ").next().unwrap_or_default();
+            vec![format!("{count} regions, in {REGIONS}: {reason}")]
+        };
+        lines.into_iter().map(move |line| (format!("  p = {loops}  "), line))
     });
-    headed("Not decided (hatched in the diagram)", entries)
+    layout.headed("Stability not decided (hatched in the diagram)", entries)
 }
 
-/// Regions of the diagram that are too thin to be seen.
-pub(super) fn thin(description: &Description, unfolded: &Analysis) -> String {
+/// The table of all regions.
+const REGIONS: &str = "data/regions.csv";
+
+/// Regions that are in the diagram but too thin to be seen.
+pub(super) fn thin(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
     let regions = reason::thin(description, &unfolded.axes.units, &unfolded.diagram);
     let entries = regions.into_iter().map(|(loops, line)| (format!("  p = {loops}  "), line));
-    headed("Regions of stable solutions thinner than 1e-4 of the ranges, in regions.csv", entries)
+    let entries = few(entries.collect(), "regions", REGIONS);
+    layout.headed(&format!("Regions of stability thinner than 1e-4 of the ranges (all are in {REGIONS})"), entries)
 }
 
 /// The gaps in the diagram that are not due to a limit, as `1 of 3 resonances could not be
@@ -93,7 +119,7 @@ pub(crate) fn incomplete(diagram: &Diagram) -> Option<String> {
     if endless > 0 {
         let ends =
             if endless == 1 { "1 end of a curve was" } else { &format!("{endless} ends of curves were") };
-        parts.push(format!("{ends} not reached within very many points"));
+        parts.push(format!("{ends} not reached within the greatest number of points"));
     }
     (!parts.is_empty()).then(|| parts.join(" and "))
 }
@@ -151,9 +177,9 @@ mod tests {
                 at: Some([0.5, 0.75]),
             }],
         };
-        let cut = unfinished(&description, &Units::ONE, &diagram);
+        let cut = unfinished(Layout::default(), &description, &Units::ONE, &diagram);
         assert_eq!(cut, "\nNot finished\n  bifurcation curves of p = 2, n = 1 at A = 0.5, omega = 0.75\n");
-        let line = missing(&description, &Units::ONE, &diagram);
+        let line = missing(Layout::default(), &description, &Units::ONE, &diagram);
         let words = line.split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!(
             words,
@@ -170,10 +196,10 @@ mod tests {
         };
         let endless =
             Diagram { unlocated: Vec::new(), not_unfolded: Vec::new(), grazing: vec![endless], ..diagram };
-        assert_eq!(missing(&description, &Units::ONE, &endless), "");
+        assert_eq!(missing(Layout::default(), &description, &Units::ONE, &endless), "");
         assert_eq!(
             incomplete(&endless).as_deref(),
-            Some("1 end of a curve was not reached within very many points")
+            Some("1 end of a curve was not reached within the greatest number of points")
         );
         assert_eq!(incomplete(&Diagram { grazing: Vec::new(), ..endless }), None);
     }

@@ -1,13 +1,13 @@
-//! A better window for a diagram that fills little of its own.
+//! Better ranges for a diagram that fills little of its own.
 
 use grazing_unfold::units::InUnits;
 
-use crate::layout::{KEPT, headed};
+use crate::layout::{KEPT, Layout};
 use crate::unfold::analysis::Analysis;
 use grazing_results::brief;
 
-/// Ranges that would show more, as options of the command line.
-pub(super) fn suggested(unfolded: &Analysis) -> String {
+/// Ranges that would show more, as the command line takes them.
+pub(super) fn suggested(layout: Layout, unfolded: &Analysis) -> String {
     let Some(suggested) = unfolded.diagram.suggested_window() else { return String::new() };
     let units = &unfolded.axes.units;
     let (now, then) = (unfolded.diagram.scope.window.in_units(units), suggested.in_units(units));
@@ -16,11 +16,11 @@ pub(super) fn suggested(unfolded: &Analysis) -> String {
         format!("--set{KEPT}{key}.range=[{low},{high}]")
     };
     let content = format!(
-        "what was found fills a tenth of a range or less; {} would show more of it",
+        "the results fill a tenth of a range or less; narrower ranges show more: {}",
         [setting("primary", now.primary, then.primary), setting("secondary", now.secondary, then.secondary)]
             .join(" ")
     );
-    headed("Window", [("  ".to_owned(), content)])
+    layout.headed("Ranges", [("  ".to_owned(), content)])
 }
 
 /// The suggested range rounded outwards to two significant digits of its width; ends that stay the
