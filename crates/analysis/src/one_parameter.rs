@@ -112,7 +112,7 @@ pub(crate) fn diagrams(
         let missing = match &found {
             None => Some(format!("one-parameter diagram {diagram}")),
             Some(found) if found.resting.is_none() => {
-                Some(format!("long-time behaviour and phase portraits of one-parameter diagram {diagram}"))
+                Some(format!("attractors and phase portraits of one-parameter diagram {diagram}"))
             }
             Some(_) => None,
         };

@@ -36,11 +36,11 @@ pub fn simulated(
     let frequency = here.forcing_frequency().value;
     if !(frequency > 0.0 && frequency.is_finite()) {
         let frequency = frequency / units.time;
-        return Err(format!("the forcing frequency is {frequency} at this place, and must be positive"));
+        return Err(format!("the forcing frequency is {frequency} at this place; it must be positive"));
     }
     if !(x <= 0.0 && [x, y, time, periods].iter().all(|number| number.is_finite()) && periods > 0.0) {
         return Err(format!(
-            "motion from x = {x}, v = {y} at t = {time} for {periods} forcing periods: all must be finite numbers, x, which is counted from the wall, at most 0, and the periods positive"
+            "motion from x = {x}, v = {y} at t = {time} for {periods} forcing periods: all must be finite numbers, x (measured from the wall) at most 0, and the number of periods positive"
         ));
     }
     let (length, velocity, begin) = (units.length, units.velocity(), time / units.time);
@@ -63,7 +63,7 @@ pub fn simulated(
         impact_velocity: speed * velocity,
     };
     let end = match found.end {
-        OrbitEnd::TimeIsUp(end) if end.position.is_finite() => "time is up".to_owned(),
+        OrbitEnd::TimeIsUp(end) if end.position.is_finite() => "the time is over".to_owned(),
         OrbitEnd::TimeIsUp(_) => "it cannot be followed".to_owned(),
         OrbitEnd::Sticking { time: at, .. } => {
             format!("it comes to rest at the wall at t = {}", time(begin + at))

@@ -134,7 +134,7 @@ impl CurveFinding {
         let (verdict, simulated) = (self.coefficient.verdict(), self.simulated);
         let both = [
             (verdict.name().to_owned(), verdict.reason()),
-            (format!("as simulated {}", simulated.name()), simulated.reason()),
+            (format!("simulation {}", simulated.name()), simulated.reason()),
         ];
         both.into_iter().filter(|(_, reason)| !reason.is_empty())
     }

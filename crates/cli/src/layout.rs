@@ -99,7 +99,18 @@ impl Layout {
     /// A command after a mark; where it is longer than a line it goes on with `\`, as a shell reads it.
     pub(crate) fn command(self, mark: &str, command: &str) -> String {
         let (mut text, mut column) = (mark.to_owned(), shown(mark));
-        for (number, word) in command.split(' ').enumerate() {
+        let mut words: Vec<String> = Vec::new();
+        for word in command.split(' ') {
+            match words.last_mut() {
+                // An option and its value stay together.
+                Some(last) if last.starts_with("--") && !last.contains(' ') => {
+                    last.push(' ');
+                    last.push_str(word);
+                }
+                _ => words.push(word.to_owned()),
+            }
+        }
+        for (number, word) in words.iter().enumerate() {
             // Room for the mark of a line that goes on.
             if number > 0 && column + 1 + shown(word) + 2 > self.width {
                 let _ = write!(text, " \\\n{:CONTINUED$}{word}", "");
@@ -117,7 +128,7 @@ impl Layout {
         text
     }
 
-    /// The text with its long lines wrapped, each with an indent under its own.
+    /// The text with its long lines wrapped, each part with the indent of the line.
     pub(crate) fn fitted(self, text: &str) -> String {
         text.split_inclusive('\n')
             .map(|line| match line.strip_suffix('\n') {
@@ -134,7 +145,7 @@ impl Layout {
         let content = line.trim_start_matches(' ');
         let own = line.len() - content.len();
         let mut lines =
-            Lines { text: " ".repeat(own), column: own, indent: own + 2, width: self.width, begun: false };
+            Lines { text: " ".repeat(own), column: own, indent: own, width: self.width, begun: false };
         for unit in units(content) {
             lines.put(&unit);
         }

@@ -50,7 +50,7 @@ impl std::fmt::Display for EndCause {
         let (limit, key) = match self {
             EndCause::Time(seconds) => (format!("time limit of {seconds} s {CLOCK}"), "time"),
             EndCause::Memory(megabytes) => (format!("memory limit of {megabytes} MB"), "memory"),
-            EndCause::Steps(steps) => (format!("limit of {steps} steps of integration"), "step"),
+            EndCause::Steps(steps) => (format!("limit of {steps} integration steps"), "step"),
             EndCause::Interruption => return formatter.write_str("interrupted"),
         };
         let remedy = format!("raise it with {key}_limit in [analysis] or --{key}-limit");

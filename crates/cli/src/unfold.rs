@@ -1,7 +1,7 @@
 //! `grazing unfold`: the resonant grazing bifurcations of an oscillator that a text file describes.
 
 pub(crate) mod analysis;
-mod explanation;
+pub(crate) mod explanation;
 mod keeper;
 pub(crate) mod listing;
 mod measured;

@@ -155,7 +155,7 @@ impl Sampler<'_> {
     fn restitution(&self, [mu, eta]: [f64; 2]) -> Checked {
         let restitution = |y, z| self.description.restitution(y, z, mu, eta);
         self.reset(&self.places.restitution, 1.0, [mu, eta], restitution, |value| {
-            (value <= 0.0).then_some("it must be positive, for the rebound to leave the wall")
+            (value <= 0.0).then_some("it must be positive, or the rebound does not leave the wall")
         })
     }
 
@@ -168,7 +168,7 @@ impl Sampler<'_> {
         let place = &self.places.restitution;
         let at = self.point([mu, eta], &[("y", y), ("z", z)]);
         Some(format!(
-            "{place}: the restitution is {} at {at}: above 1, so that impacts drive the oscillator; it is analysed as it stands",
+            "{place}: the restitution is {} at {at}: it is above 1, so impacts drive the oscillator; the analysis uses it as it is",
             rounded(value)
         ))
     }
@@ -191,8 +191,8 @@ impl Sampler<'_> {
         let slope = self.slopes(parameters)[1];
         (slope * self.units.time > ROUNDING).then(|| {
             format!(
-                "{}: at the wall the force grows with the velocity, by {} v at {}, so that motion is driven and not damped: is \
-                 the sign of the damping meant?",
+                "{}: at the wall the force grows with the velocity, by {} v at {}, so that motion is driven, not damped: is \
+                 the sign of the damping intended?",
                 self.places.force,
                 rounded(slope),
                 self.point(parameters, &[])
@@ -208,7 +208,7 @@ impl Sampler<'_> {
             axes.into_iter().find(|(axis, value)| axis.unit() == Some("Hz") && *value == frequency)?;
         let (place, name) = (&self.places.frequency, axis.name());
         Some(format!(
-            "{place}: {name} is in Hz, but frequencies here are in radians a time: 2*pi*{name} is, here and in the force"
+            "{place}: {name} is in Hz, but frequencies are in radians per unit of time here: write 2*pi*{name}, here and in the force"
         ))
     }
 
@@ -224,8 +224,8 @@ impl Sampler<'_> {
         }
         (slowest > FAR * high || fastest * FAR < low && fastest > 0.0).then(|| {
             format!(
-                "{}: free motion at the wall has a natural frequency of about {}, and that of the forcing is from {} to {}, in \
-                 radians a time: if that is not meant, are the units coherent (kg with N and m), and is no factor 2*pi missing?",
+                "{}: free motion at the wall has a natural frequency of about {}, and the forcing has {} to {}, in \
+                 radians per unit of time: if this is not intended, check that the units are coherent (kg with N and m) and that no factor 2*pi is missing",
                 self.places.force,
                 rounded(slowest.max(fastest)),
                 rounded(low),

@@ -28,17 +28,17 @@ const LONGEST_UNIT: usize = 20;
 
 /// The keys of a description with their requirements.
 pub(crate) static REQUIREMENTS: LazyLock<Requirements> =
-    LazyLock::new(|| Requirements::new("see examples/ for what belongs here").with_keys(File::list));
+    LazyLock::new(|| Requirements::new("see examples/ for the keys of a file").with_keys(File::list));
 
 keys! {
     /// A description as written.
     pub(crate) struct File {
         /// What the oscillator is called.
         name: String = value().map(name),
-            "the name of the oscillator must be given before the first table, as text in quotation marks that is not empty";
+            "the name of the oscillator must be given before the first table, as non-empty text in quotation marks";
         /// Constants that the expressions use.
         parameters: Vec<(String, f64)> = any_names(number(..), "a constant must be a finite number"),
-            "the table [parameters] holds constants by name, as zeta = 0.02; it may be empty";
+            "the table [parameters] holds constants by name, such as zeta = 0.02; it may be empty";
         /// The primary parameter.
         primary: Axis = axis(),
             "the table [primary] holds name and range of the parameter whose grazing value is sought";
@@ -47,12 +47,12 @@ keys! {
             "the table [secondary] holds name and range of the parameter along the grazing curve";
         /// What the file counts in.
         units: Option<WrittenUnits> = maybe(table()),
-            "the table [units] holds the names of the units of length, time and mass, as length = \"mm\"; it may be left out";
+            "the table [units] holds the names of the units of length, time and mass, such as length = \"mm\"; it may be left out";
         /// What moves the oscillator.
         motion: Motion = table(), "the table [motion] holds force and frequency";
         /// The wall.
         wall: Option<WrittenWall> = maybe(table()),
-            "the table [wall] holds the position of the wall and the side on which the motion is; without it the wall is at x = 0";
+            "the table [wall] holds the position of the wall and the side of the wall on which the motion takes place; without it the wall is at x = 0";
         /// What an impact does.
         impact: Impact = table(), "the table [impact] holds restitution and duration, and may hold mass";
         /// What is computed.
@@ -99,10 +99,10 @@ keys! {
     pub(crate) struct Motion {
         /// The force F per mass.
         force: String = value(),
-            "the force must be an expression in x, v, t and the parameters, written in quotation marks, as \"-2*zeta*v - x - 1 + A*cos(omega*t)\"";
+            "the force must be an expression in x, v, t and the parameters, in quotation marks, such as \"-2*zeta*v - x - 1 + A*cos(omega*t)\"";
         /// The forcing frequency ω.
         frequency: String = value(),
-            "the forcing frequency must be an expression in the parameters, written in quotation marks, as \"omega\"";
+            "the forcing frequency must be an expression in the parameters, in quotation marks, such as \"omega\"";
     }
 }
 
@@ -111,10 +111,10 @@ keys! {
     pub(crate) struct WrittenWall {
         /// Its position.
         position: String = value(),
-            "the position of the wall must be an expression in t and the parameters, written in quotation marks, as \"0.0015\" or \"a*cos(omega*t)\"";
+            "the position of the wall must be an expression in t and the parameters, in quotation marks, such as \"0.0015\" or \"a*cos(omega*t)\"";
         /// The side on which the motion is.
         side: Side = or(choice(&[("below", Side::Below), ("above", Side::Above)]), Side::Below),
-            "the side of the wall on which the motion is must be \"below\" (less than its position) or \"above\" (greater); it may be left out and is \"below\" then";
+            "the side of the wall on which the motion takes place must be \"below\" (less than its position) or \"above\" (greater); if it is left out, it is \"below\"";
     }
 }
 
@@ -123,13 +123,13 @@ keys! {
     pub(crate) struct Impact {
         /// The restitution Φ.
         restitution: String = value(),
-            "the restitution must be an expression in y, z and the parameters, written in quotation marks, as \"0.8\"";
+            "the restitution must be an expression in y, z and the parameters, in quotation marks, such as \"0.8\"";
         /// The impact duration Ψ.
         duration: String = value(),
-            "the impact duration must be an expression in y, z and the parameters, written in quotation marks, \"0\" for impacts that take no time";
+            "the impact duration must be an expression in y, z and the parameters, in quotation marks, \"0\" for impacts that take no time";
         /// The mass that hits the wall, for impulse, force and power.
         mass: Option<String> = maybe(value()),
-            "the mass must be an expression in the parameters, positive and written in quotation marks, as \"0.5\" or \"m\"; it may be left out";
+            "the mass must be an expression in the parameters, positive and in quotation marks, such as \"0.5\" or \"m\"; it may be left out";
     }
 }
 
@@ -138,19 +138,19 @@ keys! {
     pub(crate) struct Analysis {
         /// The numbers of loops p.
         loops: Vec<u32> = counts(1..=MOST_LOOPS),
-            "the numbers of loops must be a list of different whole numbers from {} to {}, as [1, 2, 3]";
+            "the numbers of loops must be a list of different whole numbers from {} to {}, such as [1, 2, 3]";
         /// Where the search for the non-impacting motion starts.
         start: Option<[f64; 2]> = maybe(numbers()),
-            "the start of the search for the non-impacting motion must be position and velocity at time zero, two finite numbers, as [-1.0, 0.0]; it may be left out";
+            "the start of the search for the non-impacting motion must be position and velocity at time zero, two finite numbers, such as [-1.0, 0.0]; it may be left out";
         /// The time limit, in seconds of CPU time.
         time_limit: f64 = limit(Limits::USUAL.time),
-            "the time after which the analysis ends with what it has must be a positive number of seconds of CPU time, as 600; it may be left out";
+            "the time after which the analysis stops with partial results must be a positive number of seconds of CPU time, such as 600; it may be left out";
         /// The memory limit, in megabytes.
         memory_limit: f64 = limit(Limits::USUAL.memory),
-            "the memory at which the analysis ends with what it has must be a positive number of megabytes, as 2000; it may be left out";
+            "the memory at which the analysis stops with partial results must be a positive number of megabytes, such as 2000; it may be left out";
         /// The limit of steps of integration.
         step_limit: f64 = limit(Limits::USUAL.steps),
-            "the number of steps of integration after which the analysis ends with what it has must be positive, as 1e10; it may be left out";
+            "the number of integration steps after which the analysis stops with partial results must be positive, such as 1e10; it may be left out";
     }
 }
 
@@ -159,22 +159,22 @@ keys! {
     pub struct FigureStyle {
         /// The secondary parameter is across and the primary one up.
         swap: bool = or(value(), false),
-            "swap must be true, for the secondary parameter across and the primary one up, or false; it may be left out and is false then";
+            "swap must be true, for the secondary parameter across and the primary one up, or false; if it is left out, it is false";
         /// Regions of stability are grey.
         shading: bool = or(value(), true),
-            "shading must be true, for regions of stability in grey, or false; it may be left out and is true then";
+            "shading must be true, for regions of stability in grey, or false; if it is left out, it is true";
         /// What has its name written beside it.
         names: Vec<Named> = or(value().map(named), Named::ALL.to_vec()),
-            "names must be a list of what has its name in the figure, of \"curves\", \"regions\", \"magnifications\" and \"diagrams\", as [\"curves\"]; it may be left out, and all have theirs then";
+            "names must list what is labelled in the figure, from \"curves\", \"regions\", \"magnifications\" and \"diagrams\", such as [\"curves\"]; if it is left out, all have their names";
         /// The width of the diagram, in millimetres.
         width: Option<f64> = maybe(number(60.0..=400.0)),
-            "the width of the diagram must be from 60 to 400, in millimetres; it may be left out and is 120 then";
+            "the width of the diagram must be from 60 to 400, in millimetres; if it is left out, it is 120";
         /// The height of the diagram, in millimetres.
         height: Option<f64> = maybe(number(40.0..=400.0)),
-            "the height of the diagram must be from 40 to 400, in millimetres; it may be left out and follows from the width then";
+            "the height of the diagram must be from 40 to 400, in millimetres; if it is left out, it follows from the width";
         /// The colours of kinds of curves.
         colours: Vec<(String, [u8; 3])> = or(any_names(value().map(colour), COLOUR), Vec::new()),
-            "the table [figure.colours] holds colours of curves by their kinds, graz, SN, PD, GZ, NS or PF, as SN = \"#1946be\"; it may be left out";
+            "the table [figure.colours] holds colours of curves by their kinds, graz, SN, PD, GZ, NS or PF, such as SN = \"#1946be\"; it may be left out";
     }
 }
 
@@ -183,7 +183,7 @@ keys! {
     pub(crate) struct WrittenCurve {
         /// What the curve is called in figures and tables.
         name: String = value().such(|name: &String| curve_name(name)),
-            "the name of a curve must be up to 24 letters, digits, blanks or = . , - + ( ) /, in quotation marks, as \"hard hits\"";
+            "the name of a curve must be up to 24 letters, digits, blanks or = . , - + ( ) /, in quotation marks, such as \"hard hits\"";
         /// The impact velocity along it.
         impact_velocity: Option<f64> = maybe(positive()), POSITIVE;
         /// The larger modulus of the two stability multipliers along it.
@@ -192,10 +192,10 @@ keys! {
         distance: Option<f64> = maybe(positive()), POSITIVE;
         /// That phase, in forcing periods.
         phase: Option<f64> = maybe(number(0.0..1.0)),
-            "the phase, in forcing periods, must be from 0 to less than 1; it stands beside distance";
+            "the phase, in forcing periods, must be at least 0 and less than 1; it is given together with distance";
         /// The numbers of loops p of the solutions.
         loops: Option<Vec<u32>> = maybe(counts(1..=MOST_LOOPS)),
-            "the numbers of loops must be a list of different whole numbers of analysis.loops, as [1, 2]; without it all of those count";
+            "the numbers of loops must be a list of different whole numbers from analysis.loops, such as [1, 2]; if it is left out, all of these are used";
     }
 }
 
@@ -204,24 +204,24 @@ keys! {
     pub(crate) struct WrittenDiagram {
         /// The name of the parameter that is held.
         fixed: String = value(),
-            "the parameter that is held must be one of the two, by the name that it has in [primary] or [secondary], written in quotation marks";
+            "the fixed parameter must be one of the two, under its name in [primary] or [secondary], in quotation marks";
         /// Its value.
-        at: f64 = number(..), "the value of the parameter that is held must be a number inside its range";
+        at: f64 = number(..), "the value of the fixed parameter must be a number inside its range";
         /// The range of the other parameter.
         range: Option<[f64; 2]> = maybe(range()),
-            "the range of the other parameter must be [lower, upper] with finite numbers lower < upper inside its range; it may be left out and is that range then";
+            "the range of the other parameter must be [lower, upper] with finite numbers lower < upper inside its range; if it is left out, it is the whole range";
         /// Values of the other parameter at which phase portraits are drawn.
         portraits: Vec<f64> = or(value().map(portraits), Vec::new()),
-            "the values of the other parameter at which phase portraits are drawn must be a list of at most 6 different numbers inside the range of the diagram, as [0.5, 0.75]; it may be left out";
+            "the values of the other parameter at which phase portraits are drawn must be a list of at most 6 different numbers inside the range of the diagram, such as [0.5, 0.75]; it may be left out";
         /// The seed of the random initial states.
         seed: u64 = or(value(), 1),
-            "the seed of the random initial states must be a whole number from 0 on; it may be left out and is 1 then";
+            "the seed of the random initial states must be a whole number that is not negative; if it is left out, it is 1";
         /// What stands on the vertical axis.
         ordinate: Ordinate = or(choice(&ORDINATES), Ordinate::X),
-            "the ordinate must be \"x\", \"impact velocity\", \"peak to peak\", \"impulse\", \"mean force\" or \"power\", the last three of which need impact.mass; it may be left out and is \"x\" then";
+            "the ordinate must be \"x\", \"impact velocity\", \"peak to peak\", \"impulse\", \"mean force\" or \"power\", the last three of which need impact.mass; if it is left out, it is \"x\"";
         /// Motion is followed as the parameter goes up and down.
         sweeps: bool = or(value(), false),
-            "sweeps must be true or false; it may be left out and is false then";
+            "sweeps must be true or false; if it is left out, it is false";
     }
 }
 
@@ -355,11 +355,11 @@ impl Limits {
 
 /// The kinds of curves that have colours.
 pub(crate) const COLOURED: [&str; 6] = ["graz", "SN", "PD", "GZ", "NS", "PF"];
-const COLOUR: &str = "a colour of curves stands under their kind, graz, SN, PD, GZ, NS or PF, and is # with six hexadecimal digits in quotation marks, as SN = \"#1946be\"";
+const COLOUR: &str = "a colour is given under the kind of curve, graz, SN, PD, GZ, NS or PF, as # with six hexadecimal digits in quotation marks, such as SN = \"#1946be\"";
 const POSITIVE: &str =
     "a curve has one of impact_velocity, modulus and distance: a positive number, in the units of the file";
-const NAME: &str = "a name is made of the letters a to z and A to Z, digits and _, and does not begin with a digit, as \"omega\"";
-const UNIT: &str = "the name of a unit must be up to 20 Latin or Greek letters, digits, blanks or / ^ * - . ( ) %, in quotation marks, as \"rad/s\"; it may be left out and changes no number";
+const NAME: &str = "a name is made of the letters a to z and A to Z, digits and _, and does not begin with a digit, such as \"omega\"";
+const UNIT: &str = "the name of a unit must be up to 20 Latin or Greek letters, digits, blanks or / ^ * - . ( ) %, in quotation marks, such as \"rad/s\"; it may be left out and does not change any number";
 
 /// The name of the oscillator without surrounding blanks.
 fn name(written: String, section: &Section<'_>, key: &str) -> Result<String, SourceError> {
@@ -395,7 +395,7 @@ fn range() -> Kind<[f64; 2]> {
             return Err(section.forbid(name, allowed));
         }
         if (upper - lower).is_infinite() {
-            let allowed = "the range is too wide to be computed with: upper - lower must be a finite number";
+            let allowed = "the range is too wide to compute with: upper - lower must be a finite number";
             return Err(section.forbid(name, allowed.to_owned()));
         }
         Ok([lower, upper])

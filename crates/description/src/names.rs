@@ -52,6 +52,6 @@ fn wrong(name: &str, meaning: &str, seen: &[(&str, &'static str)]) -> Option<Str
     let taken = own_meaning(name)
         .or_else(|| seen.iter().find(|(other, _)| *other == name).map(|(_, meaning)| *meaning))?;
     Some(format!(
-        "the name {name} would mean two things, {taken} and {meaning}: choose another name here and in the expressions"
+        "the name {name} is ambiguous: it is {taken} and {meaning}; choose another name here and in the expressions"
     ))
 }

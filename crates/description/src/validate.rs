@@ -110,8 +110,8 @@ pub(crate) fn description(
     for ((used, key), axis) in used.into_iter().zip(["primary.name", "secondary.name"]).zip(axes) {
         if !used {
             let allowed = format!(
-                "the name {} appears in none of the expressions, so nothing depends on this parameter: use it in one, or name \
-                 the parameter that is meant",
+                "{} appears in none of the expressions, so nothing depends on this parameter: use it in an expression, or name \
+                 another parameter",
                 axis.name
             );
             return Err(section.forbid(key, allowed).into());
@@ -141,7 +141,7 @@ pub(crate) fn description(
     let curve = |(written, number): (&WrittenCurve, usize)| {
         let forbid = |name: &str, allowed| section.forbid(&format!("curves[{number}].{name}"), allowed);
         if file.curves[..number - 1].iter().any(|other| other.name == written.name) {
-            return Err(forbid("name", "another curve is called so: give each its own name".to_owned()));
+            return Err(forbid("name", "another curve has this name: give each curve its own name".to_owned()));
         }
         own_curve(written, &file.analysis.loops, forbid)
     };
@@ -176,10 +176,10 @@ fn own_curve(
         (None, None, Some(_), None) => {
             return Err(forbid(
                 "distance",
-                "write the phase beside it, in forcing periods, as phase = 0.25".to_owned(),
+                "give the phase as well, in forcing periods, such as phase = 0.25".to_owned(),
             ));
         }
-        (.., Some(_)) => return Err(forbid("phase", "it stands beside distance alone".to_owned())),
+        (.., Some(_)) => return Err(forbid("phase", "it is given only together with distance".to_owned())),
         _ => {
             let allowed =
                 "write one of impact_velocity, modulus, and distance with phase, no more and no less";
@@ -188,7 +188,7 @@ fn own_curve(
     };
     let loops = loops.unwrap_or_else(|| analysed.to_vec());
     if let Some(other) = loops.iter().find(|loops| !analysed.contains(loops)) {
-        let allowed = format!("{other} is none of analysis.loops: add it there, or leave it out here");
+        let allowed = format!("{other} is not in analysis.loops: add it there or leave it out here");
         return Err(forbid("loops", allowed));
     }
     Ok(OwnCurve { name: name.trim().to_owned(), loops, property })
@@ -204,7 +204,7 @@ fn diagram(
     let (held, other) = if primary_is_fixed { (primary, secondary) } else { (secondary, primary) };
     if fixed != held.name {
         let allowed =
-            format!("the parameters are {} and {}: one of these is held", primary.name, secondary.name);
+            format!("the parameters are {} and {}: one of them is fixed", primary.name, secondary.name);
         return Err(forbid("fixed", allowed));
     }
     let range = range.unwrap_or(other.range);
@@ -215,7 +215,7 @@ fn diagram(
     ] {
         if !values.iter().all(|value| lower <= *value && *value <= upper) {
             let allowed =
-                format!("the range of {} is [{lower:?}, {upper:?}]: stay inside, or widen that", axis.name);
+                format!("the range of {} is [{lower:?}, {upper:?}]: stay inside it or widen it", axis.name);
             return Err(forbid(name, allowed));
         }
     }

@@ -156,7 +156,7 @@ const HEAD: usize = 16 * 1024;
 
 async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Response<Body>, Problem> {
     if !guard::is_own(request.headers(), shared.port) {
-        return Err(Problem::new(403, "requests from this page are not allowed"));
+        return Err(Problem::new(403, "this page is not allowed to send requests here"));
     }
     let nothing = || Problem::new(404, "not found");
     let path = request.uri().path().to_owned();
@@ -171,7 +171,7 @@ async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Res
         };
     }
     if request.method() != Method::POST {
-        return Err(Problem::new(405, "only GET and POST are allowed"));
+        return Err(Problem::new(405, "only GET and POST are supported"));
     }
     // Forms of foreign pages cannot send this type.
     let json = request.headers().get(CONTENT_TYPE).is_some_and(|kind| kind == asked::JSON);

@@ -186,7 +186,7 @@ impl Beside<'_> {
             Some(doubt) => (Agreement::Undecided, doubt),
             None if loops == 0 => (
                 Agreement::Disagrees,
-                "motion without impacts is not stable there, or reaches the wall".to_owned(),
+                "motion without impacts is unstable there or hits the wall".to_owned(),
             ),
             None => {
                 (Agreement::Disagrees, format!("no solution of p = {loops} is stable and admissible there"))
@@ -224,11 +224,11 @@ impl Beside<'_> {
         let [primary, secondary] = self.axes.units.parameters(place).map(|value| brief(value, 6));
         let names = &self.axes.names;
         let where_ = format!(
-            "the curve is nearest at {} = {primary}, {} = {secondary}",
+            "the nearest point of the curve is {} = {primary}, {} = {secondary}",
             names.primary, names.secondary
         );
         if !metric.stated {
-            return (Agreement::Undecided, format!("no error is stated; {where_}"));
+            return (Agreement::Undecided, format!("the measurement states no error; {where_}"));
         }
         *distance = near.distance;
         let agrees = near.distance <= WITHIN;
@@ -251,10 +251,10 @@ impl Beside<'_> {
                 let all = kinds.join("; ");
                 (
                     Agreement::Undecided,
-                    format!("regions do not tell; {total} simulated states come to: {all}"),
+                    format!("the regions do not decide; {total} simulated states reach: {all}"),
                 )
             }
-            states => (Agreement::Agrees, format!("by simulation: {states} of {total} states come to it")),
+            states => (Agreement::Agrees, format!("by simulation: {states} of {total} states reach it")),
         }
     }
 }

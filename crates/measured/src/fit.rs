@@ -79,7 +79,7 @@ pub enum Weight {
 pub enum FitError {
     /// A measurement cannot be computed for the constants with which the search begins.
     #[error(
-        "line {line}: nothing like it is computed for the constants of the file: begin with others by --set, or leave it out"
+        "line {line}: the constants in the file give no such result: start from other constants with --set, or leave the line out"
     )]
     Start {
         /// The line of the measurement.
@@ -89,7 +89,7 @@ pub enum FitError {
     },
     /// There are fewer measured numbers than unknowns.
     #[error(
-        "{numbers} measured numbers cannot determine {unknowns} unknowns: measure more, or free fewer constants"
+        "{numbers} measured numbers cannot determine {unknowns} unknowns: measure more or free fewer constants"
     )]
     TooFew {
         /// The number of measured numbers.
@@ -99,7 +99,7 @@ pub enum FitError {
     },
     /// The measurements do not constrain a constant, or cannot separate it from others.
     #[error(
-        "the measurements do not determine the constant number {0} of those that are free: leave it out of --free"
+        "the measurements do not determine constant number {0} of --free: leave it out"
     )]
     Undetermined(usize),
     /// The method does not converge.

@@ -43,11 +43,11 @@ pub enum IdentifyError {
     /// There is no fit.
     #[error(transparent)]
     Fit(#[from] FitError),
-    /// The measurements do not constrain a constant, or cannot separate it from others.
-    #[error("the measurements do not determine {0}, or not apart from others: leave it out of --free")]
+    /// The measurements do not tell a constant, or not apart from others.
+    #[error("the measurements do not determine {0}, alone or apart from other constants: leave it out of --free")]
     Undetermined(String),
-    /// For the constants reached during the search there is no diagram.
-    #[error("with {constants} there is nothing to compare with: {reason}")]
+    /// There is no oscillator, or no diagram, on the way.
+    #[error("for {constants} there is nothing to compare with: {reason}")]
     Diagram {
         /// The values of the constants.
         constants: String,
@@ -59,7 +59,7 @@ pub enum IdentifyError {
     NoOscillator(String),
     /// A measured bifurcation has no curve.
     #[error(
-        "line {line}: the diagram has no curve of {words}: begin with other constants by --set, or add its p to --loops"
+        "line {line}: the diagram has no curve of {words}: start from other constants with --set, or add its p to --loops"
     )]
     NoCurve {
         /// The line of the measurement.
@@ -263,7 +263,7 @@ impl Task<'_> {
             let [primary_error, secondary_error] =
                 if known { self.units.parameters(deviations) } else { [f64::NAN; 2] };
             let lost =
-                "within a standard error of a constant it leaves the ranges, ends, or meets another one";
+                "within one standard error of a constant it leaves the ranges, ends or meets another one";
             let reason = if known { String::new() } else { lost.to_owned() };
             let (loops, n) = (resonance.loops, resonance.n);
             IdentifiedResonance { loops, n, secondary, secondary_error, primary, primary_error, reason }

@@ -87,27 +87,27 @@ pub type Columns = &'static [(&'static str, &'static str)];
 
 /// The columns of a file of places.
 pub const POINTS: Columns = &[
-    ("{primary}", "the primary parameter, by its name in the file of the oscillator"),
+    ("{primary}", "the primary parameter, under its name in the oscillator's file"),
     ("{secondary}", "the secondary parameter, likewise"),
-    ("{primary}_error", "its standard error; empty, or left out, where none is known"),
+    ("{primary}_error", "its standard error; empty or left out if unknown"),
     ("{secondary}_error", "its standard error; likewise"),
     (
         "seen",
         "`none` (no impacts), `periodic`, `irregular`, or a bifurcation: `graz`, `SN`, `PD`, `GZ`, `NS` or `PF`",
     ),
-    ("periods", "forcing periods after which periodic motion comes again; of `none` 1 where it is empty"),
-    ("impacts", "impacts in this time"),
-    ("p", "of a bifurcation, the number of loops; empty where it is not known"),
+    ("periods", "forcing periods after which periodic motion repeats; for `none`, 1 if empty"),
+    ("impacts", "impacts in these periods"),
+    ("p", "for a bifurcation, the number of loops; empty if unknown"),
 ];
 
 /// The columns of a file of impacts.
 pub const RECORD: Columns = &[
-    ("{primary}", "the primary parameter, by its name in the file of the oscillator"),
+    ("{primary}", "the primary parameter, under its name in the oscillator's file"),
     ("{secondary}", "the secondary parameter, likewise"),
-    ("series", "a name for impacts that follow each other without a gap; it may be left out if all do"),
-    ("time", "time of the impact, counted as t in the file of the oscillator"),
+    ("series", "a name for a series of consecutive impacts; may be left out if all impacts are consecutive"),
+    ("time", "time of the impact, measured like t in the oscillator's file"),
     ("velocity_before", "speed before the impact, relative to the wall"),
-    ("velocity_after", "speed after it, relative to the wall; empty, or left out, where it was not measured"),
+    ("velocity_after", "speed after it, relative to the wall; empty or left out if it was not measured"),
     ("time_error", "standard error of the time"),
     ("velocity_error", "standard error of the speeds"),
 ];
@@ -204,7 +204,7 @@ pub fn record_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<Series>
         match all.last_mut() {
             Some((name, last)) if *name == series && last.at == at => {
                 if last.impacts.last().is_some_and(|before| before.values[0] >= time) {
-                    let is = "impacts of a series stand in the order of time; give others another name in the column series";
+                    let is = "impacts of a series must be in order of time: give other impacts another name in the column series";
                     return Err(table.refusal(row, "time", is));
                 }
                 last.impacts.push(impact);
@@ -274,7 +274,7 @@ impl Table<'_> {
                 let periods = self.count(row, "periods", 1, Some(1))?.unwrap_or(1);
                 match self.count(row, "impacts", 0, Some(0))? {
                     Some(0) | None => Ok(Seen::Periodic { periods, impacts: 0 }),
-                    Some(_) => Err(self.refusal(row, "impacts", "`none` was seen, which has no impacts")),
+                    Some(_) => Err(self.refusal(row, "impacts", "motion `none` has no impacts")),
                 }
             }
             "periodic" => {
@@ -326,10 +326,10 @@ mod tests {
         let found = read(&[("omega", "freq"), ("A", "amp")]).unwrap();
         assert_eq!((found[0].at, found[0].seen.words()), ([0.25, 0.8], "SN of p = 2".to_owned()));
         for (columns, part) in [
-            (&[("omga", "freq")][..], "nothing is called omga: did you mean `omega`?"),
+            (&[("omga", "freq")][..], "no column can be called omga: did you mean `omega`?"),
             (
                 &[("omega", "frequency")],
-                "curve.csv:1: there is no column frequency in it, in which omega is to stand",
+                "curve.csv:1: it has no column frequency, which should hold omega",
             ),
             (&[("A", "amp")], "the column omega is missing"),
         ] {
@@ -345,7 +345,7 @@ mod tests {
             ("A,omega,seen\n", vec!["no measurement"]),
             ("A;omega;seen\n1;2;none\n", vec!["rig.csv:1", "separated by commas"]),
             ("A,omga,seen\n", vec!["rig.csv:1", "unknown column omga", "omega"]),
-            ("A,omega,A,seen\n", vec!["A is there twice"]),
+            ("A,omega,A,seen\n", vec!["A appears twice"]),
             ("A,seen\n1,none\n", vec!["rig.csv:1", "omega is missing"]),
             ("A,omega,seen\n1,2,none\n0,5,2,none\n", vec!["rig.csv:3", "4 cells", "3 columns", "point"]),
             ("A,omega,seen\n1,inf,none\n", vec!["rig.csv:2", "column omega", "`inf`", "as 0.25"]),

@@ -15,7 +15,7 @@ const MOST_BYTES: u64 = 1_000_000;
 /// [`SourceError::Unreadable`].
 pub fn read_file(path: &Path) -> Result<String, SourceError> {
     let text = read_bytes(path, MOST_BYTES).and_then(|bytes| {
-        String::from_utf8(bytes).map_err(|_| io::Error::other("it is not a text in UTF-8"))
+        String::from_utf8(bytes).map_err(|_| io::Error::other("it is not UTF-8 text"))
     });
     text.map_err(|reason| SourceError::Unreadable {
         file: path.display().to_string(),
@@ -43,7 +43,7 @@ pub fn read_bytes(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     file.take(most + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > most {
-        let what = format!("it is longer than {most} bytes; files of this kind are far shorter");
+        let what = format!("it is longer than {most} bytes, far longer than files of this kind are");
         return Err(io::Error::other(what));
     }
     Ok(bytes)

@@ -34,14 +34,14 @@ impl FromStr for Setting {
 
     fn from_str(written: &str) -> Result<Setting, SettingError> {
         let (key, value) = written.split_once('=').ok_or_else(|| {
-            SettingError("write KEY=VALUE, as oscillator.zeta=0.05 or analysis.loops=[1,2]".to_owned())
+            SettingError("write KEY=VALUE, such as oscillator.zeta=0.05 or analysis.loops=[1,2]".to_owned())
         })?;
         let (key, value) = (checked(key.trim())?, value.trim().to_owned());
         // A line end could introduce unwanted keys.
         let single = padded(&value, ASSIGNED.len());
         if value.contains(['\n', '\r']) || parsed(&single).is_none() {
             return Err(SettingError(format!(
-                "{value} is not a value: write a number, true, a list [1, 2], or text \"in quotation marks\", with apostrophes about the whole so that the shell leaves the quotation marks: 'name=\"my oscillator\"'"
+                "{value} is not a value: write a number, true, a list [1, 2], or text \"in quotation marks\", with apostrophes around the whole so that the shell keeps the quotation marks: 'name=\"my oscillator\"'"
             )));
         }
         Ok(Setting { key, value })
@@ -59,7 +59,7 @@ fn checked(key: &str) -> Result<String, SettingError> {
     match steps(key) {
         Some(_) => Ok(key.to_owned()),
         None => Err(SettingError(format!(
-            "{key} is no key: parts are joined by dots, members of lists counted from 1, as fig08.panels[2].n"
+            "{key} is not a key: parts are joined by dots, and members of lists are counted from 1, such as fig08.panels[2].n"
         ))),
     }
 }
@@ -134,7 +134,7 @@ fn put<'d>(
     }
     let Some(mut found) = table.get_mut(name) else { return refuse(key, "there is no such list") };
     if let Some(number) = step.member {
-        let DeValue::Array(members) = found.get_mut() else { return refuse(key, "it is no list") };
+        let DeValue::Array(members) = found.get_mut() else { return refuse(key, "it is not a list") };
         let count = members.len();
         let Some(member) = number.checked_sub(1).and_then(|index| members.get_mut(index)) else {
             return refuse(key, &format!("there is no entry {number}: the list has {count}"));
@@ -148,7 +148,7 @@ fn put<'d>(
     }
     match found.get_mut() {
         DeValue::Table(inner) => put(inner, rest, &key, span, value),
-        _ => refuse(key, "it is no table, and holds no keys"),
+        _ => refuse(key, "it is not a table and has no keys"),
     }
 }
 

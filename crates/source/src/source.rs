@@ -91,7 +91,7 @@ impl<'a> Source<'a> {
             return format!("the key {key} is given twice: remove one of them, or give it another name");
         }
         if error.message().contains("recurs") {
-            return "lists or tables stand too deep inside one another".to_owned();
+            return "lists or tables are nested too deeply".to_owned();
         }
         let line = self.text.whole[line_start..].lines().next().unwrap_or_default();
         let Some((key, value)) = line.split_once('=') else { return error.message().to_owned() };

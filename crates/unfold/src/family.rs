@@ -205,7 +205,7 @@ impl Path<'_> {
         let mut arc = Arc {
             resonance: index,
             points: vec![ArcPoint { way: 0.0, orbit: orbit.clone(), point, zero: None }],
-            end: ArcEnd::Lost("it turns about without an end".to_owned()),
+            end: ArcEnd::Lost("it turns without an end".to_owned()),
         };
         let mut walker = match Continuation::new(self, STEPS, start, Vector4::w(), ()) {
             Ok(walker) => walker,

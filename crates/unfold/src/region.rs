@@ -41,7 +41,7 @@ impl fmt::Display for Doubt {
             }
             Self::Broken(end) => write!(f, "a branch of solutions could not be followed to its end: {end}"),
             Self::ManyBranches => write!(f, "there are {MOST_BRANCHES} branches of solutions or more"),
-            Self::Unseen => write!(f, "no slice was made"),
+            Self::Unseen => write!(f, "no slice crosses it"),
             Self::NotFinished => write!(f, "not finished"),
         }
     }

@@ -56,7 +56,7 @@ pub enum Simulated {
 pub enum Inconclusive {
     /// Where the leading terms decide, impacts are too slow to be distinguished from rounding.
     #[error(
-        "the leading terms decide up to impact velocity {leading:.0e} only, and from {least:.0e} on it can be simulated"
+        "the leading terms are decisive only up to impact velocity {leading:.0e}, but simulation is possible only from {least:.0e} on"
     )]
     TooSlow {
         /// The impact velocity up to which the leading terms decide.
@@ -77,7 +77,7 @@ pub enum Inconclusive {
     },
     /// Motion beside an MPS neither approaches it nor gets away.
     #[error(
-        "slow convergence: at impact velocity {velocity:.0e} motion comes neither nearer nor gets away in {returns} returns"
+        "slow convergence: at impact velocity {velocity:.0e} motion neither approaches nor leaves the solution in {returns} returns"
     )]
     SlowConvergence {
         /// The impact velocity on the curve.
@@ -88,7 +88,7 @@ pub enum Inconclusive {
     /// Motion is not as predicted, but it could not be simulated at enough smaller velocities to
     /// conclude that it never is.
     #[error(
-        "not as predicted at impact velocity {velocity:.0e}, but nearer to the resonance it cannot be simulated often enough"
+        "not as predicted at impact velocity {velocity:.0e}, but closer to the resonance too few simulations are possible"
     )]
     OnlyHere {
         /// The impact velocity on the curve.
@@ -192,14 +192,14 @@ impl fmt::Display for Sides {
                 (ReturnOutcome::Returns, Some(seen)) if seen != self.predicted[k] => {
                     let verb = if seen { "attracts" } else { "repels" };
                     differences
-                        .push(format!("the {which} solution is predicted to be {predicted} and {verb}"));
+                        .push(format!("the {which} solution is predicted to be {predicted} but {verb}"));
                 }
                 (ReturnOutcome::Returns, _) => {}
                 (ReturnOutcome::NoImpact, _) => {
                     differences.push(format!("the {which} solution has no impact"))
                 }
                 (ReturnOutcome::MeetsTheWall, _) => {
-                    differences.push(format!("the {which} solution meets the wall too early"))
+                    differences.push(format!("the {which} solution hits the wall too early"))
                 }
                 (ReturnOutcome::GoesElsewhere, _) => {
                     differences.push(format!("the {which} solution does not return"))
@@ -207,7 +207,7 @@ impl fmt::Display for Sides {
             }
         }
         if self.gone_beyond == Some(false) {
-            differences.push("motion stays where no solution is left".to_owned());
+            differences.push("motion stays although no solution remains".to_owned());
         }
         write!(formatter, "at impact velocity {:.0e} {}", self.velocity, differences.join(", "))
     }

@@ -41,7 +41,7 @@ pub enum Obstacle {
     /// Where μ is clear of rounding it is not yet quadratic in η: the measured value has this
     /// relative error at best.
     #[error(
-        "where the term in eta^2 leads it is lost in rounding: measured up to |eta| = {eta:.1e}, the value has a relative error of {error:.1e}"
+        "where the eta^2 term dominates, it is lost in rounding; measured up to |eta| = {eta:.1e}, the value has a relative error of {error:.1e}"
     )]
     Rounding {
         /// The relative error.
@@ -52,7 +52,7 @@ pub enum Obstacle {
     /// A quantity in the theorem's formula, most likely s_p^±, is so near to zero that its value
     /// has this relative error.
     #[error(
-        "the theorem's own value has a relative error of {error:.1e}: s = {stability:.1e} is too near to 0, or a derivative in the formula is not known well enough"
+        "the theorem's own value has a relative error of {error:.1e}: s = {stability:.1e} is too close to 0, or a derivative in the formula is not accurate enough"
     )]
     NearlyDegenerate {
         /// The coefficient s_p⁺ or s_p⁻.

@@ -259,7 +259,7 @@ def test_progress_ends_where_it_says(block):
 
 def test_what_is_missing_is_warned_of(block):
     text = TEXT.replace("loops = [1, 2, 3]", "loops = [1, 2, 3]\nstep_limit = 3e5")
-    with pytest.warns(RuntimeWarning, match="steps of integration"):
+    with pytest.warns(RuntimeWarning, match="integration steps"):
         found = grazing.Oscillator.from_toml(text).diagram()
     assert any("not finished" in line for line in found.missing)
     with warnings.catch_warnings():

@@ -14,7 +14,7 @@ use crate::layout::{KEPT, Layout};
 const DIGITS: usize = 9;
 
 /// Hypotheses with their values and quantities, resonance by resonance.
-pub(super) fn all(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
+pub(crate) fn all(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
     unfolded.resonances.iter().map(|at| explained(layout, description, at)).collect()
 }
 

@@ -197,7 +197,10 @@ fn resonances(layout: Layout, description: &Description, unfolded: &Analysis) ->
     text.push_str(&layout.aligned(&header, rows));
     text.push('\n');
     let formula = format!("{primary} = {primary}_graz({secondary}) + c eta^2 + ...,").replace(' ', KEPT);
-    let content = format!("{formula} where eta is {secondary} minus its value at the resonance");
+    let content = format!(
+        "{formula} where eta is {secondary} minus its value at the resonance; digits: how many of both values of c agree; \
+         simulation: whether it agrees with the theorem"
+    );
     text.push_str(&layout.wrapped("SN and PD curves:  ", &content));
     let unit_of_c = unit(names, "{primary}/{secondary}^2");
     let [theorem, measured] = ["c (theorem)", "c (measured)"].map(|head| match &unit_of_c {
@@ -205,7 +208,7 @@ fn resonances(layout: Layout, description: &Description, unfolded: &Analysis) ->
         None => head.to_owned(),
     });
     let header =
-        ["p", "n", &secondary_head, "curve", &theorem, &measured, "digits agreeing", "simulation agrees"];
+        ["p", "n", &secondary_head, "curve", &theorem, &measured, "digits", "simulation"];
     text.push_str(&layout.aligned(&header, curves(all).map(coefficient)));
     text.extend(curves(all).map(|curve| reasons(layout, secondary, curve)));
     text
@@ -338,6 +341,9 @@ fn own_curves(layout: Layout, description: &Description, unfolded: &Analysis) ->
 }
 
 #[cfg(test)]
+mod widths;
+
+#[cfg(test)]
 mod tests {
     use super::*;
     use grazing_analysis::unfolded::{Curves, Unfolded};
@@ -412,7 +418,7 @@ mod tests {
             [
                 "p = 2, n = 3: c_SN is -2.5 by the theorem (error 1e-9) but -2.25 on the continued curve (error 1e-7)",
                 "p = 2, n = 3: beside the SN curve, at impact velocity 1e-3 the faster solution is predicted to be stable \
-                 and repels",
+                 but repels",
             ]
         );
         let doubtful =
@@ -425,7 +431,7 @@ mod tests {
         let words = reasons(Layout::default(), "omega", curve);
         for wanted in [
             "p = 2, n = 3, omega = 0.75000, SN:  not measurable: where",
-            "as simulated undecided: the leading",
+            "simulation undecided: the leading",
         ] {
             assert!(words.contains(wanted), "{words}");
         }

@@ -18,7 +18,7 @@ pub(crate) fn of(error: &UnfoldError, description: &Description) -> String {
     let ranges = axes.map(|axis| format!("{} = {}", axis.name(), written(axis.range()))).join(", ");
     let units = description.units();
     match error {
-        UnfoldError::Stopped { stage } => format!("ended during this: {stage}"),
+        UnfoldError::Stopped { stage } => format!("cancelled at this stage: {stage}"),
         UnfoldError::NoGrazing { .. } | UnfoldError::Pushed { .. } if !moves(description) => format!(
             "no grazing curve: motion without the wall does not depend on {primary}, which stands in the impact alone, so that it comes to \
              the wall at values of {secondary} that are the same for every {primary}: let primary.name be a parameter of motion.force, \

@@ -95,7 +95,7 @@ fn results_of_ones_own_are_packed_if_they_are_whole() {
     fs::write(table, "p,n\n").expect("the folder is ours");
     let refused = grazing(folder.path(), &command);
     assert_eq!(refused.code, Some(2), "{}", refused.messages);
-    assert!(refused.errors().contains("1 of 14 files are not those"), "{}", refused.messages);
+    assert!(refused.errors().contains("1 of 14 files differ from those"), "{}", refused.messages);
     for bad in [
         &["archive"][..],
         &["archive", "--date", "31.1.2027", "my.toml"],

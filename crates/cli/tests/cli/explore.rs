@@ -205,7 +205,7 @@ fn what_cannot_be_served_is_told_before_anything_is() {
     let port = taken.local_addr().expect("it has an address").port().to_string();
     let told = refused(&["explore", "--no-browser", "--port", &port]);
     assert!(
-        told.contains(&format!("port {port} of this machine cannot be had")) && told.contains("--port"),
+        told.contains(&format!("port {port} of this machine is not available")) && told.contains("--port"),
         "{told}"
     );
 }

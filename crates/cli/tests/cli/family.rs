@@ -169,7 +169,7 @@ fn a_family_that_is_cut_off_replaces_no_results_and_files_of_another_run_are_tol
     };
     assert!(cut.errors().contains("1 of 2 members are missing; the others are written"), "{}", cut.messages);
     let told =
-        "families/my: the results that are there stay; what is finished goes to families/my/unfinished\n";
+        "families/my: the results there are kept; the finished part of this run goes to families/my/unfinished\n";
     assert!(cut.messages.contains(told), "{}", cut.messages);
     let members =
         fs::read_to_string(results.join("unfinished/data/family_members.csv")).expect("it is there");
@@ -192,7 +192,7 @@ fn a_family_that_is_cut_off_replaces_no_results_and_files_of_another_run_are_tol
     assert!(!is_of_one_run(&results));
     let again = run(&[]);
     assert_eq!(again.code, Some(0), "{}", again.messages);
-    let told = "families/my: 1 of 7 files were not those that manifest.sha256 lists: ";
+    let told = "families/my: 1 of 7 files differed from those that manifest.sha256 lists: ";
     assert!(again.messages.contains(told), "{}", again.messages);
     assert!(files(&results) == whole);
 }

@@ -129,24 +129,24 @@ fn files_that_the_code_does_not_make_are_named() {
 #[test]
 fn the_first_differing_cell_of_a_table_is_named_with_both_values() {
     let said = difference_of_table("kind,x\nSN,1.25\nGZ,\n");
-    assert_eq!(said, "data/a.csv: line 2, x: 1.25 here, 1.5 made by the code");
+    assert_eq!(said, "data/a.csv: line 2, x: 1.25 in the file, 1.5 from the code");
     let said = difference_of_table("kind,x\nSN,1.5\nPD,2.5\n");
-    assert_eq!(said, "data/a.csv: line 3, x: 2.5 here, nothing made by the code");
+    assert_eq!(said, "data/a.csv: line 3, x: 2.5 in the file, nothing from the code");
 }
 
 #[test]
 fn another_header_or_number_of_cells_is_shown_as_whole_lines() {
     let said = difference_of_table("kind,y\nSN,1.5\nPD,\n");
-    assert_eq!(said, "data/a.csv: line 1: `kind,y` here, `kind,x` made by the code");
+    assert_eq!(said, "data/a.csv: line 1: `kind,y` in the file, `kind,x` from the code");
     let said = difference_of_table("kind,x\nSN\nPD,\n");
-    assert_eq!(said, "data/a.csv: line 2: `SN` here, `SN,1.5` made by the code");
+    assert_eq!(said, "data/a.csv: line 2: `SN` in the file, `SN,1.5` from the code");
 }
 
 #[test]
 fn another_number_of_lines_is_told() {
-    assert_eq!(difference_of_table("kind,x\nSN,1.5\n"), "data/a.csv: ends after line 2, the code makes more");
+    assert_eq!(difference_of_table("kind,x\nSN,1.5\n"), "data/a.csv: ends after line 2; the code produces more lines");
     let said = difference_of_table("kind,x\nSN,1.5\nPD,\nPD,\n");
-    assert_eq!(said, "data/a.csv: more lines here than the 3 made by the code");
+    assert_eq!(said, "data/a.csv: the file has more lines than the 3 that the code produces");
     assert!(difference_of_table("kind,x\r\nSN,1.5\r\nPD,\r\n").contains("line ends"));
 }
 
@@ -154,5 +154,5 @@ fn another_number_of_lines_is_told() {
 fn another_picture_is_told_with_its_line() {
     let found =
         differences_after(|folder| fs::write(folder.join("a.svg"), "<svg>\n<g/>\n").expect("it is ours"));
-    assert_eq!(found[0], ["a.svg: differs from what the code makes, first in line 2"]);
+    assert_eq!(found[0], ["a.svg: differs from what the code produces, first in line 2"]);
 }

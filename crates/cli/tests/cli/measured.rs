@@ -29,7 +29,7 @@ fn what_a_rig_did_is_compared_counted_and_drawn() {
     fs::write(folder.path().join(&data), seen.join("\n")).expect("it can be written");
     let run = grazing(folder.path(), &["unfold", &file, "--data", &data, "--output", "out"]);
     assert_eq!((run.code, run.errors()), (Some(0), ""), "{}", run.messages);
-    assert!(run.output.contains("\nmeasured, and what is computed there\n"), "{}", run.output);
+    assert!(run.output.contains("\nMeasurements compared with the computation\n"), "{}", run.output);
     let read = |name: &str| fs::read_to_string(folder.path().join("out").join(name)).expect("it is written");
     let (measured, counts) = (read("data/measured.csv"), read("data/agreement.csv"));
     let written = seen.iter().filter(|line| !line.starts_with(['#', 'a'])).count();
@@ -62,7 +62,7 @@ fn identified(arguments: &[&str]) -> Vec<(f64, f64)> {
     let folder = empty_folder();
     let run = grazing(folder.path(), &[&["identify", "--output", "out"], arguments].concat());
     assert_eq!((run.code, run.errors()), (Some(0), ""), "{}", run.messages);
-    assert!(run.output.contains("resonances, with standard errors that follow"), "{}", run.output);
+    assert!(run.output.contains("\nNext: cargo xtask unfold "), "{}", run.output);
     let text = fs::read_to_string(folder.path().join("out/data/constants.csv")).expect("it is written");
     let numbers =
         |header| column(&text, header).into_iter().map(|cell| cell.parse::<f64>().expect("a number"));
@@ -99,7 +99,7 @@ fn mistakes_in_measurements_end_the_run_before_anything_is_computed() {
             2,
             vec!["--free zeto", "`zeta`", "Known: f0"],
         ),
-        (vec!["identify", "--data", "few.csv", "--free", "r,r"], 2, vec!["free already"]),
+        (vec!["identify", "--data", "few.csv", "--free", "r,r"], 2, vec!["named twice"]),
         (vec!["identify", "--data", "few.csv", "--free", "zeta,r"], 3, vec!["1 measured", "2 unknowns"]),
         (vec!["identify", "--data", "few.csv", "--free", "r"], 3, vec!["do not determine r,", "--free"]),
     ] {

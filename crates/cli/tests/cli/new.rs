@@ -15,7 +15,7 @@ fn assert_begins(name: &str) {
     let folder = empty_folder();
     let made = grazing(folder.path(), &["new", "my.toml", "--kind", name]);
     assert_eq!((made.code, made.messages.as_str()), (Some(0), ""), "{name}");
-    assert!(made.output.contains("\n  cargo xtask unfold my.toml "), "{}", made.output);
+    assert!(made.output.contains("\nNext: edit it, then cargo xtask unfold my.toml\n"), "{}", made.output);
     let text = fs::read_to_string(folder.path().join("my.toml")).expect("it was written");
     let description = Description::parse(&text, "my.toml").unwrap_or_else(|error| panic!("{name}: {error}"));
     assert!(description.notes().is_empty(), "{name}: {:?}", description.notes());
@@ -25,7 +25,7 @@ fn assert_begins(name: &str) {
     }
     let unfolded = grazing(folder.path(), &["unfold", "my.toml", "--loops", "1"]);
     assert_eq!(unfolded.code, Some(0), "{name}: {}", unfolded.messages);
-    for wanted in ["\nGrazing of the non-impacting solution\n", "of them Theorem 2.4 (p = 1)"] {
+    for wanted in ["\nGrazing of the non-impacting motion\n", "; Theorem 2.4 (p = 1)"] {
         assert!(unfolded.output.contains(wanted), "{name}: {}", unfolded.output);
     }
     for trouble in ["hatched", "unexpectedly", "\nWindow\n", "could not be"] {
@@ -78,7 +78,7 @@ fn what_is_there_is_not_replaced() {
     let folder = empty_folder();
     fs::write(folder.path().join("my.toml"), "mine").expect("the folder is ours");
     for (file, reason) in [
-        ("my.toml", "my.toml: is there already, and is not replaced: move it away, or name another file"),
+        ("my.toml", "my.toml: already exists and is not replaced: move it away or choose another file"),
         (".", ".: is there already"),
         ("below/my.toml", "below/my.toml: cannot be written: its folder does not exist"),
         ("my.toml/my.toml", "my.toml/my.toml: cannot be written"),

@@ -16,7 +16,7 @@ fn sent(signal: &str, before: &[&str], folder: &Path, arguments: &[&str]) -> (Op
     program.args(&before[1..]).arg(env!("CARGO_BIN_EXE_grazing")).args(arguments);
     let mut run = started(&mut program, folder, &messages);
     let told = || fs::read_to_string(&messages).expect("the folder is ours");
-    wait_until(&mut run, "it computes", || told().contains(": begun"));
+    wait_until(&mut run, "it computes", || told().contains(": started"));
     let kill = Command::new("kill").args([signal, &run.id().to_string()]).status().expect("there is kill");
     assert!(kill.success());
     (run.wait().expect("it ends").code(), told())
@@ -31,7 +31,7 @@ fn whoever_ends_claims_leaves_exit_code_three() {
         let folder = project(DEFAULT);
         let (code, told) = sent(signal, &DEFAULTS, folder.path(), &["claims"]);
         assert_eq!(code, Some(3), "{signal}: {told}");
-        assert!(told.ends_with("error: interrupted: what was not written yet is not written\n"), "{told}");
+        assert!(told.ends_with("error: interrupted: nothing more is written\n"), "{told}");
     }
 }
 
@@ -42,7 +42,7 @@ fn a_map_that_is_interrupted_leaves_nothing() {
         let line = [&["attractors", "--size", "2000x2000"], part].concat();
         let (code, told) = sent("-INT", &DEFAULTS, folder.path(), &line);
         assert_eq!(code, Some(3), "{told}");
-        assert!(told.ends_with("error: interrupted: what was not written yet is not written\n"), "{told}");
+        assert!(told.ends_with("error: interrupted: nothing more is written\n"), "{told}");
         assert!(!folder.path().join("out").exists());
     }
 }

@@ -64,7 +64,7 @@ impl Names<'_, '_> {
     fn problem(&self, text: &str, kind: ErrorKind, span: Range<usize>) -> String {
         let written = &text[span.clone()];
         let shown = shortened(written, SHOWN);
-        let unexpected = |expected: &str| format!("{written} cannot stand here: {expected} is expected");
+        let unexpected = |expected: &str| format!("{written} is not allowed here: {expected} is expected");
         let not_smooth = |what: &str| {
             format!(
                 "{what} is not smooth: the theorems need functions with continuous derivatives; a smooth one that is close may do, \
@@ -91,7 +91,7 @@ impl Names<'_, '_> {
                 not_smooth(&format!("the function {written}"))
             }
             ErrorKind::UnknownFunction if self.known().contains(&written) => {
-                format!("{written} is a number, no function: for a product write {written}*(...)")
+                format!("{written} is a number, not a function: for a product write {written}*(...)")
             }
             ErrorKind::UnknownFunction => {
                 let known: Vec<&str> = function::functions().collect();
@@ -105,7 +105,7 @@ impl Names<'_, '_> {
             ErrorKind::Unsupported => {
                 not_smooth(&format!("{shown} (a remainder, a factorial, a comparison or a choice)"))
             }
-            ErrorKind::InvalidNumber => format!("{shown} is too large a number to be computed with"),
+            ErrorKind::InvalidNumber => format!("{shown} is too large a number to compute with"),
             ErrorKind::UnclosedParenthesis => "this parenthesis is not closed: a ) is missing".to_owned(),
             ErrorKind::UnexpectedEnd => {
                 "the expression ends too early: a number, a name, a function or ( is expected".to_owned()
@@ -121,16 +121,16 @@ impl Names<'_, '_> {
             ErrorKind::Domain => format!(
                 "{shown} has no real value: the logarithm and real powers need a positive number, roots one that is not negative"
             ),
-            ErrorKind::Overflow | ErrorKind::Inexact => format!("{shown} is too large to be computed with"),
+            ErrorKind::Overflow | ErrorKind::Inexact => format!("{shown} is too large to compute with"),
             ErrorKind::TooDeep | ErrorKind::TooLong => format!(
-                "more than {MOST_DEPTH} parentheses, functions and operators stand inside one another here: shorten it"
+                "more than {MOST_DEPTH} parentheses, functions and operators are nested here: shorten it"
             ),
             _ if written == "," && text[..span.start].ends_with(|c: char| c.is_ascii_digit()) => {
                 "decimals are written with a point, as in 0.02".to_owned()
             }
             _ if !value_ends_before(text, span.start) => unexpected("a number, a name, a function or ("),
             _ if written == ")" => {
-                "this parenthesis closes nothing: a ( is missing before it, or the ) is one too many"
+                "this ) has no matching (: add a ( before it or remove it"
                     .to_owned()
             }
             _ if value_begins(written) => {
@@ -199,7 +199,7 @@ pub(super) fn term<'g>(
 ) -> Result<(Term<'g>, Vec<usize>), ExpressionError> {
     if text.len() > MOST_BYTES {
         let problem = format!(
-            "the expression has more than {MOST_BYTES} bytes: shorten it, as by constants in [parameters] for parts that do not vary"
+            "the expression has more than {MOST_BYTES} bytes: shorten it, for instance by constants in [parameters] for parts that do not vary"
         );
         return Err(ExpressionError { problem, span: 0..0 });
     }
@@ -231,7 +231,7 @@ pub(crate) fn from_the_wall(
 ) -> Result<[Expression; 3], ExpressionError> {
     let too_large = |_| ExpressionError {
         problem:
-            "with the motion of the wall in wall.position there is a number too large to be computed with"
+            "together with the motion of the wall in wall.position the expression has a number that is too large to compute with"
                 .to_owned(),
         span: 0..0,
     };

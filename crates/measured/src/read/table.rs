@@ -65,10 +65,10 @@ impl<'t> Table<'t> {
                 let near = suggestion(nearest(name, &list));
                 return Err(at(
                     0,
-                    format!("nothing is called {name}{near} The names are {}", list.join(", ")),
+                    format!("no column can be called {name}{near} The names are {}", list.join(", ")),
                 ));
             }
-            let is = format!("there is no column {column} in it, in which {name} is to stand");
+            let is = format!("it has no column {column}, which should hold {name}");
             let place = header.iter().position(|known| known == column).ok_or_else(|| at(line, is))?;
             // Another column with this name has a different meaning in the other program, and is ignored.
             header.iter_mut().filter(|known| *known == name).for_each(|known| *known = "");
@@ -87,7 +87,7 @@ impl<'t> Table<'t> {
                 ));
             }
             if header[..place].contains(name) {
-                return Err(at(line, format!("the column {name} is there twice: remove one of them")));
+                return Err(at(line, format!("the column {name} appears twice: remove one of them")));
             }
         }
         for name in needed.iter().map(|name| named(name, names)) {
@@ -99,13 +99,13 @@ impl<'t> Table<'t> {
         if let Some(row) = rows.iter().find(|row| row.cells.len() != header.len()) {
             let counts = format!("{} cells, and there are {} columns", row.cells.len(), header.len());
             let remedy =
-                "separate cells by commas, write decimals with a point, and leave empty what is not known";
+                "separate cells by commas, write decimals with a point, and leave unknown cells empty";
             return Err(at(row.line, format!("this line has {counts}: {remedy}")));
         }
         match rows.len() {
-            0 => Err(at(0, "there is no measurement in it, only the names of columns".to_owned())),
+            0 => Err(at(0, "it has no measurement, only the names of columns".to_owned())),
             count if count > MOST_ROWS => {
-                Err(at(0, format!("it has {count} measurements: at most {MOST_ROWS} are compared at a time")))
+                Err(at(0, format!("it has {count} measurements: at most {MOST_ROWS} can be compared at a time")))
             }
             _ => Ok(Self { file, names, header, rows }),
         }
@@ -122,7 +122,7 @@ impl<'t> Table<'t> {
         let value = if value.is_empty() { "nothing".to_owned() } else { format!("`{value}`") };
         MeasurementError::Wrong {
             place: format!("{}:{}", self.file, row.line),
-            reason: format!("column {name}: {value} stands there: {right}"),
+            reason: format!("column {name}: {value} is not valid: {right}"),
         }
     }
 

@@ -39,8 +39,8 @@ pub struct Sampling {
 /// size: far less than a dot.
 const SETTLED: f64 = 1e-5;
 
-/// The name of the stage.
-const LONG_TIME: &str = "long-time behaviour";
+/// The stage.
+const LONG_TIME: &str = "long-term behaviour";
 
 impl Sampling {
     /// The time for which an orbit is followed.

@@ -153,9 +153,9 @@ fn motion_is_as_predicted_only_if_all_of_it_is() {
         ),
         (
             Sides { seen: [ReturnOutcome::MeetsTheWall, ReturnOutcome::Returns], ..good },
-            "the slower solution meets the wall too early",
+            "the slower solution hits the wall too early",
         ),
-        (Sides { gone_beyond: Some(false), ..good }, "motion stays where no solution is left"),
+        (Sides { gone_beyond: Some(false), ..good }, "motion stays although no solution remains"),
     ] {
         assert_eq!(bad.as_predicted(), Some(false));
         assert_eq!(bad.to_string(), format!("at impact velocity 1e-2 {told}"));
