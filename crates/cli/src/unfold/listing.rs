@@ -37,7 +37,8 @@ pub(crate) fn oscillator(layout: Layout, description: &Description, file: &Path)
     let constants: Vec<String> =
         description.constants().map(|(name, value)| format!("{name} = {value}")).collect();
     let (primary, secondary) = (description.primary(), description.secondary());
-    let mut text = format!("{} ({})\n\n", description.name(), file.display());
+    let title = format!("{} ({})", description.name(), file.display());
+    let mut text = format!("{}\n", layout.wrapped("", &title));
     let lines = [
         (
             "motion",

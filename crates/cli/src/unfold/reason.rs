@@ -20,9 +20,9 @@ pub(crate) fn of(error: &UnfoldError, description: &Description) -> String {
     match error {
         UnfoldError::Stopped { stage } => format!("cancelled at this stage: {stage}"),
         UnfoldError::NoGrazing { .. } | UnfoldError::Pushed { .. } if !moves(description) => format!(
-            "no grazing curve: motion without the wall does not depend on {primary}, which stands in the impact alone, so that it comes to \
-             the wall at values of {secondary} that are the same for every {primary}: let primary.name be a parameter of motion.force, \
-             motion.frequency or wall.position, and {primary} the secondary one, or a constant",
+            "no grazing curve: motion without the wall does not depend on {primary}, which appears only in the impact, so it reaches \
+             the wall at the same values of {secondary} for every {primary}: let primary.name be a parameter of motion.force, \
+             motion.frequency or wall.position, and make {primary} the secondary parameter or a constant",
             primary = axes[0].name(),
             secondary = axes[1].name(),
         ),
@@ -30,8 +30,8 @@ pub(crate) fn of(error: &UnfoldError, description: &Description) -> String {
             let nearest = if highest.position < 0.0 { highest } else { lowest };
             if lowest.position < 0.0 && highest.position > 0.0 {
                 return format!(
-                    "no grazing was found for {ranges}, though periodic motion without the wall stays on its side of it at {} and \
-                     passes it at {}: narrow the ranges to where it just comes to the wall, or begin near it with analysis.start",
+                    "no grazing was found for {ranges}, although periodic motion without the wall stays clear of it at {} and \
+                     crosses it at {}: narrow the ranges to where it just reaches the wall, or start near it with analysis.start",
                     at(lowest.parameters),
                     at(highest.parameters)
                 );
@@ -39,8 +39,8 @@ pub(crate) fn of(error: &UnfoldError, description: &Description) -> String {
             let push = mean_force_at_wall(description, nearest.parameters);
             if lowest.position > 0.0 && push > 0.0 && !rests_in_front(description, nearest.parameters) {
                 return format!(
-                    "no grazing: periodic motion without the wall passes it everywhere in {ranges}, because the oscillator's rest \
-                     position lies behind the wall: at {} it is pushed into the wall, on average over a forcing period with F = {}. Motion \
+                    "no grazing: periodic motion without the wall crosses it everywhere in {ranges}, because the oscillator's rest \
+                     position lies behind the wall: at {} it is pushed into the wall, with F = {} on average over a forcing period. Motion \
                      takes place {} the wall: change wall.side or wall.position, or the signs in motion.force",
                     at(nearest.parameters),
                     brief(push, 4),
@@ -49,50 +49,50 @@ pub(crate) fn of(error: &UnfoldError, description: &Description) -> String {
             }
             let distance = brief(nearest.position.abs(), 4);
             let (does, there) = match highest.position < 0.0 {
-                true => ("stays off it", format!("stays {distance} away from it")),
-                false => ("passes it", format!("goes {distance} beyond it")),
+                true => ("stays clear of it", format!("stays {distance} away from it")),
+                false => ("crosses it", format!("goes {distance} beyond it")),
             };
             let nearest_at = at(nearest.parameters);
             if !whole {
                 return format!(
-                    "no grazing was found for {ranges}: periodic motion without the wall {does} as far as it could be followed, which is not \
-                     through the whole range of {}; it comes nearest at {nearest_at}, where it {there}: narrow the ranges, keep poles, roots \
-                     and logarithms out of the motion's way, or, if there is another periodic motion, begin near it with \
+                    "no grazing was found for {ranges}: periodic motion without the wall {does} as far as it could be followed, but it could not \
+                     be followed through the whole range of {}; it is nearest to grazing at {nearest_at}, where it {there}: narrow the ranges, \
+                     keep the motion away from poles, roots and logarithms, or, if there is another periodic motion, start near it with \
                      analysis.start = [x, v]",
                     axes[0].name()
                 );
             }
             format!(
-                "no grazing: periodic motion without the wall {does} everywhere in {ranges}; it comes nearest at {nearest_at}, where it \
+                "no grazing: periodic motion without the wall {does} everywhere in {ranges}; it is nearest to grazing at {nearest_at}, where it \
                  {there}: {}",
                 widening(nearest, axes)
             )
         }
         UnfoldError::Pushed { at: height } if height.acceleration > -TURNED * units.acceleration() => format!(
-            "no grazing: at {} periodic motion comes to the wall with F = {}, so that it rests at the wall or is pushed against \
-             it instead of being turned back; the force must point away from the wall where it is touched: check the signs in motion.force \
-             (motion takes place {} the wall), or leave these parameters out of the ranges",
+            "no grazing: at {} periodic motion reaches the wall with F = {}, so it rests at the wall or is pushed against \
+             it instead of turning back; where the motion grazes, the force must point away from the wall: check the signs in motion.force \
+             (motion takes place {} the wall), or exclude these parameters from the ranges",
             at(height.parameters),
             brief(if height.acceleration < TURNED * units.acceleration() { 0.0 } else { height.acceleration }, 4),
             description.wall().side().name()
         ),
         UnfoldError::Pushed { at: height } => format!(
-            "no grazing was located: at {} periodic motion comes to the wall (to {} from it, with F = {}), but no regular grazing orbit \
+            "no grazing was located: at {} periodic motion comes within {} of the wall, with F = {}, but no regular grazing orbit \
              was found there: move or narrow the ranges",
             at(height.parameters),
             brief(height.position.abs(), 4),
             brief(height.acceleration, 4)
         ),
         UnfoldError::RunsAway { .. } | UnfoldError::NoOrbit if !has_spring(description) => {
-            "no periodic motion: motion.force does not depend on the position x, so that nothing holds the oscillator near the wall. \
-             Grazing is meant here as that of a periodic motion without impacts, and a ball that bounces on the wall has none: this \
-             analysis does not apply to it"
+            "no periodic motion: motion.force does not depend on the position x, so nothing holds the oscillator near the wall. \
+             Grazing here means grazing of a periodic motion without impacts; a ball that bounces on the wall has no such motion, so \
+             this analysis does not apply to it"
                 .to_owned()
         }
         UnfoldError::RunsAway { escape } => escaped(escape, &at(escape.parameters), description),
         UnfoldError::NoOrbit => format!(
-            "no periodic motion with the period of the forcing was found without the wall for {ranges}: from all starts that \
-             were tried, motion does not settle down: begin near such a motion with analysis.start = [x, v], move the ranges, \
+            "no periodic motion with the period of the forcing was found without the wall for {ranges}: motion does not settle \
+             from any start that was tried: start near such a motion with analysis.start = [x, v], move the ranges, \
              or increase the damping"
         ),
     }
@@ -112,8 +112,8 @@ fn escaped(escape: &Escape, parameters: &str, description: &Description) -> Stri
     let place = format!("x = {x}, v = {v}, t = {t} at {parameters}");
     if !force.is_finite() {
         return format!(
-            "no periodic motion: without the wall, motion comes to where motion.force has no finite value: it is {force} next to \
-             {place}: keep poles, roots and logarithms out of the motion's way, or begin near a periodic motion with \
+            "no periodic motion: without the wall, motion reaches a point where motion.force has no finite value: it is {force} near \
+             {place}: keep the motion away from poles, roots and logarithms, or start near a periodic motion with \
              analysis.start = [x, v]"
         );
     }
@@ -122,17 +122,17 @@ fn escaped(escape: &Escape, parameters: &str, description: &Description) -> Stri
         // hardly does.
         let (side, t) = (if position > 0.0 { "behind" } else { "away from" }, brief(time, 3));
         format!(
-            "motion runs away wherever it begins: in one case beyond all bounds {side} the wall within t = {t} at {parameters}"
+            "motion diverges from every start: for example {side} the wall within t = {t} at {parameters}"
         )
     } else {
         let pole = if force.abs() > STEEP * units.acceleration() { ", as at a pole" } else { "" };
         format!(
-            "motion cannot be followed for a forcing period wherever it begins: in one case not beyond {place}, where F = {}{pole}",
+            "motion cannot be followed for a forcing period from any start: for example not beyond {place}, where F = {}{pole}",
             brief(force, 4)
         )
     };
     format!(
-        "no periodic motion: without the wall, {way}: check the signs and sizes in motion.force, or begin near a periodic motion \
+        "no periodic motion: without the wall, {way}: check the signs and sizes in motion.force, or start near a periodic motion \
          with analysis.start = [x, v]"
     )
 }
@@ -280,7 +280,7 @@ fn widening(nearest: &Height, axes: [&Axis; 2]) -> String {
         sides.join(" or ")
     };
     format!(
-        "widen {widen}, or, if there is another periodic motion, begin near it with analysis.start = [x, v]"
+        "widen {widen}, or, if there is another periodic motion, start near it with analysis.start = [x, v]"
     )
 }
 
@@ -323,7 +323,7 @@ mod tests {
         assert!(words.contains(behind), "{words}");
         // Attraction that exceeds the spring at the wall leaves the rest at x = -0.97 in place.
         let words = of(&error, &file("-1 + 3/(1 + ((x - 0.1)/0.1)^2) + r", "0.9"));
-        assert!(!words.contains(behind) && words.contains("passes it everywhere"), "{words}");
+        assert!(!words.contains(behind) && words.contains("crosses it everywhere"), "{words}");
     }
 
     #[test]
@@ -340,14 +340,14 @@ mod tests {
         let words = |escape| escaped(&escape, "A = 0.5, omega = 0.75", &paper);
         let away = words(escape(-2e9, -4e5, 1e3));
         assert!(
-            away.contains("runs away") && away.contains("away from the wall within t = 1.5 at A = 0.5"),
+            away.contains("diverges") && away.contains("away from the wall within t = 1.5 at A = 0.5"),
             "{away}"
         );
         let pole = words(escape(-0.5, -7437.38, -1.5e8));
         assert!(pole.contains("not beyond x = -0.5") && pole.contains("F = -1.5e8, as at a pole"), "{pole}");
         let edge = words(escape(-0.9, -1.0, f64::NAN));
         assert!(
-            edge.contains("no finite value: it is NaN next to x = -0.9, v = -1, t = 1.5 at A = 0.5"),
+            edge.contains("no finite value: it is NaN near x = -0.9, v = -1, t = 1.5 at A = 0.5"),
             "{edge}"
         );
     }
