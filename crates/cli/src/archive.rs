@@ -46,8 +46,9 @@ pub(crate) fn run(arguments: &Archive) -> Result<(), Failure> {
         OF_THE_PAPER.iter().try_for_each(|path| collect(&root.join(path), Path::new(path), &mut files))?;
     }
     for path in &arguments.paths {
-        let name =
-            path.file_name().ok_or_else(|| Failure::input(format!("{}: this path has no file name", path.display())))?;
+        let name = path
+            .file_name()
+            .ok_or_else(|| Failure::input(format!("{}: this path has no file name", path.display())))?;
         collect(path, Path::new(name), &mut files)?;
     }
     files.sort_by(|a, b| a.path.cmp(&b.path));
@@ -78,7 +79,10 @@ fn collect(path: &Path, name: &Path, files: &mut Vec<OutputFile>) -> Result<(), 
         files.push(OutputFile { path: name.to_owned(), content });
         let bytes: usize = files.iter().map(|file| file.content.len()).sum();
         return match bytes as u64 > MOST_BYTES {
-            true => Err(Failure::input(format!("{}: with this file the archive is larger than a gigabyte", path.display()))),
+            true => Err(Failure::input(format!(
+                "{}: with this file the archive is larger than a gigabyte",
+                path.display()
+            ))),
             false => Ok(()),
         };
     }
@@ -128,10 +132,9 @@ fn description(
         })
         .collect();
     let about = match of_the_paper {
-        true => format!(
-            "Every figure, table and number of \"{}\", recomputed, with the checks",
-            codecheck::TITLE
-        ),
+        true => {
+            format!("Every figure, table and number of \"{}\", recomputed, with the checks", codecheck::TITLE)
+        }
         false => "Resonant grazing bifurcations of oscillators, and the files that describe these".to_owned(),
     };
     let mut dataset = json!({

@@ -146,8 +146,9 @@ impl Threads {
     pub(crate) fn start(&self) -> Result<(), Failure> {
         let Some(jobs) = self.jobs else { return Ok(()) };
         let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(jobs));
-        pool.build_global()
-            .map_err(|error| Failure::input(format!("--jobs {jobs}: the threads could not be started: {error}")))
+        pool.build_global().map_err(|error| {
+            Failure::input(format!("--jobs {jobs}: the threads could not be started: {error}"))
+        })
     }
 }
 

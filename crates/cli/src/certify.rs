@@ -89,7 +89,9 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
     let unshown = resonances.iter().filter(|resonance| !resonance.missing.is_empty()).count();
     match (share > 0.0, unshown) {
         (false, 0) => Ok(()),
-        _ => Err(Failure::incomplete("not everything could be proved, see above; the rest is in the certificate")),
+        _ => Err(Failure::incomplete(
+            "not everything could be proved, see above; the rest is in the certificate",
+        )),
     }
 }
 
@@ -107,10 +109,7 @@ fn printed(statement: &Statement, published: &Published, resonance: &Resonance) 
         let print = Decimal::new(value.printed.parse().ok()?)?.ball();
         let half_a_unit = Ball::ratio(5, 10_i64.pow(value.decimals() as u32 + 1)).size();
         let verdict = if half_a_unit.contains(*proved - print) { "confirmed" } else { "NOT CONFIRMED" };
-        Some(format!(
-            "  {} = {} in print: {verdict} to the printed digits\n",
-            value.quantity, value.printed
-        ))
+        Some(format!("  {} = {} in print: {verdict} to the printed digits\n", value.quantity, value.printed))
     };
     NAMES.into_iter().zip(numbers).filter_map(line).collect()
 }
@@ -123,5 +122,7 @@ fn same(folder: &Path, file: &OutputFile) -> Result<(), Failure> {
         return Ok(());
     }
     let path = path.display();
-    Err(Failure::check(format!("{path}: differs from what the code produces: write it again with `cargo xtask certify`")))
+    Err(Failure::check(format!(
+        "{path}: differs from what the code produces: write it again with `cargo xtask certify`"
+    )))
 }

@@ -39,7 +39,12 @@ pub(crate) fn run(arguments: &Claims) -> Result<(), Failure> {
     let parameters = project::parameters(&arguments.parameters)?;
     let findings = findings(&parameters, &chosen, &Display::new())?;
     let failing = findings.iter().filter(|finding| finding.verdict.fails()).count();
-    terminal::say_coloured(&listing::table(terminal::layout(), &findings, arguments.explain, terminal::is_coloured()));
+    terminal::say_coloured(&listing::table(
+        terminal::layout(),
+        &findings,
+        arguments.explain,
+        terminal::is_coloured(),
+    ));
     terminal::say(&listing::summary(&findings));
     if failing > 0 {
         return Err(Failure::check(format!("{failing} of {} claims do not hold", findings.len())));

@@ -67,7 +67,9 @@ fn foreign(curves: &Path, oscillator: &Path, arguments: &Compare) -> Result<(), 
             oscillator.display()
         ))),
         (_, 0) => {
-            terminal::say(&format!("\nAll {all} points lie within {within:e} of the ranges of a curve of their kind.\n"));
+            terminal::say(&format!(
+                "\nAll {all} points lie within {within:e} of the ranges of a curve of their kind.\n"
+            ));
             Ok(())
         }
         _ => Err(Failure::check(format!(

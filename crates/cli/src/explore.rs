@@ -145,7 +145,9 @@ fn exported(seen: &Seen, what: &str, columns: &str) -> Result<Sheet, Failure> {
         (None, None) => false,
     };
     let Some(OutputFile { path, content }) = files.into_iter().find(wanted) else {
-        return Err(Failure::input(format!("{what}: unknown format: svg, pdf, png and csv:TABLE are available")));
+        return Err(Failure::input(format!(
+            "{what}: unknown format: svg, pdf, png and csv:TABLE are available"
+        )));
     };
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     Ok(Sheet { name, kind: format.map_or("text/csv; charset=utf-8", |(_, kind)| kind), content })

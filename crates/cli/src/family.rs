@@ -55,7 +55,14 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     arguments.threads.start()?;
     limits::listen();
     let began = Instant::now();
-    terminal::say(&listing::plan(terminal::layout(), &description, file, &plan, arguments.part, members.len()));
+    terminal::say(&listing::plan(
+        terminal::layout(),
+        &description,
+        file,
+        &plan,
+        arguments.part,
+        members.len(),
+    ));
     let watch = Watch::begin(arguments.limits(limits(&description, members.len())), taken);
     let display = Display::counting(watch.stop());
     let tell = |description: &Description, error: &_| reason::of(error, description);
@@ -146,9 +153,7 @@ fn plan(vary: &[Variation], description: &Description) -> Result<Plan, Failure> 
             )));
         }
         if vary[..place].iter().any(|Variation(other)| other.name == name) {
-            return Err(Failure::input(format!(
-                "--vary {name}: given twice: name every constant once"
-            )));
+            return Err(Failure::input(format!("--vary {name}: given twice: name every constant once")));
         }
     }
     let plan = Plan { varied: vary.iter().map(|Variation(varied)| varied.clone()).collect() };

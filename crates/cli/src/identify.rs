@@ -78,7 +78,8 @@ pub(crate) fn run(arguments: &arguments::Identify) -> Result<(), Failure> {
     let unused = measured.points.len() - bifurcations;
     terminal::say(&listing(terminal::layout(), &names, &fit, &identified, unused));
     terminal::say(&format!("\n{}{:.1} s\n", summary(&written), began.elapsed().as_secs_f64()));
-    let set = identified.constants.iter().map(|row| format!(" --set {}={}", row.constant, brief(row.value, VALUE)));
+    let set =
+        identified.constants.iter().map(|row| format!(" --set {}={}", row.constant, brief(row.value, VALUE)));
     terminal::say_next(&format!("cargo xtask unfold {}{}", file.display(), set.collect::<String>()));
     Ok(())
 }
@@ -97,9 +98,7 @@ fn starts(free: &[String], description: &Description) -> Result<Vec<f64>, Failur
             )));
         };
         if free[..place].contains(name) {
-            return Err(Failure::input(format!(
-                "--free {name}: named twice: name every constant once"
-            )));
+            return Err(Failure::input(format!("--free {name}: named twice: name every constant once")));
         }
         values.push(*value);
     }

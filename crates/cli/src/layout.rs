@@ -78,7 +78,8 @@ impl Layout {
         let own = length - mark.trim_start_matches(' ').chars().count().min(length);
         // Behind a long mark there is no room for a column of its own.
         let indent = if length > self.width / 2 { own + 4 } else { length };
-        let mut lines = Lines { text: mark.to_owned(), column: length, indent, width: self.width, begun: false };
+        let mut lines =
+            Lines { text: mark.to_owned(), column: length, indent, width: self.width, begun: false };
         for unit in units(content) {
             lines.put(&unit);
         }
@@ -86,11 +87,7 @@ impl Layout {
     }
 
     /// A heading with entries under it, each after its mark; nothing if there are none.
-    pub(crate) fn headed(
-        self,
-        heading: &str,
-        entries: impl IntoIterator<Item = (String, String)>,
-    ) -> String {
+    pub(crate) fn headed(self, heading: &str, entries: impl IntoIterator<Item = (String, String)>) -> String {
         let entries: String =
             entries.into_iter().map(|(mark, content)| self.wrapped(&mark, &content)).collect();
         if entries.is_empty() { entries } else { format!("\n{}{entries}", self.wrapped("", heading)) }
@@ -287,7 +284,8 @@ mod tests {
     #[test]
     fn no_line_ends_within_a_formula_unless_it_is_longer_than_a_line() {
         let layout = Layout::new(40);
-        let text = layout.wrapped("  ", "the motion grazes the wall at A = 0.25, omega = 0.5 and nowhere else");
+        let text =
+            layout.wrapped("  ", "the motion grazes the wall at A = 0.25, omega = 0.5 and nowhere else");
         assert_eq!(text, "  the motion grazes the wall at\n  A = 0.25, omega = 0.5 and nowhere else\n");
         let text = layout.wrapped("  motion  ", "x'' = -2*zeta*v - x - kappa*x^3 - 1 + A*cos(omega*t)");
         assert_eq!(

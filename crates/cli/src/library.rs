@@ -21,13 +21,13 @@ use grazing_unfold::progress::Progress;
 use crate::explore::drawn;
 use crate::failure::Failure;
 use crate::family::{self, Origin};
+use crate::layout::Layout;
 use crate::limits::{Watch, ended, reading};
 use crate::oscillator::OscillatorFile;
 use crate::outputs::family::FAMILY;
 use crate::outputs::oscillator::AnalysedOscillator;
 use crate::outputs::{ComputedOutput, paper};
 use crate::project::{PARAMETERS, PARAMETERS_TEXT};
-use crate::layout::Layout;
 use crate::unfold::analysis::analyse_prepared;
 use crate::unfold::{listing, page, places, reason};
 use crate::variation::Variation;
@@ -116,12 +116,14 @@ impl Task<'_> {
         let analysed = AnalysedOscillator::new(&of.file, &of.description, unfolded);
         let (description, unfolded) = (&of.description, &analysed.unfolded);
         let contradictions = listing::contradictions(&unfolded.resonances).into_iter();
-        let contradictions = contradictions.map(|what| format!("theorem and computation contradict each other: {what}"));
+        let contradictions =
+            contradictions.map(|what| format!("theorem and computation contradict each other: {what}"));
         let lost =
             page::lost(description, unfolded).into_iter().chain(listing::incomplete(&unfolded.diagram));
         let layout = Layout::default();
         Ok(Results {
-            listing: listing::oscillator(layout, description, &of.file) + &listing::results(layout, description, unfolded),
+            listing: listing::oscillator(layout, description, &of.file)
+                + &listing::results(layout, description, unfolded),
             missing: contradictions.chain(met.map(|met| met.to_string())).chain(lost).collect(),
             ..Results::new(analysed.computed(SheetWidth::Paper)?, &unfolded.axes.names)
         })
@@ -144,9 +146,14 @@ impl Task<'_> {
                 let broken = found.broken.iter().map(|(loops, across, reason)| {
                     format!("a branch of p = {loops} could not be followed beyond {across}: {reason}")
                 });
-                (listing::one_parameter(Layout::default(), &of.description, &seen.names, found), broken.collect())
+                (
+                    listing::one_parameter(Layout::default(), &of.description, &seen.names, found),
+                    broken.collect(),
+                )
             }
-            Figure::Place(place) => (places::listing(Layout::default(), std::slice::from_ref(place), &seen.names), Vec::new()),
+            Figure::Place(place) => {
+                (places::listing(Layout::default(), std::slice::from_ref(place), &seen.names), Vec::new())
+            }
             Figure::Plane(..) | Figure::Straightened(_) => Default::default(),
         };
         Ok(Results { listing, missing, ..Results::new(drawn(&seen, SheetWidth::Paper)?, &seen.names) })

@@ -202,7 +202,9 @@ pub(crate) fn reading<T>(
     match read(&watch.stop()) {
         Ok(read) => Ok((read, watch.taken())),
         Err(failure) => Err(match watch.end_cause() {
-            Some(cause) => ended(file, Some(cause), "nothing is written, because the file was still being read"),
+            Some(cause) => {
+                ended(file, Some(cause), "nothing is written, because the file was still being read")
+            }
             None => failure,
         }),
     }

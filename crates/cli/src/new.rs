@@ -55,7 +55,8 @@ pub fn kinds() -> impl Iterator<Item = Kind> {
 pub(crate) fn run(arguments: &arguments::New) -> Result<(), Failure> {
     let file = &arguments.file;
     let kind = kinds().find(|kind| kind.name == arguments.kind);
-    let kind = kind.ok_or_else(|| Failure::input(format!("--kind {}: there is no such kind", arguments.kind)))?;
+    let kind =
+        kind.ok_or_else(|| Failure::input(format!("--kind {}: there is no such kind", arguments.kind)))?;
     write_new(file, kind.text)?;
     let shown = file.display();
     terminal::say(&format!(

@@ -203,7 +203,9 @@ pub(crate) fn joined<W: Divided>(paths: &[PathBuf]) -> Result<Joined<W>, Failure
         task = Some(checked.map_err(|failure| refuse(failure.reason))?);
         found.push((path, part));
     }
-    let Some(task) = task else { return Err(Failure::input("no parts are named: name all parts of a family or a map")) };
+    let Some(task) = task else {
+        return Err(Failure::input("no parts are named: name all parts of a family or a map"));
+    };
     found.sort_by_key(|(_, part)| part.part.part);
     let count = found[0].1.part.parts;
     if found.len() < count {
@@ -221,7 +223,8 @@ pub(crate) fn joined<W: Divided>(paths: &[PathBuf]) -> Result<Joined<W>, Failure
         work.get_or_insert(part.work);
         records.extend(part.records);
     }
-    let work = work.ok_or_else(|| Failure::input("no parts are named: name all parts of a family or a map"))?;
+    let work =
+        work.ok_or_else(|| Failure::input("no parts are named: name all parts of a family or a map"))?;
     Ok(Joined { work, task, records })
 }
 

@@ -114,7 +114,9 @@ fn verdict_on_theorem(rows: &[Coefficients]) -> Result<(), Failure> {
     if !rows.iter().any(Coefficients::contradict) {
         return Ok(());
     }
-    Err(Failure::check("coefficients: theorem and computation contradict each other, see the table; everything is written"))
+    Err(Failure::check(
+        "coefficients: theorem and computation contradict each other, see the table; everything is written",
+    ))
 }
 
 /// The results of the selected outputs.

@@ -59,7 +59,9 @@ struct Task {
 pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let edition = arguments.look.edition();
     if arguments.data.is_some() && arguments.files.len() > 1 {
-        return Err(Failure::input("--data belongs to one oscillator: name one file, and run the command again for the next"));
+        return Err(Failure::input(
+            "--data belongs to one oscillator: name one file, and run the command again for the next",
+        ));
     }
     let tasks = tasks(arguments)?;
     for task in &tasks {

@@ -18,7 +18,8 @@ impl FromStr for Variation {
     type Err = String;
 
     fn from_str(written: &str) -> Result<Self, String> {
-        let form = "write NAME=FROM:TO:COUNT, such as zeta=0.01:0.1:10 for ten values of zeta from 0.01 to 0.1";
+        let form =
+            "write NAME=FROM:TO:COUNT, such as zeta=0.01:0.1:10 for ten values of zeta from 0.01 to 0.1";
         let (name, range) = written.split_once('=').ok_or(form)?;
         let parts: Vec<&str> = range.split(':').map(str::trim).collect();
         let [from, to, count] = parts[..] else { return Err(form.to_owned()) };
@@ -32,9 +33,7 @@ impl FromStr for Variation {
             return Err(format!("{count} values: COUNT must be from 2 to {MOST_MEMBERS}"));
         }
         if from == to {
-            return Err(format!(
-                "FROM and TO are both {from}: set a constant that does not vary with --set"
-            ));
+            return Err(format!("FROM and TO are both {from}: set a constant that does not vary with --set"));
         }
         let last = (count - 1) as f64;
         let value = |index: usize| match index as f64 {

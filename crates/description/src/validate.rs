@@ -141,7 +141,10 @@ pub(crate) fn description(
     let curve = |(written, number): (&WrittenCurve, usize)| {
         let forbid = |name: &str, allowed| section.forbid(&format!("curves[{number}].{name}"), allowed);
         if file.curves[..number - 1].iter().any(|other| other.name == written.name) {
-            return Err(forbid("name", "another curve has this name: give each curve its own name".to_owned()));
+            return Err(forbid(
+                "name",
+                "another curve has this name: give each curve its own name".to_owned(),
+            ));
         }
         own_curve(written, &file.analysis.loops, forbid)
     };

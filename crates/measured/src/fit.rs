@@ -98,9 +98,7 @@ pub enum FitError {
         unknowns: usize,
     },
     /// The measurements do not constrain a constant, or cannot separate it from others.
-    #[error(
-        "the measurements do not determine constant number {0} of --free: leave it out"
-    )]
+    #[error("the measurements do not determine constant number {0} of --free: leave it out")]
     Undetermined(usize),
     /// The method does not converge.
     #[error("no least sum of squares was found: begin nearer to it by --set")]

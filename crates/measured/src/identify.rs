@@ -44,7 +44,9 @@ pub enum IdentifyError {
     #[error(transparent)]
     Fit(#[from] FitError),
     /// The measurements do not tell a constant, or not apart from others.
-    #[error("the measurements do not determine {0}, alone or apart from other constants: leave it out of --free")]
+    #[error(
+        "the measurements do not determine {0}, alone or apart from other constants: leave it out of --free"
+    )]
     Undetermined(String),
     /// There is no oscillator, or no diagram, on the way.
     #[error("for {constants} there is nothing to compare with: {reason}")]

@@ -327,10 +327,7 @@ mod tests {
         assert_eq!((found[0].at, found[0].seen.words()), ([0.25, 0.8], "SN of p = 2".to_owned()));
         for (columns, part) in [
             (&[("omga", "freq")][..], "no column can be called omga: did you mean `omega`?"),
-            (
-                &[("omega", "frequency")],
-                "curve.csv:1: it has no column frequency, which should hold omega",
-            ),
+            (&[("omega", "frequency")], "curve.csv:1: it has no column frequency, which should hold omega"),
             (&[("A", "amp")], "the column omega is missing"),
         ] {
             let message = read(columns).unwrap_err().to_string();

@@ -14,9 +14,8 @@ const MOST_BYTES: u64 = 1_000_000;
 /// # Errors
 /// [`SourceError::Unreadable`].
 pub fn read_file(path: &Path) -> Result<String, SourceError> {
-    let text = read_bytes(path, MOST_BYTES).and_then(|bytes| {
-        String::from_utf8(bytes).map_err(|_| io::Error::other("it is not UTF-8 text"))
-    });
+    let text = read_bytes(path, MOST_BYTES)
+        .and_then(|bytes| String::from_utf8(bytes).map_err(|_| io::Error::other("it is not UTF-8 text")));
     text.map_err(|reason| SourceError::Unreadable {
         file: path.display().to_string(),
         reason: reason.to_string(),

@@ -37,7 +37,8 @@ pub(super) fn plan(
         format!(", {members} of them in part {part} of {parts}")
     });
     let varied = varied.join(", ");
-    let text = format!("{} ({}): {varied}; {} members{part}", description.name(), file.display(), plan.count());
+    let text =
+        format!("{} ({}): {varied}; {} members{part}", description.name(), file.display(), plan.count());
     layout.wrapped("", &text)
 }
 

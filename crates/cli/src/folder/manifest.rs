@@ -111,7 +111,10 @@ pub(crate) fn refuse_mixture(folder: &Path) -> Result<(), Failure> {
     let (intact, all) = (list.intact(folder).len(), list.files.len());
     match (list.incomplete, intact < all) {
         (false, false) => Ok(()),
-        (true, _) => Err(Failure::input(format!("{}: the results in it are incomplete: run the command again", folder.display()))),
+        (true, _) => Err(Failure::input(format!(
+            "{}: the results in it are incomplete: run the command again",
+            folder.display()
+        ))),
         (_, true) => Err(Failure::input(format!(
             "{}: {} of {all} files differ from those that {MANIFEST} lists: compute them again",
             folder.display(),

@@ -23,8 +23,8 @@ use super::numbers::{fixed, range, significant, unit, with_unit};
 use super::reason::place;
 use crate::layout::{KEPT, Layout};
 pub(crate) use gaps::incomplete;
-pub(crate) use one_parameter::one_parameter;
 use gaps::{few, missing, odd_ends, thin, undecided, unfinished};
+pub(crate) use one_parameter::one_parameter;
 
 /// Digits of parameters, of coefficients, and of other quantities.
 const PARAMETER: usize = 8;
@@ -48,8 +48,7 @@ pub(crate) fn oscillator(layout: Layout, description: &Description, file: &Path)
         ("frequency", texts.frequency.clone()),
         (
             "impact",
-            "velocity y relative to the wall, phase z = frequency*t: y -> -y*Phi, z -> z + y*Psi"
-                .to_owned(),
+            "velocity y relative to the wall, phase z = frequency*t: y -> -y*Phi, z -> z + y*Psi".to_owned(),
         ),
         ("", format!("Phi = {}, Psi = {}", texts.restitution, texts.duration)),
         ("constants", if constants.is_empty() { "none".to_owned() } else { constants.join(", ") }),
@@ -112,7 +111,8 @@ fn grazing_curves(layout: Layout, description: &Description, unfolded: &Analysis
         );
         (format!("  curve {arc:<5}"), content)
     };
-    layout.headed("Grazing of the non-impacting motion", unfolded.diagram.grazing.iter().enumerate().map(words))
+    layout
+        .headed("Grazing of the non-impacting motion", unfolded.diagram.grazing.iter().enumerate().map(words))
 }
 
 fn ends(ends: &[GrazingEnd; 2]) -> String {
@@ -208,8 +208,7 @@ fn resonances(layout: Layout, description: &Description, unfolded: &Analysis) ->
         Some(unit) => head.replace(')', &format!(", {unit})")),
         None => head.to_owned(),
     });
-    let header =
-        ["p", "n", &secondary_head, "curve", &theorem, &measured, "digits", "simulation"];
+    let header = ["p", "n", &secondary_head, "curve", &theorem, &measured, "digits", "simulation"];
     text.push_str(&layout.aligned(&header, curves(all).map(coefficient)));
     text.extend(curves(all).map(|curve| reasons(layout, secondary, curve)));
     text
@@ -430,10 +429,9 @@ mod tests {
         let curve = curves(&doubtful).next().expect("the theorem applies");
         assert!(matches!(curve.2.coefficient.verdict(), Verdict::NotMeasurable(Obstacle::Rounding { .. })));
         let words = reasons(Layout::default(), "omega", curve);
-        for wanted in [
-            "p = 2, n = 3, omega = 0.75000, SN:  not measurable: where",
-            "simulation undecided: the leading",
-        ] {
+        for wanted in
+            ["p = 2, n = 3, omega = 0.75000, SN:  not measurable: where", "simulation undecided: the leading"]
+        {
             assert!(words.contains(wanted), "{words}");
         }
     }
@@ -458,7 +456,10 @@ mod tests {
             let words = results(Layout::default(), &description, &unfolded).replace('\n', " ");
             let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
             let told = format!("p = 1 from A = 0.5, omega = 0.625 to A = 0.75, omega = 0.6875: {doubt}");
-            assert!(words.contains("Stability not decided (hatched") && words.contains(&told), "{told}: {words}");
+            assert!(
+                words.contains("Stability not decided (hatched") && words.contains(&told),
+                "{told}: {words}"
+            );
         }
     }
 }

@@ -21,17 +21,8 @@ pub(super) fn listing(layout: Layout, compared: &Comparison) -> String {
         cells.extend(numbers.map(|number| number.to_string()));
         cells
     };
-    let heads = [
-        "region",
-        "kind",
-        "p",
-        "measured",
-        "agree",
-        "within error",
-        "disagree",
-        "undecided",
-        "not computed",
-    ];
+    let heads =
+        ["region", "kind", "p", "measured", "agree", "within error", "disagree", "undecided", "not computed"];
     let counts = layout.aligned(&heads, compared.counts.iter().map(row));
     let against: Vec<&MeasuredPoint> =
         compared.points.iter().filter(|point| point.agreement == Agreement::Disagrees).collect();

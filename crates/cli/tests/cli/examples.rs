@@ -41,5 +41,8 @@ fn no_table_and_no_figure_of_an_example_changes_unnoticed() {
     let [shown, made] =
         [repository().join("examples/duffing.svg"), folder.path().join("duffing/diagram.svg")]
             .map(|path| fs::read(path).expect("it is there"));
-    assert!(shown == made, "examples/duffing.svg, which docs/oscillator.md shows, is not what the code makes");
+    assert!(
+        shown == made,
+        "examples/duffing.svg, which docs/oscillator.md shows, is not what the code makes"
+    );
 }

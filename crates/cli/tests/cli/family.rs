@@ -168,8 +168,7 @@ fn a_family_that_is_cut_off_replaces_no_results_and_files_of_another_run_are_tol
         }
     };
     assert!(cut.errors().contains("1 of 2 members are missing; the others are written"), "{}", cut.messages);
-    let told =
-        "families/my: the results there are kept; the finished part of this run goes to families/my/unfinished\n";
+    let told = "families/my: the results there are kept; the finished part of this run goes to families/my/unfinished\n";
     assert!(cut.messages.contains(told), "{}", cut.messages);
     let members =
         fs::read_to_string(results.join("unfinished/data/family_members.csv")).expect("it is there");

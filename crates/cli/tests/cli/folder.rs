@@ -144,7 +144,10 @@ fn another_header_or_number_of_cells_is_shown_as_whole_lines() {
 
 #[test]
 fn another_number_of_lines_is_told() {
-    assert_eq!(difference_of_table("kind,x\nSN,1.5\n"), "data/a.csv: ends after line 2; the code produces more lines");
+    assert_eq!(
+        difference_of_table("kind,x\nSN,1.5\n"),
+        "data/a.csv: ends after line 2; the code produces more lines"
+    );
     let said = difference_of_table("kind,x\nSN,1.5\nPD,\nPD,\n");
     assert_eq!(said, "data/a.csv: the file has more lines than the 3 that the code produces");
     assert!(difference_of_table("kind,x\r\nSN,1.5\r\nPD,\r\n").contains("line ends"));

@@ -129,10 +129,7 @@ impl Names<'_, '_> {
                 "decimals are written with a point, as in 0.02".to_owned()
             }
             _ if !value_ends_before(text, span.start) => unexpected("a number, a name, a function or ("),
-            _ if written == ")" => {
-                "this ) has no matching (: add a ( before it or remove it"
-                    .to_owned()
-            }
+            _ if written == ")" => "this ) has no matching (: add a ( before it or remove it".to_owned(),
             _ if value_begins(written) => {
                 "an operator is missing here: products are written with *, as in 2*x".to_owned()
             }
@@ -229,11 +226,13 @@ pub(crate) fn from_the_wall(
     constants: &[(&str, f64)],
     stop: &Stop,
 ) -> Result<[Expression; 3], ExpressionError> {
-    let too_large = |_| ExpressionError {
+    let too_large = |_| {
+        ExpressionError {
         problem:
             "together with the motion of the wall in wall.position the expression has a number that is too large to compute with"
                 .to_owned(),
         span: 0..0,
+    }
     };
     let graph = Graph::default();
     let own = numbered(&graph, variables);

@@ -104,9 +104,10 @@ impl<'t> Table<'t> {
         }
         match rows.len() {
             0 => Err(at(0, "it has no measurement, only the names of columns".to_owned())),
-            count if count > MOST_ROWS => {
-                Err(at(0, format!("it has {count} measurements: at most {MOST_ROWS} can be compared at a time")))
-            }
+            count if count > MOST_ROWS => Err(at(
+                0,
+                format!("it has {count} measurements: at most {MOST_ROWS} can be compared at a time"),
+            )),
             _ => Ok(Self { file, names, header, rows }),
         }
     }

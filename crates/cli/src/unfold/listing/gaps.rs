@@ -29,7 +29,8 @@ pub(super) fn few(entries: Vec<(String, String)>, what: &str, file: &str) -> Vec
 /// Resonances that could not be located, or whose curves could not be followed.
 pub(super) fn missing(layout: Layout, description: &Description, units: &Units, diagram: &Diagram) -> String {
     let lost = reason::lost(description, units, diagram);
-    layout.headed("Resonances that could not be unfolded", lost.map(|(what, why)| (format!("  {what}  "), why)))
+    layout
+        .headed("Resonances that could not be unfolded", lost.map(|(what, why)| (format!("  {what}  "), why)))
 }
 
 /// What a limit or Ctrl-C has cut off.
@@ -40,7 +41,8 @@ pub(super) fn unfinished(
     diagram: &Diagram,
 ) -> String {
     let cut = diagram.unfinished.iter();
-    layout.headed("Not finished", cut.map(|cut| ("  ".to_owned(), reason::unfinished(description, units, cut))))
+    layout
+        .headed("Not finished", cut.map(|cut| ("  ".to_owned(), reason::unfinished(description, units, cut))))
 }
 
 /// Curves that end neither at the edge of the ranges nor at a point of codimension two.
@@ -60,8 +62,8 @@ pub(super) fn odd_ends(layout: Layout, description: &Description, unfolded: &Ana
     let own = diagram.levels.curves.iter().flat_map(|LevelCurve { level, loops, curve }| {
         lines(format!("{} of p = {loops}", diagram.asked[*level].name), curve)
     });
-    let ends =
-        few(bifurcations.collect(), "ends of bifurcation curves; the curves are", "data/curves.csv").into_iter();
+    let ends = few(bifurcations.collect(), "ends of bifurcation curves; the curves are", "data/curves.csv")
+        .into_iter();
     let own = few(own.collect(), "ends of curves that the file asks for; these are", "data/own_curves.csv");
     layout.headed("Curves that end unexpectedly", ends.chain(own))
 }
@@ -100,7 +102,10 @@ pub(super) fn thin(layout: Layout, description: &Description, unfolded: &Analysi
     let regions = reason::thin(description, &unfolded.axes.units, &unfolded.diagram);
     let entries = regions.into_iter().map(|(loops, line)| (format!("  p = {loops}  "), line));
     let entries = few(entries.collect(), "regions", REGIONS);
-    layout.headed(&format!("Regions of stability thinner than 1e-4 of the ranges (all are in {REGIONS})"), entries)
+    layout.headed(
+        &format!("Regions of stability thinner than 1e-4 of the ranges (all are in {REGIONS})"),
+        entries,
+    )
 }
 
 /// The gaps in the diagram that are not due to a limit, as `1 of 3 resonances could not be

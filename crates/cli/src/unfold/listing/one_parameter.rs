@@ -21,7 +21,8 @@ pub(crate) fn one_parameter(
     let [across, _] = diagram.exchanged(names);
     let [unit, _] = diagram.exchanged([description.primary().unit(), description.secondary().unit()]);
     let of = of_one_parameter(names, diagram);
-    let mut text = format!("\n{}", layout.wrapped("", &format!("One-parameter diagram {}: {of}", diagram.diagram)));
+    let mut text =
+        format!("\n{}", layout.wrapped("", &format!("One-parameter diagram {}: {of}", diagram.diagram)));
     let rows = diagram.bifurcations.iter().map(|found| {
         let mut row = vec![found.kind.name().to_owned(), found.loops.to_string()];
         row.extend(
@@ -33,7 +34,9 @@ pub(crate) fn one_parameter(
     let (velocity, x) = (of_motion("impact velocity", "length/time"), of_motion("x", "length"));
     match diagram.bifurcations.is_empty() {
         true => text.push_str("  no bifurcations\n"),
-        false => text.push_str(&layout.aligned(&["kind", "p", &with_unit(across, unit), &velocity, &x], rows)),
+        false => {
+            text.push_str(&layout.aligned(&["kind", "p", &with_unit(across, unit), &velocity, &x], rows))
+        }
     }
     let broken = diagram.broken.iter().map(|(loops, primary, reason)| {
         let at = significant(*primary, PARAMETER);
