@@ -97,8 +97,8 @@ pub struct Misprint {
     pub same_as: Option<String>,
 }
 
-/// The kinds of differences between print and mathematics.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
+/// The kinds of differences between print and mathematics, the most substantial first.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum MisprintKind {
     /// A formula, a condition or a statement is misprinted; the printed form fails.

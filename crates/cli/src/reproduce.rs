@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use grazing_claims::published::Tally;
 use grazing_reproduction::{Coefficients, Study};
-use grazing_unfold::progress::Progress;
+use grazing_unfold::progress::{Progress, Silent};
 
 use crate::arguments::{ParameterFile, Reproduce};
 use crate::compare::published;
@@ -102,7 +102,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
 /// Some output cannot be computed.
 pub fn files(study: &Study, edition: &Edition) -> Result<Vec<OutputFile>, Failure> {
     let chosen: Vec<&Output<Study>> = paper::ALL.iter().collect();
-    let outcome = Outcome::of(study, &chosen, edition)?;
+    let outcome = Outcome::of(study, &chosen, edition, &Silent)?;
     match outcome.missing.first() {
         Some((reason, _)) => Err(Failure::input(reason.clone())),
         None => Ok(outcome.files),
@@ -131,7 +131,8 @@ struct Outcome<'a> {
 }
 
 impl<'a> Outcome<'a> {
-    /// All outputs that can be computed; the failure if the only one cannot.
+    /// All outputs that can be computed, and the files for LaTeX if none was left out; the failure if the only output
+    /// cannot be computed.
     fn of(
         study: &Study,
         chosen: &[&'a Output<Study>],
@@ -157,6 +158,12 @@ impl<'a> Outcome<'a> {
             }
         }
         progress.end(FIGURES);
+        if edition.has(Format::Tex) && chosen.len() == paper::ALL.len() {
+            let oscillator = study.parameters.oscillator()?;
+            let constants =
+                [("zeta", oscillator.damping_ratio()), ("epsilon", oscillator.coefficient_of_restitution())];
+            all.files.extend(latex::files(&all.floats, constants));
+        }
         Ok(all)
     }
 

@@ -19,7 +19,7 @@ pub(crate) mod prelude {
 
 /// A figure of the paper: a section of the parameter file, with the functions that compute and draw the
 /// figure. The name of the section is also that of the output and of its file.
-pub trait PaperFigure: FileSection {
+pub trait PaperFigure: FileSection + 'static {
     /// The label in the paper, or in LaTeX.
     const LABEL: &'static str;
     /// Whether the figure answers a question that the paper leaves open.

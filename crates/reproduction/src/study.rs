@@ -44,7 +44,7 @@ impl Study {
     ///
     /// # Errors
     /// The section is invalid, or the figure cannot be computed.
-    pub fn shown<F: PaperFigure + 'static>(&self) -> Result<Arc<F::Shown>, StudyError> {
+    pub fn shown<F: PaperFigure>(&self) -> Result<Arc<F::Shown>, StudyError> {
         let mut all = self.shown.lock().unwrap_or_else(PoisonError::into_inner);
         let once = Arc::clone(all.entry(TypeId::of::<F>()).or_default());
         // Other figures can be computed meanwhile.

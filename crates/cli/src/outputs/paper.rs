@@ -21,7 +21,7 @@ pub const ALL: &[Output<Study>] =
     &paper_figures!(figure, first COEFFICIENTS, last STRAIGHTENED, THEOREMS, LIMITS);
 
 /// The output of a figure of the paper.
-pub(crate) const fn figure<F: PaperFigure + 'static>() -> Output<Study> {
+pub(crate) const fn figure<F: PaperFigure>() -> Output<Study> {
     Output {
         label: F::LABEL,
         is_figure: true,

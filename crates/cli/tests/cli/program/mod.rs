@@ -154,6 +154,22 @@ pub(crate) fn narrow_duffing() -> String {
     edited(&narrow, "[analysis]", "loops", "loops = [3]")
 }
 
+/// The study of the default parameters: the contents of its figures are computed once for all tests.
+static STUDY: LazyLock<Study> = LazyLock::new(|| {
+    let parameters = Parameters::parse(&Text::new(DEFAULT, &[]), "parameters.toml");
+    Study::new(&parameters.expect("the default parameters are valid"))
+});
+
+/// A folder with all figures and tables of the default parameters in an edition, as `reproduce` writes them; PNG has a
+/// pixel a point.
+pub(crate) fn edition(formats: &[Format], columns: SheetWidth) -> tempfile::TempDir {
+    let edition = Edition::new(formats.to_vec(), columns, 72, TextForm::Fonts);
+    let files = reproduce::files(&STUDY, &edition).expect("the default parameters give all outputs");
+    let place = empty_folder();
+    folder::write(place.path(), &files).expect("the folder is ours");
+    place
+}
+
 /// The paths of everything in the folder.
 pub(crate) fn listing(folder: &Path) -> Vec<String> {
     let mut paths = Vec::new();

@@ -5,7 +5,6 @@ use std::collections::BTreeSet;
 
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, State};
-use grazing_reproduction::Study;
 use grazing_reproduction::figures::beyond_attractors::{BeyondAttractors, Map, STARTS, Stretch};
 use grazing_reproduction::figures::beyond_loops::BeyondLoops;
 use grazing_reproduction::figures::beyond_proofs::BeyondProofs;

@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use grazing_model::AtRest;
 use grazing_model::maps::global_map;
-use grazing_reproduction::Study;
 use grazing_reproduction::figures::fig02::Figure2;
 use grazing_reproduction::figures::fig04::{Boundaries, Figure4};
 use grazing_theorems::auxiliary::{admissibility_sum, resonance_boundary};

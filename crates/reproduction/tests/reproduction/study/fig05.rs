@@ -5,7 +5,6 @@ use std::sync::{Arc, LazyLock};
 
 use grazing_model::State;
 use grazing_model::orbit::{FlightEnd, Orbit as Simulation};
-use grazing_reproduction::Study;
 use grazing_reproduction::figures::fig05::{Figure5, UnfoldingSketch};
 use grazing_theorems::Resonance;
 

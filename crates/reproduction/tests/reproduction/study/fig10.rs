@@ -4,7 +4,6 @@ use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Route, SolutionCurve, Window};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
-use grazing_reproduction::Study;
 use grazing_reproduction::figures::fig10::Figure10;
 use grazing_theorems::auxiliary::{lucas_sequence, scaled_visit_position};
 use grazing_theorems::{GenericGrazing, GrazingState};
@@ -13,7 +12,8 @@ use super::{forced, integers, made, numbers, theory};
 
 /// The vertices (u, w) in order.
 fn vertices() -> Vec<[f64; 2]> {
-    let path = made().study.shown::<Figure10>().expect("figure 10 can be computed").path;
+    let shown = made().study.shown::<Figure10>().expect("figure 10 can be computed");
+    let path = &shown.path;
     let (u, w) = (numbers(&path, "u"), numbers(&path, "w"));
     assert_eq!(integers(&path, "visit"), (0..u.len() as u32).collect::<Vec<_>>());
     u.into_iter().zip(w).map(|(u, w)| [u, w]).collect()

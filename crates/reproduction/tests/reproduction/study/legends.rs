@@ -1,6 +1,7 @@
 //! Tests of the legends of figures.
 
 use grazing_drawing::SheetWidth;
+use grazing_reproduction::PaperFigure;
 use grazing_reproduction::figures::fig01::Figure1;
 use grazing_reproduction::figures::fig02::Figure2;
 use grazing_reproduction::figures::fig03::Figure3;
@@ -11,7 +12,6 @@ use grazing_reproduction::figures::fig07::Figure7;
 use grazing_reproduction::figures::fig08::Figure8;
 use grazing_reproduction::figures::fig09::Figure9;
 use grazing_reproduction::figures::fig10::Figure10;
-use grazing_reproduction::{PaperFigure, Study};
 
 use super::made;
 

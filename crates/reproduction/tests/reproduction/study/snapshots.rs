@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 
-use grazing_reproduction::Study;
 use grazing_reproduction::figures::fig04::Figure4;
 use grazing_reproduction::figures::fig05::Figure5;
 use grazing_reproduction::figures::fig06::Figure6;

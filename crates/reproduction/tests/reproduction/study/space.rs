@@ -231,12 +231,10 @@ fn curves_of_figure_9_join_the_points_and_are_virtual_exactly_beyond_the_wall() 
 fn points_lie_on_the_shown_part_of_their_surface() {
     let (_, study) = study();
     let (one, three, nine) = (study.shown::<Figure1>(), study.shown::<Figure3>(), study.shown::<Figure9>());
-    let (one, three, nine) = (one.expect("figure 1"), three.expect("figure 3"), nine.expect("figure 9"));
-    for (points, surfaces) in
-        [(one.points, one.surfaces), (three.points, three.surfaces), (nine.points, nine.surfaces)]
-    {
+    for scene in [one.expect("figure 1"), three.expect("figure 3"), nine.expect("figure 9")] {
+        let (points, surfaces) = (&scene.points, &scene.surfaces);
         let faces: Vec<Vec<Point>> =
-            ["incoming", "outgoing", "section"].iter().flat_map(|kind| curves(&surfaces, kind)).collect();
+            ["incoming", "outgoing", "section"].iter().flat_map(|kind| curves(surfaces, kind)).collect();
         let within = |point: &Point, face: &Vec<Point>| {
             (0..3).all(|i| {
                 let values = || face.iter().map(|corner| corner[i]);
@@ -245,7 +243,7 @@ fn points_lie_on_the_shown_part_of_their_surface() {
                 low <= point[i] && point[i] <= high
             })
         };
-        for point in states(&points) {
+        for point in states(points) {
             assert!(faces.iter().any(|face| within(&point, face)), "{point:?} lies on no face");
         }
     }
