@@ -3,7 +3,7 @@
 use askama::Template;
 
 use crate::audit::{ClaimVerdict, Finding};
-use crate::ledger::{Claim, Misprint, MisprintKind};
+use crate::ledger::{Claim, Ledger, Misprint, MisprintKind};
 use crate::outcome::{Measure, Outcome};
 
 /// The kinds of misprints in the order of the page, with their headings.
@@ -64,6 +64,16 @@ pub fn page(findings: &[Finding<'_>]) -> String {
         (heading, entries.collect())
     });
     Page { sections }.render().expect("writing to a string cannot fail")
+}
+
+/// The number of entries of the page: a misprint that stands in several places is one.
+pub fn count(ledger: &Ledger) -> usize {
+    ledger
+        .claims
+        .iter()
+        .filter_map(|claim| claim.misprint.as_ref())
+        .filter(|misprint| misprint.same_as.is_none())
+        .count()
 }
 
 /// A measurement in words: the measured quantity, and the value that it is compared with.

@@ -107,14 +107,18 @@ pub fn table(layout: Layout, comparisons: &[Comparison<'_>], coloured: bool) -> 
     layout.aligned(&header, comparisons.iter().map(|comparison| cells(comparison, coloured).into()))
 }
 
+/// A computed value in a few digits more than the print has.
+pub(crate) fn computed(comparison: &Comparison<'_>) -> Option<String> {
+    let decimals = comparison.published.decimals() + DIGITS_BEYOND_PRINT;
+    comparison.computed.map(|computed| match comparison.published.rounding {
+        Rounding::Exact => format!("{computed}"),
+        Rounding::Significant => format!("{computed:.decimals$}"),
+    })
+}
+
 /// The cells of a row: quantity, printed and computed value, difference, verdict and place.
 fn cells(comparison: &Comparison<'_>, coloured: bool) -> [String; 6] {
     let published = comparison.published;
-    let decimals = published.decimals() + DIGITS_BEYOND_PRINT;
-    let computed = comparison.computed.map(|computed| match published.rounding {
-        Rounding::Exact => format!("{computed}"),
-        Rounding::Significant => format!("{computed:.decimals$}"),
-    });
     let difference = comparison
         .difference()
         .map(|difference| if difference == 0.0 { "0".to_owned() } else { format!("{difference:.1e}") });
@@ -128,7 +132,7 @@ fn cells(comparison: &Comparison<'_>, coloured: bool) -> [String; 6] {
     [
         published.quantity.clone(),
         published.printed.clone(),
-        computed.unwrap_or_default(),
+        computed(comparison).unwrap_or_default(),
         difference.unwrap_or_default(),
         verdict,
         format!("{} ({})", published.place, published.label),

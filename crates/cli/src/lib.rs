@@ -28,6 +28,7 @@ pub mod outputs;
 mod part;
 mod progress;
 mod project;
+mod readme;
 mod report;
 pub mod reproduce;
 mod signals;

@@ -3,6 +3,7 @@
 mod links;
 mod oscillators;
 
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
@@ -38,17 +39,22 @@ pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     arguments.threads.start()?;
     let ledger = Ledger::of_the_paper();
     let report = assemble(arguments, &ledger, &parameters, &sources)?;
-    let content = page(&report).into_bytes();
     let (missing, all) = (report.missing.len(), paper::ALL.len() + sources.len());
-    let size = content.len();
-    let files = [OutputFile { path: name, content }];
-    let folder = folder::place_to_write(&folder, &files, missing > 0);
-    folder::write(&folder, &files)?;
-    terminal::say(&summary(&report, &folder.join(&files[0].path), size));
+    let written = write(&report, &folder, name)?;
+    terminal::say(&summary(&report, &written));
     terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
-    terminal::say_next(&format!("open {}", folder.join(&files[0].path).display()));
+    terminal::say_next(&format!("open {}", written.display()));
     report.missing.iter().for_each(|reason| terminal::note(&format!("error: {reason}")));
     if missing > 0 { Err(Failure::partial(missing, all)) } else { Ok(()) }
+}
+
+/// Writes the page; one with something missing does not replace a complete one.
+fn write(report: &grazing_report::Report<'_>, folder: &Path, name: PathBuf) -> Result<PathBuf, Failure> {
+    let files = [OutputFile { path: name, content: page(report).into_bytes() }];
+    let folder = folder::place_to_write(folder, &files, !report.missing.is_empty());
+    folder::write(&folder, &files)?;
+    let [file] = files;
+    Ok(folder.join(file.path))
 }
 
 /// The folder and the name of the page, after a check that it can be written.
@@ -153,13 +159,14 @@ fn assemble<'a>(
 }
 
 /// A summary of the page, and its path.
-fn summary(report: &grazing_report::Report<'_>, output: &Path, size: usize) -> String {
+fn summary(report: &grazing_report::Report<'_>, output: &Path) -> String {
+    let size = fs::metadata(output).map_or(0, |file| file.len());
     let Counts { published, passed, failed, unchecked, misprints } = report.counts();
     format!(
         "{path}: {megabytes:.1} MB; it needs no network.\n\
          {published}.\n\
          Claims: {passed} passed, {failed} failed, {unchecked} unchecked; \
-         misprints: {misprints}.\n\
+         {misprints} not as printed.\n\
          {figures} figures, {files} output files, {oscillators} other oscillators.\n",
         path = output.display(),
         megabytes = size as f64 / 1e6,
@@ -167,4 +174,24 @@ fn summary(report: &grazing_report::Report<'_>, output: &Path, size: usize) -> S
         files = report.manifest.outputs.len(),
         oscillators = report.oscillators.len(),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_page_with_something_missing_does_not_replace_a_complete_one() {
+        let folder = tempfile::tempdir().expect("a temporary folder can be made");
+        let write = |missing: &[&str]| {
+            let missing = missing.iter().map(|reason| (*reason).to_owned()).collect();
+            let report = grazing_report::Report { missing, ..Default::default() };
+            write(&report, folder.path(), PathBuf::from("report.html")).expect("the folder is ours")
+        };
+        let whole = write(&[]);
+        assert_eq!(whole, folder.path().join("report.html"));
+        let page = fs::read(&whole).expect("it is there");
+        assert_eq!(write(&["fig10: no theorem"]), folder.path().join("unfinished/report.html"));
+        assert_eq!(fs::read(&whole).expect("it is there"), page);
+    }
 }

@@ -18,7 +18,7 @@ use crate::outputs::latex::{self, Float};
 use crate::outputs::{Output, paper};
 use crate::progress::Display;
 use crate::unfold::FIGURES;
-use crate::{codecheck, data_page, project, terminal, visual};
+use crate::{codecheck, data_page, project, readme, terminal, visual};
 
 /// The file that lists the settings over the parameter file.
 const SETTINGS: &str = "settings.txt";
@@ -67,7 +67,10 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     let mut places = vec![OutputFolder { folder: output_folder, files, is_run, incomplete, complete }];
     if is_run && edition.is_default() && arguments.output.is_none() && set.is_empty() {
         let (path, content) = (PathBuf::from(codecheck::FILE), codecheck::manifest().into_bytes());
-        let (folder, files) = (project::root_folder()?, vec![OutputFile { path, content }]);
+        let folder = project::root_folder()?;
+        let mut files = vec![OutputFile { path, content }];
+        // Of incomplete results there are no counts.
+        files.extend(if incomplete { None } else { readme::file(&folder, &study)? });
         places.push(OutputFolder { folder, files, is_run: false, incomplete: false, complete: false });
     }
     if arguments.check {

@@ -158,9 +158,9 @@ fn a_family_that_is_cut_off_replaces_no_results_and_files_of_another_run_are_tol
     let whole = files(&results);
     assert!(is_of_one_run(&results));
     // A number of steps at which one member of two is finished.
-    let mut limit = 10_000.0;
+    let mut limit = 200_000.0;
     let cut = loop {
-        limit *= 1.3;
+        limit *= 1.6;
         let cut = run(&["--step-limit", &format!("{limit}")]);
         assert_eq!(cut.code, Some(3), "{}", cut.messages);
         if results.join("unfinished").exists() {

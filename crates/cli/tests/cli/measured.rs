@@ -27,7 +27,7 @@ fn what_a_rig_did_is_compared_counted_and_drawn() {
     let seen: Vec<&str> = all.lines().filter(|line| !long.iter().any(|word| line.contains(word))).collect();
     let data = "seen.csv".to_owned();
     fs::write(folder.path().join(&data), seen.join("\n")).expect("it can be written");
-    let run = grazing(folder.path(), &["unfold", &file, "--data", &data, "--output", "out"]);
+    let run = grazing(folder.path(), &["unfold", &file, "--loops", "1", "--data", &data, "--output", "out"]);
     assert_eq!((run.code, run.errors()), (Some(0), ""), "{}", run.messages);
     assert!(run.output.contains("\nMeasurements compared with the computation\n"), "{}", run.output);
     let read = |name: &str| fs::read_to_string(folder.path().join("out").join(name)).expect("it is written");
@@ -49,8 +49,10 @@ fn what_a_rig_did_is_compared_counted_and_drawn() {
     assert!(diagram.matches("stroke=\"#000000\" stroke-width=\"1.1\"").count() >= 2 * disagreeing, "crosses");
     // The rig with the true constants agrees except for errors: 5 in 100 are farther away than two.
     let set = ["--set", "zeta=0.018", "--set", "r=0.72"];
-    let run =
-        grazing(folder.path(), &[&["unfold", &file, "--data", &data, "--output", "true"], &set[..]].concat());
+    let run = grazing(
+        folder.path(),
+        &[&["unfold", &file, "--loops", "1", "--data", &data, "--output", "true"], &set[..]].concat(),
+    );
     assert_eq!(run.code, Some(0), "{}", run.messages);
     let measured = fs::read_to_string(folder.path().join("true/data/measured.csv")).expect("it is written");
     let against = column(&measured, "agreement").iter().filter(|verdict| *verdict == "disagrees").count();

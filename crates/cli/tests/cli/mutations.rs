@@ -25,7 +25,7 @@ use rand_pcg::rand_core::Rng;
 /// The number of mutations that are tried by default.
 const HANDFUL: u64 = 8;
 /// The number of damaged parts that are tried by default; many take only seconds.
-const PARTS: u64 = 300;
+const PARTS: u64 = 100;
 /// The address space of a run in kilobytes, and the memory limit of `unfold` in megabytes: stacks
 /// and pools of threads take up addresses that are never filled.
 const ADDRESSES: u32 = 1_000_000;

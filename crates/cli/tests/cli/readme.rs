@@ -238,36 +238,70 @@ fn about_a_new_file(text: &str) -> String {
     text.lines().filter_map(command).collect::<Vec<_>>().join("\n")
 }
 
-#[test]
-fn commands_work_one_after_the_other_as_they_are_shown() {
-    let begin = "cargo() { shift; \"$GRAZING\" \"$@\"; }; set -e";
+/// The commands of README, the book and the help texts about a new file, each set from an empty folder.
+fn sets_of_commands() -> [String; 4] {
     let new = "cargo xtask new my.toml";
     // Some of the README's are those of the book.
     let own = [read("README.md"), read("docs/oscillator.md")].concat();
     let mut once = BTreeSet::new();
     let own: Vec<&str> = own.lines().filter(|line| once.insert(about_a_new_file(line))).collect();
-    let shown = [
+    [
         about_a_new_file(&own.join("\n")),
         about_a_new_file(
             &read("crates/cli/help/new.txt").replace("my.toml --kind", "my-$RANDOM.toml --kind"),
         ),
         format!("{new}\n{}", about_a_new_file(&read("crates/cli/help/unfold.txt"))),
         format!("{new}\n{}", about_a_new_file(&read("crates/cli/help/merge.txt"))),
-    ];
-    for (shell, commands) in
-        ["bash", "zsh"].iter().flat_map(|shell| shown.iter().map(move |text| (shell, text)))
-    {
-        let folder = empty_folder();
-        let run = Command::new(shell)
-            .args(["-c", &format!("{begin}\n{commands}")])
-            .env("GRAZING", env!("CARGO_BIN_EXE_grazing"))
-            .current_dir(folder.path())
-            .output();
-        let Ok(run) = run else {
-            assert_eq!(*shell, "zsh", "bash is wherever this is tested; zsh need not be");
-            continue;
-        };
-        assert!(run.status.success(), "{shell}:\n{commands}\n{}", String::from_utf8_lossy(&run.stderr));
+    ]
+}
+
+/// What a shell prints that runs commands in an empty folder, after a definition of `cargo`; nothing if there is no such
+/// shell.
+fn shell(name: &str, cargo: &str, commands: &str) -> Option<String> {
+    let folder = empty_folder();
+    let run = Command::new(name)
+        .args(["-c", &format!("{cargo}; set -e\n{commands}")])
+        .env("GRAZING", env!("CARGO_BIN_EXE_grazing"))
+        .current_dir(folder.path())
+        .output();
+    let Ok(run) = run else {
+        assert_eq!(name, "zsh", "bash is wherever this is tested; zsh need not be");
+        return None;
+    };
+    assert!(run.status.success(), "{name}:\n{commands}\n{}", String::from_utf8_lossy(&run.stderr));
+    Some(String::from_utf8(run.stdout).expect("it is text"))
+}
+
+/// One loop is enough for a command that says nothing else, and so is a part of the range.
+#[test]
+fn commands_work_one_after_the_other_as_they_are_shown() {
+    let cargo = r#"cargo() {
+        shift
+        case "$*" in
+            unfold*--loops* | *--help*) "$GRAZING" "$@" ;;
+            unfold*) "$GRAZING" "$@" --loops 1 ;;
+            *) "$GRAZING" "$@" ;;
+        esac
+        if [ "$1" = new ] && [ "$2" = my.toml ]; then
+            sed -i.old '/^\[secondary\]/,/^\[/s/^range = .*/range = [0.7, 1.0]/' my.toml
+            ! cmp -s my.toml my.toml.old
+            rm my.toml.old
+        fi
+    }"#;
+    for commands in sets_of_commands() {
+        shell("bash", cargo, &commands);
+    }
+}
+
+/// The quotes in the commands mean the same to every shell.
+#[test]
+fn every_shell_reads_the_same_arguments() {
+    let cargo = r#"cargo() { for argument in "$@"; do printf '[%s]' "$argument"; done; echo; }; RANDOM=1; setopt nonomatch 2>/dev/null || true"#;
+    for commands in sets_of_commands() {
+        let commands = commands.replace("$RANDOM", "1").replace(" >/dev/null", "");
+        let [bash, zsh] = ["bash", "zsh"].map(|name| shell(name, cargo, &commands));
+        assert!(zsh.is_none() || zsh == bash, "{bash:?}\n{zsh:?}");
+        assert!(bash.is_some_and(|text| text.lines().count() == commands.lines().count()));
     }
 }
 

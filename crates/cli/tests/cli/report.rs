@@ -6,7 +6,9 @@ use std::fs;
 use std::path::Path;
 
 use crate::browser::{Spot, assert_all_pass, checked, lost, sheets_of_paper};
-use crate::program::{empty_folder, grazing, listing, narrow_duffing, project, quick_parameters, repository};
+use crate::program::{
+    DEFAULT, empty_folder, grazing, listing, narrow_duffing, project, quick_parameters, repository,
+};
 use grazing_claims::ledger::Ledger;
 use grazing_cli::outputs;
 use grazing_cli::outputs::edition::Edition;
@@ -61,7 +63,7 @@ fn copy_sources(to: &Path, from: &Path) {
 
 #[test]
 fn the_page_of_the_whole_study_is_complete_and_answers() {
-    let folder = project(&quick_parameters());
+    let folder = project(DEFAULT);
     copy_sources(&folder.path().join("crates"), &repository().join("crates"));
     fs::write(folder.path().join("CITATION.cff"), format!("repository-code: \"{HOST}\"\n"))
         .expect("the folder is ours");
@@ -156,14 +158,6 @@ fn the_page_of_the_whole_study_is_complete_and_answers() {
     if let Some(sheets) = sheets_of_paper(&page) {
         assert!((10..MOST_SHEETS).contains(&sheets), "{sheets} pages on paper");
     }
-
-    // A page with something missing does not replace it.
-    let gaps = grazing(folder.path(), &[&arguments[..3], &["--set", "fig10.frequency=0.6"]].concat());
-    assert_eq!(gaps.code, Some(3), "{}", gaps.messages);
-    let told = "pages: the results that are there stay; what is finished goes to pages/unfinished\n";
-    assert!(gaps.messages.contains(told), "{}", gaps.messages);
-    assert_eq!(fs::read_to_string(pages.join("report.html")).expect("it is there"), page);
-    assert_eq!(listing(&pages.join("unfinished")), ["report.html"]);
 }
 
 #[test]
