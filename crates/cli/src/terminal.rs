@@ -116,7 +116,7 @@ pub fn answer(answer: &clap::Error) -> u8 {
     let plain = answer.render().to_string();
     if !answer.use_stderr() {
         say_coloured(&if is_coloured() { answer.render().ansi().to_string() } else { plain });
-    } else if cut(&shown(&plain)) == plain {
+    } else if cut(&shown(&plain)) == plain && !is_too_wide(&plain) {
         // A closed error stream is ignored.
         let _ = answer.print();
     } else {
@@ -125,7 +125,13 @@ pub fn answer(answer: &clap::Error) -> u8 {
     u8::try_from(answer.exit_code()).unwrap_or(2)
 }
 
-/// Writes the one line about why the program ends.
+/// Whether the error stream is a terminal that is narrower than a line.
+fn is_too_wide(text: &str) -> bool {
+    let width = terminal_size_of(io::stderr()).map(|(Width(width), _)| usize::from(width));
+    width.is_some_and(|width| text.lines().any(|line| line.chars().count() > width))
+}
+
+/// Writes the one line that says why the program ends.
 pub fn report(failure: &Failure) {
     note(&format!("error: {failure}"));
 }

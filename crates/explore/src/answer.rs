@@ -23,12 +23,12 @@ impl Problem {
 
     /// A request that cannot be read.
     pub(crate) fn unread(error: &serde_json::Error) -> Self {
-        Self::new(400, format!("the request cannot be read: {error}"))
+        Self::new(400, format!("the request is invalid: {error}"))
     }
 
     /// A computation that was ended.
     pub(crate) fn ended() -> Self {
-        Self::new(503, "the computation was cancelled: it took too long")
+        Self::new(503, "the computation was cancelled because it took too long")
     }
 
     /// The message for the page, as JSON.

@@ -37,13 +37,11 @@ pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<Value, Prob
     let [primary, secondary] = of.without_dimensions(*at);
     let Prepared { oscillator, scope, axes, .. } = of;
     let units = axes.units;
-    let unknown = || Problem::wrong(format!("there are no {kind} curves of solutions with {p} loops"));
+    let unknown = || Problem::wrong(format!("{kind} is not a kind of curve with {p} loops"));
     let kind = Bifurcation::named(kind).ok_or_else(unknown)?;
     let moderate = first.abs().max(second.abs()) <= FARTHEST;
     if !(moderate && scope.window.contains([primary, secondary])) {
-        return Err(Problem::wrong(
-            "the place lies outside the view, or the motion there is too large to follow",
-        ));
+        return Err(Problem::wrong("the place lies outside the view, or the motion there is too fast"));
     }
     let lost = || Problem::wrong("no solution was found exactly on the curve");
     let near = |found: [f64; 2]| {

@@ -107,7 +107,7 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
         Some(motion) => {
             let nearby = motion
                 .nearby(&of.scope.loops, &units)
-                .ok_or_else(|| Problem::wrong("the nearby solutions are too many or too far away"))?;
+                .ok_or_else(|| Problem::wrong("there are too many nearby solutions, or they are too far away"))?;
             Place::followed(&here, &nearby, stop)
         }
     };

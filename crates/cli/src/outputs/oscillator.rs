@@ -124,7 +124,7 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
         )
     },
     STRAIGHTENED_CURVES,
-    Output::new(READINGS, "quantities along one-parameter diagrams", Readings::TABLES, |_, of, _| {
+    Output::new(READINGS, "readings of one-parameter diagrams", Readings::TABLES, |_, of, _| {
         let readings =
             |of: &OneParameter| Readings { readings: of.readings.clone(), motion: of.motion.clone() };
         let all = of.unfolded.diagrams.iter().map(readings);

@@ -114,7 +114,7 @@ fn whoever_hangs_up_ends_motion_that_hardly_moves() {
 fn steps_in_closed_form_are_counted_and_limited() {
     let server = Running::new(Limits { steps: 1000, ..LIMITS });
     let (status, answer) = server.post("place", &place([0.9, 0.8]));
-    assert!(status == 503 && answer.contains("ended"), "{status} {answer}");
+    assert!(status == 503 && answer.contains("cancelled"), "{status} {answer}");
 }
 
 #[test]
@@ -137,7 +137,7 @@ fn a_check_ends_with_its_limit() {
     let text =
         text.replace("[impact]", &format!("[wall]\nposition = \"1e-3*{}\"\n[impact]", product.join("*")));
     let (status, answer) = server.post("check", &json!({"text": text}).to_string());
-    assert!(status == 503 && answer.contains("ended"), "{status} {answer}");
+    assert!(status == 503 && answer.contains("cancelled"), "{status} {answer}");
 }
 
 #[test]
