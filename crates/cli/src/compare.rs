@@ -8,14 +8,12 @@ use grazing_description::Limits;
 use grazing_measured::read::{self, Foreign};
 use grazing_measured::{Apart, apart};
 use grazing_reproduction::Study;
-use grazing_unfold::progress::Progress;
 
 use crate::arguments::{Compare, ParameterFile};
 use crate::failure::{Failure, computation};
 use crate::layout::Layout;
 use crate::limits::ended;
 use crate::oscillator::{OscillatorFile, parameter_names, settings};
-use crate::progress::Display;
 use crate::unfold::analysis::analyse;
 use crate::{limits, project, terminal};
 
@@ -83,9 +81,7 @@ fn foreign(curves: &Path, oscillator: &Path, arguments: &Compare) -> Result<(), 
 fn print(file: &ParameterFile) -> Result<(), Failure> {
     crate::limits::leave_nothing_behind();
     let parameters = project::parameters(file)?;
-    let display = Display::new();
-    let progress: &dyn Progress = &display;
-    let comparisons = progress.during("published values", 1, || published(&Study::new(&parameters)))?;
+    let comparisons = published(&Study::new(&parameters))?;
     terminal::say_coloured(&table(terminal::layout(), &comparisons, terminal::is_coloured()));
     let tally = Tally::of(&comparisons);
     if !tally.is_complete() {

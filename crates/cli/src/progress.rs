@@ -43,8 +43,13 @@ impl Display {
         Display { bars: io::stderr().is_terminal().then(MultiProgress::new), ..Display::default() }
     }
 
-    /// A display that also shows the number of steps of integration, which grows even during the
-    /// longest work. An analysis that reports to it ends when the mark is set.
+    /// Whether there are bars.
+    pub(crate) fn has_bars(&self) -> bool {
+        self.bars.is_some()
+    }
+
+    /// The same with the number of steps of integration, which go on within the longest work. An
+    /// analysis that reports to it ends when the mark is set.
     pub(crate) fn counting(stop: Stop) -> Display {
         let display = Display { stop: stop.clone(), ..Self::new() };
         let tasks = Arc::downgrade(&display.tasks);

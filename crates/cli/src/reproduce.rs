@@ -50,7 +50,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
         folder::ensure_writable(&output_folder, &paths)?;
     }
     arguments.threads.start()?;
-    let mut outcome = Outcome::of(&study, &chosen, &edition, &*display)?;
+    let mut outcome = Outcome::of(&study, &chosen, &edition, &display)?;
     if outcome.outputs.is_empty() {
         return outcome.report_missing(&chosen, &output_folder);
     }
@@ -140,10 +140,14 @@ impl<'a> Outcome<'a> {
         study: &Study,
         chosen: &[&'a Output<Study>],
         edition: &Edition,
-        progress: &dyn Progress,
+        progress: &Display,
     ) -> Result<Self, Failure> {
         let mut all = Self::default();
-        progress.begin(FIGURES, chosen.len() as u64);
+        // The only output has phases of its own, and a bar if there are any.
+        let is_shown = chosen.len() > 1 || progress.has_bars();
+        if is_shown {
+            progress.begin(FIGURES, chosen.len() as u64);
+        }
         for output in chosen {
             let made = output.made(study, edition);
             progress.step(FIGURES);
@@ -156,7 +160,10 @@ impl<'a> Outcome<'a> {
                     }
                     all.outputs.push(output);
                 }
-                Err(failure) if chosen.len() == 1 => return Err(failure),
+                Err(failure) if chosen.len() == 1 => {
+                    progress.end(FIGURES);
+                    return Err(failure);
+                }
                 Err(failure) => all.add_missing(output.name, failure.reason),
             }
         }

@@ -39,10 +39,7 @@ pub(crate) fn show(output: &Path, changes: &[Changed<'_>]) {
         let name = after.path.display();
         match draw(before, after, folder.path()) {
             Ok(picture) => {
-                terminal::note(&format!(
-                    "{name}: picture of before, after and difference: {}",
-                    picture.display()
-                ));
+                terminal::note(&format!("{name}: before, after and difference: {}", picture.display()));
             }
             Err(reason) => terminal::note(&format!("{name}: the change could not be drawn: {reason}")),
         }

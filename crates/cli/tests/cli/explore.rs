@@ -219,7 +219,7 @@ fn the_page_is_written_as_files_with_a_program_beside_them() {
     // A file that is not a program is rejected, and nothing is written.
     fs::write(place("text.wasm"), "(module)").expect("it can be written");
     let refused = write("text.wasm");
-    let told = "text.wasm: this is no program in WebAssembly";
+    let told = "text.wasm: not a WebAssembly program";
     assert!(refused.code == Some(2) && refused.messages.contains(told), "{}", refused.messages);
     assert!(!place("page").exists());
     fs::write(place("grazing.wasm"), b"\0asm\x01\0\0\0").expect("it can be written");

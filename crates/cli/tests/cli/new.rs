@@ -79,7 +79,7 @@ fn what_is_there_is_not_replaced() {
     fs::write(folder.path().join("my.toml"), "mine").expect("the folder is ours");
     for (file, reason) in [
         ("my.toml", "my.toml: already exists and is not replaced: move it away or choose another file"),
-        (".", ".: is there already"),
+        (".", ".: already exists"),
         ("below/my.toml", "below/my.toml: cannot be written: its folder does not exist"),
         ("my.toml/my.toml", "my.toml/my.toml: cannot be written"),
     ] {

@@ -255,6 +255,6 @@ fn pipes_and_devices_are_no_input_of_any_command() {
         }
         let (code, told) = ending(folder.path(), &["new", file]);
         assert_eq!(code, Some(2), "{told}");
-        assert!(told.starts_with(&format!("error: {file}: is there already")), "{told}");
+        assert!(told.starts_with(&format!("error: {file}: already exists")), "{told}");
     }
 }
