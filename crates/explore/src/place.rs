@@ -105,9 +105,9 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
             Place::compute(&here, &of.scope.loops, &Starts { states, horizon, ..usual }, stop)
         }
         Some(motion) => {
-            let nearby = motion
-                .nearby(&of.scope.loops, &units)
-                .ok_or_else(|| Problem::wrong("there are too many nearby solutions, or they are too far away"))?;
+            let nearby = motion.nearby(&of.scope.loops, &units).ok_or_else(|| {
+                Problem::wrong("there are too many nearby solutions, or they are too far away")
+            })?;
             Place::followed(&here, &nearby, stop)
         }
     };
