@@ -386,7 +386,7 @@ fn interrupted_twice(folder: &Path) -> (Option<i32>, String) {
 fn a_second_ctrl_c_ends_the_program_at_once_and_leaves_no_temporary_files() {
     let paper = fs::read_to_string(repository().join("examples/paper.toml")).expect("it is there");
     let folder = folder_with(&[("paper.toml", &paper)]);
-    let end = "error: interrupted twice: ended at once, nothing more is written\n";
+    let end = "error: interrupted twice: cancelled at once; nothing more is written\n";
     let mut trials = (0..20).map(|_| interrupted_twice(folder.path()));
     let in_time = trials.find(|(_, told)| told.ends_with(end));
     assert_eq!(in_time.expect("it is heard in one trial of many").0, Some(3));

@@ -47,7 +47,7 @@ fn no_line_is_wider_than_the_terminal_and_joined_the_lines_are_the_text() {
     let formula = "x'' = -2*zeta*v - x - kappa*x^3 - 1 + A*cos(omega*t)";
     assert!(listed(Layout::new(80))[0].contains(formula), "no formula is broken");
     for head in
-        ["omega (rad/s)", "A (m/s^2)", "impact velocity (m/s)", "c (theorem, m/s^2/(rad/s)^2)", "x (m)"]
+        ["omega (rad/s)", "A (m/s^2)", "impact velocity (m/s)", "c (theorem, (m/s^2)/(rad/s)^2)", "x (m)"]
     {
         assert!(whole[1].contains(head), "{head}: {}", whole[1]);
     }
