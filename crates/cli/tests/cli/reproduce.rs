@@ -41,7 +41,8 @@ fn the_whole_reproduction_passes_its_own_check_whatever_the_number_of_threads() 
     let line = ["reproduce", "--output", "figures", "--set", "fig10.frequency=0.6"];
     let made = grazing(folder.path(), &line);
     assert_eq!(made.code, Some(3), "{}", made.messages);
-    let told = "figures: the results that are there stay; what is finished goes to figures/unfinished\n";
+    let told =
+        "figures: the results there are kept; the finished part of this run goes to figures/unfinished\n";
     assert!(made.messages.contains(told), "{}", made.messages);
     let unfinished = figures.join("unfinished");
     assert!(is_of_one_run(&unfinished) && !unfinished.join("fig10.svg").exists());
