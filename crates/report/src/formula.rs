@@ -52,12 +52,22 @@ pub(crate) fn prose(text: &str) -> Html {
     let mut html = String::new();
     for (index, piece) in text.split('$').enumerate() {
         if index % 2 == 0 {
-            html.push_str(&scripts(&escape(piece)));
+            html.push_str(&with_code(piece));
         } else {
             html.push_str(&shown(piece, false).0);
         }
     }
     Safe(html)
+}
+
+/// Words with code between backticks.
+fn with_code(words: &str) -> String {
+    let pieces = words.split('`').enumerate();
+    let shown = |(index, piece): (usize, &str)| match index % 2 {
+        0 => scripts(&escape(piece)),
+        _ => format!("<code>{}</code>", escape(piece)),
+    };
+    pieces.map(shown).collect()
 }
 
 /// Words without formulas, as HTML, with sub- and superscripts as in [`prose`].

@@ -129,8 +129,9 @@ pub(crate) fn capitalised(text: &str) -> String {
     characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
 }
 
-/// A number of things in words: `1 file`, `2 files`.
-pub(crate) fn counted(count: usize, one: &str, many: &str) -> String {
+/// `1 file`, `2 files`.
+pub(crate) fn counted(count: impl Borrow<usize>, one: &str, many: &str) -> String {
+    let count = *count.borrow();
     format!("{count} {}", word(count, one, many))
 }
 

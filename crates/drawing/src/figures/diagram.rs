@@ -302,7 +302,7 @@ mod tests {
             sheet.assert_well_placed(&width);
             assert!(sheet.texts().contains(&"diagram 1".to_owned()), "{:?}", sheet.texts());
             let svg = sheet.svg();
-            assert!(svg.contains("aria-label=\"where a one-parameter diagram runs\""));
+            assert!(svg.contains("aria-label=\"line of a one-parameter diagram\""));
         }
     }
 
