@@ -50,7 +50,9 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
         folder::ensure_writable(&output_folder, &paths)?;
     }
     arguments.threads.start()?;
-    let mut outcome = Outcome::of(&study, &chosen, &edition, &display)?;
+    // A single output has phases of its own, and a bar if there are any.
+    let progress: &dyn Progress = if chosen.len() > 1 || display.has_bars() { &*display } else { &Silent };
+    let mut outcome = Outcome::of(&study, &chosen, &edition, progress)?;
     if outcome.outputs.is_empty() {
         return outcome.report_missing(&chosen, &output_folder);
     }
@@ -140,14 +142,10 @@ impl<'a> Outcome<'a> {
         study: &Study,
         chosen: &[&'a Output<Study>],
         edition: &Edition,
-        progress: &Display,
+        progress: &dyn Progress,
     ) -> Result<Self, Failure> {
         let mut all = Self::default();
-        // The only output has phases of its own, and a bar if there are any.
-        let is_shown = chosen.len() > 1 || progress.has_bars();
-        if is_shown {
-            progress.begin(FIGURES, chosen.len() as u64);
-        }
+        progress.begin(FIGURES, chosen.len() as u64);
         for output in chosen {
             let made = output.made(study, edition);
             progress.step(FIGURES);

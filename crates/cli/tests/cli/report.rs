@@ -158,14 +158,6 @@ fn the_page_of_the_whole_study_is_complete_and_answers() {
     if let Some(sheets) = sheets_of_paper(&page) {
         assert!((10..MOST_SHEETS).contains(&sheets), "{sheets} pages on paper");
     }
-
-    // A page on which something is missing does not take its place.
-    let gaps = grazing(folder.path(), &[&arguments[..3], &["--set", "fig10.frequency=0.6"]].concat());
-    assert_eq!(gaps.code, Some(3), "{}", gaps.messages);
-    let told = "pages: the results there are kept; the finished part of this run goes to pages/unfinished\n";
-    assert!(gaps.messages.contains(told), "{}", gaps.messages);
-    assert_eq!(fs::read_to_string(pages.join("report.html")).expect("it is there"), page);
-    assert_eq!(listing(&pages.join("unfinished")), ["report.html"]);
 }
 
 #[test]
