@@ -57,7 +57,7 @@ mod tests {
         let made = of_an_oscillator(tables, &Names::new("F_0", "omega"));
         let text = String::from_utf8(made.content).expect("it is text");
         assert!(text.contains("\n## one.csv, two.csv\n\nA row is a point.\n"), "{text}");
-        assert!(text.contains("| `F_0` | $F_{0}$ | F_0 | the primary parameter"), "{text}");
+        assert!(text.contains("| `F_0` | $F_{0}$ | F_0 | primary parameter"), "{text}");
         assert!(text.contains("| `impact_velocity` | $y_{\\mathrm{imp}}$ | length/time |"), "{text}");
     }
 }

@@ -122,7 +122,7 @@ fn escaped(escape: &Escape, parameters: &str, description: &Description) -> Stri
         // hardly does.
         let (side, t) = (if position > 0.0 { "behind" } else { "away from" }, brief(time, 3));
         format!(
-            "motion diverges from every start: for example beyond all bounds {side} the wall within t = {t} at {parameters}"
+            "motion diverges from every start: for example {side} the wall within t = {t} at {parameters}"
         )
     } else {
         let pole = if force.abs() > STEEP * units.acceleration() { ", as at a pole" } else { "" };

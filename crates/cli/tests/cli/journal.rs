@@ -160,7 +160,7 @@ fn latex_sets_what_is_unfolded_whatever_it_is_called_and_counted_in() {
 
 #[test]
 fn a_figure_that_changes_is_drawn_before_and_after() {
-    let folder = project(&quick_parameters());
+    let folder = project(DEFAULT);
     let temporary = folder.path().join("temporary");
     fs::create_dir(&temporary).expect("the folder is ours");
     let figure = folder.path().join("figures/fig08.svg");

@@ -63,7 +63,9 @@ fn copy_sources(to: &Path, from: &Path) {
 
 #[test]
 fn the_page_of_the_whole_study_is_complete_and_answers() {
-    let folder = project(DEFAULT);
+    // The whole window of Figure 7, with a coarse map.
+    let coarse = edited(DEFAULT, "[beyond_attractors]", "columns", "columns = 16");
+    let folder = project(&edited(&coarse, "[beyond_attractors]", "rows", "rows = 16"));
     copy_sources(&folder.path().join("crates"), &repository().join("crates"));
     fs::write(folder.path().join("CITATION.cff"), format!("repository-code: \"{HOST}\"\n"))
         .expect("the folder is ours");

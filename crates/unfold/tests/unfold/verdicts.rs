@@ -145,7 +145,7 @@ fn motion_is_as_predicted_only_if_all_of_it_is() {
     for (bad, told) in [
         (
             Sides { attracts: [Some(true); 2], ..good },
-            "the slower solution is predicted to be unstable and attracts",
+            "the slower solution is predicted to be unstable but attracts",
         ),
         (
             Sides { attracts: [Some(false); 2], ..good },

@@ -79,7 +79,7 @@ fn settings_are_told_of_as_such_and_later_ones_go_before() {
         ("oscilator.zeta=0.3", "--set: unknown key oscilator: did you mean `oscillator`?"),
         ("oscillator.zeta=3", "--set: oscillator.zeta = 3: the damping ratio"),
         ("oscillator.zeta=\"a\"", "--set: oscillator.zeta = \"a\": the damping ratio"),
-        ("oscillator.zeta.x=1", "--set: oscillator.zeta.x = 1: oscillator.zeta: it is no table"),
+        ("oscillator.zeta.x=1", "--set: oscillator.zeta.x = 1: oscillator.zeta: it is not a table"),
         (
             "fig08.panels[9].n=1",
             "--set: fig08.panels[9].n = 1: fig08.panels: there is no entry 9: the list has 3",
