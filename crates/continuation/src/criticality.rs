@@ -34,7 +34,7 @@ use crate::locate::Condition;
 use crate::mps::{Formulation, LoopEquations, LoopPair, PeriodicSolution, Unknowns, unknown};
 use crate::newton::Solution;
 use crate::tolerances::LOCATED;
-use normal_form::{Germ, ImplicitMap};
+pub use normal_form::{Germ, ImplicitMap};
 
 /// The reason why the normal form of a period doubling was not found.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]

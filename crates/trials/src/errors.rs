@@ -16,9 +16,11 @@ use rayon::prelude::*;
 use serde::Deserialize;
 use sha2::{Digest, Sha256};
 
-use crate::errors::armed::{REACHED, SWITCH, VARIABLE, armed};
+use crate::errors::armed::{REACHED, SWITCH, VARIABLE};
 
 mod armed;
+
+pub use crate::errors::armed::armed;
 
 /// One deliberate error.
 #[derive(Debug, Deserialize)]

@@ -4,6 +4,7 @@
 //! Property tests run with a fixed seed and keep no files, so that every run draws the same cases.
 
 mod arclength;
+mod bifurcation;
 mod cascade;
 mod closed_forms;
 mod criticality;
@@ -15,5 +16,6 @@ mod limit_map;
 mod located_resonances;
 mod newton;
 mod one_parameter_branches;
+mod solution;
 mod specimens;
 mod two_parameter_curves;

@@ -38,7 +38,7 @@ type Wrong = (usize, String);
 /// The text of a file with its errors behind switches, each with its number: around the body of the
 /// function that contains it or, outside functions, around the expression itself. Also returns the
 /// numbers of the errors that overlap the site of another error and are left out.
-pub(super) fn armed(text: &str, errors: &[(usize, &DeliberateError)]) -> (String, Vec<usize>) {
+pub fn armed(text: &str, errors: &[(usize, &DeliberateError)]) -> (String, Vec<usize>) {
     let mut sites: Vec<(Range<usize>, Vec<Wrong>)> = Vec::new();
     let mut left = Vec::new();
     for (number, error) in errors {
@@ -146,37 +146,4 @@ fn string_end(bytes: &[u8], start: usize) -> Option<usize> {
         at += 1;
     }
     None
-}
-
-#[cfg(test)]
-mod tests {
-    use std::path::PathBuf;
-
-    use super::*;
-
-    fn error(find: &str, replace: &str) -> DeliberateError {
-        let [find, replace] = [find, replace].map(str::to_owned);
-        DeliberateError { meaning: String::new(), file: PathBuf::new(), find, replace }
-    }
-
-    #[test]
-    fn a_function_has_its_body_once_for_each_error_and_once_as_it_is() {
-        let text = "fn a() {}\nfn b(x: f64) -> f64 {\n    // }\n    let brace = \"}\" ; x + 1.0\n}\nconst C: f64 = 2.0;\n";
-        let errors = [error("x + 1.0", "x - 1.0"), error("+ 1.0", "+ 2.0"), error("2.0;", "3.0;")];
-        let numbered: Vec<(usize, &DeliberateError)> = (1..).zip(&errors).collect();
-        let (armed, left) = armed(text, &numbered[..2]);
-        let body = "\n    // }\n    let brace = \"}\" ; x + 1.0\n";
-        let wanted = format!(
-            "fn a() {{}}\nfn b(x: f64) -> f64 {{(if crate::deliberate_error(1) {{ {} }} else if \
-             crate::deliberate_error(2) {{ {} }} else {{ {body} }})}}\nconst C: f64 = 2.0;\n",
-            body.replace("x + 1.0", "x - 1.0"),
-            body.replace("+ 1.0", "+ 2.0"),
-        );
-        assert_eq!((armed, left), (wanted, Vec::new()));
-        // Outside functions, the expression itself is replaced.
-        let both = [(7, &error("2.0", "3.0")), (8, &error("= 2.0", "= 4.0"))];
-        let (armed, left) = super::armed("const C: f64 = 2.0;", &both);
-        assert_eq!(armed, "const C: f64 = (if crate::deliberate_error(7) { 3.0 } else { 2.0 });");
-        assert_eq!(left, [8]);
-    }
 }

@@ -1,21 +1,11 @@
 //! Compares diagrams of parts of a window with that of the whole;
 //! `cargo run -p grazing-trials -- windows FILE...` tests more parts of any oscillator.
 
-use std::sync::LazyLock;
-
-use grazing_description::Description;
-use grazing_trials::nonlinear::unfolded;
+use grazing_trials::lines;
 use grazing_trials::parts::{Difference, Has, compare, part};
 use grazing_trials::random::Random;
-use grazing_trials::{lines, oscillators};
-use grazing_unfold::Diagram;
 
-/// The diagram of a random oscillator with a hardening spring.
-static WHOLE: LazyLock<Diagram> = LazyLock::new(|| {
-    let text = oscillators::description(1, 10);
-    let description = Description::parse(&text, "random").expect("what is made at random is right");
-    unfolded(&description.with_loops(&[1, 2]).expect("they are right")).expect("it grazes")
-});
+use crate::DIAGRAM as WHOLE;
 
 #[test]
 fn what_is_found_does_not_depend_on_the_window() {

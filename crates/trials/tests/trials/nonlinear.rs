@@ -2,20 +2,12 @@
 //! `cargo run -p grazing-trials -- nonlinear` tests the examples and many more, on a finer
 //! lattice.
 
-use std::sync::LazyLock;
-
 use grazing_description::Description;
-use grazing_trials::nonlinear::{Disagreement, compare, unfolded};
+use grazing_trials::nonlinear::{Disagreement, compare};
 use grazing_trials::oscillators;
-use grazing_unfold::Diagram;
 use grazing_unfold::regions::Region;
 
-/// The diagram of a random oscillator of seed 1 with a hardening spring.
-static DIAGRAM: LazyLock<Diagram> = LazyLock::new(|| {
-    let text = oscillators::description(1, 10);
-    let description = Description::parse(&text, "random").expect("what is made at random is right");
-    unfolded(&description.with_loops(&[1, 2]).expect("they are right")).expect("it grazes")
-});
+use crate::DIAGRAM;
 
 #[test]
 fn what_is_shaded_is_where_continuation_finds_solutions_and_motion_settles() {

@@ -1,0 +1,4 @@
+//! Tests of measurements: how files of them are read, and what is identified from synthetic ones.
+
+mod read;
+mod synthetic;

@@ -1,0 +1,5 @@
+//! Tests of what columns and kinds are called, and how they look.
+
+mod cell;
+mod kinds;
+mod names;

@@ -1,0 +1,3 @@
+//! Tests of the words in messages.
+
+mod words;
