@@ -74,37 +74,3 @@ fn difference(before: &Pixmap, after: &Pixmap) -> Result<Pixmap, ExportError> {
 fn lightness(pixel: PremultipliedColorU8) -> u32 {
     (u32::from(pixel.red()) + u32::from(pixel.green()) + u32::from(pixel.blue())) / 3
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn figure(rectangle: &str) -> Drawing {
-        let svg =
-            format!("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"12\" height=\"12\">{rectangle}</svg>");
-        Drawing::read(&svg).expect("an SVG")
-    }
-
-    #[test]
-    fn what_is_gone_is_red_and_what_is_new_is_blue() {
-        let before = figure("<rect width=\"4\" height=\"12\"/>").pixels(72.0).expect("pixels");
-        let after = figure("<rect x=\"2\" width=\"4\" height=\"12\"/>").pixels(72.0).expect("pixels");
-        let difference = difference(&before, &after).expect("pixels");
-        let colours: Vec<[u8; 3]> = (0..12)
-            .filter_map(|x| difference.pixel(x, 6))
-            .map(|pixel| [pixel.red(), pixel.green(), pixel.blue()])
-            .collect();
-        let (red, blue) = ([214, 47, 32], [25, 70, 190]);
-        assert_eq!(colours[..2], [red, red]);
-        assert_eq!(colours[4..6], [blue, blue]);
-        assert!(colours[2..4].iter().chain(&colours[6..]).all(|[r, g, b]| r == g && g == b));
-    }
-
-    #[test]
-    fn figures_of_different_sizes_can_be_compared() {
-        let small = figure("<rect width=\"4\" height=\"12\"/>");
-        let large = Drawing::read("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"30\" height=\"5\"/>");
-        let picture = comparison(&small, &large.expect("an SVG")).expect("a picture");
-        assert_eq!(picture[..8], *b"\x89PNG\r\n\x1a\n");
-    }
-}

@@ -87,15 +87,3 @@ fn fonts() -> Arc<Database> {
     };
     FONTS.get_or_init(load).clone()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn only_the_fonts_of_the_figures_are_known() {
-        let mut families: Vec<String> = fonts().faces().map(|face| face.families[0].0.clone()).collect();
-        families.sort();
-        assert_eq!(families, ["STIX Two Math", "STIX Two Text", "STIX Two Text"]);
-    }
-}

@@ -148,24 +148,3 @@ fn layout(wrong: &str) -> ExportError {
 fn find(bytes: &[u8], wanted: &[u8]) -> Option<usize> {
     bytes.windows(wanted.len()).position(|window| window == wanted)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn references_are_renumbered_and_other_numbers_left_alone() {
-        let text = "/A 12 0 R\n/B [/ICCBased 3 0 R]\n/C [0 0 12.5 3]\n/D [4 0 R 5 0 R]";
-        let renumbered = for_each_reference(text, |number| number + 100);
-        assert_eq!(renumbered, "/A 112 0 R\n/B [/ICCBased 103 0 R]\n/C [0 0 12.5 3]\n/D [104 0 R 105 0 R]");
-    }
-
-    #[test]
-    fn entries_are_sorted_within_their_own_dictionary_only() {
-        let text = "<<\n  /Z 1\n  /Font <<\n    /f1 2 0 R\n    /f0 1 0 R\n  >>\n  /B 1\n  /A 1\n>>";
-        assert_eq!(
-            sorted(text),
-            "<<\n  /Z 1\n  /Font <<\n    /f0 1 0 R\n    /f1 2 0 R\n  >>\n  /A 1\n  /B 1\n>>"
-        );
-    }
-}

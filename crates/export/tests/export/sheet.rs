@@ -1,50 +1,27 @@
 //! The contents of an SVG appear in PDF and PNG, in the right places.
 
-mod reading;
-
 use std::io::Write;
 use std::process::{Command, Stdio};
 
 use grazing_export::{Drawing, ExportError};
 
-use reading::Reading;
+use crate::picture::Picture;
+use crate::reading::Reading;
+use crate::{SAMPLE, TITLE, sample};
 
-/// An SVG with all features that the figures use; lengths in points.
-const SAMPLE: &str = include_str!("sample.svg");
-/// A title for the sample.
-const TITLE: &str = "A sample & its features";
 /// Pixels to a point at 288 dots per inch.
 const SCALE: f64 = 4.0;
 /// The resolution with that number of pixels to a point.
 const RESOLUTION: f64 = 288.0;
 
-fn sample() -> Drawing {
-    Drawing::read(SAMPLE).expect("the sample can be read")
-}
-
-/// A decoded PNG.
-struct Picture {
-    width: u32,
-    height: u32,
-    per_metre: u32,
-    colours: Vec<u8>,
-}
-
 impl Picture {
     fn of(figure: &Drawing) -> Picture {
-        let bytes = figure.png(RESOLUTION).expect("it can be drawn");
-        let mut reader = png::Decoder::new(bytes.as_slice()).read_info().expect("a PNG");
-        let mut colours = vec![0; reader.output_buffer_size()];
-        let frame = reader.next_frame(&mut colours).expect("a frame");
-        let per_metre = reader.info().pixel_dims.expect("a resolution").xppu;
-        Picture { width: frame.width, height: frame.height, per_metre, colours }
+        Picture::read(&figure.png(RESOLUTION).expect("it can be drawn"))
     }
 
     /// Red, green and blue at a place in points.
     fn at(&self, x: f64, y: f64) -> [u8; 3] {
-        let (x, y) = ((x * SCALE) as usize, (y * SCALE) as usize);
-        let start = 3 * (y * self.width as usize + x);
-        [self.colours[start], self.colours[start + 1], self.colours[start + 2]]
+        self.pixel((x * SCALE) as usize, (y * SCALE) as usize)
     }
 }
 
