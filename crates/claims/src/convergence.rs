@@ -18,7 +18,7 @@ const RESOLVED: f64 = 100.0;
 /// `remainder` returns, for a size, the remainder and its rounding, or `None` where the size is too large
 /// for it to exist. The order is infinite if the remainder is never resolved twice, so that none is
 /// visible. It is NaN if the remainder does not exist down to the smallest size.
-pub(crate) fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64 {
+pub fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64 {
     let mut resolved: Vec<f64> = Vec::new();
     let mut exists = false;
     for k in FIRST..FIRST + SIZES {
@@ -41,7 +41,7 @@ pub(crate) fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64
 }
 
 /// The order of a remainder in all directions at once: that of the largest remainder at each size.
-pub(crate) fn uniform_order<const N: usize>(
+pub fn uniform_order<const N: usize>(
     directions: &[[f64; N]],
     remainder: impl Fn([f64; N], f64) -> Option<(f64, f64)>,
 ) -> f64 {
@@ -60,16 +60,16 @@ pub(crate) fn uniform_order<const N: usize>(
 
 /// The tolerated difference of the observed order below the stated one: remainders are last resolved at
 /// sizes below 10⁻³, where the next term is as small, times a coefficient of order ten at most.
-pub(crate) const SLACK_AT_GRAZING: f64 = 0.1;
+pub const SLACK_AT_GRAZING: f64 = 0.1;
 
 /// A function that computes each value once, for several remainders of the same solution.
-pub(crate) fn remembered<T: Clone>(f: impl Fn(f64) -> Option<T>) -> impl Fn(f64) -> Option<T> {
+pub fn remembered<T: Clone>(f: impl Fn(f64) -> Option<T>) -> impl Fn(f64) -> Option<T> {
     let known: RefCell<BTreeMap<u64, Option<T>>> = RefCell::default();
     move |size| known.borrow_mut().entry(size.to_bits()).or_insert_with(|| f(size)).clone()
 }
 
 /// The orders of remainders that are computed together, each with its rounding and the stated order.
-pub(crate) fn together<const N: usize>(
+pub fn together<const N: usize>(
     each: [(f64, f64); N],
     remainders: impl Fn(f64) -> Option<[f64; N]>,
 ) -> Vec<Observed> {
@@ -79,7 +79,7 @@ pub(crate) fn together<const N: usize>(
 }
 
 /// The order of the difference of extrapolations to 0 from both sides: at least 3 in C³.
-pub(crate) fn seam(rounding: f64, f: impl Fn(f64) -> Option<f64>) -> Observed {
+pub fn seam(rounding: f64, f: impl Fn(f64) -> Option<f64>) -> Observed {
     let observed = order(|size| {
         let side = |h: f64| Some(4.0 * f(h)? - 6.0 * f(2.0 * h)? + 4.0 * f(3.0 * h)? - f(4.0 * h)?);
         Some((side(size)? - side(-size)?, rounding))
@@ -88,11 +88,11 @@ pub(crate) fn seam(rounding: f64, f: impl Fn(f64) -> Option<f64>) -> Observed {
 }
 
 /// An observed order and the stated one.
-pub(crate) type Observed = (f64, f64);
+pub type Observed = (f64, f64);
 
 /// The order that is lowest relative to the stated one; if none is too low, that among the highest
 /// stated.
-pub(crate) fn lowest(orders: &[Observed]) -> Measure {
+pub fn lowest(orders: &[Observed]) -> Measure {
     let measure =
         |(observed, stated): Observed| Measure::Order { observed, stated, slack: SLACK_AT_RESONANCE };
     let lower = |a: Observed, b: Observed| if b.0 - b.1 < a.0 - a.1 || b.0.is_nan() { b } else { a };
@@ -104,30 +104,10 @@ pub(crate) fn lowest(orders: &[Observed]) -> Measure {
 }
 
 /// The lowest order, as an outcome.
-pub(crate) fn of_orders(orders: &[Observed], over: &str) -> Outcome {
+pub fn of_orders(orders: &[Observed], over: &str) -> Outcome {
     Outcome::new(lowest(orders), orders.len(), over)
 }
 
 /// The tolerated difference of the observed order below the stated one, due to the next term at resolved
 /// sizes.
-pub(crate) const SLACK_AT_RESONANCE: f64 = 0.3;
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_order_of_a_power_is_seen_also_where_nothing_exists_at_first() {
-        let with_a_higher_term = order(|h| Some((h * h * h * (1.0 + h), 1e-16)));
-        assert!((with_a_higher_term - 3.0).abs() < 0.01, "{with_a_higher_term}");
-        let near_zero = order(|h| (h < 0.004).then_some((h * h, 1e-16)));
-        assert!((near_zero - 2.0).abs() < 1e-9);
-    }
-
-    #[test]
-    fn what_is_below_rounding_or_not_a_number_has_no_order() {
-        assert_eq!(order(|_| Some((1e-17, 1e-16))), f64::INFINITY);
-        assert!(order(|h| Some((if h < 0.001 { f64::NAN } else { h }, 1e-16))).is_nan());
-        assert!(order(|h| (h > 0.001).then_some((h, 1e-16))).is_nan());
-    }
-}
+pub const SLACK_AT_RESONANCE: f64 = 0.3;

@@ -6,25 +6,26 @@
 //! a remainder vanishes, the smallest margin of an inequality in an adversarial search, the number of
 //! cases in which a conclusion holds. Where print and mathematics differ, the printed form has to fail.
 //!
-//! Expansions and theorems are measured on the paper's oscillator and on others (`specimen`).
+//! Expansions and theorems are measured on the paper's oscillator and on others ([`specimen`]). Checks draw
+//! and search with [`sampling`], measure orders with [`convergence`], and keep the extremes in a [`tally`].
 //!
 //! This crate neither reads files nor prints; sampling is seeded, so every run measures the same.
 
 pub mod audit;
 pub mod checks;
-mod convergence;
+pub mod convergence;
 mod differences;
 mod eigenvalues;
 pub mod errata;
 pub mod ledger;
 pub mod outcome;
 pub mod published;
-mod sampling;
+pub mod sampling;
 mod solutions;
 pub mod source;
-mod specimen;
+pub mod specimen;
 pub mod sweep;
-mod tally;
+pub mod tally;
 
 // Imports for the checks.
 use core::f64::consts::{PI, TAU};

@@ -10,16 +10,16 @@ use rand_pcg::rand_core::Rng;
 use crate::Failure;
 
 /// A seeded source of numbers: the same seed gives the same numbers on every machine.
-pub(crate) struct Sampler(Pcg64Mcg);
+pub struct Sampler(Pcg64Mcg);
 
 impl Sampler {
     /// The source with this seed.
-    pub(crate) fn new(seed: u64) -> Self {
+    pub fn new(seed: u64) -> Self {
         Self(Pcg64Mcg::new(u128::from(seed)))
     }
 
     /// A number between the two bounds, which are both possible up to rounding.
-    pub(crate) fn between(&mut self, lower: f64, upper: f64) -> f64 {
+    pub fn between(&mut self, lower: f64, upper: f64) -> f64 {
         // 53 random bits: all doubles of that grid in [0, 1) are equally likely.
         let share = (self.0.next_u64() >> 11) as f64 * libm::ldexp(1.0, -53);
         lower + (upper - lower) * share
@@ -29,13 +29,13 @@ impl Sampler {
     ///
     /// # Panics
     /// If there are no items, which is an error in the program.
-    pub(crate) fn one_of<T: Copy>(&mut self, items: &[T]) -> T {
+    pub fn one_of<T: Copy>(&mut self, items: &[T]) -> T {
         let index = (self.between(0.0, 1.0) * items.len() as f64) as usize;
         items[index.min(items.len() - 1)]
     }
 
     /// A random state on the free side of the wall.
-    pub(crate) fn state(&mut self) -> State {
+    pub fn state(&mut self) -> State {
         State {
             position: self.between(-2.0, 0.0),
             velocity: self.between(-1.0, 1.0),
@@ -45,14 +45,14 @@ impl Sampler {
 
     /// A pair (τ, δ) in the trapesium of eq:cT, at a relative distance of at least 10⁻⁶ from its slanted
     /// sides.
-    pub(crate) fn trapesium(&mut self) -> (f64, f64) {
+    pub fn trapesium(&mut self) -> (f64, f64) {
         let delta = self.between(0.001, 0.999);
         (self.between(-0.999_999, 0.999_999) * (delta + 1.0), delta)
     }
 }
 
 /// The tally of measurements over these subjects.
-pub(crate) fn over<I, T: Default>(
+pub fn over<I, T: Default>(
     subjects: impl IntoIterator<Item = I>,
     mut measure: impl FnMut(I, &mut T) -> Result<(), Failure>,
 ) -> Result<T, Failure> {
@@ -62,7 +62,7 @@ pub(crate) fn over<I, T: Default>(
 }
 
 /// The tally of measurements over these subjects, with random numbers from one source.
-pub(crate) fn drawn_over<I, T: Default>(
+pub fn drawn_over<I, T: Default>(
     seed: u64,
     subjects: impl IntoIterator<Item = I>,
     mut measure: impl FnMut(&mut Sampler, I, &mut T) -> Result<(), Failure>,
@@ -72,7 +72,7 @@ pub(crate) fn drawn_over<I, T: Default>(
 }
 
 /// The tally of `samples` random samples, all from one source.
-pub(crate) fn drawn<T: Default>(
+pub fn drawn<T: Default>(
     seed: u64,
     samples: usize,
     mut sample: impl FnMut(&mut Sampler, &mut T) -> Result<(), Failure>,
@@ -81,7 +81,7 @@ pub(crate) fn drawn<T: Default>(
 }
 
 /// The tally of `samples` random samples, with numbers of loops that cycle through a range.
-pub(crate) fn sampled<T: Default>(
+pub fn sampled<T: Default>(
     seed: u64,
     samples: usize,
     loops: RangeInclusive<u32>,
@@ -94,7 +94,7 @@ pub(crate) fn sampled<T: Default>(
 ///
 /// Each search tries a step along every axis and every diagonal pair, moves on success, and otherwise
 /// halves its step, down to 10⁻⁶. NaN means outside the domain.
-pub(crate) fn smallest<const N: usize>(
+pub fn smallest<const N: usize>(
     seed: u64,
     starts: usize,
     value: impl Fn([f64; N]) -> f64,
@@ -143,24 +143,4 @@ fn descend<const N: usize>(start: [f64; N], value: &impl Fn([f64; N]) -> f64) ->
         }
     }
     best
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_bottom_of_a_slanted_valley_is_found() {
-        let valley = |[x, y]: [f64; 2]| {
-            let (u, v) = (x + y - 0.9, x - y - 0.3);
-            u * u + 50.0 * v * v
-        };
-        let (value, [x, y]) = smallest(1, 10, valley);
-        assert!(value < 1e-9 && (x - 0.6).abs() < 1e-4 && (y - 0.3).abs() < 1e-4, "{value} {x} {y}");
-    }
-
-    #[test]
-    fn the_edge_of_the_domain_is_reached() {
-        assert_eq!(smallest(1, 3, |[x]: [f64; 1]| -x).0, -1.0);
-    }
 }

@@ -87,21 +87,3 @@ fn definition(name: &str) -> Regex {
 fn pattern(lines: &str) -> Regex {
     Regex::new(&format!("(?m){lines}")).expect("the names are those of items")
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn calls_comments_and_longer_names_define_nothing() {
-        let defines = |line: &str, name: &str| definition(name).is_match(line);
-        assert!(defines("    pub const fn order(self) -> f64 {", "order"));
-        assert!(defines("    pub label: String,", "label"));
-        assert!(defines("    Order {", "Order"));
-        for line in
-            ["order(x);", "// fn order", "fn order_of(x: f64)", "label::new()", "let label = 1;", "Orders,"]
-        {
-            assert!(!["order", "label", "Order"].iter().any(|name| defines(line, name)), "{line}");
-        }
-    }
-}

@@ -18,21 +18,21 @@ use grazing_model::{AnyMotion, FlowJet, LinearOscillator, MapJet, ParameterJet, 
 ///
 /// All quantities are dimensionless. Derivatives of all orders are nonzero, unless a rate is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Exponential {
+pub struct Exponential {
     /// The factor in front, including its sign.
-    pub(crate) size: f64,
+    pub size: f64,
     /// The coefficients of y, sin z, μ and η in the exponent.
-    pub(crate) rates: [f64; 4],
+    pub rates: [f64; 4],
 }
 
 impl Exponential {
     /// A function that is the same at all impacts.
-    pub(crate) const fn constant(size: f64) -> Self {
+    pub const fn constant(size: f64) -> Self {
         Self { size, rates: [0.0; 4] }
     }
 
     /// The value at (y, z; μ, η).
-    pub(crate) fn at<S: Scalar>(&self, [y, z, mu, eta]: [S; 4]) -> S {
+    pub fn at<S: Scalar>(&self, [y, z, mu, eta]: [S; 4]) -> S {
         let arguments = [y, z.apply(Function::Sin), mu, eta];
         let terms = arguments.into_iter().zip(self.rates).map(|(argument, rate)| argument.scale(rate));
         let exponent = terms.fold(S::constant(0.0), |sum, term| sum + term);
@@ -41,33 +41,33 @@ impl Exponential {
 }
 
 /// A generic reset law: every derivative of Φ and Ψ is nonzero, and α > 0.
-pub(crate) const RESTITUTION: Exponential = Exponential { size: 0.7, rates: [-0.4, 0.3, -0.2, 0.15] };
+pub const RESTITUTION: Exponential = Exponential { size: 0.7, rates: [-0.4, 0.3, -0.2, 0.15] };
 /// The Ψ that belongs to [`RESTITUTION`].
-pub(crate) const DELAY: Exponential = Exponential { size: 0.25, rates: [0.5, -0.35, 0.2, 0.3] };
+pub const DELAY: Exponential = Exponential { size: 0.25, rates: [0.5, -0.35, 0.2, 0.3] };
 
 /// ü + 2ζ (1 + d u) u̇ + u + κ u³ = 𝒜 cos(ωt), u = x + 1, wall at x = 0, R = (−y Φ, z + y Ψ).
 ///
 /// Paper: eq:F, eq:R. With d = κ = 0, Φ = ε and Ψ = 0 it is the oscillator of section 3.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Law {
+pub struct Law {
     /// The damping ratio ζ.
-    pub(crate) damping: f64,
+    pub damping: f64,
     /// The coefficient d: how fast the damping grows with the position.
-    pub(crate) damping_slope: f64,
+    pub damping_slope: f64,
     /// The coefficient κ of the restoring force.
-    pub(crate) stiffening: f64,
+    pub stiffening: f64,
     /// The function Φ, of positive size, of the impact and of (𝒜, ω).
-    pub(crate) restitution: Exponential,
+    pub restitution: Exponential,
     /// The function Ψ of the impact and of (𝒜, ω).
-    pub(crate) delay: Exponential,
+    pub delay: Exponential,
     /// Whether μ is the forcing frequency ω and η the amplitude 𝒜; otherwise they are exchanged.
-    pub(crate) frequency_first: bool,
+    pub frequency_first: bool,
     /// The multiple of μ that is subtracted from η, so that both 𝒜 and ω change with μ.
-    pub(crate) pull: f64,
+    pub pull: f64,
 }
 
 /// A specimen at grazing.
-pub(crate) type Grazing = GrazingOrbit<Specimen>;
+pub type Grazing = GrazingOrbit<Specimen>;
 
 /// The number of steps in which the grazing orbit of the linear oscillator is followed as d and κ grow:
 /// Newton's method converges from each to the next for d up to 0.9 and κ up to 0.4 (empirical).
@@ -75,7 +75,7 @@ const STEPS: u32 = 6;
 
 impl Law {
     /// The oscillator of section 3.
-    pub(crate) const fn linear(damping: f64, restitution: f64) -> Self {
+    pub const fn linear(damping: f64, restitution: f64) -> Self {
         Self {
             damping,
             damping_slope: 0.0,
@@ -88,13 +88,13 @@ impl Law {
     }
 
     /// The oscillator of section 3 with a variable reset law.
-    pub(crate) const fn varying(damping: f64) -> Self {
+    pub const fn varying(damping: f64) -> Self {
         Self { restitution: RESTITUTION, delay: DELAY, ..Self::linear(damping, 1.0) }
     }
 
     /// An oscillator with a variable reset law and a nonlinear force: γ ≠ ω², and a₁₁ ≠ a₂₂ where a₁₂ =
     /// 0.
-    pub(crate) const fn nonlinear(damping: f64) -> Self {
+    pub const fn nonlinear(damping: f64) -> Self {
         Self {
             damping_slope: -0.9,
             stiffening: 0.4,
@@ -104,7 +104,7 @@ impl Law {
     }
 
     /// A random generic law, with Φ in (0, 1) and frequencies up to 3; one in ten is nonlinear.
-    pub(crate) fn random(sampler: &mut Sampler, damping: f64) -> Self {
+    pub fn random(sampler: &mut Sampler, damping: f64) -> Self {
         let mut factor = |size: f64| Exponential {
             size,
             rates: [
@@ -127,7 +127,7 @@ impl Law {
     }
 
     /// A random oscillator with a generic law at grazing.
-    pub(crate) fn random_grazing(sampler: &mut Sampler) -> Result<Grazing, Failure> {
+    pub fn random_grazing(sampler: &mut Sampler) -> Result<Grazing, Failure> {
         let damping = sampler.between(0.01, 0.25);
         let law = Self::random(sampler, damping);
         // At lower frequencies hardening springs have other resonances, whose loops graze first.
@@ -136,7 +136,7 @@ impl Law {
     }
 
     /// The law with the frequency as the primary parameter.
-    pub(crate) const fn frequency_first(self) -> Self {
+    pub const fn frequency_first(self) -> Self {
         Self { frequency_first: true, ..self }
     }
 
@@ -172,7 +172,7 @@ impl Law {
     }
 
     /// The oscillator at its grazing orbit at the forcing frequency ω.
-    pub(crate) fn grazing(self, frequency: f64) -> Result<Grazing, Failure> {
+    pub fn grazing(self, frequency: f64) -> Result<Grazing, Failure> {
         // The linear oscillator's response has amplitude 1 and its maximum at phase z.
         let (stiffness, loss) = (1.0 - frequency * frequency, 2.0 * self.damping * frequency);
         let (mut amplitude, mut phase) = (libm::hypot(stiffness, loss), libm::atan2(loss, stiffness));
@@ -186,7 +186,7 @@ impl Law {
 
     /// The oscillator at the resonance into which the resonance (p, n) of the linear oscillator is
     /// continued.
-    pub(crate) fn resonance(self, loops: u32, index: u32) -> Result<LocatedResonance<Specimen>, Failure> {
+    pub fn resonance(self, loops: u32, index: u32) -> Result<LocatedResonance<Specimen>, Failure> {
         let theory = grazing_theorems::LinearOscillator::new(self.damping, 1.0)?;
         let frequency = theory.resonance(loops, index)?.forcing_frequency();
         let start = Self { damping_slope: 0.0, stiffening: 0.0, frequency_first: false, pull: 0.0, ..self };
@@ -203,7 +203,7 @@ impl Law {
 }
 
 /// The ζ for which the linear oscillator has this E_p at its resonance (p, n).
-pub(crate) fn damping_for_decay(loops: u32, index: u32, decay: f64) -> f64 {
+pub fn damping_for_decay(loops: u32, index: u32, decay: f64) -> f64 {
     let p = f64::from(loops);
     let ratio = if loops == 1 { 0.5 * f64::from(index) } else { f64::from(index) + 0.5 / p };
     // E_p = e^{−2πpζ/ω} with ω₁/ω = ratio: ζ/ω₁ = −ln E_p/(2πp · ratio).
@@ -212,7 +212,7 @@ pub(crate) fn damping_for_decay(loops: u32, index: u32, decay: f64) -> f64 {
 }
 
 /// The tally of random oscillators at grazing; for half of them the frequency is μ.
-pub(crate) fn at_grazing<T: Default>(
+pub fn at_grazing<T: Default>(
     seed: u64,
     samples: usize,
     mut sample: impl FnMut(&mut Sampler, &Grazing, &mut T) -> Result<(), Failure>,
@@ -226,7 +226,7 @@ pub(crate) fn at_grazing<T: Default>(
 }
 
 /// The grazing orbit with the frequency as its primary parameter instead of the amplitude.
-pub(crate) fn frequency_first(orbit: &Grazing) -> Result<Grazing, Failure> {
+pub fn frequency_first(orbit: &Grazing) -> Result<Grazing, Failure> {
     let [amplitude, frequency] = orbit.oscillator().parameters();
     let law = orbit.oscillator().law().frequency_first();
     Ok(GrazingOrbit::at(Specimen::new(law, [frequency, amplitude]), orbit.phase())?)
@@ -265,7 +265,7 @@ impl SmoothOscillator for Law {
 
 /// An oscillator with a [`Law`] at parameters (μ, η).
 #[derive(Clone, Debug)]
-pub(crate) struct Specimen {
+pub struct Specimen {
     law: Integrated<Law>,
     /// An oscillator with the same motion in closed form, if the force is linear.
     linear: Option<LinearOscillator>,
@@ -273,7 +273,7 @@ pub(crate) struct Specimen {
 
 impl Specimen {
     /// The oscillator with this law.
-    pub(crate) fn new(law: Law, parameters: [f64; 2]) -> Self {
+    pub fn new(law: Law, parameters: [f64; 2]) -> Self {
         let [amplitude, frequency] = law.forcing(parameters);
         // Its coefficient of restitution is not used.
         let linear = LinearOscillator::new(law.damping, 1.0, amplitude, frequency).ok();
@@ -284,12 +284,12 @@ impl Specimen {
     }
 
     /// The law.
-    pub(crate) fn law(&self) -> &Law {
+    pub fn law(&self) -> &Law {
         self.law.model()
     }
 
     /// Φ and Ψ at an impact.
-    pub(crate) fn factors(&self, velocity: f64, phase: f64) -> [f64; 2] {
+    pub fn factors(&self, velocity: f64, phase: f64) -> [f64; 2] {
         let ([mu, eta], law) = (self.parameters(), self.law());
         [law.restitution(velocity, phase, mu, eta), law.impact_duration(velocity, phase, mu, eta)]
     }
@@ -352,41 +352,5 @@ impl ThirdOrder for Specimen {
 
     fn reset_series(&self, velocity: Taylor, phase: Taylor) -> [Taylor; 2] {
         self.law.reset_series(velocity, phase)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn closed_form_and_integration_are_one_oscillator() {
-        for law in [Law::varying(0.05), Law::varying(0.05).frequency_first()] {
-            let closed = law.grazing(0.8).unwrap().oscillator().clone();
-            let integrated = Specimen { linear: None, ..closed.clone() };
-            let from = State::on_wall(-0.3, 0.7);
-            let [a, b] = [&closed, &integrated].map(|specimen| specimen.flow::<2>(from, 5.0));
-            // The error of integration, which grows about tenfold with each derivative.
-            assert!((a.value - b.value).amax() < 1e-13);
-            assert!((a.jacobian - b.jacobian).amax() < 1e-12);
-            assert!((0..2).all(|i| (a.hessians[i] - b.hessians[i]).amax() < 1e-11));
-        }
-    }
-
-    #[test]
-    fn a_nonlinear_specimen_has_none_of_the_accidents_of_the_linear_one() {
-        let law = Law::nonlinear(damping_for_decay(1, 1, 0.5));
-        let grazing = law.resonance(1, 1).unwrap().resonant_point().grazing;
-        let (a, omega) = (grazing.map.a, grazing.forcing_frequency);
-        assert!(a.m12.abs() < 1e-10 && (a.m11 - a.m22).abs() > 0.2, "{a}");
-        assert!((grazing.gamma / (omega * omega) - 1.0).abs() > 0.02);
-        assert!(grazing.alpha() > 0.05 && (grazing.alpha() - 1.0 - grazing.phi).abs() > 0.05);
-    }
-
-    #[test]
-    fn eigenvalues_can_be_real_and_transversality_negative() {
-        let map = Law::nonlinear(0.15).frequency_first().grazing(1.25).unwrap().grazing_point().map;
-        let (tau, delta) = (map.trace(), map.determinant());
-        assert!(tau * tau > 4.0 * delta && map.transversality() < -1.0, "{map:?}");
     }
 }

@@ -6,8 +6,6 @@
 //! type, the name occurs after `.` or `::`, and the type's name, or that of something declared with the
 //! type, occurs anywhere. The same holds for a type's own name.
 
-mod files;
-
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};

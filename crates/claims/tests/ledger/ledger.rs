@@ -6,7 +6,7 @@ use grazing_claims::ledger::{Claim, Ledger, Test};
 
 /// The labels of the paper with their places.
 fn labels() -> BTreeMap<&'static str, &'static str> {
-    let lines = include_str!("../../../expected/labels.txt").lines().filter(|line| !line.starts_with('#'));
+    let lines = include_str!("../../../../expected/labels.txt").lines().filter(|line| !line.starts_with('#'));
     lines.map(|line| line.split_once(' ').expect("a label and a place")).map(|(l, p)| (l, p.trim())).collect()
 }
 

@@ -1,13 +1,13 @@
 //! Tests of the comparison of computed values with the paper's print. The numbers here are invented; none
 //! is the paper's.
 
-mod files;
-
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
 use grazing_claims::published::{Published, PublishedValue, Rounding, Tally};
+
+use crate::files::rust_files;
 
 fn list(id: &str, value: &str, rounding: &str) -> Published {
     let list = format!(
@@ -129,9 +129,7 @@ fn digits(printed: &str) -> usize {
 fn no_number_of_the_paper_stands_in_code() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut files = Vec::new();
-    ["crates", "xtask", "examples"]
-        .iter()
-        .for_each(|folder| files::rust_files(&root.join(folder), &mut files));
+    ["crates", "xtask", "examples"].iter().for_each(|folder| rust_files(&root.join(folder), &mut files));
     assert!(files.len() > 300, "{}", files.len());
     let values = &Published::printed().values;
     // Numbers with few digits may occur anywhere; the constants of the paper's oscillator may not occur

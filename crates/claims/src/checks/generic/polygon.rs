@@ -181,27 +181,3 @@ checks! {
             .fold(f64::INFINITY, f64::min)
     });
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn sides_of_the_edges_are_told_by_t_and_h() {
-        let (p, tau, delta) = (7, 0.9, 0.6);
-        let vertices = path(p, tau, delta);
-        let edge = |i: usize| vertices[i + 1] - vertices[i];
-        let unit = cross(edge(0), edge(1));
-        for i in 0..p as usize {
-            for (k, vertex) in vertices.iter().enumerate().filter(|(k, _)| *k != i && *k != i + 1) {
-                let factor = if k > i {
-                    libm::pow(delta, i as f64) * lucas_partial_sum((k - i) as u32, tau, delta)
-                } else {
-                    libm::pow(delta, i as f64 - 1.0) * admissibility_sum((i - k + 1) as u32, tau, delta)
-                };
-                // Entries of order one, with a few roundings for each vertex.
-                assert!((cross(edge(i), vertex - vertices[i]) - factor * unit).abs() < 1e-14, "{i} {k}");
-            }
-        }
-    }
-}
