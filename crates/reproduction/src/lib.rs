@@ -13,8 +13,6 @@ mod published;
 mod space;
 mod study;
 mod sweep;
-#[cfg(test)]
-mod tests;
 
 pub use coefficients::{CoefficientTable, Coefficients};
 pub use error::StudyError;

@@ -118,7 +118,7 @@ impl PaperFigure for Figure1 {
 }
 
 /// The layout and the names of Figure 1.
-pub(crate) const SHEET: SpaceSheet = SpaceSheet {
+const SHEET: SpaceSheet = SpaceSheet {
     name: "fig01",
     title: "Phase space of an impacting hybrid system",
     description: "The impacting surface, x = 0, with its incoming set above, its outgoing set below and the tangency set between \

@@ -129,7 +129,7 @@ impl PaperFigure for Figure3 {
 }
 
 /// The layout and the names of Figure 3.
-pub(crate) const SHEET: SpaceSheet = SpaceSheet {
+const SHEET: SpaceSheet = SpaceSheet {
     name: "fig03",
     title: "The return map near a grazing periodic solution",
     description: "Phase space with the phase as an angle. The grazing periodic solution meets the section once; the orbit of a \

@@ -128,7 +128,7 @@ impl PaperFigure for Figure9 {
 }
 
 /// The layout and the names of Figure 9.
-pub(crate) const SHEET: SpaceSheet = SpaceSheet {
+const SHEET: SpaceSheet = SpaceSheet {
     name: "fig09",
     title: "Points on the impacting surface and on the section",
     description: "Solid: the orbit near the wall. Dashed: its virtual parts beyond the wall. Arrows: the reset law, and the global \

@@ -133,32 +133,3 @@ fn name_above(panel: &Panel<'_>, curves: &[&[BoundaryPoint]]) -> Result<(), Draw
     }
     Ok(())
 }
-
-#[cfg(test)]
-mod tests {
-    use std::collections::BTreeSet;
-
-    use super::super::Figure4;
-    use super::*;
-    use crate::tests::study;
-
-    #[test]
-    fn every_curve_is_named_and_families_differ_without_colour() {
-        let figure = study().shown::<Figure4>().unwrap();
-        let svg = draw(&figure, SheetWidth::Paper).unwrap().svg();
-        let svg = svg.split("<defs").next().unwrap();
-        for (kind, family) in [(Boundary::Resonance, "g"), (Boundary::Admissibility, "h")] {
-            let own = figure.curves.iter().filter(|point| point.kind == kind);
-            let own: BTreeSet<u32> = own.map(|point| point.loops).collect();
-            assert_eq!(svg.matches(&format!(">{family}</tspan>")).count(), own.len());
-            for p in own {
-                assert!(svg.contains(&format!(">{p}</tspan>")), "{p}");
-            }
-        }
-        assert!(svg.contains(">Fig. 2<") && svg.contains('√'));
-        // Two slanted sides, δ + 1 and −δ − 1, in addition to the axis title and the limit.
-        assert_eq!(svg.matches(">δ</tspan>").count(), 4);
-        let families = svg.matches("stroke-width=\"1.1\"").count();
-        assert_eq!(2 * svg.matches("stroke-width=\"1.1\" stroke-dasharray").count(), families);
-    }
-}

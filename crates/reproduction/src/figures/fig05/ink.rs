@@ -84,22 +84,3 @@ pub(super) fn draw(figure: &UnfoldingSketch, width: SheetWidth) -> Result<Sheet,
          is stable; dark: a p-loop maximal periodic solution is.",
     )
 }
-
-#[cfg(test)]
-mod tests {
-    use super::super::Figure5;
-    use super::*;
-    use crate::tests::study;
-
-    #[test]
-    fn curves_and_regions_are_named_and_the_overlap_is_shaded_by_its_two_regions_alone() {
-        let svg = draw(&study().shown::<Figure5>().unwrap(), SheetWidth::Paper).unwrap().svg();
-        let svg = svg.split("<defs").next().unwrap();
-        for label in [">SN<", ">PD<", ">grazing<", ">non-impacting<", ">both<", ">μ<", ">η<", "-loop MPS<"]
-        {
-            assert!(svg.contains(label), "{label}");
-        }
-        assert_eq!(svg.matches("fill=\"#e9e9e9\"").count(), 1);
-        assert_eq!(svg.matches("fill-opacity=\"0.3\"").count(), 1);
-    }
-}

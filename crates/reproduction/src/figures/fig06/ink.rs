@@ -137,31 +137,3 @@ fn on_sheet(parts: &[PartPoint], width_mm: f64) -> Result<(Canvas, Vec<Piece>), 
     let pieces = parts.chunk_by(|a, b| (a.part, a.piece) == (b.part, b.piece)).map(piece).collect();
     Ok((canvas, pieces))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::super::Figure6;
-    use super::*;
-    use crate::tests::study;
-
-    #[test]
-    fn everything_is_named_and_lengths_keep_their_ratio_across_and_up() {
-        let figure = study().shown::<Figure6>().unwrap();
-        let svg = draw(&figure, SheetWidth::Paper).unwrap().svg();
-        for label in
-            [">unit stiffness<", ">unit<", ">mass<", ">equilibrium<", "restitution ", "damping 2", ">−1<"]
-        {
-            assert!(svg.contains(label), "{label}");
-        }
-        let (_, drawn) = on_sheet(&figure.parts, 90.0).unwrap();
-        let sheet = drawn.iter().find(|piece| piece.part == Part::Block).unwrap();
-        let block = figure.parts.iter().filter(|point| point.part == Part::Block);
-        let block: Vec<Spot> = block.map(|at| (at.x, at.height)).collect();
-        let ratio = |path: &Vec<Spot>| {
-            let Bounds { left, top, right, bottom } = Bounds::around(path);
-            (right - left) / (bottom - top)
-        };
-        // The rounding errors of the coordinates of about 100 points.
-        assert!((ratio(&sheet.path) - ratio(&block)).abs() < 1e-12);
-    }
-}

@@ -59,38 +59,3 @@ pub(super) fn hatching([left, right]: [f64; 2], [bottom, top]: [f64; 2]) -> Vec<
     };
     (0..=strokes).filter_map(stroke).collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_spring_has_its_coils_between_its_ends_and_is_its_own_mirror_image() {
-        for coils in [1, 9, 30] {
-            let points = spring([-3.0, -1.0], 0.5, 0.15, 0.3, coils);
-            assert_eq!((points[0], points[points.len() - 1]), ([-3.0, 0.5], [-1.0, 0.5]));
-            for ([x, h], [x_mirrored, h_mirrored]) in points.iter().zip(points.iter().rev()) {
-                // Rounding of numbers of order 1.
-                assert!((x + x_mirrored + 4.0).abs() < 1e-14 && (h - h_mirrored).abs() < 1e-14);
-            }
-            let tops = points.windows(3).filter(|w| w[0][1] < w[1][1] && w[1][1] > w[2][1]).count();
-            assert_eq!(tops, coils as usize);
-            // The height is rounded once.
-            assert!(points.iter().all(|[_, h]| (h - 0.5).abs() <= 0.15 + 1e-15));
-        }
-    }
-
-    #[test]
-    fn hatching_stays_in_its_strip_at_45_degrees() {
-        let strokes = hatching([0.0, 0.2], [0.0, 1.45]);
-        assert!(strokes.len() > 15, "{}", strokes.len());
-        for stroke in strokes {
-            let [[x0, h0], [x1, h1]] = stroke[..] else { panic!("a stroke has two ends") };
-            // Differences of numbers of order 1 are accurate to about 1e-16.
-            assert!(((x1 - x0) - (h1 - h0)).abs() < 1e-15);
-            for (x, h) in [(x0, h0), (x1, h1)] {
-                assert!((-1e-15..=0.2 + 1e-15).contains(&x) && (0.0..=1.45).contains(&h), "{x} {h}");
-            }
-        }
-    }
-}

@@ -1,12 +1,15 @@
 //! Compares Figure 4 with the sums over eigenvalues that vanish on its curves, and with the global map of
-//! the model.
+//! the model; what is written beside its curves.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use grazing_drawing::SheetWidth;
 use grazing_model::AtRest;
 use grazing_model::maps::global_map;
+use grazing_reproduction::PaperFigure;
 use grazing_reproduction::figures::fig02::Figure2;
-use grazing_reproduction::figures::fig04::{Boundaries, Figure4};
+use grazing_reproduction::figures::fig04::{Boundaries, Boundary, Figure4};
 use grazing_theorems::auxiliary::{admissibility_sum, resonance_boundary};
 use grazing_theorems::spectrum::in_trapesium;
 
@@ -148,4 +151,24 @@ fn the_star_is_read_off_the_global_map_and_lies_where_section_2_4_says() {
     for p in 3..=5 {
         assert!(at("h", p) < tau && tau < at("g", p), "p = {p}");
     }
+}
+
+#[test]
+fn every_curve_is_named_and_families_differ_without_colour() {
+    let figure = figure();
+    let svg = Figure4::draw(&figure, SheetWidth::Paper).unwrap().svg();
+    let svg = svg.split("<defs").next().unwrap();
+    for (kind, family) in [(Boundary::Resonance, "g"), (Boundary::Admissibility, "h")] {
+        let own = figure.curves.iter().filter(|point| point.kind == kind);
+        let own: BTreeSet<u32> = own.map(|point| point.loops).collect();
+        assert_eq!(svg.matches(&format!(">{family}</tspan>")).count(), own.len());
+        for p in own {
+            assert!(svg.contains(&format!(">{p}</tspan>")), "{p}");
+        }
+    }
+    assert!(svg.contains(">Fig. 2<") && svg.contains('√'));
+    // Two slanted sides, δ + 1 and −δ − 1, in addition to the axis title and the limit.
+    assert_eq!(svg.matches(">δ</tspan>").count(), 4);
+    let families = svg.matches("stroke-width=\"1.1\"").count();
+    assert_eq!(2 * svg.matches("stroke-width=\"1.1\" stroke-dasharray").count(), families);
 }

@@ -1,10 +1,12 @@
-//! Tests that the shaded region of Figure 5 is where it should be.
+//! Tests that the shaded region of Figure 5 is where it should be, and of what the figure shows.
 
 use core::f64::consts::TAU;
 use std::sync::{Arc, LazyLock};
 
+use grazing_drawing::SheetWidth;
 use grazing_model::State;
 use grazing_model::orbit::{FlightEnd, Orbit as Simulation};
+use grazing_reproduction::PaperFigure;
 use grazing_reproduction::figures::fig05::{Figure5, UnfoldingSketch};
 use grazing_theorems::Resonance;
 
@@ -233,4 +235,15 @@ fn closed_form_solutions_are_those_of_the_branch_expansion() {
     let (coarse, fine) = (worst(0.1), worst(0.01));
     // The next order is smaller by a factor of η.
     assert!(coarse < 0.03 && (7.0..13.0).contains(&(coarse / fine)), "{coarse} {fine}");
+}
+
+#[test]
+fn curves_and_regions_are_named_and_the_overlap_is_shaded_by_its_two_regions_alone() {
+    let svg = Figure5::draw(&FIGURE, SheetWidth::Paper).unwrap().svg();
+    let svg = svg.split("<defs").next().unwrap();
+    for label in [">SN<", ">PD<", ">grazing<", ">non-impacting<", ">both<", ">μ<", ">η<", "-loop MPS<"] {
+        assert!(svg.contains(label), "{label}");
+    }
+    assert_eq!(svg.matches("fill=\"#e9e9e9\"").count(), 1);
+    assert_eq!(svg.matches("fill-opacity=\"0.3\"").count(), 1);
 }

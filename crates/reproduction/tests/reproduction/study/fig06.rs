@@ -1,11 +1,14 @@
-//! Tests that the parts of Figure 6 are where the equation of motion puts them, and that the mechanism
-//! could work.
+//! Tests that the parts of Figure 6 are where the equation of motion puts them, that the mechanism could
+//! work, and that it is drawn to scale.
 
 use core::f64::consts::TAU;
 
-use grazing_reproduction::Study;
+use grazing_drawing::ink::style::Paint;
+use grazing_drawing::ink::svg::fill;
+use grazing_drawing::{Element, SheetWidth};
 use grazing_reproduction::figures::fig06::{Figure6, PartPoint};
 use grazing_reproduction::parameters::Parameters;
+use grazing_reproduction::{PaperFigure, Study};
 use grazing_source::Text;
 
 use super::{made, numbers, words};
@@ -31,13 +34,18 @@ fn span(figure: &[PartPoint], name: &str) -> [f64; 2] {
     [least, points.iter().map(|point| point[0]).fold(f64::NEG_INFINITY, f64::max)]
 }
 
-/// The default parameters with another phase of Figure 6.
-fn at_phase(phase: f64) -> Parameters {
+/// The default parameters with another value of a key of Figure 6.
+fn with(key: &str, value: &str) -> Parameters {
     let text = include_str!("../../../../../figures/parameters.toml");
     let (before, own) = text.split_once("[fig06]").expect("there is a Figure 6");
-    let line = own.lines().find(|line| line.starts_with("phase = ")).expect("Figure 6 has a phase");
-    let own = own.replacen(line, &format!("phase = {phase:?}"), 1);
+    let key = format!("{key} = ");
+    let line = own.lines().find(|line| line.starts_with(&key)).expect("Figure 6 has the key");
+    let own = own.replacen(line, &format!("{key}{value}"), 1);
     Parameters::parse(&Text::new(&format!("{before}[fig06]{own}"), &[]), "p.toml").expect("it is valid")
+}
+
+fn at_phase(phase: f64) -> Parameters {
+    with("phase", &format!("{phase:?}"))
 }
 
 /// Position and velocity after a time, from rest at the equilibrium, by the classical Runge–Kutta
@@ -114,4 +122,75 @@ fn the_spring_has_as_many_coils_as_asked_for() {
     let points = part(&figure(&made().parameters), "spring");
     let tops = points.windows(3).filter(|w| w[0][1] < w[1][1] && w[1][1] > w[2][1]).count();
     assert_eq!(tops, made().parameters.section::<Figure6>().expect("it is right").coils as usize);
+}
+
+#[test]
+fn the_spring_has_its_coils_between_its_ends_and_is_its_own_mirror_image() {
+    for coils in [1, 9, 30] {
+        let figure = figure(&with("coils", &coils.to_string()));
+        let points = part(&figure, "spring");
+        let ([anchor, _], [block, _]) = (span(&figure, "anchor"), span(&figure, "block"));
+        let [first, last] = [points[0], points[points.len() - 1]];
+        let height = first[1];
+        assert_eq!((first, last), ([anchor, height], [block, height]));
+        for ([x, h], [x_mirrored, h_mirrored]) in points.iter().zip(points.iter().rev()) {
+            // Rounding of numbers of order 1.
+            assert!((x + x_mirrored - anchor - block).abs() < 1e-14 && (h - h_mirrored).abs() < 1e-14);
+        }
+        let tops = points.windows(3).filter(|w| w[0][1] < w[1][1] && w[1][1] > w[2][1]).count();
+        assert_eq!(tops, coils as usize);
+        // The radius of the coils; the height is rounded once.
+        assert!(points.iter().all(|[_, h]| (h - height).abs() <= 0.15 + 1e-15));
+    }
+}
+
+#[test]
+fn hatching_stays_in_its_strip_at_45_degrees() {
+    let figure = figure(&made().parameters);
+    let [anchor, _] = span(&figure, "anchor");
+    // The strip behind the wall, and that behind the anchor, whose coordinates are larger by 4.
+    for (name, [left, right], rounding) in
+        [("wall hatching", [0.0, 0.2], 1e-15), ("anchor hatching", [anchor - 0.2, anchor], 4e-15)]
+    {
+        let points: Vec<&PartPoint> = figure.iter().filter(|point| point.part.name() == name).collect();
+        let strokes: Vec<_> = points.chunk_by(|a, b| a.piece == b.piece).collect();
+        assert!(strokes.len() > 15, "{}", strokes.len());
+        for stroke in strokes {
+            let [from, to] = stroke else { panic!("a stroke has two ends") };
+            assert!(((to.x - from.x) - (to.height - from.height)).abs() < rounding);
+            for PartPoint { x, height, .. } in [from, to] {
+                let inside = (left - rounding..=right + rounding).contains(x);
+                assert!(inside && (0.0..=1.45).contains(height), "{x} {height}");
+            }
+        }
+    }
+}
+
+#[test]
+fn everything_is_named_and_lengths_keep_their_ratio_across_and_up() {
+    let shown = made().study.shown::<Figure6>().expect("figure 6 can be computed");
+    let sheet = Figure6::draw(&shown, SheetWidth::Paper).unwrap();
+    let svg = sheet.svg();
+    for label in
+        [">unit stiffness<", ">unit<", ">mass<", ">equilibrium<", "restitution ", "damping 2", ">−1<"]
+    {
+        assert!(svg.contains(label), "{label}");
+    }
+    const BODY: Paint = Paint::opaque([222, 228, 236]);
+    let block = part(&shown.parts, "block");
+    let body = sheet.elements.iter().find_map(|element| match element {
+        Element::Path(path) if path.attributes.contains(&fill(BODY)) => Some(&path.pieces[0].0),
+        _ => None,
+    });
+    let drawn: Vec<[f64; 2]> =
+        body.expect("the block is drawn").iter().map(|&(x, y)| [x, y].map(f64::from)).collect();
+    let extent = |points: &[[f64; 2]], axis: usize| {
+        let along = || points.iter().map(|point| point[axis]);
+        along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
+    };
+    let [across, up] = [0, 1].map(|axis| extent(&drawn, axis));
+    let [wide, high] = [0, 1].map(|axis| extent(&block, axis));
+    assert!(across > 3000.0 && up > 4000.0, "{across} {up}");
+    // Coordinates are rounded to hundredths of a point, and extents are wrong by one at most.
+    assert!((across * high - up * wide).abs() <= high + wide, "{across} {up}");
 }

@@ -1,10 +1,14 @@
-//! Compares Figure 10 with the formulas of the proof, and with the visits of MPSs from continuation.
+//! Compares Figure 10 with the formulas of the proof, and with the visits of MPSs from continuation; what is
+//! written beside its vertices.
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Route, SolutionCurve, Window};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
-use grazing_reproduction::figures::fig10::Figure10;
+use grazing_drawing::geometry::sheet::{Spot, inside};
+use grazing_drawing::{Element, SheetWidth};
+use grazing_reproduction::PaperFigure;
+use grazing_reproduction::figures::fig10::{Figure10, Visit, VisitPath};
 use grazing_theorems::auxiliary::{lucas_sequence, scaled_visit_position};
 use grazing_theorems::{GenericGrazing, GrazingState};
 
@@ -119,4 +123,50 @@ fn visits_of_followed_solutions_tend_to_the_vertices() {
     let (least, most) = ratios.fold((f64::INFINITY, 0.0_f64), |(l, m), r| (l.min(r), m.max(r)));
     assert!(most < 1.3 * least, "not of first order: {least} {most}");
     assert!(near[0].1 < 0.1, "{near:?}");
+}
+
+/// A path through these places.
+fn path(places: &[(f64, f64)]) -> VisitPath {
+    let path = (0..).zip(places).map(|(visit, &(u, w))| Visit { visit, u, w }).collect();
+    VisitPath { path }
+}
+
+/// A path of seven vertices.
+fn sample() -> VisitPath {
+    path(&[(0.0, -3.7), (-2.5, -3.2), (-3.8, -1.2), (-3.5, 1.0), (-2.2, 2.1), (-0.8, 1.9), (0.0, 0.7)])
+}
+
+#[test]
+fn every_vertex_is_marked_and_named() {
+    let path = sample();
+    let svg = Figure10::draw(&path, SheetWidth::Paper).unwrap().svg();
+    assert_eq!(svg.matches("<circle").count(), 7);
+    for visit in 0..=6 {
+        assert_eq!(svg.matches(&format!(">({visit})</tspan>")).count(), 2, "{visit}");
+    }
+    assert!(svg.contains('𝒫'));
+}
+
+#[test]
+fn vertices_are_named_outside_the_path() {
+    let path = sample();
+    let sheet = Figure10::draw(&path, SheetWidth::Paper).unwrap();
+    let area = sheet.elements.iter().find_map(|element| match element {
+        Element::Path(area) if area.attributes.contains("fill-opacity=\"0.1\"") => Some(area),
+        _ => None,
+    });
+    let outline = area.expect("the area is filled").pieces[0].0.iter();
+    let outline: Vec<Spot> = outline.map(|&(x, y)| (f64::from(x) / 100.0, f64::from(y) / 100.0)).collect();
+    let names: Vec<_> = sheet.texts.iter().filter(|(text, _)| text.contains("w^{(")).collect();
+    assert_eq!(names.len(), 7);
+    for (text, bounds) in names {
+        assert!(!inside(&outline, bounds.centre()), "{text}");
+    }
+}
+
+#[test]
+fn a_path_without_width_is_an_error() {
+    let path = path(&[(0.0, 0.0), (0.0, 1.0)]);
+    let error = Figure10::draw(&path, SheetWidth::Paper).unwrap_err();
+    assert!(error.to_string().contains("range of fig10"), "{error}");
 }

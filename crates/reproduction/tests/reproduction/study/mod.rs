@@ -8,6 +8,7 @@ mod fig06;
 mod fig10;
 mod independent;
 mod legends;
+mod scenes;
 mod snapshots;
 mod space;
 
