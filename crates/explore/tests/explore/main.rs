@@ -1,4 +1,5 @@
-//! The server from outside, and the page in a browser.
+//! The server from outside, the page in a browser, and the oscillators of requests.
 
 mod browser;
+mod model;
 mod server;

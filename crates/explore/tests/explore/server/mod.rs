@@ -2,6 +2,8 @@
 
 mod beside;
 mod endless;
+mod files;
+mod guard;
 mod mutations;
 mod running;
 
