@@ -7,7 +7,7 @@ use std::path::Path;
 
 use crate::browser::{Spot, assert_all_pass, checked, lost, sheets_of_paper};
 use crate::program::{
-    DEFAULT, empty_folder, grazing, listing, narrow_duffing, project, quick_parameters, repository,
+    DEFAULT, edited, empty_folder, grazing, listing, narrow_duffing, project, quick_parameters, repository,
 };
 use grazing_claims::ledger::Ledger;
 use grazing_cli::outputs;

@@ -1,6 +1,8 @@
 //! Compares Figure 10 with the formulas of the proof, and with the visits of MPSs from continuation; what is
 //! written beside its vertices.
 
+use std::sync::LazyLock;
+
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Route, SolutionCurve, Window};
 use grazing_continuation::locate::Condition;
@@ -15,6 +17,8 @@ use grazing_theorems::{GenericGrazing, GrazingState};
 use super::{forced, integers, made, numbers, theory};
 
 /// The vertices (u, w) in order.
+static SECTION: LazyLock<Figure10> = LazyLock::new(|| made().parameters.section().expect("it is right"));
+
 fn vertices() -> Vec<[f64; 2]> {
     let shown = made().study.shown::<Figure10>().expect("figure 10 can be computed");
     let path = &shown.path;
@@ -24,20 +28,18 @@ fn vertices() -> Vec<[f64; 2]> {
 }
 
 fn grazing() -> GrazingState {
-    let parameters = &made().parameters;
-    theory().grazing(parameters.section::<Figure10>().expect("it is right").frequency).unwrap()
+    theory().grazing(SECTION.frequency).unwrap()
 }
 
 /// S_p / β, which scales slopes in μ to (u, w). Paper: eq:ujwj.
 fn scale() -> f64 {
-    let p = made().parameters.section::<Figure10>().expect("it is right").loops;
+    let p = SECTION.loops;
     lucas_sequence(p, grazing().trace(), grazing().determinant()) / grazing().transversality()
 }
 
 #[test]
 fn vertices_are_scaled_slopes_of_the_visits_and_the_closed_form_of_u() {
-    let (point, p) =
-        (grazing().grazing_point(), made().parameters.section::<Figure10>().expect("it is right").loops);
+    let (point, p) = (grazing().grazing_point(), SECTION.loops);
     let orbit = point.emerging_orbit(p).unwrap();
     let (tau, delta) = (grazing().trace(), grazing().determinant());
     for (j, [u, w]) in (0..).zip(vertices()) {
@@ -52,7 +54,7 @@ fn vertices_are_scaled_slopes_of_the_visits_and_the_closed_form_of_u() {
 fn the_path_starts_and_ends_on_the_w_axis_and_lies_left_of_it_between() {
     let vertices = vertices();
     let last = vertices.len() - 1;
-    assert_eq!(last as u32, made().parameters.section::<Figure10>().expect("it is right").loops);
+    assert_eq!(last as u32, SECTION.loops);
     assert_eq!(vertices[0][0], 0.0);
     assert!(vertices[last][0].abs() < 1e-13, "{}", vertices[last][0]);
     assert!(vertices[1..last].iter().all(|[u, _]| *u < -0.1), "{vertices:?}");
@@ -81,7 +83,7 @@ fn the_closed_path_is_convex() {
 
 #[test]
 fn visits_of_followed_solutions_tend_to_the_vertices() {
-    let shown = made().parameters.section::<Figure10>().expect("it is right");
+    let shown = &*SECTION;
     let (omega, graz) = (shown.frequency, grazing().amplitude());
     let oscillator = forced(graz, omega);
     let equations = LoopEquations::new(oscillator, shown.loops, Formulation::Vivid);

@@ -13,7 +13,7 @@ mod snapshots;
 mod space;
 
 use std::path::Path;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, LazyLock, OnceLock};
 
 use grazing_model::LinearOscillator;
 use grazing_reproduction::figures::fig02::Figure2;
@@ -58,7 +58,10 @@ pub(crate) fn made() -> &'static Made {
 
 /// The paper's oscillator, as the theory describes it.
 pub(crate) fn theory() -> grazing_theorems::LinearOscillator {
-    made().parameters.oscillator().expect("it is right")
+    // The file is read anew for each section that is asked for.
+    static THEORY: LazyLock<grazing_theorems::LinearOscillator> =
+        LazyLock::new(|| made().parameters.oscillator().expect("it is right"));
+    *THEORY
 }
 
 /// The paper's oscillator with its forcing.
