@@ -54,7 +54,7 @@ fn links_lead_to_where_they_say() {
     let mut report = sample::report();
     // As long as the page about the paper.
     report.claims = (0..60).flat_map(|_| report.claims.clone()).collect();
-    if let Some((lost, followed)) = browser::lost(&page(&report), &[1400, 768, 390]) {
+    if let Some((lost, followed)) = browser::lost(&page(&report), &[1400, 768, 390], 4) {
         assert!(followed >= 3 * 8, "{followed}");
         assert!(lost.is_empty(), "{lost:#?}");
     }

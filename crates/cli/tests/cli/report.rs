@@ -154,7 +154,7 @@ fn the_page_of_the_whole_study_is_complete_and_answers() {
     if let Some(results) = checked(&page, &spots, &FORMULAS) {
         assert_all_pass(&results);
     }
-    if let Some((lost, followed)) = lost(&page, &[390]) {
+    if let Some((lost, followed)) = lost(&page, &[390], 2) {
         assert!(followed >= 16 && lost.is_empty(), "{followed}: {lost:#?}");
     }
     if let Some(sheets) = sheets_of_paper(&page) {

@@ -359,9 +359,9 @@ fn an_analysis_that_is_asked_to_end_ends_with_what_it_has() {
     assert!(!results.contains(&"data/curves.unfinished.csv".to_owned()), "{results:?}");
 }
 
-/// The exit code and last messages of a run that is interrupted twice, unless it ends in between.
+/// The exit code and the messages of a run that is interrupted twice; none if it ends before.
 #[cfg(unix)]
-fn interrupted_twice(folder: &Path) -> (Option<i32>, String) {
+fn interrupted_twice(folder: &Path) -> Option<(Option<i32>, String)> {
     // Pictures of many dots take a while to write, usually long enough for the second interrupt.
     let mut run = Command::new(env!("CARGO_BIN_EXE_grazing"))
         .args(["unfold", "paper.toml", "--format", "svg,png", "--dpi", "1200"])
@@ -373,12 +373,17 @@ fn interrupted_twice(folder: &Path) -> (Option<i32>, String) {
     for (awaited, signal) in
         [("bifurcation curves: started", "-INT"), ("interrupted: writing the finished results", "-TERM")]
     {
-        wait_until(&mut run, awaited, || read(folder, "messages").contains(awaited));
+        let is_there = || read(folder, "messages").contains(awaited);
+        watched(&mut run, |run| {
+            let ended = run.try_wait().expect("it is ours").is_some();
+            if is_there() { Some(true) } else { ended.then_some(false) }
+        })
+        .filter(|is_there| *is_there)?;
         let sent =
             Command::new("kill").args([signal, &run.id().to_string()]).status().expect("there is kill");
         assert!(sent.success());
     }
-    (run.wait().expect("it ends").code(), read(folder, "messages"))
+    Some((run.wait().expect("it ends").code(), read(folder, "messages")))
 }
 
 #[cfg(unix)]
@@ -387,7 +392,7 @@ fn a_second_ctrl_c_ends_the_program_at_once_and_leaves_no_temporary_files() {
     let paper = fs::read_to_string(repository().join("examples/paper.toml")).expect("it is there");
     let folder = folder_with(&[("paper.toml", &paper)]);
     let end = "error: interrupted twice: cancelled at once; nothing more is written\n";
-    let mut trials = (0..20).map(|_| interrupted_twice(folder.path()));
+    let mut trials = (0..20).filter_map(|_| interrupted_twice(folder.path()));
     let in_time = trials.find(|(_, told)| told.ends_with(end));
     assert_eq!(in_time.expect("it is heard in one trial of many").0, Some(3));
     let left = listing(folder.path());

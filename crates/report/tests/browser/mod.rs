@@ -55,9 +55,9 @@ pub(crate) fn checked(page: &str, spots: &[Spot<'_>], formulas: &[(&str, &str)])
 }
 
 /// Follows every link of the list of sections, and those to figures, in windows of these widths,
-/// and opens the address of each; returns the links that did not land in the right place, and the
+/// and opens the addresses of some; returns the links that did not land in the right place, and the
 /// number of links; none without a browser.
-pub(crate) fn lost(page: &str, widths: &[u32]) -> Option<(Vec<String>, usize)> {
+pub(crate) fn lost(page: &str, widths: &[u32], loads: usize) -> Option<(Vec<String>, usize)> {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let file = folder.path().join("page.html");
     fs::write(&file, page).expect("the folder is ours");
@@ -69,7 +69,8 @@ pub(crate) fn lost(page: &str, widths: &[u32]) -> Option<(Vec<String>, usize)> {
         let found = browser.value(&format!("({LINKS})()"));
         let links: Vec<&str> = found.as_array()?.iter().filter_map(|link| link.as_str()).collect();
         followed += links.len();
-        let ways = links.iter().map(|link| (*link, true)).chain(links.iter().map(|link| (*link, false)));
+        let spread = links.iter().step_by(links.len().div_ceil(loads));
+        let ways = links.iter().map(|link| (*link, true)).chain(spread.map(|link| (*link, false)));
         for (link, click) in ways {
             if !click {
                 browser.go(&format!("{address}{link}"));
