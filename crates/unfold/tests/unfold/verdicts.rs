@@ -149,7 +149,7 @@ fn motion_is_as_predicted_only_if_all_of_it_is() {
         ),
         (
             Sides { attracts: [Some(false); 2], ..good },
-            "the faster solution is predicted to be stable and repels",
+            "the faster solution is predicted to be stable but repels",
         ),
         (
             Sides { seen: [ReturnOutcome::MeetsTheWall, ReturnOutcome::Returns], ..good },

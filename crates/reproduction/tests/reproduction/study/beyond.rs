@@ -106,7 +106,7 @@ fn stable([amplitude, frequency]: [f64; 2], loops: u32) -> Option<closed_form::O
 /// Random places of the coarse map, with the attractors there.
 fn places(seed: u64, count: u32) -> Vec<([f64; 2], Vec<Stretch>)> {
     let study = &made().study;
-    let map = Map::of(&COARSE, &study).expect("it is right");
+    let map = Map::of(&COARSE, study).expect("it is right");
     let mut random = Random::new(seed);
     let mut place = |_| {
         let [column, row] =
@@ -196,7 +196,7 @@ fn where_one_attractor_is_seen_random_states_settle_on_it() {
 #[test]
 fn regions_of_figure_7_explain_all_mps_of_the_map() {
     let study = &made().study;
-    let map = Map::of(&COARSE, &study).expect("it is right");
+    let map = Map::of(&COARSE, study).expect("it is right");
     let shown = map.assembled(map.rows(0..map.count())).expect("it grazes");
     assert_eq!(shown.counts.iter().map(|count| count.loops).collect::<Vec<_>>(), [0, 1, 2, 3]);
     for count in &shown.counts {
@@ -210,7 +210,7 @@ fn regions_of_figure_7_explain_all_mps_of_the_map() {
 #[test]
 fn orbits_that_begin_beside_an_mps_that_the_map_does_not_see_come_to_it() {
     let study = &made().study;
-    let map = Map::of(&COARSE, &study).expect("it is right");
+    let map = Map::of(&COARSE, study).expect("it is right");
     let shown = map.assembled(map.rows(0..map.count())).expect("it grazes");
     let mut tried = [0; 4];
     for remark in &shown.remarks {
@@ -264,7 +264,7 @@ fn by_differences(oscillator: &LinearOscillator) -> [f64; 2] {
 #[test]
 fn exponents_of_irregular_motion_are_those_of_orbits_beside_each_other() {
     let study = &made().study;
-    let map = Map::of(&COARSE, &study).expect("it is right");
+    let map = Map::of(&COARSE, study).expect("it is right");
     let (mut seen, mut off) = (0, 0);
     for row in &map.rows(0..map.count()) {
         let alone = row.groups().filter(|group| group.len() == 1 && group[0].places == 1);

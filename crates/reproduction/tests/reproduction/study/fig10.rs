@@ -22,8 +22,8 @@ static SECTION: LazyLock<Figure10> = LazyLock::new(|| made().parameters.section(
 fn vertices() -> Vec<[f64; 2]> {
     let shown = made().study.shown::<Figure10>().expect("figure 10 can be computed");
     let path = &shown.path;
-    let (u, w) = (numbers(&path, "u"), numbers(&path, "w"));
-    assert_eq!(integers(&path, "visit"), (0..u.len() as u32).collect::<Vec<_>>());
+    let (u, w) = (numbers(path, "u"), numbers(path, "w"));
+    assert_eq!(integers(path, "visit"), (0..u.len() as u32).collect::<Vec<_>>());
     u.into_iter().zip(w).map(|(u, w)| [u, w]).collect()
 }
 
