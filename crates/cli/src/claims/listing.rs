@@ -101,8 +101,8 @@ fn paint(verdict: &ClaimVerdict, word: &str) -> String {
 pub(super) fn summary(findings: &[Finding<'_>]) -> String {
     let Counts { passed, failed, unchecked, misprints, .. } = Counts::of(&[], findings);
     format!(
-        "\n{} claims: {passed} hold ({misprints} of them not as printed), {failed} fail, {unchecked} cannot be tested by a \
+        "\n{}: {passed} hold ({misprints} of them not as printed), {failed} fail, {unchecked} cannot be tested by a \
          computation.\n",
-        findings.len()
+        if findings.len() == 1 { "1 claim".to_owned() } else { format!("{} claims", findings.len()) }
     )
 }

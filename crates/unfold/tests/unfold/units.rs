@@ -54,7 +54,7 @@ fn assert_closed_form([length, time]: [f64; 2], frequencies: [f64; 2], loops: &[
 
 #[test]
 fn stretched_oscillators_have_the_resonances_of_the_closed_form() {
-    for length in [1e-3, 1.0, 1e3] {
+    for length in [1e-3, 1e3] {
         for time in [1e-3, 1e3] {
             assert_closed_form([length, time], [0.3, 1.1], &[1, 2, 3]);
         }
