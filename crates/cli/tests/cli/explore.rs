@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::{Child, Command, Stdio};
 
 use crate::browser::chromium::{Browser, saved};
-use crate::program::{empty_folder, grazing, repository, watched};
+use crate::program::{empty_folder, grazing, interruptible, repository, watched};
 
 /// A running server, which ends with the value.
 struct Serving(Child);
@@ -16,9 +16,8 @@ struct Serving(Child);
 impl Serving {
     /// Starts the server, and reads its address.
     fn new(folder: &Path) -> (Self, String) {
-        // The environment of the tests may ignore Ctrl-C.
-        let mut server = Command::new("env")
-            .args(["--default-signal=INT", env!("CARGO_BIN_EXE_grazing"), "explore", "--no-browser"])
+        let mut server = interruptible()
+            .args(["explore", "--no-browser"])
             .current_dir(folder)
             .stdout(Stdio::piped())
             .spawn()
@@ -95,7 +94,7 @@ fn the_browser_is_started_with_a_page_that_leads_to_the_address_and_nobody_else_
         .status();
     assert!(written.is_ok_and(|status| status.success()));
     let path = std::env::var("PATH").expect("there is one");
-    let mut server = Command::new(env!("CARGO_BIN_EXE_grazing"))
+    let mut server = interruptible()
         .arg("explore")
         .current_dir(folder.path())
         .env("PATH", format!("{}:{path}", folder.path().display()))

@@ -4,7 +4,9 @@ use std::fs;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 
-use crate::program::{empty_folder, grazing, listing, narrow_duffing, repository, snapshots, watched};
+use crate::program::{
+    empty_folder, grazing, interruptible, listing, narrow_duffing, repository, snapshots, watched,
+};
 use grazing_description::Description;
 use tempfile::TempDir;
 
@@ -363,7 +365,7 @@ fn an_analysis_that_is_asked_to_end_ends_with_what_it_has() {
 #[cfg(unix)]
 fn interrupted_twice(folder: &Path) -> Option<(Option<i32>, String)> {
     // Pictures of many dots take a while to write, usually long enough for the second interrupt.
-    let mut run = Command::new(env!("CARGO_BIN_EXE_grazing"))
+    let mut run = interruptible()
         .args(["unfold", "paper.toml", "--format", "svg,png", "--dpi", "1200"])
         .current_dir(folder)
         .stdout(Stdio::null())

@@ -49,6 +49,14 @@ pub(crate) fn grazing(folder: &Path, arguments: &[&str]) -> Outcome {
     Outcome { code: run.status.code(), output: text(run.stdout), messages: text(run.stderr) }
 }
 
+/// The program with the default signals, some of which the environment of the tests may ignore.
+#[cfg(unix)]
+pub(crate) fn interruptible() -> Command {
+    let mut command = Command::new("env");
+    command.args(["--default-signal=INT,TERM,HUP", env!("CARGO_BIN_EXE_grazing")]);
+    command
+}
+
 /// Starts a command in the folder, with its messages written to a file.
 #[cfg(unix)]
 pub(crate) fn started(command: &mut Command, folder: &Path, messages: &Path) -> Child {
