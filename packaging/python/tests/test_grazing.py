@@ -233,6 +233,8 @@ def test_errors_have_the_words_of_the_command_line(block, tmp_path):
 
 
 def test_an_interruption_ends_the_analysis_and_so_does_an_error_in_the_callback(duffing):
+    # The environment of the tests may ignore Ctrl-C.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     heard = []
 
     def interrupt(what, done, all):

@@ -7,7 +7,7 @@ fn a_label_is_tested_and_told_of() {
     let project = project(DEFAULT);
     let outcome = grazing(project.path(), &["claims", "eq:gp", "--explain"]);
     assert_eq!(outcome.code, Some(0), "{}", outcome.messages);
-    for told in ["holds", "eq:gp", "resonance_boundary", "grazing_claims::checks::", "1 claims: 1 hold"] {
+    for told in ["holds", "eq:gp", "resonance_boundary", "grazing_claims::checks::", "1 claim: 1 hold"] {
         assert!(outcome.output.contains(told), "`{told}` is missing in\n{}", outcome.output);
     }
 }
