@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use crate::program::{DEFAULT, project, started};
+use crate::program::{DEFAULT, DEFAULT_SIGNALS, project, started};
 use crate::unfold::wait_until;
 
 /// Starts the program behind another one, and sends it a signal as soon as it computes; returns the
@@ -22,14 +22,11 @@ fn sent(signal: &str, before: &[&str], folder: &Path, arguments: &[&str]) -> (Op
     (run.wait().expect("it ends").code(), told())
 }
 
-/// A command that restores the default signals, some of which the environment of the tests may ignore.
-const DEFAULTS: [&str; 2] = ["env", "--default-signal=INT,TERM,HUP"];
-
 #[test]
 fn whoever_ends_claims_leaves_exit_code_three() {
     for signal in ["-INT", "-TERM", "-HUP"] {
         let folder = project(DEFAULT);
-        let (code, told) = sent(signal, &DEFAULTS, folder.path(), &["claims"]);
+        let (code, told) = sent(signal, &DEFAULT_SIGNALS, folder.path(), &["claims"]);
         assert_eq!(code, Some(3), "{signal}: {told}");
         assert!(told.ends_with("error: interrupted: nothing more is written\n"), "{told}");
     }
@@ -40,7 +37,7 @@ fn a_map_that_is_interrupted_leaves_nothing() {
     let folder = project(DEFAULT);
     for part in [&["--output", "out"][..], &["--output", "out", "--part", "1/2"]] {
         let line = [&["attractors", "--size", "2000x2000"], part].concat();
-        let (code, told) = sent("-INT", &DEFAULTS, folder.path(), &line);
+        let (code, told) = sent("-INT", &DEFAULT_SIGNALS, folder.path(), &line);
         assert_eq!(code, Some(3), "{told}");
         assert!(told.ends_with("error: interrupted: nothing more is written\n"), "{told}");
         assert!(!folder.path().join("out").exists());

@@ -49,11 +49,16 @@ pub(crate) fn grazing(folder: &Path, arguments: &[&str]) -> Outcome {
     Outcome { code: run.status.code(), output: text(run.stdout), messages: text(run.stderr) }
 }
 
-/// The program with the default signals, some of which the environment of the tests may ignore.
+/// A command that restores the default signals, some of which the environment of the tests may ignore.
+#[cfg(unix)]
+pub(crate) const DEFAULT_SIGNALS: [&str; 2] = ["env", "--default-signal=INT,TERM,HUP"];
+
+/// The program with the default signals.
 #[cfg(unix)]
 pub(crate) fn interruptible() -> Command {
-    let mut command = Command::new("env");
-    command.args(["--default-signal=INT,TERM,HUP", env!("CARGO_BIN_EXE_grazing")]);
+    let [program, option] = DEFAULT_SIGNALS;
+    let mut command = Command::new(program);
+    command.args([option, env!("CARGO_BIN_EXE_grazing")]);
     command
 }
 
