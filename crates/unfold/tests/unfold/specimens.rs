@@ -164,3 +164,17 @@ pub(crate) fn assert_within(computed: f64, expected: f64, bound: f64) {
         "{computed:e} instead of {expected:e}: off by {difference:e}, more than {bound:e}"
     );
 }
+
+/// An oscillator forced with the frequency `eta`, beside a wall.
+pub(crate) fn forced(force: &str, wall: &str, restitution: f64, ranges: [[f64; 2]; 2]) -> Description {
+    described([force, "eta", wall], restitution, ranges)
+}
+
+/// A random oscillator of the trials.
+pub(crate) fn random(number: u64, seed: u64) -> Description {
+    let text = grazing_trials::oscillators::description(seed, number);
+    Description::parse(&text, "random.toml").expect("what is made at random is right")
+}
+
+/// A layer that attracts and then repels (Morse).
+pub(crate) const LAYER: &str = "0.3*4*(exp(4*(x + 0.25)) - exp(8*(x + 0.25)))";
