@@ -1,10 +1,10 @@
 //! Drawing of the solutions of more loops at one-loop resonances.
 
 use grazing_drawing::geometry::sheet::Bounds;
-use grazing_drawing::ink::canvas::Canvas;
+use grazing_drawing::ink::canvas::{Anchor, Canvas};
 use grazing_drawing::ink::labels::{Labels, Site};
 use grazing_drawing::ink::legend::Sample;
-use grazing_drawing::ink::style::{LABEL_SIZE, Paint, THRESHOLD, branch_pen};
+use grazing_drawing::ink::style::{BLACK, LABEL_SIZE, Paint, THRESHOLD, branch_pen};
 use grazing_drawing::plot::axes::{Marker, Panel};
 use grazing_results::{Frame, Names};
 
@@ -72,14 +72,18 @@ pub(super) fn draw(figure: &MoreLoops, width: SheetWidth) -> Result<Sheet, Drawi
     canvas.explain("stable $k$-loop MPSs", Sample::Line(branch_pen(2, 1.1)));
     widths.axes(r"$\sigma$", r"$\mathrm{log}_{10}$ of the width in $M$")?;
     places.axes(r"$\sigma$", r"$\mathrm{log}_{10}\,M$")?;
+    for (panel, letter) in [(&widths, "(a)"), (&places, "(b)")] {
+        let Bounds { left, top, .. } = panel.bounds;
+        canvas.text((left, top - 5.0), letter, LABEL_SIZE, Anchor::Start, BLACK)?;
+    }
     for labels in labels {
         labels.draw()?;
     }
     canvas.finish(
         "beyond_loops",
         "Solutions with more loops at one-loop resonances",
-        "Sigma across. Left: the width in the scaled parameter M of the regions in which k-loop solutions are stable and \
-         admissible, numbered by k. Right: where these lie for positive sigma, from the period doubling (bold) to where the last \
+        "Sigma across. (a) The width in the scaled parameter M of the regions in which k-loop solutions are stable and \
+         admissible, numbered by k. (b) Where these lie for positive sigma, from the period doubling (bold) to where the last \
          visit touches the wall. Discs: measured on the curves of oscillators.",
     )
 }

@@ -5,7 +5,7 @@ use grazing_drawing::geometry::sheet::Bounds;
 use grazing_drawing::ink::canvas::{Anchor, Canvas};
 use grazing_drawing::ink::legend::Sample;
 use grazing_drawing::ink::style::{
-    BLACK, GREY, NON_IMPACTING_AREA, Paint, Pen, SMALL_LABEL_SIZE, branch_pen,
+    BLACK, GREY, LABEL_SIZE, NON_IMPACTING_AREA, Paint, Pen, SMALL_LABEL_SIZE, branch_pen,
 };
 use grazing_drawing::plot::axes::Panel;
 use grazing_results::Frame;
@@ -93,10 +93,17 @@ pub(super) fn draw(figure: &Regions, width: SheetWidth) -> Result<Sheet, Drawing
         panel.axes(r"$\tau$", r"$\delta$")?;
     }
     rotations.axes("$x$", r"$\delta$")?;
+    let [(first, _), (second, _)] = &trapesia;
+    for (panel, above, letter) in
+        [(first, 0.0, "(a)"), (second, 0.0, "(b)"), (&rotations, NAMES_ABOVE, "(c)")]
+    {
+        let Bounds { left, top, .. } = panel.bounds;
+        canvas.text((left, top - above - 5.0), letter, LABEL_SIZE, Anchor::Start, BLACK)?;
+    }
     canvas.finish(
         "beyond_regions",
         "Where p-loop solutions are admissible at generic grazing",
-        "Above: trace across, determinant up, for either sign of a12 alpha. Below: the rotation x of free motion in a forcing period \
+        "(a), (b) Trace across, determinant up, for either sign of a12 alpha. (c) The rotation x of free motion in a forcing period \
          across. Outlined: the regions of Theorem 2.3; filled: all others. Numbers: p, over the end m/p of a region.",
     )
 }
