@@ -94,11 +94,11 @@ pub(super) fn draw(figure: &Regions, width: SheetWidth) -> Result<Sheet, Drawing
     }
     rotations.axes("$x$", r"$\delta$")?;
     let [(first, _), (second, _)] = &trapesia;
-    for (panel, above, letter) in
-        [(first, 0.0, "(a)"), (second, 0.0, "(b)"), (&rotations, NAMES_ABOVE, "(c)")]
+    for (panel, rise, letter) in
+        [(first, 5.0, "(a)"), (second, 5.0, "(b)"), (&rotations, NAMES_ABOVE + 9.0, "(c)")]
     {
         let Bounds { left, top, .. } = panel.bounds;
-        canvas.text((left, top - above - 5.0), letter, LABEL_SIZE, Anchor::Start, BLACK)?;
+        canvas.text((left, top - rise), letter, LABEL_SIZE, Anchor::Start, BLACK)?;
     }
     canvas.finish(
         "beyond_regions",
