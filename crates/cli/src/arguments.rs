@@ -194,7 +194,7 @@ pub struct Compare {
     /// The oscillator that these curves belong to, as a text file
     #[arg(long, value_name = "FILE", requires = "curves", conflicts_with = "file")]
     pub oscillator: Option<PathBuf>,
-    /// The column that holds NAME (a parameter, seen or p); may be given several times
+    /// The column that holds NAME (a parameter, seen or p), by its name or number; may be given several times
     #[arg(long = "column", value_name = "NAME=COLUMN", requires = "curves", value_parser = column)]
     pub columns: Vec<(String, String)>,
     /// Kind and number of loops of all curves, such as SN:2, if no column has them

@@ -42,6 +42,31 @@ impl Bifurcation {
         Self::ALL.into_iter().find(|kind| kind.name() == name)
     }
 
+    /// The bifurcation that a word of this field means: its name here, in AUTO, COCO, MatCont or
+    /// BifurcationKit, or in full, in capitals or not. A word with several meanings, such as BP or grazing,
+    /// is none of them.
+    pub fn understood(word: &str) -> Option<Self> {
+        let plain = |word: &str| word.chars().filter(|letter| !" -_".contains(*letter)).collect::<String>();
+        let word = plain(word).to_ascii_lowercase();
+        Self::ALL.into_iter().find(|kind| {
+            word == kind.name().to_ascii_lowercase() || kind.other_names().contains(&word.as_str())
+        })
+    }
+
+    /// Other names, in small letters and without blanks and hyphens.
+    const fn other_names(self) -> &'static [&'static str] {
+        match self {
+            Self::NonImpactingGrazing => &["nonimpactinggrazing"],
+            Self::SaddleNode => {
+                &["saddlenode", "fold", "lp", "lpc", "limitpoint", "limitpointofcycles", "turningpoint"]
+            }
+            Self::PeriodDoubling => &["perioddoubling", "flip"],
+            Self::Grazing => &["interiorgrazing"],
+            Self::Torus => &["torus", "tr", "neimarksacker", "naimarksacker", "secondaryhopf"],
+            Self::Pitchfork => &["pitchfork", "symmetrybreaking"],
+        }
+    }
+
     /// The bifurcation at which solutions with p loops (0 without impacts) satisfy a condition;
     /// `None` if it is no bifurcation.
     pub fn of(condition: Condition, loops: u32) -> Option<Self> {

@@ -7,8 +7,11 @@ use grazing_results::measured::SeenKind;
 use grazing_source::{SourceError, read_file};
 use thiserror::Error;
 
-use self::table::{Row, Table};
+use self::cells::Row;
+use self::table::{Request, Table};
 
+mod cells;
+mod number;
 mod table;
 
 /// An error in a file of measurements.
@@ -115,8 +118,8 @@ pub const RECORD: Columns = &[
 /// The layout of another program's file of curves.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Foreign {
-    /// Pairs of a name from [`POINTS`] and the column that holds it; other columns are ignored unless
-    /// they have a name from [`POINTS`].
+    /// Pairs of a name from [`POINTS`] and the column that holds it, by its name or its number from 1 on;
+    /// other columns are ignored unless they have a name from [`POINTS`].
     pub columns: Vec<(String, String)>,
     /// The kind of curve and the number of loops for files without a column for them.
     pub curve: Option<(Bifurcation, Option<u32>)>,
@@ -162,7 +165,10 @@ pub fn curves(
 /// # Errors
 /// The first mistake in the text.
 pub fn points_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<Observation>, MeasurementError> {
-    let table = Table::read(text, file, names, POINTS, &["{primary}", "{secondary}", "seen"], None)?;
+    let needed = &["{primary}", "{secondary}", "seen"];
+    let request =
+        Request { file, names, columns: POINTS, needed, renamed: &[], foreign: false, separated: true };
+    let table = Table::read(text, &request)?;
     table.rows.iter().map(|row| table.observation(row, None)).collect()
 }
 
@@ -177,7 +183,9 @@ pub fn curves_of(
     foreign: &Foreign,
 ) -> Result<Vec<Observation>, MeasurementError> {
     let needed = &["{primary}", "{secondary}", "seen"][..if foreign.curve.is_some() { 2 } else { 3 }];
-    let table = Table::read(text, file, names, POINTS, needed, Some(&foreign.columns))?;
+    let renamed = &foreign.columns;
+    let request = Request { file, names, columns: POINTS, needed, renamed, foreign: true, separated: true };
+    let table = Table::read(text, &request)?;
     table.rows.iter().map(|row| table.observation(row, foreign.curve)).collect()
 }
 
@@ -187,7 +195,16 @@ pub fn curves_of(
 /// The first mistake in the text.
 pub fn record_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<Series>, MeasurementError> {
     let needed = ["{primary}", "{secondary}", "time", "velocity_before", "time_error", "velocity_error"];
-    let table = Table::read(text, file, names, RECORD, &needed, None)?;
+    let request = Request {
+        file,
+        names,
+        columns: RECORD,
+        needed: &needed,
+        renamed: &[],
+        foreign: false,
+        separated: false,
+    };
+    let table = Table::read(text, &request)?;
     let mut all: Vec<(&str, Series)> = Vec::new();
     for row in &table.rows {
         let (at, series) = (table.place(row)?, row.cell(table.position("series")));
@@ -195,7 +212,7 @@ pub fn record_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<Series>
         let (time_error, speed_error) = (positive("time_error")?, positive("velocity_error")?);
         let time = table.number(row, "time", |_| true, "a number")?;
         let before = positive("velocity_before")?;
-        let after = match row.cell(table.position("velocity_after")) {
+        let after = match table.optional(row, "velocity_after") {
             "" => f64::NAN,
             _ => positive("velocity_after")?,
         };
@@ -249,10 +266,10 @@ impl Seen {
 impl Table<'_> {
     fn observation(
         &self,
-        row: &Row<'_>,
+        row: &Row,
         otherwise: Option<(Bifurcation, Option<u32>)>,
     ) -> Result<Observation, MeasurementError> {
-        let error = |column| match row.cell(self.position(column)) {
+        let error = |column| match self.optional(row, column) {
             "" => Ok(0.0),
             _ => self.number(row, column, |value| value >= 0.0, "the standard error, which is not negative,"),
         };
@@ -264,12 +281,13 @@ impl Table<'_> {
         Ok(Observation { line: row.line, at: self.place(row)?, errors, seen })
     }
 
-    fn seen(&self, row: &Row<'_>) -> Result<Seen, MeasurementError> {
+    fn seen(&self, row: &Row) -> Result<Seen, MeasurementError> {
         let needed = |column, least| {
             let count = self.count(row, column, least, None)?;
             count.ok_or_else(|| self.refusal(row, column, "periodic motion needs periods and impacts"))
         };
-        match row.cell(self.position("seen")) {
+        let word = row.cell(self.position("seen"));
+        match word.to_ascii_lowercase().as_str() {
             "none" => {
                 let periods = self.count(row, "periods", 1, Some(1))?.unwrap_or(1);
                 match self.count(row, "impacts", 0, Some(0))? {
@@ -281,7 +299,7 @@ impl Table<'_> {
                 Ok(Seen::Periodic { periods: needed("periods", 1)?, impacts: needed("impacts", 1)? })
             }
             "irregular" => Ok(Seen::Irregular),
-            word => match Bifurcation::named(word) {
+            _ => match Bifurcation::understood(word) {
                 Some(kind) => Ok(Seen::Bifurcation { kind, loops: self.count(row, "p", 0, None)? }),
                 None => {
                     let what = "write none, periodic, irregular, or a bifurcation";

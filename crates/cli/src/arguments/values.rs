@@ -14,7 +14,7 @@ pub(super) fn place(text: &str) -> Result<[f64; 2], String> {
 pub(super) fn column(text: &str) -> Result<(String, String), String> {
     let parts = text.split_once('=').map(|(name, column)| (name.trim(), column.trim()));
     let named = parts.filter(|(name, column)| !name.is_empty() && !column.is_empty());
-    let (name, column) = named.ok_or_else(|| "write a name and a column, such as omega=freq".to_owned())?;
+    let (name, column) = named.ok_or_else(|| "write a name and a column, such as omega=freq, or omega=2 in a file without a header".to_owned())?;
     Ok((name.to_owned(), column.to_owned()))
 }
 
@@ -22,7 +22,7 @@ pub(super) fn column(text: &str) -> Result<(String, String), String> {
 pub(super) fn curve(text: &str) -> Result<(Bifurcation, Option<u32>), String> {
     let (word, loops) = text.split_once(':').map_or((text, None), |(word, loops)| (word, Some(loops)));
     let loops = loops.map(str::parse).transpose().ok();
-    let both = Bifurcation::named(word).zip(loops);
+    let both = Bifurcation::understood(word).zip(loops);
     both.ok_or_else(|| format!("write {}, and a number of loops, such as SN:2", Bifurcation::NAMES))
 }
 

@@ -42,12 +42,119 @@ fn columns_of_another_program_are_found_by_the_names_that_are_given() {
     }
 }
 
+/// The places and what was seen there.
+fn read(text: &str) -> Vec<(f64, f64, String)> {
+    let read = points_of(text, "rig.csv", NAMES).unwrap_or_else(|error| panic!("{error}"));
+    read.iter().map(|one| (one.at[0], one.at[1], one.seen.words())).collect()
+}
+
+#[test]
+fn files_of_other_programs_say_what_the_same_file_says_in_plain_form() {
+    let plain = read("A,omega,seen,p\n0.25,1.5,SN,2\n0.5,1.25,none,\n");
+    for text in [
+        // Quotation marks, also around separators, marks and the end of a line.
+        "\"A\",\"omega\",\"seen\",\"p\",\"note\"\n0.25,1.5,SN,2,\"new belt, \"\"hot\"\"\"\n0.5,1.25,none,,\"two\nlines\"\n",
+        // Other separators, decimal commas, and ends of lines.
+        "A;omega;seen;p\n0.25;1.5;SN;2\n0.5;1.25;none;\n",
+        "A;omega;seen;p\n0,25;1,5;SN;2\n0,5;1,25;none;\n",
+        "sep=;\r\nA;omega;seen;p\r\n0,25;1,5;SN;2\r\n0,5;1,25;none;\r\n",
+        "A,omega,seen,p\n\"0,25\",\"1,5\",SN,2\n\"0,5\",\"1,25\",none,\n",
+        "A\tomega\tseen\tp\n0.25\t1.5\tlimit point\t2\n0.5\t1.25\tnone\t\n",
+        "  A   omega seen  p\n0.25  1.5   \"limit point\" 2\n 0.5   1.25 none NaN\n",
+        "A,omega,seen,p\r0.25,1.5,SN,2\r0.5,1.25,none,\r",
+        "A,omega,seen,p,\n0.25,1.5,SN,2,\n0.5,1.25,none,,\n",
+        // Comments, names in one, and what separates curves.
+        "% a rig\n  % A;B\nA,omega,seen,p\n0.25,1.5,SN,2\n% more\n0.5,1.25,none,\n",
+        "% A,omega,seen,p\n0.25,1.5,SN,2\n0.5,1.25,none,\n",
+        "A,omega,seen,p\n0.25,1.5,SN,2\nNaN,nan,SN,2\n,,,\n\n \t\nNA,NA,,\n0.5,1.25,none,\n",
+        // Numbers of Fortran and others.
+        "A,omega,seen,p\n2.5D-01,0.15d+1,SN,2.0\n+.5,12.5-001,none,\n",
+        "A,omega,seen,p\n2.5*^-1,1.5e0,SN,+2\n5.E-1,1.25E+000,none,nan\n",
+        // Capitals, other names, other columns.
+        "P,Omega,a,Seen,run\n2,1.5,0.25,Fold,7\n,1.25,0.5,None,8\n",
+        "A,omega,seen,p\n0.25,1.5,Saddle-Node,2\n0.5,1.25,NONE,\n",
+    ] {
+        assert_eq!(read(text), plain, "{text}");
+    }
+    // A minus sign of typography, and an exponent that left no room for its letter.
+    assert_eq!(read("A,omega,seen\n\u{2212}1.5,1.23-101,none\n")[0].0, -1.5);
+    assert_eq!(read("A,omega,seen\n\u{2212}1.5,1.23-101,none\n")[0].1, 1.23e-101);
+}
+
+#[test]
+fn words_of_other_programs_are_understood_and_those_with_two_meanings_are_not() {
+    let kind = |word: &str| read(&format!("A,omega,seen,p\n1,2,{word},2\n"))[0].2.clone();
+    for (words, name) in [
+        (&["LP", "lp", "limit point", "Limit_Point", "fold", "LPC", "saddle-node"][..], "SN of p = 2"),
+        (&["PD", "period doubling", "Period-Doubling", "flip"], "PD of p = 2"),
+        (&["TR", "torus", "Neimark-Sacker"], "NS of p = 2"),
+        (&["gz", "interior grazing"], "GZ of p = 2"),
+        (&["GRAZ", "non-impacting grazing"], "graz"),
+        (&["pitchfork"], "PF of p = 2"),
+    ] {
+        words.iter().for_each(|word| assert_eq!(kind(word), name, "{word}"));
+    }
+    let periodic = read("A,omega,seen,periods,impacts\n1,2,Periodic,2,1\n2,2,IRREGULAR,,\n");
+    assert_eq!((&*periodic[0].2, &*periodic[1].2), ("1 impact in 2 periods", "irregular"));
+}
+
+#[test]
+fn columns_without_a_header_are_known_by_their_numbers() {
+    let read = |text: &str, columns: &[(&str, &str)]| {
+        let columns = columns.iter().map(|(name, column)| [name, column].map(|it| (*it).to_owned()).into());
+        let foreign = Foreign { columns: columns.collect(), curve: Some((Bifurcation::SaddleNode, None)) };
+        let read = curves_of(text, "curve.csv", NAMES, &foreign).map_err(|error| error.to_string());
+        read.map(|read| read.iter().map(|one| (one.line, one.at)).collect::<Vec<_>>())
+    };
+    let numbers = [("A", "1"), ("omega", "2")];
+    let expected = Ok(vec![(1, [0.5, 1.25]), (3, [0.25, 1.5])]);
+    for text in [
+        "0.5,1.25\nNaN,NaN\n0.25,1.5\n",
+        "0.5;1.25\n\n0.25;1.5\n",
+        "0,5;1,25\n\n0,25;1,5\n",
+        "0,5 1,25\n\n0,25 1,5\n",
+        "  5.0D-01  1.25D+00\n\n  2.5D-01  1.50D+00\n",
+        "0.5\t1.25\tnear a fold\n\n0.25\t1.5\t\n",
+        "0.5, 1.25\r\r0.25, 1.5",
+    ] {
+        assert_eq!(read(text, &numbers), expected, "{text}");
+    }
+    // A header is left out, and the other way round is one.
+    assert_eq!(read("x,y\n0.5,1.25\n\n", &numbers), Ok(vec![(2, [0.5, 1.25])]));
+    assert_eq!(read("1.25,0.5\n", &[("omega", "1"), ("A", "2")]), Ok(vec![(1, [0.5, 1.25])]));
+    for (text, columns, parts) in [
+        ("0,1;1,0\n0,2;1,0\n", &[("A", "1"), ("omega", "3")][..], vec!["curve.csv:1", "`1;1`", "commas"]),
+        ("0.5,1.25\n", &[("A", "0"), ("omega", "2")], vec!["curve.csv:1", "no column 0", "2 cells"]),
+        ("0.5,1.25\n", &[("A", "1"), ("omega", "3")], vec!["curve.csv:1", "no column 3", "2 cells"]),
+        ("0.5,1.25\n", &[("A", "1"), ("omega", "1")], vec!["column 1", "both A and omega"]),
+        ("0.5,1.25\n", &[("A", "1")], vec!["column omega is missing"]),
+        ("0.5,1.25\n0.6,x\n", &numbers, vec!["curve.csv:2", "column 2 should hold omega", "`x`"]),
+        ("0.5,1.25\n", &[], vec!["curve.csv:1", "holds numbers", "--column NAME=1"]),
+    ] {
+        let message = read(text, columns).unwrap_err();
+        parts.iter().for_each(|part| assert!(message.contains(part), "{part}: {message}"));
+    }
+}
+
 #[test]
 fn mistakes_are_named_with_file_line_column_value_and_remedy() {
     for (text, parts) in [
         ("", vec!["rig.csv: it is empty"]),
         ("A,omega,seen\n", vec!["no measurement"]),
-        ("A;omega;seen\n1;2;none\n", vec!["rig.csv:1", "separated by commas"]),
+        ("1,2,none\n", vec!["rig.csv:1", "holds numbers", "A,omega,seen"]),
+        ("A,omega,seen\n1,2,none\n2,2,\"none\n3,2,none\n", vec!["rig.csv:3", "quotation mark"]),
+        ("A,omega,seen,note\n1,2,none,\"hot\n2,2,none,hot\"\n", vec!["rig.csv:2", "quotation mark"]),
+        ("A,omega,seen,note\n1,2,none,\"a \"hot\" belt\"\n", vec!["rig.csv:2", "cell 4", "twice"]),
+        ("A;omega;seen\n1,250;2;none\n", vec!["rig.csv:2", "column A", "`1,250`", "with a point"]),
+        ("A;omega;seen\n1,25;2.5;none\n", vec!["rig.csv:2", "column A", "`1,25`"]),
+        ("A omega seen\n1 2 limit point\n", vec!["rig.csv:2", "4 cells", "by blanks"]),
+        ("A,omega,seen\nNaN,2,SN\n", vec!["rig.csv:2", "column A", "`NaN`"]),
+        ("A,omega,seen\n,,SN\n", vec!["rig.csv:2", "column A", "nothing"]),
+        ("A,omega,seen\n1.0E,2,SN\n", vec!["rig.csv:2", "`1.0E`"]),
+        ("A,omega,seen\n1,2,grazing\n", vec!["rig.csv:2", "`grazing`", "graz", "GZ"]),
+        ("A,omega,seen\n1,2,BP\n", vec!["rig.csv:2", "`BP`"]),
+        ("A,omega,Seen,SEEN\n1,2,none,none\n", vec!["rig.csv:1", "Seen", "twice"]),
+        ("A,omega,seen,peroids\n1,2,none,1\n", vec!["rig.csv:1", "unknown column peroids", "`periods`"]),
         ("A,omga,seen\n", vec!["rig.csv:1", "unknown column omga", "omega"]),
         ("A,omega,A,seen\n", vec!["A appears twice"]),
         ("A,seen\n1,none\n", vec!["rig.csv:1", "omega is missing"]),
