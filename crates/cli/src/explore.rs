@@ -51,8 +51,7 @@ pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
     limits::end_when_interrupted();
     // The redirecting page exists as long as the server runs.
     let _redirect = if arguments.no_browser { None } else { open(&address) };
-    let too_large = || limits::holds_more_than(grazing_description::Limits::USUAL.memory);
-    server.run(limits::is_interrupted, too_large).map_err(|reason| Failure::unwritten(reason.to_string()))
+    server.run(limits::is_interrupted, limits::held).map_err(|reason| Failure::unwritten(reason.to_string()))
 }
 
 /// Writes the page and the WebAssembly program in it as files.

@@ -48,6 +48,7 @@ use failure::Failure;
 /// # Errors
 /// [`Failure`], which knows its message and its exit code.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    signals::soften_limits();
     match &arguments.command {
         Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Compare(arguments) => compare::run(arguments),

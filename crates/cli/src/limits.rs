@@ -1,9 +1,9 @@
 //! Limits of an analysis: time, memory, steps, and interruption.
 //!
 //! A separate thread watches the CPU time that the process has taken and the memory that it holds,
-//! and cancels the computation ([`Stop`]) when either is used up, or when Ctrl-C or another signal
-//! of `signals` arrives. Finished results are then written. A second Ctrl-C ends the program at
-//! once.
+//! and cancels the computation ([`Stop`]) when either is used up, when the address space that the system
+//! allows (`ulimit -v`) is nearly used up, or when Ctrl-C or another signal of `signals` arrives. Finished
+//! results are then written. A second Ctrl-C ends the program at once.
 //!
 //! The CPU time of all threads counts, so that a busy machine finishes what an idle one does. Where
 //! the system has no clock of it, wall-clock time is used.
@@ -30,7 +30,9 @@ const PAUSE: Duration = Duration::from_millis(20);
 static INTERRUPTIONS: AtomicU32 = AtomicU32::new(0);
 
 /// The exit code of a computation that was ended.
-const ENDED: i32 = 3;
+pub(crate) const ENDED: i32 = 3;
+/// The part of the address space that an analysis may use: the rest is for drawing and writing.
+const ANALYSIS: f64 = 0.75;
 
 /// The cause that ended an analysis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,6 +41,8 @@ pub(crate) enum EndCause {
     Time(f64),
     /// The process holds more than this many megabytes.
     Memory(f64),
+    /// The address space that the system allows is nearly used up, in megabytes.
+    AddressSpace(f64),
     /// The steps of integration are used up, of which there were this many.
     Steps(f64),
     /// Ctrl-C was pressed.
@@ -50,6 +54,13 @@ impl std::fmt::Display for EndCause {
         let (limit, key) = match self {
             EndCause::Time(seconds) => (format!("time limit of {seconds} s {CLOCK}"), "time"),
             EndCause::Memory(megabytes) => (format!("memory limit of {megabytes} MB"), "memory"),
+            EndCause::AddressSpace(megabytes) => {
+                let limit = format!("system's limit of {megabytes:.0} MB of address space (ulimit -v)");
+                return write!(
+                    formatter,
+                    "the {limit} was nearly reached (raise it, or use fewer threads with --jobs)"
+                );
+            }
             EndCause::Steps(steps) => (format!("limit of {steps} integration steps"), "step"),
             EndCause::Interruption => return formatter.write_str("interrupted"),
         };
@@ -64,7 +75,9 @@ pub(crate) fn listen() {
         if INTERRUPTIONS.fetch_add(1, Ordering::Relaxed) > 0 {
             leave("error: interrupted twice: cancelled at once; nothing more is written");
         }
-        terminal::note("interrupted: writing the finished results; press Ctrl-C again to cancel at once");
+        terminal::note(
+            "interrupted: writing the finished results; Ctrl-C once more, after two seconds, cancels at once",
+        );
     });
 }
 
@@ -127,6 +140,21 @@ struct Watched {
     /// The time that was taken before.
     taken: Duration,
     met: OnceLock<EndCause>,
+    /// The megabytes of address space that the system allows, if it limits them.
+    address_space: Option<f64>,
+}
+
+/// The megabytes of address space that the system allows the process, if it limits them.
+#[cfg(unix)]
+fn address_space() -> Option<f64> {
+    use rustix::process::{Resource, getrlimit};
+    getrlimit(Resource::As).current.map(|bytes| bytes as f64 / 1e6)
+}
+
+/// The system has no such limit.
+#[cfg(not(unix))]
+fn address_space() -> Option<f64> {
+    None
 }
 
 impl Watch {
@@ -134,7 +162,8 @@ impl Watch {
     pub(crate) fn begin(limits: Limits, taken: Duration) -> Self {
         // The number of steps is a whole number, and a limit beyond all counts is no limit.
         let stop = Stop::after(limits.steps as u64);
-        let watched = Arc::new(Watched { stop, limits, began: clock(), taken, met: OnceLock::new() });
+        let (met, address_space) = (OnceLock::new(), address_space());
+        let watched = Arc::new(Watched { stop, limits, began: clock(), taken, met, address_space });
         let weak = Arc::downgrade(&watched);
         let look = move || {
             // The thread ends with the watch.
@@ -183,7 +212,8 @@ impl Watched {
         } else if holds_more_than(memory) {
             Some(EndCause::Memory(memory))
         } else {
-            None
+            let is_used_up = |limit: &f64| megabytes("VmSize:").is_some_and(|taken| taken > ANALYSIS * limit);
+            self.address_space.filter(is_used_up).map(EndCause::AddressSpace)
         }
     }
 }
@@ -210,6 +240,24 @@ pub(crate) fn reading<T>(
     }
 }
 
+/// A note if drawing and writing, which limits do not end, took more than these allow.
+pub(crate) fn note_excess(file: &Path, limits: Limits, taken: Duration) {
+    let (seconds, file) = (taken.as_secs_f64(), file.display());
+    let what = "drawing and writing, which limits do not end";
+    if seconds > limits.time {
+        terminal::note(&format!(
+            "{file}: {seconds:.1} s of CPU time with {what}: more than the limit of {} s",
+            limits.time
+        ));
+    }
+    if let Some(held) = held().filter(|held| *held > limits.memory) {
+        terminal::note(&format!(
+            "{file}: {held:.0} MB with {what}: more than the limit of {} MB",
+            limits.memory
+        ));
+    }
+}
+
 /// The failure of an analysis that was ended, with the cause, a limit or Ctrl-C, if it is known.
 pub(crate) fn ended(file: &Path, met: Option<EndCause>, outcome: &str) -> Failure {
     let cause = met.map_or(String::new(), |met| format!("{met}; "));
@@ -217,14 +265,19 @@ pub(crate) fn ended(file: &Path, met: Option<EndCause>, outcome: &str) -> Failur
 }
 
 /// Whether the process holds more than this many megabytes; false where the system does not report it.
-pub(crate) fn holds_more_than(megabytes: f64) -> bool {
+fn holds_more_than(megabytes: f64) -> bool {
     held().is_some_and(|held| held > megabytes)
 }
 
 /// The memory that the process holds, in megabytes, where the system reports it as Linux does.
-fn held() -> Option<f64> {
-    let kilobytes: f64 = status("VmRSS:")?.parse().ok()?;
-    Some(kilobytes / 1000.0)
+pub(crate) fn held() -> Option<f64> {
+    megabytes("VmRSS:")
+}
+
+/// A quantity of memory that the system reports under a name, in megabytes.
+fn megabytes(name: &str) -> Option<f64> {
+    let kilobytes: f64 = status(name)?.parse().ok()?;
+    Some(1.024e-3 * kilobytes)
 }
 
 /// A value of this process that the system reports under a name, where it does so as Linux does.

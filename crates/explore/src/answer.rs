@@ -26,9 +26,15 @@ impl Problem {
         Self::new(400, format!("the request is invalid: {error}"))
     }
 
-    /// A computation that was ended.
+    /// A computation that was ended because its time or its steps are used up.
     pub(crate) fn ended() -> Self {
         Self::new(503, "the computation was cancelled because it took too long")
+    }
+
+    /// A computation that was ended because it took too much memory.
+    #[cfg(feature = "server")]
+    pub(crate) fn too_large() -> Self {
+        Self::new(503, "the computation was cancelled because it took too much memory")
     }
 
     /// The message for the page, as JSON.

@@ -109,7 +109,7 @@ pub fn answer(
                 file(&request, export, stop).map(|Sheet { kind, content, .. }| (kind, content))
             }
             Asked::Told(compute) => {
-                events::tell(&*compute, listener, clock, stop);
+                events::tell(&*compute, listener, clock, stop, &Problem::ended);
                 Ok((EVENTS, Vec::new()))
             }
         }

@@ -38,12 +38,19 @@ struct Stages {
     last: Option<Duration>,
 }
 
-/// Computes, and sends results as they are found; at the end that it is done, or why it is not.
-pub(crate) fn tell(compute: &Told, listener: &Listener, clock: Clock, stop: &Stop) {
+/// Computes, and sends results as they are found; at the end that it is done, or why it is not: `ended` says why
+/// it was asked to stop.
+pub(crate) fn tell(
+    compute: &Told,
+    listener: &Listener,
+    clock: Clock,
+    stop: &Stop,
+    ended: &dyn Fn() -> Problem,
+) {
     let began = clock();
     let events = Events { listener, clock, stop, stages: Mutex::default() };
     match compute(&events, stop) {
-        _ if stop.is_asked() => events.send("error", &Problem::ended().told()),
+        _ if stop.is_asked() => events.send("error", &ended().told()),
         Ok(()) => events.send("done", &json!({ "seconds": (clock() - began).as_secs_f64() })),
         Err(problem) => events.send("error", &problem.told()),
     }

@@ -47,8 +47,11 @@ impl Model {
     /// The settings over the text of the file, for a view of the plane or for the file's own.
     ///
     /// # Errors
-    /// A constant has an impossible name.
+    /// A constant has an impossible name, or too many are set.
     pub fn settings(&self, view: Option<&View>) -> Result<Vec<Setting>, SettingError> {
+        if self.set.len() > Setting::MOST {
+            return Err(SettingError::too_many(self.set.len()));
+        }
         let constants =
             self.set.iter().map(|(name, value)| Setting::new(&format!("parameters.{name}"), *value));
         // One-parameter diagrams need not lie in the view, and are not requested.

@@ -18,14 +18,13 @@ impl Source<'_> {
         read: impl FnOnce(Spanned<DeTable<'_>>) -> Result<T, E>,
     ) -> Result<T, E> {
         let Text { whole, end, settings } = self.text;
-        let padded: Vec<String> =
-            settings.iter().map(|(position, setting)| setting.padded(*position)).collect();
+        let assigned: Vec<String> = settings.iter().map(|(_, setting)| setting.assigned()).collect();
         let mut document = DeTable::parse(&whole[..*end]).map_err(|error| self.syntax(&error))?;
-        for ((position, setting), padded) in settings.iter().zip(&padded) {
+        for ((position, setting), assigned) in settings.iter().zip(&assigned) {
             self.must_be_there(setting, *position, document.get_ref())?;
-            setting.apply(document.get_mut(), *position, padded).map_err(|refusal| {
+            setting.apply(document.get_mut(), *position, assigned).map_err(|refusal| {
                 let Place { file, line, .. } = self.place(*position);
-                let (key, value) = (setting.key().to_owned(), setting.value().to_owned());
+                let [key, value] = [setting.key(), setting.value()].map(|text| shortened(text, SHOWN));
                 let allowed = format!("{}: {}", refusal.key, refusal.allowed);
                 SourceError::Forbidden { file, line, key, value, allowed }
             })?;
@@ -51,7 +50,7 @@ impl Source<'_> {
         if names.contains(&name) {
             return Ok(());
         }
-        Err(self.unknown(position, setting.key().to_owned(), name, &names))
+        Err(self.unknown(position, shortened(setting.key(), SHOWN), name, &names))
     }
 
     /// The whole file, read by `read`.

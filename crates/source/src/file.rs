@@ -38,10 +38,13 @@ pub fn read_bytes(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     }
     let file = options.open(path)?;
     // The file may have been replaced in between.
-    regular(&file.metadata()?)?;
+    let data = file.metadata()?;
+    regular(&data)?;
     let mut bytes = Vec::new();
-    file.take(most + 1).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > most {
+    if data.len() <= most {
+        file.take(most + 1).read_to_end(&mut bytes)?;
+    }
+    if data.len().max(bytes.len() as u64) > most {
         let what = format!("it is longer than {most} bytes, far longer than files of this kind are");
         return Err(io::Error::other(what));
     }

@@ -8,7 +8,8 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::error::Mistake;
-use crate::words::joined;
+use crate::source::SHOWN;
+use crate::words::{joined, shortened};
 
 /// A value for a key of a file: `oscillator.zeta=0.05`, `fig08.panels[2].n=1`, `analysis.loops=[1,
 /// 2]`.
@@ -38,8 +39,8 @@ impl FromStr for Setting {
         })?;
         let (key, value) = (checked(key.trim())?, value.trim().to_owned());
         // A line end could introduce unwanted keys.
-        let single = padded(&value, ASSIGNED.len());
-        if value.contains(['\n', '\r']) || parsed(&single).is_none() {
+        if value.contains(['\n', '\r']) || parsed(&assigned(&value)).is_none() {
+            let value = shortened(&value, SHOWN);
             return Err(SettingError(format!(
                 "{value} is not a value: write a number, true, a list [1, 2], or text \"in quotation marks\", with apostrophes around the whole so that the shell keeps the quotation marks: 'name=\"my oscillator\"'"
             )));
@@ -59,12 +60,23 @@ fn checked(key: &str) -> Result<String, SettingError> {
     match steps(key) {
         Some(_) => Ok(key.to_owned()),
         None => Err(SettingError(format!(
-            "{key} is not a key: parts are joined by dots, and members of lists are counted from 1, such as fig08.panels[2].n"
+            "{} is not a key: parts are joined by dots, and members of lists are counted from 1, such as fig08.panels[2].n",
+            shortened(key, SHOWN)
         ))),
     }
 }
 
+impl SettingError {
+    /// The error that there are more than [`Setting::MOST`] settings.
+    pub fn too_many(count: usize) -> Self {
+        Self(format!("{count} values are set: at most {} can be", Setting::MOST))
+    }
+}
+
 impl Setting {
+    /// The most settings over one file: more than any file has keys.
+    pub const MOST: usize = 1000;
+
     /// A value for a key.
     ///
     /// # Errors
@@ -88,10 +100,9 @@ impl Setting {
         Setting { key: format!("{table}.{}", self.key), value: self.value.clone() }
     }
 
-    /// The text from which [`apply`](Self::apply) reads the value, for a setting that is written at
-    /// a position of a longer text.
-    pub(crate) fn padded(&self, position: usize) -> String {
-        padded(&self.value, position + self.key.len() + 1)
+    /// The text from which [`apply`](Self::apply) reads the value.
+    pub(crate) fn assigned(&self) -> String {
+        assigned(&self.value)
     }
 
     /// Puts the value into a document, in whose text the setting begins at `position`.
@@ -99,11 +110,14 @@ impl Setting {
         &self,
         document: &mut DeTable<'d>,
         position: usize,
-        padded: &'d str,
+        assigned: &'d str,
     ) -> Result<(), Refusal> {
         let span = position..position + self.key.len();
-        match (steps(&self.key), parsed(padded)) {
-            (Some(steps), Some(value)) => put(document, &steps, "", &span, value),
+        match (steps(&self.key), parsed(assigned)) {
+            (Some(steps), Some(value)) => {
+                let begins = span.end + "=".len();
+                put(document, &steps, "", &span, moved(value, begins - ASSIGNED.len()))
+            }
             _ => Ok(()),
         }
     }
@@ -182,13 +196,32 @@ pub(crate) fn steps(key: &str) -> Option<Vec<Step>> {
 const ASSIGNED: &str = "v=";
 const ASSIGNED_KEY: &str = "v";
 
-/// A text in which the value stands at the same position as in a longer one, preceded only by its
-/// assignment.
-fn padded(value: &str, position: usize) -> String {
-    format!("{}{ASSIGNED}{value}", " ".repeat(position - ASSIGNED.len()))
+/// A value with its assignment.
+fn assigned(value: &str) -> String {
+    format!("{ASSIGNED}{value}")
 }
 
-/// The value in a padded text.
+/// A value whose places are those in a text in which it stands farther behind.
+fn moved(value: Spanned<DeValue<'_>>, by: usize) -> Spanned<DeValue<'_>> {
+    let behind = |span: Range<usize>| span.start + by..span.end + by;
+    let span = behind(value.span());
+    let value = match value.into_inner() {
+        DeValue::Array(members) => {
+            DeValue::Array(members.into_iter().map(|member| moved(member, by)).collect())
+        }
+        DeValue::Table(table) => {
+            let entries = table.into_iter().map(|(key, value)| {
+                let span = behind(key.span());
+                (Spanned::new(span, key.into_inner()), moved(value, by))
+            });
+            DeValue::Table(entries.collect())
+        }
+        value => value,
+    };
+    Spanned::new(span, value)
+}
+
+/// The value in a text with its assignment.
 fn parsed(text: &str) -> Option<Spanned<DeValue<'_>>> {
     let mut document = DeTable::parse(text).ok()?.into_inner();
     let value = document.remove(ASSIGNED_KEY)?;

@@ -1,12 +1,17 @@
 //! Words in messages: suggestions for misspelt names, and shortened texts.
 
+/// The most letters of a name for which a correction is looked for.
+const LONGEST: usize = 64;
+
 /// The known name that is spelt like `name`: the nearest one, the first of equals, if it is a
 /// plausible correction.
 ///
-/// Few letters may differ, a third of them at most; or one name begins with the whole of the other.
+/// Few letters may differ, a third of them at most; or one name begins with the whole of the other. Names of
+/// more than 64 letters are not compared, since that takes a time that grows with their product.
 pub fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
+    let is_short = |name: &str| name.chars().nth(LONGEST).is_none();
     let mut best: Option<(usize, &str)> = None;
-    for candidate in known {
+    for candidate in known.iter().filter(|candidate| is_short(name) && is_short(candidate)) {
         let distance =
             if name.eq_ignore_ascii_case(candidate) { 0 } else { strsim::osa_distance(name, candidate) };
         let letters = [name, candidate].map(|name| name.chars().count());

@@ -5,6 +5,7 @@
 //! Host must be the server's own, since a foreign name could be made to resolve to this machine
 //! (DNS rebinding); and a request from a page must come from the server's own.
 
+use hyper::Uri;
 use hyper::header::{self, HeaderMap, HeaderName, HeaderValue};
 
 /// Random letters in the path of the address.
@@ -36,9 +37,9 @@ impl Token {
     }
 }
 
-/// Whether a request may be answered: it is for this server, and comes from its own page if it
-/// comes from one.
-pub(crate) fn is_own(headers: &HeaderMap, port: u16) -> bool {
+/// Whether a request may be answered: it is for this server, also by a target that names one, and comes
+/// from its own page if it comes from one.
+pub(crate) fn is_own(target: &Uri, headers: &HeaderMap, port: u16) -> bool {
     let own = ["127.0.0.1", "localhost", "[::1]"].map(|name| format!("{name}:{port}"));
     // If a header occurs twice, an intermediary may have read the other one.
     let single = |name: &str| headers.get_all(name).iter().count() <= 1;
@@ -47,7 +48,15 @@ pub(crate) fn is_own(headers: &HeaderMap, port: u16) -> bool {
     let origin = text(header::ORIGIN)
         .is_none_or(|origin| own.iter().any(|own| origin.strip_prefix("http://") == Some(own)));
     let site = headers.get("sec-fetch-site").is_none_or(|site| site == "same-origin" || site == "none");
-    host && origin && site && ["host", "origin", "sec-fetch-site"].into_iter().all(single)
+    let scheme = target.scheme_str().is_none_or(|scheme| scheme == "http");
+    let authority =
+        target.authority().is_none_or(|authority| own.iter().any(|own| own == authority.as_str()));
+    scheme
+        && authority
+        && host
+        && origin
+        && site
+        && ["host", "origin", "sec-fetch-site"].into_iter().all(single)
 }
 
 /// Adds the headers of every answer: nothing is loaded from elsewhere, nothing is stored, and no

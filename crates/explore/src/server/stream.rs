@@ -13,7 +13,7 @@ use hyper::body::{Body as HttpBody, Bytes, Frame};
 use tokio::sync::mpsc::{Receiver, channel};
 
 use super::response::{self, Body};
-use super::turns::{self, Begun, StopOnDrop, Turns};
+use super::turns::{self, Begun, Cause, StopOnDrop, Turns};
 use crate::answer::Problem;
 use crate::asked::{EVENTS, Told, Weight};
 use crate::events;
@@ -30,9 +30,9 @@ fn clock() -> Duration {
 /// Computes, and sends results as they are found.
 pub(super) async fn events(turns: &Turns, compute: Box<Told>) -> Result<Response<Body>, Problem> {
     let (sender, receiver) = channel(WAITING);
-    let work = move |stop: &Stop| {
+    let work = move |stop: &Stop, cause: &Cause| {
         let listener = move |text: String| sender.blocking_send(text.into()).is_ok();
-        events::tell(&*compute, &listener, clock, stop);
+        events::tell(&*compute, &listener, clock, stop, &|| cause.problem());
     };
     let Begun { guard, .. } = turns::begin(turns, Weight::Heavy, work).await?;
     Ok(response::with_kind(EVENTS, Reading { receiver, _guard: guard }.boxed()))

@@ -1,7 +1,7 @@
 //! Computations: how many at once, for how long, and their end when nobody waits for them.
 
 use std::io;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
 
 use grazing_model::smooth::Stop;
@@ -37,6 +37,11 @@ pub struct Limits {
     pub grace: Duration,
     /// The most steps of integration of a computation.
     pub steps: u64,
+    /// The most megabytes of the process. When it holds more, computations that have grown by `growth` since
+    /// they began are cancelled, and no others: memory that was freed may stay with the process.
+    pub memory: f64,
+    /// The megabytes by which the process may grow while a computation runs even if it is too large.
+    pub growth: f64,
 }
 
 impl Default for Limits {
@@ -50,6 +55,8 @@ impl Default for Limits {
             time: Duration::from_secs(120),
             grace: Duration::from_secs(10),
             steps: 2_000_000_000,
+            memory: grazing_description::Limits::USUAL.memory,
+            growth: 250.0,
         }
     }
 }
@@ -61,6 +68,19 @@ pub(crate) struct Turns {
     heavy: Arc<Lane>,
     /// The number of times that all computations were ended; they end when it changes.
     ending: watch::Sender<u64>,
+    /// The megabytes that the process holds.
+    held: watch::Sender<f64>,
+}
+
+/// The cause that has ended a computation, once there is one.
+#[derive(Clone, Default)]
+pub(crate) struct Cause(Arc<OnceLock<fn() -> Problem>>);
+
+impl Cause {
+    /// The reason why there is no result.
+    pub(crate) fn problem(&self) -> Problem {
+        self.0.get().map_or_else(Problem::ended, |problem| problem())
+    }
 }
 
 /// Computations of one weight.
@@ -123,7 +143,13 @@ impl Turns {
     /// No threads can be started.
     pub(crate) fn new(limits: Limits) -> io::Result<Self> {
         let [light, heavy] = [Lane::new(limits.light)?, Lane::new(limits.computations)?];
-        Ok(Self { limits, light, heavy, ending: watch::Sender::new(0) })
+        let (ending, held) = (watch::Sender::new(0), watch::Sender::new(0.0));
+        Ok(Self { limits, light, heavy, ending, held })
+    }
+
+    /// Takes note of the megabytes that the process holds.
+    pub(crate) fn note_memory(&self, megabytes: f64) {
+        self.held.send_replace(megabytes);
     }
 
     /// Ends all computations.
@@ -142,18 +168,24 @@ impl Turns {
         Ok(Turn { seat: Arc::new(Seat { lane: lane.clone(), permit: Mutex::new(Some(permit)) }), pool })
     }
 
-    /// A mark that ends a computation when its time or its steps are used up, when all are to end,
-    /// or when the guard returned with it is dropped. A computation that goes on regardless loses
-    /// its turn.
+    /// A mark that ends a computation when its time, its steps or its memory are used up, when all are to
+    /// end, or when the guard returned with it is dropped. A computation that goes on regardless loses its
+    /// turn.
     fn mark(&self, turn: &Turn) -> (Stop, StopOnDrop) {
         let stop = Stop::after(self.limits.steps);
-        let Limits { time, grace, .. } = self.limits;
+        let Limits { time, grace, memory, growth, .. } = self.limits;
         let (guarded, dropped) = oneshot::channel::<()>();
+        let (mut held, cause) = (self.held.subscribe(), Cause::default());
+        let before = *held.borrow_and_update();
+        let of_memory = cause.clone();
         let (asked, mut ending, seat) = (stop.clone(), self.ending.subscribe(), Arc::downgrade(&turn.seat));
         tokio::spawn(async move {
             tokio::select! {
                 () = sleep(time) => {}
                 _ = ending.changed() => {}
+                _ = held.wait_for(|now| *now > memory && now - before > growth) => {
+                    let _ = of_memory.0.set(Problem::too_large);
+                }
                 _ = dropped => {}
             }
             asked.ask();
@@ -165,13 +197,14 @@ impl Turns {
                 }
             }
         });
-        (stop.clone(), StopOnDrop { stop, _guarded: guarded })
+        (stop.clone(), StopOnDrop { stop, cause, _guarded: guarded })
     }
 }
 
 /// A guard that cancels a computation when it is dropped, as it is with an answer that nobody waits for.
 pub(crate) struct StopOnDrop {
     stop: Stop,
+    cause: Cause,
     _guarded: oneshot::Sender<()>,
 }
 
@@ -192,11 +225,12 @@ pub(crate) struct Begun<T> {
 pub(crate) async fn begin<T: Send + 'static>(
     turns: &Turns,
     weight: Weight,
-    work: impl FnOnce(&Stop) -> T + Send + 'static,
+    work: impl FnOnce(&Stop, &Cause) -> T + Send + 'static,
 ) -> Result<Begun<T>, Problem> {
     let turn = turns.turn(weight).await?;
     let (stop, guard) = turns.mark(&turn);
-    let result = spawn_blocking(move || turn.pool.install(|| work(&stop)));
+    let cause = guard.cause.clone();
+    let result = spawn_blocking(move || turn.pool.install(|| work(&stop, &cause)));
     Ok(Begun { result, guard })
 }
 
@@ -206,8 +240,9 @@ pub(crate) async fn computed<T: Send + 'static>(
     weight: Weight,
     work: impl FnOnce(&Stop) -> Result<T, Problem> + Send + 'static,
 ) -> Result<T, Problem> {
-    let Begun { result, guard: _guard } = begin(turns, weight, work).await?;
+    let Begun { result, guard } = begin(turns, weight, move |stop, _| work(stop)).await?;
     let Limits { time, grace, .. } = turns.limits;
     let failed = |_| Problem::new(500, "the computation failed");
-    timeout(time + grace, result).await.map_err(|_| Problem::ended())?.map_err(failed)?
+    let result = timeout(time + grace, result).await.map_err(|_| guard.cause.problem())?.map_err(failed)?;
+    result.map_err(|problem| if guard.stop.is_asked() { guard.cause.problem() } else { problem })
 }

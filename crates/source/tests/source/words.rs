@@ -21,6 +21,9 @@ fn only_what_can_have_been_meant_is_suggested() {
     assert_eq!(nearest("cosine", &["sin", "cos"]), Some("cos"));
     assert_eq!(nearest("loop", &["loops", "start"]), Some("loops"));
     assert_eq!(nearest("anything", &[]), None);
+    // Names that nobody types are not compared.
+    let long = "omega".repeat(200_000);
+    assert_eq!((nearest(&long, &["omega"]), nearest("omega", &[&long])), (None, None));
 }
 
 #[test]

@@ -52,7 +52,7 @@ impl Running {
         let address = server.address();
         let ended = Arc::new(AtomicBool::new(false));
         let asked = ended.clone();
-        let thread = thread::spawn(move || server.run(|| asked.load(Ordering::Relaxed), || false).unwrap());
+        let thread = thread::spawn(move || server.run(|| asked.load(Ordering::Relaxed), || None).unwrap());
         Self { address, ended, thread: Some(thread) }
     }
 

@@ -13,7 +13,7 @@ fn exporting(told: fn(&Figure) -> Value) -> Running {
         let content = told(&seen.figure).to_string().into_bytes();
         Ok(Sheet { name: "taken".to_owned(), kind: "application/json", content })
     };
-    Running::with(LIMITS, Box::new(export), || false)
+    Running::with(LIMITS, Box::new(export), || None)
 }
 
 fn answered(server: &Running, name: &str, body: &Value) -> Value {

@@ -99,7 +99,7 @@ fn whoever_hangs_up_ends_motion_that_hardly_moves() {
         Err(String::new())
     };
     let limits = Limits { steps: u64::MAX, ..LIMITS };
-    let server = Running::with(limits, Box::new(endless), || false);
+    let server = Running::with(limits, Box::new(endless), || None);
     let body = json!({"model": {"text": null}, "view": whole_view(), "what": "csv:a"}).to_string();
     let asked: Vec<TcpStream> = (0..limits.computations).map(|_| server.begin("export", &body)).collect();
     asked.iter().for_each(|_| begun.recv().unwrap());
@@ -150,7 +150,7 @@ fn who_never_reads_loses_turn_and_connection() {
     let large = |_: &_, _: &str, _: &str, _: &_| {
         Ok(Sheet { name: "a.csv".to_owned(), kind: "text/csv", content: vec![b' '; 50_000_000] })
     };
-    let server = Running::with(limits, Box::new(large), || false);
+    let server = Running::with(limits, Box::new(large), || None);
     let view = json!({"primary": [0.0, 0.01], "secondary": [0.7, 0.71]});
     let body = json!({"model": {"text": null}, "view": view, "what": "csv:a"}).to_string();
     let sheets: Vec<TcpStream> = (0..limits.connections).map(|_| server.begin("export", &body)).collect();
@@ -173,7 +173,7 @@ fn a_computation_that_does_not_hear_loses_its_turn() {
     };
     let time = Duration::from_secs(2);
     let limits = Limits { computations: 1, time, grace: Duration::from_millis(10), ..LIMITS };
-    let server = Running::with(limits, Box::new(deaf), || false);
+    let server = Running::with(limits, Box::new(deaf), || None);
     let view = json!({"primary": [0.0, 0.01], "secondary": [0.7, 0.71]});
     let body = json!({"model": {"text": null}, "view": view, "what": "csv:a"}).to_string();
     for _ in 0..2 {

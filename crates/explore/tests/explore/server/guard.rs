@@ -44,4 +44,18 @@ fn foreign_hosts_and_pages_are_refused() {
         let request = format!("GET {} HTTP/1.1\r\n{headers}Connection: close\r\n\r\n", server.path);
         assert_eq!(server.ask(request.as_bytes()).0, status, "{headers}");
     }
+    // A target may name the server as well, and then has to name this one.
+    for (target, status) in [
+        (format!("http://127.0.0.1:{own}"), 200),
+        (format!("http://localhost:{own}"), 200),
+        ("http://example.org".to_owned(), 403),
+        (format!("http://example.org:{own}"), 403),
+        (format!("http://127.0.0.1:{other}"), 403),
+        (format!("https://127.0.0.1:{own}"), 403),
+        (format!("http://user@127.0.0.1:{own}"), 403),
+    ] {
+        let rest = format!("HTTP/1.1\r\nHost: 127.0.0.1:{own}\r\nConnection: close\r\n\r\n");
+        let request = format!("GET {target}{} {rest}", server.path);
+        assert_eq!(server.ask(request.as_bytes()).0, status, "{target}");
+    }
 }

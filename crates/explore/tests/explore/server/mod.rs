@@ -7,8 +7,9 @@ mod guard;
 mod mutations;
 mod running;
 
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
-use std::io::Read;
+use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
@@ -168,14 +169,67 @@ fn what_nobody_waits_for_makes_room_and_lets_the_server_end() {
 
 #[test]
 fn a_process_that_grows_too_large_ends_what_it_computes_and_goes_on() {
-    let server = Running::with_memory(LIMITS, || true);
+    // It grows by more than a computation may each time that it is looked at.
+    let looks = AtomicUsize::new(0);
+    let held = move || Some(2.0 * LIMITS.memory * looks.fetch_add(1, Ordering::Relaxed) as f64);
+    let server = Running::with_memory(LIMITS, held);
     let (text, _) = narrow();
     let view = json!({"primary": [0.0, 1.5], "secondary": [0.4, 1.1]});
     let asked =
         json!({"model": {"text": text}, "view": view, "columns": 1000, "rows": 1000, "periods": 5000});
     let (status, stream) = server.post("tiles", &asked.to_string());
     assert_eq!((status, events(&stream, "error").len(), events(&stream, "done").len()), (200, 1, 0));
+    assert!(events(&stream, "error")[0]["message"].as_str().unwrap().contains("memory"), "{stream}");
     assert_eq!(server.get(&server.path), 200);
+    // Memory that was freed may stay with the process, and then ends nothing.
+    let server = Running::with_memory(LIMITS, || Some(2.0 * LIMITS.memory));
+    let body = json!({"model": {"text": null}, "at": [0.3, 0.8], "states": 4}).to_string();
+    assert_eq!(server.post("place", &body).0, 200);
+}
+
+#[test]
+fn thousands_of_keys_are_refused_by_their_number_and_one_unknown_key_by_its_name() {
+    let server = Running::new(Limits { body: 200_000, ..LIMITS });
+    let checked = |count: usize| {
+        let set: BTreeMap<String, f64> = (0..count).map(|key| (format!("k{key}"), 1.0)).collect();
+        let (status, told) = server.post("check", &json!({"text": null, "set": set}).to_string());
+        assert_eq!(status, 200, "{told}");
+        told
+    };
+    assert!(checked(12_000).contains("12000 values are set: at most 1000"));
+    assert!(checked(1).contains("parameters.k0"));
+    // A name of a hundred thousand letters is compared with none.
+    let body = json!({"text": format!("{} = 1", "k".repeat(150_000))}).to_string();
+    let (status, told) = server.post("check", &body);
+    assert!(status == 200 && told.len() < 10_000, "{status} {}", told.len());
+}
+
+#[test]
+fn whoever_opens_connections_without_the_token_does_not_keep_the_page_away() {
+    let server = Running::new(LIMITS);
+    let mut known = server.connect();
+    let begin = server.head("GET", &server.path, "").replace("Connection: close\r\n", "");
+    known.write_all(begin.as_bytes()).unwrap();
+    assert!(known.read(&mut [0; 1]).unwrap() > 0);
+    let _silent: Vec<TcpStream> = (0..2 * LIMITS.connections).map(|_| server.connect()).collect();
+    assert_eq!(server.get(&server.path), 200);
+    // A connection that has shown the token is not closed for others.
+    known.write_all(server.head("GET", &server.path, "").as_bytes()).unwrap();
+    let mut rest = String::new();
+    known.read_to_string(&mut rest).unwrap();
+    assert_eq!(rest.matches("TTP/1.1 200 OK").count(), 2, "{rest}");
+}
+
+#[test]
+fn a_body_in_broken_pieces_is_a_bad_request() {
+    let server = Running::new(LIMITS);
+    let path = format!("{}check", server.path);
+    let head = server.head("POST", &path, "Content-Type: application/json\r\nTransfer-Encoding: chunked\r\n");
+    for pieces in ["xyz\r\n{}\r\n0\r\n\r\n", "2\r\n{}xx\r\n0\r\n\r\n"] {
+        assert_eq!(server.ask(format!("{head}{pieces}").as_bytes()).0, 400, "{pieces:?}");
+    }
+    let large = format!("{:x}\r\n{}\r\n0\r\n\r\n", 2 * LIMITS.body, " ".repeat(2 * LIMITS.body));
+    assert_eq!(server.ask(format!("{head}{large}").as_bytes()).0, 413);
 }
 
 #[test]

@@ -32,25 +32,27 @@ pub(crate) const LIMITS: Limits = Limits {
     time: Duration::from_secs(3600),
     grace: Duration::from_secs(3600),
     steps: 1_000_000_000,
+    memory: 1000.0,
+    growth: 100.0,
 };
 
 impl Running {
     pub(crate) fn new(limits: Limits) -> Self {
-        Self::with_memory(limits, || false)
+        Self::with_memory(limits, || None)
     }
 
-    pub(crate) fn with_memory(limits: Limits, too_large: impl Fn() -> bool + Send + 'static) -> Self {
+    pub(crate) fn with_memory(limits: Limits, held: impl Fn() -> Option<f64> + Send + 'static) -> Self {
         let export = |_: &_, what: &str, _: &str, _: &Stop| match what {
             "csv:a" => Ok(Sheet { name: "a.csv".to_owned(), kind: "text/csv", content: b"1\n".to_vec() }),
             other => Err(format!("{other} is not made")),
         };
-        Self::with(limits, Box::new(export), too_large)
+        Self::with(limits, Box::new(export), held)
     }
 
     pub(crate) fn with(
         limits: Limits,
         export: Export,
-        too_large: impl Fn() -> bool + Send + 'static,
+        held: impl Fn() -> Option<f64> + Send + 'static,
     ) -> Self {
         let example = Example { name: "Paper".to_owned(), file: String::new(), text: None };
         let server = Server::bind(0, limits, "cargo xtask", vec![example], export).unwrap();
@@ -60,7 +62,7 @@ impl Running {
         let (address, path) = (host.parse().unwrap(), format!("/{path}"));
         let ended = Arc::new(AtomicBool::new(false));
         let asked = ended.clone();
-        let thread = thread::spawn(move || server.run(|| asked.load(Ordering::Relaxed), too_large).unwrap());
+        let thread = thread::spawn(move || server.run(|| asked.load(Ordering::Relaxed), held).unwrap());
         Self { address, path, ended, thread: Some(thread) }
     }
 
