@@ -269,20 +269,27 @@ pub struct Unfold {
     /// Print every hypothesis and every quantity of every resonance
     #[arg(long)]
     pub explain: bool,
-    /// CPU seconds after which an analysis stops with its partial results [default: the file's, or 600]
+    #[command(flatten)]
+    pub(crate) limits: AnalysisLimits,
+}
+
+/// Limits of the analysis. Drawing and writing come after it and are not ended by them.
+#[derive(Debug, Args)]
+pub struct AnalysisLimits {
+    /// CPU seconds after which the analysis stops; drawing and writing what it has come after [default: the file's, or 600]
     #[arg(long, value_name = "SECONDS", value_parser = positive)]
     pub time_limit: Option<f64>,
-    /// Memory in megabytes at which it stops [default: the file's, or 2000]
+    /// Memory in megabytes at which the analysis stops [default: the file's, or 2000]
     #[arg(long, value_name = "MB", value_parser = positive)]
     pub memory_limit: Option<f64>,
-    /// Integration steps after which it stops [default: the file's, or 1e10]
+    /// Integration steps after which the analysis stops [default: the file's, or 1e10]
     #[arg(long, value_name = "N", value_parser = positive)]
     pub step_limit: Option<f64>,
 }
 
-impl Unfold {
+impl AnalysisLimits {
     /// The limits given on the command line, or else those of a file.
-    pub(crate) fn limits(&self, file: Limits) -> Limits {
+    pub(crate) fn over(&self, file: Limits) -> Limits {
         Limits {
             time: self.time_limit.unwrap_or(file.time),
             memory: self.memory_limit.unwrap_or(file.memory),
@@ -353,6 +360,8 @@ pub struct Identify {
     pub output: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) threads: Threads,
+    #[command(flatten)]
+    pub(crate) limits: AnalysisLimits,
 }
 
 /// The arguments of `grazing merge`.

@@ -52,7 +52,17 @@ impl Failure {
 
     /// The failure to read or write a file although its folder passed the checks.
     pub(crate) fn file(path: &Path, reason: &std::io::Error) -> Self {
-        Self::unwritten(format!("{}: {reason}", path.display()))
+        let path = path.display();
+        if reason.kind() == std::io::ErrorKind::FileTooLarge {
+            let limit = "the file would be larger than the system allows (ulimit -f)";
+            return Self::incomplete(format!("{path}: {limit}"));
+        }
+        Self::unwritten(format!("{path}: {reason}"))
+    }
+
+    /// The same failure, with what was done in spite of it.
+    pub(crate) fn but(self, done: &str) -> Self {
+        Self { reason: format!("{}; {done}", self.reason), ..self }
     }
 
     /// The failure of some outputs, or their incompleteness.

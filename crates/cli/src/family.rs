@@ -44,7 +44,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let origin = Origin::of_file(file, arguments)?;
     let read = |stop: &Stop| read(&origin, &arguments.vary, arguments.part, stop);
     // Members have more time together, but their number is not known yet.
-    let ((description, plan, members), taken) = reading(file, arguments.limits(Limits::USUAL), read)?;
+    let ((description, plan, members), taken) = reading(file, arguments.limits.over(Limits::USUAL), read)?;
     let folder = arguments.output.clone().unwrap_or_else(|| origin.folder());
     let edition = arguments.look.edition();
     let paths = match arguments.part {
@@ -63,7 +63,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
         arguments.part,
         members.len(),
     ));
-    let watch = Watch::begin(arguments.limits(limits(&description, members.len())), taken);
+    let watch = Watch::begin(arguments.limits.over(limits(&description, members.len())), taken);
     let display = Display::counting(watch.stop());
     let tell = |description: &Description, error: &_| reason::of(error, description);
     let found = records(&plan, &members, &tell, &watch.stop(), &display);

@@ -13,7 +13,9 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 pub use difference::Differences;
-pub(crate) use manifest::{MANIFEST, list, place_of_run, place_to_write, refuse_mixture, write_run};
+pub(crate) use manifest::{
+    MANIFEST, list, place_of_run, place_to_write, refuse_mixture, write_part, write_run,
+};
 pub use place::name_for;
 pub(crate) use place::to_write;
 pub use temporaries::remove_own_temporaries;
@@ -50,8 +52,8 @@ pub enum Change {
     Removed,
 }
 
-/// Checks that files can be written into the folder and its subfolder for data, and leaves no trace
-/// of the test.
+/// Checks that files can be written into the folder and its subfolder for data, and that those that are there
+/// can be read, which decides whether they change; leaves no trace of the test.
 ///
 /// A folder that does not exist is not created: the nearest one above it that exists is tested.
 /// Stale files are deleted.
@@ -67,7 +69,25 @@ pub fn ensure_writable(folder: &Path, files: &[PathBuf]) -> Result<(), Failure> 
         }
         sweep(&place);
     }
-    files.iter().try_for_each(|file| to_write(&folder.join(file)).map(drop))
+    files.iter().try_for_each(|file| {
+        let path = folder.join(file);
+        to_write(&path)?;
+        readable(&path).map_err(|reason| {
+            let remedy = "move it away, or choose another folder with --output";
+            Failure::unwritten(format!("{}: cannot be read: {reason}; {remedy}", path.display()))
+        })
+    })
+}
+
+/// Checks that a file, if it is there, can be read and is no longer than those that the program writes.
+fn readable(path: &Path) -> io::Result<()> {
+    match fs::File::open(path).and_then(|file| file.metadata()) {
+        Ok(data) if data.len() > MOST_BYTES => {
+            Err(io::Error::other(format!("it is longer than {MOST_BYTES} bytes")))
+        }
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
 }
 
 /// The obstacle to writing files into the folder, or into the nearest existing one above it: where, and why.
@@ -91,9 +111,8 @@ pub(crate) fn obstacle(folder: &Path) -> Option<(PathBuf, String)> {
     Some((existing.to_owned(), reason))
 }
 
-/// Writes all files or none, through symbolic links to the files that these name: each file is
-/// first written to a temporary file beside its place, and all are moved into place once all are
-/// complete.
+/// Writes all files or none, and never through symbolic links: each file is first written to a temporary file
+/// beside its place, and all are moved into place once all are complete.
 ///
 /// # Errors
 /// A file cannot be written. Temporary files are removed; a file is old or new, never in between.
@@ -103,9 +122,9 @@ pub fn write(folder: &Path, files: &[OutputFile]) -> Result<Vec<Change>, Failure
     folders.iter().for_each(|folder| sweep(folder));
     let mut staged = Vec::new();
     for file in files {
-        let path = folder.join(&file.path);
-        let place = to_write(&path)?;
-        staged.push((stage(&place, &file.content).map_err(|reason| Failure::file(&path, &reason))?, place));
+        let place = folder.join(&file.path);
+        to_write(&place)?;
+        staged.push((stage(&place, &file.content).map_err(|reason| Failure::file(&place, &reason))?, place));
     }
     let finish = |((change, unfinished), place): ((Change, Option<NamedTempFile>), PathBuf)| {
         if let Some(unfinished) = unfinished {

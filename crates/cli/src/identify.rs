@@ -6,7 +6,7 @@ use std::time::Instant;
 use grazing_analysis::unfolded::{axes, prepared};
 use grazing_description::{Description, Limits};
 use grazing_measured::{Fit, Measurements, Seen, Task, identify, read};
-use grazing_model::smooth::Stop;
+use grazing_model::smooth::{SmoothOscillator, Stop};
 use grazing_results::measured::Identified;
 use grazing_results::{Names, Tables, brief};
 use grazing_source::{nearest, suggestion};
@@ -33,7 +33,8 @@ const OUTPUT: &str = "identify";
 pub(crate) fn run(arguments: &arguments::Identify) -> Result<(), Failure> {
     let began = Instant::now();
     let arguments::Identify { file, data, record, free, .. } = arguments;
-    let mut of = OscillatorFile::read(file, &settings(&arguments.changes.set), Limits::USUAL)?;
+    let mut of =
+        OscillatorFile::read(file, &settings(&arguments.changes.set), arguments.limits.over(Limits::USUAL))?;
     of.description = with_loops(of.description, arguments.changes.loops.as_deref())?;
     let names = parameter_names(&of.description);
     let read_file =
@@ -42,6 +43,19 @@ pub(crate) fn run(arguments: &arguments::Identify) -> Result<(), Failure> {
     let read_record =
         |path: &PathBuf| read::record(path, names).map_err(|error| Failure::input(error.to_string()));
     let record = record.as_ref().map(read_record).transpose()?.unwrap_or_default();
+    for series in &record {
+        let Some(impact) = series.gaining() else { continue };
+        let ([mu, eta], [time, speed, _]) = (series.at, impact.values);
+        let phase = of.description.forcing_frequency(mu, eta) * time;
+        if of.description.restitution(speed, phase, mu, eta) <= 1.0 {
+            let remedy = "are velocity_before and velocity_after exchanged? If impacts drive the rig, start from a restitution above 1";
+            return Err(Failure::input(format!(
+                "{}:{}: speeds after the impacts of this series exceed those before: {remedy}",
+                arguments.record.as_deref().unwrap_or(file).display(),
+                impact.line
+            )));
+        }
+    }
     let start = starts(free, &of.description)?;
     let measured = Measurements { points, record };
     let bifurcations =
@@ -62,7 +76,7 @@ pub(crate) fn run(arguments: &arguments::Identify) -> Result<(), Failure> {
     folder::ensure_writable(&folder, &paths)?;
     arguments.threads.start()?;
     limits::listen();
-    let watch = Watch::begin(of.description.limits(), of.taken);
+    let watch = Watch::begin(arguments.limits.over(of.description.limits()), of.taken);
     let found = identified(&of.description, (free, &start), &measured, &watch.stop());
     let (fit, identified) = found.map_err(|reason| match watch.end_cause() {
         Some(cause) => ended(file, Some(cause), "nothing is written"),
@@ -78,6 +92,14 @@ pub(crate) fn run(arguments: &arguments::Identify) -> Result<(), Failure> {
     let unused = measured.points.len() - bifurcations;
     terminal::say(&listing(terminal::layout(), &names, &fit, &identified, unused));
     terminal::say(&format!("\n{}{:.1} s\n", summary(&written), began.elapsed().as_secs_f64()));
+    if fit.is_refuted() {
+        return Err(Failure::check(format!(
+            "{}: the oscillator does not fit the measurements: chi^2 = {} for {} degrees of freedom; everything is written",
+            file.display(),
+            brief(fit.chi_squared, DIGITS + 1),
+            fit.freedom
+        )));
+    }
     let set =
         identified.constants.iter().map(|row| format!(" --set {}={}", row.constant, brief(row.value, VALUE)));
     terminal::say_next(&format!("cargo xtask unfold {}{}", file.display(), set.collect::<String>()));
@@ -129,9 +151,6 @@ fn identified(
 /// Digits of residuals, and of values beside their errors.
 const DIGITS: usize = 3;
 const VALUE: usize = 8;
-/// A sum of squares this many standard deviations above its mean indicates that errors are larger
-/// than stated, or that the oscillator is another one.
-const UNLIKELY: f64 = 3.0;
 
 fn listing(layout: Layout, names: &Names, fit: &Fit, found: &Identified, unused: usize) -> String {
     let mut text = String::from("Identified constants, value ± standard error\n");
@@ -181,15 +200,15 @@ fn quality(layout: Layout, fit: &Fit, numbers: usize) -> String {
         );
         return format!("\n{}", layout.wrapped("  ", &scatter));
     }
-    let (freedom, squares) = (fit.freedom as f64, fit.chi_squared);
     let fitted = format!(
         "chi^2 = {} for {} degrees of freedom ({numbers} measured numbers)",
-        brief(squares, DIGITS + 1),
+        brief(fit.chi_squared, DIGITS + 1),
         fit.freedom
     );
     let mut text = format!("\n{}", layout.wrapped("  ", &fitted));
-    if squares > freedom + UNLIKELY * (2.0 * freedom).sqrt() {
-        let doubt = "This is more than the stated errors explain: the errors are larger, or the rig is not this oscillator.";
+    if fit.is_refuted() {
+        let doubt = "The oscillator does not fit: this is more than the stated errors explain. They are too small, or the rig is another one. \
+             The errors of the constants are scaled to the scatter.";
         text.push_str(&layout.wrapped("  ", doubt));
     }
     text

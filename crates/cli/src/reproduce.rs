@@ -6,6 +6,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use grazing_claims::published::Tally;
+use grazing_report::FileDigest;
 use grazing_reproduction::{Coefficients, Study};
 use grazing_unfold::progress::{Progress, Silent};
 
@@ -42,8 +43,9 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     paper::refuse_malformed(chosen.iter().copied(), &study)?;
     if !arguments.check {
         let mut paths: Vec<PathBuf> = chosen.iter().flat_map(|output| output.paths(&edition)).collect();
+        paths.push(PathBuf::from(folder::MANIFEST));
         if arguments.only.is_empty() {
-            paths.extend([data_page::path(), PathBuf::from(folder::MANIFEST)]);
+            paths.push(data_page::path());
         }
         paths.extend(latex::FILES.iter().filter(|_| edition.has(Format::Tex)).map(PathBuf::from));
         paths.extend((!set.is_empty()).then(|| PathBuf::from(SETTINGS)));
@@ -66,14 +68,15 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     let (is_run, incomplete) = (arguments.only.is_empty(), !outcome.missing.is_empty());
     let complete = is_run && edition.is_default() && !incomplete;
     let folder = folder::place_of_run(&output_folder, &files, incomplete);
-    let mut places = vec![OutputFolder { folder: output_folder, files, is_run, incomplete, complete }];
+    let listed = if is_run { Listed::Run } else { Listed::Part(origin(&arguments.parameters)?) };
+    let mut places = vec![OutputFolder { folder: output_folder, files, listed, incomplete, complete }];
     if is_run && edition.is_default() && arguments.output.is_none() && set.is_empty() {
         let (path, content) = (PathBuf::from(codecheck::FILE), codecheck::manifest().into_bytes());
         let folder = project::root_folder()?;
         let mut files = vec![OutputFile { path, content }];
         // Of incomplete results there are no counts.
         files.extend(if incomplete { None } else { readme::file(&folder, &study)? });
-        places.push(OutputFolder { folder, files, is_run: false, incomplete: false, complete: false });
+        places.push(OutputFolder { folder, files, listed: Listed::No, incomplete: false, complete: false });
     }
     if arguments.check {
         if let Err(failure) = check(&places, arguments, &edition) {
@@ -216,12 +219,30 @@ fn settings(parameters: &ParameterFile) -> OutputFile {
     OutputFile { path: PathBuf::from(SETTINGS), content }
 }
 
+/// How files are listed in their folder.
+#[derive(PartialEq)]
+enum Listed {
+    /// As all files of a run.
+    Run,
+    /// As those of some outputs, with the digest of what these are computed from.
+    Part(String),
+    No,
+}
+
+/// A digest of what outputs are computed from: the parameters, the settings over them, and the program's version.
+fn origin(parameters: &ParameterFile) -> Result<String, Failure> {
+    let (_, text) = project::parameter_file(parameters.file.as_deref())?;
+    let set: String = parameters.set.iter().map(|setting| format!("{setting}\n")).collect();
+    let all = format!("{text}\n{set}{}", env!("CARGO_PKG_VERSION"));
+    Ok(FileDigest::of("", all.as_bytes()).sha256)
+}
+
 /// Computed files, and the folder that they belong to.
 struct OutputFolder {
     folder: PathBuf,
     files: Vec<OutputFile>,
-    /// Whether the files are all those of a run, and so listed there.
-    is_run: bool,
+    /// How the files are listed there.
+    listed: Listed,
     /// Whether something failed or is incomplete.
     incomplete: bool,
     /// Whether nothing else belongs in the folder.
@@ -258,12 +279,12 @@ fn next(arguments: &Reproduce, outcome: &Outcome<'_>, folder: &Path) -> Option<S
 fn write(places: &[OutputFolder]) -> Result<String, Failure> {
     let mut changes = Vec::new();
     for place in places {
-        let OutputFolder { folder, files, is_run, incomplete, .. } = place;
+        let OutputFolder { folder, files, listed, incomplete, .. } = place;
         let changed = visual::changed(&place.place(), files);
-        changes.extend(if *is_run {
-            folder::write_run(folder, files, *incomplete)?
-        } else {
-            folder::written(&folder::place_to_write(folder, files, *incomplete), files)?
+        changes.extend(match listed {
+            Listed::Run => folder::write_run(folder, files, *incomplete)?,
+            Listed::Part(from) => folder::write_part(folder, files, from, *incomplete)?,
+            Listed::No => folder::written(&folder::place_to_write(folder, files, *incomplete), files)?,
         });
         visual::show(&place.place(), &changed);
     }
@@ -290,7 +311,7 @@ fn check(places: &[OutputFolder], arguments: &Reproduce, edition: &Edition) -> R
     for place in places {
         let (folder, files) = (place.place(), &place.files);
         folder::compare(&folder, files, &KNOWN, place.complete, &mut found)?;
-        let list = place.is_run.then(|| folder::list(files, place.incomplete));
+        let list = (place.listed == Listed::Run).then(|| folder::list(files, place.incomplete));
         folder::compare(&folder, list.as_slice(), &[], false, &mut found)?;
     }
     let Differences { differing, unexpected } = found;

@@ -67,7 +67,12 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     for task in &tasks {
         let mut paths: Vec<PathBuf> =
             oscillator::ALL.iter().flat_map(|output| output.paths(&edition)).collect();
-        paths.extend([PathBuf::from(PAGE), data_page::path(), PathBuf::from(folder::MANIFEST)]);
+        paths.extend([
+            PathBuf::from(PAGE),
+            data_page::path(),
+            PathBuf::from(folder::MANIFEST),
+            keeper::path(),
+        ]);
         folder::ensure_writable(&task.folder, &paths)?;
     }
     arguments.threads.start()?;
@@ -106,7 +111,7 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
     let mut tasks: Vec<Task> = Vec::new();
     for file in &arguments.files {
         let settings = settings(&arguments.changes.set);
-        let mut of = OscillatorFile::read(file, &settings, arguments.limits(Limits::USUAL))?;
+        let mut of = OscillatorFile::read(file, &settings, arguments.limits.over(Limits::USUAL))?;
         of.description = with_loops(of.description, arguments.changes.loops.as_deref())?;
         let named = folder::name_for(file);
         let folder = match &arguments.output {
@@ -122,7 +127,7 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
                 folder.display()
             )));
         }
-        let limits = arguments.limits(of.description.limits());
+        let limits = arguments.limits.over(of.description.limits());
         let names = parameter_names(&of.description);
         let measured = arguments.data.as_ref().map(|data| read::points(data, names)).transpose();
         let measured = measured.map_err(|error| Failure::input(error.to_string()))?;
@@ -171,6 +176,9 @@ impl Task {
         let (files, unfolded) = (self.files(&analysed, edition, progress)?, &analysed.unfolded);
         let written = folder::write_run(&self.folder, &files, met.is_some())?;
         keeper.clear()?;
+        if met.is_none() {
+            limits::note_excess(file, self.limits, watch.taken());
+        }
         terminal::say(&listing::results(layout, description, unfolded));
         if let Some(compared) = &analysed.compared {
             terminal::say(&measured::listing(layout, compared));

@@ -34,8 +34,10 @@ pub struct Segment {
     pub lines: Vec<u32>,
     /// Time, speed before and speed after each impact; a quantity that was not measured is NaN.
     pub impacts: Vec<[f64; 3]>,
-    /// The standard errors of time, speed before and speed after.
+    /// The standard errors of time, speed before and speed after; NaN where none is stated.
     pub errors: Vec<[f64; 3]>,
+    /// The standard errors that are assumed where none is stated.
+    pub assumed: [f64; 3],
 }
 
 /// A measured datum.
@@ -283,7 +285,8 @@ impl Segment {
             let recoil = here.reset::<0>(OnWall::new(state.velocity, state.phase)).image();
             let computed = [time + after, state.velocity, -recoil.velocity];
             let numbers = (0..3).filter(|k| !measured[*k].is_nan());
-            left.extend(numbers.map(|k| (computed[k] - measured[k]) / errors[k]));
+            let error = |k: usize| if errors[k].is_nan() { self.assumed[k] } else { errors[k] };
+            left.extend(numbers.map(|k| (computed[k] - measured[k]) / error(k)));
             seen += 1;
         }
         (seen == count && left.iter().all(|value| value.is_finite())).then_some(left)
@@ -433,7 +436,7 @@ pub fn fit(
     }
     let scattered = data.iter().all(|datum| match datum {
         Datum::Bifurcation(located) => !located.metric.stated,
-        Datum::Impacts(_) => false,
+        Datum::Impacts(segment) => segment.errors.iter().flatten().all(|error| error.is_nan()),
     });
     let config = MPConfig {
         max_iter: MOST_STEPS,
@@ -478,7 +481,28 @@ pub fn fit(
     })
 }
 
+/// The number of standard deviations beyond which a sum of squares shows that the oscillator, or the stated errors,
+/// are not those of the rig: once in 740 for those that are.
+const UNLIKELY: f64 = 3.0;
+
 impl Fit {
+    /// Whether the sum of squares is larger than the stated errors explain.
+    ///
+    /// The distribution is that of chi squared, whose cube root is nearly normal (Wilson and Hilferty 1931).
+    pub fn is_refuted(&self) -> bool {
+        let freedom = self.freedom as f64;
+        let share = 2.0 / (9.0 * freedom);
+        let root = 1.0 - share + UNLIKELY * share.sqrt();
+        !self.scattered && self.freedom > 0 && self.chi_squared > freedom * root * root * root
+    }
+
+    /// The fit with errors of the constants that follow from the scatter instead of from the stated errors.
+    pub(crate) fn scaled(mut self) -> Self {
+        let scale = self.chi_squared / self.freedom as f64;
+        self.covariance.iter_mut().flatten().for_each(|entry| *entry *= scale);
+        self
+    }
+
     /// The standard errors of the constants.
     pub fn errors(&self) -> Vec<f64> {
         (0..self.values.len()).map(|place| self.covariance[place][place].sqrt()).collect()

@@ -86,6 +86,10 @@ const SETTLED: f64 = 1e-2;
 const MOST_ROUNDS: usize = 8;
 /// The number of initial rounds in which large residuals have reduced weight.
 const TAMED: usize = 2;
+/// Standard errors of times and speeds for which none is stated, dimensionless, before anything is known of them,
+/// and the least that are assumed.
+const ASSUMED: f64 = 1e-2;
+const LEAST: f64 = 1e-9;
 
 /// The constants with the least sum of squares, and the tables of results.
 ///
@@ -98,6 +102,7 @@ pub fn identify(
 ) -> Result<(Fit, Identified), IdentifyError> {
     let mut at = task.start.to_vec();
     let mut last = Err(IdentifyError::Stopped);
+    let mut assumed = [ASSUMED; 3];
     let needs_curves = measured.points.iter().any(|point| matches!(point.seen, Seen::Bifurcation { .. }));
     for round in 0..MOST_ROUNDS {
         let (mut data, mut lost) = (Vec::new(), None);
@@ -114,7 +119,7 @@ pub fn identify(
         }
         let longest = if round == 0 { FIRST } else { LONGEST };
         let weight = if round < TAMED { Weight::Tame } else { Weight::Full };
-        data.extend(task.segments(&measured.record, longest).into_iter().map(Datum::Impacts));
+        data.extend(task.segments(&measured.record, longest, assumed).into_iter().map(Datum::Impacts));
         // Data that cannot be compared for these constants may become comparable for better ones.
         let found = loop {
             match fit(task.rig, &at, task.scope.window, data.clone(), weight) {
@@ -133,7 +138,10 @@ pub fn identify(
             error => error.into(),
         })?;
         let errors = found.errors();
-        let settled = (0..at.len()).all(|k| (found.values[k] - at[k]).abs() <= SETTLED * errors[k]);
+        let seen = scatter(&found, &data, assumed);
+        let settled = (0..at.len()).all(|k| (found.values[k] - at[k]).abs() <= SETTLED * errors[k])
+            && (0..3).all(|k| (seen[k] - assumed[k]).abs() <= SETTLED * assumed[k]);
+        assumed = seen;
         at.clone_from(&found.values);
         match lost {
             Some(lost) => last = Err(lost),
@@ -144,8 +152,36 @@ pub fn identify(
         }
     }
     let (found, data) = last?;
+    let found = if found.is_refuted() { found.scaled() } else { found };
     let identified = task.identified(&found, &data, progress)?;
     if progress.stopped() { Err(IdentifyError::Stopped) } else { Ok((found, identified)) }
+}
+
+/// The standard errors of times and of speeds for which none is stated, from the residuals.
+fn scatter(found: &Fit, data: &[Datum], assumed: [f64; 3]) -> [f64; 3] {
+    let mut sums = [[0.0_f64; 2]; 2];
+    for (datum, residuals) in data.iter().zip(&found.residuals) {
+        let Datum::Impacts(segment) = datum else { continue };
+        let mut residuals = residuals.iter();
+        for (impact, errors) in segment.impacts.iter().zip(&segment.errors) {
+            for k in (0..3).filter(|k| !impact[*k].is_nan()) {
+                let Some(residual) = residuals.next() else { continue };
+                if errors[k].is_nan() {
+                    let [squares, count] = &mut sums[k.min(1)];
+                    *squares += residual * residual;
+                    *count += 1.0;
+                }
+            }
+        }
+    }
+    // Unknowns take up a part of the scatter.
+    let numbers = found.residuals.iter().flatten().count() as f64;
+    let share = numbers / found.freedom.max(1) as f64;
+    let of = |k: usize| {
+        let [squares, count] = sums[k.min(1)];
+        if count > 0.0 { (assumed[k] * (share * squares / count).sqrt()).max(LEAST) } else { assumed[k] }
+    };
+    [0, 1, 2].map(of)
 }
 
 impl Task<'_> {
@@ -170,7 +206,7 @@ impl Task<'_> {
     }
 
     /// The record in dimensionless form, divided into segments.
-    fn segments(&self, record: &[Series], longest: usize) -> Vec<Segment> {
+    fn segments(&self, record: &[Series], longest: usize, assumed: [f64; 3]) -> Vec<Segment> {
         let Units { time, primary, secondary, .. } = self.units;
         let scales = [time, self.units.velocity(), self.units.velocity()];
         let without = |values: [f64; 3]| [0, 1, 2].map(|k| values[k] / scales[k]);
@@ -180,6 +216,7 @@ impl Task<'_> {
                 lines: impacts.iter().map(|impact| impact.line).collect(),
                 impacts: impacts.iter().map(|impact| without(impact.values)).collect(),
                 errors: impacts.iter().map(|impact| without(impact.errors)).collect(),
+                assumed,
             })
         });
         pieces.collect()

@@ -71,7 +71,7 @@ pub struct Impact {
     pub line: u32,
     /// Time, speed before and speed after the impact; the last is NaN if it was not measured.
     pub values: [f64; 3],
-    /// The standard errors of time, speed before and speed after.
+    /// The standard errors of time, speed before and speed after; NaN where none is stated.
     pub errors: [f64; 3],
 }
 
@@ -111,8 +111,8 @@ pub const RECORD: Columns = &[
     ("time", "time of the impact, measured like t in the oscillator's file"),
     ("velocity_before", "speed before the impact, relative to the wall"),
     ("velocity_after", "speed after it, relative to the wall; empty or left out if it was not measured"),
-    ("time_error", "standard error of the time"),
-    ("velocity_error", "standard error of the speeds"),
+    ("time_error", "standard error of the time; empty or left out if unknown"),
+    ("velocity_error", "standard error of the speeds; likewise"),
 ];
 
 /// The layout of another program's file of curves.
@@ -194,7 +194,7 @@ pub fn curves_of(
 /// # Errors
 /// The first mistake in the text.
 pub fn record_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<Series>, MeasurementError> {
-    let needed = ["{primary}", "{secondary}", "time", "velocity_before", "time_error", "velocity_error"];
+    let needed = ["{primary}", "{secondary}", "time", "velocity_before"];
     let request = Request {
         file,
         names,
@@ -209,13 +209,14 @@ pub fn record_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<Series>
     for row in &table.rows {
         let (at, series) = (table.place(row)?, row.cell(table.position("series")));
         let positive = |column| table.number(row, column, |value| value > 0.0, "a positive number");
-        let (time_error, speed_error) = (positive("time_error")?, positive("velocity_error")?);
+        let known = |column| match table.optional(row, column) {
+            "" => Ok(f64::NAN),
+            _ => positive(column),
+        };
+        let (time_error, speed_error) = (known("time_error")?, known("velocity_error")?);
         let time = table.number(row, "time", |_| true, "a number")?;
         let before = positive("velocity_before")?;
-        let after = match table.optional(row, "velocity_after") {
-            "" => f64::NAN,
-            _ => positive("velocity_after")?,
-        };
+        let after = known("velocity_after")?;
         let errors = [time_error, speed_error, speed_error];
         let impact = Impact { line: row.line, values: [time, before, after], errors };
         match all.last_mut() {
@@ -230,6 +231,25 @@ pub fn record_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<Series>
         }
     }
     Ok(all.into_iter().map(|(_, series)| series).collect())
+}
+
+impl Series {
+    /// The first impact of which the speed after exceeds that before, if the speeds of the series do so on the
+    /// whole, by three standard errors: those that are stated, or else those of the scatter.
+    pub fn gaining(&self) -> Option<&Impact> {
+        let gain = |impact: &Impact| impact.values[2] - impact.values[1];
+        let known: Vec<&Impact> = self.impacts.iter().filter(|impact| !gain(impact).is_nan()).collect();
+        let (count, sum) = (known.len() as f64, known.iter().map(|impact| gain(impact)).sum::<f64>());
+        let variance = |impact: &Impact| {
+            let [_, before, after] = impact.errors;
+            let stated = before * before + after * after;
+            let scatter = gain(impact) - sum / count;
+            if stated.is_nan() { scatter * scatter } else { stated }
+        };
+        let variance: f64 = known.iter().map(|impact| variance(impact)).sum();
+        let gains = sum > 3.0 * variance.sqrt();
+        known.into_iter().find(|impact| gains && gain(impact) > 0.0)
+    }
 }
 
 impl Seen {

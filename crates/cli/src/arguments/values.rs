@@ -14,7 +14,9 @@ pub(super) fn place(text: &str) -> Result<[f64; 2], String> {
 pub(super) fn column(text: &str) -> Result<(String, String), String> {
     let parts = text.split_once('=').map(|(name, column)| (name.trim(), column.trim()));
     let named = parts.filter(|(name, column)| !name.is_empty() && !column.is_empty());
-    let (name, column) = named.ok_or_else(|| "write a name and a column, such as omega=freq, or omega=2 in a file without a header".to_owned())?;
+    let (name, column) = named.ok_or_else(|| {
+        "write a name and a column, such as omega=freq, or omega=2 in a file without a header".to_owned()
+    })?;
     Ok((name.to_owned(), column.to_owned()))
 }
 

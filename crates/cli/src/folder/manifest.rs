@@ -15,41 +15,74 @@ pub(crate) const MANIFEST: &str = "manifest.sha256";
 /// The subfolder for incomplete results if the folder holds complete ones.
 const UNFINISHED: &str = "unfinished";
 
-/// The first line of the list, of a complete and of an incomplete run.
-const HEADS: [&str; 2] = ["# The files of one run.", "# The files of one run, which is incomplete."];
+/// What the files of a list come from.
+#[derive(Clone, Debug, PartialEq)]
+enum Origin {
+    /// One run.
+    Run,
+    /// One run, which is incomplete.
+    Incomplete,
+    /// Runs of some outputs, all of them computed from the same, which has this digest.
+    Part(String),
+    /// Several runs, whose files need not belong together.
+    Several,
+}
+
+/// The first lines of lists; that of outputs computed from the same ends with its digest.
+const RUN: &str = "# The files of one run.";
+const INCOMPLETE: &str = "# The files of one run, which is incomplete.";
+const PART: &str = "# The files of some outputs, computed from ";
+const SEVERAL: &str = "# The files of several runs.";
+
+impl Origin {
+    fn head(&self) -> String {
+        match self {
+            Self::Run => RUN.to_owned(),
+            Self::Incomplete => INCOMPLETE.to_owned(),
+            Self::Part(digest) => format!("{PART}{digest}"),
+            Self::Several => SEVERAL.to_owned(),
+        }
+    }
+
+    fn of_head(head: &str) -> Option<Self> {
+        let known = [Self::Run, Self::Incomplete, Self::Several];
+        let part = || head.strip_prefix(PART).map(|digest| Self::Part(digest.to_owned()));
+        known.into_iter().find(|known| known.head() == head).or_else(part)
+    }
+}
 
 /// The files of one run.
 struct FileList {
-    incomplete: bool,
+    origin: Origin,
     /// The digest and the path of each file.
     files: Vec<(String, String)>,
 }
 
 impl FileList {
-    fn of(files: &[OutputFile], incomplete: bool) -> Self {
+    fn of<'f>(files: impl IntoIterator<Item = &'f OutputFile>, origin: Origin) -> Self {
         let line = |file: &OutputFile| {
             let FileDigest { path, sha256, .. } = FileDigest::of(with_slashes(&file.path), &file.content);
             (sha256, path)
         };
-        Self { incomplete, files: files.iter().map(line).collect() }
+        Self { origin, files: files.into_iter().map(line).collect() }
     }
 
     /// The list in a folder, if there is one that can be read.
     fn read(folder: &Path) -> Option<Self> {
         let text = String::from_utf8(read(&folder.join(MANIFEST)).ok()?).ok()?;
         let (head, lines) = text.split_once('\n')?;
-        let incomplete = HEADS.iter().position(|known| *known == head)? == 1;
+        let origin = Origin::of_head(head)?;
         let line = |line: &str| {
             let (digest, path) = line.split_once("  ")?;
             // A list never leads out of its folder.
             let is_within = Path::new(path).components().all(|part| matches!(part, Component::Normal(_)));
             is_within.then(|| (digest.to_owned(), path.to_owned()))
         };
-        Some(Self { incomplete, files: lines.lines().map(line).collect::<Option<_>>()? })
+        Some(Self { origin, files: lines.lines().map(line).collect::<Option<_>>()? })
     }
 
     fn file(&self) -> OutputFile {
-        let mut text = format!("{}\n", HEADS[usize::from(self.incomplete)]);
+        let mut text = format!("{}\n", self.origin.head());
         for (digest, path) in &self.files {
             // Writing to a string cannot fail.
             let _ = writeln!(text, "{digest}  {path}");
@@ -93,13 +126,60 @@ pub(crate) fn write_run(
         let is_left = |path: &&str| files.iter().all(|file| file.path != Path::new(path));
         left.extend(intact.into_iter().filter(is_left).map(|path| folder.join(path)));
     }
-    let mut changes = written(folder, files)?;
+    let mut changes = written(folder, files).map_err(|failure| kept(folder, files, failure))?;
     for path in left {
         remove(&path)?;
         changes.push((path.display().to_string(), Change::Removed));
     }
     write(folder, &[list(files, incomplete)])?;
     Ok(changes)
+}
+
+/// Writes the files of some outputs beside those that are in the folder, and the list last, which says whether all
+/// of them belong together; `from` is a digest of what the outputs are computed from.
+///
+/// # Errors
+/// Those of [`write`].
+pub(crate) fn write_part(
+    folder: &Path,
+    files: &[OutputFile],
+    from: &str,
+    incomplete: bool,
+) -> Result<Vec<(String, Change)>, Failure> {
+    let folder = &place_to_write(folder, files, incomplete);
+    let before = FileList::read(folder);
+    let changes = written(folder, files).map_err(|failure| kept(folder, files, failure))?;
+    let is_unchanged = changes.iter().all(|(_, change)| *change == Change::Unchanged);
+    let mut list =
+        FileList::of(files, if incomplete { Origin::Incomplete } else { Origin::Part(from.to_owned()) });
+    if let Some(mut before) = before {
+        if before.origin == Origin::Run && is_unchanged {
+            return Ok(changes);
+        }
+        before.files.retain(|(_, path)| list.files.iter().all(|(_, written)| written != path));
+        if !before.files.is_empty() && before.origin != list.origin {
+            list.origin = Origin::Several;
+        }
+        list.files.append(&mut before.files);
+        list.files.sort_by(|(_, one), (_, other)| one.cmp(other));
+    }
+    write(folder, &[list.file()])?;
+    Ok(changes)
+}
+
+/// Saves what can be saved of a run whose files could not be written: each file that can be goes to the subfolder
+/// for incomplete results. Returns the failure with what was saved.
+fn kept(folder: &Path, files: &[OutputFile], failure: Failure) -> Failure {
+    let place = if folder.ends_with(UNFINISHED) { folder.to_owned() } else { folder.join(UNFINISHED) };
+    let is_kept = |file: &&OutputFile| write(&place, std::slice::from_ref(*file)).is_ok();
+    let kept: Vec<&OutputFile> = files.iter().filter(is_kept).collect();
+    let count = kept.len();
+    match write(&place, &[FileList::of(kept, Origin::Incomplete).file()]) {
+        Ok(_) if count > 0 => {
+            failure.but(&format!("{count} of {} files are in {}", files.len(), place.display()))
+        }
+        _ => failure,
+    }
 }
 
 /// Makes sure that a folder with a list has all files of that run, and that the run was complete.
@@ -109,9 +189,13 @@ pub(crate) fn write_run(
 pub(crate) fn refuse_mixture(folder: &Path) -> Result<(), Failure> {
     let Some(list) = FileList::read(folder) else { return Ok(()) };
     let (intact, all) = (list.intact(folder).len(), list.files.len());
-    match (list.incomplete, intact < all) {
-        (false, false) => Ok(()),
-        (true, _) => Err(Failure::input(format!(
+    match (list.origin, intact < all) {
+        (Origin::Several, _) => Err(Failure::input(format!(
+            "{}: the results in it come from several runs, by {MANIFEST}: compute all of them again",
+            folder.display()
+        ))),
+        (Origin::Run | Origin::Part(_), false) => Ok(()),
+        (Origin::Incomplete, _) => Err(Failure::input(format!(
             "{}: the results in it are incomplete: run the command again",
             folder.display()
         ))),
@@ -125,7 +209,8 @@ pub(crate) fn refuse_mixture(folder: &Path) -> Result<(), Failure> {
 
 /// The list of the files of a run.
 pub(crate) fn list(files: &[OutputFile], incomplete: bool) -> OutputFile {
-    FileList::of(files, incomplete).file()
+    let origin = if incomplete { Origin::Incomplete } else { Origin::Run };
+    FileList::of(files, origin).file()
 }
 
 /// The folder for the files of a run that were to go to `folder`: incomplete results never replace
@@ -133,7 +218,7 @@ pub(crate) fn list(files: &[OutputFile], incomplete: bool) -> OutputFile {
 ///
 /// Results may be complete unless the list has them as the files of an incomplete run.
 pub(crate) fn place_of_run(folder: &Path, files: &[OutputFile], incomplete: bool) -> PathBuf {
-    let list = FileList::read(folder).filter(|list| list.incomplete);
+    let list = FileList::read(folder).filter(|list| list.origin == Origin::Incomplete);
     let replaceable = list.as_ref().map_or(Vec::new(), |list| list.intact(folder));
     let is_whole = |file: &OutputFile| {
         let is_listed = replaceable.iter().any(|path| file.path == Path::new(path));

@@ -3,7 +3,7 @@
 
 use std::ffi::{OsStr, OsString};
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use grazing_source::what_is;
 
@@ -12,36 +12,27 @@ use crate::failure::Failure;
 /// What is said of a name that the system does not take.
 pub(super) const TOO_LONG: &str = "the name is too long for the file system";
 
-/// The place of a file that is to be written: its path, or through symbolic links the regular file
-/// that they name, so that the links stay.
+/// Checks that a file can be written to a place: nothing is there, or a regular file. Symbolic links are not
+/// followed: whoever may write into a folder could lead the content to any file of the user.
 ///
 /// # Errors
-/// Something else is there: a folder, a device, a link that leads nowhere; or the system does not
-/// report what is there.
-pub(crate) fn to_write(path: &Path) -> Result<PathBuf, Failure> {
-    let refuse = |what: &str| {
-        let remedy = "is not replaced: move it away, or choose another place with --output";
-        Failure::unwritten(format!("{}: is {what}, not a regular file, and {remedy}", path.display()))
-    };
-    let failed = |reason: io::Error| match reason.kind() {
-        io::ErrorKind::InvalidFilename => {
-            Failure::input(format!("{}: {TOO_LONG}; choose a shorter one with --output", path.display()))
+/// Something else is there: a folder, a device, a link; or the system does not report what is there.
+pub(crate) fn to_write(path: &Path) -> Result<(), Failure> {
+    match path.symlink_metadata() {
+        Ok(here) if here.is_file() => Ok(()),
+        Ok(here) => {
+            let what = if here.is_symlink() { "a symbolic link" } else { what_is(here.file_type()) };
+            let remedy = "is not replaced: move it away, or choose another place with --output";
+            Err(Failure::unwritten(format!(
+                "{}: is {what}, not a regular file, and {remedy}",
+                path.display()
+            )))
         }
-        _ => Failure::file(path, &reason),
-    };
-    let here = match path.symlink_metadata() {
-        Ok(here) => here,
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(path.to_owned()),
-        Err(error) => return Err(failed(error)),
-    };
-    if !here.is_symlink() {
-        return if here.is_file() { Ok(path.to_owned()) } else { Err(refuse(what_is(here.file_type()))) };
-    }
-    match path.metadata() {
-        Ok(named) if named.is_file() => path.canonicalize().map_err(failed),
-        Ok(named) => Err(refuse(what_is(named.file_type()))),
-        // A link to nothing, or one that leads to itself.
-        Err(_) => Err(refuse("a symbolic link that leads to no file")),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        Err(error) if error.kind() == io::ErrorKind::InvalidFilename => {
+            Err(Failure::input(format!("{}: {TOO_LONG}; choose a shorter one with --output", path.display())))
+        }
+        Err(error) => Err(Failure::file(path, &error)),
     }
 }
 

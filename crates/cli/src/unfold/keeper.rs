@@ -12,6 +12,11 @@ use crate::{tables, terminal};
 /// The table of the finished curves, which exists during a run or after an interruption.
 const UNFINISHED: &str = "curves.unfinished";
 
+/// The path of the table in the folder of the results.
+pub(super) fn path() -> PathBuf {
+    tables::path(UNFINISHED)
+}
+
 /// Writes the curves of resonances into a file as they finish.
 pub(super) struct Keeper<'a> {
     folder: &'a Path,
@@ -34,7 +39,7 @@ impl<'a> Keeper<'a> {
     }
 
     fn path(&self) -> PathBuf {
-        self.folder.join(tables::path(UNFINISHED))
+        self.folder.join(path())
     }
 
     /// Deletes the file once everything is written.
@@ -46,7 +51,7 @@ impl<'a> Keeper<'a> {
     /// well be written.
     pub(super) fn keep(&self, finished: &Table) {
         let written = tables::csv(finished).map_err(|error| error.to_string()).and_then(|content| {
-            let file = OutputFile { path: tables::path(UNFINISHED), content };
+            let file = OutputFile { path: path(), content };
             folder::write(self.folder, &[file]).map_err(|failure| failure.to_string())
         });
         if let Err(reason) = written

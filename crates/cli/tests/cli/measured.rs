@@ -84,6 +84,63 @@ fn constants_of_the_examples_are_those_with_which_their_data_were_made() {
 }
 
 #[test]
+fn a_rig_that_does_not_fit_is_said_not_to_and_one_without_stated_errors_is_identified() {
+    let (door, impacts) =
+        (example("door.toml"), fs::read_to_string(example("door-impacts.csv")).expect("it is there"));
+    let folder = empty_folder();
+    let edited = |name: &str, edit: &dyn Fn(&str, &str) -> String| {
+        let mut header: Vec<String> = Vec::new();
+        let line = |line: &str| {
+            let cells = line.split(',').map(str::to_owned).collect::<Vec<_>>();
+            if line.starts_with('#') || header.is_empty() {
+                if !line.starts_with('#') {
+                    header = cells;
+                }
+                return line.to_owned();
+            }
+            header.iter().zip(cells).map(|(head, cell)| edit(head, &cell)).collect::<Vec<_>>().join(",")
+        };
+        let text = impacts.lines().map(line).collect::<Vec<_>>().join("\n");
+        fs::write(folder.path().join(name), text).expect("the folder is ours");
+    };
+    let number = |cell: &str| cell.parse::<f64>().expect("a number");
+    edited("small.csv", &|head, cell| {
+        if head.ends_with("_error") { (number(cell) / 50.0).to_string() } else { cell.to_owned() }
+    });
+    edited("unstated.csv", &|head, cell| {
+        if head.ends_with("_error") { String::new() } else { cell.to_owned() }
+    });
+    let exchanged = impacts.replace("velocity_before", "x").replace("velocity_after", "velocity_before");
+    fs::write(folder.path().join("exchanged.csv"), exchanged.replace(",x,", ",velocity_after,"))
+        .expect("it is ours");
+    let run = |record: &str, more: &[&str]| {
+        let line = ["identify", &door, "--free", "c,r", "--output", record, "--record"];
+        grazing(folder.path(), &[&line[..], &[format!("{record}.csv").as_str()], more].concat())
+    };
+    let errors = |record: &str| {
+        let text =
+            fs::read_to_string(folder.path().join(record).join("data/constants.csv")).expect("it is written");
+        column(&text, "standard_error").iter().map(|cell| number(cell)).collect::<Vec<_>>()
+    };
+    let small = run("small", &[]);
+    assert_eq!(small.code, Some(1), "{}", small.messages);
+    assert!(small.errors().contains("does not fit the measurements"), "{}", small.messages);
+    assert!(small.output.contains("The oscillator does not fit"), "{}", small.output);
+    let unstated = run("unstated", &[]);
+    assert_eq!(unstated.code, Some(0), "{}", unstated.messages);
+    assert!(unstated.output.contains("state no errors"), "{}", unstated.output);
+    for (one, other) in errors("small").iter().zip(errors("unstated")) {
+        assert!((one / other - 1.0).abs() < 0.5, "{one} {other}");
+    }
+    let exchanged = run("exchanged", &[]);
+    assert_eq!(exchanged.code, Some(2), "{}", exchanged.messages);
+    assert!(exchanged.errors().contains("exchanged?"), "{}", exchanged.messages);
+    let limited = run("unstated", &["--step-limit", "10"]);
+    assert_eq!(limited.code, Some(3), "{}", limited.messages);
+    assert!(limited.errors().contains("--step-limit"), "{}", limited.messages);
+}
+
+#[test]
 fn mistakes_in_measurements_end_the_run_before_anything_is_computed() {
     let folder = empty_folder();
     let write =

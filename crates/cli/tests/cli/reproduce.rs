@@ -64,6 +64,8 @@ fn a_check_names_the_tampered_files_and_the_command_that_mends_them() {
     let made = grazing(folder.path(), &["reproduce", "--only", "coefficients"]);
     assert_eq!(made.code, Some(0), "{}", made.messages);
     assert_eq!(listing(&here("figures/data")), ["coefficients.csv"]);
+    let list = fs::read_to_string(here("figures/manifest.sha256")).expect("it was written");
+    assert!(list.starts_with("# The files of some outputs, computed from "), "{list}");
 
     let table = fs::read_to_string(here("figures/data/coefficients.csv")).expect("it was written");
     let (head, last) = table.trim_end().rsplit_once(',').expect("there are columns");
@@ -84,6 +86,26 @@ fn a_check_names_the_tampered_files_and_the_command_that_mends_them() {
     assert_eq!(listing(folder.path()), before);
     let unmended = fs::read_to_string(here("figures/data/coefficients.csv")).expect("it is there");
     assert_eq!(unmended, tampered, "a check writes nothing");
+}
+
+#[test]
+fn the_list_of_some_outputs_says_whether_they_belong_together() {
+    let folder = project(&quick_parameters());
+    let list = |options: &[&str]| {
+        let made = grazing(folder.path(), &[&["reproduce", "--output", "out", "--only"], options].concat());
+        assert_eq!(made.code, Some(0), "{}", made.messages);
+        let list = fs::read_to_string(folder.path().join("out/manifest.sha256")).expect("it was written");
+        let (head, files) = list.split_once('\n').expect("there are lines");
+        assert!(is_of_one_run(&folder.path().join("out")), "{list}");
+        (head.to_owned(), files.matches("fig04").count(), files.matches("coefficients").count())
+    };
+    let first = list(&["fig04"]);
+    assert!(first.0.starts_with("# The files of some outputs, computed from ") && first.1 > 0, "{first:?}");
+    let both = list(&["coefficients"]);
+    assert_eq!((&both.0, both.1, both.2), (&first.0, first.1, 1));
+    // The same outputs from other parameters replace all that is there, or only a part.
+    let mixed = list(&["coefficients", "--set", "oscillator.zeta=0.021"]);
+    assert_eq!(mixed.0, "# The files of several runs.");
 }
 
 #[test]

@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
+#[cfg(unix)]
+use std::{thread, time::Duration};
 
 use crate::program::{
     empty_folder, grazing, interruptible, listing, narrow_duffing, repository, snapshots, watched,
@@ -341,10 +343,11 @@ fn an_analysis_that_is_asked_to_end_ends_with_what_it_has() {
         .expect("the program starts");
     let begun = || read(folder.path(), "messages").contains("bifurcation curves: started");
     wait_until(&mut run, "curves are begun", begun);
-    // The signals of schedulers and of a closed terminal; SIGINT, of Ctrl-C, has the same effect.
+    // Schedulers signal twice, to the process and to its group, and a closed terminal does so as well; SIGINT, of
+    // Ctrl-C, has the same effect.
     for signal in ["-TERM", "-HUP"] {
-        let sent =
-            Command::new("kill").args([signal, &run.id().to_string()]).status().expect("there is kill");
+        let process = run.id().to_string();
+        let sent = Command::new("kill").args([signal, &process, &process]).status().expect("there is kill");
         assert!(sent.success());
         wait_until(&mut run, "it is heard", || read(folder.path(), "messages").contains("interrupted"));
     }
@@ -381,6 +384,10 @@ fn interrupted_twice(folder: &Path) -> Option<(Option<i32>, String)> {
             if is_there() { Some(true) } else { ended.then_some(false) }
         })
         .filter(|is_there| *is_there)?;
+        if signal == "-TERM" {
+            // Within two seconds it would be the same request.
+            thread::sleep(Duration::from_millis(2100));
+        }
         let sent =
             Command::new("kill").args([signal, &run.id().to_string()]).status().expect("there is kill");
         assert!(sent.success());
@@ -399,6 +406,68 @@ fn a_second_ctrl_c_ends_the_program_at_once_and_leaves_no_temporary_files() {
     assert_eq!(in_time.expect("it is heard in one trial of many").0, Some(3));
     let left = listing(folder.path());
     assert!(!left.iter().any(|path| path.contains(".grazing-")), "{left:?}");
+}
+
+/// Runs `unfold duffing.toml` in a folder under limits of the shell.
+#[cfg(unix)]
+fn limited(folder: &Path, limits: &str, arguments: &[&str]) -> (Option<i32>, String) {
+    let command = format!("ulimit {limits}; exec \"$0\" \"$@\"");
+    let run = Command::new("sh")
+        .args(["-c", &command, env!("CARGO_BIN_EXE_grazing"), "unfold", "duffing.toml"])
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .expect("there is a shell");
+    (run.status.code(), String::from_utf8_lossy(&run.stderr).into_owned())
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn limits_of_the_shell_end_a_run_with_a_message_and_what_can_be_written() {
+    let folder = folder_with(&[("duffing.toml", &narrow_duffing())]);
+    // Whatever the address space: no signal ends the program, and it says what happened.
+    for kilobytes in [150_000, 250_000, 400_000, 600_000] {
+        let output = format!("of-{kilobytes}");
+        let (code, told) =
+            limited(folder.path(), &format!("-v {kilobytes}"), &["--jobs", "1", "--output", &output]);
+        assert!(matches!(code, Some(0 | 3)), "{kilobytes}: {code:?} {told}");
+        assert!(
+            code == Some(0) || told.contains("ulimit -v") || told.contains("memory allocation"),
+            "{told}"
+        );
+    }
+    // Of files that are too long the others are kept.
+    let (code, told) = limited(folder.path(), "-f 40", &["--output", "short"]);
+    assert_eq!(code, Some(3), "{told}");
+    assert!(told.contains("(ulimit -f); ") && told.contains(" files are in short/unfinished"), "{told}");
+    let kept = listing(&folder.path().join("short/unfinished"));
+    for (file, is_kept) in
+        [("data/coefficients.csv", true), ("manifest.sha256", true), ("report.html", false)]
+    {
+        assert_eq!(kept.contains(&file.to_owned()), is_kept, "{file}: {kept:?}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn what_stands_in_the_way_is_noticed_before_anything_is_computed() {
+    let folder = folder_with(&[("duffing.toml", &narrow_duffing()), ("mine", "precious")]);
+    let data = folder.path().join("unfolded/duffing/data");
+    fs::create_dir_all(&data).expect("the folder is ours");
+    let refused = |what: &str| {
+        let run = grazing(folder.path(), &["unfold", "duffing.toml"]);
+        assert_eq!(run.code, Some(4), "{}", run.messages);
+        assert!(run.messages.contains(what) && !run.messages.contains("started"), "{}", run.messages);
+    };
+    let unfinished = data.join("curves.unfinished.csv");
+    std::os::unix::fs::symlink(folder.path().join("mine"), &unfinished).expect("the folder is ours");
+    refused("data/curves.unfinished.csv: is a symbolic link");
+    assert_eq!(read(folder.path(), "mine"), "precious");
+    fs::remove_file(unfinished).expect("the folder is ours");
+    // A file that cannot be read, for whoever runs the tests: it is too long.
+    let long = fs::File::create(data.join("curves.csv")).expect("the folder is ours");
+    long.set_len(2_000_000_000).expect("it has holes");
+    refused("data/curves.csv: cannot be read: it is longer");
 }
 
 /// A description of an oscillator with this force.

@@ -181,6 +181,8 @@ fn impacts_fall_into_series_in_the_order_of_time() {
     let series = read("1,2,a,0,0.5,0.4,1e-3,1e-2\n1,2,a,3,0.6,,1e-3,1e-2\n1,2,b,1,0.5,,1e-3,1e-2\n").unwrap();
     assert_eq!(series.iter().map(|one| one.impacts.len()).collect::<Vec<_>>(), [2, 1]);
     assert!(series[0].impacts[1].values[2].is_nan());
+    let series = read("1,2,a,0,0.5,,,nan\n").unwrap();
+    assert!(series[0].impacts[0].errors.iter().all(|error| error.is_nan()));
     let error = read("1,2,a,3,0.5,,1e-3,1e-2\n1,2,a,0,0.6,,1e-3,1e-2\n").unwrap_err().to_string();
     assert!(error.contains("rig.csv:3: column time: `0`"), "{error}");
     let error = read("1,2,a,3,-0.5,,1e-3,1e-2\n").unwrap_err().to_string();

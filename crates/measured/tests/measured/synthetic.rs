@@ -150,7 +150,7 @@ fn errors_of_constants_from_impacts_are_true() {
         let segment = |(at, impacts): &([f64; 2], Vec<[f64; 3]>)| {
             let impacts = noisy(impacts, &mut noise);
             let errors = vec![IMPACT_ERRORS; impacts.len()];
-            Datum::Impacts(Segment { at: *at, lines: (2..10).collect(), impacts, errors })
+            Datum::Impacts(Segment { at: *at, lines: (2..10).collect(), impacts, errors, assumed: [1.0; 3] })
         };
         let data = truth.iter().map(segment).collect();
         fit(&rig, &START, WINDOW, data, Weight::Full).unwrap()
@@ -181,4 +181,49 @@ fn constants_are_found_from_afar_and_tell_the_resonances() {
     let slope = (omega(found.values[0] + 1e-6) - omega(found.values[0] - 1e-6)) / 2e-6;
     let error = (slope * found.errors()[0]).abs();
     assert!((resonance.secondary_error - error).abs() < 1e-2 * error, "{error} {resonance:?}");
+}
+
+/// What is identified from a noisy record whose impacts state these errors.
+fn from_record(errors: [f64; 3]) -> (Fit, Measurements) {
+    let names = ["zeta", "epsilon"].map(str::to_owned);
+    let task = Task { rig: &rig, names: &names, start: &START, scope: &scope(), units: Units::ONE };
+    let mut noise = Noise::of(2);
+    let series = |(at, first): &([f64; 2], [f64; 2])| {
+        let impacts = noisy(&impacts(*at, *first, 24), &mut noise);
+        let impacts = (2..).zip(impacts).map(|(line, values)| Impact { line, values, errors });
+        Series { at: *at, impacts: impacts.collect() }
+    };
+    let record = [([0.4, 0.8], [0.3, 0.9]), ([0.6, 0.7], [1.0, 0.4])].iter().map(series).collect();
+    let measured = Measurements { points: Vec::new(), record };
+    (identify(&task, &measured, &Silent).unwrap().0, measured)
+}
+
+#[test]
+fn errors_that_are_not_stated_or_are_too_small_come_from_the_scatter() {
+    let (stated, _) = from_record(IMPACT_ERRORS);
+    let (unstated, _) = from_record([f64::NAN; 3]);
+    let (timed, _) = from_record([IMPACT_ERRORS[0], f64::NAN, f64::NAN]);
+    let (too_small, _) = from_record(IMPACT_ERRORS.map(|error| error / 50.0));
+    assert!(!stated.is_refuted() && !unstated.is_refuted() && !timed.is_refuted());
+    assert!(unstated.scattered && !timed.scattered);
+    assert!(too_small.is_refuted(), "{} for {}", too_small.chi_squared, too_small.freedom);
+    for found in [&unstated, &timed, &too_small] {
+        for (k, truth) in TRUTH.into_iter().enumerate() {
+            assert!((found.values[k] - truth).abs() < 3.0 * found.errors()[k], "{found:?}");
+            // A standard error from some hundred numbers is known to a tenth or so.
+            assert!((found.errors()[k] / stated.errors()[k] - 1.0).abs() < 0.3, "{found:?}");
+        }
+    }
+}
+
+#[test]
+fn speeds_that_are_exchanged_are_noticed_and_noise_is_not() {
+    for errors in [IMPACT_ERRORS, [f64::NAN; 3]] {
+        let (_, Measurements { record, .. }) = from_record(errors);
+        for mut series in record {
+            assert!(series.gaining().is_none());
+            series.impacts.iter_mut().for_each(|impact| impact.values.swap(1, 2));
+            assert!(series.gaining().is_some());
+        }
+    }
 }
