@@ -52,7 +52,7 @@ keys! {
         motion: Motion = table(), "the table [motion] holds force and frequency";
         /// The wall.
         wall: Option<WrittenWall> = maybe(table()),
-            "the table [wall] holds the position of the wall and the side of the wall on which the motion takes place; without it the wall is at x = 0";
+            "the table [wall] holds the position of the wall and the side of the wall on which the motion takes place; without it the wall is at x = 0; one stop is supported";
         /// What an impact does.
         impact: Impact = table(), "the table [impact] holds restitution and duration, and may hold mass";
         /// What is computed.
@@ -114,7 +114,7 @@ keys! {
             "the position of the wall must be an expression in t and the parameters, in quotation marks, such as \"0.0015\" or \"a*cos(omega*t)\"";
         /// The side on which the motion is.
         side: Side = or(choice(&[("below", Side::Below), ("above", Side::Above)]), Side::Below),
-            "the side of the wall on which the motion takes place must be \"below\" (less than its position) or \"above\" (greater); if it is left out, it is \"below\"";
+            "the side of the wall on which the motion takes place must be \"below\" (less than its position) or \"above\" (greater), as one stop is supported; if it is left out, it is \"below\"";
     }
 }
 

@@ -83,6 +83,7 @@ pub(crate) fn description(
     let axes = [&file.primary, &file.secondary];
     let known = Known::new(&file, stop);
     let mut used = [false; 2];
+    let mut forced = false;
     let mut checked = |text: &String, kind: Kind| {
         let (_, uses) = known
             .parse(text, kind)
@@ -90,6 +91,8 @@ pub(crate) fn description(
         for (used, place) in used.iter_mut().zip(kind.1.len()..) {
             *used |= uses.contains(&place);
         }
+        let of_phase = |(place, own): (usize, &&str)| ["t", "z"].contains(own) && uses.contains(&place);
+        forced |= kind.1.iter().enumerate().any(of_phase);
         Ok::<_, DescriptionError>((text.clone(), KeyPlace::new(section, kind.0)))
     };
     let (side, wall) = match &file.wall {
@@ -107,6 +110,12 @@ pub(crate) fn description(
     // Each text is correct by itself.
     let formulas = formulas(&texts, side, &file, stop)
         .map_err(|error| DescriptionError::Value { place: places.wall.clone(), problem: error.problem })?;
+    if !forced {
+        let problem = "nothing depends on the time t: only forced oscillators are analysed, in which the force or the wall recurs \
+                       with the frequency of motion.frequency, as with A*cos(omega*t) in the force; self-excited motion has no \
+                       phase";
+        return Err(DescriptionError::Value { place: places.force, problem: problem.to_owned() });
+    }
     for ((used, key), axis) in used.into_iter().zip(["primary.name", "secondary.name"]).zip(axes) {
         if !used {
             let allowed = format!(

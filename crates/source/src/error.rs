@@ -40,6 +40,8 @@ pub enum SourceError {
         nearest: Option<String>,
         /// All keys that are known here.
         known: Vec<String>,
+        /// What the table holds, if it has a name and no known key is spelt like this one.
+        about: Option<String>,
     },
     /// A required key that is missing.
     MissingKey {
@@ -86,9 +88,10 @@ impl SourceError {
         match self {
             Self::Unreadable { reason, .. } => format!("cannot be read: {reason}"),
             Self::Syntax { reason, .. } => format!("this is not TOML: {reason}"),
-            Self::UnknownKey { key, nearest, known, .. } => {
+            Self::UnknownKey { key, nearest, known, about, .. } => {
                 let suggestion = suggestion(nearest.as_deref());
-                format!("unknown key {key}{suggestion} Known here: {}", known.join(", "))
+                let about = about.as_ref().map_or(String::new(), |about| format!("; {about}"));
+                format!("unknown key {key}{suggestion} Known here: {}{about}", known.join(", "))
             }
             Self::MissingKey { key, allowed, .. } => format!("{key} is missing: {allowed}"),
             Self::Forbidden { key, value, allowed, .. } => format!("{key} = {value}: {allowed}"),

@@ -121,8 +121,10 @@ impl<'a> Source<'a> {
     pub(crate) fn unknown(&self, position: usize, key: String, name: &str, known: &[&str]) -> SourceError {
         let Place { file, line, .. } = self.place(position);
         let nearest = nearest(name, known).map(str::to_owned);
+        let table = key.rsplit_once('.').filter(|_| nearest.is_none()).map(|(table, _)| table);
+        let about = table.map(|table| self.requirements.of(table).to_owned());
         let known = known.iter().map(|&known| known.to_owned()).collect();
-        SourceError::UnknownKey { file, line, key, nearest, known }
+        SourceError::UnknownKey { file, line, key, nearest, known, about }
     }
 
     /// The error that a key is missing in the table at a position.

@@ -23,33 +23,24 @@ const KNOWN: [(&str, Compute); 10] = [
     ("sqrt", |x| x.apply(Function::Sqrt)),
 ];
 
-/// Functions that have a corner, a jump or a cut.
-const NOT_SMOOTH: [&str; 24] = [
-    "abs",
-    "fabs",
-    "sign",
-    "signum",
-    "sgn",
-    "min",
-    "max",
-    "floor",
-    "ceil",
-    "round",
-    "trunc",
-    "int",
-    "frac",
-    "fract",
-    "mod",
-    "fmod",
-    "rem",
-    "heaviside",
-    "step",
-    "clamp",
-    "cbrt",
-    "hypot",
-    "atan2",
-    "if",
+/// Functions that have a corner, a jump or a cut, and what may do in their place.
+const NOT_SMOOTH: [(&[&str], &str); 9] = [
+    (&["abs", "fabs"], "sqrt(x^2 + s^2) with a small s is close to the modulus of x"),
+    (&["sign", "signum", "sgn"], "tanh(x/s) with a small s is close to the sign of x"),
+    (&["max"], "(a + b + sqrt((a - b)^2 + s^2))/2 with a small s is close to the greater of a and b"),
+    (&["min"], "(a + b - sqrt((a - b)^2 + s^2))/2 with a small s is close to the lesser of a and b"),
+    (&["heaviside", "step", "if"], STEP),
+    (&["clamp"], "c + d*tanh((x - c)/d) stays between c - d and c + d"),
+    (&["cbrt"], "x/(x^2 + s^2)^(1/3) with a small s is close to the cube root of x"),
+    (&["hypot"], "sqrt(a^2 + b^2 + s^2) with a small s is close to the length of (a, b)"),
+    (
+        &["floor", "ceil", "round", "trunc", "int", "frac", "fract", "mod", "fmod", "rem", "atan2"],
+        "it jumps, and no smooth function is close; periodic forcing is written with sines and cosines",
+    ),
 ];
+
+/// What may do in place of a choice or a comparison.
+pub(super) const STEP: &str = "(1 + tanh(x/s))/2 with a small s is close to a step from 0 to 1 at x = 0";
 
 /// The names of all functions.
 pub(super) fn functions() -> impl Iterator<Item = &'static str> {
@@ -58,12 +49,12 @@ pub(super) fn functions() -> impl Iterator<Item = &'static str> {
 
 /// Whether the name is that of a function, known or refused.
 pub(crate) fn is_function(name: &str) -> bool {
-    functions().any(|known| known == name) || is_not_smooth(name)
+    functions().any(|known| known == name) || in_place_of(name).is_some()
 }
 
-/// Whether the name is that of a function that is rejected because it is not smooth.
-pub(super) fn is_not_smooth(name: &str) -> bool {
-    NOT_SMOOTH.contains(&name)
+/// What may do in place of a function that is rejected because it is not smooth.
+pub(super) fn in_place_of(name: &str) -> Option<&'static str> {
+    NOT_SMOOTH.iter().find(|(names, _)| names.contains(&name)).map(|(_, remedy)| *remedy)
 }
 
 /// The function's value; `None` if there is no function of this name.

@@ -65,12 +65,14 @@ impl Names<'_, '_> {
         let written = &text[span.clone()];
         let shown = shortened(written, SHOWN);
         let unexpected = |expected: &str| format!("{written} is not allowed here: {expected} is expected");
-        let not_smooth = |what: &str| {
-            format!(
-                "{what} is not smooth: the theorems need functions with continuous derivatives; a smooth one that is close may do, \
-                 as sqrt(x^2 + s^2) with a small s for the modulus of x"
-            )
+        let not_smooth = |what: &str, remedy: &str| {
+            format!("{what} is not smooth: the theorems need functions with continuous derivatives; {remedy}")
         };
+        if let Some(known) =
+            [".^", ".*", "./"].into_iter().find(|known| text[span.start..].starts_with(known))
+        {
+            return format!("operators have no point in front of them: {} in place of {known}", &known[1..]);
+        }
         match kind {
             ErrorKind::UnknownVariable if function::is_function(written) => {
                 format!("{written} is a function: write its argument after it, as in {written}(x)")
@@ -87,8 +89,12 @@ impl Names<'_, '_> {
                     }
                 }
             }
-            ErrorKind::UnknownFunction if function::is_not_smooth(written) => {
-                not_smooth(&format!("the function {written}"))
+            ErrorKind::UnknownFunction if function::in_place_of(written).is_some() => {
+                let remedy = function::in_place_of(written).unwrap_or_default();
+                not_smooth(&format!("the function {written}"), remedy)
+            }
+            ErrorKind::UnknownFunction if ["pow", "power"].contains(&written) => {
+                format!("powers are written with ^: {}", power(&text[span.end..]))
             }
             ErrorKind::UnknownFunction if self.known().contains(&written) => {
                 format!("{written} is a number, not a function: for a product write {written}*(...)")
@@ -103,7 +109,8 @@ impl Names<'_, '_> {
                 format!("wrong number of arguments: {name} takes one, as in {name}(x)")
             }
             ErrorKind::Unsupported => {
-                not_smooth(&format!("{shown} (a remainder, a factorial, a comparison or a choice)"))
+                let remedy = format!("for a choice or a comparison, {}", function::STEP);
+                not_smooth(&format!("{shown} (a remainder, a factorial, a comparison or a choice)"), &remedy)
             }
             ErrorKind::InvalidNumber => format!("{shown} is too large a number to compute with"),
             ErrorKind::UnclosedParenthesis => "this parenthesis is not closed: a ) is missing".to_owned(),
@@ -145,6 +152,21 @@ const LISTED: usize = 30;
 fn listed(names: &[&str]) -> String {
     let rest = if names.len() > LISTED { ", ..." } else { "" };
     format!("{}{rest}", names[..names.len().min(LISTED)].join(", "))
+}
+
+/// The power that is meant by the arguments of a call, such as `(x, 3)`: x^3.
+fn power(call: &str) -> String {
+    let inside = call.trim_start().strip_prefix('(').and_then(|rest| rest.split_once(')'));
+    let arguments = inside.and_then(|(inside, _)| inside.split_once(','));
+    let [base, exponent] = arguments.map_or(["x", "3"], |(base, exponent)| [base.trim(), exponent.trim()]);
+    let bracketed =
+        |part: &str| if part.chars().all(is_value) { part.to_owned() } else { format!("({part})") };
+    // Further brackets inside are not paired here.
+    if base.contains('(') {
+        "x^3 for pow(x, 3)".to_owned()
+    } else {
+        format!("{}^{}", bracketed(base), bracketed(exponent))
+    }
 }
 
 /// Whether a number, a name or a parenthesis ends right before this place.

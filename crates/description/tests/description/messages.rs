@@ -56,6 +56,8 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("", "[impact]", "[wall]\nposition = \"x\"\n[impact]"),
     ("", "[impact]", "[wall]\nposition = \"ln(A - 0.1)\"\n[impact]"),
     ("", "[impact]", "[wall]\nposition = 0.1\n[impact]"),
+    ("", "[impact]", "[wall]\nposition = \"0\"\nside = \"both\"\n[impact]"),
+    ("", "[impact]", "[wall]\nposition = \"0\"\nboth = true\n[impact]"),
     ("[primary]", "range", "range = [0.0, 1.5]\nunit = 1"),
     ("[primary]", "range", "range = [0.0, 1.5]\nunit = \"\""),
     ("", "[impact]", "[units]\nlength = \"<b>mm</b>\"\n[impact]"),
@@ -149,12 +151,19 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("[motion]", "frequency", "frequency = \"omega + x\""),
     ("[impact]", "restitution", "restitution = \"0.8 - 0.1*v\""),
     ("[motion]", "force", "force = \"-x, -1\""),
+    ("[motion]", "force", "force = \"-x - kappa*pow(x, 3) + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-x - kappa*pow(x + 1, 2*zeta) + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-x - kappa*x.^3 + A*cos(omega*t)\""),
+    // Nothing depends on the time.
+    ("[motion]", "force", "force = \"A*(1 - x^2)*v - omega*x\""),
     // Not smooth.
     ("[motion]", "force", "force = \"-x - 1 - zeta*abs(v)*v + A*cos(omega*t)\""),
     ("[motion]", "force", "force = \"-x - 1 - zeta*sign(v) + A*cos(omega*t)\""),
     ("[motion]", "force", "force = \"-max(x, 0) - 1 + A*cos(omega*t)\""),
     ("[motion]", "force", "force = \"-min(x, 0) - 1 + A*cos(omega*t)\""),
     ("[motion]", "force", "force = \"-x - 1 + A*floor(cos(omega*t))\""),
+    ("[motion]", "force", "force = \"-x - 1 + A*heaviside(cos(omega*t))\""),
+    ("[motion]", "force", "force = \"-x - 1 - hypot(x, v) + A*cos(omega*t)\""),
     ("[motion]", "force", "force = \"-x - 1 + A*(t % 2)\""),
     ("[motion]", "force", "force = \"-x - 1 + (x > -1 ? A : 0)*cos(omega*t)\""),
     // Values.
