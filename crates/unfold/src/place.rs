@@ -114,10 +114,8 @@ pub struct Place {
 /// The name of the stage.
 const BASINS: &str = "basins of attraction";
 
-/// Largest impact velocity at which MPSs are looked for: motion is of the order of one.
-const FASTEST: f64 = 2.5;
 /// Impact velocity below which MPSs are not distinguished from grazing.
-const SLOWEST: f64 = BETWEEN_ORBITS * FASTEST;
+const SLOWEST: f64 = BETWEEN_ORBITS * search::USUAL_VELOCITY;
 
 /// The horizon for motion from a nearby attractor, which needs little time.
 const FOLLOWED: Horizon = Horizon::drifting(100, 32);
@@ -274,7 +272,7 @@ impl Place {
         // States of the lattice have no weight: fractions are those of random states.
         let states = (0..starts.states).map(start).chain(starts.on_lattice().map(|state| (0, state)));
         let states: Vec<(u32, State)> = states.collect();
-        let found = || search::at(oscillator, loops, [SLOWEST, FASTEST]);
+        let found = || search::at(oscillator, loops, SLOWEST, progress);
         Self::of(oscillator, &states, starts.horizon, progress, found)
     }
 

@@ -52,7 +52,7 @@ const SLOW: f64 = 0.05;
 
 /// Largest impact velocity in the first search for MPSs: motion is of order one where the wall's
 /// distance from rest is.
-const USUAL_VELOCITY: f64 = 2.0;
+pub(crate) const USUAL_VELOCITY: f64 = 2.0;
 
 /// MPSs of some numbers of loops p, each with its p: on every slice at both ends, at one μ between
 /// and at one small impact velocity.
@@ -142,14 +142,26 @@ pub(crate) fn grazing(
     found.collect::<Vec<_>>().concat()
 }
 
-/// The MPSs of an oscillator with impact velocities in an interval, as far as a lattice of impacts
-/// separates them.
+/// The MPSs of an oscillator that are faster than `slowest`, as far as lattices of impacts separate them;
+/// impact velocities are those at which slices are searched.
 pub(crate) fn at(
     oscillator: &AnyOscillator,
     loops: &[u32],
-    [slowest, fastest]: [f64; 2],
+    slowest: f64,
+    progress: &dyn Progress,
 ) -> Vec<(u32, Unknowns)> {
-    Lattice::slow(oscillator.parameters(), fastest).zeros(oscillator, loops, slowest)
+    let place @ [primary, secondary] = oscillator.parameters();
+    let window = Window { primary: [primary; 2], secondary: [secondary; 2] };
+    let mut found: Vec<(u32, Unknowns)> = Vec::new();
+    for (loops, zero) in on_lattices(oscillator, loops, window, (&[place], &[]), progress) {
+        // One on the border of two lattices is found on both.
+        let known = found.iter().any(|(other, at)| *other == loops && same(at, &zero));
+        if zero[unknown::VELOCITY] > slowest && !known {
+            found.push((loops, zero));
+        }
+    }
+    found.sort_by_key(|(loops, _)| *loops);
+    found
 }
 
 /// A lattice of impacts, or of states at rest, of all phases.

@@ -62,3 +62,19 @@ fn what_has_not_settled_is_not_named_but_chaos_is() {
     let found = attractors([0.5, 0.6], Starts::default().horizon);
     assert_eq!(found, [(MotionKind::Chaotic, 0, 0), (MotionKind::NonImpacting, 0, 1)]);
 }
+
+#[test]
+fn fast_solutions_at_a_place_are_found_as_in_the_plane() {
+    let at @ [amplitude, frequency] = [4.0, 0.6];
+    let exact = grazing_trials::closed_form::orbits(ZETA, EPSILON, amplitude, frequency, 1);
+    let exact: Vec<f64> =
+        exact.iter().map(|orbit| orbit.velocity).filter(|velocity| *velocity > 0.0).collect();
+    assert!(exact.iter().any(|velocity| (2.5..16.0).contains(velocity)), "{exact:?}");
+    let horizon = Horizon { transient: 5, counted: 6, patience: Patience::Drifting, longest: 0 };
+    let starts = Starts { states: 1, horizon, ..Starts::default() };
+    let place = Place::compute(&oscillator(at), &[1], &starts, &Silent).unwrap();
+    for velocity in exact {
+        let found = place.solutions.iter().filter(|found| (found.impact[0] - velocity).abs() < 1e-6);
+        assert_eq!(found.count(), 1, "{velocity}");
+    }
+}
