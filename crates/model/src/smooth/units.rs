@@ -35,6 +35,9 @@ const SHARES: [f64; 3] = [0.0, 0.5, 1.0];
 const NO_LOAD: f64 = 1e-12;
 /// Units lie between 4⁻⁶⁰ and 4⁶⁰: products of a few of them do not overflow.
 const MOST: f64 = 60.0;
+/// Where the force changes with a parameter at less than this fraction of the greatest rate on the way of
+/// motion, as it does at rest with a parameter that multiplies x, that rate counts.
+const AT_REST: f64 = 0.1;
 /// Number of halvings in the search for the length, from that at which inertia balances the load
 /// down to 2⁻¹²⁰ of it.
 const DOUBLINGS: i32 = 120;
@@ -52,7 +55,8 @@ impl Units {
     /// that does not point away from the wall, the amplitude of the forcing if there is one. The
     /// length is the shortest over which the mean force changes by the load, or inertia at the
     /// forcing frequency balances it; the square of the time is length over load. A unit of a
-    /// parameter changes the force by the load, or the frequency by one.
+    /// parameter changes the force by the load at that length, or at the wall or as far
+    /// beyond if it hardly changes it there, or the frequency by one.
     pub fn of<M: SmoothOscillator>(model: &M, ranges: [[f64; 2]; 2]) -> Self {
         let at = |[low, high]: [f64; 2], share: f64| low * (1.0 - share) + high * share;
         let places = SHARES.into_iter().flat_map(|m| SHARES.map(|e| [at(ranges[0], m), at(ranges[1], e)]));
@@ -140,12 +144,15 @@ fn sizes<M: SmoothOscillator>(model: &M, [mu, eta]: [f64; 2]) -> Option<[f64; 4]
     let velocity = length / time;
     let unit = |[mu, eta]: [Taylor; 2]| {
         let frequency = model.forcing_frequency(mu, eta);
-        let rate = |phase: f64| {
-            let [x, y] = [-length, velocity].map(Taylor::constant);
-            (model.force(x, y, Taylor::constant(phase) / frequency, mu, eta).coefficients()[1] / load).abs()
+        let rate = |x: f64| {
+            let [x, y] = [x, velocity].map(Taylor::constant);
+            let force = |phase| model.force(x, y, Taylor::constant(phase) / frequency, mu, eta);
+            let rates = instants().map(|phase| (force(phase).coefficients()[1] / load).abs());
+            rates.fold((frequency.coefficients()[1] * time).abs(), f64::max)
         };
-        let fastest = instants().map(rate).fold((frequency.coefficients()[1] * time).abs(), f64::max);
-        1.0 / fastest
+        let at_rest = rate(-length);
+        let moving = rate(0.0).max(rate(-2.0 * length));
+        1.0 / if at_rest < AT_REST * moving { moving } else { at_rest }
     };
     let [still, moving] =
         [[mu, eta].map(Taylor::constant), [mu, eta].map(|value| Taylor::new([value, 1.0, 0.0, 0.0]))];
@@ -299,6 +306,36 @@ mod tests {
     fn at_rest_at_the_wall_the_forcing_is_the_load() {
         let found = units([0.0, 1e4, 0.0], [[0.0, 200.0], [10.0, 50.0]]);
         assert_near(found, [0.015, 0.01, 150.0, 100.0]);
+    }
+
+    /// ẍ = −(1 + μ cos 2t)(x + 1) + 1/4 cos t.
+    #[derive(Clone)]
+    struct Parametric;
+
+    impl SmoothOscillator for Parametric {
+        fn force<S: Scalar>(&self, x: S, _: S, t: S, mu: S, _: S) -> S {
+            let stiffness = S::constant(1.0) + mu * t.scale(2.0).apply(Function::Cos);
+            t.apply(Function::Cos).scale(0.25) - stiffness * (x + S::constant(1.0))
+        }
+
+        fn forcing_frequency<S: Scalar>(&self, _: S, _: S) -> S {
+            S::constant(1.0)
+        }
+
+        fn restitution<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
+            S::constant(1.0)
+        }
+
+        fn impact_duration<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
+            S::constant(0.0)
+        }
+    }
+
+    #[test]
+    fn a_parameter_that_multiplies_x_has_its_unit_from_where_motion_goes() {
+        // At rest the force does not depend on it.
+        let units = Units::of(&Parametric, [[0.0, 1.2], [0.0, 1.0]]);
+        assert_eq!((units.length, units.primary), (1.0, 1.0));
     }
 
     #[test]
