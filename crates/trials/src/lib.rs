@@ -2,6 +2,7 @@
 
 pub mod closed_form;
 pub mod continued;
+pub mod damped;
 pub mod errors;
 pub mod lines;
 pub mod nonlinear;

@@ -1,4 +1,4 @@
-//! Runs the long trials: `grazing-trials regions`, `nonlinear` and `errors`.
+//! Runs the long trials: `grazing-trials regions`, `nonlinear`, `damped` and `errors`.
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program's output")]
 
 use std::collections::BTreeMap;
@@ -10,15 +10,18 @@ use grazing_continuation::curve::Window;
 use grazing_description::Description;
 use grazing_trials::nonlinear::{self, Disagreement};
 use grazing_trials::random::Random;
-use grazing_trials::{errors, lines, oscillators, parts, regions};
+use grazing_trials::{damped, errors, lines, oscillators, parts, regions};
 
 const USAGE: &str = "usage: grazing-trials regions [OSCILLATORS [SEED]]      linear ones against the closed form
        grazing-trials windows [OSCILLATORS [SEED]]      the same in parts of windows, along lines, however narrow regions are
        grazing-trials windows FILE...                   diagrams of parts of windows against those of the whole
        grazing-trials nonlinear [OSCILLATORS [SEED]]    the examples and random ones against continuation and simulation
        grazing-trials nonlinear FILE...                 the same for those of files
+       grazing-trials damped [OSCILLATORS [SEED]]       hardly damped and overdamped ones, under slow and fast forcing: time, and what is undecided
+       grazing-trials damped FILE...                    the same for those of files
        grazing-trials describe NUMBER [SEED]            a random oscillator as a file for `grazing unfold`
-       grazing-trials errors [NUMBER...]                deliberate errors, and which claims and tests see them";
+       grazing-trials errors [NUMBER...]                deliberate errors, and which claims and tests see them
+SEED may also be given as `--seed SEED`.";
 
 /// The number of random points for each oscillator.
 const POINTS: usize = 2000;
@@ -32,24 +35,36 @@ const LINES: usize = 500;
 const LOOPS: [u32; 3] = [1, 2, 3];
 
 fn main() -> ExitCode {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let mut arguments: Vec<String> = std::env::args().skip(1).collect();
+    let named = arguments.windows(2).position(|pair| pair[0] == "--seed");
+    let named = named.map(|at| arguments.drain(at..at + 2).next_back().unwrap_or_default());
     let number = |place: usize, otherwise: u64| {
         arguments.get(place).map_or(Some(otherwise), |argument| argument.parse().ok())
     };
+    let seed = named.as_ref().map_or_else(|| number(2, 1), |seed| seed.parse().ok());
     let right = match arguments.first().map(String::as_str) {
-        Some("regions") => match (number(1, 40), number(2, 1)) {
+        Some("regions") => match (number(1, 40), seed) {
             (Some(count), Some(seed)) if arguments.len() <= 3 => linear(count, seed),
             _ => return usage(),
         },
-        Some("windows") => match (number(1, 10), number(2, 1)) {
+        Some("windows") => match (number(1, 10), seed) {
             (Some(count), Some(seed)) if arguments.len() <= 3 => windows(count, seed),
             _ => arguments[1..].iter().all(|file| windows_of(file)),
         },
-        Some("nonlinear") => match (number(1, 10), number(2, 1)) {
+        Some("nonlinear") => match (number(1, 10), seed) {
             (Some(count), Some(seed)) if arguments.len() <= 3 => examples_and_random(count, seed),
             _ => files(&arguments[1..]),
         },
-        Some("describe") => match (number(1, 1), number(2, 1)) {
+        Some("damped") => match (number(1, 20), seed) {
+            (Some(count), Some(seed)) if arguments.len() <= 3 => {
+                let texts = (1..=count).map(|number| damped::Damped::new(seed, number).description());
+                unfolded(texts.collect())
+            }
+            _ => unfolded(
+                arguments[1..].iter().map(|file| std::fs::read_to_string(file).unwrap_or_default()).collect(),
+            ),
+        },
+        Some("describe") => match (number(1, 1), seed) {
             (Some(number), Some(seed)) if arguments.len() > 1 => {
                 print!("{}", oscillators::description(seed, number));
                 true
@@ -225,6 +240,19 @@ fn examples_and_random(count: u64, seed: u64) -> bool {
         right &= compared(&name, Description::parse(&text, &name).map_err(|error| error.to_string()));
     }
     right
+}
+
+/// Unfolds oscillators that are described by texts; returns whether each was in time.
+fn unfolded(texts: Vec<String>) -> bool {
+    let unfolded = (1..).zip(texts).map(|(number, text)| {
+        let outcome = damped::unfold(&text, damped::LONGEST);
+        println!("{number:3} {outcome}");
+        if !outcome.passes() {
+            println!("{text}");
+        }
+        outcome.passes()
+    });
+    unfolded.filter(|passes| !passes).count() == 0
 }
 
 /// Compares oscillators from text files with continuation and simulation.

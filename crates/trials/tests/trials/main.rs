@@ -1,6 +1,7 @@
 //! Short runs of the trials, in which they also have to notice what is wrong, and tests of what the mutation tests need.
 
 mod armed;
+mod damped;
 mod errors;
 mod nonlinear;
 mod regions;
