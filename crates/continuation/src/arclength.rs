@@ -323,6 +323,8 @@ pub enum WalkEnd<E> {
     Stalled(Stall<E>),
     /// The limit of points was reached.
     StepLimit,
+    /// The computation was cancelled.
+    Stopped,
 }
 
 impl<E: fmt::Display> WalkEnd<E> {
@@ -332,6 +334,7 @@ impl<E: fmt::Display> WalkEnd<E> {
             Self::LeftWindow | Self::Closed => None,
             Self::Stalled(stall) => Some(format!("no further point was found: {stall}")),
             Self::StepLimit => Some("after very many points there was no end".to_owned()),
+            Self::Stopped => Some("the computation was stopped".to_owned()),
         }
     }
 }

@@ -136,9 +136,10 @@ pub enum CurveEnd {
     },
     /// No further point was found, in either formulation.
     Stalled(Stall<MapError>),
-    /// The step limit was reached, which is lower for a sketch among violent motion; or the pace
-    /// ended the curve.
+    /// The step limit was reached, which is lower for a sketch among violent motion.
     StepLimit,
+    /// The pace ended the curve: what follows does not matter.
+    Abandoned,
 }
 
 /// A point of a curve.
@@ -181,7 +182,11 @@ impl Curve {
 
     fn why_lost(&self, end: &CurveEnd) -> Option<String> {
         match end {
-            CurveEnd::LeftWindow | CurveEnd::Grazing | CurveEnd::Closed | CurveEnd::Event(_) => None,
+            CurveEnd::LeftWindow
+            | CurveEnd::Grazing
+            | CurveEnd::Closed
+            | CurveEnd::Event(_)
+            | CurveEnd::Abandoned => None,
             CurveEnd::EventNotLocated { condition, failure } => {
                 let what = match (condition, self.condition) {
                     (Condition::InteriorGrazing, _) => "a maximum between impacts that touches the wall",

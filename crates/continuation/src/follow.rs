@@ -11,7 +11,7 @@ use crate::arclength::{Continuation, FEWEST_OF_A_LOOP, Stall, back_at};
 use crate::curve::{Curve, CurveEnd, CurvePoint, Event, Route, SolutionCurve};
 use crate::locate::Condition;
 use crate::mps::{EventTimes, Multipliers, PeriodicSolution, Unknowns, parameters, unknown};
-use crate::tolerances::{LOST_MULTIPLIERS, LOST_POINTS, NO_VELOCITY, ON_TWO_CURVES};
+use crate::tolerances::{FORGOTTEN, LOST_MULTIPLIERS, LOST_POINTS, NO_VELOCITY, ON_TWO_CURVES};
 use events::{CurveStation, EVENTS, INADMISSIBLE, Signs, Step, changes, signs, vanishing};
 
 impl<O: ImpactOscillator> SolutionCurve<O> {
@@ -158,7 +158,10 @@ impl<O: ImpactOscillator> Follower<'_, O> {
         while self.curve.points.len() <= self.route.step_limit && !self.is_lost() {
             here = walker.here().clone();
             if let Some(pace) = self.route.pace {
-                let Some(longest) = pace(&self.curve.points, &here.tangent) else { break };
+                let Some(longest) = pace(&self.curve.points, &here.tangent) else {
+                    self.curve.end = CurveEnd::Abandoned;
+                    return None;
+                };
                 walker.limit(longest);
             }
             let after = match walker.advance() {
@@ -298,8 +301,11 @@ impl<O: ImpactOscillator> Follower<'_, O> {
     /// Ends the curve where the impact velocity vanishes.
     fn end_at_grazing(&mut self, step: &Step<'_, O>) -> CurveEnd {
         let SolutionCurve { equations, condition } = self.followed;
+        let before = step.before;
         let (mut point, times) = match step.grazing() {
             Ok(found) => found,
+            // At grazing but for rounding, and for long: there is no zero to be located.
+            Err(_) if before.point[unknown::VELOCITY] < FORGOTTEN => (before.point, before.carried.clone()),
             Err(failure) => {
                 return CurveEnd::EventNotLocated { condition: Condition::ImpactVelocity(0.0), failure };
             }

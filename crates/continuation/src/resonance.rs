@@ -32,11 +32,6 @@ pub enum ResonanceError {
     /// A theorem's hypothesis does not hold.
     #[error(transparent)]
     Hypotheses(#[from] HypothesesViolated),
-    /// Damping is so strong that a small difference vanishes in rounding within a forcing period.
-    #[error(
-        "small differences are forgotten within a forcing period, to rounding: resonances cannot be told from none"
-    )]
-    Forgotten,
     /// The theory gives a direction in which the numerical equations have no curve.
     #[error("the {curve} curve cannot be started: {reason}")]
     NotStarted {

@@ -1,9 +1,10 @@
 //! The properties of a periodic solution: multipliers, stability, highest maximum, admissibility.
 
 use grazing_model::motion::Maximum;
+use grazing_theorems::spectrum::Eigenvalues;
 use nalgebra::Vector4;
 
-use crate::tolerances::{self, STABILITY, UNSETTLED_MULTIPLIERS};
+use crate::tolerances::{self, FORGOTTEN, STABILITY, UNSETTLED_MULTIPLIERS};
 
 /// The unknowns: (y, z, μ, η), impact velocity, impact phase, primary and secondary parameter;
 /// without impacts (x, y, μ, η), position and velocity at phase zero.
@@ -42,6 +43,22 @@ impl Multipliers {
     /// On the boundary the MPS does not count as stable.
     pub fn stable(&self) -> bool {
         self.trace.abs() - 1.0 < self.determinant - STABILITY && self.determinant < 1.0 - STABILITY
+    }
+
+    /// Whether both multipliers lie on the unit circle and are not real, as without damping: nearby
+    /// motion neither approaches nor leaves.
+    pub fn neutral(&self) -> bool {
+        self.trace.abs() < 2.0 - STABILITY && (self.determinant - 1.0).abs() <= STABILITY
+    }
+
+    /// The larger modulus of the multipliers.
+    pub fn radius(&self) -> f64 {
+        Eigenvalues::from_trace_and_determinant(self.trace, self.determinant).spectral_radius()
+    }
+
+    /// Whether so many periods leave nothing of a small difference but rounding.
+    pub fn forget(&self, periods: u32) -> bool {
+        libm::pow(self.radius(), f64::from(periods)) < FORGOTTEN
     }
 
     /// Whether the multipliers are a pair of complex numbers that are not real.

@@ -90,6 +90,12 @@ pub(crate) const OFF_RESONANCE: f64 = 1e-10;
 /// are off by 10⁻⁹ at most, and the coefficients are then exact to about as much.
 pub(crate) const LOCATED: f64 = 1e-6;
 
+/// Multipliers of motion without impacts below which a period leaves nothing of a small difference. Beside
+/// grazing p-loop solutions gain or lose stability at impact velocities of the order of multipliers to
+/// the power p, and heights and distances from grazing in μ are of the order of its square: that must
+/// exceed [`TOUCH`]. What is less has no sign.
+pub(crate) const FORGOTTEN: f64 = 3e-6;
+
 /// Largest part in (μ, η) of the tangent, of length one, at a cusp: rounding over the curvature of
 /// the curve.
 pub(crate) const IN_THE_PLANE: f64 = 1e-12;

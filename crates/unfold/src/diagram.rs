@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 pub use crate::curves::{CodimensionTwoPoint, DiagramCurve, route};
 use crate::curves::{Net, within};
-use crate::grazing::GrazingCurve;
+use crate::grazing::{GrazingCurve, multipliers};
 use crate::levels::{Level, LevelCurve, Levels};
 use crate::non_impacting::{self, NonImpacting};
 use crate::progress::Progress;
@@ -319,7 +319,9 @@ impl Diagram {
         for net in nets.iter_mut().filter(|net| net.loops() > 1) {
             let loops = net.loops();
             let one_loop = self.resonances.iter().filter(|resonance| resonance.loops == 1);
-            for resonance in one_loop.chain(&self.one_loop) {
+            for resonance in
+                one_loop.chain(&self.one_loop).filter(|resonance| !is_forgotten(resonance, loops))
+            {
                 let (curves, missing) = resonance.located.unfold_iterated(loops, &route);
                 for curve in curves {
                     if let Some(kind) = Bifurcation::of(curve.condition, loops) {
@@ -385,9 +387,13 @@ impl Diagram {
             .into_par_iter()
             .filter_map(|(index, resonance)| {
                 let point = resonance.theorem.as_ref().ok()?;
-                let followed = match point.unfold(&route) {
-                    Ok(unfolded) => listed(index, resonance, unfolded),
-                    Err(reason) => Followed { resonance: index, curves: Vec::new(), missing: vec![reason] },
+                let none = |missing| Followed { resonance: index, curves: Vec::new(), missing };
+                let followed = match is_forgotten(resonance, resonance.loops) {
+                    true => none(Vec::new()),
+                    false => match point.unfold(&route) {
+                        Ok(unfolded) => listed(index, resonance, unfolded),
+                        Err(reason) => none(vec![reason]),
+                    },
                 };
                 if progress.stopped() {
                     return None;
@@ -400,6 +406,14 @@ impl Diagram {
         progress.end(CURVES);
         followed
     }
+}
+
+/// Whether the curves of solutions with so many loops that leave a resonance lie on the grazing curve, but
+/// for rounding: for two loops and more all that is stable lies at a distance of the order of the square
+/// of the multipliers.
+fn is_forgotten(resonance: &Resonance, loops: u32) -> bool {
+    let orbit = resonance.located.orbit();
+    multipliers(orbit.oscillator(), orbit.phase()).forget(loops.min(2))
 }
 
 /// The curves of a resonance in the order in which they are listed.

@@ -8,7 +8,7 @@ use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::{CurveEquations, Stall, StepControl, Tangent, Walk, WalkEnd, across};
 use grazing_continuation::mps::{Multipliers, PeriodicSolution, unknown};
-use grazing_continuation::newton::Linearisation;
+use grazing_continuation::newton::{Linearisation, NewtonFailure};
 use grazing_model::maps::{MapError, global_map};
 use grazing_model::motion::Motion;
 use grazing_model::{AnyOscillator, AtRest, ImpactOscillator, State};
@@ -27,8 +27,8 @@ pub struct GrazingState {
     /// The curve's tangent (z, μ, η) there, a unit vector when μ and η are measured in units of
     /// their ranges.
     pub tangent: Vector3<f64>,
-    /// Whether the orbit is asymptotically stable without the wall.
-    pub stable: bool,
+    /// The multipliers of the orbit without the wall.
+    pub multipliers: Multipliers,
     /// Whether no other maximum of the orbit lies above the wall.
     pub admissible: bool,
 }
@@ -81,12 +81,19 @@ impl GrazingCurve {
             points.iter_mut().for_each(|(_, tangent)| *tangent = -*tangent);
             ends.reverse();
         }
-        Ok(Self { states: equations.states(&points), ends, periods })
+        let states = equations.states(&points);
+        // Without a state there the curve has ended before.
+        for (end, (point, tangent)) in ends.iter_mut().zip(points.first().into_iter().chain(points.last())) {
+            if equations.state(point, tangent).is_none() {
+                *end = equations.end_without_state(point);
+            }
+        }
+        Ok(Self { states, ends, periods })
     }
 
     /// The parameters (μ, η) along the curve.
     pub fn parameters(&self) -> impl Iterator<Item = [f64; 2]> {
-        self.states.iter().map(|state| state.orbit.oscillator().parameters())
+        self.states.iter().map(GrazingState::parameters)
     }
 
     /// The first place of the curve at a value of η, if it reaches that value.
@@ -96,9 +103,8 @@ impl GrazingCurve {
 
     /// The places of the curve at a value of η, in the order of the curve.
     pub fn all_at(&self, secondary: f64) -> impl Iterator<Item = GrazingPlace> {
-        let parameters = |state: &GrazingState| state.orbit.oscillator().parameters();
         let around = move |pair: &&[GrazingState]| {
-            let [a, b] = [parameters(&pair[0])[1], parameters(&pair[1])[1]];
+            let [a, b] = [0, 1].map(|k| pair[k].parameters()[1]);
             a.min(b) <= secondary && secondary <= a.max(b)
         };
         self.states.windows(2).filter(around).filter_map(move |pair| interpolated(pair, secondary))
@@ -218,12 +224,26 @@ impl CurveEquations<3> for GrazingEquations<'_> {
 }
 
 impl GrazingState {
+    /// The parameters (μ, η).
+    pub fn parameters(&self) -> [f64; 2] {
+        self.orbit.oscillator().parameters()
+    }
+
+    /// Whether neighbouring motion is forgotten within a period: a₁₂ and κ_p are then rounding, and
+    /// nothing is resonant.
+    pub fn is_forgotten(&self) -> bool {
+        self.multipliers.forget(1)
+    }
+
     /// The approximate angle, in radians, by which A turns over a length in z and the fractions of
     /// the ranges.
     ///
     /// A and its derivative along the curve are compared in units of x in which a₁₂ and a₂₁ are
-    /// equally large.
+    /// equally large. What is rounding does not turn.
     fn turn(&self, length: f64) -> f64 {
+        if self.is_forgotten() {
+            return 0.0;
+        }
         let a = self.orbit.grazing_point().map.a;
         let change = self.orbit.derivative_along(&self.tangent) * length;
         let square = |i: usize, j: usize| a[(i, j)] * a[(i, j)] + change[(i, j)] * change[(i, j)];
@@ -284,6 +304,16 @@ impl GrazingEquations<'_> {
         self.state(&point, &self.tangent(&point, gap)?)
     }
 
+    /// The end of the curve before a point without a state.
+    fn end_without_state(&self, point: &Vector3<f64>) -> GrazingEnd {
+        let acceleration = self.oscillator_at(point).acceleration(State::at_rest(0.0, point[0]));
+        if acceleration.is_nan() {
+            return WalkEnd::Stopped;
+        }
+        let cause = self.evaluate(point, &mut None).err().unwrap_or(MapError::NotAMaximum { acceleration });
+        WalkEnd::Stalled(Stall { step: 0.0, failure: NewtonFailure::Undefined { iteration: 1, cause } })
+    }
+
     /// The state at a point; `None` where P_global has no second derivatives, or motion is not
     /// turned back from the wall.
     fn state(&self, point: &Vector3<f64>, tangent: &Vector3<f64>) -> Option<GrazingState> {
@@ -298,21 +328,20 @@ impl GrazingEquations<'_> {
         let [primary, secondary] = self.scope.window.widths();
         let admissible = admissible(&orbit);
         // At the limit of integration steps there are no values, and earlier ones are uncertain.
-        let multipliers = multipliers(&orbit);
+        let multipliers = multipliers(orbit.oscillator(), orbit.phase());
         (gamma > 0.0 && multipliers.trace.is_finite()).then(|| GrazingState {
             tangent: Vector3::new(tangent[0], tangent[1] * primary, tangent[2] * secondary),
-            stable: multipliers.stable(),
+            multipliers,
             admissible,
             orbit,
         })
     }
 }
 
-/// The multipliers of a grazing orbit, with the wall ignored, from the flow over a period: the
+/// The multipliers of the grazing orbit with this phase, with the wall ignored, from the flow over a period: the
 /// entries of P_global's derivative grow as 1/γ.
-fn multipliers(orbit: &GrazingOrbit) -> Multipliers {
-    let oscillator = orbit.oscillator();
-    let flow = oscillator.flow::<1>(State::at_rest(0.0, orbit.phase()), oscillator.forcing_period());
+pub(crate) fn multipliers(oscillator: &AnyOscillator, phase: f64) -> Multipliers {
+    let flow = oscillator.flow::<1>(State::at_rest(0.0, phase), oscillator.forcing_period());
     let derivative = flow.jacobian.fixed_columns::<2>(0);
     Multipliers { trace: derivative.trace(), determinant: derivative.determinant() }
 }

@@ -60,6 +60,10 @@ impl<'a> Pace<'a> {
         let turned = |back: usize| match points.len().checked_sub(back + 2) {
             Some(before) => {
                 let [a, b] = [before, before + 1].map(|k| self.share_and_angle(&points[k]));
+                // The angle of rounding means nothing.
+                if points[before..].iter().any(|point| point.solution.multipliers.forget(1)) {
+                    return 0.0;
+                }
                 let turned = (b[1] - a[1]).abs() / (b[0] - a[0]).abs();
                 if turned.is_finite() { turned } else { 0.0 }
             }

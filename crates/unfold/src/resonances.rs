@@ -7,7 +7,6 @@ use grazing_continuation::curve::Window;
 use grazing_continuation::resonance::{LocatedResonance, ResonanceError, ResonantGrazingPoint};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::HypothesesViolated;
-use grazing_theorems::spectrum::Eigenvalues;
 
 use crate::Scope;
 use crate::grazing::{GrazingCurve, GrazingState};
@@ -59,18 +58,11 @@ pub fn on_curve(
             if !(pair[0].admissible && pair[1].admissible) {
                 continue;
             }
-            let stretch = Stretch::new([&pair[0], &pair[1]], loops, scope);
-            if stretch.is_forgotten() {
-                let noted =
-                    |lost: &Unlocated| lost.loops == loops && lost.reason == ResonanceError::Forgotten;
-                if let Some(&way) = stretch.zeros().first()
-                    && !lost.iter().any(noted)
-                {
-                    let near = stretch.parameters(way);
-                    lost.push(Unlocated { loops, near, reason: ResonanceError::Forgotten });
-                }
+            // What is rounding has no sign, and so no zeros.
+            if pair.iter().any(GrazingState::is_forgotten) {
                 continue;
             }
+            let stretch = Stretch::new([&pair[0], &pair[1]], loops, scope);
             for way in stretch.zeros() {
                 let resonance = stretch.locate(way, loops).map(numbered);
                 match resonance {
@@ -120,9 +112,6 @@ fn numbered(located: LocatedResonance) -> Resonance {
     Resonance { loops, n: winding::index(located.orbit(), loops), theorem: located.checked(), located }
 }
 
-/// Size of eigenvalues below which Newton's method may fail to locate the zero of a₁₂ or κ_p:
-/// entries of A are computed to some 10⁻¹⁵ (empirical: for p = 1 it failed from 2·10⁻¹² on).
-const FORGOTTEN: f64 = 5e-12;
 /// Number of parts of a stretch in which bisection begins.
 const PARTS: u32 = 8;
 
@@ -144,15 +133,6 @@ impl<'a> Stretch<'a> {
             state.orbit.detuning(loops, &rate)
         });
         Self { ends, values: [at[0][0], at[1][0]], slopes: [at[0][1], at[1][1]] }
-    }
-
-    /// Whether the eigenvalues of A are rounding at both ends.
-    fn is_forgotten(&self) -> bool {
-        let radius = |state: &GrazingState| {
-            let map = state.orbit.grazing_point().map;
-            Eigenvalues::from_trace_and_determinant(map.trace(), map.determinant()).spectral_radius()
-        };
-        self.ends.iter().all(|state| radius(state) < FORGOTTEN)
     }
 
     /// The value of Hermite's cubic.
@@ -214,6 +194,7 @@ impl<'a> Stretch<'a> {
 
 #[cfg(test)]
 mod tests {
+    use grazing_continuation::mps::Multipliers;
     use grazing_theorems::from_map::GrazingOrbit;
     use nalgebra::Vector3;
 
@@ -224,7 +205,12 @@ mod tests {
             let near = crate::specimens::linear(0.02, [0.3, frequency]);
             let phase = libm::atan2(0.04 * frequency, 1.0 - frequency * frequency);
             let orbit = GrazingOrbit::find(&near, phase).expect("it grazes");
-            GrazingState { orbit, tangent: Vector3::y(), stable: true, admissible: true }
+            GrazingState {
+                orbit,
+                tangent: Vector3::y(),
+                multipliers: Multipliers { trace: 0.5, determinant: 0.9 },
+                admissible: true,
+            }
         })
     }
 

@@ -8,7 +8,7 @@ mod explain;
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
-use grazing_continuation::curve::{Curve, Event, Route, Window};
+use grazing_continuation::curve::{Curve, CurvePoint, Event, Pace, Route, Window};
 use grazing_continuation::locate::{Condition, locate_within};
 use grazing_continuation::mps::{EventTimes, Unknowns, parameters, unknown};
 use grazing_model::ImpactOscillator;
@@ -19,7 +19,7 @@ use rayon::prelude::*;
 use self::explain::{bounding, explained, is_wide, start};
 use crate::curves::{DiagramCurve, Net, route};
 use crate::faces::Point;
-use crate::grazing::GrazingCurve;
+use crate::grazing::{GrazingCurve, GrazingState};
 use crate::levels::{self, Level, Levels};
 use crate::progress::Progress;
 use crate::region::Doubt;
@@ -60,6 +60,8 @@ const FREE_COLUMNS: u32 = 2;
 /// Displacements in impact velocity, or in position at phase zero, at which good solutions beside a
 /// curve are looked for: from close to the curve to where they may belong to another face.
 const ASIDE: [f64; 6] = [1e-3, 3e-3, 1e-2, 3e-2, -1e-3, -1e-2];
+/// Impact velocity below which a bifurcation curve runs beside the grazing curve, as long as it is near.
+const BESIDE_GRAZING: f64 = 1e-3;
 /// Tolerance for an orbit on the edge, which lies inside up to rounding.
 const ON_THE_EDGE: f64 = 1e-9;
 
@@ -73,7 +75,9 @@ impl<'a> Survey<'a> {
         let has_impacts = net.equations.has_impacts();
         let control = if has_impacts { steps(scope.window) } else { FREE_STEPS };
         // Without impacts curves continue beyond the wall.
-        let route = Route { stop_at_events: has_impacts, ..route(scope.window, StepControl::DRAWING) };
+        let route = route(scope.window, StepControl::DRAWING);
+        let pace: Option<&'static Pace<'static>> = if has_impacts { None } else { Some(&in_sight) };
+        let route = Route { stop_at_events: has_impacts, pace, ..route };
         let slicer = Slicer::new(net.equations.clone(), scope.window, control);
         let loops = net.loops();
         let grazing = grazing.iter().filter(|curve| loops.is_multiple_of(curve.periods)).cloned().collect();
@@ -262,6 +266,9 @@ impl<'a> Survey<'a> {
             lines.extend(self.doublings());
         }
         lines.extend(alongside::polylines(&self.net.equations, &shown, self.scope.window, &levels));
+        if has_impacts {
+            lines.extend(self.forgotten());
+        }
         let on_other = [
             CodimensionTwo::SaddleNodeTorus,
             CodimensionTwo::PeriodDoublingTorus,
@@ -269,6 +276,51 @@ impl<'a> Survey<'a> {
         ];
         for corner in self.net.meetings.iter().filter(|corner| on_other.contains(&corner.kind)) {
             meet(&mut lines, parameters(&corner.unknowns()), self.scope.window);
+        }
+        lines
+    }
+
+    /// The stretches of grazing curves along which no bifurcation curve runs, as neighbouring motion is
+    /// forgotten meanwhile: solutions with one loop are stable from there on. Curves that end beside
+    /// grazing end on them.
+    fn forgotten(&self) -> Vec<Vec<Point>> {
+        let window = self.scope.window;
+        let points = |curve: &DiagramCurve| {
+            let points = curve.curve.points.iter().map(|point| point.solution);
+            points.map(|solution| (solution.parameters(), solution.impact_velocity())).collect::<Vec<_>>()
+        };
+        let curves: Vec<_> = self.net.curves.iter().map(points).collect();
+        // GZ curves bound solutions on the other side.
+        let kinds = self.net.curves.iter().map(|curve| curve.kind);
+        let bounding = curves.iter().zip(kinds).filter(|(_, kind)| *kind != Bifurcation::Grazing);
+        let beside: Vec<[Point; 2]> = bounding
+            .flat_map(|(points, _)| points.windows(2))
+            .filter(|pair| pair.iter().any(|(_, velocity)| *velocity < BESIDE_GRAZING))
+            .map(|pair| [pair[0].0, pair[1].0])
+            .collect();
+        let mut lines: Vec<Vec<Point>> = Vec::new();
+        for curve in &self.grazing {
+            let turns = (self.loops() / curve.periods).min(2);
+            let is_bare = |state: &GrazingState| {
+                let at = state.parameters();
+                state.multipliers.forget(turns)
+                    && !beside.iter().any(|chord| from_chord(window, at, chord) < CLEAR)
+            };
+            let bare: Vec<bool> = curve.states.iter().map(is_bare).collect();
+            let mut after = 0;
+            for run in bare.chunk_by(|a, b| a == b) {
+                let first = after;
+                after += run.len();
+                if run[0] {
+                    // With the neighbours, beside which a curve goes on.
+                    let states = &curve.states[first.saturating_sub(1)..(after + 1).min(bare.len())];
+                    lines.push(states.iter().map(GrazingState::parameters).collect());
+                }
+            }
+        }
+        let ends = curves.iter().filter_map(|points| Some([points.first()?, points.last()?])).flatten();
+        for (end, _) in ends.filter(|(_, velocity)| *velocity < BESIDE_GRAZING) {
+            meet(&mut lines, *end, window);
         }
         lines
     }
@@ -354,18 +406,32 @@ impl<'a> Survey<'a> {
     }
 }
 
+/// Number of points behind the wall after which a curve of motion without impacts is followed no further:
+/// next to a pole of the force behind it a curve may have any number. Where it comes back into sight,
+/// slices see it.
+const OUT_OF_SIGHT: usize = 300;
+
+/// The longest step of a curve of motion without impacts: any, as long as it has lately been in sight.
+fn in_sight(points: &[CurvePoint], _: &Unknowns) -> Option<f64> {
+    let hidden = points.iter().rev().take_while(|point| !point.solution.admissible()).count();
+    (hidden < OUT_OF_SIGHT).then_some(f64::INFINITY)
+}
+
+/// The distance of a point from a chord, in fractions of the ranges.
+fn from_chord(window: Window, point: Point, chord: &[Point]) -> f64 {
+    let place = |at: Point| Vector2::from(window.shares(at)) - Vector2::from(window.shares(point));
+    let [start, chord] = [place(chord[0]), place(chord[1]) - place(chord[0])];
+    let along = (-start.dot(&chord) / chord.norm_squared()).clamp(0.0, 1.0);
+    (start + chord * along).norm()
+}
+
 /// Makes an end of one line that lies on another a vertex of the other as well.
 fn meet(lines: &mut [Vec<Point>], end: Point, window: Window) {
-    let place = |at: Point| Vector2::from(window.shares(at)) - Vector2::from(window.shares(end));
-    let distance = |pair: &[Point]| {
-        let [start, chord] = [place(pair[0]), place(pair[1]) - place(pair[0])];
-        let along = (-start.dot(&chord) / chord.norm_squared()).clamp(0.0, 1.0);
-        (start + chord * along).norm()
-    };
     let others =
         lines.iter().enumerate().filter(|(_, line)| ![line.first(), line.last()].contains(&Some(&end)));
     let chords = others.flat_map(|(k, line)| (1..).zip(line.windows(2)).map(move |(at, pair)| (k, at, pair)));
-    let nearest = chords.map(|(k, at, pair)| (distance(pair), k, at)).min_by(|a, b| a.0.total_cmp(&b.0));
+    let nearest =
+        chords.map(|(k, at, pair)| (from_chord(window, end, pair), k, at)).min_by(|a, b| a.0.total_cmp(&b.0));
     if let Some((_, k, at)) = nearest.filter(|(distance, ..)| *distance < CLEAR) {
         lines[k].insert(at, end);
     }
@@ -396,9 +462,10 @@ fn covers(scope: &Scope, known: &DiagramCurve, other: &DiagramCurve) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use grazing_continuation::mps::{Formulation, LoopEquations};
+    use grazing_continuation::mps::{Formulation, LoopEquations, Multipliers, PeriodicSolution};
     use grazing_description::Description;
     use grazing_model::AnyOscillator;
+    use grazing_model::motion::Maximum;
 
     use super::*;
     use crate::non_impacting::periodic_motion;
@@ -419,6 +486,29 @@ mod tests {
         let mut survey = Survey::new(&mut net, &scope, &[], found);
         survey.look_at(levels, &Silent);
         (survey.lines().len(), survey.sights())
+    }
+
+    #[test]
+    fn a_curve_of_free_motion_that_stays_behind_the_wall_is_given_up() {
+        let point = |height: f64| {
+            let highest_interior_maximum = Some(Maximum { time: 0.0, position: height });
+            let multipliers = Multipliers { trace: 0.0, determinant: 0.5 };
+            let solution = PeriodicSolution {
+                loops: 0,
+                unknowns: Unknowns::zeros(),
+                multipliers,
+                highest_interior_maximum,
+            };
+            CurvePoint { solution, times: EventTimes::default() }
+        };
+        let goes_on = |points: &[CurvePoint]| in_sight(points, &Unknowns::zeros()).is_some();
+        let mut points = vec![point(-0.1); 90];
+        points.extend(vec![point(0.1); OUT_OF_SIGHT - 1]);
+        assert!(goes_on(&points));
+        points.push(point(0.1));
+        assert!(!goes_on(&points));
+        points.push(point(-0.1));
+        assert!(goes_on(&points));
     }
 
     #[test]

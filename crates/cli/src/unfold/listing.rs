@@ -12,7 +12,7 @@ use grazing_continuation::mps::PeriodicSolution;
 use grazing_description::{Axis, Description};
 use grazing_model::smooth::Units;
 use grazing_results::{brief, span};
-use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
+use grazing_unfold::grazing::{GrazingCurve, GrazingEnd, GrazingState};
 use grazing_unfold::resonances;
 use grazing_unfold::sides::Simulated;
 use grazing_unfold::units::InUnits;
@@ -102,12 +102,13 @@ fn grazing_curves(layout: Layout, description: &Description, unfolded: &Analysis
         let points: Vec<[f64; 2]> = curve.parameters().map(|at| units.parameters(at)).collect();
         let extent = |index: usize| range(span(points.iter().map(|point| point[index])));
         let content = format!(
-            "{secondary} from {}, {primary} from {}, {} points; {}; {}",
+            "{secondary} from {}, {primary} from {}, {} points; {}; {}{}",
             extent(1),
             extent(0),
             points.len(),
             ends(&curve.ends),
-            stability(curve, secondary, units)
+            along_curve(curve, secondary, units, |state| Some(stability(state))),
+            forgotten(curve, secondary, units)
         );
         (format!("  curve {arc:<5}"), content)
     };
@@ -119,6 +120,7 @@ fn ends(ends: &[GrazingEnd; 2]) -> String {
     let words = |end: &GrazingEnd| match end {
         GrazingEnd::LeftWindow => "leaves the ranges".to_owned(),
         GrazingEnd::Closed => "is closed".to_owned(),
+        GrazingEnd::Stopped => "was not followed further".to_owned(),
         end @ (GrazingEnd::Stalled(_) | GrazingEnd::StepLimit) => {
             format!("could not be followed further ({})", end.lost().unwrap_or_default())
         }
@@ -131,30 +133,51 @@ fn ends(ends: &[GrazingEnd; 2]) -> String {
     }
 }
 
-/// The stability of the solution along the curve, piece by piece.
-fn stability(curve: &GrazingCurve, secondary: &str, units: &Units) -> String {
-    let word = |stable: bool, admissible: bool| match (stable, admissible) {
-        (true, true) => "stable",
-        (false, true) => "unstable",
-        (true, false) => "stable, but inadmissible (beyond the wall at another phase)",
-        (false, false) => "unstable and inadmissible (beyond the wall at another phase)",
+/// The stability of the solution at a point of a grazing curve.
+fn stability(state: &GrazingState) -> &'static str {
+    let multipliers = state.multipliers;
+    match (multipliers.stable(), multipliers.neutral(), state.admissible) {
+        (true, _, true) => "stable",
+        (_, true, true) => "neutral (neither stable nor unstable)",
+        (_, _, true) => "unstable",
+        (true, _, false) => "stable, but inadmissible (beyond the wall at another phase)",
+        (_, true, false) => "neutral and inadmissible (beyond the wall at another phase)",
+        (_, _, false) => "unstable and inadmissible (beyond the wall at another phase)",
+    }
+}
+
+/// Where neighbouring motion is forgotten within a period; nothing if that is nowhere.
+fn forgotten(curve: &GrazingCurve, secondary: &str, units: &Units) -> String {
+    let words = |state: &GrazingState| {
+        state.is_forgotten().then_some("neighbouring motion is forgotten within a period")
     };
-    let mut pieces: Vec<(&str, [f64; 2])> = Vec::new();
-    for (state, at) in curve.states.iter().zip(curve.parameters()) {
-        let [_, here] = units.parameters(at);
-        let word = word(state.stable, state.admissible);
+    match along_curve(curve, secondary, units, words) {
+        nowhere if nowhere.is_empty() => nowhere,
+        places => format!("; {places}: nothing is resonant there"),
+    }
+}
+
+/// What words say of the points of a curve, piece by piece; nothing of those without words.
+fn along_curve(
+    curve: &GrazingCurve,
+    secondary: &str,
+    units: &Units,
+    words: impl Fn(&GrazingState) -> Option<&'static str>,
+) -> String {
+    let mut pieces: Vec<(Option<&str>, [f64; 2])> = Vec::new();
+    for state in &curve.states {
+        let [_, here] = units.parameters(state.parameters());
+        let words = words(state);
         match pieces.last_mut() {
-            Some((last, to)) if *last == word => to[1] = here,
-            _ => pieces.push((word, [here, here])),
+            Some((last, to)) if *last == words => to[1] = here,
+            _ => pieces.push((words, [here, here])),
         }
     }
-    match pieces.as_slice() {
-        [(word, _)] => format!("{word} throughout"),
-        _ => {
-            let words = pieces.iter().map(|(word, ends)| format!("{word} for {secondary} {}", range(*ends)));
-            words.collect::<Vec<_>>().join(", ")
-        }
-    }
+    let piece = |(words, ends): &(Option<&str>, [f64; 2])| match pieces.len() {
+        1 => words.map(|words| format!("{words} throughout")),
+        _ => words.map(|words| format!("{words} for {secondary} {}", range(*ends))),
+    };
+    pieces.iter().filter_map(piece).collect::<Vec<_>>().join(", ")
 }
 
 /// The secondary and the primary parameter as heads of columns, with their units.

@@ -8,7 +8,7 @@ use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns, parameters,
 
 use super::{CARRIED_OFF, Crossing, MOST_BRANCHES, Slice, Slicer, crossings};
 use crate::curves::DiagramCurve;
-use crate::grazing::HighestPoint;
+use crate::grazing::{HighestPoint, multipliers};
 
 /// Impact velocity at which branches from the grazing curve begin, beside the singular point
 /// (empirical; the part in between is narrower than y² in μ), and its fraction of the root of the
@@ -44,7 +44,14 @@ impl Slicer {
                     self.at(&self.equations, near, &mut EventTimes::default())
                 };
                 let unstable = |at: &Unknowns| !self.equations.solution(at).stable();
-                let mut starts = CLOSER.iter().filter_map(at);
+                let oscillator = self.equations.oscillator_at(&Unknowns::new(0.0, phase, primary, secondary));
+                // Where motion is forgotten within a period the trace is finite but for rounding.
+                let closer = if multipliers(&oscillator, phase).forget(self.equations.loops().min(2)) {
+                    &CLOSER[..1]
+                } else {
+                    &CLOSER[..]
+                };
+                let mut starts = closer.iter().filter_map(at);
                 let first = starts.next();
                 first.filter(unstable).or_else(|| starts.find(unstable)).or(first)
             };

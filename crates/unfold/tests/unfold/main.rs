@@ -4,6 +4,7 @@
 mod calibration;
 mod cookbook;
 mod corners;
+mod damped;
 mod examples;
 mod family;
 mod levels;

@@ -137,7 +137,7 @@ fn grazing_and_resonances_of_figure_7_are_those_of_the_closed_form() {
         assert_within(amplitude, grazing_at(ZETA, frequency).amplitude(), AGREEMENT);
         let gap = state.orbit.phase() - grazing_at(ZETA, frequency).phase();
         assert_within(libm::remainder(gap, TAU), 0.0, AGREEMENT);
-        assert!(state.stable && state.admissible);
+        assert!(state.multipliers.stable() && state.admissible);
     }
     assert!(integrated.unlocated.is_empty() && integrated.not_unfolded.is_empty());
     assert_eq!(integrated.resonances.len(), closed.resonances.len());

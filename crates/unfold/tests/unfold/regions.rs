@@ -291,7 +291,7 @@ fn motion_that_is_forgotten_within_a_period_is_stable() {
     let ranges = [[0.0, 8.0], [0.1, 2.0]];
     let diagram = located(forced("-3*v - x - 1 + mu*cos(eta*t)", "0", 0.5, ranges), ranges);
     // Multipliers are exp((−1.5 ± 1.12) 2π/ω), one of them less than rounding for small ω.
-    assert!(diagram.grazing.iter().flat_map(|curve| &curve.states).all(|state| state.stable));
+    assert!(diagram.grazing.iter().flat_map(|curve| &curve.states).all(|state| state.multipliers.stable()));
     assert!([[0.11, 0.2], [1.17, 0.3035], [0.2, 0.11]].into_iter().all(|at| stays_off(&diagram, at)));
 }
 

@@ -66,7 +66,7 @@ fn the_grazing_curve_of_the_linear_oscillator_is_that_of_the_closed_form() {
         let slope = state.tangent[1] / state.tangent[2];
         // The tangent comes from Jacobians at the last iterate but one, which is 10⁻⁷ away at most.
         assert_within(slope, grazing_at(ZETA, frequency).amplitude_derivative(), 1e-6 * (1.0 + slope.abs()));
-        assert!(state.stable && state.admissible);
+        assert!(state.multipliers.stable() && state.admissible);
     }
     for frequency in [0.2, 0.55, 1.0, 1.7, 3.0] {
         let place = curve.at(frequency).unwrap();
@@ -157,7 +157,7 @@ fn a_grazing_curve_ends_where_motion_is_no_longer_turned_back() {
     // A maximum at the wall becomes a point of inflection there.
     let gamma = |state: &GrazingState| state.orbit.grazing_point().gamma;
     assert!(states().map(gamma).fold(f64::INFINITY, f64::min) < 0.01);
-    assert!(states().all(|state| gamma(state) > 0.0 && state.stable));
+    assert!(states().all(|state| gamma(state) > 0.0 && state.multipliers.stable()));
 }
 
 /// A linear oscillator whose forcing is as strong as at grazing on the circle of radius 0.3 about
@@ -283,7 +283,7 @@ fn a_grazing_curve_loses_its_stability_where_the_free_motion_folds() {
     let scope = scope([0.0, 0.4], [1.2, 1.4], &[]);
     let curve = grazing_curve(&written(BISTABLE, "eta", &scope), &scope);
     assert_grazes(&curve, &scope);
-    let stable: Vec<_> = curve.states.iter().map(|state| state.stable).collect();
+    let stable: Vec<_> = curve.states.iter().map(|state| state.multipliers.stable()).collect();
     let changes: Vec<_> = (1..stable.len()).filter(|k| stable[*k] != stable[k - 1]).collect();
     let [change] = changes.as_slice() else { panic!("{} changes", changes.len()) };
     assert!(stable[0] && !stable[stable.len() - 1]);
@@ -291,7 +291,7 @@ fn a_grazing_curve_loses_its_stability_where_the_free_motion_folds() {
     // of the fold.
     for state in &curve.states {
         let map = state.orbit.grazing_point().map;
-        assert_eq!(state.stable, 1.0 - map.trace() + map.determinant() > 0.0);
+        assert_eq!(state.multipliers.stable(), 1.0 - map.trace() + map.determinant() > 0.0);
     }
     let eta = curve.states[*change].orbit.oscillator().parameters()[1];
     // Harmonic balance: the amplitude 1 is that of the lower fold at ω² = 1 + 3/4 κ.
