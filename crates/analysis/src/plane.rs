@@ -9,7 +9,7 @@ use grazing_results::plane::{
     MagnifiedPanel, MagnifiedPoint, OwnPoint, PlaneDiagram, PlanePoint, RegionVertex, Section, SpecialPoint,
     StraightenedCurves, StraightenedPoint,
 };
-use grazing_results::{Frame, Names, TablePlan};
+use grazing_results::{Frame, Names, Stability, TablePlan};
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::levels::{Level, LevelCurve};
@@ -95,7 +95,7 @@ pub fn grazing_rows(axes: &Axes, diagram: &Diagram) -> Vec<Vec<PlanePoint>> {
                 trace: map.trace(),
                 determinant: map.determinant(),
                 max_interior_x: f64::NAN,
-                stable: state.stable,
+                stable: Stability::of(state.multipliers),
                 admissible: state.admissible,
                 arc: 0,
                 lost: String::new(),
@@ -125,7 +125,11 @@ pub fn bifurcation_rows(axes: &Axes, diagram: &Diagram, curve: &DiagramCurve) ->
             trace: solution.multipliers.trace,
             determinant: solution.multipliers.determinant,
             max_interior_x: solution.ceiling() * units.length,
-            stable: solution.stable(),
+            // At a torus bifurcation the multipliers are on the unit circle by definition.
+            stable: match curve.kind {
+                Bifurcation::Torus => solution.stable().into(),
+                _ => Stability::of(solution.multipliers),
+            },
             admissible: solution.ceiling() <= PeriodicSolution::TOUCH,
             arc: 0,
             lost: String::new(),

@@ -168,7 +168,10 @@ pub(crate) fn named(
 /// A curve that the file asks for, which is bold where solutions are stable and admissible.
 fn own(rows: &[OwnPoint]) -> Value {
     let first = &rows[0];
-    let points = rows.iter().map(|row| ([row.primary, row.secondary], row.stable && row.admissible)).unzip();
+    let points = rows
+        .iter()
+        .map(|row| ([row.primary, row.secondary], row.stable.is_stable() && row.admissible))
+        .unzip();
     let mut found = named(OWN_CURVE, [first.loops, 0, first.arc], "continuation", points);
     found["name"] = json!(first.name);
     found["property"] = json!(first.property);

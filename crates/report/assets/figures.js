@@ -176,6 +176,7 @@ function setUpFigure(figure) {
     for (const [column, yes, no] of [["stable", "stable", "unstable"], ["admissible", "admissible", "inadmissible"]]) {
       const value = cell(column);
       if (value === "true") flags.append(element("span", "verdict passed", yes));
+      if (value === "neutral") flags.append(element("span", "verdict unchecked", "neutral"));
       if (value === "false") flags.append(element("span", "verdict misprint", no));
     }
     if (flags.childNodes.length > 0) readout.append(flags);

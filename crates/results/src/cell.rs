@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
+use grazing_continuation::mps::Multipliers;
 
 /// One cell.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,6 +47,48 @@ cells! {
     bool: |yes| Self::Flag(yes),
     Bifurcation: |kind| kind.name().into(),
     CodimensionTwo: |kind| kind.name().into(),
+}
+
+/// Whether nearby motion approaches a solution: in tables `true`, `false` or, where it neither approaches nor
+/// leaves, `neutral`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stability {
+    /// Nearby motion approaches.
+    Stable,
+    /// It leaves, at least in some direction.
+    Unstable,
+    /// It does neither, as without damping.
+    Neutral,
+}
+
+impl Stability {
+    /// The stability of a solution with these multipliers.
+    pub fn of(multipliers: Multipliers) -> Self {
+        match multipliers.neutral() {
+            true => Self::Neutral,
+            false => multipliers.stable().into(),
+        }
+    }
+
+    /// Whether nearby motion approaches.
+    pub fn is_stable(self) -> bool {
+        self == Self::Stable
+    }
+}
+
+impl From<bool> for Stability {
+    fn from(stable: bool) -> Self {
+        if stable { Self::Stable } else { Self::Unstable }
+    }
+}
+
+impl From<Stability> for Cell {
+    fn from(stability: Stability) -> Self {
+        match stability {
+            Stability::Neutral => "neutral".into(),
+            other => other.is_stable().into(),
+        }
+    }
 }
 
 /// Enumerations whose variants appear in tables as words. The word documents the variant; further

@@ -81,7 +81,7 @@ columns! {
     ARC = "arc", "", "1";
     /// why the curve could not be followed beyond this point, within the ranges; otherwise empty
     LOST = "lost", "", "1";
-    /// whether both multipliers lie inside the unit circle
+    /// whether both multipliers lie inside the unit circle; `neutral` if they lie on it, not real, and nearby motion neither approaches nor leaves
     STABLE = "stable", "", "1";
     /// whether no maximum of x between two impacts lies beyond the wall (it may touch the wall)
     ADMISSIBLE = "admissible", "", "1";

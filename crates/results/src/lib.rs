@@ -39,7 +39,7 @@ pub mod readings;
 pub mod space;
 mod table;
 
-pub use cell::{Cell, brief};
+pub use cell::{Cell, Stability, brief};
 pub use columns::Column;
 pub use frame::{Frame, span};
 pub use names::{GREEK, Names, UnitNames, VARIED, directs, raised, symbol};

@@ -5,7 +5,7 @@ use std::mem::swap;
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 
 use crate::measured::MeasuredPoint;
-use crate::{Frame, rows, tables, words};
+use crate::{Frame, Stability, rows, tables, words};
 
 words! {
     /// The kinds of regions of the parameter plane, by the solutions that are stable and admissible
@@ -43,7 +43,7 @@ rows! {
         trace: f64 = TRACE,
         determinant: f64 = DETERMINANT,
         max_interior_x: f64 = MAX_INTERIOR_X,
-        stable: bool = STABLE,
+        stable: Stability = STABLE,
         admissible: bool = ADMISSIBLE,
         arc: u32 = ARC,
         lost: String = LOST,
@@ -61,7 +61,7 @@ rows! {
         trace: f64 = TRACE,
         determinant: f64 = DETERMINANT,
         max_interior_x: f64 = MAX_INTERIOR_X,
-        stable: bool = STABLE,
+        stable: Stability = STABLE,
         admissible: bool = ADMISSIBLE,
         arc: u32 = ARC,
         lost: String = LOST,
@@ -108,8 +108,8 @@ impl PlanePoint {
     pub fn bounds(curve: &[Self], index: usize) -> bool {
         let ends = index == 0 || index + 1 == curve.len();
         match curve[index].kind {
-            Bifurcation::NonImpactingGrazing => curve[index].stable,
-            Bifurcation::Grazing => curve[index].stable || ends,
+            Bifurcation::NonImpactingGrazing => curve[index].stable.is_stable(),
+            Bifurcation::Grazing => curve[index].stable.is_stable() || ends,
             _ => true,
         }
     }

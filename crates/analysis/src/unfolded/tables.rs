@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 
 use grazing_continuation::bifurcation::Pair;
 use grazing_model::ImpactOscillator;
-use grazing_results::row;
+use grazing_results::{Stability, row};
 use grazing_theorems::hypothesis::Hypothesis;
 use grazing_theorems::{GrazingPoint, ResonantPoint, Unfolding, auxiliary};
 use grazing_unfold::units::InUnits;
@@ -19,7 +19,7 @@ pub struct GrazingRow {
     parameters: [f64; 2],
     phase: f64,
     point: GrazingPoint,
-    stable: bool,
+    stable: Stability,
     admissible: bool,
 }
 
@@ -61,7 +61,7 @@ pub(super) fn grazing(unfolded: &Unfolded) -> Vec<GrazingRow> {
             parameters: units.parameters(state.orbit.oscillator().parameters()),
             phase: state.orbit.phase() - turns,
             point: state.orbit.grazing_point().in_units(units),
-            stable: state.stable,
+            stable: Stability::of(state.multipliers),
             admissible: state.admissible,
         }));
     }

@@ -4,7 +4,7 @@ use std::io::Cursor;
 
 use grazing_cli::tables::{csv, parquet};
 use grazing_results::columns::{BIFURCATION, LOOPS, STABLE, X};
-use grazing_results::{Cell, Column, Names, Table};
+use grazing_results::{Cell, Column, Names, Stability, Table};
 
 const COLUMNS: &[Column] = &[BIFURCATION, LOOPS, X, STABLE];
 
@@ -43,6 +43,24 @@ fn negative_zero_is_zero_and_what_is_not_a_number_is_empty() {
     let lines =
         ["kind,p,x,stable", "SN-GZ,3,0.0000000000000000e0,true", "SN-GZ,3,,true", "SN-GZ,3,,true", ""];
     assert_eq!(text, lines.join("\n"));
+}
+
+#[test]
+fn a_neutral_solution_is_called_so_in_tables() {
+    let [stable, neutral] = [true.into(), Stability::Neutral].map(|stability: Stability| {
+        let mut cells = row(1.0);
+        cells[3] = stability.into();
+        cells
+    });
+    let words = |rows: Vec<[Cell; 4]>| -> Vec<String> {
+        written(rows)
+            .lines()
+            .skip(1)
+            .map(|line| line.rsplit(',').next().unwrap_or_default().to_owned())
+            .collect()
+    };
+    assert_eq!(words(vec![stable.clone(), neutral.clone()]), ["true", "neutral"]);
+    assert_eq!(words(vec![neutral, stable]), ["neutral", "true"]);
 }
 
 #[test]

@@ -34,7 +34,7 @@ pub(crate) fn draw_own(panel: &Panel<'_>, labels: &mut Labels<'_>, rows: &[OwnPo
         // The chord between a bifurcation and the solutions beside it is drawn like these solutions.
         let look = |pair: &[OwnPoint]| {
             let admissible = pair.iter().all(|point| point.admissible);
-            admissible.then(|| usize::from(pair.iter().all(|point| !point.stable)))
+            admissible.then(|| usize::from(pair.iter().all(|point| !point.stable.is_stable())))
         };
         let looks: Vec<Option<usize>> = curve.windows(2).map(look).collect();
         let mut from = 0;
@@ -96,7 +96,7 @@ mod tests {
             trace: 0.0,
             determinant: 0.0,
             max_interior_x: f64::NAN,
-            stable: k < 60,
+            stable: (k < 60).into(),
             admissible: k < 80,
             arc: 0,
             lost: if k == 99 { "no further point was found".to_owned() } else { String::new() },

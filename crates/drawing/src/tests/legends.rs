@@ -101,11 +101,11 @@ fn grazing_of_what_is_unstable_is_dotted_and_lost_ends_have_rings() {
         .collect();
     let (first, last) = (indices[0], indices[indices.len() - 1]);
     for index in [first, last] {
-        sample.diagram.curves[index].stable = false;
+        sample.diagram.curves[index].stable = false.into();
     }
     assert_eq!(lines(&sample), 0);
     for index in &indices[20..60] {
-        sample.diagram.curves[*index].stable = false;
+        sample.diagram.curves[*index].stable = false.into();
     }
     let sheet = drawn(&sample);
     assert!(explained(&sheet, &unstable).unwrap().contains(&hexadecimal(grazing.colours[0])));
@@ -117,7 +117,7 @@ fn grazing_of_what_is_unstable_is_dotted_and_lost_ends_have_rings() {
     let before = lines(&sample);
     let others =
         |at: &&mut PlanePoint| matches!(at.kind, Bifurcation::SaddleNode | Bifurcation::PeriodDoubling);
-    sample.diagram.curves.iter_mut().filter(others).for_each(|at| at.stable = false);
+    sample.diagram.curves.iter_mut().filter(others).for_each(|at| at.stable = false.into());
     assert_eq!(lines(&sample), before);
 }
 

@@ -87,7 +87,7 @@ pub(crate) fn curve_rows(curves: Vec<SampleCurve>) -> Vec<PlanePoint> {
             trace: 0.0,
             determinant: 0.5,
             max_interior_x: -0.1,
-            stable: true,
+            stable: true.into(),
             admissible: true,
             arc,
             lost: String::new(),

@@ -116,7 +116,7 @@ fn quantities_along_the_grazing_curve_are_those_of_its_orbits() {
             GAMMA: gamma * (length / (time * time)),
             PHI: phi,
             PSI: psi * (time / length),
-            STABLE: state.stable,
+            STABLE: state.multipliers.stable(),
             ADMISSIBLE: state.admissible,
         }
     });
@@ -172,7 +172,7 @@ fn curves_points_regions_and_hypotheses_are_those_of_the_diagram() {
                 TRACE: a.trace(),
                 DETERMINANT: a.determinant(),
                 MAX_INTERIOR_X: f64::NAN,
-                STABLE: state.stable,
+                STABLE: state.multipliers.stable(),
                 ADMISSIBLE: state.admissible,
                 ARC: arc,
             });
