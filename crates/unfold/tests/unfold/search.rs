@@ -352,9 +352,10 @@ fn motion_that_cannot_be_followed_through_the_range_is_not_said_to_have_been() {
 
 #[test]
 fn rest_that_is_carried_through_the_wall_does_not_graze() {
-    // There is no forcing: the position of rest is μ, and where it reaches the wall F = 0.
+    // Forcing of no size: the position of rest is μ, and where it reaches the wall F = 0.
     let scope = scope([-0.5, 0.55], [0.5, 1.0], &[]);
-    let error = grazing_curves(&written("-0.1*v - x + mu", "eta", &scope), &scope).unwrap_err();
+    let error =
+        grazing_curves(&written("-0.1*v - x + mu + 0*cos(eta*t)", "eta", &scope), &scope).unwrap_err();
     let UnfoldError::Pushed { at } = error else { panic!("{error}") };
     assert_within(at.acceleration, 0.0, EXACT);
     // The nearer of two points of the branch, one step apart.
