@@ -72,8 +72,8 @@ def _plane(of: Any, curves: Any, ax: Any) -> None:
 
 
 def _line(of: Any, branches: Any, ax: Any) -> None:
-    # The fixed parameter has one value.
-    across = next((name for name in of.names if len(set(branches[name])) > 1), of.names[0])
+    # The fixed parameter has one value, but for rounding.
+    across = max(of.names, key=lambda name: len(set(branches[name])))
     for (*_, stable, admissible), columns in _pieces(branches, ["p", "branch", "loop", "stable", "admissible"], [across, "x"]):
         if admissible:
             ax.plot(*columns, color="black", linewidth=1.6 if stable else 0.5)

@@ -154,21 +154,29 @@ def test_figures_show_themselves_and_results_plot(block, diagram, paper):
     from matplotlib import pyplot
 
     assert diagram._repr_svg_().startswith("<?xml") or diagram._repr_svg_().startswith("<svg")
-    cut = block.cut(secondary=0.8, range=(0.3, 0.9))
+    cut, other = block.cut(secondary=0.8, range=(0.3, 0.9)), block.cut(primary=0.6, range=(0.5, 0.9))
     motion = block.simulate((0.9, 0.8), x=-1, v=0, periods=3)
-    for results in (diagram, paper, cut, block.at((0.9, 0.8)), motion, grazing.reproduce("fig02")):
+    for results in (diagram, paper, cut, other, block.at((0.9, 0.8)), motion, grazing.reproduce("fig02")):
         figure, ax = pyplot.subplots()
         assert results.plot(ax) is ax and len(ax.lines) > 0
+        if results in (cut, other):
+            assert ax.get_xlabel() == results.names[results is other]
         pyplot.close(figure)
 
 
-def test_a_cut_crosses_the_curves_of_the_diagram(duffing, diagram):
-    found = duffing.cut(secondary=0.8, range=(0.3, 0.9)).diagram_bifurcations
-    curves = diagram["curves"].to_polars()
-    for kind, p, A in zip(found["kind"], found["p"], found["A"]):
+@pytest.mark.parametrize("held", [{"secondary": 0.8, "range": (0.3, 0.9)}, {"primary": 0.5, "range": (0.6, 0.9)}])
+def test_a_cut_crosses_the_curves_of_the_diagram(duffing, diagram, held):
+    results = duffing.cut(**held)
+    found, curves = results.diagram_bifurcations, diagram["curves"].to_polars()
+    for kind, p, A, omega in zip(found["kind"], found["p"], found["A"], found["omega"]):
         if kind in ("SN", "PD"):
             near = curves.filter((polars.col("kind") == kind) & (polars.col("p") == p))
-            assert ((near["A"] - A).abs() + (near["omega"] - 0.8).abs()).min() < 0.02
+            assert ((near["A"] - A).abs() + (near["omega"] - omega).abs()).min() < 0.02
+    # The listing has the parameter that varies.
+    across = found["A" if "secondary" in held else "omega"]
+    lines = [line.split() for line in str(results).splitlines()]
+    listed = [float(line[2]) for line in lines if len(line) == 5 and line[0] in found["kind"]]
+    assert listed == pytest.approx(list(across), rel=1e-7)
 
 
 def test_simulated_motion_comes_to_what_is_at_the_place(block):

@@ -158,6 +158,38 @@ fn a_one_parameter_diagram_has_a_figure_and_tables_as_long_as_it_is_asked_for() 
     assert_eq!(listing(&results_folder), results());
 }
 
+#[test]
+fn a_one_parameter_diagram_lists_and_draws_what_its_tables_hold_whichever_parameter_is_held() {
+    let diagrams = "[[diagrams]]\nfixed = \"omega\"\nat = 0.98\n[[diagrams]]\nfixed = \"A\"\nat = 0.3\n";
+    let folder = folder_with(&[("duffing.toml", &(narrow_duffing() + diagrams))]);
+    let made = grazing(folder.path(), &["unfold", "duffing.toml"]);
+    assert_eq!((made.code, made.errors()), (Some(0), ""), "{}", made.messages);
+    let results_folder = folder.path().join("unfolded/duffing");
+    let table = read(&results_folder, "data/diagram_bifurcations.csv");
+    let mut rows = table.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    assert_eq!(
+        rows.next().expect("a header"),
+        ["diagram", "kind", "p", "omega", "A", "impact_velocity", "x"]
+    );
+    let rows: Vec<Vec<&str>> = rows.collect();
+    for (number, across, column) in [("1", "A", 4), ("2", "omega", 3)] {
+        let head = format!("\nOne-parameter diagram {number}: {across} from ");
+        let (_, listed) = made.output.split_once(&head).unwrap_or_else(|| panic!("{head}: {}", made.output));
+        let words: Vec<Vec<&str>> =
+            listed.lines().skip(1).map(|line| line.split_whitespace().collect()).collect();
+        assert_eq!(words[0], ["kind", "p", across, "impact", "velocity", "x"]);
+        let own: Vec<_> = rows.iter().filter(|row| row[0] == number).collect();
+        assert!(own.len() > 1, "{table}");
+        for (row, words) in own.iter().zip(&words[1..]) {
+            assert_eq!(row[1..3], words[..2]);
+            let [shown, exact] = [words[2], row[column]].map(|cell| cell.parse::<f64>().expect("a number"));
+            assert!((shown / exact - 1.0).abs() < 1e-7, "{shown} and not {exact}");
+        }
+        let figure = read(&results_folder, &format!("diagram-{number}.svg"));
+        assert!(figure.contains(&format!("data-columns=\"{across} x\"")), "{across}");
+    }
+}
+
 /// The page beside the tables explains their columns, that of the book names the tables, and those of
 /// the examples name the examples.
 fn explained(results: &Path) {

@@ -241,6 +241,13 @@ mod tests {
         }
     }
 
+    /// The diagram as it is, and with the roles of its parameters exchanged.
+    fn in_both_roles(figure: OneParameter) -> [OneParameter; 2] {
+        let mut other = OneParameter { primary_is_fixed: true, ..figure.clone() };
+        other.each_row(&mut |row| row.place(figure.diagram, true));
+        [figure, other]
+    }
+
     /// The diagram with a title that states the value of the fixed parameter.
     fn drawn(figure: &OneParameter, names: &Names, width: SheetWidth) -> Sheet {
         let tables = &["diagram_bifurcations", "diagram_branches", "diagram_attractor", "diagram_portraits"];
@@ -264,9 +271,12 @@ mod tests {
             let names = Names::new(names[0], names[1]);
             for (scale, portraits) in [([1.0, 1.0], 0), ([1e-4, 1e3], 1), ([250.0, 2e-5], 3), ([1.0, 1.0], 7)]
             {
-                for width in WIDTHS {
-                    let sheet = drawn(&sample(scale, portraits), &names, width);
-                    sheet.assert_well_placed(&(scale, portraits, width));
+                for (figure, width) in in_both_roles(sample(scale, portraits))
+                    .iter()
+                    .flat_map(|figure| WIDTHS.map(|width| (figure, width)))
+                {
+                    let sheet = drawn(figure, &names, width);
+                    sheet.assert_well_placed(&(scale, portraits, width, figure.primary_is_fixed));
                 }
             }
         }
@@ -276,19 +286,18 @@ mod tests {
     fn titles_name_the_parameters_in_their_roles_and_what_x_is_counted_from() {
         let names = Names::new("A", "omega");
         let texts = |figure: &OneParameter| drawn(figure, &names, SheetWidth::Paper).texts();
-        let mut figure = sample([1.0, 1.0], 1);
+        let [figure, mut other] = in_both_roles(sample([1.0, 1.0], 1));
         assert!(texts(&figure).contains(&"long-time behaviour".to_owned()), "the dots are named");
         assert!(texts(&figure).contains(&r"$A$  ($\omega=0.855$)".to_owned()), "{:?}", texts(&figure));
-        (figure.primary_is_fixed, figure.from_the_wall) = (true, true);
-        figure.each_row(&mut |row| row.place(2, true));
-        let found = texts(&figure);
+        other.from_the_wall = true;
+        let found = texts(&other);
         for title in [r"$\omega$  ($A=0.855$)", "$x$ from the wall", "$y$"] {
             assert!(found.iter().any(|text| text == title), "{title}: {found:?}");
         }
         let [primary, secondary] = ["N", "rad/s"].map(|unit| Some(unit.to_owned()));
         let [length, time] = ["mm", "s"].map(|unit| Some(unit.to_owned()));
         let named = names.clone().with_units(UnitNames { length, time, mass: None, primary, secondary });
-        let texts = drawn(&figure, &named, SheetWidth::Paper).texts();
+        let texts = drawn(&other, &named, SheetWidth::Paper).texts();
         for title in ["$x$ from the wall (mm)", "$y$ (mm/s)"] {
             assert!(texts.iter().any(|text| text == title), "{title}: {texts:?}");
         }
@@ -296,9 +305,18 @@ mod tests {
     }
 
     #[test]
-    fn panels_say_whose_rows_they_show() {
-        let svg = drawn(&sample([1.0, 1.0], 2), &Names::new("A", "omega"), SheetWidth::Paper).svg();
-        assert!(svg.contains("data-only=\"diagram 2\" data-columns=\"A x\""));
-        assert!(svg.contains("data-tables=\"diagram_portraits\" data-only=\"portrait 2\""));
+    fn panels_say_whose_rows_they_show_and_all_is_in_the_same_place_in_both_roles() {
+        let figures = in_both_roles(sample([1.0, 1.0], 2));
+        let [one, other] = figures
+            .each_ref()
+            .map(|figure| drawn(figure, &Names::new("A", "omega"), SheetWidth::Paper).svg());
+        assert!(one.contains("data-only=\"diagram 2\" data-columns=\"A x\""));
+        assert!(other.contains("data-only=\"diagram 2\" data-columns=\"omega x\""));
+        assert!(one.contains("data-tables=\"diagram_portraits\" data-only=\"portrait 2\""));
+        let paths = |svg: &str| {
+            let drawn = svg.lines().filter(|line| line.contains("<path") || line.contains("<circle"));
+            drawn.map(str::to_owned).collect::<Vec<_>>()
+        };
+        assert_eq!(paths(&one), paths(&other));
     }
 }

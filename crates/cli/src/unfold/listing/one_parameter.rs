@@ -25,9 +25,8 @@ pub(crate) fn one_parameter(
         format!("\n{}", layout.wrapped("", &format!("One-parameter diagram {}: {of}", diagram.diagram)));
     let rows = diagram.bifurcations.iter().map(|found| {
         let mut row = vec![found.kind.name().to_owned(), found.loops.to_string()];
-        row.extend(
-            [found.primary, found.impact_velocity, found.x].map(|value| significant(value, PARAMETER)),
-        );
+        let values = [diagram.across(found), found.impact_velocity, found.x];
+        row.extend(values.map(|value| significant(value, PARAMETER)));
         row
     });
     let of_motion = |head, declared| with_unit(head, units.named_unit(declared).as_deref());

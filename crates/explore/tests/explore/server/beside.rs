@@ -89,35 +89,44 @@ fn measurements_in_the_view_are_held_against_what_is_computed_and_mistakes_have_
 #[test]
 fn impact_velocities_in_a_cut_are_those_of_the_solutions_at_a_place() {
     let server = Running::new(LIMITS);
-    let cut = |ordinate: &str| {
-        let body = json!({"model": {"text": null, "loops": [1]}, "fixed": "secondary", "at": 0.8, "range": [0.5, 1.0], "ordinate": ordinate});
+    let place = [0.9, 0.8];
+    let cut = |fixed: &str, ordinate: &str| {
+        let (at, range) =
+            if fixed == "secondary" { (place[1], [0.5, 1.0]) } else { (place[0], [0.76, 0.84]) };
+        let body = json!({"model": {"text": null, "loops": [1]}, "fixed": fixed, "at": at, "range": range, "ordinate": ordinate});
         let (status, answer) = server.post("cut", &body.to_string());
         assert_eq!((status, events(&answer, "done").len()), (200, 1), "{answer}");
         [events(&answer, "branches")[0].clone(), events(&answer, "dots")[0].clone()]
     };
-    let [branches, dots] = cut("impact velocity");
-    let at = json!({"model": {"text": null, "loops": [1]}, "at": [0.9, 0.8], "orbits": false});
-    let place = answered(&server, "place", &at);
-    let stable = place["solutions"].as_array().unwrap().iter().filter(|one| one["p"] == 1);
-    for solution in stable {
+    let at = json!({"model": {"text": null, "loops": [1]}, "at": place, "orbits": false});
+    let found = answered(&server, "place", &at);
+    let solutions = || found["solutions"].as_array().unwrap().iter().filter(|one| one["p"] == 1);
+    let roles = [("secondary", place[0]), ("primary", place[1])].map(|(fixed, across)| {
+        let [branches, dots] = cut(fixed, "impact velocity");
+        (across, branches, dots)
+    });
+    assert!(solutions().count() > 0);
+    for ((across, branches, dots), solution) in
+        roles.iter().flat_map(|role| solutions().map(move |solution| (role, solution)))
+    {
         let velocity = number(&solution["velocity"]);
         let strands = branches["strands"].as_array().unwrap().iter().filter(|strand| strand["p"] == 1);
         let passes = strands.flat_map(|strand| strand["points"].as_array().unwrap().windows(2)).any(|pair| {
             let [from, to] = [0, 1].map(|k| [number(&pair[k][0]), number(&pair[k][1])]);
-            let part = (0.9 - from[0]) / (to[0] - from[0]);
+            let part = (across - from[0]) / (to[0] - from[0]);
             (0.0..=1.0).contains(&part) && (from[1] + part * (to[1] - from[1]) - velocity).abs() < 1e-3
         });
         assert!(passes, "{solution}");
         if solution["stable"] == true && solution["admissible"] == true {
             let dots =
-                dots["dots"].as_array().unwrap().iter().filter(|dot| (number(&dot[0]) - 0.9).abs() < 2e-3);
+                dots["dots"].as_array().unwrap().iter().filter(|dot| (number(&dot[0]) - across).abs() < 2e-3);
             assert!(
                 dots.clone().count() > 0 && dots.clone().any(|dot| (number(&dot[1]) - velocity).abs() < 2e-2)
             );
         }
     }
     // Any other word stands for x.
-    assert_eq!(cut("x"), cut("weight"));
+    assert_eq!(cut("secondary", "x"), cut("secondary", "weight"));
 }
 
 #[test]
