@@ -105,13 +105,15 @@ pub(crate) fn diagrams(
                 found.readings = cut.readings();
             }
             if sweeps {
-                found.motion.extend(cut.sweeps(&sampling, progress));
+                let (rows, orbits) = cut.sweeps(&sampling, progress);
+                found.motion.extend(rows);
+                found.simulated = found.simulated.map(|known| known.plus(orbits));
             }
             in_own_units(if progress.stopped() { cut.diagram() } else { found }, ordinate, description)
         });
         let missing = match &found {
             None => Some(format!("one-parameter diagram {diagram}")),
-            Some(found) if found.resting.is_none() => {
+            Some(found) if found.simulated.is_none() => {
                 Some(format!("attractors and phase portraits of one-parameter diagram {diagram}"))
             }
             Some(_) => None,

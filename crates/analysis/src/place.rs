@@ -9,8 +9,8 @@ use grazing_results::place::{
     AtPlace, BasinState, PlaceAttractor, PlaceImpact, PlaceMotion, PlaceSolution, Simulated, SimulatedImpact,
     SimulatedMotion,
 };
-use grazing_unfold::long_time::Trajectory;
-use grazing_unfold::place::{Place, Starts};
+use grazing_unfold::long_time::{MotionKind, Trajectory, is_held_at_wall};
+use grazing_unfold::place::{Attractor, Place, Starts};
 use grazing_unfold::progress::Progress;
 
 use crate::described::Prepared;
@@ -65,11 +65,16 @@ pub fn simulated(
     let end = match found.end {
         OrbitEnd::TimeIsUp(end) if end.position.is_finite() => "the time is over".to_owned(),
         OrbitEnd::TimeIsUp(_) => "it cannot be followed".to_owned(),
-        OrbitEnd::Sticking { time: at, .. } => {
-            format!("it comes to rest at the wall at t = {}", time(begin + at))
-        }
-        OrbitEnd::Chattering { time: at, .. } => {
-            format!("impacts accumulate at t = {}, where it comes to rest at the wall", time(begin + at))
+        OrbitEnd::Sticking { time: at, .. } | OrbitEnd::Chattering { time: at, .. } => {
+            let how = match found.end {
+                OrbitEnd::Sticking { .. } => "it comes to rest at the wall",
+                _ => "impacts accumulate at the wall",
+            };
+            let then = match is_held_at_wall(&here) {
+                true => "where the force holds it for whole periods",
+                false => "not followed further",
+            };
+            format!("{how} at t = {}; {then}", time(begin + at))
         }
         OrbitEnd::TooManyImpacts { impacts, .. } => format!("there are more than {impacts} impacts"),
     };
@@ -93,7 +98,6 @@ pub fn at_place(
     let starts = Starts { lattice: LATTICE, ..Starts::default() };
     let found = Place::compute(&here, loops, &starts, progress)?;
     let (length, velocity) = (units.length, units.velocity());
-    let total: u32 = found.attractors.iter().map(|attractor| attractor.states).sum();
     let mut all = AtPlace {
         attractors: Vec::new(),
         solutions: Vec::new(),
@@ -101,6 +105,8 @@ pub fn at_place(
         impacts: Vec::new(),
         basins: Vec::new(),
         place,
+        at: [primary, secondary],
+        states: starts.states,
         period: found.period * units.time,
         from_the_wall: false,
         lattice: LATTICE,
@@ -118,13 +124,18 @@ pub fn at_place(
             admissible: solution.admissible,
         });
     }
-    for (attractor, one) in (1..).zip(&found.attractors) {
+    // Motion that is not followed further is no attractor, and comes last.
+    let followed = |one: &Attractor| one.fate.kind != MotionKind::Accumulating;
+    let number = |index: usize| if followed(&found.attractors[index]) { index as u32 + 1 } else { 0 };
+    for (index, one) in found.attractors.iter().enumerate() {
+        let attractor = number(index);
         all.attractors.push(PlaceAttractor {
             place,
             secondary,
             primary,
             attractor,
-            share: f64::from(one.states) / f64::from(total),
+            states: one.states,
+            share: if followed(one) { f64::from(one.states) / f64::from(starts.states) } else { f64::NAN },
             motion: one.fate.kind.name(),
             periods: one.fate.periods.map_or(f64::NAN, f64::from),
             impacts: one.fate.impacts,
@@ -150,11 +161,12 @@ pub fn at_place(
         };
         all.impacts.extend(one.strikes.iter().map(impact));
     }
-    let basin = |(state, index): &(State, usize)| BasinState {
+    let basin = |(state, index): &(State, Option<usize>)| BasinState {
         place,
         start_phase: state.phase,
         start_x: state.position * length,
-        attractor: *index as u32 + 1,
+        motion: index.map_or(MotionKind::Unsettled, |index| found.attractors[index].fate.kind).name(),
+        attractor: index.map_or(0, number),
     };
     all.basins.extend(found.basins.iter().map(basin));
     Some(all)

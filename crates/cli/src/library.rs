@@ -151,9 +151,10 @@ impl Task<'_> {
                     broken.collect(),
                 )
             }
-            Figure::Place(place) => {
-                (places::listing(Layout::default(), std::slice::from_ref(place), &seen.names), Vec::new())
-            }
+            Figure::Place(place) => (
+                places::listing(Layout::default(), std::slice::from_ref(place), &[], &seen.names),
+                Vec::new(),
+            ),
             Figure::Plane(..) | Figure::Straightened(_) => Default::default(),
         };
         Ok(Results { listing, missing, ..Results::new(drawn(&seen, SheetWidth::Paper)?, &seen.names) })

@@ -183,7 +183,8 @@ impl Task {
         if let Some(compared) = &analysed.compared {
             terminal::say(&measured::listing(layout, compared));
         }
-        terminal::say(&places::listing(layout, &analysed.places, &unfolded.axes.names));
+        let missing = &self.at[analysed.places.len()..];
+        terminal::say(&places::listing(layout, &analysed.places, missing, &unfolded.axes.names));
         if explain {
             terminal::say(&explanation::all(layout, description, unfolded));
         }

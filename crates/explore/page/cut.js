@@ -79,7 +79,7 @@ const request = rested(200, () => {
       const last = answer?.fixed === body.fixed && answer.ordinate.name === body.ordinate ? answer : { dots: [] };
       answer = { ...last, ...told, fixed: body.fixed, ordinate, at: body.at, of: ofBody(body), old: !told.dots };
       say("");
-      legend(answer.strands);
+      legend(answer);
       draw();
     };
     await stream("cut", body, { branches: take, dots: take }, signal);
@@ -179,8 +179,8 @@ function drawDots(context, dots, values, to, ink, strength) {
   }
 }
 
-/** The legend of the lines and marks of the cut. */
-function legend(strands) {
+/** The legend of the lines and marks of the cut, and the simulated orbits that are left out. */
+function legend({ strands, left_out: leftOut = [] }) {
   const ink = inks();
   const line = (colour, width, dashes = "none", opacity = 1) => {
     const path = make("path", { d: "M1 5h26" });
@@ -194,7 +194,7 @@ function legend(strands) {
     [line(ink.ink, 0.9, "3 3", 0.6), "hits the wall in between"],
     [line(ink.ink, 3, "none", FAINTEST), "simulated"],
   ];
-  $("cut-legend").replaceChildren(...entries.map(([sample, word]) => make("li", {}, sample, word)));
+  $("cut-legend").replaceChildren(...entries.map(([sample, word]) => make("li", {}, sample, word)), ...(leftOut ?? []).map((words) => make("li", {}, `Left out: ${words}`)));
 }
 
 function drawFound(context, { strands, bifurcations, dots, values, old }, to, ink, strength) {
@@ -295,6 +295,6 @@ export function attach() {
   new ResizeObserver(draw).observe(canvas);
   onTheme(() => {
     draw();
-    if (answer) legend(answer.strands);
+    if (answer) legend(answer);
   });
 }

@@ -29,7 +29,7 @@ function speak(words) {
   speaking = setTimeout(() => ($("announce").textContent = words), SPEAKS);
 }
 
-const KINDS = { "non-impacting": "No impacts", chaotic: "Chaos", resting: "Rests at the wall", escaping: "Escapes" };
+const KINDS = { "non-impacting": "No impacts", chaotic: "Chaos", resting: "Rests at the wall", accumulating: "Impacts accumulate at the wall; not followed further", escaping: "Escapes" };
 
 /** The name of an attractor. */
 function nameOf({ kind, periods, impacts, loops, waited }) {
@@ -43,6 +43,8 @@ function nameOf({ kind, periods, impacts, loops, waited }) {
 }
 
 const percent = (share) => `${Math.round(100 * share)} %`;
+/** The share of the states that reach an attractor, or the number of those whose motion is not followed further. */
+const shareOf = ({ share, states }, all) => (share === null ? `${states} of ${all} states` : percent(share));
 
 /** The keys of solutions, "p-k" for the k-th with this p. */
 function keysOf(solutions) {
@@ -203,18 +205,18 @@ class Card {
     this.hint.hidden = !this.answer.followed;
     const { attractors, solutions } = this.answer;
     const inks = attractorInks(attractors);
-    this.short.textContent = attractors.map((each) => `${nameOf(each)} ${percent(each.share)}`).join("; ");
+    this.short.textContent = attractors.map((each) => `${nameOf(each)} ${shareOf(each, this.answer.states)}`).join("; ");
     const rows = attractors.map((each, index) => {
       const swatch = make("span", { class: "swatch", "aria-hidden": "true" });
       swatch.style.background = inks[index];
       const share = make("span", { class: "share" });
       share.style.width = `${100 * each.share}%`;
       share.style.background = inks[index];
-      const rates = each.kind === "non-impacting" ? [] : [`${number(each.impacts, 3)} ${each.impacts === 1 ? "impact" : "impacts"} per period`];
+      const rates = ["non-impacting", "accumulating"].includes(each.kind) ? [] : [`${number(each.impacts, 3)} ${each.impacts === 1 ? "impact" : "impacts"} per period`];
       const sure = each.exponent_error > 0 ? ` ± ${number(each.exponent_error, 1)}` : "";
       const exponent = each.exponent === null ? [] : [rates.length ? " · " : "", make("span", { title: "Displacements grow like exp(λt)" }, "largest Lyapunov exponent ", make("i", {}, "λ"), ` = ${number(each.exponent, 3)}${sure}${description.units.time ? ` / ${description.units.time}` : ""}`)];
       const on = each.kind === "unsettled" ? [" ", make("button", { type: "button", class: "small", title: "Follow it for four times as long", onclick: () => this.goOn(4 * each.waited) }, "Continue")] : [];
-      return make("li", {}, swatch, make("span", { class: "name" }, nameOf(each)), make("b", { title: "Share of the initial states that reach it" }, percent(each.share)), make("span", { class: "track", "aria-hidden": "true" }, share), make("span", { class: "detail" }, ...rates, ...exponent, ...on));
+      return make("li", {}, swatch, make("span", { class: "name" }, nameOf(each)), make("b", { title: "Share of the initial states that reach it" }, shareOf(each, this.answer.states)), make("span", { class: "track", "aria-hidden": "true" }, share), make("span", { class: "detail" }, ...rates, ...exponent, ...on));
     });
     this.attractors.replaceChildren(...(rows.length ? rows : [make("li", {}, "No attractor was found.")]));
     const mark = (yes) => make("td", { class: yes ? "good" : "muted" }, yes ? "yes" : "no");
@@ -281,7 +283,7 @@ class Card {
   announce(at) {
     const { attractors, solutions } = this.answer;
     const names = [description.primary, description.secondary].map((axis, index) => `${axis.name} ${number(at[index], 4)}`);
-    const found = attractors.map((each) => `${nameOf(each)}, ${percent(each.share)} of the states`).join("; ");
+    const found = attractors.map((each) => `${nameOf(each)}, ${each.share === null ? shareOf(each, this.answer.states) : `${percent(each.share)} of the states`}`).join("; ");
     const mps = solutions.filter(({ p, stable, admissible }) => p > 0 && stable && admissible).map(({ p }) => p);
     speak(`At ${names.join(", ")}: ${found || "no attractor"}. ${mps.length ? `Stable and admissible: p = ${mps.join(", ")}.` : "No MPS is stable and admissible."}`);
   }

@@ -18,7 +18,8 @@ let current = null;
 
 const status = (words) => ($("tiles-status").textContent = words);
 
-function colourOf([, , loops, periods], ink) {
+function colourOf([, , loops, periods, , followed], ink) {
+  if (!followed) return ink.muted;
   if (loops === 0) return ink.calm;
   if (loops !== null) return loopsInk(loops, ink);
   return periods === null ? ink.irregular : ink.periodic;
@@ -204,7 +205,7 @@ export const shaded = () => state.get().overlay && judgeSoon();
 function colours() {
   const ink = inks();
   const loops = loopsNames().map((word, p) => [loopsInk(p, ink), word]).slice(1);
-  const entries = [[ink.calm, "no impacts"], ...loops, [ink.periodic, "other periodic motion"], [ink.irregular, "longer periods, or chaos"]];
+  const entries = [[ink.calm, "no impacts"], ...loops, [ink.periodic, "other periodic motion"], [ink.irregular, "longer periods, or chaos"], [ink.muted, "impacts accumulate; not followed further"]];
   const entry = ([colour, word]) => {
     const swatch = make("span", { class: "tile", "aria-hidden": "true" });
     swatch.style.background = colour;

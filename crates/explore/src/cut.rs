@@ -106,7 +106,7 @@ pub(crate) fn compute(request: &CutRequest, events: &Events, stop: &Stop) -> Res
     let dots: Vec<[f64; 2]> = found.attractor.iter().map(|dot| [found.across(dot), dot.x]).collect();
     events.send(
         "dots",
-        &json!({"frame": found.frame.y, "dots": dots, "values": SAMPLING.values, "resting": found.resting}),
+        &json!({"frame": found.frame.y, "dots": dots, "values": SAMPLING.values, "left_out": found.simulated.map(|orbits| orbits.left_out())}),
     );
     Ok(())
 }

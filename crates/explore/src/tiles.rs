@@ -5,7 +5,7 @@ use std::time::Duration;
 use grazing_analysis::unfolded::Prepared;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
-use grazing_unfold::long_time::{Horizon, LongOrbit, random_start};
+use grazing_unfold::long_time::{Horizon, LongOrbit, MotionKind, random_start};
 use grazing_unfold::progress::Progress;
 use rayon::prelude::*;
 use serde::Deserialize;
@@ -76,7 +76,8 @@ pub(crate) fn compute(request: &TilesRequest, events: &Events, stop: &Stop) -> R
                 // A place always has the same initial state, whatever was computed before.
                 let mut random = random(column, row);
                 let fate = LongOrbit::follow(&here, random_start(-1.0, &mut random), horizon).fate;
-                json!([column, row, fate.loops(), fate.periods, fate.impacts])
+                let followed = fate.kind != MotionKind::Accumulating;
+                json!([column, row, fate.loops(), fate.periods, fate.impacts, followed])
             });
             let cells: Vec<Value> = cells.collect();
             if events.stopped() {

@@ -6,6 +6,7 @@ use grazing_analysis::plane::Axes;
 use grazing_continuation::mps::unknown;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
+use grazing_results::branches::ACCUMULATING;
 use grazing_results::brief;
 use grazing_results::measured::{Agreement, Comparison, MeasuredCount, MeasuredPoint};
 use grazing_unfold::Diagram;
@@ -283,6 +284,7 @@ fn is_seen(fate: &Fate, seen: Seen) -> bool {
 fn words(fate: &Fate) -> String {
     match impacts(fate) {
         Some((periods, impacts)) => format!("{impacts:.0} impacts in {periods} periods"),
+        None if fate.kind == MotionKind::Accumulating => ACCUMULATING.to_owned(),
         None => fate.kind.name().to_owned(),
     }
 }

@@ -98,6 +98,48 @@ macro_rules! diagram_rows {
 
 diagram_rows!(BranchPoint, BranchBifurcation, AttractorPoint, PortraitPoint, Reading, MotionReading);
 
+/// Numbers of simulated orbits, and of those among them that leave no points, or only those up to where
+/// they are not followed further.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Orbits {
+    /// All orbits.
+    pub all: u32,
+    /// Orbits that rest at the wall, where the force holds them for a whole period.
+    pub resting: u32,
+    /// Orbits whose impacts accumulate at the wall.
+    pub accumulating: u32,
+    /// Orbits that cannot be followed.
+    pub escaping: u32,
+}
+
+impl Orbits {
+    /// The sums of the numbers.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        Self {
+            all: self.all + other.all,
+            resting: self.resting + other.resting,
+            accumulating: self.accumulating + other.accumulating,
+            escaping: self.escaping + other.escaping,
+        }
+    }
+
+    /// The orbits that are left out, in words, by reason.
+    pub fn left_out(&self) -> Vec<String> {
+        let Self { all, resting, accumulating, escaping } = *self;
+        let reasons = [
+            (accumulating, ACCUMULATING),
+            (resting, "the force holds them at rest at the wall"),
+            (escaping, "they run away, or cannot be followed"),
+        ];
+        let some = reasons.into_iter().filter(|(count, _)| *count > 0);
+        some.map(|(count, reason)| format!("{count} of {all} simulated orbits: {reason}")).collect()
+    }
+}
+
+/// What happens to motion that is not followed further.
+pub const ACCUMULATING: &str = "impacts accumulate at the wall; not followed further";
+
 tables! {
     /// A one-parameter diagram of an oscillator; Figure 2 is one.
     OneParameter {
@@ -133,9 +175,8 @@ tables! {
         /// The quantities of simulated motion, likewise; rows with equal sweep, parameters and orbit form one
         /// orbit.
         motion: Vec<MotionReading>,
-        /// The number of simulated orbits without a point, because they came to rest or could not be
-        /// followed, and the number of all simulated orbits; none if the simulation was not completed.
-        resting: Option<[u32; 2]>,
+        /// The numbers of simulated orbits; none if the simulation was not completed.
+        simulated: Option<Orbits>,
         /// Branches of MPSs that could not be followed to their end: p, the varying parameter there, and
         /// the reason.
         broken: Vec<(u32, f64, String)>,

@@ -143,9 +143,11 @@ columns! {
     SWEEP = "sweep", "", "1";
     /// number of the place, in the order of the command line
     PLACE = "place", "", "1";
-    /// number of the attractor; 1 is the one that most random states reach
+    /// number of the attractor; 1 is the one that most random states reach; 0: none, as motion is not followed further or has not settled in time
     ATTRACTOR = "attractor", "", "1";
-    /// share of the random states that reach it
+    /// number of the random states that reach it
+    STATES_THAT_REACH = "states", "", "1";
+    /// share of the random states that reach it; empty for motion that is not followed further
     SHARE = "share", "", "1";
     /// largest Lyapunov exponent: displacements grow like exp(λt)
     LYAPUNOV = "lyapunov_exponent", r"\lambda", "1/time";
@@ -161,7 +163,7 @@ columns! {
     X_OF_START = "start_x", "x", "length";
     /// number of the orbit among those at the same value of the parameter
     ORBIT = "orbit", "", "1";
-    /// long-term behaviour: `non-impacting`, `periodic`, `chaotic`, `resting` (at the wall), `escaping`, or `unsettled` if it could not be decided
+    /// long-term behaviour: `non-impacting`, `periodic`, `chaotic`, `resting` (held at the wall by the force for a whole period), `accumulating` (impacts accumulate at the wall, where motion is not followed further), `escaping`, or `unsettled` if it could not be decided
     MOTION = "motion", "", "1";
     /// period, in forcing periods; empty if the motion is not periodic
     PERIODS = "periods", "", "1";

@@ -1,14 +1,17 @@
 //! The behaviour of an oscillator at one place of the parameter plane.
 
+use crate::branches::ACCUMULATING;
 use crate::{Names, Table, Tables, rows, tables};
 
 rows! {
-    /// An attractor that some of the initial states lead to.
+    /// An attractor that some of the initial states lead to, or, with the number 0, the motion from them
+    /// that is not followed further.
     PlaceAttractor {
         place: u32 = PLACE,
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,
         attractor: u32 = ATTRACTOR,
+        states: u32 = STATES_THAT_REACH,
         share: f64 = SHARE,
         motion: &'static str = MOTION,
         periods: f64 = PERIODS,
@@ -52,6 +55,7 @@ rows! {
         place: u32 = PLACE,
         start_phase: f64 = PHASE_OF_START,
         start_x: f64 = X_OF_START,
+        motion: &'static str = MOTION,
         attractor: u32 = ATTRACTOR,
     }
 
@@ -83,7 +87,7 @@ tables! {
 
     /// The results for one place, or for several.
     AtPlace {
-        attractors: PlaceAttractor = "place_attractors", "an attractor at a place, with the random initial states that reach it",
+        attractors: PlaceAttractor = "place_attractors", "an attractor at a place, with the random initial states that reach it; number 0: motion that is not followed further",
         solutions: PlaceSolution = "place_solutions", "a periodic solution at a place, stable or not",
         motion: PlaceMotion = "place_motion", "a point of the motion on an attractor",
         impacts: PlaceImpact = "place_impacts", "an impact on an attractor",
@@ -91,6 +95,10 @@ tables! {
         ;
         /// The number of the place, from 1.
         place: u32,
+        /// The primary and the secondary parameter there.
+        at: [f64; 2],
+        /// The number of random initial states.
+        states: u32,
         /// The forcing period.
         period: f64,
         /// Whether positions are measured from the wall because the wall is not at x = 0 with the motion
@@ -115,6 +123,21 @@ impl AtPlace {
     }
 }
 
+impl AtPlace {
+    /// The attractor with a number in the tables, or the motion that is not followed further.
+    pub fn attractor(&self, number: u32) -> Option<&PlaceAttractor> {
+        self.attractors.iter().find(|one| one.attractor == number)
+    }
+
+    /// The number of states of the lattice whose motion has not settled in time.
+    pub fn undecided(&self) -> usize {
+        self.basins.iter().filter(|state| state.attractor == 0 && state.motion == UNSETTLED).count()
+    }
+}
+
+/// The name of motion that has not settled.
+const UNSETTLED: &str = "unsettled";
+
 /// The number of loops p of an MPS, or 0 for motion without impacts of one period, from the period (in
 /// forcing periods) and the number of impacts per forcing period; nothing for other motion.
 pub fn loops(periods: f64, impacts: f64) -> Option<u32> {
@@ -134,6 +157,9 @@ impl PlaceAttractor {
 
     /// A description of the attractor in words.
     pub fn words(&self) -> String {
+        if self.attractor == 0 {
+            return ACCUMULATING.to_owned();
+        }
         let several =
             |count: f64, what: &str| format!("{count:.0} {what}{}", if count > 1.5 { "s" } else { "" });
         match self.loops() {

@@ -18,7 +18,8 @@ use rand_pcg::rand_core::Rng;
 
 pub use cycle::{Cycle, same_impact};
 pub use exponent::Exponent;
-pub use orbit::{Fate, Horizon, LONGEST_TRANSIENT, LongOrbit, MotionKind, Patience};
+pub(crate) use orbit::impact;
+pub use orbit::{Fate, Horizon, LONGEST_TRANSIENT, LongOrbit, MotionKind, Patience, is_held_at_wall};
 pub use samples::{Trajectory, sampled, sampled_solution, time_of_phase};
 
 /// A random point of Π: x uniform between `lowest` and the wall, the phase uniform.

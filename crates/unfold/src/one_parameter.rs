@@ -182,7 +182,7 @@ impl Cut {
             ordinate: Ordinate::X,
             readings: Vec::new(),
             motion: Vec::new(),
-            resting: None,
+            simulated: None,
             broken: ends.filter(|(_, primary, _)| inside(*primary)).collect(),
             notes: Vec::new(),
         }
@@ -226,7 +226,7 @@ impl Cut {
         };
         let sampled =
             range.map(|range| long_time_behaviour(&self.oscillator, at, range, (sampling, lowest), progress));
-        let Sampled { visits, readings, resting } = sampled.unwrap_or_default();
+        let Sampled { visits, readings, orbits } = sampled.unwrap_or_default();
         let scene = Scene {
             oscillator: &self.oscillator,
             branches: &self.branches,
@@ -244,7 +244,7 @@ impl Cut {
                 found.portraits.extend(portrait);
             }
             found.motion = readings;
-            found.resting = Some(resting);
+            found.simulated = Some(orbits);
         }
         self.placed(found)
     }

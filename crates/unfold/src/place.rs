@@ -12,7 +12,7 @@ use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 use crate::long_time::{
-    Exponent, Fate, Horizon, LongOrbit, MotionKind, Patience, random_start, same_impact, sampled,
+    Exponent, Fate, Horizon, LongOrbit, MotionKind, Patience, impact, random_start, same_impact, sampled,
     sampled_solution, time_of_phase,
 };
 use crate::progress::Progress;
@@ -34,10 +34,10 @@ pub struct Solution {
     pub orbit: Vec<[f64; 3]>,
 }
 
-/// An attractor of some of the initial states.
+/// An attractor of some of the initial states, or the motion from them that is not followed further.
 #[derive(Clone, Debug)]
 pub struct Attractor {
-    /// The number of initial states that approach it.
+    /// The number of random initial states that approach it.
     pub states: u32,
     /// The long-term behaviour on the attractor.
     pub fate: Fate,
@@ -93,7 +93,7 @@ impl Starts {
 
 impl Default for Starts {
     fn default() -> Self {
-        let horizon = Horizon { transient: 400, counted: 64, patience: Patience::Unsettled, longest: 5_000 };
+        let horizon = Horizon { transient: 400, counted: 64, patience: Patience::Unsettled, longest: 3_000 };
         Self { states: 24, seed: 1, horizon, lowest: -2.0, lattice: [0, 0] }
     }
 }
@@ -103,22 +103,37 @@ impl Default for Starts {
 pub struct Place {
     /// Periodic solutions, by p.
     pub solutions: Vec<Solution>,
-    /// The attractors of random initial states, the most frequent first.
+    /// The attractors, the most frequent first, and after them the motion that is not followed further,
+    /// up to its end.
     pub attractors: Vec<Attractor>,
     /// The forcing period.
     pub period: f64,
-    /// The states of the lattice, each with the index of its attractor.
-    pub basins: Vec<(State, usize)>,
+    /// The states of the lattice, each with the index of its attractor; `None` if it has not settled in
+    /// the time for which it was followed.
+    pub basins: Vec<(State, Option<usize>)>,
 }
 
-/// The name of the stage.
+/// The names of the stages.
+const RANDOM: &str = "attractors of random states";
 const BASINS: &str = "basins of attraction";
+const SLOW: &str = "basins of attraction: motion that has not settled";
+const IRREGULAR: &str = "basins of attraction: irregular motion";
+const SOLUTIONS: &str = "periodic solutions at a place";
+const MOTION: &str = "motion on the attractors";
 
 /// Impact velocity below which MPSs are not distinguished from grazing.
 const SLOWEST: f64 = BETWEEN_ORBITS * search::USUAL_VELOCITY;
 
 /// The horizon for motion from a nearby attractor, which needs little time.
 const FOLLOWED: Horizon = Horizon::drifting(100, 32);
+/// The first horizon for states of the lattice, in which most settle.
+const FIRST: Horizon = Horizon { transient: 16, counted: 32, patience: Patience::Drifting, longest: 0 };
+/// The number of forcing periods for which a state of the lattice may be followed on average: what
+/// those that settle at first leave is there for the others.
+const ON_AVERAGE: u32 = 96;
+/// The number of states that have not settled by then of which it is seen, within the whole horizon,
+/// whether their motion is irregular.
+const WITNESSES: usize = 4;
 
 impl Solution {
     fn of(equations: &LoopEquations, point: &Unknowns) -> Self {
@@ -186,6 +201,8 @@ pub fn seen(oscillator: &AnyOscillator, states: &[State], horizon: Horizon) -> V
 /// The properties of an orbit from a state that are compared with those of others.
 struct Outcome {
     start: State,
+    /// A later state of the same motion: at the end, or shortly before if it is not followed further.
+    late: State,
     fate: Fate,
     impacts: Vec<Vector2<f64>>,
     /// The state at phase zero of motion without impacts, and its highest point on a cycle.
@@ -198,14 +215,22 @@ impl Outcome {
         Self::at_end(oscillator, start, &long_orbit(oscillator, start, horizon))
     }
 
+    /// The outcome of motion that may not have settled, which need not be judged.
+    fn at_last(oscillator: &AnyOscillator, start: State, horizon: Horizon) -> Self {
+        Self::at_end(oscillator, start, &LongOrbit::follow(oscillator, start, horizon))
+    }
+
     fn at_end(oscillator: &AnyOscillator, start: State, orbit: &LongOrbit) -> Self {
         let at_phase_zero = orbit.at_phase_zero(oscillator);
-        let highest = orbit.cycle.and_then(|cycle| {
+        // A motion without maxima stays where it is.
+        let highest = orbit.cycle.map_or(f64::NAN, |cycle| {
             let motion = oscillator.motion(cycle.from);
-            motion.highest_maximum(f64::from(cycle.periods) * oscillator.forcing_period())
+            let top = motion.highest_maximum(f64::from(cycle.periods) * oscillator.forcing_period());
+            top.map_or(cycle.from.position, |top| top.position)
         });
-        let highest = highest.map_or(f64::NAN, |top| top.position);
-        Self { start, fate: orbit.fate, impacts: orbit.impacts.clone(), at_phase_zero, highest }
+        let shown = || orbit.before_the_end(oscillator).first().map(|flight| flight.from);
+        let late = orbit.end.or_else(shown).unwrap_or(start);
+        Self { start, late, fate: orbit.fate, impacts: orbit.impacts.clone(), at_phase_zero, highest }
     }
 
     /// Whether the outcome looks like another one.
@@ -230,16 +255,22 @@ impl Attractor {
     fn of(oscillator: &AnyOscillator, states: u32, start: State, horizon: Horizon) -> Self {
         let orbit = long_orbit(oscillator, start, horizon);
         let period = oscillator.forcing_period();
+        let accumulates = orbit.fate.kind == MotionKind::Accumulating;
+        let last = orbit.before_the_end(oscillator);
+        let impacts: Vec<Vector2<f64>> = match accumulates {
+            true => last.iter().copied().filter_map(impact).collect(),
+            false => orbit.impacts.clone(),
+        };
         let flights = match orbit.free_cycle(oscillator) {
             Some((from, periods)) => {
                 let begin = time_of_phase(from.phase, period);
                 vec![sampled(&oscillator.motion(from), begin, periods * period, period)]
             }
             None => {
-                let shown = orbit.shown();
+                let shown = if accumulates { last } else { orbit.shown().iter().collect() };
                 let began =
                     shown.first().map_or(0.0, |first| first.start - time_of_phase(first.from.phase, period));
-                let curve = |flight: &Flight<_>| {
+                let curve = |flight: &&Flight<_>| {
                     sampled(&flight.motion, flight.start - began, flight.duration, period)
                 };
                 shown.iter().map(curve).collect()
@@ -251,7 +282,7 @@ impl Attractor {
             fate: orbit.fate,
             exponent: orbit.exponent(oscillator),
             flights,
-            strikes: orbit.impacts.iter().map(|impact| [turned(impact[1]), impact[0]]).collect(),
+            strikes: impacts.iter().map(|impact| [turned(impact[1]), impact[0]]).collect(),
             state: free.or(orbit.flights.last().map(|flight| flight.from)).unwrap_or(start),
         }
     }
@@ -269,11 +300,10 @@ impl Place {
             let mut random = Pcg64::new(u128::from(starts.seed), u128::from(state));
             (1, random_start(starts.lowest, &mut random))
         };
-        // States of the lattice have no weight: fractions are those of random states.
-        let states = (0..starts.states).map(start).chain(starts.on_lattice().map(|state| (0, state)));
-        let states: Vec<(u32, State)> = states.collect();
+        let states: Vec<(u32, State)> = (0..starts.states).map(start).collect();
+        let lattice: Vec<State> = starts.on_lattice().collect();
         let found = || search::at(oscillator, loops, SLOWEST, progress);
-        Self::of(oscillator, &states, starts.horizon, progress, found)
+        Self::of(oscillator, (&states, &lattice), starts.horizon, progress, found)
     }
 
     /// The continuation of the solutions and attractors of a nearby place, which takes little time;
@@ -290,41 +320,32 @@ impl Place {
             }
             found
         };
-        Self::of(oscillator, &nearby.attractors, FOLLOWED, progress, found)
+        Self::of(oscillator, (&nearby.attractors, &[]), FOLLOWED, progress, found)
     }
 
     /// The place with the attractors of some states, each with a weight, and these MPSs.
     fn of(
         oscillator: &AnyOscillator,
-        starts: &[(u32, State)],
+        (starts, lattice): (&[(u32, State)], &[State]),
         horizon: Horizon,
         progress: &dyn Progress,
         found: impl FnOnce() -> Vec<(u32, Unknowns)>,
     ) -> Option<Self> {
         let period = oscillator.forcing_period();
-        // Most states of the lattice soon approach attractors that others approach as well.
-        let outcomes = starts.par_iter().map(|&(states, from)| {
-            let horizon = if states == 0 { FOLLOWED } else { horizon };
-            let outcome = (!progress.stopped()).then(|| (states, Outcome::of(oscillator, from, horizon)));
-            progress.step(BASINS);
-            outcome
-        });
-        let outcomes =
-            progress.during(BASINS, starts.len() as u64, || outcomes.collect::<Option<Vec<_>>>())?;
-        let (mut outcomes, mut lattice): (Vec<_>, Vec<_>) =
-            outcomes.into_iter().partition(|(states, _)| *states > 0);
-        let unlike = |one: &Outcome| !outcomes.iter().any(|(_, known)| known.is_like(one));
-        lattice.par_iter_mut().filter(|(_, one)| unlike(one)).for_each(|(_, one)| {
-            if !progress.stopped() {
-                *one = Outcome::of(oscillator, one.start, horizon);
-            }
-        });
-        outcomes.append(&mut lattice);
-        let free = non_impacting(oscillator, outcomes.iter().map(|(_, outcome)| outcome));
+        let follow = |&(states, from): &(u32, State)| (states, Outcome::of(oscillator, from, horizon));
+        let outcomes = each(RANDOM, starts, progress, follow)?;
+        let mut known = Known { different: Vec::new() };
+        for (states, outcome) in outcomes {
+            known.add(states, outcome);
+        }
+        let lattice = basins(oscillator, lattice, horizon, &mut known, progress)?;
+        progress.begin(SOLUTIONS, 1);
+        let outcomes = || known.different.iter().map(|(_, outcome)| outcome);
+        let free = non_impacting(oscillator, outcomes());
         let mut found: Vec<(u32, Unknowns)> =
             free.into_iter().map(|point| (0, point)).chain(found()).collect();
         // A periodic attractor is a solution as well, even if no other search has found it.
-        for (_, one) in &outcomes {
+        for one in outcomes() {
             let near = one.fate.loops().filter(|loops| *loops > 0).zip(one.impacts.first());
             let Some((loops, impact)) = near else { continue };
             if !is_known(&found, loops, impact) {
@@ -334,25 +355,133 @@ impl Place {
         found.sort_by_key(|(loops, _)| *loops);
         let solution = |(loops, point)| Solution::of(&equations(oscillator, loops), &point);
         let solutions = found.into_iter().map(solution).collect();
-        let mut different: Vec<(u32, &Outcome)> = Vec::new();
-        for (states, one) in &outcomes {
-            match different.iter_mut().find(|(_, known)| known.is_like(one)) {
-                Some((known, _)) => *known += states,
-                None => different.push((*states, one)),
-            }
-        }
-        different.sort_by_key(|(states, _)| core::cmp::Reverse(*states));
-        let shown = different.iter();
-        let shown = shown.map(|(states, one)| Attractor::of(oscillator, *states, one.start, horizon));
-        let attractors: Vec<Attractor> = shown.collect();
-        let lattice = outcomes.iter().filter(|(states, _)| *states == 0);
-        let basin = |(_, one): &(u32, Outcome)| {
-            let index = different.iter().position(|(_, known)| known.is_like(one))?;
-            Some((one.start, index))
+        progress.step(SOLUTIONS);
+        progress.end(SOLUTIONS);
+        // What is not followed further comes last: it is no attractor.
+        let mut order: Vec<usize> = (0..known.different.len()).collect();
+        order.sort_by_key(|&index| {
+            let (states, outcome) = &known.different[index];
+            (outcome.fate.kind == MotionKind::Accumulating, core::cmp::Reverse(*states))
+        });
+        let shown: Vec<_> = order.iter().map(|&index| &known.different[index]).collect();
+        let attractor = |(states, one): &&(u32, Outcome)| {
+            // Motion from a random state is computed as before.
+            let again = *states > 0 && one.fate.kind != MotionKind::Accumulating;
+            Attractor::of(oscillator, *states, if again { one.start } else { one.late }, horizon)
         };
-        let basins = lattice.filter_map(basin).collect();
+        let attractors = each(MOTION, &shown, progress, attractor)?;
+        let place = |index: usize| order.iter().position(|known| *known == index);
+        let basins = lattice.into_iter().map(|(start, index)| (start, index.and_then(place))).collect();
         (!progress.stopped()).then_some(Self { solutions, attractors, period, basins })
     }
+}
+
+/// Applies a function to each of some items in parallel, as steps of a stage; `None` if the
+/// computation was cancelled.
+fn each<T: Sync, R: Send>(
+    stage: &str,
+    items: &[T],
+    progress: &dyn Progress,
+    of: impl Fn(&T) -> R + Sync,
+) -> Option<Vec<R>> {
+    let one = |item: &T| {
+        let done = (!progress.stopped()).then(|| of(item));
+        progress.step(stage);
+        done
+    };
+    if items.is_empty() {
+        return Some(Vec::new());
+    }
+    // Items may take very different times.
+    let all = || items.par_iter().with_max_len(1).map(one).collect::<Option<Vec<R>>>();
+    progress.during(stage, items.len() as u64, all).filter(|_| !progress.stopped())
+}
+
+/// The outcomes that differ, and the number of random states that lead to each.
+struct Known {
+    different: Vec<(u32, Outcome)>,
+}
+
+impl Known {
+    /// The index of an outcome that is known.
+    fn index(&self, outcome: &Outcome) -> Option<usize> {
+        self.different.iter().position(|(_, known)| known.is_like(outcome))
+    }
+
+    /// Adds an outcome of some random states, and returns its index.
+    fn add(&mut self, states: u32, outcome: Outcome) -> usize {
+        match self.index(&outcome) {
+            Some(index) => {
+                self.different[index].0 += states;
+                index
+            }
+            None => {
+                self.different.push((states, outcome));
+                self.different.len() - 1
+            }
+        }
+    }
+
+    /// The index of irregular motion.
+    fn irregular(&self) -> Option<usize> {
+        self.different.iter().position(|(_, known)| is_irregular(known.fate.kind))
+    }
+}
+
+const fn is_irregular(kind: MotionKind) -> bool {
+    matches!(kind, MotionKind::Chaotic | MotionKind::Unsettled)
+}
+
+/// The outcomes of the states of a lattice, as indices of known outcomes, to which those that are new
+/// are added; `None` for states that have not settled. `None` if the computation was cancelled.
+///
+/// All are followed for a short time, and those that have not settled for as long as the whole lattice
+/// may take. What has not settled then is irregular motion if that of some of these states is so for
+/// the whole horizon, and undecided if any of them settles.
+fn basins(
+    oscillator: &AnyOscillator,
+    lattice: &[State],
+    horizon: Horizon,
+    known: &mut Known,
+    progress: &dyn Progress,
+) -> Option<Vec<(State, Option<usize>)>> {
+    let outcome = |from: State, horizon| Outcome::of(oscillator, from, horizon);
+    let first = each(BASINS, lattice, progress, |&from| outcome(from, FIRST))?;
+    let mut indices: Vec<Option<usize>> = vec![None; lattice.len()];
+    let mut rest: Vec<(usize, State)> = Vec::new();
+    let mut take =
+        |place: usize, outcome: Outcome, known: &mut Known, rest: &mut Vec<(usize, State)>| match outcome
+            .fate
+            .kind
+        {
+            MotionKind::Unsettled => rest.push((place, outcome.late)),
+            _ => indices[place] = Some(known.add(0, outcome)),
+        };
+    for (place, outcome) in first.into_iter().enumerate() {
+        take(place, outcome, known, &mut rest);
+    }
+    let spent = FIRST.transient + FIRST.counted;
+    let left = u64::from(ON_AVERAGE - spent) * lattice.len() as u64;
+    let longest = left.checked_div(rest.len() as u64).unwrap_or(0).min(horizon.longest.into()) as u32;
+    let on = Horizon { transient: spent, longest, patience: Patience::Unsettled, ..FIRST };
+    let unsettled = core::mem::take(&mut rest);
+    let later = each(SLOW, &unsettled, progress, |&(_, from)| Outcome::at_last(oscillator, from, on))?;
+    for ((place, _), outcome) in unsettled.into_iter().zip(later) {
+        take(place, outcome, known, &mut rest);
+    }
+    let witnesses: Vec<(usize, State)> =
+        rest.iter().step_by(rest.len().div_ceil(WITNESSES).max(1)).copied().collect();
+    let seen = each(IRREGULAR, &witnesses, progress, |&(_, from)| outcome(from, horizon))?;
+    let irregular = seen.iter().all(|one| is_irregular(one.fate.kind));
+    for ((place, _), outcome) in witnesses.into_iter().zip(seen) {
+        // Irregular motion is not distinguished.
+        let index = known.irregular().filter(|_| is_irregular(outcome.fate.kind));
+        indices[place] = Some(index.unwrap_or_else(|| known.add(0, outcome)));
+    }
+    if irregular {
+        rest.iter().for_each(|&(place, _)| indices[place] = indices[place].or(known.irregular()));
+    }
+    Some(lattice.iter().copied().zip(indices).collect())
 }
 
 /// The non-impacting solutions to which free motion, or rest, leads.

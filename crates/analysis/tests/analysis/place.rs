@@ -1,9 +1,16 @@
-//! Motion at a place, integrated and in closed form.
+//! Motion at a place, integrated and in closed form, and what its attractors and basins cost.
+
+use std::collections::BTreeMap;
+use std::sync::Mutex;
 
 use grazing_analysis::place::simulated;
 use grazing_analysis::unfolded::{Prepared, axes};
 use grazing_description::Description;
+use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
+use grazing_unfold::long_time::MotionKind;
+use grazing_unfold::place::{Place, Starts};
+use grazing_unfold::progress::Progress;
 
 #[test]
 fn simulated_motion_in_closed_form_is_that_which_is_integrated() {
@@ -29,4 +36,65 @@ fn simulated_motion_in_closed_form_is_that_which_is_integrated() {
     stop.ask();
     let ended = simulated(&integrated, place, start, 1.0).expect("it begins");
     assert_eq!((ended.end.as_str(), ended.impacts.len()), ("it cannot be followed", 0));
+}
+
+/// The stages that have begun, with the steps that were announced and those that were made, and
+/// whether they have ended.
+#[derive(Default)]
+struct Stages(Mutex<BTreeMap<String, (u64, u64, bool)>>);
+
+impl Stages {
+    fn change(&self, what: &str, change: impl FnOnce(&mut (u64, u64, bool))) {
+        change(self.0.lock().expect("nobody panics").entry(what.to_owned()).or_default());
+    }
+}
+
+impl Progress for Stages {
+    fn begin(&self, what: &str, steps: u64) {
+        self.change(what, |stage| *stage = (stage.0 + steps, stage.1, false));
+    }
+
+    fn step(&self, what: &str) {
+        self.change(what, |stage| stage.1 += 1);
+    }
+
+    fn end(&self, what: &str) {
+        self.change(what, |stage| stage.2 = true);
+    }
+}
+
+#[test]
+fn basins_of_irregular_motion_cost_some_periods_a_state_and_every_stage_has_a_name_and_steps() {
+    let text = include_str!("../../../cli/src/new/si.toml");
+    let description = Description::parse(text, "si.toml").expect("it is right");
+    // The number of integration steps for a lattice.
+    let cost = |at: [f64; 2], lattice: [u32; 2]| {
+        let (stop, stages) = (Stop::default(), Stages::default());
+        let of = Prepared::new(&description, axes(&description), &stop);
+        let here = of.oscillator.with_parameters(of.without_dimensions(at));
+        let starts = Starts { states: 2, lattice, ..Starts::default() };
+        let before = stop.steps();
+        let place = Place::compute(&here, &[1, 2], &starts, &stages).expect("nobody stops it");
+        assert_eq!(place.attractors[0].fate.kind, MotionKind::Chaotic);
+        let [all, in_basin] = [lattice[0] * lattice[1], place.basins.len() as u32];
+        assert_eq!(all, in_basin);
+        assert!(place.basins.iter().all(|(_, basin)| basin.is_some()));
+        let stages = stages.0.into_inner().expect("nobody panics");
+        assert_eq!(stages.len(), 6, "{stages:?}");
+        for (name, (announced, made, ended)) in stages {
+            assert!(announced > 0 && made == announced && ended, "{name}: {made} of {announced}");
+        }
+        stop.steps() - before
+    };
+    let stop = Stop::default();
+    let of = Prepared::new(&description, axes(&description), &stop);
+    for at in [[1.2, 15.2], [1.3, 15.0]] {
+        let before = stop.steps();
+        simulated(&of, at, [-0.001, 0.0, 0.0], 200.0).expect("it moves");
+        let period = (stop.steps() - before) as f64 / 200.0;
+        let more = cost(at, [20, 12]) as f64 - cost(at, [10, 6]) as f64;
+        // No state is followed for longer than twice the average, and the same few for very long.
+        let periods = more / period / 180.0;
+        assert!(periods < 250.0, "{at:?}: {periods} periods a state");
+    }
 }

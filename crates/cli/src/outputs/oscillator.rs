@@ -10,7 +10,7 @@ use grazing_drawing::{
     DrawingError, Heading, Look, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
     draw_place, draw_straightened,
 };
-use grazing_results::branches::{OneParameter, Readings};
+use grazing_results::branches::{OneParameter, Orbits, Readings};
 use grazing_results::measured::Comparison;
 use grazing_results::place::AtPlace;
 use grazing_results::plane::{Magnifications, OwnCurves, PlaneDiagram, StraightenedCurves};
@@ -161,11 +161,8 @@ pub(crate) fn places(
 ) -> Computed {
     let figure = |place: &AtPlace| {
         let [primary, secondary] = names.shown();
-        let at = place.attractors.first().map_or(String::new(), |one| {
-            let [mu, eta] = [one.primary, one.secondary].map(|value| brief(value, 6));
-            format!(" {primary} = {mu}, {secondary} = {eta}")
-        });
-        let shown = format!("motion at{at}");
+        let [mu, eta] = place.at.map(|value| brief(value, 6));
+        let shown = format!("motion at {primary} = {mu}, {secondary} = {eta}");
         let title = format!("{name}: {shown}");
         let description =
             "Above: time series. Below: phase portrait, impacts by phase and velocity, and the basins of \
@@ -375,6 +372,8 @@ pub(crate) fn one_parameter_figure(
     };
     let sheet = draw_one_parameter(diagram, &heading, true, width)?;
     let file = one_parameter_file(diagram.diagram);
+    let left_out = diagram.simulated.iter().flat_map(Orbits::left_out);
+    let shown = left_out.fold(shown, |shown, words| format!("{shown}; left out: {words}"));
     let figure = Figure::new(of, file, shown, sheet, &output.table_names());
     Ok(Figure { only: Some((columns::DIAGRAM, vec![diagram.diagram])), ..figure })
 }

@@ -10,11 +10,21 @@ use crate::unfold::numbers::{heads, with_unit};
 const DIGITS: usize = 6;
 const EXPONENT: usize = 3;
 
-/// The attractors of all places; nothing without places.
-pub(crate) fn listing(layout: Layout, places: &[AtPlace], names: &Names) -> String {
+/// The attractors of all places, and the places at which they were not found in time; nothing without
+/// places.
+pub(crate) fn listing(layout: Layout, places: &[AtPlace], unfinished: &[[f64; 2]], names: &Names) -> String {
+    let at = |at: [f64; 2]| {
+        let [mu, eta] = at.map(|value| brief(value, DIGITS));
+        format!("  at {} = {mu}, {} = {eta}: ", names.primary, names.secondary)
+    };
+    let missing: String = unfinished
+        .iter()
+        .map(|place| layout.wrapped(&at(*place), "motion at this place was not finished"))
+        .collect();
     if places.is_empty() {
-        return String::new();
+        return if missing.is_empty() { missing } else { format!("\nAttractors\n{missing}") };
     }
+    let followed = |one: &&PlaceAttractor| one.attractor > 0;
     let row = |one: &PlaceAttractor| {
         let exponent = if one.exponent.is_nan() { "-".to_owned() } else { brief(one.exponent, EXPONENT) };
         vec![
@@ -28,6 +38,23 @@ pub(crate) fn listing(layout: Layout, places: &[AtPlace], names: &Names) -> Stri
     let [primary, secondary] = heads(names);
     let exponent = with_unit("Lyapunov exponent", names.named_unit("1/time").as_deref());
     let heads = [&*primary, &secondary, "attractor", "share of random states", &exponent];
-    let rows = places.iter().flat_map(|place| &place.attractors).map(row);
-    format!("\nAttractors\n{}", layout.aligned(&heads, rows))
+    let rows: Vec<_> = places.iter().flat_map(|place| &place.attractors).filter(followed).map(row).collect();
+    let mut text = "\nAttractors\n".to_owned();
+    text.push_str(&if rows.is_empty() {
+        "  none\n".to_owned()
+    } else {
+        layout.aligned(&heads, rows.into_iter())
+    });
+    for place in places {
+        if let Some(one) = place.attractor(0) {
+            let words = format!("{} ({} of {} random states)", one.words(), one.states, place.states);
+            text.push_str(&layout.wrapped(&at(place.at), &words));
+        }
+        if place.undecided() > 0 {
+            let counts = format!("{} of {}", place.undecided(), place.basins.len());
+            let words = format!("{counts} states of the basins have not settled in time");
+            text.push_str(&layout.wrapped(&at(place.at), &words));
+        }
+    }
+    text + &missing
 }

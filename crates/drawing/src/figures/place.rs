@@ -73,15 +73,25 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
     let x = with_unit(if figure.from_the_wall { "$x$ from the wall" } else { "$x$" }, of_x.as_ref());
     let y = with_unit("$y$", of_y.as_ref());
     let velocity = with_unit("impact velocity", of_y.as_ref());
-    let words: Vec<String> =
-        figure.attractors.iter().map(|one| format!("{}: {:.0} %", one.words(), 100.0 * one.share)).collect();
+    let share = |one: &PlaceAttractor| match one.attractor {
+        0 => format!("impacts accumulate, not followed further: {} of {}", one.states, figure.states),
+        _ => format!("{}: {:.0} %", one.words(), 100.0 * one.share),
+    };
+    let mut words: Vec<_> = figure.attractors.iter().map(|one| (Some(one), share(one))).collect();
+    if figure.undecided() > 0 {
+        let counts = format!("{} of {}", figure.undecided(), figure.basins.len());
+        words.push((None, format!("blank: {counts} states, not settled in time")));
+    }
     let rows = if narrow { 4.0 } else { 2.0 };
     let legend = LINE * words.len() as f64 + ABOVE;
     let canvas = Canvas::new(width, (legend + rows * ROW) / POINTS_PER_MM)?;
-    for (k, (one, words)) in figure.attractors.iter().zip(&words).enumerate() {
+    for (k, (one, words)) in words.iter().enumerate() {
         let baseline = LINE * (k as f64 + 1.0);
-        let (middle, pen) = (baseline - 0.3 * SMALL_LABEL_SIZE, pen(one, 2.0));
-        canvas.line(&[(LEFT, middle), (LEFT + SWATCH, middle)], pen);
+        if let Some(one) = one {
+            let (middle, pen) = (baseline - 0.3 * SMALL_LABEL_SIZE, pen(one, 2.0));
+            canvas.line(&[(LEFT, middle), (LEFT + SWATCH, middle)], pen);
+            canvas.explain(&one.words(), Sample::Line(pen));
+        }
         canvas.label(
             (LEFT + SWATCH + 5.0, baseline),
             &Label::parse(words)?,
@@ -89,7 +99,6 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
             Anchor::Start,
             BLACK,
         )?;
-        canvas.explain(&one.words(), Sample::Line(pen));
     }
     // The bounds of a panel, from its row, its number in the row and the number of panels in the row.
     let place = |row: f64, [number, count]: [f64; 2], frame: Frame, up: &str| {
@@ -149,7 +158,8 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
     panel.line(&[(0.0, ys[0]), (0.0, ys[1])], WALL);
     for points in flights() {
         let number = points[0].attractor;
-        let pen = pen(&figure.attractors[number as usize - 1], thin(number));
+        let Some(one) = figure.attractor(number) else { continue };
+        let pen = pen(one, thin(number));
         panel.line(&points.iter().map(|point| (point.x, point.y)).collect::<Vec<_>>(), pen);
     }
     panel.axes(&x, &y)?;
@@ -164,7 +174,7 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
         ..Panel::new(&canvas, frame, place(row, columns, frame, &velocity)?)
     };
     for impact in &figure.impacts {
-        let one = &figure.attractors[impact.attractor as usize - 1];
+        let Some(one) = figure.attractor(impact.attractor) else { continue };
         let paint = Paint { colour: pen(one, 1.0).colour, opacity: 1.0 };
         panel.canvas.disc(
             panel.spot((impact.impact_phase, impact.impact_velocity.abs())),
@@ -189,7 +199,9 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
     };
     let half = [PI / phases, 0.5 * deepest.abs() / positions];
     for one in &figure.attractors {
-        let cells = figure.basins.iter().filter(|state| state.attractor == one.attractor);
+        // States that have not settled have the number 0, too, and stay blank.
+        let own = |state: &&BasinState| (state.attractor, state.motion) == (one.attractor, one.motion);
+        let cells = figure.basins.iter().filter(own);
         let ring = |state: &BasinState| {
             let (z, x) = (state.start_phase, state.start_x);
             let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
@@ -220,6 +232,7 @@ mod tests {
             secondary: 0.8,
             primary: 0.9,
             attractor,
+            states: 12,
             share: 0.5,
             motion,
             periods,
@@ -243,6 +256,7 @@ mod tests {
             place: 1,
             start_phase: TAU * (f64::from(k / 4) + 0.5) / 6.0,
             start_x: -2.0 * length * (f64::from(k % 4) + 0.5) / 4.0,
+            motion: ["periodic", "chaotic"][k as usize % 2],
             attractor: 1 + k % 2,
         };
         AtPlace {
@@ -252,6 +266,8 @@ mod tests {
             impacts: vec![impact(1), impact(2)],
             basins: (0..24).map(state).collect(),
             place: 1,
+            at: [0.9, 0.8],
+            states: 24,
             period: 1.0,
             from_the_wall: true,
             lattice,
@@ -278,6 +294,36 @@ mod tests {
             let cells =
                 areas.lines().filter(|line| line.contains("evenodd")).map(|line| line.matches('Z').count());
             assert_eq!(cells.collect::<Vec<_>>(), [12, 12]);
+        }
+    }
+
+    #[test]
+    fn motion_that_is_not_followed_further_is_drawn_and_counted_without_a_share_and_what_is_undecided_is_blank()
+     {
+        let mut figure = sample(1.0);
+        let last = &mut figure.attractors[1];
+        (last.attractor, last.motion, last.share, last.states) = (0, "accumulating", f64::NAN, 6);
+        last.exponent = f64::NAN;
+        figure.motion.iter_mut().filter(|point| point.attractor == 2).for_each(|point| point.attractor = 0);
+        figure.impacts[1].attractor = 0;
+        for (k, state) in figure.basins.iter_mut().enumerate().filter(|(k, _)| k % 2 == 1) {
+            (state.attractor, state.motion) = (0, if k < 12 { "accumulating" } else { "unsettled" });
+        }
+        let names = Names::new("A", "omega");
+        let tables = ["place_motion", "place_impacts", "place_basins"];
+        let heading = Heading { name: "places", title: "", description: "", names: &names, tables: &tables };
+        for width in WIDTHS {
+            let sheet = draw_place(&figure, &heading, width).unwrap();
+            sheet.assert_well_placed(&width);
+            let texts = sheet.texts();
+            for text in ["MPS, $p=2$: 50 %", "not followed further: 6 of 24", "6 of 24 states"] {
+                assert!(texts.iter().any(|found| found.contains(text)), "{text}: {texts:?}");
+            }
+            assert_eq!(texts.iter().filter(|text| text.contains('%')).count(), 1, "{texts:?}");
+            let areas = sheet.short_body();
+            let cells =
+                areas.lines().filter(|line| line.contains("evenodd")).map(|line| line.matches('Z').count());
+            assert_eq!(cells.collect::<Vec<_>>(), [12, 6]);
         }
     }
 }

@@ -25,7 +25,7 @@ pub(crate) fn empty(frame: Frame) -> OneParameter {
         ordinate: Ordinate::X,
         readings: Vec::new(),
         motion: Vec::new(),
-        resting: None,
+        simulated: None,
         broken: Vec::new(),
         notes: Vec::new(),
     }

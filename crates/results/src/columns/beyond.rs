@@ -94,7 +94,7 @@ columns! {
     MAP_ATTRACTOR = "attractor", "", "1";
     /// `non-impacting`, `periodic`: Newton's method converges from the motion to a nearby periodic solution with multipliers inside the unit circle; `chaotic`: it
     /// does not, and the Lyapunov exponent over 512 more forcing periods exceeds 0 by more than four standard errors; `unsettled`: neither, as close to bifurcations;
-    /// `resting`: the motion comes to rest at the wall and is followed no further
+    /// `resting`: the force holds the motion at the wall for a whole period; `accumulating`: impacts accumulate at the wall, where the motion is not followed further
     MAP_MOTION = "motion", "", "1";
     /// period, in forcing periods; 0 if the motion is not periodic
     MAP_PERIODS = "periods", "", "1";

@@ -11,7 +11,7 @@ use super::orbit::{LongOrbit, MotionKind};
 /// The mean rate at which a small displacement grows, with the dimension of a reciprocal time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exponent {
-    /// The mean over the whole counted time; NaN where motion rests or cannot be followed.
+    /// The mean over the whole counted time; NaN where motion rests or is not followed.
     pub mean: f64,
     /// The standard error, from parts of that time; 0 for a cycle, from its multipliers.
     pub error: f64,
@@ -50,7 +50,7 @@ impl LongOrbit {
     /// derivatives of the maps from impact to impact, or of the flow.
     pub fn exponent(&self, oscillator: &AnyOscillator) -> Exponent {
         let period = oscillator.forcing_period();
-        if matches!(self.fate.kind, MotionKind::Resting | MotionKind::Escaping) {
+        if matches!(self.fate.kind, MotionKind::Resting | MotionKind::Accumulating | MotionKind::Escaping) {
             return Exponent::NONE;
         }
         if let Some(cycle) = &self.cycle {

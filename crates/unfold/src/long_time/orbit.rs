@@ -1,5 +1,8 @@
 //! An orbit that is followed for a long time, and its long-term behaviour.
 
+use core::f64::consts::TAU;
+use std::collections::VecDeque;
+
 use grazing_model::orbit::{Flight, FlightEnd, Orbit, OrbitEnd};
 use grazing_model::phase::turned;
 use grazing_model::{AnyMotion, AnyOscillator, ImpactOscillator, State};
@@ -19,8 +22,12 @@ grazing_results::words! {
         Unsettled = "unsettled",
         /// Motion that has not settled, with a positive Lyapunov exponent that has converged.
         Chaotic = "chaotic",
-        /// Motion that comes to rest at the wall for a while, or for good.
+        /// Motion that comes to rest at the wall, where the force holds it for a whole period, and so
+        /// for good.
         Resting = "resting",
+        /// Motion that comes to the wall, mostly by impacts that accumulate, where the force holds it
+        /// for a part of the period; it is not followed further.
+        Accumulating = "accumulating",
         /// Motion that cannot be followed.
         Escaping = "escaping",
     }
@@ -86,6 +93,8 @@ impl Horizon {
 pub const LONGEST_TRANSIENT: u32 = 2_000;
 /// Number of flights that are shown of an orbit that does not recur.
 const SHOWN: usize = 40;
+/// Number of forcing periods that are shown of motion that is not followed further.
+const SHOWN_PERIODS: f64 = 4.0;
 
 /// An orbit after its transient, with times counted from the end of the transient; on its cycle, if
 /// it has settled.
@@ -98,11 +107,11 @@ pub struct LongOrbit {
     pub flights: Vec<Flight<AnyMotion>>,
     /// The impacts (y, z) at which these end.
     pub impacts: Vec<Vector2<f64>>,
-    /// The flight in which the transient ends, as long as no flight follows it.
-    last: Option<Flight<AnyMotion>>,
-    /// The state at the end of the time, unless the orbit came to rest at the wall or cannot be
-    /// followed.
-    pub(super) end: Option<State>,
+    /// The last flights that begin in the transient.
+    before: VecDeque<Flight<AnyMotion>>,
+    /// The state at the end of the time, unless the orbit came to rest at the wall, is not followed
+    /// further or cannot be followed.
+    pub(crate) end: Option<State>,
 }
 
 impl LongOrbit {
@@ -154,27 +163,45 @@ impl LongOrbit {
         let transient = f64::from(transient) * period;
         let horizon = transient + f64::from(counted) * period;
         let mut orbit = Orbit::new(oscillator, from, horizon, MOST_IMPACTS);
-        let (mut last, mut flights) = (None, Vec::new());
+        let (mut before, mut flights) = (VecDeque::new(), Vec::new());
+        let shown = SHOWN_PERIODS * period;
         for flight in orbit.by_ref() {
             let flight = Flight { start: flight.start - transient, ..flight };
-            if flight.start >= 0.0 { flights.push(flight) } else { last = Some(flight) }
+            if flight.start >= 0.0 {
+                flights.push(flight);
+                continue;
+            }
+            let old = |known: &&Flight<_>| known.start + known.duration < flight.start - shown;
+            while before.front().filter(old).is_some() {
+                before.pop_front();
+            }
+            before.push_back(flight);
         }
-        let last = last.filter(|_| flights.is_empty());
         let impacts: Vec<Vector2<f64>> = flights.iter().filter_map(impact).collect();
         let (kind, end) = match orbit.end() {
             Some(OrbitEnd::TimeIsUp(end)) if end.position.is_finite() => (MotionKind::Unsettled, Some(end)),
             Some(OrbitEnd::TimeIsUp(_)) => (MotionKind::Escaping, None),
-            _ => (MotionKind::Resting, None),
+            _ if is_held_at_wall(oscillator) => (MotionKind::Resting, None),
+            _ => (MotionKind::Accumulating, None),
         };
         let rate = impacts.len() as f64 / f64::from(counted);
         let fate = Fate { kind, periods: None, impacts: rate, followed: 0 };
-        Self { fate, cycle: None, flights, impacts, last, end }
+        Self { fate, cycle: None, flights, impacts, before, end }
     }
 
     /// The flight of motion that has no impact after the transient.
     pub(super) fn free_flight(&self) -> Option<&Flight<AnyMotion>> {
-        let free = self.flights.last().or(self.last.as_ref());
+        let free = self.flights.last().or(self.before.back());
         free.filter(|_| self.impacts.is_empty() && self.end.is_some())
+    }
+
+    /// The last flights, transient or not, of some periods: what is seen of motion that is not followed
+    /// further.
+    pub(crate) fn before_the_end(&self, oscillator: &AnyOscillator) -> Vec<&Flight<AnyMotion>> {
+        let all = || self.before.iter().chain(&self.flights);
+        let end = |flight: &Flight<_>| flight.start + flight.duration;
+        let from = all().last().map_or(0.0, end) - SHOWN_PERIODS * oscillator.forcing_period();
+        all().filter(|flight| end(flight) >= from).collect()
     }
 
     /// The state at the end of the transient, where no impact follows.
@@ -184,7 +211,7 @@ impl LongOrbit {
     }
 
     /// A state on the attractor, from which it can be followed elsewhere; `None` if the orbit has
-    /// come to rest or cannot be followed.
+    /// come to rest, is not followed further or cannot be followed.
     pub fn state(&self, oscillator: &AnyOscillator) -> Option<State> {
         self.end?;
         self.at_phase_zero(oscillator).or(self.flights.last().map(|flight| flight.from))
@@ -218,8 +245,35 @@ impl LongOrbit {
     }
 }
 
+/// Number of phases between which the least force at the wall is bracketed, and of steps by which it
+/// is then narrowed down.
+const PHASES: u32 = 512;
+const NARROWINGS: u32 = 40;
+
+/// Whether the force presses against the wall what rests there, at every phase: such motion stays at
+/// rest.
+pub fn is_held_at_wall(oscillator: &AnyOscillator) -> bool {
+    let force = |phase: f64| oscillator.acceleration(State::on_wall(0.0, phase));
+    let phase = |k: u32| TAU * f64::from(k) / f64::from(PHASES);
+    let forces: Vec<f64> = (0..PHASES).map(|k| force(phase(k))).collect();
+    (0..PHASES).all(|k| {
+        let here = forces[k as usize];
+        let beside = [PHASES - 1, 1].map(|step| forces[((k + step) % PHASES) as usize]);
+        if !(here > 0.0) || beside.iter().any(|other| *other < here) {
+            return here > 0.0;
+        }
+        // A minimum lies between the phases beside this one.
+        let (mut low, mut high) = (phase(k) - phase(1), phase(k) + phase(1));
+        for _ in 0..NARROWINGS {
+            let [first, second] = [(2.0 * low + high) / 3.0, (low + 2.0 * high) / 3.0];
+            if force(first) < force(second) { high = second } else { low = first }
+        }
+        force(0.5 * (low + high)) > 0.0
+    })
+}
+
 /// The impact (y, z) at which a flight ends.
-fn impact<M>(flight: &Flight<M>) -> Option<Vector2<f64>> {
+pub(crate) fn impact<M>(flight: &Flight<M>) -> Option<Vector2<f64>> {
     match flight.end {
         FlightEnd::Impact(impact) => Some(Vector2::new(impact.velocity, impact.phase)),
         FlightEnd::TimeIsUp(_) => None,

@@ -78,8 +78,8 @@ impl Scene<'_> {
         found.collect::<Vec<_>>().concat()
     }
 
-    /// The portraits of a subject with a given index; empty if the orbit does not exist, or comes
-    /// to rest at the wall.
+    /// The portraits of a subject with a given index; empty if the orbit does not exist, rests
+    /// at the wall or is not followed further.
     fn of(&self, place: u128, subject: &Subject) -> Vec<Portrait> {
         let (all, patience) = match subject.loops {
             None => (true, Patience::Unsettled),
@@ -146,7 +146,9 @@ impl Scene<'_> {
                 continue;
             }
             let LongOrbit { fate, flights, impacts, .. } = orbit;
-            let Some(first) = impacts.first() else { continue };
+            // Motion that is not followed further is no attractor.
+            let first = impacts.first().filter(|_| fate.kind != MotionKind::Accumulating);
+            let Some(first) = first else { continue };
             if contains(&known, first) {
                 continue;
             }

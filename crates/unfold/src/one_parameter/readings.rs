@@ -5,10 +5,12 @@ use grazing_model::maps::virtual_map;
 use grazing_model::motion::Motion;
 use grazing_model::phase::{centred, turned};
 use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
+use grazing_results::branches::Orbits;
 use grazing_results::readings::{MotionReading, Reading, Sweep};
 use rayon::prelude::*;
 
 use super::branches::{Branch, within};
+use super::visits::counted;
 use super::{Cut, Sampling};
 use crate::long_time::LongOrbit;
 use crate::progress::Progress;
@@ -111,8 +113,9 @@ impl Cut {
     /// state at the previous value.
     ///
     /// A sweep begins at rest, a unit of length from the wall. Where motion comes to rest at the
-    /// wall, or cannot be followed, it continues from the last state before that.
-    pub fn sweeps(&self, sampling: &Sampling, progress: &dyn Progress) -> Vec<MotionReading> {
+    /// wall, or is not followed further, it continues from the last state before that. The numbers of
+    /// orbits are returned as well.
+    pub fn sweeps(&self, sampling: &Sampling, progress: &dyn Progress) -> (Vec<MotionReading>, Orbits) {
         let sampling = &self.long_enough(sampling);
         let [low, high] = self.line.range;
         let at = |k: u32| {
@@ -121,6 +124,7 @@ impl Cut {
         };
         let sweep = |sweep: Sweep| {
             let (mut state, mut rows) = (State::at_rest(-1.0, 0.0), Vec::new());
+            let mut orbits = Orbits::default();
             for k in 0..sampling.values {
                 if progress.stopped() {
                     break;
@@ -129,19 +133,22 @@ impl Cut {
                 let orbit = LongOrbit::follow(&oscillator, state, sampling.horizon());
                 state = orbit.state(&oscillator).unwrap_or(state);
                 rows.extend(readings_of(&oscillator, &orbit, (sweep, 0)));
+                orbits = orbits.plus(counted(&orbit));
                 progress.step(SWEEPS);
             }
-            rows
+            (rows, orbits)
         };
         let ways = [Sweep::Up, Sweep::Down];
         let steps = u64::from(sampling.values) * ways.len() as u64;
         let swept: Vec<_> = progress.during(SWEEPS, steps, || ways.into_par_iter().map(sweep).collect());
-        self.in_place(swept.concat())
+        let (rows, orbits): (Vec<_>, Vec<_>) = swept.into_iter().unzip();
+        (self.in_place(rows.concat()), orbits.into_iter().fold(Orbits::default(), Orbits::plus))
     }
 }
 
 /// Readings of the impacts of an orbit on its cycle, or of all recorded impacts, or one row for
-/// motion without impacts; none for motion that has come to rest.
+/// motion without impacts; none for motion that has come to rest or
+/// is not followed further.
 pub(super) fn readings_of(
     oscillator: &AnyOscillator,
     orbit: &LongOrbit,

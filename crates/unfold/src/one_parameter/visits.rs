@@ -5,12 +5,13 @@ use grazing_model::maps::{next_visit, virtual_map};
 use grazing_model::motion::Motion;
 use grazing_model::orbit::{Flight, FlightEnd};
 use grazing_model::{AnyMotion, AnyOscillator, AtRest, ImpactOscillator, OnWall, State};
+use grazing_results::branches::Orbits;
 use grazing_results::readings::{MotionReading, Sweep};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 use super::readings::readings_of;
-use crate::long_time::{Horizon, LONGEST_TRANSIENT, LongOrbit, random_start};
+use crate::long_time::{Horizon, LONGEST_TRANSIENT, LongOrbit, MotionKind, random_start};
 use crate::progress::Progress;
 
 /// Settings for the sampling of long-term behaviour.
@@ -61,8 +62,7 @@ impl Sampling {
     }
 }
 
-/// The values of x on Π at the visits of an orbit after its transient; empty if it has come to rest
-/// at the wall by then.
+/// The values of x on Π at the visits of an orbit after its transient, up to where it is followed.
 fn long_time_visits(oscillator: &AnyOscillator, orbit: &LongOrbit, counted: u32) -> Vec<f64> {
     if let Some(state) = orbit.free_state(oscillator) {
         return highest_points(oscillator, state, counted);
@@ -79,8 +79,19 @@ pub(super) struct Sampled {
     pub(super) visits: Vec<[f64; 2]>,
     /// Further readings, if they are requested.
     pub(super) readings: Vec<MotionReading>,
-    /// The number of orbits without a visit, and the total number.
-    pub(super) resting: [u32; 2],
+    /// The numbers of orbits.
+    pub(super) orbits: Orbits,
+}
+
+/// One orbit, counted by what it comes to.
+pub(super) fn counted(orbit: &LongOrbit) -> Orbits {
+    let is = |kind| u32::from(orbit.fate.kind == kind);
+    Orbits {
+        all: 1,
+        resting: is(MotionKind::Resting),
+        accumulating: is(MotionKind::Accumulating),
+        escaping: is(MotionKind::Escaping),
+    }
 }
 
 /// The highest point of every forcing period of motion that does not reach the wall.
@@ -116,7 +127,7 @@ pub(super) fn long_time_behaviour(
             }
             let orbit = LongOrbit::follow(&oscillator, random_start(lowest, &mut random), sampling.horizon());
             let found = long_time_visits(&oscillator, &orbit, sampling.recorded);
-            sampled.resting[0] += u32::from(found.is_empty());
+            sampled.orbits = sampled.orbits.plus(counted(&orbit));
             sampled.visits.extend(found.into_iter().filter(|x| x.is_finite()).map(|x| [primary, x]));
             if sampling.readings {
                 sampled.readings.extend(readings_of(&oscillator, &orbit, (Sweep::Random, number)));
@@ -128,11 +139,11 @@ pub(super) fn long_time_behaviour(
     let samples: Vec<_> = progress.during(LONG_TIME, sampling.values.into(), || {
         (0..sampling.values).into_par_iter().map(sample).collect()
     });
-    let mut all = Sampled { resting: [0, sampling.values * sampling.orbits], ..Sampled::default() };
-    for Sampled { visits, readings, resting } in samples {
+    let mut all = Sampled::default();
+    for Sampled { visits, readings, orbits } in samples {
         all.visits.extend(visits);
         all.readings.extend(readings);
-        all.resting[0] += resting[0];
+        all.orbits = all.orbits.plus(orbits);
     }
     all
 }

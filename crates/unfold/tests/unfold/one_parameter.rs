@@ -6,7 +6,7 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
 use grazing_description::Description;
 use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
-use grazing_results::branches::{BranchPoint, OneParameter, PortraitKind, PortraitPoint};
+use grazing_results::branches::{BranchPoint, OneParameter, Orbits, PortraitKind, PortraitPoint};
 use grazing_results::readings::{MotionReading, Sweep};
 use grazing_unfold::Scope;
 use grazing_unfold::one_parameter::{Cut, Line, Sampling, Subject, oriented};
@@ -41,10 +41,21 @@ fn on(
     cut.simulated(&sampling(values), subjects, &Silent)
 }
 
-/// The diagram of the paper's oscillator, integrated from its file, at the frequency of Figure 2.
-fn of_the_paper(range: [f64; 2], values: u32) -> OneParameter {
+/// An oscillator, its scope and a line, as they are and with the roles of both parameters exchanged:
+/// the same diagram.
+fn in_both_roles(oscillator: &AnyOscillator, scope: &Scope, line: Line) -> [(AnyOscillator, Scope, Line); 2] {
+    let Window { primary, secondary } = scope.window;
+    let other = Scope { window: Window { primary: secondary, secondary: primary }, ..scope.clone() };
+    let across = Line { primary_is_fixed: !line.primary_is_fixed, ..line };
+    [(oscillator.clone(), scope.clone(), line), (oriented(oscillator, true), other, across)]
+}
+
+/// The diagram of the paper's oscillator, integrated from its file, at the frequency of Figure 2, in
+/// both roles.
+fn of_the_paper(range: [f64; 2], values: u32, subjects: &[Subject]) -> [OneParameter; 2] {
     let (oscillator, scope) = example("paper.toml");
-    on(&oscillator, &scope, line(frequency(), range), values, &[])
+    in_both_roles(&oscillator, &scope, line(frequency(), range))
+        .map(|(oscillator, scope, line)| on(&oscillator, &scope, line, values, subjects))
 }
 
 /// The points of strands of p loops at a value of the parameter across, between their neighbours.
@@ -69,18 +80,21 @@ fn at(diagram: &OneParameter, loops: u32, across: f64) -> Vec<BranchPoint> {
 
 #[test]
 fn bifurcations_of_the_paper_s_oscillator_are_those_of_figure_2() {
-    let found = of_the_paper([0.262, 0.342], 2).bifurcations;
     let expected = fs::read_to_string(file("expected/fig02_bifurcations.snap")).expect("it is there");
     let (_, expected) = expected.split_once("\n---\n").expect("it has a head");
-    assert_eq!(found.len(), expected.lines().count());
-    for (found, expected) in found.iter().zip(expected.lines()) {
+    let diagrams = of_the_paper([0.262, 0.342], 2, &[]);
+    let found =
+        diagrams.iter().flat_map(|diagram| diagram.bifurcations.iter().map(move |one| (diagram, one)));
+    assert_eq!(found.clone().count(), 2 * expected.lines().count());
+    for ((diagram, found), expected) in found.zip(expected.lines().cycle()) {
         let words: Vec<&str> = expected.split([' ', ',', ':']).filter(|word| !word.is_empty()).collect();
         let [kind, "p", "=", loops, "amplitude", primary, "impact", "velocity", velocity, "x", x] = words[..]
         else {
             panic!("{expected}")
         };
         assert_eq!((found.kind.name(), found.loops.to_string().as_str()), (kind, loops));
-        for (found, expected) in [(found.primary, primary), (found.impact_velocity, velocity), (found.x, x)] {
+        let across = diagram.across(found);
+        for (found, expected) in [(across, primary), (found.impact_velocity, velocity), (found.x, x)] {
             let expected: f64 = expected.parse().expect("it is a number");
             assert!((found - expected).abs() < 1e-9, "{kind} p = {loops}: {found} and not {expected}");
         }
@@ -89,19 +103,20 @@ fn bifurcations_of_the_paper_s_oscillator_are_those_of_figure_2() {
 
 #[test]
 fn where_only_mps_attract_simulation_stays_on_their_branches() {
-    let diagram = of_the_paper([0.338, 0.342], 5);
-    assert_eq!(diagram.resting.map(|[resting, _]| resting), Some(0));
-    // Both loops of p = 2 are visited everywhere.
-    let mut visited = 0;
-    for dot in &diagram.attractor {
-        // A chord lies between points of a branch.
-        let near = at(&diagram, 2, dot.primary)
-            .into_iter()
-            .find(|point| point.stable && (point.x - dot.x).abs() < 1e-4);
-        visited |= 1 << near.unwrap_or_else(|| panic!("{dot:?} lies on no branch")).visit;
+    for diagram in of_the_paper([0.338, 0.342], 5, &[]) {
+        assert_eq!(diagram.simulated, Some(Orbits { all: 15, ..Orbits::default() }));
+        // Both loops of p = 2 are visited everywhere.
+        let mut visited = 0;
+        for dot in &diagram.attractor {
+            // A chord lies between points of a branch.
+            let near = at(&diagram, 2, diagram.across(dot))
+                .into_iter()
+                .find(|point| point.stable && (point.x - dot.x).abs() < 1e-4);
+            visited |= 1 << near.unwrap_or_else(|| panic!("{dot:?} lies on no branch")).visit;
+        }
+        assert_eq!(visited, 0b110);
+        assert!(diagram.attractor.len() >= 5 * 3 * 7, "{}", diagram.attractor.len());
     }
-    assert_eq!(visited, 0b110);
-    assert!(diagram.attractor.len() >= 5 * 3 * 7, "{}", diagram.attractor.len());
 }
 
 #[test]
@@ -111,18 +126,20 @@ fn branches_that_begin_where_motion_of_twice_the_period_grazes_are_found() {
     let window = Window { primary: [0.0, 1.9], secondary: [0.5533, 0.5834] };
     let oscillator = model.oscillator([window.primary[0], window.secondary[0]]);
     let scope = Scope { window, loops: vec![2], start: None };
-    let found = on(&oscillator, &scope, line(0.580_712_5, window.primary), 2, &[]);
-    // Simulation settles on solutions with two loops here.
-    for primary in [0.263, 0.419] {
-        let here = at(&found, 2, primary);
-        assert!(here.iter().any(|point| point.stable && point.admissible), "{primary}: {here:?}");
+    for (oscillator, scope, line) in in_both_roles(&oscillator, &scope, line(0.580_712_5, window.primary)) {
+        let found = on(&oscillator, &scope, line, 2, &[]);
+        // Simulation settles on solutions with two loops here.
+        for primary in [0.263, 0.419] {
+            let here = at(&found, 2, primary);
+            assert!(here.iter().any(|point| point.stable && point.admissible), "{primary}: {here:?}");
+        }
     }
 }
 
 #[test]
 fn a_point_is_on_the_branches_of_either_diagram_that_passes_it() {
     let amplitude = 0.3;
-    let one = of_the_paper([0.29, 0.31], 2);
+    let [one, _] = of_the_paper([0.29, 0.31], 2, &[]);
     let (oscillator, scope) = example("paper.toml");
     let across = Line { primary_is_fixed: true, ..line(amplitude, [0.84, 0.87]) };
     let other = on(&oscillator, &scope, across, 2, &[]);
@@ -184,18 +201,20 @@ fn exchanged_parameters_are_those_of_a_file_that_names_them_in_the_other_order()
 fn a_diagram_is_the_same_for_any_number_of_threads() {
     let made = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("there are threads");
-        format!("{:?}", pool.install(|| of_the_paper([0.33, 0.34], 3)))
+        format!("{:?}", pool.install(|| of_the_paper([0.33, 0.34], 3, &[])))
     };
     assert_eq!(made(1), made(2));
 }
 
 #[test]
 fn portraits_are_of_stable_solutions_and_of_what_simulation_finds_besides() {
-    let (oscillator, scope) = example("paper.toml");
     let subjects = [0.266, 0.3, 0.34].map(|across| Subject { across, loops: None });
-    let diagram = on(&oscillator, &scope, line(frequency(), [0.262, 0.342]), 2, &subjects);
+    of_the_paper([0.262, 0.342], 2, &subjects).iter().for_each(has_portraits);
+}
+
+fn has_portraits(diagram: &OneParameter) {
     let portraits: Vec<_> = diagram.portraits.chunk_by(|a, b| a.portrait == b.portrait).collect();
-    let at = |primary: f64| portraits.iter().filter(move |portrait| portrait[0].primary == primary);
+    let at = |across: f64| portraits.iter().filter(move |portrait| diagram.across(&portrait[0]) == across);
     // Each flight ends in an empty row.
     let flights = |portrait: &[PortraitPoint]| portrait.iter().filter(|point| point.x.is_nan()).count();
     // Below grazing the non-impacting solution is stable, and closes.
@@ -264,37 +283,67 @@ fn motion_in_the_other_well_is_on_a_branch() {
 #[test]
 fn sweeps_leave_motion_without_impacts_at_grazing_and_come_back_to_it_elsewhere() {
     let (oscillator, scope) = example("paper.toml");
-    let line = line(frequency(), [0.262, 0.342]);
-    let cut = Cut::follow(&oscillator, &scope, &[], line, &Silent).expect("nobody stops it");
+    let roles = in_both_roles(&oscillator, &scope, line(frequency(), [0.262, 0.342]));
+    roles.iter().for_each(|(oscillator, scope, line)| sweeps(oscillator, scope, *line));
+}
+
+fn sweeps(oscillator: &AnyOscillator, scope: &Scope, line: Line) {
+    let cut = Cut::follow(oscillator, scope, &[], line, &Silent).expect("nobody stops it");
+    let diagram = cut.diagram();
     let values = 81;
     let step = (line.range[1] - line.range[0]) / f64::from(values - 1);
-    let found = cut.sweeps(&sampling(values), &Silent);
+    let (found, orbits) = cut.sweeps(&sampling(values), &Silent);
+    assert_eq!(orbits, Orbits { all: 2 * values, ..Orbits::default() });
     let grazing = grazing_theorems::LinearOscillator::new(0.02, 0.9)
         .and_then(|it| it.grazing(frequency()))
         .expect("it is in the domain");
     let free = |sweep: Sweep| {
         let rows = found.iter().filter(move |row| row.sweep == sweep && row.motion == "non-impacting");
-        rows.map(|row| row.primary).fold(f64::NEG_INFINITY, f64::max)
+        rows.map(|row| diagram.across(row)).fold(f64::NEG_INFINITY, f64::max)
     };
     // Upwards it continues to grazing.
     let last = free(Sweep::Up);
     assert!(last <= grazing.amplitude() && grazing.amplitude() - last <= step, "{last}");
     // Downwards it is reached again where the three-loop solution, to which motion had jumped,
     // ends.
-    let folds = cut.diagram().bifurcations.into_iter();
+    let folds = diagram.bifurcations.iter();
     let fold = folds.filter(|found| found.kind == Bifurcation::SaddleNode && found.loops == 3);
-    let fold = fold.map(|found| found.primary).next().expect("Figure 2 has one");
+    let fold = fold.map(|found| diagram.across(found)).next().expect("Figure 2 has one");
     let down = found.iter().filter(|row| row.sweep == Sweep::Down);
-    let periodic = down.filter(|row| row.motion == "periodic").map(|row| row.primary);
+    let periodic = down.filter(|row| row.motion == "periodic").map(|row| diagram.across(row));
     let last = periodic.fold(f64::INFINITY, f64::min);
     assert!(last >= fold && last - fold <= step, "{last} {fold}");
     // Next to the fold motion takes long to leave the remains of the solution.
     let back = free(Sweep::Down);
     assert!(back < fold && fold - back <= 2.0 * step, "{back} {fold}");
-    let between = |row: &&MotionReading| (fold..grazing.amplitude()).contains(&row.primary);
+    let between = |row: &&MotionReading| (fold..grazing.amplitude()).contains(&diagram.across(*row));
     for row in found.iter().filter(between) {
         let (motion, periods) =
             if row.sweep == Sweep::Up { ("non-impacting", 1.0) } else { ("periodic", 3.0) };
         assert_eq!((row.motion, row.periods), (motion, periods), "{row:?}");
+    }
+}
+
+#[test]
+fn orbits_whose_impacts_accumulate_are_counted_and_not_called_resting() {
+    let text = "name = \"eps3\"\nparameters = {}\nprimary = { name = \"A\", range = [0, 2.1] }\nsecondary = { name = \"w\", range = [0.3, 1.7] }\n\
+                motion = { force = \"-0.06*v - x - 0.5*x^3 - 1 + A*cos(w*t)\", frequency = \"w\" }\n\
+                impact = { restitution = \"0.3\", duration = \"0\" }\nanalysis = { loops = [1] }";
+    let model = Description::parse(text, "eps3").expect("it is right");
+    let [primary, secondary] = [model.primary(), model.secondary()].map(|axis| axis.range());
+    let scope = Scope { window: Window { primary, secondary }, loops: vec![1], start: None };
+    let oscillator = model.oscillator([primary[0], secondary[0]]);
+    for (oscillator, scope, line) in in_both_roles(&oscillator, &scope, line(0.83052, [1.2, 1.25])) {
+        let found = on(&oscillator, &scope, line, 5, &[Subject { across: 1.22557, loops: None }]);
+        let orbits = found.simulated.expect("nobody stops it");
+        assert_eq!((orbits.all, orbits.resting, orbits.escaping), (15, 0, 0));
+        assert!((1..15).contains(&orbits.accumulating), "{orbits:?}");
+        let words = format!(
+            "{} of 15 simulated orbits: impacts accumulate at the wall; not followed further",
+            orbits.accumulating
+        );
+        assert_eq!(orbits.left_out(), [words]);
+        // The portrait is of the motion that attracts alone.
+        assert!(found.portraits.iter().all(|point| point.portrait == 1) && !found.portraits.is_empty());
     }
 }

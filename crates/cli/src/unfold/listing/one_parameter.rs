@@ -2,7 +2,7 @@
 
 use grazing_description::Description;
 use grazing_results::Names;
-use grazing_results::branches::OneParameter;
+use grazing_results::branches::{OneParameter, Orbits};
 
 use super::gaps::few;
 use super::{PARAMETER, significant};
@@ -37,19 +37,16 @@ pub(crate) fn one_parameter(
             text.push_str(&layout.aligned(&["kind", "p", &with_unit(across, unit), &velocity, &x], rows))
         }
     }
-    let broken = diagram.broken.iter().map(|(loops, primary, reason)| {
-        let at = significant(*primary, PARAMETER);
+    let broken = diagram.broken.iter().map(|(loops, value, reason)| {
+        let at = significant(*value, PARAMETER);
         let content = format!("could not be followed beyond {across} = {at}: {reason}");
         (format!("  a branch of p = {loops}  "), content)
     });
     for (mark, content) in few(broken.collect(), "ends of branches", "data/diagram_branches.csv") {
         text.push_str(&layout.wrapped(&mark, &content));
     }
-    if let Some([resting, all]) = diagram.resting.filter(|[resting, _]| *resting > 0) {
-        let content = format!(
-            "{resting} of {all} simulated orbits have no points in the diagram: they came to rest or could not be followed"
-        );
-        text.push_str(&layout.wrapped("  ", &content));
+    for left_out in diagram.simulated.iter().flat_map(Orbits::left_out) {
+        text.push_str(&layout.wrapped("  left out: ", &left_out));
     }
     text
 }
