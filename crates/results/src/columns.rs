@@ -74,8 +74,8 @@ columns! {
     /// number of loops of the solution; 0: non-impacting
     LOOPS = "p", "p", "1";
     /// integer n of the resonance: in one forcing period, neighbouring motion makes n half-turns (p = 1) or n whole turns (p ≥ 2); for the paper's oscillator, ω₁/ω =
-    /// n/2 for p = 1 and n + 1/(2p) for p ≥ 2. A curve has the n of the resonance that it leaves, a GZ curve that of the resonance whose SN or PD curve led to it; 0
-    /// if no resonance in the window leads to it
+    /// n/2 for p = 1 and n + 1/(2p) for p ≥ 2. A SN or PD curve has the n of the resonance that it leaves, in the window or
+    /// beyond it; a GZ curve or a point that of the curves that end there, a region the greatest of those on its border; 0 without a resonance of the same p
     RESONANCE_INDEX = "n", "n", "1", "eq:resonance1, eq:resonancep";
     /// rows with the same number form one polyline, in order; in all tables of one oscillator, a number refers to the same piece of the grazing curve
     ARC = "arc", "", "1";

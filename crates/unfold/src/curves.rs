@@ -29,8 +29,8 @@ pub struct DiagramCurve {
     pub kind: Bifurcation,
     /// Number of loops p.
     pub loops: u32,
-    /// The integer n of the resonance from which the curve, or the point at which it starts, was
-    /// reached; 0 if it was reached from none.
+    /// The integer n of the resonance that the curve leaves, for a GZ curve that of the SN and PD
+    /// curves that end on it; 0 without one.
     pub n: u32,
     /// The curve.
     pub curve: Curve,
@@ -122,8 +122,7 @@ pub struct CodimensionTwoPoint {
     pub kind: CodimensionTwo,
     /// Number of loops p.
     pub loops: u32,
-    /// The integer n of the resonance from which the point was reached; 0 if it was reached from
-    /// none.
+    /// The integer n of the resonance that the curves leave which meet there; 0 without one.
     pub n: u32,
     /// The event on the curve on which the point was reached: its end, except for cusps.
     pub event: Event,

@@ -289,6 +289,7 @@ impl Diagram {
         let followed: Vec<usize> = nets.iter().map(|net| net.curves.len()).collect();
         self.follow_iterated(&mut nets);
         self.grow(&mut nets);
+        nets.iter_mut().for_each(|net| net.number(None));
         self.take(nets, &followed);
         self
     }

@@ -82,6 +82,7 @@ pub mod long_time;
 pub mod magnification;
 pub mod non_impacting;
 pub mod one_parameter;
+mod origin;
 mod pace;
 pub mod place;
 pub mod progress;

@@ -56,8 +56,8 @@ const THIN: f64 = 1e-4;
 pub struct Region {
     /// Number of loops p; 0 for the non-impacting solution.
     pub loops: u32,
-    /// The integer n of a resonance whose curves bound it; 0 without one, and for the non-impacting
-    /// solution.
+    /// The greatest integer n of the resonances that the curves on its border leave; 0 without one,
+    /// and for the non-impacting solution.
     pub n: u32,
     /// The border of the region and those of its holes, vertex by vertex: a point lies inside if a
     /// ray from it crosses them an odd number of times.

@@ -91,6 +91,7 @@ pub(crate) fn decided(
         wanted.extend(across_curves(judge, survey, lines));
         judge.affordable(unseen, &wanted)
     });
+    survey.number();
     let lines = joined(window, survey.lines());
     judge.regions(&lines, survey.curves(), survey.loops())
 }
@@ -173,9 +174,10 @@ impl Judge {
         let [width, height] = self.window.widths();
         let is_one = |rings: &Face| faces::area(rings) > NOTHING * width * height;
         for rings in faces::unite(&faces).into_iter().filter(is_one) {
-            let place = self.bordering(&rings, curves);
-            let n = place.map_or(0, |index| curves[index].n);
-            regions.push((place.unwrap_or(usize::MAX), Region { loops, n, rings, doubt: None }));
+            let bordering = self.bordering(&rings, curves);
+            let n = bordering.iter().map(|index| curves[*index].n).max().unwrap_or(0);
+            let place = bordering.first().copied().unwrap_or(usize::MAX);
+            regions.push((place, Region { loops, n, rings, doubt: None }));
         }
         regions.sort_by_key(|(place, _)| *place);
         let mut regions: Vec<Region> = regions.into_iter().map(|(_, region)| region).collect();
@@ -194,9 +196,8 @@ impl Judge {
         faces::area(face) < SPECK * width * height
     }
 
-    /// The index of the first saddle-node curve on the border of a region, or else of the first
-    /// curve.
-    fn bordering(&self, face: &Face, curves: &[DiagramCurve]) -> Option<usize> {
+    /// The indices of the curves on the border of a region, saddle-node curves first.
+    fn bordering(&self, face: &Face, curves: &[DiagramCurve]) -> Vec<usize> {
         let on_border = |curve: &DiagramCurve| {
             let points = curve.curve.parameters();
             let inner = &points[1..points.len().max(2) - 1];
@@ -204,12 +205,9 @@ impl Judge {
                 .iter()
                 .any(|point| face.iter().flatten().any(|vertex| gap(self.window, *vertex, *point) < MEET))
         };
-        let first = |saddle_node: bool| {
-            curves
-                .iter()
-                .position(|curve| (curve.kind == Bifurcation::SaddleNode) == saddle_node && on_border(curve))
-        };
-        first(true).or_else(|| first(false))
+        let mut found: Vec<usize> = (0..curves.len()).filter(|k| on_border(&curves[*k])).collect();
+        found.sort_by_key(|k| curves[*k].kind != Bifurcation::SaddleNode);
+        found
     }
 }
 

@@ -337,6 +337,11 @@ impl<'a> Survey<'a> {
         grazing.map(|curve| curve.parameters().collect()).chain(self.doublings()).collect()
     }
 
+    /// Numbers the bifurcation curves by the resonances that they leave.
+    pub(crate) fn number(&mut self) {
+        self.net.number(Some(self.scope.window));
+    }
+
     /// The bifurcation curves.
     pub(crate) fn curves(&self) -> &[DiagramCurve] {
         &self.net.curves

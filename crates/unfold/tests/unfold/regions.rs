@@ -1,11 +1,13 @@
 //! Regions of stability, compared with all maximal periodic solutions in closed form, from a
 //! quadratic equation.
 
+use grazing_continuation::mps::unknown;
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
 use grazing_results::plane::RegionKind;
 use grazing_trials::closed_form;
+use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::regions::Region;
 use grazing_unfold::simulation::{ReturnOutcome, Suspect};
@@ -104,6 +106,9 @@ fn solutions_are_stable_and_admissible_inside_the_polygons_of_the_linear_oscilla
     let diagram = Diagram::compute(&crate::specimens::closed_form(), &scope, &Silent).unwrap();
     let found = assert_stable_inside(&diagram, [ZETA, EPSILON], |at| at);
     assert_eq!(found[0], (0, 0));
+    // The one at low frequencies belongs to a resonance outside of the window.
+    let of_one_loop: Vec<u32> = found.iter().filter(|(loops, _)| *loops == 1).map(|(_, n)| *n).collect();
+    assert_eq!(of_one_loop, [3, 4, 5, 6]);
     // Every resonance at which a theorem holds is a corner of a polygon of its MPSs; two may share
     // one.
     let polygons = &diagram.regions;
@@ -114,6 +119,37 @@ fn solutions_are_stable_and_admissible_inside_the_polygons_of_the_linear_oscilla
             polygon.loops == resonance.loops && polygon.rings.iter().flatten().any(near)
         });
         assert_eq!(corners.count(), 1, "p = {}, n = {}", resonance.loops, resonance.n);
+    }
+}
+
+#[test]
+fn the_number_of_a_region_is_that_of_the_resonance_that_its_curves_leave_in_every_window() {
+    // With the resonance, with neither it nor the other end of the curves, with that end, and with the
+    // curves of n = 5, which lead there.
+    let windows = [
+        ([0.6, 0.95], [0.32, 0.36]),
+        ([0.6, 0.8], [0.352, 0.36]),
+        ([0.6, 0.8], [0.355, 0.375]),
+        ([0.6, 0.9], [0.355, 0.41]),
+    ];
+    for (amplitudes, frequencies) in windows {
+        let scope = scope(amplitudes, frequencies, &[1]);
+        let diagram = Diagram::compute(&crate::specimens::closed_form(), &scope, &Silent).unwrap();
+        let here = [0.6748, 0.358];
+        let own: Vec<u32> = diagram
+            .regions
+            .iter()
+            .filter(|region| region.loops == 1 && region.contains(here))
+            .map(|region| region.n)
+            .collect();
+        assert_eq!(own, [6], "{frequencies:?}");
+        let low = |curve: &&DiagramCurve| curve.curve.parameters().iter().all(|[_, omega]| *omega < 0.37);
+        let numbers: Vec<u32> =
+            diagram.curves.iter().filter(|curve| curve.loops == 1).filter(low).map(|curve| curve.n).collect();
+        assert!(!numbers.is_empty() && numbers.iter().all(|n| *n == 6), "{frequencies:?}: {numbers:?}");
+        let corners =
+            diagram.codimension_two.iter().filter(|point| point.unknowns()[unknown::SECONDARY] < 0.37);
+        assert!(corners.clone().all(|point| point.n == 6), "{frequencies:?}");
     }
 }
 
