@@ -92,9 +92,9 @@ checks! {
     });
     /// −sin((p − 1)θ) ≥ 0 for π/(p − 1) ≤ θ ≤ 2π/p, with a zero, a simple one, at the lower end.
     second_term_not_negative: search(3..=15, "π/(p − 1) < θ ≤ 2π/p", "−sin((p − 1)θ) / ((p − 1)θ − π)", |p, [x, _]| {
-        let (p, from_end) = (f64::from(p), along(x, 1e-6, 1.0));
-        let beyond = from_end * PI * (1.0 - 2.0 / p);
-        libm::sin(beyond) / beyond
+        let loops = f64::from(p);
+        let theta = along(along(x, 1e-6, 1.0), PI / (loops - 1.0), 2.0 * PI / loops);
+        -libm::sin((loops - 1.0) * theta) / ((loops - 1.0) * theta - PI)
     });
     /// (1 − r^(p−1)) sin θ > 0 for π/(p − 1) ≤ θ ≤ 2π/p.
     third_term_positive: search(3..=15, "π/(p − 1) ≤ θ ≤ 2π/p and the determinant", "(1 − r^(p−1)) sin θ", |p, [x, y]| {

@@ -24,6 +24,15 @@ fn slopes_of_visits(grazing: &Grazing, p: u32) -> Result<Vec<Vector2<f64>>, Fail
     Ok(slopes)
 }
 
+/// d(x⁽ʲ⁾, z⁽ʲ⁾)/dμ for 0 < j ≤ p by central differences of the visits of zeros of V.
+fn differences_of_visits(grazing: &Grazing, p: u32) -> Result<Vec<Vector2<f64>>, Failure> {
+    let equations = equations(grazing, p);
+    let h = 1e-4 * scale(grazing, p).ok_or("no emerging orbit")?;
+    let visits = |mu: f64| equations.visits(&zero(grazing, p, mu)?, &EventTimes::default()).ok();
+    let (ahead, behind) = visits(h).zip(visits(-h)).ok_or("no zero of V")?;
+    Ok(ahead.iter().zip(&behind).map(|(ahead, behind)| (ahead - behind) / (2.0 * h)).collect())
+}
+
 /// S_p and β, the numerator and denominator of the scaling of slopes.
 fn scaling(point: &GrazingPoint, p: u32) -> (f64, f64) {
     let s = lucas_sequence(p, point.map.trace(), point.map.determinant());
@@ -54,17 +63,13 @@ checks! {
     /// eq:ujwj: the scaled derivatives of the visits against central differences of positions.
     // Rounding of 10⁻¹⁵ over a step of about 10⁻⁶, amplified by J⁻¹.
     scaled_slopes: over(specimens_with(1..=3)?) |(grazing, p); deviations: Deviations| {
-        let equations = equations(&grazing, p);
-        let h = 1e-4 * scale(&grazing, p).ok_or("no emerging orbit")?;
-        let visits = |mu: f64| equations.visits(&zero(&grazing, p, mu)?, &EventTimes::default()).ok();
-        let (ahead, behind) = visits(h).zip(visits(-h)).ok_or("no zero of V")?;
+        let differences = differences_of_visits(&grazing, p)?;
         let stated = grazing.grazing_point().emerging_orbit(p)?;
         for (j, slope) in (0..=p).zip(slopes_of_visits(&grazing, p)?) {
             deviations.see((stated.visit_slope(j) - slope).amax() / (1.0 + slope.amax()));
             // The visits begin with the first return.
             if let Some(k) = (j as usize).checked_sub(1) {
-                let difference = (ahead[k] - behind[k]) / (2.0 * h);
-                deviations.see((difference - slope).amax() / (1.0 + slope.amax()));
+                deviations.see((differences[k] - slope).amax() / (1.0 + slope.amax()));
             }
         }
     } => deviations.outcome(1e-7, "the visits j = 1 to p of twelve oscillators, p = 1 to 3");
@@ -120,14 +125,17 @@ checks! {
         deviations.see((pair.h(p) * raised + last).norm() / terms);
         deviations.see((admissibility_sum(p, tau, delta) * raised + last) / terms);
     } => deviations.outcome(1e-14, "points of the trapesium, p = 2 to 15");
-    /// eq:affineMap.
-    // The chain rule is the map itself: only products are rounded.
-    affine_map: over_oscillators(1e-14, |point, p, path| {
-        let (s, beta) = scaling(point, p);
-        path.windows(2)
-            .map(|pair| (point.map.a * pair[0] + point.map.b * (s / beta) - pair[1]).amax())
-            .fold(0.0, f64::max)
-    });
+    /// eq:affineMap: Q between successive visits of MPSs on both sides of grazing.
+    // The tolerance is that of the differences.
+    affine_map: over(specimens_with(2..=4)?) |(grazing, p); deviations: Deviations| {
+        let point = grazing.grazing_point();
+        let (s, beta) = scaling(&point, p);
+        let path: Vec<_> = differences_of_visits(&grazing, p)?.iter().map(|slope| slope * (s / beta)).collect();
+        let size = path.iter().map(Vector2::amax).fold(1.0, f64::max);
+        for pair in path.windows(2) {
+            deviations.see((point.map.a * pair[0] + point.map.b * (s / beta) - pair[1]).amax() / size);
+        }
+    } => deviations.outcome(1e-7, "the visits j = 1 to p of twelve oscillators, p = 2 to 4");
     /// u⁽⁰⁾ = 0 and w⁽⁰⁾ = −b_1p / (a₁₂ β).
     start: over_oscillators(DERIVATIVES, |point, p, path| {
         let (s, beta) = scaling(point, p);

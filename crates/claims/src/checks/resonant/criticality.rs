@@ -1,30 +1,32 @@
 //! Section 6: the solutions created at the period doublings of Figure 7.
 
-use super::discussion::{ROUTE, of_figure_7};
+use super::discussion::of_figure_7;
 use super::simulation::next_impact;
+use crate::checks::oscillator::diagram::{figure_7, theory};
 use crate::*;
+use grazing_continuation::bifurcation::Bifurcation as Kind;
 use grazing_continuation::cascade::Cascade;
-use grazing_continuation::criticality::period_doubling;
+use grazing_continuation::criticality::{changes, period_doubling};
+use grazing_continuation::curve::Curve;
 use grazing_continuation::doubled::{Doubled, DoubledEquations};
 use grazing_theorems::LimitMap;
+use grazing_unfold::resonances::Resonance as FoundResonance;
 
-/// Admissible points of the PD curve that bounds a region, evenly spaced along it.
-fn flips(place: &ResonantSpecimen, count: usize) -> Result<Vec<Unknowns>, Failure> {
-    let unfolded = place.resonance.unfold(&ROUTE)?;
-    let points: Vec<&PeriodicSolution> = unfolded
-        .period_doubling
-        .points
-        .iter()
-        .map(|point| &point.solution)
-        .filter(|solution| solution.impact_velocity() > 1e-4 && solution.admissible())
-        .collect();
+/// Admissible points of a PD curve, evenly spaced along it.
+fn flips(curve: &Curve, count: usize) -> Result<Vec<Unknowns>, Failure> {
+    let solutions = curve.points.iter().map(|point| &point.solution);
+    let points: Vec<&PeriodicSolution> =
+        solutions.filter(|solution| solution.impact_velocity() > 1e-4 && solution.admissible()).collect();
     let last = points.len().checked_sub(1).ok_or("the PD curve has no points")?;
     Ok((0..count).map(|k| points[k * last / (count - 1).max(1)].unknowns).collect())
 }
 
 /// The period-doubled MPS near a PD point, and whether it has a multiplier above 1.
-fn doubled(place: &ResonantSpecimen, flip: &Unknowns) -> Result<(bool, Doubled), Failure> {
-    let equations = DoubledEquations::new(place.resonance.equations());
+fn doubled<O: ImpactOscillator>(
+    equations: &LoopEquations<O>,
+    flip: &Unknowns,
+) -> Result<(bool, Doubled), Failure> {
+    let equations = DoubledEquations::new(equations);
     let beside = 0.1 * flip[unknown::VELOCITY];
     let doubled = equations.near(flip, beside).ok_or("no period-doubled MPS beside a PD point")?;
     let multipliers = equations.multipliers(&doubled).ok_or("no multipliers")?;
@@ -65,31 +67,54 @@ fn impacts_of(map: &LimitMap, parameter: f64) -> Option<usize> {
     })
 }
 
-checks! {
-    /// The period doublings of Figure 7. According to the paper all create an unstable solution. In fact,
-    /// close to resonances only those with p = 1 and even n do; the others create one that attracts in
-    /// simulation.
-    criticality_of_figure_7: over(of_figure_7()?) |place; (cases, printed): (Votes, Votes)| {
-        let subcritical = place.point().limit_map().criticality() < 0.0;
-        // As stated in the correction of the misprint: only p = 1 with even n.
-        let even = place.loops() == 1 && place.point().unfolding.derivative < 0.0;
-        cases.see(subcritical == even);
-        for flip in flips(&place, 25)? {
-            printed.see(doubled(&place, &flip)?.0);
-        }
+/// The period doublings of Figure 7. According to the paper all create an unstable solution. In fact, close
+/// to resonances only those with p = 1 and even n do, and those of solutions of two loops that leave these;
+/// the others create one that attracts in simulation.
+pub(crate) fn criticality_of_figure_7() -> CheckResult {
+    let (mut cases, mut print) = (Votes::default(), Votes::default());
+    for (n, place) in of_figure_7()? {
+        let subcritical = place.loops() == 1 && n % 2 == 0;
+        cases.see((place.point().limit_map().criticality() < 0.0) == subcritical);
+        let equations = place.resonance.equations();
         let curve = &place.curves()[1];
         // Close to the resonance the leading terms dominate: both velocities are proportional to y.
         for y in [4e-3, 2e-3, 1e-3, 5e-4] {
             let eta = y / curve.leading.impact_velocity_slope;
             let Some(near) = place.on_curve(curve, eta) else { continue };
-            let (unstable, doubled) = doubled(&place, &near.unknowns)?;
+            let (unstable, doubled) = doubled(equations, &near.unknowns)?;
             cases.see(unstable == subcritical && settles(&place, &doubled) != subcritical);
-            let normal_form = period_doubling(place.resonance.equations(), &near.unknowns)?;
+            let normal_form = period_doubling(equations, &near.unknowns)?;
             cases.see(normal_form.supercritical() != unstable);
         }
-    } =>
-        cases.outcome("points of the seven PD curves of Figure 7: close to the resonances with simulated orbits, for the print all along")
-            .against_print(printed.measure());
+    }
+    let (diagram, mut changed) = (figure_7()?, 0);
+    for curve in diagram.curves.iter().filter(|curve| curve.kind == Kind::PeriodDoubling) {
+        let oscillator = theory()?.grazing(curve.curve.parameters()[0][1])?.model();
+        let equations = LoopEquations::new(oscillator, curve.loops, Formulation::FixedPhase);
+        changed += changes(&equations, &curve.curve).iter().filter(|solution| solution.admissible()).count();
+        let unstable = flips(&curve.curve, 25)?.into_iter().map(|flip| Ok(doubled(&equations, &flip)?.0));
+        let unstable = unstable.collect::<Result<Vec<bool>, Failure>>()?;
+        unstable.iter().for_each(|unstable| print.see(*unstable));
+        // At either end at a resonance, also those of two loops at resonances of one loop.
+        let points = &curve.curve.points;
+        for (end, unstable) in [(0, unstable[0]), (points.len() - 1, unstable[24])] {
+            let place = points[end].solution.parameters();
+            let at = |found: &&FoundResonance| {
+                let parameters = found.located.orbit().oscillator().parameters();
+                (Vector2::from(parameters) - Vector2::from(place)).amax() < 1e-8
+            };
+            if let Some(found) = diagram.resonances.iter().find(at) {
+                cases.see(unstable == (found.loops == 1 && found.n % 2 == 0));
+            }
+        }
+    }
+    // Farther along, criticality changes once on four of the curves.
+    cases.see(changed == 4);
+    let over = "points of PD curves close to the eight resonances of Figure 7, with simulated orbits; for the print all along its eight PD curves";
+    Ok(cases.outcome(over).against_print(print.measure()))
+}
+
+checks! {
     /// Period-doubled solutions graze at μ = c_2GZ η² + O(η³): for p = 1 the velocity of one impact
     /// vanishes, for p ≥ 2 the last loop before an impact touches the wall before that.
     doubled_solutions_graze: orders(ANY, "μ and y where orbits with two impacts graze, towards resonances with p up to 5", |place| {
@@ -116,10 +141,11 @@ checks! {
     /// Orbits with two impacts double their period as in the limit map, to first order in η; with 4 and 8
     /// impacts they do so in turn, as simulation of the map shows half-way in between.
     cascades: {
-        let (mut found, mut as_simulated) = (Vec::new(), true);
-        for place in of_figure_7()? {
+        let (mut found, mut as_simulated, mut as_stated) = (Vec::new(), true, true);
+        for (n, place) in of_figure_7()? {
             let (map, scale) = (place.point().limit_map(), place.point().limit_scale());
             let onsets = Cascade::of(&map, 4).onsets;
+            as_stated &= (onsets.len() == 4) != [(1, 2), (1, 4), (3, 2)].contains(&(place.loops(), n));
             for (pair, impacts) in onsets.windows(2).zip([2, 4, 8]) {
                 as_simulated &= impacts_of(&map, 0.5 * (pair[0] + pair[1])) == Some(impacts);
             }
@@ -134,6 +160,9 @@ checks! {
                 let flip = equations.flip(&place.resonance, eta)?;
                 Some([flip.primary() - place.grazing(eta)?.primary() - scale.parameter * onset * eta * eta])
             }));
+        }
+        if !as_stated {
+            return Err("orbits with 2, 4, 8 and 16 impacts begin at other resonances than is stated".into());
         }
         if !as_simulated {
             return Err("simulated motion of the limit map does not double where it is solved for".into());
