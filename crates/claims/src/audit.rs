@@ -18,6 +18,8 @@ pub enum ClaimVerdict<'a> {
     Broken(String),
     /// Printed numbers, compared with the computed ones.
     Numbers(Vec<Comparison<'a>>),
+    /// Parameters that the paper chooses, with those of the computation.
+    Given(Vec<Comparison<'a>>),
     /// The claim cannot be tested by computation, for this reason.
     Unchecked(String),
 }
@@ -28,7 +30,9 @@ impl ClaimVerdict<'_> {
         match self {
             Self::Measured(outcome) => !outcome.passes(),
             Self::Broken(_) => true,
-            Self::Numbers(numbers) => numbers.is_empty() || numbers.iter().any(|number| !number.is_met()),
+            Self::Numbers(numbers) | Self::Given(numbers) => {
+                numbers.is_empty() || numbers.iter().any(|number| !number.is_met())
+            }
             Self::Unchecked(_) => false,
         }
     }
@@ -76,13 +80,17 @@ pub fn audit<'a>(
         let (verdict, time) = match claim.test() {
             Test::Check(check) => measured[check.name].clone(),
             Test::Unchecked(reason) => (ClaimVerdict::Unchecked(reason.to_owned()), Duration::ZERO),
-            Test::Published(ids) => {
+            Test::Published(ids) | Test::Given(ids) => {
                 let number =
                     |id: &String| published.iter().find(|number| number.published.id == *id).copied();
                 let numbers: Option<Vec<_>> = ids.iter().map(number).collect();
                 let unknown =
                     || ClaimVerdict::Broken(format!("{ids:?} is not all in expected/published.toml"));
-                (numbers.map_or_else(unknown, ClaimVerdict::Numbers), Duration::ZERO)
+                let verdict = match claim.test() {
+                    Test::Given(_) => ClaimVerdict::Given,
+                    _ => ClaimVerdict::Numbers,
+                };
+                (numbers.map_or_else(unknown, verdict), Duration::ZERO)
             }
         };
         Finding { claim, verdict, time }

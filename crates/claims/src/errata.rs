@@ -1,15 +1,17 @@
 //! `ERRATA.md`: the differences between print and mathematics, with the computations that decide them.
 
+use std::collections::BTreeSet;
+
 use askama::Template;
 
 use crate::audit::{ClaimVerdict, Finding};
-use crate::ledger::{Claim, Ledger, Misprint, MisprintKind};
+use crate::ledger::{Claim, Misprint, MisprintKind};
 use crate::outcome::{Measure, Outcome};
 
 /// The kinds of misprints in the order of the page, with their headings.
 const KINDS: [(MisprintKind, &str); 4] = [
-    (MisprintKind::Formula, "Formulas, conditions and statements"),
-    (MisprintKind::Observation, "An observation that does not hold"),
+    (MisprintKind::Observation, "Statements that do not hold"),
+    (MisprintKind::Formula, "Formulas and conditions"),
     (MisprintKind::Judged, "Missing or imprecise conditions and steps"),
     (MisprintKind::Wording, "Notation and wording"),
 ];
@@ -17,34 +19,75 @@ const KINDS: [(MisprintKind, &str); 4] = [
 #[derive(Template)]
 #[template(path = "errata.md", escape = "none")]
 struct Page<'a> {
-    sections: [(&'static str, Vec<Entry<'a>>); 4],
+    sections: [Section<'a>; 4],
+}
+
+/// The errata of one kind.
+pub struct Section<'a> {
+    /// The heading.
+    pub heading: &'static str,
+    /// The errata, in the order of the paper.
+    pub entries: Vec<Entry<'a>>,
 }
 
 /// A misprint, with other places where it occurs.
-struct Entry<'a> {
-    number: usize,
-    found: Found<'a>,
-    others: Vec<Found<'a>>,
+pub struct Entry<'a> {
+    /// The number of the erratum.
+    pub number: usize,
+    /// The place where it is described.
+    pub found: Found<'a>,
+    /// The other places.
+    pub others: Vec<Found<'a>>,
+}
+
+impl<'a> Entry<'a> {
+    /// All places where the misprint occurs; the first is where it is described.
+    pub fn places(&self) -> impl Iterator<Item = &Found<'a>> {
+        core::iter::once(&self.found).chain(&self.others)
+    }
 }
 
 /// A misprint in one place.
 #[derive(Clone)]
-struct Found<'a> {
-    claim: &'a Claim,
-    misprint: &'a Misprint,
-    /// The outcome that measured the print and its correction, with descriptions of both measurements.
-    measured: Option<(&'a Outcome, [(String, String); 2])>,
+pub struct Found<'a> {
+    /// The claim.
+    pub claim: &'a Claim,
+    /// The misprint.
+    pub misprint: &'a Misprint,
+    /// The outcome that measured the print and its correction.
+    pub measured: Option<&'a Outcome>,
 }
 
 impl<'a> Found<'a> {
     fn of(finding: &'a Finding<'_>) -> Option<Self> {
         let measured = match &finding.verdict {
-            ClaimVerdict::Measured(outcome) => outcome.print.as_ref().zip(Some(outcome)),
+            ClaimVerdict::Measured(outcome) => Some(outcome).filter(|outcome| outcome.print.is_some()),
             _ => None,
         };
-        let measured = measured.map(|(print, outcome)| (outcome, [words(print), words(&outcome.measure)]));
         Some(Self { claim: finding.claim, misprint: finding.claim.misprint.as_ref()?, measured })
     }
+
+    /// The measurements of the print and of its correction in words.
+    fn words(&self) -> Option<[(String, String); 2]> {
+        let outcome = self.measured?;
+        Some([words(outcome.print.as_ref()?), words(&outcome.measure)])
+    }
+}
+
+/// The errata among the findings, in the order of all pages that list them: the most substantial kind
+/// first, and then in the order of the paper.
+pub fn sections<'a>(findings: &'a [Finding<'_>]) -> [Section<'a>; 4] {
+    let all: Vec<Found<'_>> = findings.iter().filter_map(Found::of).collect();
+    let mut numbers = 1..;
+    KINDS.map(|(kind, heading)| {
+        let first =
+            all.iter().filter(|found| found.misprint.kind == kind && found.misprint.same_as.is_none());
+        let entries = first.zip(&mut numbers).map(|(found, number)| {
+            let same = |other: &&Found<'_>| other.misprint.same_as.as_ref() == Some(&found.claim.label);
+            Entry { number, found: found.clone(), others: all.iter().filter(same).cloned().collect() }
+        });
+        Section { heading, entries: entries.collect() }
+    })
 }
 
 /// The page, from the findings of the whole ledger.
@@ -52,28 +95,15 @@ impl<'a> Found<'a> {
 /// # Panics
 /// Never: writing to a string cannot fail.
 pub fn page(findings: &[Finding<'_>]) -> String {
-    let all: Vec<Found<'_>> = findings.iter().filter_map(Found::of).collect();
-    let mut numbers = 1..;
-    let sections = KINDS.map(|(kind, heading)| {
-        let first =
-            all.iter().filter(|found| found.misprint.kind == kind && found.misprint.same_as.is_none());
-        let entries = first.zip(&mut numbers).map(|(found, number)| {
-            let same = |other: &&Found<'_>| other.misprint.same_as.as_ref() == Some(&found.claim.label);
-            Entry { number, found: found.clone(), others: all.iter().filter(same).cloned().collect() }
-        });
-        (heading, entries.collect())
-    });
-    Page { sections }.render().expect("writing to a string cannot fail")
+    Page { sections: sections(findings) }.render().expect("writing to a string cannot fail")
 }
 
-/// The number of entries of the page: a misprint that stands in several places is one.
-pub fn count(ledger: &Ledger) -> usize {
-    ledger
-        .claims
-        .iter()
-        .filter_map(|claim| claim.misprint.as_ref())
-        .filter(|misprint| misprint.same_as.is_none())
-        .count()
+/// The number of errata among claims: one that occurs in several places is counted once.
+pub fn count<'a>(claims: impl IntoIterator<Item = &'a Claim>) -> usize {
+    let described = |claim: &'a Claim| {
+        claim.misprint.as_ref().map(|misprint| misprint.same_as.as_ref().unwrap_or(&claim.label))
+    };
+    claims.into_iter().filter_map(described).collect::<BTreeSet<_>>().len()
 }
 
 /// A measurement in words: the measured quantity, and the value that it is compared with.

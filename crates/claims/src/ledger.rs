@@ -5,6 +5,7 @@ use std::fmt;
 use serde::Deserialize;
 
 use crate::checks::{CHECKS, Check};
+use crate::published::Published;
 
 const FILE: &str = include_str!("../../../expected/claims.toml");
 
@@ -101,11 +102,11 @@ pub struct Misprint {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum MisprintKind {
-    /// A formula, a condition or a statement is misprinted; the printed form fails.
+    /// A statement does not hold; the computation shows that the printed form fails.
+    Observation,
+    /// A formula or a condition is misprinted; the printed form fails.
     #[default]
     Formula,
-    /// An observation is printed that is wrong; the computation shows that the printed form fails.
-    Observation,
     /// A condition or a reason is missing; if it can be measured, the printed form fails.
     Judged,
     /// A misprint of notation or wording, decided by reading: there is no printed value that could fail.
@@ -128,8 +129,11 @@ impl Misprint {
 pub enum Test<'a> {
     /// A check of this crate.
     Check(&'static Check),
-    /// A comparison with `expected/published.toml`, under these names.
+    /// A comparison of computed numbers with `expected/published.toml`, under these names.
     Published(&'a [String]),
+    /// Parameters that the paper chooses, under these names: the computation begins with them, so that
+    /// there is nothing to compare.
+    Given(&'a [String]),
     /// No numerical test, for this reason.
     Unchecked(&'a str),
 }
@@ -157,6 +161,9 @@ impl Claim {
                 Test::Check(check.expect("the table of checks is made of the ledger"))
             }
             (None, Some(reason)) => Test::Unchecked(reason),
+            (None, None) if self.published.iter().all(|id| Published::is_parameter(id)) => {
+                Test::Given(&self.published)
+            }
             (None, None) => Test::Published(&self.published),
         }
     }

@@ -160,6 +160,12 @@ impl Published {
         &PRINTED
     }
 
+    /// Whether the number with this identifier is one that the paper chooses.
+    pub fn is_parameter(id: &str) -> bool {
+        let mut values = Published::printed().values.iter();
+        values.any(|value| value.id == id && value.rounding == Rounding::Exact)
+    }
+
     /// One comparison for each published value; computed values that are not printed are ignored.
     pub fn compare(&self, computed: &BTreeMap<String, f64>) -> Vec<Comparison<'_>> {
         let of = |value: &PublishedValue| computed.get(&value.id).copied();

@@ -178,7 +178,7 @@ pub struct Claims {
     /// Print statement, samples, functions, check and figures of each claim
     #[arg(long)]
     pub explain: bool,
-    /// Test all claims and write docs/ERRATA.md, the page of misprints, instead of checking it
+    /// Test all claims and write docs/ERRATA.md, the list of errata, instead of checking it
     #[arg(long, conflicts_with_all = ["labels", "kind", "misprints"])]
     pub write_errata: bool,
     #[command(flatten)]

@@ -19,7 +19,7 @@ use crate::folder::{self, OutputFile};
 use crate::progress::Display;
 use crate::{project, terminal};
 
-/// The page of misprints, from the root of the repository.
+/// The page of errata, from the root of the repository.
 const ERRATA: &str = "docs/ERRATA.md";
 
 /// Tests the selected claims and prints the results.
@@ -50,7 +50,7 @@ pub(crate) fn run(arguments: &Claims) -> Result<(), Failure> {
         return Err(Failure::check(format!("{failing} of {} claims do not hold", findings.len())));
     }
     if chosen.len() == ledger.claims.len() {
-        misprints(&findings, arguments.write_errata)?;
+        errata_page(&findings, arguments.write_errata)?;
     }
     Ok(())
 }
@@ -93,7 +93,7 @@ fn matches(wanted: &str, label: &str) -> bool {
 }
 
 /// Writes `ERRATA.md`, or compares the existing one with the ledger.
-fn misprints(findings: &[Finding<'_>], write: bool) -> Result<(), Failure> {
+fn errata_page(findings: &[Finding<'_>], write: bool) -> Result<(), Failure> {
     let root = match project::root() {
         None if !write => return Ok(()),
         None => {

@@ -47,14 +47,15 @@ fn results(study: &Study) -> Result<String, Failure> {
     let ledger = Ledger::of_the_paper();
     let count = |is: fn(&Claim) -> bool| ledger.claims.iter().filter(|claim| is(claim)).count();
     text.push_str(&format!(
-        "\n**Claims.** The paper makes {} claims: {} are tested by a check, {} by comparison with printed numbers, and {} cannot be \
-         tested by a\ncomputation. {} do not hold as printed ([{} errata](docs/ERRATA.md)); none of these changes what the theorems state.\n",
+        "\n**Claims.** The paper makes {} claims: {} are tested by a check, {} by comparison with printed numbers, {} give \
+         parameters, and {} cannot be\ntested by a computation. Print and mathematics differ in [{} errata](docs/ERRATA.md), none of which changes what the \
+         theorems state.\n",
         ledger.claims.len(),
         count(|claim| matches!(claim.test(), Test::Check(_))),
         count(|claim| matches!(claim.test(), Test::Published(_))),
+        count(|claim| matches!(claim.test(), Test::Given(_))),
         count(|claim| matches!(claim.test(), Test::Unchecked(_))),
-        count(|claim| claim.misprint.is_some()),
-        errata::count(&ledger),
+        errata::count(&ledger.claims),
     ));
     let shown = study.shown::<BeyondProofs>().map_err(|error| computation("beyond_proofs", &error))?;
     let [curves, points, regions] = ["curve", "point", "region"]

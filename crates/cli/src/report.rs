@@ -161,12 +161,12 @@ fn assemble<'a>(
 /// A summary of the page, and its path.
 fn summary(report: &grazing_report::Report<'_>, output: &Path) -> String {
     let size = fs::metadata(output).map_or(0, |file| file.len());
-    let Counts { published, passed, failed, unchecked, misprints } = report.counts();
+    let Counts { published, passed, failed, given, unchecked, errata } = report.counts();
     format!(
         "{path}: {megabytes:.1} MB; it needs no network.\n\
          {published}.\n\
-         Claims: {passed} passed, {failed} failed, {unchecked} unchecked; \
-         {misprints} not as printed.\n\
+         Claims: {passed} passed, {failed} failed, {given} give parameters, {unchecked} cannot be tested; \
+         {errata} errata.\n\
          {figures} figures, {files} output files, {oscillators} other oscillators.\n",
         path = output.display(),
         megabytes = size as f64 / 1e6,

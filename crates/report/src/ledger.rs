@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use askama::filters::Safe;
 use grazing_claims::audit::{ClaimVerdict, Finding};
 use grazing_claims::errata;
-use grazing_claims::ledger::{Claim, Misprint};
+use grazing_claims::ledger::Claim;
 use grazing_claims::outcome::Measure;
 use grazing_claims::source::Location;
 
@@ -17,6 +17,7 @@ pub(crate) fn state(verdict: &ClaimVerdict) -> &'static str {
     match verdict {
         ClaimVerdict::Unchecked(_) => "unchecked",
         verdict if verdict.fails() => "failed",
+        ClaimVerdict::Given(_) => "parameter",
         _ => "passed",
     }
 }
@@ -39,8 +40,13 @@ type Filter<'a> = (&'static str, &'static str, Vec<(&'a str, &'a str)>);
 pub(crate) fn filters<'a>(report: &'a Report<'_>) -> [Filter<'a>; 3] {
     let kinds = distinct(report.claims.iter().map(|finding| finding.claim.kind.name()));
     let parts = distinct(report.claims.iter().map(|finding| part(&finding.claim.place)));
-    let states =
-        [("passed", "passed"), ("failed", "failed"), ("unchecked", "unchecked"), ("misprint", "erratum")];
+    let states = [
+        ("passed", "passed"),
+        ("failed", "failed"),
+        ("parameter", "parameter"),
+        ("unchecked", "unchecked"),
+        ("misprint", "erratum"),
+    ];
     let own = |words: Vec<&'a str>| words.into_iter().map(|word| (word, word)).collect();
     [("kind", "Kind", own(kinds)), ("part", "Section", own(parts)), ("state", "Verdict", states.into())]
 }
@@ -119,15 +125,6 @@ pub(crate) fn by_file<'a>(report: &'a Report<'_>) -> BTreeMap<String, Vec<&'a st
         }
     }
     files
-}
-
-/// The misprints with the findings of their claims; those that no computation decides come last.
-pub(crate) fn misprints<'a>(report: &'a Report<'_>) -> Vec<(&'a Finding<'a>, &'a Misprint)> {
-    let listed = report.claims.iter();
-    let mut listed: Vec<_> =
-        listed.filter_map(|finding| Some((finding, finding.claim.misprint.as_ref()?))).collect();
-    listed.sort_by_key(|(_, misprint)| misprint.kind);
-    listed
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use askama::Template;
 use askama::filters::Safe;
-use grazing_claims::audit;
+use grazing_claims::{audit, errata};
 use grazing_results::kinds;
 
 use crate::html::{Html, capitalised, escape, rendered};
@@ -67,7 +67,7 @@ impl Page<'_> {
             (!tables.is_empty(), "tables", "Tables"),
             (!(beyond.figures.is_empty() && beyond.tables.is_empty()), "beyond", "Beyond the paper"),
             (!claims.is_empty(), "claims", "Claims"),
-            (!claims.is_empty(), "misprints", "Errata"),
+            (!claims.is_empty(), "errata", "Errata"),
             (oscillators.len() == 1, "oscillators", "Oscillator"),
             (oscillators.len() > 1, "oscillators", "Oscillators"),
             (true, "manifest", "Manifest"),
@@ -221,7 +221,7 @@ mod tests {
     fn a_page_about_oscillators_alone_has_no_empty_parts() {
         let html = page(&sample::oscillators_alone());
         let markup = markup(&html);
-        for id in ["published", "figures", "tables", "claims", "misprints"] {
+        for id in ["published", "figures", "tables", "claims", "errata"] {
             assert!(
                 !markup.contains(&format!("id=\"{id}\"")) && !markup.contains(&format!("#{id}\"")),
                 "{id}"

@@ -1,6 +1,7 @@
 //! The content of the page.
 
 use grazing_claims::audit::{ClaimVerdict, Finding};
+use grazing_claims::errata;
 use grazing_claims::published::{Comparison, Tally};
 use grazing_claims::source::Sources;
 
@@ -55,24 +56,29 @@ pub struct Counts {
     pub passed: usize,
     /// Claims that do not hold, or whose check failed to run.
     pub failed: usize,
+    /// Claims that give parameters, with which the computation begins.
+    pub given: usize,
     /// Claims that are not tested by a computation.
     pub unchecked: usize,
-    /// Misprints.
-    pub misprints: usize,
+    /// Errata; one that occurs in several places is counted once.
+    pub errata: usize,
 }
 
 impl Counts {
-    /// Counts values, claims and misprints.
+    /// Counts values, claims and errata.
     pub fn of(published: &[Comparison<'_>], claims: &[Finding<'_>]) -> Self {
         let count = |is: fn(&Finding<'_>) -> bool| claims.iter().filter(|finding| is(finding)).count();
         let failed = count(|finding| finding.verdict.fails());
+        let given =
+            count(|finding| matches!(finding.verdict, ClaimVerdict::Given(_)) && !finding.verdict.fails());
         let unchecked = count(|finding| matches!(finding.verdict, ClaimVerdict::Unchecked(_)));
         Self {
             published: Tally::of(published),
-            passed: claims.len() - failed - unchecked,
+            passed: claims.len() - failed - given - unchecked,
             failed,
+            given,
             unchecked,
-            misprints: count(|finding| finding.claim.misprint.is_some()),
+            errata: errata::count(claims.iter().map(|finding| finding.claim)),
         }
     }
 }

@@ -50,6 +50,25 @@ fn the_page_answers_to_pointer_keys_and_filters() {
 }
 
 #[test]
+fn errata_are_called_so_and_listed_in_the_order_of_their_file() {
+    let report = sample::report();
+    let page = page(&report);
+    let sections = grazing_claims::errata::sections(&report.claims);
+    let labels =
+        sections.iter().flat_map(|section| &section.entries).map(|entry| entry.found.claim.label.as_str());
+    // A formula comes before a word that stands before it in the paper.
+    assert_eq!(labels.clone().collect::<Vec<_>>(), ["eq:misprinted", "eq:holds"]);
+    let places: Vec<usize> = labels
+        .zip(1..)
+        .map(|(label, number)| format!("<h4>{number}. <a href=\"#claim-{}\">", label))
+        .map(|heading| page.find(&heading).unwrap_or_else(|| panic!("there is no {heading}")))
+        .collect();
+    assert!(places.is_sorted());
+    assert!(page.contains("<h2 id=\"errata-title\">Errata</h2>"));
+    assert!(page.contains("href=\"#errata\"><b>2</b> <span>errata</span>"));
+}
+
+#[test]
 fn links_lead_to_where_they_say() {
     let mut report = sample::report();
     // As long as the page about the paper.

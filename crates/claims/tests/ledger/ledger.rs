@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use grazing_claims::ledger::{Claim, Ledger, Test};
+use grazing_claims::published::Published;
 
 /// The labels of the paper with their places.
 fn labels() -> BTreeMap<&'static str, &'static str> {
@@ -24,6 +25,19 @@ fn every_label_of_the_paper_stands_in_the_ledger_at_its_place() {
             "{label}: {} instead of {place}",
             listed[label].place
         );
+    }
+}
+
+#[test]
+fn parameters_of_the_paper_are_not_counted_as_comparisons() {
+    let ledger = Ledger::of_the_paper();
+    let given = ledger.claims.iter().filter(|claim| matches!(claim.test(), Test::Given(_)));
+    let given: Vec<&str> = given.map(|claim| claim.label.as_str()).collect();
+    assert_eq!(given, ["fig:Z/parameters", "sub:2/parameters", "fig:G/parameters"]);
+    for claim in &ledger.claims {
+        if let Test::Published(ids) = claim.test() {
+            assert!(!ids.iter().any(|id| Published::is_parameter(id)), "{}", claim.label);
+        }
     }
 }
 

@@ -41,14 +41,18 @@ fn words(verdict: &ClaimVerdict) -> (&'static str, String, String) {
             (word, measured, against)
         }
         ClaimVerdict::Broken(_) => ("BROKEN", "could not be computed".to_owned(), String::new()),
-        ClaimVerdict::Numbers(numbers) => {
+        ClaimVerdict::Numbers(numbers) | ClaimVerdict::Given(numbers) => {
             let computed = numbers.iter().map(|number| match number.computed {
                 Some(computed) => format!("{computed:.6}"),
                 None => "not computed".to_owned(),
             });
             let printed = numbers.iter().map(|number| number.published.printed.clone());
             let list = |items: Vec<String>| items.join(", ");
-            let word = if verdict.fails() { "FAILS" } else { "holds" };
+            let word = match verdict {
+                verdict if verdict.fails() => "FAILS",
+                ClaimVerdict::Given(_) => "parameter",
+                _ => "holds",
+            };
             (word, list(computed.collect()), list(printed.collect()))
         }
         ClaimVerdict::Unchecked(_) => ("unchecked", String::new(), String::new()),
@@ -70,6 +74,9 @@ fn explained(layout: Layout, finding: &Finding<'_>) -> String {
         }
         ClaimVerdict::Broken(reason) => lines.push(format!("could not be computed: {reason}")),
         ClaimVerdict::Unchecked(reason) => lines.push(format!("unchecked: {reason}")),
+        ClaimVerdict::Given(_) => {
+            lines.push("parameters that the paper chooses and the computation begins with".to_owned());
+        }
         ClaimVerdict::Numbers(_) => {}
     }
     if let Some(misprint) = &claim.misprint {
@@ -90,7 +97,7 @@ fn explained(layout: Layout, finding: &Finding<'_>) -> String {
 fn paint(verdict: &ClaimVerdict, word: &str) -> String {
     let colour = match verdict {
         verdict if verdict.fails() => "1;31",
-        ClaimVerdict::Unchecked(_) => "2",
+        ClaimVerdict::Given(_) | ClaimVerdict::Unchecked(_) => "2",
         ClaimVerdict::Measured(outcome) if outcome.print.is_some() => "33",
         _ => "32",
     };
@@ -99,9 +106,10 @@ fn paint(verdict: &ClaimVerdict, word: &str) -> String {
 
 /// The line of counts at the end.
 pub(super) fn summary(findings: &[Finding<'_>]) -> String {
-    let Counts { passed, failed, unchecked, misprints, .. } = Counts::of(&[], findings);
+    let Counts { passed, failed, given, unchecked, errata, .. } = Counts::of(&[], findings);
+    let errata = if errata == 1 { "1 erratum".to_owned() } else { format!("{errata} errata") };
     format!(
-        "\n{}: {passed} hold ({misprints} of them not as printed), {failed} fail, {unchecked} cannot be tested by a \
+        "\n{}: {passed} hold ({errata}), {failed} fail, {given} give parameters, {unchecked} cannot be tested by a \
          computation.\n",
         if findings.len() == 1 { "1 claim".to_owned() } else { format!("{} claims", findings.len()) }
     )

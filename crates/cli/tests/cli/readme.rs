@@ -10,7 +10,9 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 use grazing_analysis::unfolded::{AlongGrazing, AtResonances};
 use grazing_claims::checks::CHECKS;
+use grazing_claims::errata;
 use grazing_claims::ledger::{Claim, Ledger, Test};
+use grazing_claims::published::{Published, Rounding};
 use grazing_cli::arguments::Arguments;
 use grazing_cli::outputs::{self, Output};
 use grazing_results::Tables;
@@ -330,6 +332,8 @@ fn the_book_counts_the_claims() {
         format!("{} claims.", ledger.claims.len()),
         format!("{} are tested by a check", count(|claim| matches!(claim.test(), Test::Check(_)))),
         format!("{} by comparison with printed", count(|claim| matches!(claim.test(), Test::Published(_)))),
+        format!("{} give parameters", count(|claim| matches!(claim.test(), Test::Given(_)))),
+        format!("The {} [errata]", errata::count(&ledger.claims)),
         format!("{} name the functions", count(|claim| !claim.holds.is_empty())),
         format!("{} cannot be tested", count(|claim| matches!(claim.test(), Test::Unchecked(_)))),
     ] {
@@ -340,6 +344,45 @@ fn the_book_counts_the_claims() {
     let [validation, errors] = ["docs/validation.md", "expected/deliberate_errors.toml"].map(read);
     let errors = format!("| mutation tests: {} errors introduced", errors.matches("\n[[error]]\n").count());
     assert!(validation.contains(&errors), "docs/validation.md does not say `{errors}`");
+}
+
+/// README.md and docs/ERRATA.md are written by commands, which need not have been run.
+#[test]
+fn written_pages_count_as_the_ledger_does() {
+    let ledger = Ledger::of_the_paper();
+    let errata = errata::count(&ledger.claims);
+    let (readme, page) = (read("README.md").replace('\n', " "), read("docs/ERRATA.md"));
+    let count = |is: fn(&Claim) -> bool| ledger.claims.iter().filter(|claim| is(claim)).count();
+    for words in [
+        format!("makes {} claims", ledger.claims.len()),
+        format!("{} are tested by a check", count(|claim| matches!(claim.test(), Test::Check(_)))),
+        format!("{} by comparison with printed", count(|claim| matches!(claim.test(), Test::Published(_)))),
+        format!("{} give parameters", count(|claim| matches!(claim.test(), Test::Given(_)))),
+        format!("{} cannot be tested", count(|claim| matches!(claim.test(), Test::Unchecked(_)))),
+        format!("[{errata} errata](docs/ERRATA.md)"),
+    ] {
+        assert!(readme.contains(&words), "README.md does not say `{words}`: run `cargo xtask reproduce`");
+    }
+    assert_eq!(page.matches("\n### ").count(), errata, "run `cargo xtask claims --write-errata`");
+}
+
+#[test]
+fn pages_count_examples_and_published_values() {
+    let examples = fs::read_dir(repository().join("examples")).expect("there are examples");
+    let files = examples.filter_map(|entry| Some(entry.ok()?.path()));
+    let examples = files.filter(|path| path.extension().is_some_and(|kind| kind == "toml")).count();
+    let words = ["sixteen", "seventeen", "eighteen", "nineteen", "twenty"];
+    let word = examples.checked_sub(16).and_then(|k| words.get(k)).expect("a word for the number");
+    assert!(read("README.md").contains(&format!("[{word} examples]")), "README.md does not say `{word}`");
+    let values = &Published::printed().values;
+    let parameters = values.iter().filter(|value| value.rounding == Rounding::Exact).count();
+    let [all, computed] = [values.len(), values.len() - parameters];
+    let words =
+        [format!("the {all} numbers"), format!("{computed} are computed, {parameters} are parameters")];
+    let paper = read("docs/paper.md").replace('\n', " ");
+    for words in words {
+        assert!(paper.contains(&words), "docs/paper.md does not say `{words}`");
+    }
 }
 
 #[test]

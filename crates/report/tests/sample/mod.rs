@@ -26,7 +26,7 @@ use grazing_unfold::verdict::Coefficient;
 /// Text that would be markup if it were not escaped.
 pub(crate) const HOSTILE: &str = "<img src=\"x\" onerror='alert(1)'>&";
 
-/// The claims: two that hold, numbers, one with foreign text in every field, and one that is not checked.
+/// The claims: two that hold and have errata, numbers, one with foreign text in every field, and one that is not checked.
 static LEDGER: LazyLock<Ledger> = LazyLock::new(|| {
     let claim = |label: &str, kind: &str, place: &str, test: &str| {
         format!(
@@ -42,7 +42,7 @@ static LEDGER: LazyLock<Ledger> = LazyLock::new(|| {
         "[claim.misprint]\nprinted = '$x = 1$'\ncorrected = '$x = 2$'\nreason = {hostile}\ndecided = 'a count'\n"
     );
     let text = [
-        claim("eq:holds", "identity", place, &format!("{check}\n{formula}")),
+        claim("eq:holds", "identity", place, &format!("{check}\n{formula}\n{misprint}kind = 'wording'")),
         claim("eq:misprinted", "theorem", "'appendix B'", &format!("{check}\n{formula}\n{misprint}")),
         claim("fig:number", "number", place, "published = ['a']"),
         claim("sub:2/hostile", "identity", &hostile, &format!("{check}\n{broken}")),

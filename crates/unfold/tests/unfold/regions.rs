@@ -14,7 +14,7 @@ use grazing_unfold::simulation::{ReturnOutcome, Suspect};
 use grazing_unfold::{Diagram, Scope};
 
 use crate::specimens::{
-    EPSILON, LAYER, ZETA, constant, described, example, forced, grazing_at, linear, random, scope,
+    EPSILON, LAYER, ZETA, constant, example, forced, grazing_at, linear, random, scope,
 };
 
 /// Number of cells of the lattice of points in each direction.
