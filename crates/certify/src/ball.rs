@@ -190,15 +190,18 @@ impl Number for Ball {
         closer.widened((closer.size() * error * (Self::ONE + error + error)).radius)
     }
 
-    /// `eˣ` for `|x| ≤ 32`: the series at `x/2⁸`, squared eight times. A radius `r ≤ 1` of `x`
-    /// contributes a factor within `2 r` of one.
+    /// `eˣ` for `−64 ≤ x ≤ 32`: the series at `x/2⁸`, squared eight times. A radius `r ≤ 1` of `x`
+    /// contributes a factor within `2 r` of one. Below, it is less than one unit, as e⁻⁶² < 2⁻⁸⁸.
     fn exp(self) -> Self {
-        if self.middle.unsigned_abs() > 32 * ONE || self.radius > ONE {
+        if self.known() && self.upper() < -62 * ONE as i128 {
+            return Self::ZERO.widened(1);
+        }
+        if self.middle > 32 * ONE as i128 || self.radius > ONE {
             return Self::ANY;
         }
         let small = self.middle().over(256);
         let series = (1..18).rev().fold(Self::ONE, |sum, n| Self::ONE + (small * sum).over(n));
-        // The remainder is less than (1/8)¹⁸/18! < 2⁻¹⁰⁶.
+        // The remainder is less than (1/4)¹⁸/18! < 2⁻⁸⁸.
         let power = (0..8).fold(series.widened(1), |power, _| power * power);
         power * Self::ONE.widened(2 * self.radius)
     }

@@ -30,16 +30,17 @@ fn clearance(Clearance { cells, start, end, blocks, .. }: &Clearance) -> String 
 pub fn rows(rows: &[Row]) -> String {
     let line = |Row { interval, verdict, lower, upper, touch, clearance: clear }: &Row| {
         let (word, reason) = match *verdict {
-            Verdict::Stable => ("stable", ""),
-            Verdict::None => ("none", ""),
-            Verdict::Point(name) => (name, ""),
-            Verdict::Undecided(reason) => ("undecided", reason),
+            Verdict::Stable => ("stable", String::new()),
+            Verdict::None => ("none", String::new()),
+            Verdict::Thin => ("thin", String::new()),
+            Verdict::Point(name) => (name, String::new()),
+            Verdict::Undecided(reason) => ("undecided", reason.to_string()),
         };
         let place = [interval.p, interval.left, interval.level.into(), interval.base as i64];
         let place = place.map(|number| number.to_string()).join(",");
         let witnesses = [cells(*lower), cells(*upper), cells(*touch)].join(",");
         let clear = clear.as_ref().map_or_else(|| ",,,".to_owned(), clearance);
-        [&place, word, &witnesses, &clear, reason].join(",")
+        [&place, word, &witnesses, &clear, &reason].join(",")
     };
     lines(COLUMNS, rows.iter().map(line))
 }
@@ -50,14 +51,15 @@ fn checksum(text: &str) -> u64 {
     text.bytes().fold(0, |sum, byte| (sum * 257 + u128::from(byte)) % prime) as u64
 }
 
-/// The text of `statement.csv`: constants and window, the number of points
+/// The text of `statement.csv`: constants and window, the number of points in the window
 /// ([`points`](crate::summary::points)), and a checksum of the contents of the three files.
 pub fn statement(statement: &Statement, points: usize, resonances: &str, rows: &str) -> String {
-    let Statement { zeta, epsilon, frequency: [lowest, highest], amplitude, loops, .. } = statement;
+    let Statement { zeta, epsilon, frequency, amplitude, loops, .. } = statement;
+    let ([lowest, highest], [low, high]) = (frequency, amplitude);
     let loops: Vec<String> = loops.iter().map(u32::to_string).collect();
     let stated = format!(
         "name,value\nzeta,{zeta}\nepsilon,{epsilon}\nomega_lowest,{lowest}\nomega_highest,{highest}\n\
-         amplitude,{amplitude}\nwidth,1e-{WIDTH_PLACES}\nloops,{}\npoints,{points}\n",
+         amplitude_lowest,{low}\namplitude,{high}\nwidth,1e-{WIDTH_PLACES}\nloops,{}\npoints,{points}\n",
         loops.join(" "),
     );
     format!("{stated}checksum,{}\n", checksum(&(stated.clone() + resonances + rows)))

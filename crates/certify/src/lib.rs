@@ -26,13 +26,15 @@ use statement::Statement;
 /// The initial intervals of nu have width `2^-COARSEST`.
 const COARSEST: u32 = 6;
 
-/// The greatest number of intervals tried within one of the coarsest. Figure 7 needs less than a quarter
-/// of it.
-const MOST_TRIED: usize = 6_000;
-
 /// The intervals that cover the window, in order, each with the proved statement. `begin` receives the
-/// number of parts first, and `step` is called when one of them is done.
-pub fn prove(statement: &Statement, begin: impl Fn(u64), step: impl Fn() + Sync) -> Vec<Row> {
+/// number of parts first, and `step` is called when one of them is done. Once `stopped`, nothing more is
+/// tried: the rest is undecided.
+pub fn prove(
+    statement: &Statement,
+    begin: impl Fn(u64),
+    step: impl Fn() + Sync,
+    stopped: impl Fn() -> bool + Sync,
+) -> Vec<Row> {
     let [lowest, highest] =
         statement.frequency.map(|frequency| statement.oscillator.omega_1_over(frequency.ball()));
     let parts = libm::scalbn(1.0, COARSEST as i32);
@@ -49,7 +51,7 @@ pub fn prove(statement: &Statement, begin: impl Fn(u64), step: impl Fn() + Sync)
     intervals
         .into_par_iter()
         .flat_map_iter(|interval| {
-            let rows = rows(statement, interval, &mut MOST_TRIED.clone());
+            let rows = rows(statement, interval, &stopped);
             step();
             rows
         })

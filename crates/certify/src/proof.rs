@@ -1,6 +1,8 @@
 //! The inequalities that prove a row. Each holds for all ν of an interval by Taylor's theorem, with three
 //! coefficients at the base and the fourth over the whole interval.
 
+use core::array::from_fn;
+
 use crate::ball::{Ball, Number};
 use crate::orbit::{Family, Motion};
 use crate::row::{Base, Block, Clearance, Interval, Row, Verdict, WITNESS_BITS, Witness};
@@ -23,8 +25,9 @@ pub type Guess<'g> = dyn Fn([f64; 2]) -> Witness<2> + 'g;
 
 /// Only intervals of width at most `2^-FINE` may be claimed to contain a codimension-two point.
 pub const FINE: u32 = 24;
-/// The numbers of cells per period that are tried.
-const CELLS: [i64; 3] = [64, 256, 1024];
+/// The numbers of cells per period that are tried, and whether the distance is taken as a function of ν
+/// in each cell, by Taylor's theorem, where the ranges of its coefficients are not enough.
+const CELLS: [(i64, bool); 4] = [(64, false), (64, true), (256, true), (1024, true)];
 
 impl<'a> Model<'a> {
     /// The motions over an interval.
@@ -73,10 +76,15 @@ impl<'a> Model<'a> {
     /// motion with velocity `lower` is nearest to the wall in a block.
     pub fn prove(&self, row: Row, nearest: &Guess<'_>) -> Option<Row> {
         let [lower, upper] = [row.lower, row.upper].map(|side| side.map(|side| self.witness(side)));
-        let clearance =
-            |velocities| CELLS.into_iter().find_map(|cells| self.clearance(velocities, cells, nearest));
+        let clearance = |velocities| {
+            CELLS.into_iter().find_map(|(cells, closely)| self.clearance(velocities, cells, closely, nearest))
+        };
         if self.interval.base != Base::Middle && (self.interval.p == 1 || !self.crosses_at_resonance()) {
             return None;
+        }
+        if row.verdict == Verdict::Thin {
+            let thin = self.is_narrow([0; 3], row.upper?) && self.beyond(upper?, row.touch?, 2);
+            return thin.then_some(row);
         }
         let Some(lower) = lower else {
             let none = match (upper, row.touch) {
@@ -119,6 +127,30 @@ impl<'a> Model<'a> {
         };
         let holds = verdict == Verdict::Stable || (fine && self.is_point(verdict, row.upper?, &clearance));
         holds.then_some(Row { verdict, clearance: Some(clearance), ..row })
+    }
+
+    /// Whether a row has a point that may be in the window or beyond it.
+    pub fn is_on_edge(&self, row: &Row) -> bool {
+        let place = || row.lower.and_then(|lower| self.is_in_window(lower));
+        matches!(row.verdict, Verdict::Point(_)) && place().is_none()
+    }
+
+    /// Whether the point of a row is in the window; nothing if that is not known. Its velocity is between
+    /// those of the tube, and so its amplitude within the tube's width of that for the lower one.
+    pub fn is_in_window(&self, lower: Witness<3>) -> Option<bool> {
+        let Statement { frequency, amplitude, .. } = self.statement;
+        let omega = self.statement.oscillator.omega_1_over(self.interval.all());
+        let at_point = self.amplitude(self.witness(lower)) + Statement::width().size();
+        let places = [(omega, frequency), (at_point, amplitude)].map(|(x, range)| {
+            let [low, high] = range.map(|end| end.ball());
+            let [above, below] = [x - low, high - x];
+            [above.is_negative() || below.is_negative(), above.is_positive() && below.is_positive()]
+        });
+        match places {
+            [[true, _], _] | [_, [true, _]] => Some(false),
+            [[_, true], [_, true]] => Some(true),
+            _ => None,
+        }
     }
 
     /// The number `b`, and the left sides of the conditions of stability `P v − b > 0` and `Q v + b > 0`.
@@ -164,16 +196,16 @@ impl<'a> Model<'a> {
 
     /// Whether the amplitude for this velocity is beyond the window. Where `P v > b` it increases with v.
     fn leaves(&self, v: Series) -> bool {
-        (self.amplitude(v) - self.statement.amplitude.ball()).is_positive()
+        (self.amplitude(v) - self.statement.amplitude[1].ball()).is_positive()
     }
 
     /// Whether the amplitude changes by less than the width of a tube from one velocity to another:
     /// `dA/dv ≤ A_graz √(c² + w²)`. The difference of the velocities is computed from that of their
     /// coefficients, since the difference of their ranges would be too wide.
     fn is_narrow(&self, lower: Witness<3>, upper: Witness<3>) -> bool {
-        let step = self.witness::<3>(core::array::from_fn(|i| upper[i] - lower[i]));
+        let step = self.witness::<3>(from_fn(|i| upper[i] - lower[i]));
         let steepness = self.statement.oscillator.steepness_square(&self.family);
-        let width = self.statement.width();
+        let width = Statement::width();
         (width * width - self.values(steepness * step * step, 0)).is_positive()
     }
 
@@ -187,11 +219,16 @@ impl<'a> Model<'a> {
         Motion { nu: self.interval.all(), forced, free }
     }
 
-    /// Bounds of the distance from the wall and of its first two derivatives in θ, in one cell of time.
-    fn cell(&self, motion: &Motion<Ball>, index: i64, cells: i64) -> [Ball; 3] {
+    /// Bounds of the distance from the wall and of its first two derivatives in θ, in one cell of time, from
+    /// those at its middle.
+    fn cell(
+        &self,
+        motion: &Motion<Ball>,
+        [value, first, second]: [Ball; 3],
+        middle: Ball,
+        cells: i64,
+    ) -> [Ball; 3] {
         let oscillator = &self.statement.oscillator;
-        let middle = Ball::ratio(2 * index + 1, 2 * cells);
-        let [value, first, second] = oscillator.distance(motion, middle);
         let [_, _, _, third] = oscillator.distance(motion, middle + Ball::ratio(1, 2 * cells).size());
         let offset = (Ball::PI * Ball::ratio(1, cells)).size();
         let [half, third_part] = [2, 3].map(|n| offset * Ball::ratio(1, n));
@@ -205,11 +242,27 @@ impl<'a> Model<'a> {
     /// Tries to prove that motion with velocities from `lower` to `upper` does not touch the wall between
     /// its impacts outside certain blocks, in which the distance has a positive second derivative, so
     /// that each has at most one contact; and that motion with velocity `lower` does not touch it at all.
-    fn clearance(&self, [lower, upper]: [Series; 2], cells: i64, nearest: &Guess<'_>) -> Option<Clearance> {
+    fn clearance(
+        &self,
+        [lower, upper]: [Series; 2],
+        cells: i64,
+        closely: bool,
+        nearest: &Guess<'_>,
+    ) -> Option<Clearance> {
         let motion = self.motion([lower, upper]);
-        let bounds: Vec<[Ball; 3]> =
-            (0..self.interval.p * cells).map(|index| self.cell(&motion, index, cells)).collect();
         let clear = |[distance, ..]: &[Ball; 3]| distance.is_positive();
+        let bounds = |index| {
+            let middle = Ball::ratio(2 * index + 1, 2 * cells);
+            let roughly = self.statement.oscillator.distance(&motion, middle);
+            let bounds = self.cell(&motion, roughly, middle, cells);
+            if !closely || clear(&bounds) {
+                return bounds;
+            }
+            let [one, other] = [lower, upper]
+                .map(|v| self.distance::<3>(v, middle.into()).map(|function| self.values(function, 0)));
+            self.cell(&motion, from_fn(|i| Ball::between(one[i], other[i])), middle, cells)
+        };
+        let bounds: Vec<[Ball; 3]> = (0..self.interval.p * cells).map(bounds).collect();
         let start = bounds.iter().position(clear)?;
         let end = bounds.iter().rposition(clear)? + 1;
         let departs = |(index, [_, slope, curvature]): (usize, &[Ball; 3])| {

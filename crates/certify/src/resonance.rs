@@ -21,7 +21,7 @@ pub struct Resonance {
     pub n: u32,
     /// The numbers of the resonance, in the order of [`NAMES`].
     pub numbers: [Ball; NAMES.len()],
-    /// The hypotheses of Theorem 2.4 or 2.5 that could not be proved; empty if all hold.
+    /// The hypotheses of Theorem 2.4 or 2.5 that could not be proved, without commas; empty if all hold.
     pub missing: Vec<&'static str>,
 }
 
@@ -56,11 +56,17 @@ impl Resonance {
         let off_diagonal = oscillator.family(loops, Series::variable(nu, nu)).b;
         let beta = (one + delta - tau) * amplitude.inverse();
         let hypotheses = [
-            ("(tau, delta) in T", trapesium.into_iter().all(Ball::is_positive)),
-            ("alpha > 0, or a_12 alpha > 0", if p == 1 { alpha } else { sine * alpha }.is_positive()),
-            ("beta, not zero", !beta.contains(Ball::ZERO)),
-            ("a_12' or kappa_p', not zero", !off_diagonal.0[0][1].contains(Ball::ZERO)),
-            ("s^+ and s^-, not zero", !s_plus.contains(Ball::ZERO) && !s_minus.contains(Ball::ZERO)),
+            ("(tau; delta) in T", trapesium.into_iter().all(Ball::is_positive)),
+            (
+                if p == 1 { "alpha > 0" } else { "a_12 alpha > 0" },
+                if p == 1 { alpha } else { sine * alpha }.is_positive(),
+            ),
+            ("beta not zero", !beta.contains(Ball::ZERO)),
+            (
+                if p == 1 { "a_12' not zero" } else { "kappa_p' not zero" },
+                !off_diagonal.0[0][1].contains(Ball::ZERO),
+            ),
+            ("s^+ and s^- not zero", !s_plus.contains(Ball::ZERO) && !s_minus.contains(Ball::ZERO)),
         ];
         let numbers =
             [omega, amplitude, s_plus, s_minus, saddle_node, period_doubling, s_minus * criticality];

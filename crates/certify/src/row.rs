@@ -1,6 +1,8 @@
 //! A row of the certificate: the statement for one interval of ν, with the witnesses by which it can be
 //! checked.
 
+use core::fmt;
+
 use crate::ball::Ball;
 
 /// Witnesses are integers in units of 2⁻⁶⁴.
@@ -65,6 +67,21 @@ impl Interval {
         if whole(self.left) { Some(Base::Left) } else { whole(self.left + 1).then_some(Base::Right) }
     }
 
+    /// The resonance in the interval, if any, of a number of loops q that divides `p`, and its index:
+    /// `ν = n/2` for q = 1, `n + 1/(2q)` for q ≥ 2. There `sin 2πpν = 0`.
+    pub fn resonance_within(self) -> Option<[i64; 2]> {
+        let (p, scale) = (self.p, 1_i64 << self.level);
+        let j = (2 * p * self.left + scale - 1).div_euclid(scale);
+        let divisor = (1..=p).rev().find(|&d| p % d == 0 && j % d == 0)?;
+        let (q, j) = (p / divisor, j / divisor);
+        let within = divisor * j * scale <= 2 * p * (self.left + 1);
+        match q {
+            _ if !within => None,
+            1 => Some([1, j]),
+            _ => (j % (2 * q) == 1).then_some([q, j / (2 * q)]),
+        }
+    }
+
     /// The two halves of the interval.
     pub fn halves(self) -> [Self; 2] {
         [0, 1].map(|half| Self { left: 2 * self.left + half, level: self.level + 1, ..self })
@@ -105,6 +122,47 @@ pub struct Clearance {
     pub open: usize,
 }
 
+/// Why nothing is proved for an interval.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reason {
+    /// There is a resonance of p loops with index n.
+    Resonance {
+        /// The number of loops.
+        p: i64,
+        /// The index.
+        n: i64,
+    },
+    /// Motion touches the wall where it becomes stable.
+    Coincidence,
+    /// There may be a point, and it may be in the window or beyond it.
+    Edge,
+    /// The bounds are too wide.
+    Width,
+    /// The limit on the number of intervals was reached.
+    Number,
+    /// The run was interrupted.
+    Interruption,
+}
+
+/// Writes the reason in words, without commas.
+impl fmt::Display for Reason {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Resonance { p, n } => {
+                return write!(
+                    formatter,
+                    "the resonance p = {p} and n = {n}: stability begins at velocity zero and so does contact"
+                );
+            }
+            Self::Coincidence => "motion touches the wall where it becomes stable",
+            Self::Edge => "there may be a point on the edge of the window",
+            Self::Width => "the bounds are too wide",
+            Self::Number => "the limit on the number of intervals was reached",
+            Self::Interruption => "the run was interrupted",
+        })
+    }
+}
+
 /// The statement that holds for every ν of an interval. `v_GZ` is the velocity up to which motion is
 /// admissible, `v_min` the velocity above which it is stable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -118,8 +176,11 @@ pub enum Verdict {
     /// (SN-GZ, PD-GZ); or it exists for all ν, and at exactly one ν its end changes: in the time of
     /// contact with the wall (GZ-GZ), or from contact to period doubling (GZ-PD).
     Point(&'static str),
+    /// Stable admissible motion is within the width of a tube of the grazing curve of motion without
+    /// impacts, if there is any.
+    Thin,
     /// Nothing is proved, for this reason.
-    Undecided(&'static str),
+    Undecided(Reason),
 }
 
 /// An interval with its verdict and witnesses.

@@ -1,13 +1,26 @@
 //! Searches, in floating point, for the rows and witnesses that [`Model`] then proves.
 
+use std::collections::VecDeque;
+
 use crate::ball::{Ball, Number};
 use crate::orbit::{Family, Oscillator};
 use crate::proof::{FINE, Model};
-use crate::row::{Base, Interval, Row, Verdict, WITNESS_BITS, Witness};
+use crate::row::{Base, Interval, Reason, Row, Verdict, WITNESS_BITS, Witness};
 use crate::statement::Statement;
 
 /// Intervals are halved down to width `2^-FINEST`.
-const FINEST: u32 = 32;
+const FINEST: u32 = 40;
+
+/// The greatest slope of a time as a function of ν.
+const MOST_SLOPE: i128 = 256 << WITNESS_BITS;
+
+/// Where stability and contact begin at velocities below this, these are too small for balls in units of
+/// 2⁻⁸⁸, in which their squares matter: narrower intervals would not help.
+const SLOW: f64 = 1.0 / (1_u64 << 36) as f64;
+
+/// The greatest number of intervals tried within one of the coarsest. Figure 7 needs less than a quarter
+/// of it.
+const MOST_TRIED: u32 = 6_000;
 
 /// The motions at one ν, in floating point.
 struct Sight {
@@ -56,14 +69,20 @@ impl Sight {
 
 /// The maxima of `psi/(1 - cos)` between impacts: the inverse of each, and its time.
 fn contacts(oscillator: &Oscillator, p: i64, family: &Family<f64>) -> Vec<[f64; 2]> {
-    let motion = family.motion(1.0);
-    let distance = |turns: f64| oscillator.distance::<f64, 1>(&motion, turns)[0];
+    // ψ, less what rounding may add to it, so that rounding is never taken for contact.
+    let psi = |turns: f64| {
+        let (decay, free_sine, free_cosine) = oscillator.free(family.nu, turns);
+        let (sine, cosine) = turns.turn();
+        let Family { c, e, w, .. } = family;
+        let terms = [decay * c * free_cosine, decay * e * free_sine, -(c * cosine), -(w * sine)];
+        let sum = |part: fn(f64) -> f64| terms.into_iter().map(part).fold(0.0, |sum, term| sum + term);
+        sum(|term| term) - 4.0 * f64::EPSILON * sum(f64::abs)
+    };
     let ratio = |turns: f64| {
         let half = (0.5 * turns).turn().0;
-        let rise = 2.0 * half * half;
-        (rise - distance(turns)) / rise
+        psi(turns) / (2.0 * half * half)
     };
-    if let Some(turn) = (1..p).map(|turn| turn as f64).find(|&turn| distance(turn) <= 0.0) {
+    if let Some(turn) = (1..p).map(|turn| turn as f64).find(|&turn| psi(turn) > 0.0) {
         return vec![[0.0, turn]];
     }
     // Peaks next to whole turns may be this narrow.
@@ -129,7 +148,8 @@ impl<'a> Attempt<'a> {
 
     fn time(&self, values: [f64; 3]) -> Witness<2> {
         let [constant, slope, _] = self.polynomial(values, libm::rint(values[1]));
-        [constant, slope]
+        // Greater slopes have third powers that balls cannot represent.
+        [constant, if slope.abs() < MOST_SLOPE { slope } else { 0 }]
     }
 
     /// The time within a range at which motion with these velocities is nearest to the wall: a zero of
@@ -156,10 +176,28 @@ impl<'a> Attempt<'a> {
         self.sights.iter().all(condition)
     }
 
-    /// The row, if one can be proved at this width; guesses at the nearest approach to the wall use
-    /// velocities `low`.
+    /// The row, if one can be proved at this width.
     fn row(&self) -> Option<Row> {
-        let row = Row::new(self.model.interval, Verdict::Undecided(""));
+        self.best_row()
+            .or_else(|| self.all(|sight| sight.graze().max(sight.limit) < SLOW).then(|| self.thin_row())?)
+    }
+
+    /// The row that states least: that stable admissible motion is next to the grazing curve, if there is
+    /// any.
+    fn thin_row(&self) -> Option<Row> {
+        let row = Row::new(self.model.interval, Verdict::Thin);
+        let slopes = self.at_sights(|sight| self.model.statement.oscillator.steepness_square(&sight.family));
+        let values = slopes.map(|square| 0.45 * Statement::width().to_f64() / square.sqrt());
+        let in_middle = self.sights[1].contacts[0][1];
+        let touch = self.nearest(values, [in_middle - 0.125, in_middle + 0.125]);
+        let row = Row { upper: Some(self.polynomial(values, 0.0)), touch: Some(touch), ..row };
+        (0..3).all(|i| self.sights[i].graze() < 0.5 * values[i]).then(|| self.model.prove(row, &|_| touch))?
+    }
+
+    /// The row that states where motion exists, if one can be proved; guesses at the nearest approach to
+    /// the wall use velocities `low`.
+    fn best_row(&self) -> Option<Row> {
+        let row = Row::new(self.model.interval, Verdict::None);
         let prove = |row, low| self.model.prove(row, &|stretch| self.nearest(low, stretch));
         let (in_middle, none) = (self.sights[1].contacts[0][1], [0.0; 3]);
         if self.all(|sight| sight.graze() == 0.0) {
@@ -186,7 +224,7 @@ impl<'a> Attempt<'a> {
     fn edge(&self, sight: &Sight) -> f64 {
         let Statement { oscillator, amplitude, .. } = self.model.statement;
         let grazing = oscillator.grazing_square(sight.nu).sqrt();
-        (grazing + 1.01 * amplitude.ball().to_f64()) / oscillator.steepness_square(&sight.family).sqrt()
+        (grazing + 1.01 * amplitude[1].ball().to_f64()) / oscillator.steepness_square(&sight.family).sqrt()
     }
 
     /// Two velocities, one on either side of that at which motion touches the wall, with the time of
@@ -217,7 +255,7 @@ impl<'a> Attempt<'a> {
             let next = second.min(sight.end) - sight.graze();
             let next = next.min(sight.graze() - sight.limit);
             let room = if is_point { sight.graze() } else { sight.graze().min(next) };
-            (0.1 * room).min(share * statement.width().to_f64() / slope)
+            (0.1 * room).min(share * Statement::width().to_f64() / slope)
         });
         let half_width = half_widths.into_iter().fold(f64::INFINITY, f64::min);
         let low = values.map(|value| value - excess - half_width);
@@ -226,30 +264,65 @@ impl<'a> Attempt<'a> {
     }
 
     /// The reason why nothing could be proved for the finest interval.
-    fn reason(&self) -> &'static str {
-        if self.all(|sight| sight.limit < 1e-6) {
-            "a resonance of one loop: stability begins at velocity zero, and so does contact"
-        } else if self.all(|sight| (sight.graze() - sight.limit).abs() < 1e-6) {
-            "motion touches the wall where it becomes stable"
-        } else {
-            "the bounds are too wide"
+    fn reason(&self) -> Reason {
+        let resonance = self.model.interval.resonance_within();
+        match resonance.filter(|_| self.all(|sight| sight.limit < 1e-6 && sight.graze() < 1e-6)) {
+            Some([p, n]) => Reason::Resonance { p, n },
+            None if self.all(|sight| (sight.graze() - sight.limit).abs() < 1e-6) => Reason::Coincidence,
+            None => Reason::Width,
         }
     }
 }
 
-/// The rows that tile an interval; `left` is the number of intervals that may still be tried.
-pub fn rows(statement: &Statement, interval: Interval, left: &mut usize) -> Vec<Row> {
-    let undecided = |reason| vec![Row::new(interval, Verdict::Undecided(reason))];
-    if *left == 0 {
-        return undecided("too many intervals were tried beside it");
+/// The rows that tile an interval. The widest intervals are tried first, so that what remains undecided
+/// is narrow; no more are tried once `stopped`.
+pub fn rows(statement: &Statement, whole: Interval, stopped: &dyn Fn() -> bool) -> Vec<Row> {
+    let (mut waiting, mut rows, mut tried) = (VecDeque::from([whole]), Vec::new(), 0);
+    while let Some(interval) = waiting.pop_front() {
+        let undecided = |reason| Row::new(interval, Verdict::Undecided(reason));
+        let resonance = interval.resonance().filter(|_| interval.p > 1 && interval.level >= FINE);
+        let at_resonance = |base| Attempt::new(statement, Interval { base, ..interval }).row();
+        rows.push(match tried {
+            _ if stopped() => undecided(Reason::Interruption),
+            MOST_TRIED => undecided(Reason::Number),
+            _ => {
+                tried += 1;
+                let attempt = Attempt::new(statement, interval);
+                let found = attempt.row();
+                let on_edge = found.as_ref().is_some_and(|row| attempt.model.is_on_edge(row));
+                match found.filter(|_| !on_edge).or_else(|| resonance.and_then(at_resonance)) {
+                    Some(row) => row,
+                    None if on_edge && interval.level >= FINEST => undecided(Reason::Edge),
+                    None if interval.level >= FINEST => {
+                        attempt.thin_row().unwrap_or_else(|| undecided(attempt.reason()))
+                    }
+                    None => {
+                        waiting.extend(interval.halves());
+                        continue;
+                    }
+                }
+            }
+        });
     }
-    *left -= 1;
-    let attempt = Attempt::new(statement, interval);
-    let resonance = interval.resonance().filter(|_| interval.p > 1 && interval.level >= FINE);
-    let at_resonance = |base| Attempt::new(statement, Interval { base, ..interval }).row();
-    match attempt.row().or_else(|| resonance.and_then(at_resonance)) {
-        Some(row) => vec![row],
-        None if interval.level >= FINEST => undecided(attempt.reason()),
-        None => interval.halves().into_iter().flat_map(|half| rows(statement, half, left)).collect(),
+    rows.sort_by_key(|row| row.interval.left << (FINEST - row.interval.level));
+    joined(rows)
+}
+
+/// The rows with one in place of two halves that are undecided for the same reason.
+fn joined(rows: Vec<Row>) -> Vec<Row> {
+    let mut joined: Vec<Row> = Vec::new();
+    for mut row in rows {
+        while let Some(before) = joined.last() {
+            let Interval { left, level, .. } = before.interval;
+            let whole = Interval { left: left >> 1, level: level.saturating_sub(1), ..before.interval };
+            let halves = level > 0 && whole.halves() == [before.interval, row.interval];
+            if !(halves && matches!(row.verdict, Verdict::Undecided(_)) && row.verdict == before.verdict) {
+                break;
+            }
+            row.interval = whole;
+            joined.pop();
+        }
+        joined.push(row);
     }
+    joined
 }

@@ -45,9 +45,9 @@ pub struct Statement {
     pub oscillator: Oscillator,
     /// The least and the greatest frequency of the window.
     pub frequency: [Decimal; 2],
-    /// The greatest amplitude of the window.
-    pub amplitude: Decimal,
-    /// The numbers of loops.
+    /// The least and the greatest amplitude of the window.
+    pub amplitude: [Decimal; 2],
+    /// The numbers of loops, in increasing order.
     pub loops: Vec<u32>,
 }
 
@@ -56,15 +56,16 @@ impl Statement {
     pub fn new(
         [zeta, epsilon]: [Decimal; 2],
         frequency: [Decimal; 2],
-        amplitude: Decimal,
-        loops: Vec<u32>,
+        amplitude: [Decimal; 2],
+        mut loops: Vec<u32>,
     ) -> Option<Self> {
         let oscillator = Oscillator::new(zeta.ball(), epsilon.ball())?;
+        loops.sort_unstable();
         Some(Self { zeta, epsilon, oscillator, frequency, amplitude, loops })
     }
 
     /// The greatest width of a tube, in amplitude.
-    pub fn width(&self) -> Ball {
+    pub fn width() -> Ball {
         Ball::ratio(1, 10_i64.pow(WIDTH_PLACES))
     }
 }

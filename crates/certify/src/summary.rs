@@ -6,7 +6,7 @@ use crate::ball::Ball;
 use crate::proof::Model;
 use crate::resonance::{NAMES, Resonance};
 use crate::row::{Interval, Row, Verdict};
-use crate::statement::Statement;
+use crate::statement::{Statement, WIDTH_PLACES};
 
 /// The row for a number of loops whose interval contains a ν.
 pub fn row_at(rows: &[Row], p: i64, nu: Ball) -> Option<&Row> {
@@ -30,14 +30,29 @@ pub fn ends(statement: &Statement, row: &Row, nu: Ball) -> Option<(Ball, Ball, O
     })
 }
 
-/// The points, away from resonances, at which GZ curves that bound stable motion end or meet, each with
-/// its kind; at a PD-GZ point stability begins or ends.
-pub fn points(rows: &[Row]) -> impl Iterator<Item = (&'static str, &Row)> {
-    rows.iter().filter_map(|row| match row.verdict {
-        Verdict::Point("GZ-PD") => Some(("PD-GZ", row)),
-        Verdict::Point(name) => Some((name, row)),
+/// The points in the window, away from resonances, at which GZ curves that bound stable motion end or
+/// meet, each with its kind.
+pub fn points<'a>(
+    statement: &'a Statement,
+    rows: &'a [Row],
+) -> impl Iterator<Item = (&'static str, &'a Row)> {
+    rows.iter().filter(|row| is_in_window(statement, row)).filter_map(|row| Some((point(row)?, row)))
+}
+
+/// The kind of a row's point; at a PD-GZ point stability begins or ends.
+fn point(row: &Row) -> Option<&'static str> {
+    match row.verdict {
+        Verdict::Point("GZ-PD") => Some("PD-GZ"),
+        Verdict::Point(name) => Some(name),
         _ => None,
-    })
+    }
+}
+
+/// Whether the point of a row is proved to be in the window.
+fn is_in_window(statement: &Statement, row: &Row) -> bool {
+    let Row { interval, lower, .. } = *row;
+    point(row).is_some()
+        && lower.and_then(|lower| Model::over(statement, interval).is_in_window(lower)) == Some(true)
 }
 
 /// A range of amplitudes that contains a point: the tube, where amplitudes increase with the velocity; or
@@ -79,19 +94,30 @@ fn to_nine_places([low, high]: [Ball; 2], outwards: bool) -> [f64; 2] {
 /// A sentence that states the proved result for a group of rows.
 pub fn sentence(statement: &Statement, stretch: &[Row]) -> String {
     let Row { interval: Interval { p, .. }, verdict, .. } = &stretch[0];
-    let inwards = matches!(verdict, Verdict::Stable | Verdict::None);
+    let inwards = matches!(verdict, Verdict::Stable | Verdict::None | Verdict::Thin);
     let [low, high] = to_nine_places(frequencies(statement, stretch), !inwards);
     let holds = match verdict {
         Verdict::Stable => format!(
             "one stable admissible {p}-loop MPS at each A between the SN or PD curve where it becomes stable and its GZ curve, a PD curve or the window's edge, none at other A of the window"
         ),
         Verdict::None => format!("no stable admissible {p}-loop MPS at any A of the window"),
+        Verdict::Thin => {
+            let resonance = stretch.iter().find_map(|row| row.interval.resonance_within());
+            let why =
+                resonance.map_or_else(String::new, |[p, n]| format!(", at the resonance p = {p}, n = {n}"));
+            format!(
+                "no stable admissible {p}-loop MPS at any A of the window farther than 1e-{WIDTH_PLACES} from grazing{why}; closer, nothing is stated"
+            )
+        }
         Verdict::Undecided(reason) => format!("UNDECIDED, {p}-loop MPSs: {reason}"),
         Verdict::Point(_) => {
-            let name: String = points(stretch).map(|(name, _)| name).collect();
+            let name = point(&stretch[0]).unwrap_or_default();
+            let place = if is_in_window(statement, &stretch[0]) { "" } else { ", beyond the window" };
             let amplitudes = amplitudes(statement, &stretch[0]);
             let [least, most] = to_nine_places([amplitudes.bottom(), amplitudes.top()], true);
-            format!("in a part of it exactly one point, {name}, p = {p}, with {least:.9} <= A <= {most:.9}")
+            format!(
+                "in a part of it exactly one point, {name}, p = {p}, with {least:.9} <= A <= {most:.9}{place}"
+            )
         }
     };
     format!("{low:.9} <= omega <= {high:.9}: {holds}")
@@ -103,6 +129,18 @@ pub fn undecided_share(rows: &[Row]) -> f64 {
     let all: f64 = rows.iter().map(width).sum();
     let left = rows.iter().filter(|row| matches!(row.verdict, Verdict::Undecided(_)));
     left.map(width).fold(0.0, |sum, width| sum + width) / all
+}
+
+/// What a statement about all other places of the window excepts.
+pub fn exceptions(rows: &[Row]) -> &'static str {
+    let some = |is: fn(&Verdict) -> bool| rows.iter().any(|row| is(&row.verdict));
+    let undecided = some(|verdict| matches!(verdict, Verdict::Undecided(_)));
+    match (undecided, some(|verdict| *verdict == Verdict::Thin)) {
+        (false, false) => "",
+        (true, false) => " outside of what is undecided",
+        (false, true) => " outside of tubes at grazing in which nothing is stated",
+        (true, true) => " outside of what is undecided and of tubes at grazing in which nothing is stated",
+    }
 }
 
 /// Sentences that state the proved results for a resonance.

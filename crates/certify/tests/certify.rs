@@ -9,10 +9,10 @@ use grazing_certify::ball::{Ball, Number};
 use grazing_certify::orbit::Oscillator;
 use grazing_certify::proof::Model;
 use grazing_certify::resonance::{NAMES, Resonance};
-use grazing_certify::row::{Row, Verdict};
+use grazing_certify::row::{Base, Interval, Reason, Row, Verdict};
 use grazing_certify::series::Series;
 use grazing_certify::statement::{Decimal, Statement};
-use grazing_certify::{prove, summary};
+use grazing_certify::{certificate, prove, summary};
 use grazing_theorems::LinearOscillator;
 use num_rational::Ratio;
 
@@ -20,10 +20,10 @@ use num_rational::Ratio;
 static STATEMENT: LazyLock<Statement> = LazyLock::new(|| {
     let decimal = |x: f64| Decimal::new(x).expect("few digits");
     let (constants, frequency) = ([0.02, 0.9].map(decimal), [0.35, 1.02].map(decimal));
-    Statement::new(constants, frequency, decimal(1.3), vec![1, 2, 3]).expect("under-damped")
+    Statement::new(constants, frequency, [0.0, 1.3].map(decimal), vec![1, 2, 3]).expect("under-damped")
 });
 static OSCILLATOR: LazyLock<Oscillator> = LazyLock::new(|| STATEMENT.oscillator);
-static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| prove(&STATEMENT, |_| (), || ()));
+static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| prove(&STATEMENT, |_| (), || (), || false));
 
 /// A pseudorandom number between 0 and 1.
 fn random(seed: &mut u64) -> f64 {
@@ -247,11 +247,11 @@ fn drawn_regions_are_those_that_are_proved() {
 fn motion_that_ends_or_begins_elsewhere_is_decided() {
     let decimal = |x: f64| Decimal::new(x).expect("few digits");
     let constants = [0.0286, 0.975].map(decimal);
-    let statement = Statement::new(constants, [2.05, 2.6].map(decimal), decimal(4.0), vec![1, 2]);
+    let statement = Statement::new(constants, [2.05, 2.6].map(decimal), [0.0, 4.0].map(decimal), vec![1, 2]);
     let statement = statement.expect("under-damped");
-    let rows = prove(&statement, |_| (), || ());
+    let rows = prove(&statement, |_| (), || (), || false);
     assert!(rows.iter().all(|row| !matches!(row.verdict, Verdict::Undecided(_))));
-    let points: Vec<&Row> = summary::points(&rows).map(|(_, row)| row).collect();
+    let points: Vec<&Row> = summary::points(&statement, &rows).map(|(_, row)| row).collect();
     assert!(matches!(points[..], [Row { verdict: Verdict::Point("GZ-PD"), .. }]), "{points:?}");
     // At greater frequencies motion ends at a PD velocity, in closed form; at lower ones it ends in a
     // tube. Both are tested a thousand widths away.
@@ -268,7 +268,7 @@ fn motion_that_ends_or_begins_elsewhere_is_decided() {
         let omega = statement.oscillator.omega_1_over(row.interval.middle());
         let family = statement.oscillator.family(row.interval.p, row.interval.middle());
         let begins = family.motion(family.velocity_at(-1));
-        let beyond = statement.oscillator.amplitude_square(&begins).sqrt() - statement.amplitude.ball();
+        let beyond = statement.oscillator.amplitude_square(&begins).sqrt() - statement.amplitude[1].ball();
         assert!(family.big_q.is_negative() || beyond.is_positive(), "omega = {omega}: {beyond}");
     }
 }
@@ -299,4 +299,134 @@ fn the_window_is_decided_and_what_is_false_is_refused() {
         tried += 1;
     }
     assert!(tried > 50, "{tried}");
+}
+
+/// The statement about an oscillator in a window.
+fn statement(constants: [f64; 2], frequency: [f64; 2], amplitude: [f64; 2], loops: &[u32]) -> Statement {
+    let decimal = |x: f64| Decimal::new(x).expect("few digits");
+    let [constants, frequency, amplitude] =
+        [constants, frequency, amplitude].map(|numbers| numbers.map(decimal));
+    Statement::new(constants, frequency, amplitude, loops.to_vec()).expect("under-damped")
+}
+
+/// The points of the rows in a window of the paper's oscillator.
+fn points_in(frequency: [f64; 2], amplitude: [f64; 2]) -> usize {
+    let statement = statement([0.02, 0.9], frequency, amplitude, &[1, 2, 3]);
+    summary::points(&statement, &ROWS).count()
+}
+
+/// Rows beyond an edge of the window may have points, too; these are not counted.
+#[test]
+fn points_are_counted_in_the_window_alone() {
+    let all: Vec<Ball> =
+        summary::points(&STATEMENT, &ROWS).map(|(_, row)| summary::amplitudes(&STATEMENT, row)).collect();
+    let below =
+        |edge: f64| all.iter().filter(|amplitude| (**amplitude - Ball::from(edge)).is_negative()).count();
+    assert_eq!(points_in([0.35, 1.02], [0.0, 1.3]), all.len());
+    for edge in [0.5, 0.8, 1.05] {
+        assert!(below(edge) < all.len(), "the edge at {edge} cuts points off");
+        assert_eq!(points_in([0.35, 1.02], [0.0, edge]), below(edge));
+        assert_eq!(points_in([0.35, 1.02], [edge, 1.3]), all.len() - below(edge));
+    }
+    let parts = [[0.35, 0.45], [0.45, 0.6], [0.6, 1.02]].map(|frequency| points_in(frequency, [0.0, 1.3]));
+    assert!(parts.iter().all(|&count| count > 0) && parts.iter().sum::<usize>() == all.len(), "{parts:?}");
+}
+
+/// A point on the edge of a window is in no count, whether the edge is one of frequency or of amplitude.
+#[test]
+fn a_point_on_the_edge_of_the_window_is_undecided() {
+    let (_, row) = summary::points(&STATEMENT, &ROWS).next().expect("a point");
+    let (lower, place) = (row.lower.expect("a velocity"), summary::amplitudes(&STATEMENT, row).to_f64());
+    let [low, high] = summary::frequencies(&STATEMENT, std::slice::from_ref(row)).map(Ball::to_f64);
+    let inside = 0.5 * (low + high);
+    for (frequency, amplitude) in [([inside, 1.02], [0.0, 1.3]), ([0.35, 1.02], [0.0, place])] {
+        let nearest = |x: f64| libm::rint(x * 1e12) / 1e12;
+        let cut = statement([0.02, 0.9], frequency.map(nearest), amplitude.map(nearest), &[1, 2, 3]);
+        assert_eq!(Model::over(&cut, row.interval).is_in_window(lower), None, "{frequency:?} {amplitude:?}");
+        assert!(Model::over(&cut, row.interval).is_on_edge(row));
+    }
+}
+
+/// What needs deep intervals at one place leaves the rest decided: where the free oscillation is gone
+/// after a period, what may exist is next to the grazing curve.
+#[test]
+fn strong_damping_leaves_nothing_undecided() {
+    let statement = statement([0.9, 0.3], [0.37, 0.45], [0.0, 1.3], &[1, 2, 3]);
+    let rows = prove(&statement, |_| (), || (), || false);
+    let undecided: Vec<&Row> =
+        rows.iter().filter(|row| matches!(row.verdict, Verdict::Undecided(_))).collect();
+    assert!(undecided.is_empty(), "{undecided:?}");
+    assert!(rows.len() < 500, "{}", rows.len());
+    assert!(rows.iter().any(|row| row.verdict == Verdict::Thin));
+    assert!(rows.iter().any(|row| row.verdict == Verdict::None));
+}
+
+/// Beside a PD-GZ point of weakly damped motion, the time of contact changes fast.
+#[test]
+fn weak_damping_is_decided_beside_its_points() {
+    let statement = statement([0.006, 0.99], [0.49997, 0.49998], [0.0, 1.3], &[1]);
+    let rows = prove(&statement, |_| (), || (), || false);
+    let undecided: Vec<&Row> =
+        rows.iter().filter(|row| matches!(row.verdict, Verdict::Undecided(_))).collect();
+    assert!(undecided.is_empty(), "{undecided:?}");
+}
+
+/// For four loops, stability and contact begin at velocity zero at resonances of one and of two loops.
+#[test]
+fn resonances_are_those_of_the_right_number_of_loops() {
+    let at = |p, nu: f64| {
+        let left = libm::floor(libm::scalbn(nu, 32)) as i64;
+        Interval { p, left, level: 32, base: Base::Middle }.resonance_within()
+    };
+    assert_eq!(at(4, 1.25), Some([2, 1]));
+    assert_eq!(at(4, 1.125), Some([4, 1]));
+    assert_eq!(at(4, 1.5), Some([1, 3]));
+    assert_eq!(at(6, 7.0 / 6.0), Some([3, 1]));
+    assert_eq!(at(4, 1.75), None);
+    assert_eq!(at(4, 1.3), None);
+    // There, too, what may exist is next to the grazing curve.
+    let statement = statement([0.02, 0.9], [0.7998, 0.7999], [0.0, 1.3], &[4]);
+    let rows = prove(&statement, |_| (), || (), || false);
+    assert!(rows.iter().all(|row| !matches!(row.verdict, Verdict::Undecided(_))), "{rows:?}");
+    let thin = rows.iter().find(|row| row.verdict == Verdict::Thin).expect("the resonance");
+    assert!(summary::sentence(&statement, std::slice::from_ref(thin)).contains("p = 2, n = 1"));
+}
+
+/// A run that is stopped has rows for the whole window, and those that it has proved are kept.
+#[test]
+fn a_stopped_run_keeps_its_rows() {
+    let statement = statement([0.02, 0.9], [0.8, 0.9], [0.0, 1.3], &[1]);
+    let calls = std::sync::atomic::AtomicU32::new(0);
+    let stopped = || calls.fetch_add(1, std::sync::atomic::Ordering::Relaxed) >= 20;
+    let [stopped, whole] =
+        [prove(&statement, |_| (), || (), stopped), prove(&statement, |_| (), || (), || false)];
+    let is_left = |row: &&Row| row.verdict == Verdict::Undecided(Reason::Interruption);
+    let left = stopped.iter().filter(is_left).count();
+    assert!(left > 0 && left < stopped.len(), "{left} of {}", stopped.len());
+    assert!(stopped.iter().filter(|row| !is_left(row)).all(|row| whole.contains(row)));
+    assert!(stopped.windows(2).all(|pair| pair[0].interval.ends()[1] == pair[1].interval.ends()[0]));
+}
+
+/// Every row has as many cells as there are columns, whatever its reason.
+#[test]
+fn no_cell_of_the_certificate_has_a_comma() {
+    let interval = Interval { p: 4, left: 80, level: 6, base: Base::Middle };
+    let reasons = [
+        Reason::Resonance { p: 2, n: 1 },
+        Reason::Coincidence,
+        Reason::Edge,
+        Reason::Width,
+        Reason::Number,
+        Reason::Interruption,
+    ];
+    let rows: Vec<Row> =
+        reasons.into_iter().map(|reason| Row::new(interval, Verdict::Undecided(reason))).collect();
+    // An oscillator so weakly damped that nothing of its resonances is shown.
+    let weak = statement([1e-9, 0.9], [0.79, 0.81], [0.0, 1.3], &[1, 2]).oscillator;
+    let resonances = [Resonance::new(&weak, 1, 2), Resonance::new(&weak, 2, 1)];
+    assert!(resonances.iter().any(|resonance| !resonance.missing.is_empty()), "{resonances:?}");
+    for text in [certificate::rows(&rows), certificate::resonances(&resonances)] {
+        let counts: Vec<usize> = text.lines().map(|line| line.split(',').count()).collect();
+        assert!(counts.iter().all(|&count| count == counts[0]), "{text}");
+    }
 }

@@ -17,7 +17,7 @@ use crate::arguments::Certify;
 use crate::failure::{Failure, computation};
 use crate::folder::{self, OutputFile};
 use crate::progress::Display;
-use crate::{project, terminal};
+use crate::{limits, project, terminal};
 
 /// The default folder of the certificate, from the root of the repository.
 const CERTIFICATE: &str = "expected/certificate";
@@ -29,10 +29,10 @@ const VARIED: &str = "varied/certificate";
 /// # Errors
 /// Something is undecided, the files differ from what the code produces, or they cannot be written.
 pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
-    crate::limits::leave_nothing_behind();
+    limits::listen();
     let failed = |error: StudyError| computation("certify", &error);
     let statement = statement(&project::parameters(&arguments.parameters)?).map_err(failed)?;
-    let folder = match &arguments.output {
+    let mut folder = match &arguments.output {
         Some(folder) => folder.clone(),
         None if arguments.parameters.set.is_empty() => project::root_folder()?.join(CERTIFICATE),
         None => project::root_folder()?.join(VARIED),
@@ -46,8 +46,13 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
     let frequency = statement.frequency.map(Decimal::ball);
     let resonances = Resonance::in_window(&statement.oscillator, &statement.loops, frequency);
     let (display, what) = (Display::new(), "proofs over the window");
-    let rows = prove(&statement, |parts| display.begin(what, parts), || display.step(what));
+    let rows =
+        prove(&statement, |parts| display.begin(what, parts), || display.step(what), limits::is_interrupted);
+    let interrupted = limits::is_interrupted();
     display.end(what);
+    if interrupted && arguments.check {
+        return Err(Failure::incomplete("interrupted: nothing was compared"));
+    }
 
     let published = Published::printed();
     for resonance in &resonances {
@@ -60,12 +65,13 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
             terminal::say(&format!("  {}\n", summary::sentence(&statement, stretch)));
         }
     }
-    let points = summary::points(&rows).count();
+    let points = summary::points(&statement, &rows).count();
     let share = summary::undecided_share(&rows);
+    let others = summary::exceptions(&rows);
+    let Statement { frequency: [lowest, highest], amplitude: [low, high], .. } = &statement;
     terminal::say(&format!(
-        "\n{} intervals. Tubes around GZ curves are at most 1e-{} of A wide. Away from resonances, curves that bound stable motion end or meet at {points} points in the window, and at no others. The undecided share of nu is {share:.1e}.\n",
+        "\n{} intervals. Tubes around GZ curves are at most 1e-{WIDTH_PLACES} of A wide. Away from resonances, GZ curves that bound stable motion end or meet at {points} points of the window {lowest} <= omega <= {highest}, {low} <= A <= {high}, and at no others{others}. The undecided share of nu is {share:.1e}.\n",
         rows.len(),
-        WIDTH_PLACES,
     ));
 
     let (rows, numbers) = (certificate::rows(&rows), certificate::resonances(&resonances));
@@ -79,6 +85,7 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
     if arguments.check {
         files.iter().try_for_each(|file| same(&folder, file))?;
     } else {
+        folder = folder::place_to_write(&folder, &files, interrupted);
         folder::write(&folder, &files)?;
         terminal::say(&format!("{}: the certificate is written.\n", folder.display()));
     }
@@ -88,6 +95,9 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
     }
     let unshown = resonances.iter().filter(|resonance| !resonance.missing.is_empty()).count();
     match (share > 0.0, unshown) {
+        _ if interrupted => {
+            Err(Failure::incomplete("interrupted: what was not tried yet is undecided in the certificate"))
+        }
         (false, 0) => Ok(()),
         _ => Err(Failure::incomplete(
             "not everything could be proved, see above; the rest is in the certificate",

@@ -121,7 +121,12 @@ impl PaperFigure for BeyondProofs {
         let figure: Figure7 = study.parameters.section()?;
         let statement = statement(&study.parameters)?;
         let (progress, what) = (&study.progress, "proofs over the window");
-        let rows = prove(&statement, |parts| progress.begin(what, parts), || progress.step(what));
+        let rows = prove(
+            &statement,
+            |parts| progress.begin(what, parts),
+            || progress.step(what),
+            || progress.stopped(),
+        );
         progress.end(what);
         let window = figure.window();
         let undecided = stretches(&rows).filter(|rows| matches!(rows[0].verdict, Verdict::Undecided(_)));
@@ -158,14 +163,21 @@ pub fn statement(parameters: &Parameters) -> Result<Statement, StudyError> {
             .ok_or_else(|| StudyError::Failed(format!("{key} = {x}: a proof needs at most 18 digits")))
     };
     let window = figure.window();
-    let [lowest, highest] = window.secondary;
+    let ([lowest, highest], [low, high]) = (window.secondary, window.primary);
+    let least = 100.0 * Statement::width().to_f64();
+    if high - low < least {
+        let what = format!(
+            "fig07.amplitude = [{low}, {high}]: a proof needs a range of {least} at least, a hundred times the width of its tubes"
+        );
+        return Err(StudyError::Failed(what));
+    }
     Statement::new(
         [
             decimal("oscillator.zeta", oscillator.damping_ratio())?,
             decimal("oscillator.epsilon", oscillator.coefficient_of_restitution())?,
         ],
         [decimal("fig07.frequency", lowest)?, decimal("fig07.frequency", highest)?],
-        decimal("fig07.amplitude", window.primary[1])?,
+        [decimal("fig07.amplitude", low)?, decimal("fig07.amplitude", high)?],
         figure.loops,
     )
     .ok_or_else(|| {
@@ -221,7 +233,7 @@ fn all_ends(statement: &Statement, rows: &[Row], [lowest, highest]: [f64; 2]) ->
 
 /// The tubes near the first point of each kind, and the box of the point.
 fn magnified(statement: &Statement, rows: &[Row], panels: u32) -> Vec<ProofMagnified> {
-    let of = |kind: &str| summary::points(rows).find(|(name, _)| *name == kind);
+    let of = |kind: &str| summary::points(statement, rows).find(|(name, _)| *name == kind);
     let kinds = ["SN-GZ", "PD-GZ", "GZ-GZ"].into_iter().filter_map(of);
     let mut all = Vec::new();
     for (panel, (kind, point)) in (1..=panels).zip(kinds) {

@@ -139,7 +139,7 @@ fn of_point(statement: &Statement, rows: &[Row], point: &SpecialPoint) -> (f64, 
         let (omega, radius) = (omega.to_f64(), omega.radius());
         return (omega - radius, omega + radius, amplitude, summary::resonance(found).join("; "));
     }
-    let found = summary::points(rows).find_map(|(name, row)| {
+    let found = summary::points(statement, rows).find_map(|(name, row)| {
         let [low, high] = summary::frequencies(statement, slice::from_ref(row)).map(Ball::to_f64);
         let here = low - ROUNDING <= point.secondary && point.secondary <= high + ROUNDING;
         let found = here && name == point.kind.name() && row.interval.p == i64::from(point.loops);
@@ -177,7 +177,9 @@ fn of_region(
     let open = look.rows.iter().any(|row| {
         let [low, high] = summary::frequencies(look.statement, slice::from_ref(row)).map(Ball::to_f64);
         let beside = high <= from || to <= low;
-        matches!(row.verdict, Verdict::Undecided(_)) && row.interval.p == i64::from(loops) && !beside
+        matches!(row.verdict, Verdict::Undecided(_) | Verdict::Thin)
+            && row.interval.p == i64::from(loops)
+            && !beside
     });
     let statement = match (loops, open) {
         (0, _) => {
