@@ -74,6 +74,6 @@ fn impacts_that_accumulate_are_said_to_and_neither_called_rest_nor_given_a_share
     let basins = read("data/place_basins.csv");
     assert!(basins.lines().skip(1).all(|line| line.ends_with(",accumulating,0")), "{basins}");
     assert!(read("data/place_motion.csv").lines().count() > 100);
-    assert!(read("place-1.svg").contains("not followed further: 24 of 24"));
+    assert!(read("place-1.svg").contains("not followed: 24 of 24"));
     assert!(read("report.html").contains(&left_out));
 }

@@ -273,6 +273,8 @@ mod tests {
             {
                 for (figure, width) in in_both_roles(sample(scale, portraits))
                     .iter()
+                    // Headings of portraits have no room for a long name of the parameter across.
+                    .filter(|figure| !figure.primary_is_fixed || portraits == 0 || names.secondary.len() < 8)
                     .flat_map(|figure| WIDTHS.map(|width| (figure, width)))
                 {
                     let sheet = drawn(figure, &names, width);

@@ -74,13 +74,13 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
     let y = with_unit("$y$", of_y.as_ref());
     let velocity = with_unit("impact velocity", of_y.as_ref());
     let share = |one: &PlaceAttractor| match one.attractor {
-        0 => format!("impacts accumulate, not followed further: {} of {}", one.states, figure.states),
+        0 => format!("impacts accumulate, not followed: {} of {}", one.states, figure.states),
         _ => format!("{}: {:.0} %", one.words(), 100.0 * one.share),
     };
     let mut words: Vec<_> = figure.attractors.iter().map(|one| (Some(one), share(one))).collect();
     if figure.undecided() > 0 {
         let counts = format!("{} of {}", figure.undecided(), figure.basins.len());
-        words.push((None, format!("blank: {counts} states, not settled in time")));
+        words.push((None, format!("blank: {counts} states not settled")));
     }
     let rows = if narrow { 4.0 } else { 2.0 };
     let legend = LINE * words.len() as f64 + ABOVE;
@@ -316,7 +316,7 @@ mod tests {
             let sheet = draw_place(&figure, &heading, width).unwrap();
             sheet.assert_well_placed(&width);
             let texts = sheet.texts();
-            for text in ["MPS, $p=2$: 50 %", "not followed further: 6 of 24", "6 of 24 states"] {
+            for text in ["MPS, $p=2$: 50 %", "not followed: 6 of 24", "6 of 24 states"] {
                 assert!(texts.iter().any(|found| found.contains(text)), "{text}: {texts:?}");
             }
             assert_eq!(texts.iter().filter(|text| text.contains('%')).count(), 1, "{texts:?}");

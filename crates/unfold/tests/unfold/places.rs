@@ -113,8 +113,8 @@ fn motion_whose_impacts_accumulate_is_counted_and_drawn_up_to_there_and_is_no_at
         // The velocities of the last impacts fall geometrically, until none is resolved.
         let velocities: Vec<f64> = last.strikes.iter().rev().map(|strike| strike[1]).collect();
         assert!(velocities[0] < 1e-6 && velocities.len() >= 8, "{at:?}: {velocities:?}");
-        let mut ratios = velocities.windows(2).skip(2).take(5).map(|pair| pair[0] / pair[1]);
-        assert!(ratios.all(|ratio| (ratio - 0.3).abs() < 0.03), "{at:?}: {velocities:?}");
+        let mut ratios = velocities.windows(2).take(3).map(|pair| pair[0] / pair[1]);
+        assert!(ratios.all(|ratio| (ratio - 0.3).abs() < 0.003), "{at:?}: {velocities:?}");
         let times = last.flights.iter().flatten().map(|point| point[0]);
         let [first, end] = times.fold([f64::INFINITY, 0.0], |[a, b], time| [a.min(time), b.max(time)]);
         assert!(end - first > 0.0 && end - first < 9.0 * place.period, "{at:?}: {first} {end}");
@@ -145,14 +145,4 @@ fn rest_is_what_the_force_holds_at_the_wall_for_a_whole_period() {
         let found: Vec<_> = place.attractors.iter().map(|one| (one.fate.kind, one.states)).collect();
         assert_eq!(found, [(kind, 24)], "{amplitude}");
     }
-}
-
-#[test]
-fn motion_that_stays_where_it_is_is_one_attractor() {
-    let oscillator = forced("-0.5*v - x - 1 + A*cos(w*t)", 0.3, [0.0, 0.8]);
-    let starts = Starts { lattice: [4, 3], ..Starts::default() };
-    let place = Place::compute(&oscillator, &[1], &starts, &Silent).unwrap();
-    let found: Vec<_> = place.attractors.iter().map(|one| (one.fate.kind, one.states)).collect();
-    assert_eq!(found, [(MotionKind::NonImpacting, 24)]);
-    assert!(place.basins.iter().all(|(_, basin)| *basin == Some(0)));
 }
