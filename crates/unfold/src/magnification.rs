@@ -150,14 +150,20 @@ pub fn window_about(diagram: &Diagram, resonance: &Resonance, point: &ResonantGr
             reach = reach.min(0.5 * gap);
         }
     }
-    let own: Vec<_> = diagram
-        .curves
-        .iter()
-        .filter(|curve| {
-            (curve.loops, curve.n) == (resonance.loops, resonance.n) && curve.kind != Bifurcation::Grazing
-        })
-        .collect();
-    let faithful = own.iter().map(|curve| faithful(point, curve.kind, &curve.curve.parameters()));
+    // The SN and PD curves with an end at the resonance, from there on.
+    let start = point.unknowns();
+    let leaving = |curve: &DiagramCurve| {
+        let mut points = curve.curve.parameters();
+        match curve.ends().map(|end| same_point(&start, &end)) {
+            [true, _] => {}
+            [_, true] => points.reverse(),
+            _ => return None,
+        }
+        let is_own = curve.loops == resonance.loops && curve.kind != Bifurcation::Grazing;
+        is_own.then_some((curve.kind, points))
+    };
+    let own: Vec<_> = diagram.curves.iter().filter_map(leaving).collect();
+    let faithful = own.iter().map(|(kind, points)| faithful(point, *kind, points));
     let [least, most] = faithful
         .fold([f64::INFINITY, 0.0], |[least, most], reach| [f64::min(least, reach), f64::max(most, reach)]);
     // Between both curves, nearer to the one that bends sooner: little of it would be visible
@@ -166,7 +172,7 @@ pub fn window_about(diagram: &Diagram, resonance: &Resonance, point: &ResonantGr
     reach = reach.min(1.2 * middle);
     let secondary = [(origin - reach).max(whole.secondary[0]), (origin + reach).min(whole.secondary[1])];
     let shown = Window { primary: [f64::NEG_INFINITY, f64::INFINITY], secondary };
-    let curves = own.iter().map(|curve| curve.curve.parameters());
+    let curves = own.into_iter().map(|(_, points)| points);
     let grazing = diagram.grazing.iter().map(|curve| close_to(curve, shown));
     let inside = curves.chain(grazing).flatten().filter(|at| shown.contains(*at));
     let extent = span(inside.map(|[primary, _]| primary));
