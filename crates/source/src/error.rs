@@ -41,7 +41,7 @@ pub enum SourceError {
         /// All keys that are known here.
         known: Vec<String>,
         /// What the table holds, if it has a name and no known key is spelt like this one.
-        about: Option<String>,
+        about: Option<Box<str>>,
     },
     /// A required key that is missing.
     MissingKey {

@@ -122,7 +122,7 @@ impl<'a> Source<'a> {
         let Place { file, line, .. } = self.place(position);
         let nearest = nearest(name, known).map(str::to_owned);
         let table = key.rsplit_once('.').filter(|_| nearest.is_none()).map(|(table, _)| table);
-        let about = table.map(|table| self.requirements.of(table).to_owned());
+        let about = table.map(|table| self.requirements.of(table).into());
         let known = known.iter().map(|&known| known.to_owned()).collect();
         SourceError::UnknownKey { file, line, key, nearest, known, about }
     }

@@ -259,7 +259,7 @@ pub fn is_held_at_wall(oscillator: &AnyOscillator) -> bool {
     (0..PHASES).all(|k| {
         let here = forces[k as usize];
         let beside = [PHASES - 1, 1].map(|step| forces[((k + step) % PHASES) as usize]);
-        if !(here > 0.0) || beside.iter().any(|other| *other < here) {
+        if here <= 0.0 || here.is_nan() || beside.iter().any(|other| *other < here) {
             return here > 0.0;
         }
         // A minimum lies between the phases beside this one.
