@@ -37,7 +37,7 @@ pub enum SourceError {
         /// The key with its full path.
         key: String,
         /// The known key that is spelt like it, if there is one.
-        nearest: Option<String>,
+        nearest: Option<Box<str>>,
         /// All keys that are known here.
         known: Vec<String>,
         /// What the table holds, if it has a name and no known key is spelt like this one.

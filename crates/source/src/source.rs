@@ -120,7 +120,7 @@ impl<'a> Source<'a> {
     /// The error that a key, of which `name` is the last part, is unknown.
     pub(crate) fn unknown(&self, position: usize, key: String, name: &str, known: &[&str]) -> SourceError {
         let Place { file, line, .. } = self.place(position);
-        let nearest = nearest(name, known).map(str::to_owned);
+        let nearest = nearest(name, known).map(Box::from);
         let table = key.rsplit_once('.').filter(|_| nearest.is_none()).map(|(table, _)| table);
         let about = table.map(|table| self.requirements.of(table).into());
         let known = known.iter().map(|&known| known.to_owned()).collect();
