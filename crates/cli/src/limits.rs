@@ -31,8 +31,9 @@ static INTERRUPTIONS: AtomicU32 = AtomicU32::new(0);
 
 /// The exit code of a computation that was ended.
 pub(crate) const ENDED: i32 = 3;
-/// The part of the address space that an analysis may use: the rest is for drawing and writing.
-const ANALYSIS: f64 = 0.75;
+/// The part of the address space that an analysis may use: the rest is for drawing and writing. Much of what is
+/// taken is only reserved, by each thread.
+const ANALYSIS: f64 = 0.9;
 
 /// The cause that ended an analysis.
 #[derive(Clone, Copy, Debug, PartialEq)]

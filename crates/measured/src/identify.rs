@@ -118,7 +118,7 @@ pub fn identify(
             }
         }
         let longest = if round == 0 { FIRST } else { LONGEST };
-        let weight = if round < TAMED { Weight::Tame } else { Weight::Full };
+        let mut weight = if round < TAMED { Weight::Tame } else { Weight::Full };
         data.extend(task.segments(&measured.record, longest, assumed).into_iter().map(Datum::Impacts));
         // Data that cannot be compared for these constants may become comparable for better ones.
         let found = loop {
@@ -127,6 +127,8 @@ pub fn identify(
                     data.remove(datum);
                     lost = Some(error.into());
                 }
+                // Where all residuals are large, as of a rig that does not fit, reduced weights may not converge.
+                Err(FitError::NoConvergence) if weight == Weight::Tame => weight = Weight::Full,
                 found => break found,
             }
         };

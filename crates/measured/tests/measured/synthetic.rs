@@ -188,12 +188,12 @@ fn from_record(errors: [f64; 3]) -> (Fit, Measurements) {
     let names = ["zeta", "epsilon"].map(str::to_owned);
     let task = Task { rig: &rig, names: &names, start: &START, scope: &scope(), units: Units::ONE };
     let mut noise = Noise::of(2);
-    let series = |(at, first): &([f64; 2], [f64; 2])| {
-        let impacts = noisy(&impacts(*at, *first, 24), &mut noise);
+    let series = |(at, first, count): &([f64; 2], [f64; 2], usize)| {
+        let impacts = noisy(&impacts(*at, *first, *count), &mut noise);
         let impacts = (2..).zip(impacts).map(|(line, values)| Impact { line, values, errors });
         Series { at: *at, impacts: impacts.collect() }
     };
-    let record = [([0.4, 0.8], [0.3, 0.9]), ([0.6, 0.7], [1.0, 0.4])].iter().map(series).collect();
+    let record = [([0.6, 0.7], [1.0, 0.4], 8), ([0.9, 0.8], [0.5, 0.6], 16)].iter().map(series).collect();
     let measured = Measurements { points: Vec::new(), record };
     (identify(&task, &measured, &Silent).unwrap().0, measured)
 }
