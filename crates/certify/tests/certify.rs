@@ -385,7 +385,7 @@ fn resonances_are_those_of_the_right_number_of_loops() {
     assert_eq!(at(4, 1.75), None);
     assert_eq!(at(4, 1.3), None);
     // There, too, what may exist is next to the grazing curve.
-    let statement = statement([0.02, 0.9], [0.7998, 0.7999], [0.0, 1.3], &[4]);
+    let statement = statement([0.02, 0.9], [0.79981, 0.79989], [0.0, 1.3], &[4]);
     let rows = prove(&statement, |_| (), || (), || false);
     assert!(rows.iter().all(|row| !matches!(row.verdict, Verdict::Undecided(_))), "{rows:?}");
     let thin = rows.iter().find(|row| row.verdict == Verdict::Thin).expect("the resonance");

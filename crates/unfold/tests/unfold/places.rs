@@ -146,13 +146,3 @@ fn rest_is_what_the_force_holds_at_the_wall_for_a_whole_period() {
         assert_eq!(found, [(kind, 24)], "{amplitude}");
     }
 }
-
-#[test]
-fn motion_that_stays_where_it_is_is_one_attractor() {
-    let oscillator = forced("-0.5*v - x - 1 + A*cos(w*t)", 0.3, [0.0, 0.8]);
-    let starts = Starts { lattice: [4, 3], ..Starts::default() };
-    let place = Place::compute(&oscillator, &[1], &starts, &Silent).unwrap();
-    let found: Vec<_> = place.attractors.iter().map(|one| (one.fate.kind, one.states)).collect();
-    assert_eq!(found, [(MotionKind::NonImpacting, 24)]);
-    assert!(place.basins.iter().all(|(_, basin)| *basin == Some(0)));
-}

@@ -13,9 +13,7 @@ use grazing_unfold::regions::Region;
 use grazing_unfold::simulation::{ReturnOutcome, Suspect};
 use grazing_unfold::{Diagram, Scope};
 
-use crate::specimens::{
-    EPSILON, LAYER, ZETA, constant, example, forced, grazing_at, linear, random, scope,
-};
+use crate::specimens::{EPSILON, LAYER, ZETA, constant, example, forced, grazing_at, linear, random, scope};
 
 /// Number of cells of the lattice of points in each direction.
 const LATTICE: u32 = 40;

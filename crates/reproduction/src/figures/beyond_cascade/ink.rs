@@ -19,8 +19,8 @@ const WIDTH_MM: f64 = 156.0;
 const ROW_MM: f64 = 52.0;
 const LEFT: f64 = 36.0;
 const GAP: f64 = 7.0;
-const ABOVE: f64 = 16.0;
-/// Room for a further line above the panels of sheets that are too narrow for their headings on one line.
+/// Room above panels for the resonance of their row and, on a line of its own, what each shows.
+const ABOVE: f64 = 26.0;
 const LINE: f64 = 10.0;
 const BELOW: f64 = 31.0;
 /// The pen that marks where orbits with more impacts begin.
@@ -35,7 +35,6 @@ impl Cascades {
         let row = canvas.height / rows.len().max(1) as f64;
         let column = (canvas.width - LEFT - GAP) / rows.first().map_or(1, |row| row.len()) as f64;
         let narrow = width < WIDTH_MM;
-        let above = if narrow { ABOVE + LINE } else { ABOVE };
         let names = Names::new("scaled_parameter", "scaled_velocity");
         for (panels, top) in rows.iter().zip((0..).map(|number| row * f64::from(number))) {
             let of_row = |point: &&CascadePoint| panels.iter().any(|panel| panel.panel == point.panel);
@@ -46,7 +45,7 @@ impl Cascades {
                 Frame { x: [low - room, high + room], y: [0.9 * slowest, FASTEST.min(1.05 * fastest)] };
             for (panel, left) in panels.iter().zip((0..).map(|number| LEFT + column * f64::from(number))) {
                 let bounds =
-                    Bounds { left, top: top + above, right: left + column - GAP, bottom: top + row - BELOW };
+                    Bounds { left, top: top + ABOVE, right: left + column - GAP, bottom: top + row - BELOW };
                 let mut drawn = Panel::new(&canvas, frame, bounds);
                 drawn.tables = &["beyond_cascade_attractor"];
                 drawn.only = Some(("panel", panel.panel));
@@ -75,17 +74,12 @@ impl Cascades {
                 };
                 let text = if narrow { SMALL_LABEL_SIZE - 1.0 } else { LABEL_SIZE };
                 let write = |rise: f64, heading: &str| {
-                    canvas.text((left, top + above - rise), heading, text, Anchor::Start, BLACK)
+                    canvas.text((left, top + ABOVE - rise), heading, text, Anchor::Start, BLACK)
                 };
-                let resonance = format!("$p={}$, $n={}$", panel.loops, panel.n);
-                match (left == LEFT, narrow) {
-                    (true, true) => {
-                        write(5.0 + LINE, &resonance)?;
-                        write(5.0, &size)?;
-                    }
-                    (true, false) => write(5.0, &format!("{resonance}:  {size}"))?,
-                    (false, _) => write(5.0, &size)?,
+                if left == LEFT {
+                    write(5.0 + LINE, &format!("$p={}$, $n={}$", panel.loops, panel.n))?;
                 }
+                write(5.0, &size)?;
             }
         }
         canvas.finish(
