@@ -7,9 +7,9 @@ use crate::error::{Place, SourceError};
 use crate::keys::Requirements;
 use crate::section::Section;
 use crate::setting::Setting;
-use crate::source::{SHOWN, Source};
+use crate::source::Source;
 use crate::text::Text;
-use crate::words::{joined, shortened};
+use crate::words::{SHOWN, joined, shortened};
 
 impl Source<'_> {
     /// The file's content, with the settings applied.

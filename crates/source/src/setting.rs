@@ -8,8 +8,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::error::Mistake;
-use crate::source::SHOWN;
-use crate::words::{joined, shortened};
+use crate::words::{SHOWN, joined, shortened};
 
 /// A value for a key of a file: `oscillator.zeta=0.05`, `fig08.panels[2].n=1`, `analysis.loops=[1,
 /// 2]`.

@@ -6,10 +6,7 @@ use std::ops;
 use crate::error::{Place, SourceError};
 use crate::keys::Requirements;
 use crate::text::Text;
-use crate::words::{joined, nearest, shortened};
-
-/// The largest number of characters of a value or a name that a message repeats.
-pub(crate) const SHOWN: usize = 100;
+use crate::words::{SHOWN, joined, nearest, shortened};
 
 /// A file's text with the name that messages use for it, and the requirements of its keys.
 #[derive(Debug, Clone, Copy)]

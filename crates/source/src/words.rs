@@ -1,5 +1,8 @@
 //! Words in messages: suggestions for misspelt names, and shortened texts.
 
+/// The largest number of characters of a value or a name that a message repeats.
+pub(crate) const SHOWN: usize = 100;
+
 /// The most letters of a name for which a correction is looked for.
 const LONGEST: usize = 64;
 

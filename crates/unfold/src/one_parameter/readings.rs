@@ -10,9 +10,8 @@ use grazing_results::readings::{MotionReading, Reading, Sweep};
 use rayon::prelude::*;
 
 use super::branches::{Branch, within};
-use super::visits::counted;
 use super::{Cut, Sampling};
-use crate::long_time::LongOrbit;
+use crate::long_time::{LongOrbit, MotionKind};
 use crate::progress::Progress;
 use crate::stretches::{Vertex, vertices};
 
@@ -146,9 +145,20 @@ impl Cut {
     }
 }
 
+/// One orbit, counted by what it comes to.
+pub(super) fn counted(orbit: &LongOrbit) -> Orbits {
+    let is = |kind| u32::from(orbit.fate.kind == kind);
+    Orbits {
+        all: 1,
+        resting: is(MotionKind::Resting),
+        accumulating: is(MotionKind::Accumulating),
+        escaping: is(MotionKind::Escaping),
+    }
+}
+
 /// Readings of the impacts of an orbit on its cycle, or of all recorded impacts, or one row for
-/// motion without impacts; none for motion that has come to rest or
-/// is not followed further.
+/// motion without impacts; none for motion that has come to rest or is
+/// not followed further.
 pub(super) fn readings_of(
     oscillator: &AnyOscillator,
     orbit: &LongOrbit,

@@ -10,8 +10,8 @@ use grazing_results::readings::{MotionReading, Sweep};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
-use super::readings::readings_of;
-use crate::long_time::{Horizon, LONGEST_TRANSIENT, LongOrbit, MotionKind, random_start};
+use super::readings::{counted, readings_of};
+use crate::long_time::{Horizon, LONGEST_TRANSIENT, LongOrbit, random_start};
 use crate::progress::Progress;
 
 /// Settings for the sampling of long-term behaviour.
@@ -81,17 +81,6 @@ pub(super) struct Sampled {
     pub(super) readings: Vec<MotionReading>,
     /// The numbers of orbits.
     pub(super) orbits: Orbits,
-}
-
-/// One orbit, counted by what it comes to.
-pub(super) fn counted(orbit: &LongOrbit) -> Orbits {
-    let is = |kind| u32::from(orbit.fate.kind == kind);
-    Orbits {
-        all: 1,
-        resting: is(MotionKind::Resting),
-        accumulating: is(MotionKind::Accumulating),
-        escaping: is(MotionKind::Escaping),
-    }
 }
 
 /// The highest point of every forcing period of motion that does not reach the wall.
