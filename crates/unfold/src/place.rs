@@ -1,16 +1,19 @@
 //! The behaviour of an oscillator at one pair of parameters: its periodic solutions, and its
 //! attractors.
 
+mod basins;
+mod outcome;
+
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Multipliers, Unknowns, unknown};
-use grazing_model::motion::Motion;
 use grazing_model::orbit::Flight;
 use grazing_model::phase::turned;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use nalgebra::Vector2;
 use rand_pcg::Pcg64;
-use rayon::prelude::*;
 
+use self::basins::basins;
+use self::outcome::{Known, Outcome, each, long_orbit};
 use crate::long_time::{
     Exponent, Fate, Horizon, LongOrbit, MotionKind, Patience, impact, random_start, same_impact, sampled,
     sampled_solution, time_of_phase,
@@ -115,9 +118,6 @@ pub struct Place {
 
 /// The names of the stages.
 const RANDOM: &str = "attractors of random states";
-const BASINS: &str = "basins of attraction";
-const SLOW: &str = "basins of attraction: motion that has not settled";
-const IRREGULAR: &str = "basins of attraction: irregular motion";
 const SOLUTIONS: &str = "periodic solutions at a place";
 const MOTION: &str = "motion on the attractors";
 
@@ -126,14 +126,6 @@ const SLOWEST: f64 = BETWEEN_ORBITS * search::USUAL_VELOCITY;
 
 /// The horizon for motion from a nearby attractor, which needs little time.
 const FOLLOWED: Horizon = Horizon::drifting(100, 32);
-/// The first horizon for states of the lattice, in which most settle.
-const FIRST: Horizon = Horizon { transient: 16, counted: 32, patience: Patience::Drifting, longest: 0 };
-/// The number of forcing periods for which a state of the lattice may be followed on average: what
-/// those that settle at first leave is there for the others.
-const ON_AVERAGE: u32 = 96;
-/// The number of states that have not settled by then of which it is seen, within the whole horizon,
-/// whether their motion is irregular.
-const WITNESSES: usize = 4;
 
 impl Solution {
     fn of(equations: &LoopEquations, point: &Unknowns) -> Self {
@@ -148,12 +140,6 @@ impl Solution {
             orbit: sampled_solution(equations, point, begin),
         }
     }
-}
-
-/// The orbit from a state; its exponent is judged if the horizon allows.
-fn long_orbit(oscillator: &AnyOscillator, start: State, horizon: Horizon) -> LongOrbit {
-    let orbit = LongOrbit::follow(oscillator, start, horizon);
-    if horizon.patience == Patience::Unsettled { orbit.judged(oscillator) } else { orbit }
 }
 
 /// An attractor in numbers alone.
@@ -196,58 +182,6 @@ pub fn seen(oscillator: &AnyOscillator, states: &[State], horizon: Horizon) -> V
         }
     }
     found.into_iter().map(|(_, seen)| seen).collect()
-}
-
-/// The properties of an orbit from a state that are compared with those of others.
-struct Outcome {
-    start: State,
-    /// A later state of the same motion: at the end, or shortly before if it is not followed further.
-    late: State,
-    fate: Fate,
-    impacts: Vec<Vector2<f64>>,
-    /// The state at phase zero of motion without impacts, and its highest point on a cycle.
-    at_phase_zero: Option<State>,
-    highest: f64,
-}
-
-impl Outcome {
-    fn of(oscillator: &AnyOscillator, start: State, horizon: Horizon) -> Self {
-        Self::at_end(oscillator, start, &long_orbit(oscillator, start, horizon))
-    }
-
-    /// The outcome of motion that may not have settled, which need not be judged.
-    fn at_last(oscillator: &AnyOscillator, start: State, horizon: Horizon) -> Self {
-        Self::at_end(oscillator, start, &LongOrbit::follow(oscillator, start, horizon))
-    }
-
-    fn at_end(oscillator: &AnyOscillator, start: State, orbit: &LongOrbit) -> Self {
-        let at_phase_zero = orbit.at_phase_zero(oscillator);
-        // A motion without maxima stays where it is.
-        let highest = orbit.cycle.map_or(f64::NAN, |cycle| {
-            let motion = oscillator.motion(cycle.from);
-            let top = motion.highest_maximum(f64::from(cycle.periods) * oscillator.forcing_period());
-            top.map_or(cycle.from.position, |top| top.position)
-        });
-        let shown = || orbit.before_the_end(oscillator).first().map(|flight| flight.from);
-        let late = orbit.end.or_else(shown).unwrap_or(start);
-        Self { start, late, fate: orbit.fate, impacts: orbit.impacts.clone(), at_phase_zero, highest }
-    }
-
-    /// Whether the outcome looks like another one.
-    fn is_like(&self, other: &Self) -> bool {
-        let (a, b) = (&self.fate, &other.fate);
-        if (a.kind, a.periods) != (b.kind, b.periods) {
-            return false;
-        }
-        match a.kind {
-            MotionKind::Periodic => {
-                let first = &other.impacts[0];
-                self.impacts.iter().any(|impact| same_impact(BETWEEN_ORBITS, impact, first))
-            }
-            MotionKind::NonImpacting => (self.highest - other.highest).abs() < BETWEEN_ORBITS,
-            _ => true,
-        }
-    }
 }
 
 impl Attractor {
@@ -374,114 +308,6 @@ impl Place {
         let basins = lattice.into_iter().map(|(start, index)| (start, index.and_then(place))).collect();
         (!progress.stopped()).then_some(Self { solutions, attractors, period, basins })
     }
-}
-
-/// Applies a function to each of some items in parallel, as steps of a stage; `None` if the
-/// computation was cancelled.
-fn each<T: Sync, R: Send>(
-    stage: &str,
-    items: &[T],
-    progress: &dyn Progress,
-    of: impl Fn(&T) -> R + Sync,
-) -> Option<Vec<R>> {
-    let one = |item: &T| {
-        let done = (!progress.stopped()).then(|| of(item));
-        progress.step(stage);
-        done
-    };
-    if items.is_empty() {
-        return Some(Vec::new());
-    }
-    // Items may take very different times.
-    let all = || items.par_iter().with_max_len(1).map(one).collect::<Option<Vec<R>>>();
-    progress.during(stage, items.len() as u64, all).filter(|_| !progress.stopped())
-}
-
-/// The outcomes that differ, and the number of random states that lead to each.
-struct Known {
-    different: Vec<(u32, Outcome)>,
-}
-
-impl Known {
-    /// The index of an outcome that is known.
-    fn index(&self, outcome: &Outcome) -> Option<usize> {
-        self.different.iter().position(|(_, known)| known.is_like(outcome))
-    }
-
-    /// Adds an outcome of some random states, and returns its index.
-    fn add(&mut self, states: u32, outcome: Outcome) -> usize {
-        match self.index(&outcome) {
-            Some(index) => {
-                self.different[index].0 += states;
-                index
-            }
-            None => {
-                self.different.push((states, outcome));
-                self.different.len() - 1
-            }
-        }
-    }
-
-    /// The index of irregular motion.
-    fn irregular(&self) -> Option<usize> {
-        self.different.iter().position(|(_, known)| is_irregular(known.fate.kind))
-    }
-}
-
-const fn is_irregular(kind: MotionKind) -> bool {
-    matches!(kind, MotionKind::Chaotic | MotionKind::Unsettled)
-}
-
-/// The outcomes of the states of a lattice, as indices of known outcomes, to which those that are new
-/// are added; `None` for states that have not settled. `None` if the computation was cancelled.
-///
-/// All are followed for a short time, and those that have not settled for as long as the whole lattice
-/// may take. What has not settled then is irregular motion if that of some of these states is so for
-/// the whole horizon, and undecided if any of them settles.
-fn basins(
-    oscillator: &AnyOscillator,
-    lattice: &[State],
-    horizon: Horizon,
-    known: &mut Known,
-    progress: &dyn Progress,
-) -> Option<Vec<(State, Option<usize>)>> {
-    let outcome = |from: State, horizon| Outcome::of(oscillator, from, horizon);
-    let first = each(BASINS, lattice, progress, |&from| outcome(from, FIRST))?;
-    let mut indices: Vec<Option<usize>> = vec![None; lattice.len()];
-    let mut rest: Vec<(usize, State)> = Vec::new();
-    let mut take =
-        |place: usize, outcome: Outcome, known: &mut Known, rest: &mut Vec<(usize, State)>| match outcome
-            .fate
-            .kind
-        {
-            MotionKind::Unsettled => rest.push((place, outcome.late)),
-            _ => indices[place] = Some(known.add(0, outcome)),
-        };
-    for (place, outcome) in first.into_iter().enumerate() {
-        take(place, outcome, known, &mut rest);
-    }
-    let spent = FIRST.transient + FIRST.counted;
-    let left = u64::from(ON_AVERAGE - spent) * lattice.len() as u64;
-    let longest = left.checked_div(rest.len() as u64).unwrap_or(0).min(horizon.longest.into()) as u32;
-    let on = Horizon { transient: spent, longest, patience: Patience::Unsettled, ..FIRST };
-    let unsettled = core::mem::take(&mut rest);
-    let later = each(SLOW, &unsettled, progress, |&(_, from)| Outcome::at_last(oscillator, from, on))?;
-    for ((place, _), outcome) in unsettled.into_iter().zip(later) {
-        take(place, outcome, known, &mut rest);
-    }
-    let witnesses: Vec<(usize, State)> =
-        rest.iter().step_by(rest.len().div_ceil(WITNESSES).max(1)).copied().collect();
-    let seen = each(IRREGULAR, &witnesses, progress, |&(_, from)| outcome(from, horizon))?;
-    let irregular = seen.iter().all(|one| is_irregular(one.fate.kind));
-    for ((place, _), outcome) in witnesses.into_iter().zip(seen) {
-        // Irregular motion is not distinguished.
-        let index = known.irregular().filter(|_| is_irregular(outcome.fate.kind));
-        indices[place] = Some(index.unwrap_or_else(|| known.add(0, outcome)));
-    }
-    if irregular {
-        rest.iter().for_each(|&(place, _)| indices[place] = indices[place].or(known.irregular()));
-    }
-    Some(lattice.iter().copied().zip(indices).collect())
 }
 
 /// The non-impacting solutions to which free motion, or rest, leads.
