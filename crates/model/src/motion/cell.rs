@@ -73,8 +73,18 @@ impl Cell {
 
     /// An upper bound of x on the cell.
     fn ceiling(&self) -> f64 {
-        self.first.position.max(self.last.position)
-            + self.width() * self.width() / 8.0 * self.bounds.acceleration
+        self.first.position.max(self.last.position) + self.rise()
+    }
+
+    /// An upper bound of the height of x above the higher end of the cell.
+    fn rise(&self) -> f64 {
+        self.width() * self.width() / 8.0 * self.bounds.acceleration
+    }
+
+    /// Whether a smaller cell would show no more: zeros of the velocity are one, or nothing is higher than
+    /// the ends but for rounding, as where the oscillator is at rest.
+    fn is_narrow(&self) -> bool {
+        self.width() < NARROWEST_CELL || self.rise() < f64::EPSILON
     }
 
     /// Both halves; `None` if the motion ceases to exist between them.
@@ -151,7 +161,7 @@ impl Cell {
             Course::Monotone if self.last.velocity < 0.0 => return None,
             Course::Curved { falling: true } if self.first.velocity <= 0.0 => return None,
             Course::Curved { falling: true } if self.last.velocity < 0.0 => self.top(motion),
-            Course::Open if self.width() >= NARROWEST_CELL => {
+            Course::Open if !self.is_narrow() => {
                 let [left, right] = self.halves(motion)?;
                 return left.crossing(motion).or_else(|| right.crossing(motion));
             }
@@ -177,7 +187,7 @@ impl Cell {
         let isolated = match self.course() {
             Course::Monotone | Course::Curved { falling: false } => return threshold,
             Course::Curved { falling: true } => true,
-            Course::Open => self.width() < NARROWEST_CELL,
+            Course::Open => self.is_narrow(),
         };
         if !isolated {
             let Some([left, right]) = self.halves(motion) else { return threshold };

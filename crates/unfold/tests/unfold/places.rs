@@ -110,7 +110,8 @@ fn motion_whose_impacts_accumulate_is_counted_and_drawn_up_to_there_and_is_no_at
         assert_eq!(last.fate.kind, MotionKind::Accumulating, "{at:?}");
         assert!((1..=most).contains(&last.states), "{at:?}: {}", last.states);
         assert_eq!(place.attractors.iter().map(|one| one.states).sum::<u32>(), starts.states);
-        // The velocities of the last impacts fall geometrically, until the last is hardly resolved.
+        // The velocities of the last impacts fall by the restitution, until the last is hardly resolved; the force
+        // changes during the flights before, by a share that falls with the velocity.
         let velocities: Vec<f64> = last.strikes.iter().rev().map(|strike| strike[1]).collect();
         assert!(velocities[0] < 1e-6 && velocities.len() >= 8, "{at:?}: {velocities:?}");
         let mut ratios = velocities.windows(2).skip(1).take(3).map(|pair| pair[0] / pair[1]);
@@ -145,4 +146,14 @@ fn rest_is_what_the_force_holds_at_the_wall_for_a_whole_period() {
         let found: Vec<_> = place.attractors.iter().map(|one| (one.fate.kind, one.states)).collect();
         assert_eq!(found, [(kind, 24)], "{amplitude}");
     }
+}
+
+#[test]
+fn motion_that_stays_where_it_is_is_one_attractor() {
+    let oscillator = forced("-0.5*v - x - 1 + A*cos(w*t)", 0.3, [0.0, 0.8]);
+    let starts = Starts { lattice: [4, 3], ..Starts::default() };
+    let place = Place::compute(&oscillator, &[1], &starts, &Silent).unwrap();
+    let found: Vec<_> = place.attractors.iter().map(|one| (one.fate.kind, one.states)).collect();
+    assert_eq!(found, [(MotionKind::NonImpacting, 24)]);
+    assert!(place.basins.iter().all(|(_, basin)| *basin == Some(0)));
 }
