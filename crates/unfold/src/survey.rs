@@ -5,28 +5,29 @@
 //! without impacts, p = 0, are surveyed like all others; their grazing is the grazing curve.
 
 mod explain;
+mod lines;
 
 use grazing_continuation::arclength::StepControl;
-use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
-use grazing_continuation::curve::{Curve, CurvePoint, Event, Pace, Route, Window};
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_continuation::curve::{Curve, CurvePoint, Event, Pace, Route};
 use grazing_continuation::locate::{Condition, locate_within};
 use grazing_continuation::mps::{EventTimes, Unknowns, parameters, unknown};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
-use nalgebra::Vector2;
 use rayon::prelude::*;
 
 use self::explain::{bounding, explained, is_wide, start};
+use crate::Scope;
 use crate::curves::{DiagramCurve, Net, route};
 use crate::faces::Point;
-use crate::grazing::{GrazingCurve, GrazingState};
+use crate::grazing::GrazingCurve;
 use crate::levels::{self, Level, Levels};
 use crate::progress::Progress;
 use crate::region::Doubt;
 use crate::sight::Sight;
-use crate::slices::{CARRIED_OFF, FREE_STEPS, Slice, Slicer, near_chord, spread, steps};
+use crate::slices::{CARRIED_OFF, FREE_STEPS, Slice, Slicer, spread, steps};
 use crate::stretches::{broken_at, stretches};
-use crate::{Scope, alongside};
+use crate::tolerances::CLEAR;
 
 /// The slices through the surface of solutions with p loops, in the order of η.
 pub(crate) struct Survey<'a> {
@@ -60,8 +61,6 @@ const FREE_COLUMNS: u32 = 2;
 /// Displacements in impact velocity, or in position at phase zero, at which good solutions beside a
 /// curve are looked for: from close to the curve to where they may belong to another face.
 const ASIDE: [f64; 6] = [1e-3, 3e-3, 1e-2, 3e-2, -1e-3, -1e-2];
-/// Impact velocity below which a bifurcation curve runs beside the grazing curve, as long as it is near.
-const BESIDE_GRAZING: f64 = 1e-3;
 /// Tolerance for an orbit on the edge, which lies inside up to rounding.
 const ON_THE_EDGE: f64 = 1e-9;
 
@@ -252,91 +251,6 @@ impl<'a> Survey<'a> {
         false
     }
 
-    /// The lines that cut the window, as polylines.
-    pub(crate) fn lines(&self) -> Vec<Vec<Point>> {
-        let curves = &self.net.curves;
-        let has_impacts = self.loops() > 0;
-        let covered = |k: usize| curves[..k].iter().any(|earlier| covers(self.scope, earlier, &curves[k]));
-        let shown = curves.iter().enumerate().filter(|(k, _)| has_impacts || !covered(*k));
-        let shown: Vec<&DiagramCurve> = shown.map(|(_, curve)| curve).collect();
-        let levels: Vec<f64> = self.slices.iter().map(|slice| slice.secondary).collect();
-        let mut lines: Vec<Vec<Point>> = Vec::new();
-        if !has_impacts {
-            lines.extend(self.grazing.iter().map(|curve| curve.parameters().collect()));
-            lines.extend(self.doublings());
-        }
-        lines.extend(alongside::polylines(&self.net.equations, &shown, self.scope.window, &levels));
-        if has_impacts {
-            lines.extend(self.forgotten());
-        }
-        let on_other = [
-            CodimensionTwo::SaddleNodeTorus,
-            CodimensionTwo::PeriodDoublingTorus,
-            CodimensionTwo::PitchforkTorus,
-        ];
-        for corner in self.net.meetings.iter().filter(|corner| on_other.contains(&corner.kind)) {
-            meet(&mut lines, parameters(&corner.unknowns()), self.scope.window);
-        }
-        lines
-    }
-
-    /// The stretches of grazing curves along which no bifurcation curve runs, as neighbouring motion is
-    /// forgotten meanwhile: solutions with one loop are stable from there on. Curves that end beside
-    /// grazing end on them.
-    fn forgotten(&self) -> Vec<Vec<Point>> {
-        let window = self.scope.window;
-        let points = |curve: &DiagramCurve| {
-            let points = curve.curve.points.iter().map(|point| point.solution);
-            points.map(|solution| (solution.parameters(), solution.impact_velocity())).collect::<Vec<_>>()
-        };
-        let curves: Vec<_> = self.net.curves.iter().map(points).collect();
-        // GZ curves bound solutions on the other side.
-        let kinds = self.net.curves.iter().map(|curve| curve.kind);
-        let bounding = curves.iter().zip(kinds).filter(|(_, kind)| *kind != Bifurcation::Grazing);
-        let beside: Vec<[Point; 2]> = bounding
-            .flat_map(|(points, _)| points.windows(2))
-            .filter(|pair| pair.iter().any(|(_, velocity)| *velocity < BESIDE_GRAZING))
-            .map(|pair| [pair[0].0, pair[1].0])
-            .collect();
-        let mut lines: Vec<Vec<Point>> = Vec::new();
-        for curve in &self.grazing {
-            let turns = (self.loops() / curve.periods).min(2);
-            let is_bare = |state: &GrazingState| {
-                let at = state.parameters();
-                state.multipliers.forget(turns)
-                    && !beside.iter().any(|chord| from_chord(window, at, chord) < CLEAR)
-            };
-            let bare: Vec<bool> = curve.states.iter().map(is_bare).collect();
-            let mut after = 0;
-            for run in bare.chunk_by(|a, b| a == b) {
-                let first = after;
-                after += run.len();
-                if run[0] {
-                    // With the neighbours, beside which a curve goes on.
-                    let states = &curve.states[first.saturating_sub(1)..(after + 1).min(bare.len())];
-                    lines.push(states.iter().map(GrazingState::parameters).collect());
-                }
-            }
-        }
-        let ends = curves.iter().filter_map(|points| Some([points.first()?, points.last()?])).flatten();
-        for (end, _) in ends.filter(|(_, velocity)| *velocity < BESIDE_GRAZING) {
-            meet(&mut lines, *end, window);
-        }
-        lines
-    }
-
-    /// The curves of period doublings at which branches begin.
-    fn doublings(&self) -> impl Iterator<Item = Vec<Point>> {
-        let doublings = self.halved.iter().filter(|curve| curve.kind == Bifurcation::PeriodDoubling);
-        doublings.map(|curve| curve.curve.parameters())
-    }
-
-    /// Curves at which branches begin, except grazing of motion over one forcing period.
-    pub(crate) fn beginnings(&self) -> Vec<Vec<Point>> {
-        let grazing = self.grazing.iter().filter(|curve| curve.periods > 1);
-        grazing.map(|curve| curve.parameters().collect()).chain(self.doublings()).collect()
-    }
-
     /// Numbers the bifurcation curves by the resonances that they leave.
     pub(crate) fn number(&mut self) {
         self.net.number(Some(self.scope.window));
@@ -422,51 +336,9 @@ fn in_sight(points: &[CurvePoint], _: &Unknowns) -> Option<f64> {
     (hidden < OUT_OF_SIGHT).then_some(f64::INFINITY)
 }
 
-/// The distance of a point from a chord, in fractions of the ranges.
-fn from_chord(window: Window, point: Point, chord: &[Point]) -> f64 {
-    let place = |at: Point| Vector2::from(window.shares(at)) - Vector2::from(window.shares(point));
-    let [start, chord] = [place(chord[0]), place(chord[1]) - place(chord[0])];
-    let along = (-start.dot(&chord) / chord.norm_squared()).clamp(0.0, 1.0);
-    (start + chord * along).norm()
-}
-
-/// Makes an end of one line that lies on another a vertex of the other as well.
-fn meet(lines: &mut [Vec<Point>], end: Point, window: Window) {
-    let others =
-        lines.iter().enumerate().filter(|(_, line)| ![line.first(), line.last()].contains(&Some(&end)));
-    let chords = others.flat_map(|(k, line)| (1..).zip(line.windows(2)).map(move |(at, pair)| (k, at, pair)));
-    let nearest =
-        chords.map(|(k, at, pair)| (from_chord(window, end, pair), k, at)).min_by(|a, b| a.0.total_cmp(&b.0));
-    if let Some((_, k, at)) = nearest.filter(|(distance, ..)| *distance < CLEAR) {
-        lines[k].insert(at, end);
-    }
-}
-
-/// Accuracy of drawn curves, as a fraction of the ranges.
-const DRAWN: f64 = 1e-4;
-/// A point farther from curves than this, in fractions of the ranges, is on the side on which it is
-/// drawn.
-pub(crate) const CLEAR: f64 = 3.0 * DRAWN;
-
-/// Whether one curve lies on another in the plane, as do those of motion in both wells of a
-/// symmetric force: only slivers would lie between them.
-fn covers(scope: &Scope, known: &DiagramCurve, other: &DiagramCurve) -> bool {
-    let places = |curve: &DiagramCurve| -> Vec<Vector2<f64>> {
-        let places = curve.curve.parameters().into_iter();
-        places.map(|at| Vector2::from(scope.window.shares(at))).collect()
-    };
-    let [line, points] = [known, other].map(places);
-    let near = |point: &Vector2<f64>| {
-        line.windows(2).any(|pair| {
-            let chord = pair[1] - pair[0];
-            near_chord(&(pair[0] - point), &chord, DRAWN / chord.norm())
-        })
-    };
-    known.kind == other.kind && points.iter().all(near)
-}
-
 #[cfg(test)]
 mod tests {
+    use grazing_continuation::curve::Window;
     use grazing_continuation::mps::{Formulation, LoopEquations, Multipliers, PeriodicSolution};
     use grazing_description::Description;
     use grazing_model::AnyOscillator;

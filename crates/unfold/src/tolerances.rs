@@ -37,3 +37,9 @@ pub(crate) const BETWEEN_WANDERING_ORBITS: f64 = 0.03;
 /// An impact and the next one, as a relative difference: the same one is reached to rounding over
 /// y², which is below this for y above 10⁻⁶.
 pub(crate) const BETWEEN_RETURNS: f64 = 1e-3;
+
+/// Accuracy of drawn curves, as a fraction of the ranges.
+pub(crate) const DRAWN: f64 = 1e-4;
+/// A point farther from curves than this, in fractions of the ranges, is on the side on which it is
+/// drawn.
+pub(crate) const CLEAR: f64 = 3.0 * DRAWN;

@@ -5,7 +5,7 @@ use grazing_continuation::curve::Window;
 use crate::faces::{Face, Point, chords, extent};
 use crate::region::Doubt;
 use crate::sight::Sight;
-use crate::survey::CLEAR;
+use crate::tolerances::CLEAR;
 
 /// Along chords shorter than this fraction of the window a face may seem mixed: curves are drawn by
 /// chords of their own.
