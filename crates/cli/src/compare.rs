@@ -12,7 +12,7 @@ use grazing_reproduction::Study;
 use crate::arguments::{Compare, ParameterFile};
 use crate::failure::{Failure, computation};
 use crate::layout::Layout;
-use crate::limits::ended;
+use crate::limits::{Watch, ended};
 use crate::oscillator::{OscillatorFile, parameter_names, settings};
 use crate::unfold::analysis::analyse;
 use crate::{limits, project, terminal};
@@ -40,7 +40,7 @@ fn foreign(curves: &Path, oscillator: &Path, arguments: &Compare) -> Result<(), 
     let points = points.map_err(|error| Failure::input(error.to_string()))?;
     arguments.threads.start()?;
     limits::listen();
-    let (unfolded, met) = analyse(&of, of.description.limits(), &|_| ())?;
+    let (unfolded, met) = analyse(&of, &Watch::begin(of.description.limits(), of.taken), &|_| ())?;
     if met.is_some() {
         return Err(ended(oscillator, met, "nothing was compared"));
     }

@@ -6,12 +6,16 @@ use core::ops::ControlFlow;
 
 use grazing_model::ImpactOscillator;
 use grazing_model::maps::MapError;
+use grazing_model::smooth::Purpose;
 
-use crate::arclength::{Continuation, FEWEST_OF_A_LOOP, Stall, back_at};
+use crate::arclength::{Continuation, FEWEST_OF_A_LOOP, Stall, StepControl, back_at};
 use crate::curve::{Curve, CurveEnd, CurvePoint, Event, Route, SolutionCurve};
 use crate::locate::Condition;
 use crate::mps::{EventTimes, Multipliers, PeriodicSolution, Unknowns, parameters, unknown};
-use crate::tolerances::{FORGOTTEN, LOST_MULTIPLIERS, LOST_POINTS, NO_VELOCITY, ON_TWO_CURVES};
+use crate::tolerances::{
+    AGAIN, FORGOTTEN, LOST_POINTS, MOST_OUT_OF_SIGHT, MOST_SHORT_STEPS, NO_VELOCITY, ON_TWO_CURVES,
+    OUT_OF_SIGHT, SHORT_STEP, SOUNDED, VIOLENT,
+};
 use events::{CurveStation, EVENTS, INADMISSIBLE, Signs, Step, changes, signs, vanishing};
 
 impl<O: ImpactOscillator> SolutionCurve<O> {
@@ -35,6 +39,8 @@ impl<O: ImpactOscillator> SolutionCurve<O> {
             followed: &self,
             route,
             signs: self.starting_signs(&here),
+            short: 0,
+            beyond: 0,
             curve: Curve {
                 condition: self.condition,
                 points: vec![self.starting_point(&here)],
@@ -138,6 +144,10 @@ struct Follower<'a, O> {
     route: &'a Route<'a>,
     curve: Curve,
     signs: Option<Signs>,
+    /// The number of steps in a row that were very short.
+    short: usize,
+    /// The number of sounded points in a row at which motion goes far beyond the wall.
+    beyond: usize,
 }
 
 impl<O: ImpactOscillator> Follower<'_, O> {
@@ -155,7 +165,7 @@ impl<O: ImpactOscillator> Follower<'_, O> {
             Ok(walker) => walker,
             Err(stall) => return Some(stall),
         };
-        while self.curve.points.len() <= self.route.step_limit && !self.is_lost() {
+        while self.curve.points.len() <= self.route.step_limit && !self.creeps() {
             here = walker.here().clone();
             if let Some(pace) = self.route.pace {
                 let Some(longest) = pace(&self.curve.points, &here.tangent) else {
@@ -168,21 +178,63 @@ impl<O: ImpactOscillator> Follower<'_, O> {
                 Ok(station) => station.clone(),
                 Err(stall) => return Some(stall),
             };
+            let step = equations.gap(&here.point, &after.point).norm();
             if let ControlFlow::Break(end) = self.accept(&here, after) {
+                // The step may have led to another branch, where motion is sensitive: shorter ones do not.
+                let first = AGAIN * step;
+                if matches!(end, CurveEnd::EventNotLocated { .. })
+                    && first > control.first
+                    && let Ok(again) = Continuation::new(
+                        walked,
+                        StepControl { first, ..control },
+                        here.point,
+                        here.tangent,
+                        here.carried.clone(),
+                    )
+                {
+                    walker = again;
+                    continue;
+                }
                 self.curve.end = end;
+                return None;
+            }
+            if self.is_lost() || self.is_out_of_sight() {
+                self.curve.end = CurveEnd::Abandoned;
                 return None;
             }
         }
         None
     }
 
-    /// Whether a sketch has been among violent motion for long.
+    /// Whether the curve has hardly advanced for long, as where motion is so sensitive that no longer steps
+    /// succeed.
+    fn creeps(&mut self) -> bool {
+        let [.., before, last] = self.curve.points.as_slice() else { return false };
+        let step = self.followed.equations.gap(&before.solution.unknowns, &last.solution.unknowns).norm();
+        self.short = if step < SHORT_STEP * self.route.control.longest { self.short + 1 } else { 0 };
+        self.short > MOST_SHORT_STEPS
+    }
+
+    /// Whether motion on a sketch has gone far beyond the wall for long: from there it seldom comes back
+    /// to what is admissible, and solutions are the more the faster they are.
+    fn is_out_of_sight(&mut self) -> bool {
+        let equations = &self.followed.equations;
+        let count = self.curve.points.len();
+        if !self.route.control.sketches() || !equations.has_impacts() || !count.is_multiple_of(SOUNDED) {
+            return false;
+        }
+        let Some(last) = self.curve.points.last() else { return false };
+        let here = equations.sketch(&last.solution.unknowns, last.solution.multipliers, true);
+        self.beyond = if here.ceiling() > OUT_OF_SIGHT { self.beyond + 1 } else { 0 };
+        self.beyond > MOST_OUT_OF_SIGHT
+    }
+
+    /// Whether the curve has been among violent motion for long.
     fn is_lost(&self) -> bool {
         let points = &self.curve.points;
-        let violent = |point: &CurvePoint| point.solution.multipliers.size() > LOST_MULTIPLIERS;
-        self.route.control.sketches()
-            && points.len() > LOST_POINTS
-            && points.iter().rev().take(LOST_POINTS).all(violent)
+        let violent =
+            |point: &CurvePoint| point.times.stability.is_some_and(|stability| stability.violence > VIOLENT);
+        points.len() > LOST_POINTS && points.iter().rev().take(LOST_POINTS).all(violent)
     }
 
     /// Appends the next point, unless the curve ends before it.
@@ -194,13 +246,18 @@ impl<O: ImpactOscillator> Follower<'_, O> {
         if equations.has_impacts() && grazes {
             return ControlFlow::Break(self.end_at_grazing(&step));
         }
-        let (solution, now) = self.solution_and_signs(&after);
+        let (mut solution, mut now) = self.solution_and_signs(&after);
         if let Some(mut past) = self.signs {
             if past[INADMISSIBLE].is_none() && now[INADMISSIBLE].is_some() {
                 past[INADMISSIBLE] = Some(equations.solution(&before.point).touches());
             }
             if self.matters(past, now, &solution) {
-                self.locate_events(&step, past, now, &solution)?;
+                let located = self.locate_events(&step, past, now, &solution);
+                let lost = matches!(located, ControlFlow::Break(CurveEnd::EventNotLocated { .. }));
+                match self.without_events(&step).filter(|_| lost) {
+                    Some(exact) => (solution, now) = exact,
+                    None => located?,
+                }
             }
         }
         self.signs = Some(now);
@@ -234,6 +291,18 @@ impl<O: ImpactOscillator> Follower<'_, O> {
                 (solution, signs(*condition, &stability, &solution))
             }
         }
+    }
+
+    /// The solution and the signs at the end of a step of a sketch with all digits, if then there is no event
+    /// on the step.
+    fn without_events(&self, step: &Step<'_, O>) -> Option<(PeriodicSolution, Signs)> {
+        let exact = |station: &CurveStation| {
+            let (solution, stability) = self.followed.equations.solution_and_stability(&station.point);
+            (solution, signs(self.followed.condition, &stability, &solution))
+        };
+        let sketches = self.route.control.sketches();
+        let (past, now) = sketches.then(|| (exact(step.before), exact(step.after)))?;
+        changes(past.1, now.1).next().is_none().then_some(now)
     }
 
     /// Whether an event before the next point is to be located: on a sketch a single event between
@@ -273,7 +342,8 @@ impl<O: ImpactOscillator> Follower<'_, O> {
         now: Signs,
         beyond: &PeriodicSolution,
     ) -> ControlFlow<CurveEnd> {
-        let located = match step.events(past, now, beyond, self.curve.points.len()) {
+        let located = match Purpose::Events.during(|| step.events(past, now, beyond, self.curve.points.len()))
+        {
             Ok(located) => located,
             Err(end) => return ControlFlow::Break(end),
         };

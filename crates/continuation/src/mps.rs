@@ -19,6 +19,7 @@ use core::f64::consts::{PI, TAU};
 use grazing_model::maps::{self, MapError};
 use grazing_model::motion::{Maximum, Motion};
 use grazing_model::phase::turned;
+use grazing_model::smooth::Purpose;
 use grazing_model::{AnyOscillator, AtPhase, ImpactOscillator, MapJet, OnWall, State, Surface};
 use nalgebra::{SMatrix, Vector2, Vector4};
 use smallvec::SmallVec;
@@ -393,8 +394,10 @@ impl<O: ImpactOscillator> LoopEquations<O> {
                 let motion = equations.oscillator_at(point).motion(self.departure(point));
                 self.orbit(point, &motion, multipliers)
             };
-            let rough = orbit(&self.roughly());
-            return if rough.ceiling().abs() > UNSURE_HEIGHT { rough } else { orbit(self) };
+            return Purpose::Admissibility.during(|| {
+                let rough = orbit(&self.roughly());
+                if rough.ceiling().abs() > UNSURE_HEIGHT { rough } else { orbit(self) }
+            });
         }
         let loops = self.loops;
         PeriodicSolution { loops, unknowns: *point, multipliers, highest_interior_maximum: None }
@@ -405,10 +408,10 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             loops: self.loops,
             unknowns: *point,
             multipliers,
-            highest_interior_maximum: match self.has_impacts() {
+            highest_interior_maximum: Purpose::Admissibility.during(|| match self.has_impacts() {
                 true => motion.highest_maximum(self.flight(point)),
                 false => Some(highest_point(motion, self.flight(point))),
-            },
+            }),
         }
     }
 

@@ -85,6 +85,10 @@ pub(crate) struct Stability {
     pub(crate) pitchfork: Option<f64>,
     /// The [`product_less`](crate::mps::LoopPair::product_less).
     pub(crate) torus: f64,
+    /// The size of D round trip · adj D impact, whose ratio to det D impact is the matrix with the
+    /// multipliers: how sensitive motion is, also where the multipliers themselves are small. It stays
+    /// finite at y = 0.
+    pub(crate) violence: f64,
 }
 
 impl Stability {
@@ -95,6 +99,7 @@ impl Stability {
         period_doubling: f64::NAN,
         pitchfork: None,
         torus: f64::NAN,
+        violence: f64::NAN,
     };
 
     /// The stability over a whole period from that over half a period: multipliers are squared.
@@ -104,7 +109,8 @@ impl Stability {
             Multipliers { trace: trace * trace - 2.0 * determinant, determinant: determinant * determinant };
         // A sum of squares: T² + (1 − D)² over half a period.
         let period_doubling = 1.0 + multipliers.trace + multipliers.determinant;
-        Self { multipliers, period_doubling, pitchfork: Some(self.period_doubling), ..self }
+        let violence = self.violence * self.violence;
+        Self { multipliers, period_doubling, pitchfork: Some(self.period_doubling), violence, ..self }
     }
 
     /// Whether some function has changed by more than its own size, so that a correction as large

@@ -103,13 +103,28 @@ pub(crate) const IN_THE_PLANE: f64 = 1e-12;
 /// curve that continues there has 10⁻³ or more (empirical).
 pub(crate) const AT_CUSP: f64 = 1e-5;
 
-/// A sketch is abandoned after this many points in a row with large multipliers (empirical).
-pub(crate) const LOST_POINTS: usize = 60;
+/// A curve is abandoned after this many points in a row among violent motion (empirical).
+pub(crate) const LOST_POINTS: usize = 40;
 
-/// Multipliers larger than this count as large: the sketch runs into motion that escapes, over a
-/// hill of the potential for instance, which has any number of such solutions. Beside grazing
-/// multipliers are as large at no more than a few points.
-pub(crate) const LOST_MULTIPLIERS: f64 = 1e4;
+/// Motion is violent where neighbouring motion is stretched by more than this in a round trip: the
+/// curve runs into motion that escapes, over a hill of the potential for instance, which has any
+/// number of such solutions, and stable ones in strips too thin to be drawn.
+pub(crate) const VIOLENT: f64 = 1e3;
+
+/// Ratio of a step that is tried again to one on which an event was seen that could not be located.
+pub(crate) const AGAIN: f64 = 0.25;
+
+/// A step is very short if it is less than this fraction of the longest, and a curve ends after this
+/// many in a row (empirical: sharp turns and cusps take fewer than a hundred).
+pub(crate) const SHORT_STEP: f64 = 1e-3;
+pub(crate) const MOST_SHORT_STEPS: usize = 500;
+
+/// On a sketch every so manieth point is sounded: where motion is higher than this above the wall, whose
+/// distance from rest is of order one, at more than so many of them in a row, the sketch is abandoned
+/// (empirical).
+pub(crate) const SOUNDED: usize = 10;
+pub(crate) const OUT_OF_SIGHT: f64 = 1.0;
+pub(crate) const MOST_OUT_OF_SIGHT: usize = 4;
 
 /// Multipliers beyond this change so fast that no sign stays known for long.
 pub(crate) const UNSETTLED_MULTIPLIERS: f64 = 1e3;

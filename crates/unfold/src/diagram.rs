@@ -7,6 +7,7 @@ use grazing_continuation::curve::{Curve, Route, Window};
 use grazing_continuation::mps::{Formulation, LoopEquations};
 use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, UnfoldedResonance};
 use grazing_model::AnyOscillator;
+use grazing_model::smooth::Purpose;
 use rayon::prelude::*;
 
 pub use crate::curves::{CodimensionTwoPoint, DiagramCurve, route};
@@ -207,12 +208,13 @@ impl Diagram {
             unfinished,
         };
         for curve in &diagram.grazing {
-            let (mut found, mut lost) = resonances::on_curve(curve, scope, progress);
+            let on_curve = |scope| Purpose::Curves.during(|| resonances::on_curve(curve, scope, progress));
+            let (mut found, mut lost) = on_curve(scope);
             diagram.resonances.append(&mut found);
             diagram.unlocated.append(&mut lost);
             if !scope.loops.contains(&1) {
                 let one_loop = Scope { loops: vec![1], ..scope.clone() };
-                diagram.one_loop.append(&mut resonances::on_curve(curve, &one_loop, progress).0);
+                diagram.one_loop.append(&mut on_curve(&one_loop).0);
             }
         }
         for found in [&mut diagram.resonances, &mut diagram.one_loop] {
@@ -323,7 +325,8 @@ impl Diagram {
             for resonance in
                 one_loop.chain(&self.one_loop).filter(|resonance| !is_forgotten(resonance, loops))
             {
-                let (curves, missing) = resonance.located.unfold_iterated(loops, &route);
+                let unfold = || resonance.located.unfold_iterated(loops, &route);
+                let (curves, missing) = Purpose::Curves.during(unfold);
                 for curve in curves {
                     if let Some(kind) = Bifurcation::of(curve.condition, loops) {
                         net.add(DiagramCurve { kind, loops, n: 0, curve });
@@ -337,7 +340,7 @@ impl Diagram {
 
     fn grow(&self, nets: &mut [Net]) {
         let route = drawn(self.scope.window);
-        nets.iter_mut().for_each(|net| net.grow(&route));
+        nets.iter_mut().for_each(|net| Purpose::Curves.during(|| net.grow(&route)));
     }
 
     /// Stores curves and codimension-two points: first all that come from resonances, in the order
@@ -391,7 +394,7 @@ impl Diagram {
                 let none = |missing| Followed { resonance: index, curves: Vec::new(), missing };
                 let followed = match is_forgotten(resonance, resonance.loops) {
                     true => none(Vec::new()),
-                    false => match point.unfold(&route) {
+                    false => match Purpose::Curves.during(|| point.unfold(&route)) {
                         Ok(unfolded) => listed(index, resonance, unfolded),
                         Err(reason) => none(vec![reason]),
                     },

@@ -7,14 +7,16 @@
 //! which no motion relaxes that begins at rest.
 
 use core::f64::consts::TAU;
+use std::collections::HashMap;
 
 use grazing_continuation::curve::Window;
 use grazing_continuation::locate::{Condition, locate_within};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, flight_time, unknown};
 use grazing_model::motion::Motion;
+use grazing_model::smooth::Purpose;
 use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
 use grazing_results::span;
-use nalgebra::Vector2;
+use nalgebra::{Matrix2, Vector2};
 use rayon::prelude::*;
 
 use crate::Scope;
@@ -23,19 +25,29 @@ use crate::progress::Progress;
 use crate::tolerances::BETWEEN_ZEROS;
 
 /// Number of cells of a lattice along y, μ or η, and along z.
-const CELLS: [usize; 2] = [20, 30];
+const CELLS: [u32; 2] = [5, 10];
 /// Number of cells along y where y is large.
-const FAST_CELLS: usize = 10;
+const FAST_CELLS: u32 = 3;
 /// Reach of Newton's method, which does not leave the neighbouring cells, in diagonals of a cell.
 const REACH: f64 = 1.5;
-/// Largest number of times that a cell is divided.
+/// Number of times that a cell is divided where a function may vanish at all, and the largest number
+/// of times after that, where it is bent.
+const COARSE: u32 = 2;
 const PARTINGS: u32 = 3;
+/// Length of the sides of a cell that is divided no further, in the coordinates of a lattice: even,
+/// so that its middle has coordinates as well.
+const FINEST: u32 = 2;
+/// A function may vanish in a large cell if it is this many times as far from zero as it is bent.
+const BENT: f64 = 2.0;
 /// Deviation of a function from a straight line between corners, as a fraction of its range there,
 /// above which a cell is divided (empirical), since the function may vanish twice in between.
 const STRAIGHT: f64 = 0.25;
 /// Slope of a function above which a cell is not divided, in any window (empirical): the more
 /// sensitive motion is, the fewer stable solutions there are, and the more expensive the search.
 const VIOLENT: f64 = 100.0;
+/// Trace of the multipliers above which, all over a small cell, solutions in it do not matter
+/// (empirical): what is stable nearby is too small to be drawn.
+const LOST_TRACE: f64 = 100.0;
 /// Least number of doublings of the impact velocity in the search, which also continues as long as
 /// there are solutions; it is the same in every window, whatever is known there.
 const DOUBLINGS: usize = 3;
@@ -97,7 +109,7 @@ fn on_lattices(
         let found = lattices.par_iter().map(|lattice| match progress.stopped() {
             true => Vec::new(),
             // Virtual impacts, which leave the wall, do not count.
-            false => lattice.zeros(oscillator, loops, 0.0),
+            false => Purpose::Lattices.during(|| lattice.zeros(oscillator, loops, 0.0)),
         });
         found.collect::<Vec<_>>().concat()
     };
@@ -123,7 +135,8 @@ pub(crate) fn highest_at(
     secondary: f64,
     height: f64,
 ) -> Vec<HighestPoint> {
-    Lattice::lying(scope.window, secondary, 0.0).at_rest(oscillator, scope, height)
+    let lattice = Lattice::lying(scope.window, secondary, 0.0);
+    Purpose::Lattices.during(|| lattice.at_rest(oscillator, scope, height))
 }
 
 /// Grazing along lines of constant μ through the whole window.
@@ -137,7 +150,10 @@ pub(crate) fn grazing(
         let start = Unknowns::new(0.0, 0.0, primary, low);
         let length = scope.window.widths()[1];
         let lattice = Lattice { start, side: unknown::SECONDARY, length, cells: CELLS[0] };
-        if progress.stopped() { Vec::new() } else { lattice.at_rest(oscillator, scope, 0.0) }
+        match progress.stopped() {
+            true => Vec::new(),
+            false => Purpose::Lattices.during(|| lattice.at_rest(oscillator, scope, 0.0)),
+        }
     });
     found.collect::<Vec<_>>().concat()
 }
@@ -173,7 +189,7 @@ struct Lattice {
     /// The length of the range of that unknown.
     length: f64,
     /// The number of cells along it.
-    cells: usize,
+    cells: u32,
 }
 
 impl Lattice {
@@ -197,45 +213,41 @@ impl Lattice {
         Self { start, side: unknown::PRIMARY, length: right - left, cells: CELLS[0] }
     }
 
-    fn cell(&self) -> Unknowns {
-        let mut cell = Unknowns::zeros();
-        cell[self.side] = self.length / self.cells as f64;
-        cell[unknown::PHASE] = TAU / CELLS[1] as f64;
-        cell
+    /// The sides of the cells in which the search begins, or of the lattice's coordinates if `parts` is the
+    /// length of one of these.
+    fn sides(&self, parts: u32) -> [Unknowns; 2] {
+        let mut sides = [Unknowns::zeros(); 2];
+        sides[0][self.side] = self.length / f64::from(self.cells * parts);
+        sides[1][unknown::PHASE] = TAU / f64::from(CELLS[1] * parts);
+        sides
     }
 
     /// Cells that, as far as the lattice shows, contain a zero of one of several functions: the
     /// index of the function, the first corner and the sides of each.
     ///
-    /// In such a cell both components change sign between the corners. A cell is divided into four
-    /// where a function may change sign twice between them.
+    /// `values` are those of the functions with some indices at a point, and `is_idle` says of the
+    /// values at the corners of a cell that no zero in it matters.
     fn cells(
         &self,
         functions: usize,
-        values: impl Fn(&Unknowns) -> Vec<Vector2<f64>>,
+        values: impl Fn(&Unknowns, &[usize]) -> Vec<Vector2<f64>>,
+        is_idle: impl Fn(&[Unknowns; 2], &[Vector2<f64>; 4]) -> bool,
     ) -> Vec<(usize, [Unknowns; 2])> {
-        let sides = self.cell();
-        let [across, up] = [self.side, unknown::PHASE].map(|side| {
-            let mut along = Unknowns::zeros();
-            along[side] = sides[side];
-            along
-        });
-        let corner = |i: usize, k: usize| self.start + across * i as f64 + up * (k as f64);
-        let rows: Vec<Vec<Vec<Vector2<f64>>>> =
-            (0..=self.cells).map(|i| (0..=CELLS[1]).map(|k| values(&corner(i, k))).collect()).collect();
-        let mut found = Vec::new();
+        let size = FINEST << (COARSE + PARTINGS);
+        let [across, up] = self.sides(size);
+        let mut field = Field {
+            place: |[i, k]: [u32; 2]| self.start + across * f64::from(i) + up * f64::from(k),
+            turn: CELLS[1] * size,
+            values,
+            is_idle,
+            known: HashMap::new(),
+            functions,
+            found: Vec::new(),
+        };
         for (i, k) in (0..self.cells).flat_map(|i| (0..CELLS[1]).map(move |k| (i, k))) {
-            let corners = [[i, k], [i, k + 1], [i + 1, k], [i + 1, k + 1]].map(|[i, k]| rows[i][k].clone());
-            parted(
-                corner(i, k),
-                [across, up],
-                &corners,
-                &(0..functions).collect::<Vec<_>>(),
-                &values,
-                PARTINGS,
-                &mut found,
-            );
+            field.search([i * size, k * size], size, &(0..functions).collect::<Vec<_>>());
         }
+        let mut found = field.found;
         found.sort_by_key(|(index, _)| *index);
         found
     }
@@ -253,7 +265,14 @@ impl Lattice {
         // Only the signs are needed.
         let rough = oscillator.roughly();
         let mut found: Vec<(u32, Unknowns)> = Vec::new();
-        for (index, [first, cell]) in self.cells(loops.len(), |impact| misses(&rough, loops, impact)) {
+        let values = |impact: &Unknowns, indices: &[usize]| {
+            misses(&rough, indices.iter().map(|index| loops[*index]), impact)
+        };
+        let here_rough = rough.with_parameters([start[unknown::PRIMARY], start[unknown::SECONDARY]]);
+        let is_idle = |cell: &[Unknowns; 2], corners: &[Vector2<f64>; 4]| {
+            side == unknown::VELOCITY && is_violent(&here_rough, cell, corners)
+        };
+        for (index, [first, cell]) in self.cells(loops.len(), values, is_idle) {
             let loops = loops[index];
             let inside = |zero: &Unknowns| {
                 [side, unknown::PHASE]
@@ -280,13 +299,13 @@ impl Lattice {
     fn at_rest(&self, oscillator: &AnyOscillator, scope: &Scope, height: f64) -> Vec<HighestPoint> {
         let rough = oscillator.roughly();
         let held = if self.side == unknown::PRIMARY { unknown::SECONDARY } else { unknown::PRIMARY };
-        let missed = |state: &Unknowns| {
+        let missed = |state: &Unknowns, _: &[usize]| {
             let [_, phase, primary, secondary] = (*state).into();
             let oscillator = rough.with_parameters([primary, secondary]);
             let end = oscillator.motion(State::at_rest(height, phase)).at(oscillator.forcing_period());
             vec![Vector2::new(end.position - height, end.velocity)]
         };
-        let cells = self.cells(1, missed).into_iter().filter_map(|(_, [first, cell])| {
+        let cells = self.cells(1, missed, |_, _| false).into_iter().filter_map(|(_, [first, cell])| {
             let [_, phase, primary, secondary] = (first + cell * 0.5).into();
             let near = HighestPoint { height, phase, parameters: [primary, secondary] };
             near.located(oscillator, scope, held).filter(|found| scope.window.contains(found.parameters))
@@ -295,59 +314,105 @@ impl Lattice {
     }
 }
 
-/// Adds the cells with zeros of some of the functions inside a cell with these values at its
-/// corners.
-fn parted(
-    first: Unknowns,
-    [across, up]: [Unknowns; 2],
-    corners: &[Vec<Vector2<f64>>; 4],
-    functions: &[usize],
-    values: &impl Fn(&Unknowns) -> Vec<Vector2<f64>>,
-    partings: u32,
-    found: &mut Vec<(usize, [Unknowns; 2])>,
-) {
-    let ranges =
-        |index: usize| [0, 1].map(|component| span(corners.iter().map(|values| values[index][component])));
-    let changes = |[least, greatest]: [f64; 2], bend: f64| least <= bend && -greatest < bend;
-    // Functions that may vanish in the cell if they continue as they do along it.
-    let near = |index: &usize| ranges(*index).into_iter().all(|range| changes(range, range[1] - range[0]));
-    let functions: Vec<usize> = functions.iter().copied().filter(near).collect();
-    if functions.is_empty() {
-        return;
-    }
-    let middle = values(&(first + (across + up) * 0.5));
-    let steepest = VIOLENT * across.norm().max(up.norm());
-    let (mut bent, mut straight) = (Vec::new(), Vec::new());
-    for index in functions {
-        let ranges = ranges(index);
-        let mean = corners.iter().map(|values| values[index]).sum::<Vector2<f64>>() / 4.0;
-        let bends: [f64; 2] = (middle[index] - mean).abs().into();
-        let each = || ranges.into_iter().zip(bends);
-        let is_straight = each().all(|([least, greatest], bend)| bend <= STRAIGHT * (greatest - least));
-        let violent = ranges.iter().any(|[least, greatest]| greatest - least > steepest);
-        if partings == 0 || is_straight || violent {
-            straight.push((index, ranges));
-        } else if each().all(|(range, bend)| changes(range, bend)) {
-            bent.push(index);
+/// Functions on a lattice whose points have integer coordinates, with the values that are known.
+struct Field<P, V, I> {
+    /// The point with these coordinates.
+    place: P,
+    /// The second coordinate after a turn, where all functions are as they were.
+    turn: u32,
+    values: V,
+    is_idle: I,
+    known: HashMap<[u32; 2], Vec<Option<Vector2<f64>>>>,
+    functions: usize,
+    /// Cells with zeros.
+    found: Vec<(usize, [Unknowns; 2])>,
+}
+
+impl<P, V, I> Field<P, V, I>
+where
+    P: Fn([u32; 2]) -> Unknowns,
+    V: Fn(&Unknowns, &[usize]) -> Vec<Vector2<f64>>,
+    I: Fn(&[Unknowns; 2], &[Vector2<f64>; 4]) -> bool,
+{
+    /// Computes some of the functions at a point.
+    fn know(&mut self, [i, k]: [u32; 2], functions: &[usize]) {
+        let at = [i, k % self.turn];
+        let known = self.known.entry(at).or_insert_with(|| vec![None; self.functions]);
+        let missing: Vec<usize> = functions.iter().copied().filter(|index| known[*index].is_none()).collect();
+        if !missing.is_empty() {
+            let values = (self.values)(&(self.place)(at), &missing);
+            missing.into_iter().zip(values).for_each(|(index, value)| known[index] = Some(value));
         }
     }
-    let zeros = straight.into_iter().filter(|(_, ranges)| ranges.iter().all(|range| changes(*range, 0.0)));
-    found.extend(zeros.map(|(index, _)| (index, [first, across + up])));
-    if bent.is_empty() {
-        return;
+
+    fn value(&self, [i, k]: [u32; 2], index: usize) -> Vector2<f64> {
+        let known = self.known.get(&[i, k % self.turn]).and_then(|known| known[index]);
+        known.unwrap_or_else(|| Vector2::repeat(f64::NAN))
     }
-    let [across, up] = [across * 0.5, up * 0.5];
-    let at = |i: f64, k: f64| values(&(first + across * i + up * k));
-    let [left, right, below, above] = [at(0.0, 1.0), at(2.0, 1.0), at(1.0, 0.0), at(1.0, 2.0)];
-    let [a, b, c, d] = corners;
-    let quarters = [
-        (first, [a, &left, &below, &middle]),
-        (first + up, [&left, b, &middle, &above]),
-        (first + across, [&below, &middle, c, &right]),
-        (first + across + up, [&middle, &above, &right, d]),
-    ];
-    for (first, corners) in quarters {
-        parted(first, [across, up], &corners.map(Clone::clone), &bent, values, partings - 1, found);
+
+    /// Adds the cells inside a cell that contain zeros of some of the functions.
+    ///
+    /// In such a cell both components change sign between the corners. A large cell is divided into
+    /// four where a function may vanish, a small one where it may change sign twice between corners.
+    fn search(&mut self, at @ [i, k]: [u32; 2], size: u32, functions: &[usize]) {
+        let half = size / 2;
+        let is_large = size > FINEST << PARTINGS;
+        let corners = [[i, k], [i, k + size], [i + size, k], [i + size, k + size]];
+        let middle = [i + half, k + half];
+        corners.into_iter().for_each(|corner| self.know(corner, functions));
+        let changes = |[least, greatest]: [f64; 2], bend: f64| least <= bend && -greatest < bend;
+        let values = |field: &Self, index: usize| corners.map(|corner| field.value(corner, index));
+        let ranges = |values: &[Vector2<f64>; 4]| {
+            [0, 1].map(|component| span(values.iter().map(|value| value[component])))
+        };
+        // Functions that may vanish in the cell if they continue as they do along it.
+        let near = |field: &Self, index: &usize| {
+            let ranges = ranges(&values(field, *index));
+            ranges.into_iter().all(|range| changes(range, range[1] - range[0]))
+        };
+        let functions: Vec<usize> =
+            functions.iter().copied().filter(|index| is_large || near(self, index)).collect();
+        if functions.is_empty() {
+            return;
+        }
+        self.know(middle, &functions);
+        let [first, far] = [at, [i + size, k + size]].map(&self.place);
+        let cell = far - first;
+        let steepest = VIOLENT * cell.amax();
+        let mut bent = Vec::new();
+        for index in functions {
+            let values = values(self, index);
+            let ranges = ranges(&values);
+            let mean = values.iter().sum::<Vector2<f64>>() / 4.0;
+            let bends: [f64; 2] = (self.value(middle, index) - mean).abs().into();
+            let each = || ranges.into_iter().zip(bends);
+            if is_large {
+                let may_vanish = |([least, greatest], bend): ([f64; 2], f64)| {
+                    changes([least, greatest], (greatest - least).max(BENT * bend))
+                };
+                if each().all(may_vanish) {
+                    bent.push(index);
+                }
+                continue;
+            }
+            if (self.is_idle)(&[first, cell], &values) {
+                continue;
+            }
+            let is_straight = each().all(|([least, greatest], bend)| bend <= STRAIGHT * (greatest - least));
+            let violent = ranges.iter().any(|[least, greatest]| greatest - least > steepest);
+            if size == FINEST || is_straight || violent {
+                if ranges.iter().all(|range| changes(*range, 0.0)) {
+                    self.found.push((index, [first, cell]));
+                }
+            } else if each().all(|(range, bend)| changes(range, bend)) {
+                bent.push(index);
+            }
+        }
+        if !bent.is_empty() {
+            for part in [[i, k], [i, k + half], [i + half, k], middle] {
+                self.search(part, half, &bent);
+            }
+        }
     }
 }
 
@@ -360,16 +425,46 @@ fn same(a: &Unknowns, b: &Unknowns) -> bool {
 
 /// The distances by which motion that begins with an impact misses it after some numbers of forcing
 /// periods.
-fn misses(oscillator: &AnyOscillator, loops: &[u32], impact: &Unknowns) -> Vec<Vector2<f64>> {
+fn misses(
+    oscillator: &AnyOscillator,
+    loops: impl Iterator<Item = u32>,
+    impact: &Unknowns,
+) -> Vec<Vector2<f64>> {
     let [velocity, phase, primary, secondary] = (*impact).into();
     let oscillator = oscillator.with_parameters([primary, secondary]);
     let recoil = oscillator.reset::<1>(OnWall::new(velocity, phase)).value;
     let motion = oscillator.motion(State::on_wall(recoil[0], recoil[1]));
-    let after = |loops: &u32| {
-        let end = motion.at(flight_time(&oscillator, *loops, phase, recoil[1]));
+    let after = |loops: u32| {
+        let end = motion.at(flight_time(&oscillator, loops, phase, recoil[1]));
         Vector2::new(end.position, end.velocity - velocity)
     };
-    loops.iter().map(after).collect()
+    loops.map(after).collect()
+}
+
+/// Whether no solution in a cell of impacts (y, z) can be stable: the trace of its multipliers is large
+/// and of one sign, as far as differences between the corners show.
+fn is_violent(
+    oscillator: &AnyOscillator,
+    [first, cell]: &[Unknowns; 2],
+    corners: &[Vector2<f64>; 4],
+) -> bool {
+    let middle = first + cell * 0.5;
+    let frequency = oscillator.forcing_frequency().value;
+    let [velocity, phase] = [middle[unknown::VELOCITY], middle[unknown::PHASE]];
+    // The derivative of the straight way to the plane of the phase of impact.
+    let acceleration = oscillator.acceleration(State::on_wall(velocity, phase));
+    let straight = Matrix2::new(0.0, -velocity, frequency, -acceleration) / frequency;
+    let [a, b, c, d] = corners;
+    let (across, up) = (cell[unknown::VELOCITY], cell[unknown::PHASE]);
+    let (across, up) = ([(c - a) / across, (d - b) / across], [(b - a) / up, (d - c) / up]);
+    let traces = across.iter().flat_map(|by_velocity| {
+        up.iter().map(|by_phase| {
+            let missed = Matrix2::from_columns(&[*by_velocity, *by_phase]);
+            let [one, minus_one] = [missed, missed + straight * 2.0].map(|matrix| matrix.determinant());
+            0.5 * (minus_one - one) / straight.determinant()
+        })
+    });
+    traces.filter(|trace| trace.abs() > LOST_TRACE).count() > 2
 }
 
 #[cfg(test)]
@@ -430,14 +525,14 @@ mod tests {
             found.iter().filter(|(_, other)| near(other)).count()
         };
         // The zero lies in the middle of the last row.
-        let rows = lattice.cells as f64;
+        let rows = f64::from(lattice.cells);
         let last = Lattice::slow([0.5, 0.9], zero[0] * rows / (rows - 0.5));
         assert_eq!(count(&last), 1);
         // Likewise with the seam of the phases in the middle of its cell, and at both edges of the
         // cell.
         for share in [-1.0, -0.5, -0.01, 0.0, 0.01, 0.5] {
             let mut seam = Lattice::slow([0.5, 0.9], 2.0);
-            seam.start[unknown::PHASE] = zero[unknown::PHASE] + share * seam.cell()[unknown::PHASE];
+            seam.start[unknown::PHASE] = zero[unknown::PHASE] + share * seam.sides(1)[1][unknown::PHASE];
             assert_eq!(count(&seam), 1, "{share}");
         }
         assert!(same(&zero, &(zero + Unknowns::y() * TAU)) && !same(&zero, &(zero + Unknowns::y())));

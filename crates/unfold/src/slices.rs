@@ -18,6 +18,7 @@ use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns, parameters,
 use grazing_continuation::tolerances::RECURS;
 use grazing_model::motion::Motion;
 use grazing_model::phase::turned;
+use grazing_model::smooth::Purpose;
 use grazing_model::{ImpactOscillator, State};
 use nalgebra::SVector;
 
@@ -251,11 +252,13 @@ impl Slicer {
                 goes_on.then_some(f64::INFINITY)
             };
             let route = Route { pace: Some(&pace), ..route };
-            curve.follow_both_ways(through, -Unknowns::z(), times, &route)
-        } else if both {
-            curve.follow_both_ways(through, Unknowns::x(), times, &route)
+            let both_ways = || curve.follow_both_ways(through, -Unknowns::z(), times, &route);
+            Purpose::FreeBranches.during(both_ways)
         } else {
-            curve.follow(through, Unknowns::x(), times.clone(), &route)
+            Purpose::Branches.during(|| match both {
+                true => curve.follow_both_ways(through, Unknowns::x(), times, &route),
+                false => curve.follow(through, Unknowns::x(), times.clone(), &route),
+            })
         };
         slice.branches.extend(followed.map(|branch| self.whole(branch)));
         // Curves that were examined may cross the new branch.
@@ -311,13 +314,15 @@ impl Slicer {
         let window = Window { primary: [f64::NEG_INFINITY, f64::INFINITY], ..self.window };
         let (curve, route) = self.branch(Condition::Primary(through[unknown::PRIMARY]), window, through);
         if self.equations.has_impacts() {
-            let followed = curve.follow_both_ways(*through, Unknowns::w(), times, &route);
+            let followed =
+                Purpose::Columns.during(|| curve.follow_both_ways(*through, Unknowns::w(), times, &route));
             return Some(self.whole(followed.ok()?));
         }
         let pace = Pace::new(&self.equations, window, through);
         let pace = |points: &[CurvePoint], tangent: &Unknowns| pace.longest(points, tangent, size(through));
         let route = Route { pace: Some(&pace), ..route };
-        let followed = curve.follow_both_ways(*through, Unknowns::w(), times, &route);
+        let followed =
+            Purpose::FreeBranches.during(|| curve.follow_both_ways(*through, Unknowns::w(), times, &route));
         Some(self.whole(followed.ok()?))
     }
 }

@@ -13,6 +13,7 @@ use grazing_continuation::curve::{Curve, CurvePoint, Event, Pace, Route};
 use grazing_continuation::locate::{Condition, locate_within};
 use grazing_continuation::mps::{EventTimes, Unknowns, parameters, unknown};
 use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Purpose;
 use grazing_theorems::from_map::GrazingOrbit;
 use rayon::prelude::*;
 
@@ -231,8 +232,8 @@ impl<'a> Survey<'a> {
                 if let Ok(orbit) = orbit.or_else(|_| GrazingOrbit::at(oscillator, phase)) {
                     self.add_grazing(&orbit);
                 }
-            } else if !explained(self.net, kind, event, self.scope.window) {
-                start(self.net, kind, event, &self.route);
+            } else if !Purpose::Curves.during(|| explained(self.net, kind, event, self.scope.window)) {
+                Purpose::Curves.during(|| start(self.net, kind, event, &self.route));
             }
         }
     }
@@ -242,7 +243,8 @@ impl<'a> Survey<'a> {
         let shares = self.scope.window.shares(orbit.oscillator().parameters());
         if shares.iter().all(|share| (-ON_THE_EDGE..=1.0 + ON_THE_EDGE).contains(share))
             && !self.grazing.iter().any(|curve| curve.passes(orbit, self.scope))
-            && let Ok(curve) = GrazingCurve::through(orbit, self.scope, self.periods)
+            && let Ok(curve) =
+                Purpose::Curves.during(|| GrazingCurve::through(orbit, self.scope, self.periods))
             && !curve.states.is_empty()
         {
             self.grazing.push(curve);
@@ -299,7 +301,9 @@ impl<'a> Survey<'a> {
                     .then(|| solution.parameters())
             })
         };
-        self.net.curves.par_iter().filter_map(beside).collect()
+        let found =
+            self.net.curves.par_iter().filter_map(|curve| Purpose::Witnesses.during(|| beside(curve)));
+        found.collect()
     }
 
     /// The sights of all slices.

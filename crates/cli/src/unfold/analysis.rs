@@ -1,7 +1,6 @@
 //! The analysis of an oscillator from a text file, up to its limits.
 
 use grazing_analysis::unfolded::{Keep, Prepared, Unfolded, axes};
-use grazing_description::Limits;
 use grazing_unfold::UnfoldError;
 use grazing_unfold::progress::Progress;
 
@@ -13,20 +12,19 @@ use crate::progress::Display;
 
 pub(crate) use crate::outputs::oscillator::Analysis;
 
-/// Analyses an oscillator up to its limits, which include the reading of its file; returns also the
+/// Analyses an oscillator up to the limits of a watch, which include the reading of its file; returns also the
 /// cause that ended the analysis, if anything is missing.
 ///
 /// # Errors
 /// There is nothing to unfold.
 pub(crate) fn analyse(
     of: &OscillatorFile,
-    limits: Limits,
+    watch: &Watch,
     keep: Keep<'_>,
 ) -> Result<(Analysis, Option<EndCause>), Failure> {
-    let watch = Watch::begin(limits, of.taken);
     let display = Display::counting(watch.stop());
     let prepared = Prepared::new(&of.description, axes(&of.description), &watch.stop());
-    analyse_prepared(of, prepared, &watch, &display, keep)
+    analyse_prepared(of, prepared, watch, &display, keep)
 }
 
 /// Analyses a prepared oscillator as [`analyse`] does, with a given watch and receiver of progress.

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use grazing_analysis::unfolded::AtResonance;
 use grazing_description::Description;
+use grazing_model::smooth::Purpose;
 use grazing_results::brief;
 use grazing_theorems::{ResonantPoint, Unfolding};
 
@@ -16,6 +17,18 @@ const DIGITS: usize = 9;
 /// Hypotheses with their values and quantities, resonance by resonance.
 pub(crate) fn all(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
     unfolded.resonances.iter().map(|at| explained(layout, description, at)).collect()
+}
+
+/// The steps of integration by their purpose, in thousands.
+pub(crate) fn steps(layout: Layout, counts: impl Iterator<Item = (Purpose, u64)>) -> String {
+    let counts: Vec<(Purpose, u64)> = counts.filter(|(_, count)| *count > 0).collect();
+    let all: u64 = counts.iter().map(|(_, count)| count).sum();
+    let row = |(purpose, count): &(Purpose, u64)| {
+        let share = 100.0 * *count as f64 / all as f64;
+        vec![purpose.name().to_owned(), format!("{}", count / 1000), format!("{share:.1}")]
+    };
+    let table = layout.aligned(&["<evaluations of motion for", "thousands", "%"], counts.iter().map(row));
+    format!("\n{table}")
 }
 
 fn explained(layout: Layout, description: &Description, at: &AtResonance) -> String {

@@ -67,7 +67,8 @@ impl LoopPair {
         let [round_trip, impact] = [&self.round_trip, &self.impact].map(|jet| jet.derivative().determinant());
         let torus = round_trip - impact;
         let multipliers = self.multipliers();
-        Stability { multipliers, saddle_node, period_doubling, pitchfork: None, torus }
+        let violence = (self.round_trip.derivative() * adjugate(self.impact.derivative())).norm();
+        Stability { multipliers, saddle_node, period_doubling, pitchfork: None, torus, violence }
     }
 
     /// Trace and determinant of U = D(P_global^p ∘ P_disc). Paper: eq:U, eq:TD.

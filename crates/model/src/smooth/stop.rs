@@ -13,6 +13,7 @@ use core::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::Arc;
 
 use super::oscillator::SmoothOscillator;
+use super::purpose::Purpose;
 use crate::jet::{FlowJet, MapJet, ParameterJet};
 use crate::motion::{BoundedMotion, Enclosure, Kinematics};
 use crate::oscillator::ImpactOscillator;
@@ -20,7 +21,7 @@ use crate::scalar::Scalar;
 use crate::state::{OnWall, State};
 
 /// A flag that cancels a computation; clones share it. It also counts the steps of integration, and
-/// motions in closed form.
+/// motions in closed form, by their [`Purpose`].
 #[derive(Clone, Debug)]
 pub struct Stop(Arc<Shared>);
 
@@ -28,6 +29,7 @@ pub struct Stop(Arc<Shared>);
 struct Shared {
     asked: AtomicBool,
     steps: AtomicU64,
+    by_purpose: [AtomicU64; Purpose::ALL.len()],
     most: u64,
     /// Whether the limit of steps has been lifted.
     lifted: AtomicBool,
@@ -45,14 +47,15 @@ impl Default for Stop {
 const LOT: u64 = 256;
 
 thread_local! {
-    static OWN: Cell<u64> = const { Cell::new(0) };
+    static OWN: [Cell<u64>; Purpose::ALL.len()] = const { [const { Cell::new(0) }; Purpose::ALL.len()] };
 }
 
 impl Stop {
     /// A flag that is set after about this many steps of integration.
     pub fn after(steps: u64) -> Self {
         let (asked, lifted) = (AtomicBool::new(false), AtomicBool::new(false));
-        Self(Arc::new(Shared { asked, steps: AtomicU64::new(0), most: steps, lifted }))
+        let by_purpose = core::array::from_fn(|_| AtomicU64::new(0));
+        Self(Arc::new(Shared { asked, steps: AtomicU64::new(0), by_purpose, most: steps, lifted }))
     }
 
     /// Cancels the computation.
@@ -83,12 +86,20 @@ impl Stop {
         self.steps() >= self.0.most
     }
 
+    /// The number of these steps for each purpose.
+    pub fn by_purpose(&self) -> impl Iterator<Item = (Purpose, u64)> {
+        let counts = self.0.by_purpose.iter().map(|count| count.load(Ordering::Relaxed));
+        Purpose::ALL.into_iter().zip(counts.collect::<Vec<_>>())
+    }
+
     #[inline]
     fn count(&self) {
+        let purpose = Purpose::current() as usize;
         OWN.with(|own| {
-            let steps = own.get() + 1;
-            own.set(steps % LOT);
+            let steps = own[purpose].get() + 1;
+            own[purpose].set(steps % LOT);
             if steps == LOT {
+                self.0.by_purpose[purpose].fetch_add(LOT, Ordering::Relaxed);
                 let before = self.0.steps.fetch_add(LOT, Ordering::Relaxed);
                 let reached = before < self.0.most && before.saturating_add(LOT) >= self.0.most;
                 if reached && !self.0.lifted.load(Ordering::Relaxed) {

@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 
 use grazing_model::orbit::{Flight, FlightEnd, Orbit, OrbitEnd};
 use grazing_model::phase::turned;
+use grazing_model::smooth::Purpose;
 use grazing_model::{AnyMotion, AnyOscillator, ImpactOscillator, State};
 use nalgebra::Vector2;
 
@@ -117,7 +118,11 @@ pub struct LongOrbit {
 impl LongOrbit {
     /// The orbit from a state, with a longer transient where it has not settled, within the limits
     /// of the horizon.
-    pub fn follow(oscillator: &AnyOscillator, mut from: State, horizon: Horizon) -> Self {
+    pub fn follow(oscillator: &AnyOscillator, from: State, horizon: Horizon) -> Self {
+        Purpose::Simulation.during(|| Self::followed(oscillator, from, horizon))
+    }
+
+    fn followed(oscillator: &AnyOscillator, mut from: State, horizon: Horizon) -> Self {
         let Horizon { mut transient, counted, patience, longest } = horizon;
         let mut followed = 0;
         loop {

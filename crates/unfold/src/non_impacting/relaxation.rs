@@ -10,6 +10,7 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, LoopEquations, PeriodicSolution, Unknowns};
 use grazing_continuation::tolerances::FAR;
 use grazing_model::motion::Motion;
+use grazing_model::smooth::Purpose;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::Vector2;
@@ -105,7 +106,8 @@ pub(crate) fn motion(
         let rests = rest::positions(&oscillator.with_parameters([primary, secondary]));
         let positions = POSITIONS.iter().chain(positions).chain(&rests).map(|position| [*position, 0.0]);
         for start in scope.start.into_iter().chain(positions) {
-            match relaxed(&slicer.equations, [primary, secondary], Vector2::from(start)) {
+            let settled = || relaxed(&slicer.equations, [primary, secondary], Vector2::from(start));
+            match Purpose::Relaxation.during(settled) {
                 Ok(Some(orbit)) if orbit[0].abs() <= CARRIED_AWAY.max(AS_FAR * start[0].abs()) => {
                     add(&mut slice, &orbit)
                 }

@@ -5,6 +5,7 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, CurvePoint};
 use grazing_continuation::locate::{Condition, locate_within};
 use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns, parameters, unknown};
+use grazing_model::smooth::Purpose;
 
 use super::{CARRIED_OFF, Crossing, MOST_BRANCHES, Slice, Slicer, crossings};
 use crate::curves::DiagramCurve;
@@ -116,7 +117,7 @@ impl Slicer {
                 near[unknown::SECONDARY] = to.secondary;
                 let new = |equations: &LoopEquations| {
                     let mut times = point.times.clone();
-                    let found = self.at(equations, near, &mut times);
+                    let found = Purpose::Carrying.during(|| self.at(equations, near, &mut times));
                     found.filter(|start| !self.knows(to, start)).map(|start| (start, times))
                 };
                 let seen = rough.as_ref().is_none_or(|rough| new(rough).is_some());
@@ -151,7 +152,8 @@ impl Slicer {
             if !known.is_empty() && known.iter().all(has) {
                 continue;
             }
-            let found = locate_within(CARRIED_OFF, &self.equations, [condition, here], near, &mut times);
+            let locate = || locate_within(CARRIED_OFF, &self.equations, [condition, here], near, &mut times);
+            let found = Purpose::Carrying.during(locate);
             if let Ok(through) = found
                 && self.is_real(&through)
                 && self.window.contains(parameters(&through))
@@ -186,7 +188,8 @@ impl Slicer {
             }
             let conditions = [condition, Condition::Secondary(secondary)];
             let reach = (chord[1] - chord[0]).norm();
-            let found = locate_within(reach, &self.equations, conditions, near, &mut times);
+            let locate = || locate_within(reach, &self.equations, conditions, near, &mut times);
+            let found = Purpose::Carrying.during(locate);
             if let Ok(through) = found
                 && self.is_real(&through)
                 && self.equations.solution(&through).attracts()
