@@ -8,8 +8,8 @@ use grazing_continuation::curve::Window;
 use grazing_continuation::fit::{FitError, Straightened};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_description::Description;
-use grazing_model::smooth::Stop;
 use grazing_model::smooth::Units;
+use grazing_model::smooth::{Purpose, Stop};
 use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_results::branches::{OneParameter, Readings};
 use grazing_results::family::Family;
@@ -237,12 +237,13 @@ impl Unfolded {
         let resonances = diagram.resonances.par_iter().map(|resonance| {
             let found = AtResonance::new(resonance, &units);
             let Ok(point) = &resonance.theorem else { return (found, None) };
-            let mut curves = curves_from(&diagram, resonance, point, &units);
+            let measured = || curves_from(&diagram, resonance, point, &units);
+            let mut curves = Purpose::Coefficients.during(measured);
             let stopped = progress.stopped();
             if stopped {
                 // After cancellation nothing more can be computed, so the whole result is marked as
                 // missing, including parts that may have been finished.
-                curves = curves_from(&diagram, resonance, point, &units);
+                curves = measured();
                 for known in [&mut curves.findings.saddle_node, &mut curves.findings.period_doubling] {
                     known.coefficient.fit = Err(FitError::NotFinished);
                 }

@@ -6,9 +6,12 @@
 //! therefore get vertices at the same values of μ or η, and at those of the slices by which the
 //! strip is judged; each is located by Newton's method.
 
+use std::collections::HashMap;
+
 use grazing_continuation::curve::Window;
 use grazing_continuation::locate::{Condition, locate_within};
 use grazing_continuation::mps::{LoopEquations, Unknowns, parameters, unknown};
+use grazing_model::smooth::Purpose;
 use nalgebra::Vector2;
 use rayon::prelude::*;
 
@@ -45,13 +48,26 @@ struct Vertex {
     curve: usize,
 }
 
-/// The curves as polylines, with vertices at common places where they run alongside.
+/// The vertices of one curve that have been located: the segment, the unknown whose value is given, and
+/// the value's bits; `None` where there is none.
+type Located = HashMap<(usize, usize, u64), Option<Point>>;
+
+/// The vertices that have been located, curve by curve: lines are drawn again whenever more is known.
+#[derive(Default)]
+pub(crate) struct Vertices(Vec<Located>);
+
+/// Some of the curves, by their indices, as polylines with vertices at common places where they run alongside.
 pub(crate) fn polylines(
     equations: &LoopEquations,
-    curves: &[&DiagramCurve],
-    window: Window,
-    levels: &[f64],
+    curves: &[DiagramCurve],
+    shown: &[usize],
+    (window, levels): (Window, &[f64]),
+    vertices: &mut Vertices,
 ) -> Vec<Vec<Point>> {
+    vertices.0.resize_with(curves.len(), Located::new);
+    let located = vertices.0.iter_mut().enumerate().filter(|(k, _)| shown.contains(k));
+    let located: Vec<&mut Located> = located.map(|(_, located)| located).collect();
+    let curves: Vec<&DiagramCurve> = shown.iter().map(|k| &curves[*k]).collect();
     let shares: Vec<Vec<Point>> = curves
         .iter()
         .map(|curve| curve.curve.parameters().into_iter().map(|at| window.shares(at)).collect())
@@ -61,8 +77,10 @@ pub(crate) fn polylines(
     for ((of, more), bent) in places.iter_mut().zip(at_levels(&shares, window, levels)).zip(bent) {
         of.extend(more.into_iter().chain(bent));
     }
-    let polyline = |(curve, places): (&&DiagramCurve, Vec<Place>)| refined(equations, curve, places, window);
-    curves.par_iter().zip(places).map(polyline).collect()
+    let polyline = |((curve, places), located): ((&&DiagramCurve, Vec<Place>), &mut Located)| {
+        refined(equations, curve, places, window, located)
+    };
+    curves.par_iter().zip(places).zip(located).map(polyline).collect()
 }
 
 /// The fraction of the interval between two numbers at which a value lies, if it lies inside.
@@ -165,6 +183,7 @@ fn refined(
     curve: &DiagramCurve,
     mut places: Vec<Place>,
     window: Window,
+    located: &mut Located,
 ) -> Vec<Point> {
     places.sort_by(|a, b| a.segment.cmp(&b.segment).then(a.way.total_cmp(&b.way)));
     places.dedup_by(|b, a| a.segment == b.segment && b.way - a.way < SAME_LEVEL);
@@ -184,12 +203,16 @@ fn refined(
             // The reach covers the deviation of the curve from its chord, but no more than the next
             // vertices.
             let reach = (ends[1] - ends[0]).norm();
-            let found =
-                locate_within(reach, equations, conditions, near, &mut point.times.clone()).map(|found| {
+            let locate = || {
+                let found = locate_within(reach, equations, conditions, near, &mut point.times.clone());
+                found.ok().map(|found| {
                     let mut at = parameters(&found);
                     at[place.unknown - unknown::PRIMARY] = place.value;
                     at
-                });
+                })
+            };
+            let key = (index, place.unknown, place.value.to_bits());
+            let found = *located.entry(key).or_insert_with(|| Purpose::Vertices.during(locate));
             // A bent curve deviates from its chord by less than a quarter of its length.
             let [from, to] = ends.map(|end| Vector2::from(window.shares(parameters(&end))));
             let aside = ALONGSIDE.max(0.25 * (to - from).norm());
@@ -197,7 +220,7 @@ fn refined(
                 let [here, there] = [*at, parameters(&near)].map(|at| window.shares(at));
                 [0, 1].iter().all(|&axis| (here[axis] - there[axis]).abs() < aside)
             };
-            line.extend(found.ok().filter(is_close));
+            line.extend(found.filter(is_close));
         }
     }
     line

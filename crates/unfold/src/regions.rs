@@ -119,7 +119,8 @@ fn refined(
     survey.look_at(levels, progress);
     let mut judge = Judge { window, sights: survey.sights(), witnesses: survey.witnesses() };
     for _ in 0..ROUNDS {
-        let wanted = wanted(&judge, survey, &joined(window, survey.lines()));
+        let lines = joined(window, survey.lines());
+        let wanted = wanted(&judge, survey, &lines);
         if wanted.is_empty() || progress.stopped() {
             break;
         }

@@ -6,7 +6,7 @@
 //! between two points of its edge. Motion without impacts may have branches that are closed, and on
 //! which no motion relaxes that begins at rest.
 
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 use std::collections::HashMap;
 
 use grazing_continuation::curve::Window;
@@ -16,7 +16,7 @@ use grazing_model::motion::Motion;
 use grazing_model::smooth::Purpose;
 use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
 use grazing_results::span;
-use nalgebra::{Matrix2, Vector2};
+use nalgebra::{Matrix2, Vector2, Vector3};
 use rayon::prelude::*;
 
 use crate::Scope;
@@ -230,8 +230,8 @@ impl Lattice {
     fn cells(
         &self,
         functions: usize,
-        values: impl Fn(&Unknowns, &[usize]) -> Vec<Vector2<f64>>,
-        is_idle: impl Fn(&[Unknowns; 2], &[Vector2<f64>; 4]) -> bool,
+        values: impl Fn(&Unknowns, &[usize]) -> Vec<Missed>,
+        is_idle: impl Fn(&[Unknowns; 2], &[Missed; 4]) -> bool,
     ) -> Vec<(usize, [Unknowns; 2])> {
         let size = FINEST << (COARSE + PARTINGS);
         let [across, up] = self.sides(size);
@@ -269,7 +269,7 @@ impl Lattice {
             misses(&rough, indices.iter().map(|index| loops[*index]), impact)
         };
         let here_rough = rough.with_parameters([start[unknown::PRIMARY], start[unknown::SECONDARY]]);
-        let is_idle = |cell: &[Unknowns; 2], corners: &[Vector2<f64>; 4]| {
+        let is_idle = |cell: &[Unknowns; 2], corners: &[Missed; 4]| {
             side == unknown::VELOCITY && is_violent(&here_rough, cell, corners)
         };
         for (index, [first, cell]) in self.cells(loops.len(), values, is_idle) {
@@ -303,7 +303,8 @@ impl Lattice {
             let [_, phase, primary, secondary] = (*state).into();
             let oscillator = rough.with_parameters([primary, secondary]);
             let end = oscillator.motion(State::at_rest(height, phase)).at(oscillator.forcing_period());
-            vec![Vector2::new(end.position - height, end.velocity)]
+            let missed = Vector2::new(end.position - height, end.velocity);
+            vec![missed.push(missed.x)]
         };
         let cells = self.cells(1, missed, |_, _| false).into_iter().filter_map(|(_, [first, cell])| {
             let [_, phase, primary, secondary] = (first + cell * 0.5).into();
@@ -314,6 +315,11 @@ impl Lattice {
     }
 }
 
+/// What vanishes at a solution: the distance by which motion misses its beginning, and the energy that is
+/// gained on the way, as far as it is known. The energy adds nothing, but fast motion, which turns round
+/// in the plane of the first two many times in a cell, gains and loses little.
+type Missed = Vector3<f64>;
+
 /// Functions on a lattice whose points have integer coordinates, with the values that are known.
 struct Field<P, V, I> {
     /// The point with these coordinates.
@@ -322,7 +328,7 @@ struct Field<P, V, I> {
     turn: u32,
     values: V,
     is_idle: I,
-    known: HashMap<[u32; 2], Vec<Option<Vector2<f64>>>>,
+    known: HashMap<[u32; 2], Vec<Option<Missed>>>,
     functions: usize,
     /// Cells with zeros.
     found: Vec<(usize, [Unknowns; 2])>,
@@ -331,8 +337,8 @@ struct Field<P, V, I> {
 impl<P, V, I> Field<P, V, I>
 where
     P: Fn([u32; 2]) -> Unknowns,
-    V: Fn(&Unknowns, &[usize]) -> Vec<Vector2<f64>>,
-    I: Fn(&[Unknowns; 2], &[Vector2<f64>; 4]) -> bool,
+    V: Fn(&Unknowns, &[usize]) -> Vec<Missed>,
+    I: Fn(&[Unknowns; 2], &[Missed; 4]) -> bool,
 {
     /// Computes some of the functions at a point.
     fn know(&mut self, [i, k]: [u32; 2], functions: &[usize]) {
@@ -345,9 +351,9 @@ where
         }
     }
 
-    fn value(&self, [i, k]: [u32; 2], index: usize) -> Vector2<f64> {
+    fn value(&self, [i, k]: [u32; 2], index: usize) -> Missed {
         let known = self.known.get(&[i, k % self.turn]).and_then(|known| known[index]);
-        known.unwrap_or_else(|| Vector2::repeat(f64::NAN))
+        known.unwrap_or_else(|| Missed::repeat(f64::NAN))
     }
 
     /// Adds the cells inside a cell that contain zeros of some of the functions.
@@ -362,13 +368,13 @@ where
         corners.into_iter().for_each(|corner| self.know(corner, functions));
         let changes = |[least, greatest]: [f64; 2], bend: f64| least <= bend && -greatest < bend;
         let values = |field: &Self, index: usize| corners.map(|corner| field.value(corner, index));
-        let ranges = |values: &[Vector2<f64>; 4]| {
-            [0, 1].map(|component| span(values.iter().map(|value| value[component])))
+        let ranges = |values: &[Missed; 4]| {
+            [0, 1, 2].map(|component| span(values.iter().map(|value| value[component])))
         };
         // Functions that may vanish in the cell if they continue as they do along it.
         let near = |field: &Self, index: &usize| {
-            let ranges = ranges(&values(field, *index));
-            ranges.into_iter().all(|range| changes(range, range[1] - range[0]))
+            let [x, y, _] = ranges(&values(field, *index));
+            [x, y].into_iter().all(|range| changes(range, range[1] - range[0]))
         };
         let functions: Vec<usize> =
             functions.iter().copied().filter(|index| is_large || near(self, index)).collect();
@@ -383,9 +389,11 @@ where
         for index in functions {
             let values = values(self, index);
             let ranges = ranges(&values);
-            let mean = values.iter().sum::<Vector2<f64>>() / 4.0;
-            let bends: [f64; 2] = (self.value(middle, index) - mean).abs().into();
+            let mean = values.iter().sum::<Missed>() / 4.0;
+            let bends: [f64; 3] = (self.value(middle, index) - mean).abs().into();
             let each = || ranges.into_iter().zip(bends);
+            // The energy is no more than a hint where cells are large.
+            let both = || each().take(2);
             if is_large {
                 let may_vanish = |([least, greatest], bend): ([f64; 2], f64)| {
                     changes([least, greatest], (greatest - least).max(BENT * bend))
@@ -398,13 +406,13 @@ where
             if (self.is_idle)(&[first, cell], &values) {
                 continue;
             }
-            let is_straight = each().all(|([least, greatest], bend)| bend <= STRAIGHT * (greatest - least));
-            let violent = ranges.iter().any(|[least, greatest]| greatest - least > steepest);
+            let is_straight = both().all(|([least, greatest], bend)| bend <= STRAIGHT * (greatest - least));
+            let violent = ranges[..2].iter().any(|[least, greatest]| greatest - least > steepest);
             if size == FINEST || is_straight || violent {
-                if ranges.iter().all(|range| changes(*range, 0.0)) {
+                if ranges[..2].iter().all(|range| changes(*range, 0.0)) {
                     self.found.push((index, [first, cell]));
                 }
-            } else if each().all(|(range, bend)| changes(range, bend)) {
+            } else if both().all(|(range, bend)| changes(range, bend)) {
                 bent.push(index);
             }
         }
@@ -425,36 +433,43 @@ fn same(a: &Unknowns, b: &Unknowns) -> bool {
 
 /// The distances by which motion that begins with an impact misses it after some numbers of forcing
 /// periods.
-fn misses(
-    oscillator: &AnyOscillator,
-    loops: impl Iterator<Item = u32>,
-    impact: &Unknowns,
-) -> Vec<Vector2<f64>> {
+fn misses(oscillator: &AnyOscillator, loops: impl Iterator<Item = u32>, impact: &Unknowns) -> Vec<Missed> {
     let [velocity, phase, primary, secondary] = (*impact).into();
     let oscillator = oscillator.with_parameters([primary, secondary]);
     let recoil = oscillator.reset::<1>(OnWall::new(velocity, phase)).value;
     let motion = oscillator.motion(State::on_wall(recoil[0], recoil[1]));
     let after = |loops: u32| {
         let end = motion.at(flight_time(&oscillator, loops, phase, recoil[1]));
-        Vector2::new(end.position, end.velocity - velocity)
+        let kinetic = 0.5 * (end.velocity * end.velocity - velocity * velocity);
+        Missed::new(
+            end.position,
+            end.velocity - velocity,
+            kinetic + potential(&oscillator, end.position, phase),
+        )
     };
     loops.map(after).collect()
 }
 
+/// The potential energy at a position, compared with that at the wall: the work against the force on a
+/// motionless oscillator, half of it at a phase and half of it half a period later, by Simpson's rule.
+fn potential(oscillator: &AnyOscillator, position: f64, phase: f64) -> f64 {
+    let force = |share: f64| {
+        let at = |phase| oscillator.acceleration(State::at_rest(share * position, phase));
+        0.5 * (at(phase) + at(phase + PI))
+    };
+    -position * (force(0.0) + 4.0 * force(0.5) + force(1.0)) / 6.0
+}
+
 /// Whether no solution in a cell of impacts (y, z) can be stable: the trace of its multipliers is large
 /// and of one sign, as far as differences between the corners show.
-fn is_violent(
-    oscillator: &AnyOscillator,
-    [first, cell]: &[Unknowns; 2],
-    corners: &[Vector2<f64>; 4],
-) -> bool {
+fn is_violent(oscillator: &AnyOscillator, [first, cell]: &[Unknowns; 2], corners: &[Missed; 4]) -> bool {
     let middle = first + cell * 0.5;
     let frequency = oscillator.forcing_frequency().value;
     let [velocity, phase] = [middle[unknown::VELOCITY], middle[unknown::PHASE]];
     // The derivative of the straight way to the plane of the phase of impact.
     let acceleration = oscillator.acceleration(State::on_wall(velocity, phase));
     let straight = Matrix2::new(0.0, -velocity, frequency, -acceleration) / frequency;
-    let [a, b, c, d] = corners;
+    let [a, b, c, d] = corners.map(|corner| corner.xy());
     let (across, up) = (cell[unknown::VELOCITY], cell[unknown::PHASE]);
     let (across, up) = ([(c - a) / across, (d - b) / across], [(b - a) / up, (d - c) / up]);
     let traces = across.iter().flat_map(|by_velocity| {

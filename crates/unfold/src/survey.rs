@@ -19,6 +19,7 @@ use rayon::prelude::*;
 
 use self::explain::{bounding, explained, is_wide, start};
 use crate::Scope;
+use crate::alongside::Vertices;
 use crate::curves::{DiagramCurve, Net, route};
 use crate::faces::Point;
 use crate::grazing::GrazingCurve;
@@ -50,6 +51,8 @@ pub(crate) struct Survey<'a> {
     crossed: bool,
     /// MPSs on the first slices to which no known curve may lead.
     found: Vec<Unknowns>,
+    /// The vertices of lines that have been located.
+    vertices: Vertices,
 }
 
 /// Number of parts into which columns of constant μ divide its range; the first and the last are
@@ -93,6 +96,7 @@ impl<'a> Survey<'a> {
             columns: Vec::new(),
             crossed: false,
             found,
+            vertices: Vertices::default(),
         }
     }
 

@@ -21,6 +21,10 @@ pub enum Purpose {
     Columns,
     /// Grazing curves, resonances and bifurcation curves.
     Curves,
+    /// Vertices of curves beside others.
+    Vertices,
+    /// Coefficients, magnifications and straightened curves at resonances.
+    Coefficients,
     /// Events on branches and curves.
     Events,
     /// The highest maxima of solutions, which decide whether they are admissible.
@@ -37,7 +41,7 @@ thread_local! {
 
 impl Purpose {
     /// All purposes, in the order of their declaration.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 14] = [
         Self::Other,
         Self::Relaxation,
         Self::FreeBranches,
@@ -46,6 +50,8 @@ impl Purpose {
         Self::Branches,
         Self::Columns,
         Self::Curves,
+        Self::Vertices,
+        Self::Coefficients,
         Self::Events,
         Self::Admissibility,
         Self::Witnesses,
@@ -83,6 +89,8 @@ impl Purpose {
             Self::Branches => "branches on slices",
             Self::Columns => "columns",
             Self::Curves => "curves and resonances",
+            Self::Vertices => "vertices beside others",
+            Self::Coefficients => "coefficients, magnifications",
             Self::Events => "events",
             Self::Admissibility => "admissibility",
             Self::Witnesses => "witnesses",

@@ -18,19 +18,24 @@ const BESIDE_GRAZING: f64 = 1e-3;
 
 impl Survey<'_> {
     /// The lines that cut the window, as polylines.
-    pub(crate) fn lines(&self) -> Vec<Vec<Point>> {
+    pub(crate) fn lines(&mut self) -> Vec<Vec<Point>> {
         let curves = &self.net.curves;
         let has_impacts = self.loops() > 0;
         let covered = |k: usize| curves[..k].iter().any(|earlier| covers(self.scope, earlier, &curves[k]));
-        let shown = curves.iter().enumerate().filter(|(k, _)| has_impacts || !covered(*k));
-        let shown: Vec<&DiagramCurve> = shown.map(|(_, curve)| curve).collect();
+        let shown: Vec<usize> = (0..curves.len()).filter(|k| has_impacts || !covered(*k)).collect();
         let levels: Vec<f64> = self.slices.iter().map(|slice| slice.secondary).collect();
         let mut lines: Vec<Vec<Point>> = Vec::new();
         if !has_impacts {
             lines.extend(self.grazing.iter().map(|curve| curve.parameters().collect()));
             lines.extend(self.doublings());
         }
-        lines.extend(alongside::polylines(&self.net.equations, &shown, self.scope.window, &levels));
+        lines.extend(alongside::polylines(
+            &self.net.equations,
+            curves,
+            &shown,
+            (self.scope.window, &levels),
+            &mut self.vertices,
+        ));
         if has_impacts {
             lines.extend(self.forgotten());
         }
